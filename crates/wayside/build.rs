@@ -1,5 +1,5 @@
-//! Hashes the sources of each stage, and of the evaluation, together with those of the leaves that it sees, for
-//! keys of what is kept: a hand-kept version number is forgotten, a hash is not.
+//! Hashes the sources of each stage, and of the evaluation, together with those of the leaves that it sees,
+//! for keys of what is kept: a hand-kept version number is forgotten, a hash is not.
 
 mod sources;
 

@@ -13,7 +13,8 @@ mod ci;
 use cli::Command;
 use std::process::ExitCode;
 use wayside::Failure;
-use wayside::program::commands::{Means, dispatch};
+use wayside::program::commands::dispatch;
+use wayside::program::means::Means;
 use wayside::program::{self, terminal};
 
 fn main() -> ExitCode {

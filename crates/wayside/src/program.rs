@@ -3,6 +3,7 @@
 
 pub mod cli;
 pub mod commands;
+pub mod means;
 pub mod terminal;
 mod ending;
 mod export_formats;
@@ -18,7 +19,7 @@ use crate::host::memory::Allowance;
 use crate::host::progress::Work;
 use crate::report::Making;
 use cli::General;
-use commands::Means;
+use means::Means;
 use std::process::ExitCode;
 
 /// Runs the binary `wayside`.

@@ -1,6 +1,6 @@
-//! The layer rule: leaves depend on no crate of the workspace (`radar` and `bodies` on `artifact` alone, `po-sbr`
-//! on these two), stages on leaves and never on each other; `wayside` links them, and `xtask` stands above it.
-//! What teaches a stage may see it.
+//! The layer rule: leaves depend on no crate of the workspace (`radar` and `bodies` on `artifact` alone,
+//! `po-sbr` on these two), stages on leaves and never on each other; `wayside` links them, and `xtask` stands
+//! above it. What teaches a stage may see it.
 
 use crate::ci::findings::none_of;
 use crate::project::project_root;

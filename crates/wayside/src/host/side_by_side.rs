@@ -3,8 +3,8 @@
 use crate::host::failure::Failure;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Results of all jobs, in any order, each done on one of so many threads: threads of the pool would take up a
-/// further job while they wait for a part of one, and hold more than was allowed.
+/// Results of all jobs, in any order, each done on one of so many threads: threads of the pool would take up
+/// a further job while they wait for a part of one, and hold more than was allowed.
 pub(crate) fn side_by_side<J: Sync, T: Send>(
     jobs: &[J],
     at_once: usize,

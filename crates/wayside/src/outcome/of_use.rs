@@ -16,10 +16,10 @@ pub(crate) struct OfUse {
 impl OfUse {
     /// Finds it among the errors of the method and the mesh; `None` where nothing of it was estimated.
     ///
-    /// What a key of the scene leaves out (edges, road, ways between bodies, transmission) is no such error: it
-    /// says of another scene what this one is not, and is larger than the echo of a motorcycle where it is the
-    /// road. Facets in place of a curved skin are cut until they are as good as asked. So their share counts
-    /// only where it is larger: then the mesh gives no more.
+    /// What a key of the scene leaves out (edges, road, ways between bodies, transmission) is no such error:
+    /// it says of another scene what this one is not, and is larger than the echo of a motorcycle where it is
+    /// the road. Facets in place of a curved skin are cut until they are as good as asked. So their share
+    /// counts only where it is larger: then the mesh gives no more.
     pub(crate) fn of(asked: Accuracy, error: &ErrorBudget, model: &ModelError) -> Option<Self> {
         let mesh = error.tessellation.filter(|amplitude| *amplitude > asked.amplitude());
         let all = [

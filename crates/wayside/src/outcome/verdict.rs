@@ -27,8 +27,8 @@ pub struct AccuracyVerdict {
     pub met: Option<bool>,
     /// The name of the largest share of the error.
     pub limited_by: Option<String>,
-    /// Accuracy of use, dB: the largest error of the model's method and of the mesh, which stays however little
-    /// is asked for; `None` where none was estimated.
+    /// Accuracy of use, dB: the largest error of the model's method and of the mesh, which stays however
+    /// little is asked for; `None` where none was estimated.
     pub of_use_db: Option<f64>,
     /// Sentences: what limits the accuracy and what would help, where it was not met; and which accuracy is
     /// of use, where less was asked for. `None` where neither is so.

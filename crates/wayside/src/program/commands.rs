@@ -15,21 +15,12 @@ mod formats;
 mod learning;
 
 use crate::host::failure::Failure;
-use crate::host::memory::Allowance;
 use crate::program::cli::Command;
-use crate::report::Making;
+use crate::program::means::Means;
 use formats::{export, import, inspect};
 
 #[cfg(feature = "classifier")]
 pub use learning::train::{PROGRAM as TRAINING_PROGRAM, target_folder as training_target_folder};
-
-/// Means with which a command is carried out.
-pub struct Means {
-    /// Memory that tracing may take.
-    pub memory: Allowance,
-    /// The command of this process, for reports.
-    pub making: Making,
-}
 
 /// Does what was asked.
 pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {

@@ -1,5 +1,5 @@
-//! Which radar to take at the paper's intersection: `scenes/studies/intersection.sweep.toml`, twice, with other
-//! noise.
+//! Which radar to take at the paper's intersection: `scenes/studies/intersection.sweep.toml`, twice, with
+//! other noise.
 
 use crate::project::project_root;
 use crate::study::extent::Extent;

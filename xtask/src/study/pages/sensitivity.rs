@@ -1,5 +1,5 @@
-//! Sensitivity of what a run is for to the accuracy asked: scenes at several accuracies beside the finest that
-//! memory holds, and which accuracy each result needs.
+//! Sensitivity of what a run is for to the accuracy asked: scenes at several accuracies beside the finest
+//! that memory holds, and which accuracy each result needs.
 
 mod scenes;
 mod answers;

@@ -3,7 +3,7 @@
 use crate::host::call_off::CallOff;
 use crate::host::failure::Failure;
 use crate::program::cli::SweepArguments;
-use crate::program::commands::Means;
+use crate::program::means::Means;
 use crate::program::terminal;
 use crate::sweep::{self, Settings};
 

@@ -32,8 +32,11 @@ pub(crate) struct Measures {
 struct Measure {
     name: String,
     better: Better,
-    of: Box<dyn Fn(&Summary) -> Option<f64> + Send + Sync>,
+    of: Box<OfRun>,
 }
+
+/// What a run has of a metric.
+type OfRun = dyn Fn(&Summary) -> Option<f64> + Send + Sync;
 
 impl Measures {
     /// The metrics, with detection rates in bands of range between these bounds, m.

@@ -44,8 +44,8 @@ pub(super) struct Answer {
 pub(super) struct Kept {
     folder: PathBuf,
     hash: String,
-    /// Frames of this study alone, of which other noise takes the paths: what an earlier one left would cost no
-    /// seconds.
+    /// Frames of this study alone, of which other noise takes the paths: what an earlier one left would cost
+    /// no seconds.
     cache: tempfile::TempDir,
 }
 

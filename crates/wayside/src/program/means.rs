@@ -1,0 +1,12 @@
+//! Means with which a command is carried out.
+
+use crate::host::memory::Allowance;
+use crate::report::Making;
+
+/// Means with which a command is carried out.
+pub struct Means {
+    /// Memory that tracing may take.
+    pub memory: Allowance,
+    /// The command of this process, for reports.
+    pub making: Making,
+}
