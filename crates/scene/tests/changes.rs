@@ -52,7 +52,7 @@ fn changes_are_made_in_their_order() {
 fn a_change_that_is_refused_stands_where_the_value_stood_or_its_table() {
     for (key, value, place, rule) in [
         ("frames", "0", "2:10:", "frames"),
-        ("radar.hight_m", "6", "3:2: [radar]", "unknown key `hight_m`"),
+        ("radar.hight_m", "6", "3:1: [radar]", "unknown key `hight_m`"),
         ("radar.array.preset", "\"3x5\"", "6:10:", "3x5"),
         (
             "radar.position_m.3",

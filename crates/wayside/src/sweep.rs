@@ -95,11 +95,8 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     };
     let ledger = match rounds.made()? {
         Made::Whole(ledger) => ledger,
-        Made::Waiting { repeat, missing } => {
-            let repeat = repeat + 1;
-            (settings.tell)(&format!(
-                "{missing} runs of repeat {repeat} are not made yet (another part of --shard)"
-            ));
+        Made::Waiting { missing } => {
+            (settings.tell)(&format!("{missing} runs are not made yet (another part of --shard)"));
             return Ok(None);
         }
     };

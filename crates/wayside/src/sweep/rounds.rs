@@ -45,8 +45,9 @@ pub(crate) struct Rounds<'a> {
 pub(crate) enum Made {
     /// All that the answer needs.
     Whole(Ledger),
-    /// So many runs of a repeat are other parts' and not made yet.
-    Waiting { repeat: usize, missing: usize },
+    /// So many runs are other parts' and not made yet; with an early stop those of one repeat, as who stays is
+    /// not known before.
+    Waiting { missing: usize },
 }
 
 /// Errors of one run, once they are measured.
@@ -62,21 +63,29 @@ impl Rounds<'_> {
     /// Makes this part's runs.
     pub(crate) fn made(&self) -> Result<Made, Failure> {
         let mut ledger = Ledger::of(self.designs.len());
+        let mut missing = 0;
         for (repeat, situations) in self.situations.iter().enumerate() {
             let values = self.round(repeat, situations, &ledger.open)?;
-            let missing = values.iter().filter(|values| values.is_none()).count();
-            if missing > 0 {
-                return Ok(Made::Waiting { repeat, missing });
+            missing += values.iter().filter(|values| values.is_none()).count();
+            match (missing, self.study.stop) {
+                (0, _) => self.enter(&mut ledger, situations, values),
+                (_, None) => continue,
+                (_, Some(_)) => break,
             }
-            let entered =
-                self.numbers(situations, &ledger.open).into_iter().zip(values.into_iter().flatten());
-            entered.for_each(|(number, values)| ledger.enter(number / situations.len(), values));
-            self.drop_worse(&mut ledger);
             if self.study.stop.is_some() && ledger.open.len() == 1 {
                 break;
             }
         }
-        Ok(Made::Whole(ledger))
+        Ok(if missing == 0 { Made::Whole(ledger) } else { Made::Waiting { missing } })
+    }
+
+    /// Enters a repeat of which no run lacks.
+    fn enter(&self, ledger: &mut Ledger, situations: &[Situation], values: Vec<Option<Values>>) {
+        let numbers = self.numbers(situations, &ledger.open);
+        for (number, values) in numbers.into_iter().zip(values.into_iter().flatten()) {
+            ledger.enter(number / situations.len(), values);
+        }
+        self.drop_worse(ledger);
     }
 
     fn drop_worse(&self, ledger: &mut Ledger) {

@@ -25,7 +25,7 @@ fn every_broken_rule_of_a_study_is_told_with_its_place() {
     let goal = "[goal]\nmetric = \"coverage\"";
     for (found, instead, expected) in [
         ("scene =", "scnee =", "study.toml:1:1: unknown key `scnee`; the nearest is `scene`"),
-        ("key =", "kye =", "study.toml:3:1: [[vary]]: unknown key `kye`; the nearest is `key`"),
+        ("values =", "vlaues =", "study.toml:4:1: [[vary]]: unknown key `vlaues`; the nearest is `values`"),
         (
             "\"coverage\"",
             "\"coverge\"",
@@ -86,7 +86,7 @@ fn what_the_scene_refuses_is_told_with_the_line_that_changes_it_and_the_scenes_o
         (
             "key = \"radar.array.preset\"\nvalues = [\"1x4\", \"3x4\"]",
             "key = \"radar.hight_m\"\nvalues = [5.0]",
-            "study.toml:2: with radar.hight_m = 5.0 the scene says:\nsmall.toml:6:1: [radar]: unknown key `hight_m`",
+            "study.toml:2: with radar.hight_m = 5.0 the scene says:\nsmall.toml:6:2: [radar]: unknown key `hight_m`",
         ),
         (
             "\"3x4\"",
