@@ -3,7 +3,7 @@
 use crate::document::entries::{layers, materials};
 use crate::document::errors::{Place, Rule, SceneErrors};
 use crate::document::faults::Faults;
-use crate::document::keys::fidelity::{FIDELITY, MATERIALS, TRANSMISSION};
+use crate::document::keys::fidelity::{MATERIALS, TRANSMISSION};
 use crate::document::keys::materials::{
     BACKING, BACKSCATTER, COHERENT, GAMMA, Ground, LAYERS, MIRROR, Mirror, PERMITTIVITY, RMS_HEIGHT, ROAD,
     ROAD_SUBSTANCE, SUBSTANCE, THICKNESS,
@@ -44,8 +44,11 @@ pub fn read_materials(path: &Path) -> Result<MaterialMap, SceneErrors> {
 }
 
 /// Reads a scene's materials, from a table of its own or a file, and whether waves pass through them.
-pub(crate) fn read_scene_materials(root: &Section<'_>, models: &mut Models) -> MaterialMap {
-    let fidelity = root.section(&FIDELITY);
+pub(crate) fn read_scene_materials(
+    root: &Section<'_>,
+    fidelity: &Section<'_>,
+    models: &mut Models,
+) -> MaterialMap {
     let transmission = fidelity.or_default(&TRANSMISSION);
     let by_name = match fidelity.read(&MATERIALS) {
         Some(_) if root.has(OF_MATERIALS.name) => {
@@ -53,7 +56,7 @@ pub(crate) fn read_scene_materials(root: &Section<'_>, models: &mut Models) -> M
             fidelity.note(key, Rule::Contradiction { key, other: "[materials]" });
             vec![]
         }
-        Some(written) => from_file(&fidelity, &models.file_beside(written)),
+        Some(written) => from_file(fidelity, &models.file_beside(written)),
         None => by_name(root),
     };
     MaterialMap { by_name, transmission }

@@ -3,6 +3,7 @@
 use crate::document::changes::{self, Change};
 use crate::document::errors::{Place, Rule, SceneErrors};
 use crate::document::faults::Faults;
+use crate::document::keys::fidelity::FIDELITY;
 use crate::document::keys::radar::RADAR;
 use crate::document::keys::scene::{SCENE, SEED};
 use crate::document::section::Section;
@@ -115,8 +116,10 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let traffic = recording.map(|recording| recording.frames(models, &targets));
     let sub_frames = radar.schedule.sub_frames();
     let frames = traffic.as_ref().map_or(frames, |traffic| (traffic.frames.len() as u32).max(1) * sub_frames);
-    let materials = read_scene_materials(root, models);
-    let fidelity = read_fidelity(root);
+    // Opened once: it notes its unknown keys when it is.
+    let fidelity_section = root.section(&FIDELITY);
+    let materials = read_scene_materials(root, &fidelity_section, models);
+    let fidelity = read_fidelity(&fidelity_section);
     let (road, backscatter) = read_road(root, &radar, fidelity.echo);
     SceneHeader {
         name: String::new(),

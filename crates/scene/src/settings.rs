@@ -2,8 +2,7 @@
 
 use crate::document::errors::{MapAxis, Rule};
 use crate::document::keys::fidelity::{
-    ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FIDELITY, FOR, MEASURED_EVERY, NODES, SIDES,
-    SURFACE,
+    ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FOR, MEASURED_EVERY, NODES, SIDES, SURFACE,
 };
 use crate::document::keys::key::{Key, Or};
 use crate::document::keys::kinds::Counts;
@@ -115,10 +114,9 @@ fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training:
     }
 }
 
-/// Accuracy and physics asked for.
-pub(crate) fn read_fidelity(root: &Section<'_>) -> Fidelity {
-    let section = root.section(&FIDELITY);
-    let (accuracy, goal) = read_accuracy(&section);
+/// Accuracy and physics asked for, of the section `[fidelity]`.
+pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
+    let (accuracy, goal) = read_accuracy(section);
     Fidelity {
         accuracy,
         goal,

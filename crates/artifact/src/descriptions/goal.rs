@@ -3,6 +3,11 @@
 use crate::quantities::accuracy::Accuracy;
 use serde::{Deserialize, Serialize};
 
+/// Tenth of the amplitude, an agreement.
+const CUBE_DB: f64 = -20.0;
+/// Accuracy below which cars in a queue come and go, dB (`docs/validation/sensitivity.md`).
+const QUEUES_DB: f64 = -20.0;
+
 /// Result that a scene is run for; the accuracy asked of the run is the one that it needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -31,16 +36,16 @@ impl Goal {
         }
     }
 
-    /// Accuracy that the result needs. The cube's is an agreement, a tenth of the amplitude; the others are
-    /// the coarsest of those measured that leave the result as it is (`docs/validation/sensitivity.md`).
+    /// Accuracy that the result needs: the cube's is an agreement, the others are the coarsest of those measured
+    /// that leave the result as it is (`docs/validation/sensitivity.md`).
     pub fn accuracy(self) -> Accuracy {
         Accuracy::from_db(self.accuracy_db())
     }
 
     fn accuracy_db(self) -> f64 {
         match self {
-            Self::Cube => -20.0,
-            Self::Detection | Self::Tracks | Self::Class => -10.0,
+            Self::Cube => CUBE_DB,
+            Self::Detection | Self::Tracks | Self::Class => QUEUES_DB,
         }
     }
 }

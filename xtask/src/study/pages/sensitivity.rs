@@ -12,6 +12,7 @@ use crate::study::sources::{CHAIN, Places};
 use answers::{Answer, Kept};
 use artifact::goal::Goal;
 use changes::Changes;
+use needs::Measures;
 use scenes::Case;
 use wayside::host::failure::Failure;
 use wayside::host::progress::note;
@@ -32,7 +33,7 @@ const OTHER_NOISE: u64 = 1001;
 struct Runs {
     name: String,
     reference: Answer,
-    /// The reference with other noise.
+    /// The coarsest of those tried, with other noise.
     noise: Answer,
     /// In the order of [`TRIED_DB`], those coarser than the reference.
     tried: Vec<Answer>,
@@ -61,7 +62,7 @@ fn runs(kept: &Kept, case: &Case) -> Result<Runs, Failure> {
     };
     let coarser = TRIED_DB.iter().filter(|db| **db > case.reference_db);
     let tried = coarser.map(|db| at(*db, None)).collect::<Result<_, _>>()?;
-    let (reference, noise) = (at(case.reference_db, None)?, at(case.reference_db, Some(OTHER_NOISE))?);
+    let (reference, noise) = (at(case.reference_db, None)?, at(TRIED_DB[0], Some(OTHER_NOISE))?);
     Ok(Runs { name: case.group.to_owned(), reference, noise, tried })
 }
 
@@ -82,9 +83,10 @@ fn changed(all: &[&Runs], index: usize, telling: Telling) -> Changes {
     all.iter().filter_map(of).fold(Changes::default(), Changes::and)
 }
 
+/// Changes from one draw of the receiver's noise to another, at the coarsest accuracy.
 fn by_noise(all: &[&Runs], telling: Telling) -> Changes {
-    let of = |run: &&Runs| Changes::between(telling(&run.reference), telling(&run.noise));
-    all.iter().map(of).fold(Changes::default(), Changes::and)
+    let of = |run: &&Runs| Some(Changes::between(telling(run.tried.first()?), telling(&run.noise)));
+    all.iter().filter_map(of).fold(Changes::default(), Changes::and)
 }
 
 /// The reference against the truth.
@@ -107,7 +109,7 @@ const COLUMNS: [&str; 11] = [
     "probability",
 ];
 
-const OF_NOISE: &str = "the finest, other noise";
+const OF_NOISE: &str = "−10 dB, other noise";
 const OF_TRUTH: &str = "the finest, against truth";
 
 fn objects(part: &mut Part, all: &[Runs]) {
@@ -188,8 +190,12 @@ fn needed_db(goal: Goal, all: &[&Runs]) -> Option<f64> {
         Goal::Tracks => (|a| &a.truth_of_tracks, tracks_of),
         Goal::Cube | Goal::Detection | Goal::Class => (|a| &a.truth_of_objects, objects_of),
     };
-    let errors = errors(all, truth, telling);
-    let holds = |index: usize| needs::hold(goal, &changed(all, index, telling), &errors);
+    let holds = |index: usize| {
+        // Measures are those of the scenes that were run at this accuracy.
+        let tried: Vec<&Runs> = all.iter().copied().filter(|run| run.tried.len() > index).collect();
+        let measures = Measures { errors: errors(&tried, truth, telling), noise: by_noise(&tried, telling) };
+        needs::hold(goal, &changed(&tried, index, telling), &measures)
+    };
     needs::coarsest(&TRIED_DB, holds)
 }
 

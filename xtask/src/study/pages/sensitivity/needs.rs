@@ -8,19 +8,27 @@ const SHARE: f64 = 0.02;
 /// Part of the error against truth that a change may have: independent of it, it adds 5 % to that error.
 const PART_OF_ERROR: f64 = 1.0 / 3.0;
 
-/// Whether a result with these changes is as good as the reference, which has these errors against truth.
-pub(super) fn hold(goal: Goal, changes: &Changes, errors: &Changes) -> bool {
-    let there = few(changes.lost + changes.gained, changes.there);
+/// What a change is held against, of the same scenes.
+pub(super) struct Measures {
+    /// The finest run against truth.
+    pub(super) errors: Changes,
+    /// One draw of the receiver's noise against another.
+    pub(super) noise: Changes,
+}
+
+/// Whether a result with these changes is as good as the reference.
+pub(super) fn hold(goal: Goal, changes: &Changes, measures: &Measures) -> bool {
+    let few = |of: fn(&Changes) -> (usize, usize)| few(of(changes), of(&measures.noise));
+    let small = |of: fn(&Changes) -> &[f64]| small([changes, &measures.errors, &measures.noise].map(of));
+    let there = few(|changes| (changes.lost + changes.gained, changes.there));
     match goal {
-        Goal::Class => {
-            let probability = small(&changes.probability, &errors.probability);
-            there && few(changes.classes.0, changes.classes.1) && probability
-        }
+        Goal::Class => there && few(|changes| changes.classes) && small(|changes| &changes.probability),
         Goal::Cube | Goal::Detection | Goal::Tracks => {
-            let place = small(&changes.range_m, &errors.range_m)
-                && small(&changes.velocity_mps, &errors.velocity_mps)
-                && small(&changes.azimuth_deg, &errors.azimuth_deg);
-            there && place && few(changes.lanes.0, changes.lanes.1)
+            there
+                && few(|changes| changes.lanes)
+                && small(|changes| &changes.range_m)
+                && small(|changes| &changes.velocity_mps)
+                && small(|changes| &changes.azimuth_deg)
         }
     }
 }
@@ -31,15 +39,18 @@ pub(super) fn coarsest(tried_db: &[f64], holds: impl Fn(usize) -> bool) -> Optio
     held.map(|index| tried_db[index])
 }
 
-fn few(count: usize, of: usize) -> bool {
-    count as f64 <= SHARE * of as f64
+/// Whether few are changed: a small share, or one that other noise changes as well, within the error of
+/// counting, √n.
+fn few((count, of): (usize, usize), (by_noise, of_noise): (usize, usize)) -> bool {
+    let by_noise = by_noise as f64;
+    let share_of_noise = (by_noise + by_noise.sqrt()) / of_noise.max(1) as f64;
+    count as f64 <= SHARE.max(share_of_noise) * of as f64
 }
 
-fn small(changes: &[f64], errors: &[f64]) -> bool {
-    match (rms(changes), rms(errors)) {
-        (Some(change), Some(error)) => change <= PART_OF_ERROR * error,
-        (change, _) => change.is_none(),
-    }
+/// Whether a change is small beside the error against truth, or no larger than that by other noise.
+fn small([changes, errors, noise]: [&[f64]; 3]) -> bool {
+    let allowed = (PART_OF_ERROR * rms(errors).unwrap_or(0.0)).max(rms(noise).unwrap_or(0.0));
+    rms(changes).unwrap_or(0.0) <= allowed
 }
 
 #[cfg(test)]
@@ -51,17 +62,31 @@ mod tests {
         Changes { there: 100, range_m: vec![range_m], ..Changes::default() }
     }
 
+    fn measures(noise: Changes) -> Measures {
+        Measures { errors: moved(0.3), noise }
+    }
+
     #[test]
     fn a_result_holds_while_it_moves_by_less_than_a_third_of_its_error() {
-        let errors = moved(0.3);
-        assert!(hold(Goal::Detection, &moved(0.0999), &errors));
-        assert!(!hold(Goal::Detection, &moved(0.1001), &errors));
-        assert!(hold(Goal::Class, &moved(0.1001), &errors), "a class has no range");
+        let quiet = measures(moved(0.0));
+        assert!(hold(Goal::Detection, &moved(0.0999), &quiet));
+        assert!(!hold(Goal::Detection, &moved(0.1001), &quiet));
+        assert!(hold(Goal::Class, &moved(0.1001), &quiet), "a class has no range");
         let two_lost = Changes { lost: 1, gained: 1, ..moved(0.0) };
         let three_lost = Changes { lost: 2, gained: 1, ..moved(0.0) };
-        assert!(hold(Goal::Class, &two_lost, &errors) && !hold(Goal::Class, &three_lost, &errors));
+        assert!(hold(Goal::Class, &two_lost, &quiet) && !hold(Goal::Class, &three_lost, &quiet));
         let other_class = Changes { classes: (3, 100), ..moved(0.0) };
-        assert!(hold(Goal::Tracks, &other_class, &errors) && !hold(Goal::Class, &other_class, &errors));
+        assert!(hold(Goal::Tracks, &other_class, &quiet) && !hold(Goal::Class, &other_class, &quiet));
+    }
+
+    #[test]
+    fn what_other_noise_changes_as_well_is_no_loss() {
+        assert!(hold(Goal::Detection, &moved(0.19), &measures(moved(-0.2))));
+        assert!(!hold(Goal::Detection, &moved(0.21), &measures(moved(-0.2))));
+        let told = |other| Changes { classes: (other, 100), ..moved(0.0) };
+        // Nine of a hundred by noise, counted to three more or less.
+        assert!(hold(Goal::Class, &told(12), &measures(told(9))));
+        assert!(!hold(Goal::Class, &told(13), &measures(told(9))));
     }
 
     #[test]
