@@ -194,7 +194,8 @@ fn needed_db(goal: Goal, all: &[&Runs]) -> Option<f64> {
         // Measures are those of the scenes that were run at this accuracy.
         let tried: Vec<&Runs> = all.iter().copied().filter(|run| run.tried.len() > index).collect();
         let measures = Measures { errors: errors(&tried, truth, telling), noise: by_noise(&tried, telling) };
-        needs::hold(goal, &changed(&tried, index, telling), &measures)
+        let changes = changed(&tried, index, telling);
+        (changes.there >= needs::ENOUGH).then(|| needs::hold(goal, &changes, &measures))
     };
     needs::coarsest(&TRIED_DB, holds)
 }

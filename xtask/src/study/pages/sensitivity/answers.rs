@@ -62,8 +62,9 @@ impl Kept {
     /// Answer of a scene at an accuracy, from its run or from what that left.
     pub(super) fn answer(&self, case: &Case, accuracy_db: f64, seed: Option<u64>) -> Result<Answer, Failure> {
         let noise = seed.map_or(String::new(), |seed| format!("-{seed}"));
-        let name = format!("{}{accuracy_db:.0}", case.name);
-        let (file, out) = (self.folder.join(format!("{name}.toml")), self.folder.join(name + &noise));
+        let name = format!("{}{accuracy_db:.0}{noise}", case.name);
+        // A file of its own for each run: what was read is never written.
+        let (file, out) = (self.folder.join(format!("{name}.toml")), self.folder.join(name));
         files::write_file(&file, case.asked(accuracy_db).as_bytes())?;
         if std::fs::read_to_string(out.join(MADE_BY)).ok().as_ref() != Some(&self.hash) {
             self.run(&file, &out, seed)?;

@@ -8,6 +8,9 @@ const SHARE: f64 = 0.02;
 /// Part of the error against truth that a change may have: independent of it, it adds 5 % to that error.
 const PART_OF_ERROR: f64 = 1.0 / 3.0;
 
+/// Bodies, frame by frame, of which an accuracy is judged at least: of fewer, one alone is over a twentieth.
+pub(super) const ENOUGH: usize = 20;
+
 /// What a change is held against, of the same scenes.
 pub(super) struct Measures {
     /// The finest run against truth.
@@ -33,10 +36,11 @@ pub(super) fn hold(goal: Goal, changes: &Changes, measures: &Measures) -> bool {
     }
 }
 
-/// The coarsest of these accuracies that holds with all finer ones; they are given coarsest first.
-pub(super) fn coarsest(tried_db: &[f64], holds: impl Fn(usize) -> bool) -> Option<f64> {
-    let held = (0..tried_db.len()).rev().take_while(|index| holds(*index)).last();
-    held.map(|index| tried_db[index])
+/// The coarsest of these accuracies that holds with all finer ones; they are given coarsest first, and one of
+/// which too little is known, `None`, decides nothing.
+pub(super) fn coarsest(tried_db: &[f64], holds: impl Fn(usize) -> Option<bool>) -> Option<f64> {
+    let decided = (0..tried_db.len()).rev().filter_map(|index| Some((index, holds(index)?)));
+    decided.take_while(|(_, holds)| *holds).last().map(|(index, _)| tried_db[index])
 }
 
 /// Whether few are changed: a small share, or one that other noise changes as well, within the error of
@@ -92,10 +96,13 @@ mod tests {
     #[test]
     fn the_coarsest_accuracy_holds_with_all_that_are_finer() {
         let tried_db = [-10.0, -15.0, -20.0, -30.0];
-        let of = |holds: [bool; 4]| coarsest(&tried_db, |index| holds[index]);
-        assert_eq!(of([true, true, true, true]), Some(-10.0));
-        assert_eq!(of([true, false, true, true]), Some(-20.0));
-        assert_eq!(of([true, true, true, false]), None);
+        let of = |holds: [Option<bool>; 4]| coarsest(&tried_db, |index| holds[index]);
+        let (yes, no) = (Some(true), Some(false));
+        assert_eq!(of([yes, yes, yes, yes]), Some(-10.0));
+        assert_eq!(of([yes, no, yes, yes]), Some(-20.0));
+        assert_eq!(of([yes, no, yes, None]), Some(-20.0), "nothing is known of −30 dB");
+        assert_eq!(of([yes, yes, no, None]), None);
+        assert_eq!(of([yes, yes, yes, no]), None);
     }
 
     #[test]
