@@ -36,8 +36,8 @@ impl Goal {
         }
     }
 
-    /// Accuracy that the result needs: the cube's is an agreement, the others are the coarsest of those measured
-    /// that leave the result as it is (`docs/validation/sensitivity.md`).
+    /// Accuracy that the result needs: the cube's is an agreement, the others are the coarsest of those
+    /// measured that leave the result as it is (`docs/validation/sensitivity.md`).
     pub fn accuracy(self) -> Accuracy {
         Accuracy::from_db(self.accuracy_db())
     }
