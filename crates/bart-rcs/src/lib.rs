@@ -55,10 +55,12 @@ mod frame; // paths of a frame, or its table
 mod detail; // fewer paths for the same echo; the stage that makes them of a scene's frames
 
 pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
+pub use bodies::road::usual_road;
 pub use bodies::world::World;
 pub use detail::level::reduced;
 pub use detail::tracer::Tracer;
 pub use frame::expected_work::ExpectedWork;
+pub use frame::left_out::echo_parts::{EchoParts, ORDERS as ORDERS_OF_PARTS};
 pub use frame::moments::MOMENTS_MAX;
 pub use frame::path::FrameSurroundings;
 pub use frame::path_sum::{PathView, scattering_of_paths};

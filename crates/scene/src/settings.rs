@@ -1,8 +1,10 @@
 //! `[noise]`, `[dsp]`, `[fidelity]` and `[intersection]`.
 
+pub(crate) mod said; // what a file says itself of the physics
+
 use crate::document::errors::{MapAxis, Rule};
 use crate::document::keys::fidelity::{
-    ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FOR, MEASURED_EVERY, NODES, SIDES, SURFACE,
+    ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FOR, MEASURED_EVERY, NODES, PLAN, SIDES, SURFACE,
 };
 use crate::document::keys::key::{Key, Or};
 use crate::document::keys::kinds::Counts;
@@ -117,6 +119,8 @@ fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training:
 /// Accuracy and physics asked for, of the section `[fidelity]`.
 pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
     let (accuracy, goal) = read_accuracy(section);
+    // Refused where it is wrong; who chooses is asked of the file itself (`said.rs`), before the choice.
+    let _ = section.or_default(&PLAN);
     Fidelity {
         accuracy,
         goal,

@@ -19,6 +19,7 @@
 
 pub mod host;
 pub mod chain;
+pub mod planning;
 pub mod outcome;
 pub mod pictures;
 pub mod report;

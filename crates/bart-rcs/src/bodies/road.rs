@@ -59,7 +59,7 @@ pub(crate) fn check_road(header: &SceneHeader) -> Result<(), BartError> {
 }
 
 /// Dry asphalt of 0.5 mm: what a scene without a road is told to leave out.
-pub(crate) fn usual_road() -> Option<Road> {
+pub fn usual_road() -> Option<Road> {
     let asphalt = Material::HalfSpace { permittivity: substance("asphalt")?.permittivity? };
     Some(Road { material: asphalt, rms_height_m: 5e-4 })
 }

@@ -3,6 +3,7 @@
 use crate::bodies::world::Models;
 use crate::detail::level::reduced;
 use crate::frame::expected_work::{ExpectedWork, expected_work};
+use crate::frame::left_out::echo_parts::{EchoParts, echo_parts};
 use crate::frame::path::{FrameSurroundings, trace_frame};
 use crate::frame::rcs_frame::rcs_frame;
 use crate::oversight::error::BartError;
@@ -99,5 +100,23 @@ impl Tracer {
     /// Those of [`Self::all_paths`].
     pub fn expected_work(&self, view: &SceneHeader, frame: &SceneFrame) -> Result<ExpectedWork, BartError> {
         expected_work(&self.models, view, frame)
+    }
+
+    /// What the parts of a frame's echo are to all of it, by a coarse look: orders of reflection, ways
+    /// between bodies and by the road, edges, sheets, whatever of it the scene asks for.
+    ///
+    /// Integrals are taken to a quarter, mirrors smaller than five wavelengths are not followed: a figure is
+    /// good to a few decibels. `None` where nothing scatters, and where the beams would take more memory than
+    /// the frame may.
+    ///
+    /// # Errors
+    /// Those of [`Self::all_paths`].
+    pub fn parts(
+        &self,
+        view: &SceneHeader,
+        frame: &SceneFrame,
+        progress: &dyn Progress,
+    ) -> Result<Option<EchoParts>, BartError> {
+        echo_parts(&self.models, view, frame, progress)
     }
 }

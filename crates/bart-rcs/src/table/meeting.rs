@@ -36,6 +36,11 @@ impl OrderJoints {
         }
     }
 
+    /// Part of the meeting that is on edges.
+    pub(crate) fn without_facets(self) -> Self {
+        Self { facets: Joints::default(), ..self }
+    }
+
     /// Part of the meeting that has its node on one body.
     pub(crate) fn on_body(&self, scatterer: &Scatterer<'_>, body: usize) -> Self {
         let is_there = |forward: u32| scatterer.node_body(forward) == body;

@@ -22,6 +22,8 @@ pub struct SceneSource {
     pub radar: Option<String>,
     /// Seed in place of the scene's.
     pub seed: Option<u64>,
+    /// Accuracy in place of the scene's, dB, by which its physics is chosen ([`crate::planning`]).
+    pub accuracy_db: Option<f64>,
 }
 
 /// A scene and how it was come by.

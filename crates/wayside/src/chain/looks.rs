@@ -27,6 +27,16 @@ pub(crate) struct Look {
 /// Frames that are looked at, at most.
 const LOOKED_AT: u32 = 3;
 
+/// Frames for which one look stands.
+fn span_of_a_look(frames: u32) -> u32 {
+    frames.div_ceil(LOOKED_AT).max(1)
+}
+
+/// Frames of a scene that are looked at, each the first of its third.
+pub(crate) fn frames_looked_at(frames: u32) -> impl Iterator<Item = u32> {
+    (0..frames).step_by(span_of_a_look(frames) as usize)
+}
+
 impl Looks {
     /// Expects a frame's work from a look at the first frame of its third of the scene; `expected` looks at
     /// one, `triangles` counts those in view of one.
@@ -37,7 +47,7 @@ impl Looks {
         expected: impl FnOnce(u32) -> Result<ExpectedWork, Failure>,
         triangles: impl Fn(u32) -> usize,
     ) -> Result<Look, Failure> {
-        let span = header.frames.div_ceil(LOOKED_AT).max(1);
+        let span = span_of_a_look(header.frames);
         let at = index / span * span;
         let known = self.taken().get(&at).copied();
         let work = match known {

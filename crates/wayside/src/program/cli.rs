@@ -153,6 +153,9 @@ pub(crate) struct SceneArguments {
     /// Replaces the scene's seed.
     #[arg(long)]
     pub(crate) seed: Option<u64>,
+    /// Replaces the scene's accuracy, dB; what the scene does not say itself of the physics is chosen by it.
+    #[arg(long, value_name = "DB", value_parser = accuracy_db)]
+    pub(crate) accuracy_db: Option<f64>,
 }
 
 #[derive(Debug, Clone, Args)]
@@ -169,8 +172,8 @@ pub(crate) struct CacheArguments {
 impl SceneArguments {
     /// The scene as the chain takes it: file, model, radar and seed.
     pub(crate) fn source(&self) -> SceneSource {
-        let Self { scene, model, radar, seed } = self.clone();
-        SceneSource { file: scene, model, radar, seed }
+        let Self { scene, model, radar, seed, accuracy_db } = self.clone();
+        SceneSource { file: scene, model, radar, seed, accuracy_db }
     }
 }
 

@@ -18,6 +18,8 @@ use crate::outcome::frame_truth::frame_truth;
 use crate::outcome::summary::{FrameSummary, Metrics, RadarsSummary, Summary};
 use crate::outcome::told;
 use crate::outcome::tracking::Tracking;
+use crate::planning::told::PlanFigures;
+use crate::planning::{self, PlannedScene};
 use crate::report::figures::Figures;
 use crate::report::{self, Making};
 use crate::run::products::Products;
@@ -112,14 +114,14 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     let model = loading::model(settings.classifier.as_deref())?;
     let runs = runs(settings)?;
     // All before the first is computed: what is wrong with the last radar is said at once.
-    let load = |run: &Run| loading::scene(&run.scene, cache.as_ref());
-    let loaded: Vec<LoadedScene> = runs.iter().map(load).collect::<Result<_, _>>()?;
+    let load = |run: &Run| planning::scene(&run.scene, cache.as_ref(), settings.memory);
+    let planned: Vec<PlannedScene> = runs.iter().map(load).collect::<Result<_, _>>()?;
     let mut of_radars = vec![];
-    for (run, loaded) in runs.iter().zip(&loaded) {
+    for (run, planned) in runs.iter().zip(&planned) {
         if runs.len() > 1 {
             (settings.tell)(&format!("radar {}", run.scene.radar.as_deref().unwrap_or_default()));
         }
-        of_radars.extend(one_radar(settings, loaded, cache.as_ref(), model.as_ref(), run.out.as_deref())?);
+        of_radars.extend(one_radar(settings, planned, cache.as_ref(), model.as_ref(), run.out.as_deref())?);
     }
     let is_of_all = settings.scene.radar.is_none() && runs.iter().all(|run| run.scene.radar.is_some());
     let conclude = || several_radars::conclude(&of_radars, &settings.making, settings.tell);
@@ -163,13 +165,17 @@ fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
 /// Everything that is known through one radar; `None` where it is only told what would be done.
 fn one_radar(
     settings: &Settings,
-    loaded: &LoadedScene,
+    planned: &PlannedScene,
     cache: Option<&Cache>,
     model: Option<&LoadedModel>,
     out: Option<&Path>,
 ) -> Result<Option<Told>, Failure> {
+    let loaded = &planned.loaded;
     let chain = Chain::of(&loaded.header, cache, model, settings.memory);
     let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|i| chain.plan(i)).collect();
+    if settings.explain || settings.dry_run {
+        planned.plan.iter().flat_map(PlanFigures::lines).for_each(|line| (settings.tell)(&line));
+    }
     if settings.explain {
         let verdict = if loaded.cached { "cached" } else { "runs: a file it reads is new or changed" };
         (settings.tell)(&format!("{}: {verdict}", Stage::Scene.name()));
@@ -188,7 +194,7 @@ fn one_radar(
     if let Some(cache) = cache {
         cache.trim();
     }
-    let summary = conclude(loaded, computed, took, &figures, settings, &out)?;
+    let summary = conclude(planned, computed, took, &figures, settings, &out)?;
     Ok(Some(Told { summary, seen: figures.seen, out }))
 }
 
@@ -277,7 +283,7 @@ fn at_once<'a>(
 }
 
 fn conclude(
-    loaded: &LoadedScene,
+    planned: &PlannedScene,
     computed: Computed,
     took: RunTook,
     figures: &Figures,
@@ -288,7 +294,8 @@ fn conclude(
     let summary = Summary {
         frames_seconds: took.seconds,
         frames_processor_seconds: took.processor,
-        ..Summary::of(&loaded.header, computed.frames, computed.metrics)
+        plan: planned.plan.clone(),
+        ..Summary::of(&planned.loaded.header, computed.frames, computed.metrics)
     };
     files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
     report::write(&summary, figures, &settings.making, out)?;

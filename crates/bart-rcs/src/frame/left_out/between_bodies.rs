@@ -34,7 +34,8 @@ pub(crate) fn between_bodies_left_out(
     Ok(WAYS.relative(&scatterer, plan, reference, |joint| meets_several_bodies(&scatterer, joint)))
 }
 
-fn meets_several_bodies(scatterer: &Scatterer<'_>, joint: &Joint) -> bool {
+/// Whether a joint's way meets more than one body.
+pub(crate) fn meets_several_bodies(scatterer: &Scatterer<'_>, joint: &Joint) -> bool {
     let facets = sequence(scatterer, joint.forward, joint.backward);
     let bodies: Vec<u32> = facets.into_iter().map(|facet| scatterer.world.facet(facet).id.body).collect();
     bodies.windows(2).any(|pair| pair[0] != pair[1])

@@ -12,9 +12,10 @@ use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::oversight::error::BartError;
 use crate::table::joint_sum::sum_of_joints;
 use artifact::settings::NodeRule;
+use num_complex::Complex64;
 
 /// Accuracy of every integral: the figure is told to a few decibels.
-const ACCURACY: f64 = 0.25;
+pub(crate) const ACCURACY: f64 = 0.25;
 
 /// Orders that are added up by the middle rule, and the reach of their mirrors.
 pub(crate) struct LeftOutWays {
@@ -47,12 +48,23 @@ impl LeftOutWays {
         is_left_out: impl Fn(&Joint) -> bool,
     ) -> Option<f64> {
         reference.relative_to_first_orders(self.bounces, |order, wavenumbers_per_m| {
-            let mut joints = scatterer.joints(order, NodeRule::Middle, plan.trace.least_area_m2);
-            joints.retain(&is_left_out);
-            let bracket = bracket_of(NodeRule::Middle);
-            let integration = Integration { wavenumbers_per_m, accuracy: ACCURACY, bracket };
-            let amplitudes = sum_of_joints(scatterer, &joints, plan.view(0.0).origin_m, &integration);
-            amplitudes.iter().map(|s| plan.seen(s)).collect()
+            sum_of_ways(scatterer, plan, order, wavenumbers_per_m, &is_left_out)
         })
     }
+}
+
+/// S of some joints of one order over the wavenumbers, facets alone by the middle rule, as the radar sees it.
+pub(crate) fn sum_of_ways(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    order: u8,
+    wavenumbers_per_m: &[f64],
+    is_meant: impl Fn(&Joint) -> bool,
+) -> Vec<Complex64> {
+    let mut joints = scatterer.joints(order, NodeRule::Middle, plan.trace.least_area_m2);
+    joints.retain(is_meant);
+    let bracket = bracket_of(NodeRule::Middle);
+    let integration = Integration { wavenumbers_per_m, accuracy: ACCURACY, bracket };
+    let amplitudes = sum_of_joints(scatterer, &joints, plan.view(0.0).origin_m, &integration);
+    amplitudes.iter().map(|s| plan.seen(s)).collect()
 }

@@ -15,6 +15,7 @@ pub(crate) const FIDELITY: Table = Table {
     keys: &[
         &ACCURACY,
         &FOR,
+        &PLAN,
         &BOUNCES,
         &EDGES,
         &SURFACE,
@@ -43,6 +44,25 @@ pub(crate) const FOR: Key<Words<Goal>> = Key::new(
     "the result that the scene is run for, in place of `accuracy_db`: the accuracy is then the one that this \
      result was measured to need ([validation/sensitivity.md](validation/sensitivity.md))",
 );
+
+/// Who chooses what of the echo is modelled.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Planning {
+    /// The scene, key by key, with the defaults of those it leaves out.
+    #[default]
+    AsSaid,
+    /// The program, by the accuracy; the scene's own keys stay.
+    ByAccuracy,
+}
+
+pub(crate) const PLAN: Key<Words<Planning>, Or<Planning>> = Key::new(
+    "plan",
+    Words(|| vec![("as-said", Planning::AsSaid), ("accuracy", Planning::ByAccuracy)]),
+    "who chooses what is modelled: the scene, key by key; or, by \"accuracy\", the program, from a coarse \
+     look at what each part of the echo is to all of it, so that `accuracy_db` is met at least cost. Keys of \
+     this table and [road] stay as they are said ([planning.md](planning.md))",
+)
+.or(Planning::AsSaid);
 
 pub(crate) const BOUNCES: Key<Whole, Or<u64>> =
     Key::new("bounces", Whole(Between(1.0, MAX_ORDER as f64)), "highest order of reflection").or(3);

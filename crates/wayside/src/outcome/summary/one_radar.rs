@@ -4,6 +4,7 @@ use crate::host::failure::Failure;
 use crate::outcome::summary::frame::FrameSummary;
 use crate::outcome::summary::radar::{LaneSummary, RadarSummary};
 use crate::outcome::summary::words::StaticWord;
+use crate::planning::told::PlanFigures;
 use artifact::scene::SceneHeader;
 use artifact::settings::StaticEchoes;
 use evaluation::Metrics;
@@ -28,6 +29,9 @@ pub struct Summary {
     pub static_echoes: StaticEchoes,
     /// Waveform, array size and limits of the radar.
     pub radar: RadarSummary,
+    /// Plan by which the physics was chosen; `None`, and not in the file, where the scene says all itself.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plan: Option<PlanFigures>,
     /// Summaries of the frames, in order.
     pub frames: Vec<FrameSummary>,
     /// Objects and tracks beside the truth, over all frames.
@@ -45,6 +49,7 @@ impl Summary {
             lanes: LaneSummary::all(header),
             static_echoes: header.dsp.static_echoes,
             radar: RadarSummary::of(header),
+            plan: None,
             frames,
             metrics,
         }

@@ -1,12 +1,13 @@
 //! `echo`: radar cubes of a scene, from its own paths or from paths that are given.
 
 use crate::chain::link::{Chain, Scattering};
-use crate::chain::loading::{self, LoadedScene, provenance};
+use crate::chain::loading::{LoadedScene, provenance};
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use crate::host::progress::Work;
 use crate::outcome::verdict::{self, Verdict};
+use crate::planning;
 use crate::program::cli::EchoArguments;
 use crate::program::terminal;
 use artifact::cube::Cube;
@@ -17,7 +18,7 @@ use artifact::{Reader, Writer};
 use std::path::Path;
 
 pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Failure> {
-    let mut loaded = loading::scene(&arguments.scene.source(), None)?;
+    let mut loaded = planning::scene(&arguments.scene.source(), None, memory)?.loaded;
     arguments.paths.iter().for_each(|file| artifact::inputs::note(file));
     if arguments.paths.is_some() {
         loaded.header.fidelity.echo = EchoMode::Paths;

@@ -1,12 +1,13 @@
 //! `paths`: the scattering paths of each frame of a scene.
 
 use crate::chain::link::{Chain, Scattering};
-use crate::chain::loading::{self, provenance};
+use crate::chain::loading::provenance;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use crate::host::progress::Work;
 use crate::outcome::verdict::{self, Verdict};
+use crate::planning;
 use crate::program::cli::PathsArguments;
 use crate::program::terminal;
 use artifact::Writer;
@@ -14,7 +15,7 @@ use artifact::paths::Paths;
 use artifact::settings::EchoMode;
 
 pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), Failure> {
-    let mut loaded = loading::scene(&arguments.scene.source(), None)?;
+    let mut loaded = planning::scene(&arguments.scene.source(), None, memory)?.loaded;
     loaded.header.fidelity.echo = EchoMode::Paths; // that is what was asked for
     let chain = Chain::of(&loaded.header, None, None, memory);
     let from = provenance(Stage::BartRcs, &loaded.header, loaded.files.clone());

@@ -1,0 +1,190 @@
+//! Parts that a frame's echo is made of, by a coarse look: what each order of reflection, the ways between
+//! bodies and by the road, edges and sheets add. A plan of what need not be modelled stands on it.
+
+use crate::bodies::world::{Models, World};
+use crate::frame::band_power::frequencies_hz;
+use crate::frame::frame_error::{Fineness, MARGIN, Reference, mean, mean_difference, of_meeting, total};
+use crate::frame::left_out::between_bodies::meets_several_bodies;
+use crate::frame::left_out::road::road_left_out;
+use crate::frame::left_out::ways::{ACCURACY, LeftOutWays, sum_of_ways};
+use crate::frame::path_plan::Plan;
+use crate::frame::snapshot::Snapshot;
+use crate::joins::scatterer::{Scatterer, bracket_of};
+use crate::oversight::error::BartError;
+use crate::oversight::progress::{Phase, Progress};
+use crate::table::aspect::other;
+use crate::table::meeting::{MeetingSettings, OrderJoints};
+use artifact::Accuracy;
+use artifact::material::Transmission;
+use artifact::scene::{SceneFrame, SceneHeader};
+use artifact::settings::{BetweenBodies, EchoMode, Edges, NodeRule};
+use artifact::units::{SPEED_OF_LIGHT_MPS, db_from_amplitude};
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Parts of the echo of one frame, as amplitudes relative to that of all orders without a road: ratios of
+/// root mean squares over the sampled sweep, with the margin of a measurement on so few frequencies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EchoParts {
+    /// Scattering amplitude of all orders looked at, without road, edges and transmission, at frequencies
+    /// spread over the sweep, m: of one radar in two scenes it may be compared.
+    pub amplitude_m: Vec<Complex64>,
+    /// Ways within one body, by order from 1.
+    pub within: Vec<f64>,
+    /// Ways that meet several bodies, by order from 1.
+    pub between: Vec<f64>,
+    /// Spread between the node rules of double reflections, without the margin, as
+    /// [`artifact::ModelError::nodes`] tells that of a run.
+    pub nodes: f64,
+    /// Ways by the road; `None` where these cannot be followed.
+    pub road: Option<f64>,
+    /// Diffraction by edges, first order.
+    pub edges: f64,
+    /// Change by following waves through sheets; 0 where there are none.
+    pub transmission: f64,
+}
+
+/// Highest order that is looked at.
+pub const ORDERS: u8 = 4;
+/// Orders by which transmission is told.
+const TRANSMITTED_ORDERS: u8 = 2;
+/// Frequencies of the look: as many as errors are measured at.
+const FREQUENCIES: usize = 12;
+/// Ways of the look. Smaller mirrors are not followed, as in the figures of what a frame leaves out: it is
+/// panels that throw power on.
+const WAYS: LeftOutWays = LeftOutWays { bounces: ORDERS, mirror_wavelengths: 5.0 };
+
+/// [`crate::Tracer::parts`] of these models.
+pub(crate) fn echo_parts(
+    models: &Models,
+    header: &SceneHeader,
+    frame: &SceneFrame,
+    progress: &dyn Progress,
+) -> Result<Option<EchoParts>, BartError> {
+    let header = &looked_at(&header.in_frame(frame.index));
+    let plan = Plan::of(header, progress);
+    let world = World::posed(models, header, frame, plan.check_s)?;
+    if world.facets().is_empty() {
+        return Ok(None);
+    }
+    let Some(tree) = WAYS.tree(&world, &plan)? else { return Ok(None) };
+    let snapshot = Snapshot::of(world, tree);
+    let look = Look::of(snapshot.scatterer(&plan, Phase::Checking), &plan);
+    let through = through_sheets(models, &plan, frame)?;
+    look.parts(through)
+}
+
+/// The scene as coarse and as whole as the look takes it.
+fn looked_at(header: &SceneHeader) -> SceneHeader {
+    let mut header = header.clone();
+    header.fidelity.accuracy = Accuracy::from_db(db_from_amplitude(ACCURACY));
+    header.fidelity.bounces = ORDERS;
+    header.fidelity.nodes = NodeRule::Middle;
+    header.fidelity.echo = EchoMode::Paths;
+    header.fidelity.between_bodies = BetweenBodies::Traced;
+    header.materials.transmission = Transmission::Ignored;
+    header.road = None;
+    header
+}
+
+/// Bodies and beams that are looked at.
+struct Look<'a> {
+    scatterer: Scatterer<'a>,
+    plan: &'a Plan<'a>,
+    frequencies_hz: Vec<f64>,
+    wavenumbers_per_m: Vec<f64>,
+}
+
+impl<'a> Look<'a> {
+    fn of(scatterer: Scatterer<'a>, plan: &'a Plan<'a>) -> Self {
+        let frequencies_hz = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
+        let wavenumbers_per_m = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
+        Self { scatterer, plan, frequencies_hz, wavenumbers_per_m }
+    }
+
+    fn parts(&self, through: Option<Vec<Complex64>>) -> Result<Option<EchoParts>, BartError> {
+        let within: Vec<Vec<Complex64>> = (1..=ORDERS).map(|order| self.ways(order, Bodies::One)).collect();
+        let between: Vec<Vec<Complex64>> =
+            (1..=ORDERS).map(|order| self.ways(order, Bodies::Several)).collect();
+        let by_order: Vec<Vec<Complex64>> =
+            within.iter().zip(&between).map(|(a, b)| total([a, b].into_iter().cloned(), a.len())).collect();
+        let whole = total(by_order.iter().cloned(), FREQUENCIES);
+        let power = mean(&whole);
+        if power == 0.0 {
+            return Ok(None);
+        }
+        let share = |part: &Vec<Complex64>| MARGIN * (mean(part) / power).sqrt();
+        let first_orders =
+            total(by_order.iter().take(usize::from(TRANSMITTED_ORDERS)).cloned(), FREQUENCIES);
+        let changed = through.map_or(0.0, |through| mean_difference(&first_orders, &through));
+        let reference = Reference::of_orders(self.frequencies_hz.clone(), by_order);
+        Ok(Some(EchoParts {
+            within: within.iter().map(share).collect(),
+            between: between.iter().map(share).collect(),
+            nodes: (self.node_spread() / power).sqrt(),
+            road: road_left_out(self.scatterer.world, self.plan, &reference)?,
+            edges: share(&self.edges()),
+            transmission: MARGIN * (changed / power).sqrt(),
+            amplitude_m: whole,
+        }))
+    }
+
+    /// S of the ways of one order that meet one body, or several.
+    fn ways(&self, order: u8, bodies: Bodies) -> Vec<Complex64> {
+        let are_several = bodies == Bodies::Several;
+        sum_of_ways(&self.scatterer, self.plan, order, &self.wavenumbers_per_m, |joint| {
+            meets_several_bodies(&self.scatterer, joint) == are_several
+        })
+    }
+
+    /// Mean of |S − S|² between the node rules of double reflections.
+    fn node_spread(&self) -> f64 {
+        let by_rule = |nodes: NodeRule| {
+            let settings = MeetingSettings { nodes, ..self.plan.meetings() };
+            let meeting = OrderJoints::of(&self.scatterer, 2, &settings);
+            of_meeting(&self.scatterer, self.plan, &meeting, bracket_of(nodes), &self.fineness())
+        };
+        mean_difference(&by_rule(NodeRule::OwnEdge), &by_rule(other(NodeRule::OwnEdge)))
+    }
+
+    /// S of edges, first order.
+    fn edges(&self) -> Vec<Complex64> {
+        let settings = MeetingSettings { edges: Edges::FirstOrder, ..self.plan.meetings() };
+        let edges = OrderJoints::of(&self.scatterer, 1, &settings).without_facets();
+        of_meeting(&self.scatterer, self.plan, &edges, bracket_of(settings.nodes), &self.fineness())
+    }
+
+    fn fineness(&self) -> Fineness<'_> {
+        Fineness { wavenumbers_per_m: &self.wavenumbers_per_m, accuracy: ACCURACY }
+    }
+}
+
+/// Number of bodies on a way.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Bodies {
+    One,
+    Several,
+}
+
+/// S of the first orders with waves followed through sheets; `None` where there are none.
+fn through_sheets(
+    models: &Models,
+    plan: &Plan<'_>,
+    frame: &SceneFrame,
+) -> Result<Option<Vec<Complex64>>, BartError> {
+    let mut header = plan.header.clone();
+    header.materials.transmission = Transmission::Followed;
+    let plan = &Plan::of(&header, plan.progress);
+    let world = World::posed(models, &header, frame, plan.check_s)?;
+    if world.sheets().is_empty() {
+        return Ok(None);
+    }
+    let ways = LeftOutWays { bounces: TRANSMITTED_ORDERS, ..WAYS };
+    let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
+    let snapshot = Snapshot::of(world, tree);
+    let look = Look::of(snapshot.scatterer(plan, Phase::Checking), plan);
+    let by_order = (1..=TRANSMITTED_ORDERS).map(|order| {
+        total([Bodies::One, Bodies::Several].into_iter().map(|bodies| look.ways(order, bodies)), FREQUENCIES)
+    });
+    Ok(Some(total(by_order, FREQUENCIES)))
+}

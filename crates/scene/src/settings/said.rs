@@ -1,0 +1,71 @@
+//! What a scene file says itself of the physics, for who chooses the rest.
+
+use crate::document::changes::{self, Change};
+use crate::document::errors::SceneErrors;
+use crate::document::faults::Faults;
+use crate::document::keys::fidelity::{PLAN, Planning};
+use crate::document::keys::scene::{OF_FIDELITY, OF_ROAD};
+use crate::document::text::{at_no_place, read_text};
+use std::collections::BTreeSet;
+use std::path::Path;
+use toml::de::{DeTable, DeValue};
+
+/// What a scene file says of the physics.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct SaidPhysics {
+    /// Who chooses.
+    pub planning: Planning,
+    /// Keys of [fidelity] that are there.
+    pub keys: BTreeSet<String>,
+    /// Whether the road is said, be it there or not.
+    pub road: bool,
+}
+
+/// Reads what the scene in `path`, with the changes made, says itself of the physics. What is wrong with it
+/// [`read_changed`](crate::read_changed) tells.
+///
+/// # Errors
+/// The file cannot be read, or is no text.
+pub fn said_physics(path: &Path, changes: &[Change]) -> Result<SaidPhysics, SceneErrors> {
+    let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
+    let (document, _) = DeTable::parse_recoverable(&text);
+    let mut document = document.into_inner();
+    changes::make(&mut document, changes, &Faults::new(path, &text));
+    Ok(of_document(&document))
+}
+
+fn of_document(document: &DeTable<'_>) -> SaidPhysics {
+    let fidelity = document.get(OF_FIDELITY.name).and_then(|value| value.get_ref().as_table());
+    let keys = fidelity.into_iter().flat_map(|table| table.keys()).map(|key| key.get_ref().to_string());
+    let word = fidelity.and_then(|table| table.get(PLAN.name)).and_then(|value| word(value.get_ref()));
+    SaidPhysics {
+        planning: if word == Some("accuracy") { Planning::ByAccuracy } else { Planning::AsSaid },
+        keys: keys.collect(),
+        road: document.contains_key(OF_ROAD.name),
+    }
+}
+
+fn word<'a>(value: &'a DeValue<'_>) -> Option<&'a str> {
+    match value {
+        DeValue::String(word) => Some(word),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(text: &str) -> SaidPhysics {
+        of_document(&DeTable::parse_recoverable(text).0.into_inner())
+    }
+
+    #[test]
+    fn keys_that_are_there_are_said_and_the_word_alone_hands_the_choice_over() {
+        assert_eq!(of("name = \"a\""), SaidPhysics::default());
+        let said = of("[fidelity]\nbounces = 2\nplan = \"accuracy\"\n[road]\n");
+        assert_eq!(said.planning, Planning::ByAccuracy);
+        assert!(said.keys.contains("bounces") && !said.keys.contains("edges") && said.road);
+        assert_eq!(of("[fidelity]\nplan = \"as-said\"").planning, Planning::AsSaid);
+    }
+}

@@ -1,0 +1,155 @@
+//! What of the physics a scene needs, by one number: a coarse look tells what each part of the echo is to
+//! all of it, and what the accuracy can spare is left out (`docs/planning.md`).
+
+pub(crate) mod look; // what each part is, over the frames looked at
+pub(crate) mod choice; // what is modelled, of these shares alone
+pub(crate) mod costs; // processor seconds of each part
+pub mod told; // lines and figures of a plan
+
+use crate::chain::cache::Cache;
+use crate::chain::loading::{self, LoadedScene, SceneSource};
+use crate::host::failure::Failure;
+use crate::host::memory::Allowance;
+use crate::host::progress::Work;
+use artifact::Accuracy;
+use artifact::scene::SceneHeader;
+use artifact::settings::{BetweenBodies, EchoMode, Edges, NodeRule, Sides, Surface};
+use choice::{Budget, Choice, Fixed, Part};
+use look::Shares;
+use scene::{Planning, SaidPhysics};
+use std::collections::BTreeMap;
+use told::PlanFigures;
+
+/// Scene that is run, with the plan of its physics where one was asked for.
+pub struct PlannedScene {
+    /// Scene as the stages take it: what was chosen stands in its settings.
+    pub loaded: LoadedScene,
+    /// Figures of the plan; `None` where the scene says all itself.
+    pub plan: Option<PlanFigures>,
+}
+
+/// Loads a scene as [`loading::scene`] does, and chooses its physics where its file, or an accuracy of the
+/// command's own, asks for that.
+///
+/// # Errors
+/// Those of loading and of the look; a plan for far-field tables, which have no ways to leave out.
+pub fn scene(
+    source: &SceneSource,
+    cache: Option<&Cache>,
+    memory: Allowance,
+) -> Result<PlannedScene, Failure> {
+    let mut loaded = loading::scene(source, cache)?;
+    let said = scene::said_physics(&source.file, &[]).map_err(loading::of_scene)?;
+    if let Some(db) = source.accuracy_db {
+        loaded.header.fidelity.accuracy = Accuracy::from_db(db);
+        loaded.header.fidelity.goal = None;
+    } else if said.planning == Planning::AsSaid {
+        return Ok(PlannedScene { loaded, plan: None });
+    }
+    let plan = planned(&mut loaded.header, &said, memory)?;
+    Ok(PlannedScene { loaded, plan })
+}
+
+/// Chooses the physics of a scene; `None`, and nothing chosen, where nothing scatters in the frames looked
+/// at.
+fn planned(
+    header: &mut SceneHeader,
+    said: &SaidPhysics,
+    memory: Allowance,
+) -> Result<Option<PlanFigures>, Failure> {
+    if header.fidelity.echo == EchoMode::RcsTable {
+        let rule = "[fidelity]: a plan needs echo = \"paths\": a far-field table leaves no ways to choose among";
+        return Err(Failure::refused(rule));
+    }
+    let Some(shares) = ({
+        let _under_way = Work::begin("looking at what the echo consists of");
+        look::shares(header, memory)?
+    }) else {
+        return Ok(None);
+    };
+    let asked = header.fidelity.accuracy;
+    let fixed = fixed(header, said, &shares);
+    let budget = Budget::of(asked.amplitude(), &shares);
+    let choice = Choice::of(&budget, &shares, &fixed);
+    let before = header.clone();
+    apply(header, said, &choice);
+    let seconds = costs::seconds(&before, header, &fixed, memory)?;
+    Ok(Some(PlanFigures::of(asked, &budget, &shares, &choice, &fixed, header, &seconds)))
+}
+
+/// What the scene's own keys leave no choice of.
+fn fixed(header: &SceneHeader, said: &SaidPhysics, shares: &Shares) -> Fixed {
+    let fidelity = &header.fidelity;
+    let has = |key: &str| said.keys.contains(key);
+    let mut parts = BTreeMap::new();
+    let mut fix = |part: Part, is_said: bool, is_modelled: bool| {
+        if is_said {
+            parts.insert(part, is_modelled);
+        }
+    };
+    let can_follow_road = shares.road.is_some() && fidelity.sides == Sides::Two;
+    fix(Part::BetweenBodies, has("between_bodies"), fidelity.between_bodies == BetweenBodies::Traced);
+    fix(Part::Road, said.road || !can_follow_road, header.road.is_some());
+    fix(Part::Edges, has("edges"), fidelity.edges != Edges::Ignored);
+    let is_followed = header.materials.transmission == artifact::material::Transmission::Followed;
+    fix(Part::Sheets, has("transmission"), is_followed);
+    fix(Part::BentSkin, has("surface"), fidelity.surface == Surface::Smooth);
+    Fixed { bounces: has("bounces").then_some(fidelity.bounces), parts }
+}
+
+/// Writes a choice into the scene.
+fn apply(header: &mut SceneHeader, said: &SaidPhysics, choice: &Choice) {
+    let has = |key: &str| said.keys.contains(key);
+    let models = |part: Part| choice.modelled.contains(&part);
+    header.fidelity.accuracy = Accuracy::from_db(artifact::units::db_from_amplitude(choice.numerical));
+    header.fidelity.bounces = choice.bounces;
+    header.fidelity.between_bodies =
+        if models(Part::BetweenBodies) { BetweenBodies::Traced } else { BetweenBodies::LeftOut };
+    header.fidelity.edges = if models(Part::Edges) { Edges::FirstOrder } else { Edges::Ignored };
+    header.fidelity.surface = if models(Part::BentSkin) { Surface::Smooth } else { Surface::Flat };
+    if models(Part::Sheets) {
+        header.materials.transmission = artifact::material::Transmission::Followed;
+        header.meshes.iter_mut().for_each(|mesh| {
+            mesh.makeup.transmission = artifact::material::Transmission::Followed;
+        });
+    }
+    if models(Part::Road) && header.road.is_none() {
+        header.road = bart_rcs::usual_road();
+    }
+    if !has("nodes") && choice.bounces > 1 && choice.any_node_rule {
+        header.fidelity.nodes = NodeRule::Middle;
+    }
+    if !has("measured_every") {
+        header.fidelity.measured_every = frames_of_one_measurement(header);
+    }
+}
+
+/// Time for which a measured error is good (`docs/validation/traffic.md`), s.
+const GOOD_FOR_S: f64 = 0.5;
+
+/// Frames that one measurement of the errors is good for.
+fn frames_of_one_measurement(header: &SceneHeader) -> u32 {
+    let of_time = (GOOD_FOR_S / header.frame_interval_s).floor();
+    of_time.clamp(1.0, f64::from(header.frames.max(1))) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_measured_once_in_half_a_second_and_once_at_least() {
+        let mut header = artifact_scene();
+        let mut of = |interval_s: f64, frames: u32| {
+            (header.frame_interval_s, header.frames) = (interval_s, frames);
+            frames_of_one_measurement(&header)
+        };
+        assert_eq!([of(0.1, 20), of(0.1, 3), of(2.0, 20), of(0.1, 1)], [5, 3, 1, 1]);
+    }
+
+    fn artifact_scene() -> SceneHeader {
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/table-2.toml");
+        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        scene::read(&file, &options).unwrap()
+    }
+}

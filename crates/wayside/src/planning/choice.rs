@@ -1,0 +1,259 @@
+//! What is modelled, chosen from what each part of the echo is to all of it.
+
+use crate::planning::look::Shares;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Part of the physics that is modelled or left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Part {
+    /// Ways that meet several bodies.
+    BetweenBodies,
+    /// Ways by the road.
+    Road,
+    /// Diffraction by edges.
+    Edges,
+    /// Waves through sheets.
+    Sheets,
+    /// Facets bent as the mesh's normals tell.
+    BentSkin,
+}
+
+impl Part {
+    /// Parts that are chosen by their share; facets are bent where the scene says so alone.
+    pub(crate) const CHOSEN: [Self; 4] = [Self::BetweenBodies, Self::Road, Self::Edges, Self::Sheets];
+    /// All parts.
+    pub(crate) const ALL: [Self; 5] =
+        [Self::BetweenBodies, Self::Road, Self::Edges, Self::Sheets, Self::BentSkin];
+}
+
+/// What the scene itself says, and nothing is chosen of.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Fixed {
+    /// Highest order of reflection.
+    pub(crate) bounces: Option<u8>,
+    /// Parts, and whether they are modelled.
+    pub(crate) parts: BTreeMap<Part, bool>,
+}
+
+/// Relative amplitude error that a plan may spend.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Budget {
+    /// Error of all that is chosen together.
+    pub(crate) whole: f64,
+    /// Why that is more than was asked.
+    pub(crate) limit: Limit,
+}
+
+/// What an accuracy is limited by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Limit {
+    /// The accuracy asked for.
+    Asked,
+    /// The method: node rules disagree by more.
+    Nodes,
+    /// The noise of the map hides what is finer.
+    Noise,
+}
+
+/// Share of the largest error of the method that everything else may take: half of it adds a tenth to it,
+/// 1 dB.
+const OF_METHOD: f64 = 0.5;
+
+impl Budget {
+    /// Budget of an accuracy: no finer than the method is, nor than the noise lets anybody see.
+    pub(crate) fn of(asked: f64, shares: &Shares) -> Self {
+        let candidates =
+            [(asked, Limit::Asked), (OF_METHOD * shares.nodes, Limit::Nodes), (shares.noise, Limit::Noise)];
+        let largest = candidates.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
+        let (whole, limit) = largest.unwrap_or((asked, Limit::Asked));
+        // Beyond the amplitude itself nothing would be modelled at all.
+        Self { whole: whole.min(COARSEST), limit }
+    }
+}
+
+/// Coarsest accuracy that a plan spends, −3 dB: cells and integrals mean little beyond it.
+const COARSEST: f64 = 0.7;
+
+/// What is modelled, and how finely.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Choice {
+    /// Highest order of reflection.
+    pub(crate) bounces: u8,
+    /// Parts that are modelled.
+    pub(crate) modelled: BTreeSet<Part>,
+    /// Relative amplitude of all that was left out by choice.
+    pub(crate) left_out: f64,
+    /// Relative amplitude error that integrals, cells and the echo may make.
+    pub(crate) numerical: f64,
+    /// Whether node rules differ by so little that the cheapest will do.
+    pub(crate) any_node_rule: bool,
+}
+
+/// Highest order that a scene may have.
+const MOST_BOUNCES: u8 = artifact::paths::MAX_ORDER as u8;
+/// Share of the budget's power that may be left out; the numerical error has the rest.
+const LEFT_OUT_POWER: f64 = 0.5;
+/// Node rules that differ by less of the budget are one.
+const ONE_NODE_RULE: f64 = 0.25;
+
+impl Choice {
+    /// Leaves out what is least, one after the other, as long as all of it stays within the budget.
+    ///
+    /// Orders fall from the highest on. Leaving out is judged by power: parts of an echo have phases of
+    /// their own.
+    pub(crate) fn of(budget: &Budget, shares: &Shares, fixed: &Fixed) -> Self {
+        let mut now = Physics::whole(fixed);
+        let begin = now.left_out_power(shares);
+        let room = LEFT_OUT_POWER * budget.whole.powi(2);
+        while let Some(next) = now.one_less(fixed).into_iter().min_by(|a, b| {
+            // Where several cost nothing, the first of them: the order of the list is a part of the result.
+            a.left_out_power(shares).total_cmp(&b.left_out_power(shares))
+        }) {
+            if next.left_out_power(shares) - begin > room {
+                break;
+            }
+            now = next;
+        }
+        let chosen = (now.left_out_power(shares) - begin).max(0.0);
+        Self {
+            bounces: now.bounces,
+            left_out: chosen.sqrt(),
+            numerical: (budget.whole.powi(2) - chosen).sqrt(),
+            any_node_rule: shares.nodes <= ONE_NODE_RULE * budget.whole,
+            modelled: now.modelled,
+        }
+    }
+}
+
+/// Physics on the way from all of it to what is enough.
+#[derive(Debug, Clone)]
+struct Physics {
+    bounces: u8,
+    modelled: BTreeSet<Part>,
+}
+
+impl Physics {
+    /// Everything but what the scene itself leaves out.
+    fn whole(fixed: &Fixed) -> Self {
+        let is_in = |part: &Part| fixed.parts.get(part).copied().unwrap_or(*part != Part::BentSkin);
+        Self {
+            bounces: fixed.bounces.unwrap_or(MOST_BOUNCES),
+            modelled: Part::ALL.into_iter().filter(is_in).collect(),
+        }
+    }
+
+    /// What is left when one thing more is left out, in every way that is open.
+    fn one_less(&self, fixed: &Fixed) -> Vec<Self> {
+        let open = |part: &Part| self.modelled.contains(part) && !fixed.parts.contains_key(part);
+        let without = |part: Part| {
+            let mut modelled = self.modelled.clone();
+            modelled.remove(&part);
+            Self { modelled, ..*self }
+        };
+        let fewer = (fixed.bounces.is_none() && self.bounces > 1)
+            .then(|| Self { bounces: self.bounces - 1, modelled: self.modelled.clone() });
+        fewer.into_iter().chain(Part::CHOSEN.into_iter().filter(open).map(without)).collect()
+    }
+
+    fn left_out_power(&self, shares: &Shares) -> f64 {
+        let is_out = |part: Part| !self.modelled.contains(&part);
+        let of_part = |part: Part, share: f64| if is_out(part) { share.powi(2) } else { 0.0 };
+        let orders = (1..).zip(shares.within.iter().zip(&shares.between));
+        let of_order = |(order, (within, between)): (u8, (&f64, &f64))| {
+            let is_beyond = order > self.bounces;
+            let between = if is_beyond || is_out(Part::BetweenBodies) { between.powi(2) } else { 0.0 };
+            between + if is_beyond { within.powi(2) } else { 0.0 }
+        };
+        orders.map(of_order).sum::<f64>()
+            + if self.bounces < MOST_BOUNCES { beyond(shares) } else { 0.0 }
+            + of_part(Part::Road, shares.road.unwrap_or(0.0))
+            + of_part(Part::Edges, shares.edges)
+            + of_part(Part::Sheets, shares.sheets)
+    }
+}
+
+/// Power of the orders that no look reaches: as the last falls from the one before it, so they go on, and
+/// they are no more than the last.
+fn beyond(shares: &Shares) -> f64 {
+    let power = |order: usize| shares.within[order].powi(2) + shares.between[order].powi(2);
+    let count = shares.within.len().min(shares.between.len());
+    match count {
+        0 | 1 => 0.0,
+        _ => {
+            let (last, before) = (power(count - 1), power(count - 2));
+            if before > 0.0 { last * (last / before).min(1.0) } else { last }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shares() -> Shares {
+        Shares {
+            within: vec![1.0, 0.3, 0.03, 0.003],
+            between: vec![0.0, 0.02, 0.002, 0.0002],
+            nodes: 0.0,
+            road: Some(0.2),
+            edges: 0.01,
+            sheets: 0.0,
+            skin: None,
+            noise: 0.0,
+        }
+    }
+
+    fn chosen(asked: f64, shares: &Shares, fixed: &Fixed) -> Choice {
+        Choice::of(&Budget::of(asked, shares), shares, fixed)
+    }
+
+    #[test]
+    fn the_least_parts_are_left_out_and_their_sum_stays_within_the_budget() {
+        let choice = chosen(0.1, &shares(), &Fixed::default());
+        assert_eq!((choice.bounces, choice.modelled), (2, BTreeSet::from([Part::Road])));
+        let left = 0.03_f64.powi(2) + 0.003_f64.powi(2) + 0.02_f64.powi(2) + 0.002_f64.powi(2) + 0.01_f64.powi(2);
+        assert!((choice.left_out.powi(2) / left - 1.0).abs() < 1e-2, "{}", choice.left_out);
+        assert!(choice.left_out.powi(2) <= 0.005);
+        let whole = choice.left_out.powi(2) + choice.numerical.powi(2);
+        assert!((whole.sqrt() - 0.1).abs() < 1e-12, "what is left of the budget is the integrals'");
+    }
+
+    #[test]
+    fn no_other_choice_of_as_many_parts_leaves_out_less_and_a_finer_accuracy_models_more() {
+        let mut before = usize::MAX;
+        for asked in [0.003, 0.01, 0.03, 0.1, 0.3] {
+            let choice = chosen(asked, &shares(), &Fixed::default());
+            assert!(choice.left_out <= asked * LEFT_OUT_POWER.sqrt());
+            let modelled = choice.modelled.len() + usize::from(choice.bounces);
+            assert!(modelled <= before, "{asked}");
+            before = modelled;
+        }
+    }
+
+    #[test]
+    fn what_the_scene_says_is_neither_left_out_nor_counted_as_a_choice() {
+        let parts = BTreeMap::from([(Part::Road, false), (Part::Edges, true)]);
+        let fixed = Fixed { bounces: Some(4), parts };
+        let choice = chosen(0.1, &shares(), &fixed);
+        assert_eq!((choice.bounces, choice.modelled), (4, BTreeSet::from([Part::Edges])));
+        assert!((choice.left_out - 0.02_f64.hypot(0.002).hypot(0.0002)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn nothing_is_spent_beyond_what_the_method_or_the_noise_lets_be_seen() {
+        let rules = Shares { nodes: 0.4, ..shares() };
+        assert_eq!(Budget::of(0.03, &rules), Budget { whole: 0.2, limit: Limit::Nodes });
+        let noisy = Shares { noise: 0.05, ..shares() };
+        assert_eq!(Budget::of(0.03, &noisy), Budget { whole: 0.05, limit: Limit::Noise });
+        assert_eq!(Budget::of(0.3, &rules), Budget { whole: 0.3, limit: Limit::Asked });
+    }
+
+    #[test]
+    fn orders_beyond_the_look_fall_as_the_last_did_and_never_grow() {
+        let power = |share: f64| share.powi(2);
+        let falling = beyond(&shares());
+        assert!((falling / (power(0.003) / 100.0) - 1.0).abs() < 0.02, "{falling}");
+        let rising = Shares { within: vec![1.0, 0.1, 0.1, 0.2], between: vec![0.0; 4], ..shares() };
+        assert!((beyond(&rising) - power(0.2)).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,79 @@
+//! Processor seconds of a plan, of everything that was asked before it, and of each part.
+
+use crate::chain::expectation::Expectation;
+use crate::chain::link::Chain;
+use crate::chain::plan::FramePlan;
+use crate::host::failure::Failure;
+use crate::host::memory::Allowance;
+use crate::planning::choice::{Fixed, Part};
+use artifact::scene::SceneHeader;
+use artifact::settings::{BetweenBodies, Edges};
+use std::collections::BTreeMap;
+
+/// Expected processor seconds.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Seconds {
+    /// Scene as it stood before the plan, with its accuracy.
+    pub(crate) as_said: f64,
+    /// Scene as planned.
+    pub(crate) planned: f64,
+    /// What the plan would take with one part more, or with one less, beside what it takes.
+    pub(crate) with_one_changed: BTreeMap<Part, f64>,
+    /// What it would take with one order of reflection more.
+    pub(crate) with_one_bounce_more: Option<f64>,
+}
+
+/// Expects the seconds of a plan and its neighbours.
+pub(crate) fn seconds(
+    before: &SceneHeader,
+    planned: &SceneHeader,
+    fixed: &Fixed,
+    memory: Allowance,
+) -> Result<Seconds, Failure> {
+    let of = |header: &SceneHeader| expected_s(header, memory);
+    let mut with_one_changed = BTreeMap::new();
+    for part in Part::CHOSEN.into_iter().filter(|part| !fixed.parts.contains_key(part)) {
+        if let Some(changed) = changed(planned, part) {
+            with_one_changed.insert(part, of(&changed)?);
+        }
+    }
+    let more = (usize::from(planned.fidelity.bounces) < artifact::paths::MAX_ORDER).then(|| {
+        let mut more = planned.clone();
+        more.fidelity.bounces += 1;
+        more
+    });
+    Ok(Seconds {
+        as_said: of(before)?,
+        planned: of(planned)?,
+        with_one_changed,
+        with_one_bounce_more: more.as_ref().map(of).transpose()?,
+    })
+}
+
+/// The scene with one part in that is out, or out that is in; `None` where that takes another mesh.
+fn changed(planned: &SceneHeader, part: Part) -> Option<SceneHeader> {
+    let mut header = planned.clone();
+    match part {
+        Part::BetweenBodies => {
+            header.fidelity.between_bodies = match header.fidelity.between_bodies {
+                BetweenBodies::Traced => BetweenBodies::LeftOut,
+                BetweenBodies::LeftOut => BetweenBodies::Traced,
+            };
+        }
+        Part::Road => header.road = if header.road.is_some() { None } else { bart_rcs::usual_road() },
+        Part::Edges => {
+            header.fidelity.edges = match header.fidelity.edges {
+                Edges::Ignored => Edges::FirstOrder,
+                Edges::FirstOrder => Edges::Ignored,
+            };
+        }
+        Part::Sheets | Part::BentSkin => return None,
+    }
+    Some(header)
+}
+
+fn expected_s(header: &SceneHeader, memory: Allowance) -> Result<f64, Failure> {
+    let chain = Chain::of(header, None, None, memory);
+    let plans: Vec<FramePlan> = (0..header.frames).map(|index| chain.plan(index)).collect();
+    Ok(Expectation::of(&chain, None, &plans)?.seconds)
+}

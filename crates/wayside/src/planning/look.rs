@@ -1,0 +1,124 @@
+//! What each part of the echo is to all of it, over the frames that are looked at.
+
+use crate::chain::looks::frames_looked_at;
+use crate::host::failure::Failure;
+use crate::host::memory::Allowance;
+use artifact::scene::SceneHeader;
+use artifact::settings::{Noise, Surface};
+use artifact::units::{BOLTZMANN_J_PER_K, power_from_db};
+use bart_rcs::{EchoParts, Tracer, Unheard};
+use num_complex::Complex64;
+
+/// Shares of the echo as relative amplitudes, each the largest of the frames looked at.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Shares {
+    /// Ways within one body, by order from 1.
+    pub(crate) within: Vec<f64>,
+    /// Ways that meet several bodies, by order from 1.
+    pub(crate) between: Vec<f64>,
+    /// Spread between the node rules of double reflections.
+    pub(crate) nodes: f64,
+    /// Ways by a road of dry asphalt; `None` where these cannot be followed.
+    pub(crate) road: Option<f64>,
+    /// Diffraction by edges.
+    pub(crate) edges: f64,
+    /// Change by waves through sheets.
+    pub(crate) sheets: f64,
+    /// Change by facets bent as the mesh's normals tell; `None` where that was not looked at.
+    pub(crate) skin: Option<f64>,
+    /// Whole echo of which all of it, in one cell of the map, would be as strong as the noise.
+    pub(crate) noise: f64,
+}
+
+/// Looks at three frames of a scene at most; `None` where nothing scatters in them.
+pub(crate) fn shares(header: &SceneHeader, memory: Allowance) -> Result<Option<Shares>, Failure> {
+    let tracer = tracer(header, memory)?;
+    let mut all: Option<Shares> = None;
+    for index in frames_looked_at(header.frames) {
+        let Some(parts) = parts(&tracer, header, index)? else { continue };
+        let skin = match all {
+            None if header.fidelity.surface == Surface::Flat => skin(header, index, &parts, memory)?,
+            _ => None,
+        };
+        let noise = noise(header, index, &parts.amplitude_m);
+        let of_frame = Shares { skin, noise, ..of_parts(parts) };
+        all = Some(match all {
+            Some(before) => before.larger(of_frame),
+            None => of_frame,
+        });
+    }
+    Ok(all)
+}
+
+fn tracer(header: &SceneHeader, memory: Allowance) -> Result<Tracer, Failure> {
+    Ok(Tracer::new(header).map_err(Failure::refused)?.within(memory.limit()))
+}
+
+fn parts(tracer: &Tracer, header: &SceneHeader, index: u32) -> Result<Option<EchoParts>, Failure> {
+    let (view, frame) = (scene::frame_view(header, index), scene::snapshot(header, index));
+    tracer.parts(&view, &frame, &Unheard).map_err(Failure::refused)
+}
+
+fn of_parts(parts: EchoParts) -> Shares {
+    let EchoParts { within, between, nodes, road, edges, transmission, .. } = parts;
+    Shares { within, between, nodes, road, edges, sheets: transmission, skin: None, noise: 0.0 }
+}
+
+/// Relative change of the echo when facets are bent.
+fn skin(
+    header: &SceneHeader,
+    index: u32,
+    flat: &EchoParts,
+    memory: Allowance,
+) -> Result<Option<f64>, Failure> {
+    let mut bent = header.clone();
+    bent.fidelity.surface = Surface::Smooth;
+    let Some(bent) = parts(&tracer(&bent, memory)?, &bent, index)? else { return Ok(None) };
+    let power = |values: &mut dyn Iterator<Item = Complex64>| values.map(|s| s.norm_sqr()).sum::<f64>();
+    let changed = power(&mut flat.amplitude_m.iter().zip(&bent.amplitude_m).map(|(a, b)| a - b));
+    Ok(Some((changed / power(&mut flat.amplitude_m.iter().copied())).sqrt()))
+}
+
+/// Cells of a map over which one body is spread at least: what is left out is weaker in each of them, so
+/// fewer are on the safe side.
+const CELLS_OF_A_BODY: f64 = 1.0;
+
+/// Relative amplitude of an echo that, all of it in one cell and all channels added in phase, is as strong
+/// as the noise of the map; 0 without noise.
+fn noise(header: &SceneHeader, index: u32, amplitude_m: &[Complex64]) -> f64 {
+    let (radar, waveform) = (&header.radar, &header.radar.waveform);
+    let channels = radar.virtual_channels() as f64;
+    let bodies = scene::bodies_in_view(header, index).len().max(1) as f64;
+    let power_ratio = match header.noise {
+        Noise::Absent => 0.0,
+        Noise::SnrDb(db) => 1.0 / (power_from_db(db) * CELLS_OF_A_BODY * bodies * channels),
+        Noise::Figure { noise_figure_db, temperature_k } => {
+            let noise_w =
+                BOLTZMANN_J_PER_K * temperature_k * power_from_db(noise_figure_db) * waveform.sample_rate_hz;
+            let mean_m2 =
+                amplitude_m.iter().map(|s| s.norm_sqr()).sum::<f64>() / amplitude_m.len().max(1) as f64;
+            let echo_w = radar::link::link_amplitude(radar).powi(2) * mean_m2;
+            let gain = f64::from(waveform.samples) * f64::from(waveform.chirps) * channels;
+            noise_w / (echo_w * gain).max(f64::MIN_POSITIVE)
+        }
+    };
+    power_ratio.sqrt()
+}
+
+impl Shares {
+    /// The larger of each share.
+    fn larger(self, other: Self) -> Self {
+        let each = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| a.max(b)).collect();
+        let either = |a: Option<f64>, b: Option<f64>| a.into_iter().chain(b).reduce(f64::max);
+        Self {
+            within: each(self.within, other.within),
+            between: each(self.between, other.between),
+            nodes: self.nodes.max(other.nodes),
+            road: either(self.road, other.road),
+            edges: self.edges.max(other.edges),
+            sheets: self.sheets.max(other.sheets),
+            skin: either(self.skin, other.skin),
+            noise: self.noise.min(other.noise),
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! A plan in figures, for `summary.json`, and in lines, for who reads along.
+
+use crate::planning::choice::{Budget, Choice, Fixed, Limit, Part};
+use crate::planning::costs::Seconds;
+use crate::planning::look::Shares;
+use artifact::Accuracy;
+use artifact::scene::SceneHeader;
+use artifact::settings::NodeRule;
+use artifact::units::db_from_amplitude;
+use serde::{Deserialize, Serialize};
+
+/// Plan of a scene's physics in figures.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlanFigures {
+    /// Accuracy asked for, dB.
+    pub asked_db: f64,
+    /// Accuracy that is spent: coarser than asked where more would buy nothing, dB.
+    pub spent_db: f64,
+    /// What keeps the accuracy from being finer: "asked", "nodes" or "noise".
+    pub limited_by: String,
+    /// Share of all that is left out by choice, dB.
+    pub left_out_db: f64,
+    /// Accuracy of integrals, cells and echo, dB.
+    pub numerical_db: f64,
+    /// Highest order of reflection.
+    pub bounces: u8,
+    /// Rule for the facet on which a multiple reflection is integrated.
+    pub nodes: String,
+    /// Frames between two in which errors are measured.
+    pub measured_every: u32,
+    /// Expected processor seconds of the plan.
+    pub processor_s: f64,
+    /// Expected processor seconds of the scene as its keys have it, with their defaults.
+    pub as_said_processor_s: f64,
+    /// Parts of the physics.
+    pub parts: Vec<PartFigures>,
+}
+
+/// A part of the physics in a plan.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PartFigures {
+    /// Name of the part.
+    pub name: String,
+    /// Whether it is modelled.
+    pub modelled: bool,
+    /// Whether the scene says so itself.
+    pub said: bool,
+    /// Share of the whole echo, dB: what leaving it out costs; `None` where that could not be told.
+    pub share_db: Option<f64>,
+    /// Expected processor seconds that it takes, or would take; `None` where that was not expected.
+    pub processor_s: Option<f64>,
+}
+
+impl PlanFigures {
+    pub(crate) fn of(
+        asked: Accuracy,
+        budget: &Budget,
+        shares: &Shares,
+        choice: &Choice,
+        fixed: &Fixed,
+        planned: &SceneHeader,
+        seconds: &Seconds,
+    ) -> Self {
+        let orders = orders(shares, choice, fixed, seconds);
+        let parts = Part::ALL.into_iter().map(|part| part_figures(part, shares, choice, fixed, seconds));
+        Self {
+            asked_db: asked.db(),
+            spent_db: db_from_amplitude(budget.whole),
+            limited_by: limit_name(budget.limit).into(),
+            left_out_db: db_from_amplitude(choice.left_out),
+            numerical_db: db_from_amplitude(choice.numerical),
+            bounces: choice.bounces,
+            nodes: rule_name(planned.fidelity.nodes).into(),
+            measured_every: planned.fidelity.measured_every,
+            processor_s: seconds.planned,
+            as_said_processor_s: seconds.as_said,
+            parts: orders.into_iter().chain(parts).collect(),
+        }
+    }
+
+    /// Lines of the plan: what is spent, and each part with its share and its cost.
+    pub fn lines(&self) -> Vec<String> {
+        let mut lines = vec![self.first_line()];
+        lines.extend(self.parts.iter().map(PartFigures::line));
+        lines.push(format!(
+            "plan: {} bounces, integrals and cells to {}, errors measured in every {}; about {} of processor \
+             time, {} as the scene stands",
+            self.bounces,
+            level(Some(self.numerical_db)),
+            frames(self.measured_every),
+            spent(self.processor_s),
+            spent(self.as_said_processor_s),
+        ));
+        lines
+    }
+
+    fn first_line(&self) -> String {
+        let (asked, finer) = (level(Some(self.asked_db)), level(Some(self.spent_db)));
+        match self.limited_by.as_str() {
+            "nodes" => format!(
+                "plan for {asked}: the node rules differ by twice {finer}, so that nothing finer is of use"
+            ),
+            "noise" => format!("plan for {asked}: what is below {finer} lies in the noise of the map"),
+            _ => format!("plan for {asked}"),
+        }
+    }
+}
+
+impl PartFigures {
+    fn line(&self) -> String {
+        let verdict = match (self.modelled, self.said) {
+            (true, true) => "modelled, as the scene says",
+            (false, true) => "left out, as the scene says",
+            (true, false) => "modelled",
+            (false, false) => "left out",
+        };
+        let cost = self.processor_s.map_or(String::new(), |seconds| match self.modelled {
+            true => format!(", takes {}", spent(seconds)),
+            false => format!(", would take {}", spent(seconds)),
+        });
+        format!("  {:<24} {:>9}  {verdict}{cost}", self.name, level(self.share_db))
+    }
+}
+
+/// The orders after the first: those beyond the last that is modelled as one.
+fn orders(shares: &Shares, choice: &Choice, fixed: &Fixed, seconds: &Seconds) -> Vec<PartFigures> {
+    let known = (2..).zip(shares.within.iter().zip(&shares.between).skip(1));
+    let of_order = |(order, (within, between)): (u8, (&f64, &f64))| {
+        let is_next = order == choice.bounces + 1;
+        let more_s = seconds.with_one_bounce_more.filter(|_| is_next).map(|s| s - seconds.planned);
+        PartFigures {
+            name: format!("reflections of order {order}"),
+            modelled: order <= choice.bounces,
+            said: fixed.bounces.is_some(),
+            share_db: Some(db_from_amplitude(within.hypot(*between))),
+            processor_s: more_s.map(|s| s.max(0.0)),
+        }
+    };
+    known.map(of_order).collect()
+}
+
+fn part_figures(
+    part: Part,
+    shares: &Shares,
+    choice: &Choice,
+    fixed: &Fixed,
+    seconds: &Seconds,
+) -> PartFigures {
+    let cost = seconds.with_one_changed.get(&part).map(|changed| (changed - seconds.planned).abs());
+    PartFigures {
+        name: name(part).into(),
+        modelled: choice.modelled.contains(&part),
+        said: fixed.parts.contains_key(&part),
+        share_db: share(part, shares).map(db_from_amplitude),
+        processor_s: cost,
+    }
+}
+
+fn share(part: Part, shares: &Shares) -> Option<f64> {
+    match part {
+        Part::BetweenBodies => Some(shares.between.iter().map(|share| share.powi(2)).sum::<f64>().sqrt()),
+        Part::Road => shares.road,
+        Part::Edges => Some(shares.edges),
+        Part::Sheets => Some(shares.sheets),
+        Part::BentSkin => shares.skin,
+    }
+}
+
+fn name(part: Part) -> &'static str {
+    match part {
+        Part::BetweenBodies => "ways between bodies",
+        Part::Road => "ways by the road",
+        Part::Edges => "diffraction by edges",
+        Part::Sheets => "waves through sheets",
+        Part::BentSkin => "bent skin",
+    }
+}
+
+fn limit_name(limit: Limit) -> &'static str {
+    match limit {
+        Limit::Asked => "asked",
+        Limit::Nodes => "nodes",
+        Limit::Noise => "noise",
+    }
+}
+
+fn rule_name(rule: NodeRule) -> &'static str {
+    match rule {
+        NodeRule::Middle => "middle",
+        NodeRule::Exit => "exit",
+        NodeRule::OwnEdge => "own-edge",
+    }
+}
+
+fn level(db: Option<f64>) -> String {
+    match db {
+        None => "not told".into(),
+        Some(db) if db <= artifact::units::LOWEST_DB => "nothing".into(),
+        Some(db) => format!("{db:.1} dB").replace('-', "−"),
+    }
+}
+
+fn spent(seconds: f64) -> String {
+    let digits = usize::from(seconds < 10.0);
+    format!("{seconds:.digits$} s")
+}
+
+fn frames(count: u32) -> String {
+    match count {
+        1 => "frame".into(),
+        count => format!("{count} frames"),
+    }
+}
