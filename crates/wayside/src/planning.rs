@@ -13,7 +13,7 @@ use crate::host::memory::Allowance;
 use crate::host::progress::Work;
 use artifact::Accuracy;
 use artifact::scene::SceneHeader;
-use artifact::settings::{BetweenBodies, EchoMode, Edges, NodeRule, Sides, Surface};
+use artifact::settings::{BetweenBodies, EchoMode, Edges, NodeRule, Sides};
 use choice::{Budget, Choice, Fixed, Part};
 use look::Shares;
 use scene::{Planning, SaidPhysics};
@@ -93,7 +93,6 @@ fn fixed(header: &SceneHeader, said: &SaidPhysics, shares: &Shares) -> Fixed {
     fix(Part::Edges, has("edges"), fidelity.edges != Edges::Ignored);
     let is_followed = header.materials.transmission == artifact::material::Transmission::Followed;
     fix(Part::Sheets, has("transmission"), is_followed);
-    fix(Part::BentSkin, has("surface"), fidelity.surface == Surface::Smooth);
     Fixed { bounces: has("bounces").then_some(fidelity.bounces), parts }
 }
 
@@ -106,7 +105,6 @@ fn apply(header: &mut SceneHeader, said: &SaidPhysics, choice: &Choice) {
     header.fidelity.between_bodies =
         if models(Part::BetweenBodies) { BetweenBodies::Traced } else { BetweenBodies::LeftOut };
     header.fidelity.edges = if models(Part::Edges) { Edges::FirstOrder } else { Edges::Ignored };
-    header.fidelity.surface = if models(Part::BentSkin) { Surface::Smooth } else { Surface::Flat };
     if models(Part::Sheets) {
         header.materials.transmission = artifact::material::Transmission::Followed;
         header.meshes.iter_mut().for_each(|mesh| {

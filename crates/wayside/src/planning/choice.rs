@@ -14,16 +14,11 @@ pub(crate) enum Part {
     Edges,
     /// Waves through sheets.
     Sheets,
-    /// Facets bent as the mesh's normals tell.
-    BentSkin,
 }
 
 impl Part {
-    /// Parts that are chosen by their share; facets are bent where the scene says so alone.
-    pub(crate) const CHOSEN: [Self; 4] = [Self::BetweenBodies, Self::Road, Self::Edges, Self::Sheets];
     /// All parts.
-    pub(crate) const ALL: [Self; 5] =
-        [Self::BetweenBodies, Self::Road, Self::Edges, Self::Sheets, Self::BentSkin];
+    pub(crate) const ALL: [Self; 4] = [Self::BetweenBodies, Self::Road, Self::Edges, Self::Sheets];
 }
 
 /// What the scene itself says, and nothing is chosen of.
@@ -135,7 +130,7 @@ struct Physics {
 impl Physics {
     /// Everything but what the scene itself leaves out.
     fn whole(fixed: &Fixed) -> Self {
-        let is_in = |part: &Part| fixed.parts.get(part).copied().unwrap_or(*part != Part::BentSkin);
+        let is_in = |part: &Part| fixed.parts.get(part).copied().unwrap_or(true);
         Self {
             bounces: fixed.bounces.unwrap_or(MOST_BOUNCES),
             modelled: Part::ALL.into_iter().filter(is_in).collect(),
@@ -152,7 +147,7 @@ impl Physics {
         };
         let fewer = (fixed.bounces.is_none() && self.bounces > 1)
             .then(|| Self { bounces: self.bounces - 1, modelled: self.modelled.clone() });
-        fewer.into_iter().chain(Part::CHOSEN.into_iter().filter(open).map(without)).collect()
+        fewer.into_iter().chain(Part::ALL.into_iter().filter(open).map(without)).collect()
     }
 
     fn left_out_power(&self, shares: &Shares) -> f64 {
@@ -198,7 +193,6 @@ mod tests {
             road: Some(0.2),
             edges: 0.01,
             sheets: 0.0,
-            skin: None,
             noise: 0.0,
         }
     }

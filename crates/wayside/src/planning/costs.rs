@@ -32,7 +32,7 @@ pub(crate) fn seconds(
 ) -> Result<Seconds, Failure> {
     let of = |header: &SceneHeader| expected_s(header, memory);
     let mut with_one_changed = BTreeMap::new();
-    for part in Part::CHOSEN.into_iter().filter(|part| !fixed.parts.contains_key(part)) {
+    for part in Part::ALL.into_iter().filter(|part| !fixed.parts.contains_key(part)) {
         if let Some(changed) = changed(planned, part) {
             with_one_changed.insert(part, of(&changed)?);
         }
@@ -67,7 +67,7 @@ fn changed(planned: &SceneHeader, part: Part) -> Option<SceneHeader> {
                 Edges::FirstOrder => Edges::Ignored,
             };
         }
-        Part::Sheets | Part::BentSkin => return None,
+        Part::Sheets => return None,
     }
     Some(header)
 }

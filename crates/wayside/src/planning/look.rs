@@ -4,7 +4,7 @@ use crate::chain::looks::frames_looked_at;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use artifact::scene::SceneHeader;
-use artifact::settings::{Noise, Surface};
+use artifact::settings::Noise;
 use artifact::units::{BOLTZMANN_J_PER_K, power_from_db};
 use bart_rcs::{EchoParts, Tracer, Unheard};
 use num_complex::Complex64;
@@ -24,8 +24,6 @@ pub(crate) struct Shares {
     pub(crate) edges: f64,
     /// Change by waves through sheets.
     pub(crate) sheets: f64,
-    /// Change by facets bent as the mesh's normals tell; `None` where that was not looked at.
-    pub(crate) skin: Option<f64>,
     /// Whole echo of which all of it, in one cell of the map, would be as strong as the noise.
     pub(crate) noise: f64,
 }
@@ -36,12 +34,8 @@ pub(crate) fn shares(header: &SceneHeader, memory: Allowance) -> Result<Option<S
     let mut all: Option<Shares> = None;
     for index in frames_looked_at(header.frames) {
         let Some(parts) = parts(&tracer, header, index)? else { continue };
-        let skin = match all {
-            None if header.fidelity.surface == Surface::Flat => skin(header, index, &parts, memory)?,
-            _ => None,
-        };
         let noise = noise(header, index, &parts.amplitude_m);
-        let of_frame = Shares { skin, noise, ..of_parts(parts) };
+        let of_frame = Shares { noise, ..of_parts(parts) };
         all = Some(match all {
             Some(before) => before.larger(of_frame),
             None => of_frame,
@@ -61,22 +55,7 @@ fn parts(tracer: &Tracer, header: &SceneHeader, index: u32) -> Result<Option<Ech
 
 fn of_parts(parts: EchoParts) -> Shares {
     let EchoParts { within, between, nodes, road, edges, transmission, .. } = parts;
-    Shares { within, between, nodes, road, edges, sheets: transmission, skin: None, noise: 0.0 }
-}
-
-/// Relative change of the echo when facets are bent.
-fn skin(
-    header: &SceneHeader,
-    index: u32,
-    flat: &EchoParts,
-    memory: Allowance,
-) -> Result<Option<f64>, Failure> {
-    let mut bent = header.clone();
-    bent.fidelity.surface = Surface::Smooth;
-    let Some(bent) = parts(&tracer(&bent, memory)?, &bent, index)? else { return Ok(None) };
-    let power = |values: &mut dyn Iterator<Item = Complex64>| values.map(|s| s.norm_sqr()).sum::<f64>();
-    let changed = power(&mut flat.amplitude_m.iter().zip(&bent.amplitude_m).map(|(a, b)| a - b));
-    Ok(Some((changed / power(&mut flat.amplitude_m.iter().copied())).sqrt()))
+    Shares { within, between, nodes, road, edges, sheets: transmission, noise: 0.0 }
 }
 
 /// Cells of a map over which one body is spread at least: what is left out is weaker in each of them, so
@@ -117,7 +96,6 @@ impl Shares {
             road: either(self.road, other.road),
             edges: self.edges.max(other.edges),
             sheets: self.sheets.max(other.sheets),
-            skin: either(self.skin, other.skin),
             noise: self.noise.min(other.noise),
         }
     }

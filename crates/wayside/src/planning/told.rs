@@ -162,7 +162,6 @@ fn share(part: Part, shares: &Shares) -> Option<f64> {
         Part::Road => shares.road,
         Part::Edges => Some(shares.edges),
         Part::Sheets => Some(shares.sheets),
-        Part::BentSkin => shares.skin,
     }
 }
 
@@ -172,7 +171,6 @@ fn name(part: Part) -> &'static str {
         Part::Road => "ways by the road",
         Part::Edges => "diffraction by edges",
         Part::Sheets => "waves through sheets",
-        Part::BentSkin => "bent skin",
     }
 }
 
