@@ -61,20 +61,38 @@ fn planned(
         let rule = "[fidelity]: a plan needs echo = \"paths\": a far-field table leaves no ways to choose among";
         return Err(Failure::refused(rule));
     }
-    let Some(shares) = ({
-        let _under_way = Work::begin("looking at what the echo consists of");
-        look::shares(header, memory)?
-    }) else {
-        return Ok(None);
-    };
+    let _under_way = Work::begin("looking at what the echo consists of");
+    let tracer = look::tracer(header, memory)?;
+    let Some(shares) = look::shares(header, &tracer)? else { return Ok(None) };
     let asked = header.fidelity.accuracy;
     let fixed = fixed(header, said, &shares);
     let budget = Budget::of(asked.amplitude(), &shares);
-    let choice = Choice::of(&budget, &shares, &fixed);
     let before = header.clone();
+    let choice = cheapest(Choice::all(&budget, &shares, &fixed), |choice| {
+        let mut chosen = before.clone();
+        apply(&mut chosen, said, choice);
+        costs::expected_s(&chosen, &tracer, memory)
+    })?;
     apply(header, said, &choice);
-    let seconds = costs::seconds(&before, header, &fixed, memory)?;
+    let seconds = costs::seconds(&before, header, &fixed, &tracer, memory)?;
     Ok(Some(PlanFigures::of(asked, &budget, &shares, &choice, &fixed, header, &seconds)))
+}
+
+/// The choice whose scene is expected to take least: of integrals that are finer and parts that are left
+/// out, sometimes one is cheaper and sometimes the other.
+fn cheapest(
+    choices: Vec<Choice>,
+    expected_s: impl Fn(&Choice) -> Result<f64, Failure>,
+) -> Result<Choice, Failure> {
+    let expected = |choice: Choice| expected_s(&choice).map(|seconds| (seconds, choice));
+    // What does not fit into the memory is no choice, as long as another one does.
+    let (fitting, refused): (Vec<_>, Vec<_>) = choices.into_iter().map(expected).partition(Result::is_ok);
+    let cheapest = fitting.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
+    let refusal = || refused.into_iter().find_map(Result::err);
+    match cheapest {
+        Some((_, choice)) => Ok(choice),
+        None => Err(refusal().unwrap_or_else(|| Failure::refused("no choice keeps the accuracy"))),
+    }
 }
 
 /// What the scene's own keys leave no choice of.

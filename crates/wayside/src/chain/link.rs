@@ -119,6 +119,11 @@ impl<'a> Chain<'a> {
         Self { kept_to, ..self }
     }
 
+    /// The chain with a tracer of the same meshes that was made before.
+    pub(crate) fn tracing_by(self, tracer: bart_rcs::Tracer) -> Self {
+        Self { tracer: OnceLock::from(Ok(tracer)), ..self }
+    }
+
     /// The chain of a scene whose errors are those that were measured in another one of its kind, told by the
     /// hash of what these depend on.
     pub(crate) fn like(self, measured: measured_frames::Known, hash: &str) -> Self {

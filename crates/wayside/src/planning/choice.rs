@@ -86,42 +86,38 @@ pub(crate) struct Choice {
 
 /// Highest order that a scene may have.
 const MOST_BOUNCES: u8 = artifact::paths::MAX_ORDER as u8;
-/// Share of the budget's power that may be left out; the numerical error has the rest.
-const LEFT_OUT_POWER: f64 = 0.5;
+/// Share of the budget's power that may be left out: integrals and cells keep a tenth.
+const LEFT_OUT_POWER: f64 = 0.9;
 /// Node rules that differ by less of the budget are one.
 const ONE_NODE_RULE: f64 = 0.25;
 
 impl Choice {
-    /// Leaves out what is least, one after the other, as long as all of it stays within the budget.
+    /// Choices that keep the budget and leave out as much as they can, and everything on: what is left of
+    /// the budget is the integrals'. Which of them is cheapest is a matter of their costs.
     ///
-    /// Orders fall from the highest on. Leaving out is judged by power: parts of an echo have phases of
-    /// their own.
-    pub(crate) fn of(budget: &Budget, shares: &Shares, fixed: &Fixed) -> Self {
-        let mut now = Physics::whole(fixed);
-        let begin = now.left_out_power(shares);
+    /// Leaving out is judged by power: parts of an echo have phases of their own.
+    pub(crate) fn all(budget: &Budget, shares: &Shares, fixed: &Fixed) -> Vec<Self> {
+        let whole = Physics::whole(fixed);
+        let begin = whole.left_out_power(shares);
+        let chosen = |physics: &Physics| (physics.left_out_power(shares) - begin).max(0.0);
         let room = LEFT_OUT_POWER * budget.whole.powi(2);
-        while let Some(next) = now.one_less(fixed).into_iter().min_by(|a, b| {
-            // Where several cost nothing, the first of them: the order of the list is a part of the result.
-            a.left_out_power(shares).total_cmp(&b.left_out_power(shares))
-        }) {
-            if next.left_out_power(shares) - begin > room {
-                break;
-            }
-            now = next;
-        }
-        let chosen = (now.left_out_power(shares) - begin).max(0.0);
-        Self {
-            bounces: now.bounces,
-            left_out: chosen.sqrt(),
-            numerical: (budget.whole.powi(2) - chosen).sqrt(),
-            any_node_rule: shares.nodes <= ONE_NODE_RULE * budget.whole,
-            modelled: now.modelled,
-        }
+        let keeps = |physics: &Physics| chosen(physics) <= room;
+        let any_node_rule = shares.nodes <= ONE_NODE_RULE * budget.whole;
+        let leaves_most = |physics: &Physics| !physics.one_less(fixed).iter().any(keeps);
+        let least = whole.every_less(fixed).into_iter().filter(|physics| keeps(physics) && leaves_most(physics));
+        let of = |physics: Physics| Self {
+            left_out: chosen(&physics).sqrt(),
+            numerical: (budget.whole.powi(2) - chosen(&physics)).sqrt(),
+            bounces: physics.bounces,
+            modelled: physics.modelled,
+            any_node_rule,
+        };
+        std::iter::once(whole.clone()).chain(least).map(of).collect()
     }
 }
 
 /// Physics on the way from all of it to what is enough.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Physics {
     bounces: u8,
     modelled: BTreeSet<Part>,
@@ -148,6 +144,16 @@ impl Physics {
         let fewer = (fixed.bounces.is_none() && self.bounces > 1)
             .then(|| Self { bounces: self.bounces - 1, modelled: self.modelled.clone() });
         fewer.into_iter().chain(Part::ALL.into_iter().filter(open).map(without)).collect()
+    }
+
+    /// This and all that leaves out more, the fewest orders last.
+    fn every_less(&self, fixed: &Fixed) -> BTreeSet<Self> {
+        let mut every = BTreeSet::from([self.clone()]);
+        let mut open = vec![self.clone()];
+        while let Some(physics) = open.pop() {
+            open.extend(physics.one_less(fixed).into_iter().filter(|less| every.insert(less.clone())));
+        }
+        every
     }
 
     fn left_out_power(&self, shares: &Shares) -> f64 {
@@ -197,27 +203,39 @@ mod tests {
         }
     }
 
-    fn chosen(asked: f64, shares: &Shares, fixed: &Fixed) -> Choice {
-        Choice::of(&Budget::of(asked, shares), shares, fixed)
+    fn all(asked: f64, shares: &Shares, fixed: &Fixed) -> Vec<Choice> {
+        Choice::all(&Budget::of(asked, shares), shares, fixed)
     }
 
     #[test]
-    fn the_least_parts_are_left_out_and_their_sum_stays_within_the_budget() {
-        let choice = chosen(0.1, &shares(), &Fixed::default());
-        assert_eq!((choice.bounces, choice.modelled), (2, BTreeSet::from([Part::Road])));
-        let left = 0.03_f64.powi(2) + 0.003_f64.powi(2) + 0.02_f64.powi(2) + 0.002_f64.powi(2) + 0.01_f64.powi(2);
-        assert!((choice.left_out.powi(2) / left - 1.0).abs() < 1e-2, "{}", choice.left_out);
-        assert!(choice.left_out.powi(2) <= 0.005);
-        let whole = choice.left_out.powi(2) + choice.numerical.powi(2);
-        assert!((whole.sqrt() - 0.1).abs() < 1e-12, "what is left of the budget is the integrals'");
+    fn choices_leave_out_all_that_the_budget_spares_and_the_rest_is_the_integrals() {
+        let all = all(0.1, &shares(), &Fixed::default());
+        assert_eq!((all[0].bounces, all[0].modelled.len(), all[0].left_out), (5, 4, 0.0), "everything on");
+        let [least] = &all[1..] else { panic!("{all:?}") };
+        assert_eq!((least.bounces, &least.modelled), (2, &BTreeSet::from([Part::Road])));
+        let left = [0.03, 0.003, 0.02, 0.002, 0.0002, 0.01].map(|share: f64| share.powi(2)).iter().sum::<f64>();
+        assert!((least.left_out.powi(2) / left - 1.0).abs() < 1e-2, "{}", least.left_out);
+        for choice in all {
+            assert!((choice.left_out.hypot(choice.numerical) - 0.1).abs() < 1e-12);
+            assert!(choice.numerical > 0.03, "integrals keep a tenth of the power");
+        }
     }
 
     #[test]
-    fn no_other_choice_of_as_many_parts_leaves_out_less_and_a_finer_accuracy_models_more() {
+    fn where_one_part_or_the_other_can_be_spared_both_are_choices() {
+        let either = Shares { within: vec![1.0, 0.5, 0.08, 0.0], road: Some(0.08), ..shares() };
+        let modelled: Vec<(u8, bool)> = all(0.1, &either, &Fixed::default())[1..]
+            .iter()
+            .map(|choice| (choice.bounces, choice.modelled.contains(&Part::Road)))
+            .collect();
+        assert_eq!(modelled, [(2, true), (3, false)]);
+    }
+
+    #[test]
+    fn a_coarser_accuracy_lets_more_be_left_out() {
         let mut before = usize::MAX;
         for asked in [0.003, 0.01, 0.03, 0.1, 0.3] {
-            let choice = chosen(asked, &shares(), &Fixed::default());
-            assert!(choice.left_out <= asked * LEFT_OUT_POWER.sqrt());
+            let choice = all(asked, &shares(), &Fixed::default()).pop().unwrap();
             let modelled = choice.modelled.len() + usize::from(choice.bounces);
             assert!(modelled <= before, "{asked}");
             before = modelled;
@@ -228,9 +246,9 @@ mod tests {
     fn what_the_scene_says_is_neither_left_out_nor_counted_as_a_choice() {
         let parts = BTreeMap::from([(Part::Road, false), (Part::Edges, true)]);
         let fixed = Fixed { bounces: Some(4), parts };
-        let choice = chosen(0.1, &shares(), &fixed);
+        let choice = all(0.1, &shares(), &fixed).pop().unwrap();
         assert_eq!((choice.bounces, choice.modelled), (4, BTreeSet::from([Part::Edges])));
-        assert!((choice.left_out - 0.02_f64.hypot(0.002).hypot(0.0002)).abs() < 1e-12);
+        assert!((choice.left_out - 0.02_f64.hypot(0.002).hypot(0.0002)).abs() < 1e-9);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Processor seconds of a plan, of everything that was asked before it, and of each part.
+//! Processor seconds, on the machine of the rates, of a plan, of everything that was asked before it, and of each part.
 
 use crate::chain::expectation::Expectation;
 use crate::chain::link::Chain;
@@ -8,6 +8,7 @@ use crate::host::memory::Allowance;
 use crate::planning::choice::{Fixed, Part};
 use artifact::scene::SceneHeader;
 use artifact::settings::{BetweenBodies, Edges};
+use bart_rcs::Tracer;
 use std::collections::BTreeMap;
 
 /// Expected processor seconds.
@@ -28,9 +29,10 @@ pub(crate) fn seconds(
     before: &SceneHeader,
     planned: &SceneHeader,
     fixed: &Fixed,
+    tracer: &Tracer,
     memory: Allowance,
 ) -> Result<Seconds, Failure> {
-    let of = |header: &SceneHeader| expected_s(header, memory);
+    let of = |header: &SceneHeader| expected_s(header, tracer, memory);
     let mut with_one_changed = BTreeMap::new();
     for part in Part::ALL.into_iter().filter(|part| !fixed.parts.contains_key(part)) {
         if let Some(changed) = changed(planned, part) {
@@ -72,8 +74,9 @@ fn changed(planned: &SceneHeader, part: Part) -> Option<SceneHeader> {
     Some(header)
 }
 
-fn expected_s(header: &SceneHeader, memory: Allowance) -> Result<f64, Failure> {
-    let chain = Chain::of(header, None, None, memory);
+/// Expected processor seconds on the machine of the rates, so that a plan is the same on every machine.
+pub(crate) fn expected_s(header: &SceneHeader, tracer: &Tracer, memory: Allowance) -> Result<f64, Failure> {
+    let chain = Chain::of(header, None, None, memory).tracing_by(tracer.clone());
     let plans: Vec<FramePlan> = (0..header.frames).map(|index| chain.plan(index)).collect();
-    Ok(Expectation::of(&chain, None, &plans)?.seconds)
+    Ok(Expectation::at_speed(&chain, None, &plans, 1.0)?.seconds)
 }

@@ -29,11 +29,10 @@ pub(crate) struct Shares {
 }
 
 /// Looks at three frames of a scene at most; `None` where nothing scatters in them.
-pub(crate) fn shares(header: &SceneHeader, memory: Allowance) -> Result<Option<Shares>, Failure> {
-    let tracer = tracer(header, memory)?;
+pub(crate) fn shares(header: &SceneHeader, tracer: &Tracer) -> Result<Option<Shares>, Failure> {
     let mut all: Option<Shares> = None;
     for index in frames_looked_at(header.frames) {
-        let Some(parts) = parts(&tracer, header, index)? else { continue };
+        let Some(parts) = parts(tracer, header, index)? else { continue };
         let noise = noise(header, index, &parts.amplitude_m);
         let of_frame = Shares { noise, ..of_parts(parts) };
         all = Some(match all {
@@ -44,7 +43,8 @@ pub(crate) fn shares(header: &SceneHeader, memory: Allowance) -> Result<Option<S
     Ok(all)
 }
 
-fn tracer(header: &SceneHeader, memory: Allowance) -> Result<Tracer, Failure> {
+/// Tracer of the scene's meshes, which looks and expectations share.
+pub(crate) fn tracer(header: &SceneHeader, memory: Allowance) -> Result<Tracer, Failure> {
     Ok(Tracer::new(header).map_err(Failure::refused)?.within(memory.limit()))
 }
 

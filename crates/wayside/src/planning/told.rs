@@ -28,7 +28,7 @@ pub struct PlanFigures {
     pub nodes: String,
     /// Frames between two in which errors are measured.
     pub measured_every: u32,
-    /// Expected processor seconds of the plan.
+    /// Expected processor seconds of the plan on the machine of the rates.
     pub processor_s: f64,
     /// Expected processor seconds of the scene as its keys have it, with their defaults.
     pub as_said_processor_s: f64,

@@ -1,0 +1,86 @@
+//! What is modelled of a scene, chosen by its accuracy alone.
+
+#![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
+
+mod common;
+
+use common::{SMALL_SCENE, Workplace};
+
+/// The small scene with a table of [fidelity], in a file of its own.
+fn with_fidelity(place: &Workplace, name: &str, table: &str) {
+    std::fs::write(place.path(name), format!("{SMALL_SCENE}\n[fidelity]\n{table}\n")).unwrap();
+}
+
+#[test]
+fn a_plan_tells_each_part_with_its_share_and_what_it_leaves_out_keeps_the_budget() {
+    let place = Workplace::new();
+    let told = place.run("run small.toml --accuracy-db -20 --dry-run --no-cache");
+    for part in ["reflections of order 2", "ways between bodies", "ways by the road", "diffraction by edges"] {
+        assert!(told.contains(part), "{part}: {told}");
+    }
+    place.run("run small.toml --accuracy-db -20 --no-cache --out out");
+    let plan = place.summary("out/summary.json")["plan"].clone();
+    let of = |key: &str| plan[key].as_f64().unwrap();
+    let power = |db: f64| 10.0_f64.powf(db / 10.0);
+    assert_eq!(of("asked_db"), -20.0);
+    assert!(of("spent_db") >= -20.0);
+    let spent = power(of("left_out_db")) + power(of("numerical_db"));
+    assert!((spent / power(of("spent_db")) - 1.0).abs() < 1e-9, "{plan}");
+    assert!(of("bounces") >= 2.0, "a corner reflector needs its second and third order: {plan}");
+}
+
+#[test]
+fn a_planned_run_is_the_run_of_a_scene_that_says_the_same_to_the_byte() {
+    let place = Workplace::new();
+    with_fidelity(&place, "planned.toml", "accuracy_db = -25\nplan = \"accuracy\"");
+    place.run("run planned.toml --no-cache --out planned");
+    let plan = place.summary("planned/summary.json")["plan"].clone();
+    let is_modelled = |name: &str| {
+        let parts = plan["parts"].as_array().unwrap();
+        parts.iter().find(|part| part["name"] == name).unwrap()["modelled"] == true
+    };
+    let between = if is_modelled("ways between bodies") { "traced" } else { "left-out" };
+    let edges = if is_modelled("diffraction by edges") { "on" } else { "off" };
+    let road = if is_modelled("ways by the road") { "\n[road]\n" } else { "" };
+    let said = format!(
+        "accuracy_db = {}\nbounces = {}\nnodes = {}\nmeasured_every = {}\nbetween_bodies = \"{between}\"\n\
+         edges = \"{edges}\"{road}",
+        plan["numerical_db"], plan["bounces"], plan["nodes"], plan["measured_every"],
+    );
+    with_fidelity(&place, "said.toml", &said);
+    place.run("run said.toml --no-cache --out said");
+    for (file, format) in [("frames.cube", "npy"), ("frames.points", "csv"), ("frames.paths", "csv")] {
+        let exported = ["planned", "said"].map(|folder| {
+            let out = format!("{folder}.{file}.{format}");
+            place.run(&format!("export {folder}/{file} --to {format} --out {out}"));
+            place.bytes(&out)
+        });
+        assert_eq!(exported[0], exported[1], "{file}: {said}");
+    }
+    assert!(place.summary("said/summary.json").get("plan").is_none(), "nothing was planned there");
+}
+
+#[test]
+fn what_the_scene_says_itself_stays() {
+    let place = Workplace::new();
+    with_fidelity(&place, "own.toml", "bounces = 1\nedges = \"on\"\nplan = \"accuracy\"");
+    place.run("run own.toml --no-cache --out own");
+    let plan = place.summary("own/summary.json")["plan"].clone();
+    assert_eq!(plan["bounces"], 1);
+    let edges = plan["parts"].as_array().unwrap().iter().find(|p| p["name"] == "diffraction by edges").unwrap();
+    assert_eq!((&edges["modelled"], &edges["said"]), (&true.into(), &true.into()));
+}
+
+#[test]
+fn tables_have_nothing_to_choose_and_words_are_checked() {
+    let place = Workplace::new();
+    with_fidelity(&place, "table.toml", "echo = \"rcs-table\"\nplan = \"accuracy\"");
+    let refused = place.try_run("run table.toml --no-cache --out out");
+    assert_eq!(refused.status.code(), Some(1));
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(said.contains("table.toml") && said.contains("a plan needs echo = \"paths\""), "{said}");
+    with_fidelity(&place, "word.toml", "plan = \"cheap\"");
+    let refused = place.try_run("run word.toml --no-cache --out out");
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(said.contains("word.toml") && said.contains("plan") && said.contains("accuracy"), "{said}");
+}
