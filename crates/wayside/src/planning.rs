@@ -58,7 +58,8 @@ fn planned(
     memory: Allowance,
 ) -> Result<Option<PlanFigures>, Failure> {
     if header.fidelity.echo == EchoMode::RcsTable {
-        let rule = "[fidelity]: a plan needs echo = \"paths\": a far-field table leaves no ways to choose among";
+        let rule =
+            "[fidelity]: a plan needs echo = \"paths\": a far-field table leaves no ways to choose among";
         return Err(Failure::refused(rule));
     }
     let _under_way = Work::begin("looking at what the echo consists of");

@@ -15,7 +15,8 @@ fn with_fidelity(place: &Workplace, name: &str, table: &str) {
 fn a_plan_tells_each_part_with_its_share_and_what_it_leaves_out_keeps_the_budget() {
     let place = Workplace::new();
     let told = place.run("run small.toml --accuracy-db -20 --dry-run --no-cache");
-    for part in ["reflections of order 2", "ways between bodies", "ways by the road", "diffraction by edges"] {
+    for part in ["reflections of order 2", "ways between bodies", "ways by the road", "diffraction by edges"]
+    {
         assert!(told.contains(part), "{part}: {told}");
     }
     place.run("run small.toml --accuracy-db -20 --no-cache --out out");
@@ -67,8 +68,11 @@ fn what_the_scene_says_itself_stays() {
     place.run("run own.toml --no-cache --out own");
     let plan = place.summary("own/summary.json")["plan"].clone();
     assert_eq!(plan["bounces"], 1);
-    let edges = plan["parts"].as_array().unwrap().iter().find(|p| p["name"] == "diffraction by edges").unwrap();
+    let edges =
+        plan["parts"].as_array().unwrap().iter().find(|p| p["name"] == "diffraction by edges").unwrap();
     assert_eq!((&edges["modelled"], &edges["said"]), (&true.into(), &true.into()));
+    let road = plan["parts"].as_array().unwrap().iter().find(|p| p["name"] == "ways by the road").unwrap();
+    assert_eq!(road["modelled"], false, "edges are not followed by the road");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::study::extent::Extent;
 use crate::study::page::{Age, FEWER, with_part};
 use crate::study::pages::{
     Part, ambiguity, calibration, continuity, deployment, estimates, estimates_of_errors, false_alarms,
-    gates, ghosts, references, sensitivity, super_resolution, traced_ghosts, transmitters_in_turn,
+    gates, ghosts, planner, references, sensitivity, super_resolution, traced_ghosts, transmitters_in_turn,
 };
 use crate::study::sources::{self, Places};
 use wayside::host::failure::Failure;
@@ -35,7 +35,7 @@ enum Make {
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those that are drawn.
-pub(crate) const STUDIES: [Study; 22] = [
+pub(crate) const STUDIES: [Study; 23] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
     part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
@@ -64,6 +64,7 @@ pub(crate) const STUDIES: [Study; 22] = [
         sensitivity::SOURCES,
         sensitivity::part,
     ),
+    part("planner", "docs/validation/planner.md", "an hour", planner::SOURCES, planner::part),
     part("false-alarms", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_complex_samples),
     part("false-alarms-real", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_real_samples),
     part("estimates", "docs/validation/estimates.md", "10 minutes", estimates::SOURCES, estimates::part),

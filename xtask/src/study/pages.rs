@@ -4,6 +4,7 @@
 pub(super) mod deployment;
 mod measures;
 mod part;
+pub(super) mod planner;
 mod scattering;
 pub(super) mod sensitivity;
 mod signals;

@@ -92,8 +92,9 @@ const LEFT_OUT_POWER: f64 = 0.9;
 const ONE_NODE_RULE: f64 = 0.25;
 
 impl Choice {
-    /// Choices that keep the budget and leave out as much as they can, and everything on: what is left of
-    /// the budget is the integrals'. Which of them is cheapest is a matter of their costs.
+    /// Choices that keep the budget and leave out as much as they can, and before them the one with least
+    /// left out, which is all there is where none keeps it: what is left of the budget is the integrals'.
+    /// Which of them is cheapest is a matter of their costs.
     ///
     /// Leaving out is judged by power: parts of an echo have phases of their own.
     pub(crate) fn all(budget: &Budget, shares: &Shares, fixed: &Fixed) -> Vec<Self> {
@@ -104,15 +105,19 @@ impl Choice {
         let keeps = |physics: &Physics| chosen(physics) <= room;
         let any_node_rule = shares.nodes <= ONE_NODE_RULE * budget.whole;
         let leaves_most = |physics: &Physics| !physics.one_less(fixed).iter().any(keeps);
-        let least = whole.every_less(fixed).into_iter().filter(|physics| keeps(physics) && leaves_most(physics));
-        let of = |physics: Physics| Self {
-            left_out: chosen(&physics).sqrt(),
-            numerical: (budget.whole.powi(2) - chosen(&physics)).sqrt(),
+        let (built, every) = (Physics::is_built, whole.every_less(fixed));
+        let least = every.iter().filter(|physics| built(physics) && keeps(physics) && leaves_most(physics));
+        let fullest = every.iter().filter(|physics| built(physics)).max_by(|a, b| {
+            b.left_out_power(shares).total_cmp(&a.left_out_power(shares)).then(a.bounces.cmp(&b.bounces))
+        });
+        let of = |physics: &Physics| Self {
+            left_out: chosen(physics).sqrt(),
+            numerical: (budget.whole.powi(2) - chosen(physics).min(room)).sqrt(),
             bounces: physics.bounces,
-            modelled: physics.modelled,
+            modelled: physics.modelled.clone(),
             any_node_rule,
         };
-        std::iter::once(whole.clone()).chain(least).map(of).collect()
+        fullest.into_iter().chain(least).map(of).collect()
     }
 }
 
@@ -144,6 +149,11 @@ impl Physics {
         let fewer = (fixed.bounces.is_none() && self.bounces > 1)
             .then(|| Self { bounces: self.bounces - 1, modelled: self.modelled.clone() });
         fewer.into_iter().chain(Part::ALL.into_iter().filter(open).map(without)).collect()
+    }
+
+    /// Whether the tracer has all of it at once: edges are not followed by the road.
+    fn is_built(&self) -> bool {
+        ![Part::Road, Part::Edges].iter().all(|part| self.modelled.contains(part))
     }
 
     /// This and all that leaves out more, the fewest orders last.
@@ -210,10 +220,12 @@ mod tests {
     #[test]
     fn choices_leave_out_all_that_the_budget_spares_and_the_rest_is_the_integrals() {
         let all = all(0.1, &shares(), &Fixed::default());
-        assert_eq!((all[0].bounces, all[0].modelled.len(), all[0].left_out), (5, 4, 0.0), "everything on");
+        assert_eq!((all[0].bounces, all[0].modelled.len()), (5, 3), "everything on that goes together");
+        assert!((all[0].left_out - 0.01).abs() < 1e-12, "edges are weaker than the road");
         let [least] = &all[1..] else { panic!("{all:?}") };
         assert_eq!((least.bounces, &least.modelled), (2, &BTreeSet::from([Part::Road])));
-        let left = [0.03, 0.003, 0.02, 0.002, 0.0002, 0.01].map(|share: f64| share.powi(2)).iter().sum::<f64>();
+        let left =
+            [0.03, 0.003, 0.02, 0.002, 0.0002, 0.01].map(|share: f64| share.powi(2)).iter().sum::<f64>();
         assert!((least.left_out.powi(2) / left - 1.0).abs() < 1e-2, "{}", least.left_out);
         for choice in all {
             assert!((choice.left_out.hypot(choice.numerical) - 0.1).abs() < 1e-12);
@@ -249,6 +261,14 @@ mod tests {
         let choice = all(0.1, &shares(), &fixed).pop().unwrap();
         assert_eq!((choice.bounces, choice.modelled), (4, BTreeSet::from([Part::Edges])));
         assert!((choice.left_out - 0.02_f64.hypot(0.002).hypot(0.0002)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_budget_that_no_choice_keeps_takes_what_leaves_out_least() {
+        let both = Shares { edges: 0.15, ..shares() };
+        let [only] = &all(0.05, &both, &Fixed::default())[..] else { panic!("one choice") };
+        assert!(only.modelled.contains(&Part::Road) && !only.modelled.contains(&Part::Edges));
+        assert!(only.left_out > 0.05 && only.numerical > 0.0);
     }
 
     #[test]

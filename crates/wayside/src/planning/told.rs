@@ -82,6 +82,9 @@ impl PlanFigures {
     pub fn lines(&self) -> Vec<String> {
         let mut lines = vec![self.first_line()];
         lines.extend(self.parts.iter().map(PartFigures::line));
+        if !self.is_kept() {
+            lines.push(format!("  no choice keeps that: {} are left out", level(Some(self.left_out_db))));
+        }
         lines.push(format!(
             "plan: {} bounces, integrals and cells to {}, errors measured in every {}; about {} of processor \
              time, {} as the scene stands",
@@ -92,6 +95,12 @@ impl PlanFigures {
             spent(self.as_said_processor_s),
         ));
         lines
+    }
+
+    /// Whether what is left out stays within what may be spent; not where the scene's own keys, or parts that
+    /// do not go together, leave no choice that does.
+    pub fn is_kept(&self) -> bool {
+        self.left_out_db <= self.spent_db
     }
 
     fn first_line(&self) -> String {

@@ -114,8 +114,7 @@ impl<'a> Look<'a> {
             return Ok(None);
         }
         let share = |part: &Vec<Complex64>| MARGIN * (mean(part) / power).sqrt();
-        let first_orders =
-            total(by_order.iter().take(usize::from(TRANSMITTED_ORDERS)).cloned(), FREQUENCIES);
+        let first_orders = total(by_order.iter().take(usize::from(TRANSMITTED_ORDERS)).cloned(), FREQUENCIES);
         let changed = through.map_or(0.0, |through| mean_difference(&first_orders, &through));
         let reference = Reference::of_orders(self.frequencies_hz.clone(), by_order);
         Ok(Some(EchoParts {
