@@ -16,7 +16,7 @@ pub(crate) struct Shares {
     pub(crate) within: Vec<f64>,
     /// Ways that meet several bodies, by order from 1.
     pub(crate) between: Vec<f64>,
-    /// Spread between the node rules of double reflections.
+    /// Spread between the node rules of double and triple reflections.
     pub(crate) nodes: f64,
     /// Ways by a road of dry asphalt; `None` where these cannot be followed.
     pub(crate) road: Option<f64>,

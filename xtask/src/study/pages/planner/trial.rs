@@ -128,7 +128,9 @@ fn settings(header: &SceneHeader, spent_db: f64) -> Vec<(String, SceneHeader)> {
 
 /// The scene in a file of its own, with an accuracy that plans it.
 fn written(scene: &str, asked_db: f64) -> Result<SceneSource, Failure> {
-    let file = crate::project::project_root().join("out/study-planner/scene.toml");
+    // A file of its own for each: what was read is never written.
+    let name = scene.split('"').nth(1).unwrap_or("scene");
+    let file = crate::project::project_root().join(format!("out/study-planner/{name}.toml"));
     files::write_file(&file, scene.as_bytes())?;
     Ok(SceneSource { file, accuracy_db: Some(asked_db), ..SceneSource::default() })
 }
