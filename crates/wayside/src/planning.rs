@@ -165,7 +165,7 @@ mod tests {
     }
 
     fn artifact_scene() -> SceneHeader {
-        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/table-2.toml");
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
         let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
         scene::read(&file, &options).unwrap()
     }

@@ -38,7 +38,7 @@ pub struct EchoParts {
     pub nodes: f64,
     /// Ways by the road; `None` where these cannot be followed.
     pub road: Option<f64>,
-    /// Diffraction by edges, first order.
+    /// Diffraction by edges, of ways of up to three bounces.
     pub edges: f64,
     /// Change by following waves through sheets; 0 where there are none.
     pub transmission: f64,
@@ -53,7 +53,7 @@ const FREQUENCIES: usize = 12;
 /// Ways of the look. Mirrors below a wavelength are not followed; those of five alone tell the fourth order of
 /// own cars 10 dB too weak.
 const WAYS: LeftOutWays = LeftOutWays { bounces: ORDERS, mirror_wavelengths: 1.0 };
-/// Highest order by which node rules are compared: trees of the fourth by the middle rule hold its nodes.
+/// Highest order by which node rules are compared and edges are told: trees of the fourth by the middle rule hold its nodes.
 const COMPARED_ORDERS: u8 = 3;
 
 /// [`crate::Tracer::parts`] of these models.
@@ -150,11 +150,14 @@ impl<'a> Look<'a> {
         (2..=COMPARED_ORDERS).map(spread).sum()
     }
 
-    /// S of edges, first order.
+    /// S of edges, as ways of the first orders end and begin on them.
     fn edges(&self) -> Vec<Complex64> {
         let settings = MeetingSettings { edges: Edges::FirstOrder, ..self.plan.meetings() };
-        let edges = OrderJoints::of(&self.scatterer, 1, &settings).without_facets();
-        of_meeting(&self.scatterer, self.plan, &edges, bracket_of(settings.nodes), &self.fineness())
+        let of_order = |order: u8| {
+            let edges = OrderJoints::of(&self.scatterer, order, &settings).without_facets();
+            of_meeting(&self.scatterer, self.plan, &edges, bracket_of(settings.nodes), &self.fineness())
+        };
+        total((1..=COMPARED_ORDERS).map(of_order), FREQUENCIES)
     }
 
     fn fineness(&self) -> Fineness<'_> {

@@ -29,6 +29,8 @@ pub(super) struct Trial {
 const FINER_DB: f64 = -10.0;
 /// Highest order of the truth: what is beyond is told by no look either.
 const BOUNCES: u8 = 4;
+/// Highest order that edges are told of.
+const EDGE_BOUNCES: u8 = 3;
 
 impl Trial {
     pub(super) fn of(scene: &str, asked_db: f64) -> Result<Self, Failure> {
@@ -164,7 +166,7 @@ fn truth(as_said: &SceneHeader, planned: &SceneHeader, asked_db: f64) -> Result<
     whole.fidelity.between_bodies = BetweenBodies::Traced;
     whole.road = usual_road();
     let mut first = whole.clone();
-    (first.fidelity.bounces, first.road) = (1, None);
+    (first.fidelity.bounces, first.road) = (EDGE_BOUNCES, None);
     let mut with_edges = first.clone();
     with_edges.fidelity.edges = Edges::FirstOrder;
     let of = |header: &SceneHeader| Ok::<_, Failure>(Looks::of(header, &paths(header)?));
