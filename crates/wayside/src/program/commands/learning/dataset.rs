@@ -16,6 +16,7 @@ mod shard;
 mod lines;
 mod resumption;
 mod conclusion;
+mod cost;
 
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -30,6 +31,10 @@ use std::path::PathBuf;
 pub(crate) fn run(arguments: &DatasetArguments, memory: Allowance) -> Result<(), Failure> {
     let recipe = Recipe::read(&arguments.spec, arguments.seed)?;
     let layout = Layout::of(&recipe, &arguments.out);
+    if arguments.dry_run {
+        cost::lines(&recipe, &layout, memory)?.into_iter().for_each(terminal::line);
+        return Ok(());
+    }
     files::claim(&conclusion::files_of(&arguments.out))?;
     if arguments.conclude {
         let lacking = conclusion::lacking(&recipe, &layout, usize::MAX)?;

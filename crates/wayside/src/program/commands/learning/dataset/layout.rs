@@ -40,6 +40,16 @@ impl Layout {
         self.scenes.div_ceil(self.scenes_per_shard)
     }
 
+    /// Folders that the shards fill, that of the dataset among them.
+    pub(super) fn folders(&self) -> u64 {
+        self.count().div_ceil(SHARDS_OF_FOLDER)
+    }
+
+    /// What the dataset's folder holds, the fullest: its shards, the other folders and what is concluded.
+    pub(super) fn most_in_folder(&self) -> u64 {
+        2 * self.count().min(SHARDS_OF_FOLDER) + self.folders() - 1 + 3
+    }
+
     pub(super) fn all(&self) -> impl Iterator<Item = PlannedShard> {
         (0..self.count()).map(|number| self.shard(number))
     }
@@ -82,7 +92,7 @@ mod tests {
     fn a_million_scenes_fill_folders_of_two_thousand_files_each() {
         let folder = tempfile::tempdir().unwrap();
         let shards = Layout { folder: folder.path().to_owned(), scenes: 1_000_000, scenes_per_shard: 64 };
-        assert_eq!(shards.count(), 15_625);
+        assert_eq!((shards.count(), shards.folders(), shards.most_in_folder()), (15_625, 16, 2018));
         let mut files = std::collections::BTreeMap::new();
         for shard in shards.all() {
             *files.entry(shard.samples.parent().unwrap().to_owned()).or_insert(0) += 2;
