@@ -3,6 +3,7 @@
 mod circles;
 mod columns;
 mod commands;
+mod engines;
 mod features;
 mod findings;
 mod layers;
@@ -40,21 +41,24 @@ const CHEAP: [(&str, Check); 10] = [
 ];
 
 /// Checks that build and run all crates.
-const WHOLE: [(&str, Check); 5] = [
+const WHOLE: [(&str, Check); 6] = [
     ("lints", |_| cargo(&["clippy", "--release", "--all-targets", "--", "-D", "warnings"])),
     ("docs", |_| documentation()),
     ("a crate outside (README)", |_| outside::check()),
     ("tests and doctests (README)", |tally| readme::tests(tally)),
+    ("engines", |tally| engines::check(tally)),
     ("main job (README)", |_| readme::main_job()),
 ];
 
 pub(crate) fn run(arguments: &CiArguments) -> Result<(), Failure> {
     let mut tally = Tally::default();
-    match &arguments.only {
+    match arguments.only.as_deref() {
+        Some("engines") => good("engines", || engines::check(&mut tally))?,
         Some(package) => only(package, &mut tally)?,
         None => all(&mut tally)?,
     }
-    terminal::line(format!("{} passed, {} failed", tally.passed, tally.failed));
+    let skipped = if tally.skipped > 0 { format!(", {} skipped", tally.skipped) } else { String::new() };
+    terminal::line(format!("{} passed, {} failed{skipped}", tally.passed, tally.failed));
     Ok(())
 }
 

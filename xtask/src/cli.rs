@@ -147,7 +147,7 @@ pub(crate) struct BytesArguments {
 /// Words of `ci`.
 #[derive(Debug, Args)]
 pub(crate) struct CiArguments {
-    /// The cheap checks of all, then lints and tests of this crate alone.
+    /// The cheap checks of all, then lints and tests of this crate alone; `engines`: that check alone.
     #[arg(long, value_name = "CRATE")]
     pub(crate) only: Option<String>,
 }

@@ -67,6 +67,28 @@ fn the_next_program_removes_what_dead_writers_left_and_nothing_else() {
     assert!(["a", "b", "c"].iter().all(|name| !in_it(name).exists()));
 }
 
+/// Its lock may not be seen over a network.
+#[test]
+fn a_file_of_another_machine_is_left_until_nothing_was_written_to_it_for_a_day() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = writer(&folder.path().join("a"));
+    let name = temporaries(folder.path())[0].file_name().unwrap().to_str().unwrap().to_owned();
+    killed(own);
+    let letters = name.split('.').nth(2).unwrap();
+    let foreign = folder.path().join(name.replace(letters, "another1"));
+    std::fs::write(&foreign, "of another machine").unwrap();
+    assert_eq!(artifact::whole_file::sweep(folder.path()), 1, "the dead one of this machine");
+    let silent_for = |hours: u64| {
+        let last = std::time::SystemTime::now() - std::time::Duration::from_secs(3600 * hours);
+        std::fs::File::options().write(true).open(&foreign).unwrap().set_modified(last).unwrap();
+    };
+    silent_for(23);
+    assert_eq!(artifact::whole_file::sweep(folder.path()), 0);
+    silent_for(25);
+    assert_eq!(artifact::whole_file::sweep(folder.path()), 1);
+    assert!(temporaries(folder.path()).is_empty());
+}
+
 #[test]
 fn writers_and_sweepers_at_once_lose_nothing() {
     let folder = tempfile::tempdir().unwrap();

@@ -22,6 +22,7 @@ use maud::html;
 use plotting::form::{Figure, Form};
 use rounds::{Made, Rounds};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicUsize;
 use study::document::{RUNS_LIMIT, Study};
 use study::{acceptance, designs, kinds, situations};
 use told::blocks::{markdown, on_page};
@@ -34,8 +35,9 @@ pub struct Settings<'a> {
     pub study: PathBuf,
     /// Folder of all results; what an earlier study left there is taken up.
     pub out: PathBuf,
-    /// Part of the runs that is made, from 1, and of how many.
-    pub shard: [u32; 2],
+    /// Part of the runs that is made, from 1, and of how many; `None`: none is made, and it is an error if
+    /// one lacks.
+    pub shard: Option<[u32; 2]>,
     /// Seed in place of the study's.
     pub seed: Option<u64>,
     /// The classifier's model; `None`: the one that ships.
@@ -92,9 +94,14 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
         memory: settings.memory,
         shard: settings.shard,
         call_off: &settings.call_off,
+        put: AtomicUsize::new(0),
     };
     let ledger = match rounds.made()? {
         Made::Whole(ledger) => ledger,
+        Made::Waiting { missing } if settings.shard.is_none() => {
+            let out = settings.out.display();
+            return Err(Failure::System(format!("{out}: {missing} runs are not made yet")));
+        }
         Made::Waiting { missing } => {
             (settings.tell)(&format!("{missing} runs are not made yet (another part of --shard)"));
             return Ok(None);

@@ -11,6 +11,8 @@ use wayside::program::terminal;
 pub(super) struct Tally {
     pub(super) passed: u64,
     pub(super) failed: u64,
+    /// Checks that stand on what is not there.
+    pub(super) skipped: u64,
 }
 
 impl Tally {
@@ -72,6 +74,6 @@ mod tests {
         );
         tally.count("test result: FAILED. 3 passed; 0 failed; 0 ignored");
         tally.count("test something_that_passed ... ok");
-        assert_eq!(tally, Tally { passed: 15, failed: 1 });
+        assert_eq!(tally, Tally { passed: 15, failed: 1, skipped: 0 });
     }
 }

@@ -19,6 +19,8 @@ pub struct Expectation {
     pub work: WorkCounts,
     /// Processor seconds at the speed of the machine, all threads together.
     pub seconds: f64,
+    /// What of these the program's start takes, once for however many scenes.
+    pub start_seconds: f64,
     /// Memory held at most, MiB, frames that are computed side by side together.
     pub memory_mib: f64,
 }
@@ -38,7 +40,8 @@ impl Expectation {
     ) -> Result<Self, Failure> {
         let work = counting::of_run(chain, cache, plans)?;
         let seconds = rates::reference_seconds(&work) / machine_speed;
-        Ok(Self { work, seconds, memory_mib: chain.memory_of_run_mib(plans)? })
+        let start_seconds = Self::rates()[work::WorkKind::Run as usize] / machine_speed;
+        Ok(Self { work, seconds, start_seconds, memory_mib: chain.memory_of_run_mib(plans)? })
     }
 }
 

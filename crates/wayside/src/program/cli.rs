@@ -335,6 +335,9 @@ pub struct SweepArguments {
     /// Part K of N.
     #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
     pub(crate) shard: Shard,
+    /// Makes no runs: writes the results of all of them, or says how many lack.
+    #[arg(long, conflicts_with = "shard")]
+    pub(crate) conclude: bool,
     /// Replaces the study's seed.
     #[arg(long, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
     pub(crate) seed: Option<u64>,

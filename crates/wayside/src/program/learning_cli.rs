@@ -61,6 +61,12 @@ pub struct DatasetArguments {
     /// Part K of N.
     #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
     pub(crate) shard: Shard,
+    /// Makes no shards: writes what is made of all of them, or says which lack.
+    #[arg(long, conflicts_with = "shard")]
+    pub(crate) conclude: bool,
+    /// Says how many files, bytes and core-hours the whole dataset would take, and makes nothing.
+    #[arg(long, conflicts_with = "conclude")]
+    pub(crate) dry_run: bool,
     /// Replaces the recipe's seed.
     #[arg(long)]
     pub(crate) seed: Option<u64>,

@@ -36,9 +36,11 @@ pub(crate) struct Rounds<'a> {
     pub(crate) cache: Option<Cache>,
     pub(crate) model: Option<LoadedModel>,
     pub(crate) memory: Allowance,
-    /// Part of the runs that is made here: number from 1, and of how many.
-    pub(crate) shard: [u32; 2],
+    /// Part of the runs that is made here: number from 1, and of how many; `None`: none.
+    pub(crate) shard: Option<[u32; 2]>,
     pub(crate) call_off: &'a CallOff,
+    /// Runs made so far.
+    pub(crate) put: AtomicUsize,
 }
 
 /// Runs of a study as far as they are made.
@@ -60,8 +62,20 @@ struct Job {
 }
 
 impl Rounds<'_> {
-    /// Makes this part's runs.
+    /// Makes this part's runs. It looks at all again until it finds nothing to make: what another part made
+    /// meanwhile is seen by the one that ends last.
     pub(crate) fn made(&self) -> Result<Made, Failure> {
+        loop {
+            let before = self.put.load(Ordering::Relaxed);
+            let made = self.gone_through()?;
+            if matches!(made, Made::Whole(_)) || self.put.load(Ordering::Relaxed) == before {
+                return Ok(made);
+            }
+        }
+    }
+
+    /// Goes through all repeats and makes what lacks of this part.
+    fn gone_through(&self) -> Result<Made, Failure> {
         let mut ledger = Ledger::of(self.designs.len());
         let mut missing = 0;
         for (repeat, situations) in self.situations.iter().enumerate() {
@@ -109,8 +123,8 @@ impl Rounds<'_> {
         situations: &[Situation],
         open: &[usize],
     ) -> Result<Vec<Option<Values>>, Failure> {
-        let [part, of] = self.shard;
-        let is_mine = |number: &usize| number % of as usize == (part - 1) as usize;
+        let is_of = |number: usize, [part, of]: [u32; 2]| number % of as usize == (part - 1) as usize;
+        let is_mine = |number: &usize| self.shard.is_some_and(|shard| is_of(*number, shard));
         let numbers = self.numbers(situations, open);
         let mut keys = vec![];
         let mut jobs = vec![];
@@ -158,6 +172,7 @@ impl Rounds<'_> {
             self.call_off.check()?;
             let summary = self.summary(job, situations, &measured, &means)?;
             self.kept.put(self.study, &job.key, &self.study.measures.values(&summary))?;
+            self.put.fetch_add(1, Ordering::Relaxed);
             work.at(done.fetch_add(1, Ordering::Relaxed) + 1, jobs.len());
             Ok(())
         };

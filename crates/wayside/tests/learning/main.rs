@@ -6,4 +6,5 @@ mod common;
 mod calibration;
 mod datasets;
 mod labels;
+mod parts;
 mod protocols;

@@ -115,6 +115,50 @@ fn parts_and_threads_make_the_bytes_of_the_whole() {
 }
 
 #[test]
+fn concluding_alone_says_how_many_runs_lack_makes_none_and_gives_the_same_report() {
+    let place = prepared(STUDY);
+    sweep(&place, "--out a --threads 1");
+    let report = ["report.md", "report.html"].map(|name| place.bytes(&format!("a/{name}")));
+    for name in ["report.md", "report.html", "sweep.csv"] {
+        std::fs::remove_file(place.path(&format!("a/{name}"))).unwrap();
+    }
+    assert!(sweep(&place, "--out a --conclude").contains("Answer"));
+    assert!(report == ["report.md", "report.html"].map(|name| place.bytes(&format!("a/{name}"))));
+    sweep(&place, "--out parts --shard 2/2");
+    let before = files(&place.path("parts"));
+    let refused = place.try_run("sweep study.toml --no-cache --quiet --out parts --conclude");
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!((refused.status.code(), files(&place.path("parts"))), (Some(2), before));
+    assert!(said.contains("parts: 24 runs are not made yet"), "{said}");
+}
+
+#[test]
+fn runs_that_earlier_versions_kept_are_taken_up() {
+    let place = prepared(STUDY);
+    sweep(&place, "--out a");
+    for file in files(&place.path("a/runs")) {
+        let name = file.file_name().unwrap().to_str().unwrap();
+        let earlier = place.path("a/runs").join(&name[..2]);
+        std::fs::create_dir_all(&earlier).unwrap();
+        std::fs::rename(&file, earlier.join(name)).unwrap();
+    }
+    let before = files(&place.path("a"));
+    assert!(sweep(&place, "--out a --conclude").contains("Answer"));
+    assert_eq!(files(&place.path("a")), before);
+}
+
+#[test]
+fn parts_of_a_study_at_once_make_the_bytes_of_the_whole() {
+    let place = prepared(STUDY);
+    sweep(&place, "--out whole");
+    let words = "sweep study.toml --no-cache --quiet --out parts --threads 1 --shard";
+    let parts = ["1/3", "2/3", "3/3", "2/3"].map(|p| place.command(&format!("{words} {p}")).spawn().unwrap());
+    let ended = parts.map(|mut part| part.wait().unwrap());
+    assert!(ended.iter().all(std::process::ExitStatus::success));
+    same_results(&place, "whole", "parts");
+}
+
+#[test]
 fn a_study_goes_on_after_any_run_and_makes_a_damaged_one_anew() {
     let place = prepared(STUDY);
     sweep(&place, "--out whole");

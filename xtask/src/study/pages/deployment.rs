@@ -47,7 +47,7 @@ fn carried_out(seed: u64) -> Result<Outcome, Failure> {
     let settings = Settings {
         study,
         out: folder(seed),
-        shard: [1, 1],
+        shard: Some([1, 1]),
         seed: Some(seed),
         classifier: None,
         cache: Some(CacheLocation::default()),

@@ -2,21 +2,31 @@
 //!
 //! A program that is killed leaves them behind and loses its locks. The next one that writes into the folder
 //! removes those that nobody holds; those of a program that still runs it cannot lock, and leaves alone. On
-//! file systems without locks nothing is removed.
+//! file systems without locks nothing is removed. Locks of another machine may not be seen where a folder is
+//! shared over a network: the name tells the machine, and another one's file is removed only when nothing was
+//! written to it for a day.
 
 use crate::files::fault::Fault;
 use std::collections::BTreeSet;
 use std::fs::{File, Metadata, TryLockError};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, SystemTime};
 use tempfile::TempPath;
 
-/// Ending of a temporary file's name; before it stand a dot, the name that the file will have, a dot
-/// and six random letters.
+/// Ending of a temporary file's name; before it stand a dot, the name that the file will have, a dot, the
+/// machine, a dot and six random letters.
 const SUFFIX: &str = ".wayside.part";
 
 /// Bytes of the later name that go into the temporary one: names end at 255 bytes on most file systems.
 const NAME_BYTES: usize = 200;
+
+/// Letters that tell a machine.
+const MACHINE_LETTERS: usize = 8;
+
+/// After so long without a byte, the writer on another machine is taken for dead: a writer of this program
+/// writes every few minutes.
+const SILENCE: Duration = Duration::from_secs(24 * 3600);
 
 /// A name is taken from a sweeper that met the file between its making and its locking; a second time is
 /// chance.
@@ -94,10 +104,31 @@ fn sweep_once(folder: &Path) {
 /// Removes a temporary file while it is locked, so that no writer can take it up; a link is not
 /// followed.
 fn remove_if_abandoned(file: &Path) -> bool {
-    let is_plain = std::fs::symlink_metadata(file).is_ok_and(|about| about.is_file());
-    let Some(handle) = is_plain.then(|| File::open(file).ok()).flatten() else { return false };
+    let Some(about) = std::fs::symlink_metadata(file).ok().filter(Metadata::is_file) else { return false };
+    if !is_of_this_machine(file) && !is_silent(&about) {
+        return false;
+    }
+    let Ok(handle) = File::open(file) else { return false };
     handle.try_lock().is_ok() && std::fs::remove_file(file).is_ok()
 }
+
+fn is_of_this_machine(file: &Path) -> bool {
+    let name = file.file_name().and_then(|name| name.to_str()).and_then(|name| name.strip_suffix(SUFFIX));
+    name.and_then(|name| name.rsplit('.').nth(1)).is_some_and(|machine| machine == *MACHINE)
+}
+
+/// Whether nothing was written for long; a clock that runs ahead here is off by minutes.
+fn is_silent(about: &Metadata) -> bool {
+    let age = about.modified().ok().and_then(|last| SystemTime::now().duration_since(last).ok());
+    age.is_some_and(|age| age > SILENCE)
+}
+
+/// Letters for the running kernel, which all programs share whose locks are seen by each other, containers of
+/// one machine too; systems that do not tell it count as one machine.
+static MACHINE: LazyLock<String> = LazyLock::new(|| {
+    let told = std::fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default();
+    blake3::hash(told.as_bytes()).to_hex()[..MACHINE_LETTERS].to_owned()
+});
 
 fn locked(folder: &Path, prefix: &str) -> std::io::Result<(File, TempPath)> {
     let mut builder = tempfile::Builder::new();
@@ -134,5 +165,5 @@ fn prefix(target: &Path) -> String {
     while !name.is_char_boundary(end) {
         end -= 1;
     }
-    format!(".{}.", &name[..end])
+    format!(".{}.{}.", &name[..end], *MACHINE)
 }

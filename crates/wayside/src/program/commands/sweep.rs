@@ -5,20 +5,31 @@ use crate::host::failure::Failure;
 use crate::program::cli::SweepArguments;
 use crate::program::means::Means;
 use crate::program::terminal;
+use crate::report::Making;
 use crate::sweep::{self, Settings};
+use std::path::Path;
 
 pub(crate) fn run(arguments: &SweepArguments, means: &Means) -> Result<(), Failure> {
     let settings = Settings {
         study: arguments.study.clone(),
         out: arguments.out.clone(),
-        shard: [arguments.shard.number, arguments.shard.of],
+        shard: (!arguments.conclude).then_some([arguments.shard.number, arguments.shard.of]),
         seed: arguments.seed,
         classifier: arguments.classifier.clone(),
         cache: (!arguments.no_cache).then(|| arguments.cache.location()),
         memory: means.memory,
-        command: means.making.command.clone(),
+        command: command_of_the_whole(arguments, &means.making.program),
         tell: &|line| terminal::line(line),
         call_off: CallOff::default(),
     };
     sweep::run(&settings).map(drop)
+}
+
+/// The command that makes the whole study alone: the report is the same whichever part writes it.
+fn command_of_the_whole(arguments: &SweepArguments, program: &str) -> String {
+    let place = |place: &Path| place.display().to_string();
+    let mut words = vec!["sweep".to_owned(), place(&arguments.study), "--out".into(), place(&arguments.out)];
+    words.extend(arguments.seed.into_iter().flat_map(|seed| ["--seed".into(), seed.to_string()]));
+    words.extend(arguments.classifier.iter().flat_map(|model| ["--classifier".into(), place(model)]));
+    Making::by(program, words.into_iter()).command
 }

@@ -64,7 +64,8 @@ impl Kept {
     /// Values of a run that was made before, in the order of the study's measures; `None` where its file is
     /// not there or is not whole.
     pub(crate) fn get(&self, study: &Study, key: &str) -> Option<Vec<Option<f64>>> {
-        let text = std::fs::read(self.file(key)).ok()?;
+        // Earlier versions had folders of two letters.
+        let text = std::fs::read(self.file(key)).or_else(|_| std::fs::read(self.file_below(key, 2))).ok()?;
         let run: Value = serde_json::from_slice(&text).ok()?;
         let metrics = run["metrics"].as_object().filter(|_| run["key"] == key)?;
         let value = |name: &str| match metrics.get(name)? {
@@ -82,8 +83,13 @@ impl Kept {
         files::write_again(&self.file(key), format!("{run}\n").as_bytes())
     }
 
+    /// Three letters are 4096 folders, of 2500 runs each in the largest study.
     fn file(&self, key: &str) -> PathBuf {
-        let (first, _) = key.split_at_checked(2).unwrap_or((key, ""));
+        self.file_below(key, 3)
+    }
+
+    fn file_below(&self, key: &str, letters: usize) -> PathBuf {
+        let (first, _) = key.split_at_checked(letters).unwrap_or((key, ""));
         self.folder.join(first).join(format!("{key}.json"))
     }
 }

@@ -1,12 +1,13 @@
 //! `dataset`: labelled signatures and crops of scenes that a recipe draws. Shards are written whole or not at
 //! all, and a shard that exists, whole and of this recipe, is not made again; beside each stands one line per
-//! scene with truth and estimates.
+//! scene with truth and estimates. Whoever finds all shards made writes what is made of all.
 
 mod recipe;
 mod rules;
 mod models;
 mod document;
 mod draws;
+mod layout;
 mod places;
 mod staging;
 mod shots;
@@ -14,8 +15,8 @@ mod seen;
 mod shard;
 mod lines;
 mod resumption;
-mod accuracy;
-mod table;
+mod conclusion;
+mod cost;
 
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -23,68 +24,53 @@ use crate::host::memory::Allowance;
 use crate::host::progress::Work;
 use crate::program::learning_cli::DatasetArguments;
 use crate::program::terminal;
-use draws::Drawn;
+use layout::{Layout, PlannedShard};
 use recipe::Recipe;
-use serde_json::Value;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 pub(crate) fn run(arguments: &DatasetArguments, memory: Allowance) -> Result<(), Failure> {
     let recipe = Recipe::read(&arguments.spec, arguments.seed)?;
-    let drawn = draws::draw(&recipe);
-    let shards: Vec<(usize, &[Drawn])> =
-        drawn.chunks(recipe.asked.scenes_per_shard as usize).enumerate().collect();
-    let mine = |number: usize| number % arguments.shard.of as usize == (arguments.shard.number - 1) as usize;
-    files::claim(&["manifest.jsonl", "scenes.jsonl", "detection.md"].map(|name| arguments.out.join(name)))?;
-    let work = Work::begin("dataset");
-    let total = shards.iter().filter(|(number, _)| mine(*number)).map(|(_, scenes)| scenes.len()).sum();
-    let mut done = 0;
-    for (number, scenes) in shards.iter().filter(|(number, _)| mine(*number)) {
-        let (shard, lines) = (shard_file(&arguments.out, *number), scene_lines(&arguments.out, *number));
-        if !resumption::is_made(&recipe, scenes, &shard, &lines)? {
-            let making =
-                shard::ShardMaking { recipe: &recipe, memory, tell: &|within| work.at(done + within, total) };
-            shard::make(&making, scenes, &shard, &lines)?;
+    let layout = Layout::of(&recipe, &arguments.out);
+    if arguments.dry_run {
+        cost::lines(&recipe, &layout, memory)?.into_iter().for_each(terminal::line);
+        return Ok(());
+    }
+    files::claim(&conclusion::files_of(&arguments.out))?;
+    if arguments.conclude {
+        let lacking = conclusion::lacking(&recipe, &layout, usize::MAX)?;
+        lacking.first().map_or(Ok(()), |first| Err(unfinished(first, lacking.len(), &layout)))?;
+        return conclusion::conclude(&layout, &arguments.out);
+    }
+    make(&recipe, layout.part(arguments.shard.number, arguments.shard.of).collect(), memory)?;
+    match conclusion::lacking(&recipe, &layout, 1)?.first() {
+        None => conclusion::conclude(&layout, &arguments.out),
+        Some(lines) => {
+            terminal::line(format!("{}: not made yet (another part of --shard)", lines.display()));
+            Ok(())
         }
-        done += scenes.len();
+    }
+}
+
+/// Makes those shards that are not made.
+fn make(recipe: &Recipe, shards: Vec<PlannedShard>, memory: Allowance) -> Result<(), Failure> {
+    let work = Work::begin("dataset");
+    let scenes = |shard: &PlannedShard| shard.scenes.end - shard.scenes.start;
+    let total = shards.iter().map(scenes).sum::<u64>() as usize;
+    let mut done = 0;
+    for shard in &shards {
+        if !resumption::is_made(recipe, shard)? {
+            shard::make(
+                &shard::ShardMaking { recipe, memory, tell: &|within| work.at(done + within, total) },
+                shard,
+            )?;
+        }
+        done += scenes(shard) as usize;
         work.at(done, total);
     }
-    drop(work);
-    conclude(&arguments.out, &shards)
-}
-
-fn shard_file(out: &Path, number: usize) -> PathBuf {
-    out.join(format!("shard-{number:04}.dataset"))
-}
-
-/// Written after the shard itself: where it is, the shard is whole.
-fn scene_lines(out: &Path, number: usize) -> PathBuf {
-    out.join(format!("shard-{number:04}.jsonl"))
-}
-
-/// `manifest.jsonl`: a line a sample; `scenes.jsonl`: a line a scene; `detection.md`: errors of all vehicles,
-/// found or not.
-fn conclude(out: &Path, shards: &[(usize, &[Drawn])]) -> Result<(), Failure> {
-    let mut scenes: Vec<Value> = Vec::new();
-    for (number, _) in shards {
-        let file = scene_lines(out, *number);
-        let Ok(text) = std::fs::read_to_string(&file) else {
-            terminal::line(format!("{}: not made yet (another part of --shard)", file.display()));
-            return Ok(());
-        };
-        scenes.extend(text.lines().filter_map(|line| serde_json::from_str(line).ok()));
-    }
-    let vehicles = lines::vehicles(&scenes);
-    let found: Vec<&Value> = vehicles.iter().filter(|vehicle| lines::is_found(vehicle)).collect();
-    files::write_with(&out.join("manifest.jsonl"), |s| found.iter().try_for_each(|l| writeln!(s, "{l}")))?;
-    files::write_with(&out.join("scenes.jsonl"), |s| scenes.iter().try_for_each(|l| writeln!(s, "{l}")))?;
-    files::write_file(&out.join("detection.md"), table::detection(&vehicles).as_bytes())?;
-    let (samples, asked) = (found.len(), vehicles.len());
-    terminal::line(format!(
-        "{samples} samples of {asked} vehicles in {} scenes: {}",
-        scenes.len(),
-        out.display()
-    ));
-    accuracy::lines(&scenes).into_iter().for_each(terminal::line);
     Ok(())
+}
+
+fn unfinished(first: &PathBuf, lacking: usize, layout: &Layout) -> Failure {
+    let (first, all) = (first.display(), layout.count());
+    Failure::System(format!("{first}: not made yet or damaged, and so are {lacking} of {all} shards in all"))
 }

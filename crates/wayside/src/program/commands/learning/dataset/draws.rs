@@ -4,6 +4,7 @@ use crate::program::commands::learning::dataset::recipe::Recipe;
 use artifact::settings::Class;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use std::ops::Range;
 
 /// Share of the scenes with a queue in which it stands; in the others it rolls.
 const STANDING_SHARE: f64 = 0.5;
@@ -60,15 +61,21 @@ impl Drawn {
     }
 }
 
-/// All scenes, class by class in turn, so that any beginning is balanced.
-pub(super) fn draw(recipe: &Recipe) -> Vec<Drawn> {
-    let mut scenes = Vec::new();
-    for round in 0..u64::from(recipe.asked.scenes_per_class) {
-        for (class, models) in &recipe.models {
-            scenes.push(draw_one(recipe, scenes.len() as u64, *class, round as usize % models.len()));
-        }
-    }
-    scenes
+/// Number of scenes that a recipe draws.
+pub(super) fn count(recipe: &Recipe) -> u64 {
+    u64::from(recipe.asked.scenes_per_class) * recipe.models.len() as u64
+}
+
+/// The scenes of these numbers; classes take turns, so that any beginning is balanced.
+pub(super) fn draw(recipe: &Recipe, scenes: Range<u64>) -> Vec<Drawn> {
+    let classes: Vec<(Class, usize)> =
+        recipe.models.iter().map(|(class, models)| (*class, models.len())).collect();
+    let one = |number: u64| {
+        let (round, turn) = (number / classes.len() as u64, number % classes.len() as u64);
+        let (class, models) = classes[turn as usize];
+        draw_one(recipe, number, class, (round % models as u64) as usize)
+    };
+    scenes.map(one).collect()
 }
 
 fn draw_one(recipe: &Recipe, number: u64, class: Class, model: usize) -> Drawn {

@@ -57,7 +57,6 @@ pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &SeenFrame) -> Value {
         "points": result.points.points.len(),
         "paths": paths.map(|p| p.paths.len()),
         "accuracy": verdict.told(Asking::Scene),
-        "seconds": result.seconds.iter().map(|(_, s)| s).sum::<f64>(),
         "vehicles": vehicles.collect::<Vec<_>>(),
     })
 }

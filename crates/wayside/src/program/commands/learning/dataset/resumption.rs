@@ -3,7 +3,7 @@
 
 use crate::host::failure::Failure;
 use crate::host::progress;
-use crate::program::commands::learning::dataset::draws::Drawn;
+use crate::program::commands::learning::dataset::layout::PlannedShard;
 use crate::program::commands::learning::dataset::lines as told;
 use crate::program::commands::learning::dataset::recipe::Recipe;
 use artifact::dataset::{Dataset, Sample};
@@ -13,34 +13,50 @@ use std::path::Path;
 
 /// Whether a shard need not be made; a damaged one is named and made anew. Refused where the folder is
 /// another recipe's: what two recipes make is no dataset.
-pub(super) fn is_made(
-    recipe: &Recipe,
-    scenes: &[Drawn],
-    shard: &Path,
-    lines: &Path,
-) -> Result<bool, Failure> {
-    if !shard.is_file() {
+pub(super) fn is_made(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Failure> {
+    if !shard.samples.is_file() {
         return Ok(false);
     }
-    let samples = match samples(recipe, shard) {
+    let samples = match samples(recipe, &shard.samples) {
         Ok(samples) => samples,
-        Err(Obstacle::OtherRecipe) => return Err(of_another(shard)),
+        Err(Obstacle::OtherRecipe) => return Err(of_another(&shard.samples)),
         Err(Obstacle::Damaged(error)) => {
             progress::note(format!("note: made anew: {error}"));
             return Ok(false);
         }
     };
-    if !lines.is_file() {
+    if !shard.lines.is_file() {
         return Ok(false); // the last run was ended before it wrote them
     }
-    let is_whole = std::fs::read_to_string(lines).is_ok_and(|text| agree(scenes, &samples, &text));
+    let is_whole = lines(shard).is_some_and(|lines| tells_of(&lines, &samples));
     if !is_whole {
         progress::note(format!(
             "note: made anew: {}: does not tell of the scenes of its shard",
-            lines.display()
+            shard.lines.display()
         ));
     }
     Ok(is_whole)
+}
+
+/// Whether a shard is there, by what opens it: its samples are of this recipe and end, and its lines are
+/// those of its scenes. What the samples hold is not read: whoever made the shard knows that it is whole.
+pub(super) fn is_there(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Failure> {
+    if !shard.lines.is_file() {
+        return Ok(false);
+    }
+    match opened(recipe, &shard.samples) {
+        Ok(_) => Ok(lines(shard).is_some()),
+        Err(Obstacle::OtherRecipe) => Err(of_another(&shard.samples)),
+        Err(Obstacle::Damaged(_)) => Ok(false),
+    }
+}
+
+/// Lines of a shard, one for each of its scenes, in their order; `None` where they tell of others.
+pub(super) fn lines(shard: &PlannedShard) -> Option<Vec<Value>> {
+    let text = std::fs::read_to_string(&shard.lines).ok()?;
+    let lines: Vec<Value> = text.lines().map(serde_json::from_str).collect::<Result<_, _>>().ok()?;
+    let numbers = lines.iter().map(|line| line["scene"].as_u64());
+    numbers.eq(shard.scenes.clone().map(Some)).then_some(lines)
 }
 
 enum Obstacle {
@@ -50,12 +66,16 @@ enum Obstacle {
 
 /// All samples of a shard, its checksums held against them.
 fn samples(recipe: &Recipe, shard: &Path) -> Result<Vec<Sample>, Obstacle> {
+    opened(recipe, shard)?.collect::<Result<_, _>>().map_err(Obstacle::Damaged)
+}
+
+fn opened(recipe: &Recipe, shard: &Path) -> Result<Reader<Dataset>, Obstacle> {
     let reader = Reader::<Dataset>::open_own(shard).map_err(Obstacle::Damaged)?;
     let from = &reader.preamble().provenance;
-    if from.seed != recipe.seed || !recipe.draws_as(&from.settings, &from.inputs) {
-        return Err(Obstacle::OtherRecipe);
+    match from.seed == recipe.seed && recipe.draws_as(&from.settings, &from.inputs) {
+        true => Ok(reader),
+        false => Err(Obstacle::OtherRecipe),
     }
-    reader.collect::<Result<_, _>>().map_err(Obstacle::Damaged)
 }
 
 fn of_another(shard: &Path) -> Failure {
@@ -63,14 +83,10 @@ fn of_another(shard: &Path) -> Failure {
     Failure::System(format!("{}: {rule}", shard.display()))
 }
 
-/// Whether there is a line for every scene, in their order, and a sample for every one that was found.
-fn agree(scenes: &[Drawn], samples: &[Sample], text: &str) -> bool {
-    let lines: Result<Vec<Value>, _> = text.lines().map(serde_json::from_str).collect();
-    let Ok(lines) = lines else { return false };
-    let numbers = lines.iter().map(|line| line["scene"].as_u64());
-    let vehicles = told::vehicles(&lines);
+/// Whether there is a sample for every vehicle that was found.
+fn tells_of(lines: &[Value], samples: &[Sample]) -> bool {
+    let vehicles = told::vehicles(lines);
     let found =
         vehicles.iter().filter(|vehicle| told::is_found(vehicle)).map(|vehicle| vehicle["id"].as_str());
-    numbers.eq(scenes.iter().map(|drawn| Some(drawn.number)))
-        && found.eq(samples.iter().map(|sample| Some(sample.id.as_str())))
+    found.eq(samples.iter().map(|sample| Some(sample.id.as_str())))
 }

@@ -6,14 +6,14 @@ use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::memory::Allowance;
 use crate::host::side_by_side::side_by_side;
-use crate::program::commands::learning::dataset::draws::{Drawn, Kind};
+use crate::program::commands::learning::dataset::draws::{self, Drawn, Kind};
+use crate::program::commands::learning::dataset::layout::PlannedShard;
 use crate::program::commands::learning::dataset::recipe::Recipe;
 use crate::program::commands::learning::dataset::shots::{Measured, Shot, Surroundings, shoot};
 use crate::program::commands::learning::dataset::staging::{Staged, stage};
 use artifact::dataset::Dataset;
 use artifact::{Provenance, Writer};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Scenes for each thread that are made before they are written: all of a shard would be too many to hold.
@@ -28,18 +28,14 @@ pub(super) struct ShardMaking<'a> {
 }
 
 /// Makes a shard and the lines of its scenes.
-pub(super) fn make(
-    making: &ShardMaking,
-    scenes: &[Drawn],
-    shard: &Path,
-    lines: &Path,
-) -> Result<(), Failure> {
+pub(super) fn make(making: &ShardMaking, shard: &PlannedShard) -> Result<(), Failure> {
     let recipe = making.recipe;
-    let mut writer = Writer::<Dataset>::create(shard, &provenance(recipe), &dsp::PAPER_CROP)?;
+    let scenes = draws::draw(recipe, shard.scenes.clone());
+    let mut writer = Writer::<Dataset>::create(&shard.samples, &provenance(recipe), &dsp::PAPER_CROP)?;
     let mut text = String::new();
-    let name = shard.file_name().unwrap_or_default().to_string_lossy();
-    let first = first_of_kinds(scenes);
-    let work = ShardWork { making, scenes, shard: &name, at_once: at_once(making, scenes, &first)? };
+    let first = first_of_kinds(&scenes);
+    let at_once = at_once(making, &scenes, &first)?;
+    let work = ShardWork { making, scenes: &scenes, shard: &shard.name, at_once };
     let done = AtomicUsize::new(0);
     let mut measured = work.shots(&first, &BTreeMap::new(), &done)?;
     let errors =
@@ -54,7 +50,7 @@ pub(super) fn make(
         }
     }
     writer.finish()?;
-    files::write_file(lines, text.as_bytes())
+    files::write_file(&shard.lines, text.as_bytes())
 }
 
 fn provenance(recipe: &Recipe) -> Provenance {

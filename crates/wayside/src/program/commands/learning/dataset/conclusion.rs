@@ -1,0 +1,82 @@
+//! End of a dataset: what is made of all of its shards, by whichever process finds them all there. Shards are
+//! read one by one, so that memory does not grow with lines.
+
+mod detection;
+mod accuracy;
+
+use crate::host::failure::Failure;
+use crate::host::files;
+use crate::host::progress::Work;
+use crate::program::commands::learning::dataset::layout::{Layout, PlannedShard};
+use crate::program::commands::learning::dataset::lines;
+use crate::program::commands::learning::dataset::recipe::Recipe;
+use crate::program::commands::learning::dataset::resumption;
+use crate::program::terminal;
+use accuracy::ReachedAccuracy;
+use detection::DetectionTable;
+use serde_json::Value;
+use std::io::{Error, Write};
+use std::path::{Path, PathBuf};
+
+/// Files of the conclusion in a dataset's folder.
+pub(super) fn files_of(out: &Path) -> [PathBuf; 3] {
+    ["manifest.jsonl", "scenes.jsonl", "detection.md"].map(|name| out.join(name))
+}
+
+/// Shards of a recipe that are not there, `most` of them at most: first by their names, which is all that a
+/// part among many does before the last one; where all have their names they are opened. Refused where one is
+/// another recipe's.
+pub(super) fn lacking(recipe: &Recipe, layout: &Layout, most: usize) -> Result<Vec<PathBuf>, Failure> {
+    let work = Work::begin("looking for all shards");
+    let absent: Vec<PathBuf> =
+        layout.all().map(|shard| shard.lines).filter(|lines| !lines.is_file()).take(most).collect();
+    if !absent.is_empty() {
+        return Ok(absent);
+    }
+    let mut damaged = vec![];
+    for (number, shard) in layout.all().enumerate() {
+        if !resumption::is_there(recipe, &shard)? {
+            damaged.push(shard.lines);
+        }
+        work.at(number + 1, layout.count() as usize);
+    }
+    Ok(damaged)
+}
+
+/// Writes `manifest.jsonl`: a line a sample; `scenes.jsonl`: a line a scene; `detection.md`: errors of all
+/// vehicles, found or not.
+pub(super) fn conclude(layout: &Layout, out: &Path) -> Result<(), Failure> {
+    let _work = Work::begin("concluding");
+    let [manifest, scenes, table] = files_of(out);
+    files::write_with(&manifest, |stream| {
+        each_line(layout, |line| {
+            let vehicles = lines::vehicles(std::slice::from_ref(&line));
+            vehicles.iter().filter(|v| lines::is_found(v)).try_for_each(|v| writeln!(stream, "{v}"))
+        })
+    })?;
+    let mut reached = ReachedAccuracy::default();
+    let mut detected = DetectionTable::new();
+    files::write_with(&scenes, |stream| {
+        each_line(layout, |line| {
+            reached.add(&line);
+            lines::vehicles(std::slice::from_ref(&line)).iter().for_each(|v| detected.add(v));
+            writeln!(stream, "{line}")
+        })
+    })?;
+    files::write_file(&table, detected.markdown().as_bytes())?;
+    let (samples, asked) = detected.found_of_all();
+    let (scenes, place) = (layout.scenes, out.display());
+    terminal::line(format!("{samples} samples of {asked} vehicles in {scenes} scenes: {place}"));
+    reached.lines().into_iter().for_each(terminal::line);
+    Ok(())
+}
+
+/// Hands out the lines of all shards in the order of their scenes.
+fn each_line(layout: &Layout, mut use_line: impl FnMut(Value) -> std::io::Result<()>) -> std::io::Result<()> {
+    layout.all().try_for_each(|shard| of_shard(&shard)?.into_iter().try_for_each(&mut use_line))
+}
+
+fn of_shard(shard: &PlannedShard) -> std::io::Result<Vec<Value>> {
+    let changed = || Error::other(format!("{}: was there and is not any more", shard.lines.display()));
+    resumption::lines(shard).ok_or_else(changed)
+}

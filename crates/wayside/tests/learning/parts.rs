@@ -1,0 +1,152 @@
+//! Datasets made in parts by several processes in one folder: the bytes of one machine, in whatever order
+//! parts are made, killed and concluded.
+
+#![cfg(unix)]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
+
+use crate::common::Workplace;
+use crate::common::killing::{files, is_temporary};
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Child;
+
+const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n\
+[noise]\nnoise_figure_db = 12.0\n[dsp]\ntraining_cells = [3, 6]\n[fidelity]\nbounces = 1\n";
+
+/// Twelve scenes in five shards.
+const RECIPE: &str = "scene = \"base.toml\"\nseed = 1\nscenes_per_class = 6\nrange_m = [25.0, 45.0]\n\
+speed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\nscenes_per_shard = 3\n[models]\n\
+motorcycle = [\"motorcycle-street\"]\ncar = [\"car-hatchback\"]\n";
+
+const RESULTS: [&str; 3] = ["manifest.jsonl", "scenes.jsonl", "detection.md"];
+
+fn prepared(recipe: &str) -> Workplace {
+    let place = Workplace::new();
+    std::fs::write(place.path("base.toml"), BASE).unwrap();
+    std::fs::write(place.path("spec.toml"), recipe).unwrap();
+    place
+}
+
+/// All that a dataset's folder holds, by names.
+fn held(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let name = |file: &Path| file.strip_prefix(folder).unwrap().display().to_string();
+    files(folder).iter().map(|file| (name(file), std::fs::read(file).unwrap())).collect()
+}
+
+/// What one machine makes.
+fn whole() -> BTreeMap<String, Vec<u8>> {
+    let place = prepared(RECIPE);
+    place.run("dataset spec.toml --out d --quiet");
+    let whole = held(&place.path("d"));
+    assert_eq!(whole.len(), 2 * 4 + RESULTS.len());
+    whole
+}
+
+fn made(place: &Workplace, words: &str) -> String {
+    place.run(&format!("dataset spec.toml --out d --quiet {words}"))
+}
+
+fn begun(place: &Workplace, part: &str) -> Child {
+    place.command(&format!("dataset spec.toml --out d --quiet --threads 1 --shard {part}")).spawn().unwrap()
+}
+
+fn ended(mut child: Child) {
+    assert!(child.wait().unwrap().success());
+}
+
+#[test]
+fn parts_in_any_order_and_at_once_make_the_bytes_of_one_machine() {
+    let whole = whole();
+    for parts in [["2/2", "1/2"].as_slice(), &["3/3", "1/3", "2/3"], &["1/3", "1/2", "3/3", "2/2"]] {
+        let place = prepared(RECIPE);
+        for (number, part) in parts.iter().enumerate() {
+            let is_last = number + 1 == parts.len();
+            let said = made(&place, &format!("--shard {part}"));
+            assert_eq!(said.contains("samples of"), is_last, "{part}: {said}");
+            assert_eq!(said.contains("not made yet"), !is_last, "{part}: {said}");
+        }
+        assert!(held(&place.path("d")) == whole, "{parts:?}");
+    }
+    // One of them twice, as an engine does that takes a living process for dead.
+    let place = prepared(RECIPE);
+    ["1/3", "2/3", "3/3", "2/3"].map(|part| begun(&place, part)).into_iter().for_each(ended);
+    assert!(held(&place.path("d")) == whole);
+}
+
+#[test]
+fn a_part_that_is_killed_loses_its_shard_and_whoever_is_last_concludes() {
+    let whole = whole();
+    let place = prepared(RECIPE);
+    let (mut killed, other) = (begun(&place, "1/2"), begun(&place, "2/2"));
+    // With its first shard made it is at work on its second one.
+    while !place.path("d/shard-0000.jsonl").exists() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    killed.kill().unwrap();
+    killed.wait().unwrap();
+    ended(other);
+    let before = held(&place.path("d"));
+    assert!(RESULTS.iter().all(|name| !before.contains_key(*name)), "{:?}", before.keys());
+    for (name, bytes) in before.iter().filter(|(name, _)| !is_temporary(Path::new(name))) {
+        assert!(whole[name] == *bytes, "{name} is half-written");
+    }
+    let said = made(&place, "--shard 1/2");
+    assert!(said.contains("samples of"), "{said}");
+    assert!(held(&place.path("d")) == whole);
+}
+
+#[test]
+fn concluding_alone_names_what_lacks_makes_nothing_and_is_the_same_however_often() {
+    let place = prepared(RECIPE);
+    made(&place, "--shard 1/2");
+    let before = held(&place.path("d"));
+    let refused = place.try_run("dataset spec.toml --out d --quiet --conclude");
+    let said = String::from_utf8_lossy(&refused.stderr);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(said.contains("d/shard-0001.jsonl: not made yet") && said.contains("2 of 4"), "{said}");
+    assert!(held(&place.path("d")) == before);
+    made(&place, "--shard 2/2");
+    let whole = held(&place.path("d"));
+    std::fs::remove_file(place.path("d/manifest.jsonl")).unwrap();
+    assert!(made(&place, "--conclude").contains("samples of"));
+    assert!(held(&place.path("d")) == whole);
+    // Lines that a loss of power has cut are no shard.
+    std::fs::write(place.path("d/shard-0003.jsonl"), "").unwrap();
+    assert_eq!(place.try_run("dataset spec.toml --out d --quiet --conclude").status.code(), Some(2));
+    made(&place, "--shard 2/2");
+    assert!(held(&place.path("d")) == whole);
+    std::fs::write(place.path("spec.toml"), RECIPE.replace("45.0", "46.0")).unwrap();
+    let refused = place.try_run("dataset spec.toml --out d --quiet --conclude");
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("another recipe"));
+    assert!(held(&place.path("d")) == whole);
+    let both = place.try_run("dataset spec.toml --out d --quiet --conclude --shard 1/2");
+    assert_eq!(both.status.code(), Some(2));
+}
+
+#[test]
+fn shards_beyond_a_thousand_have_a_folder_and_stay_where_earlier_versions_put_them() {
+    let many = RECIPE
+        .replace("scenes_per_class = 6", "scenes_per_class = 501")
+        .replace("scenes_per_shard = 3", "scenes_per_shard = 1");
+    let place = prepared(&many);
+    let in_folder = "d/shards-1000/shard-1001";
+    assert!(made(&place, "--shard 1002/1002").contains("d/shard-0000.jsonl: not made yet"));
+    assert!(place.path("d/shards-1000/shard-1001.dataset").exists());
+    let line: serde_json::Value =
+        serde_json::from_slice(&place.bytes(&format!("{in_folder}.jsonl"))).unwrap();
+    assert_eq!((&line["file"], &line["scene"]), (&"shards-1000/shard-1001.dataset".into(), &1001.into()));
+    let model = Workplace::project_file("fixtures/classifier.model");
+    let classes = place.run(&format!("classify {model} d"));
+    for ending in ["dataset", "jsonl"] {
+        let [from, to] = [format!("{in_folder}.{ending}"), format!("d/shard-1001.{ending}")];
+        std::fs::rename(place.path(&from), place.path(&to)).unwrap();
+    }
+    let before = held(&place.path("d"));
+    made(&place, "--shard 1002/1002");
+    assert!(held(&place.path("d")) == before, "it is not made again");
+    assert_eq!(place.run(&format!("classify {model} d")), classes);
+}

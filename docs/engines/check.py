@@ -1,0 +1,162 @@
+"""Whether datasets and sweeps on Dask and HyperQueue, half of their workers killed half-way, have the bytes of
+one machine (docs/engines.md):
+
+    check.py PROGRAM FOLDER
+
+PROGRAM is wayside, FOLDER is empty. The first difference ends it with exit code 1.
+"""
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+OUT = "out"
+LONGEST_S = 300
+COMMANDS = {
+    "dataset": (["dataset", HERE / "small.dataset.toml", "--out", OUT, "--threads", "1"], "*.jsonl", 8),
+    "sweep": (["sweep", HERE / "small.sweep.toml", "--out", OUT, "--threads", "1", "--no-cache"], "runs/*/*.json", 8),
+}
+
+
+def main():
+    program, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+    for name, (words, made, parts) in COMMANDS.items():
+        command = [str(word) for word in [program, *words]]
+        one = place(folder, f"{name}-one")
+        subprocess.run([*command, "--quiet"], cwd=one, check=True, stdout=subprocess.DEVNULL)
+        for engine, run in [("dask", on_dask), ("hyperqueue", on_hyperqueue)]:
+            many = place(folder, f"{name}-{engine}")
+            start = time.monotonic()
+            told = run(command, made, parts, many)
+            same_bytes(one / OUT, many / OUT)
+            files = len(held(one / OUT))
+            took_s = time.monotonic() - start
+            print(f"{name} on {engine}: {told}; {files} files as of one machine; {took_s:.0f} s", flush=True)
+    print("test result: ok. 4 passed; 0 failed")
+
+
+def place(folder, name):
+    (folder / name).mkdir(parents=True)
+    return folder / name
+
+
+def on_dask(command, made, parts, folder):
+    """Two workers, processes of their own; one is killed as a machine that fails, with all that it runs."""
+    about = folder / "scheduler.json"
+    plain = ["--no-dashboard"]
+    scheduler = ["-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", *plain]
+    worker = ["-m", "distributed.cli.dask_worker", "--nthreads", "1", "--no-nanny", *plain]
+    with contextlib.ExitStack() as ending:
+        begin = lambda words: ending.enter_context(begun(words, folder))
+        begin([*scheduler, "--scheduler-file", about])
+        waited_for(about.exists)
+        workers = [begin([*worker, "--scheduler-file", about]) for _ in range(2)]
+        words = [HERE / "dask_run.py", "--scheduler-file", about, "--parts", parts, "--", *command]
+        run = begin(words)
+        left = killed_half_way(workers[0], made, folder, lambda: [])
+        ended(run)
+        return f"1 of 2 workers killed with {left} files made"
+
+
+def on_hyperqueue(command, made, parts, folder):
+    """Two workers of a LocalCluster; first all of it is killed, then one task of the next one."""
+    words = [HERE / "hyperqueue_run.py", "--parts", parts, "--", *command]
+    with begun(words, folder) as first:
+        left = killed_half_way(first, made, folder, lambda: tasks_in(folder / OUT, command[0]))
+    with begun(words, folder) as second:
+        waited_for(lambda: tasks_in(folder / OUT, command[0]))
+        os.kill(tasks_in(folder / OUT, command[0])[0], signal.SIGKILL)
+        ended(second)
+    log = (folder / "log").read_text()
+    if "again: 1 of" not in log:
+        sys.exit(f"the killed task was not submitted again:\n{log}")
+    return f"both workers killed with {left} files made, then a task"
+
+
+@contextlib.contextmanager
+def begun(words, folder):
+    """A program of this Python in a group of its own, which ends with all that it began."""
+    with open(folder / "log", "a", encoding="utf-8") as log:
+        words = [sys.executable, *map(str, words)]
+        child = subprocess.Popen(words, cwd=folder, stdout=log, stderr=log, start_new_session=True)
+    try:
+        yield child
+    finally:
+        kill(child)
+
+
+def kill(child):
+    """SIGKILL for a program and all that it began: its session."""
+    for process in in_session(child.pid):
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(process, signal.SIGKILL)
+    child.wait()
+
+
+def in_session(session):
+    return [process for process in processes() if session_of(process) == session]
+
+
+def processes():
+    return [int(entry) for entry in os.listdir("/proc") if entry.isdigit()]
+
+
+def session_of(process):
+    with contextlib.suppress(ProcessLookupError):
+        return os.getsid(process)
+    return None
+
+
+def tasks_in(out, program):
+    """Processes of the program that work in the folder of these results."""
+    def is_one(process):
+        with contextlib.suppress(OSError):
+            words = Path(f"/proc/{process}/cmdline").read_bytes().split(b"\0")
+            return os.readlink(f"/proc/{process}/cwd") == str(out.parent) and words[0] == program.encode()
+        return False
+
+    return [process for process in processes() if is_one(process)]
+
+
+def killed_half_way(child, made, folder, tasks):
+    """Kills it, and what it began in sessions of their own, once the first results are there; gives how many."""
+    waited_for(lambda: list((folder / OUT).glob(made)))
+    for process in tasks():
+        os.kill(process, signal.SIGKILL)
+    kill(child)
+    if (folder / OUT / "scenes.jsonl").exists() or (folder / OUT / "sweep.csv").exists():
+        sys.exit(f"{folder}: all was made before a worker was killed")
+    return len(list((folder / OUT).glob(made)))
+
+
+def waited_for(happened):
+    end = time.monotonic() + LONGEST_S
+    while not happened():
+        if time.monotonic() > end:
+            sys.exit("an engine does nothing")
+        time.sleep(0.005)
+
+
+def ended(run):
+    if run.wait(LONGEST_S) != 0:
+        sys.exit(f"an engine failed: {run.args}")
+
+
+def same_bytes(one, many):
+    expected, found = held(one), held(many)
+    different = [name for name in sorted(expected.keys() | found.keys()) if expected.get(name) != found.get(name)]
+    if different:
+        sys.exit(f"{many}: not as of one machine: {', '.join(different[:5])}")
+
+
+def held(folder):
+    return {str(file.relative_to(folder)): file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+
+
+if __name__ == "__main__":
+    main()
