@@ -27,7 +27,7 @@ pub(crate) enum Command {
     /// Speed against accuracy: chart.csv, pictures, a page.
     Chart(StudyArguments),
     /// Conditions in which each method fails: atlas.csv, pictures, a page.
-    Atlas(StudyArguments),
+    Atlas(AtlasArguments),
     /// Levels of detail, their error and cost: levels-of-detail.csv, a picture, a page.
     Levels(StudyArguments),
     /// Benchmarks as ratios measured in one run.
@@ -89,10 +89,16 @@ pub(crate) struct PageArguments {
     /// File of the page in place of docs/; of `chart`, `atlas` and `levels` a folder.
     #[arg(long, value_name = "F", requires = "name")]
     pub(crate) out: Option<PathBuf>,
+    /// Of `search`: processor minutes [default: 2].
+    #[arg(long, value_name = "M", requires = "name")]
+    pub(crate) minutes: Option<f64>,
+    /// Of `search`: seed of its cases [default: 1].
+    #[arg(long, value_name = "N", requires = "name")]
+    pub(crate) seed: Option<u64>,
 }
 
 /// Words of `chart`, `atlas` and `levels`.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct StudyArguments {
     /// Fewer and smaller cases.
     #[arg(long)]
@@ -106,6 +112,16 @@ pub(crate) struct StudyArguments {
     /// Draws the pictures of an earlier table anew and computes nothing.
     #[arg(long, value_name = "F.csv", conflicts_with = "quick")]
     pub(crate) table: Option<PathBuf>,
+}
+
+/// Words of `atlas`.
+#[derive(Debug, Args)]
+pub(crate) struct AtlasArguments {
+    #[command(flatten)]
+    pub(crate) of_all: StudyArguments,
+    /// Only the functions with this word in their names, as the run tells them.
+    #[arg(long, value_name = "WORD", conflicts_with_all = ["docs", "table"])]
+    pub(crate) only: Option<String>,
 }
 
 #[derive(Debug, Args)]

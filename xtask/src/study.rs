@@ -11,6 +11,7 @@ pub(crate) mod scenes;
 mod table;
 mod chart;
 mod atlas;
+mod search;
 mod levels;
 pub(crate) mod drawn;
 mod pages;

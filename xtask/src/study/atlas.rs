@@ -2,17 +2,13 @@
 //! says of them.
 
 mod verdict;
-mod far_field;
-mod integration;
-mod corners;
-mod curvature;
-mod clipping;
-mod cavity;
-mod references;
-mod frozen;
-mod ambiguity;
-mod detector;
+mod scattering;
+mod echo;
+mod signals;
+mod traffic;
+mod learning;
 mod refusals;
+mod coverage;
 mod presentation;
 mod picture;
 
@@ -21,50 +17,37 @@ pub(super) use presentation::{count, csv, page};
 pub(super) use verdict::{CaseRow, Says, Verdict};
 
 use crate::study::extent::Extent;
+use std::time::Instant;
+use verdict::Tried;
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
+use wayside::program::terminal;
 
-/// A group of rows.
-type Case = fn(Extent) -> Result<Vec<CaseRow>, Failure>;
-
-/// Cases by stage, in the order of docs/physics.md §10.
-const CASES: [Case; 27] = [
-    refusals::meshes,
-    refusals::scenes,
-    far_field::table_over_range,
-    far_field::paths_over_range,
-    integration::small_phases,
-    integration::off_specular,
-    corners::right_angles,
-    corners::other_angles,
-    curvature::facets_of_a_cylinder,
-    curvature::spheres_against_mie,
-    curvature::top_hat,
-    clipping::doubled,
-    clipping::far_from_the_origin,
-    clipping::needles,
-    clipping::touching,
-    clipping::flipped,
-    cavity::open_box,
-    references::few_rays,
-    references::few_samples,
-    refusals::antennas,
-    frozen::near_lane,
-    frozen::single_precision,
-    refusals::echoes,
-    ambiguity::velocity,
-    ambiguity::range,
-    ambiguity::transmitters_in_turn,
-    detector::all,
-];
-
-/// Every row, case by case.
-pub(super) fn rows(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
+/// Every row, theme by theme; with a word those of the cases that have it in their names.
+pub(super) fn rows(extent: Extent, only: Option<&str>) -> Result<Vec<CaseRow>, Failure> {
     let work = Work::begin("atlas");
+    let themes =
+        [refusals::CASES, scattering::CASES, traffic::CASES, echo::CASES, signals::CASES, learning::CASES];
+    let is_asked = |case: &&Tried| only.is_none_or(|word| case.name.contains(word));
+    let cases: Vec<&Tried> = themes.into_iter().flatten().filter(is_asked).collect();
     let mut all = Vec::new();
-    for (number, case) in CASES.iter().enumerate() {
-        work.at(number, CASES.len());
-        all.extend(case(extent)?);
+    for (number, case) in cases.iter().enumerate() {
+        work.at(number, cases.len());
+        let started = Instant::now();
+        let rows = (case.rows)(extent)?;
+        log(case.name, started, &rows);
+        all.extend(rows);
     }
-    Ok(all)
+    let missing = coverage::missing(&all);
+    match only {
+        None if !missing.is_empty() => Err(Failure::Refused(format!("atlas: no case is called {missing:?}"))),
+        _ => Ok(all),
+    }
+}
+
+/// Tells of a case as soon as it was tried: minutes pass before the page is there.
+fn log(name: &str, started: Instant, rows: &[CaseRow]) {
+    let counts = Verdict::ALL.map(|v| format!("{} {}", count(rows, v), v.name()));
+    let seconds = started.elapsed().as_secs_f64();
+    terminal::line(format!("{name:<40}{seconds:>7.1} s  {}", counts.join(", ")));
 }

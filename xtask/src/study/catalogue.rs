@@ -1,14 +1,15 @@
 //! All studies: what each makes, how long that takes, and whether what stands there is older than its code.
 
-use crate::cli::{PageArguments, StudyArguments};
+use crate::cli::{AtlasArguments, PageArguments, StudyArguments};
 use crate::project::project_root;
 use crate::study::drawn::{self, ATLAS, CHART, LEVELS};
 use crate::study::extent::Extent;
-use crate::study::page::{Age, FEWER, with_part};
+use crate::study::page::{Age, FEWER, part_of, with_part};
 use crate::study::pages::{
     Part, ambiguity, calibration, continuity, deployment, estimates, estimates_of_errors, false_alarms,
     gates, ghosts, planner, references, sensitivity, super_resolution, traced_ghosts, transmitters_in_turn,
 };
+use crate::study::search;
 use crate::study::sources::{self, Places};
 use wayside::host::failure::Failure;
 use wayside::host::files;
@@ -32,6 +33,8 @@ enum Make {
     Part(fn(Extent) -> Result<Part, Failure>),
     /// A page, with a table and pictures.
     Whole(fn(&StudyArguments) -> Result<(), Failure>),
+    /// A row of a ledger that stands on its page.
+    Ledger,
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those that are drawn.
@@ -100,13 +103,15 @@ pub(crate) const STUDIES: [Study; 23] = [
     ),
     part("deployment", "docs/validation/deployment.md", "15 minutes", deployment::SOURCES, deployment::part),
     whole("chart", "docs/chart.md", "an hour", CHART, drawn::chart),
-    whole("atlas", "docs/atlas.md", "10 minutes", ATLAS, drawn::atlas),
+    whole("atlas", "docs/atlas.md", "10 minutes", ATLAS, whole_atlas),
+    Study { name: "search", page: SEARCH, takes: "as asked", sources: search::SOURCES, make: Make::Ledger },
 ];
 
 // Pages of which several studies make a part, or with long names.
 const REFERENCES: &str = "docs/validation/bart-against-references.md";
 const ERRORS: &str = "docs/validation/error-estimates.md";
 const ALARMS: &str = "docs/validation/false-alarms.md";
+pub(super) const SEARCH: &str = "docs/validation/random-search.md";
 const IN_TURN: &str = "docs/validation/transmitters-in-turn.md";
 
 type MakePart = fn(Extent) -> Result<Part, Failure>;
@@ -132,6 +137,11 @@ const fn whole(
     Study { name, page, takes, sources, make: Make::Whole(make) }
 }
 
+/// The atlas with all its cases.
+fn whole_atlas(of_all: &StudyArguments) -> Result<(), Failure> {
+    drawn::atlas(&AtlasArguments { of_all: of_all.clone(), only: None })
+}
+
 /// The study of this name.
 pub(crate) fn by_name(name: &str) -> Option<&'static Study> {
     STUDIES.iter().find(|study| study.name == name)
@@ -144,6 +154,7 @@ pub(crate) fn run(arguments: &PageArguments) -> Result<(), Failure> {
         || Failure::Refused(format!("there is no study `{name}`; `cargo xtask study` tells of all"));
     let study = by_name(name).ok_or_else(unknown)?;
     match study.make {
+        Make::Ledger => study.enter_search(arguments),
         Make::Part(make) => study.make_part(make, arguments),
         Make::Whole(make) => make(&StudyArguments {
             quick: arguments.quick,
@@ -168,6 +179,30 @@ impl Study {
     pub(crate) fn age(&self) -> Result<Age, Failure> {
         let page = std::fs::read_to_string(project_root().join(self.page)).unwrap_or_default();
         Ok(Age::of(&page, self.name, &sources::hash(self.sources)?))
+    }
+
+    /// Searches, and puts what was found behind what earlier searches found.
+    fn enter_search(&self, arguments: &PageArguments) -> Result<(), Failure> {
+        let place = project_root().join(self.page);
+        let seed = arguments.seed.unwrap_or(1);
+        let until = match (arguments.quick, arguments.minutes) {
+            (true, _) => search::Until::Cases(2),
+            (false, minutes) => search::Until::ProcessorSeconds(60.0 * minutes.unwrap_or(2.0)),
+        };
+        let hash = sources::hash(self.sources)?;
+        let _work = Work::begin(self.name);
+        let rows = search::rows(seed, &search::searched(seed, until)?);
+        terminal::line(rows.trim());
+        if arguments.quick && arguments.out.is_none() {
+            return Ok(());
+        }
+        // Read after the search: another one may have entered its rows meanwhile.
+        let page = std::fs::read_to_string(&place).map_err(|e| Failure::system(&place, "read", e))?;
+        let missing = || Failure::Refused(format!("{}: has no part for `{}`", self.page, self.name));
+        let earlier = part_of(&page, self.name).ok_or_else(missing)?;
+        let page =
+            with_part(&page, self.name, &hash, &search::entered(earlier, &rows)).ok_or_else(missing)?;
+        files::write_file(arguments.out.as_ref().unwrap_or(&place), page.as_bytes())
     }
 
     /// Puts the part into its page; of fewer cases only where another place than `docs/` is given.

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Factor j√(4π)/λ in front of every integral of physical optics.
-fn front() -> Complex64 {
+pub(super) fn front() -> Complex64 {
     Complex64::new(0.0, (4.0 * PI).sqrt() / WAVELENGTH_M)
 }
 
@@ -36,7 +36,7 @@ pub(super) fn plate_near(side_m: f64, range_m: f64, azimuth_rad: f64) -> Complex
 }
 
 /// Places and weights over −side/2 … side/2 for a phase that turns by this many radians a metre.
-fn nodes(side_m: f64, turn_per_m: f64) -> Vec<(f64, f64)> {
+pub(super) fn nodes(side_m: f64, turn_per_m: f64) -> Vec<(f64, f64)> {
     // Gauss and Legendre's four points (Abramowitz and Stegun, table 25.4).
     const FOUR: [(f64, f64); 4] = [
         (-0.861_136_311_594_052_6, 0.347_854_845_137_453_8),

@@ -1,7 +1,7 @@
 //! `chart`, `atlas` and `levels`: speed against accuracy, where each method fails, and levels of detail; each
 //! a table, pictures and a whole page.
 
-use crate::cli::StudyArguments;
+use crate::cli::{AtlasArguments, StudyArguments};
 use crate::project::project_root;
 use crate::study::extent::Extent;
 use crate::study::page::{FEWER, made_by};
@@ -17,7 +17,8 @@ use wayside::program::terminal;
 
 /// Sources that the figures of each drawn study hang on.
 pub(super) const CHART: Places = &[sources::CHAIN, SHARED, &["xtask/src/study/chart"]];
-pub(super) const ATLAS: Places = &[sources::CHAIN, SHARED, &["xtask/src/study/atlas"]];
+pub(super) const ATLAS: Places =
+    &[sources::CHAIN, SHARED, &["xtask/src/study/atlas", "crates/po-sbr", "crates/classifier"]];
 pub(super) const LEVELS: Places =
     &[sources::CHAIN, SHARED, &["xtask/src/study/levels.rs", "xtask/src/study/levels"]];
 const SHARED: &[&str] = &[
@@ -42,14 +43,14 @@ pub(crate) fn chart(arguments: &StudyArguments) -> Result<(), Failure> {
 }
 
 /// Cases and verdicts; ends with exit code 1 if the program was wrong and did not say so.
-pub(crate) fn atlas(arguments: &StudyArguments) -> Result<(), Failure> {
+pub(crate) fn atlas(AtlasArguments { of_all: arguments, only }: &AtlasArguments) -> Result<(), Failure> {
     let draw = |table: &Table| vec![("atlas", atlas::picture(table))];
     let drawing = Drawing { name: "atlas", sources: ATLAS, columns: &atlas::COLUMNS, draw: &draw };
     if let Some(file) = &arguments.table {
         return drawing.again(file, arguments);
     }
     let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
-    let rows = atlas::rows(extent)?;
+    let rows = atlas::rows(extent, only.as_deref())?;
     drawing.study("", atlas::csv(&rows), atlas::page(&rows, extent))?.write("atlas", arguments)?;
     match atlas::count(&rows, atlas::Verdict::Wrong) {
         0 => Ok(()),

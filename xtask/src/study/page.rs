@@ -56,6 +56,13 @@ fn line_of(page: &str, study: &str) -> Option<Range<usize>> {
     Some(start..start + page[start..].find('\n').unwrap_or(page.len() - start))
 }
 
+/// The part of this study in a page.
+pub(super) fn part_of<'p>(page: &'p str, study: &str) -> Option<&'p str> {
+    let after = line_of(page, study)?.end;
+    let length = page[after..].find(&end(study))?;
+    Some(page[after..after + length].trim())
+}
+
 /// The page with the part of this study replaced; `None` where it has no place for one.
 pub(super) fn with_part(page: &str, study: &str, hash: &str, part: &str) -> Option<String> {
     let start = line_of(page, study)?.start;
@@ -76,6 +83,7 @@ mod tests {
         let page = with_part(PAGE, "a", "12345678", "| new |\n").unwrap();
         let expected = PAGE.replace("unknown", "12345678").replace("old", "| new |");
         assert_eq!(page, expected);
+        assert_eq!(part_of(&page, "a"), Some("| new |"));
         assert_eq!(Age::of(&page, "a", "12345678"), Age::Fresh);
     }
 

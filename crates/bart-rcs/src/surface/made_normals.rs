@@ -99,6 +99,12 @@ impl Facets<'_> {
         corners[(usize::from(side.side) + 1) % 3] - corners[usize::from(side.side)]
     }
 
+    /// Whether no side of its facet is longer.
+    fn is_longest(&self, side: TriangleSide) -> bool {
+        let length2 = |s: TriangleSide| self.along_m(s).length_squared();
+        other_sides(side).into_iter().all(|other| length2(other) <= length2(side))
+    }
+
     /// Unit vector in the facet's plane, out of the facet.
     fn outwards(&self, side: TriangleSide) -> DVec3 {
         self.along_m(side).cross(self.normal(side)).try_normalize().unwrap_or(DVec3::ZERO)
@@ -146,30 +152,31 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
 /// Angle by which the skin turns on the same way where it leaves a facet that was entered at `side`,
 /// rad; `None` where no edge tells.
 ///
-/// A diagonal that is no bend is stepped over once.
+/// A diagonal is stepped over once: where it is no bend, and, as quads of a skin that is bent both ways are not
+/// flat, where it is the longest side of both its facets; there it may be the way on as well.
 fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> Option<f64> {
     let (behind, sign) = facets.across(side)?;
     // Across the side the normal has turned by this vector.
     let way = -facets.outwards(side);
     let bend = (facets.normal(side) - sign * facets.normal(behind)).dot(way);
-    let exits = other_sides(side).into_iter().flat_map(|exit| {
-        let turn = turns[exit.triangle as usize][usize::from(exit.side)];
-        match facets.across(exit) {
-            Some((next, _)) if turn.kind == TurnKind::Flat => other_sides(next).to_vec(),
-            _ => vec![exit],
+    let turn_at = |s: TriangleSide| turns[s.triangle as usize][usize::from(s.side)];
+    let exits = other_sides(side).into_iter().flat_map(|exit| match facets.across(exit) {
+        Some((next, _)) if turn_at(exit).kind == TurnKind::Flat => other_sides(next).to_vec(),
+        Some((next, _)) if facets.is_longest(exit) && facets.is_longest(next) => {
+            let [a, b] = other_sides(next);
+            vec![exit, a, b]
         }
+        _ => vec![exit],
     });
     let on = exits.filter_map(|exit| {
         let (next, sign_next) = facets.across(exit)?;
-        let turn = turns[exit.triangle as usize][usize::from(exit.side)];
         if facets.outwards(exit).dot(way) < SAME_WAY {
             return None;
         }
-        let own = facets.normal(exit) * facets.normal(exit).dot(facets.normal(side)).signum();
         let next_normal =
             sign_next * facets.normal(next) * facets.normal(exit).dot(facets.normal(side)).signum();
-        let further = (next_normal - own).dot(way) * bend.signum();
-        Some(if turn.angle <= TURN_MAX { further } else { 0.0 })
+        let further = (next_normal - facets.normal(side)).dot(way) * bend.signum();
+        Some(if turn_at(exit).angle <= TURN_MAX { further } else { 0.0 })
     });
     on.fold(None, |most: Option<f64>, x| Some(most.map_or(x, |m| m.max(x))))
 }

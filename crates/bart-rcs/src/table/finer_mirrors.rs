@@ -43,10 +43,15 @@ const SMALLEST: f64 = 1e-4;
 /// mean square.
 const RAYLEIGH_95: f64 = 1.730_818;
 
-/// Scattering of the beams given up over the table's root mean square |S|: more in 5 of 100 cases.
+/// Scattering of the beams given up over the table's root mean square |S|: more in 5 of 100 cases; infinite
+/// where all was given up.
 pub(crate) fn dropped_error(table: &[Scattering]) -> f64 {
     let dropped_m2: f64 = table.iter().map(|s| s.dropped_m.powi(2)).sum();
-    RAYLEIGH_95 * ratio(dropped_m2, table.iter().map(Scattering::mean_power).sum())
+    let kept_m2: f64 = table.iter().map(Scattering::mean_power).sum();
+    if kept_m2 == 0.0 && dropped_m2 > 0.0 {
+        return f64::INFINITY;
+    }
+    RAYLEIGH_95 * ratio(dropped_m2, kept_m2)
 }
 
 impl FinerMirrors {

@@ -1,6 +1,6 @@
 //! The atlas as CSV and page.
 
-use crate::study::atlas::{CaseRow, Verdict};
+use crate::study::atlas::{CaseRow, Verdict, coverage};
 use crate::study::extent::Extent;
 use crate::study::table;
 
@@ -32,7 +32,9 @@ a series, an integral carried to convergence, another method, or the truth of a 
 - **wrong**: larger, and nothing is said; or an input without an answer that was taken. A bug.
 
 Errors are complex amplitude errors as in `conventions.md`, of the level where a reference has no phase, and relative
-errors of an estimate where a case is about estimates.
+errors of an estimate where a case is about estimates; of things that are found or lost it is their number. `cargo xtask
+atlas --only WORD` tries those cases alone whose functions have the word in their names. What random cases found beside
+these is a ledger of its own: [random search](validation/random-search.md).
 ";
 
 pub(in crate::study) fn page(rows: &[CaseRow], extent: Extent) -> String {
@@ -57,12 +59,29 @@ pub(in crate::study) fn page(rows: &[CaseRow], extent: Extent) -> String {
     let header =
         ["stage", "method", "case", "parameter", "value", "error, dB", "verdict", "what the program says"];
     format!(
-        "{RULE}\nMade by `{command}`. {} cases, {} rows: {}.\n\n![verdicts](pictures/atlas.svg)\n\n{}",
+        "{RULE}\nMade by `{command}`. {} cases, {} rows: {}.\n{}\n![verdicts](pictures/atlas.svg)\n\n\
+         ## What was asked for\n\n{}\n## All rows\n\n{}",
         cases(rows).len(),
         rows.len(),
         counts.join(", "),
+        wrong(rows),
+        coverage::table(rows),
         table::markdown(&header, rows.iter().map(fields))
     )
+}
+
+/// A paragraph of what is wrong, before all tables; nothing where nothing is.
+fn wrong(rows: &[CaseRow]) -> String {
+    let of = |row: &CaseRow| {
+        let error = table::decibels(row.error);
+        format!("- {}: {} {}, {} dB, says: {}\n", row.case, row.parameter, row.value, error, row.said)
+    };
+    let all: String = rows.iter().filter(|row| row.verdict == Verdict::Wrong).map(of).collect();
+    if all.is_empty() {
+        all
+    } else {
+        format!("\n**Wrong at this moment, bugs that are not mended:**\n\n{all}")
+    }
 }
 
 /// Rows of one case stand together.

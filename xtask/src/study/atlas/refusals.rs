@@ -1,7 +1,7 @@
 //! Inputs that have no answer must be refused, with a reason.
 
 use crate::study::atlas::CaseRow;
-use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::verdict::{Trial, Tried, tried};
 use crate::study::bodies;
 use crate::study::extent::Extent;
 use crate::study::looks;
@@ -14,8 +14,10 @@ use scene::mesh::{Format, mesh_from_bytes};
 use std::path::Path;
 use wayside::host::failure::Failure;
 
+pub(super) const CASES: &[Tried] = tried![meshes, scenes, antennas, echoes];
+
 /// Files of meshes, and meshes that reach the tracer by another way.
-pub(super) fn meshes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn meshes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial { stage: "scene", method: "mesh", case: "meshes without an answer", parameter: "file" };
     let file = |name: &str, text: &str| {
         let options = MeshOptions { unit_scale: None };
@@ -37,7 +39,7 @@ pub(super) fn meshes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 }
 
 /// Scene files.
-pub(super) fn scenes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn scenes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         Trial { stage: "scene", method: "read", case: "scenes without an answer", parameter: "scene" };
     let scene = |name: &str, words: &str| trial.must_refuse(name, scene_of(words));
@@ -53,7 +55,7 @@ pub(super) fn scenes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 }
 
 /// Places from where nothing can be looked at.
-pub(super) fn antennas(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn antennas(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         Trial { stage: "bart-rcs", method: "bart", case: "requests without an answer", parameter: "request" };
     let plate = bodies::plate(0.3);
@@ -77,7 +79,7 @@ fn small_scene() -> Result<SceneHeader, Failure> {
 }
 
 /// Paths and samples.
-pub(super) fn echoes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn echoes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let echo =
         Trial { stage: "fmcw-echo", method: "recurrence", case: "paths without an echo", parameter: "path" };
     let map = Trial { stage: "dsp", method: "map", case: "cubes without a map", parameter: "cube" };

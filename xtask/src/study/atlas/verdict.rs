@@ -1,7 +1,27 @@
 //! A row of the atlas, and the rule that judges it.
 
+use crate::project::project_root;
+use crate::study::extent::Extent;
 use artifact::units::db_from_amplitude;
+use bart_rcs::RcsResult;
 use std::fmt::Display;
+use wayside::host::failure::Failure;
+
+/// A function of the atlas that tries some cases.
+pub(super) struct Tried {
+    /// Name of the function, with its file's.
+    pub(super) name: &'static str,
+    pub(super) rows: fn(Extent) -> Result<Vec<CaseRow>, Failure>,
+}
+
+/// A list of functions that try cases, with their names.
+macro_rules! tried {
+    ($($case:path),* $(,)?) => {
+        &[$(crate::study::atlas::verdict::Tried { name: stringify!($case), rows: $case }),*]
+    };
+}
+
+pub(super) use tried;
 
 /// Statement of the program's own answer on its error, as relative amplitudes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +35,29 @@ pub(in crate::study) enum Says {
     About(f64),
     /// A flag, a null or a remark in the result, or a limit that the method's documentation states.
     Words(&'static str),
+    /// A limit that this page states in these words; made by [`documented`] alone, which looks there.
+    Page(&'static str, &'static str),
+}
+
+/// A limit that a page of the project states, if the page holds these words.
+pub(super) fn documented(page: &'static str, words: &'static str) -> Result<Says, Failure> {
+    let file = project_root().join(page);
+    let text = std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))?;
+    let plain = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    Ok(if plain.contains(words) { Says::Page(page, words) } else { Says::Nothing })
+}
+
+/// Bound that a result gives for its own error.
+pub(super) fn printed(result: &RcsResult) -> Says {
+    result.error.total().map_or(Says::Nothing, Says::AtMost)
+}
+
+/// Estimate of a result without diffraction, or the remark that there is none.
+pub(super) fn without_edges(result: &RcsResult) -> Says {
+    match result.model_error.edges {
+        Some(edges) => Says::About(edges),
+        None => Says::Words("model_error_db.edges is null: diffraction is left out"),
+    }
 }
 
 /// Outcome of a case.
@@ -52,7 +95,7 @@ fn verdict(error: f64, says: Says) -> Verdict {
         Says::Nothing => false,
         Says::AtMost(bound) => error <= bound,
         Says::About(estimate) => error <= ABOVE_ESTIMATE * estimate,
-        Says::Words(_) => !error.is_nan(),
+        Says::Words(_) | Says::Page(..) => !error.is_nan(),
     };
     match (error <= GOOD, covered) {
         (true, _) => Verdict::Good,
@@ -111,6 +154,7 @@ fn words(says: Says) -> String {
         Says::AtMost(bound) => format!("at most {:.1} dB", db_from_amplitude(bound)),
         Says::About(estimate) => format!("about {:.1} dB", db_from_amplitude(estimate)),
         Says::Words(words) => words.into(),
+        Says::Page(page, words) => format!("{page}: {words}"),
     }
 }
 

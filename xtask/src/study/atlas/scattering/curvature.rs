@@ -1,23 +1,28 @@
 //! Facets in place of a curved skin, and physical optics on bodies that are small.
 
-use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::verdict::{Trial, documented, printed};
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
 use crate::study::looks;
 use artifact::settings::NodeRule;
-use bart_rcs::RcsRequest;
+use bart_rcs::{RcsRequest, RcsResult};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 use wayside::host::failure::Failure;
 
-/// `error_db` holds no figure for the shape: a mesh is taken as the body itself.
-const AS_GIVEN: Says = Says::Words("error_db.tessellation is null: facets are taken as the surface");
+/// `error_db` holds no figure for the shape where a mesh is taken as the body itself.
+fn as_given(result: &RcsResult) -> Says {
+    match result.error.tessellation {
+        None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
+        Some(_) => printed(result),
+    }
+}
 
 /// Flat strips of q = chord/√(ρλ): with 0.25 the complex error is −23 dB, beyond 0.7 the facets' own grating
 /// lobes decide.
-pub(super) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -29,33 +34,36 @@ pub(super) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let row = |q: f64| {
         let chord_m = q * (radius_m * looks::WAVELENGTH_M).sqrt();
         let sides = (TAU * radius_m / chord_m).round() as u32;
-        let worst = worst_turn(sides, radius_m, height_m, exact)?;
-        Ok(trial.answered(q, worst, AS_GIVEN))
+        let (worst, says) = worst_turn(sides, radius_m, height_m, exact)?;
+        Ok(trial.answered(q, worst, says))
     };
     [0.1, 0.25, 0.35, 0.5, 0.71, 1.0, 2.0].into_iter().map(row).collect()
 }
 
 /// The tube stands on z = 0; its middle is the origin of the closed form.
-fn worst_turn(sides: u32, radius_m: f64, height_m: f64, exact: Complex64) -> Result<f64, Failure> {
-    let mut worst = 0.0_f64;
+fn worst_turn(sides: u32, radius_m: f64, height_m: f64, exact: Complex64) -> Result<(f64, Says), Failure> {
+    let mut worst = (0.0_f64, Says::Nothing);
     for turn in [0.0, 0.2, 0.4, 0.6, 0.8] {
         let tube =
             bodies::shifted(bodies::tube(radius_m, height_m, sides, turn), [0.0, 0.0, -0.5 * height_m]);
         let result = looks::traced(&tube, &looks::first_order(0.0, 0.0))?;
-        worst = worst.max(looks::relative_error(&result.amplitude_m, &[exact]));
+        worst = (worst.0.max(looks::relative_error(&result.amplitude_m, &[exact])), as_given(&result));
     }
     Ok(worst)
 }
 
 /// Small spheres against Mie's series: physical optics leaves out penumbra and creeping waves.
-pub(super) fn spheres_against_mie(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn spheres_against_mie(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
         case: "level of spheres against Mie's series",
         parameter: "ka",
     };
-    let says = Says::Words("model_error_db.edges is null: diffraction is left out");
+    let says = documented(
+        "docs/bart.md",
+        "bodies under some ten wavelengths in size (ka < 10: creeping waves, tips)",
+    )?;
     let row = |radius_m: f64| {
         let cells = (0.5 * PI * radius_m / (0.12 * (radius_m * looks::WAVELENGTH_M).sqrt())).ceil() as u32;
         let result = looks::traced(&bodies::sphere(radius_m, cells), &looks::first_order(10.0, 20.0))?;
@@ -71,7 +79,7 @@ pub(super) fn spheres_against_mie(extent: Extent) -> Result<Vec<CaseRow>, Failur
 
 /// A cylinder on a floor, elevation 30°: 8πρh²cos(el)/λ; a node on the floor loses the divergence of the wall
 /// (D3).
-pub(super) fn top_hat(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn top_hat(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         Trial { stage: "bart-rcs", method: "bart", case: "top hat, order 2 alone", parameter: "nodes" };
     let (radius_m, height_m) = (0.5, 0.1);

@@ -32,7 +32,7 @@ fn truth(header: &SceneHeader) -> (f64, f64) {
 }
 
 /// Experiment 3: ±8.78 m/s.
-pub(super) fn velocity(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn velocity(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "dsp",
         method: "map",
@@ -51,7 +51,7 @@ pub(super) fn velocity(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 }
 
 /// 256 samples at 5.12 MHz: a beat of f_s is 61.4 m away.
-pub(super) fn range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         Trial { stage: "dsp", method: "map", case: "range against R_max 61.4 m", parameter: "range_m" };
     let says = Says::Words("summary: range_max_m below the truth's range, estimate null");
@@ -69,7 +69,7 @@ pub(super) fn range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 
 /// Three transmitters share the velocity span with `tdm`, and keep it with `ddm`; a wrong fold is a wrong
 /// angle.
-pub(super) fn transmitters_in_turn(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn transmitters_in_turn(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "dsp",
         method: "angle",

@@ -15,7 +15,7 @@ const TRIAL: Trial =
     Trial { stage: "bart-rcs", method: "bart", case: "right corners, one order alone", parameter: "body" };
 
 /// Levels of docs/physics.md D1, D2; joined at every node they would be 6 and 9.5 dB too high.
-pub(super) fn right_angles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn right_angles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let lambda_m = looks::WAVELENGTH_M;
     let diagonal_deg = (0.5_f64).sqrt().atan().to_degrees();
     let dihedral = 0.15_f64.powi(2) * (8.0 * PI).sqrt() / lambda_m;
@@ -50,15 +50,11 @@ fn order_alone(
 ) -> Result<CaseRow, Failure> {
     let result = looks::traced(body, &looks::bounced(azimuth_deg, elevation_deg, order))?;
     let found = result.by_order_m[usize::from(order) - 1][0].norm();
-    Ok(TRIAL.answered(
-        name,
-        looks::level_error(found, level),
-        crate::study::atlas::integration::printed(&result),
-    ))
+    Ok(TRIAL.answered(name, looks::level_error(found, level), crate::study::atlas::verdict::printed(&result)))
 }
 
 /// Off 90° the node decides; neither is exact, and the spread is printed.
-pub(super) fn other_angles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn other_angles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",

@@ -15,7 +15,7 @@ use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
 /// Lane 3 at 25 m, 10 m/s, long frames: against the body traced anew at three moments of the frame.
-pub(super) fn near_lane(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn near_lane(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "paths",
@@ -77,7 +77,7 @@ fn over_the_band(header: &SceneHeader, paths: &[Path], seconds: f64, frame: &Sce
 }
 
 /// Lengths and phases are f64, samples are kept as f32.
-pub(super) fn single_precision(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn single_precision(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "fmcw-echo",
         method: "recurrence",

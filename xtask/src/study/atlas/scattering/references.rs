@@ -15,7 +15,7 @@ use wayside::host::failure::Failure;
 const BY_DENSITY: Says = Says::Words("error_db is null: a reference is known by its density alone");
 
 /// Rays along a wavelength over a square trihedral on its axis.
-pub(super) fn few_rays(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn few_rays(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "sbr",
@@ -36,7 +36,7 @@ pub(super) fn few_rays(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 }
 
 /// Samples along a wavelength over a plate far off its normal.
-pub(super) fn few_samples(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn few_samples(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "po",
@@ -57,4 +57,34 @@ pub(super) fn few_samples(_: Extent) -> Result<Vec<CaseRow>, Failure> {
         Ok(trial.answered(per_wavelength, looks::relative_error(&[found], &[exact]), BY_DENSITY))
     };
     [0.2, 0.5, 1.0, 2.0, 4.0].into_iter().map(row).collect()
+}
+
+/// A cylinder of flat strips of which each facet has seven samples alone, almost the point scatterers of fast
+/// tools, and dense ones.
+pub(in crate::study::atlas) fn few_samples_a_facet(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "po",
+        case: "cylinder of few samples a facet",
+        parameter: "samples per wavelength, q",
+    };
+    let (radius_m, height_m) = (0.5, 0.05);
+    let exact = closed_forms::cylinder(radius_m, height_m);
+    let row = |(per_wavelength, q): (f64, f64)| {
+        let chord_m = q * (radius_m * looks::WAVELENGTH_M).sqrt();
+        let sides = (2.0 * PI * radius_m / chord_m).round() as u32;
+        let tube = bodies::shifted(bodies::tube(radius_m, height_m, sides, 0.3), [0.0, 0.0, -0.5 * height_m]);
+        let sampling = po::Sampling {
+            per_wavelength,
+            shadow_levels: 0,
+            sides: Sides::Two,
+            bracket: Bracket::Symmetrised,
+        };
+        let request = looks::first_order(0.0, 0.0);
+        let found = po::amplitude(&tube, &looks::aspect(&request), &request.frequency_hz, &sampling);
+        let found = found.map_err(Failure::refused)?[0][0][0];
+        let error = looks::relative_error(&[found], &[exact]);
+        Ok(trial.answered(format!("{per_wavelength}, {q}"), error, BY_DENSITY))
+    };
+    [(0.05, 0.25), (0.05, 0.5), (2.0, 0.25), (2.0, 0.5)].into_iter().map(row).collect()
 }

@@ -8,7 +8,7 @@ use artifact::scene::SceneHeader;
 use artifact::settings::Window;
 use wayside::host::failure::Failure;
 
-pub(super) fn all(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn all(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
     let mut rows = false_alarms(extent, "rect", Window::Rect)?;
     rows.extend(false_alarms(extent, "hann", Window::Hann)?);
     rows.extend(neighbours()?);

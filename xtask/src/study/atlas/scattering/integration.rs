@@ -1,21 +1,16 @@
 //! The closed-form integral where its formulas turn into 0/0, and where facets cancel.
 
-use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::CaseRow;
+use crate::study::atlas::verdict::{Trial, printed};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
 use crate::study::looks;
-use bart_rcs::{RcsRequest, RcsResult};
+use bart_rcs::RcsRequest;
 use wayside::host::failure::Failure;
 
-/// Bound that a result gives for its own error.
-pub(super) fn printed(result: &RcsResult) -> Says {
-    result.error.total().map_or(Says::Nothing, Says::AtMost)
-}
-
 /// Gordon's formula divides by the phase gradient, which vanishes square to the plate.
-pub(super) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -37,7 +32,7 @@ pub(super) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 
 /// A plate of 1.2 m from 25 m is cut until its phases are straight; off the specular the pieces all but
 /// cancel.
-pub(super) fn off_specular(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn off_specular(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",

@@ -26,7 +26,7 @@ fn scene_at(range_m: f64) -> Result<SceneHeader, Failure> {
 }
 
 /// The paper's σ_f: its phase and level belong to infinity.
-pub(super) fn table_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn table_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "rcs-table",
@@ -46,7 +46,7 @@ pub(super) fn table_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 }
 
 /// Paths of spherical waves, which take the table's place.
-pub(super) fn paths_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn paths_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         Trial { stage: "bart-rcs", method: "paths", case: "paths of the same plate", parameter: "range_m" };
     let row = |range_m: f64| {

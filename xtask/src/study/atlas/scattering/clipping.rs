@@ -25,12 +25,12 @@ fn alike(
     Ok(trial.answered(
         value,
         looks::relative_error(&found.amplitude_m, &expected),
-        crate::study::atlas::integration::printed(&found),
+        crate::study::atlas::verdict::printed(&found),
     ))
 }
 
 /// Coincident facets, of which one is lit.
-pub(super) fn doubled(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn doubled(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         Trial { stage: "bart-rcs", method: "bart", case: "every triangle there twice", parameter: "body" };
     let hat = bodies::top_hat(0.05, 0.02, 60, 0.3);
@@ -45,7 +45,7 @@ pub(super) fn doubled(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 }
 
 /// Lengths are kept relative to the body.
-pub(super) fn far_from_the_origin(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn far_from_the_origin(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -67,7 +67,7 @@ pub(super) fn far_from_the_origin(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 }
 
 /// Strips of a micrometre beside whole ones, and edges that meet no vertex.
-pub(super) fn needles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn needles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -81,7 +81,7 @@ pub(super) fn needles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
         Ok(trial.answered(
             name,
             looks::relative_error(&found.amplitude_m, &[exact]),
-            crate::study::atlas::integration::printed(&found),
+            crate::study::atlas::verdict::printed(&found),
         ))
     };
     [("slivers of 0.3 µm and 3 nm", needles), ("T-junctions", with_t_junctions())]
@@ -102,7 +102,7 @@ fn with_t_junctions() -> Mesh {
 }
 
 /// The bottom of a cube lies in the floor: it must neither be lit nor hide the floor's rest.
-pub(super) fn touching(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn touching(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",
@@ -120,7 +120,7 @@ pub(super) fn touching(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 }
 
 /// Every tenth facet wound the other way round; facets scatter from either side.
-pub(super) fn flipped(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+pub(in crate::study::atlas) fn flipped(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "bart-rcs",
         method: "bart",

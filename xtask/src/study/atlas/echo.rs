@@ -1,0 +1,23 @@
+//! Echoes: what goes wrong between paths and samples.
+
+mod frozen;
+mod interference;
+mod levels;
+mod many;
+
+use crate::study::atlas::verdict::{Tried, tried};
+
+pub(super) const CASES: &[Tried] = tried![
+    frozen::near_lane,
+    frozen::single_precision,
+    many::wheels,
+    many::targets,
+    many::motion,
+    many::long_runs,
+    levels::extremes,
+    levels::saturated,
+    interference::same_slope,
+    interference::ghosts_of_no_body,
+    interference::crossings,
+    interference::weak_among_radars,
+];

@@ -1,0 +1,74 @@
+//! Levels at the ends of single precision, and converters that are too small.
+
+use crate::study::atlas::verdict::{Trial, documented};
+use crate::study::atlas::{CaseRow, Says};
+use crate::study::extent::Extent;
+use crate::study::scenes::{cube_header, cube_of, paths_of, scene_of, seen, with_point};
+use artifact::radar::Adc;
+use artifact::scene::SceneHeader;
+use wayside::host::failure::Failure;
+
+/// Range of a lone point from as strong and as weak echoes as the keys allow.
+pub(in crate::study::atlas) fn extremes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "dsp",
+        method: "map",
+        case: "levels at the limits of the keys: range of a lone point",
+        parameter: "power_dbm, gain_dbi, rcs_m2",
+    };
+    let row = |(power_dbm, gain_dbi, rcs_m2): (f64, f64, f64)| {
+        let words = format!(
+            "[radar.array]\npreset = \"1x4\"\n[radar.link]\ntransmit_power_dbm = {power_dbm:?}\n\
+             antenna_gain_dbi = {gain_dbi:?}\n"
+        );
+        let header = with_point(scene_of(&words)?, rcs_m2, [0.0, 30.0, 6.0], [0.0, -5.0, 0.0]);
+        let name = format!("{power_dbm}, {gain_dbi}, {rcs_m2:e}");
+        let points = match seen(&header) {
+            Ok(found) => found.points,
+            Err(refusal) => return Ok(trial.must_refuse::<(), _>(name, Err(refusal))),
+        };
+        let error = points.objects.first().map_or(1.0, |o| (o.range_m / 30.0 - 1.0).abs());
+        Ok(trial.answered(name, error, Says::Nothing))
+    };
+    [(12.0, 10.0, 1.0), (200.0, 100.0, 1e12), (-200.0, -100.0, 1.0), (-200.0, -100.0, 1e-12)]
+        .into_iter()
+        .map(row)
+        .collect()
+}
+
+fn with_converter(bits: u8, over_db: f64) -> Result<SceneHeader, Failure> {
+    let header = scene_of("[radar.array]\npreset = \"1x1\"\n")?;
+    let mut header = with_point(header, 10.0, [0.0, 30.0, 6.0], [0.0, -5.0, 0.0]);
+    let cube = cube_of(&header, &paths_of(&header)?)?;
+    let most = cube.samples.iter().map(|z| z.norm()).fold(0.0, f32::max);
+    header.radar.hardware.adc =
+        Some(Adc { bits, full_scale: f64::from(most) * 10_f64.powf(-over_db / 20.0) });
+    Ok(header)
+}
+
+/// The strongest value of a scene's map.
+fn peak(header: &SceneHeader) -> Result<f64, Failure> {
+    let receiver = dsp::Receiver::new(&cube_header(header)).map_err(Failure::refused)?;
+    let cube = cube_of(header, &paths_of(header)?)?;
+    let map = receiver.range_doppler(&cube).map_err(Failure::refused)?;
+    Ok(map.values.iter().map(|z| f64::from(z.norm())).fold(0.0, f64::max))
+}
+
+/// Level of a lone echo in a converter's range, and beyond it.
+pub(in crate::study::atlas) fn saturated(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "fmcw-echo",
+        method: "adc",
+        case: "level of an echo beyond the converter's full scale",
+        parameter: "bits, dB beyond",
+    };
+    let says = documented("docs/scenes.md", "beyond it samples are clipped")?;
+    let row = |(bits, over_db): (u8, f64)| {
+        let header = with_converter(bits, over_db)?;
+        let mut ideal = header.clone();
+        ideal.radar.hardware.adc = None;
+        let error = (peak(&header)? / peak(&ideal)? - 1.0).abs();
+        Ok(trial.answered(format!("{bits}, {over_db}"), error, says))
+    };
+    [(12, -6.0), (12, 0.0), (12, 3.0), (12, 20.0), (12, 60.0), (1, 0.0)].into_iter().map(row).collect()
+}

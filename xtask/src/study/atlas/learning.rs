@@ -1,0 +1,138 @@
+//! Learning from too little, from nothing, and from what is not so.
+
+use crate::study::atlas::verdict::{Trial, Tried, tried};
+use crate::study::atlas::{CaseRow, Says};
+use crate::study::extent::Extent;
+use artifact::dataset::Split;
+use artifact::model::Weights;
+use classifier::{BoostingSettings, Seen, Sightings, TrainedTrees, TreeSettings, train_trees, tree_logits};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use wayside::host::failure::Failure;
+
+pub(super) const CASES: &[Tried] = tried![tiny_sets, classes_missing, labels_of_chance];
+
+const SETTINGS: TreeSettings = TreeSettings {
+    boosting: BoostingSettings {
+        rounds: 60,
+        depth: 3,
+        learning_rate: 0.1,
+        shrinkage: 2.0,
+        least_weight: 5.0,
+        columns: 0.2,
+        rows: 0.7,
+    },
+    folds: 5,
+    least_probability: 0.4,
+};
+
+/// A sighting whose features tell its class but for noise as large as what they tell; `told` is the class that
+/// they tell of.
+fn sighting(random: &mut ChaCha8Rng, class: usize, told: usize, vehicle: u64) -> Seen {
+    let width = classifier::feature_names().len();
+    let feature = |i: usize, noise: f64| if i % 4 == told { 1.5 + noise } else { noise };
+    let features = (0..width)
+        .map(
+            |i| if i < 8 { feature(i, 4.0 * (random.random::<f64>() - 0.5)) } else { random.random::<f64>() },
+        )
+        .map(|value| value as f32)
+        .collect();
+    let model = format!("vehicle-{class}-{vehicle}");
+    Seen { features, class, model, track: (0, vehicle, class as u32), split: Split::Train, has_rows: false }
+}
+
+fn sightings(each: u64, seed: u64, told: impl Fn(&mut ChaCha8Rng, usize) -> usize) -> Sightings {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let mut all = Sightings::default();
+    for vehicle in 0..each {
+        for class in 0..4 {
+            let told = told(&mut random, class);
+            all.all.push(sighting(&mut random, class, told, vehicle));
+        }
+    }
+    all
+}
+
+/// Share of a thousand new sightings that a model tells right.
+fn true_accuracy(trained: &TrainedTrees, of: &Sightings) -> f64 {
+    let Weights::Trees(trees) = &trained.weights else { return 0.0 };
+    let is_right = |seen: &&Seen| {
+        let logits = tree_logits(trees, &seen.features);
+        (0..4).fold(0, |best, i| if logits[i] > logits[best] { i } else { best }) == seen.class
+    };
+    of.all.iter().filter(is_right).count() as f64 / of.all.len() as f64
+}
+
+fn trained(sightings: &Sightings) -> Result<TrainedTrees, Failure> {
+    train_trees(sightings, &SETTINGS, 1, &mut |_, _| ()).map_err(Failure::refused)
+}
+
+/// What the training says of itself, against a thousand new sightings: the error is the difference of both
+/// accuracies, and the interval over vehicles, if it holds the true one, covers it.
+fn told_against_true(trial: Trial, name: u64, trained: &TrainedTrees, fresh: &Sightings) -> CaseRow {
+    let told = &trained.metrics.unseen_vehicles.by_vehicle;
+    let truth = true_accuracy(trained, fresh);
+    let [low, high] = told.interval;
+    let within = (low..=high).contains(&truth);
+    let says = if within {
+        Says::Words("unseen_vehicles.by_vehicle.interval holds the true accuracy")
+    } else {
+        Says::Nothing
+    };
+    trial.answered(name, (told.mean_over_classes - truth).abs(), says)
+}
+
+/// Very few vehicles of each class.
+fn tiny_sets(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "classifier",
+        method: "trees",
+        case: "tiny training sets: accuracy told against true",
+        parameter: "vehicles of each class",
+    };
+    let fresh = sightings(250, 99, |_, class| class);
+    let row = |each: u64| match trained(&sightings(each, 5, |_, class| class)) {
+        Ok(trained) => told_against_true(trial, each, &trained, &fresh),
+        Err(refusal) => trial.must_refuse::<(), _>(each, Err(refusal)),
+    };
+    Ok([1, 2, 5, 20, 100].into_iter().map(row).collect())
+}
+
+/// A class that nothing shows cannot be learned.
+fn classes_missing(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "classifier",
+        method: "trees",
+        case: "training sets without all classes",
+        parameter: "set",
+    };
+    let without = |kept: &dyn Fn(&Seen) -> bool| {
+        let mut all = sightings(20, 5, |_, class| class);
+        all.all.retain(|seen| kept(seen));
+        trained(&all)
+    };
+    Ok(vec![
+        trial.must_refuse("no motorcycle", without(&|seen| seen.class != 3)),
+        trial.must_refuse("cars alone", without(&|seen| seen.class == 0)),
+        trial.must_refuse("nothing", without(&|_| false)),
+        trial.must_refuse("buses in the test split alone", {
+            let mut all = sightings(20, 5, |_, class| class);
+            all.all.iter_mut().filter(|seen| seen.class == 1).for_each(|seen| seen.split = Split::Test);
+            trained(&all)
+        }),
+    ])
+}
+
+/// Labels that the features say nothing of: a quarter is right by chance, and the training must not say more.
+fn labels_of_chance(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "classifier",
+        method: "trees",
+        case: "labels by chance: accuracy told against true",
+        parameter: "vehicles of each class",
+    };
+    let chance = |random: &mut ChaCha8Rng, _: usize| random.random_range(0..4);
+    let fresh = sightings(250, 98, chance);
+    let row = |each: u64| Ok(told_against_true(trial, each, &trained(&sightings(each, 6, chance))?, &fresh));
+    [10, 100].into_iter().map(row).collect()
+}

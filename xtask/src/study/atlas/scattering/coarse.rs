@@ -1,0 +1,70 @@
+//! Meshes of too few polygons: their flat facets look elsewhere, and the level is many decibels too low.
+
+use crate::study::atlas::verdict::{Trial, printed};
+use crate::study::atlas::{CaseRow, Says};
+use crate::study::bodies;
+use crate::study::extent::Extent;
+use crate::study::looks;
+use artifact::Accuracy;
+use artifact::scene::Mesh;
+use artifact::settings::Surface;
+use bart_rcs::RcsRequest;
+use std::f64::consts::PI;
+use wayside::host::failure::Failure;
+
+/// Half axes of a smooth body of a small car's proportions.
+const HALF_M: [f64; 3] = [0.4, 0.18, 0.14];
+
+fn ellipsoid(cells: u32) -> Mesh {
+    let mut body = bodies::sphere(1.0, cells);
+    body.vertices_m.iter_mut().for_each(|v| *v = [0, 1, 2].map(|i| HALF_M[i] * v[i]));
+    body
+}
+
+/// |S| by geometrical optics: σ = πa²b²c²/(a²ξ² + b²η² + c²ζ²)².
+fn smooth_level(azimuth_rad: f64, elevation_rad: f64) -> f64 {
+    let ((sin_az, cos_az), (sin_el, cos_el)) = (azimuth_rad.sin_cos(), elevation_rad.sin_cos());
+    let towards = [cos_el * cos_az, cos_el * sin_az, sin_el];
+    let square: f64 = (0..3).map(|i| (HALF_M[i] * towards[i]).powi(2)).sum();
+    PI.sqrt() * HALF_M.iter().product::<f64>() / square
+}
+
+/// Levels over 24 aspects: the mean of |20·log₁₀| as an amplitude.
+pub(in crate::study::atlas) fn few_polygons(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "smooth body of few polygons, mean |dB| of 24 aspects",
+        parameter: "surface, triangles",
+    };
+    let row = |(name, surface, cells): (&str, Surface, u32)| {
+        let body = ellipsoid(cells);
+        let request = RcsRequest {
+            azimuth_rad: (0..24).map(|i| (3.0 + 7.3 * f64::from(i)).to_radians()).collect(),
+            surface,
+            accuracy: Accuracy::from_db(-20.0),
+            ..looks::first_order(0.0, 10.0)
+        };
+        let result = looks::traced(&body, &request)?;
+        let exact = request.azimuth_rad.iter().map(|az| smooth_level(*az, request.elevation_rad[0]));
+        let miss_db = |(s, level): (&num_complex::Complex64, f64)| (20.0 * (s.norm() / level).log10()).abs();
+        let mean_db = result.amplitude_m.iter().zip(exact).map(miss_db).sum::<f64>() / 24.0;
+        let says = match result.error.tessellation {
+            None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
+            Some(_) => printed(&result),
+        };
+        let error = 10_f64.powf(mean_db / 20.0) - 1.0;
+        Ok(trial.answered(format!("{name}, {}", body.triangles.len()), error, says))
+    };
+    [
+        ("flat", Surface::Flat, 4),
+        ("flat", Surface::Flat, 8),
+        ("flat", Surface::Flat, 24),
+        ("flat", Surface::Flat, 96),
+        ("smooth", Surface::Smooth, 8),
+        ("smooth", Surface::Smooth, 24),
+    ]
+    .into_iter()
+    .map(row)
+    .collect()
+}

@@ -1,0 +1,131 @@
+//! Concave skins: caustics of one reflection, and what bounces inside.
+
+use crate::study::atlas::verdict::{Trial, printed};
+use crate::study::atlas::{CaseRow, Says};
+use crate::study::bodies;
+use crate::study::extent::Extent;
+use crate::study::looks;
+use artifact::scene::Mesh;
+use artifact::settings::{NodeRule, Sides};
+use bart_rcs::RcsRequest;
+use num_complex::Complex64;
+use po_sbr::{Bracket, po, sbr};
+use std::f64::consts::PI;
+use wayside::host::failure::Failure;
+
+const RADIUS_M: f64 = 0.3;
+/// Tangent of half the angle that the mirror takes seen from its centre.
+const HALF: f64 = 0.1;
+
+/// A mirror of a sphere's shape, its pole in the origin and its centre on +x.
+fn mirror(cells: u32) -> Mesh {
+    let mut all = bodies::mesh(vec![], vec![]);
+    let at = |i: u32| HALF * (2.0 * f64::from(i) / f64::from(cells) - 1.0);
+    for (i, j) in (0..=cells).flat_map(|i| (0..=cells).map(move |j| (i, j))) {
+        let (y, z) = (at(i), at(j));
+        let scale = RADIUS_M / (1.0 + y * y + z * z).sqrt();
+        all.vertices_m.push([RADIUS_M - scale, y * scale, z * scale]);
+    }
+    for (i, j) in (0..cells).flat_map(|i| (0..cells).map(move |j| (i, j))) {
+        let corner = |i: u32, j: u32| i * (cells + 1) + j;
+        let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+        all.triangles.extend([[a, b, c], [a, c, d]]);
+    }
+    all
+}
+
+/// From its centre all of a mirror is in phase: S = j√(4π)·A/λ, where geometrical optics is infinite.
+pub(in crate::study::atlas) fn mirror_from_its_centre(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "hollow mirror seen from its centre (a caustic)",
+        parameter: "q of the facets",
+    };
+    let area_m2 = 4.0 * (HALF * HALF / (1.0 + 2.0 * HALF * HALF).sqrt()).atan() * RADIUS_M * RADIUS_M;
+    let exact = Complex64::new(0.0, (4.0 * PI).sqrt() * area_m2 / looks::WAVELENGTH_M);
+    let row = |q: f64| {
+        let chord_m = q * (RADIUS_M * looks::WAVELENGTH_M).sqrt();
+        let cells = (2.0 * HALF * RADIUS_M / chord_m).round() as u32;
+        let request = RcsRequest { range_m: RADIUS_M, ..looks::first_order(0.0, 0.0) };
+        let result = looks::traced(&mirror(cells), &request)?;
+        let says = match result.error.tessellation {
+            None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
+            Some(_) => printed(&result),
+        };
+        Ok(trial.answered(q, looks::relative_error(&result.amplitude_m, &[exact]), says))
+    };
+    [0.1, 0.25, 0.5].into_iter().map(row).collect()
+}
+
+/// The same facets by dense sampling, at the places where rays cross.
+pub(in crate::study::atlas) fn mirror_from_its_focus(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "hollow mirror about its focus, dense sampling",
+        parameter: "range over radius",
+    };
+    let body = mirror(18);
+    let row = |share: f64| {
+        let request = RcsRequest { range_m: share * RADIUS_M, ..looks::first_order(1.0, 0.5) };
+        let result = looks::traced(&body, &request)?;
+        let sampling = po::Sampling {
+            per_wavelength: 4.0,
+            shadow_levels: 0,
+            sides: Sides::Two,
+            bracket: Bracket::Symmetrised,
+        };
+        let found = po::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &sampling);
+        let exact = found.map_err(Failure::refused)?[0][0][0];
+        Ok(trial.answered(share, looks::relative_error(&result.amplitude_m, &[exact]), printed(&result)))
+    };
+    [0.5, 0.75, 1.0, 1.5].into_iter().map(row).collect()
+}
+
+/// Half of an upright tube, open towards +x.
+fn trough(radius_m: f64, height_m: f64, sides: u32) -> Mesh {
+    let wall = |i: u32| {
+        let at = |i: u32| {
+            let angle = PI * (0.5 + f64::from(i) / f64::from(sides));
+            [radius_m * angle.cos(), radius_m * angle.sin(), -0.5 * height_m]
+        };
+        let (a, b) = (at(i), at(i + 1));
+        [a, [b[0] - a[0], b[1] - a[1], 0.0], [0.0, 0.0, height_m]]
+    };
+    bodies::parallelograms(&(0..sides).map(wall).collect::<Vec<_>>())
+}
+
+/// Waves that run along a concave wall bounce on and on; each order over all of S, rays 30 along a wavelength
+/// with the same node.
+pub(in crate::study::atlas) fn trough_of_orders(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "half tube from inside, rays of the same order",
+        parameter: "azimuth_deg, order",
+    };
+    let body = trough(0.05, 0.05, 90);
+    let mut rows = Vec::new();
+    for azimuth_deg in [10.0, 40.0] {
+        let request = RcsRequest { nodes: NodeRule::Exit, ..looks::bounced(azimuth_deg, 0.0, 3) };
+        let result = looks::traced(&body, &request)?;
+        let shooting = sbr::Shooting {
+            per_wavelength: 30.0,
+            bounces: 3,
+            sides: Sides::Two,
+            bracket: Bracket::Symmetrised,
+        };
+        let found = sbr::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &shooting);
+        let rays: Vec<Complex64> =
+            found.map_err(Failure::refused)?.orders.iter().map(|order| order[0][0][0]).collect();
+        let whole = rays.iter().sum::<Complex64>().norm();
+        for (order, ((found, rays), spread)) in
+            (1..).zip(result.by_order_m.iter().zip(&rays).zip(&result.node_spread))
+        {
+            let error = (found[0] - rays).norm() / whole;
+            rows.push(trial.answered(format!("{azimuth_deg}, {order}"), error, Says::About(*spread)));
+        }
+    }
+    Ok(rows)
+}

@@ -1,0 +1,130 @@
+//! Surfaces seen nearly along themselves.
+
+use crate::study::atlas::verdict::{Trial, documented, printed, without_edges};
+use crate::study::atlas::{CaseRow, Says};
+use crate::study::bodies;
+use crate::study::closed_forms;
+use crate::study::extent::Extent;
+use crate::study::looks;
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use artifact::settings::{Edges, Sides};
+use bart_rcs::RcsRequest;
+use po_sbr::{Bracket, sbr};
+use std::f64::consts::PI;
+use wayside::host::failure::Failure;
+
+/// The closed form of physical optics goes to zero along the plate.
+pub(in crate::study::atlas) fn plate(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "plate seen nearly along itself",
+        parameter: "degrees from its plane",
+    };
+    let body = bodies::plate(0.1);
+    let row = |grazing_deg: f64| {
+        let result = looks::traced(&body, &looks::first_order(90.0 - grazing_deg, 0.0))?;
+        let exact = closed_forms::plate_far(0.1, (90.0 - grazing_deg).to_radians());
+        Ok(trial.answered(
+            grazing_deg,
+            looks::relative_error(&result.amplitude_m, &[exact]),
+            printed(&result),
+        ))
+    };
+    [10.0, 1.0, 0.1, 1e-3, 1e-6].into_iter().map(row).collect()
+}
+
+/// A wall of the corner is seen at 5° and less, so that beams run along it: 16π(ab)²sin²(45° − φ)/λ² (D1).
+pub(in crate::study::atlas) fn wall_of_a_corner(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "beams almost along a wall of a corner",
+        parameter: "degrees from the wall",
+    };
+    let body = bodies::dihedral(90.0);
+    let row = |grazing_deg: f64| {
+        let result = looks::traced(&body, &looks::bounced(45.0 - grazing_deg, 0.0, 2))?;
+        let level =
+            (16.0 * PI).sqrt() * 0.15_f64.powi(2) / looks::WAVELENGTH_M * grazing_deg.to_radians().sin();
+        // Over the whole of S, which the printed error is of.
+        let error = (result.by_order_m[1][0].norm() - level).abs() / result.amplitude_m[0].norm();
+        Ok(trial.answered(grazing_deg, error, printed(&result)))
+    };
+    [5.0, 1.0, 0.1, 1e-3, 1e-6].into_iter().map(row).collect()
+}
+
+/// Exact backscatter coefficients of a strip of ten wavelengths, 20·log₁₀|D| (docs/physics.md E2): degrees
+/// from its plane, E along the edges, H along them.
+const STRIP_DB: [(f64, f64, f64); 8] = [
+    (80.0, 15.18, 15.40),
+    (70.0, 4.38, 4.17),
+    (60.0, 0.01, -1.45),
+    (50.0, 1.05, 1.49),
+    (40.0, 1.76, 3.75),
+    (30.0, 0.92, 3.68),
+    (20.0, 0.21, 1.82),
+    (10.0, 0.07, 1.09),
+];
+/// Length of the strip, so that its ends are −45 dB beside its edges.
+const LENGTH_M: f64 = 1.0;
+
+fn strip() -> Mesh {
+    let half_m = 5.0 * looks::WAVELENGTH_M;
+    bodies::parallelograms(&[[
+        [0.0, -half_m, -0.5 * LENGTH_M],
+        [0.0, 2.0 * half_m, 0.0],
+        [0.0, 0.0, LENGTH_M],
+    ]])
+}
+
+/// Physical optics alone.
+pub(in crate::study::atlas) fn strip_without_edges(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    strip_rows("strip of ten wavelengths, exact series", Edges::Ignored, "bart")
+}
+
+/// With the fringe currents of its edges.
+pub(in crate::study::atlas) fn strip_with_edges(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    strip_rows("strip of ten wavelengths, exact series", Edges::FirstOrder, "edges")
+}
+
+/// A strip of length L has S = L·D/√π, the 2-D field E = D·e^{−j(kr + π/4)}/√(2πkr).
+fn strip_rows(case: &'static str, edges: Edges, method: &'static str) -> Result<Vec<CaseRow>, Failure> {
+    let trial =
+        Trial { stage: "bart-rcs", method, case, parameter: "field along the edges, degrees from the plane" };
+    let body = strip();
+    let fringes = documented("docs/decisions/edges.md", "No third order")?;
+    let row = |(name, polarization, from_plane_deg, db): (&str, Polarization, f64, f64)| {
+        let request = RcsRequest { edges, polarization, ..looks::first_order(90.0 - from_plane_deg, 0.0) };
+        let result = looks::traced(&body, &request)?;
+        let level = LENGTH_M * 10_f64.powf(db / 20.0) / PI.sqrt();
+        let error = looks::level_error(result.amplitude_m[0].norm(), level);
+        let says = if edges == Edges::Ignored { without_edges(&result) } else { fringes };
+        Ok(trial.answered(format!("{name}, {from_plane_deg}"), error, says))
+    };
+    let e = STRIP_DB.into_iter().map(|(deg, e, _)| ("E", Polarization::Vv, deg, e));
+    let h = STRIP_DB.into_iter().map(|(deg, _, h)| ("H", Polarization::Hh, deg, h));
+    e.chain(h).map(row).collect()
+}
+
+/// Rays on a plate 10° from its plane: the grid's moiré.
+pub(in crate::study::atlas) fn glancing_rays(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "sbr",
+        case: "plate seen 10° from its plane",
+        parameter: "rays per wavelength",
+    };
+    let (body, request) = (bodies::plate(0.1), looks::first_order(80.0, 0.0));
+    let exact = closed_forms::plate_far(0.1, 80_f64.to_radians());
+    let row = |per_wavelength: f64| {
+        let shooting =
+            sbr::Shooting { per_wavelength, bounces: 1, sides: Sides::Two, bracket: Bracket::Plain };
+        let found = sbr::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &shooting);
+        let found = found.map_err(Failure::refused)?.orders[0][0][0][0];
+        let says = Says::Words("error_db is null: a reference is known by its density alone");
+        Ok(trial.answered(per_wavelength, looks::relative_error(&[found], &[exact]), says))
+    };
+    [2.0, 8.0, 32.0].into_iter().map(row).collect()
+}

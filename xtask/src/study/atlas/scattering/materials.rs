@@ -1,0 +1,128 @@
+//! Sheets and half-spaces: thicknesses that nobody knows, Brewster's angle, what is behind a pane.
+
+use crate::study::atlas::verdict::{Trial, documented, printed};
+use crate::study::atlas::{CaseRow, Says};
+use crate::study::bodies;
+use crate::study::closed_forms;
+use crate::study::extent::Extent;
+use crate::study::looks;
+use artifact::material::{Backing, Layer, Makeup, Material, Thickness, Transmission};
+use artifact::radar::Polarization;
+use artifact::scene::Mesh;
+use bart_rcs::RcsRequest;
+use num_complex::Complex64;
+use wayside::host::failure::Failure;
+
+/// Glass at 77 GHz (docs/physics.md §5).
+const GLASS: Complex64 = Complex64::new(6.5, -0.15);
+
+/// The body all of one material.
+fn made_of(mut body: Mesh, material: Material, transmission: Transmission) -> Mesh {
+    body.materials = vec!["glass".into()];
+    body.material_of_triangle = vec![0; body.triangles.len()];
+    body.makeup = Makeup { materials: vec![material], transmission };
+    body
+}
+
+fn pane(thickness_m: f64, thickness: Thickness) -> Material {
+    Material::Layers {
+        layers: vec![Layer { thickness_m, permittivity: GLASS }],
+        backing: Backing::Air,
+        thickness,
+    }
+}
+
+/// Reflection r on E and the passage t·e^{jkd} of a slab, square to it (docs/physics.md §5).
+fn slab(thickness_m: f64) -> [Complex64; 2] {
+    let s = GLASS.sqrt();
+    let r = (1.0 - s) / (1.0 + s);
+    let turn = |thickness_m: f64| (Complex64::new(0.0, -looks::K * thickness_m) * s).exp();
+    let (once, twice) = (turn(thickness_m), turn(2.0 * thickness_m));
+    let all = 1.0 - r * r * twice;
+    [r * (1.0 - twice) / all, (1.0 - r * r) * once / all * Complex64::cis(looks::K * thickness_m)]
+}
+
+/// Panes of 4 to 6 mm, seen square on: each fraction of a millimetre is another level.
+pub(in crate::study::atlas) fn panes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "panes of glass, Fresnel's slab",
+        parameter: "thickness_mm, told",
+    };
+    let averaged =
+        documented("docs/materials.md", "A pane of 4 to 6 mm reflects between −15.1 and −3.8 dB at 0°")?;
+    let row = |(thickness_m, thickness): (f64, Thickness)| {
+        let body = made_of(bodies::plate(0.1), pane(thickness_m, thickness), Transmission::Ignored);
+        let result = looks::traced(&body, &looks::first_order(0.0, 0.0))?;
+        let exact = -slab(thickness_m)[0] * closed_forms::plate_far(0.1, 0.0);
+        let (name, error, says) = match thickness {
+            Thickness::Exact => {
+                ("exactly", looks::relative_error(&result.amplitude_m, &[exact]), printed(&result))
+            }
+            Thickness::Averaged => {
+                ("about", looks::level_error(result.amplitude_m[0].norm(), exact.norm()), averaged)
+            }
+        };
+        Ok(trial.answered(format!("{}, {name}", 1e3 * thickness_m), error, says))
+    };
+    let thicknesses_m = [4.0e-3, 4.2e-3, 4.4e-3, 4.6e-3];
+    let exactly = thicknesses_m.iter().map(|d| (*d, Thickness::Exact));
+    exactly.chain(thicknesses_m.iter().map(|d| (*d, Thickness::Averaged))).map(row).collect()
+}
+
+/// A wall of glass filled all the way; its Brewster angle is 68.6°: Kirchhoff's currents have r_TM (on H) in
+/// E across the plate's edge, −r_TE along it, times the conductor's.
+pub(in crate::study::atlas) fn half_space(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "half-space of glass about its Brewster angle, 68.6°",
+        parameter: "polarization, degrees off normal",
+    };
+    let body =
+        made_of(bodies::plate(0.1), Material::HalfSpace { permittivity: GLASS }, Transmission::Ignored);
+    let row = |(name, polarization, off_deg): (&str, Polarization, f64)| {
+        let request = RcsRequest { polarization, ..looks::first_order(off_deg, 0.0) };
+        let result = looks::traced(&body, &request)?;
+        let (sin, cos) = off_deg.to_radians().sin_cos();
+        let s = (GLASS - sin * sin).sqrt();
+        let factor = match polarization {
+            Polarization::Hh => (GLASS * cos - s) / (GLASS * cos + s),
+            _ => (s - cos) / (s + cos),
+        };
+        let exact = factor * closed_forms::plate_far(0.1, off_deg.to_radians());
+        let error = looks::relative_error(&result.amplitude_m, &[exact]);
+        Ok(trial.answered(format!("{name}, {off_deg}"), error, printed(&result)))
+    };
+    let angles = [0.0, 30.0, 68.0, 68.6, 85.0];
+    let hh = angles.iter().map(|a| ("hh", Polarization::Hh, *a));
+    hh.chain(angles.iter().map(|a| ("vv", Polarization::Vv, *a))).map(row).collect()
+}
+
+/// Metal 0.2 m behind a pane: the pane's own echo and the metal's, twice through it.
+pub(in crate::study::atlas) fn behind_a_pane(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "bart",
+        case: "metal behind a pane of 5 mm",
+        parameter: "waves through sheets",
+    };
+    let (thickness_m, before_m) = (5e-3, 0.2);
+    let glass = bodies::shifted(bodies::plate(0.2), [before_m, 0.0, 0.0]);
+    let mut body = bodies::joined(glass, &bodies::plate(0.1));
+    body.materials = vec!["glass".into(), "metal".into()];
+    body.material_of_triangle = vec![0, 0, 1, 1];
+    let [reflected, passed] = slab(thickness_m);
+    let exact = -reflected * closed_forms::plate_far(0.2, 0.0) * Complex64::cis(2.0 * looks::K * before_m)
+        + passed * passed * closed_forms::plate_far(0.1, 0.0);
+    let row = |(name, transmission): (&str, Transmission)| {
+        let materials = vec![pane(thickness_m, Thickness::Exact), Material::Conductor];
+        let mut asked = body.clone();
+        asked.makeup = Makeup { materials, transmission };
+        let result = looks::traced(&asked, &looks::first_order(0.0, 0.0))?;
+        let says = result.model_error.transmission.map_or(printed(&result), Says::About);
+        Ok(trial.answered(name, looks::relative_error(&result.amplitude_m, &[exact]), says))
+    };
+    [("followed", Transmission::Followed), ("ignored", Transmission::Ignored)].into_iter().map(row).collect()
+}

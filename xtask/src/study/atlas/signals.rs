@@ -1,0 +1,33 @@
+//! Signals: what goes wrong between samples and tracks.
+
+mod ambiguity;
+mod clutter;
+mod detector;
+mod ends;
+mod pairs;
+mod tracking;
+
+use crate::study::atlas::verdict::{Tried, tried};
+
+pub(super) const CASES: &[Tried] = tried![
+    ambiguity::velocity,
+    ambiguity::range,
+    ambiguity::transmitters_in_turn,
+    ends::ranges,
+    ends::at_the_radar,
+    ends::speeds,
+    ends::waveforms,
+    ends::directions,
+    ends::grating_lobes,
+    pairs::one_cell,
+    pairs::dynamic_range,
+    pairs::doppler_bands,
+    pairs::side_by_side,
+    detector::all,
+    clutter::steps,
+    clutter::without_target,
+    clutter::noise_alone,
+    tracking::passing,
+    tracking::hidden,
+    tracking::impossible_frames,
+];

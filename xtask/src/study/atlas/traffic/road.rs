@@ -1,0 +1,93 @@
+//! The road as a mirror, at Brewster's angle and beside it.
+
+use crate::study::atlas::traffic::overlapping::{empty, summed};
+use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::{CaseRow, Says};
+use crate::study::bodies;
+use crate::study::extent::Extent;
+use crate::study::looks;
+use crate::study::scenes::{paths_of, with_body};
+use artifact::scene::Mesh;
+use artifact::settings::Sides;
+use bart_rcs::Standpoint;
+use num_complex::Complex64;
+use po_sbr::{Aspect, Bracket, po};
+use wayside::host::failure::Failure;
+
+/// Asphalt of the paper's figures (docs/physics.md §5).
+const ASPHALT: Complex64 = Complex64::new(9.5, -0.3);
+const DISTANCE_M: f64 = 3.0;
+const HEIGHT_M: f64 = 0.3;
+
+/// A sphere above a smooth road, seen at a grazing angle: the four ways by the antenna's image, each by dense
+/// sampling of the sphere, times r of each passage by the road. E across the road has r_TE, H across it r_TM.
+pub(in crate::study::atlas) fn brewster(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "bart-rcs",
+        method: "road",
+        case: "sphere above a smooth road, Brewster's angle is 18.0°",
+        parameter: "polarization, grazing_deg",
+    };
+    let sphere = bodies::sphere(0.05, 24);
+    let mut rows = Vec::new();
+    for grazing_deg in [6.0_f64, 17.98, 40.0] {
+        let tangent = grazing_deg.to_radians().tan();
+        // The way by the road reaches the sphere's middle at this angle.
+        let radar_m = DISTANCE_M * tangent - HEIGHT_M;
+        let road =
+            format!("[road]\npermittivity = [{:?}, {:?}]\nrms_height_mm = 0.0\n", ASPHALT.re, -ASPHALT.im);
+        let header = moved(empty(&road, 1)?, radar_m);
+        let header = with_body(header, &sphere, [0.0, DISTANCE_M, HEIGHT_M], [0.0; 3]);
+        let frame = paths_of(&header)?;
+        let found = summed(&header, &frame);
+        let exact = by_images(&sphere, radar_m, grazing_deg.to_radians())?;
+        let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
+        for (index, name) in ["vv", "hh"].into_iter().enumerate() {
+            let error = looks::relative_error(&[found[index][index]], &[exact[index]]);
+            rows.push(trial.answered(format!("{name}, {grazing_deg}"), error, says));
+        }
+    }
+    Ok(rows)
+}
+
+/// The radar at this height, its elements with it.
+fn moved(mut header: artifact::scene::SceneHeader, height_m: f64) -> artifact::scene::SceneHeader {
+    let up_m = height_m - header.radar.position_m[2];
+    header.radar.position_m[2] = height_m;
+    header.radar.array.tx_m.iter_mut().chain(&mut header.radar.array.rx_m).for_each(|p| p[2] += up_m);
+    header
+}
+
+/// S in vv and hh.
+fn by_images(sphere: &Mesh, radar_m: f64, grazing_rad: f64) -> Result<[Complex64; 2], Failure> {
+    let standpoint = |up_m: f64| {
+        let up_m = up_m - HEIGHT_M;
+        let range_m = DISTANCE_M.hypot(up_m);
+        Standpoint { azimuth_rad: 0.0, elevation_rad: (up_m / range_m).asin(), range_m }
+    };
+    let (real, image) = (standpoint(radar_m), standpoint(-radar_m));
+    let (sin, cos2) = (grazing_rad.sin(), grazing_rad.cos().powi(2));
+    let s = (ASPHALT - cos2).sqrt();
+    let reflected = [(ASPHALT * sin - s) / (ASPHALT * sin + s), (sin - s) / (sin + s)];
+    let sampling = po::Sampling {
+        per_wavelength: 3.0,
+        shadow_levels: 5,
+        sides: Sides::Two,
+        bracket: Bracket::Symmetrised,
+    };
+    let mut sums = [Complex64::ZERO; 2];
+    for (transmitter, receiver, passages) in
+        [(real, real, 0), (real, image, 1), (image, real, 1), (image, image, 2)]
+    {
+        let aspect = Aspect { transmitter, receiver };
+        let found = po::amplitude(sphere, &aspect, &[looks::FREQUENCY_HZ], &sampling);
+        let s = found.map_err(Failure::refused)?[0];
+        let way_m = transmitter.range_m + receiver.range_m;
+        let spread = real.range_m * real.range_m / (transmitter.range_m * receiver.range_m);
+        let turn = spread * Complex64::cis(-looks::K * (way_m - 2.0 * real.range_m));
+        for (p, sum) in sums.iter_mut().enumerate() {
+            *sum += turn * s[p][p] * reflected[p].powi(passages);
+        }
+    }
+    Ok(sums)
+}

@@ -1,0 +1,62 @@
+//! Two methods of one thing on random cases.
+
+use artifact::seed;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use wayside::host::failure::Failure;
+
+/// Source of a case's numbers.
+pub(super) type Random = ChaCha8Rng;
+
+/// What came of a case.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Outcome {
+    /// Both methods agree within what they say.
+    Agreed,
+    /// The case says nothing: nothing is lit, nothing scatters.
+    Void,
+    /// They do not, and how.
+    Find(String),
+}
+
+/// A function that draws cases and lets two methods do them.
+pub(in crate::study) struct Contest {
+    pub(super) name: &'static str,
+    pub(super) trial: fn(&mut Random) -> Result<Outcome, Failure>,
+}
+
+impl Contest {
+    /// Case `number` of a search.
+    pub(super) fn case(&self, seed: u64, number: u64) -> Result<Outcome, Failure> {
+        (self.trial)(&mut Random::from_seed(seed::key(seed, self.name, &[number])))
+    }
+}
+
+/// Cases of a contest, and what was found.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::study) struct Tally {
+    pub(in crate::study) name: &'static str,
+    pub(in crate::study) cases: u64,
+    /// Seconds of all processors.
+    pub(in crate::study) seconds: f64,
+    pub(in crate::study) finds: Vec<String>,
+}
+
+impl Tally {
+    pub(super) fn of(contest: &Contest) -> Self {
+        Self { name: contest.name, cases: 0, seconds: 0.0, finds: vec![] }
+    }
+}
+
+/// Agreed where an error is at most what is allowed.
+pub(super) fn judged(error: f64, allowed: f64, case: impl Fn() -> String) -> Outcome {
+    if error <= allowed {
+        Outcome::Agreed
+    } else {
+        Outcome::Find(format!("{:.1} dB, allowed {:.1} dB: {}", db(error), db(allowed), case()))
+    }
+}
+
+fn db(amplitude: f64) -> f64 {
+    artifact::units::db_from_amplitude(amplitude)
+}
