@@ -1,4 +1,4 @@
-//! Processor seconds, on the machine of the rates, of a plan, of everything that was asked before it, and of each part.
+//! Processor seconds, on the machine of the rates: of a plan, of the scene before it, and of each part.
 
 use crate::chain::expectation::Expectation;
 use crate::chain::link::Chain;

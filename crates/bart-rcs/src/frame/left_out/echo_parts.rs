@@ -53,7 +53,8 @@ const FREQUENCIES: usize = 12;
 /// Ways of the look. Mirrors below a wavelength are not followed; those of five alone tell the fourth order of
 /// own cars 10 dB too weak.
 const WAYS: LeftOutWays = LeftOutWays { bounces: ORDERS, mirror_wavelengths: 1.0 };
-/// Highest order by which node rules are compared and edges are told: trees of the fourth by the middle rule hold its nodes.
+/// Highest order by which node rules are compared and edges are told: trees of the fourth by the middle rule
+/// hold its nodes.
 const COMPARED_ORDERS: u8 = 3;
 
 /// [`crate::Tracer::parts`] of these models.
