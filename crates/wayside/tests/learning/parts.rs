@@ -150,3 +150,29 @@ fn shards_beyond_a_thousand_have_a_folder_and_stay_where_earlier_versions_put_th
     assert!(held(&place.path("d")) == before, "it is not made again");
     assert_eq!(place.run(&format!("classify {model} d")), classes);
 }
+
+/// Megabytes before a word of what `--dry-run` says.
+fn told_mib(said: &str, before: &str) -> f64 {
+    said.split(before).next().unwrap().split_whitespace().last().unwrap().parse().unwrap()
+}
+
+#[test]
+fn a_dry_run_tells_files_and_bytes_and_makes_nothing() {
+    let place = prepared(RECIPE);
+    let said = made(&place, "--dry-run");
+    assert!(!place.path("d").exists());
+    made(&place, "");
+    let whole = held(&place.path("d"));
+    let files = format!("12 scenes in 4 shards of 3: {} files in 1 folders, {0} in one", whole.len());
+    assert!(said.contains(&files), "{said}");
+    let bytes = |is_of: &dyn Fn(&str) -> bool| {
+        whole.iter().filter(|(name, _)| is_of(name)).map(|(_, bytes)| bytes.len()).sum::<usize>() as f64
+    };
+    // It counts every vehicle as found.
+    let vehicles = 12.0 / String::from_utf8_lossy(&whole["manifest.jsonl"]).lines().count() as f64;
+    let samples_mib = vehicles * bytes(&|name| name.ends_with(".dataset")) / 1048576.0;
+    assert!((told_mib(&said, " MiB of samples") / samples_mib - 1.0).abs() < 0.05, "{said} {samples_mib}");
+    let lines_mib = bytes(&|name| name.ends_with(".jsonl")) / 1048576.0;
+    assert!((told_mib(&said, " MiB of lines") / lines_mib - 1.0).abs() < 0.5, "{said} {lines_mib}");
+    assert!(said.contains(" core-hours, "), "{said}");
+}
