@@ -68,6 +68,10 @@ pub(super) fn against_rays(random: &mut Random) -> Result<Outcome, Failure> {
     let apart = |order: usize| (coarse[order] - fine[order]).norm();
     let error = (0..2).map(missed).sum::<f64>() / whole;
     let own = (0..2).map(apart).sum::<f64>() / whole;
+    // Rays that have not converged say nothing: along a wall there are too few of them.
+    if own > 0.1 {
+        return Ok(Outcome::Void);
+    }
     Ok(judged(error, BEYOND * printed(&result) + 4.0 * own + 0.01, || words(&body, &request)))
 }
 
