@@ -38,7 +38,7 @@ const CONTESTS: &[Contest] = &[
     Contest { name: "tracks against their truth", trial: tracks::against_truth },
 ];
 
-/// When a search ends.
+/// End of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Until {
     /// After so many cases of each contest.

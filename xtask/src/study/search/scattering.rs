@@ -134,7 +134,7 @@ fn cut(body: &Mesh) -> Mesh {
     all
 }
 
-/// From ten thousand kilometres, 4e-6 rad of curvature over these bodies, and from infinitely far.
+/// Compares S from ten thousand kilometres, 4e-6 rad of curvature over these bodies, with S from infinity.
 pub(super) fn far_away(random: &mut Random) -> Result<Outcome, Failure> {
     let (body, asked) = (body(random), request(random, 3));
     let request = RcsRequest { range_m: f64::INFINITY, ..asked };

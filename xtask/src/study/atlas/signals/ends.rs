@@ -21,7 +21,7 @@ fn cells_off(header: &SceneHeader, range_m: f64) -> Result<f64, Failure> {
     Ok(strongest(header)?.map_or(f64::INFINITY, |o| (o.range_m - range_m).abs() / cell_m))
 }
 
-/// From almost nothing to the last cell before the fold; an error of one is a range cell.
+/// Tries ranges from almost nothing to the last cell before the fold; an error of one is a range cell.
 pub(in crate::study::atlas) fn ranges(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "dsp",

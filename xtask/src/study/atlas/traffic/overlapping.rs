@@ -46,7 +46,7 @@ pub(super) fn summed_at(header: &SceneHeader, frame: &PathsFrame, frequency_hz: 
     scattering_of_paths(&frame.paths, &view, frequency_hz)
 }
 
-/// The same by dense sampling of all bodies as one mesh, in the axes of the first.
+/// Sampling of all bodies as one mesh, in the axes of the first.
 fn sampled(header: &SceneHeader, body: &Mesh) -> Result<Complex64, Failure> {
     let from_m = DVec3::from(header.radar.position_m) - DVec3::from(header.targets[0].start.position_m);
     // Its front looks to −y: body x is −y of the world, body y is x.
