@@ -1,6 +1,6 @@
-//! Random search for worse than is known: methods against each other on random bodies, radars and cubes. What
-//! differs by more than the printed errors and the reference's own say is a find, and each find becomes a case
-//! of the atlas.
+//! Random search for worse than is known: methods against each other on random bodies, radars and cubes.
+//! What differs by more than the printed errors and the reference's own say is a find, and each find becomes
+//! a case of the atlas.
 
 mod contest;
 mod drawn_bodies;
@@ -38,7 +38,7 @@ const CONTESTS: &[Contest] = &[
     Contest { name: "tracks against their truth", trial: tracks::against_truth },
 ];
 
-/// When a search ends.
+/// End of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Until {
     /// After so many cases of each contest.

@@ -152,8 +152,8 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
 /// Angle by which the skin turns on the same way where it leaves a facet that was entered at `side`,
 /// rad; `None` where no edge tells.
 ///
-/// A diagonal is stepped over once: where it is no bend, and, as quads of a skin that is bent both ways are not
-/// flat, where it is the longest side of both its facets; there it may be the way on as well.
+/// A diagonal is stepped over once: where it is no bend, and, as quads of a skin that is bent both ways are
+/// not flat, where it is the longest side of both its facets; there it may be the way on as well.
 fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> Option<f64> {
     let (behind, sign) = facets.across(side)?;
     // Across the side the normal has turned by this vector.

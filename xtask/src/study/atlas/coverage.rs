@@ -83,7 +83,10 @@ const LINES: &[Line] = &[
         "target at 0 m and at the maximum range",
         &["a target at the radar", "range of a point at the ends of the range axis, in cells"],
     ),
-    ("velocity at the ambiguity", &["speed at the ambiguity, ±8.7774 m/s"]),
+    (
+        "velocity at the ambiguity",
+        &["speed at the ambiguity, ±8.7774 m/s", "speed beyond the span of Doppler division, ±16.2 m/s"],
+    ),
     ("two targets in one cell", &["two targets in one cell, 0.7 of a beam apart"]),
     ("100 dB of dynamic range", &["a point far below another, 5 m away"]),
     ("sparse-array grating lobes", &["grating lobes of a sparse array, two wavelengths apart"]),

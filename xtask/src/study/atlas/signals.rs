@@ -13,6 +13,8 @@ pub(super) const CASES: &[Tried] = tried![
     ambiguity::velocity,
     ambiguity::range,
     ambiguity::transmitters_in_turn,
+    ambiguity::beyond_the_bands,
+    ambiguity::crossing_cells,
     ends::ranges,
     ends::at_the_radar,
     ends::speeds,

@@ -8,14 +8,14 @@ use wayside::host::failure::Failure;
 /// Source of a case's numbers.
 pub(super) type Random = ChaCha8Rng;
 
-/// What came of a case.
+/// Outcome of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Outcome {
     /// Both methods agree within what they say.
     Agreed,
     /// The case says nothing: nothing is lit, nothing scatters.
     Void,
-    /// They do not, and how.
+    /// Both methods differ, in these words.
     Find(String),
 }
 

@@ -68,6 +68,10 @@ pub(super) fn against_rays(random: &mut Random) -> Result<Outcome, Failure> {
     let apart = |order: usize| (coarse[order] - fine[order]).norm();
     let error = (0..2).map(missed).sum::<f64>() / whole;
     let own = (0..2).map(apart).sum::<f64>() / whole;
+    // Rays that have not converged say nothing: along a wall there are too few of them.
+    if own > 0.1 {
+        return Ok(Outcome::Void);
+    }
     Ok(judged(error, BEYOND * printed(&result) + 4.0 * own + 0.01, || words(&body, &request)))
 }
 
@@ -130,7 +134,7 @@ fn cut(body: &Mesh) -> Mesh {
     all
 }
 
-/// From ten thousand kilometres, 4e-6 rad of curvature over these bodies, and from infinitely far.
+/// Compares S from ten thousand kilometres, 4e-6 rad of curvature over these bodies, with S from infinity.
 pub(super) fn far_away(random: &mut Random) -> Result<Outcome, Failure> {
     let (body, asked) = (body(random), request(random, 3));
     let request = RcsRequest { range_m: f64::INFINITY, ..asked };

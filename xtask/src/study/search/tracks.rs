@@ -48,7 +48,7 @@ fn object(([x, y], speed_mps): ([f64; 2], f64), random: &mut Random) -> Object {
     }
 }
 
-/// Where body and believed track are at a frame: its id, and the distance.
+/// Believed track nearest to a body at a frame: its id, and the distance.
 fn nearest(frame: &TracksFrame, ([x, y], speed_mps): ([f64; 2], f64)) -> Option<(u32, f64)> {
     let y = y + speed_mps * frame.time_s;
     let believed = frame.tracks.iter().filter(|t| t.state != TrackState::Tentative);

@@ -22,6 +22,7 @@ pub(in crate::study::atlas) fn same_slope(_: Extent) -> Result<Vec<CaseRow>, Fai
         case: "interferer of the same slope, its ghost against its formula",
         parameter: "late_ns",
     };
+    let filter = documented("docs/scenes.md", "The IF filter is a brick wall of ±half the sample rate")?;
     let row = |late_ns: f64| {
         let words = format!(
             "[radar.array]\npreset = \"1x1\"\n[noise]\nnoise_figure_db = 12.0\n{}",
@@ -30,7 +31,9 @@ pub(in crate::study::atlas) fn same_slope(_: Extent) -> Result<Vec<CaseRow>, Fai
         let ghost_m = 0.5 * (20.0 + SPEED_OF_LIGHT_MPS * 1e-9 * late_ns);
         let points = seen(&scene_of(&words)?)?.points.points;
         let nearest = points.iter().map(|p| (p.range_m - ghost_m).abs()).fold(f64::INFINITY, f64::min);
-        Ok(trial.answered(late_ns, (nearest / ghost_m).min(1.0), Says::Nothing))
+        // Beats beyond half the sample rate, 30.7 m, are filtered out.
+        let says = if ghost_m > 30.7 { filter } else { Says::Nothing };
+        Ok(trial.answered(late_ns, (nearest / ghost_m).min(1.0), says))
     };
     [0.0, 60.0, 250.0].into_iter().map(row).collect()
 }
@@ -68,7 +71,7 @@ pub(in crate::study::atlas) fn crossings(_: Extent) -> Result<Vec<CaseRow>, Fail
         parameter: "radars",
     };
     let row = |count: usize| {
-        let others = [(13.7, 3.0, 20.0), (11.1, 4.0, 25.0), (-12.5, 1.0, 30.0)];
+        let others = [(13.7, 3.0, 20.0), (11.1, -3.0, 25.0), (10.0, -2.0, 30.0)];
         let all: String =
             others[..count].iter().map(|(slope, offset, y)| interferer(*slope, *offset, 10.0, *y)).collect();
         let header = scene_of(&format!("[radar.array]\npreset = \"1x1\"\n{all}"))?;
@@ -103,7 +106,7 @@ pub(in crate::study::atlas) fn weak_among_radars(_: Extent) -> Result<Vec<CaseRo
     let says =
         documented("docs/scenes.md", "Where its frequency crosses that of a chirp the receiver hears it")?;
     let row = |eirp_dbm: f64| {
-        let others = [(13.7, 3.0, 20.0), (11.1, 4.0, 25.0), (-12.5, 1.0, 30.0)];
+        let others = [(13.7, 3.0, 20.0), (11.1, -3.0, 25.0), (10.0, -2.0, 30.0)];
         let all: String =
             others.iter().map(|(slope, offset, y)| interferer(*slope, *offset, eirp_dbm, *y)).collect();
         let words = format!("[radar.array]\npreset = \"1x4\"\n[noise]\nnoise_figure_db = 12.0\n{all}");

@@ -88,3 +88,44 @@ pub(in crate::study::atlas) fn transmitters_in_turn(_: Extent) -> Result<Vec<Cas
     };
     ["simultaneous", "tdm", "ddm"].into_iter().map(row).collect()
 }
+
+/// Doppler division keeps the span of one transmitter, ±16.2 m/s; beyond it the fold is none that the empty band
+/// could tell. Found by the random search (seed 2, lone points, case 0).
+pub(in crate::study::atlas) fn beyond_the_bands(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "dsp",
+        method: "ddm",
+        case: "speed beyond the span of Doppler division, ±16.2 m/s",
+        parameter: "speed_mps",
+    };
+    let row = |speed_mps: f64| {
+        let words = format!("{NOISE}[radar.array]\nmultiplexing = \"ddm\"\n");
+        let header = with_point(scene_of(&words)?, 1.0, PLACE_M, [0.0, -speed_mps, 0.0]);
+        let (_, true_mps) = truth(&header);
+        let object = strongest(&header)?;
+        let error = ((object.radial_velocity_mps - true_mps) / true_mps).abs();
+        Ok(trial.answered(speed_mps, error, unless_resolved(&object)))
+    };
+    [10.0, 15.0, 20.0, 29.0].into_iter().map(row).collect()
+}
+
+/// With codes a frame takes four times as long: a fast point crosses several range cells in it. Found by the
+/// random search (seed 2, lone points, case 9: 0.4 of a Doppler cell off).
+pub(in crate::study::atlas) fn crossing_cells(_: Extent) -> Result<Vec<CaseRow>, Failure> {
+    let trial = Trial {
+        stage: "dsp",
+        method: "bpm",
+        case: "speed of a point that crosses range cells within a frame",
+        parameter: "speed_mps",
+    };
+    let row = |speed_mps: f64| {
+        let words =
+            format!("{NOISE}[radar.waveform]\nsamples = 512\n[radar.array]\nmultiplexing = \"bpm\"\n");
+        let header = with_point(scene_of(&words)?, 1.0, [9.5, 40.0, 1.0], [0.0, -speed_mps, 0.0]);
+        let (_, true_mps) = truth(&header);
+        let object = strongest(&header)?;
+        let error = ((object.radial_velocity_mps - true_mps) / true_mps).abs();
+        Ok(trial.answered(speed_mps, error, unless_resolved(&object)))
+    };
+    [3.0, 12.0, 30.0].into_iter().map(row).collect()
+}

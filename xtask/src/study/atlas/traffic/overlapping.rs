@@ -29,7 +29,12 @@ pub(super) fn empty(words: &str, bounces: u8) -> Result<SceneHeader, Failure> {
 }
 
 /// S of a frame's paths about the first body, at 77 GHz.
-pub(super) fn summed(header: &SceneHeader, frame: &PathsFrame) -> [[Complex64; 2]; 2] {
+fn summed(header: &SceneHeader, frame: &PathsFrame) -> [[Complex64; 2]; 2] {
+    summed_at(header, frame, looks::FREQUENCY_HZ)
+}
+
+/// S of a frame's paths about the first body.
+pub(super) fn summed_at(header: &SceneHeader, frame: &PathsFrame, frequency_hz: f64) -> [[Complex64; 2]; 2] {
     let antenna_m = DVec3::from(header.radar.position_m);
     let view = PathView {
         transmitter_m: antenna_m,
@@ -38,10 +43,10 @@ pub(super) fn summed(header: &SceneHeader, frame: &PathsFrame) -> [[Complex64; 2
         seconds: header.radar.frame_middle_s(),
         centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
     };
-    scattering_of_paths(&frame.paths, &view, looks::FREQUENCY_HZ)
+    scattering_of_paths(&frame.paths, &view, frequency_hz)
 }
 
-/// The same by dense sampling of all bodies as one mesh, in the axes of the first.
+/// Sampling of all bodies as one mesh, in the axes of the first.
 fn sampled(header: &SceneHeader, body: &Mesh) -> Result<Complex64, Failure> {
     let from_m = DVec3::from(header.radar.position_m) - DVec3::from(header.targets[0].start.position_m);
     // Its front looks to −y: body x is −y of the world, body y is x.

@@ -1,23 +1,28 @@
 //! The road as a mirror, at Brewster's angle and beside it.
 
-use crate::study::atlas::traffic::overlapping::{empty, summed};
+use crate::study::atlas::traffic::overlapping::{empty, summed_at};
 use crate::study::atlas::verdict::Trial;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::extent::Extent;
 use crate::study::looks;
 use crate::study::scenes::{paths_of, with_body};
+use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
+use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::Standpoint;
 use num_complex::Complex64;
 use po_sbr::{Aspect, Bracket, po};
+use std::f64::consts::TAU;
 use wayside::host::failure::Failure;
 
 /// Asphalt of the paper's figures (docs/physics.md §5).
 const ASPHALT: Complex64 = Complex64::new(9.5, -0.3);
 const DISTANCE_M: f64 = 3.0;
 const HEIGHT_M: f64 = 0.3;
+/// Over the sweep, whose printed error is over it too: a way by the road fades single frequencies.
+const BAND_HZ: [f64; 5] = [76.7e9, 76.85e9, 77.0e9, 77.15e9, 77.3e9];
 
 /// A sphere above a smooth road, seen at a grazing angle: the four ways by the antenna's image, each by dense
 /// sampling of the sphere, times r of each passage by the road. E across the road has r_TE, H across it r_TM.
@@ -38,13 +43,16 @@ pub(in crate::study::atlas) fn brewster(_: Extent) -> Result<Vec<CaseRow>, Failu
             format!("[road]\npermittivity = [{:?}, {:?}]\nrms_height_mm = 0.0\n", ASPHALT.re, -ASPHALT.im);
         let header = moved(empty(&road, 1)?, radar_m);
         let header = with_body(header, &sphere, [0.0, DISTANCE_M, HEIGHT_M], [0.0; 3]);
-        let frame = paths_of(&header)?;
-        let found = summed(&header, &frame);
-        let exact = by_images(&sphere, radar_m, grazing_deg.to_radians())?;
-        let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
-        for (index, name) in ["vv", "hh"].into_iter().enumerate() {
-            let error = looks::relative_error(&[found[index][index]], &[exact[index]]);
-            rows.push(trial.answered(format!("{name}, {grazing_deg}"), error, says));
+        for (index, polarization) in [Polarization::Vv, Polarization::Hh].into_iter().enumerate() {
+            let mut asked = header.clone();
+            asked.radar.array.polarization = polarization;
+            let frame = paths_of(&asked)?;
+            let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
+            let found: Vec<Complex64> =
+                BAND_HZ.iter().map(|f| summed_at(&asked, &frame, *f)[index][index]).collect();
+            let exact = by_images(&sphere, radar_m, grazing_deg.to_radians(), index)?;
+            let error = looks::relative_error(&found, &exact);
+            rows.push(trial.answered(format!("{polarization:?}, {grazing_deg}"), error, says));
         }
     }
     Ok(rows)
@@ -58,8 +66,13 @@ fn moved(mut header: artifact::scene::SceneHeader, height_m: f64) -> artifact::s
     header
 }
 
-/// S in vv and hh.
-fn by_images(sphere: &Mesh, radar_m: f64, grazing_rad: f64) -> Result<[Complex64; 2], Failure> {
+/// S of one polarization over the band.
+fn by_images(
+    sphere: &Mesh,
+    radar_m: f64,
+    grazing_rad: f64,
+    polarization: usize,
+) -> Result<Vec<Complex64>, Failure> {
     let standpoint = |up_m: f64| {
         let up_m = up_m - HEIGHT_M;
         let range_m = DISTANCE_M.hypot(up_m);
@@ -68,25 +81,22 @@ fn by_images(sphere: &Mesh, radar_m: f64, grazing_rad: f64) -> Result<[Complex64
     let (real, image) = (standpoint(radar_m), standpoint(-radar_m));
     let (sin, cos2) = (grazing_rad.sin(), grazing_rad.cos().powi(2));
     let s = (ASPHALT - cos2).sqrt();
-    let reflected = [(ASPHALT * sin - s) / (ASPHALT * sin + s), (sin - s) / (sin + s)];
+    let reflected = [(ASPHALT * sin - s) / (ASPHALT * sin + s), (sin - s) / (sin + s)][polarization];
     let sampling = po::Sampling {
         per_wavelength: 3.0,
         shadow_levels: 5,
         sides: Sides::Two,
         bracket: Bracket::Symmetrised,
     };
-    let mut sums = [Complex64::ZERO; 2];
-    for (transmitter, receiver, passages) in
-        [(real, real, 0), (real, image, 1), (image, real, 1), (image, image, 2)]
-    {
-        let aspect = Aspect { transmitter, receiver };
-        let found = po::amplitude(sphere, &aspect, &[looks::FREQUENCY_HZ], &sampling);
-        let s = found.map_err(Failure::refused)?[0];
-        let way_m = transmitter.range_m + receiver.range_m;
+    let mut sums = vec![Complex64::ZERO; BAND_HZ.len()];
+    let ways = [(real, real, 0), (real, image, 1), (image, real, 1), (image, image, 2)];
+    for (transmitter, receiver, passages) in ways {
+        let found = po::amplitude(sphere, &Aspect { transmitter, receiver }, &BAND_HZ, &sampling);
+        let way_m = transmitter.range_m + receiver.range_m - 2.0 * real.range_m;
         let spread = real.range_m * real.range_m / (transmitter.range_m * receiver.range_m);
-        let turn = spread * Complex64::cis(-looks::K * (way_m - 2.0 * real.range_m));
-        for (p, sum) in sums.iter_mut().enumerate() {
-            *sum += turn * s[p][p] * reflected[p].powi(passages);
+        for ((sum, s), f) in sums.iter_mut().zip(found.map_err(Failure::refused)?).zip(BAND_HZ) {
+            let turn = Complex64::cis(-TAU * f / SPEED_OF_LIGHT_MPS * way_m);
+            *sum += spread * turn * s[polarization][polarization] * reflected.powi(passages);
         }
     }
     Ok(sums)
