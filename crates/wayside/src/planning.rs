@@ -1,4 +1,4 @@
-//! What of the physics a scene needs, by one number: a coarse look tells what each part of the echo is to
+//! Plan of the physics that a scene needs, by one number: a look tells what each part of the echo is to
 //! all of it, and what the accuracy can spare is left out (`docs/planning.md`).
 
 pub(crate) mod look; // what each part is, over the frames looked at
@@ -96,7 +96,7 @@ fn cheapest(
     }
 }
 
-/// What the scene's own keys leave no choice of.
+/// Finds what the scene's own keys leave no choice of.
 fn fixed(header: &SceneHeader, said: &SaidPhysics, shares: &Shares) -> Fixed {
     let fidelity = &header.fidelity;
     let has = |key: &str| said.keys.contains(key);

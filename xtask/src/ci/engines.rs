@@ -12,7 +12,7 @@ use wayside::program::terminal;
 const SCRIPTS: &str = "docs/engines";
 /// A package of some kilobytes: whether PyPI is there.
 const SMALL_PACKAGE: &str = "zipp==4.1.2";
-/// What the scripts of this check need of a Python, and that processes are listed in /proc.
+/// Needs that the scripts of this check have of a Python, and that processes are listed in /proc.
 const NEEDED: &str =
     "import ensurepip, os, sys, venv; sys.exit(sys.version_info < (3, 10) or not os.path.isdir('/proc/1'))";
 

@@ -1,4 +1,4 @@
-//! What is modelled, chosen from what each part of the echo is to all of it.
+//! Choices of what is modelled, made from what each part of the echo is to all of it.
 
 use crate::planning::look::Shares;
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,7 +21,7 @@ impl Part {
     pub(crate) const ALL: [Self; 4] = [Self::BetweenBodies, Self::Road, Self::Edges, Self::Sheets];
 }
 
-/// What the scene itself says, and nothing is chosen of.
+/// Physics that the scene itself says, and of which nothing is chosen.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Fixed {
     /// Highest order of reflection.
@@ -35,11 +35,11 @@ pub(crate) struct Fixed {
 pub(crate) struct Budget {
     /// Error of all that is chosen together.
     pub(crate) whole: f64,
-    /// Why that is more than was asked.
+    /// Reason why that is more than was asked.
     pub(crate) limit: Limit,
 }
 
-/// What an accuracy is limited by.
+/// Reason that an accuracy is no finer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Limit {
     /// The accuracy asked for.
@@ -69,7 +69,7 @@ impl Budget {
 /// Coarsest accuracy that a plan spends, −3 dB: cells and integrals mean little beyond it.
 const COARSEST: f64 = 0.7;
 
-/// What is modelled, and how finely.
+/// Physics that is modelled, and how finely.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Choice {
     /// Highest order of reflection.
@@ -139,7 +139,7 @@ impl Physics {
         }
     }
 
-    /// What is left when one thing more is left out, in every way that is open.
+    /// Leaves out one thing more, in every way that is open.
     fn one_less(&self, fixed: &Fixed) -> Vec<Self> {
         let open = |part: &Part| self.modelled.contains(part) && !fixed.parts.contains_key(part);
         let without = |part: Part| {

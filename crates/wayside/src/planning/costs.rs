@@ -18,9 +18,9 @@ pub(crate) struct Seconds {
     pub(crate) as_said: f64,
     /// Scene as planned.
     pub(crate) planned: f64,
-    /// What the plan would take with one part more, or with one less, beside what it takes.
+    /// Seconds of the plan with one part more, or with one less.
     pub(crate) with_one_changed: BTreeMap<Part, f64>,
-    /// What it would take with one order of reflection more.
+    /// Seconds of the plan with one order of reflection more.
     pub(crate) with_one_bounce_more: Option<f64>,
 }
 

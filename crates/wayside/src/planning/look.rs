@@ -1,4 +1,4 @@
-//! What each part of the echo is to all of it, over the frames that are looked at.
+//! Shares of the echo's parts in all of it, over the frames that are looked at.
 
 use crate::chain::looks::frames_looked_at;
 use crate::host::failure::Failure;

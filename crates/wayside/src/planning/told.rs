@@ -16,7 +16,7 @@ pub struct PlanFigures {
     pub asked_db: f64,
     /// Accuracy that is spent: coarser than asked where more would buy nothing, dB.
     pub spent_db: f64,
-    /// What keeps the accuracy from being finer: "asked", "nodes" or "noise".
+    /// Reason that the accuracy is no finer: "asked", "nodes" or "noise".
     pub limited_by: String,
     /// Share of all that is left out by choice, dB.
     pub left_out_db: f64,

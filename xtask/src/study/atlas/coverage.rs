@@ -1,4 +1,4 @@
-//! Which case answers which line of docs/physics.md §10, and of what else was asked of the atlas.
+//! Cases of the atlas that answer each line of docs/physics.md §10, and what else was asked of it.
 
 use crate::study::atlas::CaseRow;
 

@@ -1,4 +1,4 @@
-//! Which radar to take at the paper's intersection: `scenes/studies/intersection.sweep.toml`, twice, with
+//! Choice of a radar at the paper's intersection: `scenes/studies/intersection.sweep.toml`, twice, with
 //! other noise.
 
 use crate::project::project_root;

@@ -25,7 +25,7 @@ pub(super) struct Trial {
     pub(super) as_said_s: f64,
 }
 
-/// dB by which the truth is finer than what is asked.
+/// Decibels by which the truth is finer than what is asked.
 const FINER_DB: f64 = -10.0;
 /// Highest order of the truth: what is beyond is told by no look either.
 const BOUNCES: u8 = 4;
@@ -44,7 +44,7 @@ impl Trial {
         Ok(Self { name: header.name, plan, true_db, planned_s: look_s + paths_s, as_said_s })
     }
 
-    /// dB by which the true error is beyond what the plan spends.
+    /// Decibels by which the true error is beyond what the plan spends.
     pub(super) fn beyond_db(&self) -> f64 {
         self.true_db - self.plan.spent_db
     }
