@@ -76,7 +76,7 @@ impl Counts {
 
 /// Processor seconds of a scene, the mean of some.
 struct SceneSeconds {
-    /// Of one whose errors are measured, and of one that takes them over.
+    /// Seconds of one whose errors are measured, and of one that takes them over.
     measured: f64,
     like: f64,
     looked_at: usize,
