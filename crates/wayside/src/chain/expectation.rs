@@ -19,7 +19,7 @@ pub struct Expectation {
     pub work: WorkCounts,
     /// Processor seconds at the speed of the machine, all threads together.
     pub seconds: f64,
-    /// What of these the program's start takes, once for however many scenes.
+    /// Part of these seconds that the program's start takes, once for however many scenes.
     pub start_seconds: f64,
     /// Memory held at most, MiB, frames that are computed side by side together.
     pub memory_mib: f64,

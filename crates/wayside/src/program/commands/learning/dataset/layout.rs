@@ -45,7 +45,7 @@ impl Layout {
         self.count().div_ceil(SHARDS_OF_FOLDER)
     }
 
-    /// Number of names that the fullest folder holds: shards, other folders and what is concluded.
+    /// Entries of the dataset's folder, the fullest: its shards, the other folders and what is concluded.
     pub(super) fn most_in_folder(&self) -> u64 {
         2 * self.count().min(SHARDS_OF_FOLDER) + self.folders() - 1 + 3
     }

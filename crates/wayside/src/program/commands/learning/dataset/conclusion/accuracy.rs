@@ -10,9 +10,9 @@ pub(super) struct ReachedAccuracy {
     scenes: usize,
     measured: usize,
     met: usize,
-    /// Sentence on the scene of the greatest error.
+    /// Verdict on the scene of the greatest error.
     worst: Option<Value>,
-    /// Counts of those that missed it by each cause, and what would help.
+    /// Number of scenes that missed it by each cause, and what would help.
     causes: BTreeMap<String, (usize, String)>,
 }
 
