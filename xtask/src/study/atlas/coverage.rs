@@ -1,4 +1,4 @@
-//! Which case answers which line of docs/physics.md §10, and of what else was asked of the atlas.
+//! Cases that answer each line of docs/physics.md §10, and of what else was asked of the atlas.
 
 use crate::study::atlas::CaseRow;
 
