@@ -89,10 +89,10 @@ pub(crate) struct PageArguments {
     /// File of the page in place of docs/; of `chart`, `atlas` and `levels` a folder.
     #[arg(long, value_name = "F", requires = "name")]
     pub(crate) out: Option<PathBuf>,
-    /// Of `search`: processor minutes [default: 2].
+    /// Processor minutes of `search` [default: 2].
     #[arg(long, value_name = "M", requires = "name")]
     pub(crate) minutes: Option<f64>,
-    /// Of `search`: seed of its cases [default: 1].
+    /// Seed of `search`'s cases [default: 1].
     #[arg(long, value_name = "N", requires = "name")]
     pub(crate) seed: Option<u64>,
 }

@@ -1,4 +1,4 @@
-//! Cases of the atlas that answer each line of docs/physics.md §10, and what else was asked of it.
+//! Cases that answer each line of docs/physics.md §10, and of what else was asked of the atlas.
 
 use crate::study::atlas::CaseRow;
 

@@ -18,7 +18,7 @@ use wayside::host::failure::Failure;
 /// Cells of a cube that are compared with the formulas.
 const COMPARED: usize = 600;
 
-/// What a cube errs by at some of its samples, and what it says of it.
+/// Error of a cube at some of its samples, and what it says of it.
 pub(in crate::study::atlas) fn against_formulas(
     header: &SceneHeader,
     paths: &PathsFrame,

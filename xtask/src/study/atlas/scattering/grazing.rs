@@ -84,7 +84,7 @@ pub(in crate::study::atlas) fn strip_without_edges(_: Extent) -> Result<Vec<Case
     strip_rows("strip of ten wavelengths, exact series", Edges::Ignored, "bart")
 }
 
-/// With the fringe currents of its edges.
+/// Physical optics with the fringe currents of its edges.
 pub(in crate::study::atlas) fn strip_with_edges(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     strip_rows("strip of ten wavelengths, exact series", Edges::FirstOrder, "edges")
 }
