@@ -67,7 +67,7 @@ pub(crate) const STUDIES: [Study; 24] = [
         sensitivity::SOURCES,
         sensitivity::part,
     ),
-    part("planner", "docs/validation/planner.md", "an hour", planner::SOURCES, planner::part),
+    part("planner", "docs/validation/planner.md", "two hours", planner::SOURCES, planner::part),
     part("false-alarms", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_complex_samples),
     part("false-alarms-real", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_real_samples),
     part("estimates", "docs/validation/estimates.md", "10 minutes", estimates::SOURCES, estimates::part),

@@ -19,7 +19,7 @@ pub(crate) const SOURCES: Places = &[
 
 /// Accuracies asked, dB, in turn; the finest of one vehicle alone.
 const ASKED_DB: [f64; 4] = [-10.0, -15.0, -20.0, -30.0];
-const SCENES: u64 = 60;
+const SCENES: u64 = 200;
 /// Every so manieth scene is searched for the cheapest setting too.
 const SEARCHED_EVERY: u64 = 20;
 

@@ -27,7 +27,7 @@ pub(super) struct Trial {
 
 /// Decibels by which the truth is finer than what is asked.
 const FINER_DB: f64 = -10.0;
-/// Highest order of the truth: what is beyond is told by no look either.
+/// Order of the truth at least: what is beyond is told by no look either.
 const BOUNCES: u8 = 4;
 /// Highest order that edges are told of.
 const EDGE_BOUNCES: u8 = 3;
@@ -161,7 +161,7 @@ fn paths(header: &SceneHeader) -> Result<PathsFrame, Failure> {
 fn truth(as_said: &SceneHeader, planned: &SceneHeader, asked_db: f64) -> Result<Vec<Complex64>, Failure> {
     let mut whole = as_said.clone();
     whole.fidelity.accuracy = Accuracy::from_db(asked_db + FINER_DB);
-    whole.fidelity.bounces = BOUNCES;
+    whole.fidelity.bounces = BOUNCES.max(planned.fidelity.bounces);
     whole.fidelity.nodes = planned.fidelity.nodes;
     whole.fidelity.between_bodies = BetweenBodies::Traced;
     whole.road = usual_road();
