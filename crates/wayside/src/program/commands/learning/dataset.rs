@@ -23,56 +23,68 @@ use crate::host::memory::Allowance;
 use crate::host::progress::Work;
 use crate::program::learning_cli::DatasetArguments;
 use crate::program::terminal;
-use draws::Drawn;
 use recipe::Recipe;
 use serde_json::Value;
 use std::io::Write;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &DatasetArguments, memory: Allowance) -> Result<(), Failure> {
     let recipe = Recipe::read(&arguments.spec, arguments.seed)?;
-    let drawn = draws::draw(&recipe);
-    let shards: Vec<(usize, &[Drawn])> =
-        drawn.chunks(recipe.asked.scenes_per_shard as usize).enumerate().collect();
-    let mine = |number: usize| number % arguments.shard.of as usize == (arguments.shard.number - 1) as usize;
+    let shards = shards(&recipe);
+    let mine = |number: &u64| number % u64::from(arguments.shard.of) == u64::from(arguments.shard.number - 1);
     files::claim(&["manifest.jsonl", "scenes.jsonl", "detection.md"].map(|name| arguments.out.join(name)))?;
     let work = Work::begin("dataset");
-    let total = shards.iter().filter(|(number, _)| mine(*number)).map(|(_, scenes)| scenes.len()).sum();
+    let numbers_of = |number: u64| scenes_of(&recipe, number);
+    let of_one = |number: u64| numbers_of(number).count();
+    let total = shards.clone().filter(mine).map(of_one).sum();
     let mut done = 0;
-    for (number, scenes) in shards.iter().filter(|(number, _)| mine(*number)) {
-        let (shard, lines) = (shard_file(&arguments.out, *number), scene_lines(&arguments.out, *number));
-        if !resumption::is_made(&recipe, scenes, &shard, &lines)? {
+    for number in shards.clone().filter(mine) {
+        let scenes = draws::draw(&recipe, numbers_of(number));
+        let (shard, lines) = (shard_file(&arguments.out, number), scene_lines(&arguments.out, number));
+        if !resumption::is_made(&recipe, &scenes, &shard, &lines)? {
             let making =
                 shard::ShardMaking { recipe: &recipe, memory, tell: &|within| work.at(done + within, total) };
-            shard::make(&making, scenes, &shard, &lines)?;
+            shard::make(&making, &scenes, &shard, &lines)?;
         }
         done += scenes.len();
         work.at(done, total);
     }
     drop(work);
-    conclude(&arguments.out, &shards)
+    conclude(&arguments.out, shards)
 }
 
-fn shard_file(out: &Path, number: usize) -> PathBuf {
+/// Numbers of all shards.
+fn shards(recipe: &Recipe) -> Range<u64> {
+    0..draws::count(recipe).div_ceil(u64::from(recipe.asked.scenes_per_shard))
+}
+
+/// Numbers of the scenes of a shard.
+fn scenes_of(recipe: &Recipe, shard: u64) -> Range<u64> {
+    let each = u64::from(recipe.asked.scenes_per_shard);
+    shard * each..((shard + 1) * each).min(draws::count(recipe))
+}
+
+fn shard_file(out: &Path, number: u64) -> PathBuf {
     out.join(format!("shard-{number:04}.dataset"))
 }
 
 /// Written after the shard itself: where it is, the shard is whole.
-fn scene_lines(out: &Path, number: usize) -> PathBuf {
+fn scene_lines(out: &Path, number: u64) -> PathBuf {
     out.join(format!("shard-{number:04}.jsonl"))
 }
 
 /// `manifest.jsonl`: a line a sample; `scenes.jsonl`: a line a scene; `detection.md`: errors of all vehicles,
 /// found or not.
-fn conclude(out: &Path, shards: &[(usize, &[Drawn])]) -> Result<(), Failure> {
+fn conclude(out: &Path, shards: Range<u64>) -> Result<(), Failure> {
     let mut scenes: Vec<Value> = Vec::new();
-    for (number, _) in shards {
-        let file = scene_lines(out, *number);
-        let Ok(text) = std::fs::read_to_string(&file) else {
+    for number in shards {
+        let file = scene_lines(out, number);
+        if !file.exists() {
             terminal::line(format!("{}: not made yet (another part of --shard)", file.display()));
             return Ok(());
-        };
-        scenes.extend(text.lines().filter_map(|line| serde_json::from_str(line).ok()));
+        }
+        scenes.extend(lines::read(&file)?);
     }
     let vehicles = lines::vehicles(&scenes);
     let found: Vec<&Value> = vehicles.iter().filter(|vehicle| lines::is_found(vehicle)).collect();

@@ -4,6 +4,7 @@ use crate::program::commands::learning::dataset::recipe::Recipe;
 use artifact::settings::Class;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use std::ops::Range;
 
 /// Share of the scenes with a queue in which it stands; in the others it rolls.
 const STANDING_SHARE: f64 = 0.5;
@@ -60,15 +61,21 @@ impl Drawn {
     }
 }
 
-/// All scenes, class by class in turn, so that any beginning is balanced.
-pub(super) fn draw(recipe: &Recipe) -> Vec<Drawn> {
-    let mut scenes = Vec::new();
-    for round in 0..u64::from(recipe.asked.scenes_per_class) {
-        for (class, models) in &recipe.models {
-            scenes.push(draw_one(recipe, scenes.len() as u64, *class, round as usize % models.len()));
-        }
-    }
-    scenes
+/// Number of all scenes.
+pub(super) fn count(recipe: &Recipe) -> u64 {
+    u64::from(recipe.asked.scenes_per_class) * recipe.models.len() as u64
+}
+
+/// Scenes of these numbers: class by class in turn, so that any beginning is balanced. A scene is a function
+/// of its number, and those of other shards need not be held.
+pub(super) fn draw(recipe: &Recipe, numbers: Range<u64>) -> Vec<Drawn> {
+    let classes: Vec<(&Class, usize)> = recipe.models.iter().map(|(class, of)| (class, of.len())).collect();
+    let scene = |number: u64| {
+        let (round, place) = (number as usize / classes.len(), number as usize % classes.len());
+        let (class, models) = classes[place];
+        draw_one(recipe, number, *class, round % models)
+    };
+    numbers.map(scene).collect()
 }
 
 fn draw_one(recipe: &Recipe, number: u64, class: Class, model: usize) -> Drawn {

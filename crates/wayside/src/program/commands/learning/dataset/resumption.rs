@@ -33,7 +33,7 @@ pub(super) fn is_made(
     if !lines.is_file() {
         return Ok(false); // the last run was ended before it wrote them
     }
-    let is_whole = std::fs::read_to_string(lines).is_ok_and(|text| agree(scenes, &samples, &text));
+    let is_whole = told::read(lines).is_ok_and(|lines| agree(scenes, &samples, &lines));
     if !is_whole {
         progress::note(format!(
             "note: made anew: {}: does not tell of the scenes of its shard",
@@ -64,11 +64,9 @@ fn of_another(shard: &Path) -> Failure {
 }
 
 /// Whether there is a line for every scene, in their order, and a sample for every one that was found.
-fn agree(scenes: &[Drawn], samples: &[Sample], text: &str) -> bool {
-    let lines: Result<Vec<Value>, _> = text.lines().map(serde_json::from_str).collect();
-    let Ok(lines) = lines else { return false };
+fn agree(scenes: &[Drawn], samples: &[Sample], lines: &[Value]) -> bool {
     let numbers = lines.iter().map(|line| line["scene"].as_u64());
-    let vehicles = told::vehicles(&lines);
+    let vehicles = told::vehicles(lines);
     let found =
         vehicles.iter().filter(|vehicle| told::is_found(vehicle)).map(|vehicle| vehicle["id"].as_str());
     numbers.eq(scenes.iter().map(|drawn| Some(drawn.number)))
