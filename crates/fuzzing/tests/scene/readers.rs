@@ -46,7 +46,7 @@ pub(crate) const READERS: [Reader; 12] = [
         damage: Damage::Refused,
     },
     Reader {
-        name: "scene",
+        name: "scene-text",
         cases: 150,
         write: write_scene,
         read: |at| whole_scene(at, "s.toml"),
