@@ -1,6 +1,7 @@
 //! Texts that a user writes beside scenes: studies, recipes, manifests of vehicles, attributions.
 
 #[path = "../../../scene/tests/glb_file/mod.rs"]
+#[allow(dead_code, reason = "tests of meshes change it, these take it as it is")]
 mod glb_file;
 
 use crate::commands::{note, noted};
