@@ -7,6 +7,7 @@ mod engines;
 mod features;
 mod findings;
 mod layers;
+mod limits;
 mod outside;
 mod pages;
 mod readme;
@@ -27,7 +28,7 @@ use wayside::program::terminal;
 type Check = fn(&mut Tally) -> Result<(), Failure>;
 
 /// Rules of the source, seconds all together.
-const CHEAP: [(&str, Check); 10] = [
+const CHEAP: [(&str, Check); 11] = [
     ("format", |_| cargo(&["fmt", "--all", "--check"])),
     ("layer rule", |_| layers::check()),
     ("room rule", |_| rooms::check()),
@@ -37,6 +38,7 @@ const CHEAP: [(&str, Check); 10] = [
     ("doc comments are sentences", |_| sentences::check()),
     ("pages name what is there", |_| pages::check()),
     ("pages say how they are made", |_| studies::check()),
+    ("limits are told", |_| limits::check()),
     ("one set of features", |_| features::check()),
 ];
 

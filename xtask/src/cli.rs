@@ -40,6 +40,8 @@ pub(crate) enum Command {
     House,
     /// Writes what is made of the keys of scenes: tables of docs/scenes.md, docs/scene.schema.json.
     SceneKeys,
+    /// Adds logs of fuzz tests to fixtures/fuzz.csv, and makes the table of docs/validation/fuzz.md of it.
+    FuzzLedger(FuzzLedgerArguments),
     /// Every check of the project, cheapest first.
     Ci(CiArguments),
 }
@@ -57,6 +59,7 @@ impl Command {
             Self::Bytes(_) => "bytes",
             Self::House => "house",
             Self::SceneKeys => "scene-keys",
+            Self::FuzzLedger(_) => "fuzz-ledger",
             Self::Ci(_) => "ci",
         }
     }
@@ -71,7 +74,8 @@ impl Command {
             | Self::Atlas(_)
             | Self::Levels(_)
             | Self::Bytes(_)
-            | Self::SceneKeys => Results::Files,
+            | Self::SceneKeys
+            | Self::FuzzLedger(_) => Results::Files,
             Self::Bench(_) | Self::House | Self::Ci(_) => Results::Lines,
         }
     }
@@ -158,6 +162,14 @@ pub(crate) struct BytesArguments {
     /// Result: a line for each file.
     #[arg(long, value_name = "F.txt")]
     pub(crate) out: PathBuf,
+}
+
+/// Words of `fuzz-ledger`.
+#[derive(Debug, Args)]
+pub(crate) struct FuzzLedgerArguments {
+    /// Logs that fuzz tests have written (WAYSIDE_FUZZ_LOG).
+    #[arg(value_name = "LOG")]
+    pub(crate) logs: Vec<PathBuf>,
 }
 
 /// Words of `ci`.

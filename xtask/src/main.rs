@@ -6,6 +6,7 @@ mod project;
 mod house;
 mod bytes;
 mod scene_keys;
+mod fuzz_ledger;
 mod study;
 mod bench;
 mod ci;
@@ -35,6 +36,7 @@ fn carry_out(command: Command, means: &Means) -> Result<(), Failure> {
         Command::Bytes(arguments) => bytes::run(&arguments),
         Command::House => house::run(),
         Command::SceneKeys => scene_keys::run(),
+        Command::FuzzLedger(arguments) => fuzz_ledger::run(&arguments),
         Command::Ci(arguments) => ci::run(&arguments),
     }
 }

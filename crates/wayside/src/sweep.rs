@@ -75,8 +75,8 @@ const RESULTS: [&str; 6] =
 /// made are kept.
 pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     let study = Study::read(&settings.study, settings.seed)?;
+    check_size(&study)?;
     let (designs, situations) = (designs::designs(&study), situations::situations(&study));
-    check_size(&study, designs.len(), &situations)?;
     files::claim(&RESULTS.map(|name| settings.out.join(name)))?;
     let work = Work::begin("reading the scenes of all designs");
     acceptance::check(&study, &designs, situations.first().map_or(&[], Vec::as_slice))?;
@@ -116,12 +116,9 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     conclude(settings, &done).map(Some)
 }
 
-fn check_size(
-    study: &Study,
-    designs: usize,
-    situations: &[Vec<situations::Situation>],
-) -> Result<(), Failure> {
-    let runs = situations.iter().map(Vec::len).sum::<usize>() as u64 * designs as u64;
+/// Refuses too many runs before designs and situations are made, which are as many.
+fn check_size(study: &Study) -> Result<(), Failure> {
+    let runs = situations::count(study).saturating_mul(designs::count(study));
     match runs {
         0..=RUNS_LIMIT => Ok(()),
         _ => Err(study.page.refused(0, "", &format!("the study has {runs} runs, more than {RUNS_LIMIT}"))),

@@ -1,6 +1,6 @@
 //! The layer rule: leaves depend on no crate of the workspace (`radar` and `bodies` on `artifact` alone,
 //! `po-sbr` on these two), stages on leaves and never on each other; `wayside` links them, and `xtask` stands
-//! above it. What teaches a stage may see it.
+//! above it. What teaches a stage may see it. `fuzzing` is for tests alone, and its own tests see all.
 
 use crate::ci::findings::none_of;
 use crate::project::project_root;
@@ -28,21 +28,34 @@ fn left_out(metadata: &serde_json::Value) -> Vec<String> {
     of("workspace_members").into_iter().filter(forgotten).map(sentence).collect()
 }
 
-/// (from, to) of every dependency between crates of the workspace.
-fn edges(metadata: &serde_json::Value) -> Vec<(String, String)> {
+/// A dependency between crates of the workspace.
+struct Edge {
+    from: String,
+    to: String,
+    /// Whether tests alone ask for it.
+    is_of_tests: bool,
+}
+
+/// Every dependency between crates of the workspace.
+fn edges(metadata: &serde_json::Value) -> Vec<Edge> {
     let packages = metadata["packages"].as_array().cloned().unwrap_or_default();
     let name = |value: &serde_json::Value| value["name"].as_str().unwrap_or_default().to_owned();
     let own: Vec<String> = packages.iter().map(name).collect();
     let of = |package: &serde_json::Value| {
         let from = name(package);
-        let on: Vec<String> = package["dependencies"].as_array().into_iter().flatten().map(name).collect();
-        on.into_iter().map(move |to| (from.clone(), to)).collect::<Vec<_>>()
+        let on = package["dependencies"].as_array().cloned().unwrap_or_default();
+        let edge = move |on: serde_json::Value| Edge {
+            from: from.clone(),
+            to: name(&on),
+            is_of_tests: on["kind"] == "dev",
+        };
+        on.into_iter().map(edge).collect::<Vec<_>>()
     };
-    packages.iter().flat_map(of).filter(|(_, to)| own.contains(to)).collect()
+    packages.iter().flat_map(of).filter(|edge| own.contains(&edge.to)).collect()
 }
 
 /// A sentence for each edge that breaks the rule.
-fn forbidden(edges: &[(String, String)]) -> Vec<String> {
+fn forbidden(edges: &[Edge]) -> Vec<String> {
     const LEAVES: [&str; 5] = ["artifact", "bodies", "plotting", "po-sbr", "radar"];
     let is_leaf = |name: &str| LEAVES.contains(&name);
     let may = |from: &str, to: &str| match from {
@@ -53,8 +66,15 @@ fn forbidden(edges: &[(String, String)]) -> Vec<String> {
         "classifier-training" => is_leaf(to) || to == "classifier",
         _ => is_leaf(to) && !is_leaf(from),
     };
-    let broken = |(from, to): &&(String, String)| !may(from, to);
-    edges.iter().filter(broken).map(|(from, to)| format!("{from} → {to}: pass an artifact instead")).collect()
+    let sentence = |Edge { from, to, is_of_tests }: &Edge| {
+        let is_of_fuzzing = [from, to].iter().any(|name| *name == "fuzzing");
+        match is_of_fuzzing {
+            true if !is_of_tests => Some(format!("{from} → {to}: fuzzing is for tests alone")),
+            true => None,
+            false => (!may(from, to)).then(|| format!("{from} → {to}: pass an artifact instead")),
+        }
+    };
+    edges.iter().filter_map(sentence).collect()
 }
 
 #[cfg(test)]
@@ -88,16 +108,21 @@ mod tests {
             { "name": "artifact", "dependencies": [{ "name": "scene", "kind": "build" }] },
             { "name": "scene", "dependencies": [{ "name": "wayside" }, { "name": "plotting" }] },
             { "name": "wayside", "dependencies": [{ "name": "scene" }, { "name": "xtask" }] },
-            { "name": "plotting", "dependencies": [{ "name": "artifact" }] },
+            { "name": "plotting", "dependencies": [{ "name": "artifact" }, { "name": "fuzzing" }] },
+            { "name": "fuzzing", "dependencies": [{ "name": "wayside", "kind": "dev" }, { "name": "artifact" }] },
+            { "name": "classifier", "dependencies": [{ "name": "fuzzing", "kind": "dev" }] },
         ] });
         let found = forbidden(&edges(&metadata));
+        let instead = "pass an artifact instead";
         let expected = [
-            "dsp → fmcw-echo",
-            "artifact → scene",
-            "scene → wayside",
-            "wayside → xtask",
-            "plotting → artifact",
+            ("dsp → fmcw-echo", instead),
+            ("artifact → scene", instead),
+            ("scene → wayside", instead),
+            ("wayside → xtask", instead),
+            ("plotting → artifact", instead),
+            ("plotting → fuzzing", "fuzzing is for tests alone"),
+            ("fuzzing → artifact", "fuzzing is for tests alone"),
         ];
-        assert_eq!(found, expected.map(|edge| format!("{edge}: pass an artifact instead")));
+        assert_eq!(found, expected.map(|(edge, rule)| format!("{edge}: {rule}")));
     }
 }

@@ -31,9 +31,13 @@ enum Ready {
 }
 
 impl LoadedModel {
-    /// Reads a model file, or the one in a model folder.
+    /// Reads a model file, or the one in a model folder; one that cannot answer is refused at once, with its
+    /// name.
     pub(crate) fn read(place: &Path) -> Result<Self, Failure> {
-        classifier::load_model(place).map(Self::of).map_err(of_classifier)
+        let read = classifier::load_model(place).map(Self::of).map_err(of_classifier);
+        let model = read.map_err(|failure| failure.about(place))?;
+        model.ready().map_err(|failure| failure.about(place))?;
+        Ok(model)
     }
 
     /// Reads a model from the bytes of a model file.

@@ -19,6 +19,8 @@ use std::sync::{Mutex, PoisonError};
 
 const MAGIC: &[u8] = b"WAYSIDE CHECKPOINT 1\n";
 const CHECKSUM_BYTES: usize = 16;
+/// The largest table, every order of it.
+const LIMIT_BYTES: u64 = 16 << 30;
 const HEAD_BYTES: usize = size_of::<u32>() + CHECKSUM_BYTES;
 
 /// The checkpoint of one piece of long work.
@@ -81,6 +83,9 @@ impl Checkpoint {
         let about = file.metadata()?;
         if !about.is_file() {
             return Err(std::io::Error::other("it is no plain file"));
+        }
+        if about.len() > LIMIT_BYTES {
+            return Err(std::io::Error::other(format!("it has more than {LIMIT_BYTES} bytes")));
         }
         let mut bytes = Vec::new();
         Read::by_ref(&mut file).take(about.len()).read_to_end(&mut bytes)?;

@@ -1,9 +1,9 @@
-//! Writing of files that are there whole or not at all.
+//! Writing of files that are there whole or not at all, and reading of what earlier runs have left.
 
 use crate::host::failure::Failure;
 use artifact::whole_file::{self, Durability, WholeFile};
 use std::collections::BTreeSet;
-use std::io::Write;
+use std::io::{Error, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -23,6 +23,21 @@ pub fn claim(places: &[PathBuf]) -> Result<(), Failure> {
 /// Writes `file` whole or not at all; folders that are missing are made.
 pub fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_with(file, |stream| stream.write_all(bytes))
+}
+
+/// Bytes of a file that an earlier run has left and this one may replace: it is no input. What is no plain
+/// file and what has more than `limit` bytes is not read.
+pub(crate) fn read_own(file: &Path, limit: u64) -> std::io::Result<Vec<u8>> {
+    // Opening a FIFO waits for its writer.
+    if !std::fs::metadata(file)?.is_file() {
+        return Err(Error::new(ErrorKind::InvalidInput, "it is no plain file"));
+    }
+    let mut bytes = Vec::new();
+    std::fs::File::open(file)?.take(limit + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > limit {
+        return Err(Error::new(ErrorKind::FileTooLarge, format!("it has more than {limit} bytes")));
+    }
+    Ok(bytes)
 }
 
 /// Writes a file that grows and is written again and again, whole or not at all.
@@ -79,5 +94,30 @@ fn one_name(place: &Path) -> PathBuf {
         (Ok(whole), _, _) => whole,
         (_, Ok(folder), Some(name)) => folder.join(name),
         _ => place.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_an_earlier_run_left_is_read_up_to_its_limit_and_may_be_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("left");
+        std::fs::write(&place, b"abc").unwrap();
+        assert_eq!(read_own(&place, 3).unwrap(), b"abc");
+        assert_eq!(read_own(&place, 2).unwrap_err().kind(), ErrorKind::FileTooLarge);
+        claim(&[place]).unwrap();
+        assert_eq!(read_own(folder.path(), 3).unwrap_err().kind(), ErrorKind::InvalidInput);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_fifo_in_the_place_of_what_an_earlier_run_left_is_not_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("left");
+        assert!(std::process::Command::new("mkfifo").arg(&place).status().unwrap().success());
+        assert_eq!(read_own(&place, 3).unwrap_err().kind(), ErrorKind::InvalidInput);
     }
 }

@@ -4,7 +4,7 @@ use artifact::settings::Course;
 
 /// A corner's side lies no further out than this many half widths: at hairpins the true one would be
 /// anywhere.
-const CORNER_LIMIT: f64 = 2.0;
+const LONGEST_CORNER: f64 = 2.0;
 
 /// Left and right of its middle, half a width away, a place for each of the middle's.
 pub(super) fn lane_sides_m(course: &Course) -> [Vec<[f64; 2]>; 2] {
@@ -20,7 +20,7 @@ fn beside(line_m: &[[f64; 2]], by_m: f64) -> Vec<[f64; 2]> {
         // Of unit vectors that include an angle: their sum over half its square reaches the crossing of both
         // sides.
         let half_square = 0.5 * (sum[0] * sum[0] + sum[1] * sum[1]);
-        let reach = 1.0 / half_square.max(2.0 / CORNER_LIMIT.powi(2));
+        let reach = 1.0 / half_square.max(2.0 / LONGEST_CORNER.powi(2));
         [x + by_m * reach * sum[0], y + by_m * reach * sum[1]]
     };
     if rights.is_empty() { vec![] } else { line_m.iter().enumerate().map(corner).collect() }

@@ -42,12 +42,16 @@ pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
         Command::Sweep(arguments) => {
             sweep::run(&arguments, means).map_err(|failure| failure.about(&arguments.study))
         }
-        Command::Score(arguments) => score::run(&arguments),
+        Command::Score(arguments) => {
+            score::run(&arguments).map_err(|failure| failure.about(&arguments.points))
+        }
         Command::Import(arguments) => import::run(&arguments),
         Command::Calibrate(arguments) => {
             calibrate::run(&arguments).map_err(|failure| failure.about(&arguments.cube))
         }
-        Command::Export(arguments) => export::run(&arguments),
+        Command::Export(arguments) => {
+            export::run(&arguments).map_err(|failure| failure.about(&arguments.file))
+        }
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Vehicles(arguments) => vehicles::run(&arguments),
         Command::Cache(arguments) => cache::run(&arguments),

@@ -107,6 +107,11 @@ pub fn expect(results: Results) {
 static GOES_ON: AtomicBool = AtomicBool::new(false);
 static IS_UNHEARD: AtomicBool = AtomicBool::new(false);
 
+/// Lets nobody hear the lines of results, where commands are carried out for their files and refusals alone.
+pub fn mute() {
+    IS_UNHEARD.store(true, Ordering::Relaxed);
+}
+
 /// A line of results. One that cannot be written ends the program: its results have no other place.
 pub fn line(text: impl std::fmt::Display) {
     if IS_UNHEARD.load(Ordering::Relaxed) {

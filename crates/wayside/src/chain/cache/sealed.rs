@@ -2,10 +2,11 @@
 //! not believed.
 
 use crate::chain::cache::own_files;
-use crate::host::progress;
+use crate::host::{files, progress};
 use artifact::whole_file::{self, Durability};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use std::io::ErrorKind;
 use std::path::Path;
 
 /// A text with its BLAKE3 hash.
@@ -21,8 +22,10 @@ const LIMIT_BYTES: u64 = 1 << 20;
 
 /// Reads a remark; `None` where there is none, or its text is not the one that was written.
 pub(super) fn read<T: DeserializeOwned>(place: &Path) -> Option<T> {
-    let about = std::fs::metadata(place).ok().filter(|about| about.is_file())?;
-    let bytes = if about.len() > LIMIT_BYTES { vec![] } else { std::fs::read(place).ok()? };
+    let bytes = match files::read_own(place, LIMIT_BYTES) {
+        Err(error) if error.kind() == ErrorKind::FileTooLarge => vec![],
+        bytes => bytes.ok()?,
+    };
     let value = opened(&bytes);
     if value.is_none() && !is_of_earlier_version(&bytes) {
         progress::note(format!("note: {}: is damaged and not believed", place.display()));

@@ -1,6 +1,7 @@
 //! A scene through one radar: the whole file, its way to text and back.
 
 use crate::host::failure::Failure;
+use crate::host::files;
 use crate::outcome::summary::frame::FrameSummary;
 use crate::outcome::summary::radar::{LaneSummary, RadarSummary};
 use crate::outcome::summary::words::StaticWord;
@@ -10,6 +11,9 @@ use artifact::settings::StaticEchoes;
 use evaluation::Metrics;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
+
+/// A hundred thousand frames of ten targets.
+const LIMIT_BYTES: u64 = 1 << 30;
 
 /// Summary of a scene through one radar.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -60,7 +64,7 @@ impl Summary {
     /// # Errors
     /// The file is unreadable, or is no such summary.
     pub fn read(file: &Path) -> Result<Self, Failure> {
-        let text = std::fs::read(file).map_err(|e| Failure::system(file, "read", e))?;
+        let text = files::read_own(file, LIMIT_BYTES).map_err(|e| Failure::system(file, "read", e))?;
         serde_json::from_slice(&text).map_err(Failure::refused).map_err(|failure| failure.about(file))
     }
 

@@ -9,6 +9,7 @@ pub(crate) mod protocols;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use crate::program::learning_cli::LearningCommand;
+use std::path::PathBuf;
 
 /// Does what was asked.
 pub(crate) fn dispatch(command: LearningCommand, memory: Allowance) -> Result<(), Failure> {
@@ -16,9 +17,16 @@ pub(crate) fn dispatch(command: LearningCommand, memory: Allowance) -> Result<()
         LearningCommand::Dataset(arguments) => {
             dataset::run(&arguments, memory).map_err(|failure| failure.about(&arguments.spec))
         }
-        LearningCommand::Train(arguments) => train::run(&arguments),
+        LearningCommand::Train(arguments) => train::run(&arguments).map_err(about_first(&arguments.datasets)),
         LearningCommand::Classify(arguments) => classify::run(&arguments),
         LearningCommand::Evaluate(arguments) => evaluate::run(&arguments),
-        LearningCommand::Protocols(arguments) => protocols::run(&arguments),
+        LearningCommand::Protocols(arguments) => {
+            protocols::run(&arguments).map_err(about_first(&arguments.datasets))
+        }
     }
+}
+
+/// Names the first of the folders, where what they hold together is refused.
+fn about_first(folders: &[PathBuf]) -> impl FnOnce(Failure) -> Failure {
+    move |failure| folders.iter().take(1).fold(failure, |failure, folder| failure.about(folder))
 }

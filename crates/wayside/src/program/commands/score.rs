@@ -5,7 +5,7 @@ use crate::program::cli::ScoreArguments;
 use crate::program::terminal;
 use artifact::paths::{GROUND, Paths, PathsFrame};
 use artifact::points::{Points, PointsFrame};
-use artifact::scene::Scene;
+use artifact::scene::{Scene, SceneFrame, SceneHeader};
 use artifact::tracks::{Tracks, TracksFrame};
 use artifact::{ArtifactError, Reader, Schema};
 use dsp::{ROAD_TRAFFIC, Tracker};
@@ -27,11 +27,22 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
         let paths = paths.as_mut().map(|paths| paths.frame(frame.index)).transpose()?;
         let paths = paths.map(|paths| counted_in_view(&bodies, paths));
         let view = scene::frame_view(&header, frame.index);
+        check_poses(&arguments.scene, &view, &poses)?;
         let truth = FrameTruth::of(&view, &poses, paths.as_ref(), &frame.objects);
         score.add(&FrameTruth { bodies, ..truth }, &frame.objects, &tracks);
     }
     terminal::line(serde_json::to_string_pretty(&score.metrics()).map_err(Failure::refused)?);
     Ok(())
+}
+
+/// Refuses a frame of the scene with more or fewer poses than there are bodies in view.
+fn check_poses(file: &Path, view: &SceneHeader, frame: &SceneFrame) -> Result<(), Failure> {
+    let (poses, bodies, index) = (frame.poses.len(), view.targets.len(), frame.index);
+    if poses == bodies {
+        return Ok(());
+    }
+    let rule = format!("frame {index} has {poses} poses of {bodies} bodies in view");
+    Err(Failure::Refused(format!("{}: {rule}", file.display())))
 }
 
 /// An artifact that is read beside the points, frame by frame.

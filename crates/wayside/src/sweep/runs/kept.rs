@@ -14,6 +14,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
+/// A run is a line of some numbers.
+const LIMIT_BYTES: u64 = 1 << 20;
+
 /// Folder of a study's runs.
 pub(crate) struct Kept {
     folder: PathBuf,
@@ -65,7 +68,8 @@ impl Kept {
     /// not there or is not whole.
     pub(crate) fn get(&self, study: &Study, key: &str) -> Option<Vec<Option<f64>>> {
         // Earlier versions had folders of two letters.
-        let text = std::fs::read(self.file(key)).or_else(|_| std::fs::read(self.file_below(key, 2))).ok()?;
+        let read = |file: &Path| files::read_own(file, LIMIT_BYTES);
+        let text = read(&self.file(key)).or_else(|_| read(&self.file_below(key, 2))).ok()?;
         let run: Value = serde_json::from_slice(&text).ok()?;
         let metrics = run["metrics"].as_object().filter(|_| run["key"] == key)?;
         let value = |name: &str| match metrics.get(name)? {

@@ -24,6 +24,17 @@ pub(crate) fn product(axes: &[Axis]) -> Vec<Vec<Pick>> {
     })
 }
 
+/// Number of all designs, before one is made.
+pub(crate) fn count(study: &Study) -> u64 {
+    study.sample.map_or_else(|| combinations(&study.vary), u64::from)
+}
+
+/// Number of combinations of the listed values; drawn axes are left out.
+pub(crate) fn combinations(axes: &[Axis]) -> u64 {
+    let counts = axes.iter().filter_map(Axis::listed).map(|picks| picks.len() as u64);
+    counts.fold(1, u64::saturating_mul)
+}
+
 fn sample(study: &Study, number: u64) -> Vec<Pick> {
     let share = |axis: u64| share(study.seed, "sweep/design", &[number, axis]);
     study.vary.iter().zip(0..).map(|(axis, place)| axis.at(share(place))).collect()

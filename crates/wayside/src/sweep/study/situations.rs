@@ -2,7 +2,7 @@
 //! designs are compared in pairs.
 
 use crate::sweep::study::axis::{Axis, Pick};
-use crate::sweep::study::designs::{product, share};
+use crate::sweep::study::designs::{combinations, product, share};
 use crate::sweep::study::document::Study;
 
 /// A condition with a seed.
@@ -28,6 +28,11 @@ pub(crate) fn situations(study: &Study) -> Vec<Vec<Situation>> {
             .collect()
     };
     (0..study.repeats).map(of_repeat).collect()
+}
+
+/// Number of situations of all repeats, before one is made.
+pub(crate) fn count(study: &Study) -> u64 {
+    combinations(&study.conditions).saturating_mul(u64::from(study.repeats))
 }
 
 fn situation(study: &Study, repeat: u32, condition: usize, listed: &[Pick]) -> Situation {

@@ -21,7 +21,7 @@ pub(crate) fn run(arguments: &ClassifyArguments) -> Result<(), Failure> {
     let model = LoadedModel::read(&arguments.model)?;
     for file in arguments.files.iter().flat_map(|f| expanded(f)) {
         match read_preamble(&file)?.schema.as_str() {
-            Rdm::NAME => maps(&model, &file)?,
+            Rdm::NAME => maps(&model, &file).map_err(|failure| failure.about(&file))?,
             Dataset::NAME => samples(&model, &file)?,
             other => return Err(unfit(&file, other)),
         }

@@ -28,8 +28,9 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<(), Failure> {
     for (number, folder) in arguments.datasets.iter().enumerate() {
         for shard in shards_of(folder)? {
             let samples: Vec<Sample> = classifier::samples_of(&shard).collect::<Result<_, _>>()?;
-            logits.extend(answers(&model, &samples)?);
-            sightings.add(number, samples.into_iter().map(Ok)).map_err(of_classifier)?;
+            logits.extend(answers(&model, &samples).map_err(|failure| failure.about(&shard))?);
+            let added = sightings.add(number, samples.into_iter().map(Ok)).map_err(of_classifier);
+            added.map_err(|failure| failure.about(&shard))?;
         }
     }
     let seen: Vec<_> = sightings.all.iter().collect();
@@ -44,7 +45,8 @@ pub(super) fn sightings_of(folders: &[PathBuf]) -> Result<Sightings, Failure> {
     let mut sightings = Sightings::default();
     for (number, folder) in folders.iter().enumerate() {
         for shard in shards_of(folder)? {
-            sightings.add(number, classifier::samples_of(&shard)).map_err(of_classifier)?;
+            let added = sightings.add(number, classifier::samples_of(&shard)).map_err(of_classifier);
+            added.map_err(|failure| failure.about(&shard))?;
         }
     }
     Ok(sightings)

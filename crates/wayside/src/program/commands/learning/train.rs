@@ -27,7 +27,8 @@ pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
     let datasets: Vec<Vec<PathBuf>> =
         arguments.datasets.iter().map(|folder| loading::shards(folder)).collect();
     for (folder, shards) in arguments.datasets.iter().zip(&datasets) {
-        if classifier::format_of(shards).map_err(of_classifier)?.is_none() {
+        let format = classifier::format_of(shards).map_err(of_classifier);
+        if format.map_err(|failure| failure.about(folder))?.is_none() {
             return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
         }
     }

@@ -1,5 +1,7 @@
 //! JSON lines of a dataset: a line a scene beside each shard, from which a line a sample is made.
 
+use crate::host::failure::Failure;
+use crate::host::files;
 use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::commands::learning::dataset::draws::Drawn;
 use crate::program::commands::learning::dataset::recipe::Recipe;
@@ -8,6 +10,7 @@ use crate::program::commands::learning::dataset::staging::{Staged, ToldVehicle};
 use artifact::points::Object;
 use evaluation::Truth;
 use serde_json::{Map, Value, json};
+use std::path::Path;
 
 /// Identifier of one vehicle in one frame, found or not.
 pub(super) fn id(scene: u64, target: usize, frame: u32) -> String {
@@ -82,6 +85,21 @@ fn vehicle(id: &str, target: usize, told: &ToldVehicle, truth: &Truth, object: O
             "snr_db": o.snr_db, "points": o.points,
         })),
     })
+}
+
+/// A thousand frames of sixteen vehicles for each of the usual scenes of a shard.
+pub(super) const LIMIT_BYTES: u64 = 1 << 30;
+
+/// The lines of a shard, which another part of the same work may have written.
+pub(super) fn read(file: &Path) -> Result<Vec<Value>, Failure> {
+    let bytes = files::read_own(file, LIMIT_BYTES).map_err(|e| Failure::system(file, "read", e))?;
+    let of = |(line, number): (&[u8], usize)| {
+        let refused =
+            |e| Failure::Refused(format!("{}:{number}: is no line of a scene: {e}", file.display()));
+        serde_json::from_slice(line).map_err(refused)
+    };
+    let text = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
+    text.split(|byte| *byte == b'\n').zip(1..).map(of).collect()
 }
 
 /// Every vehicle of every frame of such lines, with what its scene tells of all.

@@ -2,6 +2,7 @@
 //! line of sight, radar.
 
 use crate::chain::loading;
+use crate::host::files;
 use classifier::TrackKey;
 use glam::DVec2;
 use serde_json::Value;
@@ -23,14 +24,18 @@ const TILT_DEG: [f64; 2] = [-8.0, -4.0];
 /// Between the vehicle's heading and the way from it to the radar.
 const ASPECT_DEG: [f64; 4] = [20.0, 70.0, 110.0, 160.0];
 
+/// As many as `dataset` takes up.
+const LIMIT_BYTES: u64 = 1 << 30;
+
 /// Conditions of every vehicle that was found, as it was in its first frame; nothing of folders without the
 /// lines of their scenes.
 pub(super) fn conditions(folders: &[PathBuf]) -> BTreeMap<TrackKey, Conditions> {
     let mut all = BTreeMap::new();
     for (number, folder) in folders.iter().enumerate() {
         for shard in loading::shards(folder) {
-            let text = std::fs::read_to_string(shard.with_extension("jsonl")).unwrap_or_default();
-            let scenes = text.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
+            let text = files::read_own(&shard.with_extension("jsonl"), LIMIT_BYTES).unwrap_or_default();
+            let lines = text.split(|byte| *byte == b'\n');
+            let scenes = lines.filter_map(|line| serde_json::from_slice::<Value>(line).ok());
             scenes.for_each(|scene| of_scene(number, &scene, &mut all));
         }
     }

@@ -24,7 +24,8 @@ pub(super) fn train(arguments: &TrainArguments, datasets: &[Vec<PathBuf>]) -> Re
     let mut sightings = Sightings::default();
     for (number, shards) in datasets.iter().enumerate() {
         for shard in shards {
-            sightings.add(number, classifier::samples_of(shard)).map_err(of_classifier)?;
+            let added = sightings.add(number, classifier::samples_of(shard)).map_err(of_classifier);
+            added.map_err(|failure| failure.about(shard))?;
         }
     }
     let settings = TreeSettings::default();

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Processor time: a hundred times what the slowest case takes, and nothing that other programs change.
@@ -11,8 +12,10 @@ const LONGEST_WAIT: Duration = Duration::from_secs(1800);
 /// Most memory of the whole process; a scene of vehicles takes a tenth.
 const MOST_MIB: u64 = 3072;
 
-/// Number of the case that is read; no two that follow each other have one number.
-static CASE: AtomicU64 = AtomicU64::new(REST);
+/// Number of the trial that is under way; no two that follow each other have one number.
+static TRIAL: AtomicU64 = AtomicU64::new(REST);
+static BEGUN: AtomicU64 = AtomicU64::new(0);
+static ABOUT: Mutex<String> = Mutex::new(String::new());
 const REST: u64 = u64::MAX;
 
 /// Ends the program where a case goes on for too long; the case lies where it was read from.
@@ -22,27 +25,32 @@ pub(crate) fn start(folder: &Path) {
         let (mut seen, mut since, mut spent) = (REST, Instant::now(), processor_time());
         loop {
             std::thread::sleep(Duration::from_secs(1));
-            let case = CASE.load(Ordering::Relaxed);
-            if case != seen {
-                (seen, since, spent) = (case, Instant::now(), processor_time());
+            let trial = TRIAL.load(Ordering::Relaxed);
+            if trial != seen {
+                (seen, since, spent) = (trial, Instant::now(), processor_time());
             }
             let is_long = processor_time().saturating_sub(spent) > LONGEST || since.elapsed() > LONGEST_WAIT;
-            if case != REST && is_long {
-                println!("case {case} takes more than {} s: {}", LONGEST.as_secs(), folder.display());
+            if trial != REST && is_long {
+                println!("{} takes more than {} s: {}", about(), LONGEST.as_secs(), folder.display());
                 std::process::abort();
             }
         }
     });
 }
 
-/// A case begins.
-pub(crate) fn begin(case: u64) {
-    CASE.store(case, Ordering::Relaxed);
+fn about() -> String {
+    ABOUT.lock().unwrap_or_else(PoisonError::into_inner).clone()
+}
+
+/// A case begins; `about` tells which.
+pub(crate) fn begin(about: &str) {
+    about.clone_into(&mut ABOUT.lock().unwrap_or_else(PoisonError::into_inner));
+    TRIAL.store(BEGUN.fetch_add(1, Ordering::Relaxed), Ordering::Relaxed);
 }
 
 /// No case is read.
 pub(crate) fn rest() {
-    CASE.store(REST, Ordering::Relaxed);
+    TRIAL.store(REST, Ordering::Relaxed);
 }
 
 /// Processor time of all threads; zero where the system does not tell.
@@ -56,6 +64,11 @@ pub(crate) fn processor_time() -> Duration {
     Duration::from_millis(ticks * 1000 / TICKS_PER_SECOND)
 }
 
+/// Begins to look for the most memory anew, where the system can.
+pub(crate) fn forget_peak() {
+    let _ = std::fs::write("/proc/self/clear_refs", "5"); // else it is the most of the whole process
+}
+
 /// Most memory that this process has had; `None` where the system does not tell.
 pub(crate) fn peak_mib() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
@@ -63,6 +76,7 @@ pub(crate) fn peak_mib() -> Option<u64> {
     line.trim().trim_end_matches(" kB").parse::<u64>().ok().map(|kib| kib / 1024)
 }
 
+/// Refuses more memory than a case may take.
 pub(crate) fn check_memory(what: &str) {
     let peak = peak_mib().unwrap_or(0);
     assert!(peak < MOST_MIB, "{what}: {peak} MiB");

@@ -1,10 +1,10 @@
 //! Fuzzed glTF, changed by its structure: values of its JSON, numbers of its arrays, lengths and kinds of its
 //! chunks.
 
-#[path = "../glb_file/mod.rs"]
+#[path = "../../../scene/tests/glb_file/mod.rs"]
 mod glb_file;
 
-use crate::noise::Noise;
+use fuzzing::{Noise, change_json, change_numbers};
 use glb_file::{GlbFile, floats};
 use serde_json::{Value, json};
 
@@ -52,7 +52,7 @@ pub(crate) fn sound() -> Vec<GlbFile> {
 pub(crate) fn binary(noise: &mut Noise) -> Vec<u8> {
     let mut file = any(noise);
     for _ in 0..noise.below(4) {
-        change(noise, &mut file.json);
+        change_json(noise, &mut file.json, &WORDS, strange);
     }
     for _ in 0..noise.below(3) {
         change_numbers(noise, &mut file.binary);
@@ -82,7 +82,7 @@ pub(crate) fn beside(noise: &mut Noise) -> (Vec<u8>, Vec<u8>) {
     let uri = if noise.one_in(3) { noise.pick(&URIS) } else { "b.bin" };
     file.json["buffers"][0]["uri"] = json!(uri);
     for _ in 0..=noise.below(3) {
-        change(noise, &mut file.json);
+        change_json(noise, &mut file.json, &WORDS, strange);
     }
     if noise.one_in(3) {
         change_numbers(noise, &mut file.binary);
@@ -94,33 +94,6 @@ pub(crate) fn beside(noise: &mut Noise) -> (Vec<u8>, Vec<u8>) {
 fn any(noise: &mut Noise) -> GlbFile {
     let files = sound();
     files[noise.below(files.len())].clone()
-}
-
-fn change(noise: &mut Noise, value: &mut Value) {
-    let here = noise.one_in(12);
-    match value {
-        Value::Array(array) if !here && !array.is_empty() => change_array(noise, array),
-        Value::Object(object) if !here && !object.is_empty() => {
-            let key = object.keys().nth(noise.below(object.len())).unwrap().clone();
-            match noise.below(10) {
-                0 => drop(object.remove(&key)),
-                1 => drop(object.insert(noise.pick(&WORDS).to_owned(), strange(noise))),
-                _ => change(noise, &mut object[&key]),
-            }
-        }
-        _ => *value = strange(noise),
-    }
-}
-
-fn change_array(noise: &mut Noise, array: &mut Vec<Value>) {
-    let (at, other) = (noise.below(array.len()), noise.below(array.len()));
-    match noise.below(10) {
-        0 => drop(array.remove(at)),
-        1 => array.push(array[at].clone()),
-        2 => array.swap(at, other),
-        3 => array.extend(vec![array[at].clone(); noise.times()]),
-        _ => change(noise, &mut array[at]),
-    }
 }
 
 const WORDS: [&str; 14] = [
@@ -159,17 +132,6 @@ fn strange(noise: &mut Noise) -> Value {
             "KHR_draco_mesh_compression",
             "data:;base64,AAA="
         ])),
-    }
-}
-
-/// Words of 16 or 32 bits anywhere.
-pub(crate) fn change_numbers(noise: &mut Noise, bytes: &mut [u8]) {
-    let strange =
-        [f32::NAN, f32::INFINITY, -f32::MAX, f32::MIN_POSITIVE, 1e-45, 1e19, 0.0, -0.0].map(f32::to_bits);
-    let (words, at) = (bytes.len() / 4, noise.below(bytes.len() / 4));
-    let word = if noise.one_in(2) { strange[noise.below(8)] } else { noise.next() as u32 >> noise.below(32) };
-    if words > 0 {
-        bytes[4 * at..4 * at + 4].copy_from_slice(&word.to_le_bytes());
     }
 }
 

@@ -1,7 +1,7 @@
 //! Deterministic noise, and the numbers and words at which readers stumble.
 
 /// SplitMix64 (Steele et al. 2014): the same cases on every machine.
-pub(crate) struct Noise(u64);
+pub struct Noise(u64);
 
 /// Ends of ranges, of types and of what f64 holds; words that some readers take for numbers.
 const NUMBERS: [&str; 48] = [
@@ -57,14 +57,16 @@ const NUMBERS: [&str; 48] = [
 
 impl Noise {
     /// Noise of one case; neighbouring seeds have nothing in common.
-    pub(crate) fn of(seed: u64, case: u64) -> Self {
+    pub fn of(seed: u64, case: u64) -> Self {
         let mut noise = Self(seed);
         noise.0 = noise.next() ^ case.wrapping_mul(0xd1b5_4a32_d192_ed03);
         noise.next();
         noise
     }
 
-    pub(crate) fn next(&mut self) -> u64 {
+    /// Random number of 64 bits.
+    #[allow(clippy::should_implement_trait, reason = "noise has no end, an iterator may have")]
+    pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -72,25 +74,27 @@ impl Noise {
     }
 
     /// Random whole number from 0, below `end`; 0 where there is nothing below it.
-    pub(crate) fn below(&mut self, end: usize) -> usize {
+    pub fn below(&mut self, end: usize) -> usize {
         (self.next() % end.max(1) as u64) as usize
     }
 
-    pub(crate) fn one_in(&mut self, times: usize) -> bool {
+    /// Whether it happens that happens once in so many times.
+    pub fn one_in(&mut self, times: usize) -> bool {
         self.below(times) == 0
     }
 
-    pub(crate) fn pick<'a, T: ?Sized>(&mut self, of: &[&'a T]) -> &'a T {
+    /// One of these.
+    pub fn pick<'a, T: ?Sized>(&mut self, of: &[&'a T]) -> &'a T {
         of[self.below(of.len())]
     }
 
     /// Random number from 0 up to, not including, 1.
-    pub(crate) fn share(&mut self) -> f64 {
+    pub fn share(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// A number as it is written: one of those above, or any of any size and sign.
-    pub(crate) fn number(&mut self) -> String {
+    pub fn number(&mut self) -> String {
         match self.below(4) {
             0 => format!("{:e}", f64::from_bits(self.next())).replace("NaN", "nan"),
             1 => format!("{:.3}", (self.share() - 0.5) * 10_f64.powi(self.below(12) as i32 - 4)),
@@ -99,12 +103,12 @@ impl Noise {
     }
 
     /// A size between one and many, small ones more often.
-    pub(crate) fn times(&mut self) -> usize {
+    pub fn times(&mut self) -> usize {
         1 << self.below(13)
     }
 
     /// Bytes that are no text, or change what a terminal shows.
-    pub(crate) fn stray_bytes(&mut self) -> &'static [u8] {
+    pub fn stray_bytes(&mut self) -> &'static [u8] {
         const STRAY: [&[u8]; 8] = [
             b"\xff",
             b"\xc3",

@@ -51,7 +51,7 @@ impl Tokens {
 const LONGEST_CHANGED: usize = 1 << 16;
 
 /// One to four changes of words and lines; `words` are those of the format.
-pub(crate) fn changed(noise: &mut Noise, text: &[u8], words: &[&str]) -> Vec<u8> {
+pub fn changed(noise: &mut Noise, text: &[u8], words: &[&str]) -> Vec<u8> {
     let mut bytes = text.to_vec();
     for _ in 0..=noise.below(4) {
         if bytes.len() > LONGEST_CHANGED {

@@ -1,78 +1,100 @@
 //! The readers of this crate: how a case of each is made, and how it is read.
 
 use crate::gltf;
-use crate::noise::Noise;
 use crate::sound;
-use crate::tokens::changed;
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use fuzzing::{Damage, Noise, Reader, change_numbers, changed_text};
 use scene::{MeshOptions, Meshes, ReadOptions};
 use std::io::Write as _;
 use std::path::Path;
 
-/// A reader, by the formats it is for.
-pub(crate) struct Reader {
-    pub(crate) name: &'static str,
-    /// Writes the files of a case into a folder.
-    write: fn(&mut Noise, &Path),
-    /// Reads them; the sentence of a refusal.
-    read: fn(&Path) -> Result<(), String>,
-}
-
 pub(crate) const READERS: [Reader; 12] = [
-    Reader { name: "glb", write: |n, at| put(at, "m.glb", &gltf::binary(n)), read: |at| mesh(at, "m.glb") },
-    Reader { name: "gltf", write: write_gltf, read: |at| mesh(at, "m.gltf") },
-    Reader { name: "stl", write: write_stl, read: |at| mesh(at, "m.stl") },
+    Reader {
+        name: "glb",
+        cases: 400,
+        write: |n, at| put(at, "m.glb", &gltf::binary(n)),
+        read: |at| mesh(at, "m.glb"),
+        damage: Damage::Refused,
+    },
+    Reader {
+        name: "gltf",
+        cases: 400,
+        write: write_gltf,
+        read: |at| mesh(at, "m.gltf"),
+        damage: Damage::Refused,
+    },
+    Reader {
+        name: "stl",
+        cases: 400,
+        write: write_stl,
+        read: |at| mesh(at, "m.stl"),
+        damage: Damage::Refused,
+    },
     Reader {
         name: "stl-text",
+        cases: 400,
         write: |n, at| text(n, at, "m.stl", sound::STL),
         read: |at| mesh(at, "m.stl"),
+        damage: Damage::Refused,
     },
-    Reader { name: "obj", write: |n, at| text(n, at, "m.obj", sound::OBJ), read: |at| mesh(at, "m.obj") },
-    Reader { name: "scene", write: write_scene, read: |at| whole_scene(at, "s.toml") },
-    Reader { name: "materials", write: |n, at| text(n, at, "m.toml", sound::MATERIALS), read: materials },
+    Reader {
+        name: "obj",
+        cases: 400,
+        write: |n, at| text(n, at, "m.obj", sound::OBJ),
+        read: |at| mesh(at, "m.obj"),
+        damage: Damage::Refused,
+    },
+    Reader {
+        name: "scene-text",
+        cases: 150,
+        write: write_scene,
+        read: |at| whole_scene(at, "s.toml"),
+        damage: Damage::Refused,
+    },
+    Reader {
+        name: "materials",
+        cases: 400,
+        write: |n, at| text(n, at, "m.toml", sound::MATERIALS),
+        read: materials,
+        damage: Damage::Refused,
+    },
     Reader {
         name: "pattern",
+        cases: 400,
         write: |n, at| text(n, at, "p.csv", sound::PATTERN),
         read: |at| whole_scene(at, "pattern.toml"),
+        damage: Damage::Refused,
     },
     Reader {
         name: "calibration",
+        cases: 400,
         write: |n, at| text(n, at, "c.csv", sound::CALIBRATION),
         read: |at| whole_scene(at, "calibration.toml"),
+        damage: Damage::Refused,
     },
     Reader {
         name: "fcd",
+        cases: 400,
         write: |n, at| text(n, at, "t.fcd.xml", sound::FCD),
         read: |at| whole_scene(at, "traffic.toml"),
+        damage: Damage::Refused,
     },
     Reader {
         name: "net",
+        cases: 400,
         write: |n, at| text(n, at, "t.net.xml", sound::NET),
         read: |at| whole_scene(at, "network.toml"),
+        damage: Damage::Refused,
     },
-    Reader { name: "fcd-gzip", write: write_packed, read: |at| whole_scene(at, "traffic.toml") },
+    Reader {
+        name: "fcd-gzip",
+        cases: 400,
+        write: write_packed,
+        read: |at| whole_scene(at, "traffic.toml"),
+        damage: Damage::Refused,
+    },
 ];
-
-impl Reader {
-    /// Makes a case and reads it; whether it was read.
-    pub(crate) fn try_case(&self, noise: &mut Noise, folder: &Path) -> bool {
-        (self.write)(noise, folder);
-        match (self.read)(folder) {
-            Ok(()) => true,
-            Err(sentence) => {
-                assert!(!sentence.trim().is_empty(), "{}: refused without a word", self.name);
-                assert!(sentence.len() < 1 << 20, "{}: refused in {} bytes", self.name, sentence.len());
-                assert!(
-                    sentence.contains(&*folder.to_string_lossy()),
-                    "{}: no file named: {sentence}",
-                    self.name
-                );
-                false
-            }
-        }
-    }
-}
 
 /// Writes the files that every case finds in its folder.
 pub(crate) fn prepare(folder: &Path) {
@@ -87,13 +109,13 @@ fn put(folder: &Path, name: &str, bytes: &[u8]) {
 
 fn text(noise: &mut Noise, folder: &Path, name: &str, sound: &[&str]) {
     let whole = noise.pick(sound);
-    put(folder, name, &changed(noise, whole.as_bytes(), &sound::WORDS));
+    put(folder, name, &changed_text(noise, whole.as_bytes(), &sound::WORDS));
 }
 
 fn write_gltf(noise: &mut Noise, folder: &Path) {
     let (mut json, buffer) = gltf::beside(noise);
     if noise.one_in(4) {
-        json = changed(noise, &json, &sound::WORDS);
+        json = changed_text(noise, &json, &sound::WORDS);
     }
     put(folder, "m.gltf", &json);
     put(folder, "b.bin", &buffer);
@@ -111,7 +133,7 @@ fn write_stl(noise: &mut Noise, folder: &Path) {
     bytes.extend(count.to_le_bytes());
     bytes.extend((0..facets).flat_map(facet));
     for _ in 0..noise.below(3) {
-        gltf::change_numbers(noise, &mut bytes[84..]);
+        change_numbers(noise, &mut bytes[84..]);
     }
     if noise.one_in(3) {
         bytes.truncate(noise.below(bytes.len()));
@@ -130,7 +152,7 @@ fn write_packed(noise: &mut Noise, folder: &Path) {
     let mut bytes = match noise.below(3) {
         0 => [pack(first), pack(second)].concat(),
         1 => pack(&[first, &b" ".repeat(noise.times() << 11), second].concat()),
-        _ => pack(&changed(noise, whole, &sound::WORDS)),
+        _ => pack(&changed_text(noise, whole, &sound::WORDS)),
     };
     for _ in 0..noise.below(3) {
         let at = if noise.one_in(2) { noise.below(bytes.len().min(12)) } else { noise.below(bytes.len()) };
@@ -144,7 +166,7 @@ fn write_scene(noise: &mut Noise, folder: &Path) {
     let keys: Vec<&str> = scene::keys::TABLES.iter().flat_map(scene::keys::Table::names).collect();
     let words: Vec<&str> = keys.into_iter().chain(sound::WORDS).collect();
     let whole = noise.pick(sound::SCENES);
-    put(folder, "s.toml", &changed(noise, whole.as_bytes(), &words));
+    put(folder, "s.toml", &changed_text(noise, whole.as_bytes(), &words));
 }
 
 fn mesh(folder: &Path, name: &str) -> Result<(), String> {

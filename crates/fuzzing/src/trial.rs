@@ -1,0 +1,223 @@
+//! The loop over readers: cases are made, read and counted.
+
+use crate::log::{self, Tally};
+use crate::noise::Noise;
+use crate::watch;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Something that reads files.
+pub struct Reader {
+    /// Name of the reader, by the format that it is for.
+    pub name: &'static str,
+    /// Cases of a plain test, so that all readers of a crate take seconds.
+    pub cases: u64,
+    /// Writes the files of a case into a folder.
+    pub write: fn(&mut Noise, &Path),
+    /// Reads them; the sentence of a refusal, which names the file.
+    pub read: fn(&Path) -> Result<(), String>,
+    /// What becomes of damage.
+    pub damage: Damage,
+}
+
+/// What a reader does about a file that is not as it should be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Damage {
+    /// It is refused.
+    Refused,
+    /// What the file was for is made anew.
+    MadeAnew,
+}
+
+/// Tries every reader on as many cases as the environment asks for, or for as long; `prepare` readies the
+/// folder before each case. Ends with a panic where a case breaks a limit, or nothing was read or refused.
+pub fn fuzz(readers: &[Reader], prepare: fn(&Path)) {
+    try_all(readers, prepare, &Asked::of_environment());
+}
+
+fn try_all(readers: &[Reader], prepare: fn(&Path), asked: &Asked) {
+    let folder = tempfile::Builder::new().prefix("wayside-fuzz-").tempdir().unwrap().keep();
+    watch::start(&folder);
+    let mut trials: Vec<Trial> = readers
+        .iter()
+        .filter(|reader| asked.only.as_ref().is_none_or(|name| reader.name == *name))
+        .map(|reader| Trial { reader, tally: Tally::default(), logged: Tally::default() })
+        .collect();
+    assert!(!trials.is_empty(), "no reader is called {:?}", asked.only);
+    while let Some(next) = next_of(&trials, asked) {
+        trials[next].go_on(asked, prepare, &folder);
+    }
+    watch::rest();
+    trials.iter_mut().for_each(|trial| trial.end(asked));
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
+/// What the environment asks for.
+#[derive(Default)]
+struct Asked {
+    cases: Option<u64>,
+    minutes: Option<f64>,
+    seed: u64,
+    first: u64,
+    only: Option<String>,
+    log: Option<PathBuf>,
+}
+
+impl Asked {
+    fn of_environment() -> Self {
+        Self {
+            cases: asked("WAYSIDE_FUZZ_CASES"),
+            minutes: asked("WAYSIDE_FUZZ_MINUTES"),
+            seed: asked("WAYSIDE_FUZZ_SEED").unwrap_or(1),
+            first: asked("WAYSIDE_FUZZ_FIRST").unwrap_or(0),
+            only: asked("WAYSIDE_FUZZ_READER"),
+            log: asked("WAYSIDE_FUZZ_LOG"),
+        }
+    }
+
+    fn is_enough(&self, trial: &Trial) -> bool {
+        match self.minutes {
+            Some(minutes) => trial.tally.spent.as_secs_f64() >= 60.0 * minutes,
+            None => trial.tally.cases >= self.cases_of(trial),
+        }
+    }
+
+    fn cases_of(&self, trial: &Trial) -> u64 {
+        self.cases.unwrap_or(trial.reader.cases)
+    }
+}
+
+fn asked<T: std::str::FromStr>(name: &str) -> Option<T> {
+    let text = std::env::var(name).ok()?;
+    Some(text.parse().unwrap_or_else(|_| panic!("{name}={text} is not understood")))
+}
+
+/// The reader that was tried least, until all were enough.
+fn next_of(trials: &[Trial], asked: &Asked) -> Option<usize> {
+    let least = |i: &usize| match asked.minutes {
+        Some(_) => trials[*i].tally.spent.as_millis() as u64,
+        None => trials[*i].tally.cases,
+    };
+    (0..trials.len()).filter(|i| !asked.is_enough(&trials[*i])).min_by_key(least)
+}
+
+/// A reader with what came of its cases.
+struct Trial<'a> {
+    reader: &'a Reader,
+    tally: Tally,
+    /// Part of the tally that stands in the log.
+    logged: Tally,
+}
+
+/// As much of one reader in a row.
+const TURN_CASES: u64 = 100;
+const TURN: Duration = Duration::from_secs(2);
+/// Processor time of a line of the log.
+const LINE: Duration = Duration::from_secs(60);
+
+impl Trial<'_> {
+    /// Some cases, then the next reader has its turn.
+    fn go_on(&mut self, asked: &Asked, prepare: fn(&Path), folder: &Path) {
+        watch::forget_peak();
+        let begin = watch::processor_time();
+        for _ in 0..TURN_CASES {
+            self.one_case(asked, prepare, folder);
+            let spent = watch::processor_time().saturating_sub(begin);
+            let is_all = asked.minutes.is_none() && self.tally.cases >= asked.cases_of(self);
+            if is_all || spent > TURN {
+                break;
+            }
+        }
+        self.tally.spent += watch::processor_time().saturating_sub(begin);
+        self.tally.peak_mib = self.tally.peak_mib.max(watch::peak_mib().unwrap_or(0));
+        if self.tally.since(&self.logged).spent >= LINE {
+            self.write_line(asked);
+        }
+    }
+
+    fn one_case(&mut self, asked: &Asked, prepare: fn(&Path), folder: &Path) {
+        let (seed, case) = (asked.seed, asked.first + self.tally.cases);
+        let about = format!("{}: seed {seed}, case {case}, in {}", self.reader.name, folder.display());
+        prepare(folder);
+        watch::begin(&about);
+        let mut noise = Noise::of(seed, case);
+        let tried = catch_unwind(AssertUnwindSafe(|| try_case(self.reader, &mut noise, folder)));
+        let read = tried.unwrap_or_else(|_| panic!("{about}"));
+        watch::check_memory(&about);
+        self.tally.cases += 1;
+        self.tally.read += u64::from(read);
+    }
+
+    fn write_line(&mut self, asked: &Asked) {
+        if let Some(log) = &asked.log {
+            log::append(log, &self.tally.since(&self.logged).line(self.reader.name, asked.seed));
+        }
+        println!("{}", self.tally.told(self.reader.name));
+        self.logged = self.tally;
+    }
+
+    fn end(&mut self, asked: &Asked) {
+        if self.tally.cases > self.logged.cases {
+            self.write_line(asked);
+        }
+        let Tally { cases, read, .. } = self.tally;
+        let least_refused = u64::from(self.reader.damage == Damage::Refused);
+        // A few cases that are asked for may be of one kind.
+        let is_both = cases < 10 || (read > 0 && cases - read >= least_refused);
+        assert!(is_both, "{}: some are read and some refused", self.reader.name);
+    }
+}
+
+/// Makes a case and reads it; whether it was read.
+fn try_case(reader: &Reader, noise: &mut Noise, folder: &Path) -> bool {
+    (reader.write)(noise, folder);
+    let Err(sentence) = (reader.read)(folder) else { return true };
+    assert!(!sentence.trim().is_empty(), "{}: refused without a word", reader.name);
+    assert!(sentence.len() < 1 << 20, "{}: refused in {} bytes", reader.name, sentence.len());
+    let is_named = sentence.contains(&*folder.to_string_lossy());
+    assert!(is_named, "{}: no file named: {sentence}", reader.name);
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn try_numbers(read: fn(&Path) -> Result<(), String>) {
+        let write = |noise: &mut Noise, at: &Path| std::fs::write(at.join("f"), noise.number()).unwrap();
+        let asked = Asked { seed: 1, cases: Some(40), ..Asked::default() };
+        let reader = Reader { name: "numbers", cases: 1, write, read, damage: Damage::Refused };
+        try_all(&[reader], |_| {}, &asked);
+    }
+
+    fn is_negative(at: &Path) -> bool {
+        std::fs::read_to_string(at.join("f")).unwrap().starts_with('-')
+    }
+
+    #[test]
+    fn a_reader_that_refuses_with_a_sentence_passes() {
+        try_numbers(|at| match is_negative(at) {
+            true => Err(format!("{}: is negative", at.join("f").display())),
+            false => Ok(()),
+        });
+    }
+
+    #[test]
+    #[should_panic(expected = "numbers: seed 1, case ")]
+    fn a_reader_that_panics_is_told_with_the_case() {
+        try_numbers(|at| if is_negative(at) { panic!("as it should not") } else { Ok(()) });
+    }
+
+    #[test]
+    #[should_panic(expected = "numbers: seed 1, case ")]
+    fn a_refusal_that_names_no_file_is_no_refusal() {
+        try_numbers(|at| if is_negative(at) { Err("no".to_owned()) } else { Ok(()) });
+    }
+
+    #[test]
+    #[should_panic(expected = "numbers: some are read and some refused")]
+    fn a_reader_that_refuses_nothing_is_not_tried_by_these_cases() {
+        try_numbers(|_| Ok(()));
+    }
+}

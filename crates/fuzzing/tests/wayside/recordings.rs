@@ -1,0 +1,144 @@
+//! Recordings of devices and arrays: `.npy`, DCA1000, SigMF, with what stands beside them.
+
+use crate::commands::{note, noted, noted_of_content};
+use crate::sound;
+use fuzzing::{Damage, Noise, Reader, change_json, change_numbers, changed_text};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Numbers of a frame: channels, chirps, samples of the small scene.
+const SHAPE: [usize; 3] = [4, 16, 32];
+
+pub(crate) fn readers() -> Vec<Reader> {
+    vec![
+        Reader { name: "npy", cases: 200, write: write_npy, read: noted_of_content, damage: Damage::Refused },
+        Reader {
+            name: "dca1000",
+            cases: 200,
+            write: write_dca1000,
+            read: noted_of_content,
+            damage: Damage::Refused,
+        },
+        Reader { name: "sigmf", cases: 200, write: write_sigmf, read: noted, damage: Damage::Refused },
+    ]
+}
+
+fn put(folder: &Path, name: &str, bytes: &[u8]) {
+    std::fs::write(folder.join(name), bytes).unwrap();
+}
+
+fn import(noise: &mut Noise, folder: &Path, file: &str) {
+    sound::texts(folder);
+    let step = noise.pick(&["", "", " --step=0.5", " --step=1e-30", " --step=1e30"]);
+    note(folder, &format!("import @{file} --scene @sound/small.toml --out @O{step}"));
+}
+
+/// Bytes of so many values of frames of the small scene, sometimes more or fewer, some of them strange.
+fn samples(noise: &mut Noise, of_a_value: usize) -> Vec<u8> {
+    let frames = 1 + noise.below(3);
+    let mut bytes: Vec<u8> =
+        (0..frames * SHAPE.iter().product::<usize>() * of_a_value).map(|i| (i % 61) as u8).collect();
+    if noise.one_in(3) {
+        change_numbers(noise, &mut bytes);
+    }
+    match noise.below(8) {
+        0 => bytes.truncate(noise.below(bytes.len())),
+        1 => bytes.extend(vec![0; noise.times()]),
+        2 => bytes.clear(),
+        _ => {}
+    }
+    bytes
+}
+
+fn write_npy(noise: &mut Noise, folder: &Path) {
+    let [channels, chirps, length] = SHAPE;
+    let values = samples(noise, 8);
+    let frames = values.len() / (8 * channels * chirps * length);
+    let shape = noise.pick(&[
+        "({f}, 4, 16, 32)",
+        "({f}, 4, 16, 32)",
+        "(4, 16, 32)",
+        "(32, 16, 4, {f})",
+        "({f}, 4, 16, 32,)",
+    ]);
+    let order = noise.pick(&["False", "False", "True"]);
+    let shape = shape.replace("{f}", &frames.to_string());
+    let mut head = format!("{{'descr': '<c8', 'fortran_order': {order}, 'shape': {shape}, }}\n").into_bytes();
+    if noise.one_in(2) {
+        head = changed_text(
+            noise,
+            &head,
+            &["{", "}", "(", ")", "'", ",", ":", "'descr'", "'<f8'", "None", "4L"],
+        );
+    }
+    let mut length = (head.len() as u32).to_le_bytes();
+    if noise.one_in(6) {
+        length[noise.below(4)] ^= 1 << noise.below(8);
+    }
+    let wide = head.len() > 65_535 || noise.one_in(4);
+    let begin = if wide {
+        [&b"\x93NUMPY\x02\0"[..], &length].concat()
+    } else {
+        [&b"\x93NUMPY\x01\0"[..], &length[..2]].concat()
+    };
+    let mut bytes = [begin, head, values].concat();
+    if noise.one_in(8) {
+        let at = noise.below(bytes.len().min(12));
+        bytes[at] ^= 1 << noise.below(8);
+    }
+    put(folder, "x.npy", &bytes);
+    import(noise, folder, "x.npy");
+}
+
+fn write_dca1000(noise: &mut Noise, folder: &Path) {
+    let bytes = samples(noise, 4);
+    put(folder, "x.bin", &bytes);
+    let frames = bytes.len() / (4 * SHAPE.iter().product::<usize>());
+    let mut told = json!({
+        "blake3": blake3::hash(&bytes).to_hex().to_string(), "sqrt_w_per_step": 1e-9,
+        "shape": ["frame", "chirp of any transmitter", "receiver", "sample"], "sizes": [frames, 16, 4, 32],
+        "sample_rate_hz": 1e7, "of": "x.bin",
+    });
+    for _ in 0..noise.below(3) {
+        change_json(noise, &mut told, &["blake3", "sizes", "sqrt_w_per_step"], strange);
+    }
+    let text = serde_json::to_vec(&told).unwrap();
+    let text =
+        if noise.one_in(4) { changed_text(noise, &text, &["{", "}", "[", "\"", "1e999"]) } else { text };
+    put(folder, noise.pick(&["x.bin.json", "x.json"]), &text);
+    import(noise, folder, "x.bin");
+}
+
+fn write_sigmf(noise: &mut Noise, folder: &Path) {
+    let (kind, bytes) = if noise.one_in(2) { ("cf32_le", 8) } else { ("ci16_le", 4) };
+    let mut meta = json!({
+        "global": { "core:version": "1.0.0", "core:datatype": kind, "core:num_channels": 4, "core:sample_rate": 1e7 },
+        "captures": [{ "core:sample_start": 0, "core:frequency": 7.7e10 }], "annotations": [],
+    });
+    for _ in 0..noise.below(4) {
+        change_json(noise, &mut meta, &["core:datatype", "core:num_channels", "global"], strange);
+    }
+    let text = serde_json::to_vec(&meta).unwrap();
+    let text =
+        if noise.one_in(4) { changed_text(noise, &text, &["{", "}", "[", "\"", "1e999"]) } else { text };
+    put(folder, "x.sigmf-meta", &text);
+    if !noise.one_in(16) {
+        put(folder, "x.sigmf-data", &samples(noise, bytes));
+    }
+    let file = noise.pick(&["x.sigmf-meta", "x.sigmf-data"]);
+    import(noise, folder, file);
+}
+
+/// Values at which descriptions of recordings stumble.
+fn strange(noise: &mut Noise) -> Value {
+    match noise.below(8) {
+        0 => json!(noise.below(9)),
+        1 => json!(u64::MAX),
+        2 => json!(-1.5),
+        3 => serde_json::from_str(&noise.number()).unwrap_or(Value::Null),
+        4 => json!(noise.pick(&["cf32_le", "ci16_le", "cf64_le", "ru8", ""])),
+        5 => (0..noise.times().min(100)).fold(json!(1), |inner, _| json!([inner])),
+        6 => json!("x".repeat(noise.times())),
+        _ => Value::Null,
+    }
+}

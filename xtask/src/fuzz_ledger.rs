@@ -1,0 +1,158 @@
+//! `fuzz-ledger`: what runs of the fuzz tests have written adds up in `fixtures/fuzz.csv`, and from there in
+//! the table of `docs/validation/fuzz.md`.
+
+use crate::cli::FuzzLedgerArguments;
+use crate::project::project_root;
+use std::collections::BTreeMap;
+use std::path::Path;
+use wayside::Failure;
+use wayside::host::files;
+
+const LEDGER: &str = "fixtures/fuzz.csv";
+const PAGE: &str = "docs/validation/fuzz.md";
+const COLUMNS: &str = "reader,seed,cases,read,refused,minutes,peak_mib";
+const BEGIN: &str = "<!-- made by cargo xtask fuzz-ledger from fixtures/fuzz.csv -->";
+const END: &str = "<!-- end of what cargo xtask fuzz-ledger makes -->";
+/// Processor minutes that each reader is to have.
+const GOAL_MINUTES: f64 = 60.0;
+
+/// Adds logs to the ledger and makes the table of the page anew.
+pub(crate) fn run(arguments: &FuzzLedgerArguments) -> Result<(), Failure> {
+    let (ledger, page) = (project_root().join(LEDGER), project_root().join(PAGE));
+    let mut text = read(&ledger)?;
+    for log in &arguments.logs {
+        let added = read(log)?;
+        sums(&format!("{COLUMNS}\n{added}")).map_err(|rule| refused(log, &rule))?;
+        text += &added;
+    }
+    let all = sums(&text).map_err(|rule| refused(&ledger, &rule))?;
+    let made = with_table(&read(&page)?, &all).ok_or_else(|| refused(&page, "has no place for the table"))?;
+    files::write_file(&ledger, text.as_bytes())?;
+    files::write_file(&page, made.as_bytes())
+}
+
+fn read(file: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))
+}
+
+fn refused(file: &Path, rule: &str) -> Failure {
+    Failure::Refused(format!("{}: {rule}", file.display()))
+}
+
+/// What a reader was given in all runs.
+#[derive(Debug, Default, Clone, PartialEq)]
+struct Sum {
+    seeds: Vec<u64>,
+    cases: u64,
+    read: u64,
+    refused: u64,
+    minutes: f64,
+    peak_mib: u64,
+}
+
+/// Sums of a ledger by reader.
+fn sums(text: &str) -> Result<BTreeMap<String, Sum>, String> {
+    let mut all: BTreeMap<String, Sum> = BTreeMap::new();
+    let mut lines = text.lines();
+    if lines.next() != Some(COLUMNS) {
+        return Err(format!("does not begin with {COLUMNS}"));
+    }
+    for (line, number) in lines.zip(2..) {
+        let rule = || format!("line {number}: is no line of a log: {line}");
+        let (reader, part) = entry(line).ok_or_else(rule)?;
+        all.entry(reader).or_default().add(part);
+    }
+    Ok(all)
+}
+
+fn entry(line: &str) -> Option<(String, Sum)> {
+    let [reader, seed, cases, read, refused, minutes, peak_mib] =
+        line.split(',').collect::<Vec<_>>().try_into().ok()?;
+    let sum = Sum {
+        seeds: vec![seed.parse().ok()?],
+        cases: cases.parse().ok()?,
+        read: read.parse().ok()?,
+        refused: refused.parse().ok()?,
+        minutes: minutes.parse().ok().filter(|minutes: &f64| minutes.is_finite())?,
+        peak_mib: peak_mib.parse().ok()?,
+    };
+    (sum.read + sum.refused == sum.cases).then(|| (reader.to_owned(), sum))
+}
+
+impl Sum {
+    fn add(&mut self, part: Self) {
+        self.seeds.extend(part.seeds);
+        self.seeds.sort_unstable();
+        self.seeds.dedup();
+        self.cases += part.cases;
+        self.read += part.read;
+        self.refused += part.refused;
+        self.minutes += part.minutes;
+        self.peak_mib = self.peak_mib.max(part.peak_mib);
+    }
+
+    fn row(&self, reader: &str) -> String {
+        let Self { seeds, cases, read, refused, minutes, peak_mib } = self;
+        let seeds = seeds.iter().map(u64::to_string).collect::<Vec<_>>().join(", ");
+        format!("| {reader} | {minutes:.1} | {cases} | {read} | {refused} | {peak_mib} | {seeds} |\n")
+    }
+}
+
+/// The page with its table made anew; `None` where it has no place for it.
+fn with_table(page: &str, all: &BTreeMap<String, Sum>) -> Option<String> {
+    let (before, rest) = page.split_once(BEGIN)?;
+    let (_, behind) = rest.split_once(END)?;
+    Some(format!("{before}{BEGIN}\n\n{}\n{END}{behind}", table(all)))
+}
+
+fn table(all: &BTreeMap<String, Sum>) -> String {
+    let mut whole = Sum::default();
+    all.values().for_each(|sum| whole.add(Sum { seeds: vec![], ..sum.clone() }));
+    let least = all.values().map(|sum| sum.minutes).fold(f64::INFINITY, f64::min);
+    let done = all.values().filter(|sum| sum.minutes >= GOAL_MINUTES).count();
+    let rows: String = all.iter().map(|(reader, sum)| sum.row(reader)).collect();
+    format!(
+        "{} readers, {} cases, {:.0} processor minutes;\nthe least of a reader is {least:.1} minutes, and {done} of {} have the \
+         {GOAL_MINUTES} minutes that are the goal.\n\n\
+         | reader | processor minutes | cases | read | refused | most memory, MiB | seeds |\n|---|---|---|---|---|---|---|\n{rows}",
+        all.len(),
+        whole.cases,
+        whole.minutes,
+        all.len()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_of_several_runs_add_up_by_reader() {
+        let text =
+            format!("{COLUMNS}\nfcd,2,10,4,6,1.5000,30\nobj,1,5,5,0,0.2500,20\nfcd,1,10,1,9,0.5000,40\n");
+        let all = sums(&text).unwrap();
+        let fcd = Sum { seeds: vec![1, 2], cases: 20, read: 5, refused: 15, minutes: 2.0, peak_mib: 40 };
+        assert_eq!((all.len(), &all["fcd"]), (2, &fcd));
+        assert_eq!(fcd.row("fcd"), "| fcd | 2.0 | 20 | 5 | 15 | 40 | 1, 2 |\n");
+    }
+
+    #[test]
+    fn what_is_no_line_of_a_log_is_refused_with_its_number() {
+        for (bad, rule) in [
+            ("fcd,2,10,4,6,1.5\n", "line 2"),
+            ("fcd,2,10,4,7,1.5,30\n", "line 2"),
+            ("fcd,2,10,4,6,nan,30\n", "line 2"),
+        ] {
+            let told = sums(&format!("{COLUMNS}\n{bad}")).unwrap_err();
+            assert!(told.contains(rule), "{told}");
+        }
+        assert!(sums("fcd,2,10,4,6,1.5,30\n").is_err(), "the head is missing");
+    }
+
+    #[test]
+    fn the_table_of_the_page_is_that_of_the_ledger() {
+        let page = read(&project_root().join(PAGE)).unwrap();
+        let all = sums(&read(&project_root().join(LEDGER)).unwrap()).unwrap();
+        assert!(with_table(&page, &all).unwrap() == page, "cargo xtask fuzz-ledger makes it anew");
+    }
+}
