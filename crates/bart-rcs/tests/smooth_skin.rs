@@ -97,7 +97,7 @@ fn sphere_of_quads(radius_m: f64, cells: u32) -> Mesh {
             let mut x = DVec3::ZERO;
             let side = if face < 3 { 1.0 } else { -1.0 };
             (x[face % 3], x[(face + 1) % 3], x[(face + 2) % 3]) = (side, side * at(i), at(j));
-            mesh.vertices_m.push((radius_m * x.normalize()).to_array());
+            mesh.vertices_m.push((radius_m * x.normalize_or_zero()).to_array());
         }
         for (i, j) in (0..cells).flat_map(|i| (0..cells).map(move |j| (i, j))) {
             let corner = |i: u32, j: u32| first + i * (cells + 1) + j;

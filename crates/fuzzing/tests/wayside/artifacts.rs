@@ -55,7 +55,9 @@ fn write<K: Kind>(noise: &mut Noise, folder: &Path) {
     note(folder, &noise.pick(K::COMMANDS).replace("@F", &format!("@{file}")));
     // Whatever the command reads beside it.
     sound::of_run(folder, "frames.points");
-    (sound::trees(folder), sound::network(folder), sound::dataset(folder));
+    sound::trees(folder);
+    sound::network(folder);
+    sound::dataset(folder);
 }
 
 impl Kind for Scene {

@@ -42,7 +42,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     for number in 0..count {
         work.at(number as usize, count as usize);
         let asked_db = ASKED_DB[(number % 4) as usize];
-        let trial = Trial::of(&drawn::scene(1, number, asked_db < -25.0), asked_db)?;
+        let trial = Trial::of(&drawn::scene(1, number, if asked_db < -25.0 { 1 } else { 3 }), asked_db)?;
         part.row(&trial.cells());
         trials.push(trial);
     }
@@ -88,7 +88,7 @@ fn searched(part: &mut Part, count: u64) -> Result<(), Failure> {
     for number in (0..count).step_by(SEARCHED_EVERY as usize) {
         work.at(number as usize, count as usize);
         let asked_db = ASKED_DB[((number / SEARCHED_EVERY) % 3) as usize];
-        let searched = Searched::of(&drawn::scene(2, number, true), asked_db)?;
+        let searched = Searched::of(&drawn::scene(2, number, 1), asked_db)?;
         part.row(&searched.cells());
     }
     Ok(())

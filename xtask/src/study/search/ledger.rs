@@ -37,7 +37,7 @@ mod tests {
     #[test]
     fn a_search_is_entered_behind_earlier_ones() {
         let tally = Tally { name: "a", cases: 3, seconds: 90.0, finds: vec!["x | y".into()] };
-        let first = entered("none yet", &rows(1, &[tally.clone()]));
+        let first = entered("none yet", &rows(1, std::slice::from_ref(&tally)));
         assert_eq!(first.lines().nth(2), Some("| 1 | a | 3 | 1.5 | 1, the first: x \\| y |"));
         let second = entered(&first, &rows(2, &[tally]));
         assert_eq!(second.lines().count(), 6);

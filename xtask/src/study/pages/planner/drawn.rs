@@ -15,15 +15,15 @@ const VEHICLES: [&str; 8] = [
     "motorcycle-touring",
 ];
 
-/// Text of scene `number`; one vehicle only where that is asked.
-pub(super) fn scene(seed: u64, number: u64, alone: bool) -> String {
+/// Text of scene `number` with so many vehicles at most.
+pub(super) fn scene(seed: u64, number: u64, most: usize) -> String {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(seed, "validation/planner", &[number]));
     let preset = ["1x1", "3x4"][rng.random_range(0..2)];
     let mut text = format!(
         "name = \"planned-{seed}-{number:03}\"\n[radar]\nboresight_el_deg = -8.0\n[radar.waveform]\nchirps = 64\n\
          [radar.array]\npreset = \"{preset}\"\n[noise]\nnoise_figure_db = 12.0\n"
     );
-    let count = if alone { 1 } else { [1, 1, 2, 2, 3][rng.random_range(0..5)] };
+    let count = [1, 1, 2, 2, 3][rng.random_range(0..5)].min(most);
     for lane in 1..=count {
         let model = VEHICLES[rng.random_range(0..VEHICLES.len())];
         let (y_m, mps) = (rng.random_range(12.0..80.0), rng.random_range(-12.0..0.0));

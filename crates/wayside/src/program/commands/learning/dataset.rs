@@ -26,7 +26,7 @@ use crate::program::learning_cli::DatasetArguments;
 use crate::program::terminal;
 use layout::{Layout, PlannedShard};
 use recipe::Recipe;
-use std::path::PathBuf;
+use std::path::Path;
 
 pub(crate) fn run(arguments: &DatasetArguments, memory: Allowance) -> Result<(), Failure> {
     let recipe = Recipe::read(&arguments.spec, arguments.seed)?;
@@ -70,7 +70,7 @@ fn make(recipe: &Recipe, shards: Vec<PlannedShard>, memory: Allowance) -> Result
     Ok(())
 }
 
-fn unfinished(first: &PathBuf, lacking: usize, layout: &Layout) -> Failure {
+fn unfinished(first: &Path, lacking: usize, layout: &Layout) -> Failure {
     let (first, all) = (first.display(), layout.count());
     Failure::System(format!("{first}: not made yet or damaged, and so are {lacking} of {all} shards in all"))
 }
