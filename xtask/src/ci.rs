@@ -3,7 +3,6 @@
 mod circles;
 mod columns;
 mod commands;
-mod engines;
 mod features;
 mod findings;
 mod layers;
@@ -19,6 +18,7 @@ mod training;
 
 use crate::cli::CiArguments;
 use commands::{Tally, counted, finished};
+use outside::engines;
 use std::process::Command;
 use std::time::Instant;
 use training::Training;

@@ -17,7 +17,7 @@ pub(crate) struct Tally {
 }
 
 impl Tally {
-    /// What came since an earlier state of the same tally; the memory is that of now.
+    /// Counts since an earlier state of the same tally; the memory is that of now.
     pub(crate) fn since(self, earlier: &Self) -> Self {
         Self {
             cases: self.cases - earlier.cases,

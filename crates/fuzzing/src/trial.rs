@@ -17,16 +17,16 @@ pub struct Reader {
     pub write: fn(&mut Noise, &Path),
     /// Reads them; the sentence of a refusal, which names the file.
     pub read: fn(&Path) -> Result<(), String>,
-    /// What becomes of damage.
+    /// Fate of damage.
     pub damage: Damage,
 }
 
-/// What a reader does about a file that is not as it should be.
+/// Answer of a reader to a file that is not as it should be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Damage {
-    /// It is refused.
+    /// Refusal, with a sentence.
     Refused,
-    /// What the file was for is made anew.
+    /// Making anew of what the file was for.
     MadeAnew,
 }
 
@@ -53,7 +53,7 @@ fn try_all(readers: &[Reader], prepare: fn(&Path), asked: &Asked) {
     std::fs::remove_dir_all(folder).unwrap();
 }
 
-/// What the environment asks for.
+/// Trials that the environment asks for.
 #[derive(Default)]
 struct Asked {
     cases: Option<u64>,
@@ -110,7 +110,7 @@ struct Trial<'a> {
     logged: Tally,
 }
 
-/// As much of one reader in a row.
+/// Number of cases of one reader in a row.
 const TURN_CASES: u64 = 100;
 const TURN: Duration = Duration::from_secs(2);
 /// Processor time of a line of the log.

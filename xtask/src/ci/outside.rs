@@ -1,6 +1,8 @@
 //! A crate outside the workspace that depends on `wayside` by its path, with the lines of Rust of the README:
 //! what is promised to users of the library compiles for them too.
 
+pub(super) mod engines; // datasets and sweeps on engines that others make
+
 use crate::ci::commands::finished;
 use crate::ci::findings::read;
 use crate::project::project_root;

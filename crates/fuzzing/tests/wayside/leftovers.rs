@@ -1,4 +1,5 @@
-//! What earlier runs have left and later ones take up: summaries, lines of datasets, runs of studies,
+//! Readers of what earlier runs have left and later ones take up: summaries, lines of datasets, runs of
+//! studies,
 //! descriptions beside tables, checkpoints, and a cache.
 
 use crate::commands::{note, noted, out};

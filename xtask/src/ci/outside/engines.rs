@@ -16,7 +16,7 @@ const SMALL_PACKAGE: &str = "zipp==4.1.2";
 const NEEDED: &str =
     "import ensurepip, os, sys, venv; sys.exit(sys.version_info < (3, 10) or not os.path.isdir('/proc/1'))";
 
-pub(super) fn check(tally: &mut Tally) -> Result<(), Failure> {
+pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let python = std::env::var_os("PYTHON").unwrap_or("python3".into());
     if !is_good(Command::new(&python).args(["-c", NEEDED])) {
         return skipped(
