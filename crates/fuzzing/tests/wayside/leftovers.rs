@@ -24,7 +24,13 @@ pub(crate) fn readers() -> Vec<Reader> {
             read: read_summary,
             damage: Damage::Refused,
         },
-        Reader { name: "dataset-lines", cases: 40, write: write_lines, read: noted, damage: Damage::Refused },
+        Reader {
+            name: "dataset-lines",
+            cases: 40,
+            write: write_lines,
+            read: noted,
+            damage: Damage::MadeAnew,
+        },
         Reader { name: "study-runs", cases: 12, write: write_runs, read: noted, damage: Damage::MadeAnew },
         Reader { name: "sidecar", cases: 60, write: write_sidecar, read: noted, damage: Damage::Refused },
         Reader {

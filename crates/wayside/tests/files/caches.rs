@@ -180,7 +180,12 @@ fn what_dead_runs_left_in_a_cache_goes_with_the_next_run() {
         entry.with_file_name(".x.cube.aB3dE6.wayside.part"),
         place.path("a/.frames.cube.aB3dE6.wayside.part"),
     ];
-    left.iter().for_each(|file| std::fs::write(file, "half").unwrap());
+    // Their names tell no machine: they are taken for a dead writer's after a day without a byte.
+    let long_ago = std::time::SystemTime::now() - std::time::Duration::from_secs(2 * 24 * 3600);
+    for file in &left {
+        std::fs::write(file, "half").unwrap();
+        std::fs::File::options().write(true).open(file).unwrap().set_modified(long_ago).unwrap();
+    }
     place.run("run small.toml --out a --quiet");
     left.iter().for_each(|file| assert!(!file.exists(), "{}", file.display()));
 }
