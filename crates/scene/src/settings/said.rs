@@ -15,7 +15,7 @@ use toml::de::{DeTable, DeValue};
 pub struct SaidPhysics {
     /// Who chooses.
     pub planning: Planning,
-    /// Keys of [fidelity] that are there.
+    /// Keys of `[fidelity]` that are there.
     pub keys: BTreeSet<String>,
     /// Whether the road is said, be it there or not.
     pub road: bool,
