@@ -1,5 +1,5 @@
-//! A disk of 2 MiB that is full: every command ends with exit code 2, says so, and leaves nothing
-//! half-written.
+//! A disk of 2 MiB that is full, and one that cannot be written: every command ends with exit code 2, says
+//! so, and leaves nothing half-written.
 
 #![cfg(target_os = "linux")]
 #![allow(
@@ -19,21 +19,32 @@ struct Outcome {
     left: Vec<String>,
 }
 
-/// Runs in a mount of its own, which no other program sees and which ends with it. `None` where the system
-/// allows no such thing.
+/// Runs with a full disk at `disk`, but for so much room.
 fn on_small_disk(place: &Workplace, words: &str, free_kib: u64) -> Option<Outcome> {
     let script = "mount -t tmpfs -o size=2m tmpfs disk || exit 99
         head -c $((2097152 - $1 * 1024)) /dev/zero > disk/filler 2>/dev/null
         shift; \"$@\" > said 2>&1; echo $? > code
         rm disk/filler; cd disk; find . -type f | sort > ../left
         for file in $(cat ../left); do mkdir -p ../kept/$(dirname $file); cp $file ../kept/$file; done";
+    in_own_mount(place, script, &free_kib.to_string(), words)
+}
+
+/// Runs with a disk at `disk` that can be read alone.
+fn on_unwritable_disk(place: &Workplace, words: &str) -> Option<Outcome> {
+    let script = "mount -t tmpfs -o size=2m,ro tmpfs disk || exit 99
+        shift; \"$@\" > said 2>&1; echo $? > code; cd disk; find . -type f > ../left";
+    in_own_mount(place, script, "0", words)
+}
+
+/// Runs a script in a mount of its own, which no other program sees and which ends with it; its words are
+/// `first` and those of the command. `None` where the system allows no such thing.
+fn in_own_mount(place: &Workplace, script: &str, first: &str, words: &str) -> Option<Outcome> {
     std::fs::create_dir_all(place.path("disk")).unwrap();
     let _ = std::fs::remove_dir_all(place.path("kept"));
-    let command: Vec<&str> = words.split_whitespace().collect();
     let output = Command::new("unshare")
-        .args(["--user", "--map-root-user", "--mount", "bash", "-c", script, "bash", &free_kib.to_string()])
+        .args(["--user", "--map-root-user", "--mount", "bash", "-c", script, "bash", first])
         .arg(crate::common::PROGRAM)
-        .args(command)
+        .args(words.split_whitespace())
         .current_dir(place.root())
         .output()
         .ok()?;
@@ -70,8 +81,12 @@ const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16
 const RECIPE: &str = "scene = \"base.toml\"\nseed = 1\nscenes_per_class = 5\nrange_m = [25.0, 45.0]\n\
 speed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\n[models]\nmotorcycle = [\"motorcycle-street\"]\n";
 
+const STUDY: &str = "scene = \"small.toml\"\nrepeats = 2\n[[vary]]\nname = \"chirps\"\nkey = \"radar.waveform.chirps\"\n\
+values = [16, 32]\n[goal]\nmetric = \"coverage\"\n";
+
 fn filled() -> Workplace {
     let place = Workplace::new();
+    std::fs::write(place.path("study.toml"), STUDY).unwrap();
     std::fs::write(place.path("base.toml"), BASE).unwrap();
     std::fs::write(place.path("spec.toml"), RECIPE).unwrap();
     place.run("run small.toml --out a --no-cache --quiet");
@@ -81,33 +96,52 @@ fn filled() -> Workplace {
     place
 }
 
+/// Commands that write to `disk`; MODEL and TREES stand for two files of the project.
+const COMMANDS: [&str; 20] = [
+    "run small.toml --no-cache --quiet --out disk/o",
+    "rcs corner.obj --freq-ghz 76:78:16 --az-deg 0:90:40 --pictures --quiet --out disk/s.npy",
+    "paths small.toml --quiet --out disk/f.paths",
+    "echo small.toml --quiet --out disk/f.cube",
+    "dsp a/frames.cube --pictures --quiet --out disk/d",
+    "dataset spec.toml --quiet --out disk/d",
+    "import f.npy --scene small.toml --quiet --out disk/f.cube",
+    "calibrate a/frames.cube --at-m 2,30,1 --out disk/e.csv",
+    "export a/frames.cube --to npy --out disk/f.npy",
+    "export a/frames.rdm --to npy --out disk/f.npy",
+    "export a/frames.rdm --to exr --out disk/f.exr",
+    "export a/frames.points --to csv --out disk/f.csv",
+    "export a/frames.paths --to json --out disk/f.json",
+    "export MODEL --to safetensors --out disk/f.safetensors",
+    "vehicles --quiet --out disk/v",
+    "train crops --quiet --out disk/m",
+    "export crops/shard-0000.dataset --to csv --out disk/f.csv",
+    "evaluate TREES crops --out disk/e.md",
+    "protocols crops --seeds 1 --out disk/p.md",
+    "sweep study.toml --no-cache --quiet --out disk/w",
+];
+
+/// A command's words with the files that they stand for.
+fn with_models(words: &str) -> String {
+    words
+        .replace("MODEL", &Workplace::project_file("fixtures/paper-network.model"))
+        .replace("TREES", &Workplace::project_file("fixtures/classifier.model"))
+}
+
 #[test]
 fn every_command_ends_with_2_and_leaves_nothing_half_written() {
     let place = filled();
-    let model = Workplace::project_file("fixtures/paper-network.model");
-    let trees = Workplace::project_file("fixtures/classifier.model");
-    for words in [
-        "run small.toml --no-cache --quiet --out disk/o",
-        "rcs corner.obj --freq-ghz 76:78:16 --az-deg 0:90:40 --pictures --quiet --out disk/s.npy",
-        "paths small.toml --quiet --out disk/f.paths",
-        "echo small.toml --quiet --out disk/f.cube",
-        "dsp a/frames.cube --pictures --quiet --out disk/d",
-        "dataset spec.toml --quiet --out disk/d",
-        "import f.npy --scene small.toml --quiet --out disk/f.cube",
-        "calibrate a/frames.cube --at-m 2,30,1 --out disk/e.csv",
-        "export a/frames.cube --to npy --out disk/f.npy",
-        "export a/frames.rdm --to npy --out disk/f.npy",
-        "export a/frames.rdm --to exr --out disk/f.exr",
-        "export a/frames.points --to csv --out disk/f.csv",
-        "export a/frames.paths --to json --out disk/f.json",
-        &format!("export {model} --to safetensors --out disk/f.safetensors"),
-        "vehicles --quiet --out disk/v",
-        "train crops --quiet --out disk/m",
-        "export crops/shard-0000.dataset --to csv --out disk/f.csv",
-        &format!("evaluate {trees} crops --out disk/e.md"),
-        "protocols crops --seeds 1 --out disk/p.md",
-    ] {
-        ends_with_2_on_a_full_disk(&place, words);
+    COMMANDS.iter().for_each(|words| ends_with_2_on_a_full_disk(&place, &with_models(words)));
+}
+
+#[test]
+fn every_command_ends_with_2_where_nothing_can_be_written() {
+    let place = filled();
+    for words in COMMANDS {
+        let Some(Outcome { code, said, left }) = on_unwritable_disk(&place, &with_models(words)) else {
+            return;
+        };
+        assert!(code == 2 && left.is_empty(), "`{words}`: exit {code}: {said}\nleft: {left:?}");
+        assert!(said.contains("error: ") && said.contains("Read-only file system"), "`{words}`: {said}");
     }
 }
 

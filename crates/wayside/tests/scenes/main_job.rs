@@ -71,13 +71,18 @@ fn a_dry_run_tells_stages_time_and_memory_and_writes_nothing() {
 }
 
 #[test]
-fn the_same_scene_gives_the_same_bytes_on_one_and_two_threads() {
+fn the_same_scene_gives_the_same_bytes_on_1_2_3_and_8_threads() {
     let place = Workplace::new();
-    place.run("run small.toml --out one --threads 1 --no-cache --quiet");
-    place.run("run small.toml --out two --threads 2 --no-cache --quiet");
-    ARTIFACTS
-        .iter()
-        .for_each(|a| assert_eq!(place.bytes(&format!("one/{a}")), place.bytes(&format!("two/{a}")), "{a}"));
+    let on = |threads: u8, name: &str| {
+        place.run(&format!("run small.toml --out {name} --threads {threads} --no-cache --quiet"));
+        ARTIFACTS.map(|artifact| place.bytes(&format!("{name}/{artifact}")))
+    };
+    let one = on(1, "one");
+    for (threads, name) in [(2, "two"), (3, "three"), (8, "eight")] {
+        for (artifact, (one, other)) in ARTIFACTS.iter().zip(one.iter().zip(on(threads, name))) {
+            assert!(*one == other, "{artifact} on {threads} threads");
+        }
+    }
 }
 
 #[test]
