@@ -4,30 +4,20 @@
 #[allow(dead_code, reason = "tests of meshes change it, these take it as it is")]
 mod glb_file;
 
-use crate::commands::{note, noted};
+use crate::commands::{note, noted, put};
 use crate::sound::{self, RECIPE, STUDY};
-use fuzzing::{Damage, Noise, Reader, change_json_like, changed_text};
+use fuzzing::{Noise, Reader, change_json_like, changed_text, with_signs};
 use glb_file::GlbFile;
 use serde_json::Value;
 use std::path::Path;
 
 pub(crate) fn readers() -> Vec<Reader> {
     vec![
-        Reader { name: "study", cases: 100, write: write_study, read: noted, damage: Damage::Refused },
-        Reader { name: "recipe", cases: 200, write: write_recipe, read: noted, damage: Damage::Refused },
-        Reader { name: "manifest", cases: 200, write: write_manifest, read: noted, damage: Damage::Refused },
-        Reader {
-            name: "attributions",
-            cases: 4,
-            write: write_attributions,
-            read: noted,
-            damage: Damage::Refused,
-        },
+        Reader::refusing("study", 100, write_study, noted),
+        Reader::refusing("recipe", 200, write_recipe, noted),
+        Reader::refusing("manifest", 200, write_manifest, noted),
+        Reader::refusing("attributions", 4, write_attributions, noted),
     ]
-}
-
-fn put(folder: &Path, name: &str, bytes: &[u8]) {
-    std::fs::write(folder.join(name), bytes).unwrap();
 }
 
 /// The last part of very many: what is asked for is read and drawn, and nothing is made.
@@ -48,19 +38,8 @@ const STUDIES: [&str; 3] = [
      [[condition]]\nkey = \"frames\"\nvalues = [1, 2]\n[goal]\nmetric = \"coverage\"\n",
 ];
 
-const WORDS: [&str; 44] = [
-    "[",
-    "]",
-    "{",
-    "}",
-    "[[",
-    "]]",
-    "\"",
-    "'''",
-    "=",
-    ",",
-    "#",
-    "\n",
+/// Words of studies and recipes.
+const WORDS: [&str; 32] = [
     "nan",
     "inf",
     "true",
@@ -105,7 +84,7 @@ fn write_study(noise: &mut Noise, folder: &Path) {
 /// A document changed by its values, which leaves its syntax right, or by its words.
 fn changed_toml(noise: &mut Noise, text: &str) -> Vec<u8> {
     if noise.one_in(2) {
-        return changed_text(noise, text.as_bytes(), &WORDS);
+        return changed_text(noise, text.as_bytes(), &with_signs(&WORDS));
     }
     let mut value: Value = toml::from_str(text).unwrap();
     for _ in 0..=noise.below(2) {
@@ -167,6 +146,6 @@ fn write_manifest(noise: &mut Noise, folder: &Path) {
 fn write_attributions(noise: &mut Noise, folder: &Path) {
     sound::dataset(folder);
     let whole = include_str!("../../../../fixtures/classifier.attributions.txt");
-    put(folder, "a.txt", &changed_text(noise, whole.as_bytes(), &WORDS));
+    put(folder, "a.txt", &changed_text(noise, whole.as_bytes(), &with_signs(&WORDS)));
     note(folder, "train @sound/d --attributions @a.txt --out @O");
 }
