@@ -39,7 +39,7 @@ fn refused(file: &Path, rule: &str) -> Failure {
     Failure::Refused(format!("{}: {rule}", file.display()))
 }
 
-/// What a reader was given in all runs.
+/// Cases that a reader was given in all runs.
 #[derive(Debug, Default, Clone, PartialEq)]
 struct Sum {
     seeds: Vec<u64>,

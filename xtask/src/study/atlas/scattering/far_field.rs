@@ -1,7 +1,7 @@
 //! A plate of 1.5 m at the ranges of a road, 2D²/λ = 1.2 km: a far-field table against paths of spherical
 //! waves.
 
-use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::methods;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
@@ -27,12 +27,7 @@ fn scene_at(range_m: f64) -> Result<SceneHeader, Failure> {
 
 /// The paper's σ_f: its phase and level belong to infinity.
 pub(in crate::study::atlas) fn table_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "rcs-table",
-        case: "far-field table of a 1.5 m plate",
-        parameter: "range_m",
-    };
+    let trial = methods::RCS_TABLE.trial("far-field table of a 1.5 m plate", "range_m");
     let far = closed_forms::plate_far(SIDE_M, 0.0);
     let row = |range_m: f64| {
         let header = scene_at(range_m)?;
@@ -47,8 +42,7 @@ pub(in crate::study::atlas) fn table_over_range(_: Extent) -> Result<Vec<CaseRow
 
 /// Paths of spherical waves, which take the table's place.
 pub(in crate::study::atlas) fn paths_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial =
-        Trial { stage: "bart-rcs", method: "paths", case: "paths of the same plate", parameter: "range_m" };
+    let trial = methods::PATHS.trial("paths of the same plate", "range_m");
     let row = |range_m: f64| {
         let header = scene_at(range_m)?;
         let frame = paths_of(&header)?;

@@ -1,6 +1,6 @@
 //! Bodies that stand in one another.
 
-use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::methods;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies::{self, Face};
 use crate::study::extent::Extent;
@@ -68,12 +68,8 @@ fn sampled(header: &SceneHeader, body: &Mesh) -> Result<Complex64, Failure> {
 
 /// Two boxes of 20 cm, the second shifted: one in place of the other, half in it, a wavelength before it.
 pub(in crate::study::atlas) fn boxes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "paths",
-        case: "bodies that stand in one another, dense sampling of both",
-        parameter: "the second's place, m",
-    };
+    let trial = methods::PATHS
+        .trial("bodies that stand in one another, dense sampling of both", "the second's place, m");
     let body = bodies::cube(0.2, &Face::ALL);
     let row = |shift_m: [f64; 3]| {
         // Of the body's axes: its x is −y of the world.
@@ -91,12 +87,7 @@ pub(in crate::study::atlas) fn boxes(_: Extent) -> Result<Vec<CaseRow>, Failure>
 
 /// A body that is there twice is one body.
 pub(in crate::study::atlas) fn twice(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "paths",
-        case: "a body that is there twice, against once",
-        parameter: "body",
-    };
+    let trial = methods::PATHS.trial("a body that is there twice, against once", "body");
     let row = |(name, body): (&str, Mesh)| {
         let once = with_body(empty("", 3)?, &body, PLACE_M, [0.0; 3]);
         let twice = with_body(once.clone(), &body, PLACE_M, [0.0; 3]);
@@ -113,12 +104,7 @@ pub(in crate::study::atlas) fn twice(_: Extent) -> Result<Vec<CaseRow>, Failure>
 
 /// A long wall nearer to the radar than it is long: parts of it are seen along, others square on.
 pub(in crate::study::atlas) fn nearer_than_long(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "paths",
-        case: "body longer than its distance, dense sampling",
-        parameter: "length_m, distance_m",
-    };
+    let trial = methods::PATHS.trial("body longer than its distance, dense sampling", "length_m, distance_m");
     let row = |(length_m, distance_m): (f64, f64)| {
         let wall =
             bodies::parallelograms(&[[[0.0, -0.5 * length_m, -0.1], [0.0, length_m, 0.0], [0.0, 0.0, 0.2]]]);

@@ -1,7 +1,7 @@
 //! The road as a mirror, at Brewster's angle and beside it.
 
+use crate::study::atlas::methods;
 use crate::study::atlas::traffic::overlapping::{empty, summed_at};
-use crate::study::atlas::verdict::Trial;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::extent::Extent;
@@ -27,12 +27,8 @@ const BAND_HZ: [f64; 5] = [76.7e9, 76.85e9, 77.0e9, 77.15e9, 77.3e9];
 /// A sphere above a smooth road, seen at a grazing angle: the four ways by the antenna's image, each by dense
 /// sampling of the sphere, times r of each passage by the road. E across the road has r_TE, H across it r_TM.
 pub(in crate::study::atlas) fn brewster(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "road",
-        case: "sphere above a smooth road, Brewster's angle is 18.0°",
-        parameter: "polarization, grazing_deg",
-    };
+    let trial = methods::ROAD
+        .trial("sphere above a smooth road, Brewster's angle is 18.0°", "polarization, grazing_deg");
     let sphere = bodies::sphere(0.05, 24);
     let mut rows = Vec::new();
     for grazing_deg in [6.0_f64, 17.98, 40.0] {
