@@ -1,6 +1,7 @@
 //! Paths that stand for a body through a whole frame, and the precision of samples.
 
 use crate::study::atlas::methods;
+use crate::study::atlas::verdict::printed;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::extent::Extent;
@@ -25,7 +26,7 @@ pub(in crate::study::atlas) fn near_lane(_: Extent) -> Result<Vec<CaseRow>, Fail
         let mut header = with_body(scene_of(PLAIN)?, &body, [9.5, 22.3, 0.0], [0.0, -10.0, 0.0]);
         header.fidelity.accuracy = Accuracy::from_db(accuracy_db);
         let frozen = paths_of(&header)?;
-        let says = frozen.error.total().map_or(Says::Nothing, Says::AtMost);
+        let says = printed(&frozen.error);
         Ok(trial.answered(accuracy_db, error_through_the_frame(&header, &frozen.paths)?, says))
     };
     [-20.0, -30.0].into_iter().map(row).collect()

@@ -25,7 +25,7 @@ pub(in crate::study::atlas) fn hair_steps(_: Extent) -> Result<Vec<CaseRow>, Fai
         let mean = result.amplitude_m.iter().map(|s| s.norm()).sum::<f64>() / 21.0;
         let bend = |w: &[Complex64]| (w[0] - 2.0 * w[1] + w[2]).norm() / mean;
         let most = result.amplitude_m.windows(3).map(bend).fold(0.0, f64::max);
-        Ok(trial.answered(name, most, printed(&result)))
+        Ok(trial.answered(name, most, printed(&result.error)))
     };
     [
         ("plate at its specular", bodies::plate(0.3), -1e-5),
@@ -63,7 +63,7 @@ pub(in crate::study::atlas) fn exchanged(_: Extent) -> Result<Vec<CaseRow>, Fail
         Ok(trial.answered(
             name,
             looks::relative_error(&forth.amplitude_m, &back.amplitude_m),
-            printed(&forth),
+            printed(&forth.error),
         ))
     };
     [
@@ -95,7 +95,7 @@ pub(in crate::study::atlas) fn rolled_dihedral(_: Extent) -> Result<Vec<CaseRow>
         let (sin, cos) = (2.0 * roll_deg).to_radians().sin_cos();
         let share = if polarization == Polarization::Vv { cos } else { sin };
         let error = (result.by_order_m[1][0].norm() / whole - share.abs()).abs();
-        Ok(trial.answered(format!("{name}, {roll_deg}"), error, printed(&result)))
+        Ok(trial.answered(format!("{name}, {roll_deg}"), error, printed(&result.error)))
     };
     [
         ("vv", Polarization::Vv, 22.5),
@@ -122,7 +122,11 @@ pub(in crate::study::atlas) fn wide_band(_: Extent) -> Result<Vec<CaseRow>, Fail
         let towards_m = -apart_m * azimuth_rad.cos() + (0.3 + apart_m) * azimuth_rad.sin();
         let exact: Vec<Complex64> =
             frequency_hz.iter().map(|f| two_plates(*f, azimuth_rad, towards_m)).collect();
-        Ok(trial.answered(apart_m, looks::relative_error(&result.amplitude_m, &exact), printed(&result)))
+        Ok(trial.answered(
+            apart_m,
+            looks::relative_error(&result.amplitude_m, &exact),
+            printed(&result.error),
+        ))
     };
     [0.5, 10.0, 300.0].into_iter().map(row).collect()
 }

@@ -26,7 +26,7 @@ fn alike(
     Ok(trial.answered(
         value,
         looks::relative_error(&found.amplitude_m, &expected),
-        crate::study::atlas::verdict::printed(&found),
+        crate::study::atlas::verdict::printed(&found.error),
     ))
 }
 
@@ -71,7 +71,7 @@ pub(in crate::study::atlas) fn needles(_: Extent) -> Result<Vec<CaseRow>, Failur
         Ok(trial.answered(
             name,
             looks::relative_error(&found.amplitude_m, &[exact]),
-            crate::study::atlas::verdict::printed(&found),
+            crate::study::atlas::verdict::printed(&found.error),
         ))
     };
     [("slivers of 0.3 µm and 3 nm", needles), ("T-junctions", with_t_junctions())]

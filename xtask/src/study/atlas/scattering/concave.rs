@@ -47,7 +47,7 @@ pub(in crate::study::atlas) fn mirror_from_its_centre(_: Extent) -> Result<Vec<C
         let result = looks::traced(&mirror(cells), &request)?;
         let says = match result.error.tessellation {
             None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
-            Some(_) => printed(&result),
+            Some(_) => printed(&result.error),
         };
         Ok(trial.answered(q, looks::relative_error(&result.amplitude_m, &[exact]), says))
     };
@@ -69,7 +69,11 @@ pub(in crate::study::atlas) fn mirror_from_its_focus(_: Extent) -> Result<Vec<Ca
         };
         let found = po::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &sampling);
         let exact = found.map_err(Failure::refused)?[0][0][0];
-        Ok(trial.answered(share, looks::relative_error(&result.amplitude_m, &[exact]), printed(&result)))
+        Ok(trial.answered(
+            share,
+            looks::relative_error(&result.amplitude_m, &[exact]),
+            printed(&result.error),
+        ))
     };
     [0.5, 0.75, 1.0, 1.5].into_iter().map(row).collect()
 }

@@ -102,7 +102,7 @@ pub(in crate::study::atlas) fn closed_box(_: Extent) -> Result<Vec<CaseRow>, Fai
     let row = |bounces: u8| {
         let result = looks::traced(&body, &looks::bounced(1.0, 0.0, bounces))?;
         let error = looks::relative_error(&result.amplitude_m, &[exact]);
-        Ok(trial.answered(bounces, error, printed(&result)))
+        Ok(trial.answered(bounces, error, printed(&result.error)))
     };
     [1, 3, 5].into_iter().map(row).collect()
 }

@@ -50,7 +50,11 @@ fn order_alone(
 ) -> Result<CaseRow, Failure> {
     let result = looks::traced(body, &looks::bounced(azimuth_deg, elevation_deg, order))?;
     let found = result.by_order_m[usize::from(order) - 1][0].norm();
-    Ok(TRIAL.answered(name, looks::level_error(found, level), crate::study::atlas::verdict::printed(&result)))
+    Ok(TRIAL.answered(
+        name,
+        looks::level_error(found, level),
+        crate::study::atlas::verdict::printed(&result.error),
+    ))
 }
 
 /// Off 90° the node decides; neither is exact, and the spread is printed.

@@ -17,7 +17,7 @@ use wayside::host::failure::Failure;
 fn as_given(result: &RcsResult) -> Says {
     match result.error.tessellation {
         None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
-        Some(_) => printed(result),
+        Some(_) => printed(&result.error),
     }
 }
 

@@ -2,6 +2,7 @@
 //! waves.
 
 use crate::study::atlas::methods;
+use crate::study::atlas::verdict::printed;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
@@ -9,9 +10,6 @@ use crate::study::extent::Extent;
 use crate::study::looks;
 use crate::study::scenes::{frame_of, paths_of, scene_of, tables_at, with_body};
 use artifact::scene::SceneHeader;
-use bart_rcs::{PathView, scattering_of_paths};
-use glam::DVec3;
-use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
 const SIDE_M: f64 = 1.5;
@@ -46,21 +44,16 @@ pub(in crate::study::atlas) fn paths_over_range(_: Extent) -> Result<Vec<CaseRow
     let row = |range_m: f64| {
         let header = scene_at(range_m)?;
         let frame = paths_of(&header)?;
-        let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
+        let says = printed(&frame.error);
         let near = closed_forms::plate_near(SIDE_M, range_m, 0.0);
-        Ok(trial.answered(range_m, looks::relative_error(&[at_rest(&header, &frame.paths)], &[near]), says))
+        Ok(trial.answered(
+            range_m,
+            looks::relative_error(
+                &[looks::about_first_body(&header, &frame.paths, looks::FREQUENCY_HZ)[0][0]],
+                &[near],
+            ),
+            says,
+        ))
     };
     RANGES_M.into_iter().map(row).collect()
-}
-
-fn at_rest(header: &SceneHeader, paths: &[artifact::paths::Path]) -> Complex64 {
-    let antenna_m = DVec3::from(header.radar.position_m);
-    let view = PathView {
-        transmitter_m: antenna_m,
-        receiver_m: antenna_m,
-        origin_m: DVec3::from(header.targets[0].start.position_m),
-        seconds: header.radar.frame_middle_s(),
-        centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
-    };
-    scattering_of_paths(paths, &view, looks::FREQUENCY_HZ)[0][0]
 }

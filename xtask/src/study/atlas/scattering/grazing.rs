@@ -25,7 +25,7 @@ pub(in crate::study::atlas) fn plate(_: Extent) -> Result<Vec<CaseRow>, Failure>
         Ok(trial.answered(
             grazing_deg,
             looks::relative_error(&result.amplitude_m, &[exact]),
-            printed(&result),
+            printed(&result.error),
         ))
     };
     [10.0, 1.0, 0.1, 1e-3, 1e-6].into_iter().map(row).collect()
@@ -41,7 +41,7 @@ pub(in crate::study::atlas) fn wall_of_a_corner(_: Extent) -> Result<Vec<CaseRow
             (16.0 * PI).sqrt() * 0.15_f64.powi(2) / looks::WAVELENGTH_M * grazing_deg.to_radians().sin();
         // Over the whole of S, which the printed error is of.
         let error = (result.by_order_m[1][0].norm() - level).abs() / result.amplitude_m[0].norm();
-        Ok(trial.answered(grazing_deg, error, printed(&result)))
+        Ok(trial.answered(grazing_deg, error, printed(&result.error)))
     };
     [5.0, 1.0, 0.1, 1e-3, 1e-6].into_iter().map(row).collect()
 }

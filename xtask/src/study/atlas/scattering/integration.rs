@@ -20,7 +20,7 @@ pub(in crate::study::atlas) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, F
         Ok(trial.answered(
             azimuth_deg,
             looks::relative_error(&result.amplitude_m, &[exact]),
-            printed(&result),
+            printed(&result.error),
         ))
     };
     [0.0, 1e-9, 1e-6, 1e-4, 1e-2, 1.0].into_iter().map(row).collect()
@@ -42,7 +42,7 @@ pub(in crate::study::atlas) fn off_specular(_: Extent) -> Result<Vec<CaseRow>, F
         Ok(trial.answered(
             azimuth_deg,
             looks::relative_error(&result.amplitude_m, &[exact]),
-            printed(&result),
+            printed(&result.error),
         ))
     };
     [0.0, 2.0, 20.0].into_iter().map(row).collect()

@@ -54,7 +54,7 @@ pub(in crate::study::atlas) fn panes(_: Extent) -> Result<Vec<CaseRow>, Failure>
         let exact = -slab(thickness_m)[0] * closed_forms::plate_far(0.1, 0.0);
         let (name, error, says) = match thickness {
             Thickness::Exact => {
-                ("exactly", looks::relative_error(&result.amplitude_m, &[exact]), printed(&result))
+                ("exactly", looks::relative_error(&result.amplitude_m, &[exact]), printed(&result.error))
             }
             Thickness::Averaged => {
                 ("about", looks::level_error(result.amplitude_m[0].norm(), exact.norm()), averaged)
@@ -85,7 +85,7 @@ pub(in crate::study::atlas) fn half_space(_: Extent) -> Result<Vec<CaseRow>, Fai
         };
         let exact = factor * closed_forms::plate_far(0.1, off_deg.to_radians());
         let error = looks::relative_error(&result.amplitude_m, &[exact]);
-        Ok(trial.answered(format!("{name}, {off_deg}"), error, printed(&result)))
+        Ok(trial.answered(format!("{name}, {off_deg}"), error, printed(&result.error)))
     };
     let angles = [0.0, 30.0, 68.0, 68.6, 85.0];
     let hh = angles.iter().map(|a| ("hh", Polarization::Hh, *a));
@@ -108,7 +108,7 @@ pub(in crate::study::atlas) fn behind_a_pane(_: Extent) -> Result<Vec<CaseRow>, 
         let mut asked = body.clone();
         asked.makeup = Makeup { materials, transmission };
         let result = looks::traced(&asked, &looks::first_order(0.0, 0.0))?;
-        let says = result.model_error.transmission.map_or(printed(&result), Says::About);
+        let says = result.model_error.transmission.map_or(printed(&result.error), Says::About);
         Ok(trial.answered(name, looks::relative_error(&result.amplitude_m, &[exact]), says))
     };
     [("followed", Transmission::Followed), ("ignored", Transmission::Ignored)].into_iter().map(row).collect()

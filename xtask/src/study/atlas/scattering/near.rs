@@ -42,7 +42,7 @@ pub(in crate::study::atlas) fn larger_than_its_distance(_: Extent) -> Result<Vec
         let result = from_near(&bodies::plate(side_m), range_m, 1)?;
         let exact = closed_forms::plate_near(side_m, range_m, 0.0);
         let error = looks::relative_error(&result.amplitude_m, &[exact]);
-        Ok(trial.answered(format!("{side_m}, {range_m}"), error, printed(&result)))
+        Ok(trial.answered(format!("{side_m}, {range_m}"), error, printed(&result.error)))
     };
     [(0.02, 0.004), (0.05, 0.05), (0.1, 0.05), (0.2, 0.05)].into_iter().map(row).collect()
 }
@@ -61,7 +61,7 @@ pub(in crate::study::atlas) fn sphere_from_close_by(_: Extent) -> Result<Vec<Cas
         Ok(trial.answered(
             distance_m,
             looks::level_error(result.amplitude_m[0].norm(), level),
-            printed(&result),
+            printed(&result.error),
         ))
     };
     [0.02, 0.1, 1.0].into_iter().map(row).collect()

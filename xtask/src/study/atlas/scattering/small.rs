@@ -58,7 +58,11 @@ pub(in crate::study::atlas) fn sizes(_: Extent) -> Result<Vec<CaseRow>, Failure>
     let row = |side_m: f64| {
         let result = looks::traced(&bodies::plate(side_m), &looks::first_order(1.0, 0.0))?;
         let exact = closed_forms::plate_far(side_m, 1_f64.to_radians());
-        Ok(trial.answered(side_m, looks::relative_error(&result.amplitude_m, &[exact]), printed(&result)))
+        Ok(trial.answered(
+            side_m,
+            looks::relative_error(&result.amplitude_m, &[exact]),
+            printed(&result.error),
+        ))
     };
     [1e-6, 1e-3, 0.1, 10.0, 500.0].into_iter().map(row).collect()
 }

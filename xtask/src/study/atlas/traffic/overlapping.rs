@@ -1,7 +1,8 @@
 //! Bodies that stand in one another.
 
+use crate::study::atlas::CaseRow;
 use crate::study::atlas::methods;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::verdict::printed;
 use crate::study::bodies::{self, Face};
 use crate::study::extent::Extent;
 use crate::study::looks;
@@ -10,7 +11,7 @@ use artifact::Accuracy;
 use artifact::paths::PathsFrame;
 use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Sides;
-use bart_rcs::{PathView, Standpoint, scattering_of_paths};
+use bart_rcs::Standpoint;
 use glam::DVec3;
 use num_complex::Complex64;
 use po_sbr::{Aspect, Bracket, po};
@@ -30,20 +31,7 @@ pub(super) fn empty(words: &str, bounces: u8) -> Result<SceneHeader, Failure> {
 
 /// S of a frame's paths about the first body, at 77 GHz.
 fn summed(header: &SceneHeader, frame: &PathsFrame) -> [[Complex64; 2]; 2] {
-    summed_at(header, frame, looks::FREQUENCY_HZ)
-}
-
-/// S of a frame's paths about the first body.
-pub(super) fn summed_at(header: &SceneHeader, frame: &PathsFrame, frequency_hz: f64) -> [[Complex64; 2]; 2] {
-    let antenna_m = DVec3::from(header.radar.position_m);
-    let view = PathView {
-        transmitter_m: antenna_m,
-        receiver_m: antenna_m,
-        origin_m: DVec3::from(header.targets[0].start.position_m),
-        seconds: header.radar.frame_middle_s(),
-        centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
-    };
-    scattering_of_paths(&frame.paths, &view, frequency_hz)
+    looks::about_first_body(header, &frame.paths, looks::FREQUENCY_HZ)
 }
 
 /// Sampling of all bodies as one mesh, in the axes of the first.
@@ -78,7 +66,7 @@ pub(in crate::study::atlas) fn boxes(_: Extent) -> Result<Vec<CaseRow>, Failure>
         let header = with_body(header, &body, second_m, [0.0; 3]);
         let frame = paths_of(&header)?;
         let exact = sampled(&header, &bodies::joined(body.clone(), &bodies::shifted(body.clone(), shift_m)))?;
-        let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
+        let says = printed(&frame.error);
         let error = looks::relative_error(&[summed(&header, &frame)[0][0]], &[exact]);
         Ok(trial.answered(format!("{shift_m:?}"), error, says))
     };
@@ -92,7 +80,7 @@ pub(in crate::study::atlas) fn twice(_: Extent) -> Result<Vec<CaseRow>, Failure>
         let once = with_body(empty("", 3)?, &body, PLACE_M, [0.0; 3]);
         let twice = with_body(once.clone(), &body, PLACE_M, [0.0; 3]);
         let (one, two) = (paths_of(&once)?, paths_of(&twice)?);
-        let says = two.error.total().map_or(Says::Nothing, Says::AtMost);
+        let says = printed(&two.error);
         let error = looks::relative_error(&[summed(&twice, &two)[0][0]], &[summed(&once, &one)[0][0]]);
         Ok(trial.answered(name, error, says))
     };
@@ -111,7 +99,7 @@ pub(in crate::study::atlas) fn nearer_than_long(_: Extent) -> Result<Vec<CaseRow
         let header = with_body(empty("", 1)?, &wall, [0.3, distance_m, 6.0], [0.0; 3]);
         let frame = paths_of(&header)?;
         let exact = sampled(&header, &wall)?;
-        let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
+        let says = printed(&frame.error);
         let error = looks::relative_error(&[summed(&header, &frame)[0][0]], &[exact]);
         Ok(trial.answered(format!("{length_m}, {distance_m}"), error, says))
     };

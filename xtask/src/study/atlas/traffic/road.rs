@@ -1,8 +1,9 @@
 //! The road as a mirror, at Brewster's angle and beside it.
 
+use crate::study::atlas::CaseRow;
 use crate::study::atlas::methods;
-use crate::study::atlas::traffic::overlapping::{empty, summed_at};
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::traffic::overlapping::empty;
+use crate::study::atlas::verdict::printed;
 use crate::study::bodies;
 use crate::study::extent::Extent;
 use crate::study::looks;
@@ -43,9 +44,11 @@ pub(in crate::study::atlas) fn brewster(_: Extent) -> Result<Vec<CaseRow>, Failu
             let mut asked = header.clone();
             asked.radar.array.polarization = polarization;
             let frame = paths_of(&asked)?;
-            let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
-            let found: Vec<Complex64> =
-                BAND_HZ.iter().map(|f| summed_at(&asked, &frame, *f)[index][index]).collect();
+            let says = printed(&frame.error);
+            let found: Vec<Complex64> = BAND_HZ
+                .iter()
+                .map(|f| looks::about_first_body(&asked, &frame.paths, *f)[index][index])
+                .collect();
             let exact = by_images(&sphere, radar_m, grazing_deg.to_radians(), index)?;
             let error = looks::relative_error(&found, &exact);
             rows.push(trial.answered(format!("{polarization:?}, {grazing_deg}"), error, says));
