@@ -31,13 +31,13 @@ fn prepared(recipe: &str) -> Workplace {
     place
 }
 
-/// All that a dataset's folder holds, by names.
+/// Files in a dataset's folder, by their names.
 fn held(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let name = |file: &Path| file.strip_prefix(folder).unwrap().display().to_string();
     files(folder).iter().map(|file| (name(file), std::fs::read(file).unwrap())).collect()
 }
 
-/// What one machine makes.
+/// Files that one machine makes.
 fn whole() -> BTreeMap<String, Vec<u8>> {
     let place = prepared(RECIPE);
     place.run("dataset spec.toml --out d --quiet");

@@ -88,7 +88,7 @@ fn vehicle(id: &str, target: usize, told: &ToldVehicle, truth: &Truth, object: O
 }
 
 /// A thousand frames of sixteen vehicles for each of the usual scenes of a shard.
-pub(super) const LIMIT_BYTES: u64 = 1 << 30;
+pub(in crate::program::commands::learning) const LIMIT_BYTES: u64 = 1 << 30;
 
 /// The lines of a shard, which another part of the same work may have written.
 pub(super) fn read(file: &Path) -> Result<Vec<Value>, Failure> {
