@@ -112,9 +112,11 @@ fn table(all: &BTreeMap<String, Sum>) -> String {
     let done = all.values().filter(|sum| sum.minutes >= GOAL_MINUTES).count();
     let rows: String = all.iter().map(|(reader, sum)| sum.row(reader)).collect();
     format!(
-        "{} readers, {} cases, {:.0} processor minutes;\nthe least of a reader is {least:.1} minutes, and {done} of {} have the \
+        "{} readers, {} cases, {:.0} processor minutes;\n\
+         the least of a reader is {least:.1} minutes, and {done} of {} have the \
          {GOAL_MINUTES} minutes that are the goal.\n\n\
-         | reader | processor minutes | cases | read | refused | most memory, MiB | seeds |\n|---|---|---|---|---|---|---|\n{rows}",
+         | reader | processor minutes | cases | read | refused | most memory, MiB | seeds |\n\
+         |---|---|---|---|---|---|---|\n{rows}",
         all.len(),
         whole.cases,
         whole.minutes,

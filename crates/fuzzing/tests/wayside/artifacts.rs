@@ -136,7 +136,8 @@ impl Kind for Points {
         "export @F --to ply --out @O",
         "export @F --to json --out @O",
         "score @F --scene @sound/run/scene.scene",
-        "score @F --scene @sound/run/scene.scene --paths @sound/run/frames.paths --tracks @sound/run/frames.tracks",
+        "score @F --scene @sound/run/scene.scene --paths @sound/run/frames.paths --tracks \
+         @sound/run/frames.tracks",
     ];
 
     fn sound(folder: &Path) -> Vec<PathBuf> {

@@ -31,7 +31,8 @@ const STUDIES: [&str; 3] = [
      [[vary]]\nkey = \"noise.noise_figure_db\"\ndraw = { uniform = [9.0, 15.0] }\n\
      [[condition]]\nkey = \"target[0].position_m\"\nvalues = [[-2.0, 20.0, 0.0], [2.0, 30.0, 0.0]]\n\
      [[condition]]\nkey = \"target[1].rcs_m2\"\ndraw = { whole = [1, 9] }\n\
-     [sample]\ncount = 4\n[goal]\nmetric = \"coverage\"\nbetter = \"higher\"\ncost = \"channels\"\nmargin = 0.1\n\
+     [sample]\ncount = 4\n[goal]\nmetric = \"coverage\"\nbetter = \"higher\"\ncost = \"channels\"\n\
+     margin = 0.1\n\
      [stop]\nconfidence = 0.95\nleast = 3\n",
     "scene = \"sound/small.toml\"\n[[vary]]\nkey = \"seed\"\nvalues = [1, 2, 3]\n\
      [[vary]]\nkey = \"dsp.training_cells\"\nvalues = [[3, 6], [2, 4]]\n\
@@ -111,9 +112,11 @@ fn inline(value: &Value) -> String {
 
 const RECIPES: [&str; 2] = [
     RECIPE,
-    "scenes = [\"sound/base.toml\", \"sound/small.toml\"]\nseed = 1\nscenes_per_class = 3\nscenes_per_shard = 2\n\
+    "scenes = [\"sound/base.toml\", \"sound/small.toml\"]\nseed = 1\nscenes_per_class = 3\n\
+     scenes_per_shard = 2\n\
      range_m = [25.0, 45.0]\nspeed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\nyaw_deg = [-5, 5]\n\
-     offset_m = [-0.5, 0.5]\nradar_height_m = [5, 6]\ntilt_deg = [-8, -4]\nextra_noise_db = [0, 6]\nframes = 2\n\
+     offset_m = [-0.5, 0.5]\nradar_height_m = [5, 6]\ntilt_deg = [-8, -4]\nextra_noise_db = [0, 6]\n\
+     frames = 2\n\
      frame_interval_s = 0.1\nvehicles_per_scene = [1, 3]\nqueue_share = 0.5\ncrops = false\n\
      [models]\nmotorcycle = [\"motorcycle-street\"]\ncar = [\"sound/plate.obj\"]\ntruck = [\"f\"]\n",
 ];
@@ -128,7 +131,8 @@ fn write_recipe(noise: &mut Noise, folder: &Path) {
 }
 
 const MANIFEST: &str = "# vehicles\n[[vehicle]]\nname = \"a\"\nclass = \"car\"\nlength_m = 4.5\n\
-[[vehicle]]\nname = \"b\"\nclass = \"motorcycle\"\n[[vehicle]]\nname = \"c\"\nclass = \"truck\"\nsource = \"own\"\n";
+[[vehicle]]\nname = \"b\"\nclass = \"motorcycle\"\n[[vehicle]]\nname = \"c\"\nclass = \"truck\"\n\
+source = \"own\"\n";
 
 fn write_manifest(noise: &mut Noise, folder: &Path) {
     sound::texts(folder);

@@ -22,7 +22,8 @@ const PLACE_M: [f64; 3] = [2.0, 12.0, 0.0];
 
 pub(super) fn empty(words: &str, bounces: u8) -> Result<SceneHeader, Failure> {
     let mut header = scene_of(&format!(
-        "[radar.waveform]\nstart_frequency_ghz = 76.6875\nchirps = 8\n[radar.array]\npreset = \"1x1\"\n{words}"
+        "[radar.waveform]\nstart_frequency_ghz = 76.6875\nchirps = 8\n[radar.array]\npreset = \"1x1\"\n\
+         {words}"
     ))?;
     header.fidelity.accuracy = Accuracy::from_db(-40.0);
     header.fidelity.bounces = bounces;
