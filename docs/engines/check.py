@@ -1,5 +1,5 @@
-"""Whether datasets and sweeps on Dask and HyperQueue, half of their workers killed half-way, have the bytes of
-one machine (docs/engines.md):
+"""Whether datasets and sweeps on Dask and HyperQueue, half of their workers killed half-way, have the bytes
+of one machine (docs/engines.md):
 
     check.py PROGRAM FOLDER
 
@@ -19,7 +19,8 @@ OUT = "out"
 LONGEST_S = 300
 COMMANDS = {
     "dataset": (["dataset", HERE / "small.dataset.toml", "--out", OUT, "--threads", "1"], "*.jsonl", 8),
-    "sweep": (["sweep", HERE / "small.sweep.toml", "--out", OUT, "--threads", "1", "--no-cache"], "runs/*/*.json", 8),
+    "sweep": (["sweep", HERE / "small.sweep.toml", "--out", OUT, "--threads", "1", "--no-cache"],
+              "runs/*/*.json", 8),
 }
 
 
@@ -124,7 +125,8 @@ def tasks_in(out, program):
 
 
 def killed_half_way(child, made, folder, tasks):
-    """Kills it, and what it began in sessions of their own, once the first results are there; gives how many."""
+    """Kills it, and what it began in sessions of their own, once the first results are there; gives how
+    many."""
     waited_for(lambda: list((folder / OUT).glob(made)))
     for process in tasks():
         os.kill(process, signal.SIGKILL)
@@ -149,7 +151,8 @@ def ended(run):
 
 def same_bytes(one, many):
     expected, found = held(one), held(many)
-    different = [name for name in sorted(expected.keys() | found.keys()) if expected.get(name) != found.get(name)]
+    names = sorted(expected.keys() | found.keys())
+    different = [name for name in names if expected.get(name) != found.get(name)]
     if different:
         sys.exit(f"{many}: not as of one machine: {', '.join(different[:5])}")
 

@@ -1,6 +1,7 @@
 """A dataset or a sweep on Dask (docs/engines.md):
 
-    dask_run.py --parts N [--scheduler-file FILE | --workers N] -- wayside dataset RECIPE.toml --out DIR --threads 1
+    dask_run.py --parts N [--scheduler-file FILE | --workers N] -- wayside dataset RECIPE.toml --out DIR \\
+        --threads 1
 
 A part whose worker dies is given to another one (`distributed.scheduler.allowed-failures`, 3), one that fails
 is tried again. Workers have to see this folder.
@@ -22,10 +23,12 @@ def part(number, parts, command, folder):
 
 
 def rounds(client, parts, command, folder):
-    """Makes all parts, then concludes; again where runs lack that were not known before ([stop] of a study)."""
+    """Makes all parts, then concludes; again where runs lack that were not known before ([stop] of a
+    study)."""
     for _ in range(1 + RETRIES):
         numbers = range(1, parts + 1)
-        of_all = client.map(part, numbers, parts=parts, command=command, folder=folder, retries=RETRIES, pure=False)
+        of_all = client.map(part, numbers, parts=parts, command=command, folder=folder, retries=RETRIES,
+                               pure=False)
         for future in as_completed(of_all):
             future.result()
         if subprocess.run([*command, "--conclude"], cwd=folder).returncode == 0:

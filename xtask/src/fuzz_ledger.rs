@@ -39,7 +39,7 @@ fn refused(file: &Path, rule: &str) -> Failure {
     Failure::Refused(format!("{}: {rule}", file.display()))
 }
 
-/// What a reader was given in all runs.
+/// Cases that a reader was given in all runs.
 #[derive(Debug, Default, Clone, PartialEq)]
 struct Sum {
     seeds: Vec<u64>,
@@ -112,9 +112,11 @@ fn table(all: &BTreeMap<String, Sum>) -> String {
     let done = all.values().filter(|sum| sum.minutes >= GOAL_MINUTES).count();
     let rows: String = all.iter().map(|(reader, sum)| sum.row(reader)).collect();
     format!(
-        "{} readers, {} cases, {:.0} processor minutes;\nthe least of a reader is {least:.1} minutes, and {done} of {} have the \
+        "{} readers, {} cases, {:.0} processor minutes;\n\
+         the least of a reader is {least:.1} minutes, and {done} of {} have the \
          {GOAL_MINUTES} minutes that are the goal.\n\n\
-         | reader | processor minutes | cases | read | refused | most memory, MiB | seeds |\n|---|---|---|---|---|---|---|\n{rows}",
+         | reader | processor minutes | cases | read | refused | most memory, MiB | seeds |\n\
+         |---|---|---|---|---|---|---|\n{rows}",
         all.len(),
         whole.cases,
         whole.minutes,

@@ -27,7 +27,7 @@ mod log; // of what was tried
 mod trial; // the loop over readers
 
 pub use noise::Noise;
-pub use tokens::changed as changed_text;
-pub use trial::{Damage, Reader, fuzz};
+pub use tokens::{changed as changed_text, with_signs};
+pub use trial::{Reader, fuzz};
 pub use values::{change as change_json, change_like as change_json_like, put_strange_floats};
 pub use words::change_numbers;

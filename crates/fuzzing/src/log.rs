@@ -32,7 +32,8 @@ impl Tally {
         let Self { cases, read, peak_mib, .. } = self;
         let (refused, minutes) = (cases - read, self.spent.as_secs_f64() / 60.0);
         format!(
-            "{reader}: {cases} cases, {read} read, {refused} refused, {minutes:.1} minutes, at most {peak_mib} MiB"
+            "{reader}: {cases} cases, {read} read, {refused} refused, {minutes:.1} minutes, at most \
+             {peak_mib} MiB"
         )
     }
 

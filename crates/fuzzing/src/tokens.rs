@@ -47,6 +47,14 @@ impl Tokens {
     }
 }
 
+/// What opens, closes and separates in TOML.
+const SIGNS: [&str; 12] = ["[", "]", "{", "}", "[[", "]]", "\"", "'''", "=", ",", "#", "\n"];
+
+/// The signs of TOML, and behind them the words of a format.
+pub fn with_signs<'a>(words: &[&'a str]) -> Vec<&'a str> {
+    [&SIGNS, words].concat()
+}
+
 /// A longer text is not changed again: one change repeats a part of it up to thousands of times.
 const LONGEST_CHANGED: usize = 1 << 16;
 

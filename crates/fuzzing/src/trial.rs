@@ -10,20 +10,42 @@ use std::time::Duration;
 /// Something that reads files.
 pub struct Reader {
     /// Name of the reader, by the format that it is for.
-    pub name: &'static str,
+    name: &'static str,
     /// Cases of a plain test, so that all readers of a crate take seconds.
-    pub cases: u64,
+    cases: u64,
     /// Writes the files of a case into a folder.
-    pub write: fn(&mut Noise, &Path),
+    write: fn(&mut Noise, &Path),
     /// Reads them; the sentence of a refusal, which names the file.
-    pub read: fn(&Path) -> Result<(), String>,
+    read: fn(&Path) -> Result<(), String>,
     /// Fate of damage.
-    pub damage: Damage,
+    damage: Damage,
+}
+
+impl Reader {
+    /// A reader that refuses what is damaged.
+    pub const fn refusing(
+        name: &'static str,
+        cases: u64,
+        write: fn(&mut Noise, &Path),
+        read: fn(&Path) -> Result<(), String>,
+    ) -> Self {
+        Self { name, cases, write, read, damage: Damage::Refused }
+    }
+
+    /// A reader that makes anew what is damaged.
+    pub const fn making_anew(
+        name: &'static str,
+        cases: u64,
+        write: fn(&mut Noise, &Path),
+        read: fn(&Path) -> Result<(), String>,
+    ) -> Self {
+        Self { name, cases, write, read, damage: Damage::MadeAnew }
+    }
 }
 
 /// Answer of a reader to a file that is not as it should be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Damage {
+enum Damage {
     /// Refusal, with a sentence.
     Refused,
     /// Making anew of what the file was for.
@@ -187,8 +209,7 @@ mod tests {
     fn try_numbers(read: fn(&Path) -> Result<(), String>) {
         let write = |noise: &mut Noise, at: &Path| std::fs::write(at.join("f"), noise.number()).unwrap();
         let asked = Asked { seed: 1, cases: Some(40), ..Asked::default() };
-        let reader = Reader { name: "numbers", cases: 1, write, read, damage: Damage::Refused };
-        try_all(&[reader], |_| {}, &asked);
+        try_all(&[Reader::refusing("numbers", 1, write, read)], |_| {}, &asked);
     }
 
     fn is_negative(at: &Path) -> bool {

@@ -263,6 +263,63 @@ fn a_gltf_finds_its_buffer_beside_it_or_inside() {
     assert_eq!(surface(&read_mesh(&file, &METRES).unwrap()), expected);
 }
 
+#[test]
+fn a_gltf_reads_files_of_its_own_folder_and_below_alone_however_their_names_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = folder.path().join("own");
+    std::fs::create_dir_all(own.join("below")).unwrap();
+    let plain = GlbFile::tetrahedron();
+    for place in ["other.bin", "own/below/a.bin"] {
+        std::fs::write(folder.path().join(place), &plain.binary).unwrap();
+    }
+    let file = own.join("model.gltf");
+    let read_with = |uri: &str| {
+        let document = plain.clone().set("/buffers/0/uri", json!(uri));
+        std::fs::write(&file, serde_json::to_vec(&document.json).unwrap()).unwrap();
+        read_mesh(&file, &METRES)
+    };
+    let absolute = folder.path().join("other.bin").display().to_string();
+    let encoded = absolute.replace('/', "%2F");
+    for uri in [
+        &encoded,
+        &absolute,
+        "../other.bin",
+        "%2e%2E/other.bin",
+        "..%2Fother.bin",
+        "below/../../other.bin",
+        "below/../below/a.bin",
+        "..\\other.bin",
+        "..%5Cother.bin",
+        "C%3A/other.bin",
+        "%5C%5Chost%5Cother.bin",
+        "below/a.bin%00",
+    ] {
+        let error = read_with(uri).unwrap_err();
+        let said = error.to_string();
+        assert!(!error.is_system(), "{uri}: {said}");
+        let rule =
+            "model.gltf: buffers[0]: `uri` may name files in the folder of this one and below it alone";
+        assert!(said.contains(rule), "{uri}: {said}");
+    }
+    for uri in ["below/a.bin", "./below/a.bin", "below%2Fa.bin"] {
+        assert_eq!(surface(&read_with(uri).unwrap()), surface(&read(&plain)), "{uri}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_in_the_folder_of_a_gltf_is_the_users_own_and_is_followed() {
+    let folder = tempfile::tempdir().unwrap();
+    let plain = GlbFile::tetrahedron();
+    std::fs::write(folder.path().join("other.bin"), &plain.binary).unwrap();
+    std::fs::create_dir(folder.path().join("own")).unwrap();
+    std::os::unix::fs::symlink("../other.bin", folder.path().join("own/linked.bin")).unwrap();
+    let file = folder.path().join("own/model.gltf");
+    let document = plain.clone().set("/buffers/0/uri", json!("linked.bin"));
+    std::fs::write(&file, serde_json::to_vec(&document.json).unwrap()).unwrap();
+    assert_eq!(surface(&read_mesh(&file, &METRES).unwrap()), surface(&read(&plain)));
+}
+
 fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let group = |c: &[u8]| {

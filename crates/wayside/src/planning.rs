@@ -1,6 +1,7 @@
 //! Plan of the physics that a scene needs, by one number: a look tells what each part of the echo is to
 //! all of it, and what the accuracy can spare is left out (`docs/planning.md`).
 
+pub(crate) mod part; // what is modelled or left out
 pub(crate) mod look; // what each part is, over the frames looked at
 pub(crate) mod choice; // what is modelled, of these shares alone
 pub(crate) mod costs; // processor seconds of each part
@@ -13,11 +14,11 @@ use crate::host::memory::Allowance;
 use crate::host::progress::Work;
 use artifact::Accuracy;
 use artifact::scene::SceneHeader;
-use artifact::settings::{BetweenBodies, EchoMode, Edges, NodeRule, Sides};
-use choice::{Budget, Choice, Fixed, Part};
+use artifact::settings::{EchoMode, NodeRule, Sides};
+use choice::{Budget, Choice, Fixed};
 use look::Shares;
+use part::Part;
 use scene::{Planning, SaidPhysics};
-use std::collections::BTreeMap;
 use told::PlanFigures;
 
 /// Scene that is run, with the plan of its physics where one was asked for.
@@ -100,38 +101,27 @@ fn cheapest(
 fn fixed(header: &SceneHeader, said: &SaidPhysics, shares: &Shares) -> Fixed {
     let fidelity = &header.fidelity;
     let has = |key: &str| said.keys.contains(key);
-    let mut parts = BTreeMap::new();
-    let mut fix = |part: Part, is_said: bool, is_modelled: bool| {
-        if is_said {
-            parts.insert(part, is_modelled);
-        }
-    };
     let can_follow_road = shares.road.is_some() && fidelity.sides == Sides::Two;
-    fix(Part::BetweenBodies, has("between_bodies"), fidelity.between_bodies == BetweenBodies::Traced);
-    fix(Part::Road, said.road || !can_follow_road, header.road.is_some());
-    fix(Part::Edges, has("edges"), fidelity.edges != Edges::Ignored);
-    let is_followed = header.materials.transmission == artifact::material::Transmission::Followed;
-    fix(Part::Sheets, has("transmission"), is_followed);
+    let is_fixed = |part: &Part| match part {
+        Part::BetweenBodies => has("between_bodies"),
+        Part::Road => said.road || !can_follow_road,
+        Part::Edges => has("edges"),
+        Part::Sheets => has("transmission"),
+    };
+    let parts = Part::ALL.into_iter().filter(is_fixed).map(|part| (part, part.is_in(header))).collect();
     Fixed { bounces: has("bounces").then_some(fidelity.bounces), parts }
 }
 
 /// Writes a choice into the scene.
 fn apply(header: &mut SceneHeader, said: &SaidPhysics, choice: &Choice) {
     let has = |key: &str| said.keys.contains(key);
-    let models = |part: Part| choice.modelled.contains(&part);
     header.fidelity.accuracy = Accuracy::from_db(artifact::units::db_from_amplitude(choice.numerical));
     header.fidelity.bounces = choice.bounces;
-    header.fidelity.between_bodies =
-        if models(Part::BetweenBodies) { BetweenBodies::Traced } else { BetweenBodies::LeftOut };
-    header.fidelity.edges = if models(Part::Edges) { Edges::FirstOrder } else { Edges::Ignored };
-    if models(Part::Sheets) {
-        header.materials.transmission = artifact::material::Transmission::Followed;
-        header.meshes.iter_mut().for_each(|mesh| {
-            mesh.makeup.transmission = artifact::material::Transmission::Followed;
-        });
-    }
-    if models(Part::Road) && header.road.is_none() {
-        header.road = bart_rcs::usual_road();
+    for part in Part::ALL {
+        match choice.modelled.contains(&part) {
+            true => part.model(header),
+            false => part.leave_out(header),
+        }
     }
     if !has("nodes") && choice.bounces > 1 && choice.any_node_rule {
         header.fidelity.nodes = NodeRule::Middle;

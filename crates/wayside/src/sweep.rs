@@ -12,7 +12,7 @@ use crate::chain::loaded_model::LoadedModel;
 use crate::chain::loading;
 use crate::host::call_off::CallOff;
 use crate::host::failure::Failure;
-use crate::host::files;
+use crate::host::files::{self, Writing};
 use crate::host::memory::Allowance;
 use crate::host::progress::Work;
 use crate::pictures;
@@ -109,6 +109,7 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     };
     let answer = Answer::of(&study, &ledger);
     let all: Vec<&situations::Situation> = situations.iter().flatten().collect();
+    let _writing = Writing::into_folder(&settings.out)?;
     let out = |name: &str| settings.out.join(name);
     files::write_file(&out("sweep.csv"), tables::runs(&study, &designs, &all, &ledger).as_bytes())?;
     files::write_file(&out("designs.csv"), tables::designs(&study, &designs, &ledger, &answer).as_bytes())?;

@@ -1,4 +1,4 @@
-//! What is modelled of a scene, chosen by its accuracy alone.
+//! Plans of scenes: what is modelled is chosen by the accuracy alone.
 
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 

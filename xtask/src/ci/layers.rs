@@ -109,7 +109,8 @@ mod tests {
             { "name": "scene", "dependencies": [{ "name": "wayside" }, { "name": "plotting" }] },
             { "name": "wayside", "dependencies": [{ "name": "scene" }, { "name": "xtask" }] },
             { "name": "plotting", "dependencies": [{ "name": "artifact" }, { "name": "fuzzing" }] },
-            { "name": "fuzzing", "dependencies": [{ "name": "wayside", "kind": "dev" }, { "name": "artifact" }] },
+            { "name": "fuzzing",
+              "dependencies": [{ "name": "wayside", "kind": "dev" }, { "name": "artifact" }] },
             { "name": "classifier", "dependencies": [{ "name": "fuzzing", "kind": "dev" }] },
         ] });
         let found = forbidden(&edges(&metadata));

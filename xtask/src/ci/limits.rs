@@ -122,9 +122,11 @@ fn findings(constants: &BTreeMap<Place, String>, rows: &[(Place, String)]) -> Ve
 mod tests {
     use super::*;
 
-    const SOURCE: &str = "/// Most.\npub(crate) const LINE_LIMIT: usize = 1 << 20;\nconst LIMIT_BYTES: u64 = 4 << 30;\n\
+    const SOURCE: &str = "/// Most.\npub(crate) const LINE_LIMIT: usize = 1 << 20;\n\
+                          const LIMIT_BYTES: u64 = 4 << 30;\n\
                           const WHOLE_LIMIT: u64 = 3 * LINE_LIMIT as u64;\nconst WORD: &str = \"a\";\n\
-                          const OF_THE_TEST_LIMIT: u32 = 1_000;\nconst UNLIMITED: u8 = 1;\nconst SPEED_LIMIT: f64 = 0.5;\n\
+                          const OF_THE_TEST_LIMIT: u32 = 1_000;\nconst UNLIMITED: u8 = 1;\n\
+                          const SPEED_LIMIT: f64 = 0.5;\n\
                           #[cfg(test)]\nmod tests {\n    const INNER_LIMIT: u32 = 7;\n";
 
     #[test]
@@ -143,8 +145,10 @@ mod tests {
         let place = |name: &str| ("a.rs".to_owned(), name.to_owned());
         let constants: BTreeMap<Place, String> =
             constants_of(SOURCE).into_iter().map(|(name, value)| (place(&name), value)).collect();
-        let page = "| what | most | constant | file |\n|---|---|---|---|\n| a line | 1,048,576 | `LINE_LIMIT` | `a.rs` |\n\
-                    | a file | 4 MiB | `LIMIT_BYTES` | `a.rs` |\n| whole | 3,145,728 | `WHOLE_LIMIT` | `a.rs` |\n\
+        let page = "| what | most | constant | file |\n|---|---|---|---|\n\
+                    | a line | 1,048,576 | `LINE_LIMIT` | `a.rs` |\n\
+                    | a file | 4 MiB | `LIMIT_BYTES` | `a.rs` |\n\
+                    | whole | 3,145,728 | `WHOLE_LIMIT` | `a.rs` |\n\
                     | none | 1 | `GONE_LIMIT` | `a.rs` |\n| test | 1,000 | `OF_THE_TEST_LIMIT` | `a.rs` |\n";
         assert_eq!(
             findings(&constants, &rows(page)),

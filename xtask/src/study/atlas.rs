@@ -2,6 +2,7 @@
 //! says of them.
 
 mod verdict;
+mod methods;
 mod scattering;
 mod echo;
 mod signals;

@@ -1,11 +1,13 @@
 //! A body looked at: what is asked of the tracer, and how far two answers are apart.
 
 use artifact::Accuracy;
+use artifact::paths::Path;
 use artifact::radar::Polarization;
-use artifact::scene::Mesh;
+use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use bart_rcs::{RcsRequest, RcsResult, Standpoint};
+use bart_rcs::{PathView, RcsRequest, RcsResult, Standpoint, scattering_of_paths};
+use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 use wayside::host::failure::Failure;
@@ -14,6 +16,23 @@ use wayside::host::failure::Failure;
 pub(super) const FREQUENCY_HZ: f64 = 77e9;
 pub(super) const WAVELENGTH_M: f64 = SPEED_OF_LIGHT_MPS / FREQUENCY_HZ;
 pub(super) const K: f64 = TAU / WAVELENGTH_M;
+
+/// S of paths about the first body, seen from the radar in the middle of the frame.
+pub(super) fn about_first_body(
+    header: &SceneHeader,
+    paths: &[Path],
+    frequency_hz: f64,
+) -> [[Complex64; 2]; 2] {
+    let antenna_m = DVec3::from(header.radar.position_m);
+    let view = PathView {
+        transmitter_m: antenna_m,
+        receiver_m: antenna_m,
+        origin_m: DVec3::from(header.targets[0].start.position_m),
+        seconds: header.radar.frame_middle_s(),
+        centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
+    };
+    scattering_of_paths(paths, &view, frequency_hz)
+}
 
 /// One aspect from infinity, first order, asked for at −60 dB.
 pub(super) fn first_order(azimuth_deg: f64, elevation_deg: f64) -> RcsRequest {

@@ -4,96 +4,44 @@ use crate::gltf;
 use crate::sound;
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use fuzzing::{Damage, Noise, Reader, change_numbers, changed_text};
+use fuzzing::{Noise, Reader, change_numbers, changed_text};
 use scene::{MeshOptions, Meshes, ReadOptions};
 use std::io::Write as _;
 use std::path::Path;
 
 pub(crate) const READERS: [Reader; 12] = [
-    Reader {
-        name: "glb",
-        cases: 400,
-        write: |n, at| put(at, "m.glb", &gltf::binary(n)),
-        read: |at| mesh(at, "m.glb"),
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "gltf",
-        cases: 400,
-        write: write_gltf,
-        read: |at| mesh(at, "m.gltf"),
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "stl",
-        cases: 400,
-        write: write_stl,
-        read: |at| mesh(at, "m.stl"),
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "stl-text",
-        cases: 400,
-        write: |n, at| text(n, at, "m.stl", sound::STL),
-        read: |at| mesh(at, "m.stl"),
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "obj",
-        cases: 400,
-        write: |n, at| text(n, at, "m.obj", sound::OBJ),
-        read: |at| mesh(at, "m.obj"),
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "scene-text",
-        cases: 150,
-        write: write_scene,
-        read: |at| whole_scene(at, "s.toml"),
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "materials",
-        cases: 400,
-        write: |n, at| text(n, at, "m.toml", sound::MATERIALS),
-        read: materials,
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "pattern",
-        cases: 400,
-        write: |n, at| text(n, at, "p.csv", sound::PATTERN),
-        read: |at| whole_scene(at, "pattern.toml"),
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "calibration",
-        cases: 400,
-        write: |n, at| text(n, at, "c.csv", sound::CALIBRATION),
-        read: |at| whole_scene(at, "calibration.toml"),
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "fcd",
-        cases: 400,
-        write: |n, at| text(n, at, "t.fcd.xml", sound::FCD),
-        read: |at| whole_scene(at, "traffic.toml"),
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "net",
-        cases: 400,
-        write: |n, at| text(n, at, "t.net.xml", sound::NET),
-        read: |at| whole_scene(at, "network.toml"),
-        damage: Damage::Refused,
-    },
-    Reader {
-        name: "fcd-gzip",
-        cases: 400,
-        write: write_packed,
-        read: |at| whole_scene(at, "traffic.toml"),
-        damage: Damage::Refused,
-    },
+    Reader::refusing("glb", 400, |n, at| put(at, "m.glb", &gltf::binary(n)), |at| mesh(at, "m.glb")),
+    Reader::refusing("gltf", 400, write_gltf, |at| mesh(at, "m.gltf")),
+    Reader::refusing("stl", 400, write_stl, |at| mesh(at, "m.stl")),
+    Reader::refusing("stl-text", 400, |n, at| text(n, at, "m.stl", sound::STL), |at| mesh(at, "m.stl")),
+    Reader::refusing("obj", 400, |n, at| text(n, at, "m.obj", sound::OBJ), |at| mesh(at, "m.obj")),
+    Reader::refusing("scene-text", 150, write_scene, |at| whole_scene(at, "s.toml")),
+    Reader::refusing("materials", 400, |n, at| text(n, at, "m.toml", sound::MATERIALS), materials),
+    Reader::refusing(
+        "pattern",
+        400,
+        |n, at| text(n, at, "p.csv", sound::PATTERN),
+        |at| whole_scene(at, "pattern.toml"),
+    ),
+    Reader::refusing(
+        "calibration",
+        400,
+        |n, at| text(n, at, "c.csv", sound::CALIBRATION),
+        |at| whole_scene(at, "calibration.toml"),
+    ),
+    Reader::refusing(
+        "fcd",
+        400,
+        |n, at| text(n, at, "t.fcd.xml", sound::FCD),
+        |at| whole_scene(at, "traffic.toml"),
+    ),
+    Reader::refusing(
+        "net",
+        400,
+        |n, at| text(n, at, "t.net.xml", sound::NET),
+        |at| whole_scene(at, "network.toml"),
+    ),
+    Reader::refusing("fcd-gzip", 400, write_packed, |at| whole_scene(at, "traffic.toml")),
 ];
 
 /// Writes the files that every case finds in its folder.
@@ -109,13 +57,13 @@ fn put(folder: &Path, name: &str, bytes: &[u8]) {
 
 fn text(noise: &mut Noise, folder: &Path, name: &str, sound: &[&str]) {
     let whole = noise.pick(sound);
-    put(folder, name, &changed_text(noise, whole.as_bytes(), &sound::WORDS));
+    put(folder, name, &changed_text(noise, whole.as_bytes(), &sound::words()));
 }
 
 fn write_gltf(noise: &mut Noise, folder: &Path) {
     let (mut json, buffer) = gltf::beside(noise);
     if noise.one_in(4) {
-        json = changed_text(noise, &json, &sound::WORDS);
+        json = changed_text(noise, &json, &sound::words());
     }
     put(folder, "m.gltf", &json);
     put(folder, "b.bin", &buffer);
@@ -152,7 +100,7 @@ fn write_packed(noise: &mut Noise, folder: &Path) {
     let mut bytes = match noise.below(3) {
         0 => [pack(first), pack(second)].concat(),
         1 => pack(&[first, &b" ".repeat(noise.times() << 11), second].concat()),
-        _ => pack(&changed_text(noise, whole, &sound::WORDS)),
+        _ => pack(&changed_text(noise, whole, &sound::words())),
     };
     for _ in 0..noise.below(3) {
         let at = if noise.one_in(2) { noise.below(bytes.len().min(12)) } else { noise.below(bytes.len()) };
@@ -164,7 +112,7 @@ fn write_packed(noise: &mut Noise, folder: &Path) {
 /// Writes a changed scene with names of keys, so that it breaks rules behind those of its syntax.
 fn write_scene(noise: &mut Noise, folder: &Path) {
     let keys: Vec<&str> = scene::keys::TABLES.iter().flat_map(scene::keys::Table::names).collect();
-    let words: Vec<&str> = keys.into_iter().chain(sound::WORDS).collect();
+    let words: Vec<&str> = keys.into_iter().chain(sound::words()).collect();
     let whole = noise.pick(sound::SCENES);
     put(folder, "s.toml", &changed_text(noise, whole.as_bytes(), &words));
 }

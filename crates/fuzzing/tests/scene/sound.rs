@@ -1,19 +1,13 @@
 //! Sound files, to be changed.
 
-/// Words of the formats, and what opens and closes in them.
-pub(crate) const WORDS: [&str; 44] = [
-    "[",
-    "]",
-    "{",
-    "}",
-    "[[",
-    "]]",
-    "\"",
-    "'''",
-    "=",
-    ",",
-    "#",
-    "\n",
+use fuzzing::with_signs;
+
+/// Signs and words of the formats.
+pub(crate) fn words() -> Vec<&'static str> {
+    with_signs(&WORDS)
+}
+
+const WORDS: [&str; 32] = [
     "<",
     ">",
     "/>",

@@ -15,7 +15,7 @@ use artifact::rdm::Rdm;
 use artifact::scene::Scene;
 use artifact::settings::Class;
 use artifact::tracks::Tracks;
-use fuzzing::{Damage, Noise, Reader};
+use fuzzing::{Noise, Reader};
 use std::path::{Path, PathBuf};
 
 pub(crate) fn readers() -> Vec<Reader> {
@@ -42,7 +42,7 @@ trait Kind: Schema {
 }
 
 fn of<K: Kind>(cases: u64) -> Reader {
-    Reader { name: K::NAME, cases, write: write::<K>, read: noted_of_content, damage: Damage::Refused }
+    Reader::refusing(K::NAME, cases, write::<K>, noted_of_content)
 }
 
 fn write<K: Kind>(noise: &mut Noise, folder: &Path) {
@@ -136,7 +136,8 @@ impl Kind for Points {
         "export @F --to ply --out @O",
         "export @F --to json --out @O",
         "score @F --scene @sound/run/scene.scene",
-        "score @F --scene @sound/run/scene.scene --paths @sound/run/frames.paths --tracks @sound/run/frames.tracks",
+        "score @F --scene @sound/run/scene.scene --paths @sound/run/frames.paths --tracks \
+         @sound/run/frames.tracks",
     ];
 
     fn sound(folder: &Path) -> Vec<PathBuf> {

@@ -40,6 +40,11 @@ pub(crate) fn out(folder: &Path) -> PathBuf {
     folder.join(format!("out-{}", CASE.load(Ordering::Relaxed)))
 }
 
+/// Puts a file into the folder of a case.
+pub(crate) fn put(folder: &Path, name: &str, bytes: &[u8]) {
+    std::fs::write(folder.join(name), bytes).unwrap();
+}
+
 /// Carries out a command: `@NAME` is a file of the folder, `@O` the place of the case's results.
 pub(crate) fn carry_out(folder: &Path, words: &str) -> Result<(), Failure> {
     let word = |word: &str| -> OsString {

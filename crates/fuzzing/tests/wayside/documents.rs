@@ -4,30 +4,20 @@
 #[allow(dead_code, reason = "tests of meshes change it, these take it as it is")]
 mod glb_file;
 
-use crate::commands::{note, noted};
+use crate::commands::{note, noted, put};
 use crate::sound::{self, RECIPE, STUDY};
-use fuzzing::{Damage, Noise, Reader, change_json_like, changed_text};
+use fuzzing::{Noise, Reader, change_json_like, changed_text, with_signs};
 use glb_file::GlbFile;
 use serde_json::Value;
 use std::path::Path;
 
 pub(crate) fn readers() -> Vec<Reader> {
     vec![
-        Reader { name: "study", cases: 100, write: write_study, read: noted, damage: Damage::Refused },
-        Reader { name: "recipe", cases: 200, write: write_recipe, read: noted, damage: Damage::Refused },
-        Reader { name: "manifest", cases: 200, write: write_manifest, read: noted, damage: Damage::Refused },
-        Reader {
-            name: "attributions",
-            cases: 4,
-            write: write_attributions,
-            read: noted,
-            damage: Damage::Refused,
-        },
+        Reader::refusing("study", 100, write_study, noted),
+        Reader::refusing("recipe", 200, write_recipe, noted),
+        Reader::refusing("manifest", 200, write_manifest, noted),
+        Reader::refusing("attributions", 4, write_attributions, noted),
     ]
-}
-
-fn put(folder: &Path, name: &str, bytes: &[u8]) {
-    std::fs::write(folder.join(name), bytes).unwrap();
 }
 
 /// The last part of very many: what is asked for is read and drawn, and nothing is made.
@@ -41,26 +31,16 @@ const STUDIES: [&str; 3] = [
      [[vary]]\nkey = \"noise.noise_figure_db\"\ndraw = { uniform = [9.0, 15.0] }\n\
      [[condition]]\nkey = \"target[0].position_m\"\nvalues = [[-2.0, 20.0, 0.0], [2.0, 30.0, 0.0]]\n\
      [[condition]]\nkey = \"target[1].rcs_m2\"\ndraw = { whole = [1, 9] }\n\
-     [sample]\ncount = 4\n[goal]\nmetric = \"coverage\"\nbetter = \"higher\"\ncost = \"channels\"\nmargin = 0.1\n\
+     [sample]\ncount = 4\n[goal]\nmetric = \"coverage\"\nbetter = \"higher\"\ncost = \"channels\"\n\
+     margin = 0.1\n\
      [stop]\nconfidence = 0.95\nleast = 3\n",
     "scene = \"sound/small.toml\"\n[[vary]]\nkey = \"seed\"\nvalues = [1, 2, 3]\n\
      [[vary]]\nkey = \"dsp.training_cells\"\nvalues = [[3, 6], [2, 4]]\n\
      [[condition]]\nkey = \"frames\"\nvalues = [1, 2]\n[goal]\nmetric = \"coverage\"\n",
 ];
 
-const WORDS: [&str; 44] = [
-    "[",
-    "]",
-    "{",
-    "}",
-    "[[",
-    "]]",
-    "\"",
-    "'''",
-    "=",
-    ",",
-    "#",
-    "\n",
+/// Words of studies and recipes.
+const WORDS: [&str; 32] = [
     "nan",
     "inf",
     "true",
@@ -105,7 +85,7 @@ fn write_study(noise: &mut Noise, folder: &Path) {
 /// A document changed by its values, which leaves its syntax right, or by its words.
 fn changed_toml(noise: &mut Noise, text: &str) -> Vec<u8> {
     if noise.one_in(2) {
-        return changed_text(noise, text.as_bytes(), &WORDS);
+        return changed_text(noise, text.as_bytes(), &with_signs(&WORDS));
     }
     let mut value: Value = toml::from_str(text).unwrap();
     for _ in 0..=noise.below(2) {
@@ -132,9 +112,11 @@ fn inline(value: &Value) -> String {
 
 const RECIPES: [&str; 2] = [
     RECIPE,
-    "scenes = [\"sound/base.toml\", \"sound/small.toml\"]\nseed = 1\nscenes_per_class = 3\nscenes_per_shard = 2\n\
+    "scenes = [\"sound/base.toml\", \"sound/small.toml\"]\nseed = 1\nscenes_per_class = 3\n\
+     scenes_per_shard = 2\n\
      range_m = [25.0, 45.0]\nspeed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\nyaw_deg = [-5, 5]\n\
-     offset_m = [-0.5, 0.5]\nradar_height_m = [5, 6]\ntilt_deg = [-8, -4]\nextra_noise_db = [0, 6]\nframes = 2\n\
+     offset_m = [-0.5, 0.5]\nradar_height_m = [5, 6]\ntilt_deg = [-8, -4]\nextra_noise_db = [0, 6]\n\
+     frames = 2\n\
      frame_interval_s = 0.1\nvehicles_per_scene = [1, 3]\nqueue_share = 0.5\ncrops = false\n\
      [models]\nmotorcycle = [\"motorcycle-street\"]\ncar = [\"sound/plate.obj\"]\ntruck = [\"f\"]\n",
 ];
@@ -149,7 +131,8 @@ fn write_recipe(noise: &mut Noise, folder: &Path) {
 }
 
 const MANIFEST: &str = "# vehicles\n[[vehicle]]\nname = \"a\"\nclass = \"car\"\nlength_m = 4.5\n\
-[[vehicle]]\nname = \"b\"\nclass = \"motorcycle\"\n[[vehicle]]\nname = \"c\"\nclass = \"truck\"\nsource = \"own\"\n";
+[[vehicle]]\nname = \"b\"\nclass = \"motorcycle\"\n[[vehicle]]\nname = \"c\"\nclass = \"truck\"\n\
+source = \"own\"\n";
 
 fn write_manifest(noise: &mut Noise, folder: &Path) {
     sound::texts(folder);
@@ -167,6 +150,6 @@ fn write_manifest(noise: &mut Noise, folder: &Path) {
 fn write_attributions(noise: &mut Noise, folder: &Path) {
     sound::dataset(folder);
     let whole = include_str!("../../../../fixtures/classifier.attributions.txt");
-    put(folder, "a.txt", &changed_text(noise, whole.as_bytes(), &WORDS));
+    put(folder, "a.txt", &changed_text(noise, whole.as_bytes(), &with_signs(&WORDS)));
     note(folder, "train @sound/d --attributions @a.txt --out @O");
 }

@@ -1,6 +1,5 @@
 //! Readers of what earlier runs have left and later ones take up: summaries, lines of datasets, runs of
-//! studies,
-//! descriptions beside tables, checkpoints, and a cache.
+//! studies, descriptions beside tables, checkpoints, and a cache.
 
 use crate::commands::{note, noted, out};
 use crate::envelope::{crafted, damaged};
@@ -10,37 +9,19 @@ use artifact::cube::Cube;
 use artifact::paths::Paths;
 use artifact::points::Points;
 use artifact::rdm::Rdm;
-use fuzzing::{Damage, Noise, Reader, change_json, change_json_like, change_numbers, changed_text};
+use fuzzing::{Noise, Reader, change_json, change_json_like, change_numbers, changed_text};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use wayside::Summary;
 
 pub(crate) fn readers() -> Vec<Reader> {
     vec![
-        Reader {
-            name: "summary",
-            cases: 200,
-            write: write_summary,
-            read: read_summary,
-            damage: Damage::Refused,
-        },
-        Reader {
-            name: "dataset-lines",
-            cases: 40,
-            write: write_lines,
-            read: noted,
-            damage: Damage::MadeAnew,
-        },
-        Reader { name: "study-runs", cases: 12, write: write_runs, read: noted, damage: Damage::MadeAnew },
-        Reader { name: "sidecar", cases: 60, write: write_sidecar, read: noted, damage: Damage::Refused },
-        Reader {
-            name: "checkpoint",
-            cases: 40,
-            write: write_checkpoint,
-            read: noted,
-            damage: Damage::MadeAnew,
-        },
-        Reader { name: "cache", cases: 20, write: write_cache, read: noted, damage: Damage::MadeAnew },
+        Reader::refusing("summary", 200, write_summary, read_summary),
+        Reader::making_anew("dataset-lines", 40, write_lines, noted),
+        Reader::making_anew("study-runs", 12, write_runs, noted),
+        Reader::refusing("sidecar", 60, write_sidecar, noted),
+        Reader::making_anew("checkpoint", 40, write_checkpoint, noted),
+        Reader::making_anew("cache", 20, write_cache, noted),
     ]
 }
 

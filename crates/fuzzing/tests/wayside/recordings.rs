@@ -1,8 +1,8 @@
 //! Recordings of devices and arrays: `.npy`, DCA1000, SigMF, with what stands beside them.
 
-use crate::commands::{note, noted, noted_of_content};
+use crate::commands::{note, noted, noted_of_content, put};
 use crate::sound;
-use fuzzing::{Damage, Noise, Reader, change_json, change_numbers, changed_text};
+use fuzzing::{Noise, Reader, change_json, change_numbers, changed_text};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -11,20 +11,10 @@ const SHAPE: [usize; 3] = [4, 16, 32];
 
 pub(crate) fn readers() -> Vec<Reader> {
     vec![
-        Reader { name: "npy", cases: 200, write: write_npy, read: noted_of_content, damage: Damage::Refused },
-        Reader {
-            name: "dca1000",
-            cases: 200,
-            write: write_dca1000,
-            read: noted_of_content,
-            damage: Damage::Refused,
-        },
-        Reader { name: "sigmf", cases: 200, write: write_sigmf, read: noted, damage: Damage::Refused },
+        Reader::refusing("npy", 200, write_npy, noted_of_content),
+        Reader::refusing("dca1000", 200, write_dca1000, noted_of_content),
+        Reader::refusing("sigmf", 200, write_sigmf, noted),
     ]
-}
-
-fn put(folder: &Path, name: &str, bytes: &[u8]) {
-    std::fs::write(folder.join(name), bytes).unwrap();
 }
 
 fn import(noise: &mut Noise, folder: &Path, file: &str) {
@@ -112,7 +102,9 @@ fn write_dca1000(noise: &mut Noise, folder: &Path) {
 fn write_sigmf(noise: &mut Noise, folder: &Path) {
     let (kind, bytes) = if noise.one_in(2) { ("cf32_le", 8) } else { ("ci16_le", 4) };
     let mut meta = json!({
-        "global": { "core:version": "1.0.0", "core:datatype": kind, "core:num_channels": 4, "core:sample_rate": 1e7 },
+        "global": {
+            "core:version": "1.0.0", "core:datatype": kind, "core:num_channels": 4, "core:sample_rate": 1e7,
+        },
         "captures": [{ "core:sample_start": 0, "core:frequency": 7.7e10 }], "annotations": [],
     });
     for _ in 0..noise.below(4) {

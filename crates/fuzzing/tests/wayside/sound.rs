@@ -11,7 +11,8 @@ use std::path::{Path, PathBuf};
 
 /// A scene that takes a tenth of a second: a small radar, a plate and a point.
 pub(crate) const SMALL_SCENE: &str = "name = \"small\"\nseed = 3\nframes = 2\n\
-[radar.waveform]\nsamples = 32\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n[noise]\nnoise_figure_db = 12.0\n\
+[radar.waveform]\nsamples = 32\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n[noise]\n\
+noise_figure_db = 12.0\n\
 [dsp]\ntraining_cells = [3, 6]\n[fidelity]\nbounces = 1\n\
 [[target]]\nkind = \"mesh\"\nid = \"plate\"\nclass = \"car\"\nmodel = \"plate.obj\"\n\
 position_m = [-2.0, 20.0, 0.0]\nvelocity_mps = [0.0, -3.0, 0.0]\n\
@@ -21,14 +22,17 @@ velocity_mps = [0.0, 0.0, 0.0]\n";
 const PLATE: &str = "v 0 -0.5 0\nv 0 0.5 0\nv 0 0.5 0.5\nv 0 -0.5 0.5\nf 1 2 3 4\n";
 
 /// A study of two designs.
-pub(crate) const STUDY: &str = "scene = \"sound/small.toml\"\nrepeats = 2\n[[vary]]\nkey = \"radar.array.preset\"\n\
+pub(crate) const STUDY: &str = "scene = \"sound/small.toml\"\nrepeats = 2\n[[vary]]\n\
+key = \"radar.array.preset\"\n\
 values = [\"1x4\", \"3x4\"]\n[goal]\nmetric = \"coverage\"\n";
 
 /// A recipe of two scenes.
-pub(crate) const RECIPE: &str = "scene = \"sound/base.toml\"\nseed = 1\nscenes_per_class = 2\nrange_m = [25.0, 45.0]\n\
+pub(crate) const RECIPE: &str = "scene = \"sound/base.toml\"\nseed = 1\nscenes_per_class = 2\n\
+range_m = [25.0, 45.0]\n\
 speed_mps = [1.0, 5.0]\nlanes = [1, 2]\n[models]\ncar = [\"sound/plate.obj\"]\n";
 
-const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n\
+const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\n\
+preset = \"1x4\"\n\
 [dsp]\ntraining_cells = [3, 6]\n[fidelity]\nbounces = 1\n";
 
 /// A sound file or folder of this name, made where it is not there yet.

@@ -168,6 +168,12 @@ pub enum MeshFault {
     /// A URI that names no file and holds no data.
     #[error("`uri` is neither base64 data nor a relative path")]
     BadUri,
+    /// A URI that leads out of the folder of its glTF.
+    #[error(
+        "`uri` may name files in the folder of this one and below it alone: no absolute path, no `..`, \
+         no `\\`, no `:`"
+    )]
+    UriOutside,
     /// A buffer, view or accessor that ends behind what holds it.
     #[error("ends at byte {end} of {bytes}")]
     Outside {

@@ -6,7 +6,7 @@ use crate::mesh::gltf_json::check_values;
 use artifact::bounded::{self, ReadFault};
 use gltf::json::{Buffer, Root, deserialize};
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Bytes of each buffer, at least as many as it says.
 pub(crate) type Buffers = Vec<Vec<u8>>;
@@ -49,7 +49,7 @@ pub(crate) fn files_beside(json: &[u8], path: &Path) -> Vec<PathBuf> {
     let root = check_values(json).ok().and_then(|()| deserialize::from_slice::<Root>(json).ok());
     let buffers = root.iter().flat_map(|root| &root.buffers);
     let mut known = BTreeSet::new();
-    let files = buffers.filter_map(|buffer| file_of(buffer.uri.as_deref()?, path));
+    let files = buffers.filter_map(|buffer| file_of(buffer.uri.as_deref()?, path).ok());
     files.filter(|file| known.insert(file.canonicalize().unwrap_or(file.clone()))).collect()
 }
 
@@ -74,7 +74,7 @@ fn read_uri(uri: &str, path: &Path, left: u64) -> Result<Vec<u8>, MeshFault> {
         let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
         return encoded.and_then(base64).ok_or(MeshFault::BadUri);
     }
-    let file = file_of(uri, path).ok_or(MeshFault::BadUri)?;
+    let file = file_of(uri, path)?;
     bounded::read(&file, left).map_err(|error| match error {
         ReadFault::TooLong { limit } if limit < LIMIT_BYTES => {
             MeshFault::BuffersTooLong { limit: LIMIT_BYTES }
@@ -83,12 +83,22 @@ fn read_uri(uri: &str, path: &Path, left: u64) -> Result<Vec<u8>, MeshFault> {
     })
 }
 
-/// The file of a relative reference (RFC 3986, 4.2), beside `path`.
-fn file_of(uri: &str, path: &Path) -> Option<PathBuf> {
-    // A colon belongs to a scheme or, on some systems, a drive: both name other places.
-    let relative = !uri.is_empty() && !uri.contains(':') && !uri.starts_with(['/', '\\']);
-    let name = if relative { percent_decoded(uri)? } else { return None };
-    Some(path.parent().unwrap_or(Path::new("")).join(name))
+/// The file of a relative reference (RFC 3986, 4.2) in the folder of `path` or below it.
+fn file_of(uri: &str, path: &Path) -> Result<PathBuf, MeshFault> {
+    // A colon ends the name of a scheme: what follows is no file.
+    let name = (!uri.is_empty() && !uri.contains(':')).then(|| percent_decoded(uri)).flatten();
+    let name = name.ok_or(MeshFault::BadUri)?;
+    match is_below(&name) {
+        true => Ok(path.parent().unwrap_or(Path::new("")).join(name)),
+        false => Err(MeshFault::UriOutside),
+    }
+}
+
+/// Whether a name leads nowhere but down, on any system: a backslash parts folders on some, a colon stands
+/// behind a drive.
+fn is_below(name: &str) -> bool {
+    let is_down = |part: Component| matches!(part, Component::Normal(_) | Component::CurDir);
+    !name.contains(['\\', ':', '\0']) && Path::new(name).components().all(is_down)
 }
 
 /// The text without percent signs (RFC 3986, 2.1).
@@ -147,11 +157,12 @@ mod tests {
     #[test]
     fn buffer_references_are_relative_and_percent_decoded() {
         let path = Path::new("models/car.gltf");
-        assert_eq!(file_of("a%20b.bin", path), Some(PathBuf::from("models/a b.bin")));
-        for uri in
-            ["", "/etc/car.bin", "https://example.invalid/car.bin", "C:\\car.bin", "a%2.bin", "a%ff.bin"]
-        {
-            assert_eq!(file_of(uri, path), None, "{uri}");
+        assert_eq!(file_of("a%20b.bin", path).unwrap(), PathBuf::from("models/a b.bin"));
+        for uri in ["", "https://example.invalid/car.bin", "C:\\car.bin", "a%2.bin", "a%ff.bin"] {
+            assert!(matches!(file_of(uri, path), Err(MeshFault::BadUri)), "{uri}");
+        }
+        for uri in ["/etc/car.bin", "%2Fetc/car.bin", "\\car.bin", "a/..", "%2e%2e/a.bin", "C%3Acar.bin"] {
+            assert!(matches!(file_of(uri, path), Err(MeshFault::UriOutside)), "{uri}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What a scene file says itself of the physics, for who chooses the rest.
+//! Physics that a scene file says itself, for who chooses the rest.
 
 use crate::document::changes::{self, Change};
 use crate::document::errors::SceneErrors;
@@ -10,10 +10,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
-/// What a scene file says of the physics.
+/// Words of a scene file on the physics.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SaidPhysics {
-    /// Who chooses.
+    /// Chooser of what the file leaves open.
     pub planning: Planning,
     /// Keys of `[fidelity]` that are there.
     pub keys: BTreeSet<String>,

@@ -34,8 +34,7 @@ impl LoadedModel {
     /// Reads a model file, or the one in a model folder; one that cannot answer is refused at once, with its
     /// name.
     pub(crate) fn read(place: &Path) -> Result<Self, Failure> {
-        let read = classifier::load_model(place).map(Self::of).map_err(of_classifier);
-        let model = read.map_err(|failure| failure.about(place))?;
+        let model = classifier::load_model(place).map(Self::of).map_err(of_classifier_about(place))?;
         model.ready().map_err(|failure| failure.about(place))?;
         Ok(model)
     }
@@ -154,6 +153,11 @@ fn by_crops(
         rows.extend(network.probabilities(&crops).map_err(Failure::refused)?);
     }
     Ok(rows)
+}
+
+/// A classifier's refusal of what `place` holds.
+pub(crate) fn of_classifier_about(place: &Path) -> impl Fn(classifier::ClassifierError) -> Failure + '_ {
+    move |error| of_classifier(error).about(place)
 }
 
 /// A model was refused, or the system refused it.

@@ -5,7 +5,7 @@ use artifact::whole_file::{self, Durability, WholeFile};
 use std::collections::BTreeSet;
 use std::io::{Error, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Refuses what could not be written, before the work that it is the result of: no plain file, an input, a
 /// place without permission, or one place for two results.
@@ -71,14 +71,58 @@ fn write(
 ) -> Result<(), Failure> {
     let mut whole = WholeFile::create(file)?;
     content(&mut whole).map_err(|e| Failure::system(file, "write", e))?;
-    if !WRITTEN.lock().unwrap_or_else(PoisonError::into_inner).insert(one_name(file)) {
+    if !taken().files.insert(one_name(file)) {
         return Err(twice(file));
     }
     Ok(whole.finish(durability)?)
 }
 
-/// Files that this command has written.
-static WRITTEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// A run that writes into a folder: it writes no file twice, and no other one of this process writes there
+/// meanwhile. When it ends, a later one may write the same files again.
+pub(crate) struct Writing {
+    folder: PathBuf,
+}
+
+impl Writing {
+    /// Begins to write into a folder, which need not be there.
+    ///
+    /// # Errors
+    /// Another run of this process is writing there.
+    pub(crate) fn into_folder(folder: &Path) -> Result<Self, Failure> {
+        let here = std::env::current_dir().map_err(|e| Failure::system(folder, "write", e))?;
+        let folder = here.join(folder);
+        if !taken().folders.insert(one_name(&folder)) {
+            let rule = "is being written by another run of this program";
+            return Err(Failure::System(format!("{}: {rule}", folder.display())));
+        }
+        Ok(Self { folder })
+    }
+}
+
+impl Drop for Writing {
+    fn drop(&mut self) {
+        let mut taken = taken();
+        // What was not there at the beginning has its whole name now.
+        for name in [one_name(&self.folder), self.folder.clone()] {
+            taken.folders.remove(&name);
+            taken.files.retain(|file| !file.starts_with(&name));
+        }
+    }
+}
+
+/// Names that what is under way has taken.
+struct Taken {
+    /// Files that were written.
+    files: BTreeSet<PathBuf>,
+    /// Folders into which runs write.
+    folders: BTreeSet<PathBuf>,
+}
+
+static TAKEN: Mutex<Taken> = Mutex::new(Taken { files: BTreeSet::new(), folders: BTreeSet::new() });
+
+fn taken() -> MutexGuard<'static, Taken> {
+    TAKEN.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 fn twice(place: &Path) -> Failure {
     Failure::System(format!(
@@ -110,6 +154,32 @@ mod tests {
         assert_eq!(read_own(&place, 2).unwrap_err().kind(), ErrorKind::FileTooLarge);
         claim(&[place]).unwrap();
         assert_eq!(read_own(folder.path(), 3).unwrap_err().kind(), ErrorKind::InvalidInput);
+    }
+
+    #[test]
+    fn a_run_writes_no_file_twice_and_the_next_one_writes_the_same_files_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("new/out");
+        for _ in 0..2 {
+            let writing = Writing::into_folder(&out).unwrap();
+            write_file(&out.join("a"), b"a").unwrap();
+            assert!(write_file(&out.join("a"), b"b").unwrap_err().to_string().contains("two results"));
+            drop(writing);
+        }
+        assert_eq!(std::fs::read(out.join("a")).unwrap(), b"a");
+    }
+
+    #[test]
+    fn a_folder_that_a_run_writes_into_is_refused_to_another_run_until_it_ends() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        let first = Writing::into_folder(&out).unwrap();
+        std::fs::create_dir(&out).unwrap();
+        let refused = Writing::into_folder(&folder.path().join("out/../out")).err().unwrap().to_string();
+        assert!(refused.contains("out: is being written by another run of this program"), "{refused}");
+        drop(Writing::into_folder(folder.path()).unwrap());
+        drop(first);
+        drop(Writing::into_folder(&out).unwrap());
     }
 
     #[cfg(unix)]

@@ -1,25 +1,8 @@
 //! Choices of what is modelled, made from what each part of the echo is to all of it.
 
 use crate::planning::look::Shares;
+use crate::planning::part::Part;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Part of the physics that is modelled or left out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Part {
-    /// Ways that meet several bodies.
-    BetweenBodies,
-    /// Ways by the road.
-    Road,
-    /// Diffraction by edges.
-    Edges,
-    /// Waves through sheets.
-    Sheets,
-}
-
-impl Part {
-    /// All parts.
-    pub(crate) const ALL: [Self; 4] = [Self::BetweenBodies, Self::Road, Self::Edges, Self::Sheets];
-}
 
 /// Physics that the scene itself says, and of which nothing is chosen.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -108,9 +91,12 @@ impl Choice {
         let leaves_most = |physics: &Physics| !physics.one_less(fixed).iter().any(keeps);
         let (built, every) = (Physics::is_built, whole.every_less(fixed));
         let least = every.iter().filter(|physics| built(physics) && keeps(physics) && leaves_most(physics));
-        let fullest = every.iter().filter(|physics| built(physics)).max_by(|a, b| {
-            b.left_out_power(shares).total_cmp(&a.left_out_power(shares)).then(a.bounces.cmp(&b.bounces))
-        });
+        // Of equals the one with most orders and parts, which is the last.
+        let fullest = every
+            .iter()
+            .rev()
+            .filter(|physics| built(physics))
+            .min_by(|a, b| a.left_out_power(shares).total_cmp(&b.left_out_power(shares)));
         let of = |physics: &Physics| Self {
             left_out: chosen(physics).sqrt(),
             numerical: (budget.whole.powi(2) - chosen(physics).min(room)).sqrt(),
@@ -157,7 +143,7 @@ impl Physics {
         ![Part::Road, Part::Edges].iter().all(|part| self.modelled.contains(part))
     }
 
-    /// This and all that leaves out more, the fewest orders last.
+    /// All that leaves out more than this or nothing more, in the order of orders and parts.
     fn every_less(&self, fixed: &Fixed) -> BTreeSet<Self> {
         let mut every = BTreeSet::from([self.clone()]);
         let mut open = vec![self.clone()];

@@ -5,9 +5,9 @@ use crate::chain::link::Chain;
 use crate::chain::plan::FramePlan;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
-use crate::planning::choice::{Fixed, Part};
+use crate::planning::choice::Fixed;
+use crate::planning::part::Part;
 use artifact::scene::SceneHeader;
-use artifact::settings::{BetweenBodies, Edges};
 use bart_rcs::Tracer;
 use std::collections::BTreeMap;
 
@@ -54,22 +54,13 @@ pub(crate) fn seconds(
 
 /// The scene with one part in that is out, or out that is in; `None` where that takes another mesh.
 fn changed(planned: &SceneHeader, part: Part) -> Option<SceneHeader> {
+    if part == Part::Sheets {
+        return None;
+    }
     let mut header = planned.clone();
-    match part {
-        Part::BetweenBodies => {
-            header.fidelity.between_bodies = match header.fidelity.between_bodies {
-                BetweenBodies::Traced => BetweenBodies::LeftOut,
-                BetweenBodies::LeftOut => BetweenBodies::Traced,
-            };
-        }
-        Part::Road => header.road = if header.road.is_some() { None } else { bart_rcs::usual_road() },
-        Part::Edges => {
-            header.fidelity.edges = match header.fidelity.edges {
-                Edges::Ignored => Edges::FirstOrder,
-                Edges::FirstOrder => Edges::Ignored,
-            };
-        }
-        Part::Sheets => return None,
+    match part.is_in(planned) {
+        true => part.leave_out(&mut header),
+        false => part.model(&mut header),
     }
     Some(header)
 }

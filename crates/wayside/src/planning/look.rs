@@ -58,19 +58,16 @@ fn of_parts(parts: EchoParts) -> Shares {
     Shares { within, between, nodes, road, edges, sheets: transmission, noise: 0.0 }
 }
 
-/// Cells of a map over which one body is spread at least: what is left out is weaker in each of them, so
-/// fewer are on the safe side.
-const CELLS_OF_A_BODY: f64 = 1.0;
-
 /// Relative amplitude of an echo that, all of it in one cell and all channels added in phase, is as strong
-/// as the noise of the map; 0 without noise.
+/// as the noise of the map; 0 without noise. A body is spread over more cells, and what is left out is weaker
+/// in each of them: one is on the safe side.
 fn noise(header: &SceneHeader, index: u32, amplitude_m: &[Complex64]) -> f64 {
     let (radar, waveform) = (&header.radar, &header.radar.waveform);
     let channels = radar.virtual_channels() as f64;
     let bodies = scene::bodies_in_view(header, index).len().max(1) as f64;
     let power_ratio = match header.noise {
         Noise::Absent => 0.0,
-        Noise::SnrDb(db) => 1.0 / (power_from_db(db) * CELLS_OF_A_BODY * bodies * channels),
+        Noise::SnrDb(db) => 1.0 / (power_from_db(db) * bodies * channels),
         Noise::Figure { noise_figure_db, temperature_k } => {
             let noise_w =
                 BOLTZMANN_J_PER_K * temperature_k * power_from_db(noise_figure_db) * waveform.sample_rate_hz;

@@ -1,8 +1,9 @@
 //! A plan in figures, for `summary.json`, and in lines, for who reads along.
 
-use crate::planning::choice::{Budget, Choice, Fixed, Limit, Part};
+use crate::planning::choice::{Budget, Choice, Fixed, Limit};
 use crate::planning::costs::Seconds;
 use crate::planning::look::Shares;
+use crate::planning::part::Part;
 use artifact::Accuracy;
 use artifact::scene::SceneHeader;
 use artifact::settings::NodeRule;
@@ -157,7 +158,7 @@ fn part_figures(
 ) -> PartFigures {
     let cost = seconds.with_one_changed.get(&part).map(|changed| (changed - seconds.planned).abs());
     PartFigures {
-        name: name(part).into(),
+        name: part.name().into(),
         modelled: choice.modelled.contains(&part),
         said: fixed.parts.contains_key(&part),
         share_db: share(part, shares).map(db_from_amplitude),
@@ -171,15 +172,6 @@ fn share(part: Part, shares: &Shares) -> Option<f64> {
         Part::Road => shares.road,
         Part::Edges => Some(shares.edges),
         Part::Sheets => Some(shares.sheets),
-    }
-}
-
-fn name(part: Part) -> &'static str {
-    match part {
-        Part::BetweenBodies => "ways between bodies",
-        Part::Road => "ways by the road",
-        Part::Edges => "diffraction by edges",
-        Part::Sheets => "waves through sheets",
     }
 }
 

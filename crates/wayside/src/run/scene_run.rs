@@ -10,7 +10,7 @@ use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::host::call_off::CallOff;
 use crate::host::failure::Failure;
-use crate::host::files;
+use crate::host::files::{self, Writing};
 use crate::host::memory::Allowance;
 use crate::host::processor_time;
 use crate::host::progress::{self, Work};
@@ -116,12 +116,15 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     // All before the first is computed: what is wrong with the last radar is said at once.
     let load = |run: &Run| planning::scene(&run.scene, cache.as_ref(), settings.memory);
     let planned: Vec<PlannedScene> = runs.iter().map(load).collect::<Result<_, _>>()?;
+    let outs: Vec<PathBuf> = runs.iter().zip(&planned).map(|(run, planned)| run.out_of(planned)).collect();
+    let begin = || outs.iter().map(|out| Writing::into_folder(out)).collect::<Result<Vec<_>, _>>();
+    let _writing = (!settings.dry_run).then(begin).transpose()?;
     let mut of_radars = vec![];
-    for (run, planned) in runs.iter().zip(&planned) {
+    for ((run, planned), out) in runs.iter().zip(&planned).zip(&outs) {
         if runs.len() > 1 {
             (settings.tell)(&format!("radar {}", run.scene.radar.as_deref().unwrap_or_default()));
         }
-        of_radars.extend(one_radar(settings, planned, cache.as_ref(), model.as_ref(), run.out.as_deref())?);
+        of_radars.extend(one_radar(settings, planned, cache.as_ref(), model.as_ref(), out)?);
     }
     let is_of_all = settings.scene.radar.is_none() && runs.iter().all(|run| run.scene.radar.is_some());
     let conclude = || several_radars::conclude(&of_radars, &settings.making, settings.tell);
@@ -146,6 +149,14 @@ struct Run {
     out: Option<PathBuf>,
 }
 
+impl Run {
+    /// Folder of the results.
+    fn out_of(&self, planned: &PlannedScene) -> PathBuf {
+        let of_name = || PathBuf::from("out").join(&planned.loaded.header.name);
+        self.out.clone().unwrap_or_else(of_name)
+    }
+}
+
 /// Runs to be made: one or, where the scene has several radars and none is asked for, one for each.
 fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
     let radars = match settings.scene.radar {
@@ -168,7 +179,7 @@ fn one_radar(
     planned: &PlannedScene,
     cache: Option<&Cache>,
     model: Option<&LoadedModel>,
-    out: Option<&Path>,
+    out: &Path,
 ) -> Result<Option<Told>, Failure> {
     let loaded = &planned.loaded;
     let chain = Chain::of(&loaded.header, cache, model, settings.memory);
@@ -185,17 +196,16 @@ fn one_radar(
         expectation::lines(&chain, cache, &plans)?.iter().for_each(|line| (settings.tell)(line));
         return Ok(None);
     }
-    let out = out.map_or_else(|| PathBuf::from("out").join(&loaded.header.name), Path::to_owned);
     files::claim(&["summary.json", "report.html"].map(|name| out.join(name)))?;
     let (start, begin) = (Instant::now(), processor_time::of_process());
-    let (computed, figures) = compute(&chain, loaded, &plans, settings, &out)?;
+    let (computed, figures) = compute(&chain, loaded, &plans, settings, out)?;
     let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
     let took = RunTook { seconds: start.elapsed().as_secs_f64(), processor };
     if let Some(cache) = cache {
         cache.trim();
     }
-    let summary = conclude(planned, computed, took, &figures, settings, &out)?;
-    Ok(Some(Told { summary, seen: figures.seen, out }))
+    let summary = conclude(planned, computed, took, &figures, settings, out)?;
+    Ok(Some(Told { summary, seen: figures.seen, out: out.to_owned() }))
 }
 
 /// Time that all frames took, to the last picture's end.

@@ -2,7 +2,7 @@
 //! each.
 
 use crate::host::failure::Failure;
-use crate::host::files;
+use crate::host::files::{self, Writing};
 use crate::outcome::summary::{RadarsSummary, Summary};
 use crate::outcome::told;
 use crate::pictures;
@@ -35,6 +35,7 @@ pub(crate) fn conclude(
     tell: &dyn Fn(&str),
 ) -> Result<RadarsSummary, Failure> {
     let out = radars[0].out.parent().unwrap_or(Path::new(""));
+    let _writing = Writing::into_folder(out)?;
     let by_id: Vec<_> = radars.iter().map(|radar| (radar.id(), &radar.summary)).collect();
     let summary = RadarsSummary::of(&by_id);
     let views = views(radars);

@@ -32,7 +32,16 @@ impl Ended {
 /// Runs the program in a folder; it is killed where it takes a minute of the processor, and gets no more than
 /// gibibytes.
 pub(crate) fn run(folder: &Path, words: impl IntoIterator<Item = impl AsRef<OsStr>>) -> Ended {
-    let bounds = format!("ulimit -v {MOST_KIB}; ulimit -t {LONGEST_PROCESSOR_S}; exec \"$@\"");
+    run_within(MOST_KIB, folder, words)
+}
+
+/// Runs the program as [`run`] does, in an address space of so many KiB.
+pub(crate) fn run_within(
+    most_kib: u64,
+    folder: &Path,
+    words: impl IntoIterator<Item = impl AsRef<OsStr>>,
+) -> Ended {
+    let bounds = format!("ulimit -v {most_kib}; ulimit -t {LONGEST_PROCESSOR_S}; exec \"$@\"");
     let mut command = Command::new("sh");
     command.args(["-c", &bounds, "sh", super::PROGRAM]).args(words).current_dir(folder);
     let [log, output] = ["said", "printed"].map(|name| std::fs::File::create(folder.join(name)).unwrap());

@@ -8,13 +8,14 @@
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
-use crate::common::Workplace;
 use crate::common::killing::{files, is_temporary};
+use crate::common::{Workplace, bounded};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Child;
 
-const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\npreset = \"1x4\"\n\
+const BASE: &str = "name = \"base\"\n[radar.waveform]\nsamples = 64\nchirps = 16\n[radar.array]\n\
+preset = \"1x4\"\n\
 [noise]\nnoise_figure_db = 12.0\n[dsp]\ntraining_cells = [3, 6]\n[fidelity]\nbounces = 1\n";
 
 /// Twelve scenes in five shards.
@@ -31,13 +32,13 @@ fn prepared(recipe: &str) -> Workplace {
     place
 }
 
-/// All that a dataset's folder holds, by names.
+/// Files in a dataset's folder, by their names.
 fn held(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let name = |file: &Path| file.strip_prefix(folder).unwrap().display().to_string();
     files(folder).iter().map(|file| (name(file), std::fs::read(file).unwrap())).collect()
 }
 
-/// What one machine makes.
+/// Files that one machine makes.
 fn whole() -> BTreeMap<String, Vec<u8>> {
     let place = prepared(RECIPE);
     place.run("dataset spec.toml --out d --quiet");
@@ -176,4 +177,18 @@ fn a_dry_run_tells_files_and_bytes_and_makes_nothing() {
     let lines_mib = bytes(&|name| name.ends_with(".jsonl")) / 1048576.0;
     assert!((told_mib(&said, " MiB of lines") / lines_mib - 1.0).abs() < 0.5, "{said} {lines_mib}");
     assert!(said.contains(" core-hours, "), "{said}");
+}
+
+/// Address space in which a recipe is read and one of its shards is drawn, KiB; two million scenes of eight
+/// vehicles have no place there.
+const MOST_KIB: u64 = 1 << 20;
+
+#[test]
+fn scenes_are_drawn_a_shard_at_a_time() {
+    let many = "scenes_per_class = 1000000\nvehicles_per_scene = [8, 8]";
+    let place = prepared(&RECIPE.replace("scenes_per_class = 6", many));
+    let words = "dataset spec.toml --out d --shard 4294967295/4294967295 --quiet --threads 1";
+    let ended = bounded::run_within(MOST_KIB, place.root(), words.split_whitespace());
+    assert!(ended.status.success(), "{}", ended.said);
+    assert!(ended.printed.contains("shard-0000.jsonl: not made yet"), "{}", ended.printed);
 }

@@ -6,6 +6,8 @@
 )]
 
 use crate::common::Workplace;
+use artifact::scene::Scene;
+use artifact::{Reader, Writer};
 use serde_json::Value;
 
 const TRAFFIC: &str = "name = \"driving\"\n[radar.waveform]\nsamples = 64\nchirps = 16\nslope_mhz_per_us = 6.25\n\
@@ -53,4 +55,23 @@ fn a_scene_of_fewer_frames_than_the_points_is_refused_by_name() {
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("shorter/scene.scene: frame 1 of the points is not in it"), "{said}");
+}
+
+#[test]
+fn a_scene_of_more_poses_than_bodies_is_refused_with_file_and_frame() {
+    let place = Workplace::new();
+    place.run("run small.toml --out out --quiet");
+    let reader = Reader::<Scene>::open(&place.path("out/scene.scene")).unwrap();
+    let (more, from) = (place.path("more.scene"), &reader.preamble().provenance);
+    let mut writer = Writer::<Scene>::create(&more, from, reader.header()).unwrap();
+    for frame in reader {
+        let mut frame = frame.unwrap();
+        frame.poses.push(frame.poses[0]);
+        writer.write(&frame).unwrap();
+    }
+    writer.finish().unwrap();
+    let output = place.try_run("score out/frames.points --scene more.scene");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("more.scene: frame 0 has 3 poses of 2 bodies in view"), "{said}");
 }

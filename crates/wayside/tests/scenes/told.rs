@@ -27,6 +27,22 @@ fn items(list: &Value) -> &[Value] {
 }
 
 #[test]
+fn a_second_run_of_the_library_writes_the_same_folder_again() {
+    let place = Workplace::new();
+    let run = |scene: &str| {
+        let settings =
+            wayside::Settings { cache: None, ..wayside::Settings::of(place.path(scene), place.path("out")) };
+        wayside::run(&settings).map(drop)
+    };
+    run("small.toml").unwrap();
+    let shorter =
+        std::fs::read_to_string(place.path("small.toml")).unwrap().replace("frames = 2", "frames = 1");
+    write(&place, "shorter.toml", &shorter);
+    run("shorter.toml").unwrap();
+    assert_eq!(place.summary("out/summary.json")["frames"].as_array().unwrap().len(), 1);
+}
+
+#[test]
 fn a_summary_is_read_as_it_was_handed_out_and_keys_of_later_versions_are_passed_over() {
     let place = Workplace::new();
     let settings = wayside::Settings {

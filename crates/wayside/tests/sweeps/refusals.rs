@@ -6,7 +6,7 @@
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
-use crate::common::Workplace;
+use crate::common::{Workplace, bounded};
 
 /// A study that is carried out.
 const WHOLE: &str = "scene = \"small.toml\"\n[[vary]]\nkey = \"radar.array.preset\"\nvalues = [\"1x4\", \"3x4\"]\n\
@@ -112,4 +112,29 @@ fn what_the_scene_refuses_is_told_with_the_line_that_changes_it_and_the_scenes_o
     }
     let (said, code) = said_of(&place, &WHOLE.replace("small.toml", "gone.toml"));
     assert!(said.contains("gone.toml") && code == Some(2), "{code:?} {said}");
+}
+
+/// Address space in which the program reads a study, KiB; 10¹² conditions have no place there.
+#[cfg(unix)]
+const MOST_KIB: u64 = 2 << 20;
+
+#[cfg(unix)]
+#[test]
+fn too_many_conditions_are_refused_by_their_number_before_they_are_made() {
+    let place = Workplace::new();
+    let condition = |axis: usize| {
+        let values: Vec<String> = (0..100).map(|value| format!("{value}.0")).collect();
+        format!("[[condition]]\nkey = \"target[1].position_m[{axis}]\"\nvalues = [{}]\n", values.join(", "))
+    };
+    let conditions: String = (0..6).map(condition).collect();
+    std::fs::write(place.path("study.toml"), WHOLE.replace("[goal]", &format!("{conditions}[goal]")))
+        .unwrap();
+    let words = "sweep study.toml --out out --no-cache --quiet --threads 1";
+    let ended = bounded::run_within(MOST_KIB, place.root(), words.split_whitespace());
+    assert_eq!(ended.status.code(), Some(1), "{}", ended.said);
+    assert!(
+        ended.said.contains("study.toml: the study has 2000000000000 runs, more than 10000000"),
+        "{}",
+        ended.said
+    );
 }

@@ -38,20 +38,24 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     }
     let work = folder.join("work");
     let program = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
-    for tried_before in 1.. {
+    let mut check = || {
         let _ = std::fs::remove_dir_all(&work);
         let mut command = Command::new(venv.join("bin/python"));
         // It carries out the commands of `wayside`.
-        match counted(command.arg(script("check.py")).arg(&program).arg(&work), tally) {
-            Err(failure) if tried_before < ATTEMPTS => terminal::line(format!("tried again: {failure}")),
-            told => return told,
+        counted(command.arg(script("check.py")).arg(&program).arg(&work), tally)
+    };
+    for _ in 0..TRIED_AGAIN {
+        match check() {
+            Ok(()) => return Ok(()),
+            Err(failure) => terminal::line(format!("tried again: {failure}")),
         }
     }
-    Ok(())
+    check()
 }
 
-/// Attempts: a worker that has made all before it is killed shows nothing, and that is chance.
-const ATTEMPTS: u32 = 3;
+/// Times that a check which failed is tried again: a worker that has made all before it is killed shows
+/// nothing, and that is chance.
+const TRIED_AGAIN: u32 = 2;
 
 fn skipped(tally: &mut Tally, why: &str) -> Result<(), Failure> {
     terminal::line(format!("skipped: {why}"));

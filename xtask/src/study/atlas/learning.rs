@@ -1,5 +1,6 @@
 //! Learning from too little, from nothing, and from what is not so.
 
+use crate::study::atlas::methods;
 use crate::study::atlas::verdict::{Trial, Tried, tried};
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
@@ -26,8 +27,8 @@ const SETTINGS: TreeSettings = TreeSettings {
     least_probability: 0.4,
 };
 
-/// A sighting whose features tell its class but for noise as large as what they tell; `told` is the class that
-/// they tell of.
+/// A sighting whose features tell its class but for noise as large as what they tell; `told` is the class
+/// that they tell of.
 fn sighting(random: &mut ChaCha8Rng, class: usize, told: usize, vehicle: u64) -> Seen {
     let width = classifier::feature_names().len();
     let feature = |i: usize, noise: f64| if i % 4 == told { 1.5 + noise } else { noise };
@@ -70,8 +71,8 @@ fn trained(sightings: &Sightings) -> Result<TrainedTrees, Failure> {
 /// Training sets of one size that are tried.
 const SETS: u64 = 8;
 
-/// What trainings say of themselves, against a thousand new sightings: the error is the mean difference of
-/// both accuracies; the intervals of 95 % cover it where at most two of eight miss the true one (0.6 % by
+/// Compares what trainings say of themselves with a thousand new sightings: the error is the mean difference
+/// of both accuracies; the intervals of 95 % cover it where at most two of eight miss the true one (0.6 % by
 /// chance).
 fn told_against_true(
     trial: Trial,
@@ -101,12 +102,8 @@ fn told_against_true(
 
 /// Very few vehicles of each class.
 fn tiny_sets(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "classifier",
-        method: "trees",
-        case: "tiny training sets: accuracy told against true",
-        parameter: "vehicles of each class",
-    };
+    let trial =
+        methods::TREES.trial("tiny training sets: accuracy told against true", "vehicles of each class");
     let fresh = sightings(250, 99, |_, class| class);
     let row = |each: u64| told_against_true(trial, each, &fresh, &|_, class| class);
     [1, 2, 5, 20, 50].into_iter().map(row).collect()
@@ -114,12 +111,7 @@ fn tiny_sets(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 
 /// A class that nothing shows cannot be learned.
 fn classes_missing(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "classifier",
-        method: "trees",
-        case: "training sets without all classes",
-        parameter: "set",
-    };
+    let trial = methods::TREES.trial("training sets without all classes", "set");
     let without = |kept: &dyn Fn(&Seen) -> bool| {
         let mut all = sightings(20, 5, |_, class| class);
         all.all.retain(|seen| kept(seen));
@@ -139,12 +131,8 @@ fn classes_missing(_: Extent) -> Result<Vec<CaseRow>, Failure> {
 
 /// Labels that the features say nothing of: a quarter is right by chance, and the training must not say more.
 fn labels_of_chance(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "classifier",
-        method: "trees",
-        case: "labels by chance: accuracy told against true",
-        parameter: "vehicles of each class",
-    };
+    let trial =
+        methods::TREES.trial("labels by chance: accuracy told against true", "vehicles of each class");
     let chance = |random: &mut ChaCha8Rng, _: usize| random.random_range(0..4);
     let fresh = sightings(250, 98, chance);
     let row = |each: u64| told_against_true(trial, each, &fresh, &chance);

@@ -25,16 +25,16 @@ Each case has an answer that is known without the method under trial: a closed f
 a series, an integral carried to convergence, another method, or the truth of a scene.
 
 - **good**: the error is at most −20 dB, the default accuracy of a scene.
-- **degraded**: it is larger, and the program says so: a printed error that holds it, a printed estimate of what the model
-  leaves out (node rules, next order, far field) at most 10 dB below it, a flag, a null or a remark in the result, or a
-  limit that the documentation of the method states. The last column has it.
+- **degraded**: it is larger, and the program says so: a printed error that holds it, a printed estimate of
+  what the model leaves out (node rules, next order, far field) at most 10 dB below it, a flag, a null or a
+  remark in the result, or a limit that the documentation of the method states. The last column has it.
 - **refused**: there is no answer, and the program says why.
 - **wrong**: larger, and nothing is said; or an input without an answer that was taken. A bug.
 
-Errors are complex amplitude errors as in `conventions.md`, of the level where a reference has no phase, and relative
-errors of an estimate where a case is about estimates; of things that are found or lost it is their number. `cargo xtask
-atlas --only WORD` tries those cases alone whose functions have the word in their names. What random cases found beside
-these is a ledger of its own: [random search](validation/random-search.md).
+Errors are complex amplitude errors as in `conventions.md`, of the level where a reference has no phase, and
+relative errors of an estimate where a case is about estimates; of things that are found or lost it is their
+number. `cargo xtask atlas --only WORD` tries those cases alone whose functions have the word in their names.
+What random cases found beside these is a ledger of its own: [random search](validation/random-search.md).
 ";
 
 pub(in crate::study) fn page(rows: &[CaseRow], extent: Extent) -> String {

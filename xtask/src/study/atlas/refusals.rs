@@ -1,6 +1,7 @@
 //! Inputs that have no answer must be refused, with a reason.
 
 use crate::study::atlas::CaseRow;
+use crate::study::atlas::methods;
 use crate::study::atlas::verdict::{Trial, Tried, tried};
 use crate::study::bodies;
 use crate::study::extent::Extent;
@@ -18,7 +19,7 @@ pub(super) const CASES: &[Tried] = tried![meshes, scenes, antennas, echoes];
 
 /// Files of meshes, and meshes that reach the tracer by another way.
 pub(in crate::study::atlas) fn meshes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial { stage: "scene", method: "mesh", case: "meshes without an answer", parameter: "file" };
+    let trial = methods::MESH.trial("meshes without an answer", "file");
     let file = |name: &str, text: &str| {
         let options = MeshOptions { unit_scale: None };
         trial
@@ -40,8 +41,7 @@ pub(in crate::study::atlas) fn meshes(_: Extent) -> Result<Vec<CaseRow>, Failure
 
 /// Scene files.
 pub(in crate::study::atlas) fn scenes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial =
-        Trial { stage: "scene", method: "read", case: "scenes without an answer", parameter: "scene" };
+    let trial = methods::READ.trial("scenes without an answer", "scene");
     let scene = |name: &str, words: &str| trial.must_refuse(name, scene_of(words));
     Ok(vec![
         scene("a key that is misspelt", "[radar]\npositon_m = [0.0, 0.0, 6.0]\n"),
@@ -56,8 +56,7 @@ pub(in crate::study::atlas) fn scenes(_: Extent) -> Result<Vec<CaseRow>, Failure
 
 /// Places from where nothing can be looked at.
 pub(in crate::study::atlas) fn antennas(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial =
-        Trial { stage: "bart-rcs", method: "bart", case: "requests without an answer", parameter: "request" };
+    let trial = methods::BART.trial("requests without an answer", "request");
     let plate = bodies::plate(0.3);
     let ask = |change: &dyn Fn(&mut RcsRequest)| {
         let mut request = looks::first_order(0.0, 0.0);
@@ -80,9 +79,8 @@ fn small_scene() -> Result<SceneHeader, Failure> {
 
 /// Paths and samples.
 pub(in crate::study::atlas) fn echoes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let echo =
-        Trial { stage: "fmcw-echo", method: "recurrence", case: "paths without an echo", parameter: "path" };
-    let map = Trial { stage: "dsp", method: "map", case: "cubes without a map", parameter: "cube" };
+    let echo = methods::RECURRENCE.trial("paths without an echo", "path");
+    let map = methods::MAP.trial("cubes without a map", "cube");
     let header = small_scene()?;
     let paths = paths_of(&header)?;
     let with = |position_m: [f64; 3]| {

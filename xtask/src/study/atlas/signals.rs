@@ -1,5 +1,6 @@
 //! Signals: what goes wrong between samples and tracks.
 
+mod strongest;
 mod ambiguity;
 mod clutter;
 mod detector;

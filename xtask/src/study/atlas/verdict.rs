@@ -2,6 +2,7 @@
 
 use crate::project::project_root;
 use crate::study::extent::Extent;
+use artifact::ErrorBudget;
 use artifact::units::db_from_amplitude;
 use bart_rcs::RcsResult;
 use std::fmt::Display;
@@ -48,8 +49,8 @@ pub(super) fn documented(page: &'static str, words: &'static str) -> Result<Says
 }
 
 /// Bound that a result gives for its own error.
-pub(super) fn printed(result: &RcsResult) -> Says {
-    result.error.total().map_or(Says::Nothing, Says::AtMost)
+pub(super) fn printed(error: &ErrorBudget) -> Says {
+    error.total().map_or(Says::Nothing, Says::AtMost)
 }
 
 /// Estimate of a result without diffraction, or the remark that there is none.

@@ -96,7 +96,8 @@ pub(super) fn detector(random: &mut Random) -> Result<Outcome, Failure> {
 pub(super) fn lone_points(random: &mut Random) -> Result<Outcome, Failure> {
     let multiplexing = ["simultaneous", "tdm", "ddm", "bpm"][random.random_range(0..4)];
     let header = scene_of(&format!(
-        "[noise]\nsnr_db = 35.0\n[dsp]\nassumed_height_m = 6.0\n[radar.waveform]\nsamples = {}\n[radar.array]\n\
+        "[noise]\nsnr_db = 35.0\n[dsp]\nassumed_height_m = 6.0\n[radar.waveform]\nsamples = {}\n\
+         [radar.array]\n\
          multiplexing = \"{multiplexing}\"\n",
         [256, 384, 512][random.random_range(0..3)]
     ))?;
@@ -128,7 +129,8 @@ pub(super) fn lone_points(random: &mut Random) -> Result<Outcome, Failure> {
     let beam = (object.azimuth_rad.sin() - azimuth_rad.sin()).abs() * 6.0;
     let told = || {
         format!(
-            "{}; range {range:.2} cells, velocity {velocity:.2} cells, direction {beam:.2} beams, {folds} folds, \
+            "{}; range {range:.2} cells, velocity {velocity:.2} cells, direction {beam:.2} beams, {folds} \
+             folds, \
              resolved {}",
             case(),
             object.velocity_resolved

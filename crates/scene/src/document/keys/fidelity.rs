@@ -45,7 +45,7 @@ pub(crate) const FOR: Key<Words<Goal>> = Key::new(
      result was measured to need ([validation/sensitivity.md](validation/sensitivity.md))",
 );
 
-/// Who chooses what of the echo is modelled.
+/// Chooser of what is modelled of the echo.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Planning {
     /// The scene, key by key, with the defaults of those it leaves out.

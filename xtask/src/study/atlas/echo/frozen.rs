@@ -1,6 +1,7 @@
 //! Paths that stand for a body through a whole frame, and the precision of samples.
 
-use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::printed;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::extent::Extent;
@@ -16,12 +17,7 @@ use wayside::host::failure::Failure;
 
 /// Lane 3 at 25 m, 10 m/s, long frames: against the body traced anew at three moments of the frame.
 pub(in crate::study::atlas) fn near_lane(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "paths",
-        case: "frozen for a frame, lane 3 at 25 m",
-        parameter: "accuracy_db asked",
-    };
+    let trial = methods::PATHS.trial("frozen for a frame, lane 3 at 25 m", "accuracy_db asked");
     let body = bodies::joined(
         bodies::tube(0.2, 0.25, 120, 0.0),
         &bodies::shifted(bodies::cube(0.2, &bodies::Face::ALL), [-1.5, 0.0, 0.2]),
@@ -30,7 +26,7 @@ pub(in crate::study::atlas) fn near_lane(_: Extent) -> Result<Vec<CaseRow>, Fail
         let mut header = with_body(scene_of(PLAIN)?, &body, [9.5, 22.3, 0.0], [0.0, -10.0, 0.0]);
         header.fidelity.accuracy = Accuracy::from_db(accuracy_db);
         let frozen = paths_of(&header)?;
-        let says = frozen.error.total().map_or(Says::Nothing, Says::AtMost);
+        let says = printed(&frozen.error);
         Ok(trial.answered(accuracy_db, error_through_the_frame(&header, &frozen.paths)?, says))
     };
     [-20.0, -30.0].into_iter().map(row).collect()
@@ -78,12 +74,7 @@ fn over_the_band(header: &SceneHeader, paths: &[Path], seconds: f64, frame: &Sce
 
 /// Lengths and phases are f64, samples are kept as f32.
 pub(in crate::study::atlas) fn single_precision(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "fmcw-echo",
-        method: "recurrence",
-        case: "samples of a point against the formulas",
-        parameter: "range_m",
-    };
+    let trial = methods::RECURRENCE.trial("samples of a point against the formulas", "range_m");
     let row = |range_m: f64| {
         let header = scene_of("[radar.waveform]\nchirps = 16\n[radar.array]\npreset = \"1x1\"\n")?;
         let header = with_point(header, 1.0, [0.0, range_m, 6.0], [0.0, -10.0, 0.0]);

@@ -1,11 +1,25 @@
 //! Other radars in the air.
 
-use crate::study::atlas::verdict::{Trial, documented};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::documented;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use crate::study::scenes::{cube_of, paths_of, scene_of, seen, with_point};
+use artifact::scene::SceneHeader;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use wayside::host::failure::Failure;
+
+/// A radar of one transmitter in noise beside these interferers.
+fn beside(interferers: &str) -> Result<SceneHeader, Failure> {
+    scene_of(&format!("[radar.array]\npreset = \"1x1\"\n[noise]\nnoise_figure_db = 12.0\n{interferers}"))
+}
+
+/// Slope, MHz/µs, offset, µs, and distance, m, of radars whose chirps cross the own ones.
+const CROSSING: [(f64, f64, f64); 3] = [(13.7, 3.0, 20.0), (11.1, -3.0, 25.0), (10.0, -2.0, 30.0)];
+
+fn crossing(count: usize, eirp_dbm: f64) -> String {
+    CROSSING[..count].iter().map(|(slope, offset, y)| interferer(*slope, *offset, eirp_dbm, *y)).collect()
+}
 
 fn interferer(slope_mhz_per_us: f64, offset_us: f64, eirp_dbm: f64, y_m: f64) -> String {
     format!(
@@ -16,20 +30,12 @@ fn interferer(slope_mhz_per_us: f64, offset_us: f64, eirp_dbm: f64, y_m: f64) ->
 
 /// Another radar of the same slope is a ghost at ½c(R/c + lateness): a place where nothing is.
 pub(in crate::study::atlas) fn same_slope(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "fmcw-echo",
-        method: "interferer",
-        case: "interferer of the same slope, its ghost against its formula",
-        parameter: "late_ns",
-    };
+    let trial =
+        methods::INTERFERER.trial("interferer of the same slope, its ghost against its formula", "late_ns");
     let filter = documented("docs/scenes.md", "The IF filter is a brick wall of ±half the sample rate")?;
     let row = |late_ns: f64| {
-        let words = format!(
-            "[radar.array]\npreset = \"1x1\"\n[noise]\nnoise_figure_db = 12.0\n{}",
-            interferer(12.5, 1e-3 * late_ns, 10.0, 20.0)
-        );
         let ghost_m = 0.5 * (20.0 + SPEED_OF_LIGHT_MPS * 1e-9 * late_ns);
-        let points = seen(&scene_of(&words)?)?.points.points;
+        let points = seen(&beside(&interferer(12.5, 1e-3 * late_ns, 10.0, 20.0))?)?.points.points;
         let nearest = points.iter().map(|p| (p.range_m - ghost_m).abs()).fold(f64::INFINITY, f64::min);
         // Beats beyond half the sample rate, 30.7 m, are filtered out.
         let says = if ghost_m > 30.7 { filter } else { Says::Nothing };
@@ -38,24 +44,15 @@ pub(in crate::study::atlas) fn same_slope(_: Extent) -> Result<Vec<CaseRow>, Fai
     [0.0, 60.0, 250.0].into_iter().map(row).collect()
 }
 
-/// Where nothing is, an interferer of the same slope is an object: a flaw of all such radars.
+/// An interferer of the same slope is an object where nothing is: a flaw of all such radars.
 pub(in crate::study::atlas) fn ghosts_of_no_body(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "ca-cfar",
-        case: "objects of an empty road beside an interferer",
-        parameter: "its slope, MHz/µs",
-    };
+    let trial = methods::CA_CFAR.trial("objects of an empty road beside an interferer", "its slope, MHz/µs");
     let says = documented(
         "docs/scenes.md",
         "with equal slopes it is a ghost target at ½c·(R/c + the other chirp's lateness)",
     )?;
     let row = |slope: f64| {
-        let words = format!(
-            "[radar.array]\npreset = \"1x1\"\n[noise]\nnoise_figure_db = 12.0\n{}",
-            interferer(slope, 0.06, 10.0, 20.0)
-        );
-        let objects = seen(&scene_of(&words)?)?.points.objects.len();
+        let objects = seen(&beside(&interferer(slope, 0.06, 10.0, 20.0))?)?.points.objects.len();
         Ok(trial.answered(slope, objects as f64, says))
     };
     [12.5, 11.0, -12.5].into_iter().map(row).collect()
@@ -64,22 +61,15 @@ pub(in crate::study::atlas) fn ghosts_of_no_body(_: Extent) -> Result<Vec<CaseRo
 /// Several crossing radars raise the noise: power of what they add over the noise's, against the closed form
 /// of crossings that last f_s/|Δμ|.
 pub(in crate::study::atlas) fn crossings(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "fmcw-echo",
-        method: "interferer",
-        case: "power of several crossing radars against closed forms",
-        parameter: "radars",
-    };
+    let trial = methods::INTERFERER.trial("power of several crossing radars against closed forms", "radars");
     let row = |count: usize| {
-        let others = [(13.7, 3.0, 20.0), (11.1, -3.0, 25.0), (10.0, -2.0, 30.0)];
-        let all: String =
-            others[..count].iter().map(|(slope, offset, y)| interferer(*slope, *offset, 10.0, *y)).collect();
+        let all = crossing(count, 10.0);
         let header = scene_of(&format!("[radar.array]\npreset = \"1x1\"\n{all}"))?;
         let cube = cube_of(&header, &paths_of(&header)?)?;
         let power: f64 = cube.samples.iter().map(|z| f64::from(z.norm_sqr())).sum();
         let waveform = &header.radar.waveform;
         let exact: f64 =
-            others[..count].iter().map(|(slope, _, y)| crossing_power(waveform, *slope, *y)).sum();
+            CROSSING[..count].iter().map(|(slope, _, y)| crossing_power(waveform, *slope, *y)).sum();
         let exact = exact * f64::from(waveform.chirps);
         // Beats of crossings with each other are no part of the sum of their powers.
         Ok(trial.answered(count, ((power / exact).sqrt() - 1.0).abs(), Says::Nothing))
@@ -97,18 +87,11 @@ fn crossing_power(waveform: &artifact::radar::Waveform, slope_mhz_per_us: f64, r
 
 /// A weak point among crossing radars: error 1 where it is lost.
 pub(in crate::study::atlas) fn weak_among_radars(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "ca-cfar",
-        case: "a weak point beside crossing radars",
-        parameter: "eirp_dbm of three",
-    };
+    let trial = methods::CA_CFAR.trial("a weak point beside crossing radars", "eirp_dbm of three");
     let says =
         documented("docs/scenes.md", "Where its frequency crosses that of a chirp the receiver hears it")?;
     let row = |eirp_dbm: f64| {
-        let others = [(13.7, 3.0, 20.0), (11.1, -3.0, 25.0), (10.0, -2.0, 30.0)];
-        let all: String =
-            others.iter().map(|(slope, offset, y)| interferer(*slope, *offset, eirp_dbm, *y)).collect();
+        let all = crossing(CROSSING.len(), eirp_dbm);
         let words = format!("[radar.array]\npreset = \"1x4\"\n[noise]\nnoise_figure_db = 12.0\n{all}");
         let header = with_point(scene_of(&words)?, 0.1, [0.0, 40.0, 6.0], [0.0, -5.0, 0.0]);
         let points = seen(&header)?.points.points;

@@ -1,6 +1,7 @@
 //! Levels at the ends of single precision, and converters that are too small.
 
-use crate::study::atlas::verdict::{Trial, documented};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::documented;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use crate::study::scenes::{cube_header, cube_of, paths_of, scene_of, seen, with_point};
@@ -10,12 +11,8 @@ use wayside::host::failure::Failure;
 
 /// Range of a lone point from as strong and as weak echoes as the keys allow.
 pub(in crate::study::atlas) fn extremes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "map",
-        case: "levels at the limits of the keys: range of a lone point",
-        parameter: "power_dbm, gain_dbi, rcs_m2",
-    };
+    let trial = methods::MAP
+        .trial("levels at the limits of the keys: range of a lone point", "power_dbm, gain_dbi, rcs_m2");
     let row = |(power_dbm, gain_dbi, rcs_m2): (f64, f64, f64)| {
         let words = format!(
             "[radar.array]\npreset = \"1x4\"\n[radar.link]\ntransmit_power_dbm = {power_dbm:?}\n\
@@ -56,12 +53,7 @@ fn peak(header: &SceneHeader) -> Result<f64, Failure> {
 
 /// Level of a lone echo in a converter's range, and beyond it.
 pub(in crate::study::atlas) fn saturated(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "fmcw-echo",
-        method: "adc",
-        case: "level of an echo beyond the converter's full scale",
-        parameter: "bits, dB beyond",
-    };
+    let trial = methods::ADC.trial("level of an echo beyond the converter's full scale", "bits, dB beyond");
     let says = documented("docs/scenes.md", "beyond it samples are clipped")?;
     let row = |(bits, over_db): (u8, f64)| {
         let header = with_converter(bits, over_db)?;

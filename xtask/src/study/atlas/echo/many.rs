@@ -1,6 +1,6 @@
 //! Many points, fast ones, rolling ones, and a scene that has run for long: samples against the formulas.
 
-use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::methods;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use crate::study::looks;
@@ -43,12 +43,8 @@ pub(in crate::study::atlas) fn against_formulas(
 
 /// Points on the rims of two wheels: 0 to 20 m/s in one place.
 pub(in crate::study::atlas) fn wheels(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "fmcw-echo",
-        method: "fast sum",
-        case: "points on rolling wheels against the formulas",
-        parameter: "speed_mps, accuracy_db asked",
-    };
+    let trial = methods::FAST_SUM
+        .trial("points on rolling wheels against the formulas", "speed_mps, accuracy_db asked");
     let row = |(speed_mps, accuracy_db): (f64, f64)| {
         let mut header = scene_of("[radar.array]\npreset = \"1x1\"\n")?;
         header.fidelity.accuracy = Accuracy::from_db(accuracy_db);
@@ -69,12 +65,7 @@ pub(in crate::study::atlas) fn wheels(_: Extent) -> Result<Vec<CaseRow>, Failure
 
 /// Points all over the field of view, at all speeds.
 pub(in crate::study::atlas) fn targets(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "fmcw-echo",
-        method: "fast sum",
-        case: "very many targets against the formulas",
-        parameter: "targets",
-    };
+    let trial = methods::FAST_SUM.trial("very many targets against the formulas", "targets");
     let row = |count: u32| {
         let mut header = scene_of("[radar.array]\npreset = \"1x4\"\n")?;
         let mut random = ChaCha8Rng::seed_from_u64(u64::from(count));
@@ -93,12 +84,7 @@ pub(in crate::study::atlas) fn targets(_: Extent) -> Result<Vec<CaseRow>, Failur
 
 /// The limits of the keys: 340 m/s, 100 m/s², a point a wavelength away, one behind the radar.
 pub(in crate::study::atlas) fn motion(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "fmcw-echo",
-        method: "fast sum",
-        case: "points at the limits of their keys against the formulas",
-        parameter: "point",
-    };
+    let trial = methods::FAST_SUM.trial("points at the limits of their keys against the formulas", "point");
     let row = |(name, place_m, velocity_mps, acceleration_mps2): (&str, [f64; 3], [f64; 3], [f64; 3])| {
         let mut header = scene_of("[radar.array]\npreset = \"3x4\"\nmultiplexing = \"tdm\"\n")?;
         header = with_point(header, 1.0, place_m, velocity_mps);
@@ -122,12 +108,7 @@ pub(in crate::study::atlas) fn motion(_: Extent) -> Result<Vec<CaseRow>, Failure
 
 /// A point that was on its way for hours is where it would be at once.
 pub(in crate::study::atlas) fn long_runs(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "scene",
-        method: "motion",
-        case: "a point that has driven for long, against one that begins there",
-        parameter: "s",
-    };
+    let trial = methods::MOTION.trial("a point that has driven for long, against one that begins there", "s");
     let row = |(frame, interval_s): (u32, f64)| {
         let words =
             format!("frames = 1000000\nframe_interval_s = {interval_s:?}\n[radar.array]\npreset = \"1x1\"\n");

@@ -1,7 +1,8 @@
 //! Aspects a hair apart, antennas apart, bodies rolled, and many frequencies.
 
 use crate::study::atlas::CaseRow;
-use crate::study::atlas::verdict::{Trial, printed};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::printed;
 use crate::study::bodies;
 use crate::study::extent::Extent;
 use crate::study::looks;
@@ -16,12 +17,7 @@ use wayside::host::failure::Failure;
 /// Steps of a millionth of a degree: S is smooth there, so that second differences over S are (2kDΔ)², below
 /// 1e-9 of these bodies; what is more is a jump.
 pub(in crate::study::atlas) fn hair_steps(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "aspects a millionth of a degree apart, largest jump",
-        parameter: "body",
-    };
+    let trial = methods::BART.trial("aspects a millionth of a degree apart, largest jump", "body");
     let row = |(name, body, azimuth_deg): (&str, Mesh, f64)| {
         let azimuth_rad = (0..21).map(|i| (azimuth_deg + 1e-6 * f64::from(i)).to_radians()).collect();
         let request = RcsRequest { azimuth_rad, ..looks::bounced(azimuth_deg, 30.0, 3) };
@@ -29,7 +25,7 @@ pub(in crate::study::atlas) fn hair_steps(_: Extent) -> Result<Vec<CaseRow>, Fai
         let mean = result.amplitude_m.iter().map(|s| s.norm()).sum::<f64>() / 21.0;
         let bend = |w: &[Complex64]| (w[0] - 2.0 * w[1] + w[2]).norm() / mean;
         let most = result.amplitude_m.windows(3).map(bend).fold(0.0, f64::max);
-        Ok(trial.answered(name, most, printed(&result)))
+        Ok(trial.answered(name, most, printed(&result.error)))
     };
     [
         ("plate at its specular", bodies::plate(0.3), -1e-5),
@@ -44,12 +40,7 @@ pub(in crate::study::atlas) fn hair_steps(_: Extent) -> Result<Vec<CaseRow>, Fai
 
 /// Transmitter and receiver exchanged: S(tx, rx) = S(rx, tx)ᵀ.
 pub(in crate::study::atlas) fn exchanged(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "transmitter and receiver exchanged",
-        parameter: "body, polarization",
-    };
+    let trial = methods::BART.trial("transmitter and receiver exchanged", "body, polarization");
     let at = |azimuth_deg: f64, elevation_deg: f64| Standpoint {
         azimuth_rad: azimuth_deg.to_radians(),
         elevation_rad: elevation_deg.to_radians(),
@@ -72,7 +63,7 @@ pub(in crate::study::atlas) fn exchanged(_: Extent) -> Result<Vec<CaseRow>, Fail
         Ok(trial.answered(
             name,
             looks::relative_error(&forth.amplitude_m, &back.amplitude_m),
-            printed(&forth),
+            printed(&forth.error),
         ))
     };
     [
@@ -95,12 +86,8 @@ fn rolled(mut body: Mesh, by_deg: f64) -> Mesh {
 
 /// A dihedral rolled by α about the line of sight has |S_vv| = |S||cos 2α| and |S_vh| = |S||sin 2α|.
 pub(in crate::study::atlas) fn rolled_dihedral(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "dihedral rolled about the line of sight, order 2 alone",
-        parameter: "polarization, roll_deg",
-    };
+    let trial = methods::BART
+        .trial("dihedral rolled about the line of sight, order 2 alone", "polarization, roll_deg");
     let whole = 0.15_f64.powi(2) * (8.0 * PI).sqrt() / looks::WAVELENGTH_M;
     let row = |(name, polarization, roll_deg): (&str, Polarization, f64)| {
         let request = RcsRequest { polarization, ..looks::bounced(0.0, 0.0, 2) };
@@ -108,7 +95,7 @@ pub(in crate::study::atlas) fn rolled_dihedral(_: Extent) -> Result<Vec<CaseRow>
         let (sin, cos) = (2.0 * roll_deg).to_radians().sin_cos();
         let share = if polarization == Polarization::Vv { cos } else { sin };
         let error = (result.by_order_m[1][0].norm() / whole - share.abs()).abs();
-        Ok(trial.answered(format!("{name}, {roll_deg}"), error, printed(&result)))
+        Ok(trial.answered(format!("{name}, {roll_deg}"), error, printed(&result.error)))
     };
     [
         ("vv", Polarization::Vv, 22.5),
@@ -124,12 +111,7 @@ pub(in crate::study::atlas) fn rolled_dihedral(_: Extent) -> Result<Vec<CaseRow>
 
 /// Two plates far apart turn against each other by thousands of radians over the band.
 pub(in crate::study::atlas) fn wide_band(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "two plates apart, 401 frequencies over 5 GHz",
-        parameter: "apart_m",
-    };
+    let trial = methods::BART.trial("two plates apart, 401 frequencies over 5 GHz", "apart_m");
     let azimuth_rad = 2_f64.to_radians();
     let frequency_hz: Vec<f64> = (0..=400).map(|i| 76e9 + 12.5e6 * f64::from(i)).collect();
     let row = |apart_m: f64| {
@@ -140,7 +122,11 @@ pub(in crate::study::atlas) fn wide_band(_: Extent) -> Result<Vec<CaseRow>, Fail
         let towards_m = -apart_m * azimuth_rad.cos() + (0.3 + apart_m) * azimuth_rad.sin();
         let exact: Vec<Complex64> =
             frequency_hz.iter().map(|f| two_plates(*f, azimuth_rad, towards_m)).collect();
-        Ok(trial.answered(apart_m, looks::relative_error(&result.amplitude_m, &exact), printed(&result)))
+        Ok(trial.answered(
+            apart_m,
+            looks::relative_error(&result.amplitude_m, &exact),
+            printed(&result.error),
+        ))
     };
     [0.5, 10.0, 300.0].into_iter().map(row).collect()
 }

@@ -1,6 +1,7 @@
 //! Meshes as people have them: what covers, touches, doubles or hides what.
 
 use crate::study::atlas::CaseRow;
+use crate::study::atlas::methods;
 use crate::study::atlas::verdict::Trial;
 use crate::study::bodies::{self, Face};
 use crate::study::closed_forms;
@@ -25,14 +26,13 @@ fn alike(
     Ok(trial.answered(
         value,
         looks::relative_error(&found.amplitude_m, &expected),
-        crate::study::atlas::verdict::printed(&found),
+        crate::study::atlas::verdict::printed(&found.error),
     ))
 }
 
 /// Coincident facets, of which one is lit.
 pub(in crate::study::atlas) fn doubled(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial =
-        Trial { stage: "bart-rcs", method: "bart", case: "every triangle there twice", parameter: "body" };
+    let trial = methods::BART.trial("every triangle there twice", "body");
     let hat = bodies::top_hat(0.05, 0.02, 60, 0.3);
     let twice = bodies::joined(hat.clone(), &hat);
     Ok(vec![alike(
@@ -46,12 +46,7 @@ pub(in crate::study::atlas) fn doubled(_: Extent) -> Result<Vec<CaseRow>, Failur
 
 /// Lengths are kept relative to the body.
 pub(in crate::study::atlas) fn far_from_the_origin(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "mesh a kilometre from its origin",
-        parameter: "body",
-    };
+    let trial = methods::BART.trial("mesh a kilometre from its origin", "body");
     let hat = bodies::top_hat(0.05, 0.02, 60, 0.3);
     let away = bodies::shifted(hat.clone(), [1000.0, 0.0, 0.0]);
     let (azimuth_deg, elevation_deg) = (5.0_f64, 30.0_f64);
@@ -68,12 +63,7 @@ pub(in crate::study::atlas) fn far_from_the_origin(_: Extent) -> Result<Vec<Case
 
 /// Strips of a micrometre beside whole ones, and edges that meet no vertex.
 pub(in crate::study::atlas) fn needles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "plate of needles and T-junctions",
-        parameter: "mesh",
-    };
+    let trial = methods::BART.trial("plate of needles and T-junctions", "mesh");
     let needles = bodies::plate_in_strips(0.3, &[0.0, 0.3, 0.300_001, 0.300_002, 0.6, 0.600_000_01, 1.0]);
     let row = |(name, body): (&str, Mesh)| {
         let found = looks::traced(&body, &looks::first_order(3.0, 0.0))?;
@@ -81,7 +71,7 @@ pub(in crate::study::atlas) fn needles(_: Extent) -> Result<Vec<CaseRow>, Failur
         Ok(trial.answered(
             name,
             looks::relative_error(&found.amplitude_m, &[exact]),
-            crate::study::atlas::verdict::printed(&found),
+            crate::study::atlas::verdict::printed(&found.error),
         ))
     };
     [("slivers of 0.3 µm and 3 nm", needles), ("T-junctions", with_t_junctions())]
@@ -103,12 +93,7 @@ fn with_t_junctions() -> Mesh {
 
 /// The bottom of a cube lies in the floor: it must neither be lit nor hide the floor's rest.
 pub(in crate::study::atlas) fn touching(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "cube on a floor, its bottom in the floor's plane",
-        parameter: "azimuth_deg",
-    };
+    let trial = methods::BART.trial("cube on a floor, its bottom in the floor's plane", "azimuth_deg");
     let floor = bodies::floor(0.3);
     let whole = bodies::joined(bodies::cube(0.1, &Face::ALL), &floor);
     let open = bodies::joined(bodies::cube(0.1, &Face::ALL[..5]), &floor);
@@ -121,12 +106,7 @@ pub(in crate::study::atlas) fn touching(_: Extent) -> Result<Vec<CaseRow>, Failu
 
 /// Every tenth facet wound the other way round; facets scatter from either side.
 pub(in crate::study::atlas) fn flipped(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "a tenth of the facets wound wrongly, open rim",
-        parameter: "sides",
-    };
+    let trial = methods::BART.trial("a tenth of the facets wound wrongly, open rim", "sides");
     let tube = bodies::joined(
         bodies::tube(0.1, 0.1, 120, 0.0),
         &bodies::shifted(bodies::plate(0.2), [-0.3, 0.0, 0.0]),

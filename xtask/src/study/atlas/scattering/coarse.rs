@@ -1,6 +1,7 @@
 //! Meshes of too few polygons: their flat facets look elsewhere, and the level is many decibels too low.
 
-use crate::study::atlas::verdict::{Trial, documented};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::documented;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::extent::Extent;
@@ -12,7 +13,7 @@ use bart_rcs::RcsRequest;
 use std::f64::consts::PI;
 use wayside::host::failure::Failure;
 
-/// What a skin that is made of few corners leaves open.
+/// Tries a skin that is made of few corners.
 const SKIN: &str = "Normals from a mesh of irregular triangles are as good as the mesh.";
 /// Half axes of a smooth body of a small car's proportions.
 const HALF_M: [f64; 3] = [0.4, 0.18, 0.14];
@@ -33,12 +34,8 @@ fn smooth_level(azimuth_rad: f64, elevation_rad: f64) -> f64 {
 
 /// Levels over 24 aspects: the mean of |20·log₁₀| as an amplitude.
 pub(in crate::study::atlas) fn few_polygons(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "smooth body of few polygons, mean |dB| of 24 aspects",
-        parameter: "surface, triangles",
-    };
+    let trial =
+        methods::BART.trial("smooth body of few polygons, mean |dB| of 24 aspects", "surface, triangles");
     let skin = documented("docs/decisions/curved-skin.md", SKIN)?;
     let row = |(name, surface, cells): (&str, Surface, u32)| {
         let body = ellipsoid(cells);

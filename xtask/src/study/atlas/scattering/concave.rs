@@ -1,6 +1,7 @@
 //! Concave skins: caustics of one reflection, and what bounces inside.
 
-use crate::study::atlas::verdict::{Trial, printed};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::printed;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::extent::Extent;
@@ -34,14 +35,9 @@ fn mirror(cells: u32) -> Mesh {
     all
 }
 
-/// From its centre all of a mirror is in phase: S = j√(4π)·A/λ, where geometrical optics is infinite.
+/// All of a mirror is in phase from its centre: S = j√(4π)·A/λ, where geometrical optics is infinite.
 pub(in crate::study::atlas) fn mirror_from_its_centre(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "hollow mirror seen from its centre (a caustic)",
-        parameter: "q of the facets",
-    };
+    let trial = methods::BART.trial("hollow mirror seen from its centre (a caustic)", "q of the facets");
     let area_m2 = 4.0 * (HALF * HALF / (1.0 + 2.0 * HALF * HALF).sqrt()).atan() * RADIUS_M * RADIUS_M;
     let exact = Complex64::new(0.0, (4.0 * PI).sqrt() * area_m2 / looks::WAVELENGTH_M);
     let row = |q: f64| {
@@ -51,7 +47,7 @@ pub(in crate::study::atlas) fn mirror_from_its_centre(_: Extent) -> Result<Vec<C
         let result = looks::traced(&mirror(cells), &request)?;
         let says = match result.error.tessellation {
             None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
-            Some(_) => printed(&result),
+            Some(_) => printed(&result.error),
         };
         Ok(trial.answered(q, looks::relative_error(&result.amplitude_m, &[exact]), says))
     };
@@ -60,12 +56,7 @@ pub(in crate::study::atlas) fn mirror_from_its_centre(_: Extent) -> Result<Vec<C
 
 /// The same facets by dense sampling, at the places where rays cross.
 pub(in crate::study::atlas) fn mirror_from_its_focus(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "hollow mirror about its focus, dense sampling",
-        parameter: "range over radius",
-    };
+    let trial = methods::BART.trial("hollow mirror about its focus, dense sampling", "range over radius");
     let body = mirror(18);
     let row = |share: f64| {
         let request = RcsRequest { range_m: share * RADIUS_M, ..looks::first_order(1.0, 0.5) };
@@ -78,7 +69,11 @@ pub(in crate::study::atlas) fn mirror_from_its_focus(_: Extent) -> Result<Vec<Ca
         };
         let found = po::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &sampling);
         let exact = found.map_err(Failure::refused)?[0][0][0];
-        Ok(trial.answered(share, looks::relative_error(&result.amplitude_m, &[exact]), printed(&result)))
+        Ok(trial.answered(
+            share,
+            looks::relative_error(&result.amplitude_m, &[exact]),
+            printed(&result.error),
+        ))
     };
     [0.5, 0.75, 1.0, 1.5].into_iter().map(row).collect()
 }
@@ -99,12 +94,7 @@ fn trough(radius_m: f64, height_m: f64, sides: u32) -> Mesh {
 /// Waves that run along a concave wall bounce on and on; each order over all of S, rays 30 along a wavelength
 /// with the same node.
 pub(in crate::study::atlas) fn trough_of_orders(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "half tube from inside, rays of the same order",
-        parameter: "azimuth_deg, order",
-    };
+    let trial = methods::BART.trial("half tube from inside, rays of the same order", "azimuth_deg, order");
     let body = trough(0.05, 0.05, 90);
     let mut rows = Vec::new();
     for azimuth_deg in [10.0, 40.0] {

@@ -1,6 +1,7 @@
 //! Cavities, ducts and walls that face each other: the field comes back after many bounces.
 
-use crate::study::atlas::verdict::{Trial, printed};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::printed;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies::{self, Face};
 use crate::study::closed_forms;
@@ -66,7 +67,7 @@ fn of_orders(
     [azimuth_deg, elevation_deg]: [f64; 2],
     of_rays: u8,
 ) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial { stage: "bart-rcs", method: "bart", case, parameter: "bounces" };
+    let trial = methods::BART.trial(case, "bounces");
     let all = by_rays(body, [azimuth_deg, elevation_deg], of_rays)?;
     let row = |bounces: u8| {
         let result = looks::traced(body, &looks::bounced(azimuth_deg, elevation_deg, bounces))?;
@@ -90,12 +91,7 @@ fn by_rays(body: &Mesh, [azimuth_deg, elevation_deg]: [f64; 2], bounces: u8) -> 
 
 /// A closed box from outside: whatever the orders traced inside of it, it is its front (P1).
 pub(in crate::study::atlas) fn closed_box(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "closed box from outside: nothing gets in",
-        parameter: "bounces",
-    };
+    let trial = methods::BART.trial("closed box from outside: nothing gets in", "bounces");
     let (side_m, azimuth_rad) = (0.06, 1_f64.to_radians());
     let body = bodies::shifted(bodies::cube(side_m, &Face::ALL), [-0.5 * side_m, 0.0, -0.5 * side_m]);
     let front = closed_forms::plate_far(side_m, azimuth_rad);
@@ -106,7 +102,7 @@ pub(in crate::study::atlas) fn closed_box(_: Extent) -> Result<Vec<CaseRow>, Fai
     let row = |bounces: u8| {
         let result = looks::traced(&body, &looks::bounced(1.0, 0.0, bounces))?;
         let error = looks::relative_error(&result.amplitude_m, &[exact]);
-        Ok(trial.answered(bounces, error, printed(&result)))
+        Ok(trial.answered(bounces, error, printed(&result.error)))
     };
     [1, 3, 5].into_iter().map(row).collect()
 }

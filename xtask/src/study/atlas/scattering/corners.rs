@@ -1,5 +1,6 @@
 //! Joins of beams in corners: each sequence once, and what the choice of a node is worth.
 
+use crate::study::atlas::methods;
 use crate::study::atlas::verdict::Trial;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
@@ -11,8 +12,7 @@ use bart_rcs::RcsRequest;
 use std::f64::consts::PI;
 use wayside::host::failure::Failure;
 
-const TRIAL: Trial =
-    Trial { stage: "bart-rcs", method: "bart", case: "right corners, one order alone", parameter: "body" };
+const TRIAL: Trial = methods::BART.trial("right corners, one order alone", "body");
 
 /// Levels of docs/physics.md D1, D2; joined at every node they would be 6 and 9.5 dB too high.
 pub(in crate::study::atlas) fn right_angles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
@@ -50,17 +50,16 @@ fn order_alone(
 ) -> Result<CaseRow, Failure> {
     let result = looks::traced(body, &looks::bounced(azimuth_deg, elevation_deg, order))?;
     let found = result.by_order_m[usize::from(order) - 1][0].norm();
-    Ok(TRIAL.answered(name, looks::level_error(found, level), crate::study::atlas::verdict::printed(&result)))
+    Ok(TRIAL.answered(
+        name,
+        looks::level_error(found, level),
+        crate::study::atlas::verdict::printed(&result.error),
+    ))
 }
 
 /// Off 90° the node decides; neither is exact, and the spread is printed.
 pub(in crate::study::atlas) fn other_angles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "middle against exit node off 90°",
-        parameter: "angle_deg, azimuth_deg",
-    };
+    let trial = methods::BART.trial("middle against exit node off 90°", "angle_deg, azimuth_deg");
     let row = |(angle_deg, azimuth_deg): (f64, f64)| {
         let body = bodies::dihedral(angle_deg);
         let middle = looks::bounced(azimuth_deg, 0.0, 3);

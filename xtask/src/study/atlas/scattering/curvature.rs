@@ -1,6 +1,7 @@
 //! Facets in place of a curved skin, and physical optics on bodies that are small.
 
-use crate::study::atlas::verdict::{Trial, documented, printed};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::{documented, printed};
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
@@ -16,19 +17,14 @@ use wayside::host::failure::Failure;
 fn as_given(result: &RcsResult) -> Says {
     match result.error.tessellation {
         None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
-        Some(_) => printed(result),
+        Some(_) => printed(&result.error),
     }
 }
 
 /// Flat strips of q = chord/√(ρλ): with 0.25 the complex error is −23 dB, beyond 0.7 the facets' own grating
 /// lobes decide.
 pub(in crate::study::atlas) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "cylinder as flat strips, worst of five turns",
-        parameter: "q",
-    };
+    let trial = methods::BART.trial("cylinder as flat strips, worst of five turns", "q");
     let (radius_m, height_m) = (0.5, 0.05);
     let exact = closed_forms::cylinder(radius_m, height_m);
     let row = |q: f64| {
@@ -54,12 +50,7 @@ fn worst_turn(sides: u32, radius_m: f64, height_m: f64, exact: Complex64) -> Res
 
 /// Small spheres against Mie's series: physical optics leaves out penumbra and creeping waves.
 pub(in crate::study::atlas) fn spheres_against_mie(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "level of spheres against Mie's series",
-        parameter: "ka",
-    };
+    let trial = methods::BART.trial("level of spheres against Mie's series", "ka");
     let says = documented(
         "docs/bart.md",
         "bodies under some ten wavelengths in size (ka < 10: creeping waves, tips)",
@@ -80,8 +71,7 @@ pub(in crate::study::atlas) fn spheres_against_mie(extent: Extent) -> Result<Vec
 /// A cylinder on a floor, elevation 30°: 8πρh²cos(el)/λ; a node on the floor loses the divergence of the wall
 /// (D3).
 pub(in crate::study::atlas) fn top_hat(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial =
-        Trial { stage: "bart-rcs", method: "bart", case: "top hat, order 2 alone", parameter: "nodes" };
+    let trial = methods::BART.trial("top hat, order 2 alone", "nodes");
     let (radius_m, height_m) = (0.5, 0.1);
     let elevation_deg = 30.0_f64;
     let level =

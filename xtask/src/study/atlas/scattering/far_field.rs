@@ -1,7 +1,8 @@
 //! A plate of 1.5 m at the ranges of a road, 2D²/λ = 1.2 km: a far-field table against paths of spherical
 //! waves.
 
-use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::printed;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
@@ -9,9 +10,6 @@ use crate::study::extent::Extent;
 use crate::study::looks;
 use crate::study::scenes::{frame_of, paths_of, scene_of, tables_at, with_body};
 use artifact::scene::SceneHeader;
-use bart_rcs::{PathView, scattering_of_paths};
-use glam::DVec3;
-use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
 const SIDE_M: f64 = 1.5;
@@ -27,12 +25,7 @@ fn scene_at(range_m: f64) -> Result<SceneHeader, Failure> {
 
 /// The paper's σ_f: its phase and level belong to infinity.
 pub(in crate::study::atlas) fn table_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "rcs-table",
-        case: "far-field table of a 1.5 m plate",
-        parameter: "range_m",
-    };
+    let trial = methods::RCS_TABLE.trial("far-field table of a 1.5 m plate", "range_m");
     let far = closed_forms::plate_far(SIDE_M, 0.0);
     let row = |range_m: f64| {
         let header = scene_at(range_m)?;
@@ -47,26 +40,20 @@ pub(in crate::study::atlas) fn table_over_range(_: Extent) -> Result<Vec<CaseRow
 
 /// Paths of spherical waves, which take the table's place.
 pub(in crate::study::atlas) fn paths_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial =
-        Trial { stage: "bart-rcs", method: "paths", case: "paths of the same plate", parameter: "range_m" };
+    let trial = methods::PATHS.trial("paths of the same plate", "range_m");
     let row = |range_m: f64| {
         let header = scene_at(range_m)?;
         let frame = paths_of(&header)?;
-        let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
+        let says = printed(&frame.error);
         let near = closed_forms::plate_near(SIDE_M, range_m, 0.0);
-        Ok(trial.answered(range_m, looks::relative_error(&[at_rest(&header, &frame.paths)], &[near]), says))
+        Ok(trial.answered(
+            range_m,
+            looks::relative_error(
+                &[looks::about_first_body(&header, &frame.paths, looks::FREQUENCY_HZ)[0][0]],
+                &[near],
+            ),
+            says,
+        ))
     };
     RANGES_M.into_iter().map(row).collect()
-}
-
-fn at_rest(header: &SceneHeader, paths: &[artifact::paths::Path]) -> Complex64 {
-    let antenna_m = DVec3::from(header.radar.position_m);
-    let view = PathView {
-        transmitter_m: antenna_m,
-        receiver_m: antenna_m,
-        origin_m: DVec3::from(header.targets[0].start.position_m),
-        seconds: header.radar.frame_middle_s(),
-        centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
-    };
-    scattering_of_paths(paths, &view, looks::FREQUENCY_HZ)[0][0]
 }

@@ -1,6 +1,7 @@
 //! Surfaces seen nearly along themselves.
 
-use crate::study::atlas::verdict::{Trial, documented, printed, without_edges};
+use crate::study::atlas::methods::{self, Method};
+use crate::study::atlas::verdict::{documented, printed, without_edges};
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
@@ -16,12 +17,7 @@ use wayside::host::failure::Failure;
 
 /// The closed form of physical optics goes to zero along the plate.
 pub(in crate::study::atlas) fn plate(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "plate seen nearly along itself",
-        parameter: "degrees from its plane",
-    };
+    let trial = methods::BART.trial("plate seen nearly along itself", "degrees from its plane");
     let body = bodies::plate(0.1);
     let row = |grazing_deg: f64| {
         let result = looks::traced(&body, &looks::first_order(90.0 - grazing_deg, 0.0))?;
@@ -29,7 +25,7 @@ pub(in crate::study::atlas) fn plate(_: Extent) -> Result<Vec<CaseRow>, Failure>
         Ok(trial.answered(
             grazing_deg,
             looks::relative_error(&result.amplitude_m, &[exact]),
-            printed(&result),
+            printed(&result.error),
         ))
     };
     [10.0, 1.0, 0.1, 1e-3, 1e-6].into_iter().map(row).collect()
@@ -37,12 +33,7 @@ pub(in crate::study::atlas) fn plate(_: Extent) -> Result<Vec<CaseRow>, Failure>
 
 /// A wall of the corner is seen at 5° and less, so that beams run along it: 16π(ab)²sin²(45° − φ)/λ² (D1).
 pub(in crate::study::atlas) fn wall_of_a_corner(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "beams almost along a wall of a corner",
-        parameter: "degrees from the wall",
-    };
+    let trial = methods::BART.trial("beams almost along a wall of a corner", "degrees from the wall");
     let body = bodies::dihedral(90.0);
     let row = |grazing_deg: f64| {
         let result = looks::traced(&body, &looks::bounced(45.0 - grazing_deg, 0.0, 2))?;
@@ -50,7 +41,7 @@ pub(in crate::study::atlas) fn wall_of_a_corner(_: Extent) -> Result<Vec<CaseRow
             (16.0 * PI).sqrt() * 0.15_f64.powi(2) / looks::WAVELENGTH_M * grazing_deg.to_radians().sin();
         // Over the whole of S, which the printed error is of.
         let error = (result.by_order_m[1][0].norm() - level).abs() / result.amplitude_m[0].norm();
-        Ok(trial.answered(grazing_deg, error, printed(&result)))
+        Ok(trial.answered(grazing_deg, error, printed(&result.error)))
     };
     [5.0, 1.0, 0.1, 1e-3, 1e-6].into_iter().map(row).collect()
 }
@@ -81,18 +72,18 @@ fn strip() -> Mesh {
 
 /// Physical optics alone.
 pub(in crate::study::atlas) fn strip_without_edges(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    strip_rows("strip of ten wavelengths, exact series", Edges::Ignored, "bart")
+    strip_rows(methods::BART, Edges::Ignored)
 }
 
 /// Physical optics with the fringe currents of its edges.
 pub(in crate::study::atlas) fn strip_with_edges(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    strip_rows("strip of ten wavelengths, exact series", Edges::FirstOrder, "edges")
+    strip_rows(methods::EDGES, Edges::FirstOrder)
 }
 
 /// A strip of length L has S = L·D/√π, the 2-D field E = D·e^{−j(kr + π/4)}/√(2πkr).
-fn strip_rows(case: &'static str, edges: Edges, method: &'static str) -> Result<Vec<CaseRow>, Failure> {
-    let trial =
-        Trial { stage: "bart-rcs", method, case, parameter: "field along the edges, degrees from the plane" };
+fn strip_rows(method: Method, edges: Edges) -> Result<Vec<CaseRow>, Failure> {
+    let trial = method
+        .trial("strip of ten wavelengths, exact series", "field along the edges, degrees from the plane");
     let body = strip();
     let fringes = documented("docs/decisions/edges.md", "No third order")?;
     let row = |(name, polarization, from_plane_deg, db): (&str, Polarization, f64, f64)| {
@@ -110,12 +101,7 @@ fn strip_rows(case: &'static str, edges: Edges, method: &'static str) -> Result<
 
 /// Rays on a plate 10° from its plane: the grid's moiré.
 pub(in crate::study::atlas) fn glancing_rays(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "sbr",
-        case: "plate seen 10° from its plane",
-        parameter: "rays per wavelength",
-    };
+    let trial = methods::SBR.trial("plate seen 10° from its plane", "rays per wavelength");
     let (body, request) = (bodies::plate(0.1), looks::first_order(80.0, 0.0));
     let exact = closed_forms::plate_far(0.1, 80_f64.to_radians());
     let row = |per_wavelength: f64| {

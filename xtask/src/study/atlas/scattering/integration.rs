@@ -1,7 +1,8 @@
 //! The closed-form integral where its formulas turn into 0/0, and where facets cancel.
 
 use crate::study::atlas::CaseRow;
-use crate::study::atlas::verdict::{Trial, printed};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::printed;
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
@@ -11,12 +12,7 @@ use wayside::host::failure::Failure;
 
 /// Gordon's formula divides by the phase gradient, which vanishes square to the plate.
 pub(in crate::study::atlas) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "plate almost square to the wave (Gordon 0/0)",
-        parameter: "azimuth_deg",
-    };
+    let trial = methods::BART.trial("plate almost square to the wave (Gordon 0/0)", "azimuth_deg");
     let plate = bodies::plate(0.3);
     let row = |azimuth_deg: f64| {
         let result = looks::traced(&plate, &looks::first_order(azimuth_deg, 0.0))?;
@@ -24,7 +20,7 @@ pub(in crate::study::atlas) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, F
         Ok(trial.answered(
             azimuth_deg,
             looks::relative_error(&result.amplitude_m, &[exact]),
-            printed(&result),
+            printed(&result.error),
         ))
     };
     [0.0, 1e-9, 1e-6, 1e-4, 1e-2, 1.0].into_iter().map(row).collect()
@@ -33,12 +29,7 @@ pub(in crate::study::atlas) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, F
 /// A plate of 1.2 m from 25 m is cut until its phases are straight; off the specular the pieces all but
 /// cancel.
 pub(in crate::study::atlas) fn off_specular(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "near plate off its specular (pieces cancel)",
-        parameter: "azimuth_deg",
-    };
+    let trial = methods::BART.trial("near plate off its specular (pieces cancel)", "azimuth_deg");
     let plate = bodies::plate(1.2);
     let row = |azimuth_deg: f64| {
         let request = RcsRequest {
@@ -51,7 +42,7 @@ pub(in crate::study::atlas) fn off_specular(_: Extent) -> Result<Vec<CaseRow>, F
         Ok(trial.answered(
             azimuth_deg,
             looks::relative_error(&result.amplitude_m, &[exact]),
-            printed(&result),
+            printed(&result.error),
         ))
     };
     [0.0, 2.0, 20.0].into_iter().map(row).collect()

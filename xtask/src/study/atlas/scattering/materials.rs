@@ -1,6 +1,7 @@
 //! Sheets and half-spaces: thicknesses that nobody knows, Brewster's angle, what is behind a pane.
 
-use crate::study::atlas::verdict::{Trial, documented, printed};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::{documented, printed};
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
@@ -44,12 +45,7 @@ fn slab(thickness_m: f64) -> [Complex64; 2] {
 
 /// Panes of 4 to 6 mm, seen square on: each fraction of a millimetre is another level.
 pub(in crate::study::atlas) fn panes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "panes of glass, Fresnel's slab",
-        parameter: "thickness_mm, told",
-    };
+    let trial = methods::BART.trial("panes of glass, Fresnel's slab", "thickness_mm, told");
     let averaged =
         documented("docs/materials.md", "A pane of 4 to 6 mm reflects between −15.1 and −3.8 dB at 0°")?;
     let row = |(thickness_m, thickness): (f64, Thickness)| {
@@ -58,7 +54,7 @@ pub(in crate::study::atlas) fn panes(_: Extent) -> Result<Vec<CaseRow>, Failure>
         let exact = -slab(thickness_m)[0] * closed_forms::plate_far(0.1, 0.0);
         let (name, error, says) = match thickness {
             Thickness::Exact => {
-                ("exactly", looks::relative_error(&result.amplitude_m, &[exact]), printed(&result))
+                ("exactly", looks::relative_error(&result.amplitude_m, &[exact]), printed(&result.error))
             }
             Thickness::Averaged => {
                 ("about", looks::level_error(result.amplitude_m[0].norm(), exact.norm()), averaged)
@@ -74,12 +70,8 @@ pub(in crate::study::atlas) fn panes(_: Extent) -> Result<Vec<CaseRow>, Failure>
 /// A wall of glass filled all the way; its Brewster angle is 68.6°: Kirchhoff's currents have r_TM (on H) in
 /// E across the plate's edge, −r_TE along it, times the conductor's.
 pub(in crate::study::atlas) fn half_space(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "half-space of glass about its Brewster angle, 68.6°",
-        parameter: "polarization, degrees off normal",
-    };
+    let trial = methods::BART
+        .trial("half-space of glass about its Brewster angle, 68.6°", "polarization, degrees off normal");
     let body =
         made_of(bodies::plate(0.1), Material::HalfSpace { permittivity: GLASS }, Transmission::Ignored);
     let row = |(name, polarization, off_deg): (&str, Polarization, f64)| {
@@ -93,7 +85,7 @@ pub(in crate::study::atlas) fn half_space(_: Extent) -> Result<Vec<CaseRow>, Fai
         };
         let exact = factor * closed_forms::plate_far(0.1, off_deg.to_radians());
         let error = looks::relative_error(&result.amplitude_m, &[exact]);
-        Ok(trial.answered(format!("{name}, {off_deg}"), error, printed(&result)))
+        Ok(trial.answered(format!("{name}, {off_deg}"), error, printed(&result.error)))
     };
     let angles = [0.0, 30.0, 68.0, 68.6, 85.0];
     let hh = angles.iter().map(|a| ("hh", Polarization::Hh, *a));
@@ -102,12 +94,7 @@ pub(in crate::study::atlas) fn half_space(_: Extent) -> Result<Vec<CaseRow>, Fai
 
 /// Metal 0.2 m behind a pane: the pane's own echo and the metal's, twice through it.
 pub(in crate::study::atlas) fn behind_a_pane(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "metal behind a pane of 5 mm",
-        parameter: "waves through sheets",
-    };
+    let trial = methods::BART.trial("metal behind a pane of 5 mm", "waves through sheets");
     let (thickness_m, before_m) = (5e-3, 0.2);
     let glass = bodies::shifted(bodies::plate(0.2), [before_m, 0.0, 0.0]);
     let mut body = bodies::joined(glass, &bodies::plate(0.1));
@@ -121,7 +108,7 @@ pub(in crate::study::atlas) fn behind_a_pane(_: Extent) -> Result<Vec<CaseRow>, 
         let mut asked = body.clone();
         asked.makeup = Makeup { materials, transmission };
         let result = looks::traced(&asked, &looks::first_order(0.0, 0.0))?;
-        let says = result.model_error.transmission.map_or(printed(&result), Says::About);
+        let says = result.model_error.transmission.map_or(printed(&result.error), Says::About);
         Ok(trial.answered(name, looks::relative_error(&result.amplitude_m, &[exact]), says))
     };
     [("followed", Transmission::Followed), ("ignored", Transmission::Ignored)].into_iter().map(row).collect()

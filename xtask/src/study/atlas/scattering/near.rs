@@ -1,6 +1,7 @@
 //! Antennas near, in and between bodies.
 
-use crate::study::atlas::verdict::{Trial, printed};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::printed;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies::{self, Face};
 use crate::study::closed_forms;
@@ -18,12 +19,7 @@ fn from_near(body: &Mesh, range_m: f64, bounces: u8) -> Result<RcsResult, Failur
 
 /// Nearer than a wavelength, in a closed body, on a corner.
 pub(in crate::study::atlas) fn antennas_in_bodies(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "antenna in a body or within a wavelength of it",
-        parameter: "place",
-    };
+    let trial = methods::BART.trial("antenna in a body or within a wavelength of it", "place");
     let plate = bodies::plate(0.1);
     let room = bodies::shifted(bodies::cube(2.0, &Face::ALL), [0.0, 0.0, -1.0]);
     Ok(vec![
@@ -41,29 +37,20 @@ pub(in crate::study::atlas) fn antennas_in_bodies(_: Extent) -> Result<Vec<CaseR
 
 /// Plates as large as, and twice as large as, their distance: the integral of interface.md.
 pub(in crate::study::atlas) fn larger_than_its_distance(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "plate larger than its distance",
-        parameter: "side_m, range_m",
-    };
+    let trial = methods::BART.trial("plate larger than its distance", "side_m, range_m");
     let row = |(side_m, range_m): (f64, f64)| {
         let result = from_near(&bodies::plate(side_m), range_m, 1)?;
         let exact = closed_forms::plate_near(side_m, range_m, 0.0);
         let error = looks::relative_error(&result.amplitude_m, &[exact]);
-        Ok(trial.answered(format!("{side_m}, {range_m}"), error, printed(&result)))
+        Ok(trial.answered(format!("{side_m}, {range_m}"), error, printed(&result.error)))
     };
     [(0.02, 0.004), (0.05, 0.05), (0.1, 0.05), (0.2, 0.05)].into_iter().map(row).collect()
 }
 
 /// A sphere from close by: geometrical optics, σ = πρ²(R/(R − ρ))² with R to its centre (P5).
 pub(in crate::study::atlas) fn sphere_from_close_by(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "sphere of 10 cm from close by, geometrical optics",
-        parameter: "distance of its skin, m",
-    };
+    let trial =
+        methods::BART.trial("sphere of 10 cm from close by, geometrical optics", "distance of its skin, m");
     let radius_m = 0.1;
     let cells = (0.5 * PI * radius_m / (0.1 * (radius_m * looks::WAVELENGTH_M).sqrt())).ceil() as u32;
     let body = bodies::sphere(radius_m, cells);
@@ -74,7 +61,7 @@ pub(in crate::study::atlas) fn sphere_from_close_by(_: Extent) -> Result<Vec<Cas
         Ok(trial.answered(
             distance_m,
             looks::level_error(result.amplitude_m[0].norm(), level),
-            printed(&result),
+            printed(&result.error),
         ))
     };
     [0.02, 0.1, 1.0].into_iter().map(row).collect()
@@ -86,12 +73,7 @@ const RANGE_M: f64 = 5.0;
 
 /// Two walls that face each other with the antenna midway: order after order comes back, for ever.
 pub(in crate::study::atlas) fn between_walls(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "antenna between two walls, orders without end",
-        parameter: "bounces",
-    };
+    let trial = methods::BART.trial("antenna between two walls, orders without end", "bounces");
     let wall = |x_m: f64| bodies::shifted(bodies::plate(WALL_M), [x_m, 0.0, 0.0]);
     let body = bodies::joined(wall(RANGE_M - TO_WALL_M), &wall(RANGE_M + TO_WALL_M));
     let all: Complex64 = (1..=200).map(order_between_walls).sum();

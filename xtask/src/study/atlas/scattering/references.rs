@@ -1,6 +1,6 @@
 //! The slow references where they are too coarse.
 
-use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::methods;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::bodies;
 use crate::study::closed_forms;
@@ -16,12 +16,7 @@ const BY_DENSITY: Says = Says::Words("error_db is null: a reference is known by 
 
 /// Rays along a wavelength over a square trihedral on its axis.
 pub(in crate::study::atlas) fn few_rays(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "sbr",
-        case: "square trihedral, order 3 alone",
-        parameter: "rays per wavelength",
-    };
+    let trial = methods::SBR.trial("square trihedral, order 3 alone", "rays per wavelength");
     let body = bodies::square_trihedral(0.1);
     let request = looks::first_order(45.0, 0.5_f64.sqrt().atan().to_degrees());
     let level = (12.0 * PI).sqrt() * 0.01 / looks::WAVELENGTH_M;
@@ -37,12 +32,7 @@ pub(in crate::study::atlas) fn few_rays(_: Extent) -> Result<Vec<CaseRow>, Failu
 
 /// Samples along a wavelength over a plate far off its normal.
 pub(in crate::study::atlas) fn few_samples(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "po",
-        case: "plate 20° off its normal",
-        parameter: "samples per wavelength",
-    };
+    let trial = methods::PO.trial("plate 20° off its normal", "samples per wavelength");
     let (body, request) = (bodies::plate(0.3), looks::first_order(20.0, 0.0));
     let exact = closed_forms::plate_far(0.3, 20_f64.to_radians());
     let row = |per_wavelength: f64| {
@@ -62,12 +52,7 @@ pub(in crate::study::atlas) fn few_samples(_: Extent) -> Result<Vec<CaseRow>, Fa
 /// A cylinder of flat strips of which each facet has seven samples alone, almost the point scatterers of fast
 /// tools, and dense ones.
 pub(in crate::study::atlas) fn few_samples_a_facet(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "po",
-        case: "cylinder of few samples a facet",
-        parameter: "samples per wavelength, q",
-    };
+    let trial = methods::PO.trial("cylinder of few samples a facet", "samples per wavelength, q");
     let (radius_m, height_m) = (0.5, 0.05);
     let exact = closed_forms::cylinder(radius_m, height_m);
     let row = |(per_wavelength, q): (f64, f64)| {

@@ -1,7 +1,8 @@
 //! Bodies far smaller than a wavelength, and far larger than a vehicle.
 
 use crate::study::atlas::CaseRow;
-use crate::study::atlas::verdict::{Trial, documented, printed};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::{documented, printed};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
@@ -24,12 +25,7 @@ fn disc(radius_m: f64, sides: u32) -> Mesh {
 
 /// Square on a disc with ka ≪ 1: σ = 64k⁴a⁶/9π (Rayleigh).
 pub(in crate::study::atlas) fn discs(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "bart",
-        case: "level of small discs against Rayleigh's",
-        parameter: "edges, ka",
-    };
+    let trial = methods::BART.trial("level of small discs against Rayleigh's", "edges, ka");
     let page = documented(
         "docs/bart.md",
         "bodies under some ten wavelengths in size (ka < 10: creeping waves, tips)",
@@ -58,11 +54,15 @@ pub(in crate::study::atlas) fn discs(_: Extent) -> Result<Vec<CaseRow>, Failure>
 
 /// The closed form of a plate at one degree, whatever its size.
 pub(in crate::study::atlas) fn sizes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial { stage: "bart-rcs", method: "bart", case: "plates of any size", parameter: "side_m" };
+    let trial = methods::BART.trial("plates of any size", "side_m");
     let row = |side_m: f64| {
         let result = looks::traced(&bodies::plate(side_m), &looks::first_order(1.0, 0.0))?;
         let exact = closed_forms::plate_far(side_m, 1_f64.to_radians());
-        Ok(trial.answered(side_m, looks::relative_error(&result.amplitude_m, &[exact]), printed(&result)))
+        Ok(trial.answered(
+            side_m,
+            looks::relative_error(&result.amplitude_m, &[exact]),
+            printed(&result.error),
+        ))
     };
     [1e-6, 1e-3, 0.1, 10.0, 500.0].into_iter().map(row).collect()
 }

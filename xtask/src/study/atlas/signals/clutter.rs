@@ -1,6 +1,7 @@
 //! Steps of the clutter's level, frames without a target, and frames of noise alone.
 
-use crate::study::atlas::verdict::{Trial, documented};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::documented;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use crate::study::scenes::{cube_header, paths_of, scene_of, seen, synthesizer};
@@ -19,12 +20,7 @@ const NEAR: usize = 10;
 /// Exponential noise whose power rises by 30 dB at a range: false alarms in the cells next to the step over
 /// those asked for, on its upper side.
 pub(in crate::study::atlas) fn steps(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "cfar",
-        case: "false alarms on a step of the clutter by 30 dB",
-        parameter: "detector",
-    };
+    let trial = methods::CFAR.trial("false alarms on a step of the clutter by 30 dB", "detector");
     let says = documented(
         "docs/scenes.md",
         "All detectors take the noise of a cell and of its training cells to be alike",
@@ -70,12 +66,7 @@ fn on_the_step(cfar: &Cfar, frames: u64) -> f64 {
 
 /// Nothing in view: neither points nor objects, whatever the noise.
 pub(in crate::study::atlas) fn without_target(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "ca-cfar",
-        case: "a frame without a target: objects",
-        parameter: "noise",
-    };
+    let trial = methods::CA_CFAR.trial("a frame without a target: objects", "noise");
     let row = |(name, words): (&str, &str)| {
         let header = scene_of(&format!("{words}[dsp]\nfalse_alarm_rate = 1e-9\n"))?;
         let objects = seen(&header)?.points.objects.len();
@@ -99,12 +90,7 @@ pub(in crate::study::atlas) fn without_target(_: Extent) -> Result<Vec<CaseRow>,
 
 /// Noise alone for a hundred frames: tracks that are believed.
 pub(in crate::study::atlas) fn noise_alone(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "tracks",
-        case: "noise alone: tracks that are believed",
-        parameter: "false alarms asked, frames",
-    };
+    let trial = methods::TRACKS.trial("noise alone: tracks that are believed", "false alarms asked, frames");
     let frames = extent.of(100) as u32;
     let row = |rate: f64| {
         let mut header = scene_of("[noise]\nnoise_figure_db = 12.0\n[radar.array]\npreset = \"1x4\"\n")?;

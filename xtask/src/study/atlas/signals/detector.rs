@@ -1,6 +1,6 @@
 //! The detector at the edges of a map, between neighbours, and without noise.
 
-use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::methods;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use crate::study::scenes::{cube_header, paths_of, scene_of, seen, synthesizer, with_point};
@@ -22,12 +22,7 @@ const RIM: usize = 10;
 
 /// Noise alone, by zone. Counting alone leaves 2 % in the interior and 5 % at an edge of 2·10⁵ cells.
 fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "ca-cfar",
-        case: "false alarms by zone, asked 1e-2",
-        parameter: "window, zone",
-    };
+    let trial = methods::CA_CFAR.trial("false alarms by zone, asked 1e-2", "window, zone");
     let says = match window {
         Window::Rect => Says::Nothing,
         _ => Says::Words("docs/physics.md §8: tapered cells are correlated, 0.8 to 1.3 of the rate asked"),
@@ -71,12 +66,7 @@ fn noise_map(header: &SceneHeader, receiver: &dsp::Receiver, seed: u64) -> Resul
 /// distance to the nearest point, over the three cells. The stronger one stands in the noise estimate of the
 /// weaker.
 fn neighbours() -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "ca-cfar",
-        case: "two points three cells apart",
-        parameter: "second below first, dB",
-    };
+    let trial = methods::CA_CFAR.trial("two points three cells apart", "second below first, dB");
     let says = Says::Words("docs/physics.md §10: ca-cfar masks a weaker neighbour");
     let row = |below_db: f64| {
         let header = scene_of("[radar.array]\npreset = \"1x4\"\n[noise]\nsnr_db = 50.0\n")?;
@@ -94,12 +84,7 @@ fn neighbours() -> Result<Vec<CaseRow>, Failure> {
 /// A map without noise, whose floor is 60 dB below the peak: what is weaker is not seen, and the map says
 /// which floor it took.
 fn without_noise() -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "ca-cfar",
-        case: "noise-free map, a second point at 30 m",
-        parameter: "second below first, dB",
-    };
+    let trial = methods::CA_CFAR.trial("noise-free map, a second point at 30 m", "second below first, dB");
     let row = |below_db: f64| {
         let header = scene_of("[radar.array]\npreset = \"1x4\"\n[dsp]\nrange_window = \"blackman\"\n")?;
         let header = with_point(header, 1.0, [0.0, 40.0, 6.0], [0.0; 3]);

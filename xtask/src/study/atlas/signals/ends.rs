@@ -1,19 +1,14 @@
 //! Ends of the map: ranges near zero and near the largest, speeds at the ambiguity, sampling of other kinds,
 //! directions far off the boresight.
 
-use crate::study::atlas::verdict::{Trial, documented};
+use crate::study::atlas::methods;
+use crate::study::atlas::signals::strongest::{strongest, unless_resolved};
+use crate::study::atlas::verdict::documented;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use crate::study::scenes::{scene_of, seen, with_point};
-use artifact::points::Object;
 use artifact::scene::SceneHeader;
 use wayside::host::failure::Failure;
-
-/// The strongest object; `None` where there is none.
-pub(super) fn strongest(header: &SceneHeader) -> Result<Option<Object>, Failure> {
-    let objects = seen(header)?.points.objects;
-    Ok(objects.into_iter().max_by(|a, b| a.snr_db.total_cmp(&b.snr_db)))
-}
 
 /// Range of a lone point in cells of its error: one is 0.24 m.
 fn cells_off(header: &SceneHeader, range_m: f64) -> Result<f64, Failure> {
@@ -23,12 +18,7 @@ fn cells_off(header: &SceneHeader, range_m: f64) -> Result<f64, Failure> {
 
 /// Tries ranges from almost nothing to the last cell before the fold; an error of one is a range cell.
 pub(in crate::study::atlas) fn ranges(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "map",
-        case: "range of a point at the ends of the range axis, in cells",
-        parameter: "range_m",
-    };
+    let trial = methods::MAP.trial("range of a point at the ends of the range axis, in cells", "range_m");
     let row = |range_m: f64| {
         let header = scene_of("[noise]\nsnr_db = 40.0\n[radar.array]\npreset = \"1x1\"\n")?;
         let header = with_point(header, 1.0, [0.0, range_m, 6.0], [0.0; 3]);
@@ -39,7 +29,7 @@ pub(in crate::study::atlas) fn ranges(_: Extent) -> Result<Vec<CaseRow>, Failure
 
 /// Scenes whose one point is where it cannot be heard.
 pub(in crate::study::atlas) fn at_the_radar(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial { stage: "scene", method: "read", case: "a target at the radar", parameter: "target" };
+    let trial = methods::READ.trial("a target at the radar", "target");
     let point = |place: &str| {
         scene_of(&format!("[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1.0\nposition_m = {place}\n"))
     };
@@ -53,12 +43,7 @@ pub(in crate::study::atlas) fn at_the_radar(_: Extent) -> Result<Vec<CaseRow>, F
 
 /// Experiment 3, ±8.7774 m/s: at the ambiguity itself, and a hair to both sides.
 pub(in crate::study::atlas) fn speeds(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "map",
-        case: "speed at the ambiguity, ±8.7774 m/s",
-        parameter: "radial speed, m/s",
-    };
+    let trial = methods::MAP.trial("speed at the ambiguity, ±8.7774 m/s", "radial speed, m/s");
     let row = |speed_mps: f64| {
         let header = scene_of(
             "[noise]\nsnr_db = 40.0\n[radar.waveform]\nsamples = 512\n[radar.array]\npreset = \"1x4\"\n",
@@ -67,23 +52,15 @@ pub(in crate::study::atlas) fn speeds(_: Extent) -> Result<Vec<CaseRow>, Failure
         let Some(object) = strongest(&header)? else {
             return Ok(trial.answered(speed_mps, 1.0, Says::Nothing));
         };
-        let says = match object.velocity_resolved {
-            true => Says::Nothing,
-            false => Says::Words("velocity_resolved is false"),
-        };
-        Ok(trial.answered(speed_mps, (object.radial_velocity_mps / speed_mps - 1.0).abs(), says))
+        let error = (object.radial_velocity_mps / speed_mps - 1.0).abs();
+        Ok(trial.answered(speed_mps, error, unless_resolved(&object)))
     };
     [8.7, 8.7774, -8.7774, 8.85].into_iter().map(row).collect()
 }
 
 /// Chirps that fall, samples without Q, intervals that change: range and speed of a lone point.
 pub(in crate::study::atlas) fn waveforms(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "map",
-        case: "waveforms of other kinds: range and speed of a point",
-        parameter: "waveform",
-    };
+    let trial = methods::MAP.trial("waveforms of other kinds: range and speed of a point", "waveform");
     let row = |(name, words): (&str, &str)| {
         let header = scene_of(&format!("[noise]\nsnr_db = 40.0\n{words}"))?;
         let header = with_point(header, 1.0, [0.0, 20.0, 6.0], [0.0, -6.0, 0.0]);
@@ -92,11 +69,7 @@ pub(in crate::study::atlas) fn waveforms(_: Extent) -> Result<Vec<CaseRow>, Fail
             return Ok(trial.answered(name, 1.0, Says::Nothing));
         };
         let off = (object.range_m / middle_m - 1.0).hypot(object.radial_velocity_mps / -6.0 - 1.0);
-        let says = match object.velocity_resolved {
-            true => Says::Nothing,
-            false => Says::Words("velocity_resolved is false"),
-        };
-        Ok(trial.answered(name, off, says))
+        Ok(trial.answered(name, off, unless_resolved(&object)))
     };
     [
         ("falling chirps", "[radar.waveform]\nslope_mhz_per_us = -12.5\n"),
@@ -117,20 +90,20 @@ pub(in crate::study::atlas) fn waveforms(_: Extent) -> Result<Vec<CaseRow>, Fail
     .collect()
 }
 
+/// Error of the azimuth of a point 30 m away, rad; 1 where it is lost. `array` says which antennas.
+fn azimuth_off(array: &str, azimuth_deg: f64) -> Result<f64, Failure> {
+    let (sin, cos) = azimuth_deg.to_radians().sin_cos();
+    let header = scene_of(&format!("[noise]\nsnr_db = 40.0\n[dsp]\nassumed_height_m = 6.0\n{array}"))?;
+    let header = with_point(header, 1.0, [30.0 * sin, 30.0 * cos, 6.0], [0.0; 3]);
+    Ok(strongest(&header)?.map_or(1.0, |o| (o.azimuth_rad - azimuth_deg.to_radians()).abs()))
+}
+
 /// Points far off the boresight: place across over range.
 pub(in crate::study::atlas) fn directions(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "angle",
-        case: "points far off the boresight",
-        parameter: "azimuth_deg",
-    };
+    let trial = methods::ANGLE.trial("points far off the boresight", "azimuth_deg");
     let says = documented("docs/scenes.md", "the two along the row itself, +90° and −90°, look alike")?;
     let row = |azimuth_deg: f64| {
-        let (sin, cos) = azimuth_deg.to_radians().sin_cos();
-        let header = scene_of("[noise]\nsnr_db = 40.0\n[dsp]\nassumed_height_m = 6.0\n")?;
-        let header = with_point(header, 1.0, [30.0 * sin, 30.0 * cos, 6.0], [0.0; 3]);
-        let error = strongest(&header)?.map_or(1.0, |o| (o.azimuth_rad - azimuth_deg.to_radians()).abs());
+        let error = azimuth_off("", azimuth_deg)?;
         Ok(trial.answered(azimuth_deg, error, if azimuth_deg > 85.0 { says } else { Says::Nothing }))
     };
     [0.0, 30.0, 60.0, 80.0, 89.0].into_iter().map(row).collect()
@@ -138,21 +111,12 @@ pub(in crate::study::atlas) fn directions(_: Extent) -> Result<Vec<CaseRow>, Fai
 
 /// Receivers two wavelengths apart: directions whose cosines differ by a half look alike.
 pub(in crate::study::atlas) fn grating_lobes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "angle",
-        case: "grating lobes of a sparse array, two wavelengths apart",
-        parameter: "azimuth_deg",
-    };
+    let trial = methods::ANGLE.trial("grating lobes of a sparse array, two wavelengths apart", "azimuth_deg");
     let says = documented("docs/scenes.md", "directions look alike whose direction cosines differ by")?;
     let row = |azimuth_deg: f64| {
-        let (sin, cos) = azimuth_deg.to_radians().sin_cos();
-        let header = scene_of(
-            "[noise]\nsnr_db = 40.0\n[dsp]\nassumed_height_m = 6.0\n[radar.array]\ntx_half_wavelengths = [[0.0, 0.0]]\n\
-             rx_half_wavelengths = [[0.0, 0.0], [4.0, 0.0], [8.0, 0.0], [12.0, 0.0]]\n",
-        )?;
-        let header = with_point(header, 1.0, [30.0 * sin, 30.0 * cos, 6.0], [0.0; 3]);
-        let error = strongest(&header)?.map_or(1.0, |o| (o.azimuth_rad - azimuth_deg.to_radians()).abs());
+        let sparse = "[radar.array]\ntx_half_wavelengths = [[0.0, 0.0]]\n\
+                      rx_half_wavelengths = [[0.0, 0.0], [4.0, 0.0], [8.0, 0.0], [12.0, 0.0]]\n";
+        let error = azimuth_off(sparse, azimuth_deg)?;
         Ok(trial.answered(azimuth_deg, error, says))
     };
     [5.0, 14.0, 16.0, 25.0].into_iter().map(row).collect()

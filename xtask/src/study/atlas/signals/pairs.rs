@@ -1,6 +1,7 @@
 //! Two echoes: in one cell, far apart in level, in two Doppler bands, side by side.
 
-use crate::study::atlas::verdict::{Trial, documented};
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::documented;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use crate::study::scenes::{scene_of, seen, with_point};
@@ -16,12 +17,7 @@ fn level(words: &str) -> Result<SceneHeader, Failure> {
 /// Two equal points at one range and speed, half a beam apart: the further one's distance from the nearest
 /// point, over theirs.
 pub(in crate::study::atlas) fn one_cell(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "angle",
-        case: "two targets in one cell, 0.7 of a beam apart",
-        parameter: "angle",
-    };
+    let trial = methods::ANGLE.trial("two targets in one cell, 0.7 of a beam apart", "angle");
     let says = documented("docs/scenes.md", "one direction a cell, the strongest beam")?;
     let row = |(name, angle): (&str, Angle)| {
         let mut header = level("[noise]\nsnr_db = 40.0\n")?;
@@ -43,12 +39,7 @@ pub(in crate::study::atlas) fn one_cell(_: Extent) -> Result<Vec<CaseRow>, Failu
 
 /// A second point far below the first and five metres away, noise 30 dB below it: lost is 1.
 pub(in crate::study::atlas) fn dynamic_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "map",
-        case: "a point far below another, 5 m away",
-        parameter: "dB below, range window",
-    };
+    let trial = methods::MAP.trial("a point far below another, 5 m away", "dB below, range window");
     let says = documented("docs/scenes.md", "taper over the samples of a chirp")?;
     let row = |(below_db, window): (f64, &str)| {
         let words = format!(
@@ -80,12 +71,8 @@ pub(in crate::study::atlas) fn dynamic_range(_: Extent) -> Result<Vec<CaseRow>, 
 
 /// Doppler division: two points of one range whose bands meet. Error: lanes that no object has.
 pub(in crate::study::atlas) fn doppler_bands(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "ddm",
-        case: "two points of one range whose Doppler bands meet",
-        parameter: "apart in bands of 8.1 m/s",
-    };
+    let trial =
+        methods::DDM.trial("two points of one range whose Doppler bands meet", "apart in bands of 8.1 m/s");
     let row = |bands: f64| {
         let words = "[noise]\nsnr_db = 40.0\n[radar.array]\nmultiplexing = \"ddm\"\n";
         let header = level(words)?;
@@ -113,12 +100,7 @@ pub(in crate::study::atlas) fn doppler_bands(_: Extent) -> Result<Vec<CaseRow>, 
 
 /// Two vehicles side by side, nearer than the cluster's distances: one object.
 pub(in crate::study::atlas) fn side_by_side(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "objects",
-        case: "two points behind one another as objects",
-        parameter: "apart_m",
-    };
+    let trial = methods::OBJECTS.trial("two points behind one another as objects", "apart_m");
     let says = documented("docs/scenes.md", "m in range: detections closer than this can join one object")?;
     let row = |apart_m: f64| {
         let header = level("[noise]\nsnr_db = 40.0\n")?;

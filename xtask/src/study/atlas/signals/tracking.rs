@@ -1,6 +1,6 @@
 //! The tracker on objects whose truth is known: crossing, hidden, late, too fast to be told.
 
-use crate::study::atlas::verdict::Trial;
+use crate::study::atlas::methods;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use crate::study::scenes::{cube_header, scene_of};
@@ -67,12 +67,7 @@ fn nearest(frame: &TracksFrame, ([x, y], _): Body) -> Option<&Track> {
 
 /// Two bodies pass each other in neighbouring lanes: error 1 for each whose track is another's afterwards.
 pub(in crate::study::atlas) fn passing(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "tracks",
-        case: "two bodies pass each other: identities lost",
-        parameter: "apart_m, speeds m/s",
-    };
+    let trial = methods::TRACKS.trial("two bodies pass each other: identities lost", "apart_m, speeds m/s");
     let row = |(apart_m, speeds): (f64, [f64; 2])| {
         let bodies = [([3.0, 50.0], [0.0, -speeds[0]]), ([3.0 + apart_m, 20.0], [0.0, speeds[1]])];
         let frames = followed(&bodies, 30, |_, _| true)?;
@@ -88,12 +83,8 @@ pub(in crate::study::atlas) fn passing(_: Extent) -> Result<Vec<CaseRow>, Failur
 
 /// A body hidden for a while: its track coasts, and its place is known by the way.
 pub(in crate::study::atlas) fn hidden(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "dsp",
-        method: "tracks",
-        case: "a body that is hidden for a while: its place then, of its way",
-        parameter: "hidden_s",
-    };
+    let trial =
+        methods::TRACKS.trial("a body that is hidden for a while: its place then, of its way", "hidden_s");
     let row = |hidden_frames: u32| {
         let bodies = [([3.0, 55.0], [0.0, -10.0])];
         let frames = followed(&bodies, 20 + hidden_frames, |_, frame| frame < 20)?;
@@ -117,8 +108,7 @@ pub(in crate::study::atlas) fn hidden(_: Extent) -> Result<Vec<CaseRow>, Failure
 
 /// Frames that no tracker can take.
 pub(in crate::study::atlas) fn impossible_frames(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial =
-        Trial { stage: "dsp", method: "tracks", case: "frames that cannot be followed", parameter: "frame" };
+    let trial = methods::TRACKS.trial("frames that cannot be followed", "frame");
     let after = |time_s: f64, change: &dyn Fn(&mut Object)| {
         let mut tracker = tracker()?;
         let mut one = object(([3.0, 40.0], [0.0, -10.0]));

@@ -1,7 +1,8 @@
 //! Bodies that stand in one another.
 
-use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::CaseRow;
+use crate::study::atlas::methods;
+use crate::study::atlas::verdict::printed;
 use crate::study::bodies::{self, Face};
 use crate::study::extent::Extent;
 use crate::study::looks;
@@ -10,7 +11,7 @@ use artifact::Accuracy;
 use artifact::paths::PathsFrame;
 use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Sides;
-use bart_rcs::{PathView, Standpoint, scattering_of_paths};
+use bart_rcs::Standpoint;
 use glam::DVec3;
 use num_complex::Complex64;
 use po_sbr::{Aspect, Bracket, po};
@@ -21,7 +22,8 @@ const PLACE_M: [f64; 3] = [2.0, 12.0, 0.0];
 
 pub(super) fn empty(words: &str, bounces: u8) -> Result<SceneHeader, Failure> {
     let mut header = scene_of(&format!(
-        "[radar.waveform]\nstart_frequency_ghz = 76.6875\nchirps = 8\n[radar.array]\npreset = \"1x1\"\n{words}"
+        "[radar.waveform]\nstart_frequency_ghz = 76.6875\nchirps = 8\n[radar.array]\npreset = \"1x1\"\n\
+         {words}"
     ))?;
     header.fidelity.accuracy = Accuracy::from_db(-40.0);
     header.fidelity.bounces = bounces;
@@ -30,20 +32,7 @@ pub(super) fn empty(words: &str, bounces: u8) -> Result<SceneHeader, Failure> {
 
 /// S of a frame's paths about the first body, at 77 GHz.
 fn summed(header: &SceneHeader, frame: &PathsFrame) -> [[Complex64; 2]; 2] {
-    summed_at(header, frame, looks::FREQUENCY_HZ)
-}
-
-/// S of a frame's paths about the first body.
-pub(super) fn summed_at(header: &SceneHeader, frame: &PathsFrame, frequency_hz: f64) -> [[Complex64; 2]; 2] {
-    let antenna_m = DVec3::from(header.radar.position_m);
-    let view = PathView {
-        transmitter_m: antenna_m,
-        receiver_m: antenna_m,
-        origin_m: DVec3::from(header.targets[0].start.position_m),
-        seconds: header.radar.frame_middle_s(),
-        centre_frequency_hz: header.radar.waveform.centre_frequency_hz(),
-    };
-    scattering_of_paths(&frame.paths, &view, frequency_hz)
+    looks::about_first_body(header, &frame.paths, looks::FREQUENCY_HZ)
 }
 
 /// Sampling of all bodies as one mesh, in the axes of the first.
@@ -68,12 +57,8 @@ fn sampled(header: &SceneHeader, body: &Mesh) -> Result<Complex64, Failure> {
 
 /// Two boxes of 20 cm, the second shifted: one in place of the other, half in it, a wavelength before it.
 pub(in crate::study::atlas) fn boxes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "paths",
-        case: "bodies that stand in one another, dense sampling of both",
-        parameter: "the second's place, m",
-    };
+    let trial = methods::PATHS
+        .trial("bodies that stand in one another, dense sampling of both", "the second's place, m");
     let body = bodies::cube(0.2, &Face::ALL);
     let row = |shift_m: [f64; 3]| {
         // Of the body's axes: its x is −y of the world.
@@ -82,7 +67,7 @@ pub(in crate::study::atlas) fn boxes(_: Extent) -> Result<Vec<CaseRow>, Failure>
         let header = with_body(header, &body, second_m, [0.0; 3]);
         let frame = paths_of(&header)?;
         let exact = sampled(&header, &bodies::joined(body.clone(), &bodies::shifted(body.clone(), shift_m)))?;
-        let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
+        let says = printed(&frame.error);
         let error = looks::relative_error(&[summed(&header, &frame)[0][0]], &[exact]);
         Ok(trial.answered(format!("{shift_m:?}"), error, says))
     };
@@ -91,17 +76,12 @@ pub(in crate::study::atlas) fn boxes(_: Extent) -> Result<Vec<CaseRow>, Failure>
 
 /// A body that is there twice is one body.
 pub(in crate::study::atlas) fn twice(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "paths",
-        case: "a body that is there twice, against once",
-        parameter: "body",
-    };
+    let trial = methods::PATHS.trial("a body that is there twice, against once", "body");
     let row = |(name, body): (&str, Mesh)| {
         let once = with_body(empty("", 3)?, &body, PLACE_M, [0.0; 3]);
         let twice = with_body(once.clone(), &body, PLACE_M, [0.0; 3]);
         let (one, two) = (paths_of(&once)?, paths_of(&twice)?);
-        let says = two.error.total().map_or(Says::Nothing, Says::AtMost);
+        let says = printed(&two.error);
         let error = looks::relative_error(&[summed(&twice, &two)[0][0]], &[summed(&once, &one)[0][0]]);
         Ok(trial.answered(name, error, says))
     };
@@ -113,19 +93,14 @@ pub(in crate::study::atlas) fn twice(_: Extent) -> Result<Vec<CaseRow>, Failure>
 
 /// A long wall nearer to the radar than it is long: parts of it are seen along, others square on.
 pub(in crate::study::atlas) fn nearer_than_long(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "paths",
-        case: "body longer than its distance, dense sampling",
-        parameter: "length_m, distance_m",
-    };
+    let trial = methods::PATHS.trial("body longer than its distance, dense sampling", "length_m, distance_m");
     let row = |(length_m, distance_m): (f64, f64)| {
         let wall =
             bodies::parallelograms(&[[[0.0, -0.5 * length_m, -0.1], [0.0, length_m, 0.0], [0.0, 0.0, 0.2]]]);
         let header = with_body(empty("", 1)?, &wall, [0.3, distance_m, 6.0], [0.0; 3]);
         let frame = paths_of(&header)?;
         let exact = sampled(&header, &wall)?;
-        let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
+        let says = printed(&frame.error);
         let error = looks::relative_error(&[summed(&header, &frame)[0][0]], &[exact]);
         Ok(trial.answered(format!("{length_m}, {distance_m}"), error, says))
     };

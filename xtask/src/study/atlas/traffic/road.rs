@@ -1,8 +1,9 @@
 //! The road as a mirror, at Brewster's angle and beside it.
 
-use crate::study::atlas::traffic::overlapping::{empty, summed_at};
-use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::CaseRow;
+use crate::study::atlas::methods;
+use crate::study::atlas::traffic::overlapping::empty;
+use crate::study::atlas::verdict::printed;
 use crate::study::bodies;
 use crate::study::extent::Extent;
 use crate::study::looks;
@@ -27,12 +28,8 @@ const BAND_HZ: [f64; 5] = [76.7e9, 76.85e9, 77.0e9, 77.15e9, 77.3e9];
 /// A sphere above a smooth road, seen at a grazing angle: the four ways by the antenna's image, each by dense
 /// sampling of the sphere, times r of each passage by the road. E across the road has r_TE, H across it r_TM.
 pub(in crate::study::atlas) fn brewster(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let trial = Trial {
-        stage: "bart-rcs",
-        method: "road",
-        case: "sphere above a smooth road, Brewster's angle is 18.0°",
-        parameter: "polarization, grazing_deg",
-    };
+    let trial = methods::ROAD
+        .trial("sphere above a smooth road, Brewster's angle is 18.0°", "polarization, grazing_deg");
     let sphere = bodies::sphere(0.05, 24);
     let mut rows = Vec::new();
     for grazing_deg in [6.0_f64, 17.98, 40.0] {
@@ -47,9 +44,11 @@ pub(in crate::study::atlas) fn brewster(_: Extent) -> Result<Vec<CaseRow>, Failu
             let mut asked = header.clone();
             asked.radar.array.polarization = polarization;
             let frame = paths_of(&asked)?;
-            let says = frame.error.total().map_or(Says::Nothing, Says::AtMost);
-            let found: Vec<Complex64> =
-                BAND_HZ.iter().map(|f| summed_at(&asked, &frame, *f)[index][index]).collect();
+            let says = printed(&frame.error);
+            let found: Vec<Complex64> = BAND_HZ
+                .iter()
+                .map(|f| looks::about_first_body(&asked, &frame.paths, *f)[index][index])
+                .collect();
             let exact = by_images(&sphere, radar_m, grazing_deg.to_radians(), index)?;
             let error = looks::relative_error(&found, &exact);
             rows.push(trial.answered(format!("{polarization:?}, {grazing_deg}"), error, says));

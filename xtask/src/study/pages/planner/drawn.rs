@@ -20,7 +20,8 @@ pub(super) fn scene(seed: u64, number: u64, most: usize) -> String {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(seed, "validation/planner", &[number]));
     let preset = ["1x1", "3x4"][rng.random_range(0..2)];
     let mut text = format!(
-        "name = \"planned-{seed}-{number:03}\"\n[radar]\nboresight_el_deg = -8.0\n[radar.waveform]\nchirps = 64\n\
+        "name = \"planned-{seed}-{number:03}\"\n[radar]\nboresight_el_deg = -8.0\n[radar.waveform]\n\
+         chirps = 64\n\
          [radar.array]\npreset = \"{preset}\"\n[noise]\nnoise_figure_db = 12.0\n"
     );
     let count = [1, 1, 2, 2, 3][rng.random_range(0..5)].min(most);
@@ -30,7 +31,8 @@ pub(super) fn scene(seed: u64, number: u64, most: usize) -> String {
         let yaw_deg = -90.0 + rng.random_range(-15.0..15.0);
         let _ = write!(
             text,
-            "[[target]]\nkind = \"mesh\"\nid = \"body-{lane}\"\nclass = \"car\"\nmodel = \"{model}\"\nlane = {lane}\n\
+            "[[target]]\nkind = \"mesh\"\nid = \"body-{lane}\"\nclass = \"car\"\nmodel = \"{model}\"\n\
+             lane = {lane}\n\
              y_m = {y_m:.2}\nvelocity_mps = [0.0, {mps:.2}, 0.0]\nyaw_deg = {yaw_deg:.1}\n"
         );
     }

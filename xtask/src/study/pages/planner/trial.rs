@@ -1,9 +1,11 @@
 //! A plan of one scene, its truth, and the same scene at other settings.
 
+use crate::study::looks;
 use artifact::Accuracy;
 use artifact::paths::PathsFrame;
 use artifact::scene::SceneHeader;
 use artifact::settings::{BetweenBodies, Edges};
+use artifact::units::db_from_amplitude;
 use bart_rcs::{FrameSurroundings, PathView, Tracer, scattering_of_paths, usual_road};
 use glam::DVec3;
 use num_complex::Complex64;
@@ -40,7 +42,10 @@ impl Trial {
         let (paths, paths_s) = timed(|| paths(&header))?;
         let as_said = with_default_keys(&source, asked_db)?;
         let (_, as_said_s) = timed(|| self::paths(&as_said))?;
-        let true_db = decibels(error(&Looks::of(&header, &paths), &truth(&as_said, &header, asked_db)?));
+        let true_db = db_from_amplitude(looks::relative_error(
+            &Looks::of(&header, &paths),
+            &truth(&as_said, &header, asked_db)?,
+        ));
         Ok(Self { name: header.name, plan, true_db, planned_s: look_s + paths_s, as_said_s })
     }
 
@@ -85,7 +90,8 @@ impl Searched {
         let mut by_seconds: BTreeMap<u64, String> = BTreeMap::new();
         for (name, setting) in settings(&header, plan.spent_db) {
             let (paths, seconds) = timed(|| paths(&setting))?;
-            if decibels(error(&Looks::of(&setting, &paths), &exact)) <= plan.spent_db {
+            if db_from_amplitude(looks::relative_error(&Looks::of(&setting, &paths), &exact)) <= plan.spent_db
+            {
                 by_seconds.insert((1e3 * seconds) as u64, name);
             }
         }
@@ -198,17 +204,6 @@ impl Looks {
         }
         seen
     }
-}
-
-/// Relative error, root mean square.
-fn error(found: &[Complex64], exact: &[Complex64]) -> f64 {
-    let power = |values: &mut dyn Iterator<Item = Complex64>| values.map(|s| s.norm_sqr()).sum::<f64>();
-    let differences = power(&mut found.iter().zip(exact).map(|(a, b)| a - b));
-    (differences / power(&mut exact.iter().copied())).sqrt()
-}
-
-fn decibels(amplitude: f64) -> f64 {
-    artifact::units::db_from_amplitude(amplitude)
 }
 
 fn timed<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, f64), Failure> {

@@ -13,7 +13,7 @@ mod staging;
 mod shots;
 mod seen;
 mod shard;
-mod lines;
+pub(super) mod lines;
 mod resumption;
 mod conclusion;
 mod cost;

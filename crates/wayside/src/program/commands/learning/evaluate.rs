@@ -1,7 +1,7 @@
 //! `evaluate`: how often a model is right on datasets, by frame and by track, with its spread over vehicles,
 //! as a page.
 
-use crate::chain::loaded_model::{LoadedModel, of_classifier};
+use crate::chain::loaded_model::{LoadedModel, of_classifier_about};
 use crate::chain::loading;
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -29,8 +29,8 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<(), Failure> {
         for shard in shards_of(folder)? {
             let samples: Vec<Sample> = classifier::samples_of(&shard).collect::<Result<_, _>>()?;
             logits.extend(answers(&model, &samples).map_err(|failure| failure.about(&shard))?);
-            let added = sightings.add(number, samples.into_iter().map(Ok)).map_err(of_classifier);
-            added.map_err(|failure| failure.about(&shard))?;
+            let added = sightings.add(number, samples.into_iter().map(Ok));
+            added.map_err(of_classifier_about(&shard))?;
         }
     }
     let seen: Vec<_> = sightings.all.iter().collect();
@@ -45,8 +45,8 @@ pub(super) fn sightings_of(folders: &[PathBuf]) -> Result<Sightings, Failure> {
     let mut sightings = Sightings::default();
     for (number, folder) in folders.iter().enumerate() {
         for shard in shards_of(folder)? {
-            let added = sightings.add(number, classifier::samples_of(&shard)).map_err(of_classifier);
-            added.map_err(|failure| failure.about(&shard))?;
+            let added = sightings.add(number, classifier::samples_of(&shard));
+            added.map_err(of_classifier_about(&shard))?;
         }
     }
     Ok(sightings)

@@ -6,7 +6,7 @@
 
 mod trees;
 
-use crate::chain::loaded_model::of_classifier;
+use crate::chain::loaded_model::of_classifier_about;
 use crate::chain::loading;
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -27,8 +27,7 @@ pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
     let datasets: Vec<Vec<PathBuf>> =
         arguments.datasets.iter().map(|folder| loading::shards(folder)).collect();
     for (folder, shards) in arguments.datasets.iter().zip(&datasets) {
-        let format = classifier::format_of(shards).map_err(of_classifier);
-        if format.map_err(|failure| failure.about(folder))?.is_none() {
+        if classifier::format_of(shards).map_err(of_classifier_about(folder))?.is_none() {
             return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
         }
     }

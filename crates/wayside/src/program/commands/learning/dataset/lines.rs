@@ -1,6 +1,5 @@
 //! JSON lines of a dataset: a line a scene beside each shard, from which a line a sample is made.
 
-use crate::host::failure::Failure;
 use crate::host::files;
 use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::commands::learning::dataset::draws::Drawn;
@@ -88,18 +87,14 @@ fn vehicle(id: &str, target: usize, told: &ToldVehicle, truth: &Truth, object: O
 }
 
 /// A thousand frames of sixteen vehicles for each of the usual scenes of a shard.
-pub(super) const LIMIT_BYTES: u64 = 1 << 30;
+pub(in crate::program::commands::learning) const LIMIT_BYTES: u64 = 1 << 30;
 
-/// The lines of a shard, which another part of the same work may have written.
-pub(super) fn read(file: &Path) -> Result<Vec<Value>, Failure> {
-    let bytes = files::read_own(file, LIMIT_BYTES).map_err(|e| Failure::system(file, "read", e))?;
-    let of = |(line, number): (&[u8], usize)| {
-        let refused =
-            |e| Failure::Refused(format!("{}:{number}: is no line of a scene: {e}", file.display()));
-        serde_json::from_slice(line).map_err(refused)
-    };
+/// The lines of a shard, which another part of the same work may have written; `None` where they cannot be
+/// read, or one of them is damaged.
+pub(super) fn read(file: &Path) -> Option<Vec<Value>> {
+    let bytes = files::read_own(file, LIMIT_BYTES).ok()?;
     let text = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
-    text.split(|byte| *byte == b'\n').zip(1..).map(of).collect()
+    text.split(|byte| *byte == b'\n').map(|line| serde_json::from_slice(line).ok()).collect()
 }
 
 /// Every vehicle of every frame of such lines, with what its scene tells of all.

@@ -3,6 +3,7 @@
 
 use crate::chain::loading;
 use crate::host::files;
+use crate::program::commands::learning::dataset::lines::LIMIT_BYTES;
 use classifier::TrackKey;
 use glam::DVec2;
 use serde_json::Value;
@@ -23,9 +24,6 @@ const HEIGHT_M: [f64; 2] = [5.0, 6.0];
 const TILT_DEG: [f64; 2] = [-8.0, -4.0];
 /// Between the vehicle's heading and the way from it to the radar.
 const ASPECT_DEG: [f64; 4] = [20.0, 70.0, 110.0, 160.0];
-
-/// As many as `dataset` takes up.
-const LIMIT_BYTES: u64 = 1 << 30;
 
 /// Conditions of every vehicle that was found, as it was in its first frame; nothing of folders without the
 /// lines of their scenes.

@@ -1,6 +1,6 @@
 //! Boosted trees from datasets: `weights.model`, `metrics.json`, `curves.csv`.
 
-use crate::chain::loaded_model::of_classifier;
+use crate::chain::loaded_model::{of_classifier, of_classifier_about};
 use crate::chain::loading;
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -24,8 +24,8 @@ pub(super) fn train(arguments: &TrainArguments, datasets: &[Vec<PathBuf>]) -> Re
     let mut sightings = Sightings::default();
     for (number, shards) in datasets.iter().enumerate() {
         for shard in shards {
-            let added = sightings.add(number, classifier::samples_of(shard)).map_err(of_classifier);
-            added.map_err(|failure| failure.about(shard))?;
+            let added = sightings.add(number, classifier::samples_of(shard));
+            added.map_err(of_classifier_about(shard))?;
         }
     }
     let settings = TreeSettings::default();

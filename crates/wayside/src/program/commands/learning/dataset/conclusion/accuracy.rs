@@ -44,8 +44,8 @@ impl ReachedAccuracy {
         let Self { scenes, measured, met, .. } = self;
         let missed = measured - met;
         let mut lines = vec![format!(
-            "numerical error: {asked} asked, measured in {measured} of {scenes} scenes, reached in {met}, missed in \
-             {missed}, the worst {reached}"
+            "numerical error: {asked} asked, measured in {measured} of {scenes} scenes, reached in {met}, \
+             missed in {missed}, the worst {reached}"
         )];
         lines.extend(self.causes.values().map(|(many, advice)| format!("{many} of these: {advice}")));
         lines
@@ -72,7 +72,8 @@ mod tests {
         let told = reached.lines();
         assert_eq!(
             told[0],
-            "numerical error: −20.0 dB asked, measured in 2 of 3 scenes, reached in 1, missed in 1, the worst −12.5 dB"
+            "numerical error: −20.0 dB asked, measured in 2 of 3 scenes, reached in 1, missed in 1, the \
+             worst −12.5 dB"
         );
         assert_eq!(told[1], "1 of these: Limited by freezing.");
     }

@@ -3,8 +3,8 @@
 use serde_json::Value;
 
 /// Median and 90 % point say more than a mean here: an object that took a ghost along is far off.
-const HEAD: &str = "| vehicles | number | detected | range error, m: bias, median, 90 % | velocity error, m/s: median, 90 % \
-| lateral error, m: median, 90 % | lane right |\n|---|---|---|---|---|---|---|\n";
+const HEAD: &str = "| vehicles | number | detected | range error, m: bias, median, 90 % \
+| velocity error, m/s: median, 90 % | lateral error, m: median, 90 % | lane right |\n|---|---|---|---|---|---|---|\n";
 
 /// A row for each class, lane and range, and one for all; vehicles are taken in one after the other.
 pub(super) struct DetectionTable(Vec<VehicleRow>);
@@ -130,8 +130,8 @@ mod tests {
 
     #[test]
     fn a_vehicle_without_an_estimate_counts_as_missed_and_not_as_an_error() {
-        let found = r#"{"class":"car","lane":2,"range_m":40.0,"x_m":5.75,"echo_range_m":38.0,"echo_velocity_mps":-3.0,
-            "estimate":{"range_m":38.5,"velocity_mps":-3.1,"x_m":5.25,"lane":2}}"#;
+        let found = r#"{"class":"car","lane":2,"range_m":40.0,"x_m":5.75,"echo_range_m":38.0,
+            "echo_velocity_mps":-3.0,"estimate":{"range_m":38.5,"velocity_mps":-3.1,"x_m":5.25,"lane":2}}"#;
         let missed = r#"{"class":"car","lane":2,"range_m":41.0,"x_m":5.75,"estimate":null}"#;
         let mut detected = DetectionTable::new();
         [found, missed].iter().for_each(|line| detected.add(&serde_json::from_str(line).unwrap()));
