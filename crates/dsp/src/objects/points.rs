@@ -5,7 +5,7 @@
 //! windows, are one measurement: its peak is placed between cells, the others stand at their cells' centres.
 //! Objects are made of peaks alone.
 
-use crate::ambiguity::ambiguous_velocities::folds_are_told;
+use crate::ambiguity::ambiguous_velocities::{ambiguity_mps, folds_are_told, no_other_is_driven};
 use crate::ambiguity::time_division_folds::{ChosenFold, Folds};
 use crate::detection::censored::unmasked;
 use crate::detection::empty_band::fold_is_certain;
@@ -429,13 +429,16 @@ impl View<'_> {
         }
     }
 
-    /// Whether the fold of a body's velocity is beyond doubt; the strongest of its peaks comes first.
+    /// Whether the fold of a body's velocity is beyond doubt; the strongest of its peaks comes first. The empty
+    /// band of Doppler division tells its band, and nothing of velocities a whole span away.
     fn is_resolved(&self, peaks: &[&Sighting]) -> bool {
         match joined(peaks) {
             Some(folds) => self.choice(&folds).is_certain,
             None => {
                 let size = [self.axes.rows, self.axes.columns];
+                let velocity_mps = self.axes.wrapped(peaks[0].radial_velocity_mps);
                 fold_is_certain(self.array.division(), self.map, size, peaks[0].cell())
+                    && no_other_is_driven(velocity_mps, ambiguity_mps(&self.plan.radar))
             }
         }
     }
