@@ -90,7 +90,7 @@ pub(in crate::study::atlas) fn transmitters_in_turn(_: Extent) -> Result<Vec<Cas
 }
 
 /// Doppler division keeps the span of one transmitter, ±16.2 m/s; beyond it the fold is none that the empty band
-/// could tell. Found by the random search (seed 2, lone points, case 0).
+/// could tell, and the velocity is said not to be resolved. Found by the random search (seed 2, lone points, case 0).
 pub(in crate::study::atlas) fn beyond_the_bands(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = Trial {
         stage: "dsp",
