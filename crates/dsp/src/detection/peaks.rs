@@ -177,7 +177,7 @@ impl PeakFinder {
 
     /// The local maximum that the steepest climb from a cell reaches.
     fn summit(&self, power: ArrayView2<f64>, mut cell: [usize; 2]) -> [usize; 2] {
-        // Of equal powers the first cell counts as the higher one, so that every step climbs and the walk ends.
+        // Of equal powers the first cell counts as the higher one: every step climbs, and the walk ends.
         while !self.is_local_maximum(power, cell) {
             let steeper = |a: [usize; 2], b: [usize; 2]| if exceeds(power, b, a) { b } else { a };
             cell = self.cells.around(cell).fold(cell, steeper);

@@ -95,8 +95,8 @@ mod tests {
     use super::*;
     use statrs::function::beta::beta_reg;
 
-    /// I_u(a, b) of whole a and b and its complement, P(K ≥ a) and P(K < a) of K successes in a + b − 1 trials:
-    /// sums of positive terms from P(K = a) on; `None` where that is no number of full precision.
+    /// I_u(a, b) of whole a and b and its complement, P(K ≥ a) and P(K < a) of K successes in a + b − 1
+    /// trials: sums of positive terms from P(K = a) on; `None` where that is no number of full precision.
     fn exact(a: u32, b: u32, u: f64) -> Option<[f64; 2]> {
         let trials = a + b - 1;
         let first = probability(a, b, u);
@@ -114,8 +114,8 @@ mod tests {
         (first > 1e-290).then_some([upper, below])
     }
 
-    /// C(a + b − 1, a)·u^a·(1 − u)^{b−1}, factor by factor: a large one while the product is small, one rounding
-    /// each.
+    /// C(a + b − 1, a)·u^a·(1 − u)^{b−1}, factor by factor: a large one while the product is small, one
+    /// rounding each.
     fn probability(a: u32, b: u32, u: f64) -> f64 {
         let fewer = a.min(b - 1);
         let mut large = (1..=fewer).map(|k| f64::from(a + b - 1 - fewer + k) / f64::from(k));

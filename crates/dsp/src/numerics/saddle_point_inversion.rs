@@ -21,9 +21,9 @@ pub(crate) struct WeightedGamma {
 
 /// P(Σ w_q·G(n_q) < t): relative error about 1e-11, also far out in the lower tail.
 ///
-/// The upper tail is the complement of P(Σ −w_q·G(n_q) < −t). Near the mean either way holds on the side of the
-/// longer tail; on the other the bent path comes near the far pole, half the width from the mean (5e-10 at the
-/// mean of shapes 70 times apart), and beyond it through it.
+/// The upper tail is the complement of P(Σ −w_q·G(n_q) < −t). Near the mean either way holds on the side of
+/// the longer tail; on the other the bent path comes near the far pole (5e-10 at the mean of shapes 70 times
+/// apart), and farther out through it.
 ///
 /// One weight at least is positive, and `t` is positive or one weight is negative.
 pub(crate) fn probability_below(form: &[WeightedGamma], t: f64) -> f64 {

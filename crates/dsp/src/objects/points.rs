@@ -444,8 +444,8 @@ impl View<'_> {
         }
     }
 
-    /// Whether the fold of a body's velocity is beyond doubt; the strongest of its peaks comes first. The empty
-    /// band of Doppler division tells its band, and nothing of velocities a whole span away.
+    /// Whether the fold of a body's velocity is beyond doubt; the strongest of its peaks comes first. The
+    /// empty band of Doppler division tells its band, and nothing of velocities a whole span away.
     fn is_resolved(&self, peaks: &[&Sighting]) -> bool {
         match joined(peaks) {
             Some(folds) => self.choice(&folds).is_certain,

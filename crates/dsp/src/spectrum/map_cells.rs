@@ -52,8 +52,8 @@ impl MapCells {
         steps.into_iter().filter_map(beside).filter(move |other| *other != cell)
     }
 
-    /// The cell before a cell, itself and the one behind it, along rows and along columns; `None` at an end, and
-    /// where there are not three.
+    /// The cell before a cell, itself and the one behind it, along rows and along columns; `None` at an end,
+    /// and where there are not three.
     pub(crate) fn trios(self, [row, column]: Cell) -> [Option<[Cell; 3]>; 2] {
         let along_rows =
             (self.rows > 2).then(|| [-1, 0, 1].map(|step| [stepped(row, step, self.rows), column]));

@@ -59,8 +59,8 @@ fn points_in_the_first_and_the_last_cells_are_placed_as_those_between() {
                 // Interpolation is good to a thousandth of a cell inside.
                 assert!((object.range_m - range_m).abs() < 2e-3 * cell_m, "{range_m}: {object:?}");
                 let mut ranges = points.points.iter().map(|point| point.range_m);
-                // Hann's sidelobes, sinc(x)/(1 − x²), are over the assumed floor for seven cells; those over the
-                // end stay at it.
+                // Hann's sidelobes, sinc(x)/(1 − x²), are over the assumed floor for seven cells; those over
+                // the end stay at it.
                 let is_near = |m: f64| (0.0..range_max_m).contains(&m) && (m - range_m).abs() < 7.5 * cell_m;
                 assert!(ranges.all(is_near), "{range_m}: {points:?}");
                 assert!(object.points > 1, "{range_m}: {object:?}");
