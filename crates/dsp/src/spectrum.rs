@@ -1,6 +1,7 @@
 //! Maps of all channels made from samples, their axes and their sum.
 
 pub(crate) mod shapes; // what header, cube and map have to be like
+pub(crate) mod map_cells; // which cells lie beside which
 pub(crate) mod axes; // metres and metres per second of rows and columns
 pub(crate) mod division; // channels of transmitters and receivers
 pub mod window; // tapers, and what they do to tones and to noise

@@ -10,6 +10,11 @@ pub(crate) fn folds_are_told(radar: &Radar) -> bool {
     radar.slots() > 1 && radar.schedule.is_uniform()
 }
 
+/// Whether no other velocity that a vehicle drives looks like this one, those that do `ambiguity_mps` apart.
+pub(crate) fn no_other_is_driven(velocity_mps: f64, ambiguity_mps: f64) -> bool {
+    ambiguity_mps - velocity_mps.abs() > FASTEST_MPS
+}
+
 /// Velocities this far apart look alike in the points of a frame: the map's span, or λ/2T where its folds are
 /// told.
 pub(crate) fn ambiguity_mps(radar: &Radar) -> f64 {

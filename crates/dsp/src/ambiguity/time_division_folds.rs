@@ -17,7 +17,7 @@
 //! tells it. Transmitters that all hear an echo in one phase (M of them, straight ahead) send it in one slot
 //! of a block only: all folds are the same values then, and the same direction.
 
-use crate::ambiguity::ambiguous_velocities::FASTEST_MPS;
+use crate::ambiguity::ambiguous_velocities::no_other_is_driven;
 use crate::direction::angle::{Direction, Snapshot, VirtualArray};
 use crate::spectrum::code_division::in_phase;
 use artifact::cube::CubeHeader;
@@ -104,8 +104,8 @@ impl Folds {
             .filter(|f| self.left[*f] - self.left[best] <= LIKELY * scale)
             .min_by(|a, b| self.velocity_mps(*a).abs().total_cmp(&self.velocity_mps(*b).abs()));
         let velocity_mps = self.velocity_mps(slowest.unwrap_or(best));
-        let next_mps = self.ambiguity_mps() - velocity_mps.abs();
-        ChosenFold { velocity_mps, margin, is_certain: margin >= CERTAIN && next_mps > FASTEST_MPS }
+        let is_certain = margin >= CERTAIN && no_other_is_driven(velocity_mps, self.ambiguity_mps());
+        ChosenFold { velocity_mps, margin, is_certain }
     }
 
     /// Span of velocity λ/2T, T from any chirp to the next, m/s.

@@ -66,16 +66,14 @@ fn resolved_by(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
         own.points.objects.iter().enumerate().map(|(o, _)| scorer.choices(Some(o as u32))).collect();
     let chosen = scorer.together(&choices);
     let mut frame = own.points.clone();
+    let mut over_ends_m = vec![];
     for (object, (choice, (best, is_certain))) in frame.objects.iter_mut().zip(choices.iter().zip(&chosen)) {
-        scorer.move_object(object, choice.folds[*best]);
+        over_ends_m.push(scorer.move_object(object, choice.folds[*best]));
         object.velocity_resolved = *is_certain;
     }
     for point in &mut frame.points {
-        let near_mps = match point.object {
-            Some(object) => frame.objects[object as usize].radial_velocity_mps,
-            None => point.radial_velocity_mps,
-        };
-        scorer.move_point(point, near_mps);
+        let object = point.object.map(|index| index as usize);
+        scorer.move_point(point, object.map(|index| (&frame.objects[index], over_ends_m[index])));
     }
     frame
 }
@@ -150,7 +148,7 @@ impl Scorer<'_> {
         let true_m = point.range_m - own.coupling_m(velocity_mps - point.radial_velocity_mps)
             + velocity_mps * passed_s;
         let shown_m = true_m + other.coupling_m(velocity_mps - candidate.radial_velocity_mps);
-        let range = (shown_m - candidate.range_m) / (CELLS * own.range_cell_m);
+        let range = other.range_apart_m(shown_m, candidate.range_m) / (CELLS * own.range_cell_m);
         let level = (point.snr_db - candidate.snr_db) / LEVEL_DB;
         let squares =
             velocity.powi(2) + range.powi(2) + level.powi(2) + self.beams_apart(point, candidate).powi(2);
@@ -237,30 +235,43 @@ impl Scorer<'_> {
         groups.into_iter().map(|(group, _)| group).collect()
     }
 
-    fn move_object(&self, object: &mut Object, fold_mps: f64) {
+    /// Moves an object to a fold; returns by how much over an end of the range axis.
+    fn move_object(&self, object: &mut Object, fold_mps: f64) -> f64 {
         object.radial_velocity_mps += fold_mps;
         object.velocity_extent_mps = object.velocity_extent_mps.map(|v| v + fold_mps);
-        let nearer_m = self.own.plan.array.cells().coupling_m(fold_mps);
-        (object.position_m, object.azimuth_rad, _) = self.moved(object.position_m, object.range_m, nearer_m);
-        object.range_m -= nearer_m;
-        object.range_extent_m = object.range_extent_m.map(|m| m - nearer_m);
+        let axes = self.own.plan.array.cells();
+        let nearer_m = axes.coupling_m(fold_mps);
+        let range_m = axes.on_axis(object.range_m - nearer_m);
+        (object.position_m, object.azimuth_rad, _) = self.moved(object.position_m, object.range_m, range_m);
+        let farther_m = range_m - object.range_m;
+        object.range_m = range_m;
+        object.range_extent_m = object.range_extent_m.map(|m| axes.between_ends(m + farther_m));
         object.lane = self.own.plan.settings.road.at(object.position_m);
+        farther_m + nearer_m
     }
 
-    fn move_point(&self, point: &mut Point, near_mps: f64) {
+    /// A point at the fold of its object, and on the same side of the range axis's ends.
+    fn move_point(&self, point: &mut Point, object: Option<(&Object, f64)>) {
+        let axes = self.own.plan.array.cells();
+        let near_mps = object.map_or(point.radial_velocity_mps, |(object, _)| object.radial_velocity_mps);
         let velocity_mps = unwrapped(&self.own.plan.radar, point.radial_velocity_mps, near_mps);
         let fold_mps = velocity_mps - point.radial_velocity_mps;
-        let nearer_m = self.own.plan.array.cells().coupling_m(fold_mps);
+        let true_m = point.range_m - axes.coupling_m(fold_mps);
+        let range_m = match object {
+            // What the object was moved by over an end of the axis, its points are too.
+            Some((_, over_end_m)) => axes.between_ends(true_m + over_end_m),
+            None => axes.on_axis(true_m),
+        };
         (point.position_m, point.azimuth_rad, point.elevation_rad) =
-            self.moved(point.position_m, point.range_m, nearer_m);
-        point.range_m -= nearer_m;
+            self.moved(point.position_m, point.range_m, range_m);
+        point.range_m = range_m;
         point.radial_velocity_mps = velocity_mps;
     }
 
-    /// Place, azimuth and elevation in the same direction from the array, `nearer_m` nearer.
-    fn moved(&self, position_m: [f64; 3], range_m: f64, nearer_m: f64) -> ([f64; 3], f64, f64) {
-        let direction = self.direction(position_m, range_m);
-        let place = place(&self.own.plan.array, direction, range_m - nearer_m);
+    /// Place, azimuth and elevation in the same direction from the array, at another range.
+    fn moved(&self, position_m: [f64; 3], from_m: f64, to_m: f64) -> ([f64; 3], f64, f64) {
+        let direction = self.direction(position_m, from_m);
+        let place = place(&self.own.plan.array, direction, to_m);
         (place.position_m.to_array(), place.azimuth_rad, place.elevation_rad)
     }
 

@@ -23,7 +23,7 @@ impl CellOwners {
         let half = 0.5 * (rows[1] - rows[0]) as f64;
         let located = points.points.iter().filter_map(|point| {
             let velocity_mps = point.radial_velocity_mps;
-            let column = axes.column_at(point.range_m + axes.coupling_m(velocity_mps));
+            let column = axes.column_of(point.range_m, velocity_mps);
             Some(([axes.row_at(velocity_mps), column], point.object?))
         });
         let is_near = |([row, column], _): &([f64; 2], u32)| {

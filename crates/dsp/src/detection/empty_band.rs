@@ -35,8 +35,8 @@ pub(crate) fn keep_true_folds(
     }
 }
 
-/// Whether the fold of a cell is beyond doubt: its empty band holds less than a quarter of the weakest full
-/// one.
+/// Whether the band of a cell is beyond doubt: its empty band holds less than a quarter of the weakest full
+/// one. All bands are full and empty alike at velocities whole spans of the map away.
 ///
 /// A second vehicle in the same range cell that is less than 6 dB weaker fills the band and is flagged here.
 pub(crate) fn fold_is_certain(

@@ -8,6 +8,7 @@
 
 use crate::detection::cfar::DETECTED;
 use crate::detection::interpolation::{Interpolator, Trio};
+use crate::spectrum::map_cells::MapCells;
 use crate::spectrum::window::response;
 use ndarray::ArrayView2;
 use num_complex::{Complex32, Complex64};
@@ -52,6 +53,7 @@ impl Peak {
 
 /// Peak curves and sidelobe levels of a radar's two windows.
 pub(crate) struct PeakFinder {
+    cells: MapCells,
     interpolators: [Interpolator; 2],
     leakage: [Vec<f64>; 2],
 }
@@ -67,8 +69,9 @@ const OFFSETS: i32 = 8;
 
 impl PeakFinder {
     /// Prepares for maps that were made with these windows.
-    pub(crate) fn new(doppler: &[f64], range: &[f64]) -> Self {
+    pub(crate) fn new(cells: MapCells, doppler: &[f64], range: &[f64]) -> Self {
         Self {
+            cells,
             interpolators: [Interpolator::new(doppler), Interpolator::new(range)],
             leakage: [leakage(doppler), leakage(range)],
         }
@@ -87,8 +90,8 @@ impl PeakFinder {
         let strong =
             power.indexed_iter().zip(mask).filter(|((_, p), m)| **m == DETECTED || **p > noise_threshold);
         let mut peaks: Vec<Peak> = strong
-            .map(|((cell, _), _)| cell)
-            .filter(|cell| is_local_maximum(power, *cell))
+            .map(|(((row, column), _), _)| [row, column])
+            .filter(|cell| self.is_local_maximum(power, *cell))
             .map(|cell| self.place(power, values, mask, cell))
             .collect();
         peaks.sort_by(|a, b| b.power.total_cmp(&a.power).then((a.row, a.column).cmp(&(b.row, b.column))));
@@ -112,7 +115,7 @@ impl PeakFinder {
         let detected = (0..rows * columns).filter(|cell| mask[*cell] == DETECTED);
         detected
             .filter_map(|cell| {
-                let (row, column) = summit(power, (cell / columns, cell % columns));
+                let [row, column] = self.summit(power, [cell / columns, cell % columns]);
                 peak_at[row * columns + column].map(|peak| ([cell / columns, cell % columns], peak))
             })
             .collect()
@@ -123,31 +126,28 @@ impl PeakFinder {
         power: ArrayView2<f64>,
         values: &[Complex32],
         mask: &[u8],
-        (row, column): (usize, usize),
+        [row, column]: [usize; 2],
     ) -> Peak {
         let (rows, columns) = power.dim();
-        let trios = |cells: [(usize, usize); 3]| {
+        let trios = |cells: [[usize; 2]; 3]| {
             values
                 .chunks_exact(rows * columns)
-                .map(move |channel| trio(channel, cells.map(|(r, c)| r * columns + c)))
+                .map(move |channel| trio(channel, cells.map(|[r, c]| r * columns + c)))
         };
-        let along_rows = (rows > 2).then(|| {
-            let at = |step: usize| ((row + step) % rows, column);
-            self.interpolators[0].offset(trios([at(rows - 1), at(0), at(1)]))
-        });
-        let along_columns = (column > 0 && column + 1 < columns).then(|| {
-            self.interpolators[1].offset(trios([(row, column - 1), (row, column), (row, column + 1)]))
-        });
-        let is_detected = |(r, c): (usize, usize)| mask[r * columns + c] == DETECTED;
-        let neighbours = neighbourhood(power.dim(), (row, column)).filter(|cell| is_detected(*cell)).count();
+        let offset = |(cells, interpolator): (Option<[[usize; 2]; 3]>, &Interpolator)| {
+            cells.map_or(0.0, |cells| interpolator.offset(trios(cells)))
+        };
+        let [along_rows, along_columns] = self.cells.trios([row, column]);
+        let is_detected = |[r, c]: [usize; 2]| mask[r * columns + c] == DETECTED;
+        let neighbours = self.cells.around([row, column]).filter(|cell| is_detected(*cell)).count();
         Peak {
             row,
             column,
-            fine_row: row as f64 + along_rows.unwrap_or(0.0),
-            fine_column: column as f64 + along_columns.unwrap_or(0.0),
+            fine_row: row as f64 + offset((along_rows, &self.interpolators[0])),
+            fine_column: column as f64 + offset((along_columns, &self.interpolators[1])),
             power: power[(row, column)],
-            cells: neighbours as u32 + u32::from(is_detected((row, column))),
-            detected: is_detected((row, column)),
+            cells: neighbours as u32 + u32::from(is_detected([row, column])),
+            detected: is_detected([row, column]),
             summit: [row, column],
         }
     }
@@ -168,6 +168,21 @@ impl PeakFinder {
     /// Largest share of a peak's power in a cell.
     pub(crate) fn leak(&self, from: &Peak, [row, column]: [usize; 2]) -> f64 {
         self.leakage[0][from.row.abs_diff(row)] * self.leakage[1][from.column.abs_diff(column)]
+    }
+
+    /// Whether a cell is a peak among its neighbours: of equal ones the first in row-major order is.
+    fn is_local_maximum(&self, power: ArrayView2<f64>, cell: [usize; 2]) -> bool {
+        self.cells.around(cell).all(|other| exceeds(power, cell, other))
+    }
+
+    /// The local maximum that the steepest climb from a cell reaches.
+    fn summit(&self, power: ArrayView2<f64>, mut cell: [usize; 2]) -> [usize; 2] {
+        // Of equal powers the first cell counts as the higher one: every step climbs, and the walk ends.
+        while !self.is_local_maximum(power, cell) {
+            let steeper = |a: [usize; 2], b: [usize; 2]| if exceeds(power, b, a) { b } else { a };
+            cell = self.cells.around(cell).fold(cell, steeper);
+        }
+        cell
     }
 
     /// Offsets from the middle of three values along rows and along columns; 0 where there are none.
@@ -212,36 +227,6 @@ fn fine_response(taper: &[f64]) -> Vec<f64> {
     spectrum.iter().map(|v| v.norm_sqr() * scale).collect()
 }
 
-/// Whether a cell is a peak among its neighbours: of equal ones the first in row-major order is.
-fn is_local_maximum(power: ArrayView2<f64>, cell: (usize, usize)) -> bool {
-    neighbourhood(power.dim(), cell).all(|other| exceeds(power, cell, other))
-}
-
-/// The local maximum that the steepest climb from a cell reaches.
-fn summit(power: ArrayView2<f64>, mut cell: (usize, usize)) -> (usize, usize) {
-    // Of equal powers the first cell counts as the higher one, so that every step climbs and the walk ends.
-    while !is_local_maximum(power, cell) {
-        let steeper = |a: (usize, usize), b: (usize, usize)| if exceeds(power, b, a) { b } else { a };
-        cell = neighbourhood(power.dim(), cell).fold(cell, steeper);
-    }
-    cell
-}
-
-fn exceeds(power: ArrayView2<f64>, a: (usize, usize), b: (usize, usize)) -> bool {
+fn exceeds(power: ArrayView2<f64>, a: [usize; 2], b: [usize; 2]) -> bool {
     power[a] > power[b] || (power[a] == power[b] && a < b)
-}
-
-/// The up to eight cells around one; Doppler wraps, range does not.
-pub(crate) fn neighbourhood(
-    (rows, columns): (usize, usize),
-    cell: (usize, usize),
-) -> impl Iterator<Item = (usize, usize)> {
-    let steps = [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)];
-    steps
-        .into_iter()
-        .map(move |(down, right): (isize, isize)| {
-            let row = (cell.0 + rows).wrapping_add_signed(down) % rows;
-            (row, cell.1.wrapping_add_signed(right))
-        })
-        .filter(move |other| other.1 < columns && *other != cell)
 }

@@ -6,9 +6,8 @@
 //! sidelobes of stronger echoes, seen in the same beam.
 
 use crate::detection::interpolation::Trio;
-use crate::detection::peaks::{Peak, PeakFinder, neighbourhood};
+use crate::detection::peaks::{Peak, PeakFinder};
 use crate::direction::angle::{Direction, VirtualArray};
-use crate::spectrum::axes::Axes;
 use artifact::rdm::RdmFrame;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -39,9 +38,7 @@ impl Beams<'_> {
     fn own_peak(&self, cell: [usize; 2], summit: &Peak, peaks: &[Peak]) -> Option<Peak> {
         let beam = Beam::strongest(self, cell);
         let power = beam.power(self, cell);
-        let &Axes { rows, columns, .. } = self.array.cells();
-        let others = neighbourhood((rows, columns), (cell[0], cell[1]));
-        let is_highest = others.into_iter().all(|(row, column)| power > beam.power(self, [row, column]));
+        let is_highest = self.array.cells().cells.around(cell).all(|other| power > beam.power(self, other));
         (is_highest && power > self.leaked(&beam, cell, peaks)).then(|| self.placed(&beam, cell, summit))
     }
 
@@ -52,16 +49,10 @@ impl Beams<'_> {
     }
 
     fn placed(&self, beam: &Beam, [row, column]: [usize; 2], summit: &Peak) -> Peak {
-        let &Axes { rows, columns, .. } = self.array.cells();
         let trio = |cells: [[usize; 2]; 3]| -> Trio { cells.map(|cell| beam.value(self, cell)) };
-        let along_rows = (rows > 2).then(|| {
-            let at = |step: usize| [(row + step) % rows, column];
-            trio([at(rows - 1), at(0), at(1)])
-        });
-        let along_columns = (column > 0 && column + 1 < columns)
-            .then(|| trio([[row, column - 1], [row, column], [row, column + 1]]));
+        let trios = self.array.cells().cells.trios([row, column]).map(|cells| cells.map(trio));
         let power = beam.power(self, [row, column]) / beam.steering.len() as f64;
-        let offsets = self.finder.offsets([along_rows, along_columns]);
+        let offsets = self.finder.offsets(trios);
         Peak {
             row,
             column,
@@ -85,7 +76,7 @@ impl Beam {
     fn strongest(view: &Beams<'_>, cell: [usize; 2]) -> Self {
         let axes = view.array.cells();
         let velocity_mps = axes.wrapped(axes.velocity_at(cell[0] as f64));
-        let range_m = (axes.range_at(cell[1] as f64) - axes.coupling_m(velocity_mps)).max(0.0);
+        let range_m = axes.range_of(cell[1] as f64, velocity_mps);
         let snapshot = view.array.snapshot(view.map, cell, velocity_mps);
         let direction: Direction = view.array.direction(&[snapshot], range_m);
         Self { steering: view.array.steering(direction, range_m), velocity_mps }

@@ -5,7 +5,7 @@
 //! windows, are one measurement: its peak is placed between cells, the others stand at their cells' centres.
 //! Objects are made of peaks alone.
 
-use crate::ambiguity::ambiguous_velocities::folds_are_told;
+use crate::ambiguity::ambiguous_velocities::{ambiguity_mps, folds_are_told, no_other_is_driven};
 use crate::ambiguity::time_division_folds::{ChosenFold, Folds};
 use crate::detection::censored::unmasked;
 use crate::detection::empty_band::fold_is_certain;
@@ -24,6 +24,7 @@ use crate::objects::clusters::clusters;
 use crate::objects::stationary::{Fold, is_at_rest};
 use crate::plan::Plan;
 use crate::spectrum::axes::Axes;
+use crate::spectrum::map_cells::MapCells;
 use artifact::points::{Object, Point, PointsFrame};
 use artifact::rdm::RdmFrame;
 use artifact::settings::{Angle, DspSettings, StaticEchoes, Window};
@@ -156,6 +157,16 @@ impl View<'_> {
     /// Echoes of one cell, at least one, at a velocity that is known.
     fn sight_at(&self, peak: Peak, radial_velocity_mps: f64, folds: Option<Folds>) -> Vec<Sighting> {
         let range_m = self.range_m(&peak, radial_velocity_mps);
+        self.sight_there(peak, (range_m, radial_velocity_mps), folds)
+    }
+
+    /// Echoes of one cell, at least one, at a range and a velocity that are known.
+    fn sight_there(
+        &self,
+        peak: Peak,
+        (range_m, radial_velocity_mps): (f64, f64),
+        folds: Option<Folds>,
+    ) -> Vec<Sighting> {
         let snapshot = self.array.snapshot(self.map, [peak.row, peak.column], radial_velocity_mps);
         let echoes = self.directions(&snapshot, range_m).into_iter().map(|(direction, share)| Sighting {
             peak: Peak { power: share * peak.power, ..peak },
@@ -171,7 +182,7 @@ impl View<'_> {
     }
 
     fn range_m(&self, peak: &Peak, velocity_mps: f64) -> f64 {
-        (self.axes.range_at(peak.fine_column) - self.axes.coupling_m(velocity_mps)).max(0.0)
+        self.axes.range_of(peak.fine_column, velocity_mps)
     }
 
     fn choice(&self, folds: &Folds) -> ChosenFold {
@@ -296,11 +307,16 @@ impl View<'_> {
         if of_cell([row, column]).next().is_some() {
             return of_cell([row, column]).map(|index| (sighted[index].clone(), index)).collect();
         }
-        let own = || (0..sighted.len()).filter(|i| sighted[*i].is_over([row, column], peak));
+        let is_over = |s: &Sighting| s.is_over(self.axes.cells, [row, column], peak);
+        let own = || (0..sighted.len()).filter(|i| is_over(&sighted[*i]));
         let across = |a: &Sighting, b: &Sighting| (a.direction.right - b.direction.right).abs();
         let Some(owner) = of_cell(peak).next() else { return vec![] };
         let velocity_mps = self.unfolded(self.axes.velocity_at(row as f64), &sighted[owner]);
-        let mut echoes = self.sight_at(Peak::at_centre(row, column, power), velocity_mps, None);
+        // A lobe over the end of the range axis is one echo: its cells stay on the side of their peak.
+        let shown_m = self.axes.range_of(column as f64, velocity_mps);
+        let owner_m = sighted[owner].range_m;
+        let range_m = self.axes.between_ends(owner_m + self.axes.range_apart_m(shown_m, owner_m));
+        let mut echoes = self.sight_there(Peak::at_centre(row, column, power), (range_m, velocity_mps), None);
         let two_ways_rad = echoes.first().and_then(|strongest| self.on_slope_of(&sighted[owner], strongest));
         echoes.iter_mut().for_each(|echo| echo.two_ways_rad = two_ways_rad);
         let nearest =
@@ -337,10 +353,10 @@ fn refine_isolated(view: &View<'_>, samples: &[Complex32], peaks: &[Peak], sight
         }
         let point = refined(plan, samples, start);
         if let Some(point) = point.filter(|point| fits_alone(plan, samples, point, sample_noise)) {
-            sighting.range_m = point.range_m;
+            sighting.range_m = view.axes.on_axis(point.range_m);
             sighting.radial_velocity_mps = view.unfolded(point.radial_velocity_mps, sighting);
             sighting.direction = point.direction;
-            sighting.place = place(view.array, point.direction, point.range_m);
+            sighting.place = place(view.array, point.direction, sighting.range_m);
         }
     }
 }
@@ -352,9 +368,8 @@ impl Sighting {
 
     /// Whether it is that of a summit, or stands on the slope of that summit no farther from a cell of it
     /// than a main lobe reaches.
-    fn is_over(&self, [row, column]: [usize; 2], summit: [usize; 2]) -> bool {
-        let is_near =
-            self.peak.row.abs_diff(row) <= LOBE_CELLS && self.peak.column.abs_diff(column) <= LOBE_CELLS;
+    fn is_over(&self, cells: MapCells, cell: [usize; 2], summit: [usize; 2]) -> bool {
+        let is_near = cells.apart(self.cell(), cell).into_iter().all(|apart| apart <= LOBE_CELLS);
         self.cell() == summit || (self.peak.summit == summit && is_near)
     }
 
@@ -429,13 +444,16 @@ impl View<'_> {
         }
     }
 
-    /// Whether the fold of a body's velocity is beyond doubt; the strongest of its peaks comes first.
+    /// Whether the fold of a body's velocity is beyond doubt; the strongest of its peaks comes first. The
+    /// empty band of Doppler division tells its band, and nothing of velocities a whole span away.
     fn is_resolved(&self, peaks: &[&Sighting]) -> bool {
         match joined(peaks) {
             Some(folds) => self.choice(&folds).is_certain,
             None => {
                 let size = [self.axes.rows, self.axes.columns];
+                let velocity_mps = self.axes.wrapped(peaks[0].radial_velocity_mps);
                 fold_is_certain(self.array.division(), self.map, size, peaks[0].cell())
+                    && no_other_is_driven(velocity_mps, ambiguity_mps(&self.plan.radar))
             }
         }
     }

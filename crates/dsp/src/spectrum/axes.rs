@@ -1,5 +1,6 @@
 //! Physical axes of a range-Doppler map.
 
+use crate::spectrum::map_cells::{MapCells, RangeAxis};
 use artifact::cube::CubeHeader;
 use artifact::{Radar, Waveform};
 use radar::beat::coupling_m;
@@ -20,6 +21,9 @@ pub(crate) struct Axes {
     pub(crate) velocity_max_mps: f64,
     /// Range at which the beat frequency folds, m.
     pub(crate) range_max_m: f64,
+    /// Neighbours of the cells.
+    pub(crate) cells: MapCells,
+    range_axis: RangeAxis,
     waveform: Waveform,
 }
 
@@ -34,6 +38,8 @@ impl Axes {
             velocity_cell_mps: radar.velocity_resolution_mps(),
             velocity_max_mps: radar.velocity_max_mps(),
             range_max_m: waveform.range_max_m(),
+            cells: MapCells::of(radar),
+            range_axis: RangeAxis::of(radar),
             waveform: *waveform,
         }
     }
@@ -41,6 +47,39 @@ impl Axes {
     /// Range of a fractional column, as an echo at rest shows it.
     pub(crate) fn range_at(&self, column: f64) -> f64 {
         column * self.range_cell_m
+    }
+
+    /// Range of an echo of this velocity that shows at a fractional column, m, in [0, R_max).
+    pub(crate) fn range_of(&self, column: f64, velocity_mps: f64) -> f64 {
+        self.on_axis(self.range_at(column) - self.coupling_m(velocity_mps))
+    }
+
+    /// A range as the axis has it, in [0, R_max): on a circle what lies beyond an end is told at the other,
+    /// where it shows; on a segment nothing is nearer than 0.
+    pub(crate) fn on_axis(&self, range_m: f64) -> f64 {
+        match self.range_axis {
+            // Just below 0 the remainder is rounded to R_max, which is 0.
+            RangeAxis::Circle => {
+                Some(range_m.rem_euclid(self.range_max_m)).filter(|m| *m < self.range_max_m).unwrap_or(0.0)
+            }
+            RangeAxis::Segment => range_m.max(0.0),
+        }
+    }
+
+    /// A range between the ends of the axis: the end itself for what lies beyond it.
+    pub(crate) fn between_ends(&self, range_m: f64) -> f64 {
+        match self.range_axis {
+            RangeAxis::Circle => range_m.clamp(0.0, self.range_max_m.next_down()),
+            RangeAxis::Segment => range_m.max(0.0),
+        }
+    }
+
+    /// How much farther `a_m` is than `b_m`, the shorter way round where the axis is a circle.
+    pub(crate) fn range_apart_m(&self, a_m: f64, b_m: f64) -> f64 {
+        match self.range_axis {
+            RangeAxis::Circle => (a_m - b_m) - self.range_max_m * ((a_m - b_m) / self.range_max_m).round(),
+            RangeAxis::Segment => a_m - b_m,
+        }
     }
 
     /// Velocity at a fractional row.
@@ -56,6 +95,11 @@ impl Axes {
     /// Range–Doppler coupling of a velocity on these maps, m.
     pub(crate) fn coupling_m(&self, velocity_mps: f64) -> f64 {
         coupling_m(&self.waveform, velocity_mps)
+    }
+
+    /// Fractional column at which an echo of this range and velocity shows.
+    pub(crate) fn column_of(&self, range_m: f64, velocity_mps: f64) -> f64 {
+        self.column_at(self.on_axis(range_m + self.coupling_m(velocity_mps)))
     }
 
     /// Range cells per second of round-trip delay times c/2; the sign of the slope is undone when the map is

@@ -105,7 +105,7 @@ fn time_division_turns_every_transmitter_back_before_the_angle() {
 }
 
 #[test]
-fn doppler_division_keeps_the_full_velocity_span_and_says_so() {
+fn doppler_division_keeps_the_full_velocity_span() {
     // 128 rows are whole bands of 32; 90 and 101 are not.
     for chirps in [128, 90, 101] {
         for velocity in [-14.0, -9.3, -2.0, 0.0, 7.7, 15.0] {
@@ -114,10 +114,47 @@ fn doppler_division_keeps_the_full_velocity_span_and_says_so() {
             let target = target([5.75, 38.1, 0.75], [0.0, velocity, 0.0], 10.0);
             let found = objects(&header, &[target]);
             assert_eq!(found.len(), 1, "{chirps} chirps, {velocity} m/s: {found:?}");
-            assert!(found[0].velocity_resolved);
             let error = found[0].radial_velocity_mps - truth(&header, &target).1;
             assert!(error.abs() < 5e-3, "{chirps} chirps, {velocity} m/s: off by {error}");
             assert_placed("ddm", &header, &target, FLAT);
+        }
+    }
+}
+
+#[test]
+fn doppler_division_says_so_where_no_other_velocity_up_to_120_kmh_looks_alike() {
+    // 128 samples, 29 µs from chirp to chirp: λ/2T is 67 m/s, and the next velocity like −30 is 37.
+    let mut header = header(128, 128, elements_3x4());
+    header.radar.waveform.chirp_interval_s = 29e-6;
+    header.radar.array.multiplexing = Multiplexing::Ddm;
+    for velocity in [-30.0, -9.3, 0.0, 21.0] {
+        let target = target([5.75, 30.0, 0.75], [0.0, velocity, 0.0], 10.0);
+        let found = objects(&header, &[target]);
+        assert_eq!(found.len(), 1, "{velocity} m/s: {found:?}");
+        assert!(found[0].velocity_resolved, "{found:?}");
+        assert!(
+            (found[0].radial_velocity_mps - truth(&header, &target).1).abs() < 5e-3,
+            "{velocity}: {found:?}"
+        );
+    }
+}
+
+#[test]
+fn doppler_division_does_not_tell_velocities_a_whole_span_apart() {
+    // 60 µs: λ/2T is 32.3 m/s. 20 m/s looks like −12.3 in every band, and −12.3 like 20.
+    let mut header = header(256, 128, elements_3x4());
+    header.radar.array.multiplexing = Multiplexing::Ddm;
+    let span_mps = 2.0 * header.radar.velocity_max_mps();
+    for velocity in [-29.0, -20.0, 20.0, 29.0] {
+        let target = target([0.0, 38.1, 6.0], [0.0, velocity, 0.0], 10.0);
+        for seen in
+            [target, Target { velocity_mps: [0.0, velocity - span_mps * velocity.signum(), 0.0], ..target }]
+        {
+            let found = objects(&header, &[seen]);
+            assert_eq!(found.len(), 1, "{velocity} m/s: {found:?}");
+            let shown = velocity - span_mps * velocity.signum();
+            assert!((found[0].radial_velocity_mps - shown).abs() < 5e-3, "{velocity} m/s: {found:?}");
+            assert!(!found[0].velocity_resolved, "{velocity} m/s: {found:?}");
         }
     }
 }
@@ -147,7 +184,7 @@ fn two_vehicles_in_one_range_cell_a_band_apart_are_flagged_as_unresolved() {
 }
 
 #[test]
-fn only_doppler_division_claims_a_resolved_velocity() {
+fn multiplexing_whose_folds_are_not_told_claims_no_resolved_velocity() {
     for multiplexing in [Multiplexing::Simultaneous, Multiplexing::Tdm] {
         let mut header = header(256, 64, elements_3x4());
         header.radar.array.multiplexing = multiplexing;

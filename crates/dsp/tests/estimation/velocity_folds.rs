@@ -5,6 +5,7 @@ use crate::common::*;
 use crate::fold_trials::{
     folds_of_points, in_turn, in_turn_twice, isolated_is_right, pair, seen, vehicles_right,
 };
+use artifact::radar::Multiplexing;
 use dsp::angle::Direction;
 use dsp::least_loss;
 use rayon::prelude::*;
@@ -69,6 +70,26 @@ fn transmitters_in_turn_with_two_intervals_tell_what_each_alone_cannot() {
     let right = (0..24_u64).into_par_iter().filter(|seed| isolated_is_right(&headers, *seed)).count();
     println!("{right} of 24 right, λ/2T 32.5 and 26 m/s, spans of the maps 10.8 and 8.7 m/s");
     assert_eq!(right, 24);
+}
+
+#[test]
+fn doppler_division_with_two_intervals_tells_velocities_beyond_its_span() {
+    // Spans of 32.3 and 25.8 m/s.
+    let headers = in_turn_twice().map(|mut header| {
+        header.radar.array.multiplexing = Multiplexing::Ddm;
+        header
+    });
+    let right = (0..24_u64).into_par_iter().filter(|seed| isolated_is_right(&headers, *seed)).count();
+    println!("{right} of 24 right");
+    assert_eq!(right, 24);
+    for velocity in [-29.0, 20.0] {
+        let points = seen(&headers, &[target([0.0, 40.0, 6.0], [0.0, velocity, 0.0], 10.0)], 1);
+        let object = points.objects[0];
+        assert!(
+            object.velocity_resolved && (object.radial_velocity_mps - velocity).abs() < 0.05,
+            "{object:?}"
+        );
+    }
 }
 
 #[test]

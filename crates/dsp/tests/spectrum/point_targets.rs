@@ -1,10 +1,10 @@
 //! Tests of what the chain says of point targets whose truth is known.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
-use artifact::settings::Window;
+use artifact::settings::{Refine, Window};
 use dsp::{Receiver, power_map, range_axis_m, velocity_axis_mps};
 
 fn seen(header: &CubeHeader, targets: &[Target]) -> PointsFrame {
@@ -35,6 +35,64 @@ fn a_receding_target_of_ten_mps_shows_minus_7_555_in_experiment_3() {
     // X2: 10 − 2·8.7774; interpolation is good to 0.005 m/s (0.016 cells of 0.137 m/s).
     assert!((points.objects[0].radial_velocity_mps + 7.5548).abs() < 5e-3, "{:?}", points.objects[0]);
     assert!(!points.objects[0].velocity_resolved);
+}
+
+/// Ranges from almost nothing to almost the fold, in every part of the first two cells and the last two.
+fn at_the_ends(header: &CubeHeader) -> impl Iterator<Item = f64> {
+    let (waveform, steps) = (header.radar.waveform, 1..20);
+    let from_end = steps.map(move |step| f64::from(step) * 0.1 * waveform.range_resolution_m());
+    from_end.flat_map(move |m| [m, waveform.range_max_m() - m])
+}
+
+#[test]
+fn points_in_the_first_and_the_last_cells_are_placed_as_those_between() {
+    for refine in [Refine::Off, Refine::Isolated] {
+        for slope in [1.0, -1.0] {
+            let mut header = header(256, 64, elements_1x1());
+            header.dsp.refine = refine;
+            header.radar.waveform.slope_hz_per_s *= slope;
+            let (cell_m, range_max_m) =
+                (header.radar.waveform.range_resolution_m(), header.radar.waveform.range_max_m());
+            for range_m in at_the_ends(&header) {
+                let points = seen(&header, &[target([0.0, range_m, 6.0], [0.0; 3], 1.0)]);
+                let [object] = &points.objects[..] else { panic!("{range_m}: {:#?}", points.objects) };
+                // Interpolation is good to a thousandth of a cell inside.
+                assert!((object.range_m - range_m).abs() < 2e-3 * cell_m, "{range_m}: {object:?}");
+                let mut ranges = points.points.iter().map(|point| point.range_m);
+                // Hann's sidelobes, sinc(x)/(1 − x²), are over the assumed floor for seven cells; those over
+                // the end stay at it.
+                let is_near = |m: f64| (0.0..range_max_m).contains(&m) && (m - range_m).abs() < 7.5 * cell_m;
+                assert!(ranges.all(is_near), "{range_m}: {points:?}");
+                assert!(object.points > 1, "{range_m}: {object:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn range_doppler_coupling_moves_no_point_over_an_end_of_the_range_axis() {
+    let header = header(256, 64, elements_1x1());
+    let (cell_m, range_max_m) =
+        (header.radar.waveform.range_resolution_m(), header.radar.waveform.range_max_m());
+    // 62 mm at 10 m/s: the echo shows beyond the end. Its 0.04 m of way smear it over a sixth of a cell.
+    for (range_m, velocity_mps) in [(0.05, -10.0), (range_max_m - 0.05, 10.0)] {
+        let start_m = range_m - velocity_mps * header.radar.frame_middle_s();
+        let points = seen(&header, &[target([0.0, start_m, 6.0], [0.0, velocity_mps, 0.0], 1.0)]);
+        let [object] = &points.objects[..] else { panic!("{range_m}: {:#?}", points.objects) };
+        assert!((object.range_m - range_m).abs() < 0.05 * cell_m, "{range_m}: {object:?}");
+        assert!((object.radial_velocity_mps - velocity_mps).abs() < 0.05, "{object:?}");
+    }
+}
+
+#[test]
+fn a_point_a_little_beyond_the_fold_shows_as_far_behind_zero() {
+    let header = header(256, 64, elements_1x1());
+    let (cell_m, range_max_m) =
+        (header.radar.waveform.range_resolution_m(), header.radar.waveform.range_max_m());
+    for beyond_m in [0.02, 0.3, 8.6] {
+        let points = seen(&header, &[target([0.0, range_max_m + beyond_m, 6.0], [0.0; 3], 1.0)]);
+        assert!((points.objects[0].range_m - beyond_m).abs() < 2e-3 * cell_m, "{:?}", points.objects);
+    }
 }
 
 #[test]

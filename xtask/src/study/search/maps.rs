@@ -102,10 +102,7 @@ pub(super) fn lone_points(random: &mut Random) -> Result<Outcome, Failure> {
         [256, 384, 512][random.random_range(0..3)]
     ))?;
     let (range_m, azimuth_rad) = (within(random, 3.0, 58.0), within(random, -0.8, 0.8));
-    // What Doppler division says beyond its span is a case of the atlas.
-    let span_mps = 0.9 * header.radar.velocity_max_mps();
-    let fastest_mps = if multiplexing == "ddm" { span_mps } else { 30.0 };
-    let speed_mps = within(random, -fastest_mps, fastest_mps);
+    let speed_mps = within(random, -30.0, 30.0);
     let towards = [azimuth_rad.sin(), azimuth_rad.cos(), 0.0];
     let middle_s = header.radar.frame_middle_s();
     let place_m = [0, 1, 2].map(|i| (range_m - speed_mps * middle_s) * towards[i] + [0.0, 0.0, 6.0][i]);

@@ -81,7 +81,8 @@ pub(in crate::study::atlas) fn transmitters_in_turn(_: Extent) -> Result<Vec<Cas
 }
 
 /// Doppler division keeps the span of one transmitter, ±16.2 m/s; beyond it the fold is none that the empty
-/// band could tell. Found by the random search (seed 2, lone points, case 0).
+/// band could tell, and the velocity is said not to be resolved. Found by the random search (seed 2, lone
+/// points, case 0).
 pub(in crate::study::atlas) fn beyond_the_bands(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::DDM.trial("speed beyond the span of Doppler division, ±16.2 m/s", "speed_mps");
     let row = |speed_mps: f64| {

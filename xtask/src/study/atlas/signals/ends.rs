@@ -16,15 +16,22 @@ fn cells_off(header: &SceneHeader, range_m: f64) -> Result<f64, Failure> {
     Ok(strongest(header)?.map_or(f64::INFINITY, |o| (o.range_m - range_m).abs() / cell_m))
 }
 
-/// Tries ranges from almost nothing to the last cell before the fold; an error of one is a range cell.
+/// Tries ranges from almost nothing to the last cell before the fold, and one behind it; an error of one is a
+/// range cell.
 pub(in crate::study::atlas) fn ranges(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::MAP.trial("range of a point at the ends of the range axis, in cells", "range_m");
+    let folded = documented("docs/scenes.md", "What is beyond `range_max_m` shows as much behind 0")?;
     let row = |range_m: f64| {
         let header = scene_of("[noise]\nsnr_db = 40.0\n[radar.array]\npreset = \"1x1\"\n")?;
         let header = with_point(header, 1.0, [0.0, range_m, 6.0], [0.0; 3]);
-        Ok(trial.answered(range_m, cells_off(&header, range_m)?, Says::Nothing))
+        let is_beyond = range_m > header.radar.waveform.range_max_m();
+        Ok(trial.answered(
+            range_m,
+            cells_off(&header, range_m)?,
+            if is_beyond { folded } else { Says::Nothing },
+        ))
     };
-    [0.05, 0.24, 1.0, 60.9, 61.2, 61.36].into_iter().map(row).collect()
+    [0.05, 0.24, 1.0, 60.9, 61.2, 61.36, 61.6].into_iter().map(row).collect()
 }
 
 /// Scenes whose one point is where it cannot be heard.
