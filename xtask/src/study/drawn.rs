@@ -38,8 +38,11 @@ pub(crate) fn chart(arguments: &StudyArguments) -> Result<(), Failure> {
         return drawing.again(file, arguments);
     }
     let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
-    let rows = chart::rows(extent)?;
-    drawing.study("", chart::csv(&rows), chart::page(&rows, extent))?.write("chart", arguments)
+    let measured = chart::measured(extent)?;
+    let mut study = drawing.study("", chart::csv(&measured.rows), chart::page(&measured, extent))?;
+    study.tables.push(("chart-answers", chart::answers_csv(&measured.answers)));
+    study.pictures.push(("chart-answers", chart::picture_of_answers(&measured.answers)));
+    study.write("chart", arguments)
 }
 
 /// Cases and verdicts; ends with exit code 1 if the program was wrong and did not say so.
@@ -87,7 +90,7 @@ impl Drawing<'_> {
             name: self.name,
             sources: self.sources,
             page_in,
-            csv,
+            tables: vec![(self.name, csv)],
             page,
             pictures: (self.draw)(&table),
         })
@@ -110,7 +113,8 @@ struct DrawnStudy {
     sources: Places,
     /// Folder of the page within docs/.
     page_in: &'static str,
-    csv: String,
+    /// Tables by their names, the first of the study's own.
+    tables: Vec<(&'static str, String)>,
     page: String,
     /// Pictures by their names.
     pictures: Vec<(&'static str, Svg)>,
@@ -119,7 +123,7 @@ struct DrawnStudy {
 impl DrawnStudy {
     fn write(&self, word: &str, arguments: &StudyArguments) -> Result<(), Failure> {
         let folder = folder(arguments, self.name);
-        files::write_file(&folder.join(format!("{}.csv", self.name)), self.csv.as_bytes())?;
+        self.write_tables(&folder)?;
         write_pictures(&self.pictures, &folder)?;
         terminal::line(&self.page);
         if !arguments.docs {
@@ -129,10 +133,17 @@ impl DrawnStudy {
         self.write_docs(&made_by(word, &hash), &project_root().join("docs"))
     }
 
+    fn write_tables(&self, folder: &Path) -> Result<(), Failure> {
+        let write = |(name, csv): &(&str, String)| {
+            files::write_file(&folder.join(format!("{name}.csv")), csv.as_bytes())
+        };
+        self.tables.iter().try_for_each(write)
+    }
+
     fn write_docs(&self, made_by: &str, docs: &Path) -> Result<(), Failure> {
         let page = docs.join(self.page_in).join(format!("{}.md", self.name));
         files::write_file(&page, format!("{}\n\n{made_by}\n", self.page.trim_end()).as_bytes())?;
-        files::write_file(&docs.join("pictures").join(format!("{}.csv", self.name)), self.csv.as_bytes())?;
+        self.write_tables(&docs.join("pictures"))?;
         write_docs_pictures(&self.pictures, docs)
     }
 }

@@ -1,5 +1,6 @@
 //! The chart's pictures, drawn from its table.
 
+use crate::study::chart::answers::Answers;
 use crate::study::table::{RowOf, Table};
 use plotting::form::Form;
 use plotting::lines::{Line, LinePlot, Scale};
@@ -39,6 +40,35 @@ pub(in crate::study) fn picture_of_frames(table: &Table) -> Svg {
     let lines = lines(rows.iter().map(|row| (name(row), row)));
     plot("Chart: seconds against error of whole frames", [notes.into(), BETTER.into()], lines)
 }
+
+/// Draws processor seconds over the error of place of whole runs: a line for each scene, by the accuracy asked.
+pub(in crate::study) fn picture_of_answers(rows: &[Answers]) -> Svg {
+    let mut lines: Vec<Line> = Vec::new();
+    for row in rows {
+        let Some([range_m, _, across_m]) = row.errors else { continue };
+        let place = [range_m.hypot(across_m).max(LEAST_M), row.processor_s];
+        match lines.iter_mut().find(|line| line.name == row.scene) {
+            Some(line) => line.points.push(place),
+            None => lines.push(Line { name: row.scene.into(), points: vec![place], marked: true }),
+        }
+    }
+    let plot = LinePlot {
+        title: "Chart: processor seconds against error of place".into(),
+        notes: vec![
+            "Whole runs, a line for each scene: its lower end is the coarsest accuracy asked, its upper end the finest.".into(),
+            BETTER.into(),
+        ],
+        x_label: "error of place (range and across, root mean square), m".into(),
+        y_label: "processor seconds".into(),
+        x_scale: Scale::Logarithmic,
+        y_scale: Scale::Logarithmic,
+        lines,
+    };
+    plot.draw(Form::Wide)
+}
+
+/// Errors of place below are less than any radar of these tells.
+const LEAST_M: f64 = 1e-3;
 
 /// Methods that make whole frames.
 const WHOLE_FRAME: &str = "frame by";

@@ -1,5 +1,7 @@
 //! The chart as CSV and page.
 
+use crate::study::chart::Chart;
+use crate::study::chart::answers::Answers;
 use crate::study::chart::row::SettingRow;
 use crate::study::extent::Extent;
 use crate::study::table;
@@ -16,7 +18,44 @@ fn fields(row: &SettingRow) -> Vec<String> {
     words.map(str::to_owned).to_vec()
 }
 
-pub(in crate::study) fn page(rows: &[SettingRow], extent: Extent) -> String {
+/// Columns of interface.md.
+pub(in crate::study) fn answers_csv(rows: &[Answers]) -> String {
+    let head =
+        "scene,asked_db,processor_s,peak_mib,found,to_be_found,range_m,velocity_mps,across_m,probability";
+    table::csv(head, rows.iter().map(answer_fields))
+}
+
+fn answer_fields(row: &Answers) -> Vec<String> {
+    let told = |value: Option<f64>, digits: usize| value.map_or(String::new(), |v| format!("{v:.digits$}"));
+    let error = |at: usize| told(row.errors.map(|errors| errors[at]), 3);
+    vec![
+        row.scene.into(),
+        format!("{:.0}", row.asked_db),
+        format!("{:.2}", row.processor_s),
+        told(row.peak_mib, 0),
+        row.found.to_string(),
+        row.to_be_found.to_string(),
+        error(0),
+        error(1),
+        error(2),
+        told(row.probability, 2),
+    ]
+}
+
+const ANSWERS: [&str; 10] = [
+    "scene",
+    "asked, dB",
+    "processor seconds",
+    "peak, MiB",
+    "found",
+    "of",
+    "range, m",
+    "velocity, m/s",
+    "across, m",
+    "probability of the true class",
+];
+
+pub(in crate::study) fn page(Chart { rows, answers }: &Chart, extent: Extent) -> String {
     let header = ["stage", "scene", "method", "setting", "seconds", "peak, MiB", "error, dB", "reference"];
     let command = match extent {
         Extent::Quick => "cargo xtask chart --quick --docs",
@@ -33,8 +72,12 @@ pub(in crate::study) fn page(rows: &[SettingRow], extent: Extent) -> String {
          The table errs by as much as there is to see at any range of a road ([why](rcs-tables.md)).\n\n\
          ![seconds against error of each method](pictures/chart.svg)\n\n\
          Better is lower and further left, in both pictures; [chart.csv](pictures/chart.csv) is their table. Whole frames, each a line from its paths to its table:\n\n\
-         ![seconds against error of whole frames](pictures/chart-frames.svg)\n\n{}",
+         ![seconds against error of whole frames](pictures/chart-frames.svg)\n\n\
+         The whole chain, from the scene to place and class, by the accuracy that is asked; errors are root mean squares over \
+         the bodies found, against the truth ([chart-answers.csv](pictures/chart-answers.csv)):\n\n\
+         ![seconds against error of place](pictures/chart-answers.svg)\n\n{}\n{}",
         machine(),
+        table::markdown(&ANSWERS, answers.iter().map(answer_fields)),
         table::markdown(&header, rows.iter().map(fields))
     )
 }
