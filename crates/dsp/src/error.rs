@@ -101,7 +101,7 @@ pub enum DspError {
     #[error("channels × chirps × samples of the radar overflow")]
     TooLarge,
     /// A property of the radar that no axis can be made from.
-    #[error("{quantity} must be finite and not zero, is {value}")]
+    #[error("{quantity} must be finite, not zero and, but for a slope, not negative; it is {value}")]
     Radar {
         /// Named with its unit.
         quantity: &'static str,

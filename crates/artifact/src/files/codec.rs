@@ -13,10 +13,48 @@ pub(crate) fn encode<T: Serialize>(value: &T) -> Result<Vec<u8>, bincode::error:
     bincode::serde::encode_to_vec(value, configuration())
 }
 
-/// A record from exactly these bytes; left-over bytes are an error. The slice bounds what a length inside may
-/// claim: serde reserves at most 1 MiB before it has seen elements.
+/// A record from exactly these bytes; left-over bytes are an error.
+///
+/// A length inside claims no more memory than a bound that grows with the bytes: the smallest power of 16 that
+/// has room for every number that they can hold (a byte may stand for one of eight bytes).
 pub(crate) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, String> {
-    let (value, used) =
-        bincode::serde::decode_from_slice(bytes, configuration()).map_err(|e| e.to_string())?;
+    match 16 * bytes.len() {
+        ..=0x1_0000 => decode_within::<T, 0x1_0000>(bytes),
+        ..=0x10_0000 => decode_within::<T, 0x10_0000>(bytes),
+        ..=0x100_0000 => decode_within::<T, 0x100_0000>(bytes),
+        ..=0x1000_0000 => decode_within::<T, 0x1000_0000>(bytes),
+        ..=0x1_0000_0000 => decode_within::<T, 0x1_0000_0000>(bytes),
+        _ => decode_within::<T, 0x100_0000_0000>(bytes),
+    }
+}
+
+fn decode_within<T: DeserializeOwned, const BOUND: usize>(bytes: &[u8]) -> Result<T, String> {
+    let bounded = bincode::config::standard().with_limit::<BOUND>();
+    let (value, used) = bincode::serde::decode_from_slice(bytes, bounded).map_err(|e| e.to_string())?;
     if used == bytes.len() { Ok(value) } else { Err(format!("{} bytes left over", bytes.len() - used)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_length_that_no_memory_has_is_refused_and_not_reserved() {
+        for length in [u64::MAX, 1 << 62, 1 << 40, 1 << 28] {
+            let claimed = encode(&length).unwrap();
+            assert!(decode::<String>(&claimed).is_err(), "{length}");
+            assert!(decode::<Vec<f64>>(&claimed).is_err(), "{length}");
+            assert!(decode::<(String, Vec<String>)>(&claimed).is_err(), "{length}");
+        }
+    }
+
+    #[test]
+    fn what_is_written_is_read_however_much_it_is() {
+        for count in [0, 1, 500, 5_000, 70_000, 1_200_000] {
+            let numbers: Vec<u64> = vec![7; count];
+            assert_eq!(decode::<Vec<u64>>(&encode(&numbers).unwrap()).unwrap(), numbers);
+            let words: Vec<String> = vec!["m/s".into(); count];
+            assert_eq!(decode::<Vec<String>>(&encode(&words).unwrap()).unwrap(), words);
+        }
+    }
 }

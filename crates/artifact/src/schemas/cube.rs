@@ -15,6 +15,18 @@ impl Schema for Cube {
     const VERSION: u32 = 9;
     type Header = CubeHeader;
     type Frame = CubeFrame;
+
+    fn contradiction(header: &CubeHeader, frame: &CubeFrame) -> Option<String> {
+        wrong_count("samples", header.shape(), frame.samples.len())
+    }
+}
+
+/// Sentence about values that are not as many as a shape has.
+pub(crate) fn wrong_count(what: &str, shape: [usize; 3], found: usize) -> Option<String> {
+    let expected = shape.iter().try_fold(1_usize, |product, n| product.checked_mul(*n));
+    let [channels, rows, columns] = shape;
+    (expected != Some(found))
+        .then(|| format!("{found} {what} where the header's radar has {channels} × {rows} × {columns}"))
 }
 
 /// Header with what a detector may know: the radar and its settings, no truth.

@@ -17,6 +17,11 @@ impl Schema for Paths {
     const VERSION: u32 = 10;
     type Header = PathsHeader;
     type Frame = PathsFrame;
+
+    fn contradiction(_header: &PathsHeader, frame: &PathsFrame) -> Option<String> {
+        let beyond = frame.paths.iter().position(|path| usize::from(path.order) > MAX_ORDER)?;
+        Some(format!("path {beyond} has {} bounces, at most {MAX_ORDER} are held", frame.paths[beyond].order))
+    }
 }
 
 /// Header of the artifact, the same for all frames.
@@ -56,9 +61,8 @@ impl PathsFrame {
     pub fn renumbered(mut self, number: impl Fn(u32) -> u32) -> Self {
         for path in &mut self.paths {
             path.target = number(path.target);
-            path.facets[..usize::from(path.order)]
-                .iter_mut()
-                .for_each(|facet| facet.body = number(facet.body));
+            let met = path.facets_met();
+            path.facets[..met].iter_mut().for_each(|facet| facet.body = number(facet.body));
         }
         self
     }
@@ -186,7 +190,12 @@ pub struct Rim {
 impl Path {
     /// The facets in the order of travel.
     pub fn sequence(&self) -> &[Facet] {
-        &self.facets[..usize::from(self.order).min(MAX_ORDER)]
+        &self.facets[..self.facets_met()]
+    }
+
+    /// Number of facets met; a damaged record may tell of more than it holds.
+    fn facets_met(&self) -> usize {
+        usize::from(self.order).min(MAX_ORDER)
     }
 }
 
@@ -265,6 +274,35 @@ mod tests {
     fn blended(moments: u32, of: impl Fn(f64) -> f64, seconds: f64) -> f64 {
         let span = |moment: u32| Span { first_s: 1.0, step_s: 0.25, moments, moment };
         (0..moments).map(|i| span(i).share(seconds) * of(span(i).traced_at_s())).sum()
+    }
+
+    #[test]
+    fn a_record_that_tells_of_more_facets_than_it_holds_has_those_that_it_holds() {
+        let path = Path {
+            target: 0,
+            order: 200,
+            apparent_tx_m: [0.0; 3],
+            apparent_tx_mps: [0.0; 3],
+            apparent_rx_m: [0.0; 3],
+            apparent_rx_mps: [0.0; 3],
+            amplitude_m: Amplitude::default(),
+            slope_m_per_hz: Amplitude::default(),
+            facets: [Facet::default(); MAX_ORDER],
+            curve: Curve::default(),
+        };
+        assert_eq!(path.sequence().len(), MAX_ORDER);
+        let paths = vec![path];
+        let frame = PathsFrame {
+            index: 0,
+            time_s: 0.0,
+            paths,
+            nearest_range_m: vec![],
+            error: ErrorBudget::default(),
+            model_error: ModelError::default(),
+            trace: TraceStatistics::default(),
+        };
+        let renumbered = frame.renumbered(|body| body + 3);
+        assert!(renumbered.paths[0].facets.iter().all(|facet| facet.body == 3));
     }
 
     #[test]

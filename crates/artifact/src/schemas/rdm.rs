@@ -1,7 +1,7 @@
 //! Range-Doppler maps of all channels, and what the detector made of them.
 
 use crate::files::envelope::Schema;
-use crate::schemas::cube::CubeHeader;
+use crate::schemas::cube::{CubeHeader, wrong_count};
 use num_complex::Complex32;
 use serde::{Deserialize, Serialize};
 
@@ -13,6 +13,12 @@ impl Schema for Rdm {
     const VERSION: u32 = 8;
     type Header = CubeHeader;
     type Frame = RdmFrame;
+
+    fn contradiction(header: &CubeHeader, frame: &RdmFrame) -> Option<String> {
+        let [channels, rows, columns] = shape(header);
+        wrong_count("values", [channels, rows, columns], frame.values.len())
+            .or_else(|| wrong_count("mask cells", [1, rows, columns], frame.mask.len()))
+    }
 }
 
 /// Map of one frame.

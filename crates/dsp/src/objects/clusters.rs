@@ -14,6 +14,10 @@
 //! is longer than the strip is wide, and shows other velocities from end to end: parts that one velocity
 //! explains, and that lie one behind the other along it, are joined as well (`rigid_pieces.rs`).
 //!
+//! Bodies of a queue that starts or stops stand within one reach of each other and move within the reach in
+//! velocity: their chain is cut where the velocity of its echoes steps (`velocity_steps.rs`), and what a step
+//! parts is not joined again.
+//!
 //! What is left behind a group, in its strip and at its velocity, but twenty times weaker, is its tail: the
 //! far end of a long body, which sends little back beside the front, or an echo of several bounces. (A box
 //! truck of 8 m at 30 m: the front at 25 dB, the rear 6 m behind the last echo before it at 11 dB.) A
@@ -23,37 +27,34 @@
 
 use crate::objects::cluster_member::Member;
 use crate::objects::rigid_pieces::drive_as_one;
+use crate::objects::velocity_steps::{DopplerAxis, range_of_step, steps_between};
 use artifact::settings::DspSettings;
 use radar::doppler_ambiguity::wrapped_mps;
 
-/// Groups of indices into `members`, which come strongest first; `velocity_span_mps` is where velocities
-/// wrap.
+/// Groups of indices into `members`, which come strongest first.
 ///
 /// Every member is in exactly one group; groups are in the order of their strongest member, members in order
 /// of index.
-pub(crate) fn clusters(
-    members: &[Member],
-    settings: &DspSettings,
-    velocity_span_mps: f64,
-) -> Vec<Vec<usize>> {
+pub(crate) fn clusters(members: &[Member], settings: &DspSettings, axis: DopplerAxis) -> Vec<Vec<usize>> {
     let mut free: Vec<bool> = vec![true; members.len()];
     let mut groups = Vec::new();
     for seed in 0..members.len() {
         if free[seed] {
-            let mut group = grow(members, settings, velocity_span_mps, seed, &mut free);
+            let mut group = grow(members, settings, axis, seed, &mut free);
             group.sort_unstable();
-            groups.extend(without_those_ahead(members, group));
+            let parts = parted_by_velocity(members, settings, axis, group);
+            groups.extend(parts.into_iter().flat_map(|part| without_those_ahead(members, part)));
         }
     }
-    let reach_m = PIECE_REACHES * settings.cluster_range_m;
+    let reach_m = piece_reach_m(settings);
     groups.sort_by_key(|group| group[0]);
     let groups = joined_to_earlier(groups, |piece, body| {
-        is_piece(members, settings, velocity_span_mps, piece, body)
-            || drive_as_one(members, settings, velocity_span_mps, [body, piece], reach_m)
+        is_piece(members, settings, axis, piece, body)
+            || drive_as_one(members, settings, axis.span_mps, [body, piece], reach_m)
     });
     joined_to_earlier(groups, |tail, body| {
-        is_tail(members, settings, velocity_span_mps, tail, body)
-            || is_wing(members, settings, velocity_span_mps, tail, body)
+        !steps_between(members, axis, [tail, body])
+            && (is_tail(members, settings, axis, tail, body) || is_wing(members, settings, axis, tail, body))
     })
 }
 
@@ -133,21 +134,36 @@ fn without_those_ahead(members: &[Member], group: Vec<usize>) -> Vec<Vec<usize>>
     groups
 }
 
-fn is_piece(
+fn piece_reach_m(settings: &DspSettings) -> f64 {
+    PIECE_REACHES * settings.cluster_range_m
+}
+
+/// A grown group, cut wherever the velocity of the chain steps and no motion across the line of sight
+/// explains it; groups with their members in order of index.
+fn parted_by_velocity(
     members: &[Member],
     settings: &DspSettings,
-    velocity_span_mps: f64,
-    a: &[usize],
-    b: &[usize],
-) -> bool {
+    axis: DopplerAxis,
+    group: Vec<usize>,
+) -> Vec<Vec<usize>> {
+    let Some(cut_m) = range_of_step(members, axis, &group) else { return vec![group] };
+    let (near, far): (Vec<usize>, Vec<usize>) = group.iter().partition(|i| members[**i].range_m < cut_m);
+    if drive_as_one(members, settings, axis.span_mps, [&near, &far], piece_reach_m(settings)) {
+        return vec![group];
+    }
+    let parts = [near, far].into_iter().flat_map(|part| parted_by_velocity(members, settings, axis, part));
+    parts.collect()
+}
+
+fn is_piece(members: &[Member], settings: &DspSettings, axis: DopplerAxis, a: &[usize], b: &[usize]) -> bool {
     let gaps = a.iter().flat_map(|i| b.iter().map(|j| (members[*i].range_m - members[*j].range_m).abs()));
-    let [(cross_a_m, velocity_a), (cross_b_m, velocity_b)] =
-        [a, b].map(|group| means(members, velocity_span_mps, group));
-    let apart = wrapped_mps(velocity_a - velocity_b, velocity_span_mps).abs();
+    let [(cross_a_m, velocity_a), (cross_b_m, velocity_b)] = [a, b].map(|group| means(members, axis, group));
+    let apart = wrapped_mps(velocity_a - velocity_b, axis.span_mps).abs();
     !is_follower(members, a, b)
+        && !steps_between(members, axis, [a, b])
         && apart <= PIECE_VELOCITY * settings.cluster_velocity_mps
         && (cross_a_m - cross_b_m).abs() <= PIECE_STRIP * settings.cluster_cross_m
-        && gaps.fold(f64::INFINITY, f64::min) <= PIECE_REACHES * settings.cluster_range_m
+        && gaps.fold(f64::INFINITY, f64::min) <= piece_reach_m(settings)
 }
 
 fn is_follower(members: &[Member], a: &[usize], b: &[usize]) -> bool {
@@ -159,12 +175,12 @@ fn is_follower(members: &[Member], a: &[usize], b: &[usize]) -> bool {
 }
 
 /// Power-weighted means of a group: across the lanes, and of velocities about its strongest member's.
-fn means(members: &[Member], velocity_span_mps: f64, group: &[usize]) -> (f64, f64) {
+fn means(members: &[Member], axis: DopplerAxis, group: &[usize]) -> (f64, f64) {
     let strongest_mps = members[group[0]].radial_velocity_mps;
     let (mut cross, mut velocity, mut weight) = (0.0, 0.0, 0.0);
     for member in group.iter().map(|i| &members[*i]) {
         cross += member.power * member.cross_m;
-        velocity += member.power * wrapped_mps(member.radial_velocity_mps - strongest_mps, velocity_span_mps);
+        velocity += member.power * wrapped_mps(member.radial_velocity_mps - strongest_mps, axis.span_mps);
         weight += member.power;
     }
     (cross / weight, strongest_mps + velocity / weight)
@@ -173,7 +189,7 @@ fn means(members: &[Member], velocity_span_mps: f64, group: &[usize]) -> (f64, f
 fn is_tail(
     members: &[Member],
     settings: &DspSettings,
-    velocity_span_mps: f64,
+    axis: DopplerAxis,
     tail: &[usize],
     body: &[usize],
 ) -> bool {
@@ -184,7 +200,7 @@ fn is_tail(
     weak.power <= TAIL_POWER * strongest.power
         && first_m(tail) >= first_m(body)
         && first_m(tail) <= last_m + TAIL_REACHES * settings.cluster_range_m
-        && apart_mps(strongest, weak, velocity_span_mps) <= settings.cluster_velocity_mps
+        && apart_mps(strongest, weak, axis) <= settings.cluster_velocity_mps
         && (strongest.cross_m - weak.cross_m).abs() <= settings.cluster_cross_m
 }
 
@@ -193,14 +209,14 @@ fn is_tail(
 fn is_wing(
     members: &[Member],
     settings: &DspSettings,
-    velocity_span_mps: f64,
+    axis: DopplerAxis,
     wing: &[usize],
     body: &[usize],
 ) -> bool {
     let (strongest, weak) = (&members[body[0]], &members[wing[0]]);
     let reach_m = settings.cluster_cross_m + WING_ERRORS * weak.cross_error_m;
     weak.power <= WING_POWER * strongest.power
-        && near(strongest, weak, settings, velocity_span_mps)
+        && near(strongest, weak, settings, axis)
         && (strongest.cross_m - weak.cross_m).abs() <= reach_m
 }
 
@@ -208,7 +224,7 @@ fn is_wing(
 fn grow(
     members: &[Member],
     settings: &DspSettings,
-    velocity_span_mps: f64,
+    axis: DopplerAxis,
     seed: usize,
     free: &mut [bool],
 ) -> Vec<usize> {
@@ -227,7 +243,7 @@ fn grow(
         weight += members[next].power;
         group.push(next);
         for other in 0..members.len() {
-            if free[other] && near(&members[next], &members[other], settings, velocity_span_mps) {
+            if free[other] && near(&members[next], &members[other], settings, axis) {
                 free[other] = false;
                 reached.push(other);
             }
@@ -242,14 +258,14 @@ fn strongest(reached: &mut Vec<usize>) -> Option<usize> {
     Some(reached.swap_remove(at))
 }
 
-fn near(a: &Member, b: &Member, settings: &DspSettings, velocity_span_mps: f64) -> bool {
+fn near(a: &Member, b: &Member, settings: &DspSettings, axis: DopplerAxis) -> bool {
     let near_in_range = (a.range_m - b.range_m).abs() <= settings.cluster_range_m;
-    near_in_range && apart_mps(a, b, velocity_span_mps) <= settings.cluster_velocity_mps
+    near_in_range && apart_mps(a, b, axis) <= settings.cluster_velocity_mps
 }
 
 /// Distance of two velocities on their circle.
-fn apart_mps(a: &Member, b: &Member, velocity_span_mps: f64) -> f64 {
-    wrapped_mps(a.radial_velocity_mps - b.radial_velocity_mps, velocity_span_mps).abs()
+fn apart_mps(a: &Member, b: &Member, axis: DopplerAxis) -> f64 {
+    wrapped_mps(a.radial_velocity_mps - b.radial_velocity_mps, axis.span_mps).abs()
 }
 
 #[cfg(test)]
@@ -258,16 +274,21 @@ mod tests {
     use crate::objects::test_settings::settings;
     use glam::DVec2;
 
+    const AXIS: DopplerAxis = DopplerAxis { span_mps: 35.0, cell_mps: 0.25 };
+
     /// Bodies at rest in one lane, by range and level; groups of the ranges.
     fn groups_of(echoes: &[(f64, f64)]) -> Vec<Vec<f64>> {
-        let mut members: Vec<Member> = echoes.iter().map(|(range_m, db)| at(*range_m, *db)).collect();
+        groups(echoes.iter().map(|(range_m, db)| at(*range_m, *db)).collect())
+    }
+
+    fn groups(mut members: Vec<Member>) -> Vec<Vec<f64>> {
         members.sort_by(|a, b| b.power.total_cmp(&a.power));
         let of = |group: &Vec<usize>| {
             let mut ranges: Vec<f64> = group.iter().map(|i| members[*i].range_m).collect();
             ranges.sort_by(f64::total_cmp);
             ranges
         };
-        let mut groups: Vec<Vec<f64>> = clusters(&members, &settings(), 35.0).iter().map(of).collect();
+        let mut groups: Vec<Vec<f64>> = clusters(&members, &settings(), AXIS).iter().map(of).collect();
         groups.sort_by(|a, b| a[0].total_cmp(&b[0]));
         groups
     }
@@ -304,5 +325,31 @@ mod tests {
     fn what_is_a_hundred_times_weaker_before_a_front_is_a_sidelobe_of_it() {
         let echoes = [(30.0, 10.0), (32.0, 12.0), (34.0, 20.0), (36.0, 45.0)];
         assert_eq!(groups_of(&echoes).len(), 1);
+    }
+
+    /// A sedan, an estate and a bus that start one after the other, as a traced frame shows them.
+    const QUEUE: [(f64, f64, f64); 13] = [
+        (17.56, 22.0, -0.54),
+        (18.52, 22.0, -0.55),
+        (19.19, 37.0, -0.56),
+        (20.41, 21.0, -0.57),
+        (21.14, 19.0, -0.57),
+        (24.02, 23.0, -0.86),
+        (25.02, 19.0, -0.86),
+        (25.47, 19.0, -0.84),
+        (26.86, 6.0, -0.86),
+        (30.77, 23.0, -1.17),
+        (32.03, 7.0, -1.17),
+        (33.54, 11.0, -1.19),
+        (37.27, 5.0, -1.15),
+    ];
+
+    #[test]
+    fn bodies_of_a_queue_that_starts_are_parted_where_the_velocity_steps() {
+        let moving = |(range_m, db, radial_velocity_mps)| Member { radial_velocity_mps, ..at(range_m, db) };
+        let found = groups(QUEUE.map(moving).to_vec());
+        assert_eq!(found.iter().map(Vec::len).collect::<Vec<_>>(), [5, 4, 4]);
+        let at_one_velocity = |(range_m, db, _)| Member { radial_velocity_mps: -0.9, ..at(range_m, db) };
+        assert_eq!(groups(QUEUE.map(at_one_velocity).to_vec()).len(), 1);
     }
 }

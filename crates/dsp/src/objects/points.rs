@@ -22,6 +22,7 @@ use crate::estimation::refinement::refined;
 use crate::objects::cluster_member::Member;
 use crate::objects::clusters::clusters;
 use crate::objects::stationary::{Fold, is_at_rest};
+use crate::objects::velocity_steps::DopplerAxis;
 use crate::plan::Plan;
 use crate::spectrum::axes::Axes;
 use crate::spectrum::map_cells::MapCells;
@@ -225,7 +226,9 @@ impl View<'_> {
     /// Indices of the peaks of each object, those hidden from the detector among them.
     fn groups(&self, sighted: &[Sighting]) -> Vec<Vec<usize>> {
         let members: Vec<Member> = sighted.iter().map(|s| self.member(s)).collect();
-        let mut groups = clusters(&members, &self.plan.settings, 2.0 * self.axes.velocity_max_mps);
+        let axis =
+            DopplerAxis { span_mps: 2.0 * self.axes.velocity_max_mps, cell_mps: self.axes.velocity_cell_mps };
+        let mut groups = clusters(&members, &self.plan.settings, axis);
         groups.retain(|group| is_supported(&self.plan.settings, sighted, group));
         groups
     }

@@ -20,7 +20,7 @@ use radar::doppler_ambiguity::wrapped_mps;
 /// street, m/s.
 const SPEEDS_MPS: [f64; 2] = [2.0, 35.0];
 /// Standard error of a peak's velocity, several parts of a body in its cell, m/s.
-const VELOCITY_ERROR_MPS: f64 = 0.15;
+pub(crate) const VELOCITY_ERROR_MPS: f64 = 0.15;
 /// Points of one body differ from its motion by this part of the reach in velocity, rms.
 const MISFIT: f64 = 0.35;
 /// A group foretells another's velocities to so many standard errors, where these are no larger than this,

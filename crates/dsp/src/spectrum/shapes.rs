@@ -92,11 +92,14 @@ fn check_counts(header: &CubeHeader) -> Result<(), DspError> {
     }
 }
 
+/// The quantity that may be negative: chirps fall as well as rise.
+const SIGNED: &str = "slope_hz_per_s";
+
 fn check_quantities(header: &CubeHeader) -> Result<(), DspError> {
     let radar = &header.radar;
     let squares = |places: &[[f64; 3]]| 1.0 + places.iter().flatten().map(|x| x * x).sum::<f64>();
     let quantities = [
-        ("slope_hz_per_s", radar.waveform.slope_hz_per_s),
+        (SIGNED, radar.waveform.slope_hz_per_s),
         ("sample_rate_hz", radar.waveform.sample_rate_hz),
         ("chirp_interval_s", radar.waveform.chirp_interval_s),
         ("wavelength_m", radar.waveform.wavelength_m()),
@@ -107,7 +110,9 @@ fn check_quantities(header: &CubeHeader) -> Result<(), DspError> {
         ("1 + Σ|tx_m|²", squares(&radar.array.tx_m)),
         ("1 + Σ|rx_m|²", squares(&radar.array.rx_m)),
     ];
-    match quantities.into_iter().find(|(_, value)| !value.is_finite() || *value == 0.0) {
+    let is_sound =
+        |quantity, value: f64| value.is_finite() && (value > 0.0 || quantity == SIGNED && value < 0.0);
+    match quantities.into_iter().find(|(quantity, value)| !is_sound(*quantity, *value)) {
         None => Ok(()),
         Some((quantity, value)) => Err(DspError::Radar { quantity, value }),
     }

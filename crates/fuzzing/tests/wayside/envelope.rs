@@ -67,8 +67,10 @@ pub(crate) fn encoded<T: Serialize>(value: &T) -> Vec<u8> {
     bincode::serde::encode_to_vec(value, bincode::config::standard()).unwrap()
 }
 
+/// Damaged records may tell of lengths beyond any memory.
 fn decoded<T: DeserializeOwned>(bytes: &[u8]) -> Option<T> {
-    Some(bincode::serde::decode_from_slice(bytes, bincode::config::standard()).ok()?.0)
+    let bounded = bincode::config::standard().with_limit::<{ 1 << 26 }>();
+    Some(bincode::serde::decode_from_slice(bytes, bounded).ok()?.0)
 }
 
 /// A sound artifact changed: values of its records, their bytes, their order and number, and sometimes what

@@ -85,11 +85,22 @@ impl<S: Schema> Reader<S> {
         match self.stream.marker()? {
             b'F' => {
                 self.found += 1;
-                self.stream.record(&format!("frame {}", self.found), S::RECORD_LIMIT).map(Some)
+                self.frame().map(Some)
             }
             b'E' if self.found == self.told && self.stream.at + END_BYTES - 1 == self.stream.size => Ok(None),
             b'E' => Err(Fault::Count { found: self.found, told: self.told }),
             found => Err(Fault::Marker { offset: self.stream.at - 1, found }),
+        }
+    }
+}
+
+impl<S: Schema> Reader<S> {
+    fn frame(&mut self) -> Result<S::Frame, Fault> {
+        let (record, offset) = (format!("frame {}", self.found), self.stream.at);
+        let frame = self.stream.record(&record, S::RECORD_LIMIT)?;
+        match S::contradiction(&self.header, &frame) {
+            None => Ok(frame),
+            Some(why) => Err(Fault::Shape { record, offset, why }),
         }
     }
 }
