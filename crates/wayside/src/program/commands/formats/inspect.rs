@@ -13,6 +13,7 @@ use artifact::rcs::Rcs;
 use artifact::rdm::Rdm;
 use artifact::scene::{Scene, SceneHeader};
 use artifact::tracks::{TrackState, Tracks};
+use crate::outcome::told::without_height;
 use artifact::units::{db_from_amplitude, db_from_power};
 use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use std::path::Path;
@@ -221,6 +222,9 @@ fn points(reader: Reader<Points>) -> Result<(), Failure> {
             frame.time_s,
             SANITY[usize::from(finite)]
         ));
+        if let Some(text) = without_height([frame.points_without_height(), points]) {
+            line(format!("             {text}"));
+        }
     }
     Ok(())
 }
