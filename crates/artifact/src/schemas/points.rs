@@ -10,7 +10,7 @@ pub struct Points;
 
 impl Schema for Points {
     const NAME: &'static str = "points";
-    const VERSION: u32 = 11;
+    const VERSION: u32 = 12;
     type Header = PointsHeader;
     type Frame = PointsFrame;
 }

@@ -21,8 +21,9 @@ pub(crate) struct Place {
 ///
 /// With elevation rows both direction cosines are measured. Without, range and the one cosine u leave a
 /// circle (the sphere cut by the cone around the row); the assumed height h picks the point in front of the
-/// array ([`at_height`]). A circle that stays above it, R²(1 − u²) < (h − z_radar)², holds no such point: then
-/// it is the one at the array's own height, whose azimuth is the boresight's and the cone's angle asin u.
+/// array ([`at_height`]). A circle that stays above it, R²(1 − u²) < (h − z_radar)², holds no such point:
+/// then it is the one at the array's own height, whose azimuth is the boresight's and the cone's angle
+/// asin u.
 pub(crate) fn place(array: &VirtualArray, direction: Direction, range_m: f64) -> Place {
     let [right, up, ahead] = array.axes();
     let u = direction.right;

@@ -59,6 +59,8 @@ pub(crate) fn located(
     if let Some(samples) = samples {
         refine_isolated(&view, samples, &peaks, &mut sighted);
     }
+    // Cells nearer are not tested; where the range axis is a circle, their lobes reach over its other end.
+    sighted.retain(|s| s.range_m >= plan.settings.nearest_m);
     if plan.settings.static_echoes == StaticEchoes::Remove {
         sighted.retain(|s| !view.is_at_rest(s));
     }
