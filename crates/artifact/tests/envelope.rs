@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
 
-use artifact::points::{Point, Points, PointsFrame, PointsHeader};
+use artifact::points::{Height, Point, Points, PointsFrame, PointsHeader};
 use artifact::rdm::Rdm;
 use artifact::{Fault, Provenance, Reader, Schema, Writer, read_preamble};
 use std::path::{Path, PathBuf};
@@ -23,6 +23,7 @@ fn point(i: u32) -> Point {
         label: None,
         two_ways_rad: None,
         stationary: None,
+        height: Height::Assumed,
     }
 }
 

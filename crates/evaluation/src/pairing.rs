@@ -138,6 +138,7 @@ pub fn place(object: &Object) -> DVec2 {
 mod tests {
     use super::*;
     use crate::ground_outline::GroundOutline;
+    use artifact::points::Height;
     use artifact::scene::{Mesh, Pose, Role};
     use glam::DVec3;
 
@@ -179,6 +180,7 @@ mod tests {
             velocity_extent_mps: [0.0; 2],
             ghost_share: None,
             stationary: None,
+            height: Height::Assumed,
         }
     }
 

@@ -44,14 +44,14 @@
 //! # let dsp = DspSettings {
 //! #     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
 //! #     guard_cells: [2, 2], training_cells: [6, 10], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], static_echoes: StaticEchoes::Keep,
-//! #     assumed_height_m: 0.75, cluster_range_m: 2.0,
+//! #     nearest_m: 0.0, assumed_height_m: 0.75, cluster_range_m: 2.0,
 //! #     cluster_velocity_mps: 1.0, cluster_cross_m: 2.0, road: Lanes::default(),
 //! # };
 //! # let (nearest_range_m, error, model_error) = (vec![], ErrorBudget::default(), ModelError::default());
 //! # let trace = TraceStatistics::default();
 //! let frame = PathsFrame { index: 0, time_s: 0.0, paths: vec![reflector], nearest_range_m, error, model_error, trace };
 //! let accuracy = artifact::Accuracy::from_db(-60.0);
-//! let header = CubeHeader { radar, noise: Noise::Absent, dsp };
+//! let header = CubeHeader { radar, noise: Noise::Absent, dsp, unit: Default::default() };
 //!
 //! let cube = fmcw_echo::Synthesizer::new(&header, 1, accuracy, vec![])?.frame(&frame, &|_share_done| ())?;
 //!

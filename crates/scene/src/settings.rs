@@ -13,8 +13,8 @@ use crate::document::keys::lanes::{
 };
 use crate::document::keys::processing::{
     ANGLE, ASSUMED_HEIGHT, CALIBRATION, CLUSTER_CROSS, CLUSTER_RANGE, CLUSTER_VELOCITY, DETECTOR,
-    DOPPLER_WINDOW, DSP, FALSE_ALARM_RATE, GUARD_CELLS, NOISE, NOISE_FIGURE, RANGE_WINDOW, REFINE, SNR,
-    STATIC, TEMPERATURE, TRAINING_CELLS,
+    DOPPLER_WINDOW, DSP, FALSE_ALARM_RATE, GUARD_CELLS, NEAREST, NOISE, NOISE_FIGURE, RANGE_WINDOW, REFINE,
+    SNR, STATIC, TEMPERATURE, TRAINING_CELLS,
 };
 use crate::document::keys::scene::OF_TRAFFIC;
 use crate::document::section::Section;
@@ -72,6 +72,7 @@ pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &
         refine,
         calibration: read_factors(&section, radar, models).unwrap_or_default(),
         static_echoes: section.or_default(&STATIC),
+        nearest_m: section.or_default(&NEAREST),
         assumed_height_m: section.or_default(&ASSUMED_HEIGHT),
         cluster_range_m: section.or_default(&CLUSTER_RANGE),
         cluster_velocity_mps: section.or_default(&CLUSTER_VELOCITY),

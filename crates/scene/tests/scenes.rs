@@ -80,7 +80,7 @@ fn every_setting_is_taken_from_its_key() {
          [radar.link]\ntransmit_power_dbm = 30\nantenna_gain_dbi = 3\n\
          [noise]\nsnr_db = 25\n\
          [dsp]\nrange_window = \"chebyshev-60\"\ndoppler_window = \"rect\"\nfalse_alarm_rate = 1e-3\nguard_cells = [1, 3]\ntraining_cells = [5, 6]\n\
-         assumed_height_m = 1\ncluster_range_m = 4\ncluster_velocity_mps = 2\ncluster_cross_m = 3\n\
+         assumed_height_m = 1\nnearest_m = 0.5\ncluster_range_m = 4\ncluster_velocity_mps = 2\ncluster_cross_m = 3\n\
          [fidelity]\naccuracy_db = -40\nbounces = 2\nsides = \"one\"\nnodes = \"exit\"\necho = \"rcs-table\"\nedges = \"off\"\nsurface = \"flat\"\n\
          [intersection]\nlane_centres_m = [3.5]\nlane_width_m = 3.5\ncrossing_width_m = 10\n",
     );
@@ -104,6 +104,7 @@ fn every_setting_is_taken_from_its_key() {
     assert_eq!((dsp.false_alarm_rate, dsp.guard_cells, dsp.training_cells), (1e-3, [1, 3], [5, 6]));
     assert_eq!((dsp.cluster_range_m, dsp.cluster_velocity_mps, dsp.cluster_cross_m), (4.0, 2.0, 3.0));
     assert_eq!((dsp.assumed_height_m, dsp.road.lanes.len(), scene.intersection.width_m), (1.0, 1, 10.0));
+    assert_eq!(dsp.nearest_m, 0.5);
     assert_close(scene.fidelity.accuracy.amplitude(), 0.01, 0.01);
     assert_eq!((scene.fidelity.bounces, scene.fidelity.sides), (2, Sides::One));
     assert_eq!((scene.fidelity.nodes, scene.fidelity.echo), (NodeRule::Exit, EchoMode::RcsTable));

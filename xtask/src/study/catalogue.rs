@@ -7,8 +7,8 @@ use crate::study::extent::Extent;
 use crate::study::page::{Age, FEWER, part_of, with_part};
 use crate::study::pages::{
     Part, ambiguity, calibration, continuity, deployment, estimates, estimates_of_errors, false_alarms,
-    gates, ghosts, planner, references, same_bytes, sensitivity, super_resolution, traced_ghosts,
-    transmitters_in_turn,
+    gates, ghosts, planner, real_captures, references, same_bytes, sensitivity, super_resolution,
+    traced_ghosts, transmitters_in_turn,
 };
 use crate::study::search;
 use crate::study::sources::{self, Places};
@@ -39,7 +39,7 @@ enum Make {
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those that are drawn.
-pub(crate) const STUDIES: [Study; 25] = [
+pub(crate) const STUDIES: [Study; 26] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
     part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
@@ -103,6 +103,13 @@ pub(crate) const STUDIES: [Study; 25] = [
         traced_ghosts::part,
     ),
     part("same-bytes", "docs/validation/same-bytes.md", "10 minutes", same_bytes::SOURCES, same_bytes::part),
+    part(
+        "real-captures",
+        "docs/validation/real-captures.md",
+        "a second",
+        real_captures::SOURCES,
+        real_captures::part,
+    ),
     part("deployment", "docs/validation/deployment.md", "15 minutes", deployment::SOURCES, deployment::part),
     whole("chart", "docs/chart.md", "an hour", CHART, drawn::chart),
     whole("atlas", "docs/atlas.md", "10 minutes", ATLAS, whole_atlas),

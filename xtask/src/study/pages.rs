@@ -5,6 +5,7 @@ pub(super) mod deployment;
 mod measures;
 mod part;
 pub(super) mod planner;
+pub(super) mod real_captures;
 pub(super) mod same_bytes;
 mod scattering;
 pub(super) mod sensitivity;

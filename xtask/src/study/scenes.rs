@@ -1,7 +1,7 @@
 //! Scenes of the studies: a scene file's radar and settings, bodies in its lanes, and the chain from them to
 //! points.
 
-use artifact::cube::{CubeFrame, CubeHeader};
+use artifact::cube::{CubeFrame, CubeHeader, SampleUnit};
 use artifact::paths::PathsFrame;
 use artifact::points::PointsFrame;
 use artifact::rcs::RcsFrame;
@@ -78,7 +78,12 @@ pub(super) fn tables_at(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsF
 }
 
 pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
-    CubeHeader { radar: header.radar.clone(), noise: header.noise, dsp: header.dsp.clone() }
+    CubeHeader {
+        radar: header.radar.clone(),
+        noise: header.noise,
+        dsp: header.dsp.clone(),
+        unit: SampleUnit::RootWatts,
+    }
 }
 
 pub(super) fn cube_of(header: &SceneHeader, paths: &PathsFrame) -> Result<CubeFrame, Failure> {

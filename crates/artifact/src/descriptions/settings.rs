@@ -236,6 +236,8 @@ pub struct DspSettings {
     pub calibration: Vec<Complex64>,
     /// Treatment of echoes at rest.
     pub static_echoes: StaticEchoes,
+    /// Range below which nothing is detected: what leaks from transmitters to receivers shows there.
+    pub nearest_m: f64,
     /// Height given to points where the array has no elevation rows.
     pub assumed_height_m: f64,
     /// Detections closer than this join one object, m in range.

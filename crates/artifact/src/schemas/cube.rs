@@ -4,6 +4,7 @@ use crate::descriptions::radar::Radar;
 use crate::descriptions::settings::{DspSettings, Noise};
 use crate::files::envelope::Schema;
 use crate::quantities::accuracy::ErrorBudget;
+use crate::quantities::units::db_from_power;
 use num_complex::Complex32;
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +13,7 @@ pub struct Cube;
 
 impl Schema for Cube {
     const NAME: &'static str = "cube";
-    const VERSION: u32 = 9;
+    const VERSION: u32 = 10;
     type Header = CubeHeader;
     type Frame = CubeFrame;
 
@@ -38,6 +39,65 @@ pub struct CubeHeader {
     pub noise: Noise,
     /// Settings that the cube carries for its processing.
     pub dsp: DspSettings,
+    /// Unit of the samples, and of what is made of them.
+    pub unit: SampleUnit,
+}
+
+/// Unit of samples.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub enum SampleUnit {
+    /// √W at the receiver.
+    #[default]
+    RootWatts,
+    /// Steps of a converter whose largest part of a sample has so many: levels are told against it.
+    FullScale(f64),
+    /// Steps of a converter that nobody tells more of.
+    Steps,
+}
+
+impl SampleUnit {
+    /// Level of a power in this unit squared, in [`Self::level_unit`]: 0 dBFS is a sample as long as the full
+    /// scale.
+    pub fn level_db(self, power: f64) -> f64 {
+        match self {
+            Self::RootWatts | Self::Steps => db_from_power(power),
+            Self::FullScale(steps) => db_from_power(power / (steps * steps)),
+        }
+    }
+
+    /// Unit of levels.
+    pub fn level_unit(self) -> &'static str {
+        match self {
+            Self::RootWatts => "dBW",
+            Self::FullScale(_) => "dBFS",
+            Self::Steps => "dB of ADC steps",
+        }
+    }
+
+    /// Unit of samples in words.
+    pub fn words(self) -> String {
+        match self {
+            Self::RootWatts => "√W".to_owned(),
+            Self::FullScale(steps) => format!("ADC steps, {steps} to full scale"),
+            Self::Steps => "ADC steps".to_owned(),
+        }
+    }
+
+    /// Unit of samples as tables for other programs have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::RootWatts => "sqrt(W)",
+            Self::FullScale(_) | Self::Steps => "ADC steps",
+        }
+    }
+
+    /// Steps of the full scale, where they are told.
+    pub fn full_scale(self) -> Option<f64> {
+        match self {
+            Self::FullScale(steps) => Some(steps),
+            Self::RootWatts | Self::Steps => None,
+        }
+    }
 }
 
 /// Samples of one frame.
@@ -47,8 +107,8 @@ pub struct CubeFrame {
     pub index: u32,
     /// Time of the frame's first sample.
     pub time_s: f64,
-    /// Samples in √W, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm: rx; with bpm:
-    /// slot·N_rx + rx).
+    /// Samples in the header's unit, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm:
+    /// rx; with bpm: slot·N_rx + rx).
     pub samples: Vec<Complex32>,
     /// Numerical error of the stages up to here.
     pub error: ErrorBudget,
@@ -58,6 +118,16 @@ impl CubeHeader {
     /// The header of frame record `index` alone: its sub-frame's radar ([`Radar::in_frame`]).
     pub fn in_frame(&self, index: u32) -> Self {
         Self { radar: self.radar.in_frame(index), ..self.clone() }
+    }
+
+    /// Level of a cell of a map whose power is added over so many channels, in the unit's own decibels. Maps
+    /// are not scaled; against a full scale their mean over channels is, so that a tone of it has 0 dBFS.
+    pub fn map_level_db(&self, power: f64, channels: usize) -> f64 {
+        let gain = f64::from(self.radar.waveform.chirps) * f64::from(self.radar.waveform.samples);
+        match self.unit {
+            SampleUnit::RootWatts | SampleUnit::Steps => self.unit.level_db(power),
+            SampleUnit::FullScale(_) => self.unit.level_db(power / (gain * gain * channels.max(1) as f64)),
+        }
     }
 
     /// Shape `[channel, chirp, sample]` of every frame.

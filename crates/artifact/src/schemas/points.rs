@@ -10,7 +10,7 @@ pub struct Points;
 
 impl Schema for Points {
     const NAME: &'static str = "points";
-    const VERSION: u32 = 10;
+    const VERSION: u32 = 12;
     type Header = PointsHeader;
     type Frame = PointsFrame;
 }
@@ -46,10 +46,12 @@ pub struct Point {
     pub range_m: f64,
     /// Radial velocity, positive when the range grows.
     pub radial_velocity_mps: f64,
-    /// Azimuth from world +y towards +x.
+    /// Azimuth from world +y towards +x; of a [`Height::None`] the boresight's and the angle of the cone.
     pub azimuth_rad: f64,
     /// Elevation above the horizon: measured with elevation rows, else what the assumed height gives.
     pub elevation_rad: f64,
+    /// What elevation and height stand on.
+    pub height: Height,
     /// World metres.
     pub position_m: [f64; 3],
     /// Map power over the local noise estimate.
@@ -67,6 +69,37 @@ pub struct Point {
     /// True origin of what echoes in the point's own cell, joined afterwards by a report; never set by a
     /// detector.
     pub label: Option<Label>,
+}
+
+/// What the height of a point or an object stands on.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Height {
+    /// Measured: the array has elevation rows.
+    Measured,
+    /// Assumed, as the settings say: range and the cone around the row then leave one place before the array.
+    #[default]
+    Assumed,
+    /// Neither: the range is less than the assumed height is away along that cone, so that no place on the
+    /// ground has both. What is measured is the cone alone; the position is that of the radar's own height.
+    None,
+}
+
+impl Height {
+    /// Name of what the height stands on, as tables have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Measured => "measured",
+            Self::Assumed => "assumed",
+            Self::None => "none",
+        }
+    }
+}
+
+impl PointsFrame {
+    /// Number of points that no place on the ground has the range of ([`Height::None`]).
+    pub fn points_without_height(&self) -> usize {
+        self.points.iter().filter(|point| point.height == Height::None).count()
+    }
 }
 
 /// True origin of a point: whose echo, after how many bounces, fills its cell most.
@@ -93,6 +126,8 @@ pub struct Object {
     pub velocity_resolved: bool,
     /// Azimuth of the summed channels.
     pub azimuth_rad: f64,
+    /// What the height of its position stands on.
+    pub height: Height,
     /// World metres.
     pub position_m: [f64; 3],
     /// Lane that holds it.

@@ -10,7 +10,7 @@ pub struct Rdm;
 
 impl Schema for Rdm {
     const NAME: &'static str = "rdm";
-    const VERSION: u32 = 8;
+    const VERSION: u32 = 9;
     type Header = CubeHeader;
     type Frame = RdmFrame;
 

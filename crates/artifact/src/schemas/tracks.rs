@@ -9,7 +9,7 @@ pub struct Tracks;
 
 impl Schema for Tracks {
     const NAME: &'static str = "tracks";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     type Header = TracksHeader;
     type Frame = TracksFrame;
 }

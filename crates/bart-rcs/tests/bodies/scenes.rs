@@ -65,6 +65,7 @@ fn dsp() -> DspSettings {
         refine: Refine::Off,
         calibration: vec![],
         static_echoes: StaticEchoes::Keep,
+        nearest_m: 0.0,
         assumed_height_m: 0.5,
         cluster_range_m: 1.0,
         cluster_velocity_mps: 1.0,

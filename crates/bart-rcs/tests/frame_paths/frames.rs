@@ -95,6 +95,7 @@ pub(crate) fn dsp() -> DspSettings {
         refine: Refine::Off,
         calibration: vec![],
         static_echoes: StaticEchoes::Keep,
+        nearest_m: 0.0,
         assumed_height_m: 0.75,
         cluster_range_m: 1.0,
         cluster_velocity_mps: 1.0,

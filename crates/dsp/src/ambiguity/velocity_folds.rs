@@ -11,7 +11,7 @@
 
 use crate::ambiguity::ambiguous_velocities::{FASTEST_MPS, ambiguity_mps};
 use crate::direction::angle::Direction;
-use crate::direction::position::place;
+use crate::direction::position::{Place, place};
 use crate::plan::Plan;
 use artifact::Radar;
 use artifact::points::{Object, Point, PointsFrame};
@@ -242,7 +242,9 @@ impl Scorer<'_> {
         let axes = self.own.plan.array.cells();
         let nearer_m = axes.coupling_m(fold_mps);
         let range_m = axes.on_axis(object.range_m - nearer_m);
-        (object.position_m, object.azimuth_rad, _) = self.moved(object.position_m, object.range_m, range_m);
+        let place = self.moved(object.position_m, object.range_m, range_m);
+        object.position_m = place.position_m.to_array();
+        (object.azimuth_rad, object.height) = (place.azimuth_rad, place.height);
         let farther_m = range_m - object.range_m;
         object.range_m = range_m;
         object.range_extent_m = object.range_extent_m.map(|m| axes.between_ends(m + farther_m));
@@ -262,17 +264,17 @@ impl Scorer<'_> {
             Some((_, over_end_m)) => axes.between_ends(true_m + over_end_m),
             None => axes.on_axis(true_m),
         };
-        (point.position_m, point.azimuth_rad, point.elevation_rad) =
-            self.moved(point.position_m, point.range_m, range_m);
+        let place = self.moved(point.position_m, point.range_m, range_m);
+        point.position_m = place.position_m.to_array();
+        (point.azimuth_rad, point.elevation_rad) = (place.azimuth_rad, place.elevation_rad);
+        point.height = place.height;
         point.range_m = range_m;
         point.radial_velocity_mps = velocity_mps;
     }
 
-    /// Place, azimuth and elevation in the same direction from the array, at another range.
-    fn moved(&self, position_m: [f64; 3], from_m: f64, to_m: f64) -> ([f64; 3], f64, f64) {
-        let direction = self.direction(position_m, from_m);
-        let place = place(&self.own.plan.array, direction, to_m);
-        (place.position_m.to_array(), place.azimuth_rad, place.elevation_rad)
+    /// Place in the same direction from the array, at another range.
+    fn moved(&self, position_m: [f64; 3], from_m: f64, to_m: f64) -> Place {
+        place(&self.own.plan.array, self.direction(position_m, from_m), to_m)
     }
 
     fn direction(&self, position_m: [f64; 3], range_m: f64) -> Direction {

@@ -53,7 +53,7 @@ pub struct Cfar {
     samples: usize,
     detector: Detector,
     zones: Zones,
-    /// Whether the noise of each range cell is circular, so that it is tested.
+    /// Whether each range cell is tested: its noise is circular, and it is not nearer than asked.
     tested: Vec<bool>,
 }
 
@@ -96,7 +96,9 @@ impl Cfar {
         if !FALSE_ALARM_RATES.contains(&rate) {
             return Err(DspError::FalseAlarmRate(rate));
         }
-        let tested = circular_columns(header, samples)?;
+        let nearest = header.dsp.nearest_m / header.radar.waveform.range_resolution_m();
+        let mut tested = circular_columns(header, samples)?;
+        tested.iter_mut().enumerate().for_each(|(column, tested)| *tested &= column as f64 >= nearest);
         Ok(Self { chirps, samples, detector: header.dsp.detector, zones: zones(header)?, tested })
     }
 

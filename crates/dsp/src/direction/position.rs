@@ -1,6 +1,7 @@
 //! Places in world axes, found from range and direction cosines.
 
 use crate::direction::angle::{Direction, VirtualArray};
+use artifact::points::Height;
 use glam::DVec3;
 
 /// Place of a point in world axes, with its angles.
@@ -12,30 +13,51 @@ pub(crate) struct Place {
     pub(crate) azimuth_rad: f64,
     /// Above the horizon.
     pub(crate) elevation_rad: f64,
+    /// What the height stands on.
+    pub(crate) height: Height,
 }
 
 /// Place of a point at `range_m` from the array's centre.
 ///
 /// With elevation rows both direction cosines are measured. Without, range and the one cosine u leave a
-/// circle (the sphere cut by the cone around the row); the assumed height picks the point in front of the
-/// array: along the row R·u, up h − z_radar, ahead √(R² − (R·u)² − (h − z_radar)²), 0 where the point is
-/// nearer than its height.
+/// circle (the sphere cut by the cone around the row); the assumed height h picks the point in front of the
+/// array ([`at_height`]). A circle that stays above it, R²(1 − u²) < (h − z_radar)², holds no such point:
+/// then it is the one at the array's own height, whose azimuth is the boresight's and the cone's angle
+/// asin u.
 pub(crate) fn place(array: &VirtualArray, direction: Direction, range_m: f64) -> Place {
     let [right, up, ahead] = array.axes();
     let u = direction.right;
-    let from_radar = match direction.up {
-        Some(w) => range_m * (u * right + w * up + (1.0 - u * u - w * w).max(0.0).sqrt() * ahead),
-        None => {
-            let along_m = range_m * u;
-            let up_m = array.assumed_height_m() - array.position_m().z;
-            let ahead_m = (range_m * range_m - along_m * along_m - up_m * up_m).max(0.0).sqrt();
-            // The row is horizontal, so is the direction across it.
-            along_m * right + ahead_m * DVec3::Z.cross(right) + up_m * DVec3::Z
+    let (from_radar, height) = match direction.up {
+        Some(w) => {
+            let out_of_plane = (1.0 - u * u - w * w).max(0.0).sqrt();
+            (range_m * (u * right + w * up + out_of_plane * ahead), Height::Measured)
         }
+        None => match at_height(range_m, u, array.assumed_height_m() - array.position_m().z) {
+            Some(in_row) => (of_row(right, in_row), Height::Assumed),
+            None => (of_row(right, [range_m * u, range_m * across(u), 0.0]), Height::None),
+        },
     };
     Place {
         position_m: array.position_m() + from_radar,
         azimuth_rad: from_radar.x.atan2(from_radar.y),
         elevation_rad: from_radar.z.atan2(from_radar.x.hypot(from_radar.y)),
+        height,
     }
+}
+
+/// Along the row R·u, ahead √(R² − (R·u)² − h²), up h; `None` where the point is nearer than its height.
+fn at_height(range_m: f64, u: f64, up_m: f64) -> Option<[f64; 3]> {
+    let across_m = range_m * across(u);
+    let ahead2_m2 = (across_m - up_m.abs()) * (across_m + up_m.abs());
+    (ahead2_m2 >= 0.0).then(|| [range_m * u, ahead2_m2.sqrt(), up_m])
+}
+
+/// Direction cosine across the row, √(1 − u²).
+fn across(u: f64) -> f64 {
+    (1.0 - u * u).max(0.0).sqrt()
+}
+
+/// World axes of along, ahead and up: the row is horizontal, so is the direction across it.
+fn of_row(right: DVec3, [along_m, ahead_m, up_m]: [f64; 3]) -> DVec3 {
+    along_m * right + ahead_m * DVec3::Z.cross(right) + up_m * DVec3::Z
 }

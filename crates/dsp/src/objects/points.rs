@@ -60,6 +60,8 @@ pub(crate) fn located(
     if let Some(samples) = samples {
         refine_isolated(&view, samples, &peaks, &mut sighted);
     }
+    // Cells nearer are not tested; where the range axis is a circle, their lobes reach over its other end.
+    sighted.retain(|s| s.range_m >= plan.settings.nearest_m);
     if plan.settings.static_echoes == StaticEchoes::Remove {
         sighted.retain(|s| !view.is_at_rest(s));
     }
@@ -390,6 +392,7 @@ impl Sighting {
             radial_velocity_mps: self.radial_velocity_mps,
             azimuth_rad: self.place.azimuth_rad,
             elevation_rad: self.place.elevation_rad,
+            height: self.place.height,
             position_m: self.place.position_m.to_array(),
             snr_db,
             two_ways_rad: self.two_ways_rad,
@@ -434,6 +437,7 @@ impl View<'_> {
             radial_velocity_mps: self.unfolded(velocity_mps, strongest),
             velocity_resolved: self.is_resolved(peaks),
             azimuth_rad: place.azimuth_rad,
+            height: place.height,
             position_m: place.position_m.to_array(),
             lane: self.plan.settings.road.at(place.position_m.to_array()),
             snr_db: self.snr_db(strongest.peak.power),

@@ -15,6 +15,7 @@ pub(crate) fn settings() -> DspSettings {
         refine: Refine::Off,
         calibration: vec![],
         static_echoes: StaticEchoes::Keep,
+        nearest_m: 0.0,
         assumed_height_m: 0.75,
         cluster_range_m: 2.5,
         cluster_velocity_mps: 1.0,

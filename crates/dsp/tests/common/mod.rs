@@ -6,7 +6,7 @@
 mod test_settings;
 
 use artifact::ErrorBudget;
-use artifact::cube::{CubeFrame, CubeHeader};
+use artifact::cube::{CubeFrame, CubeHeader, SampleUnit};
 use artifact::dataset::{Crop, CropFormat};
 use artifact::points::Object;
 use artifact::radar::{Multiplexing, Radar};
@@ -74,7 +74,7 @@ pub fn elements_12x16() -> [Elements; 2] {
 /// Experiment 1, 2 or 3 of Table 2 with these elements, 6 m above the road.
 pub fn header(samples: u32, chirps: u32, elements: [Elements; 2]) -> CubeHeader {
     let radar = paper::radar([0.0, 0.0, 6.0], paper::waveform(samples, chirps), elements);
-    CubeHeader { radar, noise: Noise::Absent, dsp: settings() }
+    CubeHeader { radar, noise: Noise::Absent, dsp: settings(), unit: SampleUnit::RootWatts }
 }
 
 /// World positions of the elements, for the radar's boresight.

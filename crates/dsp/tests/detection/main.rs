@@ -3,5 +3,6 @@
 #[path = "../common/mod.rs"]
 mod common; // radars and cubes
 mod alarm_rates;
+mod leakage;
 mod false_alarms;
 mod real_sampling;

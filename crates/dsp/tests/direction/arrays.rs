@@ -3,7 +3,7 @@
 
 use crate::common::*;
 use artifact::cube::CubeHeader;
-use artifact::points::Object;
+use artifact::points::{Height, Object};
 use artifact::radar::Multiplexing;
 use dsp::Receiver;
 use dsp::angle::VirtualArray;
@@ -189,5 +189,48 @@ fn multiplexing_whose_folds_are_not_told_claims_no_resolved_velocity() {
         let mut header = header(256, 64, elements_3x4());
         header.radar.array.multiplexing = multiplexing;
         assert!(!objects(&header, &[target([5.0, 30.0, 0.75], [0.0, -2.0, 0.0], 10.0)])[0].velocity_resolved);
+    }
+}
+
+/// 6 m above the road, and nearer than the 5.25 m down to the assumed height: no ground range exists.
+#[test]
+fn a_point_nearer_than_its_height_tells_the_angle_of_the_cone_and_says_so() {
+    let mut header = header(256, 64, elements_3x4());
+    header.radar.waveform.slope_hz_per_s = 60e12;
+    for (boresight_rad, x) in [(0.0, 0.5), (0.0, -1.2), (0.3, 0.5)] {
+        header.radar.boresight_az_rad = boresight_rad;
+        place_elements(&mut header.radar);
+        // As high as the radar, 3 m before it: u = x/R, whatever the height.
+        let [right, ahead, _] = radar::aperture::axes(&header.radar);
+        let place = glam::DVec3::new(0.0, 0.0, 6.0) + x * right + 3.0 * ahead;
+        let target = target(place.to_array(), [0.0, 0.0, 0.0], 1.0);
+        let found = Receiver::new(&header).unwrap().process(&cube(&header, &[target], 1)).unwrap().1;
+        let object = found.objects[0];
+        let cone_rad = boresight_rad + (x / 3f64.hypot(x)).asin();
+        // u to 1e-4, as in FLAT, and what curvature of the wavefront over the row is left of it at 3 m.
+        assert!((object.azimuth_rad - cone_rad).abs() < 2e-3, "{} for {cone_rad}", object.azimuth_rad);
+        assert_eq!(object.height, Height::None);
+        assert!(found.points.iter().all(|point| point.height == Height::None));
+        assert_eq!(found.points_without_height(), found.points.len());
+        for point in &found.points {
+            let away = glam::DVec3::from(point.position_m) - glam::DVec3::new(0.0, 0.0, 6.0);
+            // A place is as far away as its range says: 5.25 m down would be farther.
+            assert!(
+                (away.length() - point.range_m).abs() < 1e-9,
+                "{} m for {}",
+                away.length(),
+                point.range_m
+            );
+        }
+    }
+}
+
+#[test]
+fn points_beyond_the_assumed_height_and_those_of_rows_say_what_their_height_stands_on() {
+    let target = target([2.0, 38.1, 0.75], [0.0, -2.0, 0.0], 10.0);
+    for (elements, height) in [(elements_3x4(), Height::Assumed), (elements_6x8(), Height::Measured)] {
+        let header = header(256, 64, elements);
+        let found = objects(&header, std::slice::from_ref(&target));
+        assert!(!found.is_empty() && found.iter().all(|object| object.height == height));
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::common::{elements_3x4, header};
 use artifact::cube::CubeHeader;
-use artifact::points::{Object, Point, PointsFrame};
+use artifact::points::{Height, Object, Point, PointsFrame};
 use artifact::seed::key;
 use artifact::tracks::{Track, TrackState, TracksFrame};
 use dsp::Estimate;
@@ -59,6 +59,7 @@ fn object(header: &CubeHeader, body: Body, random: &mut ChaCha8Rng) -> Object {
         velocity_extent_mps: [0.0; 2],
         ghost_share: None,
         stationary: None,
+        height: Height::Assumed,
     };
     let variance = Site::new(&header.radar).measurement(&exact, &ROAD_TRAFFIC).variance;
     let [range, azimuth, rate] = variance.map(|v| v.sqrt() * normal(random));
@@ -88,6 +89,7 @@ fn point(object: &Object, index: u32) -> Point {
         label: None,
         two_ways_rad: None,
         stationary: None,
+        height: Height::Assumed,
     }
 }
 
@@ -278,6 +280,7 @@ fn objects_of_noise_are_hardly_ever_believed() {
             velocity_extent_mps: [rate; 2],
             ghost_share: None,
             stationary: None,
+            height: Height::Assumed,
         };
         let tracks = tracker.step(&frame(index, if is_there { vec![lone] } else { vec![] })).unwrap();
         ever.extend(believed(&tracks).iter().map(|t| t.id));
@@ -436,6 +439,7 @@ fn any_object() -> impl Strategy<Value = Object> {
             velocity_extent_mps: [rate, extent[1]],
             ghost_share: None,
             stationary: None,
+            height: Height::Assumed,
         })
 }
 

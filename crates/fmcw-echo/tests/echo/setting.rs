@@ -5,7 +5,7 @@
     reason = "each test file takes the part that it needs as a module of its own"
 )]
 
-use artifact::cube::{CubeFrame, CubeHeader};
+use artifact::cube::{CubeFrame, CubeHeader, SampleUnit};
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
 use artifact::radar::{Multiplexing, Radar, Waveform};
 use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, StaticEchoes, Window};
@@ -75,8 +75,10 @@ pub fn header(radar: Radar, noise: Noise) -> CubeHeader {
             cluster_range_m: 2.0,
             cluster_velocity_mps: 1.0,
             cluster_cross_m: 2.0,
+            nearest_m: 0.0,
             road: Lanes::default(),
         },
+        unit: SampleUnit::RootWatts,
     }
 }
 

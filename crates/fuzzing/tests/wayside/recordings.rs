@@ -1,4 +1,5 @@
-//! Recordings of devices and arrays: `.npy`, DCA1000, SigMF, with what stands beside them.
+//! Recordings of devices and arrays: `.npy`, DCA1000, SigMF, with what stands beside them, and the
+//! configurations of boards.
 
 use crate::commands::{note, noted, noted_of_content, put};
 use crate::sound;
@@ -14,6 +15,7 @@ pub(crate) fn readers() -> Vec<Reader> {
         Reader::refusing("npy", 200, write_npy, noted_of_content),
         Reader::refusing("dca1000", 200, write_dca1000, noted_of_content),
         Reader::refusing("sigmf", 200, write_sigmf, noted),
+        Reader::refusing("device-config", 200, write_config, noted_of_content),
     ]
 }
 
@@ -119,6 +121,57 @@ fn write_sigmf(noise: &mut Noise, folder: &Path) {
     }
     let file = noise.pick(&["x.sigmf-meta", "x.sigmf-data"]);
     import(noise, folder, file);
+}
+
+/// Configurations of boards, to a scene and beside one.
+fn write_config(noise: &mut Noise, folder: &Path) {
+    const CONFIGS: [&str; 3] = [
+        include_str!("../../../../fixtures/devices/xwr1843.cfg"),
+        include_str!("../../../../fixtures/devices/studio-log.txt"),
+        include_str!("../../../../fixtures/devices/studio.lua"),
+    ];
+    const WORDS: [&str; 24] = [
+        "profileCfg",
+        "chirpCfg",
+        "frameCfg",
+        "channelCfg",
+        "advFrameCfg",
+        "bpmCfg",
+        "flushCfg",
+        "API:",
+        "ar1.",
+        "ProfileConfig",
+        "ChirpConfig",
+        "FrameConfig",
+        "ChanNAdcConfig",
+        "SensorStart",
+        "(",
+        ")",
+        ",",
+        "%",
+        "--",
+        "0xff",
+        "511",
+        "4294967295",
+        "-1",
+        "1e308",
+    ];
+    let whole = noise.pick(&CONFIGS);
+    let text = changed_text(noise, whole.as_bytes(), &WORDS);
+    put(folder, "x.cfg", &text);
+    if noise.one_in(2) {
+        note(
+            folder,
+            &format!(
+                "scene-from @x.cfg --device {} --out @O",
+                noise.pick(&["xwr1843", "xwr6843", "xwr1642"])
+            ),
+        );
+        return;
+    }
+    sound::texts(folder);
+    put(folder, "x.bin", &samples(noise, 4));
+    note(folder, "import @x.bin --scene @sound/small.toml --config @x.cfg --out @O");
 }
 
 /// Values at which descriptions of recordings stumble.

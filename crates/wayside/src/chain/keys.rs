@@ -1,7 +1,7 @@
 //! Cache keys: what a stage's frame depends on, part by part, so that a plan can say which part changed.
 
 use crate::chain::stages::Stage;
-use artifact::cube::CubeHeader;
+use artifact::cube::{CubeHeader, SampleUnit};
 use artifact::envelope::fingerprint;
 use artifact::radar::Hardware;
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
@@ -181,7 +181,12 @@ pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
 
 /// Header of a cube with what its echo is made with, the errors of the radar among it.
 pub(crate) fn echo_header(header: &SceneHeader) -> CubeHeader {
-    CubeHeader { radar: header.radar.clone(), noise: header.noise, dsp: header.dsp.clone() }
+    CubeHeader {
+        radar: header.radar.clone(),
+        noise: header.noise,
+        dsp: header.dsp.clone(),
+        unit: SampleUnit::RootWatts,
+    }
 }
 
 #[cfg(test)]

@@ -74,9 +74,18 @@ fn seed(of_scene: u64, radar: Option<&str>) -> u64 {
 
 /// A radar and settings of a scene, its models unopened.
 pub(crate) fn radar_only(file: &Path, radar: Option<&str>) -> Result<SceneHeader, Failure> {
+    radar_changed(file, radar, &[])
+}
+
+/// The same with some of the scene's values changed.
+pub(crate) fn radar_changed(
+    file: &Path,
+    radar: Option<&str>,
+    changes: &[scene::Change],
+) -> Result<SceneHeader, Failure> {
     let radar = radar.map(str::to_owned);
     let options = scene::ReadOptions { model: None, radar, meshes: scene::Meshes::NamesOnly };
-    scene::read(file, &options).map_err(of_scene)
+    scene::read_changed(file, changes, &options).map_err(of_scene)
 }
 
 /// The files that such a reading depends on.

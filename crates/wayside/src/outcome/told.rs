@@ -38,7 +38,7 @@ pub(crate) fn lines(summary: &Summary) -> Vec<String> {
     let frames = &summary.frames[..];
     if frames.len() <= FRAMES_IN_FULL {
         let in_full = frames.iter().enumerate().flat_map(|(number, frame)| in_full(number, frame));
-        return in_full.chain(of_clutter(summary)).collect();
+        return in_full.chain(of_clutter(summary)).chain(of_heights(frames)).collect();
     }
     let mut lines: Vec<String> =
         frames.iter().take(FRAMES_TOLD).enumerate().map(|(number, frame)| in_a_line(number, frame)).collect();
@@ -47,7 +47,20 @@ pub(crate) fn lines(summary: &Summary) -> Vec<String> {
     }
     lines.extend(together(frames));
     lines.extend(of_clutter(summary));
+    lines.extend(of_heights(frames));
     lines
+}
+
+/// What points tell that no place on the ground has the range of; `None` where there are none.
+pub(crate) fn without_height([points, of]: [usize; 2]) -> Option<String> {
+    (points > 0).then(|| {
+        format!("{points} of {of} points are nearer than assumed_height_m is below or above the radar: their azimuth is the boresight's and the cone's angle, their height the radar's")
+    })
+}
+
+fn of_heights(frames: &[FrameSummary]) -> Option<String> {
+    let sum = |count: fn(&FrameSummary) -> usize| frames.iter().map(count).sum();
+    without_height([sum(|frame| frame.points_without_height), sum(|frame| frame.points)])
 }
 
 /// Advice that would take clutter out of the false objects, where some of them are that and nobody asked for

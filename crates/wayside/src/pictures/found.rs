@@ -44,6 +44,7 @@ pub(super) fn words(mark: Mark, owner: Owner) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use artifact::points::Height;
 
     #[test]
     fn objects_at_rest_look_otherwise_unless_they_are_a_bodys() {
@@ -69,5 +70,6 @@ mod tests {
         velocity_extent_mps: [0.0; 2],
         ghost_share: None,
         stationary: None,
+        height: Height::Assumed,
     };
 }

@@ -5,7 +5,6 @@ use crate::pictures::found::{self, Owner};
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
 use artifact::rdm::RdmFrame;
-use artifact::units::db_from_power;
 use ndarray::Array2;
 use plotting::axes::{Axes, Axis};
 use plotting::form::Form;
@@ -60,7 +59,7 @@ pub(super) fn draw(header: &CubeHeader, rdm: &RdmFrame, over: &OnMap, form: Form
     let (corner, size) = ([axes.x.start_px, top], [axes.x.end_px - axes.x.start_px, axes.y.start_px - top]);
     sheet.image(corner, size, &heat_png(&map, levels).map_err(Failure::refused)?);
     axes.draw(&mut sheet, "range, m", "radial velocity, m/s");
-    scale_bar(&mut sheet, &axes, levels, "dBW");
+    scale_bar(&mut sheet, &axes, levels, header.unit.level_unit());
     let legend = marks(&mut sheet, header, &axes, over);
     legend.draw(&mut sheet, axes.y.start_px + 62.0, [10.0, form.width_px() - 8.0]);
     Ok(sheet)
@@ -114,7 +113,7 @@ pub(super) fn range_profile(header: &CubeHeader, rdm: &RdmFrame, form: Form) -> 
         title: format!("Range profile, frame {}", rdm.index),
         notes: vec![],
         x_label: "range, m".into(),
-        y_label: "level, dBW".into(),
+        y_label: format!("level, {}", header.unit.level_unit()),
         x_scale: Scale::Linear,
         y_scale: Scale::Linear,
         lines: vec![Line { name: "strongest cell over all velocities".into(), points, marked: false }],
@@ -123,7 +122,9 @@ pub(super) fn range_profile(header: &CubeHeader, rdm: &RdmFrame, form: Form) -> 
 }
 
 fn decibels(header: &CubeHeader, rdm: &RdmFrame) -> Result<Array2<f64>, Failure> {
-    Ok(dsp::power_map(header, rdm).map_err(Failure::refused)?.mapv(db_from_power))
+    let channels = header.radar.map_channels();
+    let level_db = |power| header.map_level_db(power, channels);
+    Ok(dsp::power_map(header, rdm).map_err(Failure::refused)?.mapv(level_db))
 }
 
 fn axes(header: &CubeHeader, form: Form, top: f64) -> Axes {

@@ -12,10 +12,10 @@ use crate::program::values::{Axis, Place, Shard};
 use crate::program::values::{
     accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
 };
-use crate::program::values::{scale, shard, step};
+use crate::program::values::{full_scale, scale, shard, step};
 pub(crate) use crate::program::words::{
-    AxesWord, EdgesWord, FormatWord, MethodWord, NodesWord, PolarizationWord, SidesWord, SurfaceWord,
-    TransmissionWord,
+    AxesWord, Board, EdgesWord, FormatWord, IqOrder, Lanes, MethodWord, NodesWord, PolarizationWord,
+    SidesWord, SurfaceWord, TransmissionWord,
 };
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -61,6 +61,7 @@ impl Command {
             Self::Sweep(_) => "sweep",
             Self::Score(_) => "score",
             Self::Import(_) => "import",
+            Self::SceneFrom(_) => "scene-from",
             Self::Calibrate(_) => "calibrate",
             Self::Export(_) => "export",
             Self::Inspect(_) => "inspect",
@@ -125,7 +126,9 @@ pub enum Command {
     /// Points and tracks of any program, and a scene, to what was found, missed and false (JSON).
     Score(ScoreArguments),
     /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
-    Import(ImportArguments),
+    Import(Box<ImportArguments>),
+    /// A board's configuration (mmWave SDK .cfg, mmWave Studio log or script) to a scene file with its radar.
+    SceneFrom(SceneFromArguments),
     /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration`
     /// of [dsp].
     Calibrate(CalibrateArguments),
@@ -358,9 +361,27 @@ pub struct ImportArguments {
     /// receivers.
     #[arg(value_name = "F.npy")]
     pub(crate) array: PathBuf,
-    /// √W of one step of integer samples, where no file beside them says it; 1 else.
+    /// √W of one step of integer samples, where no file beside them says it; without either they are counted
+    /// in steps.
     #[arg(long, value_name = "SQRT_W", value_parser = step)]
     pub(crate) step: Option<f32>,
+    /// Largest part of a sample, in the file's numbers, where these are a converter's steps: levels are told
+    /// against it, in dBFS [default: of 16-bit integers 32768].
+    #[arg(long, value_name = "STEPS", value_parser = full_scale, conflicts_with = "step")]
+    pub(crate) full_scale: Option<f64>,
+    /// Configuration of the board (mmWave SDK .cfg, mmWave Studio log or script): what the scene does not say
+    /// of the radar, and a check of what it says.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) config: Option<PathBuf>,
+    /// Evaluation board of that configuration [default: that of the chip which it names].
+    #[arg(long, value_enum, requires = "config")]
+    pub(crate) device: Option<Board>,
+    /// Lanes by which a DCA1000EVM recorded [default: those of the configuration, else two].
+    #[arg(long, value_enum)]
+    pub(crate) layout: Option<Lanes>,
+    /// Part of a DCA1000EVM's complex samples that comes first [default: that of the configuration, else I].
+    #[arg(long, value_enum)]
+    pub(crate) iq_order: Option<IqOrder>,
     /// Scene that tells the radar and the processing.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: PathBuf,
@@ -369,6 +390,20 @@ pub struct ImportArguments {
     pub(crate) radar: Option<String>,
     /// Result.
     #[arg(long, value_name = "F.cube")]
+    pub(crate) out: PathBuf,
+}
+
+/// Words of `scene-from`.
+#[derive(Debug, Args)]
+pub struct SceneFromArguments {
+    /// Configuration of the board: mmWave SDK .cfg, mmWave Studio log or script.
+    #[arg(value_name = "FILE")]
+    pub(crate) config: PathBuf,
+    /// Evaluation board, with its antennas [default: that of the chip which the file names].
+    #[arg(long, value_enum)]
+    pub(crate) device: Option<Board>,
+    /// Result.
+    #[arg(long, value_name = "SCENE.toml")]
     pub(crate) out: PathBuf,
 }
 

@@ -17,7 +17,7 @@ mod learning;
 use crate::host::failure::Failure;
 use crate::program::cli::Command;
 use crate::program::means::Means;
-use formats::{export, import, inspect};
+use formats::{export, import, inspect, scene_from};
 
 #[cfg(feature = "classifier")]
 pub use learning::train::{PROGRAM as TRAINING_PROGRAM, target_folder as training_target_folder};
@@ -46,6 +46,7 @@ pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
             score::run(&arguments).map_err(|failure| failure.about(&arguments.points))
         }
         Command::Import(arguments) => import::run(&arguments),
+        Command::SceneFrom(arguments) => scene_from::run(&arguments),
         Command::Calibrate(arguments) => {
             calibrate::run(&arguments).map_err(|failure| failure.about(&arguments.cube))
         }

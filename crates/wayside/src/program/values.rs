@@ -94,6 +94,11 @@ pub(crate) fn step(text: &str) -> Result<f32, String> {
     within(text, &(1e-30..=1e30)).map(|step| step as f32)
 }
 
+/// Steps to a converter's full scale.
+pub(crate) fn full_scale(text: &str) -> Result<f64, String> {
+    within(text, &(1e-30..=1e30))
+}
+
 fn within(text: &str, allowed: &RangeInclusive<f64>) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
     if allowed.contains(&value) {

@@ -69,3 +69,48 @@ pub(crate) enum FormatWord {
     /// .sigmf-data and .sigmf-meta.
     Sigmf,
 }
+
+/// Evaluation board of a family of devices, automotive and industrial alike.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Board {
+    /// AWR1243BOOST.
+    #[value(alias("awr1243"), alias("iwr1243"))]
+    Xwr1243,
+    /// AWR1443BOOST and IWR1443BOOST.
+    #[value(alias("awr1443"), alias("iwr1443"))]
+    Xwr1443,
+    /// AWR1642BOOST and IWR1642BOOST.
+    #[value(alias("awr1642"), alias("iwr1642"))]
+    Xwr1642,
+    /// AWR1843BOOST and IWR1843BOOST.
+    #[value(alias("awr1843"), alias("iwr1843"))]
+    Xwr1843,
+    /// IWR6843ISK; boards with the antenna in or on the package have other antennas.
+    #[value(alias("awr6843"), alias("iwr6843"))]
+    Xwr6843,
+    /// AWR2243BOOST.
+    #[value(alias("xwr2243"))]
+    Awr2243,
+}
+
+/// Lanes between a device and its capture card.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Lanes {
+    /// Receiver after receiver, each by twos where samples are complex.
+    #[value(name = "two-lanes")]
+    Two,
+    /// A lane for each receiver, sample after sample.
+    #[value(name = "four-lanes")]
+    Four,
+}
+
+/// Which part of a complex sample comes first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum IqOrder {
+    /// I before Q.
+    #[value(name = "iq")]
+    InPhaseFirst,
+    /// Q before I.
+    #[value(name = "qi")]
+    QuadratureFirst,
+}

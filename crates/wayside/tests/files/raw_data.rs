@@ -78,6 +78,55 @@ fn recordings_that_do_not_fit_are_refused_by_name_and_rule() {
     }
 }
 
+/// A chirp of four receivers as a device with four lanes records it, sent as a board's `.cfg` says.
+#[test]
+fn a_recording_is_read_by_the_boards_configuration_where_the_scene_says_nothing() {
+    let place = Workplace::new();
+    let config = "channelCfg 15 1 0\nadcCfg 2 1\nprofileCfg 0 77 10 6 40 0 0 12.5 1 64 5120 0 0 30\n\
+                  chirpCfg 0 0 0 0 0 0 0 1\nframeCfg 0 0 8 0 50 1 0\n";
+    std::fs::write(place.path("b.cfg"), config).unwrap();
+    std::fs::write(place.path("bare.toml"), "name = \"bare\"\n").unwrap();
+    let count = 8 * 64 * 4;
+    let parts = (0..count).flat_map(|i| {
+        let (sample, rx) = (i / 4, i % 4);
+        [(sample, rx, 0), (sample, rx, 1)]
+    });
+    let mut numbers: Vec<(usize, usize, usize)> = parts.collect();
+    // Of each sample the four in-phase parts, then the four others.
+    numbers.sort_by_key(|(sample, rx, part)| (*sample, *part, *rx));
+    let bytes =
+        numbers.iter().flat_map(|(n, rx, part)| (((n % 50) * 10 + rx + 1000 * part) as i16).to_le_bytes());
+    std::fs::write(place.path("x.bin"), bytes.collect::<Vec<u8>>()).unwrap();
+    place.run("import x.bin --scene bare.toml --config b.cfg --device xwr1443 --out x.cube --quiet");
+    place.run("export x.cube --to npy --out x.npy --quiet");
+    let values = place.bytes("x.npy");
+    let start = 10 + usize::from(u16::from_le_bytes([values[8], values[9]]));
+    let floats: Vec<f32> =
+        values[start..].as_chunks::<4>().0.iter().map(|b| f32::from_le_bytes(*b)).collect();
+    // [channel][chirp][sample]: receiver 2, chirp 3, sample 5 of 64.
+    let at = 2 * ((2 * 8 + 3) * 64 + 5);
+    assert_eq!(
+        [floats[at], floats[at + 1]],
+        [((3 * 64 + 5) % 50 * 10 + 2) as f32, ((3 * 64 + 5) % 50 * 10 + 1002) as f32]
+    );
+    place.run("scene-from b.cfg --device iwr1443 --out b.toml");
+    place.run("import x.bin --scene b.toml --layout four-lanes --out y.cube --quiet");
+    let shown = place.run("inspect y.cube");
+    assert!(shown.contains("[4, 8, 64]"), "{shown}");
+    for (command, told) in [
+        ("import x.bin --scene small.toml --config b.cfg --device xwr1443 --out z.cube", "b.cfg:"),
+        ("import x.bin --scene bare.toml --device xwr1443 --out z.cube", "--config"),
+        ("scene-from b.cfg --out z.toml", "--device"),
+        ("scene-from b.cfg --device xwr6843 --out z.toml", "b.cfg:3: profileCfg: chirps begin at 77 GHz"),
+        ("scene-from small.toml --device xwr1443 --out z.toml", "small.toml: there is no frameCfg"),
+    ] {
+        let output = place.try_run(command);
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(!output.status.success() && error.contains(told), "{command}: {error}");
+        assert!(!place.path("z.cube").exists() && !place.path("z.toml").exists(), "{command}");
+    }
+}
+
 #[test]
 fn every_export_has_a_sidecar_of_its_own() {
     let place = tdm();

@@ -151,6 +151,7 @@ pub(crate) const NUMBERS: &[Number] = &[
     number("dsp", "guard_cells", "[@, 1]", Usual),
     number("dsp", "training_cells", "[1, @]", Usual),
     number("dsp", "assumed_height_m", "@", Usual),
+    number("dsp", "nearest_m", "@", Usual),
     number("dsp", "cluster_range_m", "@", Usual),
     number("dsp", "cluster_velocity_mps", "@", Usual),
     number("dsp", "cluster_cross_m", "@", Usual),

@@ -104,6 +104,7 @@ fn help_is_given_for_every_command() {
         "protocols",
         "calibrate",
         "sweep",
+        "scene-from",
     ];
     commands.iter().for_each(|c| assert!(place.run(&format!("{c} --help")).contains("Usage"), "{c}"));
 }

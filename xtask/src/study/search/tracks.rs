@@ -3,7 +3,7 @@
 use crate::study::scenes::{cube_header, scene_of};
 use crate::study::search::contest::{Outcome, Random};
 use crate::study::search::drawn_bodies::within;
-use artifact::points::{Object, PointsFrame};
+use artifact::points::{Height, Object, PointsFrame};
 use artifact::tracks::{TrackState, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
 use rand::RngExt;
@@ -45,6 +45,7 @@ fn object(([x, y], speed_mps): ([f64; 2], f64), random: &mut Random) -> Object {
         velocity_extent_mps: [radial_velocity_mps; 2],
         ghost_share: None,
         stationary: None,
+        height: Height::Assumed,
     }
 }
 

@@ -64,6 +64,7 @@ pub(crate) const DSP: Table = Table {
         &REFINE,
         &CALIBRATION,
         &STATIC,
+        &NEAREST,
         &ASSUMED_HEIGHT,
         &CLUSTER_RANGE,
         &CLUSTER_VELOCITY,
@@ -147,6 +148,14 @@ pub(crate) const STATIC: Key<Words<StaticEchoes>, Or<StaticEchoes>> = Key::new(
      [decisions/static-echoes.md](decisions/static-echoes.md)",
 )
 .or(StaticEchoes::Keep);
+
+pub(crate) const NEAREST: Key<Number, Or<f64>> = Key::new(
+    "nearest_m",
+    Number(Between(0.0, 1e6)),
+    "m: nothing nearer is detected; a real radar hears its own transmitters there, in its first range cells. \
+     Cells stay in the map, and in the noise estimate of those behind",
+)
+.or(0.0);
 
 pub(crate) const ASSUMED_HEIGHT: Key<Number, Or<f64>> = Key::new(
     "assumed_height_m",

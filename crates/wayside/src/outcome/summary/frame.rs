@@ -33,6 +33,10 @@ pub struct FrameSummary {
     pub detail: Option<Vec<TargetDetail>>,
     /// Number of detected points.
     pub points: usize,
+    /// Number of points among them of which the cone around the row alone is told: their range is less than
+    /// the assumed height is away.
+    #[serde(default)]
+    pub points_without_height: usize,
     /// Whether the map shows velocities as they are.
     pub rdm_state: MapState,
     /// Whether there are objects, and of each one multiple of the velocity span is left.
@@ -109,6 +113,7 @@ impl FrameSummary {
             paths: paths.map(|p| p.paths.len()),
             detail: paths.map(detail),
             points: points.points.len(),
+            points_without_height: points.points_without_height(),
             rdm_state: state(&targets),
             velocity_resolved: !points.objects.is_empty()
                 && points.objects.iter().all(|o| o.velocity_resolved),

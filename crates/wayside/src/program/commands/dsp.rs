@@ -4,6 +4,7 @@ use crate::chain::loading;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::progress::Work;
+use crate::outcome::told::without_height;
 use crate::pictures;
 use crate::program::cli::DspArguments;
 use crate::program::terminal;
@@ -94,6 +95,9 @@ fn tell(rdm: &RdmFrame, points: &PointsFrame, tracks: &TracksFrame) {
         points.objects.len(),
         tracks.tracks.len()
     ));
+    if let Some(text) = without_height([points.points_without_height(), points.points.len()]) {
+        terminal::line(format!("  {text}"));
+    }
 }
 
 fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {

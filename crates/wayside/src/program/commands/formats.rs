@@ -6,4 +6,6 @@ pub(crate) mod writing;
 pub(crate) mod npy_stream;
 pub(crate) mod raw_data;
 pub(crate) mod export;
+pub(crate) mod device_config;
+pub(crate) mod scene_from;
 pub(crate) mod import;

@@ -4,7 +4,7 @@ use crate::study::atlas::methods;
 use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use crate::study::scenes::{cube_header, scene_of};
-use artifact::points::{Object, PointsFrame};
+use artifact::points::{Height, Object, PointsFrame};
 use artifact::tracks::{Track, TrackState, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
 use wayside::host::failure::Failure;
@@ -31,6 +31,7 @@ fn object(([x, y], [vx, vy]): Body) -> Object {
         velocity_extent_mps: [radial_velocity_mps; 2],
         ghost_share: None,
         stationary: None,
+        height: Height::Assumed,
     }
 }
 

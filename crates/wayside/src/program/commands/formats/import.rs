@@ -6,12 +6,14 @@ use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::progress;
 use crate::program::cli::ImportArguments;
+use crate::program::commands::formats::device_config::{self, Configured, DeviceSettings, scene_with};
 use crate::program::commands::formats::raw_data::dca1000;
 use crate::program::commands::formats::raw_data::npy;
 use crate::program::commands::formats::raw_data::sigmf;
 use crate::program::commands::formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
+use crate::program::words::{IqOrder, Lanes};
 use artifact::bounded;
-use artifact::cube::{Cube, CubeFrame};
+use artifact::cube::{Cube, CubeFrame, SampleUnit};
 use artifact::scene::SceneHeader;
 use artifact::{ErrorBudget, Provenance, Writer};
 use ndarray::{Array4, Axis};
@@ -19,17 +21,21 @@ use num_complex::Complex32;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
-    let scene = loading::radar_only(&arguments.scene, arguments.radar.as_deref())?;
-    let header = cube_header(&scene);
+    let settings = arguments.config.as_deref().map(|file| device_config::read(file, arguments.device));
+    let settings = settings.transpose()?;
+    let scene = scene_of(arguments, settings.as_ref())?;
+    let mut header = cube_header(&scene);
     let file = arguments.array.as_path();
     if arguments.step.is_some_and(|step| !(step.is_finite() && step > 0.0)) {
         return Err(Failure::Refused("--step: a step must be a positive number".to_owned()));
     }
     let Imported { frames, step } = match file.extension().and_then(|e| e.to_str()) {
-        Some("bin") => dca1000::read(file, &header, arguments.step)?,
+        Some("bin") => dca1000::read(file, &header, arguments.step, layout(arguments, settings.as_ref()))?,
         Some("sigmf-meta" | "sigmf-data") => sigmf::read(file, &header, arguments.step)?,
         _ => Imported { frames: of_array(file, header.shape())?, step: IntegerStep::Floats },
     };
+    let told = Told { full_scale: arguments.full_scale, bits: settings.as_ref().map(DeviceSettings::bits) };
+    header.unit = unit_of(&step, &frames, told);
     let from = provenance_of(arguments, &scene, &step)?;
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
     for (index, samples) in frames.into_iter().enumerate() {
@@ -40,6 +46,50 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     Ok(writer.finish()?)
 }
 
+/// What command and configuration say of a converter.
+struct Told {
+    full_scale: Option<f64>,
+    bits: Option<u32>,
+}
+
+/// Unit of samples: √W where a step is told, and of floats; of a converter's integers its steps. Floats that
+/// are whole numbers are such steps too, of a converter that nobody tells of.
+fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> SampleUnit {
+    let is_whole = |x: f32| x.fract() == 0.0;
+    let mut values = frames.iter().flatten();
+    match (step, told.full_scale) {
+        (IntegerStep::Asked(_) | IntegerStep::Told(..), _) => SampleUnit::RootWatts,
+        (_, Some(steps)) => SampleUnit::FullScale(steps),
+        (IntegerStep::Unknown, None) => SampleUnit::FullScale(f64::from(1 << (told.bits.unwrap_or(16) - 1))),
+        (IntegerStep::Floats, None) => {
+            let are_steps = values.all(|v| is_whole(v.re) && is_whole(v.im)) && peak(frames) > 0.0;
+            if are_steps { SampleUnit::Steps } else { SampleUnit::RootWatts }
+        }
+    }
+}
+
+fn peak(frames: &[Vec<Complex32>]) -> f32 {
+    frames.iter().flatten().fold(0.0, |peak, v| v.re.abs().max(v.im.abs()).max(peak))
+}
+
+/// The scene, with what the board's configuration alone says of its radar.
+fn scene_of(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> Result<SceneHeader, Failure> {
+    let (file, radar) = (arguments.scene.as_path(), arguments.radar.as_deref());
+    match (settings, arguments.config.as_deref()) {
+        (Some(settings), Some(config)) => scene_with(file, radar, &Configured { file: config, settings }),
+        _ => loading::radar_only(file, radar),
+    }
+}
+
+/// What the command says of a capture card's file, else what the configuration does.
+fn layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> dca1000::Layout {
+    let (lanes, order) = (settings.and_then(DeviceSettings::lanes), settings.and_then(|s| s.iq_order));
+    dca1000::Layout {
+        lanes: arguments.layout.or(lanes).unwrap_or(Lanes::Two),
+        order: arguments.iq_order.or(order).unwrap_or(IqOrder::InPhaseFirst),
+    }
+}
+
 /// The step of integer samples stands among the settings, and the file that told it among the inputs.
 fn provenance_of(
     arguments: &ImportArguments,
@@ -47,10 +97,11 @@ fn provenance_of(
     step: &IntegerStep,
 ) -> Result<Provenance, Failure> {
     let mut files = vec![arguments.array.clone(), arguments.scene.clone()];
+    files.extend(arguments.config.clone());
     match step {
         IntegerStep::Told(_, place) => files.push(place.clone()),
         IntegerStep::Unknown => progress::note(format!(
-            "note: {}: no step is told (--step): samples are taken as √W of 1 a step, and levels are no powers",
+            "note: {}: no step is told (--step): samples are counted in steps of the converter, and levels are no powers",
             arguments.array.display()
         )),
         IntegerStep::Asked(_) | IntegerStep::Floats => {}
@@ -58,7 +109,7 @@ fn provenance_of(
     let from = provenance(Stage::FmcwEcho, scene, loading::hashed(&files)?);
     let told = match step {
         IntegerStep::Floats => return Ok(from),
-        IntegerStep::Unknown => "1 (not told)".to_owned(),
+        IntegerStep::Unknown => "not told: samples are steps".to_owned(),
         IntegerStep::Asked(step) | IntegerStep::Told(step, _) => step.to_string(),
     };
     Ok(Provenance { settings: format!("{}, sqrt_w_per_step {told}", from.settings), ..from })

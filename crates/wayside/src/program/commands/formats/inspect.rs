@@ -1,6 +1,7 @@
 //! `inspect`: header, provenance, shape, units and a sanity line of any artifact.
 
 use crate::host::failure::Failure;
+use crate::outcome::told::without_height;
 use crate::program::cli::InspectArguments;
 use crate::program::terminal::line;
 use artifact::classes::Classes;
@@ -15,6 +16,7 @@ use artifact::scene::{Scene, SceneHeader};
 use artifact::tracks::{TrackState, Tracks};
 use artifact::units::{db_from_amplitude, db_from_power};
 use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
+use num_complex::Complex32;
 use std::path::Path;
 
 /// Words for content that is not as it should be, and for content that is.
@@ -172,10 +174,11 @@ fn cube(reader: Reader<Cube>) -> Result<(), Failure> {
     let header = reader.header().clone();
     radar(&header.radar);
     let shape = header.shape();
-    line(format!("shape        [channel, chirp, sample] = {shape:?}, √W"));
+    line(format!("shape        [channel, chirp, sample] = {shape:?}, {}", header.unit.words()));
     for frame in reader {
         let frame = frame?;
-        samples(frame.index, frame.time_s, &frame.samples, shape);
+        let level_db = header.unit.level_db(mean_power(&frame.samples));
+        samples((frame.index, frame.time_s), &frame.samples, shape, (level_db, header.unit.level_unit()));
     }
     Ok(())
 }
@@ -184,10 +187,11 @@ fn rdm(reader: Reader<Rdm>) -> Result<(), Failure> {
     let header: CubeHeader = reader.header().clone();
     radar(&header.radar);
     let shape = artifact::rdm::shape(&header);
-    line(format!("shape        [channel, doppler, range] = {shape:?}, √W"));
+    line(format!("shape        [channel, doppler, range] = {shape:?}, {}", header.unit.words()));
     for frame in reader {
         let frame = frame?;
-        samples(frame.index, frame.time_s, &frame.values, shape);
+        let level_db = header.map_level_db(mean_power(&frame.values), 1);
+        samples((frame.index, frame.time_s), &frame.values, shape, (level_db, header.unit.level_unit()));
         line(format!(
             "detector     {} of {} tested cells above the threshold",
             frame.detections, frame.cells
@@ -196,14 +200,19 @@ fn rdm(reader: Reader<Rdm>) -> Result<(), Failure> {
     Ok(())
 }
 
-fn samples(index: u32, time_s: f64, values: &[num_complex::Complex32], shape: [usize; 3]) {
-    let power = values.iter().map(|v| f64::from(v.norm_sqr())).sum::<f64>() / values.len().max(1) as f64;
-    let complete = values.len() == shape.iter().product::<usize>() && power.is_finite();
+/// Mean power of samples, or of the cells of a map, and whether all of them are there.
+fn samples((index, time_s): (u32, f64), values: &[Complex32], shape: [usize; 3], level: (f64, &str)) {
+    let complete = values.len() == shape.iter().product::<usize>() && level.0.is_finite();
     line(format!(
-        "frame {index:<6} {time_s:.6} s, mean power {:.2} dBW, {}",
-        db_from_power(power),
+        "frame {index:<6} {time_s:.6} s, mean power {:.2} {}, {}",
+        level.0,
+        level.1,
         SANITY[usize::from(complete)]
     ));
+}
+
+fn mean_power(values: &[Complex32]) -> f64 {
+    values.iter().map(|v| f64::from(v.norm_sqr())).sum::<f64>() / values.len().max(1) as f64
 }
 
 fn points(reader: Reader<Points>) -> Result<(), Failure> {
@@ -221,6 +230,9 @@ fn points(reader: Reader<Points>) -> Result<(), Failure> {
             frame.time_s,
             SANITY[usize::from(finite)]
         ));
+        if let Some(text) = without_height([frame.points_without_height(), points]) {
+            line(format!("             {text}"));
+        }
     }
     Ok(())
 }

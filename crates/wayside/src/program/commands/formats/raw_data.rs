@@ -4,6 +4,7 @@
 //! transmitter i (tdm), or slot m·M + s is chirp s of all transmitters' codes in block m (bpm). Samples of a
 //! cube are `[turn·N_rx + rx][chirp][sample]`.
 
+mod lanes; // bytes of a capture card
 pub(crate) mod dca1000;
 pub(crate) mod npy;
 pub(crate) mod sigmf;
@@ -31,10 +32,6 @@ impl Recording {
     /// Refused where a cube holds what no device can record: transmitters that send at once and are told
     /// apart all the same.
     pub(crate) fn of(file: &Path, header: &CubeHeader) -> Result<Self, Failure> {
-        if header.radar.waveform.sampling == Sampling::Real {
-            let text = "samples are real: recordings of complex samples alone are read and written";
-            return Err(Failure::Refused(format!("{}: {text}", file.display())));
-        }
         let array = &header.radar.array;
         match array.multiplexing {
             Multiplexing::Tdm | Multiplexing::Ddm | Multiplexing::Bpm => {}
@@ -46,6 +43,21 @@ impl Recording {
         }
         let [_, chirps, samples] = header.shape();
         Ok(Self { turns: header.radar.slots(), receivers: array.rx_m.len(), chirps, samples })
+    }
+
+    /// The same, and refused where samples are real.
+    pub(crate) fn of_complex(file: &Path, header: &CubeHeader) -> Result<Self, Failure> {
+        if header.radar.waveform.sampling == Sampling::Real {
+            let text = "samples are real: of recordings a DCA1000EVM's alone are read, and none is written";
+            return Err(Failure::Refused(format!("{}: {text}", file.display())));
+        }
+        Self::of(file, header)
+    }
+
+    /// One chirp of one transmitter.
+    #[cfg(test)]
+    pub(crate) fn of_sizes(receivers: usize, samples: usize) -> Self {
+        Self { turns: 1, receivers, chirps: 1, samples }
     }
 
     /// Chirps of all transmitters.
@@ -95,7 +107,7 @@ impl Recording {
     pub(crate) fn frames(&self, file: &Path, values: usize) -> Result<usize, Failure> {
         if values == 0 || !values.is_multiple_of(self.values()) {
             let asked = format!(
-                "{values} complex samples are no whole number of frames of {} chirps × {} receivers × {} samples",
+                "{values} samples are no whole number of frames of {} chirps × {} receivers × {} samples",
                 self.slots(),
                 self.receivers,
                 self.samples

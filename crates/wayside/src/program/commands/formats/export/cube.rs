@@ -36,7 +36,8 @@ fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
         (0..waveform.samples).map(|n| f64::from(n) / waveform.sample_rate_hz).collect();
     json!({
         "shape": ["frame", "channel", "chirp", "sample"],
-        "unit": "sqrt(W)",
+        "unit": header.unit.name(),
+        "full_scale": header.unit.full_scale(),
         "frame_times_s": frame_times_s,
         "sample_times_s": sample_times,
         "times_s": chirp_times(header),

@@ -10,7 +10,7 @@ use std::io::Write;
 use std::path::Path;
 
 const COLUMNS: &str = "frame,time_s,range_m,radial_velocity_mps,az_deg,el_deg,x_m,y_m,z_m,snr_db,object,target,\
-true_target,true_class,true_order,true_share,two_ways_az_deg,true_bodies,ghost_share,stationary";
+true_target,true_class,true_order,true_share,two_ways_az_deg,true_bodies,ghost_share,stationary,height";
 
 pub(crate) fn csv(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
@@ -47,9 +47,10 @@ pub(crate) fn write_csv(
             .map_or_else(String::new, |[a, b]| format!("{} {}", a.to_degrees(), b.to_degrees()));
         let bodies = p.label.map_or_else(String::new, |label| label.bodies.to_string());
         let rest = p.stationary.map_or("", |rest| if rest { "yes" } else { "no" });
+        let height = p.height.name();
         writeln!(
             sink,
-            "{frame},{time},{range},{velocity},{az},{el},{x},{y},{z},{snr},{object},{target},{label},{ways},{bodies},{ghost},{rest}"
+            "{frame},{time},{range},{velocity},{az},{el},{x},{y},{z},{snr},{object},{target},{label},{ways},{bodies},{ghost},{rest},{height}"
         )?;
     }
     Ok(())

@@ -48,7 +48,8 @@ fn mask_beside(out: &Path) -> PathBuf {
 fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {
     json!({
         "shape": ["frame", "channel", "doppler", "range"],
-        "unit": "sqrt(W)",
+        "unit": header.unit.name(),
+        "full_scale": header.unit.full_scale(),
         "mask": { "0": "untested", "1": "tested", "2": "detected" },
         "frame_times_s": told.iter().map(|t| t.0).collect::<Vec<_>>(),
         "detections": told.iter().map(|t| t.1).collect::<Vec<_>>(),

@@ -1,19 +1,17 @@
-//! The `.bin` of a DCA1000EVM behind a device with two LVDS lanes (xWR16xx, 18xx, 68xx), complex samples, one
-//! file.
-//!
-//! Little-endian 16-bit integers, chirp after chirp, receiver after receiver, two samples at a time: I₀ I₁ Q₀
-//! Q₁ (Texas Instruments, Mmwave Radar Device ADC Raw Data Capture, SWRA581B, section 6.2, lanes not
-//! interleaved).
+//! The `.bin` of a DCA1000EVM, one file: read in all layouts (`lanes.rs`), written as behind two lanes.
 
 use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::progress;
+pub(crate) use crate::program::commands::formats::raw_data::lanes::Layout;
+use crate::program::commands::formats::raw_data::lanes::TWO_LANES;
 use crate::program::commands::formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording};
 use crate::program::commands::formats::sidecar;
 use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
 use artifact::bounded;
-use artifact::cube::{Cube, CubeHeader};
+use artifact::cube::{Cube, CubeHeader, SampleUnit};
+use artifact::radar::Sampling;
 use num_complex::Complex32;
 use serde_json::{Value, json};
 use std::io::Write;
@@ -25,13 +23,14 @@ use std::path::{Path, PathBuf};
 pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
-    let recording = even(file, Recording::of(file, &header)?)?;
+    let recording = Recording::of_complex(file, &header)?;
+    TWO_LANES.check(file, &recording, Sampling::Complex)?;
     sidecar::claim(out)?;
     let mut peak = 0.0_f32;
     for frame in reader {
         peak = frame?.samples.iter().fold(peak, |peak, x| peak.max(x.re.abs()).max(x.im.abs()));
     }
-    let step = if peak > 0.0 { peak / FULL_SCALE } else { 1.0 };
+    let step = step_of(header.unit, peak);
     let (mut failed, mut hasher) = (None, blake3::Hasher::new());
     let mut reader = Reader::<Cube>::open(file)?;
     let frames = reader.frames();
@@ -50,18 +49,28 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
 }
 
 /// Reads frames; a step is `step`, √W, else what the `.json` beside the file says of these very samples, else
-/// 1.
-pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
-    let recording = even(file, Recording::of(file, header)?)?;
+/// the unit of what is read.
+pub(crate) fn read(
+    file: &Path,
+    header: &CubeHeader,
+    step: Option<f32>,
+    layout: Layout,
+) -> Result<Imported, Failure> {
+    let (recording, sampling) = (Recording::of(file, header)?, header.radar.waveform.sampling);
+    layout.check(file, &recording, sampling)?;
     let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-    if !bytes.len().is_multiple_of(8) {
-        let text = format!("{} bytes: two complex samples of 16 bits take 8", bytes.len());
+    let unit = layout.unit_bytes(sampling);
+    if !bytes.len().is_multiple_of(unit) {
+        let text = format!(
+            "{} bytes: the least that belongs together, {}, take {unit}",
+            bytes.len(),
+            layout.unit(sampling)
+        );
         return Err(Failure::Refused(format!("{}: {text}", file.display())));
     }
-    recording.frames(file, bytes.len() / 4)?;
+    recording.frames(file, bytes.len() / layout.value_bytes(sampling))?;
     let step = IntegerStep::of(step, || step_beside(file, &bytes));
-    let two = |pair| two(pair, step.sqrt_w());
-    let values: Vec<Complex32> = bytes.as_chunks::<8>().0.iter().flat_map(two).collect();
+    let values = layout.by_slot(&bytes, &recording, sampling, step.sqrt_w());
     let frames =
         values.chunks_exact(recording.values()).map(|frame| recording.cube_of_slots(frame)).collect();
     Ok(Imported { frames, step })
@@ -70,12 +79,13 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
 /// Steps, of 32,767, that the strongest sample takes: some are left for a reader's noise.
 const FULL_SCALE: f32 = 32_000.0;
 
-fn even(file: &Path, recording: Recording) -> Result<Recording, Failure> {
-    if recording.samples.is_multiple_of(2) {
-        return Ok(recording);
+/// Samples that were steps stay what they were, where they fit.
+fn step_of(unit: SampleUnit, peak: f32) -> f32 {
+    match unit {
+        SampleUnit::FullScale(_) | SampleUnit::Steps if peak <= f32::from(i16::MAX) => 1.0,
+        _ if peak > 0.0 => peak / FULL_SCALE,
+        _ => 1.0,
     }
-    let text = format!("a chirp has {} samples: they are recorded by twos", recording.samples);
-    Err(Failure::Refused(format!("{}: {text}", file.display())))
 }
 
 fn bytes(values: &[Complex32], step: f32) -> Vec<u8> {
@@ -84,18 +94,13 @@ fn bytes(values: &[Complex32], step: f32) -> Vec<u8> {
     values.as_chunks::<2>().0.iter().flat_map(pair).flatten().collect()
 }
 
-/// The two samples of eight bytes.
-fn two(bytes: &[u8; 8], step: f32) -> [Complex32; 2] {
-    let at = |i: usize| f32::from(i16::from_le_bytes([bytes[2 * i], bytes[2 * i + 1]])) * step;
-    [Complex32::new(at(0), at(2)), Complex32::new(at(1), at(3))]
-}
-
 fn told(header: &CubeHeader, recording: &Recording, frames: u64, step: f32) -> Value {
-    let waveform = &header.radar.waveform;
+    let (waveform, unit) = (&header.radar.waveform, header.unit);
     json!({
         "shape": SHAPE,
         "sizes": [frames, recording.slots(), recording.receivers, recording.samples],
-        STEP: step,
+        STEP: (unit == SampleUnit::RootWatts).then_some(step),
+        "unit": unit.name(),
         "sample_rate_hz": waveform.sample_rate_hz,
         "start_frequency_hz": waveform.start_frequency_hz,
         "slope_hz_per_s": waveform.slope_hz_per_s,
@@ -156,10 +161,8 @@ mod tests {
     }
 
     #[test]
-    fn two_samples_are_i_i_q_q_and_come_back() {
+    fn two_samples_are_i_i_q_q() {
         let values = [Complex32::new(1.0, -2.0), Complex32::new(3.0, 258.0)];
-        let written = bytes(&values, 1.0);
-        assert_eq!(written, [1, 0, 3, 0, 254, 255, 2, 1]);
-        assert_eq!(two(&written.try_into().unwrap(), 1.0), values);
+        assert_eq!(bytes(&values, 1.0), [1, 0, 3, 0, 254, 255, 2, 1]);
     }
 }

@@ -13,11 +13,11 @@ use serde_json::{Value, json};
 use std::io::Write;
 use std::path::Path;
 
-/// Writes a cube as `cf32_le`, √W; every frame is a capture.
+/// Writes a cube as `cf32_le`, in its own unit; every frame is a capture.
 pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let mut reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
-    let recording = Recording::of(file, &header)?;
+    let recording = Recording::of_complex(file, &header)?;
     let (data, meta_place) = (out.with_extension(DATA), out.with_extension(META));
     files::claim(&[data.clone(), meta_place.clone()])?;
     let mut times = Vec::new();
@@ -37,9 +37,9 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     files::write_file(&meta_place, text.as_bytes())
 }
 
-/// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else 1.
+/// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit.
 pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
-    let recording = Recording::of(file, header)?;
+    let recording = Recording::of_complex(file, header)?;
     let (meta, data) = (file.with_extension(META), file.with_extension(DATA));
     let text = bounded::read_text(&meta, META_LIMIT_BYTES).map_err(|fault| Failure::unread(&meta, &fault))?;
     let told: Value = serde_json::from_str(&text).map_err(|e| refused(&meta, e.to_string()))?;
@@ -100,7 +100,7 @@ fn meta(header: &CubeHeader, recording: &Recording, times_s: &[f64]) -> Value {
             "core:datatype": "cf32_le",
             "core:num_channels": recording.receivers,
             "core:sample_rate": waveform.sample_rate_hz,
-            "core:description": "IF samples of an FMCW radar, sqrt(W): frame, chirp of any transmitter, sample, receiver",
+            "core:description": format!("IF samples of an FMCW radar, {}: frame, chirp of any transmitter, sample, receiver", header.unit.name()),
             "core:recorder": "wayside",
             "core:extensions": [{ "name": "wayside", "version": "1.0.0", "optional": true }],
             "wayside:chirps": recording.slots(),

@@ -1,0 +1,226 @@
+//! Samples of a real radar (`fixtures/captures`): our maps and points beside NumPy's, the array's coherence,
+//! the noise.
+
+use crate::project::project_root;
+use crate::study::extent::Extent;
+use crate::study::pages::part::Part;
+use crate::study::sources::{Places, SIGNALS};
+use artifact::Reader;
+use artifact::cube::{Cube, CubeFrame, CubeHeader};
+use artifact::points::Point;
+use artifact::rdm::RdmFrame;
+use dsp::Receiver;
+use dsp::angle::VirtualArray;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use wayside::host::failure::Failure;
+
+/// Sources that the figures hang on.
+pub(crate) const SOURCES: Places = &[
+    SIGNALS,
+    &[
+        "fixtures/captures",
+        "crates/wayside/src/program/commands/formats/raw_data",
+        "crates/wayside/src/program/commands/formats/raw_data.rs",
+        "xtask/src/study/pages/real_captures.rs",
+    ],
+];
+
+/// Makes the part; there is one frame, however few cases are asked for.
+pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
+    let folder = project_root().join("fixtures/captures");
+    let (header, frame) = imported(&folder)?;
+    let receiver = Receiver::new(&header).map_err(Failure::refused)?;
+    let (map, seen) = receiver.process(&frame).map_err(Failure::refused)?;
+    let echoes = echoes(&folder.join("room.numpy.csv"))?;
+    let mut part = Part::default();
+    let ours = Ours { header: &header, map: &map, array: VirtualArray::new(&header), points: &seen.points };
+    table_of_echoes(&mut part, &ours, &echoes)?;
+    table_of_map(&mut part, &ours, &levels(&folder.join("room.numpy.npy"))?)?;
+    let near = seen.points.iter().filter(|p| p.range_m < header.dsp.nearest_m).count();
+    part.line(format!(
+        "\n{} cells above the threshold of {} tested, {} points ({near} nearer than `nearest_m`), {} objects.",
+        map.detections,
+        map.cells,
+        seen.points.len(),
+        seen.objects.len()
+    ));
+    Ok(part)
+}
+
+/// The recording as `import` reads it.
+fn imported(folder: &Path) -> Result<(CubeHeader, CubeFrame), Failure> {
+    let place = tempfile::tempdir().map_err(|e| Failure::System(format!("a folder for the cube: {e}")))?;
+    let cube = place.path().join("room.cube");
+    let this = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let mut command = Command::new(this);
+    command.arg("import").arg(folder.join("room.bin")).arg("--scene").arg(folder.join("room.toml"));
+    command.arg("--out").arg(&cube).arg("--quiet").stdin(Stdio::null()).stdout(Stdio::null());
+    let status = command.status().map_err(|e| Failure::System(format!("import: {e}")))?;
+    if !status.success() {
+        return Err(Failure::Refused(format!("import: {status}")));
+    }
+    let mut reader = Reader::<Cube>::open(&cube)?;
+    let header = reader.header().clone();
+    let frame =
+        reader.next_frame()?.ok_or_else(|| Failure::Refused("the recording holds no frame".into()))?;
+    Ok((header, frame))
+}
+
+/// An echo as NumPy's strongest cell tells it.
+struct Echo {
+    name: String,
+    range_m: f64,
+    velocity_mps: f64,
+    azimuth_deg: f64,
+    level_dbfs: f64,
+    coherence: f64,
+}
+
+fn echoes(file: &Path) -> Result<Vec<Echo>, Failure> {
+    let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
+    let echo = |line: &str| {
+        let (name, numbers) = line.split_once(',')?;
+        let numbers: Vec<f64> = numbers.split(',').map(|n| n.parse().ok()).collect::<Option<_>>()?;
+        let [range_m, velocity_mps, azimuth_deg, level_dbfs, coherence] = numbers.try_into().ok()?;
+        Some(Echo { name: name.to_owned(), range_m, velocity_mps, azimuth_deg, level_dbfs, coherence })
+    };
+    Ok(text.lines().filter_map(echo).collect())
+}
+
+/// Levels of NumPy's map, `[doppler, range]`: the numbers behind the head of a `.npy` of float32.
+fn levels(file: &Path) -> Result<Vec<f64>, Failure> {
+    let bytes = std::fs::read(file).map_err(|e| Failure::system(file, "read", e))?;
+    let behind = bytes.iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |end| end + 1);
+    Ok(bytes[behind..].as_chunks::<4>().0.iter().map(|b| f64::from(f32::from_le_bytes(*b))).collect())
+}
+
+/// What this project makes of the frame.
+struct Ours<'a> {
+    header: &'a CubeHeader,
+    map: &'a RdmFrame,
+    array: VirtualArray,
+    points: &'a [Point],
+}
+
+impl Ours<'_> {
+    /// Row and column of the cell in which an echo is strongest.
+    fn cell(&self, echo: &Echo) -> [usize; 2] {
+        let nearest = |axis: &[f64], at: f64| {
+            let apart = |i: &usize| (axis[*i] - at).abs();
+            (0..axis.len()).min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(0)
+        };
+        let velocities = dsp::velocity_axis_mps(self.header);
+        [nearest(&velocities, echo.velocity_mps), nearest(&dsp::range_axis_m(self.header), echo.range_m)]
+    }
+
+    /// Level of a cell, dBFS.
+    fn level_dbfs(&self, [row, column]: [usize; 2]) -> Result<f64, Failure> {
+        let power = dsp::power_map(self.header, self.map).map_err(Failure::refused)?[[row, column]];
+        Ok(self.header.map_level_db(power, self.header.radar.map_channels()))
+    }
+
+    /// Power of the strongest beam over what all channels would have in phase.
+    fn coherence(&self, echo: &Echo) -> f64 {
+        let snapshot = self.array.snapshot(self.map, self.cell(echo), echo.velocity_mps);
+        let direction = self.array.direction(std::slice::from_ref(&snapshot), echo.range_m);
+        let steering = self.array.steering(direction, echo.range_m);
+        let sum: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
+        self.array.beam(&snapshot, &steering).norm_sqr() / (snapshot.len() as f64 * sum)
+    }
+
+    /// The strongest point within a cell of an echo.
+    fn point(&self, echo: &Echo) -> Option<&Point> {
+        let radar = &self.header.radar;
+        let cells = [radar.waveform.range_resolution_m(), radar.velocity_resolution_mps()];
+        let is_near = |p: &&Point| {
+            (p.range_m - echo.range_m).abs() < cells[0]
+                && (p.radial_velocity_mps - echo.velocity_mps).abs() < cells[1]
+        };
+        self.points.iter().filter(is_near).max_by(|a, b| a.snr_db.total_cmp(&b.snr_db))
+    }
+}
+
+fn table_of_echoes(part: &mut Part, ours: &Ours<'_>, echoes: &[Echo]) -> Result<(), Failure> {
+    part.head(&[
+        "echo",
+        "",
+        "range, m",
+        "velocity, m/s",
+        "azimuth, °",
+        "cell, dBFS",
+        "over noise, dB",
+        "coherence",
+    ]);
+    for echo in echoes {
+        part.row(&[
+            echo.name.clone(),
+            "NumPy, cell".into(),
+            format!("{:.3}", echo.range_m),
+            format!("{:.3}", echo.velocity_mps),
+            format!("{:.2}", echo.azimuth_deg),
+            format!("{:.2}", echo.level_dbfs),
+            "–".into(),
+            format!("{:.3}", echo.coherence),
+        ]);
+        let point = ours.point(echo);
+        let told = |of: fn(&Point) -> f64, digits: usize| {
+            point.map_or_else(|| "–".to_owned(), |point| format!("{:.digits$}", of(point)))
+        };
+        part.row(&[
+            String::new(),
+            "ours, point".into(),
+            told(|p| p.range_m, 3),
+            told(|p| p.radial_velocity_mps, 3),
+            told(|p| p.azimuth_rad.to_degrees(), 2),
+            format!("{:.2}", ours.level_dbfs(ours.cell(echo))?),
+            told(|p| p.snr_db, 1),
+            format!("{:.3}", ours.coherence(echo)),
+        ]);
+        if point.is_none() {
+            part.complain(format!("{} has no point", echo.name));
+        }
+    }
+    Ok(())
+}
+
+/// Cells of our map differ by what single precision leaves of the strongest: 1e-4 dB where a cell is within
+/// 60 dB of it, and NumPy's levels are stored to 8e-6 dB.
+const WORST_DB: f64 = 1e-3;
+const WITHIN_DB: f64 = 60.0;
+
+fn table_of_map(part: &mut Part, ours: &Ours<'_>, numpys: &[f64]) -> Result<(), Failure> {
+    let (header, channels) = (ours.header, ours.header.radar.map_channels());
+    let power = dsp::power_map(header, ours.map).map_err(Failure::refused)?;
+    let levels: Vec<f64> = power.iter().map(|power| header.map_level_db(*power, channels)).collect();
+    let strongest = numpys.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let compared: Vec<f64> = levels
+        .iter()
+        .zip(numpys)
+        .filter(|(_, numpy)| **numpy > strongest - WITHIN_DB)
+        .map(|(a, b)| (a - b).abs())
+        .collect();
+    let worst = compared.iter().copied().fold(0.0, f64::max);
+    let noise = dsp::noise_power(header, ours.map).map_err(Failure::refused)?;
+    let floor_dbfs = header.map_level_db(noise, 1);
+    // Each part of a sample is rounded to a step: a twelfth of its square, twice; a Hann window's noise
+    // bandwidth is 1.5 cells.
+    let gain = f64::from(header.radar.waveform.chirps) * f64::from(header.radar.waveform.samples);
+    let rounding = 2.0 / 12.0 * 1.5 * 1.5 * gain;
+    let rounding_dbfs = header.map_level_db(rounding, 1);
+    part.line("");
+    part.head(&["map", "figure"]);
+    part.row(&[
+        "cells compared, within 60 dB of the strongest".into(),
+        format!("{} of {}", compared.len(), numpys.len()),
+    ]);
+    part.row(&["largest difference of a cell's level, dB".into(), format!("{worst:.1e}")]);
+    part.row(&["noise of a cell, dBFS".into(), format!("{floor_dbfs:.1}")]);
+    part.row(&["of rounding to 16 bits alone, dBFS".into(), format!("{rounding_dbfs:.1}")]);
+    part.row(&["noise of a sample, steps".into(), format!("{:.2}", (noise / (1.5 * 1.5 * gain)).sqrt())]);
+    part.row(&["strongest cell over noise, dB".into(), format!("{:.1}", strongest - floor_dbfs)]);
+    if compared.len() < 100 || levels.len() != numpys.len() || worst > WORST_DB {
+        part.complain(format!("a cell differs by {worst:.1e} dB from NumPy's, more than {WORST_DB:.0e}"));
+    }
+    Ok(())
+}
