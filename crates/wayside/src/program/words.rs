@@ -68,4 +68,8 @@ pub(crate) enum FormatWord {
     Dca1000,
     /// .sigmf-data and .sigmf-meta.
     Sigmf,
+    /// Messages of ASAM OSI, in a file that ends in .osi or .mcap.
+    Osi,
+    /// Messages of ROS 2: PointCloud2 and RadarScan, RadarTracks.
+    Mcap,
 }
