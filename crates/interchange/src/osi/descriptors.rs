@@ -1,6 +1,6 @@
-//! Description of messages for readers of a file: a `google.protobuf.FileDescriptorSet` of the fields that are
-//! written here. A reader that knows OSI needs none of it; one that knows Protocol Buffers alone reads the
-//! messages by it. Enumerations are told as the integers that go over the wire.
+//! Description of messages for readers of a file: a `google.protobuf.FileDescriptorSet` of the fields that
+//! are written here. A reader that knows OSI needs none of it; one that knows Protocol Buffers alone reads
+//! the messages by it. Enumerations are told as the integers that go over the wire.
 
 use prost::Message;
 

@@ -1,5 +1,5 @@
-//! A Python environment with pinned packages, for checks that ask programs of others. Where there is no Python
-//! with `venv` or no PyPI it says so, and the check counts as skipped.
+//! A Python environment with pinned packages, for checks that ask programs of others. Where there is no
+//! Python with `venv` or no PyPI it says so, and the check counts as skipped.
 
 use crate::ci::commands::{Tally, finished};
 use crate::project::project_root;
