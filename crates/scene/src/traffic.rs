@@ -1,8 +1,11 @@
-//! `[traffic]`: vehicles that move as SUMO recorded them.
+//! `[traffic]`: vehicles that move as SUMO recorded them, or as a ground truth of OSI tells.
 //!
-//! The recording is read once, step by step ([`fcd`]); of every step only what the radar has in view at a
-//! frame's first sample is kept, placed between the steps by [`interpolation`]. So memory grows with what is
-//! in view in the frames asked for, not with the recording.
+//! The recording is read once, step by step ([`fcd`], and messages of OSI alike); of every step only what the
+//! radar has in view at a frame's first sample is kept, placed between the steps by [`interpolation`]. So
+//! memory grows with what is in view in the frames asked for, not with the recording.
+
+mod osi_types; // what stands for objects of OSI
+mod source; // SUMO's recordings and OSI's traces
 
 pub use crate::recording::{fcd, interpolation, net};
 
@@ -10,12 +13,13 @@ use crate::document::entries::{ModelChoice, model_choices};
 use crate::document::errors::Rule;
 use crate::document::keys::scene::{FRAMES, OF_INTERSECTION};
 use crate::document::keys::traffic::{
-    BEGIN, CLASS, END, FCD, NET, TRAFFIC, VIEW_HALF_ANGLE, VIEW_NEAREST, VIEW_RANGE,
+    BEGIN, CLASS, END, FCD, NET, OSI, TRAFFIC, VIEW_HALF_ANGLE, VIEW_NEAREST, VIEW_RANGE,
 };
 use crate::document::section::Section;
 use crate::models::library::{Chosen, Models};
+use crate::models::nearest_in_size::nearest_in_size;
 use crate::recording::clock::{Clock, Times};
-use crate::recording::fcd::{FcdError, FcdReader, FcdRule, FcdVehicle, UnknownType};
+use crate::recording::fcd::{FcdError, FcdRule, FcdVehicle, UnknownType};
 use crate::recording::in_view::View;
 use crate::recording::interpolation::Interval;
 use crate::recording::net::read_net;
@@ -24,8 +28,9 @@ use artifact::scene::{Placed, Target, TargetKind, Traffic, Vehicle};
 use artifact::seed;
 use artifact::settings::{Class, Course};
 use glam::DVec2;
+use osi_types::{Default as TypeDefault, WITH_DEFAULT, default_of};
+use source::{Source, StepReader};
 use std::collections::{BTreeSet, HashMap, HashSet};
-use std::path::PathBuf;
 
 /// Models of SUMO's vTypes and vehicle classes where `models` says nothing: those of the project of about
 /// that length.
@@ -46,9 +51,11 @@ const DEFAULT_MODELS: [(&str, &str); 11] = [
 /// Recorded traffic as `[traffic]` describes it.
 pub(crate) struct Recording<'d> {
     section: Section<'d>,
-    file: PathBuf,
-    /// Models by vType.
+    source: Source,
+    /// Models by type.
     models: HashMap<String, Vec<PlacedModel>>,
+    /// The project's own vehicles that were chosen by size.
+    by_size: HashMap<&'static str, PlacedModel>,
     unknown: Vec<UnknownType>,
     times: Times,
     view: View,
@@ -82,13 +89,35 @@ pub(crate) fn read_traffic<'d>(
     if !section.exists() {
         return None;
     }
-    section.require(FCD.name);
+    let source = read_source(&section, models);
     let times = read_times(root, &section, interval_s);
     let view = read_view(&section, radar);
     let of_types =
         model_choices(&section).iter().map(|c| (c.kind.to_owned(), models_of_type(c, models))).collect();
-    let file = models.file_beside(section.read(&FCD)?);
-    Some(Recording { section, file, models: of_types, unknown: vec![], times, view })
+    Some(Recording {
+        section,
+        source: source?,
+        models: of_types,
+        by_size: HashMap::new(),
+        unknown: vec![],
+        times,
+        view,
+    })
+}
+
+/// The recording that one of two keys names.
+fn read_source(section: &Section<'_>, models: &mut Models) -> Option<Source> {
+    if section.has(OSI.name) && section.has(FCD.name) {
+        section.note(OSI.name, Rule::Contradiction { key: OSI.name, other: FCD.name });
+        return None;
+    }
+    if let Some(written) = section.read(&OSI) {
+        return Some(Source::Osi(models.file_beside(written)));
+    }
+    if !section.has(OSI.name) {
+        section.require(FCD.name);
+    }
+    section.read(&FCD).map(|written| Source::Fcd(models.file_beside(written)))
 }
 
 /// Reads the radar's view; by default the range up to which a complex beat frequency does not fold, and the
@@ -153,13 +182,14 @@ impl Recording<'_> {
     /// Frames of the recording with what is in view in each; what is wrong with it is noted.
     pub(crate) fn frames(mut self, models: &mut Models, targets: &[Target]) -> Traffic {
         self.read(models, targets).unwrap_or_else(|error| {
-            self.section.note(FCD.name, Rule::Traffic(error));
+            let key = if matches!(self.source, Source::Osi(_)) { OSI.name } else { FCD.name };
+            self.section.note(key, Rule::Traffic(error));
             Traffic::default()
         })
     }
 
     fn read(&mut self, models: &mut Models, targets: &[Target]) -> Result<Traffic, FcdError> {
-        let mut reader = FcdReader::open(&self.file)?;
+        let mut reader = self.source.open()?;
         let (mut cast, mut interval, mut clock) = (Cast::new(targets), Interval::default(), None);
         while let Some(step) = reader.next_step()? {
             let clock = clock.get_or_insert_with(|| Clock::of(self.times, step.time_s));
@@ -168,7 +198,7 @@ impl Recording<'_> {
             while let Some(time_s) =
                 clock.frame_until(interval.end_s()).map_err(|rule| reader.error_at(line, rule))?
             {
-                let kept = self.keep_frame(&mut cast, models, &interval, time_s);
+                let kept = self.keep_frame(&mut cast, models, (&reader, &interval), time_s);
                 kept.map_err(|(line, rule)| reader.error_at(line, rule))?;
             }
             if clock.is_done() {
@@ -188,14 +218,14 @@ impl Recording<'_> {
         &mut self,
         cast: &mut Cast<'_>,
         models: &mut Models,
-        interval: &Interval,
+        (reader, interval): (&StepReader, &Interval),
         time_s: f64,
     ) -> Result<(), (u64, FcdRule)> {
         let mut placed = vec![];
         for vehicle in interval.vehicles() {
             let Some(bumper) = interval.bumper(vehicle, time_s) else { continue };
-            let Some(model) = self.model_of(vehicle, models) else { continue };
-            let pose = bumper.pose(model.reach_m);
+            let Some(model) = self.model_of(vehicle, reader.size_m(&vehicle.id), models) else { continue };
+            let pose = bumper.pose(self.reach_m(&model));
             let [x, y, _] = pose.position_m;
             if self.view.touches(DVec2::new(x, y), model.radius_m) {
                 let vehicle = cast.place_of(vehicle, &model).map_err(|rule| (vehicle.line, rule))?;
@@ -212,11 +242,19 @@ impl Recording<'_> {
 
     /// One of the models of its type, always the same for the same id; `None` where there is none, and that
     /// is kept.
-    fn model_of(&mut self, vehicle: &FcdVehicle, models: &mut Models) -> Option<PlacedModel> {
+    fn model_of(
+        &mut self,
+        vehicle: &FcdVehicle,
+        size_m: Option<[f64; 3]>,
+        models: &mut Models,
+    ) -> Option<PlacedModel> {
         // A vType that was changed for one vehicle is called `car@flow.3`.
         let name = vehicle.kind.split('@').next().unwrap_or_default();
         if !self.models.contains_key(name) {
-            self.add_default(name, models);
+            match self.source {
+                Source::Fcd(_) => self.add_default(name, models),
+                Source::Osi(_) => return self.model_by_size(vehicle, size_m, models),
+            }
         }
         let Some(models) = self.models.get(name).filter(|models| !models.is_empty()) else {
             self.keep_unknown(vehicle);
@@ -225,6 +263,36 @@ impl Recording<'_> {
         let key = seed::key(0, &format!("scene/model of {}", vehicle.id), &[]);
         let draw = u64::from_le_bytes([key[0], key[1], key[2], key[3], key[4], key[5], key[6], key[7]]);
         Some(models[(draw % models.len() as u64) as usize].clone())
+    }
+
+    /// Distance from a model's origin to what the recording tells of a vehicle: SUMO its front bumper, OSI
+    /// the middle.
+    fn reach_m(&self, model: &PlacedModel) -> f64 {
+        if matches!(self.source, Source::Osi(_)) { 0.0 } else { model.reach_m }
+    }
+
+    /// The project's own vehicle that stands for an object of OSI; `None` where there is none.
+    fn model_by_size(
+        &mut self,
+        vehicle: &FcdVehicle,
+        size_m: Option<[f64; 3]>,
+        models: &mut Models,
+    ) -> Option<PlacedModel> {
+        let name = match default_of(&vehicle.kind) {
+            Some(TypeDefault::NearestOf(classes, name)) => {
+                size_m.and_then(|size_m| nearest_in_size(classes, size_m)).unwrap_or(name)
+            }
+            Some(TypeDefault::PassedOver) => return None,
+            None => {
+                self.keep_unknown(vehicle);
+                return None;
+            }
+        };
+        if !self.by_size.contains_key(name) {
+            let chosen = models.choose_written(&self.section, name)?;
+            self.by_size.insert(name, PlacedModel::of(chosen, None, models));
+        }
+        self.by_size.get(name).cloned()
     }
 
     /// Default models are loaded where a vehicle needs them.
@@ -244,7 +312,10 @@ impl Recording<'_> {
 
     fn unknown_types(&mut self) -> FcdRule {
         let own = self.models.keys().map(String::as_str);
-        let known: BTreeSet<&str> = own.chain(DEFAULT_MODELS.map(|(name, _)| name)).collect();
+        let known: BTreeSet<&str> = match self.source {
+            Source::Fcd(_) => own.chain(DEFAULT_MODELS.map(|(name, _)| name)).collect(),
+            Source::Osi(_) => own.chain(WITH_DEFAULT).collect(),
+        };
         let known = known.into_iter().map(str::to_owned).collect();
         FcdRule::UnknownTypes { found: std::mem::take(&mut self.unknown), known }
     }

@@ -80,6 +80,8 @@ const CASES: &[Case] = &[
     (NAME, "frames = 0\n", "2:10", "`frames` must be a number from 1 to 1000000, is 0"),
     (NAME, "frame_interval_s = 0\n", "2:20", "`frame_interval_s` must be a number above 0"),
     (NAME, "frames = 2\nframe_interval_s = 1e-3\n", "3:20", "shorter than a frame of 0.00768 s"),
+    (NAME, "[traffic]\nosi = \"a.osi\"\nfcd = \"b.xml\"\n", "3:7", "fcd"),
+    (NAME, "[traffic]\nend_s = 1\n", "2:1", "fcd"),
     (NAME, "frame_interval_s = 5e-324\n[traffic]\nfcd = \"scene.obj\"\n", "2:20", "shorter than a frame of 0.00768 s"),
     (NAME, "[radar]\nposition_m = [0, nan, 6]\n", "3:18", "`position_m` must be a number from -100000 to 100000, is NaN"),
     (NAME, "[radar]\nposition_m = [0, 0, inf]\n", "3:21", "is inf"),

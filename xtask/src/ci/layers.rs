@@ -1,6 +1,7 @@
 //! The layer rule: leaves depend on no crate of the workspace (`radar` and `bodies` on `artifact` alone,
-//! `po-sbr` on these two), stages on leaves and never on each other; `wayside` links them, and `xtask` stands
-//! above it. What teaches a stage may see it. `fuzzing` is for tests alone, and its own tests see all.
+//! `po-sbr` and `interchange` on `artifact` and `radar`), stages on leaves and never on each other; `wayside`
+//! links them, and `xtask` stands above it. What teaches a stage may see it. `fuzzing` is for tests alone,
+//! and its own tests see all.
 
 use crate::ci::findings::none_of;
 use crate::project::project_root;
@@ -16,14 +17,18 @@ pub(super) fn check() -> Result<(), Failure> {
     none_of(forbidden(&edges(&metadata)).into_iter().chain(left_out(&metadata)).collect())
 }
 
-/// A sentence for each crate that no plain `cargo test` knows, but for the one that teaches.
+/// Crates whose tests run in checks of their own.
+const APART: [&str; 2] = ["/classifier-training#", "/interchange#"];
+
+/// A sentence for each crate that no plain `cargo test` knows, but for those with checks of their own.
 fn left_out(metadata: &serde_json::Value) -> Vec<String> {
     let of = |list: &str| -> Vec<String> {
         let ids = metadata[list].as_array().into_iter().flatten().filter_map(|id| id.as_str());
         ids.map(str::to_owned).collect()
     };
     let known = of("workspace_default_members");
-    let forgotten = |id: &String| !known.contains(id) && !id.contains("/classifier-training#");
+    let is_apart = |id: &String| APART.iter().any(|apart| id.contains(apart));
+    let forgotten = |id: &String| !known.contains(id) && !is_apart(id);
     let sentence = |id: String| format!("Cargo.toml: {id} is no default member: its tests would not run");
     of("workspace_members").into_iter().filter(forgotten).map(sentence).collect()
 }
@@ -56,13 +61,13 @@ fn edges(metadata: &serde_json::Value) -> Vec<Edge> {
 
 /// A sentence for each edge that breaks the rule.
 fn forbidden(edges: &[Edge]) -> Vec<String> {
-    const LEAVES: [&str; 5] = ["artifact", "bodies", "plotting", "po-sbr", "radar"];
+    const LEAVES: [&str; 6] = ["artifact", "bodies", "interchange", "plotting", "po-sbr", "radar"];
     let is_leaf = |name: &str| LEAVES.contains(&name);
     let may = |from: &str, to: &str| match from {
         "xtask" => true,
         "wayside" => to != "xtask",
         "radar" | "bodies" => to == "artifact",
-        "po-sbr" => ["artifact", "radar"].contains(&to),
+        "po-sbr" | "interchange" => ["artifact", "radar"].contains(&to),
         "classifier-training" => is_leaf(to) || to == "classifier",
         _ => is_leaf(to) && !is_leaf(from),
     };

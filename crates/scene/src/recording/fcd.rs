@@ -6,6 +6,7 @@
 //! are not read (`pos`, `lane`, `slope`, `acceleration`, signals and more) may be there or not; elements
 //! other than vehicles (`<person>`, `<container>`) are passed over, since no model of ours is meant by them.
 
+use crate::recording::step_order::{Disorder, StepOrder};
 use crate::recording::xml::{self, Element, XmlFault, XmlText};
 use crate::wording::excerpt::excerpt;
 use quick_xml::events::BytesStart;
@@ -20,6 +21,19 @@ pub struct FcdStep {
     pub line: u64,
     /// Vehicles in the order of the file.
     pub vehicles: Vec<FcdVehicle>,
+}
+
+impl FcdStep {
+    /// Refuses what breaks the order of steps, with the line that is at fault.
+    pub(crate) fn checked(&self, order: &mut StepOrder) -> Result<(), (u64, FcdRule)> {
+        let ids = self.vehicles.iter().map(|vehicle| (vehicle.id.as_str(), vehicle.line));
+        order.check(self.time_s, ids).map_err(|disorder| match disorder {
+            Disorder::TimeNotGrowing { before_s } => {
+                (self.line, FcdRule::TimeNotGrowing { found: self.time_s, before: before_s })
+            }
+            Disorder::Twice { id, line } => (line, FcdRule::Twice(id)),
+        })
+    }
 }
 
 /// A vehicle at one step, as recorded.
@@ -41,20 +55,38 @@ pub struct FcdVehicle {
 
 /// Fault of a recording, and its place.
 #[derive(Debug, thiserror::Error)]
-#[error("{}:{line}: {rule}", file.display())]
+#[error("{}:{place}: {rule}", file.display())]
 pub struct FcdError {
     /// The recording.
     pub file: PathBuf,
-    /// Line of the unpacked text, from 1.
-    pub line: u64,
+    /// Place in the recording.
+    pub place: RecordingPlace,
     /// Rule that is broken.
     pub rule: Box<FcdRule>,
+}
+
+/// Place in a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RecordingPlace {
+    /// Line of the unpacked text, from 1.
+    Line(u64),
+    /// Number of a message, from 1.
+    Message(u64),
+}
+
+impl std::fmt::Display for RecordingPlace {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Line(line) => write!(out, "{line}"),
+            Self::Message(message) => write!(out, " message {message}"),
+        }
+    }
 }
 
 impl FcdError {
     /// Whether the machine is at fault, not the content of the file.
     pub fn is_system(&self) -> bool {
-        matches!(*self.rule, FcdRule::Text(XmlFault::Unreadable(_)))
+        matches!(*self.rule, FcdRule::Text(XmlFault::Unreadable(_)) | FcdRule::Unreadable(_))
     }
 }
 
@@ -64,6 +96,18 @@ pub enum FcdRule {
     /// The file cannot be read, or not as XML.
     #[error("{0}")]
     Text(#[source] XmlFault),
+    /// A trace that cannot be read.
+    #[error("cannot be read: {0}")]
+    Unreadable(#[source] std::io::Error),
+    /// A trace of OSI that breaks a rule of its own, in the words of its reader.
+    #[error("{0}")]
+    Trace(String),
+    /// A trace of OSI, by a program that was built without its reader.
+    #[error(
+        "this program was built without the reader of OSI; `cargo install --path crates/wayside --features \
+         interchange` in the project's folder builds one with it"
+    )]
+    WithoutInterchange,
     /// XML, but of something else.
     #[error("the first element is <{0}>; floating-car data begin with <fcd-export>")]
     NotFcd(String),
@@ -213,7 +257,7 @@ const NAME_LIMIT_BYTES: usize = 256;
 pub struct FcdReader {
     file: PathBuf,
     text: XmlText,
-    last_time_s: Option<f64>,
+    order: StepOrder,
     place: FcdPlace,
 }
 
@@ -228,9 +272,10 @@ enum FcdPlace {
 impl FcdReader {
     /// Opens a recording; whether it is packed is told by its first bytes, not by its name.
     pub fn open(file: &Path) -> Result<Self, FcdError> {
-        let error = |rule| FcdError { file: file.to_owned(), line: 1, rule: Box::new(rule) };
+        let place = RecordingPlace::Line(1);
+        let error = |rule| FcdError { file: file.to_owned(), place, rule: Box::new(rule) };
         let text = XmlText::open(file).map_err(|fault| error(FcdRule::Text(fault)))?;
-        Ok(Self { file: file.to_owned(), text, last_time_s: None, place: FcdPlace::Before })
+        Ok(Self { file: file.to_owned(), text, order: StepOrder::default(), place: FcdPlace::Before })
     }
 
     /// The recording.
@@ -252,15 +297,15 @@ impl FcdReader {
                 Err(rule) => return Err(self.error_at(self.text.line(), rule)),
             }
         }
-        match step {
-            Some(step) => self.checked(step).map(Some),
-            None => Ok(None),
+        if let Some(step) = &step {
+            step.checked(&mut self.order).map_err(|(line, rule)| self.error_at(line, rule))?;
         }
+        Ok(step)
     }
 
     /// An error of this recording at a line.
     pub(crate) fn error_at(&self, line: u64, rule: FcdRule) -> FcdError {
-        FcdError { file: self.file.clone(), line, rule: Box::new(rule) }
+        FcdError { file: self.file.clone(), place: RecordingPlace::Line(line), rule: Box::new(rule) }
     }
 
     /// Reads one element; false where a step or the document ends.
@@ -282,20 +327,6 @@ impl FcdReader {
             },
             Element::Other => Ok(true),
         }
-    }
-
-    /// The step, refused where time does not grow or two vehicles have one name.
-    fn checked(&mut self, step: FcdStep) -> Result<FcdStep, FcdError> {
-        if let Some(before) = self.last_time_s.filter(|before| step.time_s <= *before) {
-            return Err(self.error_at(step.line, FcdRule::TimeNotGrowing { found: step.time_s, before }));
-        }
-        let mut ids: Vec<(&str, u64)> = step.vehicles.iter().map(|v| (v.id.as_str(), v.line)).collect();
-        ids.sort_unstable();
-        if let Some(pair) = ids.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-            return Err(self.error_at(pair[1].1, FcdRule::Twice(pair[1].0.to_owned())));
-        }
-        self.last_time_s = Some(step.time_s);
-        Ok(step)
     }
 }
 

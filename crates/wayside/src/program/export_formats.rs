@@ -3,12 +3,12 @@
 /// Formats to which each kind of artifact is exported.
 pub(crate) const FORMATS: [(&str, &str); 10] = [
     ("scene", "json"),
-    ("paths", "csv, json"),
+    ("paths", "csv, json, osi"),
     ("rcs", "npy, json"),
     ("cube", "npy, dca1000, sigmf"),
     ("rdm", "npy, exr, png"),
-    ("points", "csv, pcd, ply, json"),
-    ("tracks", "csv, json"),
+    ("points", "csv, pcd, ply, json, osi, mcap"),
+    ("tracks", "csv, json, osi, mcap"),
     ("dataset", "csv, npy, png"),
     ("model", "safetensors, json"),
     ("classes", "json"),

@@ -68,6 +68,10 @@ pub(crate) enum FormatWord {
     Dca1000,
     /// .sigmf-data and .sigmf-meta.
     Sigmf,
+    /// Messages of ASAM OSI, in a file that ends in .osi or .mcap.
+    Osi,
+    /// Messages of ROS 2: PointCloud2 and RadarScan, RadarTracks.
+    Mcap,
 }
 
 /// Evaluation board of a family of devices, automotive and industrial alike.

@@ -230,3 +230,19 @@ fn an_interrupt_ends_with_130_and_leaves_nothing_half_written() {
     let left = std::fs::read_dir(place.path("a")).unwrap().flatten().filter(|e| e.path().is_file()).count();
     assert_eq!(left, 0, "temporary files were left");
 }
+
+#[cfg(not(feature = "interchange"))]
+#[test]
+fn a_program_without_messages_of_others_says_how_to_build_one_with_them() {
+    let place = Workplace::new();
+    let how = "cargo install --path crates/wayside --features interchange";
+    let trace = SMALL_SCENE.to_owned() + "\n[traffic]\nosi = \"a.osi\"\n";
+    std::fs::write(place.path("trace.toml"), trace).unwrap();
+    refused(&place.try_run("run trace.toml --out a --quiet"), 1, &["a.osi", how], "a trace");
+    place.run("echo small.toml --out a.cube --quiet");
+    place.run("dsp a.cube --out a --quiet");
+    for (file, format) in [("a/a.points", "osi"), ("a/a.tracks", "mcap")] {
+        let words = format!("export {file} --to {format} --out b.{format} --quiet");
+        refused(&place.try_run(&words), 2, &[how], &words);
+    }
+}

@@ -9,17 +9,23 @@ use artifact::settings::Class;
 pub(crate) const TRAFFIC: Table = Table {
     name: "traffic",
     heading: "[traffic]",
-    about: "Vehicles that move as SUMO recorded them.",
-    keys: &[&FCD, &NET, &BEGIN, &END, &MODELS, &VIEW_RANGE, &VIEW_NEAREST, &VIEW_HALF_ANGLE],
+    about: "Vehicles that move as SUMO recorded them, or as a ground truth of OSI tells.",
+    keys: &[&FCD, &OSI, &NET, &BEGIN, &END, &MODELS, &VIEW_RANGE, &VIEW_NEAREST, &VIEW_HALF_ANGLE],
 };
 
 pub(crate) const FCD: Key<Text> = Key::new(
     "fcd",
     Text("a file"),
     "floating-car data as SUMO writes them (`--fcd-output`), plain or packed by gzip, told by its first \
-     bytes",
-)
-.required();
+     bytes; one of these two is required",
+);
+
+pub(crate) const OSI: Key<Text> = Key::new(
+    "osi",
+    Text("a file"),
+    "a trace of `GroundTruth` messages of ASAM OSI, `.osi` or MCAP, told by its first bytes, in place of \
+     `fcd`; read by programs built with `--features interchange`",
+);
 
 pub(crate) const NET: Key<Text> = Key::new(
     "net",

@@ -4,6 +4,8 @@ mod cube;
 mod dataset;
 #[cfg(feature = "classifier")]
 mod features;
+#[cfg_attr(not(feature = "interchange"), path = "export/no_interchange.rs")]
+mod interchange;
 mod paths;
 mod points;
 mod rcs;
@@ -23,7 +25,7 @@ use clap::ValueEnum;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
-    use FormatWord::{Csv, Dca1000, Exr, Json, Npy, Pcd, Ply, Png, Safetensors, Sigmf};
+    use FormatWord::{Csv, Dca1000, Exr, Json, Mcap, Npy, Osi, Pcd, Ply, Png, Safetensors, Sigmf};
     let (file, out) = (arguments.file.as_path(), arguments.out.as_path());
     let schema = read_preamble(file)?.schema; // from here on the file is known as an input
     if arguments.axes == AxesWord::On && (schema.as_str(), arguments.to) != ("rdm", Png) {
@@ -40,6 +42,8 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         ("points", Csv) => points::csv(Reader::open(file)?, out),
         ("points", Pcd) => points::pcd(Reader::open(file)?, out),
         ("points", Ply) => points::ply(Reader::open(file)?, out),
+        (kind @ ("points" | "tracks" | "paths"), Osi) => interchange::osi(file, kind, out),
+        (kind @ ("points" | "tracks"), Mcap) => interchange::mcap(file, kind, out),
         ("tracks", Csv) => tracks::csv(Reader::open(file)?, out),
         ("tracks", Json) => as_json::<artifact::tracks::Tracks>(file, out),
         ("paths", Csv) => paths::csv(Reader::open(file)?, out),

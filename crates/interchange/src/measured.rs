@@ -1,0 +1,6 @@
+//! A radar's numbers as a sensor's own axes have them (x ahead, y left, z up), with their standard errors.
+
+pub(crate) mod sensor_axes;
+pub(crate) mod standard_errors;
+pub(crate) mod cross_section;
+pub(crate) mod existence;

@@ -1,0 +1,40 @@
+//! Probability that a detection is no noise, as far as one frame tells.
+
+use artifact::Radar;
+use artifact::units::power_from_db;
+
+/// Probability e^{−E} that a map of noise alone has no cell as strong: E its cells times the probability that
+/// the mean power of M channels of noise is so many times its mean, Σ_{k<M} (Mρ)^k/k!·e^{−Mρ}.
+pub(crate) fn existence(radar: &Radar, snr_db: f64) -> f64 {
+    let channels = radar.virtual_channels().max(1);
+    let level = channels as f64 * power_from_db(snr_db);
+    let cells = radar.waveform.range_cells() as f64 * f64::from(radar.waveform.chirps);
+    (-cells * exceeded(channels, level)).exp()
+}
+
+/// Probability that a sum of that many exponential variables of mean 1 is above a level.
+fn exceeded(count: usize, level: f64) -> f64 {
+    let log_level = level.max(f64::MIN_POSITIVE).ln();
+    let (mut total, mut log_factorial) = (0.0, 0.0);
+    for k in 0..count {
+        log_factorial += if k > 0 { (k as f64).ln() } else { 0.0 };
+        total += (k as f64 * log_level - log_factorial - level).exp();
+    }
+    total.min(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_channel_is_exponential_and_the_middle_of_many_is_their_mean() {
+        for level in [0.5, 3.0, 40.0] {
+            let told = exceeded(1, level) / (-level).exp();
+            assert!((told - 1.0).abs() < 1e-12, "{level}");
+        }
+        // The median of a gamma variable lies a third below its shape, to 0.03 of it (Choi 1994).
+        assert!((exceeded(16, 16.0 - 1.0 / 3.0) - 0.5).abs() < 0.01);
+        assert_eq!(exceeded(12, 1e9), 0.0);
+    }
+}

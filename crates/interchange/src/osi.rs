@@ -1,0 +1,8 @@
+//! Messages of ASAM OSI 3.8: those fields that are read or written here, by the numbers of the standard
+//! (`docs/decisions/osi.md`). A field that a message lacks is `None`.
+
+pub(crate) mod common;
+pub(crate) mod moving_object;
+pub(crate) mod sensor_data;
+pub(crate) mod sensor_view;
+pub(crate) mod descriptors;

@@ -1,0 +1,6 @@
+//! Names of the frames that messages are in.
+
+/// The frame of world coordinates.
+pub(crate) const WORLD: &str = "map";
+/// The frame of the sensor: x ahead, y left, z up.
+pub(crate) const SENSOR: &str = "radar";

@@ -1,0 +1,49 @@
+//! Tracks as `radar_msgs/RadarTracks` in world coordinates: the middle of the box, its length and width, and
+//! the variances of place and velocity. What is not estimated has the message's mark for it, −1.
+
+use crate::ros::cdr::Cdr;
+use crate::ros::frames::WORLD;
+use artifact::tracks::{Track, TrackState, TracksFrame};
+
+/// The message's word for a variance that is not known.
+const UNKNOWN: f64 = -1.0;
+/// The message's class of what moves or stands without a class of its own.
+const NO_CLASSIFICATION: u16 = 0;
+
+/// The believed tracks of a frame.
+pub(crate) fn message(frame: &TracksFrame) -> Vec<u8> {
+    let believed: Vec<&Track> =
+        frame.tracks.iter().filter(|track| track.state != TrackState::Tentative).collect();
+    let mut message = Cdr::stamped(frame.time_s, WORLD);
+    message.count(believed.len());
+    believed.into_iter().for_each(|track| put(&mut message, track));
+    message.finish()
+}
+
+fn put(message: &mut Cdr, track: &Track) {
+    let footprint = &track.footprint;
+    let ([x, y], [vx, vy]) = (footprint.centre_m, track.velocity_mps);
+    message.raw(&uuid(track.id));
+    message.doubles(&[x, y, 0.0]);
+    message.doubles(&[vx, vy, 0.0]);
+    message.doubles(&[0.0; 3]);
+    message.doubles(&[footprint.length_m, footprint.width_m, 0.0]);
+    message.put(NO_CLASSIFICATION.to_le_bytes());
+    message.floats(&upper_triangle(track, 0));
+    message.floats(&upper_triangle(track, 2));
+    message.floats(&[UNKNOWN; 6]);
+    message.floats(&[UNKNOWN; 6]);
+}
+
+/// xx, xy, xz, yy, yz, zz of the place (from 0) or of the velocity (from 2).
+fn upper_triangle(track: &Track, from: usize) -> [f64; 6] {
+    let of = |row: usize, column: usize| track.covariance[from + row][from + column];
+    [of(0, 0), of(0, 1), UNKNOWN, of(1, 1), UNKNOWN, UNKNOWN]
+}
+
+/// A number that no other track of the recording has; the same in every run.
+fn uuid(id: u32) -> [u8; 16] {
+    let mut uuid = [0; 16];
+    uuid[12..].copy_from_slice(&id.to_be_bytes());
+    uuid
+}

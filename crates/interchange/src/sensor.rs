@@ -1,0 +1,142 @@
+//! Sight of a radar as OSI tells it: detections and objects as `SensorData`, paths as `SensorView`.
+//!
+//! A roadside radar has no vehicle that carries it. Its mounting position is told in the world's axes, and so
+//! are its detected objects: the frame of the host vehicle is the world's.
+
+mod mounting;
+mod detections;
+mod objects;
+mod reflections;
+
+use crate::osi::common::{Identifier, Timestamp, version};
+use crate::osi::descriptors;
+use crate::osi::sensor_data::SensorData;
+use crate::osi::sensor_view::SensorView;
+use crate::trace::{Container, MessageKind, TraceWriter};
+use artifact::Radar;
+use artifact::paths::{PathsFrame, PathsHeader};
+use artifact::points::{PointsFrame, PointsHeader};
+use artifact::tracks::{TracksFrame, TracksHeader};
+use mounting::{SENSOR, mounting};
+use objects::Births;
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+/// A trace of `osi3.SensorData`.
+pub struct SensorDataTrace<W: Write> {
+    file: TraceWriter<W>,
+    births: Births,
+}
+
+impl<W: Write> SensorDataTrace<W> {
+    /// Begins a trace.
+    ///
+    /// # Errors
+    /// The sink does not take it.
+    pub fn create(sink: W, container: Container) -> io::Result<Self> {
+        let kind = MessageKind {
+            schema: "osi3.SensorData",
+            topic: "SensorData",
+            descriptor: descriptors::sensor_data,
+        };
+        Ok(Self { file: TraceWriter::begin(sink, container, &kind)?, births: Births::default() })
+    }
+
+    /// Points of a frame as radar detections.
+    ///
+    /// # Errors
+    /// The sink does not take it.
+    pub fn points(&mut self, header: &PointsHeader, frame: &PointsFrame) -> io::Result<()> {
+        let cube = header.cube.as_ref().map(|cube| cube.in_frame(frame.index));
+        let radar = cube.as_ref().map(|cube| &cube.radar);
+        let feature_data = Some(detections::feature_data(cube.as_ref(), frame));
+        let data = SensorData { feature_data, ..head(radar, frame.time_s) };
+        self.file.write(frame.time_s, &data)
+    }
+
+    /// Tracks of a frame as detected moving objects, those left out that are not believed yet; `classes` has
+    /// the probabilities of the four classes, in their order, of tracks whose class is known.
+    ///
+    /// # Errors
+    /// The sink does not take it.
+    pub fn tracks(
+        &mut self,
+        header: &TracksHeader,
+        frame: &TracksFrame,
+        classes: &BTreeMap<u32, [f64; 4]>,
+    ) -> io::Result<()> {
+        let radar = header.cube.as_ref().map(|cube| cube.radar.in_frame(frame.index));
+        let moving_object_header = Some(objects::header(radar.as_ref(), frame));
+        let moving_object = self.births.objects(frame, classes);
+        let data = SensorData { moving_object_header, moving_object, ..head(radar.as_ref(), frame.time_s) };
+        self.file.write(frame.time_s, &data)
+    }
+
+    /// Writes what stands behind the last message.
+    ///
+    /// # Errors
+    /// The sink does not take it.
+    pub fn finish(self) -> io::Result<()> {
+        self.file.finish()
+    }
+}
+
+/// A trace of `osi3.SensorView`.
+pub struct SensorViewTrace<W: Write> {
+    file: TraceWriter<W>,
+}
+
+impl<W: Write> SensorViewTrace<W> {
+    /// Begins a trace.
+    ///
+    /// # Errors
+    /// The sink does not take it.
+    pub fn create(sink: W, container: Container) -> io::Result<Self> {
+        let kind = MessageKind {
+            schema: "osi3.SensorView",
+            topic: "SensorView",
+            descriptor: descriptors::sensor_view,
+        };
+        Ok(Self { file: TraceWriter::begin(sink, container, &kind)? })
+    }
+
+    /// Paths of a frame as reflections.
+    ///
+    /// # Errors
+    /// The sink does not take it.
+    pub fn paths(&mut self, header: &PathsHeader, frame: &PathsFrame) -> io::Result<()> {
+        let radar = header.radar.in_frame(frame.index);
+        let view = SensorView {
+            version: version(),
+            timestamp: Some(Timestamp::at(frame.time_s)),
+            sensor_id: Identifier::of(SENSOR),
+            mounting_position: Some(mounting(&radar)),
+            radar_sensor_view: vec![reflections::radar_view(&radar, header.centre_frequency_hz, frame)],
+        };
+        self.file.write(frame.time_s, &view)
+    }
+
+    /// Writes what stands behind the last message.
+    ///
+    /// # Errors
+    /// The sink does not take it.
+    pub fn finish(self) -> io::Result<()> {
+        self.file.finish()
+    }
+}
+
+/// Fields that every `SensorData` has.
+fn head(radar: Option<&Radar>, time_s: f64) -> SensorData {
+    let measured_at_s = time_s + radar.map_or(0.0, Radar::frame_middle_s);
+    SensorData {
+        version: version(),
+        timestamp: Some(Timestamp::at(time_s)),
+        sensor_id: Identifier::of(SENSOR),
+        mounting_position: radar.map(mounting),
+        last_measurement_time: Some(Timestamp::at(measured_at_s)),
+        ..SensorData::default()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,67 @@
+//! Points as `osi3.RadarDetection`.
+
+use crate::measured::cross_section::cross_section_dbsm;
+use crate::measured::existence::existence;
+use crate::measured::sensor_axes::SensorAxes;
+use crate::measured::standard_errors::standard_errors;
+use crate::osi::common::{Identifier, Spherical3d, Timestamp, version};
+use crate::osi::sensor_data::{
+    AVAILABLE, FeatureData, RadarDetection, RadarDetectionData, SensorDetectionHeader,
+};
+use crate::sensor::mounting::{SENSOR, mounting};
+use artifact::Radar;
+use artifact::cube::CubeHeader;
+use artifact::points::{Point, PointsFrame};
+
+/// Detections of a frame, in the order of its points.
+pub(crate) fn feature_data(cube: Option<&CubeHeader>, frame: &PointsFrame) -> FeatureData {
+    let radar = cube.map(|cube| &cube.radar);
+    let measured_at_s = frame.time_s + radar.map_or(0.0, Radar::frame_middle_s);
+    let header = SensorDetectionHeader {
+        measurement_time: Some(Timestamp::at(measured_at_s)),
+        cycle_counter: Some(u64::from(frame.index)),
+        mounting_position: radar.map(mounting),
+        data_qualifier: Some(AVAILABLE),
+        number_of_valid_detections: Some(frame.points.len() as u32),
+        sensor_id: Identifier::of(SENSOR),
+    };
+    let detection = (0..).zip(&frame.points).map(|(number, point)| detection(cube, frame, number, point));
+    let of_radar = RadarDetectionData { header: Some(header), detection: detection.collect() };
+    FeatureData { version: version(), radar_sensor: vec![of_radar] }
+}
+
+fn detection(cube: Option<&CubeHeader>, frame: &PointsFrame, number: u64, point: &Point) -> RadarDetection {
+    let axes = cube.map_or_else(SensorAxes::of_world, |cube| SensorAxes::of(&cube.radar));
+    let angles = axes.angles_of_world(point.azimuth_rad, point.elevation_rad);
+    let errors = cube.map(|cube| standard_errors(&cube.radar, point.snr_db, angles));
+    let position_rmse = errors.map(|errors| Spherical3d {
+        distance: Some(errors.range_m),
+        azimuth: errors.azimuth_rad,
+        elevation: errors.elevation_rad,
+    });
+    RadarDetection {
+        existence_probability: cube.map(|cube| existence(&cube.radar, point.snr_db)),
+        object_id: Identifier::of(point.object.map_or(Identifier::NONE, u64::from)),
+        position: Some(Spherical3d {
+            distance: Some(point.range_m),
+            azimuth: Some(angles[0]),
+            elevation: Some(angles[1]),
+        }),
+        position_rmse,
+        radial_velocity: Some(point.radial_velocity_mps),
+        radial_velocity_rmse: errors.map(|errors| errors.velocity_mps),
+        rcs: cube.and_then(|cube| cross_section_dbsm(cube, &axes, point)),
+        snr: Some(point.snr_db),
+        ambiguity_id: Identifier::of(ambiguity(frame, number, point)),
+    }
+}
+
+/// 0 where the velocity is the only one left; else one number for all points of an object, whose velocity is
+/// ambiguous as one, and one for each lone point.
+fn ambiguity(frame: &PointsFrame, number: u64, point: &Point) -> u64 {
+    match point.object.and_then(|place| Some((place, frame.objects.get(place as usize)?))) {
+        Some((_, object)) if object.velocity_resolved => 0,
+        Some((place, _)) => 1 + u64::from(place),
+        None => 1 + frame.objects.len() as u64 + number,
+    }
+}

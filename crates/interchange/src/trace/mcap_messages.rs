@@ -1,0 +1,131 @@
+//! Messages of one schema in an MCAP file, in the order of the file, chunks unpacked one at a time.
+
+use crate::trace::fault::TraceRule;
+use crate::trace::mcap_records::{self, RECORD_LIMIT_BYTES};
+use mcap::parse_record;
+use mcap::records::{Channel, ChunkHeader, Record, op};
+use std::collections::BTreeSet;
+use std::io::{BufReader, Cursor, Read};
+
+/// Reader behind the magic of a file.
+pub(crate) struct McapMessages<R> {
+    schema: &'static str,
+    file: BufReader<R>,
+    chunk: Option<Cursor<Vec<u8>>>,
+    /// Ids of schemas of that name.
+    schemas: BTreeSet<u16>,
+    channel: Option<Channel>,
+}
+
+const KINDS: [u8; 6] = [op::SCHEMA, op::CHANNEL, op::MESSAGE, op::CHUNK, op::FOOTER, op::DATA_END];
+
+/// Consequence of a record.
+enum Found {
+    Message(Vec<u8>),
+    Nothing,
+    End,
+}
+
+impl<R: Read> McapMessages<R> {
+    /// Messages of the schema in what follows the magic.
+    pub(crate) fn new(file: BufReader<R>, schema: &'static str) -> Self {
+        Self { schema, file, chunk: None, schemas: BTreeSet::new(), channel: None }
+    }
+
+    /// The next message; `None` behind the last.
+    pub(crate) fn next(&mut self) -> Result<Option<Vec<u8>>, TraceRule> {
+        loop {
+            let record = match &mut self.chunk {
+                Some(chunk) => mcap_records::next(chunk, &KINDS)?,
+                None => mcap_records::next(&mut self.file, &KINDS)?,
+            };
+            match record {
+                Some((kind, content)) => match self.take(kind, &content)? {
+                    Found::Message(message) => return Ok(Some(message)),
+                    Found::Nothing => {}
+                    Found::End => return self.ended(),
+                },
+                None if self.chunk.is_some() => self.chunk = None,
+                None => return Err(TraceRule::CutOff),
+            }
+        }
+    }
+
+    fn ended(&self) -> Result<Option<Vec<u8>>, TraceRule> {
+        if self.channel.is_some() { Ok(None) } else { Err(TraceRule::NoChannel(self.schema)) }
+    }
+
+    fn take(&mut self, kind: u8, content: &[u8]) -> Result<Found, TraceRule> {
+        let record = parse_record(kind, content).map_err(|e| TraceRule::Record(e.to_string()))?;
+        match record {
+            Record::Schema { header, .. } if header.name == self.schema => {
+                self.schemas.insert(header.id);
+            }
+            Record::Channel(channel) if self.schemas.contains(&channel.schema_id) => self.hear(channel)?,
+            Record::Message { header, data } if self.is_heard(header.channel_id) => {
+                return Ok(Found::Message(data.into_owned()));
+            }
+            Record::Chunk { header, data } if self.chunk.is_none() => {
+                self.chunk = Some(Cursor::new(unpacked(&header, &data)?));
+            }
+            Record::Footer(_) | Record::DataEnd(_) => return Ok(Found::End),
+            _ => {}
+        }
+        Ok(Found::Nothing)
+    }
+
+    fn is_heard(&self, channel: u16) -> bool {
+        self.channel.as_ref().is_some_and(|heard| heard.id == channel)
+    }
+
+    /// Channels are told again in every chunk and at the end; two of them are not one recording.
+    fn hear(&mut self, channel: Channel) -> Result<(), TraceRule> {
+        match &self.channel {
+            Some(heard) if heard.id != channel.id => Err(TraceRule::SeveralChannels {
+                schema: self.schema,
+                first: heard.topic.clone(),
+                second: channel.topic,
+            }),
+            _ => {
+                self.channel = Some(channel);
+                Ok(())
+            }
+        }
+    }
+}
+
+/// Content of a chunk, held to the length and the sum that it tells.
+fn unpacked(header: &ChunkHeader, data: &[u8]) -> Result<Vec<u8>, TraceRule> {
+    let expected = header.uncompressed_size;
+    if expected > RECORD_LIMIT_BYTES {
+        return Err(TraceRule::TooLong {
+            what: "a chunk unpacked",
+            length: expected,
+            limit: RECORD_LIMIT_BYTES,
+        });
+    }
+    let compression = header.compression.as_str();
+    let wrong = || TraceRule::Chunk { compression: compression.to_owned(), expected };
+    let content = match compression {
+        "" => data.to_vec(),
+        "zstd" => {
+            let unpacker =
+                ruzstd::decoding::StreamingDecoder::new_with_max_window_size(data, RECORD_LIMIT_BYTES);
+            at_most(unpacker.map_err(|_| wrong())?, expected).ok_or_else(wrong)?
+        }
+        "lz4" => at_most(lz4_flex::frame::FrameDecoder::new(data), expected).ok_or_else(wrong)?,
+        other => return Err(TraceRule::Compression(other.to_owned())),
+    };
+    if content.len() as u64 != expected {
+        return Err(wrong());
+    }
+    let sum = header.uncompressed_crc;
+    if sum == 0 || crc32fast::hash(&content) == sum { Ok(content) } else { Err(TraceRule::ChunkSum) }
+}
+
+/// A stream to its end, as far as one byte behind the limit.
+fn at_most(stream: impl Read, limit: u64) -> Option<Vec<u8>> {
+    let mut content = Vec::new();
+    stream.take(limit + 1).read_to_end(&mut content).ok()?;
+    Some(content)
+}

@@ -1,0 +1,166 @@
+//! Ground truth of OSI read as traffic: moving objects, message by message, in plain numbers.
+//!
+//! A message is walked through, not unpacked: moving objects are taken out one by one, and lanes, signs and
+//! what else a ground truth has are passed over.
+
+mod walk;
+
+pub use crate::trace::{TraceError, TraceRule};
+
+use crate::osi::common::{BaseMoving, Timestamp};
+use crate::osi::moving_object::MovingObject;
+use crate::trace::Messages;
+use prost::Message;
+use std::path::Path;
+use walk::{Field, encoding};
+
+/// Moving objects at one moment.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct TrafficStep {
+    /// Simulation time.
+    pub time_s: f64,
+    /// Number of the message, from 1.
+    pub message: u64,
+    /// Objects in the order of the message.
+    pub objects: Vec<TrafficObject>,
+}
+
+/// A moving object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrafficObject {
+    /// The object's id, in decimal digits.
+    pub id: String,
+    /// Name of its type as the standard has it: `TYPE_MEDIUM_CAR`, `TYPE_BUS`, `TYPE_PEDESTRIAN`.
+    pub kind: String,
+    /// Middle of the bounding box, on its lower side.
+    pub foot_m: [f64; 3],
+    /// Length, width and height of the bounding box; `None` where the message does not tell.
+    pub size_m: Option<[f64; 3]>,
+    /// Heading from +x towards +y.
+    pub yaw_rad: f64,
+    /// Velocity along the heading, negative where the object goes backwards.
+    pub speed_mps: f64,
+}
+
+/// Messages of a ground truth, in order.
+pub struct GroundTruthReader {
+    messages: Messages,
+}
+
+/// Name of the messages that are read.
+const SCHEMA: &str = "osi3.GroundTruth";
+/// Numbers of `osi3.GroundTruth`.
+const TIMESTAMP: u32 = 2;
+const MOVING_OBJECT: u32 = 5;
+/// A country's rush hour.
+const OBJECT_LIMIT: usize = 1 << 19;
+/// Coordinates beyond this are a slip of units, or degrees of a map.
+const COORDINATE_LIMIT_M: f64 = 1e5;
+/// Speed of sound: beyond it nothing drives.
+const SPEED_LIMIT_MPS: f64 = 340.0;
+/// Turns of a heading either way that are still one.
+const YAW_LIMIT_RAD: f64 = 60.0;
+/// Nothing that moves is longer, but trains.
+const SIZE_LIMIT_M: f64 = 1000.0;
+
+impl GroundTruthReader {
+    /// Opens a trace, `.osi` or MCAP; which of them is told by its first bytes, not by its name.
+    ///
+    /// # Errors
+    /// The file is missing, unreadable or no plain file.
+    pub fn open(file: &Path) -> Result<Self, TraceError> {
+        Ok(Self { messages: Messages::open(file, SCHEMA)? })
+    }
+
+    /// The trace.
+    pub fn file(&self) -> &Path {
+        self.messages.file()
+    }
+
+    /// Number of the message that was handed out last, from 1.
+    pub fn message(&self) -> u64 {
+        self.messages.number()
+    }
+
+    /// The next message; `None` behind the last.
+    ///
+    /// # Errors
+    /// The trace is cut off, or a message breaks a rule.
+    pub fn next_step(&mut self) -> Result<Option<TrafficStep>, TraceError> {
+        let Some(bytes) = self.messages.next()? else { return Ok(None) };
+        let message = self.messages.number();
+        step(&bytes, message).map(Some).map_err(|rule| self.messages.error(rule))
+    }
+}
+
+fn step(bytes: &[u8], message: u64) -> Result<TrafficStep, TraceRule> {
+    let (mut stamp, mut objects): (Option<Timestamp>, _) = (None, vec![]);
+    for field in walk::fields(bytes) {
+        match field? {
+            Field { number: TIMESTAMP, content: Some(content) } => {
+                stamp = Some(Timestamp::decode(content).map_err(encoding)?);
+            }
+            Field { number: MOVING_OBJECT, content: Some(content) } => {
+                if objects.len() == OBJECT_LIMIT {
+                    return Err(TraceRule::TooManyObjects(OBJECT_LIMIT));
+                }
+                objects.push(object(&MovingObject::decode(content).map_err(encoding)?)?);
+            }
+            _ => {}
+        }
+    }
+    let missing = || TraceRule::Missing { owner: "GroundTruth".into(), field: "timestamp" };
+    Ok(TrafficStep { time_s: stamp.ok_or_else(missing)?.time_s(), message, objects })
+}
+
+fn object(told: &MovingObject) -> Result<TrafficObject, TraceRule> {
+    let missing = |owner: &str, field| TraceRule::Missing { owner: owner.to_owned(), field };
+    let id = told.id.and_then(|id| id.value).ok_or_else(|| missing("MovingObject", "id"))?;
+    let owner = format!("MovingObject {id}");
+    let base = told.base.as_ref().ok_or_else(|| missing(&owner, "base"))?;
+    let middle = base.position.ok_or_else(|| missing(&owner, "base.position"))?.array();
+    let yaw_rad = base.orientation.and_then(|turned| turned.yaw).unwrap_or(0.0);
+    let velocity = base.velocity.map_or([0.0; 3], |velocity| velocity.array());
+    let speed_mps = velocity[0] * yaw_rad.cos() + velocity[1] * yaw_rad.sin();
+    let size_m = size(base);
+    let of = Bounds { owner: &owner };
+    for x in middle {
+        of.within("base.position", x, COORDINATE_LIMIT_M, "m within ±1e5")?;
+    }
+    of.within("base.orientation.yaw", yaw_rad, YAW_LIMIT_RAD, "rad within ±60")?;
+    of.within("base.velocity", speed_mps, SPEED_LIMIT_MPS, "m/s within ±340")?;
+    for x in size_m.unwrap_or_default() {
+        of.within("base.dimension", x, SIZE_LIMIT_M, "m from 0 to 1000")?;
+    }
+    let half_height_m = 0.5 * size_m.map_or(0.0, |size| size[2]);
+    let foot_m = [middle[0], middle[1], middle[2] - half_height_m];
+    Ok(TrafficObject { id: id.to_string(), kind: told.type_name(), foot_m, size_m, yaw_rad, speed_mps })
+}
+
+/// Length, width and height where all three are told.
+fn size(base: &BaseMoving) -> Option<[f64; 3]> {
+    let told = base.dimension?;
+    let size = [told.length?, told.width?, told.height?];
+    size.iter().all(|side| *side > 0.0 || side.is_nan()).then_some(size)
+}
+
+/// Ranges of an object's numbers.
+struct Bounds<'a> {
+    owner: &'a str,
+}
+
+impl Bounds<'_> {
+    fn within(
+        &self,
+        field: &'static str,
+        found: f64,
+        limit: f64,
+        allowed: &'static str,
+    ) -> Result<(), TraceRule> {
+        let rule = || TraceRule::OutOfRange { owner: self.owner.to_owned(), field, found, allowed };
+        if found.abs() <= limit { Ok(()) } else { Err(rule()) }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,55 @@
+//! Recordings that traffic comes from, and their steps one after the other.
+
+use crate::recording::fcd::{FcdError, FcdReader, FcdRule, FcdStep};
+use crate::recording::trace::TraceReader;
+use std::path::PathBuf;
+
+/// The recording that a scene names.
+pub(crate) enum Source {
+    /// Floating-car data of SUMO.
+    Fcd(PathBuf),
+    /// A trace of OSI's ground truth.
+    Osi(PathBuf),
+}
+
+impl Source {
+    /// Opens the recording.
+    pub(crate) fn open(&self) -> Result<StepReader, FcdError> {
+        match self {
+            Self::Fcd(file) => FcdReader::open(file).map(StepReader::Fcd),
+            Self::Osi(file) => TraceReader::open(file).map(StepReader::Osi),
+        }
+    }
+}
+
+/// Reader of a recording under way.
+pub(crate) enum StepReader {
+    Fcd(FcdReader),
+    Osi(TraceReader),
+}
+
+impl StepReader {
+    /// The next step; `None` behind the last.
+    pub(crate) fn next_step(&mut self) -> Result<Option<FcdStep>, FcdError> {
+        match self {
+            Self::Fcd(reader) => reader.next_step(),
+            Self::Osi(reader) => reader.next_step(),
+        }
+    }
+
+    /// An error of the recording at a line, or in a message.
+    pub(crate) fn error_at(&self, line: u64, rule: FcdRule) -> FcdError {
+        match self {
+            Self::Fcd(reader) => reader.error_at(line, rule),
+            Self::Osi(reader) => reader.error_at(line, rule),
+        }
+    }
+
+    /// Length, width and height of a vehicle of the last step, where the recording tells them.
+    pub(crate) fn size_m(&self, id: &str) -> Option<[f64; 3]> {
+        match self {
+            Self::Fcd(_) => None,
+            Self::Osi(reader) => reader.size_m(id),
+        }
+    }
+}
