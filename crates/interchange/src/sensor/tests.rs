@@ -3,7 +3,7 @@
 use super::*;
 use crate::osi::sensor_data::RadarDetection;
 use artifact::cube::CubeHeader;
-use artifact::points::Point;
+use artifact::points::{Height, Point};
 use artifact::tracks::{Footprint, Track, TrackState};
 use prost::Message;
 use std::f64::consts::FRAC_PI_2;
@@ -14,6 +14,7 @@ fn point(azimuth_rad: f64, elevation_rad: f64, object: Option<u32>) -> Point {
         radial_velocity_mps: -3.0,
         azimuth_rad,
         elevation_rad,
+        height: Height::Assumed,
         position_m: [0.0; 3],
         snr_db: 20.0,
         two_ways_rad: None,
