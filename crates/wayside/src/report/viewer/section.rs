@@ -91,13 +91,13 @@ fn controls() -> Markup {
 fn maps() -> Markup {
     html! {
         div.viewer-maps {
-            figure { canvas #viewer-map tabindex="0" role="img" aria-label="Range-Doppler map with a cursor" {}
-                figcaption { i #viewer-scale {} span #viewer-scale-told {} ", all channels together; outlined cells are those that the "
+            div { canvas #viewer-map tabindex="0" role="img" aria-label="Range-Doppler map with a cursor" {}
+                p.made { i #viewer-scale {} span #viewer-scale-told {} ", all channels together; outlined cells are those that the "
                     "detector took (CFAR), rings are objects. A click holds the cursor, a second one lets it go." } }
-            figure { canvas #viewer-doppler role="img" aria-label="Doppler cut at the cursor's range" {}
-                figcaption { "Doppler cut at the cursor's range." } }
-            figure { canvas #viewer-range role="img" aria-label="Range profile at the cursor's velocity" {}
-                figcaption { "Range profile: at the cursor's velocity, and faintly the strongest over all velocities." } }
+            div { canvas #viewer-doppler role="img" aria-label="Doppler cut at the cursor's range" {}
+                p.made { "Doppler cut at the cursor's range." } }
+            div { canvas #viewer-range role="img" aria-label="Range profile at the cursor's velocity" {}
+                p.made { "Range profile: at the cursor's velocity, and faintly the strongest over all velocities." } }
             p #viewer-readout aria-live="polite" {}
         }
     }

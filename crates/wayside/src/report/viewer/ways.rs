@@ -25,15 +25,26 @@ pub(super) struct Way {
 
 /// A way whose ends miss each other by more leads through the middles of the facets.
 const MISSED_M: f64 = 0.25;
-/// Places on the road and in it.
-const ROAD_M: f64 = 1e-3;
 
 /// Bodies of a frame at its middle, where paths are folded.
 pub(super) struct Folding<'a> {
     radar_m: DVec3,
     middle_s: f64,
     bodies: Vec<(Option<&'a Mesh>, Pose)>,
+    /// Turns that the road may take in a leg; where it does not reflect, none.
+    road_turns: &'static [RoadTurn],
 }
+
+/// Turn of a leg at the road.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum RoadTurn {
+    Never,
+    First,
+    Last,
+}
+
+const WITHOUT_ROAD: &[RoadTurn] = &[RoadTurn::Never];
+const WITH_ROAD: &[RoadTurn] = &[RoadTurn::Never, RoadTurn::First, RoadTurn::Last];
 
 impl<'a> Folding<'a> {
     /// Bodies of the frame that `view` is the scene of.
@@ -41,7 +52,8 @@ impl<'a> Folding<'a> {
         let middle_s = radar.frame_middle_s();
         let body = |(target, pose): (&Target, &Pose)| (mesh_of(view, target), pose_after(pose, middle_s));
         let bodies = view.targets.iter().zip(&frame.poses).map(body).collect();
-        Self { radar_m: DVec3::from(radar.position_m), middle_s, bodies }
+        let road_turns = if view.road.is_some() { WITH_ROAD } else { WITHOUT_ROAD };
+        Self { radar_m: DVec3::from(radar.position_m), middle_s, bodies, road_turns }
     }
 
     /// The way of a path; of a wheel's that of its hub.
@@ -61,11 +73,20 @@ impl<'a> Folding<'a> {
         let curve = &path.curve;
         let seen_tx = self.at_middle(path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2);
         let seen_rx = self.at_middle(path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2);
-        let there = self.folded(seen_tx, facets.iter().take(node))?;
-        let back = self.folded(seen_rx, facets.iter().skip(node + 1).rev())?;
-        let (end, other) = (*there.last()?, *back.last()?);
-        let places_m = there.into_iter().chain(back.into_iter().rev().skip(1)).collect();
-        Some((places_m, end.distance(other)))
+        let before: Vec<Facet> = facets.iter().take(node).copied().collect();
+        let behind: Vec<Facet> = facets.iter().skip(node + 1).rev().copied().collect();
+        let (there, back) = (self.legs(seen_tx, &before), self.legs(seen_rx, &behind));
+        let pairs = there.iter().flat_map(|there| back.iter().map(move |back| (there, back)));
+        let apart_m =
+            |(there, back): &(&Vec<DVec3>, &Vec<DVec3>)| Some(there.last()?.distance(*back.last()?));
+        let joined = pairs.filter_map(|pair| Some((pair, apart_m(&pair)?)));
+        let ((there, back), missed_m) = joined.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some((there.iter().chain(back.iter().rev().skip(1)).copied().collect(), missed_m))
+    }
+
+    /// Legs to a node that appears at a place behind some facets, for each turn that the road may take.
+    fn legs(&self, seen: DVec3, facets: &[Facet]) -> Vec<Vec<DVec3>> {
+        self.road_turns.iter().filter_map(|turn| self.folded(seen, facets, *turn)).collect()
     }
 
     fn at_middle(&self, place_m: [f64; 3], mps: [f64; 3], mps2: [f64; 3]) -> DVec3 {
@@ -75,7 +96,7 @@ impl<'a> Folding<'a> {
 
     /// Places from the first mirror on to the node; `None` where the ray does not meet a mirror before the
     /// place that it leads to.
-    fn folded<'f>(&self, seen: DVec3, facets: impl Iterator<Item = &'f Facet>) -> Option<Vec<DVec3>> {
+    fn folded(&self, seen: DVec3, facets: &[Facet], turn: RoadTurn) -> Option<Vec<DVec3>> {
         let (mut from, mut to, mut places) = (self.radar_m, seen, vec![]);
         let mut mirrored = |to: &mut DVec3, (place, normal): (DVec3, DVec3)| {
             let (before, behind) = (normal.dot(from - place), normal.dot(*to - place));
@@ -87,13 +108,13 @@ impl<'a> Folding<'a> {
             *to -= 2.0 * behind * normal;
             Some(())
         };
-        if to.z < -ROAD_M {
+        if turn == RoadTurn::First {
             mirrored(&mut to, ROAD)?;
         }
         for facet in facets {
             mirrored(&mut to, self.plane(facet)?)?;
         }
-        if to.z < -ROAD_M {
+        if turn == RoadTurn::Last {
             mirrored(&mut to, ROAD)?;
         }
         places.push(to);
@@ -178,7 +199,8 @@ mod tests {
         let pose =
             Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3], acceleration_mps2: [0.0; 3] };
         let radar_m = DVec3::new(0.0, 0.0, 1.0);
-        Folding { radar_m, middle_s: 0.0, bodies: vec![(Some(&mesh), pose)] }.way(path)
+        let bodies = vec![(Some(&mesh), pose)];
+        Folding { radar_m, middle_s: 0.0, bodies, road_turns: WITH_ROAD }.way(path)
     }
 
     #[test]

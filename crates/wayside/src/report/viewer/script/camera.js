@@ -55,7 +55,7 @@ function approach(camera, factor) {
   camera.distance = Math.min(camera.farthest, Math.max(camera.nearest, camera.distance * factor));
 }
 
-/** Puts the eye where a scene with this radar and these places is seen in a picture of this width over height. */
+/** Puts the eye where the radar and these places are seen in a picture of this width over height. */
 function standAt(camera, place, radar, places, aspect) {
   const at = [0, 1, 2].map((axis) => middle(places.map((p) => p[axis])));
   if (place === "radar") {

@@ -46,7 +46,8 @@ function boxOfName({ offsetWidth: width, offsetHeight: height }, [x, y], shift) 
 }
 
 function isFree(box, taken, { clientWidth, clientHeight }) {
-  const isOver = (other) => box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3];
+  const isOver = (other) =>
+    box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3];
   const isOut = box[0] < 0 || box[1] < 0 || box[2] > clientWidth || box[3] > clientHeight;
   return !isOut && !taken.some(isOver);
 }
