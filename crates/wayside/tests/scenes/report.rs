@@ -75,7 +75,7 @@ fn a_report_names_its_command_and_links_to_what_lies_beside_it() {
     links.iter().for_each(|link| assert!(place.path("out").join(link).exists(), "{link}"));
 }
 
-/// What the view's script reads of a page.
+/// Numbers that the view's script reads of a page.
 fn data_of_view(page: &str) -> serde_json::Value {
     let data = page.split("id=\"viewer-data\">").nth(1).unwrap().split("</script>").next().unwrap();
     serde_json::from_str(data).unwrap()

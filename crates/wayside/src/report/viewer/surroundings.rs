@@ -1,4 +1,4 @@
-//! What is the same in all frames of the view: the radar with its field of view, the road, the meshes.
+//! Things that all frames of the view share: the radar with its field of view, the road, the meshes.
 
 use crate::pictures::field_of_view;
 use crate::pictures::lane_sides::lane_sides_m;

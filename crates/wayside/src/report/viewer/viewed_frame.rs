@@ -18,7 +18,7 @@ use evaluation::{FrameTruth, Origin};
 use radar::motion::pose_after;
 use serde::Serialize;
 
-/// What the view shows of a run, as far as it is computed.
+/// Numbers that the view shows of a run, as far as it is computed.
 #[derive(Debug, Default)]
 pub(crate) struct Viewed {
     surroundings: Option<Surroundings>,
@@ -124,7 +124,7 @@ impl Viewed {
         Ok(())
     }
 
-    /// What the page's script reads, as JSON that can stand in a page; `None` where nothing was taken.
+    /// Numbers of the page's script as JSON that can stand in a page; `None` where nothing was taken.
     pub(super) fn json<'a>(&'a self, summary: &'a Summary) -> Option<String> {
         let surroundings = self.surroundings.as_ref()?;
         let told =
