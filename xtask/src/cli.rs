@@ -175,7 +175,7 @@ pub(crate) struct FuzzLedgerArguments {
 /// Words of `ci`.
 #[derive(Debug, Args)]
 pub(crate) struct CiArguments {
-    /// The cheap checks of all, then lints and tests of this crate alone; `engines`: that check alone.
+    /// The cheap checks of all, then lints and tests of this crate alone; `engines`, `report`: that check alone.
     #[arg(long, value_name = "CRATE")]
     pub(crate) only: Option<String>,
 }

@@ -2,6 +2,7 @@
 //! what is promised to users of the library compiles for them too.
 
 pub(super) mod engines; // datasets and sweeps on engines that others make
+pub(super) mod report_view; // a report in a browser
 
 use crate::ci::commands::finished;
 use crate::ci::findings::read;

@@ -1,7 +1,7 @@
 //! Datasets and sweeps on existing engines whose workers are killed half-way: the bytes of one machine. It
 //! stands on a Python with `venv` and on PyPI; where one of them is not there it says so and is skipped.
 
-use crate::ci::commands::{Tally, counted, finished};
+use crate::ci::commands::{Tally, counted, finished, skipped};
 use crate::project::project_root;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -56,12 +56,6 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
 /// Times that a check which failed is tried again: a worker that has made all before it is killed shows
 /// nothing, and that is chance.
 const TRIED_AGAIN: u32 = 2;
-
-fn skipped(tally: &mut Tally, why: &str) -> Result<(), Failure> {
-    terminal::line(format!("skipped: {why}"));
-    tally.skipped += 1;
-    Ok(())
-}
 
 fn is_good(command: &mut Command) -> bool {
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
