@@ -18,7 +18,7 @@ mod training;
 
 use crate::cli::CiArguments;
 use commands::{Tally, counted, finished};
-use outside::{engines, interchange};
+use outside::{engines, interchange, report_view};
 use std::process::Command;
 use std::time::Instant;
 use training::Training;
@@ -43,13 +43,14 @@ const CHEAP: [(&str, Check); 11] = [
 ];
 
 /// Checks that build and run all crates.
-const WHOLE: [(&str, Check); 7] = [
+const WHOLE: [(&str, Check); 8] = [
     ("lints", |_| cargo(&["clippy", "--release", "--all-targets", "--", "-D", "warnings"])),
     ("docs", |_| documentation()),
     ("a crate outside (README)", |_| outside::check()),
     ("tests and doctests (README)", |tally| readme::tests(tally)),
     ("engines", |tally| engines::check(tally)),
     ("osi", |tally| interchange::check(tally)),
+    ("report in a browser", |tally| report_view::check(tally)),
     ("main job (README)", |_| readme::main_job()),
 ];
 
@@ -58,6 +59,7 @@ pub(crate) fn run(arguments: &CiArguments) -> Result<(), Failure> {
     match arguments.only.as_deref() {
         Some("engines") => good("engines", || engines::check(&mut tally))?,
         Some("osi") => good("osi", || interchange::check(&mut tally))?,
+        Some("report") => good("report in a browser", || report_view::check(&mut tally))?,
         Some(package) => only(package, &mut tally)?,
         None => all(&mut tally)?,
     }

@@ -175,7 +175,8 @@ pub(crate) struct FuzzLedgerArguments {
 /// Words of `ci`.
 #[derive(Debug, Args)]
 pub(crate) struct CiArguments {
-    /// The cheap checks of all, then lints and tests of this crate alone; `engines` or `osi`: that check alone.
+    /// The cheap checks of all, then lints and tests of this crate alone; or one check beside them all, by its
+    /// name: `engines`, `osi`, `python`, `report`.
     #[arg(long, value_name = "CRATE")]
     pub(crate) only: Option<String>,
 }

@@ -12,12 +12,11 @@ use artifact::cube::CubeHeader;
 use artifact::paths::{Path, PathsFrame};
 use artifact::points::{Label, Point};
 use artifact::radar::{Radar, Sampling};
-use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
-use radar::beat::{coupling_m, mid_sweep_cycles};
-use radar::link::link_amplitude;
-use radar::path_kinematics::{legs, mean_share};
+use radar::beat::coupling_m;
+use radar::path_echo::echo_value;
+use radar::path_kinematics::legs;
 use radar::window::{Sidelobes, taper};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
@@ -115,10 +114,13 @@ fn met(path: &Path) -> BTreeSet<u32> {
 /// different targets they meet. A way and the same one backwards are one echo: its target is the one of both
 /// ends that comes first in the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Group {
-    target: u32,
-    order: u8,
-    bodies: u8,
+pub struct Group {
+    /// Index of the target.
+    pub target: u32,
+    /// Bounces; 0 of a point target.
+    pub order: u8,
+    /// Number of different targets on the way.
+    pub bodies: u8,
 }
 
 impl Group {
@@ -129,31 +131,23 @@ impl Group {
 }
 
 /// A path at the frame's middle, as a map shows it; of a wheel its hub.
-struct PathOnMap {
-    group: Group,
+pub(crate) struct PathOnMap {
+    pub(crate) group: Group,
     /// √W, with its phase in the middle of the sweep.
-    value: Complex64,
-    range_m: f64,
-    radial_velocity_mps: f64,
+    pub(crate) value: Complex64,
+    pub(crate) range_m: f64,
+    pub(crate) radial_velocity_mps: f64,
     /// Unit vectors from the array to where the echo appears from the transmitter and from the receiver.
-    directions: [DVec3; 2],
+    pub(crate) directions: [DVec3; 2],
 }
 
 impl PathOnMap {
-    fn of(radar: &Radar, path: &Path) -> Self {
+    pub(crate) fn of(radar: &Radar, path: &Path) -> Self {
         let [there, back] = legs(radar, path);
-        let (w, length_m) = (&radar.waveform, there.length_m + back.length_m);
-        let delay_s = length_m / SPEED_OF_LIGHT_MPS;
-        let (receive, transmit) = radar.array.polarization.indices();
-        let cycles = mid_sweep_cycles(w, delay_s);
-        let strength = path.amplitude_m[receive][transmit].conj() / (there.length_m * back.length_m);
         Self {
             group: Group::of(path),
-            value: mean_share(radar, path)
-                * link_amplitude(radar)
-                * strength
-                * Complex64::from_polar(1.0, TAU * cycles.fract()),
-            range_m: 0.5 * length_m,
+            value: echo_value(radar, path),
+            range_m: 0.5 * (there.length_m + back.length_m),
             radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps),
             directions: [there.direction, back.direction],
         }
@@ -161,16 +155,16 @@ impl PathOnMap {
 }
 
 /// Response of the map, by its two windows, to a tone near a cell.
-struct MapResponse {
+pub(crate) struct MapResponse {
     /// Doppler, range: at steps of [`STEP`] cells from the centre on.
-    along: [Vec<f64>; 2],
-    cells: [f64; 2],
+    pub(crate) along: [Vec<f64>; 2],
+    pub(crate) cells: [f64; 2],
     /// Value of a cell over the amplitude of a tone in its centre.
-    gain: f64,
+    pub(crate) gain: f64,
 }
 
 /// Cells from the peak within which a tone counts: the main lobe of all windows here and a sidelobe.
-const REACH_CELLS: f64 = 4.0;
+pub(crate) const REACH_CELLS: f64 = 4.0;
 /// Finer than what a point is placed to.
 const STEP: f64 = 1.0 / 64.0;
 
@@ -184,7 +178,7 @@ fn line_share(header: &CubeHeader) -> f64 {
 }
 
 impl MapResponse {
-    fn new(header: &CubeHeader) -> Result<Self, Sidelobes> {
+    pub(crate) fn new(header: &CubeHeader) -> Result<Self, Sidelobes> {
         let waveform = &header.radar.waveform;
         let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
         let range = taper(header.dsp.range_window, waveform.samples as usize)?;
@@ -227,7 +221,7 @@ impl MapResponse {
     }
 }
 
-fn at(response: &[f64], cells: f64) -> f64 {
+pub(crate) fn at(response: &[f64], cells: f64) -> f64 {
     response.get((cells.abs() / STEP).round() as usize).copied().unwrap_or(0.0)
 }
 

@@ -9,6 +9,7 @@
 //!   that it covers;
 //! - [`Pairing`]: which object is whose, within a gate of place and velocity;
 //! - [`Origin`]: what made a point: a body, the ground, noise; over how many bounces and bodies;
+//! - [`CellOrigins`]: whose echo fills each cell of a range-Doppler map most;
 //! - [`FrameTruth`]: all of it for one frame;
 //! - [`Score`] over a run: GOSPA, OSPA, lanes, identities of tracks ([`Metrics`]).
 //!
@@ -34,12 +35,14 @@ mod truth; // what is true of each body
 mod metrics; // distances of sets of places
 mod pairing; // whose an object is
 mod labels; // what made a point
+mod cell_labels; // what made a cell of the map
 mod frame_truth; // all that is true of a frame
 mod score; // over a run
 
+pub use cell_labels::{CellOrigins, cell_origins};
 pub use frame_truth::FrameTruth;
 pub use ground_outline::GroundOutline;
-pub use labels::{Origin, origins};
+pub use labels::{Group, Origin, origins};
 pub use metrics::gospa::{Gospa, gospa};
 pub use metrics::identities::Identities;
 pub use metrics::ospa::ospa_m;

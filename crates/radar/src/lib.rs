@@ -17,5 +17,6 @@ pub mod link; // link budget
 pub mod motion; // of bodies
 pub mod paper; // the radar of Table 2
 pub mod path_kinematics; // legs of a path and their rates
+pub mod path_echo; // IF value of a path
 pub mod standpoint; // of an antenna around a body
 pub mod window; // tapers of the FFT axes

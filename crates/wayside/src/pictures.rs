@@ -1,7 +1,7 @@
 //! Pictures: drawn once as SVG, put into the report as they are and onto disk as PNG.
 
-mod field_of_view;
-mod lane_sides;
+pub(crate) mod field_of_view;
+pub(crate) mod lane_sides;
 mod bodies;
 mod beyond;
 mod found;

@@ -8,6 +8,7 @@ mod page;
 mod radars;
 mod tables;
 mod tracks;
+pub(crate) mod viewer;
 
 use crate::host::failure::Failure;
 use crate::host::files;

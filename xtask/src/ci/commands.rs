@@ -25,6 +25,13 @@ impl Tally {
     }
 }
 
+/// Counts a check that stands on what is not there, and says why.
+pub(super) fn skipped(tally: &mut Tally, why: &str) -> Result<(), Failure> {
+    terminal::line(format!("skipped: {why}"));
+    tally.skipped += 1;
+    Ok(())
+}
+
 pub(super) fn before(line: &str, word: &str) -> u64 {
     let number = line.split(word).next().and_then(|l| l.split_whitespace().last());
     number.and_then(|n| n.parse().ok()).unwrap_or(0)

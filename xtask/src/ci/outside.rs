@@ -4,6 +4,7 @@
 mod venv; // Python with packages of others
 pub(super) mod engines; // datasets and sweeps on engines that others make
 pub(super) mod interchange; // messages beside the official packages, traffic from SUMO
+pub(super) mod report_view; // a report in a browser
 
 use crate::ci::commands::finished;
 use crate::ci::findings::read;

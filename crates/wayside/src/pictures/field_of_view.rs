@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 /// Angles left and right of the boresight, at its elevation, up to which an element's gain is no more than 3
 /// dB below that along it; a right angle at most, since an array cannot tell before from behind.
-pub(super) fn half_angles_rad(radar: &Radar) -> [f64; 2] {
+pub(crate) fn half_angles_rad(radar: &Radar) -> [f64; 2] {
     const STEPS: u32 = 360;
     let gain = |angle: f64| radar.array.pattern.amplitude([angle.sin(), angle.cos(), 0.0]);
     let least = FRAC_1_SQRT_2 * gain(0.0);
@@ -30,7 +30,7 @@ pub(super) fn rim_m(radar: &Radar) -> Vec<[f64; 2]> {
 }
 
 /// Words of the legend about the field of view.
-pub(super) fn words(radar: &Radar) -> String {
+pub(crate) fn words(radar: &Radar) -> String {
     let [left, right] = half_angles_rad(radar).map(|angle| angle.to_degrees().round());
     let range_m = radar.waveform.range_max_m();
     match left == right {

@@ -7,7 +7,7 @@ use artifact::settings::Course;
 const LONGEST_CORNER: f64 = 2.0;
 
 /// Left and right of its middle, half a width away, a place for each of the middle's.
-pub(super) fn lane_sides_m(course: &Course) -> [Vec<[f64; 2]>; 2] {
+pub(crate) fn lane_sides_m(course: &Course) -> [Vec<[f64; 2]>; 2] {
     [-0.5, 0.5].map(|share| beside(&course.line_m, share * course.width_m))
 }
 

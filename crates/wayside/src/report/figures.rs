@@ -2,6 +2,7 @@
 
 use crate::pictures::FrameFigures;
 use crate::pictures::seen::Seen;
+use crate::report::viewer::Viewed;
 use plotting::form::Figure;
 
 /// Pictures for the report.
@@ -13,4 +14,6 @@ pub(crate) struct Figures {
     pub(crate) strip: Vec<(u32, Figure)>,
     /// Points and scenes of the first frames, to be laid beside what other radars saw.
     pub(crate) seen: Vec<Seen>,
+    /// Numbers of the view to walk around in.
+    pub(crate) viewed: Viewed,
 }

@@ -8,6 +8,7 @@ use crate::report::figures::Figures;
 use crate::report::made::{Making, made};
 use crate::report::tables;
 use crate::report::tracks;
+use crate::report::viewer;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use plotting::form::Figure;
 use std::path::Path;
@@ -22,6 +23,7 @@ pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making, out: &
         html! {
             p.lead { (lead(frames, metrics)) }
             (made(making, out))
+            (viewer::section(&figures.viewed, summary))
             (tables::radar(&summary.radar, frames))
             @if frames.len() > 1 { (tracks::section(metrics)) }
             @if !figures.strip.is_empty() { (strip(frames, figures)) }
@@ -47,7 +49,7 @@ pub(crate) fn sheet(name: &str, content: Markup) -> String {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 title { "Wayside: " (name) }
-                style { (PreEscaped(STYLE)) (PreEscaped(plotting::svg::style())) }
+                style { (PreEscaped(STYLE)) (PreEscaped(plotting::svg::style())) (PreEscaped(viewer::STYLE)) }
             }
             body {
                 h1 { (name) }

@@ -63,6 +63,7 @@ impl Products {
         truth: &FrameTruth,
         tracks: &TracksFrame,
     ) -> Result<(), Failure> {
+        self.figures.viewed.take(chain, &frame, truth, tracks)?;
         join_truth(truth, &mut frame);
         self.scene.write(&frame.result.scene)?;
         self.cube.write(&frame.cube)?;

@@ -75,6 +75,78 @@ fn a_report_names_its_command_and_links_to_what_lies_beside_it() {
     links.iter().for_each(|link| assert!(place.path("out").join(link).exists(), "{link}"));
 }
 
+/// Numbers that the view's script reads of a page.
+fn data_of_view(page: &str) -> serde_json::Value {
+    let data = page.split("id=\"viewer-data\">").nth(1).unwrap().split("</script>").next().unwrap();
+    serde_json::from_str(data).unwrap()
+}
+
+#[test]
+fn the_view_holds_its_numbers_and_its_script_and_the_drawings_stand_for_it_without() {
+    let (_place, page) = report_of(SMALL_SCENE);
+    let data = data_of_view(&page);
+    let frames = data["frames"].as_array().unwrap();
+    assert_eq!((frames.len(), data["frames_all"].as_u64()), (2, Some(2)));
+    let shown = &frames[1]["shown"];
+    assert_eq!(shown["bodies"][0]["id"], "corner-1");
+    assert_eq!(frames[1]["targets"][1]["id"], "reflector");
+    // 16 rows of 64 cells, 2 bytes each: 4 letters for every 3 bytes, filled up.
+    let letters = shown["map"]["levels_db"]["base64"].as_str().unwrap().len();
+    assert_eq!(letters, (2_usize * 16 * 64).div_ceil(3) * 4);
+    assert!(page.contains("function startViewer()") && page.contains("<section id=\"viewer\" hidden>"));
+    assert!(page.contains("<noscript>") && page.contains("@media print{#viewer{display:none}}"));
+    // Nothing is fetched: the page is one file.
+    for fetched in ["<script src", "<link", "@import", "import ", "fetch("] {
+        assert!(!page.contains(fetched), "{fetched}");
+    }
+}
+
+#[test]
+fn the_view_shows_the_strongest_paths_and_tells_the_power_of_all() {
+    let (_place, page) = report_of(SMALL_SCENE);
+    let paths = &data_of_view(&page)["frames"][0]["shown"]["paths"];
+    let all = paths["all"].as_u64().unwrap();
+    let of_bodies: Vec<f64> =
+        paths["power_of_bodies_w"].as_array().unwrap().iter().map(|power| power.as_f64().unwrap()).collect();
+    let sum = paths["all_power_w"].as_f64().unwrap();
+    assert!(all >= 2 && of_bodies.iter().all(|power| *power > 0.0), "{paths}");
+    // Both are sums of the same `all` numbers in another order.
+    assert!((of_bodies.iter().sum::<f64>() - sum).abs() <= all as f64 * f64::EPSILON * sum);
+}
+
+#[test]
+fn names_cannot_end_the_script_that_holds_them() {
+    let name = "<!--<script>.obj";
+    let place = Workplace::new();
+    std::fs::write(place.path(name), crate::common::CORNER).unwrap();
+    let scene = SMALL_SCENE.replace("model = \"corner.obj\"", &format!("model = \"{name}\""));
+    std::fs::write(place.path("small.toml"), scene).unwrap();
+    place.run("run small.toml --out out");
+    let page = String::from_utf8(place.bytes("out/report.html")).unwrap();
+    assert!(!page.contains("<!--<script>"));
+    assert_eq!(data_of_view(&page)["frames"][0]["targets"][0]["model"], name);
+}
+
+#[test]
+fn a_report_of_many_frames_is_not_much_larger_than_one_of_few() {
+    let of = |frames: u32| {
+        let (_place, page) = report_of(&SMALL_SCENE.replace("frames = 2", &format!("frames = {frames}")));
+        let data = data_of_view(&page);
+        (data["frames"].as_array().unwrap().len(), data["every"].as_u64().unwrap())
+    };
+    assert_eq!(of(30), (15, 2), "at most 24 frames");
+}
+
+#[test]
+fn the_numbers_of_the_view_do_not_depend_on_the_number_of_threads() {
+    let of = |threads: u32| {
+        let place = Workplace::new();
+        place.run(&format!("run small.toml --out out --threads {threads}"));
+        data_of_view(&String::from_utf8(place.bytes("out/report.html")).unwrap())
+    };
+    assert_eq!(of(1), of(3));
+}
+
 #[test]
 fn a_report_speaks_as_the_field_does() {
     let (_place, page) = report_of(SMALL_SCENE);

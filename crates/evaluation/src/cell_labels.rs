@@ -1,0 +1,173 @@
+//! Labels of the cells of a range-Doppler map: the target and bounce order whose echo fills each cell most.
+//!
+//! The map adds the powers of its channels, so a kind of echo is added with its phase in each channel, as in
+//! the labels of points, and the powers of the channels are added. A few channels, spread over the array,
+//! stand for all of them.
+
+use crate::labels::{Group, MapResponse, PathOnMap, REACH_CELLS, at};
+use artifact::cube::CubeHeader;
+use artifact::paths::PathsFrame;
+use artifact::radar::Radar;
+use glam::DVec3;
+use num_complex::Complex64;
+use radar::beat::coupling_m;
+use radar::window::Sidelobes;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// Kinds of echo in the cells of a map, row-major `[doppler, range]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CellOrigins {
+    /// Kinds of echo; the fewer bounces and the earlier target first.
+    pub groups: Vec<Group>,
+    /// The strongest kind in each cell, counted from 1; 0 where all together stay below the noise.
+    pub strongest: Vec<u8>,
+    /// Share of the strongest kind in the power that all kinds have in the cell, each for itself, percent.
+    pub percent: Vec<u8>,
+}
+
+/// Kinds of echo that are told apart, at most; those of later targets are left out.
+const GROUPS: usize = 255;
+/// Channels that stand for the whole array, at most.
+const CHANNELS: usize = 4;
+
+/// Labels of all cells that paths fill; `noise_power` is that of one cell of one channel of the map.
+pub fn cell_origins(
+    header: &CubeHeader,
+    paths: &PathsFrame,
+    noise_power: f64,
+) -> Result<CellOrigins, Sidelobes> {
+    let response = MapResponse::new(header)?;
+    let map = CellMap::of(header, &response);
+    let mut kinds: BTreeMap<Group, Vec<PathOnMap>> = BTreeMap::new();
+    for echo in paths.paths.iter().map(|path| PathOnMap::of(&header.radar, path)) {
+        kinds.entry(echo.group).or_default().push(echo);
+    }
+    let mut cells = vec![Strongest::default(); map.cells()];
+    for (number, echoes) in (1..).zip(kinds.values()).take(GROUPS) {
+        let power = map.power(echoes);
+        cells.iter_mut().zip(power).for_each(|(cell, power)| cell.meet(number, power));
+    }
+    let floor = noise_power / response.gain.powi(2);
+    let told = |cell: &Strongest| if cell.sum > floor { cell.told() } else { (0, 0) };
+    let (strongest, percent) = cells.iter().map(told).unzip();
+    Ok(CellOrigins { groups: kinds.into_keys().take(GROUPS).collect(), strongest, percent })
+}
+
+/// The strongest kind in a cell so far.
+#[derive(Debug, Clone, Copy, Default)]
+struct Strongest {
+    number: u8,
+    power: f64,
+    /// Power of all kinds.
+    sum: f64,
+}
+
+impl Strongest {
+    fn meet(&mut self, number: u8, power: f64) {
+        self.sum += power;
+        if power > self.power {
+            (self.number, self.power) = (number, power);
+        }
+    }
+
+    fn told(&self) -> (u8, u8) {
+        (self.number, (100.0 * self.power / self.sum).round() as u8)
+    }
+}
+
+/// Cells of a map on which echoes are laid.
+struct CellMap<'a> {
+    radar: &'a Radar,
+    response: &'a MapResponse,
+    rows: usize,
+    columns: usize,
+    /// Places of the elements of each channel from the array's centre, m.
+    channels: Vec<[DVec3; 2]>,
+}
+
+impl<'a> CellMap<'a> {
+    fn of(header: &'a CubeHeader, response: &'a MapResponse) -> Self {
+        let radar = &header.radar;
+        let (rows, columns) = (radar.waveform.chirps as usize, radar.waveform.range_cells());
+        Self { radar, response, rows, columns, channels: channels(radar) }
+    }
+
+    fn cells(&self) -> usize {
+        self.rows * self.columns
+    }
+
+    /// Mean power over the channels, W of an IF sample.
+    fn power(&self, echoes: &[PathOnMap]) -> Vec<f64> {
+        let mut power = vec![0.0; self.cells()];
+        for channel in &self.channels {
+            let sums = self.sums(echoes, channel);
+            power.iter_mut().zip(sums).for_each(|(power, sum)| *power += sum.norm_sqr());
+        }
+        let count = self.channels.len() as f64;
+        power.iter_mut().for_each(|power| *power /= count);
+        power
+    }
+
+    /// Sum of the echoes in each cell of one channel.
+    fn sums(&self, echoes: &[PathOnMap], [transmit, receive]: &[DVec3; 2]) -> Vec<Complex64> {
+        let wavenumber = TAU / self.radar.waveform.wavelength_m();
+        let mut sums = vec![Complex64::ZERO; self.cells()];
+        for echo in echoes {
+            let ahead_m = transmit.dot(echo.directions[0]) + receive.dot(echo.directions[1]);
+            self.lay(echo, echo.value * Complex64::from_polar(1.0, -wavenumber * ahead_m), &mut sums);
+        }
+        sums
+    }
+
+    /// Adds what an echo leaves in the cells about it; rows follow each other in a circle.
+    fn lay(&self, echo: &PathOnMap, value: Complex64, sums: &mut [Complex64]) {
+        let [velocity_cell_mps, range_cell_m] = self.response.cells;
+        let speed_mps = echo.radial_velocity_mps;
+        let row = speed_mps / velocity_cell_mps + (self.rows / 2) as f64;
+        let column = (echo.range_m + coupling_m(&self.radar.waveform, speed_mps)) / range_cell_m;
+        for r in reached(row) {
+            let of_row = value * at(&self.response.along[0], r as f64 - row);
+            let begin = r.rem_euclid(self.rows as i64) as usize * self.columns;
+            for c in reached(column).filter(|c| (0..self.columns as i64).contains(c)) {
+                sums[begin + c as usize] += of_row * at(&self.response.along[1], c as f64 - column);
+            }
+        }
+    }
+}
+
+/// Cells within reach of a fractional one.
+fn reached(cell: f64) -> std::ops::Range<i64> {
+    (cell - REACH_CELLS).ceil() as i64..(cell + REACH_CELLS).ceil() as i64
+}
+
+/// Elements of some channels, evenly taken of all.
+fn channels(radar: &Radar) -> Vec<[DVec3; 2]> {
+    let centre = DVec3::from(radar.position_m);
+    let from_centre = |element: &[f64; 3]| DVec3::from(*element) - centre;
+    let (transmit, receive) = (&radar.array.tx_m, &radar.array.rx_m);
+    let all = transmit.iter().flat_map(|t| receive.iter().map(move |r| [from_centre(t), from_centre(r)]));
+    let all: Vec<[DVec3; 2]> = all.collect();
+    let taken = all.len().min(CHANNELS);
+    let last = taken.max(2) - 1;
+    (0..taken).map(|i| all[i * (all.len() - 1) / last]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_strongest_of_two_kinds_has_its_share_of_their_power() {
+        let mut cell = Strongest::default();
+        cell.meet(1, 1.0);
+        cell.meet(2, 3.0);
+        assert_eq!(cell.told(), (2, 75));
+    }
+
+    #[test]
+    fn an_echo_reaches_four_cells_on_both_sides() {
+        assert_eq!(reached(10.0).collect::<Vec<_>>(), (6..14).collect::<Vec<_>>());
+        assert_eq!(reached(10.5).collect::<Vec<_>>(), (7..15).collect::<Vec<_>>());
+    }
+}

@@ -1,0 +1,39 @@
+// Numbers of the page: arrays of whole steps as base64 (packed.rs writes them), and how they are told.
+
+/** The page's numbers, with every packed array unpacked. */
+function readPage() {
+  const text = document.getElementById("viewer-data").textContent;
+  return JSON.parse(text, (_, value) => (isPacked(value) ? unpacked(value) : value));
+}
+
+function isPacked(value) {
+  return value !== null && typeof value === "object" && typeof value.base64 === "string";
+}
+
+/** Values of a packed array: whole numbers as they are, steps as Float32. */
+function unpacked({ kind, step, base64 }) {
+  const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  const types = { Int16: Int16Array, Uint8: Uint8Array, Uint16: Uint16Array, Uint32: Uint32Array };
+  const whole = new types[kind](bytes.buffer);
+  return kind === "Int16" ? Float32Array.from(whole, (steps) => steps * step) : whole;
+}
+
+/** A number with so many digits and a true minus; a dash where there is none. */
+function told(value, digits, unit = "") {
+  if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+  return value.toFixed(digits).replace("-", "−") + (unit && ` ${unit}`);
+}
+
+/** Number of a thing with its word in one or many. */
+function counted(count, one, many) {
+  return `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
+}
+
+/** A new element with a text and a class, put into another. */
+function put(parent, tag, text = "", className = "") {
+  const element = document.createElement(tag);
+  element.textContent = text;
+  if (className) element.className = className;
+  parent.append(element);
+  return element;
+}

@@ -1,0 +1,82 @@
+// Sentences about what the view shows, what it leaves out, and what is under the cursor.
+
+/** What the page holds of the run, and what it leaves out. */
+function tellOfRun({ page, state }) {
+  const words = page.surroundings.radar.words;
+  const sentences = [
+    page.every > 1 && `Every ${page.every}th of ${page.frames_all} frames is here.`,
+    ...(state.frame.paths ? sentencesOnPaths(state.frame.paths) : []),
+    ...sentencesOnMap(state.frame.map),
+    sentenceOnMeshes(page.surroundings.meshes),
+    `${words[0].toUpperCase()}${words.slice(1)}.`,
+  ];
+  part("told").textContent = sentences.filter(Boolean).join(" ");
+}
+
+function sentencesOnPaths(paths) {
+  const kept = paths.levels_dbw.length;
+  const out = 100 * (1 - shareOf(paths, kept));
+  const [some, all] = [kept.toLocaleString("en"), paths.all.toLocaleString("en")];
+  const bent = counted(paths.through_middles, "path is", "paths are");
+  const whole = WITH_LEGS.toLocaleString("en");
+  return [
+    kept < paths.all &&
+      `The strongest ${some} of ${all} paths are here; the others hold ${out.toPrecision(2)} % of the power.`,
+    kept > WITH_LEGS &&
+      `The strongest ${whole} are drawn from the radar on, the others where they are reflected.`,
+    paths.through_middles > 0 &&
+      `${bent} drawn through the middles of the facets, for curved skin bends them.`,
+  ];
+}
+
+function sentencesOnMap({ pooled, floor_is_assumed }) {
+  return [
+    pooled > 1 && `One cell of the map stands for ${pooled} × ${pooled}, by the strongest.`,
+    floor_is_assumed && "There is no noise: a floor 60 dB below the peak stands for it.",
+  ];
+}
+
+function sentenceOnMeshes(meshes) {
+  const boxes = meshes.filter((mesh) => !mesh.corners_m).length;
+  return (
+    boxes > 0 && `${counted(boxes, "mesh is", "meshes are")} too large for this page and drawn as boxes.`
+  );
+}
+
+function tellOfOrders({ state }) {
+  const place = part("orders");
+  place.replaceChildren();
+  const { paths } = state.frame;
+  if (!paths) return;
+  for (const [order, { paths: count }] of ordersOf(paths, state.shown)) {
+    const item = put(place, "span");
+    put(item, "i", "", MARKS[Math.min(5, order)]);
+    item.append(`${ORDER_NAMES[order]}: ${count.toLocaleString("en")} `);
+  }
+}
+
+/** What is told of the cursor's cell. */
+function readout({ cursor, frame }) {
+  const { map } = frame;
+  const { row, column } = cellOf(map, cursor);
+  const cell = row * map.columns + column;
+  const verdict = ["not tested", "below the threshold", "detected"][map.mask[cell]];
+  const velocity = map.velocity_mps[0] + row * map.velocity_mps[1];
+  return (
+    `${told(map.range_m[0] + column * map.range_m[1], 2, "m")}, ${told(velocity, 2, "m/s")}: ` +
+    `${told(map.levels_db[cell], 1, "dB over the noise")}, ${verdict}; ${whose(frame, cell)}.`
+  );
+}
+
+const ROAD = 0xffffffff;
+
+/** The kind of echo that fills a cell most. */
+function whose({ map, bodies, paths }, cell) {
+  if (!paths) return "whose echo is not known: echoes of tables";
+  const kind = map.kinds[map.strongest[cell] - 1];
+  if (!kind) return "no echo above the noise";
+  const name = kind.target === ROAD ? "the road" : (bodies[kind.target]?.id ?? "a body");
+  const over = kind.bodies > 1 ? `, over ${kind.bodies} bodies` : "";
+  const share = `${map.percent[cell]} % of the echoes' power there`;
+  return `echo of ${name}, ${ORDER_NAMES[kind.order]}${over} (${share})`;
+}

@@ -1,0 +1,217 @@
+// Opens a report in Chromium and looks at what a reader sees: pixels, clicks, sliders, a telephone, paper.
+//
+//   node check.mjs CHROMIUM REPORT.html [FOLDER for pictures]
+//
+// The report is of several frames with paths of several bounces. Its last line is one of `cargo test`.
+
+import { writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { launch, pause } from "./chromium.mjs";
+
+const [program, report, folder] = process.argv.slice(2);
+const url = pathToFileURL(resolve(report)).href;
+const tally = { passed: 0, failed: 0 };
+
+function holds(claim, isTrue, seen) {
+  tally[isTrue ? "passed" : "failed"]++;
+  console.log(`report ${claim} ... ${isTrue ? "ok" : `FAILED: ${JSON.stringify(seen)}`}`);
+}
+
+/** Pixels of the picture with the layers that are named, read in the page. */
+const PIXELS = `((layers) => {
+  const { view } = waysideViewer;
+  Object.keys(view.state.layers).forEach((name) => (view.state.layers[name] = layers.includes(name)));
+  waysideViewer.draw();
+  const { gl } = view.space.graphics;
+  const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+  gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return pixels;
+})`;
+
+/** Number of different colours in the picture. */
+const COLOURS = `(() => {
+  const pixels = ${PIXELS}(["bodies", "beam"]);
+  const colours = new Set();
+  for (let i = 0; i < pixels.length; i += 4) colours.add(pixels.slice(i, i + 3).join());
+  return colours.size;
+})()`;
+
+// A path is drawn over what lies behind it: its pixels lie on the way from that colour to its order's.
+const ORDERS = `(() => {
+  const { view } = waysideViewer;
+  const { frame, shown, colours } = view.state;
+  const orders = [...new Set(frame.paths.orders.slice(0, shown))];
+  const [behind, over] = [${PIXELS}([]), ${PIXELS}(["paths"])];
+  const seen = orders.map((order) => {
+    const own = colours.marks.slice(4 * order, 4 * order + 3).map((value) => 255 * value);
+    let count = 0;
+    for (let i = 0; i < over.length; i += 4) {
+      const moved = [0, 1, 2].map((c) => over[i + c] - behind[i + c]);
+      const whole = [0, 1, 2].map((c) => own[c] - behind[i + c]);
+      const [a, b] = [Math.hypot(...moved), Math.hypot(...whole)];
+      const along = moved[0] * whole[0] + moved[1] * whole[1] + moved[2] * whole[2];
+      if (a > 24 && along > 0.985 * a * b) count++;
+    }
+    return { order, count };
+  });
+  Object.keys(view.state.layers).forEach((name) => (view.state.layers[name] = name !== "boxes"));
+  return seen;
+})()`;
+
+const slide = (name, value) => `(() => {
+  const slider = document.getElementById("viewer-${name}");
+  slider.value = ${value};
+  slider.dispatchEvent(new Event("input"));
+  return document.getElementById("viewer-${name}-told").textContent;
+})()`;
+
+const TEXT = (name) => `document.getElementById("viewer-${name}").textContent`;
+const RECT = (name) => `(() => {
+  const element = document.getElementById("viewer-${name}");
+  element.scrollIntoView({ block: "center" });
+  const { x, y, width, height } = element.getBoundingClientRect();
+  return { x, y, width, height };
+})()`;
+
+async function pictureIsDrawn(page) {
+  const colours = await page.value(COLOURS);
+  holds("draws vehicles, road and field of view", colours > 30, colours);
+  await page.value(slide("level", -60));
+  const orders = await page.value(ORDERS);
+  holds("has paths of several bounce orders", orders.length > 1, orders);
+  holds(
+    "draws each bounce order in its colour",
+    orders.every(({ count }) => count > 0),
+    orders,
+  );
+}
+
+async function slidersMove(page) {
+  const [few, many] = [await page.value(slide("level", -3)), await page.value(slide("level", -60))];
+  const count = (told) => Number(/strongest: ([\d,]+) of/.exec(told)[1].replaceAll(",", ""));
+  holds("shows more paths farther down", count(few) < count(many), [few, many]);
+  holds("tells the power that is left out", few.includes("of the power left out"), few);
+  const frames = [await page.value(slide("frame", 1)), await page.value(slide("frame", 0))];
+  holds("goes from frame to frame", frames[0] !== frames[1] && frames[1].startsWith(" 0 at"), frames);
+}
+
+async function vehicleIsChosen(page) {
+  const box = await page.value(RECT("space"));
+  for (const index of [0, 1]) {
+    const [x, y] = await page.value(`waysideViewer.pixelOf(${index})`);
+    await page.click(box.x + x, box.y + y);
+    await pause(100);
+    const id = await page.value(`waysideViewer.view.state.frame.bodies[${index}].id`);
+    const text = await page.value(TEXT("panel"));
+    const parts = [id, "Class", "probability", "Paths shown", "Error budget", "total"];
+    holds(
+      `tells of ${id} when it is clicked`,
+      parts.every((part) => text.includes(part)),
+      text,
+    );
+  }
+}
+
+async function cursorIsShared(page) {
+  const box = await page.value(RECT("map"));
+  const target = await page.value("waysideViewer.view.state.frame.objects[0]");
+  const at = await page.value(`waysideViewer.pixelOnMap(${target.range_m}, ${target.velocity_mps})`);
+  await page.mouse("mouseMoved", box.x + at[0], box.y + at[1]);
+  await pause(200);
+  const text = await page.value(TEXT("readout"));
+  const cursor = await page.value("waysideViewer.view.state.cursor");
+  const isNear = cursor && Math.abs(cursor.range - target.range_m) < 1;
+  holds("reads range and velocity under the pointer", isNear, [cursor, target]);
+  holds("tells level, verdict and whose echo", /dB over the noise, .*echo of /.test(text), text);
+}
+
+async function speed(page) {
+  const seconds = await page.value(`(() => {
+    const { gl } = waysideViewer.view.space.graphics;
+    const wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    waysideViewer.draw();
+    wait();
+    const begin = performance.now();
+    for (let i = 0; i < 10; i++) {
+      waysideViewer.view.state.camera.azimuth += 0.01;
+      waysideViewer.draw();
+      wait();
+    }
+    return (performance.now() - begin) / 1e4;
+  })()`);
+  const shown = await page.value("waysideViewer.view.state.shown");
+  console.log(`report: ${shown} paths, ${(1 / seconds).toFixed(1)} pictures per second`);
+}
+
+async function telephone(page) {
+  await page.size(400, 800);
+  await pause(300);
+  const width = await page.value("document.documentElement.scrollWidth");
+  holds("fits a telephone of 400 pixels", width <= 400, width);
+}
+
+async function withoutView(page) {
+  await page.theme("light", "print");
+  const isGone = "getComputedStyle(document.getElementById('viewer')).display === 'none'";
+  const drawings =
+    "[...document.querySelectorAll('figure svg')].some((svg) => svg.getBoundingClientRect().height > 100)";
+  holds("is printed with its drawings alone", await page.value(`${isGone} && ${drawings}`));
+  await page.theme("light");
+  await page.send("Emulation.setScriptExecutionDisabled", { value: true });
+  await page.open("about:blank");
+  await page.open(url);
+  holds("shows its drawings where no script runs", await page.value(`${isGone} && ${drawings}`));
+}
+
+const PLACE_OF_VIEW = `(() => {
+  const { y, height } = document.getElementById("viewer").getBoundingClientRect();
+  return [y + scrollY, height];
+})()`;
+
+async function takePictures(page) {
+  await page.value(slide("level", -30));
+  await page.value(`document.querySelector("#viewer [data-place=around]").click()`);
+  for (const [width, height] of [
+    [1400, 900],
+    [400, 800],
+  ]) {
+    for (const scheme of ["light", "dark"]) {
+      await page.size(width, height);
+      await page.theme(scheme);
+      await pause(800);
+      const [top, tall] = await page.value(PLACE_OF_VIEW);
+      const picture = await page.picture({
+        x: 0,
+        y: Math.max(0, top - 20),
+        width,
+        height: tall + 40,
+        scale: 1,
+      });
+      writeFileSync(join(folder, `report-${width}-${scheme}.png`), picture);
+    }
+  }
+  await page.theme("light");
+}
+
+const { page, close } = await launch(program);
+try {
+  await page.size(1400, 900);
+  await page.theme("light");
+  await page.open(url);
+  holds("starts its view", await page.value("typeof waysideViewer === 'object'"));
+  await pictureIsDrawn(page);
+  await slidersMove(page);
+  await vehicleIsChosen(page);
+  await cursorIsShared(page);
+  await speed(page);
+  if (folder) await takePictures(page);
+  await telephone(page);
+  await withoutView(page);
+} finally {
+  await close();
+}
+console.log(
+  `test result: ${tally.failed ? "FAILED" : "ok"}. ${tally.passed} passed; ${tally.failed} failed`,
+);
+process.exitCode = tally.failed ? 1 : 0;

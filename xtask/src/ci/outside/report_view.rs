@@ -1,0 +1,73 @@
+//! A report as a browser shows it: pixels of its view, clicks on vehicles, sliders, a telephone, paper, no
+//! script. The check stands on Node and Chromium; where one of them is not there it says so and is skipped.
+
+use crate::ci::commands::{Tally, counted, finished, skipped};
+use crate::project::project_root;
+use std::ffi::{OsStr, OsString};
+use std::process::{Command, Stdio};
+use wayside::host::failure::Failure;
+
+/// Script of the check, from the project's root on.
+const SCRIPT: &str = "xtask/browser/check.mjs";
+/// Names of the browser, in the order in which they are tried; `CHROMIUM` names another one.
+const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
+/// Scene whose report is opened: two vehicles with two bounces, two frames, as coarse as the check allows.
+const SCENE: &str = r#"name = "report"
+frames = 2
+frame_interval_s = 0.5
+
+[noise]
+noise_figure_db = 12.0
+
+[fidelity]
+accuracy_db = -10.0
+bounces = 2
+measured_every = 2
+
+[[target]]
+kind = "mesh"
+id = "car-1"
+class = "car"
+model = "car-suv"
+lane = 2
+y_m = 32.0
+velocity_mps = [0.0, -10.0, 0.0]
+
+[[target]]
+kind = "mesh"
+id = "motorcycle-1"
+class = "motorcycle"
+model = "motorcycle-street"
+lane = 1
+y_m = 27.0
+velocity_mps = [0.0, -4.0, 0.0]
+"#;
+
+pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
+    let node = std::env::var_os("NODE").unwrap_or("node".into());
+    if !answers(&node) {
+        return skipped(tally, "no Node for the report's check (NODE names it)");
+    }
+    let mut named = std::env::var_os("CHROMIUM").into_iter().chain(BROWSERS.map(OsString::from));
+    let Some(browser) = named.find(|name| answers(name)) else {
+        return skipped(tally, "no Chromium for the report's check (CHROMIUM names it)");
+    };
+    let folder = project_root().join("target/report");
+    let write = |failed| Failure::system(&folder, "write", failed);
+    std::fs::create_dir_all(&folder).map_err(write)?;
+    std::fs::write(folder.join("scene.toml"), SCENE).map_err(write)?;
+    // This program carries out the commands of `wayside`.
+    let program = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let mut run = Command::new(program);
+    run.arg("run").arg(folder.join("scene.toml")).arg("--out").arg(folder.join("out"));
+    finished(run.arg("--cache").arg(folder.join("cache")).arg("--quiet"))?;
+    let mut look = Command::new(node);
+    counted(look.arg(SCRIPT).arg(browser).arg(folder.join("out/report.html")), tally)
+}
+
+/// Whether a program is there.
+fn answers(program: &OsStr) -> bool {
+    let mut command = Command::new(program);
+    command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
