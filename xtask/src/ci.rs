@@ -18,7 +18,7 @@ mod training;
 
 use crate::cli::CiArguments;
 use commands::{Tally, counted, finished};
-use outside::engines;
+use outside::{engines, python};
 use std::process::Command;
 use std::time::Instant;
 use training::Training;
@@ -43,12 +43,13 @@ const CHEAP: [(&str, Check); 11] = [
 ];
 
 /// Checks that build and run all crates.
-const WHOLE: [(&str, Check); 6] = [
+const WHOLE: [(&str, Check); 7] = [
     ("lints", |_| cargo(&["clippy", "--release", "--all-targets", "--", "-D", "warnings"])),
     ("docs", |_| documentation()),
     ("a crate outside (README)", |_| outside::check()),
     ("tests and doctests (README)", |tally| readme::tests(tally)),
     ("engines", |tally| engines::check(tally)),
+    ("python", |tally| python::check(tally)),
     ("main job (README)", |_| readme::main_job()),
 ];
 
@@ -56,6 +57,7 @@ pub(crate) fn run(arguments: &CiArguments) -> Result<(), Failure> {
     let mut tally = Tally::default();
     match arguments.only.as_deref() {
         Some("engines") => good("engines", || engines::check(&mut tally))?,
+        Some("python") => good("python", || python::check(&mut tally))?,
         Some(package) => only(package, &mut tally)?,
         None => all(&mut tally)?,
     }

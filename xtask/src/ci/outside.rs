@@ -1,7 +1,9 @@
 //! A crate outside the workspace that depends on `wayside` by its path, with the lines of Rust of the README:
 //! what is promised to users of the library compiles for them too.
 
+mod interpreter; // a Python with packages of its own
 pub(super) mod engines; // datasets and sweeps on engines that others make
+pub(super) mod python; // the Python package
 
 use crate::ci::commands::finished;
 use crate::ci::findings::read;
