@@ -16,7 +16,12 @@ pub(crate) fn raised(py: Python<'_>, failure: &Failure, file: Option<&Path>) -> 
 }
 
 /// Exception of a scene's broken rules; a scene from a dictionary has no file, and lines mean nothing.
-pub(crate) fn of_scene(py: Python<'_>, faults: &[SceneFault], file: Option<&Path>) -> PyErr {
+pub(crate) fn of_scene(
+    py: Python<'_>,
+    failure: &Failure,
+    faults: &[SceneFault],
+    file: Option<&Path>,
+) -> PyErr {
     let name = file.map(|file| file.display().to_string());
     let sentence = |fault: &SceneFault| {
         let place = fault.place.as_ref().map(|place| format!("{place}: ")).unwrap_or_default();
@@ -30,7 +35,7 @@ pub(crate) fn of_scene(py: Python<'_>, faults: &[SceneFault], file: Option<&Path
         fault_of(py, name.as_deref(), position(fault), fault.place.as_deref(), &fault.rule)
     };
     let told = faults.iter().filter_map(|fault| made(|| of(fault))).collect();
-    exception(py, "refused", &text, told)
+    exception(py, kind(failure), &text, told)
 }
 
 /// Exception of an argument that is out of what it may be.

@@ -1,4 +1,4 @@
-//! What several classes hold: a scene, samples, maps.
+//! Scenes, samples and maps, which several classes hold.
 
 pub(crate) mod handle; // a scene that was read
 pub(crate) mod samples; // of a cube, which Python holds

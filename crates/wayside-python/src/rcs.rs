@@ -1,7 +1,7 @@
 //! Class `Rcs` and the function that makes it: S of a mesh over frequency and aspect.
 
 use crate::work::carry_out;
-use crate::{arrays, failure, told};
+use crate::{arrays, document, failure, told};
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
@@ -36,7 +36,8 @@ fn degrees(radians: &[f64]) -> Vec<f64> {
 
 #[pymethods]
 impl Rcs {
-    /// Scattering amplitude S in metres, complex128 [freq, el, az], phase at the mesh's origin; |S|² is the RCS.
+    /// Scattering amplitude S in metres, complex128 [freq, el, az], phase at the mesh's origin; |S|² is the
+    /// RCS.
     #[getter]
     fn s_m<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray3<Complex64>> {
         self.amplitude.bind(py).clone()
@@ -136,9 +137,9 @@ pub(crate) fn rcs(
         range_m: rx_range_m.unwrap_or(range_m),
     });
     let request = RcsRequest {
-        frequency_hz: values(Some(freq_ghz), 1e9)?,
-        elevation_rad: values(el_deg, 1.0_f64.to_radians())?,
-        azimuth_rad: values(az_deg, 1.0_f64.to_radians())?,
+        frequency_hz: scaled(values("freq_ghz", Some(freq_ghz), FREQUENCIES_GHZ)?, 1e9),
+        elevation_rad: scaled(values("el_deg", el_deg, ELEVATIONS_DEG)?, 1.0_f64.to_radians()),
+        azimuth_rad: scaled(values("az_deg", az_deg, AZIMUTHS_DEG)?, 1.0_f64.to_radians()),
         range_m,
         receiver,
         polarization: polarization(pol)?,
@@ -147,7 +148,7 @@ pub(crate) fn rcs(
         sides: word("sides", sides, &[("two", Sides::Two), ("one", Sides::One)])?,
         edges: word("edges", edges, &[("off", Edges::Ignored), ("on", Edges::FirstOrder)])?,
         surface: word("surface", surface, &[("flat", Surface::Flat), ("smooth", Surface::Smooth)])?,
-        accuracy: accuracy(accuracy_db)?,
+        accuracy: Accuracy::from_db(document::accuracy_db(accuracy_db)?),
     };
     let (asked, place) = (request.clone(), mesh.clone());
     let memory = Allowance::of(memory_limit_mib);
@@ -174,12 +175,25 @@ pub(crate) fn mesh_bounds_m(
     arrays::shaped(py, low.chain(high).collect(), [2, 3])
 }
 
-/// One number or an array of them, in units of `unit`; 0 where nothing is said.
-fn values(given: Option<&Bound<'_, PyAny>>, unit: f64) -> PyResult<Vec<f64>> {
+/// Bounds of the command line.
+const FREQUENCIES_GHZ: [f64; 2] = [1e-3, 1e4];
+const AZIMUTHS_DEG: [f64; 2] = [-1e6, 1e6];
+const ELEVATIONS_DEG: [f64; 2] = [-90.0, 90.0];
+
+/// One number or an array of them; 0 where nothing is said.
+fn values(name: &str, given: Option<&Bound<'_, PyAny>>, [low, high]: [f64; 2]) -> PyResult<Vec<f64>> {
     let Some(given) = given else { return Ok(vec![0.0]) };
     let one = given.extract::<f64>().map(|value| vec![value]);
     let several = one.or_else(|_| given.extract::<Vec<f64>>())?;
-    Ok(several.into_iter().map(|value| value * unit).collect())
+    match several.iter().find(|value| !(low..=high).contains(*value)) {
+        Some(value) => Err(failure::of_argument(name, format!("from {low} to {high}, is {value}"))),
+        None if several.is_empty() => Err(failure::of_argument(name, "at least one value is needed")),
+        None => Ok(several),
+    }
+}
+
+fn scaled(values: Vec<f64>, unit: f64) -> Vec<f64> {
+    values.into_iter().map(|value| value * unit).collect()
 }
 
 fn polarization(word: &str) -> PyResult<Polarization> {
@@ -195,13 +209,6 @@ fn polarization(word: &str) -> PyResult<Polarization> {
 fn node_rule(word: &str) -> PyResult<NodeRule> {
     let known = [("own-edge", NodeRule::OwnEdge), ("exit", NodeRule::Exit), ("middle", NodeRule::Middle)];
     self::word("nodes", word, &known)
-}
-
-fn accuracy(db: f64) -> PyResult<Accuracy> {
-    match (-200.0..0.0).contains(&db) {
-        true => Ok(Accuracy::from_db(db)),
-        false => Err(failure::of_argument("accuracy_db", format!("from −200 to below 0, is {db}"))),
-    }
 }
 
 /// One of a few words.

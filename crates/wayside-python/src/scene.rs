@@ -8,7 +8,7 @@ use crate::paths::Paths;
 use crate::range_doppler::RangeDoppler;
 use crate::tracks::Tracks;
 use crate::work::carry_out;
-use crate::{failure, told};
+use crate::{document, failure, told};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
@@ -36,9 +36,9 @@ impl Scene {
         work: impl FnOnce(&OpenedScene, &CallOff) -> Result<T, Failure> + Send + 'static,
     ) -> PyResult<T> {
         let opened = self.read().opened(py)?;
-        let name = self.read().document.name().to_owned();
+        let document = Arc::clone(&self.read().document);
         carry_out(py, self.read().shown(), progress, move |call_off| {
-            work(&opened, call_off).map_err(|failure| failure.about(&name))
+            work(&opened, call_off).map_err(|failure| document.told(failure))
         })
     }
 
@@ -86,7 +86,8 @@ impl Scene {
         memory_limit_mib: Option<u64>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let document = Document::of(source, folder)?;
+        let accuracy_db = accuracy_db.map(document::accuracy_db).transpose()?;
+        let document = Arc::new(Document::of(source, folder)?);
         let source = SceneSource { file: document.file.clone(), model, radar, seed, accuracy_db };
         let memory = Allowance::of(memory_limit_mib);
         let asked = source.clone();
@@ -95,7 +96,7 @@ impl Scene {
             let open = || opened_by(&asked, memory).map(Some);
             Ok(if has_several { Ok(None) } else { open() })
         })?;
-        let opened = opened.map_err(|failure| raised(py, &failure, &document, &source))?;
+        let opened = opened.map_err(|failure| raised(py, &document.told(failure), &document, &source))?;
         Ok(Self { handle: Py::new(py, Handle { document, source, memory, scene: opened })? })
     }
 
@@ -149,7 +150,7 @@ impl Scene {
         told::json(py, &told.map_err(|error| failure::of_argument("radar", error))?)
     }
 
-    /// What a run of all frames is expected to take, before anything runs: frames, processor_s,
+    /// Cost that a run of all frames is expected to have, before anything runs: frames, processor_s,
     /// processor_from_s, processor_to_s (nine of ten runs lie between), wall_s, threads, memory_mib (no more
     /// is held).
     fn cost<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -255,7 +256,8 @@ impl Scene {
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let Handle { document, source, memory, .. } = self.read();
-        let (scene, file, memory, folder) = (source.clone(), document.file.clone(), *memory, out.clone());
+        let (scene, memory, folder) = (source.clone(), *memory, out.clone());
+        let document = Arc::clone(document);
         let cache = cache.map(self::cache).transpose()?.flatten();
         let ended = carry_out(py, self.read().shown(), progress, move |call_off| {
             let settings = Settings {
@@ -264,9 +266,9 @@ impl Scene {
                 classifier,
                 memory,
                 call_off: call_off.clone(),
-                ..Settings::of(file, folder)
+                ..Settings::of(&document.file, folder)
             };
-            wayside::run(&settings).map(drop)
+            wayside::run(&settings).map(drop).map_err(|failure| document.told(failure))
         });
         ended?;
         told::json(py, &std::fs::read_to_string(out.join("summary.json"))?)

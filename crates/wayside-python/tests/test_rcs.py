@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -43,6 +44,20 @@ def test_axes_are_those_asked_for(plate: Path) -> None:
 def test_a_word_that_is_none_is_refused_with_those_that_are(plate: Path) -> None:
     with pytest.raises(ValueError, match=r"pol: `xx`; it can be `vv`, `hh`, `vh`, `hv`"):
         wayside.rcs(plate, 77.0, pol="xx")
+
+
+@pytest.mark.parametrize(
+    ("changes", "name"),
+    [
+        ({"el_deg": 120}, "el_deg: from -90 to 90, is 120"),
+        ({"freq_ghz": []}, "freq_ghz: at least one value"),
+        ({"freq_ghz": float("nan")}, "freq_ghz: from 0.001 to 10000, is NaN"),
+        ({"accuracy_db": 0}, "accuracy_db"),
+    ],
+)
+def test_numbers_are_bounded_as_on_the_command_line(plate: Path, changes: dict[str, Any], name: str) -> None:
+    with pytest.raises(ValueError, match=name):
+        wayside.rcs(plate, **({"freq_ghz": 77.0} | changes))
 
 
 def test_a_mesh_that_is_missing_is_named() -> None:

@@ -54,6 +54,21 @@ def test_a_file_that_is_missing_is_the_systems_fault() -> None:
     assert refused.value.file == "no-such-scene.toml"
 
 
+def test_a_file_that_a_dictionary_names_is_missing_and_no_file_of_ours_is_told() -> None:
+    target = {"kind": "mesh", "id": "x", "model": "nope.glb", "position_m": [0.0, 30.0, 0.0]}
+    with pytest.raises(wayside.WaysideError) as refused:
+        wayside.Scene(small_scene(target=[target]))
+    error = refused.value
+    assert (error.kind, error.file, error.place) == ("system", None, "target `x`")
+    assert str(error).startswith("target `x`: ")
+    assert "scene.toml" not in str(error)
+
+
+def test_an_accuracy_above_the_echo_is_refused() -> None:
+    with pytest.raises(ValueError, match="accuracy_db: from −200 to below 0, is 5"):
+        wayside.Scene(small_scene(), accuracy_db=5)
+
+
 def test_a_value_that_toml_does_not_have_is_refused_with_its_key() -> None:
     with pytest.raises(TypeError, match=r"radar\.position_m: a scene holds no NoneType"):
         wayside.Scene({"name": "a", "radar": {"position_m": None}})

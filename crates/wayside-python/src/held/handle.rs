@@ -13,7 +13,7 @@ use wayside::{Failure, SceneSource};
 #[pyclass(frozen)]
 pub(crate) struct Handle {
     /// The document of the scene.
-    pub(crate) document: Document,
+    pub(crate) document: Arc<Document>,
     /// The document, and what replaces parts of it.
     pub(crate) source: SceneSource,
     /// Memory that tracing may take.
@@ -39,7 +39,8 @@ impl Handle {
     pub(crate) fn opened(&self, py: Python<'_>) -> PyResult<Arc<OpenedScene>> {
         match &self.scene {
             Some(scene) => Ok(Arc::clone(scene)),
-            None => opened_by(&self.source, self.memory).map_err(|failure| self.raised(py, &failure)),
+            None => opened_by(&self.source, self.memory)
+                .map_err(|failure| self.raised(py, &self.document.told(failure))),
         }
     }
 
@@ -57,8 +58,8 @@ pub(crate) fn opened_by(source: &SceneSource, memory: Allowance) -> Result<Arc<O
 /// Exception of a failure about a scene: of broken rules all of them, each with its place.
 pub(crate) fn raised(py: Python<'_>, failure: &Failure, document: &Document, source: &SceneSource) -> PyErr {
     let faults = scene_faults(source);
-    match faults.is_empty() || matches!(failure, Failure::System(_)) {
+    match faults.is_empty() {
         true => failure::raised(py, failure, document.shown()),
-        false => failure::of_scene(py, &faults, document.shown()),
+        false => failure::of_scene(py, failure, &faults, document.shown()),
     }
 }

@@ -59,7 +59,8 @@ fn same_sweep(told_hz: f64, scene: &OpenedScene) -> Result<(), Failure> {
     let centre_hz = scene.header().radar.waveform.centre_frequency_hz();
     match (told_hz - centre_hz).abs() > 1e-9 * centre_hz {
         true => Err(Failure::refused(format!(
-            "f_c is {told_hz} Hz, the scene's is {centre_hz} Hz: amplitudes hold for the sweep they were traced for"
+            "f_c is {told_hz} Hz, the scene's is {centre_hz} Hz: amplitudes hold for the sweep they were traced \
+             for"
         ))),
         false => Ok(()),
     }

@@ -49,7 +49,7 @@ impl OpenedScene {
     /// # Errors
     /// Every broken rule, with file and place.
     pub fn of(source: &SceneSource, memory: Allowance) -> Result<Self, Failure> {
-        let planned = planning::scene(source, None, memory).map_err(|failure| failure.about(&source.file))?;
+        let planned = planning::scene(source, None, memory)?;
         Ok(Self { loaded: planned.loaded, memory })
     }
 

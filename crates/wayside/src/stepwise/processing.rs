@@ -1,4 +1,4 @@
-//! What a receiver makes of cubes: maps, points and objects, tracks, classes.
+//! Products of a receiver: maps of cubes, points and objects, tracks, classes.
 
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::stages::Stage;
