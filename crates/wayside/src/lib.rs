@@ -25,6 +25,7 @@ pub mod pictures;
 pub mod report;
 pub mod run;
 pub mod sweep;
+pub mod stepwise;
 pub mod program;
 
 pub use chain::cache::CacheLocation;

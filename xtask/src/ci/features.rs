@@ -1,5 +1,5 @@
-//! A program and its tests must ask every dependency for the same features: a second set of features builds
-//! what stands on it twice.
+//! A program, its tests and the Python package must ask every dependency for the same features: a second set
+//! of features builds what stands on it twice.
 
 use crate::project::project_root;
 use std::collections::BTreeMap;
@@ -12,9 +12,14 @@ type Features = BTreeMap<String, String>;
 pub(super) fn check() -> Result<(), Failure> {
     let job = ["--package", "xtask"];
     let training = ["--package", crate::ci::training::PACKAGE];
-    for (name, program, tests) in
-        [("the main job", &job[..], &[][..]), ("the program that trains", &training, &training)]
-    {
+    let python = ["--package", "wayside-python"];
+    let alike = [
+        ("the main job", &job[..], &[][..]),
+        ("the program that trains", &training, &training),
+        // Its build is the main job's and a few crates more.
+        ("the main job", &job, &python),
+    ];
+    for (name, program, tests) in alike {
         let of = |packages: &[&str], edges: &str| features(&[packages, &["--edges", edges]].concat());
         let (program, tests) = (of(program, "normal,build")?, of(tests, "normal,build,dev")?);
         if let found @ [_, ..] = differences(name, &program, &tests).as_slice() {
@@ -54,7 +59,10 @@ fn differences(name: &str, job: &Features, tests: &Features) -> Vec<String> {
     let differs =
         |(package, set): &(&String, &String)| tests.get(*package).is_some_and(|other| other != *set);
     let sentence = |(package, set): (&String, &String)| {
-        format!("{package}: {name} asks for [{set}], the tests for [{}]", tests[package])
+        format!(
+            "{package}: {name} asks for [{set}], the tests or the Python package for [{}]",
+            tests[package]
+        )
     };
     job.iter().filter(differs).map(sentence).collect()
 }
@@ -69,7 +77,8 @@ mod tests {
         let tests = parse("burn v0.22.1|default,flex,ndarray\nserde v1.0.0|derive\nproptest v1.0.0|std\n");
         assert_eq!(
             differences("the main job", &job, &tests),
-            ["burn v0.22.1: the main job asks for [default,flex], the tests for [default,flex,ndarray]"]
+            ["burn v0.22.1: the main job asks for [default,flex], the tests or the Python package for \
+                 [default,flex,ndarray]"]
         );
         assert!(differences("the main job", &job, &job).is_empty());
     }

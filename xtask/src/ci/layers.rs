@@ -1,7 +1,7 @@
 //! The layer rule: leaves depend on no crate of the workspace (`radar` and `bodies` on `artifact` alone,
 //! `po-sbr` and `interchange` on `artifact` and `radar`), stages on leaves and never on each other; `wayside`
-//! links them, and `xtask` stands above it. What teaches a stage may see it. `fuzzing` is for tests alone,
-//! and its own tests see all.
+//! links them, and `xtask` stands above it, and so does `wayside-python`, which sees `wayside` and leaves. What
+//! teaches a stage may see it. `fuzzing` is for tests alone, and its own tests see all.
 
 use crate::ci::findings::none_of;
 use crate::project::project_root;
@@ -17,17 +17,17 @@ pub(super) fn check() -> Result<(), Failure> {
     none_of(forbidden(&edges(&metadata)).into_iter().chain(left_out(&metadata)).collect())
 }
 
-/// Crates whose tests run in checks of their own.
-const APART: [&str; 2] = ["/classifier-training#", "/interchange#"];
+/// Crates that no plain `cargo test` knows: each has a check of its own (`training`, `osi`, `python`).
+const APART: [&str; 3] = ["classifier-training", "interchange", "wayside-python"];
 
-/// A sentence for each crate that no plain `cargo test` knows, but for those with checks of their own.
+/// A sentence for each crate that no plain `cargo test` knows, but for those apart.
 fn left_out(metadata: &serde_json::Value) -> Vec<String> {
     let of = |list: &str| -> Vec<String> {
         let ids = metadata[list].as_array().into_iter().flatten().filter_map(|id| id.as_str());
         ids.map(str::to_owned).collect()
     };
     let known = of("workspace_default_members");
-    let is_apart = |id: &String| APART.iter().any(|apart| id.contains(apart));
+    let is_apart = |id: &String| APART.iter().any(|name| id.contains(&format!("/{name}#")));
     let forgotten = |id: &String| !known.contains(id) && !is_apart(id);
     let sentence = |id: String| format!("Cargo.toml: {id} is no default member: its tests would not run");
     of("workspace_members").into_iter().filter(forgotten).map(sentence).collect()
@@ -69,6 +69,7 @@ fn forbidden(edges: &[Edge]) -> Vec<String> {
         "radar" | "bodies" => to == "artifact",
         "po-sbr" | "interchange" => ["artifact", "radar"].contains(&to),
         "classifier-training" => is_leaf(to) || to == "classifier",
+        "wayside-python" => is_leaf(to) || to == "wayside",
         _ => is_leaf(to) && !is_leaf(from),
     };
     let sentence = |Edge { from, to, is_of_tests }: &Edge| {
@@ -93,10 +94,11 @@ mod tests {
     }
 
     #[test]
-    fn a_crate_whose_tests_would_not_run_is_told_and_the_one_that_teaches_is_not() {
+    fn a_crate_whose_tests_would_not_run_is_told_and_those_with_checks_of_their_own_are_not() {
         let id = |name: &str| format!("path+file:///project/crates/{name}#0.1.0");
         let metadata = json!({
-            "workspace_members": [id("dsp"), id("evaluation"), id("classifier-training")],
+            "workspace_members":
+                [id("dsp"), id("evaluation"), id("classifier-training"), id("wayside-python")],
             "workspace_default_members": [id("dsp")],
         });
         let found = left_out(&metadata);
@@ -117,6 +119,8 @@ mod tests {
             { "name": "fuzzing",
               "dependencies": [{ "name": "wayside", "kind": "dev" }, { "name": "artifact" }] },
             { "name": "classifier", "dependencies": [{ "name": "fuzzing", "kind": "dev" }] },
+            { "name": "wayside-python", "dependencies": [{ "name": "wayside" }, { "name": "bart-rcs" }] },
+            { "name": "bart-rcs", "dependencies": [{ "name": "radar" }] },
         ] });
         let found = forbidden(&edges(&metadata));
         let instead = "pass an artifact instead";
@@ -128,6 +132,7 @@ mod tests {
             ("plotting → artifact", instead),
             ("plotting → fuzzing", "fuzzing is for tests alone"),
             ("fuzzing → artifact", "fuzzing is for tests alone"),
+            ("wayside-python → bart-rcs", instead),
         ];
         assert_eq!(found, expected.map(|(edge, rule)| format!("{edge}: {rule}")));
     }

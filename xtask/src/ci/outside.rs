@@ -1,9 +1,10 @@
 //! A crate outside the workspace that depends on `wayside` by its path, with the lines of Rust of the README:
 //! what is promised to users of the library compiles for them too.
 
-mod venv; // Python with packages of others
+mod interpreter; // a Python with packages of its own
 pub(super) mod engines; // datasets and sweeps on engines that others make
 pub(super) mod interchange; // messages beside the official packages, traffic from SUMO
+pub(super) mod python; // the Python package
 pub(super) mod report_view; // a report in a browser
 
 use crate::ci::commands::finished;

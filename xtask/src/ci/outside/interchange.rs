@@ -1,9 +1,10 @@
 //! Messages of OSI and ROS 2 beside the official packages, and traffic from SUMO, OpenDRIVE and OpenStreetMap
 //! through the program. It tests the crate `interchange`, builds the program with the feature of that name,
-//! which nothing else builds, and for the rest stands on a Python with `venv` and on PyPI; where one of them is not there it says so and is skipped.
+//! which nothing else builds, and for the rest stands on a Python with `venv` and on PyPI; where one of them is
+//! not there it says so and is skipped.
 
-use super::venv;
 use crate::ci::commands::{Tally, counted, finished};
+use crate::ci::outside::interpreter::{Interpreter, Needs};
 use crate::project::project_root;
 use std::process::Command;
 use wayside::host::failure::Failure;
@@ -20,14 +21,14 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let tests = ["test", "--release", "--package", "interchange"];
     counted(Command::new("cargo").args(tests), tally)?;
     let folder = project_root().join("target/interchange");
-    let Some(python) = venv::interpreter(&folder, &format!("{SCRIPTS}/requirements.txt"), tally)? else {
-        return Ok(());
-    };
+    let requirements = format!("{SCRIPTS}/requirements.txt");
+    let needs = Needs::of_scripts(&requirements);
+    let Some(python) = Interpreter::of(&needs, &folder, tally)? else { return Ok(()) };
     finished(Command::new("cargo").arg("build").args(PROGRAM))?;
     let this = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
     let work = folder.join("work");
     let _ = std::fs::remove_dir_all(&work);
-    let mut command = Command::new(python);
+    let mut command = Command::new(python.program());
     let program = this.with_file_name(format!("wayside{}", std::env::consts::EXE_SUFFIX));
     counted(command.arg(format!("{SCRIPTS}/check.py")).arg(program).arg(&work), tally)
 }

@@ -192,6 +192,14 @@ impl Table {
         self.keys.iter().filter(|key| key.holds_numbers()).map(|key| key.name())
     }
 
+    /// Names of those that take the name of a file.
+    pub fn files(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.keys
+            .iter()
+            .filter(|key| key.cells()[1].split(' ').any(|word| word == "file"))
+            .map(|key| key.name())
+    }
+
     /// Whether it has a key of that name.
     pub(crate) fn has(&self, name: &str) -> bool {
         self.names().any(|known| known == name)

@@ -74,7 +74,7 @@ pub(super) fn reference_seconds(work: &WorkCounts) -> f64 {
 
 /// Wall-clock seconds on free processors, from processor seconds: what one thread does alone, and the rest
 /// shared.
-pub(super) fn wall_seconds(seconds: f64, threads: usize) -> f64 {
+pub(crate) fn wall_seconds(seconds: f64, threads: usize) -> f64 {
     const ALONE: f64 = 0.15;
     seconds * (ALONE + (1.0 - ALONE) / threads as f64)
 }

@@ -69,7 +69,7 @@ pub struct LaneSummary {
 }
 
 impl RadarSummary {
-    pub(super) fn of(header: &SceneHeader) -> Self {
+    pub(crate) fn of(header: &SceneHeader) -> Self {
         let (radar, waveform) = (&header.radar, &header.radar.waveform);
         Self {
             carrier_hz: waveform.centre_frequency_hz(),

@@ -21,6 +21,7 @@ use crate::program::terminal;
 use crate::program::words::{
     EdgesWord, MethodWord, NodesWord, PolarizationWord, SidesWord, SurfaceWord, TransmissionWord,
 };
+use crate::stepwise;
 use answer::{Answer, CommandTook};
 use artifact::Accuracy;
 use artifact::envelope::fingerprint;
@@ -32,7 +33,6 @@ use bart_rcs::{RcsRequest, Standpoint, Surroundings};
 use num_complex::Complex64;
 use sampling::Samplings;
 use serde_json::Value;
-use std::path::Path;
 use std::time::Instant;
 
 pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Failure> {
@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
         .for_each(|file| artifact::inputs::note(file));
     let request = request(arguments)?;
     let mesh = progress::during(format!("reading {}", arguments.mesh.display()), || {
-        dressed(mesh(&arguments.mesh, arguments.unit_scale)?, arguments)
+        dressed(stepwise::mesh(&arguments.mesh, arguments.unit_scale)?, arguments)
     })?;
     claim(arguments)?;
     let load = clock.seconds();
@@ -86,9 +86,6 @@ fn claim(arguments: &RcsArguments) -> Result<(), Failure> {
     if arguments.pictures { files::claim(&pictures::places(&arguments.out)) } else { Ok(()) }
 }
 
-/// Values of a table: 16 bytes each, a gibibyte and what measuring its errors takes beside.
-const TABLE_LIMIT: usize = 1 << 26;
-
 /// Checkpoint of this very table, by these very sources.
 fn checkpoint(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Checkpoint {
     let sources = Stage::BartRcs.sources();
@@ -119,19 +116,6 @@ fn traced(
     .map_err(Failure::refused)
 }
 
-/// A mesh file as it is, or an own vehicle by its name.
-fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
-    if let Some(mesh) =
-        place.to_str().filter(|_| !place.exists()).and_then(|name| scene::vehicles::mesh(name, 0))
-    {
-        return Ok(mesh);
-    }
-    scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(|error| match error.is_system() {
-        true => Failure::System(error.to_string()),
-        false => Failure::Refused(error.to_string()),
-    })
-}
-
 /// The mesh in the materials asked for.
 fn dressed(mesh: Mesh, arguments: &RcsArguments) -> Result<Mesh, Failure> {
     let Some(file) = &arguments.materials else { return Ok(mesh) };
@@ -150,15 +134,7 @@ fn dressed(mesh: Mesh, arguments: &RcsArguments) -> Result<Mesh, Failure> {
 fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {
     let radians = |degrees: &[f64]| degrees.iter().map(|d| d.to_radians()).collect::<Vec<_>>();
     let axes = [&arguments.freq_ghz, &arguments.el_deg, &arguments.az_deg].map(|axis| axis.values.len());
-    let values: usize = axes.iter().product();
-    if values > TABLE_LIMIT {
-        let [frequencies, elevations, azimuths] = axes;
-        let text = format!(
-            "{frequencies} frequencies × {elevations} elevations × {azimuths} azimuths are {values} values; \
-             a table has at most {TABLE_LIMIT}: make several"
-        );
-        return Err(Failure::System(text));
-    }
+    stepwise::check_size(axes)?;
     Ok(RcsRequest {
         frequency_hz: arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect(),
         elevation_rad: radians(&arguments.el_deg.values),

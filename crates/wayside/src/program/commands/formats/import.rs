@@ -12,6 +12,7 @@ use crate::program::commands::formats::raw_data::npy;
 use crate::program::commands::formats::raw_data::sigmf;
 use crate::program::commands::formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
 use crate::program::words::{IqOrder, Lanes};
+use crate::stepwise;
 use artifact::bounded;
 use artifact::cube::{Cube, CubeFrame, SampleUnit};
 use artifact::scene::SceneHeader;
@@ -40,7 +41,7 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
     for (index, samples) in frames.into_iter().enumerate() {
         let time_s = scene.frame_time_s(index as u32);
-        check(file, index, &samples, header.shape())?;
+        stepwise::finite(index, &samples, header.shape()).map_err(|failure| failure.about(file))?;
         writer.write(&CubeFrame { index: index as u32, time_s, samples, error: ErrorBudget::default() })?;
     }
     Ok(writer.finish()?)
@@ -130,23 +131,4 @@ fn read(file: &Path) -> Result<Array4<Complex32>, Failure> {
     let rule = "a .npy of complex64 in the shape [frame, channel, chirp, sample] is needed";
     let refused = |why: String| Failure::Refused(format!("{}: {why}: {rule}", file.display()));
     npy::complex_values(&bytes).map_err(refused)
-}
-
-fn check(
-    file: &Path,
-    frame: usize,
-    samples: &[Complex32],
-    [_, chirps, length]: [usize; 3],
-) -> Result<(), Failure> {
-    match samples.iter().position(|v| !(v.re.is_finite() && v.im.is_finite())) {
-        Some(at) => {
-            let place = (frame, at / (chirps * length), at / length % chirps, at % length);
-            let text = format!(
-                "{} at [frame, channel, chirp, sample] {place:?}: samples must be finite",
-                samples[at]
-            );
-            Err(Failure::Refused(format!("{}: {text}", file.display())))
-        }
-        None => Ok(()),
-    }
 }

@@ -5,8 +5,9 @@ use crate::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
 use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::cli::RcsArguments;
 use crate::program::terminal;
+use crate::stepwise::far_field_from_m;
 use artifact::scene::Mesh;
-use artifact::units::{SPEED_OF_LIGHT_MPS, db_from_amplitude, db_from_power};
+use artifact::units::{db_from_amplitude, db_from_power};
 use artifact::{Accuracy, ErrorBudget, ModelError};
 use bart_rcs::{FarFieldError, Followed, RcsResult, Spread};
 use clap::ValueEnum;
@@ -149,16 +150,6 @@ impl Answer {
             listed(1, &mut error.level_db.iter().map(|s| s.worst)),
         )
     }
-}
-
-/// 2D²/λ at the highest frequency, D the diagonal of the box about the mesh.
-fn far_field_from_m(mesh: &Mesh, frequency_hz: &[f64]) -> f64 {
-    let side_m = |axis: usize| {
-        let along = || mesh.vertices_m.iter().map(|v| v[axis]);
-        along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
-    };
-    let highest_hz = frequency_hz.iter().copied().fold(0.0, f64::max);
-    2.0 * (0..3).map(|axis| side_m(axis).powi(2)).sum::<f64>() * highest_hz / SPEED_OF_LIGHT_MPS
 }
 
 fn far_field_error(error: &FarFieldError) -> Value {

@@ -5,10 +5,9 @@ use crate::host::failure::Failure;
 use crate::host::files;
 use crate::program::commands::formats::sidecar;
 use crate::program::commands::formats::writing::fail;
+use crate::stepwise::delay_at_middle;
 use artifact::Reader;
 use artifact::paths::{Path as Record, Paths, PathsHeader, Span};
-use artifact::units::SPEED_OF_LIGHT_MPS;
-use glam::DVec3;
 use serde_json::json;
 use std::io::Write;
 use std::path::Path;
@@ -39,7 +38,7 @@ pub(crate) fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
 
 fn rows(sink: &mut dyn Write, header: &PathsHeader, frame: u32, path: &Record) -> std::io::Result<()> {
     let target = header.targets.get(path.target as usize).map_or("", String::as_str);
-    let (delay_s, rate) = delay_at_middle(header, path);
+    let (delay_s, rate) = delay_at_middle(&header.radar, path);
     let geometry: Vec<String> =
         [path.apparent_tx_m, path.apparent_rx_m, path.apparent_tx_mps, path.apparent_rx_mps]
             .concat()
@@ -63,19 +62,4 @@ fn rows(sink: &mut dyn Write, header: &PathsHeader, frame: u32, path: &Record) -
 fn span(path: &Record) -> String {
     let told = |span: Span| format!("{},{},{},{}", span.first_s, span.step_s, span.moments, span.moment);
     path.curve.span.map_or(",,,".into(), told)
-}
-
-/// Delay and its rate (s/s) at the array's centre at the frame's middle.
-fn delay_at_middle(header: &PathsHeader, path: &Record) -> (f64, f64) {
-    let centre = DVec3::from(header.radar.position_m);
-    let middle_s = header.radar.frame_middle_s();
-    let leg = |x: [f64; 3], v: [f64; 3], a: [f64; 3]| {
-        let gained = DVec3::from(a) * middle_s;
-        let velocity = DVec3::from(v) + gained;
-        let away = DVec3::from(x) + (velocity - 0.5 * gained) * middle_s - centre;
-        (away.length(), away.dot(velocity) / away.length())
-    };
-    let (there_m, there_mps) = leg(path.apparent_tx_m, path.apparent_tx_mps, path.curve.apparent_tx_mps2);
-    let (back_m, back_mps) = leg(path.apparent_rx_m, path.apparent_rx_mps, path.curve.apparent_rx_mps2);
-    ((there_m + back_m) / SPEED_OF_LIGHT_MPS, (there_mps + back_mps) / SPEED_OF_LIGHT_MPS)
 }

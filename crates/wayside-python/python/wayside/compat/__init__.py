@@ -1,0 +1,1 @@
+"""Scripts of other programs, run after one changed import."""

@@ -1,0 +1,28 @@
+"""Scripts that were written for RadarSimPy, run by wayside.
+
+Write ``from wayside.compat.radarsimpy import Radar, Transmitter, Receiver, sim_radar`` in place of
+``from radarsimpy import …``; the rest of a script stays as it is. Arguments, attributes, axes and the order
+of channels are RadarSimPy's: x along the boresight, y to the left, z up; frames·tx·rx, pulses, samples.
+What is not supported raises :class:`NotSupported` with its name. The page ``docs/coming-from.md`` has the
+tables.
+
+The code is wayside's own, by the public description of the interface; nothing of RadarSimPy is in it.
+"""
+
+from . import processing, simulator
+from .radar import Radar
+from .receiver import Receiver
+from .refusal import NotSupported
+from .simulator import sim_radar, sim_rcs
+from .transmitter import Transmitter
+
+__all__ = [
+    "NotSupported",
+    "Radar",
+    "Receiver",
+    "Transmitter",
+    "processing",
+    "sim_radar",
+    "sim_rcs",
+    "simulator",
+]

@@ -1,0 +1,201 @@
+"""A radar and its targets as a scene of wayside.
+
+Their axes are x forward, y left, z up; a scene's are x right, y forward, z up. Everything is told as seen
+from the radar, which stands still at the origin of the scene.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .radar import Radar
+from .refusal import nothing, refuse, refuse_keys, vector
+
+_C_MPS = 299_792_458.0
+_POINT = {"location", "speed", "rcs", "phase"}
+_MESH = {
+    "model",
+    "origin",
+    "location",
+    "speed",
+    "rotation",
+    "rotation_rate",
+    "permittivity",
+    "unit",
+    "skip_diffusion",
+}
+_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
+
+
+def scene_of(
+    radar: Radar, targets: list[dict[str, Any]], transmitters: list[int], time_s: float, folder: str
+) -> dict[str, Any]:
+    """The scene of one frame at a time, seen by some of the transmitters; files go into ``folder``."""
+    return {
+        "name": "radarsimpy",
+        "seed": 0 if radar.seed is None else int(radar.seed),
+        "radar": _radar(radar, transmitters, folder),
+        "fidelity": {"accuracy_db": -20.0},
+        "target": [_target(radar, target, index, time_s) for index, target in enumerate(targets)],
+    }
+
+
+def channels_of(radar: Radar, transmitters: list[int]) -> NDArray[np.int64]:
+    """Channels of the scene's cube that are those of these transmitters with every receiver."""
+    receive = radar.radar_prop["receiver"].antennas
+    row = len(_centred(receive.locations))
+    return np.array([i * row + j for i in range(len(transmitters)) for j in range(len(receive))])
+
+
+def in_front(radar: Radar, target: dict[str, Any], time_s: float) -> bool:
+    """Whether a point target is before the antennas, whose patterns end at ±90°."""
+    return "model" in target or bool(_seen(radar, target, time_s)[0][0] > 0)
+
+
+def _radar(radar: Radar, transmitters: list[int], folder: str) -> dict[str, Any]:
+    transmitter, receiver = radar.radar_prop["transmitter"], radar.radar_prop["receiver"]
+    waveform, rate = transmitter.waveform_prop, receiver.bb_prop["fs"]
+    samples = radar.sample_prop["samples_per_pulse"]
+    sweep, length = waveform["f"], waveform["pulse_length"]
+    slope = (sweep[1] - sweep[0]) / length
+    half_wave = 0.5 * _C_MPS / (sweep[0] + 0.5 * slope * samples / rate)
+    rows = transmitter.antennas.locations[transmitters], receiver.antennas.locations
+    transmit, receive = (_half_waves(_centred(row), half_wave) for row in rows)
+    polarization = receiver.antennas.polarization() + transmitter.antennas.polarization()
+    told: dict[str, Any] = {
+        "position_m": [0.0, 0.0, 0.0],
+        "waveform": {
+            "start_frequency_ghz": sweep[0] / 1e9,
+            "slope_mhz_per_us": slope / 1e12,
+            "sample_rate_msps": rate / 1e6,
+            "samples": samples,
+            "idle_us": max(0.0, 1e6 * (waveform["prp"][0] - samples / rate)),
+            "chirps": waveform["pulses"],
+        },
+        "array": {
+            "tx_half_wavelengths": transmit,
+            "rx_half_wavelengths": receive,
+            "polarization": polarization,
+            **_pattern(radar, folder),
+        },
+        "link": {"transmit_power_dbm": float(transmitter.rf_prop["tx_power"]), "antenna_gain_dbi": 0.0},
+        "receiver": {"sampling": receiver.bb_prop["bb_type"]},
+    }
+    if transmitter.rf_prop["pn_f"] is not None:
+        offsets, levels = transmitter.rf_prop["pn_f"], transmitter.rf_prop["pn_power"]
+        told["receiver"]["phase_noise_dbc_hz"] = [[float(f), float(p)] for f, p in zip(offsets, levels)]
+    return told
+
+
+def _centred(places: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Places about the radar's own: a scene puts the mean of a row there, so a row with another mean gets its
+    mirror image, whose channels are left out afterwards."""
+    extent = np.max(np.abs(places), initial=0.0)
+    is_centred = np.all(np.abs(places.mean(axis=0)) <= 1e-9 * extent)
+    return places if is_centred else np.concatenate([places, -places])
+
+
+def _half_waves(places: NDArray[np.float64], half_wave: float) -> list[list[float]]:
+    return [[-y / half_wave, z / half_wave] for _, y, z in places]
+
+
+def _pattern(radar: Radar, folder: str) -> dict[str, Any]:
+    """Pattern of an element: the mean of both rows' in dB, which is what an echo of one point is
+    weighed by."""
+    rows = [radar.radar_prop[name].antennas.pattern() for name in ("transmitter", "receiver")]
+    if all(not np.any(gains) for row in rows for _, gains in row):
+        return {"pattern": "isotropic"}
+    lines = ["az_deg,el_deg,gain_db"]
+    azimuth, elevation = (_mean_cut([row[axis] for row in rows]) for axis in (0, 1))
+    level = max(float(gain) for gain in elevation.values())
+    ahead = [_at(cut) for cut in (azimuth, elevation)]
+    lines += [f"{-angle},0,{gain + ahead[1] - level}" for angle, gain in azimuth.items()]
+    lines += [f"0,{angle},{gain + ahead[0] - level}" for angle, gain in elevation.items() if angle != 0]
+    place = os.path.join(folder, "pattern.csv")
+    with open(place, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+    return {"pattern": "table", "pattern_file": place}
+
+
+def _mean_cut(cuts: list[tuple[NDArray[Any], NDArray[Any]]]) -> dict[float, float]:
+    """Mean of the cuts of both rows at the angles of either, and ahead."""
+    angles = np.unique(np.concatenate([angle for angle, _ in cuts] + [np.zeros(1)]))
+    gains = [np.interp(angles, angle, gain) for angle, gain in cuts]
+    return dict(zip(angles.tolist(), np.mean(gains, axis=0).tolist()))
+
+
+def _at(cut: dict[float, float]) -> float:
+    return cut[0.0]
+
+
+def _seen(
+    radar: Radar, target: dict[str, Any], time_s: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Place and velocity of a target as the radar has them, in RadarSimPy's axes."""
+    place = vector(target.get("location", (0, 0, 0)), "target['location']") - radar.radar_prop["location"]
+    speed = vector(target.get("speed", (0, 0, 0)), "target['speed']") - radar.radar_prop["speed"]
+    yaw = radar.radar_prop["rotation"][0]
+    turn = np.array([[np.cos(yaw), np.sin(yaw), 0], [-np.sin(yaw), np.cos(yaw), 0], [0, 0, 1]])
+    return turn @ (place + speed * time_s), turn @ speed
+
+
+def _of_scene(place: NDArray[np.float64]) -> list[float]:
+    x, y, z = place.tolist()
+    return [-y, x, z]
+
+
+def _target(radar: Radar, target: dict[str, Any], index: int, time_s: float) -> dict[str, Any]:
+    place, speed = _seen(radar, target, time_s)
+    moving = {"id": f"target-{index}", "velocity_mps": _of_scene(speed)}
+    if "model" not in target:
+        refuse_keys(target, _POINT, "target")
+        nothing(target.get("phase"), "target['phase']", "a point scatters +√rcs")
+        return {
+            **moving,
+            "kind": "point",
+            "rcs_m2": 10 ** (float(target["rcs"]) / 10),
+            "position_m": _of_scene(place),
+        }
+    return {**moving, **_mesh(radar, target, place)}
+
+
+def _mesh(radar: Radar, target: dict[str, Any], place: NDArray[np.float64]) -> dict[str, Any]:
+    """A body: a scene places the middle of its foot, RadarSimPy the origin of its file."""
+    from wayside import mesh_bounds_m
+
+    yaw_deg = yaw_of(target) - np.degrees(radar.radar_prop["rotation"][0])
+    scale = scale_of(target)
+    low, high = mesh_bounds_m(os.fspath(target["model"]), scale)
+    middle = np.array([0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), low[2]])
+    yaw = np.radians(yaw_deg)
+    turn = np.array([[np.cos(yaw), -np.sin(yaw), 0], [np.sin(yaw), np.cos(yaw), 0], [0, 0, 1]])
+    # A body's yaw is from world +x towards +y; their x axis is a scene's y axis.
+    told = {"kind": "mesh", "model": os.path.abspath(target["model"]), "yaw_deg": float(yaw_deg + 90.0)}
+    told["position_m"] = _of_scene(place + turn @ middle)
+    return told if scale is None else {**told, "unit_scale": scale}
+
+
+def yaw_of(target: dict[str, Any]) -> float:
+    """Yaw of a body, degrees; what else a target may say and a scene may not is refused."""
+    refuse_keys(target, _MESH, "target")
+    turned = vector(target.get("rotation", (0, 0, 0)), "target['rotation']")
+    nothing(turned[1:], "target['rotation']", "pitch and roll; yaw is taken")
+    nothing(target.get("rotation_rate"), "target['rotation_rate']", "bodies do not turn in a frame")
+    nothing(target.get("origin"), "target['origin']", "move the mesh itself")
+    if target.get("permittivity") is not None:
+        raise refuse("target['permittivity']", "name a material in [[material]] of a scene")
+    if target.get("skip_diffusion"):
+        raise refuse("target['skip_diffusion']", "a road is [road] of a scene")
+    return float(turned[0])
+
+
+def scale_of(target: dict[str, Any]) -> float | None:
+    """Metres in a unit of the model's file; None of metres."""
+    unit = target.get("unit", "m")
+    if unit not in _UNITS:
+        raise refuse("target['unit']", f"{unit!r}; it is one of {', '.join(_UNITS)}")
+    return None if unit == "m" else _UNITS[unit]

@@ -1,0 +1,82 @@
+"""Class ``Transmitter``: waveform and transmit channels."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from .antenna import Antennas
+from .refusal import nothing, refuse
+
+_MODULATION = ("pulse_amp", "pulse_phs", "mod_t", "phs", "amp")
+
+
+class Transmitter:
+    """Linear chirps of one or several transmit channels, by RadarSimPy's names and units.
+
+    ``f`` [start, stop] in Hz, ``t`` the chirp's length in s, ``tx_power`` in dBm, ``prp`` the time from
+    chirp to chirp in s. A channel's ``delay`` (s) is when it begins to send, as in time division.
+    """
+
+    def __init__(
+        self,
+        f: Any,
+        t: Any,
+        tx_power: float = 0,
+        pulses: int = 1,
+        prp: Any = None,
+        f_offset: Any = None,
+        pn_f: Any = None,
+        pn_power: Any = None,
+        channels: Sequence[dict[str, Any]] | None = None,
+    ) -> None:
+        sweep, length = _sweep(f), _length(t)
+        nothing(f_offset, "f_offset", "all chirps have one sweep")
+        if (pn_f is None) != (pn_power is None):
+            raise ValueError("pn_f and pn_power belong together")
+        self.antennas = Antennas(channels, "tx channel", {"delay", "grid", *_MODULATION})
+        for channel in self.antennas.channels:
+            for key in _MODULATION:
+                if channel.get(key) is not None:
+                    raise refuse(f"tx channel[{key!r}]", 'use multiplexing = "ddm" or "bpm" of a scene')
+        intervals = (
+            np.full(pulses, length) if prp is None else np.broadcast_to(np.asarray(prp, float), (pulses,))
+        )
+        if np.any(intervals < length):
+            raise ValueError("prp must not be less than the length of a pulse")
+        if not np.allclose(intervals, intervals[0], rtol=1e-12, atol=0):
+            raise refuse("prp", "intervals that change: use stagger_us of a scene")
+        self.rf_prop = {"tx_power": tx_power, "pn_f": pn_f, "pn_power": pn_power}
+        self.waveform_prop: dict[str, Any] = {
+            "f": sweep,
+            "t": np.array([0.0, length]),
+            "bandwidth": float(np.ptp(sweep)),
+            "pulse_length": length,
+            "pulses": int(pulses),
+            "f_offset": np.zeros(pulses),
+            "prp": np.array(intervals),
+            "pulse_start_time": np.cumsum(intervals) - intervals[0],
+        }
+        self.txchannel_prop: dict[str, Any] = {
+            "size": len(self.antennas),
+            "locations": self.antennas.locations,
+            "delay": np.array([float(c.get("delay", 0)) for c in self.antennas.channels]),
+        }
+
+
+def _sweep(f: Any) -> Any:
+    sweep = np.atleast_1d(np.asarray(f, dtype=float))
+    if len(sweep) != 2:
+        raise refuse("f", "a linear chirp [start, stop] is needed, no single tone and no other waveform")
+    if sweep[0] == sweep[1]:
+        raise refuse("f", "start and stop are equal: a single tone tells no range")
+    return sweep
+
+
+def _length(t: Any) -> float:
+    times = np.atleast_1d(np.asarray(t, dtype=float))
+    if len(times) > 2:
+        raise refuse("t", "a linear chirp has one length, or [begin, end]")
+    return float(times[-1] - times[0]) if len(times) == 2 else float(times[0])

@@ -1,0 +1,80 @@
+"""Results as tables of pandas and as labelled arrays of xarray, where these are installed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from ._core import Cube, Paths, RangeDoppler, Rcs
+
+_AXES = "xyz"
+_POLARIZATIONS = (("vv", 0, 0), ("hh", 1, 1), ("vh", 0, 1), ("hv", 1, 0))
+
+
+def cube_to_xarray(cube: Cube) -> Any:
+    """``xarray.DataArray`` of a cube's samples, √W: frame, channel, chirp, sample."""
+    import xarray
+
+    dims = ("frame", "channel", "chirp", "sample")
+    coords = {"time_s": ("frame", cube.time_s)}
+    return xarray.DataArray(
+        cube.samples, dims=dims, coords=coords, name="samples", attrs={"units": "sqrt(W)"}
+    )
+
+
+def maps_to_xarray(maps: RangeDoppler) -> Any:
+    """``xarray.Dataset`` of maps: values [frame, channel, velocity_mps, range_m] in √W, mask."""
+    import xarray
+
+    coords = {"time_s": ("frame", maps.time_s), "velocity_mps": maps.velocity_mps, "range_m": maps.range_m}
+    values = (("frame", "channel", "velocity_mps", "range_m"), maps.values, {"units": "sqrt(W)"})
+    mask = (("frame", "velocity_mps", "range_m"), maps.mask, {"of": "0 untested, 1 tested, 2 detected"})
+    return xarray.Dataset({"values": values, "mask": mask}, coords=coords)
+
+
+def rcs_to_xarray(table: Rcs) -> Any:
+    """``xarray.Dataset`` of a table: s_m and rcs_dbsm [freq_hz, el_deg, az_deg]."""
+    import xarray
+
+    dims = ("freq_hz", "el_deg", "az_deg")
+    coords = {"freq_hz": table.freq_hz, "el_deg": table.el_deg, "az_deg": table.az_deg}
+    data = {"s_m": (dims, table.s_m, {"units": "m"}), "rcs_dbsm": (dims, table.rcs_dbsm, {"units": "dBsm"})}
+    return xarray.Dataset(data, coords=coords, attrs={"far_field_from_m": table.far_field_from_m})
+
+
+def records_to_pandas(records: Any) -> Any:
+    """``pandas.DataFrame`` of a record array; a field of several values has a column for each."""
+    import pandas
+
+    columns: dict[str, Any] = {}
+    for name in records.dtype.names:
+        values = records[name]
+        for place in np.ndindex(values.shape[1:]):
+            suffix = "".join(f"_{index}" for index in place)
+            columns[name + suffix] = values[(slice(None), *place)]
+    return pandas.DataFrame(columns)
+
+
+def paths_to_pandas(paths: Paths) -> Any:
+    """``pandas.DataFrame`` of all paths, a row each."""
+    import pandas
+
+    tables = [_paths_of(paths[index], paths.targets) for index in range(len(paths))]
+    return pandas.concat(tables, ignore_index=True) if tables else pandas.DataFrame()
+
+
+def _paths_of(frame: Any, targets: list[str]) -> Any:
+    import pandas
+
+    order, target, a_m = frame.order, frame.target, frame.a_m
+    # The road's own backscatter is no target's.
+    names = [targets[index] if index < len(targets) else "" for index in target]
+    columns: dict[str, Any] = {"frame": frame.index, "target": names, "order": order}
+    columns |= {f"a_{name}_m": a_m[:, receive, transmit] for name, receive, transmit in _POLARIZATIONS}
+    for name in ("x_a_m", "x_b_m", "v_a_mps", "v_b_mps"):
+        values, (stem, unit) = getattr(frame, name), name.rsplit("_", 1)
+        columns |= {f"{stem}_{axis}_{unit}": values[:, i] for i, axis in enumerate(_AXES)}
+    columns |= {"delay_s": frame.delay_s, "delay_rate": frame.delay_rate}
+    return pandas.DataFrame(columns, index=range(len(order)))

@@ -1,0 +1,115 @@
+//! Class `Cube`: radar data cubes, simulated or anybody's.
+
+use crate::held::handle::Handle;
+use crate::held::samples::Samples;
+use crate::range_doppler::RangeDoppler;
+use crate::work::carry_out;
+use crate::{arrays, failure, told};
+use artifact::cube::Cube as Schema;
+use num_complex::Complex32;
+use numpy::{PyArray1, PyArray4, PyArrayMethods, PyReadonlyArray4};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+use std::sync::Arc;
+use wayside::stepwise::{Processing, Recorded, cubes_of_samples};
+
+/// Radar data cubes of the frames of a scene, √W.
+#[pyclass(frozen, module = "wayside")]
+pub(crate) struct Cube {
+    samples: Arc<Samples>,
+}
+
+impl Cube {
+    /// Hands the cubes over to Python.
+    pub(crate) fn of(py: Python<'_>, recorded: Recorded<Schema>) -> PyResult<Self> {
+        Ok(Self { samples: Arc::new(Samples::of(py, recorded)?) })
+    }
+}
+
+/// Samples as complex64 `[frame, channel, chirp, sample]`; the very array where it is that already.
+fn four_axes<'py>(samples: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray4<Complex32>>> {
+    let numpy = samples.py().import("numpy")?;
+    let array = numpy.call_method1("ascontiguousarray", (samples, numpy.getattr("complex64")?))?;
+    let axes: usize = array.getattr("ndim")?.extract()?;
+    let whole = if axes == 3 { array.get_item(numpy.getattr("newaxis")?)? } else { array };
+    let rule = "complex values [frame, channel, chirp, sample], or of one frame [channel, chirp, sample]";
+    whole.cast_into().map_err(|_| failure::of_argument("samples", format!("{axes} axes: {rule}")))
+}
+
+#[pymethods]
+impl Cube {
+    #[new]
+    #[pyo3(signature = (samples, scene))]
+    fn new(py: Python<'_>, samples: &Bound<'_, PyAny>, scene: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let handle = Handle::of_any(scene)?;
+        let (read, array) = (handle.get(), four_axes(samples)?);
+        let opened = read.opened(py)?;
+        let readonly: PyReadonlyArray4<'_, Complex32> = array.try_readonly()?;
+        let shape = readonly.as_array().dim().into();
+        let made = cubes_of_samples(&opened, shape, readonly.as_slice()?);
+        let recorded = made.map_err(|failure| failure::raised(py, &failure, read.shown()))?;
+        drop(readonly);
+        Ok(Self { samples: Arc::new(Samples::in_array(recorded, array.unbind())) })
+    }
+
+    /// Reads a `.cube` artifact.
+    #[staticmethod]
+    #[pyo3(signature = (file))]
+    fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
+        let read = py.detach(|| Recorded::read(&file));
+        Self::of(py, read.map_err(|failure| failure::raised(py, &failure, Some(&file)))?)
+    }
+
+    /// Writes a `.cube` artifact, the bytes of `wayside echo`.
+    #[pyo3(signature = (file))]
+    fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
+        let recorded = self.samples.recorded(py)?;
+        let written = py.detach(|| recorded.write(&file));
+        written.map_err(|failure| failure::raised(py, &failure, Some(&file)))
+    }
+
+    /// IF samples in √W, complex64 [frame, channel, chirp, sample]; channel = tx·N_rx + rx.
+    #[getter]
+    fn samples<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray4<Complex32>> {
+        self.samples.array.bind(py).clone()
+    }
+
+    /// Times of the frames' first samples, s, float64 [frame].
+    #[getter]
+    fn time_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::axis(py, &self.samples.times_s())
+    }
+
+    /// Numerical errors of each frame in dB relative to the echo.
+    #[getter]
+    fn error_db<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        self.samples.errors().map(|error| told::errors(py, error)).collect()
+    }
+
+    /// Range-Doppler maps of all channels, with the cells that the detector found.
+    #[pyo3(signature = (*, progress=None))]
+    fn range_doppler(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<RangeDoppler> {
+        let (header, frames) = (self.samples.header.clone(), self.samples.frames(py)?);
+        let (processing, maps) = carry_out(py, None, progress, move |_| {
+            let processing = Processing::of(&header)?;
+            let maps = frames.iter().map(|frame| processing.map(frame)).collect::<Result<Vec<_>, _>>()?;
+            Ok((processing, maps))
+        })?;
+        RangeDoppler::of(py, Arc::clone(&self.samples), processing, maps)
+    }
+
+    /// Cube with named axes: `xarray.DataArray`, where xarray is installed.
+    fn to_xarray<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("wayside.tables")?.call_method1("cube_to_xarray", (slf,))
+    }
+
+    fn __len__(&self) -> usize {
+        self.samples.errors().count()
+    }
+
+    fn __repr__(&self) -> String {
+        let [channels, chirps, samples] = self.samples.header.shape();
+        format!("<wayside.Cube: {} frames × [{channels}, {chirps}, {samples}]>", self.__len__())
+    }
+}

@@ -1,0 +1,161 @@
+//! Class `Detections`: points and the objects that they form.
+
+use crate::arrays::{Field, Records};
+use crate::failure;
+use crate::held::maps::Maps;
+use crate::tracks::Tracks;
+use crate::work::carry_out;
+use artifact::points::{Object, Point, Points};
+use artifact::tracks::Tracks as TracksSchema;
+use pyo3::prelude::*;
+use std::path::PathBuf;
+use std::sync::Arc;
+use wayside::chain::loading;
+use wayside::stepwise::{Answered, Processing, Recorded};
+
+/// Detected points and objects of the frames of a cube.
+#[pyclass(frozen, module = "wayside")]
+pub(crate) struct Detections {
+    /// The maps that they were found on.
+    pub(crate) maps: Arc<Maps>,
+    /// The artifact.
+    pub(crate) all: Arc<Recorded<Points>>,
+}
+
+const POINT: [Field; 10] = [
+    ("frame", "i8"),
+    ("range_m", "f8"),
+    ("radial_velocity_mps", "f8"),
+    ("azimuth_rad", "f8"),
+    ("elevation_rad", "f8"),
+    ("position_m", "(3,)f8"),
+    ("snr_db", "f8"),
+    ("object", "i8"),
+    ("two_ways_rad", "(2,)f8"),
+    ("stationary", "i8"),
+];
+
+const OBJECT: [Field; 13] = [
+    ("frame", "i8"),
+    ("range_m", "f8"),
+    ("radial_velocity_mps", "f8"),
+    ("azimuth_rad", "f8"),
+    ("position_m", "(3,)f8"),
+    ("snr_db", "f8"),
+    ("points", "i8"),
+    ("lane", "i8"),
+    ("range_extent_m", "(2,)f8"),
+    ("velocity_extent_mps", "(2,)f8"),
+    ("velocity_resolved", "i8"),
+    ("ghost_share", "f8"),
+    ("stationary", "i8"),
+];
+
+fn add_point(records: &mut Records, frame: u32, point: &Point) {
+    records.whole(frame).number(point.range_m).number(point.radial_velocity_mps);
+    records.number(point.azimuth_rad).number(point.elevation_rad).numbers(&point.position_m);
+    records.number(point.snr_db).whole_or_none(point.object);
+    records.numbers(&point.two_ways_rad.unwrap_or([f64::NAN; 2])).whole_or_none(point.stationary);
+}
+
+fn add_object(records: &mut Records, frame: u32, object: &Object) {
+    records.whole(frame).number(object.range_m).number(object.radial_velocity_mps);
+    records.number(object.azimuth_rad).numbers(&object.position_m).number(object.snr_db);
+    records.whole(object.points).whole_or_none(object.lane).numbers(&object.range_extent_m);
+    records.numbers(&object.velocity_extent_mps).whole(object.velocity_resolved);
+    records.number_or_nan(object.ghost_share).whole_or_none(object.stationary);
+}
+
+/// Classes of the objects of all frames: a probability a class, and the class that is told.
+fn classes<'py>(py: Python<'py>, answers: &[(u32, Vec<Answered>)]) -> PyResult<Bound<'py, PyAny>> {
+    let (names, mut records) = (Processing::class_names(), Records::default());
+    for (frame, answers) in answers {
+        for (object, answer) in answers.iter().enumerate() {
+            let told = names.iter().position(|name| *name == answer.told).map(|at| at as i64);
+            records.whole(*frame).whole(object as i64).numbers(&answer.probabilities.map(f64::from));
+            records.whole_or_none(told);
+        }
+    }
+    let of_classes = names.map(|name| (name, "f8"));
+    let fields = [&[("frame", "i8"), ("object", "i8")], &of_classes[..], &[("told", "i8")]].concat();
+    records.array(py, &fields)
+}
+
+#[pymethods]
+impl Detections {
+    /// Points of all frames, a `numpy.recarray`: frame, range_m, radial_velocity_mps (receding positive),
+    /// azimuth_rad (from +y towards +x), elevation_rad, position_m [3] in world metres, snr_db, object (index
+    /// among its frame's objects, −1 of a lone one), two_ways_rad [2] (NaN where there are none), stationary
+    /// (1 yes, 0 no, −1 not asked).
+    #[getter]
+    fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let mut records = Records::default();
+        let frames = self.all.frames.iter();
+        frames.for_each(|f| f.points.iter().for_each(|point| add_point(&mut records, f.index, point)));
+        records.array(py, &POINT)
+    }
+
+    /// Objects of all frames, a `numpy.recarray`: frame, range_m, radial_velocity_mps, azimuth_rad,
+    /// position_m [3], snr_db, points (how many), lane (−1 of none), range_extent_m [2],
+    /// velocity_extent_mps [2], velocity_resolved, ghost_share (NaN where the array cannot tell), stationary.
+    #[getter]
+    fn objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let mut records = Records::default();
+        let frames = self.all.frames.iter();
+        frames.for_each(|f| f.objects.iter().for_each(|object| add_object(&mut records, f.index, object)));
+        records.array(py, &OBJECT)
+    }
+
+    /// Objects followed over the frames.
+    fn track(&self, py: Python<'_>) -> PyResult<Tracks> {
+        let (processing, points) = (Arc::clone(&self.maps.processing), Arc::clone(&self.all));
+        let all: Recorded<TracksSchema> = carry_out(py, None, None, move |_| {
+            let frames = processing.tracks(&points.frames)?;
+            Ok(Recorded { from: points.from.clone(), header: processing.tracks_header(), frames })
+        })?;
+        Ok(Tracks { all: Arc::new(all) })
+    }
+
+    /// Classes of the objects, a `numpy.recarray`: frame, object, a probability for each of
+    /// `wayside.CLASSES`, told (index among them, −1 for "unknown"). `model` is a file or a folder of
+    /// `wayside train`; the one that ships where it is left out.
+    #[pyo3(signature = (model=None, *, progress=None))]
+    fn classify<'py>(
+        &self,
+        py: Python<'py>,
+        model: Option<PathBuf>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (maps, points) = (self.maps.frames(py)?, Arc::clone(&self.all));
+        let (processing, place) = (Arc::clone(&self.maps.processing), model.clone());
+        let answers = carry_out(py, model.as_deref(), progress, move |_| {
+            let Some(model) = loading::model(place.as_deref())? else { return Ok(vec![]) };
+            let pairs = maps.iter().zip(&points.frames);
+            pairs.map(|(map, f)| Ok((f.index, processing.classes(&model, map, f)?))).collect()
+        })?;
+        classes(py, &answers)
+    }
+
+    /// Writes a `.points` artifact, the bytes of `wayside dsp`.
+    #[pyo3(signature = (file))]
+    fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
+        let written = py.detach(|| self.all.write(&file));
+        written.map_err(|failure| failure::raised(py, &failure, Some(&file)))
+    }
+
+    /// Table of all points: `pandas.DataFrame`, where pandas is installed.
+    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("wayside.tables")?.call_method1("records_to_pandas", (slf.getattr("points")?,))
+    }
+
+    fn __len__(&self) -> usize {
+        self.all.frames.len()
+    }
+
+    fn __repr__(&self) -> String {
+        let points: usize = self.all.frames.iter().map(|frame| frame.points.len()).sum();
+        let objects: usize = self.all.frames.iter().map(|frame| frame.objects.len()).sum();
+        let frames = self.all.frames.len();
+        format!("<wayside.Detections: {frames} frames, {points} points, {objects} objects>")
+    }
+}

@@ -1,0 +1,141 @@
+//! Class `PathsFrame`: the paths of one frame as a structure of arrays.
+
+use crate::{arrays, told};
+use artifact::paths::{Path, Paths as Schema, PathsFrame as Frame};
+use num_complex::Complex64;
+use numpy::{PyArray1, PyArray2, PyArray3};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::sync::Arc;
+use wayside::stepwise::{Recorded, delay_at_middle};
+
+/// Scattering paths of one frame, n of them, referred to the frame's first sample.
+#[pyclass(frozen, module = "wayside")]
+pub(crate) struct PathsFrame {
+    /// Paths of all frames.
+    pub(crate) all: Arc<Recorded<Schema>>,
+    /// Place among them.
+    pub(crate) at: usize,
+}
+
+impl PathsFrame {
+    fn frame(&self) -> &Frame {
+        &self.all.frames[self.at]
+    }
+
+    fn vectors<'py>(
+        &self,
+        py: Python<'py>,
+        of: impl Fn(&Path) -> [f64; 3],
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let paths = &self.frame().paths;
+        arrays::shaped(py, paths.iter().flat_map(of).collect(), [paths.len(), 3])
+    }
+
+    fn matrices<'py>(
+        &self,
+        py: Python<'py>,
+        of: impl Fn(&Path) -> [[Complex64; 2]; 2],
+    ) -> PyResult<Bound<'py, PyArray3<Complex64>>> {
+        let paths = &self.frame().paths;
+        let values = paths.iter().flat_map(|path| of(path).into_iter().flatten()).collect();
+        arrays::shaped(py, values, [paths.len(), 2, 2])
+    }
+}
+
+#[pymethods]
+impl PathsFrame {
+    /// Index of the frame, from 0.
+    #[getter]
+    fn index(&self) -> u32 {
+        self.frame().index
+    }
+
+    /// Time of the frame's first sample, s.
+    #[getter]
+    fn time_s(&self) -> f64 {
+        self.frame().time_s
+    }
+
+    /// Scattering amplitude a in metres, complex128 [n, receive, transmit], v = 0, h = 1, at f_c.
+    #[getter]
+    fn a_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<Complex64>>> {
+        self.matrices(py, |path| path.amplitude_m)
+    }
+
+    /// Slope da/df in m/Hz, complex128 [n, receive, transmit].
+    #[getter]
+    fn slope_m_per_hz<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<Complex64>>> {
+        self.matrices(py, |path| path.slope_m_per_hz)
+    }
+
+    /// Place x_a where the node appears from the transmitter, world metres, float64 [n, 3].
+    #[getter]
+    fn x_a_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.vectors(py, |path| path.apparent_tx_m)
+    }
+
+    /// Place x_b where the node appears from the receiver, world metres, float64 [n, 3].
+    #[getter]
+    fn x_b_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.vectors(py, |path| path.apparent_rx_m)
+    }
+
+    /// Velocity of x_a, m/s, float64 [n, 3].
+    #[getter]
+    fn v_a_mps<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.vectors(py, |path| path.apparent_tx_mps)
+    }
+
+    /// Velocity of x_b, m/s, float64 [n, 3].
+    #[getter]
+    fn v_b_mps<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.vectors(py, |path| path.apparent_rx_mps)
+    }
+
+    /// Number of bounces, uint8 [n]; 0 of a point target.
+    #[getter]
+    fn order<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u8>> {
+        PyArray1::from_vec(py, self.frame().paths.iter().map(|path| path.order).collect())
+    }
+
+    /// Index of the target in `Paths.targets`, uint32 [n].
+    #[getter]
+    fn target<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
+        PyArray1::from_vec(py, self.frame().paths.iter().map(|path| path.target).collect())
+    }
+
+    /// Delay at the frame's middle from the array's centre, s, float64 [n].
+    #[getter]
+    fn delay_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let delay = |path| delay_at_middle(&self.all.header.radar, path).0;
+        PyArray1::from_vec(py, self.frame().paths.iter().map(delay).collect())
+    }
+
+    /// Rate of the delay at the frame's middle, s/s, float64 [n].
+    #[getter]
+    fn delay_rate<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let rate = |path| delay_at_middle(&self.all.header.radar, path).1;
+        PyArray1::from_vec(py, self.frame().paths.iter().map(rate).collect())
+    }
+
+    /// Numerical errors in dB relative to the echo; None where they were not estimated.
+    #[getter]
+    fn error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        told::errors(py, &self.frame().error)
+    }
+
+    /// Errors of what the model leaves out, in dB relative to the echo.
+    #[getter]
+    fn model_error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        told::model_errors(py, &self.frame().model_error)
+    }
+
+    fn __len__(&self) -> usize {
+        self.frame().paths.len()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<wayside.PathsFrame {}: {} paths>", self.frame().index, self.frame().paths.len())
+    }
+}

@@ -1,0 +1,97 @@
+//! Class `RangeDoppler`: maps of all channels and what the detector made of them.
+
+use crate::arrays;
+use crate::detections::Detections;
+use crate::held::maps::Maps;
+use crate::held::samples::Samples;
+use crate::work::carry_out;
+use artifact::points::Points;
+use artifact::rdm::RdmFrame;
+use num_complex::Complex32;
+use numpy::{PyArray1, PyArray3, PyArray4};
+use pyo3::prelude::*;
+use std::sync::Arc;
+use wayside::stepwise::{Processing, Recorded};
+
+/// Range-Doppler maps of the frames of a cube.
+#[pyclass(frozen, module = "wayside")]
+pub(crate) struct RangeDoppler {
+    maps: Arc<Maps>,
+}
+
+impl RangeDoppler {
+    /// Hands the maps over to Python.
+    pub(crate) fn of(
+        py: Python<'_>,
+        samples: Arc<Samples>,
+        processing: Processing,
+        frames: Vec<RdmFrame>,
+    ) -> PyResult<Self> {
+        Ok(Self { maps: Arc::new(Maps::of(py, samples, processing, frames)?) })
+    }
+}
+
+#[pymethods]
+impl RangeDoppler {
+    /// Map values in √W, complex64 [frame, channel, doppler, range]; zero velocity at N/2.
+    #[getter]
+    fn values<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray4<Complex32>> {
+        self.maps.values.bind(py).clone()
+    }
+
+    /// State of each cell, uint8 [frame, doppler, range]: 0 untested, 1 tested, 2 detected.
+    #[getter]
+    fn mask<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray3<u8>> {
+        self.maps.mask.bind(py).clone()
+    }
+
+    /// Ranges of the columns, m, float64 [range].
+    #[getter]
+    fn range_m<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::axis(py, &self.maps.processing.axes().0)
+    }
+
+    /// Radial velocities of the rows, m/s, receding positive, float64 [doppler]; of the first sub-frame.
+    #[getter]
+    fn velocity_mps<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::axis(py, &self.maps.processing.axes().1)
+    }
+
+    /// Times of the frames' first samples, s, float64 [frame].
+    #[getter]
+    fn time_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::axis(py, &self.maps.samples.times_s())
+    }
+
+    /// Number of cells above the detector's threshold in each frame.
+    #[getter]
+    fn detections(&self) -> Vec<u64> {
+        self.maps.frames.iter().map(|frame| frame.detections).collect()
+    }
+
+    /// Points and objects of the maps.
+    #[pyo3(signature = (*, progress=None))]
+    fn detect(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Detections> {
+        let Maps { samples, processing, .. } = &*self.maps;
+        let (cubes, maps) = (samples.frames(py)?, self.maps.frames(py)?);
+        let (processing, from) = (Arc::clone(processing), processing.provenance(&samples.from));
+        let all: Recorded<Points> = carry_out(py, None, progress, move |_| {
+            let header = processing.points_header();
+            Ok(Recorded { from, header, frames: processing.points(&maps, &cubes)? })
+        })?;
+        Ok(Detections { maps: Arc::clone(&self.maps), all: Arc::new(all) })
+    }
+
+    /// Maps with named axes: `xarray.Dataset`, where xarray is installed.
+    fn to_xarray<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("wayside.tables")?.call_method1("maps_to_xarray", (slf,))
+    }
+
+    fn __len__(&self) -> usize {
+        self.maps.frames.len()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<wayside.RangeDoppler: {} frames>", self.maps.frames.len())
+    }
+}

@@ -1,0 +1,219 @@
+//! Class `Rcs` and the function that makes it: S of a mesh over frequency and aspect.
+
+use crate::work::carry_out;
+use crate::{arrays, document, failure, told};
+use artifact::Accuracy;
+use artifact::radar::Polarization;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use ndarray::Array3;
+use num_complex::Complex64;
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+use wayside::host::memory::Allowance;
+use wayside::stepwise::{self, RcsRequest, RcsTable, Standpoint};
+
+/// Scattering amplitude S of a mesh over frequency, elevation and azimuth.
+#[pyclass(frozen, module = "wayside")]
+pub(crate) struct Rcs {
+    table: RcsTable,
+    request: RcsRequest,
+    amplitude: Py<PyArray3<Complex64>>,
+}
+
+impl Rcs {
+    fn of(py: Python<'_>, mut table: RcsTable, request: RcsRequest) -> PyResult<Self> {
+        let values = std::mem::take(&mut table.amplitude_m);
+        let amplitude = arrays::shaped(py, values, table.shape)?.unbind();
+        Ok(Self { table, request, amplitude })
+    }
+}
+
+fn degrees(radians: &[f64]) -> Vec<f64> {
+    radians.iter().map(|angle| angle.to_degrees()).collect()
+}
+
+#[pymethods]
+impl Rcs {
+    /// Scattering amplitude S in metres, complex128 [freq, el, az], phase at the mesh's origin; |S|² is the
+    /// RCS.
+    #[getter]
+    fn s_m<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray3<Complex64>> {
+        self.amplitude.bind(py).clone()
+    }
+
+    /// Radar cross section in dBsm, float64 [freq, el, az].
+    #[getter]
+    fn rcs_dbsm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let amplitude = self.amplitude.bind(py).try_readonly()?;
+        let levels: Array3<f64> = amplitude.as_array().mapv(|s| 10.0 * s.norm_sqr().log10());
+        Ok(PyArray3::from_owned_array(py, levels))
+    }
+
+    /// Frequencies, Hz, float64 [freq].
+    #[getter]
+    fn freq_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::axis(py, &self.request.frequency_hz)
+    }
+
+    /// Elevations above the body's horizon, degrees, float64 [el].
+    #[getter]
+    fn el_deg<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::axis(py, &degrees(&self.request.elevation_rad))
+    }
+
+    /// Azimuths, degrees, float64 [az]; 0 looks at the body's front, growing counter-clockwise from above.
+    #[getter]
+    fn az_deg<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        arrays::axis(py, &degrees(&self.request.azimuth_rad))
+    }
+
+    /// Distance of the antenna from the mesh's origin, m; infinite for the far field.
+    #[getter]
+    fn range_m(&self) -> f64 {
+        self.request.range_m
+    }
+
+    /// Range from which on a table of infinite range is right, m: 2D²/λ.
+    #[getter]
+    fn far_field_from_m(&self) -> f64 {
+        self.table.far_field_from_m
+    }
+
+    /// Numerical errors of the table in dB relative to it; None where they were not estimated.
+    #[getter]
+    fn error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        told::errors(py, &self.table.error)
+    }
+
+    /// Errors of what the model leaves out, in dB relative to the table.
+    #[getter]
+    fn model_error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        told::model_errors(py, &self.table.model_error)
+    }
+
+    /// Table with named axes: `xarray.Dataset`, where xarray is installed.
+    fn to_xarray<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("wayside.tables")?.call_method1("rcs_to_xarray", (slf,))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<wayside.Rcs {:?} [freq, el, az]>", self.table.shape)
+    }
+}
+
+/// Makes S of a mesh by BART, as `wayside rcs` does. `mesh` is a file or the name of an own vehicle; angles
+/// are those of the antenna in body axes.
+#[pyfunction]
+#[pyo3(signature = (mesh, freq_ghz, az_deg=None, el_deg=None, *, range_m=f64::INFINITY, pol="vv", bounces=3,
+    edges="off", nodes="own-edge", surface="flat", sides="two", accuracy_db=-40.0, rx_az_deg=None,
+    rx_el_deg=None, rx_range_m=None, unit_scale=None, memory_limit_mib=None, progress=None))]
+#[allow(clippy::too_many_arguments, reason = "keywords of Python, each with a name where it is given")]
+pub(crate) fn rcs(
+    py: Python<'_>,
+    mesh: PathBuf,
+    freq_ghz: &Bound<'_, PyAny>,
+    az_deg: Option<&Bound<'_, PyAny>>,
+    el_deg: Option<&Bound<'_, PyAny>>,
+    range_m: f64,
+    pol: &str,
+    bounces: u8,
+    edges: &str,
+    nodes: &str,
+    surface: &str,
+    sides: &str,
+    accuracy_db: f64,
+    rx_az_deg: Option<f64>,
+    rx_el_deg: Option<f64>,
+    rx_range_m: Option<f64>,
+    unit_scale: Option<f64>,
+    memory_limit_mib: Option<u64>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Rcs> {
+    let receiver = rx_az_deg.zip(rx_el_deg).map(|(azimuth, elevation)| Standpoint {
+        azimuth_rad: azimuth.to_radians(),
+        elevation_rad: elevation.to_radians(),
+        range_m: rx_range_m.unwrap_or(range_m),
+    });
+    let request = RcsRequest {
+        frequency_hz: scaled(values("freq_ghz", Some(freq_ghz), FREQUENCIES_GHZ)?, 1e9),
+        elevation_rad: scaled(values("el_deg", el_deg, ELEVATIONS_DEG)?, 1.0_f64.to_radians()),
+        azimuth_rad: scaled(values("az_deg", az_deg, AZIMUTHS_DEG)?, 1.0_f64.to_radians()),
+        range_m,
+        receiver,
+        polarization: polarization(pol)?,
+        bounces,
+        nodes: node_rule(nodes)?,
+        sides: word("sides", sides, &[("two", Sides::Two), ("one", Sides::One)])?,
+        edges: word("edges", edges, &[("off", Edges::Ignored), ("on", Edges::FirstOrder)])?,
+        surface: word("surface", surface, &[("flat", Surface::Flat), ("smooth", Surface::Smooth)])?,
+        accuracy: Accuracy::from_db(document::accuracy_db(accuracy_db)?),
+    };
+    let (asked, place) = (request.clone(), mesh.clone());
+    let memory = Allowance::of(memory_limit_mib);
+    let table = carry_out(py, Some(&mesh), progress, move |_| {
+        let mesh = stepwise::mesh(&place, unit_scale)?;
+        stepwise::rcs(&mesh, &asked, memory).map_err(|failure| failure.about(&place))
+    })?;
+    Rcs::of(py, table, request)
+}
+
+/// Lowest and highest coordinates of a mesh in metres, body axes as its file has them, float64 [2, 3].
+#[pyfunction]
+#[pyo3(signature = (mesh, unit_scale=None))]
+pub(crate) fn mesh_bounds_m(
+    py: Python<'_>,
+    mesh: PathBuf,
+    unit_scale: Option<f64>,
+) -> PyResult<Bound<'_, PyArray2<f64>>> {
+    let read = py.detach(|| stepwise::mesh(&mesh, unit_scale));
+    let read = read.map_err(|failure| failure::raised(py, &failure, Some(&mesh)))?;
+    let along = |axis: usize| read.vertices_m.iter().map(move |vertex| vertex[axis]);
+    let low = (0..3).map(|axis| along(axis).fold(f64::INFINITY, f64::min));
+    let high = (0..3).map(|axis| along(axis).fold(f64::NEG_INFINITY, f64::max));
+    arrays::shaped(py, low.chain(high).collect(), [2, 3])
+}
+
+/// Bounds of the command line.
+const FREQUENCIES_GHZ: [f64; 2] = [1e-3, 1e4];
+const AZIMUTHS_DEG: [f64; 2] = [-1e6, 1e6];
+const ELEVATIONS_DEG: [f64; 2] = [-90.0, 90.0];
+
+/// One number or an array of them; 0 where nothing is said.
+fn values(name: &str, given: Option<&Bound<'_, PyAny>>, [low, high]: [f64; 2]) -> PyResult<Vec<f64>> {
+    let Some(given) = given else { return Ok(vec![0.0]) };
+    let one = given.extract::<f64>().map(|value| vec![value]);
+    let several = one.or_else(|_| given.extract::<Vec<f64>>())?;
+    match several.iter().find(|value| !(low..=high).contains(*value)) {
+        Some(value) => Err(failure::of_argument(name, format!("from {low} to {high}, is {value}"))),
+        None if several.is_empty() => Err(failure::of_argument(name, "at least one value is needed")),
+        None => Ok(several),
+    }
+}
+
+fn scaled(values: Vec<f64>, unit: f64) -> Vec<f64> {
+    values.into_iter().map(|value| value * unit).collect()
+}
+
+fn polarization(word: &str) -> PyResult<Polarization> {
+    let known = [
+        ("vv", Polarization::Vv),
+        ("hh", Polarization::Hh),
+        ("vh", Polarization::Vh),
+        ("hv", Polarization::Hv),
+    ];
+    self::word("pol", word, &known)
+}
+
+fn node_rule(word: &str) -> PyResult<NodeRule> {
+    let known = [("own-edge", NodeRule::OwnEdge), ("exit", NodeRule::Exit), ("middle", NodeRule::Middle)];
+    self::word("nodes", word, &known)
+}
+
+/// One of a few words.
+fn word<T: Copy>(name: &str, given: &str, known: &[(&str, T)]) -> PyResult<T> {
+    let found = known.iter().find(|(word, _)| *word == given).map(|(_, value)| *value);
+    let words = || known.iter().map(|(word, _)| *word).collect::<Vec<_>>().join("`, `");
+    found.ok_or_else(|| failure::of_argument(name, format!("`{given}`; it can be `{}`", words())))
+}

@@ -1,0 +1,281 @@
+//! Class `Scene`: a scene that was read, and everything that is made of it.
+
+use crate::cube::Cube;
+use crate::detections::Detections;
+use crate::document::Document;
+use crate::held::handle::{Handle, opened_by, raised};
+use crate::paths::Paths;
+use crate::range_doppler::RangeDoppler;
+use crate::tracks::Tracks;
+use crate::work::carry_out;
+use crate::{document, failure, told};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+use std::sync::Arc;
+use wayside::host::memory::Allowance;
+use wayside::stepwise::{OpenedScene, echoes, echoes_of_paths, paths, radars};
+use wayside::{CacheLocation, CallOff, Failure, SceneSource, Settings};
+
+/// A virtual traffic intersection and the radar that looks at it.
+#[pyclass(frozen, module = "wayside")]
+pub(crate) struct Scene {
+    handle: Py<Handle>,
+}
+
+impl Scene {
+    fn read(&self) -> &Handle {
+        self.handle.get()
+    }
+
+    /// Carries out work of the library on the opened scene.
+    fn with_opened<T: Send + 'static>(
+        &self,
+        py: Python<'_>,
+        progress: Option<&Bound<'_, PyAny>>,
+        work: impl FnOnce(&OpenedScene, &CallOff) -> Result<T, Failure> + Send + 'static,
+    ) -> PyResult<T> {
+        let opened = self.read().opened(py)?;
+        let document = Arc::clone(&self.read().document);
+        carry_out(py, self.read().shown(), progress, move |call_off| {
+            work(&opened, call_off).map_err(|failure| document.told(failure))
+        })
+    }
+
+    /// Maps of all frames, with all that stands before them.
+    fn maps<'py>(
+        slf: &Bound<'py, Self>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, RangeDoppler>> {
+        let cube = Bound::new(slf.py(), slf.get().echo(slf.py(), None, progress)?)?;
+        let options = PyDict::new(slf.py());
+        options.set_item("progress", progress)?;
+        Ok(cube.call_method("range_doppler", (), Some(&options))?.cast_into()?)
+    }
+
+    fn found<'py>(
+        slf: &Bound<'py, Self>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, Detections>> {
+        Ok(Self::maps(slf, progress)?.call_method0("detect")?.cast_into()?)
+    }
+}
+
+/// The cache that was asked for: `True` is the default one, `False` none, a path that folder.
+fn cache(asked: &Bound<'_, PyAny>) -> PyResult<Option<CacheLocation>> {
+    if let Ok(is_used) = asked.extract::<bool>() {
+        return Ok(is_used.then(CacheLocation::default));
+    }
+    Ok(Some(CacheLocation { folder: Some(asked.extract()?), ..CacheLocation::default() }))
+}
+
+#[pymethods]
+impl Scene {
+    #[new]
+    #[pyo3(signature = (source, *, folder=None, radar=None, model=None, seed=None, accuracy_db=None,
+        memory_limit_mib=None, progress=None))]
+    #[allow(clippy::too_many_arguments, reason = "keywords of Python, each with a name where it is given")]
+    fn new(
+        py: Python<'_>,
+        source: &Bound<'_, PyAny>,
+        folder: Option<PathBuf>,
+        radar: Option<String>,
+        model: Option<PathBuf>,
+        seed: Option<u64>,
+        accuracy_db: Option<f64>,
+        memory_limit_mib: Option<u64>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let accuracy_db = accuracy_db.map(document::accuracy_db).transpose()?;
+        let document = Arc::new(Document::of(source, folder)?);
+        let source = SceneSource { file: document.file.clone(), model, radar, seed, accuracy_db };
+        let memory = Allowance::of(memory_limit_mib);
+        let asked = source.clone();
+        let opened = carry_out(py, document.shown(), progress, move |_| {
+            let has_several = asked.radar.is_none() && radars(&asked).is_ok_and(|ids| !ids.is_empty());
+            let open = || opened_by(&asked, memory).map(Some);
+            Ok(if has_several { Ok(None) } else { open() })
+        })?;
+        let opened = opened.map_err(|failure| raised(py, &document.told(failure), &document, &source))?;
+        Ok(Self { handle: Py::new(py, Handle { document, source, memory, scene: opened })? })
+    }
+
+    /// Scene as other classes take it.
+    #[getter]
+    fn _handle(&self, py: Python<'_>) -> Py<Handle> {
+        self.handle.clone_ref(py)
+    }
+
+    /// Text of the scene as TOML, which `wayside run` takes.
+    #[getter]
+    fn toml(&self) -> PyResult<String> {
+        Ok(std::fs::read_to_string(&self.read().document.file)?)
+    }
+
+    /// Name of the scene.
+    #[getter]
+    fn name(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(self.read().opened(py)?.header().name.clone())
+    }
+
+    /// Seed of the noise and of everything random.
+    #[getter]
+    fn seed(&self, py: Python<'_>) -> PyResult<u64> {
+        Ok(self.read().opened(py)?.header().seed)
+    }
+
+    /// Number of frames.
+    #[getter]
+    fn frames(&self, py: Python<'_>) -> PyResult<u32> {
+        Ok(self.read().opened(py)?.header().frames)
+    }
+
+    /// Ids of the targets.
+    #[getter]
+    fn targets(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        Ok(self.read().opened(py)?.header().targets.iter().map(|target| target.id.clone()).collect())
+    }
+
+    /// Ids of several radars; empty where the scene has one.
+    #[getter]
+    fn radars(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        radars(&self.read().source).map_err(|failure| self.read().raised(py, &failure))
+    }
+
+    /// The radar in the words of the field, as `radar` of summary.json: carrier_hz, bandwidth_hz,
+    /// range_resolution_m, velocity_max_mps and more.
+    #[getter]
+    fn radar<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let told = serde_json::to_string(&self.read().opened(py)?.radar());
+        told::json(py, &told.map_err(|error| failure::of_argument("radar", error))?)
+    }
+
+    /// Cost that a run of all frames is expected to have, before anything runs: frames, processor_s,
+    /// processor_from_s, processor_to_s (nine of ten runs lie between), wall_s, threads, memory_mib (no more
+    /// is held).
+    fn cost<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let cost = self.with_opened(py, None, |opened, _| opened.cost())?;
+        let [from, to] = cost.processor_between_s;
+        let told = PyDict::new(py);
+        told.set_item("frames", cost.frames)?;
+        told.set_item("processor_s", cost.processor_s)?;
+        told.set_item("processor_from_s", from)?;
+        told.set_item("processor_to_s", to)?;
+        told.set_item("wall_s", cost.wall_s)?;
+        told.set_item("threads", cost.threads)?;
+        told.set_item("memory_mib", cost.memory_mib)?;
+        Ok(told)
+    }
+
+    /// Scattering paths of every frame, as `wayside paths` traces them.
+    #[pyo3(signature = (*, progress=None))]
+    fn trace(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Paths> {
+        Ok(Paths { all: Arc::new(self.with_opened(py, progress, paths)?) })
+    }
+
+    /// Radar cubes of every frame, as `wayside echo` makes them; of `paths` where they are given.
+    #[pyo3(signature = (paths=None, *, progress=None))]
+    fn echo(
+        &self,
+        py: Python<'_>,
+        paths: Option<&Bound<'_, Paths>>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Cube> {
+        let traced = paths.map(|paths| Arc::clone(&paths.get().all));
+        let recorded = self.with_opened(py, progress, move |opened, call_off| match traced {
+            Some(traced) => echoes_of_paths(opened, &traced, call_off),
+            None => echoes(opened, call_off),
+        })?;
+        Cube::of(py, recorded)
+    }
+
+    /// Range-Doppler maps of every frame.
+    #[pyo3(signature = (*, progress=None))]
+    fn range_doppler<'py>(
+        slf: &Bound<'py, Self>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, RangeDoppler>> {
+        Self::maps(slf, progress)
+    }
+
+    /// Points and objects of every frame.
+    #[pyo3(signature = (*, progress=None))]
+    fn detect<'py>(
+        slf: &Bound<'py, Self>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, Detections>> {
+        Self::found(slf, progress)
+    }
+
+    /// Points of every frame, as `Detections.points`.
+    #[pyo3(signature = (*, progress=None))]
+    fn points<'py>(
+        slf: &Bound<'py, Self>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        Self::found(slf, progress)?.getattr("points")
+    }
+
+    /// Objects of every frame, as `Detections.objects`.
+    #[pyo3(signature = (*, progress=None))]
+    fn objects<'py>(
+        slf: &Bound<'py, Self>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        Self::found(slf, progress)?.getattr("objects")
+    }
+
+    /// Objects followed over the frames.
+    #[pyo3(signature = (*, progress=None))]
+    fn track<'py>(
+        slf: &Bound<'py, Self>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, Tracks>> {
+        Ok(Self::found(slf, progress)?.call_method0("track")?.cast_into()?)
+    }
+
+    /// Classes of the objects, as `Detections.classify`.
+    #[pyo3(signature = (model=None, *, progress=None))]
+    fn classify<'py>(
+        slf: &Bound<'py, Self>,
+        model: Option<PathBuf>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        Self::found(slf, progress)?.call_method1("classify", (model,))
+    }
+
+    /// Runs everything and writes the files of `wayside run` into the folder `out`; returns summary.json as
+    /// a dictionary. `cache`: False for none, True for the default one, or a folder.
+    #[pyo3(signature = (out, *, cache=None, classifier=None, progress=None))]
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        out: PathBuf,
+        cache: Option<&Bound<'py, PyAny>>,
+        classifier: Option<PathBuf>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let Handle { document, source, memory, .. } = self.read();
+        let (scene, memory, folder) = (source.clone(), *memory, out.clone());
+        let document = Arc::clone(document);
+        let cache = cache.map(self::cache).transpose()?.flatten();
+        let ended = carry_out(py, self.read().shown(), progress, move |call_off| {
+            let settings = Settings {
+                scene,
+                cache,
+                classifier,
+                memory,
+                call_off: call_off.clone(),
+                ..Settings::of(&document.file, folder)
+            };
+            wayside::run(&settings).map(drop).map_err(|failure| document.told(failure))
+        });
+        ended?;
+        told::json(py, &std::fs::read_to_string(out.join("summary.json"))?)
+    }
+
+    fn __repr__(&self) -> String {
+        let name = self.read().scene.as_ref().map(|opened| opened.header().name.clone());
+        format!("<wayside.Scene {}>", name.unwrap_or_else(|| "of several radars".to_owned()))
+    }
+}

@@ -1,0 +1,27 @@
+//! Figures as dictionaries of Python.
+
+use artifact::{ErrorBudget, ModelError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use wayside::stepwise::{error_figures, model_error_figures};
+
+/// Numerical errors in dB relative to the echo; `None` where they were not estimated.
+pub(crate) fn errors<'py>(py: Python<'py>, error: &ErrorBudget) -> PyResult<Bound<'py, PyDict>> {
+    let (figures, told) = (error_figures(error), PyDict::new(py));
+    told.set_item("total", figures.total)?;
+    figures.shares().iter().try_for_each(|(name, value)| told.set_item(name, value))?;
+    Ok(told)
+}
+
+/// Errors of the physical model in dB relative to the echo.
+pub(crate) fn model_errors<'py>(py: Python<'py>, error: &ModelError) -> PyResult<Bound<'py, PyDict>> {
+    let told = PyDict::new(py);
+    let sources = model_error_figures(error).sources();
+    sources.iter().try_for_each(|(name, value)| told.set_item(name.replace(' ', "_"), value))?;
+    Ok(told)
+}
+
+/// JSON as Python has it.
+pub(crate) fn json<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
+    py.import("json")?.call_method1("loads", (text,))
+}

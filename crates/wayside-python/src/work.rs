@@ -1,0 +1,93 @@
+//! Work of the library beside the interpreter: on a thread of its own, so that Ctrl-C is heard at once and
+//! progress is told, while other threads of Python go on.
+
+use crate::failure;
+use pyo3::prelude::*;
+use std::path::Path;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+use wayside::host::progress;
+use wayside::{CallOff, Failure};
+
+/// Steps in which the work is looked at: Ctrl-C is heard within one.
+const LOOK: Duration = Duration::from_millis(50);
+/// Time that work which was called off has to end; a frame under way goes on behind it and is thrown away.
+const ENDING: Duration = Duration::from_millis(500);
+
+/// Carries work out while the interpreter does something else. `hears` is called with what is under way and
+/// its share, about twenty times a second.
+///
+/// # Errors
+/// Exceptions of failures, of Ctrl-C, and of what hears of the progress.
+pub(crate) fn carry_out<T: Send + 'static>(
+    py: Python<'_>,
+    file: Option<&Path>,
+    hears: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&CallOff) -> Result<T, Failure> + Send + 'static,
+) -> PyResult<T> {
+    let call_off = CallOff::default();
+    let (sender, mut results) = channel();
+    let (asked, begin) = (call_off.clone(), Instant::now());
+    let thread = std::thread::spawn(move || sender.send(work(&asked)).is_ok());
+    let result = loop {
+        match within(py, &mut results, LOOK) {
+            Ok(result) => break result,
+            Err(RecvTimeoutError::Disconnected) => return Err(broken(thread)),
+            Err(RecvTimeoutError::Timeout) => look(py, hears, begin).inspect_err(|_| {
+                call_off.call_off();
+                let _ = within(py, &mut results, ENDING);
+            })?,
+        }
+    };
+    result.map_err(|failure| failure::raised(py, &failure, file))
+}
+
+/// A result that comes within a time, for which the interpreter is let go.
+fn within<T: Send>(
+    py: Python<'_>,
+    results: &mut Receiver<Result<T, Failure>>,
+    time: Duration,
+) -> Result<Result<T, Failure>, RecvTimeoutError> {
+    py.detach(move || results.recv_timeout(time))
+}
+
+/// Exception of a thread that ended without a result: a bug of the library.
+fn broken(thread: std::thread::JoinHandle<bool>) -> PyErr {
+    let said = thread.join().err().and_then(|panic| panic.downcast::<String>().ok());
+    let said = said.map_or_else(|| "it says nothing".to_owned(), |text| *text);
+    pyo3::exceptions::PyRuntimeError::new_err(format!("a bug of wayside: {said}"))
+}
+
+fn look(py: Python<'_>, hears: Option<&Bound<'_, PyAny>>, begin: Instant) -> PyResult<()> {
+    py.check_signals()?;
+    let Some(hears) = hears else { return Ok(()) };
+    match progress::shown(begin + begin.elapsed(), Duration::ZERO) {
+        Some(shown) => hears.call1((shown.text, shown.share)).map(drop),
+        None => Ok(()),
+    }
+}
+
+/// Sends the remarks of the library to the logger `wayside` from now on.
+pub(crate) fn listen() {
+    progress::listen(|text| {
+        let tell = |py: Python<'_>| -> PyResult<()> {
+            let logger = py.import("logging")?.call_method1("getLogger", ("wayside",))?;
+            logger.call_method1("info", ("%s", text)).map(drop)
+        };
+        let _ = Python::try_attach(tell);
+    });
+}
+
+/// Limits the threads that the library works with; once, before the first work.
+#[pyfunction]
+#[pyo3(signature = (threads))]
+pub(crate) fn set_threads(threads: usize) -> PyResult<()> {
+    let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    built.map_err(|error| failure::of_argument("threads", error))
+}
+
+/// Removes the temporary files of work that was called off and is still under way.
+#[pyfunction]
+pub(crate) fn withdraw() {
+    artifact::whole_file::abandon_all();
+}

@@ -1,0 +1,175 @@
+"""Stage by stage: what comes out, in which shapes, and that it is the command line's."""
+
+from __future__ import annotations
+
+import filecmp
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import call, small_scene
+
+import wayside
+
+C_MPS = 299_792_458.0
+
+
+def test_paths_are_a_structure_of_arrays(scene: wayside.Scene) -> None:
+    paths = scene.trace()
+    assert len(paths) == 2
+    assert paths.targets == ["near", "far"]
+    frame = paths[0]
+    assert len(frame) == 2
+    assert (frame.a_m.shape, frame.a_m.dtype) == ((2, 2, 2), np.complex128)
+    assert (frame.x_a_m.shape, frame.order.tolist(), frame.target.tolist()) == ((2, 3), [0, 0], [0, 1])
+    # A point target: a_vv = a_hh = √rcs, no cross polarization.
+    assert np.allclose(frame.a_m[:, 0, 0], np.sqrt([10.0, 100.0]), rtol=1e-12)
+    assert np.all(frame.a_m[:, 0, 1] == 0)
+    assert np.array_equal(frame.v_a_mps[1], [0.0, -8.0, 0.0])
+    assert paths[-1].index == 1
+    with pytest.raises(IndexError):
+        paths[2]
+
+
+def test_the_delay_is_twice_the_range_at_the_frames_middle(scene: wayside.Scene) -> None:
+    frame = scene.trace()[0]
+    middle_s = 0.5 * 32 * scene.radar["chirp_interval_s"]
+    place = frame.x_a_m + frame.v_a_mps * middle_s - np.array([0.0, 0.0, 6.0])
+    # Half a chirp interval of either reading of the middle moves 8 m/s by 0.1 mm.
+    assert np.allclose(frame.delay_s * C_MPS / 2, np.linalg.norm(place, axis=1), atol=8 * 30e-6)
+    assert frame.delay_rate[1] < 0
+
+
+def test_a_cube_is_handed_over_without_a_copy(scene: wayside.Scene) -> None:
+    cube = scene.echo()
+    samples = cube.samples
+    assert (samples.shape, samples.dtype) == ((2, 4, 32, 64), np.complex64)
+    assert samples.flags.c_contiguous
+    assert np.shares_memory(samples, cube.samples)
+    maps = cube.range_doppler()
+    assert np.shares_memory(maps.values, maps.values)
+    assert np.shares_memory(maps.mask, maps.mask)
+
+
+def test_the_echo_of_paths_is_the_echo_of_the_scene(scene: wayside.Scene) -> None:
+    assert np.array_equal(scene.echo(scene.trace()).samples, scene.echo().samples)
+
+
+def test_paths_of_another_sweep_are_refused(scene: wayside.Scene) -> None:
+    other = small_scene()
+    other["radar"]["waveform"]["start_frequency_ghz"] = 76.0
+    with pytest.raises(wayside.WaysideError, match="amplitudes hold for the sweep"):
+        wayside.Scene(other).echo(scene.trace())
+
+
+def test_what_is_detected_is_where_it_stands(scene: wayside.Scene) -> None:
+    found = scene.detect()
+    objects, points = found.objects, found.points
+    assert objects.frame.tolist() == [0, 0, 1, 1]
+    cell_m = scene.radar["range_resolution_m"]
+    for x, y, speed in ((2.0, 12.0, 0.0), (0.0, 40.0, -8.0)):
+        range_m = np.sqrt(x**2 + y**2 + 25.0)
+        nearest = objects[np.argmin(np.abs(objects.range_m - range_m))]
+        assert abs(nearest.range_m - range_m) < cell_m
+        assert abs(nearest.radial_velocity_mps - speed * y / range_m) < scene.radar["velocity_resolution_mps"]
+    assert points.position_m.shape == (len(points), 3)
+    assert set(points.object) <= {-1, 0, 1}
+
+
+def test_tracks_and_classes_belong_to_objects(scene: wayside.Scene) -> None:
+    found = scene.detect()
+    tracks = found.track().records
+    assert tracks.covariance.shape == (len(tracks), 4, 4)
+    assert set(tracks.state) <= {0, 1, 2}
+    classes = found.classify()
+    assert len(classes) == len(found.objects)
+    sums = sum(classes[name] for name in wayside.CLASSES)
+    assert np.allclose(sums, 1.0, atol=1e-5)
+    assert set(classes.told) <= {-1, 0, 1, 2, 3}
+
+
+def test_anybodys_samples_become_a_cube(scene: wayside.Scene) -> None:
+    samples = scene.echo().samples.copy()
+    cube = wayside.Cube(samples, scene)
+    assert np.shares_memory(cube.samples, samples)
+    assert np.array_equal(cube.range_doppler().values, scene.range_doppler().values)
+    one = wayside.Cube(samples[0].astype(np.complex128), small_scene())
+    assert one.samples.shape == (1, 4, 32, 64)
+
+
+def test_samples_that_are_not_the_radars_are_refused(scene: wayside.Scene) -> None:
+    samples = scene.echo().samples.copy()
+    with pytest.raises(wayside.WaysideError, match=r"is \[3, 32, 64\], the scene's radar has \[4, 32, 64\]"):
+        wayside.Cube(samples[:, :3], scene)
+    samples[1, 2, 3, 4] = np.nan
+    with pytest.raises(wayside.WaysideError, match=r"\(1, 2, 3, 4\): samples must be finite"):
+        wayside.Cube(samples, scene)
+    with pytest.raises(ValueError, match="samples: 2 axes"):
+        wayside.Cube(samples[0, 0], scene)
+
+
+def test_a_tone_lands_in_its_cell_of_the_map(scene: wayside.Scene) -> None:
+    chirp, sample = np.mgrid[0:32, 0:64]
+    tone = np.exp(2j * np.pi * (20 * sample / 64 + 4 * chirp / 32))
+    maps = wayside.Cube(np.broadcast_to(tone, (4, 32, 64)), scene).range_doppler()
+    power = np.abs(maps.values[0, 0])
+    doppler, cell = np.unravel_index(np.argmax(power), power.shape)
+    assert (doppler, cell) == (16 + 4, 20)
+    assert maps.velocity_mps[doppler] > 0
+    assert maps.velocity_mps[16] == 0
+    assert len(maps.range_m) == 64
+
+
+def test_files_are_those_of_the_command_line_to_the_byte(program: list[str], tmp_path: Path) -> None:
+    file = tmp_path / "scene.toml"
+    file.write_text(wayside.Scene(small_scene()).toml)
+    scene = wayside.Scene(file)
+    paths = scene.trace()
+    paths.write(tmp_path / "own.paths")
+    cube = scene.echo(paths)
+    cube.write(tmp_path / "own.cube")
+    found = cube.range_doppler().detect()
+    found.write(tmp_path / "own.points")
+    found.track().write(tmp_path / "own.tracks")
+    call([*program, "paths", str(file), "--out", "c.paths", "--quiet"], tmp_path)
+    call([*program, "echo", str(file), "--out", "c.cube", "--quiet"], tmp_path)
+    call([*program, "dsp", "c.cube", "--out", "dsp", "--quiet"], tmp_path)
+    pairs = {
+        "own.paths": "c.paths",
+        "own.cube": "c.cube",
+        "own.points": "dsp/c.points",
+        "own.tracks": "dsp/c.tracks",
+    }
+    for own, commands in pairs.items():
+        assert filecmp.cmp(tmp_path / own, tmp_path / commands, shallow=False), own
+    assert np.array_equal(wayside.Cube.read(tmp_path / "c.cube").samples, cube.samples)
+    assert len(wayside.Paths.read(tmp_path / "c.paths")) == 2
+
+
+def test_a_run_leaves_the_files_of_the_command_line(program: list[str], tmp_path: Path) -> None:
+    file = tmp_path / "scene.toml"
+    file.write_text(wayside.Scene(small_scene()).toml)
+    summary = wayside.Scene(file).run(tmp_path / "own")
+    call([*program, "run", str(file), "--out", "c", "--no-cache", "--quiet"], tmp_path)
+    files = sorted(p.relative_to(tmp_path / "c") for p in (tmp_path / "c").rglob("*") if p.is_file())
+    own = sorted(p.relative_to(tmp_path / "own") for p in (tmp_path / "own").rglob("*") if p.is_file())
+    assert own == files
+    for name in files:
+        if name.name not in ("summary.json", "report.html"):
+            assert filecmp.cmp(tmp_path / "own" / name, tmp_path / "c" / name, shallow=False), name
+    commands = json.loads((tmp_path / "c/summary.json").read_text())
+    assert _lasting(summary) == _lasting(commands)
+    assert [target["id"] for target in summary["frames"][0]["targets"]] == ["near", "far"]
+
+
+def _lasting(told: object) -> object:
+    """A summary without what may differ between runs: times and memory."""
+    if isinstance(told, list):
+        return [_lasting(each) for each in told]
+    if not isinstance(told, dict):
+        return told
+    passing = ("_seconds", "_mib")
+    return {
+        key: _lasting(value) for key, value in told.items() if not key.endswith(passing) and key != "cached"
+    }

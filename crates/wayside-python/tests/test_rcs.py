@@ -1,0 +1,71 @@
+"""S of a mesh: a plate in closed form."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import wayside
+
+C_MPS = 299_792_458.0
+
+
+@pytest.fixture
+def plate(tmp_path: Path) -> Path:
+    """A plate of 0.2 m × 0.3 m about the origin, facing +x."""
+    file = tmp_path / "plate.obj"
+    file.write_text("v 0 -0.1 -0.15\nv 0 0.1 -0.15\nv 0 0.1 0.15\nv 0 -0.1 0.15\nf 1 2 3 4\n")
+    return file
+
+
+def test_a_plate_at_broadside_has_the_level_of_physical_optics(plate: Path) -> None:
+    table = wayside.rcs(plate, [77.0, 78.0], az_deg=0.0)
+    assert (table.s_m.shape, table.s_m.dtype) == ((2, 1, 1), np.complex128)
+    # σ = 4π A²/λ²; asked for −40 dB, 1 % of the amplitude: 0.09 dB.
+    wavelength_m = C_MPS / table.freq_hz
+    level = 10 * np.log10(4 * np.pi * (0.06 / wavelength_m) ** 2)
+    assert np.allclose(table.rcs_dbsm[:, 0, 0], level, atol=0.09)
+    # 2D²/λ at the highest frequency, D the diagonal.
+    assert table.far_field_from_m == pytest.approx(2 * 0.13 / wavelength_m[1], rel=1e-12)
+    assert table.error_db["total"] is None or table.error_db["total"] < -40
+
+
+def test_axes_are_those_asked_for(plate: Path) -> None:
+    table = wayside.rcs(plate, 77.0, az_deg=np.linspace(-10, 10, 5), el_deg=[0.0, 5.0], bounces=1)
+    assert table.s_m.shape == (1, 2, 5)
+    assert np.allclose(table.az_deg, np.linspace(-10, 10, 5))
+    # The plate is its own mirror image in the plane y = 0.
+    assert np.allclose(np.abs(table.s_m[0, 0]), np.abs(table.s_m[0, 0, ::-1]), rtol=1e-6)
+
+
+def test_a_word_that_is_none_is_refused_with_those_that_are(plate: Path) -> None:
+    with pytest.raises(ValueError, match=r"pol: `xx`; it can be `vv`, `hh`, `vh`, `hv`"):
+        wayside.rcs(plate, 77.0, pol="xx")
+
+
+@pytest.mark.parametrize(
+    ("changes", "name"),
+    [
+        ({"el_deg": 120}, "el_deg: from -90 to 90, is 120"),
+        ({"freq_ghz": []}, "freq_ghz: at least one value"),
+        ({"freq_ghz": float("nan")}, "freq_ghz: from 0.001 to 10000, is NaN"),
+        ({"accuracy_db": 0}, "accuracy_db"),
+    ],
+)
+def test_numbers_are_bounded_as_on_the_command_line(plate: Path, changes: dict[str, Any], name: str) -> None:
+    with pytest.raises(ValueError, match=name):
+        wayside.rcs(plate, **({"freq_ghz": 77.0} | changes))
+
+
+def test_a_mesh_that_is_missing_is_named() -> None:
+    with pytest.raises(wayside.WaysideError, match="no-such-mesh.stl") as refused:
+        wayside.rcs("no-such-mesh.stl", 77.0)
+    assert refused.value.kind == "system"
+
+
+def test_the_bounds_of_an_own_vehicle_are_its_lengths() -> None:
+    low, high = wayside.mesh_bounds_m("car-suv")
+    assert np.allclose(high - low, [5.0, 2.0, 1.8], atol=0.1)

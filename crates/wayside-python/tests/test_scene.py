@@ -1,0 +1,116 @@
+"""A scene from a path or a dictionary, and what is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import PROJECT, small_scene
+
+import wayside
+
+
+def test_a_dictionary_and_the_file_of_its_text_are_one_scene(tmp_path: Path) -> None:
+    of_dictionary = wayside.Scene(small_scene(seed=7))
+    file = tmp_path / "scene.toml"
+    file.write_text(of_dictionary.toml)
+    of_file = wayside.Scene(file)
+    assert (of_file.name, of_file.seed, of_file.frames, of_file.targets) == (
+        "reflectors",
+        7,
+        2,
+        ["near", "far"],
+    )
+    assert np.array_equal(of_file.echo().samples, of_dictionary.echo().samples)
+
+
+def test_a_file_is_refused_with_file_line_place_and_rule(tmp_path: Path) -> None:
+    file = tmp_path / "scene.toml"
+    file.write_text('name = "a"\nframes = 0\n[radar]\npositon_m = [0, 0, 6]\n')
+    with pytest.raises(wayside.WaysideError) as refused:
+        wayside.Scene(file)
+    error = refused.value
+    assert [fault["line"] for fault in error.faults] == [2, 4]
+    fault = error.faults[1]
+    assert (fault["file"], fault["column"], fault["place"]) == (str(file), 1, "[radar]")
+    assert fault["rule"] == "unknown key `positon_m`; the nearest is `position_m`"
+    assert str(error).endswith(f"{file}:4:1: [radar]: {fault['rule']}")
+    assert error.kind == "refused"
+
+
+def test_a_dictionary_is_refused_with_the_same_rule_and_without_a_file() -> None:
+    with pytest.raises(wayside.WaysideError) as refused:
+        wayside.Scene({"name": "a", "radar": {"positon_m": [0, 0, 6]}})
+    error = refused.value
+    assert (error.file, error.line, error.place) == (None, None, "[radar]")
+    assert str(error) == "[radar]: unknown key `positon_m`; the nearest is `position_m`"
+
+
+def test_a_file_that_is_missing_is_the_systems_fault() -> None:
+    with pytest.raises(wayside.WaysideError) as refused:
+        wayside.Scene("no-such-scene.toml")
+    assert refused.value.kind == "system"
+    assert refused.value.file == "no-such-scene.toml"
+
+
+def test_a_file_that_a_dictionary_names_is_missing_and_no_file_of_ours_is_told() -> None:
+    target = {"kind": "mesh", "id": "x", "model": "nope.glb", "position_m": [0.0, 30.0, 0.0]}
+    with pytest.raises(wayside.WaysideError) as refused:
+        wayside.Scene(small_scene(target=[target]))
+    error = refused.value
+    assert (error.kind, error.file, error.place) == ("system", None, "target `x`")
+    assert str(error).startswith("target `x`: ")
+    assert "scene.toml" not in str(error)
+
+
+def test_an_accuracy_above_the_echo_is_refused() -> None:
+    with pytest.raises(ValueError, match="accuracy_db: from −200 to below 0, is 5"):
+        wayside.Scene(small_scene(), accuracy_db=5)
+
+
+def test_a_value_that_toml_does_not_have_is_refused_with_its_key() -> None:
+    with pytest.raises(TypeError, match=r"radar\.position_m: a scene holds no NoneType"):
+        wayside.Scene({"name": "a", "radar": {"position_m": None}})
+
+
+def test_arrays_of_numpy_are_values_of_a_scene() -> None:
+    scene = small_scene()
+    scene["radar"]["position_m"] = np.array([0.0, 0.0, 5.0])
+    scene["frames"] = np.int64(3)
+    assert wayside.Scene(scene).frames == 3
+
+
+def test_files_of_a_dictionary_are_seen_from_its_folder(tmp_path: Path) -> None:
+    (tmp_path / "sign.obj").write_text("v 0 0 1\nv 0 1 1\nv 0 1 2\nv 0 0 2\nf 1 2 3 4\n")
+    target = {"kind": "mesh", "id": "sign", "model": "sign.obj", "position_m": [0.0, 20.0, 0.0]}
+    scene = small_scene(target=[target])
+    assert wayside.Scene(scene, folder=tmp_path).targets == ["sign"]
+    with pytest.raises(wayside.WaysideError, match="sign.obj"):
+        wayside.Scene(scene, folder=tmp_path / "elsewhere")
+    own = small_scene(target=[target | {"model": "car-suv"}])
+    assert wayside.Scene(own, folder=tmp_path).targets == ["sign"]
+
+
+def test_what_a_run_will_take_is_told_before_anything_runs(scene: wayside.Scene) -> None:
+    cost = scene.cost()
+    assert cost["frames"] == 2
+    assert 0 < cost["processor_from_s"] < cost["processor_s"] < cost["processor_to_s"]
+    assert cost["memory_mib"] > 0
+    assert cost["threads"] >= 1
+
+
+def test_the_radar_is_told_in_the_words_of_the_summary(scene: wayside.Scene) -> None:
+    radar = scene.radar
+    assert radar["samples_per_chirp"] == 64
+    assert radar["channels"] == 4
+    # c / 2B with B = 12.5 MHz/µs · 64 / 5.12 MHz.
+    assert radar["range_resolution_m"] == pytest.approx(299_792_458 / (2 * 12.5e12 * 64 / 5.12e6), rel=1e-12)
+
+
+def test_a_scene_of_several_radars_asks_which_one() -> None:
+    file = PROJECT / "scenes/four-directions.toml"
+    several = wayside.Scene(file)
+    assert len(several.radars) == 4
+    with pytest.raises(wayside.WaysideError):
+        several.frames  # noqa: B018

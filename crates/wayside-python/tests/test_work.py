@@ -1,0 +1,94 @@
+"""Work beside the interpreter: progress, Ctrl-C, other threads."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from typing import Any
+
+import pytest
+from conftest import small_scene
+
+import wayside
+
+
+def long_scene(frames: int = 400) -> dict[str, Any]:
+    """A car for many frames: a minute and more."""
+    car = {
+        "kind": "mesh",
+        "id": "car",
+        "model": "car-suv",
+        "position_m": [5.75, 40.0, 0.0],
+        "velocity_mps": [0.0, -0.01, 0.0],
+    }
+    return small_scene(frames=frames, frame_interval_s=0.05, target=[car])
+
+
+def test_progress_is_heard_and_its_exception_ends_the_work() -> None:
+    heard: list[tuple[str, float]] = []
+
+    def hears(text: str, share: float) -> None:
+        heard.append((text, share))
+        if len(heard) == 3:
+            raise RuntimeError("enough")
+
+    scene = wayside.Scene(long_scene())
+    with pytest.raises(RuntimeError, match="enough"):
+        scene.trace(progress=hears)
+    assert len(heard) == 3
+    assert all(text and 0 <= share <= 1 for text, share in heard)
+
+
+def test_other_threads_go_on_while_the_library_works() -> None:
+    ticks: list[float] = []
+    ended = threading.Event()
+
+    def tick() -> None:
+        while not ended.wait(0.01):
+            ticks.append(time.monotonic())
+
+    ticker = threading.Thread(target=tick)
+    scene = wayside.Scene(long_scene(frames=2))
+    ticker.start()
+    begin = time.monotonic()
+    scene.trace()
+    took = time.monotonic() - begin
+    ended.set()
+    ticker.join()
+    # Held back by the interpreter's lock there would be none.
+    assert len(ticks) > 0.1 * took / 0.01
+
+
+SCRIPT = """
+import sys, time, wayside
+sys.path.insert(0, {tests!r})
+from test_work import long_scene
+scene = wayside.Scene(long_scene())
+print("begun", flush=True)
+try:
+    scene.run({out!r})
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+def test_ctrl_c_ends_a_run_at_once_and_leaves_nothing_half_written(tmp_path: Any) -> None:
+    out = tmp_path / "out"
+    script = SCRIPT.format(tests=os.path.dirname(__file__), out=str(out))
+    child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+    assert child.stdout is not None
+    assert child.stdout.readline() == "begun\n"
+    time.sleep(1.0)
+    begin = time.monotonic()
+    child.send_signal(signal.SIGINT)
+    assert child.stdout.readline() == "interrupted\n"
+    # A look each 50 ms and half a second for the frame under way; the rest is room for a busy machine.
+    assert time.monotonic() - begin < 5.0
+    child.wait(timeout=60)
+    left = [p for p in out.rglob("*") if p.is_file() and p.name.endswith(".part")] if out.exists() else []
+    assert left == []

@@ -1,0 +1,67 @@
+//! Radar cubes of a scene.
+
+use crate::chain::link::{Chain, Scattering};
+use crate::chain::stages::Stage;
+use crate::host::call_off::CallOff;
+use crate::host::failure::Failure;
+use crate::host::progress::Work;
+use crate::stepwise::opened_scene::OpenedScene;
+use crate::stepwise::recorded::Recorded;
+use artifact::cube::{Cube, CubeFrame};
+use artifact::paths::Paths;
+
+/// Makes the cubes of every frame, as the command `echo` does: of paths or, where the scene asks for them, of
+/// tables.
+///
+/// # Errors
+/// Those of tracing; an echo that cannot be summed; called off between two frames.
+pub fn echoes(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Cube>, Failure> {
+    let (chain, count) = (scene.chain(), scene.header().frames);
+    let (work, mut frames) = (Work::begin("frames"), Vec::new());
+    for index in 0..count {
+        call_off.check()?;
+        work.at(index as usize, count as usize);
+        let snapshot = scene::snapshot(scene.header(), index);
+        let scattering = chain.scattering(&chain.plan(index), &snapshot)?.value;
+        frames.push(chain.synthesize(&snapshot, &scattering)?);
+    }
+    Ok(recorded(scene, &chain, frames))
+}
+
+/// Makes the cubes of paths that were traced before, as `echo --paths` does.
+///
+/// # Errors
+/// Paths of another sweep than the scene's; an echo that cannot be summed; called off between two frames.
+pub fn echoes_of_paths(
+    scene: &OpenedScene,
+    paths: &Recorded<Paths>,
+    call_off: &CallOff,
+) -> Result<Recorded<Cube>, Failure> {
+    let scene = &scene.by_paths();
+    let chain = scene.chain();
+    same_sweep(paths.header.centre_frequency_hz, scene)?;
+    let (work, mut frames) = (Work::begin("frames"), Vec::new());
+    for (done, frame) in paths.frames.iter().enumerate() {
+        call_off.check()?;
+        work.at(done, paths.frames.len());
+        let snapshot = scene::snapshot(scene.header(), frame.index);
+        frames.push(chain.synthesize(&snapshot, &Scattering::Paths(frame.clone()))?);
+    }
+    Ok(recorded(scene, &chain, frames))
+}
+
+fn recorded(scene: &OpenedScene, chain: &Chain, frames: Vec<CubeFrame>) -> Recorded<Cube> {
+    Recorded { from: scene.provenance(Stage::FmcwEcho), header: chain.cube_header.clone(), frames }
+}
+
+/// Amplitudes hold for the sweep that they were traced for.
+fn same_sweep(told_hz: f64, scene: &OpenedScene) -> Result<(), Failure> {
+    let centre_hz = scene.header().radar.waveform.centre_frequency_hz();
+    match (told_hz - centre_hz).abs() > 1e-9 * centre_hz {
+        true => Err(Failure::refused(format!(
+            "f_c is {told_hz} Hz, the scene's is {centre_hz} Hz: amplitudes hold for the sweep they were traced \
+             for"
+        ))),
+        false => Ok(()),
+    }
+}

@@ -1,0 +1,29 @@
+//! Meshes from files or by the names of own vehicles, and from where on they are seen as from afar.
+
+use crate::chain::loading;
+use crate::host::failure::Failure;
+use artifact::scene::Mesh;
+use artifact::units::SPEED_OF_LIGHT_MPS;
+use std::path::Path;
+
+/// Reads a mesh file as it is, or makes an own vehicle by its name.
+///
+/// # Errors
+/// The file is missing, or no mesh can be made of it.
+pub fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
+    let name = place.to_str().filter(|_| !place.exists());
+    if let Some(mesh) = name.and_then(|name| scene::vehicles::mesh(name, 0)) {
+        return Ok(mesh);
+    }
+    scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(loading::of_mesh)
+}
+
+/// 2D²/λ at the highest frequency in m, D the diagonal of the box about the mesh.
+pub fn far_field_from_m(mesh: &Mesh, frequency_hz: &[f64]) -> f64 {
+    let side_m = |axis: usize| {
+        let along = || mesh.vertices_m.iter().map(|v| v[axis]);
+        along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
+    };
+    let highest_hz = frequency_hz.iter().copied().fold(0.0, f64::max);
+    2.0 * (0..3).map(|axis| side_m(axis).powi(2)).sum::<f64>() * highest_hz / SPEED_OF_LIGHT_MPS
+}

@@ -1,0 +1,106 @@
+//! A scene that was read and planned, from which its stages go on.
+
+use crate::chain::expectation::{Expectation, rates};
+use crate::chain::link::Chain;
+use crate::chain::loading::{self, LoadedScene, SceneSource, provenance};
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use crate::host::memory::Allowance;
+use crate::outcome::summary::RadarSummary;
+use crate::planning;
+use artifact::Provenance;
+use artifact::cube::CubeHeader;
+use artifact::scene::SceneHeader;
+use artifact::settings::EchoMode;
+
+/// Ids of several radars of a scene; empty where it has one.
+///
+/// # Errors
+/// The scene file cannot be read.
+pub fn radars(source: &SceneSource) -> Result<Vec<String>, Failure> {
+    scene::radars(&source.file).map_err(loading::of_scene)
+}
+
+/// A scene in memory, with its meshes.
+pub struct OpenedScene {
+    loaded: LoadedScene,
+    memory: Allowance,
+}
+
+/// Expected time and memory of all frames of a scene, as `run --dry-run` tells them.
+pub struct Cost {
+    /// Number of frames.
+    pub frames: u32,
+    /// Expected processor time of all threads together, s.
+    pub processor_s: f64,
+    /// Bounds of the processor time that nine of ten runs keep, s.
+    pub processor_between_s: [f64; 2],
+    /// Expected time by the clock, s.
+    pub wall_s: f64,
+    /// Number of threads that work.
+    pub threads: usize,
+    /// Memory held at most, MiB.
+    pub memory_mib: f64,
+}
+
+impl OpenedScene {
+    /// Reads a scene, all that it names, and chooses its physics where it asks for that.
+    ///
+    /// # Errors
+    /// Every broken rule, with file and place.
+    pub fn of(source: &SceneSource, memory: Allowance) -> Result<Self, Failure> {
+        let planned = planning::scene(source, None, memory)?;
+        Ok(Self { loaded: planned.loaded, memory })
+    }
+
+    /// The scene as every stage reads it.
+    pub fn header(&self) -> &SceneHeader {
+        &self.loaded.header
+    }
+
+    /// Header of the scene's cubes.
+    pub fn cube_header(&self) -> CubeHeader {
+        self.chain().cube_header
+    }
+
+    /// The radar in the words of the field.
+    pub fn radar(&self) -> RadarSummary {
+        RadarSummary::of(&self.loaded.header)
+    }
+
+    /// Expects what a run of all frames will take; nothing is run.
+    ///
+    /// # Errors
+    /// A body that cannot be traced.
+    pub fn cost(&self) -> Result<Cost, Failure> {
+        let (model, frames) = (loading::model(None)?, self.header().frames);
+        let chain = Chain::of(self.header(), None, model.as_ref(), self.memory);
+        let plans: Vec<_> = (0..frames).map(|index| chain.plan(index)).collect();
+        let expected = Expectation::of(&chain, None, &plans)?;
+        let threads = rayon::current_num_threads();
+        Ok(Cost {
+            frames,
+            processor_s: expected.seconds,
+            processor_between_s: [expected.seconds / rates::SPREAD, expected.seconds * rates::SPREAD],
+            wall_s: rates::wall_seconds(expected.seconds, threads),
+            threads,
+            memory_mib: expected.memory_mib,
+        })
+    }
+
+    /// The scene with paths, whatever echo it asks for.
+    pub(crate) fn by_paths(&self) -> Self {
+        let mut header = self.loaded.header.clone();
+        header.fidelity.echo = EchoMode::Paths;
+        let LoadedScene { cached, seconds, ref files, .. } = self.loaded;
+        Self { loaded: LoadedScene { header, cached, seconds, files: files.clone() }, memory: self.memory }
+    }
+
+    pub(crate) fn chain(&self) -> Chain<'_> {
+        Chain::of(&self.loaded.header, None, None, self.memory)
+    }
+
+    pub(crate) fn provenance(&self, stage: Stage) -> Provenance {
+        provenance(stage, &self.loaded.header, self.loaded.files.clone())
+    }
+}

@@ -1,0 +1,64 @@
+//! S of a mesh over frequency and aspect, in memory.
+
+use crate::host::failure::Failure;
+use crate::host::memory::Allowance;
+use crate::host::processor_time::WorkClock;
+use crate::host::progress::Work;
+use crate::stepwise::meshes::far_field_from_m;
+use artifact::scene::Mesh;
+use artifact::{ErrorBudget, ModelError};
+use bart_rcs::{NothingKept, RcsRequest, Surroundings};
+use num_complex::Complex64;
+
+/// S in metres and what is known of it.
+pub struct RcsTable {
+    /// Number of frequencies, elevations and azimuths.
+    pub shape: [usize; 3],
+    /// Scattering amplitude S, row-major `[frequency, elevation, azimuth]`, phase at the body's origin.
+    pub amplitude_m: Vec<Complex64>,
+    /// Numerical error over the table.
+    pub error: ErrorBudget,
+    /// Errors of the physical model.
+    pub model_error: ModelError,
+    /// Range from which on a table of infinite range is right, 2D²/λ.
+    pub far_field_from_m: f64,
+}
+
+/// Makes the table of a mesh by BART, as the command `rcs` does.
+///
+/// # Errors
+/// A request out of range, a mesh that cannot be traced, memory that does not suffice.
+pub fn rcs(mesh: &Mesh, request: &RcsRequest, memory: Allowance) -> Result<RcsTable, Failure> {
+    let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
+    check_size(shape)?;
+    let (work, clock) = (Work::begin("aspects"), WorkClock::start());
+    let clock_s = &|| clock.seconds();
+    let surroundings =
+        Surroundings { memory_limit: memory.limit(), keeper: &NothingKept, progress: &work, clock_s };
+    let result = bart_rcs::rcs_within(mesh, request, &surroundings).map_err(Failure::refused)?;
+    Ok(RcsTable {
+        shape,
+        amplitude_m: result.amplitude_m,
+        error: result.error,
+        model_error: result.model_error,
+        far_field_from_m: far_field_from_m(mesh, &request.frequency_hz),
+    })
+}
+
+/// Values of a table: 16 bytes each, a gibibyte and what measuring its errors takes beside.
+const TABLE_LIMIT: usize = 1 << 26;
+
+/// Refuses a table of more values than one can have.
+///
+/// # Errors
+/// The numbers of values that were asked for.
+pub fn check_size([frequencies, elevations, azimuths]: [usize; 3]) -> Result<(), Failure> {
+    let values = frequencies.saturating_mul(elevations).saturating_mul(azimuths);
+    match values > TABLE_LIMIT {
+        true => Err(Failure::System(format!(
+            "{frequencies} frequencies × {elevations} elevations × {azimuths} azimuths are {values} values; \
+             a table has at most {TABLE_LIMIT}: make several"
+        ))),
+        false => Ok(()),
+    }
+}

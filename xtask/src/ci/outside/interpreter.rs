@@ -1,0 +1,119 @@
+//! A Python with packages of its own, for checks that stand on one: where it or PyPI is not there, they say
+//! so and are skipped.
+
+use crate::ci::commands::{Tally, finished, skipped};
+use crate::project::project_root;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use wayside::host::failure::Failure;
+
+/// A package of some kilobytes: whether PyPI is there.
+const SMALL_PACKAGE: &str = "zipp==4.1.2";
+
+/// Needs of a check.
+pub(super) struct Needs<'a> {
+    /// Lines of Python that end well where the interpreter will do.
+    pub(super) expression: &'a str,
+    /// Sentence of what is not there where it will not.
+    pub(super) in_words: &'a str,
+    /// File of pinned packages, from the project's root on.
+    pub(super) requirements: &'a str,
+}
+
+impl<'a> Needs<'a> {
+    /// Needs of scripts that start and kill processes.
+    pub(super) fn of_scripts(requirements: &'a str) -> Self {
+        Self {
+            expression: "import ensurepip, os, sys, venv; \
+                         sys.exit(sys.version_info < (3, 10) or not os.path.isdir('/proc/1'))",
+            in_words: "no Python of version 3.10 with venv on a system with /proc (PYTHON names it)",
+            requirements,
+        }
+    }
+}
+
+/// An environment with the packages of a check.
+pub(super) struct Interpreter {
+    venv: PathBuf,
+}
+
+impl Interpreter {
+    /// Makes the environment in a folder, or finds it there with the very versions; `None`, and told as
+    /// skipped, where a Python or PyPI is not there.
+    pub(super) fn of(needs: &Needs, folder: &Path, tally: &mut Tally) -> Result<Option<Self>, Failure> {
+        let python = std::env::var_os("PYTHON").unwrap_or("python3".into());
+        if !is_good(Command::new(&python).args(["-c", needs.expression])) {
+            return skipped(tally, needs.in_words).map(|()| None);
+        }
+        let made = Self { venv: folder.join("venv") };
+        if !made.program().exists() {
+            finished(Command::new(&python).args(["-m", "venv"]).arg(&made.venv))?;
+        }
+        if made.has_packages(needs.requirements) {
+            return Ok(Some(made));
+        }
+        if !is_good(made.pip("download").args(["--no-deps", SMALL_PACKAGE, "--dest"]).arg(folder)) {
+            return skipped(tally, "PyPI is not there for pip").map(|()| None);
+        }
+        finished(made.pip("install").args(["--requirement", needs.requirements]))?;
+        let installed = made.installed();
+        std::fs::write(&installed, pins(needs.requirements)?)
+            .map_err(|e| Failure::system(&installed, "write", e))?;
+        Ok(Some(made))
+    }
+
+    /// The interpreter.
+    pub(super) fn program(&self) -> PathBuf {
+        self.venv.join("bin/python")
+    }
+
+    /// A command of pip that gives up soon where PyPI is not there.
+    pub(super) fn pip(&self, word: &str) -> Command {
+        let mut command = Command::new(self.program());
+        command.args(["-m", "pip", word, "--quiet", "--disable-pip-version-check", "--timeout", "20"]);
+        command.args(["--retries", "1"]);
+        command
+    }
+
+    /// Whether the pinned versions were installed there before.
+    fn has_packages(&self, requirements: &str) -> bool {
+        std::fs::read_to_string(self.installed())
+            .is_ok_and(|there| pins(requirements).is_ok_and(|pins| pins == there))
+    }
+
+    fn installed(&self) -> PathBuf {
+        self.venv.join("installed.txt")
+    }
+}
+
+/// Text of a file of pinned packages.
+fn pins(requirements: &str) -> Result<String, Failure> {
+    let file = project_root().join(requirements);
+    std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))
+}
+
+fn is_good(command: &mut Command) -> bool {
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_package_of_a_check_has_its_version() {
+        for (list, needed) in [
+            ("docs/engines/requirements.txt", &["hyperqueue", "distributed", SMALL_PACKAGE][..]),
+            ("docs/interchange/requirements.txt", &["osi-python", "mcap-ros2-support", "eclipse-sumo"]),
+            ("crates/wayside-python/tests/requirements.txt", &["pytest", "mypy"]),
+        ] {
+            let pins = pins(list).unwrap();
+            let packages: Vec<&str> = pins.lines().filter(|line| !line.starts_with('#')).collect();
+            assert!(packages.iter().all(|line| line.contains("==")), "{pins}");
+            for name in needed {
+                assert!(packages.iter().any(|line| line.starts_with(name)), "{name}");
+            }
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! The Python package as its users have it: `pip install ./crates/wayside-python`, its tests, its stubs
+//! beside what is there, its notebooks from the first cell to the last. Without a Python or PyPI it is skipped.
+
+use crate::ci::commands::{Tally, counted, finished};
+use crate::ci::outside::interpreter::{Interpreter, Needs};
+use crate::project::project_root;
+use std::process::Command;
+use wayside::host::failure::Failure;
+
+/// The package, from the project's root on.
+const PACKAGE: &str = "crates/wayside-python";
+/// Needs that pip has of a Python.
+const NEEDED: &str = "import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 11))";
+
+pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
+    let needs = Needs {
+        expression: NEEDED,
+        in_words: "no Python of version 3.11 with venv (PYTHON names it)",
+        requirements: &format!("{PACKAGE}/tests/requirements.txt"),
+    };
+    let folder = project_root().join("target/python");
+    let Some(python) = Interpreter::of(&needs, &folder, tally)? else { return Ok(()) };
+    // Anew, whatever its version says; what it stands on is there.
+    let install = ["--force-reinstall", "--no-deps"];
+    finished(python.pip("install").args(install).arg(format!("./{PACKAGE}")))?;
+    let lints = ["clippy", "--release", "--package", "wayside-python", "--", "-D", "warnings"];
+    finished(Command::new("cargo").args(lints).env("PYO3_PYTHON", python.program()))?;
+    let program = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let run = |words: &[&str]| {
+        let mut command = Command::new(python.program());
+        // It carries out the commands of `wayside`.
+        command.args(words).env("WAYSIDE_PROGRAM", &program);
+        command
+    };
+    counted(&mut run(&["-m", "pytest", "--quiet", PACKAGE]), tally)?;
+    let settings = format!("{PACKAGE}/pyproject.toml");
+    finished(&mut run(&["-m", "mypy", "--config-file", &settings, "--package", "wayside"]))?;
+    finished(&mut run(&["-m", "mypy.stubtest", "wayside", "--mypy-config-file", &settings]))?;
+    finished(&mut run(&[&format!("{PACKAGE}/notebooks/run.py")]))
+}
