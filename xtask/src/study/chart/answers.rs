@@ -1,5 +1,5 @@
-//! The whole chain by the accuracy that is asked: what a run takes, what it finds, how far its answers are from
-//! the truth, and how probable it takes the true class to be.
+//! The whole chain by the accuracy that is asked: what a run takes, what it finds, how far its answers are
+//! from the truth, and how probable it takes the true class to be.
 
 use crate::project::project_root;
 use crate::study::chart::work::{Measured, measured};

@@ -41,7 +41,8 @@ pub(in crate::study) fn picture_of_frames(table: &Table) -> Svg {
     plot("Chart: seconds against error of whole frames", [notes.into(), BETTER.into()], lines)
 }
 
-/// Draws processor seconds over the error of place of whole runs: a line for each scene, by the accuracy asked.
+/// Draws processor seconds over the error of place of whole runs: a line for each scene, by the accuracy
+/// asked.
 pub(in crate::study) fn picture_of_answers(rows: &[Answers]) -> Svg {
     let mut lines: Vec<Line> = Vec::new();
     for row in rows {

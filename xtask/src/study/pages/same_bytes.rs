@@ -104,7 +104,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
         let mut cells = vec![variant.name.to_owned(), format!("{same} of {}", FILES.len())];
         cells.extend(differences.cells());
         part.row(&cells);
-        if let Some(broken) = variant.promise.broken(same == FILES.len(), &differences) {
+        if let Some(broken) = variant.promise.broken(FILES.len() - same, &differences) {
             part.complain(format!("{}: {broken}", variant.name));
         }
     }

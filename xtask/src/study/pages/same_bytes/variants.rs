@@ -31,10 +31,10 @@ pub(super) enum Promise {
 const OTHER_INSTRUCTIONS_DB: f64 = -120.0;
 
 impl Promise {
-    /// What is not as promised.
-    pub(super) fn broken(self, is_same: bool, differences: &Differences) -> Option<String> {
+    /// A sentence about what is not as promised, `others` the number of files with other bytes.
+    pub(super) fn broken(self, others: usize, differences: &Differences) -> Option<String> {
         match self {
-            Self::Bytes => (!is_same).then(|| "other bytes".into()),
+            Self::Bytes => (others > 0).then(|| format!("{others} files have other bytes")),
             Self::Values => {
                 let worst = differences.worst_db();
                 (worst > OTHER_INSTRUCTIONS_DB).then(|| format!("values differ by {worst:.0} dB"))
