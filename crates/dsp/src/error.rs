@@ -97,8 +97,8 @@ pub enum DspError {
         /// Samples, chirps, transmitters or receivers.
         what: &'static str,
     },
-    /// A map whose number of cells no machine can address.
-    #[error("channels × chirps × samples of the radar overflow")]
+    /// A cube of more values than any stage holds.
+    #[error("channels × chirps × samples of the radar are more than {}", artifact::cube::CUBE_LIMIT)]
     TooLarge,
     /// A property of the radar that no axis can be made from.
     #[error("{quantity} must be finite, not zero and, but for a slope, not negative; it is {value}")]

@@ -32,7 +32,10 @@ fn changed_place(noise: &mut Noise, array: &mut Vec<Value>) -> Option<usize> {
         0 => drop(array.remove(at)),
         1 => array.push(array[at].clone()),
         2 => array.swap(at, other),
-        3 => array.extend(vec![array[at].clone(); noise.times()]),
+        3 => {
+            let bytes = array[at].to_string().len();
+            array.extend(vec![array[at].clone(); noise.times().min(GROWN_BYTES / bytes)]);
+        }
         _ => return Some(at),
     }
     None
@@ -59,10 +62,13 @@ pub fn change_like(noise: &mut Noise, value: &mut Value) {
     }
 }
 
+/// Bytes that a repeated piece has at most: pieces of pieces would fill any memory.
+const GROWN_BYTES: usize = 1 << 24;
+
 fn changed_word(noise: &mut Noise, text: &str) -> String {
     match noise.below(4) {
         0 => String::new(),
-        1 => text.repeat(noise.times()),
+        1 => text.repeat(noise.times().min(GROWN_BYTES / text.len().max(1))),
         2 => String::from_utf8_lossy(noise.stray_bytes()).into_owned(),
         _ => noise.pick(&["x", "../x", "\"", "car", "a,b\nc", "\u{1f697}"]).to_owned(),
     }

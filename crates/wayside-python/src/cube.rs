@@ -1,10 +1,12 @@
 //! Class `Cube`: radar data cubes, simulated or anybody's.
 
+use crate::arrays;
+use crate::failure;
 use crate::held::handle::Handle;
 use crate::held::samples::Samples;
 use crate::range_doppler::RangeDoppler;
+use crate::told;
 use crate::work::carry_out;
-use crate::{arrays, failure, told};
 use artifact::cube::Cube as Schema;
 use num_complex::Complex32;
 use numpy::{PyArray1, PyArray4, PyArrayMethods, PyReadonlyArray4};

@@ -1,6 +1,7 @@
 //! Class `PathsFrame`: the paths of one frame as a structure of arrays.
 
-use crate::{arrays, told};
+use crate::arrays;
+use crate::told;
 use artifact::paths::{Path, Paths as Schema, PathsFrame as Frame};
 use num_complex::Complex64;
 use numpy::{PyArray1, PyArray2, PyArray3};

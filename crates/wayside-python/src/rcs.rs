@@ -1,7 +1,10 @@
 //! Class `Rcs` and the function that makes it: S of a mesh over frequency and aspect.
 
+use crate::arrays;
+use crate::document;
+use crate::failure;
+use crate::told;
 use crate::work::carry_out;
-use crate::{arrays, document, failure, told};
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};

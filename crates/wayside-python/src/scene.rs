@@ -2,13 +2,15 @@
 
 use crate::cube::Cube;
 use crate::detections::Detections;
+use crate::document;
 use crate::document::Document;
+use crate::failure;
 use crate::held::handle::{Handle, opened_by, raised};
 use crate::paths::Paths;
 use crate::range_doppler::RangeDoppler;
+use crate::told;
 use crate::tracks::Tracks;
 use crate::work::carry_out;
-use crate::{document, failure, told};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;

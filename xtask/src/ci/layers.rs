@@ -1,7 +1,7 @@
 //! The layer rule: leaves depend on no crate of the workspace (`radar` and `bodies` on `artifact` alone,
 //! `po-sbr` and `interchange` on `artifact` and `radar`), stages on leaves and never on each other; `wayside`
-//! links them, and `xtask` stands above it, and so does `wayside-python`, which sees `wayside` and leaves. What
-//! teaches a stage may see it. `fuzzing` is for tests alone, and its own tests see all.
+//! links them, and `xtask` stands above it, and so does `wayside-python`, which sees `wayside` and leaves.
+//! What teaches a stage may see it. `fuzzing` is for tests alone, and its own tests see all.
 
 use crate::ci::findings::none_of;
 use crate::project::project_root;

@@ -15,15 +15,15 @@ pub(crate) fn encode<T: Serialize>(value: &T) -> Result<Vec<u8>, bincode::error:
 
 /// A record from exactly these bytes; left-over bytes are an error.
 ///
-/// A length inside claims no more memory than a bound that grows with the bytes: the smallest power of 16 that
-/// has room for every number that they can hold (a byte may stand for one of eight bytes).
+/// A length inside claims no more memory than a bound that grows with the bytes: the smallest power of 16
+/// that has room for every number that they can hold (a byte may stand for one of eight bytes).
 pub(crate) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, String> {
     match 16 * bytes.len() {
-        ..=0x1_0000 => decode_within::<T, 0x1_0000>(bytes),
-        ..=0x10_0000 => decode_within::<T, 0x10_0000>(bytes),
-        ..=0x100_0000 => decode_within::<T, 0x100_0000>(bytes),
-        ..=0x1000_0000 => decode_within::<T, 0x1000_0000>(bytes),
-        ..=0x1_0000_0000 => decode_within::<T, 0x1_0000_0000>(bytes),
+        0..=0x1_0000 => decode_within::<T, 0x1_0000>(bytes),
+        0x1_0001..=0x10_0000 => decode_within::<T, 0x10_0000>(bytes),
+        0x10_0001..=0x100_0000 => decode_within::<T, 0x100_0000>(bytes),
+        0x100_0001..=0x1000_0000 => decode_within::<T, 0x1000_0000>(bytes),
+        0x1000_0001..=0x1_0000_0000 => decode_within::<T, 0x1_0000_0000>(bytes),
         _ => decode_within::<T, 0x100_0000_0000>(bytes),
     }
 }

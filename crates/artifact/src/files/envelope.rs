@@ -40,8 +40,8 @@ pub trait Schema {
     /// One radar frame.
     type Frame: Serialize + DeserializeOwned;
 
-    /// How a frame contradicts its header or its own rules, in words that follow "frame 1 is not of the schema's
-    /// shape: "; `None` of a sound one. A reader refuses such a frame.
+    /// Contradiction between a frame and its header or its own rules, in words that follow "frame 1 is not of
+    /// the schema's shape: "; `None` of a sound one. A reader refuses such a frame.
     fn contradiction(_header: &Self::Header, _frame: &Self::Frame) -> Option<String> {
         None
     }

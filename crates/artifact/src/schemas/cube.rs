@@ -100,6 +100,9 @@ impl SampleUnit {
     }
 }
 
+/// Values of a frame's cube: at 8 bytes each one GiB, of which the stages hold a few.
+pub const CUBE_LIMIT: u64 = 1 << 27;
+
 /// Samples of one frame.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CubeFrame {

@@ -2,7 +2,7 @@
 
 use crate::error::DspError;
 use crate::numerics::finite::first_not_finite;
-use artifact::cube::CubeHeader;
+use artifact::cube::{CUBE_LIMIT, CubeHeader};
 use artifact::radar::Sampling;
 use artifact::rdm::{self, RdmFrame};
 use num_complex::Complex32;
@@ -26,9 +26,11 @@ impl Shapes {
         check_counts(header)?;
         check_quantities(header)?;
         check_calibration(header)?;
-        let map = rdm::shape(header);
-        map.iter().try_fold(1_usize, |product, n| product.checked_mul(*n)).ok_or(DspError::TooLarge)?;
-        Ok(Self { cube: header.shape(), map, sampling: header.radar.waveform.sampling })
+        let (cube, map) = (header.shape(), rdm::shape(header));
+        let product =
+            |shape: [usize; 3]| shape.iter().try_fold(1_u64, |product, n| product.checked_mul(*n as u64));
+        product(cube).filter(|values| *values <= CUBE_LIMIT).and(product(map)).ok_or(DspError::TooLarge)?;
+        Ok(Self { cube, map, sampling: header.radar.waveform.sampling })
     }
 
     /// Cells of one channel of a map.

@@ -13,12 +13,10 @@ use crate::models::library::Models;
 use crate::radar::array::read_array;
 use crate::radar::hardware::read_hardware;
 use crate::radar::waveform::read_waveform;
+use artifact::cube::CUBE_LIMIT;
 use artifact::radar::{Hardware, Link, Multiplexing, Radar};
 use artifact::units::watts_from_dbm;
 use radar::aperture::mounted;
-
-/// Values of a frame's cube: at 8 bytes each one GiB, of which the stages hold a few.
-const CUBE_LIMIT: u64 = 1 << 27;
 
 /// The radar of a scene, defaults where it says nothing.
 pub(crate) fn read_radar(section: &Section<'_>, models: &mut Models) -> Radar {

@@ -108,7 +108,7 @@ pub(crate) enum Lanes {
     Four,
 }
 
-/// Which part of a complex sample comes first.
+/// The part of a complex sample that comes first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum IqOrder {
     /// I before Q.

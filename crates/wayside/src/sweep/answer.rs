@@ -29,7 +29,7 @@ pub(crate) struct Standing {
     pub(crate) mean: Option<Mean>,
     /// Mean of what it costs.
     pub(crate) cost: Option<f64>,
-    /// How much worse than the best it is, by paired differences; all such intervals hold together.
+    /// Distance behind the best, by paired differences; all such intervals hold together.
     pub(crate) behind: Option<Mean>,
 }
 
@@ -96,7 +96,7 @@ fn front(study: &Study, standings: &[Standing]) -> Vec<usize> {
     order
 }
 
-/// What one value of an axis is worth.
+/// Worth of one value of an axis.
 pub(crate) struct Effect {
     pub(crate) label: String,
     /// Designs with it.

@@ -45,7 +45,7 @@ pub(crate) struct Rounds<'a> {
 
 /// Runs of a study as far as they are made.
 pub(crate) enum Made {
-    /// All that the answer needs.
+    /// Everything that the answer needs.
     Whole(Ledger),
     /// So many runs are other parts' and not made yet; with an early stop those of one repeat, as who stays is
     /// not known before.
@@ -153,7 +153,7 @@ impl Rounds<'_> {
         self.first_of_kinds[number / count] * count + number % count
     }
 
-    /// What a run changes in the scene.
+    /// Changes that a run makes to the scene.
     fn changes(&self, number: usize, situations: &[Situation]) -> Vec<scene::Change> {
         let (design, situation) = (number / situations.len(), &situations[number % situations.len()]);
         let varied = self.study.vary.iter().zip(&self.designs[design]);

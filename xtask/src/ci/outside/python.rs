@@ -1,5 +1,6 @@
 //! The Python package as its users have it: `pip install ./crates/wayside-python`, its tests, its stubs
-//! beside what is there, its notebooks from the first cell to the last. Without a Python or PyPI it is skipped.
+//! beside what is there, its notebooks from the first cell to the last. Without a Python or PyPI it is
+//! skipped.
 
 use crate::ci::commands::{Tally, counted, finished};
 use crate::ci::outside::interpreter::{Interpreter, Needs};

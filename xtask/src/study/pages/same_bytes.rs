@@ -1,5 +1,5 @@
-//! The same work by other numbers of threads, by an unoptimised program and by an older processor: which files
-//! are the same to the byte, and how far the others differ.
+//! The same work by other numbers of threads, by an unoptimised program and by an older processor: which
+//! files are the same to the byte, and how far the others differ.
 
 mod differences; // values of two results, compared
 mod variants; // programs, and how they are begun

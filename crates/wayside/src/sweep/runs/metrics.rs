@@ -7,7 +7,7 @@ use artifact::settings::Class;
 /// Version of what the metrics mean: kept runs of another one are made anew.
 pub(crate) const VERSION: u32 = 1;
 
-/// Which of two values is better.
+/// The better of two values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Better {
     Lower,
@@ -35,7 +35,7 @@ struct Measure {
     of: Box<OfRun>,
 }
 
-/// What a run has of a metric.
+/// Value of a metric in a run.
 type OfRun = dyn Fn(&Summary) -> Option<f64> + Send + Sync;
 
 impl Measures {

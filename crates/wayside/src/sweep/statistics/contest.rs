@@ -2,14 +2,14 @@
 
 use crate::sweep::statistics::interval::Mean;
 
-/// When a design is given up.
+/// Rule by which a design is given up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rule {
     /// Probability that the best design is never given up, over all looks.
     pub(crate) confidence: f64,
     /// Situations that a design has to have seen.
     pub(crate) least: usize,
-    /// How often the designs are looked at, at most.
+    /// Number of times that the designs are looked at, at most.
     pub(crate) looks: usize,
 }
 

@@ -11,7 +11,7 @@ pub(crate) struct Axis {
     pub(crate) source: Source,
 }
 
-/// Where an axis takes its values from.
+/// Source of the values of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Source {
     Listed(Vec<Pick>),
@@ -24,7 +24,7 @@ pub(crate) enum Source {
 /// A choice of an axis: a value for each of its keys, as TOML writes it.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Pick {
-    /// What tables and reports call it.
+    /// Name in tables and reports.
     pub(crate) label: String,
     pub(crate) values: Vec<String>,
 }

@@ -45,7 +45,7 @@ pub(crate) fn share(seed: u64, of: &str, index: &[u64]) -> f64 {
     ChaCha8Rng::from_seed(artifact::seed::key(seed, of, index)).random()
 }
 
-/// What choices change in a scene.
+/// Changes that choices make to a scene.
 pub(crate) fn changes<'a>(chosen: impl Iterator<Item = (&'a Axis, &'a Pick)>) -> Vec<Change> {
     let of_axis = |(axis, pick): (&'a Axis, &'a Pick)| {
         let change = |(key, value): (&String, &String)| Change { key: key.clone(), value: value.clone() };

@@ -42,18 +42,18 @@ pub(crate) struct Study {
     /// Probability that an interval holds the mean.
     pub(crate) confidence: f64,
     pub(crate) measures: Measures,
-    /// What is to be chosen.
+    /// Axes to choose on.
     pub(crate) vary: Vec<Axis>,
-    /// What is not chosen and averaged over.
+    /// Axes that are not chosen but averaged over.
     pub(crate) conditions: Vec<Axis>,
     /// Number of designs that are drawn; `None`: all combinations of the listed values.
     pub(crate) sample: Option<u32>,
     pub(crate) goal: Goal,
-    /// When a design is not repeated further; `None`: all are repeated equally often.
+    /// Rule by which a design is not repeated further; `None`: all are repeated equally often.
     pub(crate) stop: Option<Stop>,
 }
 
-/// What a study chooses by.
+/// Metric that a study chooses by.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Goal {
     /// Place of the metric among the measures.
@@ -66,7 +66,7 @@ pub(crate) struct Goal {
     pub(crate) margin: Option<f64>,
 }
 
-/// When a design is repeated no further.
+/// Rule by which a design is repeated no further.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stop {
     /// Probability that no design is dropped which is the best.

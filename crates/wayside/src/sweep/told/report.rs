@@ -62,7 +62,7 @@ impl Done<'_> {
         vec![first, worth, others]
     }
 
-    /// What the candidates have in common.
+    /// Values that the candidates have in common.
     fn bound(&self) -> String {
         let margin = match self.study.goal.margin {
             Some(margin) => margin.to_string(),

@@ -47,7 +47,7 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     Ok(writer.finish()?)
 }
 
-/// What command and configuration say of a converter.
+/// Properties of a converter, by command and configuration.
 struct Told {
     full_scale: Option<f64>,
     bits: Option<u32>,

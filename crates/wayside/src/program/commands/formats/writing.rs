@@ -3,8 +3,8 @@
 /// Bytes of a name that are kept: with what stands around it the file's name fits any file system.
 const KEPT_BYTES: usize = 120;
 
-/// A name that an artifact gives as a part of a file's: it leads into no other folder and is of bounded length.
-/// One that cannot stand as it is ends with a hash of all of it, so that no two names become one.
+/// A name that an artifact gives as a part of a file's: it leads into no other folder and is of bounded
+/// length. One that cannot stand as it is ends with a hash of all of it, so that no two names become one.
 pub(crate) fn plain_name(name: &str) -> String {
     let plain = |c: char| if c.is_alphanumeric() || " -_.+()".contains(c) { c } else { '_' };
     let begin = name.char_indices().take_while(|(at, _)| *at < KEPT_BYTES);

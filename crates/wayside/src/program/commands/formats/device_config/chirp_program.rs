@@ -1,4 +1,4 @@
-//! From commands to settings: which form of chirp is sent, by whom, how often.
+//! Settings of commands: which form of chirp is sent, by whom, how often.
 
 use super::statements::{Chirps, Fault, Frame, Profile, Statement, Told};
 use crate::program::words::{Board, IqOrder, Lanes};
@@ -20,7 +20,7 @@ pub(crate) struct DeviceSettings {
     /// Bits of the converter.
     pub(super) bits: u32,
     lanes: Option<Lanes>,
-    /// Which part of a sample comes first; `None` where the file says nothing.
+    /// The part of a sample that comes first; `None` where the file says nothing.
     pub(crate) iq_order: Option<IqOrder>,
 }
 

@@ -10,9 +10,9 @@ use std::path::Path;
 pub(super) struct Entry {
     pub(super) table: &'static str,
     pub(super) key: &'static str,
-    /// As TOML writes it.
+    /// Text of the value in TOML.
     pub(super) value: String,
-    /// Why it is that.
+    /// Reason for the value.
     remark: String,
 }
 

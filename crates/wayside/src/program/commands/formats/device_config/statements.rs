@@ -22,7 +22,7 @@ pub(super) struct Statement {
 /// Meaning of a command.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Told {
-    /// What was told before does not count.
+    /// A start anew: earlier commands do not count.
     Flush,
     Board(Board),
     /// Transmitters and receivers that are switched on, bit by bit.
@@ -48,9 +48,9 @@ pub(super) struct Profile {
     /// Frequency at which the ramp begins.
     pub(super) start_ghz: f64,
     pub(super) idle_us: f64,
-    /// From the ramp's begin to the first sample.
+    /// Time from the ramp's begin to the first sample.
     pub(super) adc_start_us: f64,
-    /// From the ramp's begin to its end.
+    /// Time from the ramp's begin to its end.
     pub(super) ramp_end_us: f64,
     pub(super) slope_mhz_per_us: f64,
     pub(super) samples: u32,

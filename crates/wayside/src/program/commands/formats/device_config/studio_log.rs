@@ -226,7 +226,7 @@ fn chirps(arguments: &Arguments<'_>, form: Form) -> Result<Told, Fault> {
     }))
 }
 
-/// Of the period the log has steps of 5 ns, a script milliseconds.
+/// The period is in steps of 5 ns in a log, in milliseconds in a script.
 fn frame(arguments: &Arguments<'_>, form: Form) -> Result<Told, Fault> {
     arguments.at_least(5)?;
     let period = arguments.number(4, "the frame's period")?;

@@ -1,4 +1,4 @@
-//! What is read of configurations, and what is refused with its line.
+//! Configurations that are read, and those that are refused with their line.
 
 use super::*;
 

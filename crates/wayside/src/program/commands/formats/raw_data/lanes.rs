@@ -22,7 +22,7 @@ pub(crate) struct Layout {
     pub(crate) order: IqOrder,
 }
 
-/// As it is written here.
+/// Order as it is written here.
 pub(crate) const TWO_LANES: Layout = Layout { lanes: Lanes::Two, order: IqOrder::InPhaseFirst };
 
 /// Lanes, and receivers, of the devices that have four.
