@@ -16,7 +16,7 @@ impl Source {
     /// Opens the recording.
     pub(crate) fn open(&self) -> Result<StepReader, FcdError> {
         match self {
-            Self::Fcd(file) => FcdReader::open(file).map(StepReader::Fcd),
+            Self::Fcd(file) => FcdReader::open(file).map(|reader| StepReader::Fcd(Box::new(reader))),
             Self::Osi(file) => TraceReader::open(file).map(StepReader::Osi),
         }
     }
@@ -24,7 +24,7 @@ impl Source {
 
 /// Reader of a recording under way.
 pub(crate) enum StepReader {
-    Fcd(FcdReader),
+    Fcd(Box<FcdReader>),
     Osi(TraceReader),
 }
 
