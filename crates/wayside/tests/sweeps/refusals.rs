@@ -133,7 +133,7 @@ fn too_many_conditions_are_refused_by_their_number_before_they_are_made() {
     let ended = bounded::run_within(MOST_KIB, place.root(), words.split_whitespace());
     assert_eq!(ended.status.code(), Some(1), "{}", ended.said);
     assert!(
-        ended.said.contains("study.toml: the study has 2000000000000 runs, more than 10000000"),
+        ended.said.contains("study.toml:1:1: the study has 2000000000000 runs, more than 10000000"),
         "{}",
         ended.said
     );
