@@ -56,7 +56,7 @@ pub(in crate::study) fn picture_of_answers(rows: &[Answers]) -> Svg {
     let plot = LinePlot {
         title: "Chart: processor seconds against error of place".into(),
         notes: vec![
-            "Whole runs, a line for each scene: its lower end is the coarsest accuracy asked, its upper end the finest.".into(),
+            "Whole runs, a line for each scene, through the accuracies asked (chart-answers.csv has them in order).".into(),
             BETTER.into(),
         ],
         x_label: "error of place (range and across, root mean square), m".into(),
