@@ -132,8 +132,10 @@ pub enum DspError {
     /// A Chebyshev window that cannot be made.
     #[error("chebyshev sidelobes must lie between 10 and 300 dB below the peak, asked are {0}")]
     Sidelobes(f64),
-    /// A crop without pixels or extent.
-    #[error("a crop needs a side of 1 to 8192 pixels, positive spans and a ceiling above its floor")]
+    /// A crop without pixels or extent, or one of more cells than any stage holds.
+    #[error(
+        "a crop needs a side of 1 to 8192 pixels, positive spans of no more than 134217728 cells and a ceiling above its floor"
+    )]
     CropFormat,
     /// An object that no crop can be centred on and no track can follow.
     #[error("the object's {quantity} is not finite")]

@@ -23,6 +23,10 @@ pub const PAPER_CROP: CropFormat =
 
 /// Largest side that is drawn.
 const LARGEST_SIDE: u32 = 8192;
+/// Most cells of the map, gone round as often as it takes, that a crop may lie over: 1 GiB of powers.
+const MOST_CELLS: f64 = (1_u64 << 27) as f64;
+/// Places beyond this are no whole numbers of cells.
+const FARTHEST_PLACE: f64 = (1_u64 << 52) as f64;
 
 /// Crops of one map: what all of them need of it is found once.
 pub struct Cropper<'a> {
@@ -69,6 +73,9 @@ impl<'a> Cropper<'a> {
         let rows = pixel_centres(centre_mps, format.velocity_span_mps, format.side)
             .map(|velocity_mps| axes.row_at(velocity_mps));
         let (rows, columns): (Vec<f64>, Vec<f64>) = (rows.collect(), columns.collect());
+        if rows_across(&rows) * axes.columns as f64 > MOST_CELLS {
+            return Err(DspError::CropFormat);
+        }
         let lines = kept(Patch::beamformed(self, object, &rows, &columns)).along(&columns);
         let pixels = rows.iter().flat_map(|row| lines.between(*row));
         Ok(Crop {
@@ -136,7 +143,7 @@ impl Patch {
         let array = &cropper.plan.array;
         let samples = array.cells().columns as i64;
         let (first_column, end_column) =
-            (first_column.clamp(0, samples), (last_column + 1).clamp(0, samples));
+            (first_column.clamp(0, samples), last_column.saturating_add(1).clamp(0, samples));
         let steering = array.steering(direction_of(array, object), object.range_m);
         let size = ((last_row + 1 - first_row) as usize, (end_column - first_column).max(0) as usize);
         let power = Array2::from_shape_fn(size, |(row, column)| {
@@ -194,11 +201,19 @@ impl Lines {
     }
 }
 
+/// Number of rows that interpolation between these places needs, of a map that goes on for ever; infinite
+/// where they are so far that they are no whole numbers of rows.
+fn rows_across(places: &[f64]) -> f64 {
+    let [first, last] = reach(places);
+    let rows = last.saturating_sub(first).saturating_add(1) as f64;
+    if places.iter().all(|place| place.abs() < FARTHEST_PLACE) { rows } else { f64::INFINITY }
+}
+
 /// First and last cell that interpolation between these places needs.
 fn reach(places: &[f64]) -> [i64; 2] {
     let low = places.iter().copied().fold(f64::INFINITY, f64::min);
     let high = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    [low.floor() as i64, high.floor() as i64 + 1]
+    [low.floor() as i64, (high.floor() as i64).saturating_add(1)]
 }
 
 pub(crate) fn direction_of(array: &VirtualArray, object: &Object) -> Direction {

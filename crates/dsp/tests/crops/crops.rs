@@ -145,12 +145,14 @@ fn formats_and_objects_that_make_no_picture_are_refused() {
         .unwrap();
     let receiver = Receiver::new(&header).unwrap();
     let mut object = receiver.detect(&map).unwrap().objects[0];
-    let mut formats = [PAPER_CROP; 5];
+    let mut formats = [PAPER_CROP; 7];
     formats[0].side = 0;
     formats[1].range_span_m = -1.0;
     formats[2].velocity_span_mps = f64::NAN;
     formats[3].ceiling_db = formats[3].floor_db;
     formats[4].side = u32::MAX;
+    formats[5].velocity_span_mps = 1e9;
+    formats[6].velocity_span_mps = 1e300;
     for format in formats {
         assert_eq!(cropped(&header, &map, &object, &format), Err(DspError::CropFormat));
     }
