@@ -134,7 +134,9 @@ pub enum DspError {
     Sidelobes(f64),
     /// A crop without pixels or extent, or one of more cells than any stage holds.
     #[error(
-        "a crop needs a side of 1 to 8192 pixels, positive spans of no more than 134217728 cells and a ceiling above its floor"
+        "a crop needs a side of 1 to 8192 pixels, positive spans of no more than {} cells and a ceiling above \
+         its floor",
+        artifact::cube::CUBE_LIMIT
     )]
     CropFormat,
     /// An object that no crop can be centred on and no track can follow.

@@ -5,6 +5,7 @@ use crate::crops::cell_owners::CellOwners;
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::error::DspError;
 use crate::plan::Plan;
+use artifact::cube::CUBE_LIMIT;
 use artifact::dataset::{Crop, CropFormat};
 use artifact::points::{Object, PointsFrame};
 use artifact::rdm::RdmFrame;
@@ -23,8 +24,6 @@ pub const PAPER_CROP: CropFormat =
 
 /// Largest side that is drawn.
 const LARGEST_SIDE: u32 = 8192;
-/// Most cells of the map, gone round as often as it takes, that a crop may lie over: 1 GiB of powers.
-const MOST_CELLS: f64 = (1_u64 << 27) as f64;
 /// Places beyond this are no whole numbers of cells.
 const FARTHEST_PLACE: f64 = (1_u64 << 52) as f64;
 
@@ -73,7 +72,7 @@ impl<'a> Cropper<'a> {
         let rows = pixel_centres(centre_mps, format.velocity_span_mps, format.side)
             .map(|velocity_mps| axes.row_at(velocity_mps));
         let (rows, columns): (Vec<f64>, Vec<f64>) = (rows.collect(), columns.collect());
-        if rows_across(&rows) * axes.columns as f64 > MOST_CELLS {
+        if rows_across(&rows) * axes.columns as f64 > CUBE_LIMIT as f64 {
             return Err(DspError::CropFormat);
         }
         let lines = kept(Patch::beamformed(self, object, &rows, &columns)).along(&columns);

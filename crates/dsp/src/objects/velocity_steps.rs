@@ -34,7 +34,10 @@ pub(crate) fn range_of_step(members: &[Member], axis: DopplerAxis, group: &[usiz
         return None;
     }
     let step = |at: usize| (at, step(chain.before(at), chain.from(at), axis));
-    let steps = (FEWEST..=chain.echoes.len().saturating_sub(FEWEST)).map(step);
+    // Echoes of one range stay together: a cut by range would leave nothing before them.
+    let is_between = |at: &usize| chain.echoes[at - 1].range_m < chain.echoes[*at].range_m;
+    let places = (FEWEST..=chain.echoes.len().saturating_sub(FEWEST)).filter(is_between);
+    let steps = places.map(step);
     let (at, size) = steps.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
     (size >= 1.0).then(|| chain.echoes[at].range_m)
 }
@@ -150,6 +153,15 @@ mod tests {
         assert_eq!(cut_m(&[-1.0, -1.0, -1.0, -1.6, -1.0, -1.0]), None);
         assert_eq!(cut_m(&[-1.0, -1.0, -1.3, -1.3]), None);
         assert_eq!(cut_m(&[-1.0, -1.0, -1.4, -1.4]), Some(22.0));
+    }
+
+    #[test]
+    fn echoes_of_one_range_are_not_parted() {
+        let mut members = chain(&[-1.0, -1.0, -1.0, -2.0]);
+        for member in &mut members[..3] {
+            member.range_m = 20.0;
+        }
+        assert_eq!(range_of_step(&members, AXIS, &[0, 1, 2, 3]), None);
     }
 
     #[test]
