@@ -45,6 +45,12 @@ pub trait Schema {
     fn contradiction(_header: &Self::Header, _frame: &Self::Frame) -> Option<String> {
         None
     }
+
+    /// Fewest bytes that a frame of this header takes. A file too short for the frames that it tells of is
+    /// refused when it is opened, before anything is planned by its header.
+    fn least_frame_bytes(_header: &Self::Header) -> u64 {
+        0
+    }
 }
 
 /// Origin of an artifact: no clock, no host, so that equal work gives equal bytes.

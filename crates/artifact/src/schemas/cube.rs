@@ -20,6 +20,15 @@ impl Schema for Cube {
     fn contradiction(header: &CubeHeader, frame: &CubeFrame) -> Option<String> {
         wrong_count("samples", header.shape(), frame.samples.len())
     }
+
+    fn least_frame_bytes(header: &CubeHeader) -> u64 {
+        least_bytes(header.shape(), 8)
+    }
+}
+
+/// Bytes of as many values as a shape has, each of some bytes; at most the largest number.
+pub(crate) fn least_bytes(shape: [usize; 3], value_bytes: u64) -> u64 {
+    shape.iter().fold(value_bytes, |product, n| product.saturating_mul(*n as u64))
 }
 
 /// Sentence about values that are not as many as a shape has.

@@ -1,7 +1,7 @@
 //! Range-Doppler maps of all channels, and what the detector made of them.
 
 use crate::files::envelope::Schema;
-use crate::schemas::cube::{CubeHeader, wrong_count};
+use crate::schemas::cube::{CubeHeader, least_bytes, wrong_count};
 use num_complex::Complex32;
 use serde::{Deserialize, Serialize};
 
@@ -18,6 +18,11 @@ impl Schema for Rdm {
         let [channels, rows, columns] = shape(header);
         wrong_count("values", [channels, rows, columns], frame.values.len())
             .or_else(|| wrong_count("mask cells", [1, rows, columns], frame.mask.len()))
+    }
+
+    fn least_frame_bytes(header: &CubeHeader) -> u64 {
+        let [_, rows, columns] = shape(header);
+        least_bytes(shape(header), 8).saturating_add(least_bytes([1, rows, columns], 1))
     }
 }
 

@@ -11,6 +11,10 @@
 
 use crate::common::bounded::{self, Ended};
 use crate::common::{SMALL_SCENE, Workplace};
+use artifact::cube::{Cube, CubeHeader};
+use artifact::rdm::Rdm;
+use artifact::{Reader, Schema, Writer};
+use std::path::Path;
 use std::time::Instant;
 
 /// Magic, then records: a mark of one byte but before the first, a length of eight, a checksum of sixteen,
@@ -174,4 +178,28 @@ fn artifacts_of_right_checksums_and_wrong_content_do_not_make_a_command_panic() 
         done += 1;
     }
     println!("{done} crafted artifacts in {:.1} minutes", start.elapsed().as_secs_f64() / 60.0);
+}
+
+/// The artifact once more, its header with chirps of 2²⁰ samples before the frames as they were.
+fn with_long_chirps<S: Schema<Header = CubeHeader>>(file: &Path, out: &Path) {
+    let reader = Reader::<S>::open(file).unwrap();
+    let (from, mut header) = (reader.preamble().provenance.clone(), reader.header().clone());
+    header.radar.waveform.samples = 1 << 20;
+    let frames: Vec<S::Frame> = reader.map(Result::unwrap).collect();
+    let mut writer = Writer::<S>::create(out, &from, &header).unwrap();
+    frames.iter().for_each(|frame| writer.write(frame).unwrap());
+    writer.finish().unwrap();
+}
+
+#[test]
+fn a_file_too_short_for_its_headers_frames_is_refused_when_it_is_opened() {
+    let place = Workplace::new();
+    place.run("run small.toml --out out");
+    with_long_chirps::<Cube>(&place.path("out/frames.cube"), &place.path("long.cube"));
+    with_long_chirps::<Rdm>(&place.path("out/frames.rdm"), &place.path("long.rdm"));
+    for words in ["dsp long.cube --out maps", "export long.rdm --to png --out x.png"] {
+        let ended = bounded::run(place.root(), words.split_whitespace());
+        assert!(ended.is_refused(), "{words}: {}", ended.said);
+        assert!(ended.said.contains("do not fit in the"), "{words}: {}", ended.said);
+    }
 }

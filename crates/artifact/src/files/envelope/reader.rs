@@ -48,6 +48,7 @@ impl<S: Schema> Reader<S> {
     fn of_stream(mut stream: Stream) -> Result<Self, Fault> {
         let preamble = stream.preamble()?;
         let (header, told) = stream.expect::<S>(&preamble)?;
+        stream.has_room(told, S::least_frame_bytes(&header))?;
         Ok(Self { stream, preamble, header, told, found: 0, done: false, schema: PhantomData })
     }
 
@@ -92,9 +93,7 @@ impl<S: Schema> Reader<S> {
             found => Err(Fault::Marker { offset: self.stream.at - 1, found }),
         }
     }
-}
 
-impl<S: Schema> Reader<S> {
     fn frame(&mut self) -> Result<S::Frame, Fault> {
         let (record, offset) = (format!("frame {}", self.found), self.stream.at);
         let frame = self.stream.record(&record, S::RECORD_LIMIT)?;
@@ -178,6 +177,16 @@ impl Stream {
         count.copy_from_slice(&mark[1..9]);
         let told = u64::from_le_bytes(count);
         if mark == end_mark(told) { Ok(told) } else { Err(Fault::MissingEnd) }
+    }
+
+    /// Refuses a header whose frames are longer than the bytes that are left.
+    fn has_room(&self, frames: u64, frame_bytes: u64) -> Result<(), Fault> {
+        let (offset, left) = (self.at, self.size - self.at);
+        if frames == 0 || frame_bytes <= left / frames {
+            return Ok(());
+        }
+        let why = format!("{frames} frames of at least {frame_bytes} bytes do not fit in the {left} behind it");
+        Err(Fault::Shape { record: "the header".into(), offset, why })
     }
 
     fn marker(&mut self) -> Result<u8, Fault> {
