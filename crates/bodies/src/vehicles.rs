@@ -25,6 +25,7 @@
 //! # Ok::<(), &str>(())
 //! ```
 
+mod crosses;
 mod dimensions;
 mod family;
 mod drawing;
@@ -43,5 +44,5 @@ mod tests;
 #[cfg(test)]
 mod family_tests;
 
-pub use catalogue::{NAMES, class_of, mesh, names, ranges_m};
+pub use catalogue::{NAMES, class_of, crosses_of, mesh, names, ranges_m};
 pub use glb::glb;

@@ -28,7 +28,13 @@ pub fn names() -> Vec<&'static str> {
     NAMES.into_iter().chain(family::all().iter().map(|family| family.name.as_str())).collect()
 }
 
-/// Class of one of [`names`]; `None` for any other name.
+/// Names of all crosses of a class, as `car-kei+pickup`: made of what the first family is made of, in
+/// proportions half way to those of another one of its class and build.
+pub fn crosses_of(class: Class) -> Vec<String> {
+    family::crosses_of(class)
+}
+
+/// Class of one of [`names`] or [`crosses_of`]; `None` for any other name.
 pub fn class_of(name: &str) -> Option<Class> {
     if let Some(family) = family::find(name) {
         return Some(family.class);
@@ -37,7 +43,7 @@ pub fn class_of(name: &str) -> Option<Class> {
     Class::ALL.into_iter().find(|class| Some(class.name()) == kind)
 }
 
-/// One of [`names`] in body axes, its bounding box (mirrors, handlebar and rider included) of the nominal
+/// One of [`names`] or [`crosses_of`] in body axes, its bounding box (mirrors, handlebar and rider included) of the nominal
 /// dimensions for seed 0 and of dimensions drawn from [`ranges_m`] for any other; `None` for any other name.
 pub fn mesh(name: &str, seed: u64) -> Option<Mesh> {
     let (parts, size_m) = drawing(name, seed)?;
@@ -64,7 +70,7 @@ pub(crate) fn size_range(name: &str) -> Option<SizeRange> {
 /// Parts and the size they are to be fitted to.
 pub(crate) fn drawing(name: &str, seed: u64) -> Option<(Assembly, [f64; 3])> {
     match family::find(name) {
-        Some(family) => Some(family_drawing(family, seed)),
+        Some(family) => Some(family_drawing(&family, seed)),
         None => model_drawing(&Draw { model: name, seed }),
     }
 }

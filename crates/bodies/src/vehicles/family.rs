@@ -4,14 +4,19 @@
 //! its families have in common. A number stands for itself, `[low, high]` for a uniform draw with its middle
 //! as the nominal value, a list of words for one of them with the first as the nominal word. Under a key that
 //! asks whether something is there, a number is the probability that it is.
+//!
+//! `car-kei+pickup` is a cross: a kei car whose numbers lie half way to those of a pick-up
+//! ([`crosses`](crate::vehicles::crosses)).
 
+use crate::vehicles::crosses;
 use crate::vehicles::dimensions::{Draw, SizeRange};
 use artifact::settings::Class;
+use std::borrow::Cow;
 use std::sync::LazyLock;
 use toml::{Table, Value};
 
 /// One family of a class.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Family {
     pub(crate) name: String,
     pub(crate) class: Class,
@@ -46,9 +51,28 @@ pub(crate) fn all() -> &'static [Family] {
     &FAMILIES
 }
 
-/// The family of that name.
-pub(crate) fn find(name: &str) -> Option<&'static Family> {
-    FAMILIES.iter().find(|family| family.name == name)
+/// The family of that name, or the cross of two of one build.
+pub(crate) fn find(name: &str) -> Option<Cow<'static, Family>> {
+    let written = |name: &str| FAMILIES.iter().find(|family| family.name == name);
+    let Some((first, second)) = name.split_once(crosses::SIGN) else {
+        return written(name).map(Cow::Borrowed);
+    };
+    let first = written(first)?;
+    let second = written(&format!("{}-{second}", first.class.name())).filter(|s| s.name != first.name)?;
+    let values = crosses::half_way(&first.values, &second.values)?;
+    Some(Cow::Owned(Family { name: name.to_owned(), class: first.class, values }))
+}
+
+/// Names of all crosses of a class: each family with each other one of its build, in their order.
+pub(crate) fn crosses_of(class: Class) -> Vec<String> {
+    let of_class: Vec<&Family> = FAMILIES.iter().filter(|family| family.class == class).collect();
+    let named = |[first, second]: [&&Family; 2]| {
+        let second = second.name.split_once('-').map(|(_, second)| second)?;
+        let name = format!("{}{}{second}", first.name, crosses::SIGN);
+        find(&name).map(|_| name)
+    };
+    let pairs = of_class.iter().flat_map(|first| of_class.iter().map(move |second| [first, second]));
+    pairs.filter_map(named).collect()
 }
 
 impl Family {

@@ -131,3 +131,50 @@ fn every_drawn_value_is_keyed_by_the_family() {
         family::all().iter().map(|f| f.drawn(5).number("tyre_width_m").to_bits()).collect();
     assert!(lengths.len() > 30, "{}", lengths.len());
 }
+
+/// Every eleventh cross of each class.
+fn crosses() -> Vec<String> {
+    Class::ALL.into_iter().flat_map(|class| family::crosses_of(class).into_iter().step_by(11)).collect()
+}
+
+#[test]
+fn crosses_are_finite_meshes_within_the_ranges_of_both() {
+    for name in crosses() {
+        for seed in [0, 7] {
+            let mesh = mesh(&name, seed).unwrap();
+            assert!(mesh.vertices_m.iter().flatten().all(|v| v.is_finite()), "{name} {seed}");
+            let (size_m, ranges_m) = (size_m(&mesh), ranges_m(&name).unwrap());
+            let within = |k: usize| (ranges_m[k][0] - 2e-6..=ranges_m[k][1] + 2e-6).contains(&size_m[k]);
+            assert!((0..3).all(within), "{name} {seed}: {size_m:?} of {ranges_m:?}");
+        }
+    }
+}
+
+#[test]
+fn a_cross_has_its_class_and_one_with_itself_or_with_one_of_another_build_is_none() {
+    assert_eq!(class_of("car-kei+pickup"), Some(Class::Car));
+    assert!(crosses().len() > 25, "{}", crosses().len());
+    for none in [
+        "bus-doubledeck+midi",
+        "car-kei+kei",
+        "car-kei+",
+        "car-kei+tanker",
+        "truck-bulk+van",
+        "car-suv+kei",
+        "+kei",
+    ] {
+        assert_eq!(class_of(none), None, "{none}");
+    }
+}
+
+#[test]
+fn the_fit_of_a_cross_stretches_it_little() {
+    let stretched = |name: &String| {
+        let (parts, size_m) = drawing(name, 7)?;
+        let (low, high) = mesh_builder::bounds_m(parts.parts());
+        let scale = DVec3::from_array(size_m) / (high - low);
+        ((scale - DVec3::ONE).abs().max_element() > 0.25).then(|| format!("{name}: {scale}"))
+    };
+    let far: Vec<String> = crosses().iter().filter_map(stretched).collect();
+    assert!(far.is_empty(), "{far:#?}");
+}

@@ -66,7 +66,8 @@ pub struct TrainedTrees {
     pub curve: Vec<f64>,
     /// Measures of how good it is.
     pub metrics: TreeMetrics,
-    /// Logits of each sighting by trees that never saw its vehicle, or, of the test split, its scene.
+    /// Logits of each sighting by trees that never saw its vehicle, or, of the test split, its scene; of
+    /// crosses, which are learned from and not judged by, those of the model itself.
     pub told: Vec<Logits>,
 }
 
@@ -121,19 +122,20 @@ pub fn train_trees(
         done += 1;
         heard(done, all);
     };
-    let held_out = held_out(sightings, &learned, settings, seed, &mut tick);
+    let judged = judged(sightings, &learned);
+    let held_out = held_out(sightings, [&learned, &judged], settings, seed, &mut tick);
     let best = held_out.best_round();
     let temperature = fitted_temperature(&held_out.weighted(best));
     let cooled: Vec<Logits> =
         held_out.logits[best].iter().map(|l| l.map(|v| v / temperature as f32)).collect();
-    let frame_correlation = fitted_correlation(&sightings.seen(&learned), &cooled);
+    let frame_correlation = fitted_correlation(&sightings.seen(&judged), &cooled);
     let boosting = BoostingSettings { rounds: best as u32 + 1, ..settings.boosting };
     let mut trees = members(&sightings.table(&learned), &boosting, seed, &mut tick);
     trees.temperature *= temperature as f32;
     let told = Fitted { seed, temperature, frame_correlation, trees: &trees };
-    let metrics = told.metrics(sightings, &learned, &cooled);
+    let metrics = told.metrics(sightings, &judged, &cooled);
     let mut told: Vec<Logits> = sightings.all.iter().map(|seen| logits(&trees, &seen.features)).collect();
-    learned.iter().zip(&cooled).for_each(|(number, logits)| told[*number] = *logits);
+    judged.iter().zip(&cooled).for_each(|(number, logits)| told[*number] = *logits);
     let (header, curve) = (header(settings, frame_correlation), held_out.curve());
     Ok(TrainedTrees { header, weights: Weights::Trees(trees), curve, metrics, told })
 }
@@ -165,13 +167,13 @@ struct Fitted<'a> {
 }
 
 impl Fitted<'_> {
-    fn metrics(&self, sightings: &Sightings, learned: &[usize], held_out: &[Logits]) -> TreeMetrics {
+    fn metrics(&self, sightings: &Sightings, judged: &[usize], held_out: &[Logits]) -> TreeMetrics {
         let test = sightings.seen(&sightings.of(&[Split::Test]));
         let told: Vec<Logits> = test.iter().map(|seen| logits(self.trees, &seen.features)).collect();
         let of_test = (!test.is_empty()).then(|| parts(&test, &told, self.frame_correlation));
         let [unseen_scenes, unseen_scenes_by_track] = of_test.map_or([None, None], |parts| parts.map(Some));
         let [unseen_vehicles, unseen_vehicles_by_track] =
-            parts(&sightings.seen(learned), held_out, self.frame_correlation);
+            parts(&sightings.seen(judged), held_out, self.frame_correlation);
         TreeMetrics {
             classes: Class::ALL,
             seed: self.seed,
@@ -236,27 +238,35 @@ impl HeldOut {
     }
 }
 
+/// Those of what is learned from that tell how right it is: vehicles as they are, where there are any. Both
+/// families of a cross are rarely held out together.
+fn judged(sightings: &Sightings, learned: &[usize]) -> Vec<usize> {
+    let plain: Vec<usize> = learned.iter().copied().filter(|i| !sightings.all[*i].is_cross()).collect();
+    if plain.is_empty() { learned.to_vec() } else { plain }
+}
+
 fn held_out(
     sightings: &Sightings,
-    learned: &[usize],
+    [learned, judged]: [&[usize]; 2],
     settings: &TreeSettings,
     seed: u64,
     tick: &mut dyn FnMut(),
 ) -> HeldOut {
-    let fold_of = sightings.folds(learned, settings.folds, seed);
-    let mut all = vec![vec![[0.0; 4]; learned.len()]; settings.boosting.rounds as usize];
+    let folds = sightings.folds(learned, settings.folds, seed);
+    let fold_of: BTreeMap<usize, [usize; 2]> = learned.iter().copied().zip(folds).collect();
+    let mut all = vec![vec![[0.0; 4]; judged.len()]; settings.boosting.rounds as usize];
     for fold in 0..settings.folds {
-        let (out, kept): (Vec<usize>, Vec<usize>) = (0..learned.len()).partition(|i| fold_of[*i] == fold);
-        let table = sightings.table(&kept.iter().map(|i| learned[*i]).collect::<Vec<_>>());
+        let out: Vec<usize> = (0..judged.len()).filter(|at| fold_of[&judged[*at]][0] == fold).collect();
+        let kept: Vec<usize> = learned.iter().copied().filter(|i| !fold_of[i].contains(&fold)).collect();
         let mut sums = vec![[0.0_f32; 4]; out.len()];
-        boosted(&table, &settings.boosting, seed, &mut |trees| {
-            add_last(trees, &mut sums, |at| &sightings.all[learned[out[at]]].features);
+        boosted(&sightings.table(&kept), &settings.boosting, seed, &mut |trees| {
+            add_last(trees, &mut sums, |at| &sightings.all[judged[out[at]]].features);
             out.iter().zip(&sums).for_each(|(i, sum)| all[trees.trees.len() - 1][*i] = *sum);
             tick();
             true
         });
     }
-    let table = sightings.table(learned);
+    let table = sightings.table(judged);
     HeldOut { logits: all, classes: table.classes, weights: table.weights }
 }
 

@@ -103,16 +103,57 @@ impl Sightings {
         }
     }
 
-    /// Fold of every vehicle: those of a class are dealt out evenly, in an order drawn from the seed.
-    pub fn folds(&self, numbers: &[usize], folds: usize, seed: u64) -> Vec<usize> {
-        let models: BTreeSet<(usize, &str)> =
-            numbers.iter().map(|i| (self.all[*i].class, self.all[*i].model.as_str())).collect();
+    /// Folds of every sighting's vehicle: those of a class are dealt out evenly, in an order drawn from the
+    /// seed. A cross has those of both families that it stands between, any other vehicle twice its own.
+    pub fn folds(&self, numbers: &[usize], folds: usize, seed: u64) -> Vec<[usize; 2]> {
+        let kin = |i: &usize| kin(&self.all[*i].model).map(|model| (self.all[*i].class, model));
+        let models: BTreeSet<(usize, String)> = numbers.iter().flat_map(kin).collect();
         let mut fold_of = BTreeMap::new();
         for class in 0..Class::ALL.len() {
-            let mut own: Vec<_> = models.iter().filter(|(c, _)| *c == class).copied().collect();
+            let mut own: Vec<_> = models.iter().filter(|(c, _)| *c == class).collect();
             own.shuffle(&mut ChaCha8Rng::from_seed(seed::key(seed, "classifier/folds", &[class as u64])));
             fold_of.extend(own.into_iter().enumerate().map(|(at, model)| (model, at % folds)));
         }
-        numbers.iter().map(|i| fold_of[&(self.all[*i].class, self.all[*i].model.as_str())]).collect()
+        numbers.iter().map(|i| kin(i).map(|model| fold_of[&model])).collect()
+    }
+}
+
+/// Sign between the names of two families in that of their cross, the class written once: `car-kei+pickup`.
+const CROSS: char = '+';
+
+impl Seen {
+    /// Whether the vehicle stands half way between two families, which others show as they are.
+    pub fn is_cross(&self) -> bool {
+        self.model.contains(CROSS)
+    }
+}
+
+/// The two families of a cross; of any other vehicle twice itself.
+fn kin(model: &str) -> [String; 2] {
+    let Some((first, second)) = model.split_once(CROSS) else { return [model.to_owned(), model.to_owned()] };
+    let class = first.split_once('-').map_or("", |(class, _)| class);
+    [first.to_owned(), format!("{class}-{second}")]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen(model: &str) -> Seen {
+        let model = model.to_owned();
+        Seen { features: vec![], class: 0, model, track: (0, 0, 0), split: Split::Train, has_rows: false }
+    }
+
+    #[test]
+    fn a_cross_is_in_the_folds_of_both_families_and_a_vehicle_in_its_own() {
+        let models = ["car-kei", "car-van", "car-taxi", "car-mpv", "car-kei+van", "car-van+taxi", "other"];
+        let all = models.map(seen).to_vec();
+        let sightings = Sightings { all, ..Sightings::default() };
+        let folds = sightings.folds(&[0, 1, 2, 3, 4, 5, 6], 5, 1);
+        assert_eq!(folds[4], [folds[0][0], folds[1][0]]);
+        assert_eq!(folds[5], [folds[1][0], folds[2][0]]);
+        assert!([0, 1, 2, 3, 6].iter().all(|i| folds[*i][0] == folds[*i][1]), "{folds:?}");
+        assert_eq!(folds.iter().map(|f| f[0]).collect::<BTreeSet<_>>().len(), 5);
+        assert!(sightings.all[4].is_cross() && !sightings.all[6].is_cross());
     }
 }

@@ -185,7 +185,8 @@ impl Stream {
         if frames == 0 || frame_bytes <= left / frames {
             return Ok(());
         }
-        let why = format!("{frames} frames of at least {frame_bytes} bytes do not fit in the {left} behind it");
+        let why =
+            format!("{frames} frames of at least {frame_bytes} bytes do not fit in the {left} behind it");
         Err(Fault::Shape { record: "the header".into(), offset, why })
     }
 

@@ -128,10 +128,16 @@ fn manifest_of(file: &Path) -> Result<Manifest, Failure> {
     }
 }
 
-/// The models that a word of the recipe names: an own vehicle, a file, or all `.glb` of a folder.
+/// Word for all crosses of a class.
+const ALL_CROSSES: &str = "crosses";
+
+/// The models that a word of the recipe names: an own vehicle, all crosses, a file, or all `.glb` of a folder.
 fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, String> {
     let key = format!("models.{}", class.name());
     let path = folder.join(written);
+    if written == ALL_CROSSES {
+        return Ok(vehicles::crosses_of(class).into_iter().map(|name| (name, None)).collect());
+    }
     match vehicles::class_of(written) {
         Some(own) if own == class => return Ok(vec![(written.to_owned(), None)]),
         Some(own) => return Err(format!("{key}: `{written}` is a {}", own.name())),

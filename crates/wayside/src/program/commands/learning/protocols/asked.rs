@@ -32,9 +32,9 @@ pub(super) fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Ve
         let all = learned.all.iter().enumerate().filter(|(_, seen)| kept(seen));
         Protocol { name, seen: all.map(|(number, seen)| (seen, AnswerSource::Trained(number))).collect() }
     };
-    let held_out = |seen: &Seen| seen.split != Split::Test;
+    let held_out = |seen: &Seen| seen.split != Split::Test && !seen.is_cross();
     let mut all = vec![
-        those("S: scenes of the test split".into(), &|seen| !held_out(seen)),
+        those("S: scenes of the test split".into(), &|seen| seen.split == Split::Test),
         those(HELD_OUT.into(), &held_out),
     ];
     let name = |folder: &Path| format!("V: of {}", folder.display());

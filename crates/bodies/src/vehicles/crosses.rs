@@ -1,0 +1,92 @@
+//! Crosses of two families: what the first is made of, in proportions half way to the second.
+//!
+//! Sixty families are few shapes to learn from; each two of a class tell of a third that stands in no table.
+
+use toml::{Table, Value};
+
+/// Sign between the names of a cross, the class written once: `car-kei+pickup`.
+pub(crate) const SIGN: char = '+';
+
+/// Solids of a family, in the metres of its own drawing: they are not crossed.
+const SOLIDS: &str = "part";
+/// A family with solids is crossed with others whose length, width and height are by at most this share other
+/// ones, so that its solids stay where they belong.
+const NEAR: f64 = 0.25;
+
+/// Values of the first family, each number that both have half way to the second's. Words, and lists that are
+/// not equally long, are the first's. `None` of families that are built in different ways, or whose solids
+/// would stand beside the body.
+pub(crate) fn half_way(first: &Table, second: &Table) -> Option<Table> {
+    (build(first) == build(second) && keeps_solids(first, second)).then(|| crossed(first, second))
+}
+
+fn keeps_solids(first: &Table, second: &Table) -> bool {
+    let middle = |values: &Table, key: &str| values.get(key).map_or(f64::NAN, middle);
+    let is_near = |key: &str| (middle(second, key) / middle(first, key) - 1.0).abs() <= NEAR;
+    !first.contains_key(SOLIDS) || ["length_m", "width_m", "height_m"].into_iter().all(is_near)
+}
+
+fn middle(span: &Value) -> f64 {
+    match span {
+        Value::Array(bounds) => bounds.iter().filter_map(number_of).sum::<f64>() / bounds.len() as f64,
+        number => number_of(number).unwrap_or(f64::NAN),
+    }
+}
+
+/// Keys that tell how a body is built: a front or rear that stands up to the roof, one body or cab and load,
+/// a semitrailer, what it carries; a two-wheeler with a frame and an engine in it, or a scooter.
+const BUILD: [&str; 7] =
+    ["front_upright", "rear_upright", "unibody", "semitrailer", "carries", "frame", "engine"];
+
+fn build(values: &Table) -> [Option<&Value>; 7] {
+    BUILD.map(|key| values.get(key).filter(|value| **value != Value::Boolean(false)))
+}
+
+fn crossed(first: &Table, second: &Table) -> Table {
+    let other = |key: &str| second.get(key).filter(|_| key != SOLIDS);
+    let one = |(key, value): (&String, &Value)| {
+        (key.clone(), other(key).map_or_else(|| value.clone(), |other| between(value, other)))
+    };
+    first.iter().map(one).collect()
+}
+
+fn between(first: &Value, second: &Value) -> Value {
+    match (first, second) {
+        (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+            Value::Array(a.iter().zip(b).map(|(a, b)| between(a, b)).collect())
+        }
+        // A number stands for a span of its own.
+        (Value::Array(span), number) if span.len() == 2 && number_of(number).is_some() => {
+            Value::Array(span.iter().map(|bound| between(bound, number)).collect())
+        }
+        (number, Value::Array(span)) if span.len() == 2 && number_of(number).is_some() => {
+            Value::Array(span.iter().map(|bound| between(number, bound)).collect())
+        }
+        _ => mean(first, second).map_or_else(|| first.clone(), Value::Float),
+    }
+}
+
+fn mean(first: &Value, second: &Value) -> Option<f64> {
+    Some(0.5 * (number_of(first)? + number_of(second)?))
+}
+
+fn number_of(value: &Value) -> Option<f64> {
+    value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_and_spans_lie_half_way_and_all_else_is_the_firsts() {
+        let first =
+            "a = 1\nb = [1, 3]\nc = [[1, 2], 4]\nword = \"cast\"\nlist = [1, 2, 3]\nown = 7\nthere = true";
+        let second =
+            "a = [2, 4]\nb = 5.0\nc = [[3, 4], [4, 8]]\nword = \"steel\"\nlist = [1, 2]\nthere = 0.5";
+        let half = "a = [1.5, 2.5]\nb = [3.0, 4.0]\nc = [[2.0, 3.0], [4.0, 6.0]]\nword = \"cast\"\nlist = [1, 2, 3]\n\
+                    own = 7\nthere = true";
+        let table = |text: &str| text.parse::<Table>().unwrap();
+        assert_eq!(crossed(&table(first), &table(second)), table(half));
+    }
+}
