@@ -94,6 +94,15 @@ fn files_folders_and_manifests_are_models_beside_the_own_vehicles() {
 }
 
 #[test]
+fn crosses_are_models_as_any_other_and_their_samples_name_both_families() {
+    let place = prepared();
+    let models = "[models]\ntruck = [\"truck-fire\", \"crosses\"]\n";
+    let samples = made(&place, &format!("{NEEDED}{models}"), "d");
+    let drawn: BTreeSet<&str> = samples.iter().map(|sample| sample.model.as_str()).collect();
+    assert!(drawn.iter().filter(|model| model.starts_with("truck-") && model.contains('+')).count() > 1);
+}
+
+#[test]
 fn a_recipe_that_spells_out_the_defaults_draws_the_same_scenes() {
     let place = prepared();
     let short = made(&place, &format!("{NEEDED}{OWN}"), "short");

@@ -1,12 +1,14 @@
 //! Samples of a real radar (`fixtures/captures`): our maps and points beside NumPy's, the array's coherence,
-//! the noise.
+//! the noise; and the room simulated, of which three points are known.
+
+mod simulated;
 
 use crate::project::project_root;
 use crate::study::extent::Extent;
 use crate::study::pages::part::Part;
 use crate::study::sources::{Places, SIGNALS};
 use artifact::Reader;
-use artifact::cube::{Cube, CubeFrame, CubeHeader};
+use artifact::cube::{Cube, CubeFrame, CubeHeader, SampleUnit};
 use artifact::points::Point;
 use artifact::rdm::RdmFrame;
 use dsp::Receiver;
@@ -36,6 +38,7 @@ pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
     let mut part = Part::default();
     let ours = Ours { header: &header, map: &map, array: VirtualArray::new(&header), points: &seen.points };
     table_of_echoes(&mut part, &ours, &echoes)?;
+    simulated::rows(&mut part, &folder, &ours, &echoes)?;
     table_of_map(&mut part, &ours, &levels(&folder.join("room.numpy.npy"))?)?;
     let near = seen.points.iter().filter(|p| p.range_m < header.dsp.nearest_m).count();
     part.line(format!(
@@ -50,20 +53,23 @@ pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
 
 /// The recording as `import` reads it.
 fn imported(folder: &Path) -> Result<(CubeHeader, CubeFrame), Failure> {
+    made(&["import".as_ref(), &folder.join("room.bin"), "--scene".as_ref(), &folder.join("room.toml")])
+}
+
+/// The first frame of the cube that a command of this program makes.
+fn made(words: &[&Path]) -> Result<(CubeHeader, CubeFrame), Failure> {
     let place = tempfile::tempdir().map_err(|e| Failure::System(format!("a folder for the cube: {e}")))?;
     let cube = place.path().join("room.cube");
     let this = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
     let mut command = Command::new(this);
-    command.arg("import").arg(folder.join("room.bin")).arg("--scene").arg(folder.join("room.toml"));
-    command.arg("--out").arg(&cube).arg("--quiet").stdin(Stdio::null()).stdout(Stdio::null());
-    let status = command.status().map_err(|e| Failure::System(format!("import: {e}")))?;
+    command.args(words).arg("--out").arg(&cube).arg("--quiet").stdin(Stdio::null()).stdout(Stdio::null());
+    let status = command.status().map_err(|e| Failure::System(format!("{words:?}: {e}")))?;
     if !status.success() {
-        return Err(Failure::Refused(format!("import: {status}")));
+        return Err(Failure::Refused(format!("{words:?}: {status}")));
     }
     let mut reader = Reader::<Cube>::open(&cube)?;
     let header = reader.header().clone();
-    let frame =
-        reader.next_frame()?.ok_or_else(|| Failure::Refused("the recording holds no frame".into()))?;
+    let frame = reader.next_frame()?.ok_or_else(|| Failure::Refused("the cube holds no frame".into()))?;
     Ok((header, frame))
 }
 
@@ -120,6 +126,14 @@ impl Ours<'_> {
         Ok(self.header.map_level_db(power, self.header.radar.map_channels()))
     }
 
+    /// Level of an echo's cell, dBFS, where the samples are a converter's.
+    fn level_told(&self, echo: &Echo) -> Result<String, Failure> {
+        match self.header.unit {
+            SampleUnit::FullScale(_) => Ok(format!("{:.2}", self.level_dbfs(self.cell(echo))?)),
+            SampleUnit::RootWatts | SampleUnit::Steps => Ok("–".into()),
+        }
+    }
+
     /// Power of the strongest beam over what all channels would have in phase.
     fn coherence(&self, echo: &Echo) -> f64 {
         let snapshot = self.array.snapshot(self.map, self.cell(echo), echo.velocity_mps);
@@ -138,6 +152,24 @@ impl Ours<'_> {
                 && (p.radial_velocity_mps - echo.velocity_mps).abs() < cells[1]
         };
         self.points.iter().filter(is_near).max_by(|a, b| a.snr_db.total_cmp(&b.snr_db))
+    }
+
+    /// Row of the table of echoes: the point, its cell and its coherence.
+    fn row(&self, of: &str, echo: &Echo) -> Result<[String; 8], Failure> {
+        let point = self.point(echo);
+        let told = |of: fn(&Point) -> f64, digits: usize| {
+            point.map_or_else(|| "–".to_owned(), |point| format!("{:.digits$}", of(point)))
+        };
+        Ok([
+            String::new(),
+            of.to_owned(),
+            told(|p| p.range_m, 3),
+            told(|p| p.radial_velocity_mps, 3),
+            told(|p| p.azimuth_rad.to_degrees(), 2),
+            self.level_told(echo)?,
+            told(|p| p.snr_db, 1),
+            format!("{:.3}", self.coherence(echo)),
+        ])
     }
 }
 
@@ -163,21 +195,8 @@ fn table_of_echoes(part: &mut Part, ours: &Ours<'_>, echoes: &[Echo]) -> Result<
             "–".into(),
             format!("{:.3}", echo.coherence),
         ]);
-        let point = ours.point(echo);
-        let told = |of: fn(&Point) -> f64, digits: usize| {
-            point.map_or_else(|| "–".to_owned(), |point| format!("{:.digits$}", of(point)))
-        };
-        part.row(&[
-            String::new(),
-            "ours, point".into(),
-            told(|p| p.range_m, 3),
-            told(|p| p.radial_velocity_mps, 3),
-            told(|p| p.azimuth_rad.to_degrees(), 2),
-            format!("{:.2}", ours.level_dbfs(ours.cell(echo))?),
-            told(|p| p.snr_db, 1),
-            format!("{:.3}", ours.coherence(echo)),
-        ]);
-        if point.is_none() {
+        part.row(&ours.row("ours, point", echo)?);
+        if ours.point(echo).is_none() {
             part.complain(format!("{} has no point", echo.name));
         }
     }
