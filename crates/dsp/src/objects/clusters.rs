@@ -36,25 +36,15 @@ use radar::doppler_ambiguity::wrapped_mps;
 /// Every member is in exactly one group; groups are in the order of their strongest member, members in order
 /// of index.
 pub(crate) fn clusters(members: &[Member], settings: &DspSettings, axis: DopplerAxis) -> Vec<Vec<usize>> {
-    let mut free: Vec<bool> = vec![true; members.len()];
-    let mut groups = Vec::new();
-    for seed in 0..members.len() {
-        if free[seed] {
-            let mut group = grow(members, settings, axis, seed, &mut free);
-            group.sort_unstable();
-            let parts = parted_by_velocity(members, settings, axis, group);
-            groups.extend(parts.into_iter().flat_map(|part| without_those_ahead(members, part)));
-        }
-    }
-    let reach_m = piece_reach_m(settings);
+    let echoes = Echoes { members, settings, axis };
+    let mut groups = echoes.chains();
     groups.sort_by_key(|group| group[0]);
     let groups = joined_to_earlier(groups, |piece, body| {
-        is_piece(members, settings, axis, piece, body)
-            || drive_as_one(members, settings, axis.span_mps, [body, piece], reach_m)
+        echoes.is_piece(piece, body) || echoes.drive_as_one([body, piece])
     });
     joined_to_earlier(groups, |tail, body| {
         !steps_between(members, axis, [tail, body])
-            && (is_tail(members, settings, axis, tail, body) || is_wing(members, settings, axis, tail, body))
+            && (echoes.is_tail(tail, body) || echoes.is_wing(tail, body))
     })
 }
 
@@ -62,11 +52,189 @@ pub(crate) fn clusters(members: &[Member], settings: &DspSettings, axis: Doppler
 const TAIL_POWER: f64 = 0.05;
 /// A tail follows the last point ahead within this many reaches in range: 6.25 m of the default 2.5 m.
 const TAIL_REACHES: f64 = 2.5;
-
 /// A wing is at least this much weaker than the strongest point of its front.
 const WING_POWER: f64 = 0.1;
 /// Standard errors by which a wing may seem farther across than it is.
 const WING_ERRORS: f64 = 2.0;
+/// Two pieces of one body are this many reaches apart at most: 4.4 m of the default 2.5 m. The rear of a car
+/// is hidden from the front, so that the echoes of two that stand a metre apart are farther from each other.
+const PIECE_REACHES: f64 = 1.75;
+/// Means of two pieces of one body are apart across by at most this part of the reach across: 1.5 m, two
+/// fifths of a lane.
+const PIECE_STRIP: f64 = 0.6;
+/// Means of two pieces of one body are apart in velocity by at most this part of the reach in velocity.
+const PIECE_VELOCITY: f64 = 0.5;
+/// Power ratio over nearer echoes from which an echo is a follower's front: a body's own front hides its
+/// rear.
+const FOLLOWER_POWER: f64 = 10.0;
+/// Distance behind the first echo, longer than cars are, beyond which any stronger echo is a follower's
+/// front: the strongest of a body comes from its front, its windscreen or the load over its cab, m.
+const FRONT_M: f64 = 5.0;
+/// Power, as a part of a front's, below which what lies ahead of the front is its sidelobes.
+const SIDELOBES: f64 = 0.01;
+
+/// Echoes of a frame, strongest first, and by what they belong together.
+#[derive(Clone, Copy)]
+struct Echoes<'a> {
+    members: &'a [Member],
+    settings: &'a DspSettings,
+    axis: DopplerAxis,
+}
+
+impl Echoes<'_> {
+    /// Chains of the strongest echoes that are free, cut where velocities step and before what stands ahead.
+    fn chains(&self) -> Vec<Vec<usize>> {
+        let mut free: Vec<bool> = vec![true; self.members.len()];
+        let mut groups = Vec::new();
+        for seed in 0..self.members.len() {
+            if free[seed] {
+                let mut group = self.grow(seed, &mut free);
+                group.sort_unstable();
+                let parts = self.parted_by_velocity(group);
+                groups.extend(parts.into_iter().flat_map(|part| self.without_those_ahead(part)));
+            }
+        }
+        groups
+    }
+
+    /// All free members that a chain reaches from the seed, strongest first so that the mean settles early.
+    fn grow(&self, seed: usize, free: &mut [bool]) -> Vec<usize> {
+        let mut group = Vec::new();
+        let mut reached = vec![seed];
+        let (mut moment, mut weight) = (0.0, 0.0);
+        free[seed] = false;
+        while let Some(next) = strongest(&mut reached) {
+            let strays = weight > 0.0
+                && (self.members[next].cross_m - moment / weight).abs() > self.settings.cluster_cross_m;
+            if strays {
+                free[next] = true;
+                continue;
+            }
+            moment += self.members[next].cross_m * self.members[next].power;
+            weight += self.members[next].power;
+            group.push(next);
+            for other in 0..self.members.len() {
+                if free[other] && self.near(&self.members[next], &self.members[other]) {
+                    free[other] = false;
+                    reached.push(other);
+                }
+            }
+        }
+        group
+    }
+
+    /// A grown group, cut wherever the velocity of the chain steps and no motion across the line of sight
+    /// explains it; groups with their members in order of index.
+    fn parted_by_velocity(&self, group: Vec<usize>) -> Vec<Vec<usize>> {
+        let Some(cut_m) = range_of_step(self.members, self.axis, &group) else { return vec![group] };
+        let (near, far): (Vec<usize>, Vec<usize>) =
+            group.iter().partition(|i| self.members[**i].range_m < cut_m);
+        if self.drive_as_one([&near, &far]) {
+            return vec![group];
+        }
+        let parts = [near, far].into_iter().flat_map(|part| self.parted_by_velocity(part));
+        parts.collect()
+    }
+
+    /// A grown group, and before it what stands ahead of its strongest echo's body: the chain of a queue is
+    /// cut at the weakest echo between two fronts.
+    fn without_those_ahead(&self, group: Vec<usize>) -> Vec<Vec<usize>> {
+        let strongest = &self.members[group[0]];
+        let ahead = group.iter().find(|i| self.members[**i].range_m < strongest.range_m - FRONT_M);
+        let Some(front) =
+            ahead.map(|i| &self.members[*i]).filter(|front| front.power > SIDELOBES * strongest.power)
+        else {
+            return vec![group];
+        };
+        let between = |i: &&usize| (front.range_m..strongest.range_m).contains(&self.members[**i].range_m);
+        let Some(valley) = group.iter().rfind(between).filter(|i| self.members[**i].power < front.power)
+        else {
+            return vec![group];
+        };
+        let cut_m = self.members[*valley].range_m;
+        let (near, far): (Vec<usize>, Vec<usize>) =
+            group.iter().partition(|i| self.members[**i].range_m < cut_m);
+        let mut groups = self.without_those_ahead(near);
+        groups.push(far);
+        groups
+    }
+
+    fn is_piece(&self, a: &[usize], b: &[usize]) -> bool {
+        let gaps = a
+            .iter()
+            .flat_map(|i| b.iter().map(|j| (self.members[*i].range_m - self.members[*j].range_m).abs()));
+        let [(cross_a_m, velocity_a), (cross_b_m, velocity_b)] = [a, b].map(|group| self.means(group));
+        let apart = wrapped_mps(velocity_a - velocity_b, self.axis.span_mps).abs();
+        !self.is_follower(a, b)
+            && !steps_between(self.members, self.axis, [a, b])
+            && apart <= PIECE_VELOCITY * self.settings.cluster_velocity_mps
+            && (cross_a_m - cross_b_m).abs() <= PIECE_STRIP * self.settings.cluster_cross_m
+            && gaps.fold(f64::INFINITY, f64::min) <= self.piece_reach_m()
+    }
+
+    /// Whether one velocity explains two parts, of which one lies behind the other along it.
+    fn drive_as_one(&self, parts: [&[usize]; 2]) -> bool {
+        drive_as_one(self.members, self.settings, self.axis.span_mps, parts, self.piece_reach_m())
+    }
+
+    fn piece_reach_m(&self) -> f64 {
+        PIECE_REACHES * self.settings.cluster_range_m
+    }
+
+    fn is_follower(&self, a: &[usize], b: &[usize]) -> bool {
+        let first_m =
+            |group: &[usize]| group.iter().map(|i| self.members[*i].range_m).fold(f64::INFINITY, f64::min);
+        let (near, far) = if first_m(a) <= first_m(b) { (a, b) } else { (b, a) };
+        let (front, follower) = (&self.members[near[0]], &self.members[far[0]]);
+        let is_far_behind = follower.range_m - first_m(near) > FRONT_M;
+        follower.power > FOLLOWER_POWER * front.power || is_far_behind && follower.power > front.power
+    }
+
+    /// Power-weighted means of a group: across the lanes, and of velocities about its strongest member's.
+    fn means(&self, group: &[usize]) -> (f64, f64) {
+        let strongest_mps = self.members[group[0]].radial_velocity_mps;
+        let (mut cross, mut velocity, mut weight) = (0.0, 0.0, 0.0);
+        for member in group.iter().map(|i| &self.members[*i]) {
+            cross += member.power * member.cross_m;
+            velocity +=
+                member.power * wrapped_mps(member.radial_velocity_mps - strongest_mps, self.axis.span_mps);
+            weight += member.power;
+        }
+        (cross / weight, strongest_mps + velocity / weight)
+    }
+
+    fn is_tail(&self, tail: &[usize], body: &[usize]) -> bool {
+        let (strongest, weak) = (&self.members[body[0]], &self.members[tail[0]]);
+        let ranges = |group: &[usize]| group.iter().map(|i| self.members[*i].range_m).collect::<Vec<_>>();
+        let first_m = |group: &[usize]| ranges(group).into_iter().fold(f64::INFINITY, f64::min);
+        let last_m = ranges(body).into_iter().fold(f64::NEG_INFINITY, f64::max);
+        weak.power <= TAIL_POWER * strongest.power
+            && first_m(tail) >= first_m(body)
+            && first_m(tail) <= last_m + TAIL_REACHES * self.settings.cluster_range_m
+            && self.apart_mps(strongest, weak) <= self.settings.cluster_velocity_mps
+            && (strongest.cross_m - weak.cross_m).abs() <= self.settings.cluster_cross_m
+    }
+
+    /// A front's far corner: much weaker, as far in range as the front's strongest point, and across no
+    /// farther than the reach and what noise lets it err by (a bus is as wide as the reach).
+    fn is_wing(&self, wing: &[usize], body: &[usize]) -> bool {
+        let (strongest, weak) = (&self.members[body[0]], &self.members[wing[0]]);
+        let reach_m = self.settings.cluster_cross_m + WING_ERRORS * weak.cross_error_m;
+        weak.power <= WING_POWER * strongest.power
+            && self.near(strongest, weak)
+            && (strongest.cross_m - weak.cross_m).abs() <= reach_m
+    }
+
+    fn near(&self, a: &Member, b: &Member) -> bool {
+        let near_in_range = (a.range_m - b.range_m).abs() <= self.settings.cluster_range_m;
+        near_in_range && self.apart_mps(a, b) <= self.settings.cluster_velocity_mps
+    }
+
+    /// Distance of two velocities on their circle.
+    fn apart_mps(&self, a: &Member, b: &Member) -> f64 {
+        wrapped_mps(a.radial_velocity_mps - b.radial_velocity_mps, self.axis.span_mps).abs()
+    }
+}
 
 /// Groups, strongest first, each joined to the strongest earlier one that it belongs to, until none belongs
 /// to another.
@@ -97,175 +265,10 @@ fn joined_once(groups: Vec<Vec<usize>>, belongs: &impl Fn(&[usize], &[usize]) ->
     joined
 }
 
-/// Two pieces of one body are this many reaches apart at most: 4.4 m of the default 2.5 m. The rear of a car
-/// is hidden from the front, so that the echoes of two that stand a metre apart are farther from each other.
-const PIECE_REACHES: f64 = 1.75;
-/// Means of two pieces of one body are apart across by at most this part of the reach across: 1.5 m, two
-/// fifths of a lane.
-const PIECE_STRIP: f64 = 0.6;
-/// Means of two pieces of one body are apart in velocity by at most this part of the reach in velocity.
-const PIECE_VELOCITY: f64 = 0.5;
-/// Power ratio over nearer echoes from which an echo is a follower's front: a body's own front hides its
-/// rear.
-const FOLLOWER_POWER: f64 = 10.0;
-/// Distance behind the first echo, longer than cars are, beyond which any stronger echo is a follower's
-/// front: the strongest of a body comes from its front, its windscreen or the load over its cab, m.
-const FRONT_M: f64 = 5.0;
-/// Power, as a part of a front's, below which what lies ahead of the front is its sidelobes.
-const SIDELOBES: f64 = 0.01;
-
-/// A grown group, and before it what stands ahead of its strongest echo's body: the chain of a queue is cut
-/// at the weakest echo between two fronts.
-fn without_those_ahead(members: &[Member], group: Vec<usize>) -> Vec<Vec<usize>> {
-    let strongest = &members[group[0]];
-    let ahead = group.iter().find(|i| members[**i].range_m < strongest.range_m - FRONT_M);
-    let Some(front) = ahead.map(|i| &members[*i]).filter(|front| front.power > SIDELOBES * strongest.power)
-    else {
-        return vec![group];
-    };
-    let between = |i: &&usize| (front.range_m..strongest.range_m).contains(&members[**i].range_m);
-    let Some(valley) = group.iter().rfind(between).filter(|i| members[**i].power < front.power) else {
-        return vec![group];
-    };
-    let cut_m = members[*valley].range_m;
-    let (near, far): (Vec<usize>, Vec<usize>) = group.iter().partition(|i| members[**i].range_m < cut_m);
-    let mut groups = without_those_ahead(members, near);
-    groups.push(far);
-    groups
-}
-
-fn piece_reach_m(settings: &DspSettings) -> f64 {
-    PIECE_REACHES * settings.cluster_range_m
-}
-
-/// A grown group, cut wherever the velocity of the chain steps and no motion across the line of sight
-/// explains it; groups with their members in order of index.
-fn parted_by_velocity(
-    members: &[Member],
-    settings: &DspSettings,
-    axis: DopplerAxis,
-    group: Vec<usize>,
-) -> Vec<Vec<usize>> {
-    let Some(cut_m) = range_of_step(members, axis, &group) else { return vec![group] };
-    let (near, far): (Vec<usize>, Vec<usize>) = group.iter().partition(|i| members[**i].range_m < cut_m);
-    if drive_as_one(members, settings, axis.span_mps, [&near, &far], piece_reach_m(settings)) {
-        return vec![group];
-    }
-    let parts = [near, far].into_iter().flat_map(|part| parted_by_velocity(members, settings, axis, part));
-    parts.collect()
-}
-
-fn is_piece(members: &[Member], settings: &DspSettings, axis: DopplerAxis, a: &[usize], b: &[usize]) -> bool {
-    let gaps = a.iter().flat_map(|i| b.iter().map(|j| (members[*i].range_m - members[*j].range_m).abs()));
-    let [(cross_a_m, velocity_a), (cross_b_m, velocity_b)] = [a, b].map(|group| means(members, axis, group));
-    let apart = wrapped_mps(velocity_a - velocity_b, axis.span_mps).abs();
-    !is_follower(members, a, b)
-        && !steps_between(members, axis, [a, b])
-        && apart <= PIECE_VELOCITY * settings.cluster_velocity_mps
-        && (cross_a_m - cross_b_m).abs() <= PIECE_STRIP * settings.cluster_cross_m
-        && gaps.fold(f64::INFINITY, f64::min) <= piece_reach_m(settings)
-}
-
-fn is_follower(members: &[Member], a: &[usize], b: &[usize]) -> bool {
-    let first_m = |group: &[usize]| group.iter().map(|i| members[*i].range_m).fold(f64::INFINITY, f64::min);
-    let (near, far) = if first_m(a) <= first_m(b) { (a, b) } else { (b, a) };
-    let (front, follower) = (&members[near[0]], &members[far[0]]);
-    let is_far_behind = follower.range_m - first_m(near) > FRONT_M;
-    follower.power > FOLLOWER_POWER * front.power || is_far_behind && follower.power > front.power
-}
-
-/// Power-weighted means of a group: across the lanes, and of velocities about its strongest member's.
-fn means(members: &[Member], axis: DopplerAxis, group: &[usize]) -> (f64, f64) {
-    let strongest_mps = members[group[0]].radial_velocity_mps;
-    let (mut cross, mut velocity, mut weight) = (0.0, 0.0, 0.0);
-    for member in group.iter().map(|i| &members[*i]) {
-        cross += member.power * member.cross_m;
-        velocity += member.power * wrapped_mps(member.radial_velocity_mps - strongest_mps, axis.span_mps);
-        weight += member.power;
-    }
-    (cross / weight, strongest_mps + velocity / weight)
-}
-
-fn is_tail(
-    members: &[Member],
-    settings: &DspSettings,
-    axis: DopplerAxis,
-    tail: &[usize],
-    body: &[usize],
-) -> bool {
-    let (strongest, weak) = (&members[body[0]], &members[tail[0]]);
-    let ranges = |group: &[usize]| group.iter().map(|i| members[*i].range_m).collect::<Vec<_>>();
-    let first_m = |group: &[usize]| ranges(group).into_iter().fold(f64::INFINITY, f64::min);
-    let last_m = ranges(body).into_iter().fold(f64::NEG_INFINITY, f64::max);
-    weak.power <= TAIL_POWER * strongest.power
-        && first_m(tail) >= first_m(body)
-        && first_m(tail) <= last_m + TAIL_REACHES * settings.cluster_range_m
-        && apart_mps(strongest, weak, axis) <= settings.cluster_velocity_mps
-        && (strongest.cross_m - weak.cross_m).abs() <= settings.cluster_cross_m
-}
-
-/// A front's far corner: much weaker, as far in range as the front's strongest point, and across no farther
-/// than the reach and what noise lets it err by (a bus is as wide as the reach).
-fn is_wing(
-    members: &[Member],
-    settings: &DspSettings,
-    axis: DopplerAxis,
-    wing: &[usize],
-    body: &[usize],
-) -> bool {
-    let (strongest, weak) = (&members[body[0]], &members[wing[0]]);
-    let reach_m = settings.cluster_cross_m + WING_ERRORS * weak.cross_error_m;
-    weak.power <= WING_POWER * strongest.power
-        && near(strongest, weak, settings, axis)
-        && (strongest.cross_m - weak.cross_m).abs() <= reach_m
-}
-
-/// All free members that a chain reaches from the seed, strongest first so that the mean settles early.
-fn grow(
-    members: &[Member],
-    settings: &DspSettings,
-    axis: DopplerAxis,
-    seed: usize,
-    free: &mut [bool],
-) -> Vec<usize> {
-    let mut group = Vec::new();
-    let mut reached = vec![seed];
-    let (mut moment, mut weight) = (0.0, 0.0);
-    free[seed] = false;
-    while let Some(next) = strongest(&mut reached) {
-        let strays =
-            weight > 0.0 && (members[next].cross_m - moment / weight).abs() > settings.cluster_cross_m;
-        if strays {
-            free[next] = true;
-            continue;
-        }
-        moment += members[next].cross_m * members[next].power;
-        weight += members[next].power;
-        group.push(next);
-        for other in 0..members.len() {
-            if free[other] && near(&members[next], &members[other], settings, axis) {
-                free[other] = false;
-                reached.push(other);
-            }
-        }
-    }
-    group
-}
-
 /// Members come strongest first: the lowest index.
 fn strongest(reached: &mut Vec<usize>) -> Option<usize> {
     let at = (0..reached.len()).min_by_key(|i| reached[*i])?;
     Some(reached.swap_remove(at))
-}
-
-fn near(a: &Member, b: &Member, settings: &DspSettings, axis: DopplerAxis) -> bool {
-    let near_in_range = (a.range_m - b.range_m).abs() <= settings.cluster_range_m;
-    near_in_range && apart_mps(a, b, axis) <= settings.cluster_velocity_mps
-}
-
-/// Distance of two velocities on their circle.
-fn apart_mps(a: &Member, b: &Member, axis: DopplerAxis) -> f64 {
-    wrapped_mps(a.radial_velocity_mps - b.radial_velocity_mps, axis.span_mps).abs()
 }
 
 #[cfg(test)]
