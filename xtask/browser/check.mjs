@@ -1,16 +1,17 @@
 // Opens a report in Chromium and looks at what a reader sees: pixels, clicks, sliders, a telephone, paper.
 //
-//   node check.mjs CHROMIUM REPORT.html [FOLDER for pictures]
+//   node check.mjs CHROMIUM REPORT.html VIEW.html [FOLDER for pictures]
 //
-// The report is of several frames with paths of several bounces. Its last line is one of `cargo test`.
+// The report is of several frames with paths of several bounces, the view of an `rcs` table over azimuth. The
+// last line is one of `cargo test`.
 
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launch, pause } from "./chromium.mjs";
 
-const [program, report, folder] = process.argv.slice(2);
-const url = pathToFileURL(resolve(report)).href;
+const [program, report, body, folder] = process.argv.slice(2);
+const [url, urlOfBody] = [report, body].map((file) => pathToFileURL(resolve(file)).href);
 const tally = { passed: 0, failed: 0 };
 
 function holds(claim, isTrue, seen) {
@@ -164,14 +165,44 @@ async function withoutView(page) {
   holds("shows its drawings where no script runs", await page.value(`${isGone} && ${drawings}`));
 }
 
+/** Number of different colours in the picture of a body. */
+const COLOURS_OF_BODY = (layers) => COLOURS.replace('["bodies", "beam"]', JSON.stringify(layers));
+
+async function bodyIsViewed(page) {
+  await page.open(urlOfBody);
+  holds("starts the view of a body", await page.value("typeof waysideViewer === 'object'"));
+  await page.value(slide("level", -40));
+  const [none, facets, rays] = [
+    await page.value(COLOURS_OF_BODY([])),
+    await page.value(COLOURS_OF_BODY(["body"])),
+    await page.value(COLOURS_OF_BODY(["rays"])),
+  ];
+  holds("draws facets and sequences", none === 1 && facets > 30 && rays > 10, [none, facets, rays]);
+  const [few, many] = [await page.value(slide("level", -3)), await page.value(slide("level", -40))];
+  const count = (told) => Number(/strongest: ([\d,]+) /.exec(told)[1].replaceAll(",", ""));
+  holds("shows more sequences farther down", count(few) < count(many), [few, many]);
+  const strongest = "waysideViewer.view.page.levels.indexOf(Math.max(...waysideViewer.view.page.levels))";
+  await page.value(`waysideViewer.choose(${strongest})`);
+  const rows = await page.value("document.querySelectorAll('#viewer-panel td').length");
+  holds("lists the sequences of a facet", rows >= 4, rows);
+  const box = await page.value(RECT("space"));
+  await page.click(box.x + box.width / 2, box.y + box.height / 2);
+  await pause(100);
+  const chosen = await page.value("waysideViewer.view.state.chosen");
+  holds("tells which facet is clicked", Number.isInteger(chosen), chosen);
+  if (folder) await takePictures(page, "body", "side");
+  await telephone(page);
+  await page.size(1400, 900);
+}
+
 const PLACE_OF_VIEW = `(() => {
   const { y, height } = document.getElementById("viewer").getBoundingClientRect();
   return [y + scrollY, height];
 })()`;
 
-async function takePictures(page) {
+async function takePictures(page, name, place) {
   await page.value(slide("level", -30));
-  await page.value(`document.querySelector("#viewer [data-place=around]").click()`);
+  await page.value(`document.querySelector("#viewer [data-place=${place}]").click()`);
   for (const [width, height] of [
     [1400, 900],
     [400, 800],
@@ -188,7 +219,7 @@ async function takePictures(page) {
         height: tall + 40,
         scale: 1,
       });
-      writeFileSync(join(folder, `report-${width}-${scheme}.png`), picture);
+      writeFileSync(join(folder, `${name}-${width}-${scheme}.png`), picture);
     }
   }
   await page.theme("light");
@@ -205,8 +236,10 @@ try {
   await vehicleIsChosen(page);
   await cursorIsShared(page);
   await speed(page);
-  if (folder) await takePictures(page);
+  if (folder) await takePictures(page, "report", "around");
   await telephone(page);
+  await bodyIsViewed(page);
+  await page.open(url);
   await withoutView(page);
 } finally {
   await close();

@@ -6,6 +6,7 @@ mod accuracy;
 mod false_objects;
 mod page;
 mod radars;
+pub(crate) mod rcs_view;
 mod tables;
 mod tracks;
 pub(crate) mod viewer;

@@ -1,7 +1,7 @@
 //! View to walk around in, on the report's page: its numbers as compact arrays, and the script that draws
 //! them (`docs/report.md`). Where scripts do not run, and on paper, the page's drawings stand for it.
 
-mod packed; // numbers in few bytes
+pub(in crate::report) mod packed; // numbers in few bytes
 mod budget; // how much of a run the view holds
 mod ways; // the places that a path passes
 mod strongest_paths; // what is shown of a frame's paths

@@ -43,6 +43,18 @@ y_m = 27.0
 velocity_mps = [0.0, -4.0, 0.0]
 "#;
 
+/// Table whose view is opened.
+const TABLE: [&str; 8] = [
+    "rcs",
+    "motorcycle-street",
+    "--freq-ghz=77",
+    "--az-deg=0:90:10",
+    "--el-deg=5",
+    "--bounces=2",
+    "--accuracy-db=-10",
+    "--pictures",
+];
+
 pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let node = std::env::var_os("NODE").unwrap_or("node".into());
     if !answers(&node) {
@@ -61,8 +73,13 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let mut run = Command::new(program);
     run.arg("run").arg(folder.join("scene.toml")).arg("--out").arg(folder.join("out"));
     finished(run.arg("--cache").arg(folder.join("cache")).arg("--quiet"))?;
+    let program = run.get_program().to_owned();
+    let mut table = Command::new(program);
+    table.args(TABLE).arg("--out").arg(folder.join("out/S.npy"));
+    finished(table.arg("--quiet"))?;
     let mut look = Command::new(node);
-    counted(look.arg(SCRIPT).arg(browser).arg(folder.join("out/report.html")), tally)
+    let pages = ["report.html", "S-view.html"].map(|name| folder.join("out").join(name));
+    counted(look.arg(SCRIPT).arg(browser).args(pages), tally)
 }
 
 /// Whether a program is there.

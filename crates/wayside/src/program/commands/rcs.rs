@@ -71,7 +71,7 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     if let Some(samplings) = &samplings {
         let _under_way = Work::begin("pictures");
         pictures::write(&arguments.out, &mesh, &request, samplings, &answer.amplitude_m)?;
-        pictures::write_facets(&arguments.out, &mesh, &request)?;
+        pictures::write_facets(&arguments.out, &mesh, &request, &answer.amplitude_m)?;
     }
     answer.tell(arguments, &mesh);
     for warning in samplings.iter().flat_map(Samplings::warnings) {

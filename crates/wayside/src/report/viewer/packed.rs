@@ -6,7 +6,7 @@ use serde::Serialize;
 
 /// An array of numbers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct Packed {
+pub(in crate::report) struct Packed {
     /// Type of the integers, as scripts call it.
     kind: &'static str,
     /// Value of one step.
@@ -17,7 +17,7 @@ pub(super) struct Packed {
 impl Packed {
     /// Numbers in steps of `step`, or of as much more as the largest needs to fit into 16 bits: none is
     /// wrong by more than half a step.
-    pub(super) fn steps(values: &[f64], step: f64) -> Self {
+    pub(in crate::report) fn steps(values: &[f64], step: f64) -> Self {
         let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
         let step = step.max(largest / f64::from(i16::MAX));
         let bytes = values.iter().flat_map(|value| ((value / step).round() as i16).to_le_bytes());
@@ -25,12 +25,12 @@ impl Packed {
     }
 
     /// Whole numbers from 0 to 255.
-    pub(super) fn bytes(values: &[u8]) -> Self {
+    pub(in crate::report) fn bytes(values: &[u8]) -> Self {
         Self::of("Uint8", 1.0, values)
     }
 
     /// Whole numbers.
-    pub(super) fn numbers(values: &[u32]) -> Self {
+    pub(in crate::report) fn numbers(values: &[u32]) -> Self {
         if values.iter().all(|value| *value <= u32::from(u16::MAX)) {
             let bytes = values.iter().flat_map(|value| (*value as u16).to_le_bytes());
             return Self::of("Uint16", 1.0, &bytes.collect::<Vec<_>>());

@@ -7,6 +7,7 @@ use crate::pictures::write_png;
 use crate::program::commands::rcs::isar::{self, Sum};
 use crate::program::commands::rcs::sampling::{Samplings, middle_m};
 use crate::program::commands::rcs::silhouette;
+use crate::report::rcs_view::{self, RcsView};
 use artifact::scene::Mesh;
 use artifact::units::db_from_power;
 use bart_rcs::{Contribution, RcsRequest, Standpoint, contributions};
@@ -49,17 +50,57 @@ pub(super) fn write(
     Ok(())
 }
 
-/// `S-facets.glb`: triangles coloured by the power of the sequences they take part in, at the middle aspect
-/// and the first frequency, and the rays of the strongest sequences as lines.
-pub(super) fn write_facets(out: &Path, mesh: &Mesh, request: &RcsRequest) -> Result<(), Failure> {
-    let aspects = request.elevation_rad.len() * request.azimuth_rad.len();
-    let parts = contributions(mesh, request, aspects / 2).map_err(Failure::refused)?;
+/// What makes the level at the middle aspect and the first frequency: `S-facets.glb`, triangles coloured by
+/// the power of the sequences they take part in and the rays of the strongest sequences as lines, and
+/// `S-view.html`, the same to walk around in.
+pub(super) fn write_facets(
+    out: &Path,
+    mesh: &Mesh,
+    request: &RcsRequest,
+    amplitude_m: &[Complex64],
+) -> Result<(), Failure> {
+    let aspect = request.elevation_rad.len() * request.azimuth_rad.len() / 2;
+    let parts = contributions(mesh, request, aspect).map_err(Failure::refused)?;
     let strongest = parts.first().map_or(1.0, |c| c.amplitude_m.norm_sqr());
     let colours = triangle_colours(mesh, &parts, strongest);
     let lines: Vec<PaintedLine> =
-        parts.iter().take(LINES).map(|c| ray(request, aspects / 2, c, strongest)).collect();
+        parts.iter().take(LINES).map(|c| ray(request, aspect, c, strongest)).collect();
     let bytes = painted_glb(&Painted { mesh, triangle_colours: &colours, lines: &lines });
-    files::write_file(&beside(out, FACETS), &bytes)
+    files::write_file(&beside(out, FACETS), &bytes)?;
+    let view = view(out, mesh, request, amplitude_m, &parts);
+    let page = rcs_view::page(&view).map_err(Failure::refused)?;
+    files::write_file(&beside(out, VIEW), page.as_bytes())
+}
+
+fn view<'a>(
+    out: &Path,
+    mesh: &'a Mesh,
+    request: &RcsRequest,
+    amplitude_m: &[Complex64],
+    parts: &'a [Contribution],
+) -> RcsView<'a> {
+    let azimuths = request.azimuth_rad.len();
+    let aspect = request.elevation_rad.len() * azimuths / 2;
+    let (elevation_rad, azimuth_rad) =
+        (request.elevation_rad[aspect / azimuths], request.azimuth_rad[aspect % azimuths]);
+    let standpoint = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
+    let cut = request.azimuth_rad.iter().zip(amplitude_m).map(|(az, s)| [az.to_degrees(), dbsm(s)]);
+    RcsView {
+        mesh,
+        name: out.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        parts,
+        direction: standpoint.direction().to_array(),
+        aspect: aspect_name(request, [elevation_rad, azimuth_rad]),
+        azimuth_deg: azimuth_rad.to_degrees(),
+        level_dbsm: amplitude_m.get(aspect).map_or(f64::NAN, dbsm),
+        cut: cut.collect(),
+    }
+}
+
+fn aspect_name(request: &RcsRequest, [elevation_rad, azimuth_rad]: [f64; 2]) -> String {
+    let [elevation, azimuth] = [elevation_rad, azimuth_rad].map(|angle| angle.to_degrees());
+    let seen = format!("elevation {elevation:.2}°, azimuth {azimuth:.2}°").replace('-', "−");
+    format!("{}, {seen}", ghz(request.frequency_hz[0]))
 }
 
 /// A square about the origin that holds the body, seen from above.
@@ -74,11 +115,12 @@ const SPAN_DB: f64 = 40.0;
 
 /// Every file that can be written beside a table.
 pub(super) fn places(out: &Path) -> Vec<PathBuf> {
-    PICTURES.iter().chain([&FACETS]).map(|name| beside(out, name)).collect()
+    PICTURES.iter().chain([&FACETS, &VIEW]).map(|name| beside(out, name)).collect()
 }
 
 const PICTURES: [&str; 5] = ["polar.png", "azimuth.png", "frequency.png", "profile.png", "isar.png"];
 const FACETS: &str = "facets.glb";
+const VIEW: &str = "view.html";
 
 fn beside(out: &Path, name: &str) -> PathBuf {
     let stem = out.file_stem().unwrap_or_default().to_string_lossy();
@@ -224,10 +266,7 @@ fn image(
 /// Each triangle by the power of the sequences it takes part in over its own area, so that large and small
 /// ones compare.
 fn triangle_colours(mesh: &Mesh, parts: &[Contribution], strongest: f64) -> Vec<[u8; 3]> {
-    let mut power = vec![0.0; mesh.triangles.len()];
-    for part in parts {
-        part.triangles.iter().for_each(|t| power[*t as usize] += part.amplitude_m.norm_sqr());
-    }
+    let power = rcs_view::powers_of_facets(mesh, parts);
     power.iter().map(|p| if *p > 0.0 { colour(*p, strongest) } else { [40, 44, 52] }).collect()
 }
 

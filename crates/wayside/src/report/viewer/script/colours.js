@@ -79,3 +79,8 @@ function heat(level) {
   const low = Math.min(6, Math.floor(place));
   return [0, 1, 2].map((c) => HEAT[low][c] + (place - low) * (HEAT[low + 1][c] - HEAT[low][c]));
 }
+
+/** A colour on its way to another. */
+function toned(from, to, share) {
+  return from.map((value, i) => value + share * (to[i] - value));
+}

@@ -169,3 +169,14 @@ function drawMarks({ gl, mark }, buffer, look) {
   gl.bindVertexArray(buffer.array);
   gl.drawArrays(look.form === FORM.line ? gl.LINES : gl.POINTS, 0, look.count ?? buffer.count);
 }
+
+/** As many pixels as the screen has there; gives pixels of the screen per pixel of the page. */
+function resize(canvas) {
+  const pixels = Math.min(2, globalThis.devicePixelRatio || 1);
+  const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) =>
+    Math.max(1, Math.round(size * pixels)),
+  );
+  if (canvas.width !== width || canvas.height !== height)
+    [canvas.width, canvas.height] = [width, height];
+  return pixels;
+}

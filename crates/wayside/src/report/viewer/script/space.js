@@ -75,17 +75,6 @@ function drawSpace(space) {
   drawCursor(space, { clip, pixels, colours: state.colours.marks });
 }
 
-/** As many pixels as the screen has there; gives pixels of the screen per pixel of the page. */
-function resize(canvas) {
-  const pixels = Math.min(2, globalThis.devicePixelRatio || 1);
-  const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) =>
-    Math.max(1, Math.round(size * pixels)),
-  );
-  if (canvas.width !== width || canvas.height !== height)
-    [canvas.width, canvas.height] = [width, height];
-  return pixels;
-}
-
 /** The ground is flat and lies below everything: it needs no depth. */
 function drawGround(space, clip, pixels) {
   const {
@@ -120,11 +109,6 @@ function drawBodies(space, clip) {
       shaded: 1,
     });
   });
-}
-
-/** A colour on its way to another. */
-function toned(from, to, share) {
-  return from.map((value, i) => value + share * (to[i] - value));
 }
 
 function bodyColour({ named }, body) {

@@ -55,7 +55,7 @@ impl Board {
         }
     }
 
-    /// Lanes by which a DCA1000EVM records it (SWRA581B, table 5).
+    /// Lanes by which a DCA1000EVM records it (SWRA581, data formats of the DCA1000).
     pub(super) fn lanes(self) -> Lanes {
         match self {
             Self::Xwr1243 | Self::Xwr1443 | Self::Awr2243 => Lanes::Four,
