@@ -7,7 +7,6 @@ mod features;
 mod findings;
 mod layers;
 mod limits;
-mod navigation;
 mod outside;
 mod pages;
 mod readme;
@@ -39,7 +38,7 @@ const CHEAP: [(&str, Check); 12] = [
     ("doc comments are sentences", |_| sentences::check()),
     ("pages name what is there", |_| pages::check()),
     ("pages say how they are made", |_| studies::check()),
-    ("every page is on the site", |_| navigation::check()),
+    ("every page is on the site", |_| pages::navigation::check()),
     ("limits are told", |_| limits::check()),
     ("one set of features", |_| features::check()),
 ];

@@ -8,7 +8,7 @@ use wayside::host::failure::Failure;
 /// Settings of the site, with its navigation.
 const SETTINGS: &str = "docs/site/zensical.toml";
 
-pub(super) fn check() -> Result<(), Failure> {
+pub(in crate::ci) fn check() -> Result<(), Failure> {
     let root = project_root();
     let names = pages(&root).into_iter().filter_map(|page| Some(page.strip_prefix(&root).ok()?.to_owned()));
     let there = names.map(|name| name.display().to_string()).collect();
