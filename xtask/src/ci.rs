@@ -18,7 +18,7 @@ mod training;
 
 use crate::cli::CiArguments;
 use commands::{Tally, counted, finished};
-use outside::{engines, interchange, python, report_view};
+use outside::{engines, interchange, python, report_view, site};
 use std::process::Command;
 use std::time::Instant;
 use training::Training;
@@ -28,7 +28,7 @@ use wayside::program::terminal;
 type Check = fn(&mut Tally) -> Result<(), Failure>;
 
 /// Rules of the source, seconds all together.
-const CHEAP: [(&str, Check); 11] = [
+const CHEAP: [(&str, Check); 12] = [
     ("format", |_| cargo(&["fmt", "--all", "--check"])),
     ("layer rule", |_| layers::check()),
     ("room rule", |_| rooms::check()),
@@ -38,6 +38,7 @@ const CHEAP: [(&str, Check); 11] = [
     ("doc comments are sentences", |_| sentences::check()),
     ("pages name what is there", |_| pages::check()),
     ("pages say how they are made", |_| studies::check()),
+    ("every page is on the site", |_| pages::navigation::check()),
     ("limits are told", |_| limits::check()),
     ("one set of features", |_| features::check()),
 ];
@@ -52,10 +53,14 @@ const WHOLE: [(&str, Check); 6] = [
     ("main job (README)", |_| readme::main_job()),
 ];
 
-/// Checks beside what others make, each with a build of its own: not in `ci` as a whole, which would take
-/// half as long again, but by name, or all of them by `beside`.
-const BESIDE: [(&str, Check); 3] =
-    [("osi", interchange::check), ("python", python::check), ("report", report_view::check)];
+/// Checks beside what others make, each with a build or programs of its own: not in `ci` as a whole, which
+/// would take half as long again, but by name, or all of them by `beside`.
+const BESIDE: [(&str, Check); 4] = [
+    ("osi", interchange::check),
+    ("python", python::check),
+    ("report", report_view::check),
+    ("site", site::check),
+];
 
 pub(crate) fn run(arguments: &CiArguments) -> Result<(), Failure> {
     let mut tally = Tally::default();

@@ -6,6 +6,7 @@ pub(super) mod engines; // datasets and sweeps on engines that others make
 pub(super) mod interchange; // messages beside the official packages, traffic from SUMO
 pub(super) mod python; // the Python package
 pub(super) mod report_view; // a report in a browser
+pub(super) mod site; // pages rendered, and their commands run
 
 use crate::ci::commands::finished;
 use crate::ci::findings::read;

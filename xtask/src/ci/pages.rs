@@ -1,6 +1,8 @@
 //! Pages that name what is there: source files and tests that exist, libraries that the manifests list, prose
 //! in lines that fit.
 
+pub(super) mod navigation; // which pages the site has
+
 use crate::ci::findings::{self, COLUMNS, none_of, pages, read};
 use crate::project::project_root;
 use std::collections::BTreeSet;

@@ -107,6 +107,7 @@ mod tests {
             ("docs/engines/requirements.txt", &["hyperqueue", "distributed", SMALL_PACKAGE][..]),
             ("docs/interchange/requirements.txt", &["osi-python", "mcap-ros2-support", "eclipse-sumo"]),
             ("crates/wayside-python/tests/requirements.txt", &["pytest", "mypy"]),
+            ("docs/site/requirements.txt", &["zensical"]),
         ] {
             let pins = pins(list).unwrap();
             let packages: Vec<&str> = pins.lines().filter(|line| !line.starts_with('#')).collect();

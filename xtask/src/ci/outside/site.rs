@@ -1,0 +1,34 @@
+//! The site: its pages rendered with every link followed, and every command on them run beside what they show
+//! as printed. It stands on a Python with `venv` and on PyPI; where one of them is not there it says so and is
+//! skipped.
+
+use crate::ci::commands::{Tally, counted};
+use crate::ci::outside::interpreter::{Interpreter, Needs};
+use crate::project::project_root;
+use std::process::Command;
+use wayside::host::failure::Failure;
+
+/// Scripts of the check, from the project's root on.
+const SCRIPTS: &str = "docs/site";
+/// Needs that the scripts have of a Python: `tomllib`.
+const NEEDED: &str = "import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 11))";
+
+pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
+    let requirements = format!("{SCRIPTS}/requirements.txt");
+    let needs = Needs {
+        expression: NEEDED,
+        in_words: "no Python of version 3.11 with venv (PYTHON names it)",
+        requirements: &requirements,
+    };
+    let folder = project_root().join("target/site");
+    let Some(python) = Interpreter::of(&needs, &folder, tally)? else { return Ok(()) };
+    let script = |name: &str| {
+        let mut command = Command::new(python.program());
+        command.arg(format!("{SCRIPTS}/{name}"));
+        command
+    };
+    counted(script("build.py").arg(folder.join("site")), tally)?;
+    // This program carries out the commands of `wayside`.
+    let program = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    counted(script("check.py").arg(program), tally)
+}
