@@ -158,9 +158,9 @@ impl Reference {
         }
     }
 
-    /// Ratio ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, raised by what the later orders are to
-    /// these: each is taken to gain as much. `of` gives S of an order over the wavenumbers. `None` where
-    /// nothing scatters.
+    /// Ratio ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, with what the later orders are taken to
+    /// gain ([`with_later_orders`]). `of` gives S of an order over the wavenumbers. `None` where nothing
+    /// scatters.
     pub(crate) fn relative_to_first_orders(
         &self,
         orders: u8,
@@ -171,15 +171,23 @@ impl Reference {
         let added = total((1..=orders).map(|order| of(order, &wavenumbers)), wavenumbers.len());
         let power = |orders: &[Vec<Complex64>]| orders.iter().map(|order| mean(order)).sum::<f64>();
         let (first, all) = (power(&self.by_order_m[..usize::from(orders)]), power(&self.by_order_m));
-        let raised = if first > 0.0 { all / first } else { 1.0 };
+        let gained = with_later_orders(mean(&added), [first, all - first]);
         let whole = mean(&self.total_m());
-        (whole > 0.0).then(|| MARGIN * (mean(&added) * raised / whole).sqrt())
+        (whole > 0.0).then(|| MARGIN * (gained / whole).sqrt())
     }
 
     /// Scattering amplitude of all orders together, over frequency.
     fn total_m(&self) -> Vec<Complex64> {
         total(self.by_order_m.iter().cloned(), self.frequencies_hz.len())
     }
+}
+
+/// Power that is added to all orders, where so much is added to the first ones: the later ones gain as much of
+/// their own power as these do, but no more than it. First orders that are next to nothing beside what is
+/// added to them (a van of plain plates, all of whose echo is a corner of three bounces) tell nothing of the
+/// later ones.
+fn with_later_orders(added: f64, [first, later]: [f64; 2]) -> f64 {
+    added + later * (added / first.max(f64::MIN_POSITIVE)).min(1.0)
 }
 
 impl FrameError {
@@ -262,4 +270,19 @@ pub(crate) fn dropped_sections(
     }
     let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.given_up(needed, mirrors.shares(0));
     [squares_m4.sqrt() / nearest_m2, sum_m2 / nearest_m2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn later_orders_gain_as_the_first_ones_do_and_never_more_than_they_have() {
+        // A tenth is added to the first orders: a tenth to all.
+        assert!((with_later_orders(0.1, [1.0, 4.0]) - 0.5).abs() < 1e-12);
+        // Four hundred times of next to nothing tell nothing of an echo of three bounces.
+        assert!((with_later_orders(0.4, [0.001, 9.0]) - 9.4).abs() < 1e-12);
+        assert_eq!(with_later_orders(0.3, [0.0, 2.0]), 2.3);
+        assert_eq!(with_later_orders(0.0, [0.0, 2.0]), 0.0);
+    }
 }

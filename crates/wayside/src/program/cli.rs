@@ -42,7 +42,7 @@ pub struct General {
     /// free].
     #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
     pub memory_limit: Option<u64>,
-    /// No progress, no remarks.
+    /// No progress and no notes beside the results.
     #[arg(long, global = true)]
     pub quiet: bool,
 }
