@@ -17,6 +17,7 @@
 //! - [`Receiver::cropper`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels
 //!   of fixed decibels over the noise, which a classifier sees; [`Receiver::signatures`]: its echo along
 //!   range;
+//! - [`objects_of_points`]: the objects of points that another program or radar has located;
 //! - [`Tracker`]: vehicles followed over frames, with identity, velocity, box and lane
 //!   ([`TracksFrame`](artifact::tracks::TracksFrame));
 //! - [`power_map`], [`rdm_grayscale`], [`range_axis_m`], [`velocity_axis_mps`], [`noise_power`] for whoever
@@ -89,6 +90,7 @@ pub use direction::two_ways::two_ways;
 pub use error::{Axis, DspError};
 pub use estimation::cramer_rao::cramer_rao;
 pub use numerics::incomplete_gamma::gamma_tail;
+pub use objects::foreign_points::objects_of_points;
 pub use objects::stationary::{Fold, is_at_rest, tolerance_mps};
 pub use receiver::Receiver;
 pub use spectrum::axes::{range_axis_m, velocity_axis_mps};
