@@ -18,7 +18,7 @@ mod training;
 
 use crate::cli::CiArguments;
 use commands::{Tally, counted, finished};
-use outside::{engines, interchange, python, report_view};
+use outside::{engines, interchange, python, report_view, training_sets};
 use std::process::Command;
 use std::time::Instant;
 use training::Training;
@@ -54,8 +54,12 @@ const WHOLE: [(&str, Check); 6] = [
 
 /// Checks beside what others make, each with a build of its own: not in `ci` as a whole, which would take
 /// half as long again, but by name, or all of them by `beside`.
-const BESIDE: [(&str, Check); 3] =
-    [("osi", interchange::check), ("python", python::check), ("report", report_view::check)];
+const BESIDE: [(&str, Check); 4] = [
+    ("osi", interchange::check),
+    ("sets", training_sets::check),
+    ("python", python::check),
+    ("report", report_view::check),
+];
 
 pub(crate) fn run(arguments: &CiArguments) -> Result<(), Failure> {
     let mut tally = Tally::default();

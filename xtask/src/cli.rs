@@ -176,7 +176,7 @@ pub(crate) struct FuzzLedgerArguments {
 #[derive(Debug, Args)]
 pub(crate) struct CiArguments {
     /// The cheap checks of all, then lints and tests of this crate alone; or one check beside them all, by its
-    /// name: `engines`, `osi`, `python`, `report`.
+    /// name: `engines`, `osi`, `sets`, `python`, `report`.
     #[arg(long, value_name = "CRATE")]
     pub(crate) only: Option<String>,
 }

@@ -83,6 +83,10 @@ impl<W: Write + Send> Table<W> {
     /// # Errors
     /// The sink's, and two columns of one name.
     pub fn create(sink: W, columns: &[(&str, Kind)]) -> std::io::Result<Self> {
+        let is_alike = |at: usize| columns[..at].iter().any(|(name, _)| *name == columns[at].0);
+        if let Some(at) = (0..columns.len()).find(|at| is_alike(*at)) {
+            return Err(std::io::Error::other(format!("two columns are called {}", columns[at].0)));
+        }
         let fields: Written<Vec<TypePtr>> = columns.iter().map(|(name, kind)| field(name, *kind)).collect();
         let schema = Type::group_type_builder("row").with_fields(fields.map_err(fault)?).build();
         let properties = WriterProperties::builder()
@@ -249,5 +253,6 @@ mod tests {
         table.push(vec![1.0.into(), 1.into(), 1.0.into(), true.into()]).unwrap();
         assert!(table.finish().is_err_and(|error| error.to_string().contains("type")));
         assert!(Table::create(vec![], &[]).unwrap().finish().is_ok());
+        assert!(Table::create(vec![], &[COLUMNS[0], COLUMNS[0]]).is_err());
     }
 }

@@ -12,7 +12,7 @@ use wayside::host::failure::Failure;
 /// Scripts of the check, from the project's root on.
 const SCRIPTS: &str = "docs/interchange";
 /// The program with the feature.
-const PROGRAM: [&str; 5] = ["--release", "--package", "wayside", "--features", "interchange"];
+pub(super) const PROGRAM: [&str; 5] = ["--release", "--package", "wayside", "--features", "interchange"];
 
 pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let lints = ["clippy", "--release", "--package", "interchange", "--all-targets", "--package", "wayside"];

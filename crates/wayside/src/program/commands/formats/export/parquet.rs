@@ -93,9 +93,9 @@ const OF_SAMPLES: [(&str, Kind); 12] = [
     ("target", Kind::Count),
     ("frame", Kind::Count),
     ("split", Kind::Text),
-    ("range_m", Kind::Real),
-    ("radial_velocity_mps", Kind::Real),
-    ("lane", Kind::Count),
+    ("true_range_m", Kind::Real),
+    ("true_radial_velocity_mps", Kind::Real),
+    ("true_lane", Kind::Count),
     ("seed", Kind::Count),
 ];
 
@@ -105,7 +105,7 @@ pub(crate) fn samples(asked: &Path, out: &Path) -> Result<(), Failure> {
     for shard in &shards {
         artifact::inputs::note(shard);
     }
-    let names = feature_names();
+    let names = apart(feature_names());
     let columns: Vec<(&str, Kind)> =
         OF_SAMPLES.into_iter().chain(names.iter().map(|name| (name.as_str(), Kind::Real))).collect();
     streamed(out, |stream, failed| {
@@ -117,6 +117,18 @@ pub(crate) fn samples(asked: &Path, out: &Path) -> Result<(), Failure> {
         }
         table.finish()
     })
+}
+
+/// Names, a later one of those that are alike with its number behind it: two features of heights have one
+/// name, and columns of one name are not read.
+fn apart(mut names: Vec<String>) -> Vec<String> {
+    for at in 0..names.len() {
+        let before = names[..at].iter().filter(|name| **name == names[at]).count();
+        if before > 0 {
+            names[at] = format!("{}_{}", names[at], before + 1);
+        }
+    }
+    names
 }
 
 /// The shards of a folder, at least one; a plain file stands for itself.
