@@ -90,11 +90,10 @@ class NuScenes(Dataset):
         return len(self.frames)
 
     def __getitem__(self, at):
-        frame = self.frames[at]
-        cloud = (self.folder / frame["filename"]).read_bytes().split(b"DATA binary\n", 1)[1]
-        own = [t for t in self.truth if t["sample_token"] == frame["sample_token"]]
-        boxes = [t["translation"] + t["size"] + t["rotation"] for t in own]
-        return structured_to_unstructured(numpy.frombuffer(cloud[:-1], FIELDS)), numpy.array(boxes).reshape(-1, 10)
+        token, file = self.frames[at]["sample_token"], self.folder / self.frames[at]["filename"]
+        rows = numpy.frombuffer(file.read_bytes().split(b"DATA binary\n", 1)[1][:-1], FIELDS)
+        own = [t["translation"] + t["size"] + t["rotation"] for t in self.truth if t["sample_token"] == token]
+        return structured_to_unstructured(rows), numpy.array(own).reshape(-1, 10)
 
 
 class Table(Dataset):

@@ -1,6 +1,6 @@
 //! Messages that other programs speak, and the files that hold them: ASAM OSI 3.8 as `.osi` and MCAP, ROS 2
-//! as MCAP, tables as Parquet. A leaf beside `artifact` and `radar`: artifacts go in and messages come out; messages go in and
-//! plain records of traffic come out.
+//! as MCAP, tables as Parquet. A leaf beside `artifact` and `radar`: artifacts go in and messages come out;
+//! messages go in and plain records of traffic come out.
 //!
 //! ```
 //! use interchange::{Container, SensorDataTrace};

@@ -1,7 +1,7 @@
 //! Messages of OSI and ROS 2 beside the official packages, and traffic from SUMO, OpenDRIVE and OpenStreetMap
 //! through the program. It tests the crate `interchange`, builds the program with the feature of that name,
-//! which nothing else builds, and for the rest stands on a Python with `venv` and on PyPI; where one of them is
-//! not there it says so and is skipped.
+//! which nothing else builds, and for the rest stands on a Python with `venv` and on PyPI; where one of them
+//! is not there it says so and is skipped.
 
 use crate::ci::commands::{Tally, counted, finished};
 use crate::ci::outside::interpreter::{Interpreter, Needs};

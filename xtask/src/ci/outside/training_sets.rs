@@ -1,6 +1,6 @@
-//! Training sets in the layouts of others beside what the program's artifacts hold, by NumPy, SciPy and pandas,
-//! and sets of others read (docs/training-sets.md). It builds the program with the feature `interchange`; where
-//! a Python with `venv` or PyPI is not there it says so and is skipped.
+//! Training sets in the layouts of others beside what the program's artifacts hold, by NumPy, SciPy and
+//! pandas, and sets of others read (docs/training-sets.md). It builds the program with the feature
+//! `interchange`; where a Python with `venv` or PyPI is not there it says so and is skipped.
 
 use crate::ci::commands::{Tally, counted, finished};
 use crate::ci::outside::interchange::PROGRAM;

@@ -5,9 +5,12 @@
 //! artifact.
 
 mod truth_boxes; // labels, in the world
+#[cfg(test)]
+mod test_body; // what the tests share
 mod angle_spectrum; // range, azimuth and Doppler
 mod cell_boxes; // labels, in cells of it
 mod set_folder;
+mod radar_of_points; // whose axes clouds are told in
 mod pickle;
 mod raddet;
 mod carrada;
@@ -18,10 +21,8 @@ mod nuscenes;
 
 use crate::host::failure::Failure;
 use crate::program::words::FormatWord;
-use artifact::points::PointsHeader;
-use artifact::{Radar, Reader};
+use artifact::Reader;
 use std::path::Path;
-use truth_boxes::TruthBoxes;
 
 /// Formats that are folders of a set, each with the artifact that it is made of.
 const SETS: [(FormatWord, &str); 5] = [
@@ -57,21 +58,4 @@ pub(crate) fn write(
 
 fn opened<S: artifact::Schema>(file: &Path) -> Result<Reader<S>, Failure> {
     Ok(Reader::open(file)?)
-}
-
-/// The radar that points are of: their header's, else the scene's.
-fn radar_of<'a>(points: &'a PointsHeader, truth: Option<&'a TruthBoxes>) -> Result<&'a Radar, Failure> {
-    let told = points.cube.as_ref().map(|cube| &cube.radar);
-    told.or(truth.map(|truth| &truth.header().radar)).ok_or_else(|| {
-        Failure::refused("no radar stands in these points, by whose axes they could be told: give --scene")
-    })
-}
-
-/// Sentence on cross sections of a cloud.
-fn sections_of(points: &PointsHeader) -> &'static str {
-    let is_known = points.cube.as_ref().is_some_and(|cube| {
-        let is_thermal = matches!(cube.noise, artifact::settings::Noise::Figure { .. });
-        is_thermal && cube.radar.waveform.sampling == artifact::radar::Sampling::Complex
-    });
-    if is_known { "dBsm, by the radar equation" } else { "not known: 0" }
 }

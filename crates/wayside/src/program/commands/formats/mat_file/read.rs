@@ -167,8 +167,8 @@ mod tests {
         assert_eq!(complex_values(&packed(&file()), SHAPE).unwrap(), values());
     }
 
-    /// As MATLAB keeps an array of whole doubles: its numbers as 16-bit integers, its last side of 1 left out,
-    /// a short name in its tag, another array before it.
+    /// As MATLAB keeps an array of whole doubles: its numbers as 16-bit integers, its last side of 1 left
+    /// out, a short name in its tag, another array before it.
     #[test]
     fn an_array_by_hand_is_read_in_whatever_type_its_numbers_are_kept() {
         let tag = |kind: u32, length: u32| [kind.to_le_bytes(), length.to_le_bytes()].concat();

@@ -32,8 +32,8 @@ impl Detection {
         }
     }
 
-    /// The point that the detection is. Its signal over noise is that of its cross section at its place, where
-    /// the header tells the noise, else 0 dB.
+    /// The point that the detection is. Its signal over noise is that of its cross section at its place,
+    /// where the header tells the noise, else 0 dB.
     pub(crate) fn point(&self, header: &CubeHeader, axes: &LevelledAxes, height: Height) -> Point {
         let position_m = axes.to_world(self.place_m);
         let away = position_m - axes.origin_m;

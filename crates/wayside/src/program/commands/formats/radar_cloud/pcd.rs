@@ -59,9 +59,8 @@ fn append(bytes: &mut Vec<u8>, row: &Row) {
 
 /// Detections of a file, whatever further fields it has; rows whose place is no number are none.
 ///
-/// # Errors
-/// A head that is cut off, has no such fields or tells of other rows than stand behind it, and rows of numbers
-/// that no detection has.
+/// # Errors A head that is cut off, has no such fields or tells of other rows than stand behind it, and rows
+/// of numbers that no detection has.
 pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Vec<Detection>, String> {
     let (head, rows) = head_and_rows(bytes)?;
     let layout = Layout::of(&head)?;

@@ -1,5 +1,5 @@
-//! Rows of View-of-Delft's radar clouds: seven float32 a detection, x, y, z, RCS, v_r, v_r compensated for the
-//! vehicle's own motion, and the number of the scan that it is of, 0 the current one.
+//! Rows of View-of-Delft's radar clouds: seven float32 a detection, x, y, z, RCS, v_r, v_r compensated for
+//! the vehicle's own motion, and the number of the scan that it is of, 0 the current one.
 
 use crate::program::commands::formats::radar_cloud::{DETECTION_LIMIT, Detection};
 use glam::DVec3;

@@ -6,6 +6,7 @@
 //! of the phases of time and code division. Of an array with several rows the first of the longest is taken,
 //! of channels in one place their mean.
 
+use crate::host::failure::Failure;
 use artifact::Radar;
 use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
@@ -16,6 +17,9 @@ use std::f64::consts::PI;
 
 /// Sines of a tensor, as RADDet and CARRADA have them.
 pub(crate) const AZIMUTHS: usize = 256;
+
+/// Values of a tensor: 1 GiB.
+const TENSOR_LIMIT: u64 = 1 << 27;
 
 /// The angle spectrum of one radar.
 pub(crate) struct AngleSpectrum {
@@ -30,19 +34,34 @@ pub(crate) struct AngleSpectrum {
 pub(crate) struct Tensor {
     /// Range cells, sines, Doppler cells.
     pub(crate) shape: [usize; 3],
-    /// Values, row-major `[range, azimuth, doppler]`: near to far, left to right, approaching to receding.
-    pub(crate) values: Vec<Complex32>,
+    /// Values of each range, row-major `[azimuth, doppler]`: near to far, left to right, approaching to
+    /// receding.
+    pub(crate) by_range: Vec<Vec<Complex32>>,
 }
 
 impl AngleSpectrum {
     /// The spectrum of maps that this header describes.
-    pub(crate) fn of(header: &CubeHeader) -> Self {
-        Self {
+    ///
+    /// # Errors
+    /// A radar that no receiver is made of, places of other elements than it has, or tensors that are too
+    /// large.
+    pub(crate) fn of(header: &CubeHeader) -> Result<Self, Failure> {
+        dsp::Receiver::new(header).map_err(Failure::refused)?;
+        let (radar, waveform) = (&header.radar, &header.radar.waveform);
+        if places(radar).len() != radar.virtual_channels() {
+            return Err(Failure::refused("its elements have other places than half wavelengths"));
+        }
+        let values = waveform.range_cells() as u64 * u64::from(waveform.chirps) * AZIMUTHS as u64;
+        if values > TENSOR_LIMIT {
+            let rule = format!("tensors of {values} values; {TENSOR_LIMIT} are the most that are made");
+            return Err(Failure::refused(rule));
+        }
+        Ok(Self {
             array: VirtualArray::new(header),
             velocities_mps: dsp::velocity_axis_mps(header),
-            ranges: header.radar.waveform.range_cells(),
-            weights: weights(&header.radar),
-        }
+            ranges: waveform.range_cells(),
+            weights: weights(radar),
+        })
     }
 
     /// The tensor of a map.
@@ -57,8 +76,8 @@ impl AngleSpectrum {
             }
             values
         };
-        let values: Vec<Vec<Complex32>> = (0..self.ranges).into_par_iter().map(of_range).collect();
-        Tensor { shape: [self.ranges, AZIMUTHS, doppler], values: values.concat() }
+        let by_range: Vec<Vec<Complex32>> = (0..self.ranges).into_par_iter().map(of_range).collect();
+        Tensor { shape: [self.ranges, AZIMUTHS, doppler], by_range }
     }
 
     fn of_cell(&self, map: &RdmFrame, cell: [usize; 2]) -> Vec<Complex64> {

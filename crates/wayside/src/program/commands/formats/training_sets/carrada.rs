@@ -2,8 +2,8 @@
 //!
 //! Layout by the set's public code: `SEQUENCE/range_doppler_numpy/NNNNNN.npy` `[range, Doppler]`, near first;
 //! `SEQUENCE/range_angle_numpy/NNNNNN.npy` `[range, angle]`, far first; `annotations_frame_oriented.json`:
-//! sequence, frame, instance, then of each map `box` (two corners [row, column]), `sparse` and `dense` (cells)
-//! and `label`.
+//! sequence, frame, instance, then of each map `box` (two corners [row, column]), `sparse` and `dense`
+//! (cells) and `label`.
 
 use crate::host::failure::Failure;
 use crate::program::commands::formats::npy_stream::NpyStream;
@@ -27,12 +27,13 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
     let header = reader.header().clone();
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
     let name = truth.as_ref().map_or(SEQUENCE.to_owned(), |truth| plain_name(&truth.header().name));
+    AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
     let set = SetFolder::begin(out)?;
     let (mut frames, mut annotations) = (0, Map::new());
     for map in reader {
         let map = map?;
         let header = header.in_frame(map.index);
-        let tensor = AngleSpectrum::of(&header).tensor(&map);
+        let tensor = AngleSpectrum::of(&header)?.tensor(&map);
         write_maps(&set, &name, (&header, &map), &tensor)?;
         if let Some(truth) = &mut truth {
             let of_frame = of_frame(&header.radar, &truth.of_frame(map.index)?);
@@ -64,11 +65,8 @@ fn write_maps(
     let strongest = |cells: &[num_complex::Complex32]| {
         cells.iter().map(|value| f64::from(value.norm_sqr())).fold(0.0, f64::max)
     };
-    let by_range = tensor.values.chunks(azimuths * doppler).rev();
-    let range_angle: Vec<f32> = by_range
-        .flat_map(|cells| cells.chunks(doppler))
-        .map(|cells| level(strongest(cells), channels))
-        .collect();
+    let of_angles = tensor.by_range.iter().rev().flat_map(|cells| cells.chunks(doppler));
+    let range_angle: Vec<f32> = of_angles.map(|cells| level(strongest(cells), channels)).collect();
     for (folder, columns, values) in
         [("range_doppler_numpy", doppler, range_doppler), ("range_angle_numpy", azimuths, range_angle)]
     {

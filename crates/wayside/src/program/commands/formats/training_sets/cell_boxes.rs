@@ -64,7 +64,7 @@ fn extent(values: [f64; 8]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::commands::formats::training_sets::truth_boxes::tests::bus;
+    use crate::program::commands::formats::training_sets::test_body::bus;
     use radar::{aperture::Preset, paper};
 
     /// A bus from 44 to 56 m that approaches at 10 m/s, by hand.

@@ -2,15 +2,15 @@
 //! camera.
 //!
 //! `training/velodyne/NNNNN.bin` has rows of float32 x, y, z, RCS, v_r, v_r compensated, time in the levelled
-//! axes of the radar; `training/label_2/NNNNN.txt` the boxes, `training/calib/NNNNN.txt` a camera that is made
-//! up: a pinhole at the radar's place that looks along its x axis.
+//! axes of the radar; `training/label_2/NNNNN.txt` the boxes, `training/calib/NNNNN.txt` a camera that is
+//! made up: a pinhole at the radar's place that looks along its x axis.
 
 use crate::host::failure::Failure;
 use crate::program::commands::formats::levelled_axes::{LevelledAxes, wrapped};
 use crate::program::commands::formats::radar_cloud::{Detection, velodyne};
+use crate::program::commands::formats::training_sets::radar_of_points::{radar_of, sections_of};
 use crate::program::commands::formats::training_sets::set_folder::SetFolder;
 use crate::program::commands::formats::training_sets::truth_boxes::{TruthBox, TruthBoxes};
-use crate::program::commands::formats::training_sets::{radar_of, sections_of};
 use artifact::Reader;
 use artifact::points::{Points, PointsFrame, PointsHeader};
 use artifact::settings::Class;
@@ -119,7 +119,7 @@ fn class_name(class: Class) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::commands::formats::training_sets::truth_boxes::tests::bus;
+    use crate::program::commands::formats::training_sets::test_body::bus;
 
     /// By hand: the bus is 50 m ahead, 2 m to the right, 6 m below the radar, and comes nearer.
     #[test]

@@ -1,5 +1,5 @@
-//! The thirteen tables of nuScenes' database, by its public schema. Tokens are hashes of the scene's name, the
-//! table and a number: the same run gives the same ones.
+//! The thirteen tables of nuScenes' database, by its public schema. Tokens are hashes of the scene's name,
+//! the table and a number: the same run gives the same ones.
 
 use crate::program::commands::formats::levelled_axes::LevelledAxes;
 use crate::program::commands::formats::training_sets::truth_boxes::TruthBox;
@@ -219,7 +219,7 @@ fn category(class: Class) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::commands::formats::training_sets::truth_boxes::tests::bus;
+    use crate::program::commands::formats::training_sets::test_body::bus;
     use std::f64::consts::FRAC_PI_2;
 
     #[test]

@@ -1,5 +1,5 @@
-//! Ground truth as a pickle of Python, which the loaders of RADDet read: a dictionary of lists of words and of
-//! arrays of numbers. Protocol 2 (Python's module `pickletools` tells its opcodes). An array is a call of
+//! Ground truth as a pickle of Python, which the loaders of RADDet read: a dictionary of lists of words and
+//! of arrays of numbers. Protocol 2 (Python's module `pickletools` tells its opcodes). An array is a call of
 //! `numpy.array` on lists, which every version of NumPy has under this name.
 
 /// A value of the dictionary.

@@ -29,14 +29,15 @@ const MEDIAN_POWER: f32 = 1000.0;
 pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
+    AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
     let set = SetFolder::begin(out)?;
     let (mut scale, mut frames) = (None, 0);
     for map in reader {
         let map = map?;
         let header = header.in_frame(map.index);
-        let mut tensor = AngleSpectrum::of(&header).tensor(&map);
-        let scale = *scale.get_or_insert_with(|| scale_of(&tensor.values));
-        tensor.values.iter_mut().for_each(|value| *value *= scale);
+        let mut tensor = AngleSpectrum::of(&header)?.tensor(&map);
+        let scale = *scale.get_or_insert_with(|| scale_of(tensor.by_range.iter().flatten()));
+        tensor.by_range.iter_mut().flatten().for_each(|value| *value *= scale);
         write_tensor(&set, map.index, &tensor)?;
         if let Some(truth) = &mut truth {
             let ground_truth = ground_truth(&header.radar, &truth.of_frame(map.index)?);
@@ -48,17 +49,14 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
 }
 
 fn write_tensor(set: &SetFolder, index: u32, tensor: &Tensor) -> Result<(), Failure> {
-    let [ranges, azimuths, doppler] = tensor.shape;
     NpyStream::write::<Complex32>(&set.place(&format!("RAD/part1/{index:06}.npy")), &tensor.shape, |stream| {
-        let rows = tensor.values.chunks(azimuths * doppler).rev();
-        debug_assert_eq!(rows.len(), ranges);
-        rows.into_iter().try_for_each(|of_range| stream.append(of_range))
+        tensor.by_range.iter().rev().try_for_each(|of_range| stream.append(of_range))
     })
 }
 
 /// Factor that gives the cells of a frame the median power; 1 where that is nothing.
-fn scale_of(values: &[Complex32]) -> f32 {
-    let mut powers: Vec<f32> = values.iter().map(Complex32::norm_sqr).collect();
+fn scale_of<'a>(values: impl Iterator<Item = &'a Complex32>) -> f32 {
+    let mut powers: Vec<f32> = values.map(Complex32::norm_sqr).collect();
     if powers.is_empty() {
         return 1.0;
     }
@@ -123,15 +121,15 @@ fn description(header: &CubeHeader, frames: usize, scale: Option<f32>, labelled:
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::commands::formats::training_sets::truth_boxes::tests::bus;
+    use crate::program::commands::formats::training_sets::test_body::bus;
     use radar::{aperture::Preset, paper};
 
     #[test]
     fn cells_of_noise_have_the_power_that_raddet_s_have() {
         let values: Vec<Complex32> = (1..100).map(|i| Complex32::new(i as f32 * 1e-9, 0.0)).collect();
-        let scaled = values[49] * scale_of(&values);
+        let scaled = values[49] * scale_of(values.iter());
         assert!((scaled.norm_sqr() - MEDIAN_POWER).abs() < 1e-2);
-        assert_eq!((scale_of(&[]), scale_of(&[Complex32::ZERO])), (1.0, 1.0));
+        assert_eq!((scale_of([].iter()), scale_of([Complex32::ZERO].iter())), (1.0, 1.0));
     }
 
     #[test]

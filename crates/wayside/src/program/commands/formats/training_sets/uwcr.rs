@@ -81,7 +81,7 @@ fn description(header: &CubeHeader, frames: usize, labelled: bool) -> serde_json
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::commands::formats::training_sets::truth_boxes::tests::bus;
+    use crate::program::commands::formats::training_sets::test_body::bus;
     use radar::{aperture::Preset, paper};
 
     #[test]
