@@ -93,23 +93,25 @@ fn element(noise: &mut Noise, kind: u32, content: &[u8]) -> Vec<u8> {
     bytes
 }
 
+fn one_of<T: Copy>(noise: &mut Noise, of: &[T]) -> T {
+    of[noise.below(of.len())]
+}
+
 fn write_mat(noise: &mut Noise, folder: &Path) {
     let [channels, chirps, length] = SHAPE.map(|side| side as u32);
-    let sides = noise.pick(&[[length, chirps, channels, 1], [length, chirps, channels, 1], [u32::MAX; 4]]);
+    let sides = one_of(noise, &[[length, chirps, channels, 1], [length, chirps, channels, 1], [u32::MAX; 4]]);
     let values: usize = SHAPE.iter().product();
-    let (kind, of_a_value) = noise.pick(&[(7, 4), (7, 4), (9, 8), (3, 2), (1, 1), (77, 4)]);
+    let (kind, of_a_value) = one_of(noise, &[(7, 4), (7, 4), (9, 8), (3, 2), (1, 1), (77, 4)]);
     let mut part: Vec<u8> = (0..values * of_a_value).map(|i| (i % 61) as u8).collect();
     if noise.one_in(3) {
         change_numbers(noise, &mut part);
     }
-    let class = noise.pick(&[0x0807_u32, 0x0806, 0x0806, 0x0006, 0xffff]);
+    let class = one_of(noise, &[0x0807_u32, 0x0806, 0x0806, 0x0006, 0xffff]);
+    let told = one_of(noise, &[4, 4, 3, 0]);
+    let sides: Vec<u8> = sides[..told].iter().flat_map(|side| side.to_le_bytes()).collect();
     let content = [
         element(noise, 6, &[class.to_le_bytes(), [0; 4]].concat()),
-        element(
-            noise,
-            5,
-            &sides[..noise.pick(&[4, 4, 3, 0])].iter().flat_map(|s| s.to_le_bytes()).collect::<Vec<_>>(),
-        ),
+        element(noise, 5, &sides),
         element(noise, 1, b"adcData"),
         element(noise, kind, &part),
         element(noise, kind, &part),

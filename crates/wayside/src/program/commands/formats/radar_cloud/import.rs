@@ -4,6 +4,7 @@ use crate::chain::keys::cube_header;
 use crate::chain::loading::{self, provenance};
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
+use crate::host::progress::Work;
 use crate::program::commands::formats::levelled_axes::LevelledAxes;
 use crate::program::commands::formats::radar_cloud::{Detection, LIMIT_BYTES, pcd, velodyne};
 use artifact::points::{Height, Point, Points, PointsFrame, PointsHeader};
@@ -27,7 +28,9 @@ pub(crate) fn points(
     let axes = LevelledAxes::of(&scene.radar);
     let header = PointsHeader { cube: Some(cube.clone()), ..PointsHeader::default() };
     let mut writer = Writer::<Points>::create(out, &provenance(Stage::Dsp, scene, inputs), &header)?;
+    let under_way = Work::begin("frames");
     for (index, file) in (0..).zip(&files) {
+        under_way.at(index as usize, files.len());
         let (seen, height) = read(file)?;
         let mut points: Vec<Point> = seen.iter().map(|seen| seen.point(&cube, &axes, height)).collect();
         let objects = dsp::objects_of_points(&cube, &mut points);

@@ -6,6 +6,7 @@
 //! made up: a pinhole at the radar's place that looks along its x axis.
 
 use crate::host::failure::Failure;
+use crate::host::progress::Work;
 use crate::program::commands::formats::levelled_axes::{LevelledAxes, wrapped};
 use crate::program::commands::formats::radar_cloud::{Detection, velodyne};
 use crate::program::commands::formats::training_sets::radar_of_points::{radar_of, sections_of};
@@ -34,7 +35,9 @@ pub(crate) fn write(reader: Reader<Points>, scene: Option<&Path>, out: &Path) ->
     let axes = LevelledAxes::of(radar_of(&header, truth.as_ref())?);
     let set = SetFolder::begin(out)?;
     let mut names = String::new();
-    for frame in reader {
+    let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
+    for (done, frame) in reader.enumerate() {
+        under_way.at(done, of);
         let frame = frame?;
         let name = format!("{:05}", frame.index);
         set.write(&format!("training/velodyne/{name}.bin"), &cloud(&header, &axes, &frame))?;

@@ -4,6 +4,7 @@
 //! global frame is the scene's world; the vehicle that carries the radar stands at the radar's foot.
 
 use crate::host::failure::Failure;
+use crate::host::progress::Work;
 use crate::pictures;
 use crate::program::commands::formats::levelled_axes::LevelledAxes;
 use crate::program::commands::formats::radar_cloud::{Detection, pcd};
@@ -32,7 +33,9 @@ pub(crate) fn write(reader: Reader<Points>, scene: Option<&Path>, out: &Path) ->
     let name = truth.as_ref().map_or("scene".to_owned(), |truth| truth.header().name.clone());
     let set = SetFolder::begin(out)?;
     let mut tables = Tables::of(&name, &axes);
-    for frame in reader {
+    let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
+    for (done, frame) in reader.enumerate() {
+        under_way.at(done, of);
         let frame = frame?;
         let file = format!("samples/RADAR_FRONT/{:06}.pcd", frame.index);
         set.write(&file, &pcd::to_bytes(&rows(&header, &axes, &frame)))?;

@@ -7,6 +7,7 @@
 //! middle).
 
 use crate::host::failure::Failure;
+use crate::host::progress::Work;
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::training_sets::angle_spectrum::{AngleSpectrum, Tensor, sines};
 use crate::program::commands::formats::training_sets::cell_boxes::{CellBox, cell_box};
@@ -32,7 +33,9 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
     AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
     let set = SetFolder::begin(out)?;
     let (mut scale, mut frames) = (None, 0);
-    for map in reader {
+    let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
+    for (done, map) in reader.enumerate() {
+        under_way.at(done, of);
         let map = map?;
         let header = header.in_frame(map.index);
         let mut tensor = AngleSpectrum::of(&header)?.tensor(&map);

@@ -60,6 +60,7 @@ impl SetFolder {
     /// Writes the description and gives the folder its name.
     pub(crate) fn finish(self, description: &Value) -> Result<(), Failure> {
         self.write_json(DESCRIPTION, description)?;
+        let _ = std::fs::remove_dir(&self.out); // an empty one; of anything else it takes nothing
         std::fs::rename(&self.filled, &self.out)
             .map_err(|e| Failure::system(&self.out, "be given its name", e))
     }

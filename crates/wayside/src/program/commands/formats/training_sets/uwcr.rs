@@ -5,6 +5,7 @@
 //! and y ahead of the radar.
 
 use crate::host::failure::Failure;
+use crate::host::progress::Work;
 use crate::program::commands::formats::levelled_axes::LevelledAxes;
 use crate::program::commands::formats::mat_file;
 use crate::program::commands::formats::raw_data::uwcr::{ARRAY, shape};
@@ -22,7 +23,9 @@ pub(crate) fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> R
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
     let set = SetFolder::begin(out)?;
     let (axes, mut frames) = (LevelledAxes::of(&header.radar), 0);
-    for frame in reader {
+    let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
+    for (done, frame) in reader.enumerate() {
+        under_way.at(done, of);
         let frame = frame?;
         let shape = shape(&header);
         let array = mat_file::Array { name: ARRAY, shape, values: &frame.samples };
