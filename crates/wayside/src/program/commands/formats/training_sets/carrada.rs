@@ -29,12 +29,13 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
     let name = truth.as_ref().map_or(SEQUENCE.to_owned(), |truth| plain_name(&truth.header().name));
     AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
-    let set = SetFolder::begin(out)?;
+    let mut set = SetFolder::begin(out)?;
     let (mut frames, mut annotations) = (0, Map::new());
     let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
     for (done, map) in reader.enumerate() {
         under_way.at(done, of);
         let map = map?;
+        set.begin_frame(map.index)?;
         let header = header.in_frame(map.index);
         let tensor = AngleSpectrum::of(&header)?.tensor(&map);
         write_maps(&set, &name, (&header, &map), &tensor)?;

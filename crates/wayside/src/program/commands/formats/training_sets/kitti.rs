@@ -33,12 +33,13 @@ pub(crate) fn write(reader: Reader<Points>, scene: Option<&Path>, out: &Path) ->
     let radar = header.cube.as_ref().map(|cube| &cube.radar);
     let mut truth = scene.map(|file| TruthBoxes::open(file, radar)).transpose()?;
     let axes = LevelledAxes::of(radar_of(&header, truth.as_ref())?);
-    let set = SetFolder::begin(out)?;
+    let mut set = SetFolder::begin(out)?;
     let mut names = String::new();
     let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
     for (done, frame) in reader.enumerate() {
         under_way.at(done, of);
         let frame = frame?;
+        set.begin_frame(frame.index)?;
         let name = format!("{:05}", frame.index);
         set.write(&format!("training/velodyne/{name}.bin"), &cloud(&header, &axes, &frame))?;
         set.write(&format!("training/calib/{name}.txt"), calibration().as_bytes())?;

@@ -31,12 +31,13 @@ pub(crate) fn write(reader: Reader<Points>, scene: Option<&Path>, out: &Path) ->
     let mut truth = scene.map(|file| TruthBoxes::open(file, radar)).transpose()?;
     let axes = LevelledAxes::of(radar_of(&header, truth.as_ref())?);
     let name = truth.as_ref().map_or("scene".to_owned(), |truth| truth.header().name.clone());
-    let set = SetFolder::begin(out)?;
+    let mut set = SetFolder::begin(out)?;
     let mut tables = Tables::of(&name, &axes);
     let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
     for (done, frame) in reader.enumerate() {
         under_way.at(done, of);
         let frame = frame?;
+        set.begin_frame(frame.index)?;
         let file = format!("samples/RADAR_FRONT/{:06}.pcd", frame.index);
         set.write(&file, &pcd::to_bytes(&rows(&header, &axes, &frame)))?;
         let boxes = truth.as_mut().map(|truth| truth.of_frame(frame.index)).transpose()?.unwrap_or_default();

@@ -31,12 +31,13 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
     let header = reader.header().clone();
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
     AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
-    let set = SetFolder::begin(out)?;
+    let mut set = SetFolder::begin(out)?;
     let (mut scale, mut frames) = (None, 0);
     let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
     for (done, map) in reader.enumerate() {
         under_way.at(done, of);
         let map = map?;
+        set.begin_frame(map.index)?;
         let header = header.in_frame(map.index);
         let mut tensor = AngleSpectrum::of(&header)?.tensor(&map);
         let scale = *scale.get_or_insert_with(|| scale_of(tensor.by_range.iter().flatten()));

@@ -15,6 +15,8 @@ pub(crate) const DESCRIPTION: &str = "set.json";
 pub(crate) struct SetFolder {
     out: PathBuf,
     filled: PathBuf,
+    /// Number of the frame that is written.
+    frame: Option<u32>,
     _writing: files::Writing,
 }
 
@@ -38,7 +40,20 @@ impl SetFolder {
         let writing = files::Writing::into_folder(&filled)?;
         let _ = std::fs::remove_dir_all(&filled); // what a killed command left
         std::fs::create_dir_all(&filled).map_err(|e| Failure::system(out, "be made", e))?;
-        Ok(Self { out: out.to_owned(), filled, _writing: writing })
+        Ok(Self { out: out.to_owned(), filled, frame: None, _writing: writing })
+    }
+
+    /// Begins a frame, whose files bear its number.
+    ///
+    /// # Errors
+    /// It is no later one than that before it.
+    pub(crate) fn begin_frame(&mut self, index: u32) -> Result<(), Failure> {
+        match self.frame.replace(index) {
+            Some(before) if before >= index => {
+                Err(Failure::refused(format!("frame {index} follows frame {before}: they are not in order")))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Place of a file while the folder is being filled.
@@ -86,7 +101,9 @@ mod tests {
         assert!(!out.exists());
         drop(set);
         assert_eq!(std::fs::read_dir(folder.path().join("new")).unwrap().count(), 0);
-        let set = SetFolder::begin(&out).unwrap();
+        let mut set = SetFolder::begin(&out).unwrap();
+        set.begin_frame(3).unwrap();
+        assert!(set.begin_frame(3).is_err_and(|e| e.to_string().contains("not in order")));
         set.write("a/b.txt", b"b").unwrap();
         set.finish(&json!({})).unwrap();
         assert_eq!(std::fs::read(out.join("a/b.txt")).unwrap(), b"b");

@@ -21,12 +21,13 @@ use std::path::Path;
 pub(crate) fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
-    let set = SetFolder::begin(out)?;
+    let mut set = SetFolder::begin(out)?;
     let (axes, mut frames) = (LevelledAxes::of(&header.radar), 0);
     let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
     for (done, frame) in reader.enumerate() {
         under_way.at(done, of);
         let frame = frame?;
+        set.begin_frame(frame.index)?;
         let shape = shape(&header);
         let array = mat_file::Array { name: ARRAY, shape, values: &frame.samples };
         set.write(&format!("radar_raw_frame/{:06}.mat", frame.index), &array.to_bytes())?;
