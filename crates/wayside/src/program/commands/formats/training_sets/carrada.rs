@@ -48,7 +48,9 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
     if truth.is_some() {
         set.write_json("annotations_frame_oriented.json", &json!({ name: annotations }))?;
     }
-    set.finish(&description(&header, frames, truth.is_some()))
+    let mut told = description(&header, frames);
+    told["labelled"] = truth.is_some().into();
+    set.finish(&told)
 }
 
 fn write_maps(
@@ -117,9 +119,9 @@ fn label(class: Class) -> u8 {
     }
 }
 
-fn description(header: &CubeHeader, frames: usize, labelled: bool) -> Value {
+fn description(header: &CubeHeader, frames: usize) -> Value {
     json!({
-        "set": "CARRADA", "frames": frames, "labelled": labelled, "unit": header.unit.level_unit(),
+        "set": "CARRADA", "frames": frames, "unit": header.unit.level_unit(),
         "axes": {
             "range_m": dsp::range_axis_m(header), "azimuth_sine": sines(),
             "velocity_mps": dsp::velocity_axis_mps(header),

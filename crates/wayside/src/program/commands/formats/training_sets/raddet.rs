@@ -49,7 +49,9 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
         }
         frames += 1;
     }
-    set.finish(&description(&header, frames, scale, truth.is_some()))
+    let mut told = description(&header, frames, scale);
+    told["labelled"] = truth.is_some().into();
+    set.finish(&told)
 }
 
 fn write_tensor(set: &SetFolder, index: u32, tensor: &Tensor) -> Result<(), Failure> {
@@ -109,11 +111,11 @@ fn ground_box(radar: &Radar, body: &TruthBox) -> Vec<f64> {
     vec![ranges - 1.0 - middle.y, middle.x + ranges - 1.0, high.y - low.y, high.x - low.x]
 }
 
-fn description(header: &CubeHeader, frames: usize, scale: Option<f32>, labelled: bool) -> serde_json::Value {
+fn description(header: &CubeHeader, frames: usize, scale: Option<f32>) -> serde_json::Value {
     let mut ranges_m = dsp::range_axis_m(header);
     ranges_m.reverse();
     json!({
-        "set": "RADDet", "frames": frames, "labelled": labelled,
+        "set": "RADDet", "frames": frames,
         "axes": {
             "range_m": ranges_m, "azimuth_sine": sines(), "velocity_mps": dsp::velocity_axis_mps(header),
         },

@@ -38,7 +38,9 @@ pub(crate) fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> R
         }
         frames += 1;
     }
-    set.finish(&description(&header, frames, truth.is_some()))
+    let mut told = description(&header, frames);
+    told["labelled"] = truth.is_some().into();
+    set.finish(&told)
 }
 
 /// A line of labels; none of a body behind the radar.
@@ -65,10 +67,10 @@ fn class_id(class: Class) -> u8 {
     }
 }
 
-fn description(header: &CubeHeader, frames: usize, labelled: bool) -> serde_json::Value {
+fn description(header: &CubeHeader, frames: usize) -> serde_json::Value {
     let waveform = &header.radar.waveform;
     json!({
-        "set": "UWCR", "frames": frames, "labelled": labelled, "array": ARRAY, "shape": shape(header),
+        "set": "UWCR", "frames": frames, "array": ARRAY, "shape": shape(header),
         "axes": ["sample", "chirp", "receiver", "transmitter"], "unit": header.unit.name(),
         "radar_configs": {
             "startFreqConst_GHz": waveform.start_frequency_hz / 1e9,
