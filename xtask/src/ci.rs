@@ -18,7 +18,7 @@ mod training;
 
 use crate::cli::CiArguments;
 use commands::{Tally, counted, finished};
-use outside::{engines, interchange, python, report_view, site};
+use outside::{engines, interchange, python, report_view, site, training_sets};
 use std::process::Command;
 use std::time::Instant;
 use training::Training;
@@ -55,8 +55,9 @@ const WHOLE: [(&str, Check); 6] = [
 
 /// Checks beside what others make, each with a build or programs of its own: not in `ci` as a whole, which
 /// would take half as long again, but by name, or all of them by `beside`.
-const BESIDE: [(&str, Check); 4] = [
+const BESIDE: [(&str, Check); 5] = [
     ("osi", interchange::check),
+    ("sets", training_sets::check),
     ("python", python::check),
     ("report", report_view::check),
     ("site", site::check),

@@ -22,7 +22,8 @@ pub(crate) enum Command {
     /// Commands of `wayside`.
     #[command(flatten)]
     Wayside(wayside::program::cli::Command),
-    /// Makes the figures of a page of docs/ anew; without a name, lists all studies and how old their pages are.
+    /// Makes the figures of a page of docs/ anew; without a name, lists all studies and how old their pages
+    /// are.
     Study(PageArguments),
     /// Speed against accuracy: chart.csv, pictures, a page.
     Chart(StudyArguments),
@@ -175,8 +176,8 @@ pub(crate) struct FuzzLedgerArguments {
 /// Words of `ci`.
 #[derive(Debug, Args)]
 pub(crate) struct CiArguments {
-    /// The cheap checks of all, then lints and tests of this crate alone; or one check beside them all, by its
-    /// name: `engines`, `osi`, `python`, `report`.
+    /// The cheap checks of all, then lints and tests of this crate alone; or one check beside them all, by
+    /// its name: `engines`, `osi`, `sets`, `python`, `report`.
     #[arg(long, value_name = "CRATE")]
     pub(crate) only: Option<String>,
 }

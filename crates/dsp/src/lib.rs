@@ -17,6 +17,7 @@
 //! - [`Receiver::cropper`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels
 //!   of fixed decibels over the noise, which a classifier sees; [`Receiver::signatures`]: its echo along
 //!   range;
+//! - [`objects_of_points`]: the objects of points that another program or radar has located;
 //! - [`Tracker`]: vehicles followed over frames, with identity, velocity, box and lane
 //!   ([`TracksFrame`](artifact::tracks::TracksFrame));
 //! - [`power_map`], [`rdm_grayscale`], [`range_axis_m`], [`velocity_axis_mps`], [`noise_power`] for whoever
@@ -34,25 +35,22 @@
 //! use num_complex::Complex32;
 //! use radar::{aperture::Preset, paper};
 //!
-//! let waveform = paper::waveform(256, 64);
-//! let radar = paper::radar([0.0, 0.0, 6.0], waveform, Preset::OneByFour.elements());
-//! let header = CubeHeader { radar, noise: Noise::Absent, dsp: DspSettings {
-//!     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
-//!     guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], static_echoes: StaticEchoes::Keep, nearest_m: 0.0, assumed_height_m: 0.75,
-//!     cluster_range_m: 2.5, cluster_velocity_mps: 1.0, cluster_cross_m: 2.5,
-//!     road: Lanes { lanes: vec![Lane { number: 2, centre_m: 5.75, width_m: 3.75 }], ..Lanes::default() },
-//! }, unit: Default::default() };
+//! let waveform = paper::waveform(256, 64); let radar = paper::radar([0.0, 0.0, 6.0], waveform,
+//! Preset::OneByFour.elements()); let header = CubeHeader { radar, noise: Noise::Absent, dsp: DspSettings {
+//! range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate:
+//! 1e-5, guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, calibration:
+//! vec![], static_echoes: StaticEchoes::Keep, nearest_m: 0.0, assumed_height_m: 0.75, cluster_range_m: 2.5,
+//! cluster_velocity_mps: 1.0, cluster_cross_m: 2.5, road: Lanes { lanes: vec![Lane { number: 2, centre_m:
+//! 5.75, width_m: 3.75 }], ..Lanes::default() }, }, unit: Default::default() };
 //!
-//! // A point at 40 m in lane 2 (u = 5.75/40), approaching at 10 m/s: phases of eq. (13).
-//! let (range_m, velocity_mps, u) = (40.0, -10.0, 5.75 / 40.0);
-//! let cycles = |rx: i32, chirp: i32, sample: i32| {
-//!     let time_s = f64::from(sample) / 5.12e6;
-//!     let delay_s = 2.0 * (range_m + velocity_mps * (f64::from(chirp) * 60e-6 + time_s)) / 299_792_458.0;
-//!     77e9 * delay_s + 12.5e12 * (time_s * delay_s - 0.5 * delay_s * delay_s) - 0.5 * f64::from(rx) * u
+//! // A point at 40 m in lane 2 (u = 5.75/40), approaching at 10 m/s: phases of eq. (13). let (range_m,
+//! velocity_mps, u) = (40.0, -10.0, 5.75 / 40.0); let cycles = |rx: i32, chirp: i32, sample: i32| { let
+//! time_s = f64::from(sample) / 5.12e6; let delay_s = 2.0 * (range_m + velocity_mps * (f64::from(chirp) *
+//! 60e-6 + time_s)) / 299_792_458.0; 77e9 * delay_s + 12.5e12 * (time_s * delay_s - 0.5 * delay_s * delay_s)
+//! - 0.5 * f64::from(rx) * u }; let sample = |i: i32| (cycles(i / 256 / 64, i / 256 % 64, i % 256).fract() *
+//! std::f64::consts::TAU) as f32; let samples = (0..4 * 64 * 256).map(|i| Complex32::from_polar(1e-6,
+//! sample(i))).collect(); let frame = CubeFrame { index: 0, time_s: 0.0, samples, error: Default::default()
 //! };
-//! let sample = |i: i32| (cycles(i / 256 / 64, i / 256 % 64, i % 256).fract() * std::f64::consts::TAU) as f32;
-//! let samples = (0..4 * 64 * 256).map(|i| Complex32::from_polar(1e-6, sample(i))).collect();
-//! let frame = CubeFrame { index: 0, time_s: 0.0, samples, error: Default::default() };
 //!
 //! let receiver = dsp::Receiver::new(&header)?;
 //! let (map, seen) = receiver.process(&frame)?;
@@ -89,6 +87,7 @@ pub use direction::two_ways::two_ways;
 pub use error::{Axis, DspError};
 pub use estimation::cramer_rao::cramer_rao;
 pub use numerics::incomplete_gamma::gamma_tail;
+pub use objects::foreign_points::objects_of_points;
 pub use objects::stationary::{Fold, is_at_rest, tolerance_mps};
 pub use receiver::Receiver;
 pub use spectrum::axes::{range_axis_m, velocity_axis_mps};

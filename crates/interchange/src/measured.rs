@@ -2,5 +2,4 @@
 
 pub(crate) mod sensor_axes;
 pub(crate) mod standard_errors;
-pub(crate) mod cross_section;
 pub(crate) mod existence;

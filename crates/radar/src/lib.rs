@@ -20,3 +20,4 @@ pub mod path_kinematics; // legs of a path and their rates
 pub mod path_echo; // IF value of a path
 pub mod standpoint; // of an antenna around a body
 pub mod window; // tapers of the FFT axes
+pub mod cross_section; // of a detection, where the noise is known

@@ -4,6 +4,7 @@
 mod interpreter; // a Python with packages of its own
 pub(super) mod engines; // datasets and sweeps on engines that others make
 pub(super) mod interchange; // messages beside the official packages, traffic from SUMO
+pub(super) mod training_sets; // frames in the layouts of others
 pub(super) mod python; // the Python package
 pub(super) mod report_view; // a report in a browser
 pub(super) mod site; // pages rendered, and their commands run

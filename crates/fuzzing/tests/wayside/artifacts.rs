@@ -65,6 +65,7 @@ impl Kind for Scene {
         "inspect @F",
         "export @F --to json --out @O",
         "score @sound/run/frames.points --scene @F",
+        "export @sound/run/frames.points --to kitti --scene @F --out @O-kitti",
         "score @sound/run/frames.points --scene @F --paths @sound/run/frames.paths",
     ];
 
@@ -104,6 +105,7 @@ impl Kind for Cube {
         "export @F --to npy --out @O.npy",
         "export @F --to sigmf --out @O",
         "export @F --to dca1000 --out @O.bin",
+        "export @F --to uwcr --out @O-set",
         "calibrate @F --at-m=2,15,1 --out @O.csv",
     ];
 
@@ -119,6 +121,8 @@ impl Kind for Rdm {
         "export @F --to exr --out @O.exr",
         "export @F --to png --out @O.png",
         "export @F --to png --axes on --out @O.png",
+        "export @F --to raddet --scene @sound/run/scene.scene --out @O-raddet",
+        "export @F --to carrada --out @O-carrada",
         "classify @sound/trees.model @F",
         "classify @sound/network.model @F",
     ];
@@ -134,6 +138,8 @@ impl Kind for Points {
         "export @F --to csv --out @O",
         "export @F --to pcd --out @O",
         "export @F --to ply --out @O",
+        "export @F --to kitti --scene @sound/run/scene.scene --out @O-kitti",
+        "export @F --to nuscenes --out @O-nuscenes",
         "export @F --to json --out @O",
         "score @F --scene @sound/run/scene.scene",
         "score @F --scene @sound/run/scene.scene --paths @sound/run/frames.paths --tracks \

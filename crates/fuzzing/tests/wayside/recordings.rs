@@ -15,6 +15,8 @@ pub(crate) fn readers() -> Vec<Reader> {
         Reader::refusing("npy", 200, write_npy, noted_of_content),
         Reader::refusing("dca1000", 200, write_dca1000, noted_of_content),
         Reader::refusing("sigmf", 200, write_sigmf, noted),
+        Reader::refusing("mat", 200, write_mat, noted_of_content),
+        Reader::refusing("radar-cloud", 200, write_cloud, noted_of_content),
         Reader::refusing("device-config", 200, write_config, noted_of_content),
     ]
 }
@@ -80,6 +82,93 @@ fn write_npy(noise: &mut Noise, folder: &Path) {
     }
     put(folder, "x.npy", &bytes);
     import(noise, folder, "x.npy");
+}
+
+/// An element of a MAT-file, its length told wrong now and then.
+fn element(noise: &mut Noise, kind: u32, content: &[u8]) -> Vec<u8> {
+    let told = if noise.one_in(40) { noise.next() as u32 >> noise.below(32) } else { content.len() as u32 };
+    let mut bytes = [kind.to_le_bytes(), told.to_le_bytes()].concat();
+    bytes.extend(content);
+    bytes.resize(bytes.len().next_multiple_of(8), 0);
+    bytes
+}
+
+fn one_of<T: Copy>(noise: &mut Noise, of: &[T]) -> T {
+    of[noise.below(of.len())]
+}
+
+fn write_mat(noise: &mut Noise, folder: &Path) {
+    let [channels, chirps, length] = SHAPE.map(|side| side as u32);
+    let sides = one_of(noise, &[[length, chirps, channels, 1], [length, chirps, channels, 1], [u32::MAX; 4]]);
+    let values: usize = SHAPE.iter().product();
+    let (kind, of_a_value) = one_of(noise, &[(7, 4), (7, 4), (9, 8), (3, 2), (1, 1), (77, 4)]);
+    let mut part: Vec<u8> = (0..values * of_a_value).map(|i| (i % 61) as u8).collect();
+    if noise.one_in(3) {
+        change_numbers(noise, &mut part);
+    }
+    let class = one_of(noise, &[0x0807_u32, 0x0806, 0x0806, 0x0006, 0xffff]);
+    let told = one_of(noise, &[4, 4, 3, 0]);
+    let sides: Vec<u8> = sides[..told].iter().flat_map(|side| side.to_le_bytes()).collect();
+    let content = [
+        element(noise, 6, &[class.to_le_bytes(), [0; 4]].concat()),
+        element(noise, 5, &sides),
+        element(noise, 1, b"adcData"),
+        element(noise, kind, &part),
+        element(noise, kind, &part),
+    ];
+    let mut array = element(noise, 14, &content.concat());
+    if noise.one_in(3) {
+        let mut encoder = flate2::write::ZlibEncoder::new(vec![], flate2::Compression::fast());
+        std::io::Write::write_all(&mut encoder, &array).unwrap();
+        array = element(noise, 15, &encoder.finish().unwrap());
+    }
+    let mut bytes = [vec![b' '; 116], vec![0; 8], vec![0, 1, b'I', b'M'], array].concat();
+    if noise.one_in(6) {
+        bytes.truncate(noise.below(bytes.len()));
+    }
+    put(folder, "x.mat", &bytes);
+    import(noise, folder, "x.mat");
+}
+
+/// Rows of a cloud: place and more, some of them strange.
+fn rows(noise: &mut Noise, row_bytes: usize) -> Vec<u8> {
+    let count = if noise.one_in(20) { noise.times() } else { noise.below(30) };
+    let row = |i: usize| -> Vec<u8> {
+        let values =
+            [20.0 + (i % 40) as f32, (i % 7) as f32, 0.5, 3.0, -5.0, -5.0, 0.0].map(f32::to_le_bytes);
+        values.concat().into_iter().chain(std::iter::repeat(1)).take(row_bytes).collect()
+    };
+    let mut bytes: Vec<u8> = (0..count).flat_map(row).collect();
+    if !bytes.is_empty() && noise.one_in(2) {
+        change_numbers(noise, &mut bytes);
+    }
+    if !bytes.is_empty() && noise.one_in(8) {
+        bytes.truncate(noise.below(bytes.len()));
+    }
+    bytes
+}
+
+fn write_cloud(noise: &mut Noise, folder: &Path) {
+    sound::texts(folder);
+    let name = noise.pick(&["x.bin", "x.pcd"]);
+    let bytes = if name == "x.bin" {
+        rows(noise, 28)
+    } else {
+        let rows = rows(noise, 24);
+        let points = if noise.one_in(10) { noise.next() as usize } else { rows.len() / 24 };
+        let head = format!(
+            "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z rcs vx vy\nSIZE 4 4 4 4 4 4\nTYPE F F F F F F\n\
+             COUNT 1 1 1 1 1 1\nWIDTH {points}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {points}\nDATA binary\n"
+        );
+        let mut head = head.into_bytes();
+        if noise.one_in(2) {
+            head =
+                changed_text(noise, &head, &["x", "y", "8", "1", "I", "U", "F", "DATA", "POINTS", "\n", " "]);
+        }
+        [head, rows].concat()
+    };
+    put(folder, name, &bytes);
+    note(folder, &format!("import @{name} --scene @sound/small.toml --out @O.points"));
 }
 
 fn write_dca1000(noise: &mut Noise, folder: &Path) {

@@ -1,6 +1,5 @@
 //! Points as `osi3.RadarDetection`.
 
-use crate::measured::cross_section::cross_section_dbsm;
 use crate::measured::existence::existence;
 use crate::measured::sensor_axes::SensorAxes;
 use crate::measured::standard_errors::standard_errors;
@@ -12,6 +11,7 @@ use crate::sensor::mounting::{SENSOR, mounting};
 use artifact::Radar;
 use artifact::cube::CubeHeader;
 use artifact::points::{Point, PointsFrame};
+use radar::cross_section::cross_section_dbsm;
 
 /// Detections of a frame, in the order of its points.
 pub(crate) fn feature_data(cube: Option<&CubeHeader>, frame: &PointsFrame) -> FeatureData {
@@ -50,7 +50,7 @@ fn detection(cube: Option<&CubeHeader>, frame: &PointsFrame, number: u64, point:
         position_rmse,
         radial_velocity: Some(point.radial_velocity_mps),
         radial_velocity_rmse: errors.map(|errors| errors.velocity_mps),
-        rcs: cube.and_then(|cube| cross_section_dbsm(cube, &axes, point)),
+        rcs: cube.and_then(|cube| cross_section_dbsm(cube, point)),
         snr: Some(point.snr_db),
         ambiguity_id: Identifier::of(ambiguity(frame, number, point)),
     }

@@ -358,7 +358,8 @@ pub struct SweepArguments {
 #[derive(Debug, Args)]
 pub struct ImportArguments {
     /// Samples: complex64 [frame, channel, chirp, sample]; or a DCA1000EVM's .bin, or a .sigmf-meta, of
-    /// receivers.
+    /// receivers; or a .mat of UWCR, or a folder of them. Where the result is F.points: a cloud of
+    /// View-of-Delft (.bin) or nuScenes (.pcd), or a folder of them.
     #[arg(value_name = "F.npy")]
     pub(crate) array: PathBuf,
     /// √W of one step of integer samples, where no file beside them says it; without either they are counted
@@ -389,7 +390,7 @@ pub struct ImportArguments {
     #[arg(long, value_name = "ID")]
     pub(crate) radar: Option<String>,
     /// Result.
-    #[arg(long, value_name = "F.cube")]
+    #[arg(long, value_name = "F.cube|F.points")]
     pub(crate) out: PathBuf,
 }
 
@@ -434,6 +435,9 @@ pub struct ExportArguments {
     /// Whether a map's .png has axes in metres and m/s and a scale in dB, or is the paper's grey picture.
     #[arg(long, value_enum, default_value = "off")]
     pub(crate) axes: AxesWord,
+    /// Scene of these frames, of which a training set's boxes are made [default: no labels].
+    #[arg(long, value_name = "F.scene")]
+    pub(crate) scene: Option<PathBuf>,
     /// Result.
     #[arg(long, value_name = "PATH")]
     pub(crate) out: PathBuf,

@@ -1,5 +1,6 @@
 //! One file per command.
 
+mod beside; // artifacts that commands read beside others
 mod cache;
 mod calibrate;
 mod dsp;

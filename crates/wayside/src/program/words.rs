@@ -72,6 +72,18 @@ pub(crate) enum FormatWord {
     Osi,
     /// Messages of ROS 2: PointCloud2 and RadarScan, RadarTracks.
     Mcap,
+    /// A folder as RADDet's: range-azimuth-Doppler tensors and boxes.
+    Raddet,
+    /// A folder as CARRADA's: range-Doppler and range-angle maps and annotations.
+    Carrada,
+    /// A folder as the University of Washington's raw data: samples and labels.
+    Uwcr,
+    /// A folder as View-of-Delft's and KITTI's: clouds, boxes, a camera.
+    Kitti,
+    /// A folder as nuScenes': clouds and the tables of its database.
+    Nuscenes,
+    /// One table of Apache Parquet.
+    Parquet,
 }
 
 /// Evaluation board of a family of devices, automotive and industrial alike.

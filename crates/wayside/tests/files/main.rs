@@ -10,3 +10,4 @@ mod full_disk;
 mod outputs;
 mod raw_data;
 mod resumed_tables;
+mod training_sets;

@@ -1,7 +1,7 @@
 //! Messages of OSI and ROS 2 beside the official packages, and traffic from SUMO, OpenDRIVE and OpenStreetMap
 //! through the program. It tests the crate `interchange`, builds the program with the feature of that name,
-//! which nothing else builds, and for the rest stands on a Python with `venv` and on PyPI; where one of them is
-//! not there it says so and is skipped.
+//! which nothing else builds, and for the rest stands on a Python with `venv` and on PyPI; where one of them
+//! is not there it says so and is skipped.
 
 use crate::ci::commands::{Tally, counted, finished};
 use crate::ci::outside::interpreter::{Interpreter, Needs};
@@ -12,7 +12,7 @@ use wayside::host::failure::Failure;
 /// Scripts of the check, from the project's root on.
 const SCRIPTS: &str = "docs/interchange";
 /// The program with the feature.
-const PROGRAM: [&str; 5] = ["--release", "--package", "wayside", "--features", "interchange"];
+pub(super) const PROGRAM: [&str; 5] = ["--release", "--package", "wayside", "--features", "interchange"];
 
 pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let lints = ["clippy", "--release", "--package", "interchange", "--all-targets", "--package", "wayside"];

@@ -106,6 +106,7 @@ mod tests {
         for (list, needed) in [
             ("docs/engines/requirements.txt", &["hyperqueue", "distributed", SMALL_PACKAGE][..]),
             ("docs/interchange/requirements.txt", &["osi-python", "mcap-ros2-support", "eclipse-sumo"]),
+            ("docs/training-sets/requirements.txt", &["numpy", "pandas", "pyarrow", "scipy"]),
             ("crates/wayside-python/tests/requirements.txt", &["pytest", "mypy"]),
             ("docs/site/requirements.txt", &["zensical"]),
         ] {

@@ -2,20 +2,20 @@
 
 use crate::host::failure::Failure;
 use crate::program::cli::ScoreArguments;
+use crate::program::commands::beside::{Beside, check_poses};
 use crate::program::terminal;
+use artifact::Reader;
 use artifact::paths::{GROUND, Paths, PathsFrame};
 use artifact::points::{Points, PointsFrame};
-use artifact::scene::{Scene, SceneFrame, SceneHeader};
+use artifact::scene::Scene;
 use artifact::tracks::{Tracks, TracksFrame};
-use artifact::{ArtifactError, Reader, Schema};
 use dsp::{ROAD_TRAFFIC, Tracker};
 use evaluation::{FrameTruth, Score};
-use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let points = Reader::<Points>::open(&arguments.points)?;
     let mut scene = Beside::<Scene>::open(&arguments.scene, |frame| frame.index)?;
-    let header = scene.reader.header().clone();
+    let header = scene.header().clone();
     let mut tracks = Followed::of(arguments, &points)?;
     let paths = arguments.paths.as_deref();
     let mut paths = paths.map(|file| Beside::<Paths>::open(file, |frame| frame.index)).transpose()?;
@@ -33,42 +33,6 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     }
     terminal::line(serde_json::to_string_pretty(&score.metrics()).map_err(Failure::refused)?);
     Ok(())
-}
-
-/// Refuses a frame of the scene with more or fewer poses than there are bodies in view.
-fn check_poses(file: &Path, view: &SceneHeader, frame: &SceneFrame) -> Result<(), Failure> {
-    let (poses, bodies, index) = (frame.poses.len(), view.targets.len(), frame.index);
-    if poses == bodies {
-        return Ok(());
-    }
-    let rule = format!("frame {index} has {poses} poses of {bodies} bodies in view");
-    Err(Failure::Refused(format!("{}: {rule}", file.display())))
-}
-
-/// An artifact that is read beside the points, frame by frame.
-struct Beside<S: Schema> {
-    file: PathBuf,
-    reader: Reader<S>,
-    index_of: fn(&S::Frame) -> u32,
-}
-
-impl<S: Schema> Beside<S> {
-    fn open(file: &Path, index_of: fn(&S::Frame) -> u32) -> Result<Self, Failure> {
-        Ok(Self { file: file.to_owned(), reader: Reader::open(file)?, index_of })
-    }
-
-    /// The frame of this index; frames before it are passed over.
-    fn frame(&mut self, index: u32) -> Result<S::Frame, Failure> {
-        let index_of = self.index_of;
-        let found = self.reader.find(|frame| frame.as_ref().map_or(true, |frame| index_of(frame) >= index));
-        let found: Option<Result<S::Frame, ArtifactError>> = found;
-        found.transpose()?.filter(|frame| index_of(frame) == index).ok_or_else(|| {
-            Failure::Refused(format!(
-                "{}: frame {index} of the points is not in it, or not in the order of the points",
-                self.file.display()
-            ))
-        })
-    }
 }
 
 /// Source of tracks: a file, or a tracker that runs here.

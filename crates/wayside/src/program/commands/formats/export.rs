@@ -6,6 +6,8 @@ mod dataset;
 mod features;
 #[cfg_attr(not(feature = "interchange"), path = "export/no_interchange.rs")]
 mod interchange;
+#[cfg_attr(not(feature = "interchange"), path = "export/no_parquet.rs")]
+mod parquet;
 mod paths;
 mod points;
 mod rcs;
@@ -17,6 +19,7 @@ use crate::host::files;
 use crate::program::cli::ExportArguments;
 use crate::program::commands::formats::raw_data::dca1000;
 use crate::program::commands::formats::raw_data::sigmf;
+use crate::program::commands::formats::training_sets;
 use crate::program::commands::formats::writing::fail;
 use crate::program::export_formats::FORMATS;
 use crate::program::words::{AxesWord, FormatWord};
@@ -25,11 +28,22 @@ use clap::ValueEnum;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
-    use FormatWord::{Csv, Dca1000, Exr, Json, Mcap, Npy, Osi, Pcd, Ply, Png, Safetensors, Sigmf};
+    use FormatWord::{Csv, Dca1000, Exr, Json, Mcap, Npy, Osi, Parquet, Pcd, Ply, Png, Safetensors, Sigmf};
     let (file, out) = (arguments.file.as_path(), arguments.out.as_path());
+    if file.is_dir() && arguments.to == Parquet {
+        return parquet::samples(file, out);
+    }
     let schema = read_preamble(file)?.schema; // from here on the file is known as an input
     if arguments.axes == AxesWord::On && (schema.as_str(), arguments.to) != ("rdm", Png) {
         return Err(Failure::System("--axes on is for range-Doppler maps (.rdm) exported to png".into()));
+    }
+    let (scene, is_set) = (arguments.scene.as_deref(), training_sets::is_set(arguments.to));
+    if scene.is_some() && !is_set {
+        let rule = "--scene is for sets with labels: raddet, carrada, uwcr, kitti, nuscenes";
+        return Err(Failure::System(rule.into()));
+    }
+    if let Some(written) = training_sets::write(arguments.to, &schema, file, scene, out) {
+        return written;
     }
     match (schema.as_str(), arguments.to) {
         ("cube", Npy) => cube::npy(Reader::open(file)?, out),
@@ -41,6 +55,7 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         ("rdm", Png) => rdm::png(Reader::open(file)?, out),
         ("points", Csv) => points::csv(Reader::open(file)?, out),
         ("points", Pcd) => points::pcd(Reader::open(file)?, out),
+        ("points", Parquet) => parquet::points(Reader::open(file)?, out),
         ("points", Ply) => points::ply(Reader::open(file)?, out),
         (kind @ ("points" | "tracks" | "paths"), Osi) => interchange::osi(file, kind, out),
         (kind @ ("points" | "tracks"), Mcap) => interchange::mcap(file, kind, out),
@@ -48,6 +63,7 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         ("tracks", Json) => as_json::<artifact::tracks::Tracks>(file, out),
         ("paths", Csv) => paths::csv(Reader::open(file)?, out),
         ("rcs", Npy) => rcs::npy(Reader::open(file)?, out),
+        ("dataset", Parquet) => parquet::samples(file, out),
         ("dataset", Npy) => dataset::npy(file, out),
         ("dataset", Png) => dataset::png(file, out),
         #[cfg(feature = "classifier")]

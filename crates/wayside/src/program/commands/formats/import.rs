@@ -7,9 +7,12 @@ use crate::host::failure::Failure;
 use crate::host::progress;
 use crate::program::cli::ImportArguments;
 use crate::program::commands::formats::device_config::{self, Configured, DeviceSettings, scene_with};
+use crate::program::commands::formats::radar_cloud;
+use crate::program::commands::formats::radar_cloud::import::{ending, frames_of};
 use crate::program::commands::formats::raw_data::dca1000;
 use crate::program::commands::formats::raw_data::npy;
 use crate::program::commands::formats::raw_data::sigmf;
+use crate::program::commands::formats::raw_data::uwcr;
 use crate::program::commands::formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
 use crate::program::words::{IqOrder, Lanes};
 use crate::stepwise;
@@ -25,14 +28,19 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let settings = arguments.config.as_deref().map(|file| device_config::read(file, arguments.device));
     let settings = settings.transpose()?;
     let scene = scene_of(arguments, settings.as_ref())?;
-    let mut header = cube_header(&scene);
     let file = arguments.array.as_path();
+    if ending(&arguments.out) == Some("points") {
+        return radar_cloud::import::points(file, &arguments.scene, &scene, &arguments.out);
+    }
+    let mut header = cube_header(&scene);
     if arguments.step.is_some_and(|step| !(step.is_finite() && step > 0.0)) {
         return Err(Failure::Refused("--step: a step must be a positive number".to_owned()));
     }
-    let Imported { frames, step } = match file.extension().and_then(|e| e.to_str()) {
+    let Imported { frames, step } = match ending(file) {
         Some("bin") => dca1000::read(file, &header, arguments.step, layout(arguments, settings.as_ref()))?,
         Some("sigmf-meta" | "sigmf-data") => sigmf::read(file, &header, arguments.step)?,
+        Some("mat") => uwcr::read(file, &header)?,
+        _ if file.is_dir() => uwcr::read(file, &header)?,
         _ => Imported { frames: of_array(file, header.shape())?, step: IntegerStep::Floats },
     };
     let told = Told { full_scale: arguments.full_scale, bits: settings.as_ref().map(DeviceSettings::bits) };
@@ -97,7 +105,8 @@ fn provenance_of(
     scene: &SceneHeader,
     step: &IntegerStep,
 ) -> Result<Provenance, Failure> {
-    let mut files = vec![arguments.array.clone(), arguments.scene.clone()];
+    let mut files = frames_of(&arguments.array, &uwcr::ENDINGS)?;
+    files.push(arguments.scene.clone());
     files.extend(arguments.config.clone());
     match step {
         IntegerStep::Told(_, place) => files.push(place.clone()),

@@ -22,6 +22,13 @@ impl Element for u8 {
     }
 }
 
+impl Element for f32 {
+    const DESCRIPTION: &'static str = "<f4";
+    fn append(self, bytes: &mut Vec<u8>) {
+        bytes.extend_from_slice(&self.to_le_bytes());
+    }
+}
+
 impl Element for Complex32 {
     const DESCRIPTION: &'static str = "<c8";
     fn append(self, bytes: &mut Vec<u8>) {

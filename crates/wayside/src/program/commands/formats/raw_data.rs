@@ -8,6 +8,7 @@ mod lanes; // bytes of a capture card
 pub(crate) mod dca1000;
 pub(crate) mod npy;
 pub(crate) mod sigmf;
+pub(crate) mod uwcr;
 
 use crate::host::failure::Failure;
 use artifact::cube::CubeHeader;

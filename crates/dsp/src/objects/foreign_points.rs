@@ -1,0 +1,120 @@
+//! Objects of points that another program or radar has located: the groups that this one's own would form.
+//!
+//! Of such points no cells and no channels are known. A cloud of another radar is what it has detected, a
+//! body often a point: each group is an object, also a lone one, at the mean of its points weighted by power.
+
+use crate::objects::cluster_member::Member;
+use crate::objects::clusters::clusters;
+use crate::objects::velocity_steps::DopplerAxis;
+use artifact::cube::CubeHeader;
+use artifact::points::{Object, Point};
+use artifact::units::power_from_db;
+use glam::DVec3;
+use radar::doppler_ambiguity::{folded_mps, wrapped_mps};
+
+/// Objects in the order of their strongest points; the points are put in order of strength, and get the
+/// number of their object. The header tells where the radar is, its span of velocities and what is near.
+pub fn objects_of_points(header: &CubeHeader, points: &mut [Point]) -> Vec<Object> {
+    points.sort_by(|a, b| b.snr_db.total_cmp(&a.snr_db));
+    let span_mps = 2.0 * header.radar.velocity_max_mps();
+    let axis = DopplerAxis { span_mps, cell_mps: header.radar.velocity_resolution_mps() };
+    let members: Vec<Member> = points.iter().map(|point| member(header, point, span_mps)).collect();
+    let groups = clusters(&members, &header.dsp, axis);
+    for (number, group) in groups.iter().enumerate() {
+        group.iter().for_each(|index| points[*index].object = Some(number as u32));
+    }
+    let object = |group: &Vec<usize>| {
+        let own: Vec<&Point> = group.iter().map(|index| &points[*index]).collect();
+        object(header, &own, span_mps)
+    };
+    groups.iter().map(object).collect()
+}
+
+fn member(header: &CubeHeader, point: &Point, span_mps: f64) -> Member {
+    let [cross_m, _] = header.dsp.road.across_along_m(point.position_m);
+    let away = DVec3::from(point.position_m) - DVec3::from(header.radar.position_m);
+    Member {
+        range_m: point.range_m,
+        radial_velocity_mps: wrapped_mps(point.radial_velocity_mps, span_mps),
+        cross_m,
+        cross_error_m: 0.0,
+        power: power_from_db(point.snr_db),
+        place_m: away.truncate(),
+    }
+}
+
+/// The object of these points, the strongest first.
+fn object(header: &CubeHeader, points: &[&Point], span_mps: f64) -> Object {
+    let total: f64 = points.iter().map(|point| power_from_db(point.snr_db)).sum();
+    let share = |point: &Point| power_from_db(point.snr_db) / total;
+    let near = |velocity_mps: f64| {
+        let strongest_mps = points[0].radial_velocity_mps;
+        strongest_mps + folded_mps(velocity_mps - strongest_mps, span_mps)
+    };
+    let mean = |of: &dyn Fn(&Point) -> f64| points.iter().map(|point| share(point) * of(point)).sum();
+    let place: [f64; 3] = std::array::from_fn(|axis| mean(&|point| point.position_m[axis]));
+    let away = DVec3::from(place) - DVec3::from(header.radar.position_m);
+    Object {
+        range_m: mean(&|point| point.range_m),
+        radial_velocity_mps: mean(&|point| near(point.radial_velocity_mps)),
+        velocity_resolved: false,
+        azimuth_rad: away.x.atan2(away.y),
+        height: points[0].height,
+        position_m: place,
+        lane: header.dsp.road.at(place),
+        snr_db: points[0].snr_db,
+        points: points.len() as u32,
+        range_extent_m: extent(points.iter().map(|point| point.range_m)),
+        velocity_extent_mps: extent(points.iter().map(|point| near(point.radial_velocity_mps))),
+        ghost_share: None,
+        stationary: None,
+    }
+}
+
+fn extent(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
+    [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::objects::test_settings::settings;
+    use artifact::points::Height;
+    use artifact::settings::Noise;
+    use radar::{aperture::Preset, paper};
+
+    fn point(x_m: f64, y_m: f64, radial_velocity_mps: f64, snr_db: f64) -> Point {
+        let range_m = x_m.hypot(y_m);
+        Point {
+            range_m,
+            radial_velocity_mps,
+            azimuth_rad: x_m.atan2(y_m),
+            elevation_rad: 0.0,
+            height: Height::Measured,
+            position_m: [x_m, y_m, 0.0],
+            snr_db,
+            two_ways_rad: None,
+            stationary: None,
+            object: None,
+            target: None,
+            label: None,
+        }
+    }
+
+    #[test]
+    fn points_of_one_place_and_speed_are_an_object_and_a_lone_one_is_one_too() {
+        let radar = paper::radar([0.0; 3], paper::waveform(256, 128), Preset::ThreeByFour.elements());
+        let header = CubeHeader { radar, noise: Noise::Absent, dsp: settings(), unit: Default::default() };
+        let mut points =
+            vec![point(5.0, 60.0, 3.0, 10.0), point(2.0, 30.0, -10.0, 20.0), point(2.0, 31.0, -10.0, 20.0)];
+        let objects = objects_of_points(&header, &mut points);
+        assert_eq!(objects.len(), 2);
+        assert_eq!(points.iter().map(|point| point.object).collect::<Vec<_>>(), [Some(0), Some(0), Some(1)]);
+        assert!(
+            (objects[0].position_m[1] - 30.5).abs() < 1e-9
+                && (objects[0].radial_velocity_mps + 10.0).abs() < 1e-9
+        );
+        assert_eq!((objects[0].points, objects[1].points), (2, 1));
+        assert_eq!(objects_of_points(&header, &mut []), []);
+    }
+}

@@ -1,0 +1,37 @@
+//! Raw frames of the University of Washington: a `.mat` a frame, `[sample, chirp, receiver, transmitter]`.
+
+use crate::host::failure::Failure;
+use crate::program::commands::formats::mat_file;
+use crate::program::commands::formats::radar_cloud::import::frames_of;
+use crate::program::commands::formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
+use artifact::bounded;
+use artifact::cube::CubeHeader;
+use num_complex::Complex32;
+use std::path::Path;
+
+/// Ending of a frame's file.
+pub(crate) const ENDINGS: [&str; 1] = ["mat"];
+
+/// Name of the array in each file.
+pub(crate) const ARRAY: &str = "adcData";
+
+/// Samples, chirps, receivers, and transmitters or the slots of their codes: a cube's axes backwards, so that
+/// its values stand in the order of a column-major array as they are.
+pub(crate) fn shape(header: &CubeHeader) -> [usize; 4] {
+    let [channels, chirps, samples] = header.shape();
+    let receivers = header.radar.array.rx_m.len().max(1);
+    [samples, chirps, receivers, channels / receivers]
+}
+
+/// Frames of a file, or of a folder in the order of its files' names.
+pub(crate) fn read(asked: &Path, header: &CubeHeader) -> Result<Imported, Failure> {
+    let files = frames_of(asked, &ENDINGS)?;
+    let frames: Result<Vec<_>, _> = files.iter().map(|file| of_file(file, header)).collect();
+    Ok(Imported { frames: frames?, step: IntegerStep::Floats })
+}
+
+fn of_file(file: &Path, header: &CubeHeader) -> Result<Vec<Complex32>, Failure> {
+    let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    let refused = |why: String| Failure::Refused(format!("{}: {why}", file.display()));
+    mat_file::complex_values(&bytes, shape(header)).map_err(refused)
+}

@@ -1,0 +1,115 @@
+//! The folder of a training set: there whole, under its name, or not at all.
+//!
+//! Files go into a hidden folder beside it, which is renamed when all are there. The set's own description,
+//! `set.json`, is one of them.
+
+use crate::host::failure::Failure;
+use crate::host::files;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// Name of the description in the folder of a set.
+pub(crate) const DESCRIPTION: &str = "set.json";
+
+/// A folder that is being filled; dropped before [`Self::finish`], it leaves nothing.
+pub(crate) struct SetFolder {
+    out: PathBuf,
+    filled: PathBuf,
+    /// Number of the frame that is written.
+    frame: Option<u32>,
+    _writing: files::Writing,
+}
+
+impl SetFolder {
+    /// Begins to fill what becomes the folder `out`, which is not there yet, or empty.
+    ///
+    /// # Errors
+    /// It holds something, is no folder, or nothing can be written beside it.
+    pub(crate) fn begin(out: &Path) -> Result<Self, Failure> {
+        let refused = |rule: &str| Failure::System(format!("{}: {rule}", out.display()));
+        let name = out.file_name().ok_or_else(|| refused("is no name of a folder"))?;
+        let entries = std::fs::read_dir(out).map(Iterator::count);
+        match entries {
+            Ok(0) => {}
+            Ok(_) => return Err(refused("is not empty: a training set gets a folder of its own")),
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {}
+            Err(error) => return Err(Failure::system(out, "be made a folder", error)),
+        }
+        let hidden = format!(".{}.wayside.part", name.to_string_lossy());
+        let filled = out.with_file_name(hidden);
+        let writing = files::Writing::into_folder(&filled)?;
+        let _ = std::fs::remove_dir_all(&filled); // what a killed command left
+        std::fs::create_dir_all(&filled).map_err(|e| Failure::system(out, "be made", e))?;
+        Ok(Self { out: out.to_owned(), filled, frame: None, _writing: writing })
+    }
+
+    /// Begins a frame, whose files bear its number.
+    ///
+    /// # Errors
+    /// It is no later one than that before it.
+    pub(crate) fn begin_frame(&mut self, index: u32) -> Result<(), Failure> {
+        match self.frame.replace(index) {
+            Some(before) if before >= index => {
+                Err(Failure::refused(format!("frame {index} follows frame {before}: they are not in order")))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Place of a file while the folder is being filled.
+    pub(crate) fn place(&self, name: &str) -> PathBuf {
+        self.filled.join(name)
+    }
+
+    /// Writes a file; folders above it are made.
+    pub(crate) fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+        files::write_file(&self.place(name), bytes)
+    }
+
+    /// Writes a file of JSON.
+    pub(crate) fn write_json(&self, name: &str, value: &Value) -> Result<(), Failure> {
+        let text = serde_json::to_string_pretty(value).map_err(Failure::refused)?;
+        self.write(name, text.as_bytes())
+    }
+
+    /// Writes the description and gives the folder its name.
+    pub(crate) fn finish(self, description: &Value) -> Result<(), Failure> {
+        self.write_json(DESCRIPTION, description)?;
+        let _ = std::fs::remove_dir(&self.out); // an empty one; of anything else it takes nothing
+        std::fs::rename(&self.filled, &self.out)
+            .map_err(|e| Failure::system(&self.out, "be given its name", e))
+    }
+}
+
+impl Drop for SetFolder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.filled);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn a_set_is_there_whole_or_not_at_all_and_never_over_anything() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("new/set");
+        let set = SetFolder::begin(&out).unwrap();
+        set.write("a/b.txt", b"b").unwrap();
+        assert!(!out.exists());
+        drop(set);
+        assert_eq!(std::fs::read_dir(folder.path().join("new")).unwrap().count(), 0);
+        let mut set = SetFolder::begin(&out).unwrap();
+        set.begin_frame(3).unwrap();
+        assert!(set.begin_frame(3).is_err_and(|e| e.to_string().contains("not in order")));
+        set.write("a/b.txt", b"b").unwrap();
+        set.finish(&json!({})).unwrap();
+        assert_eq!(std::fs::read(out.join("a/b.txt")).unwrap(), b"b");
+        assert!(out.join(DESCRIPTION).is_file());
+        assert!(SetFolder::begin(&out).is_err_and(|e| e.to_string().contains("not empty")));
+        std::fs::write(folder.path().join("file"), b"").unwrap();
+        assert!(SetFolder::begin(&folder.path().join("file")).is_err());
+    }
+}
