@@ -25,7 +25,6 @@
 //! # Ok::<(), &str>(())
 //! ```
 
-mod crosses;
 mod dimensions;
 mod family;
 mod drawing;

@@ -182,8 +182,8 @@ impl Reference {
     }
 }
 
-/// Power that is added to all orders, where so much is added to the first ones: the later ones gain as much of
-/// their own power as these do, but no more than it. First orders that are next to nothing beside what is
+/// Power that is added to all orders, where so much is added to the first ones: the later ones gain as much
+/// of their own power as these do, but no more than it. First orders that are next to nothing beside what is
 /// added to them (a van of plain plates, all of whose echo is a corner of three bounces) tell nothing of the
 /// later ones.
 fn with_later_orders(added: f64, [first, later]: [f64; 2]) -> f64 {

@@ -43,8 +43,9 @@ pub fn class_of(name: &str) -> Option<Class> {
     Class::ALL.into_iter().find(|class| Some(class.name()) == kind)
 }
 
-/// One of [`names`] or [`crosses_of`] in body axes, its bounding box (mirrors, handlebar and rider included) of the nominal
-/// dimensions for seed 0 and of dimensions drawn from [`ranges_m`] for any other; `None` for any other name.
+/// One of [`names`] or [`crosses_of`] in body axes, its bounding box (mirrors, handlebar and rider included)
+/// of the nominal dimensions for seed 0 and of dimensions drawn from [`ranges_m`] for any other; `None` for
+/// any other name.
 pub fn mesh(name: &str, seed: u64) -> Option<Mesh> {
     let (parts, size_m) = drawing(name, seed)?;
     Some(parts.finish(name, size_m))

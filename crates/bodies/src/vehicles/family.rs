@@ -6,9 +6,10 @@
 //! asks whether something is there, a number is the probability that it is.
 //!
 //! `car-kei+pickup` is a cross: a kei car whose numbers lie half way to those of a pick-up
-//! ([`crosses`](crate::vehicles::crosses)).
+//! ([`crosses`]).
 
-use crate::vehicles::crosses;
+mod crosses; // half way between two families
+
 use crate::vehicles::dimensions::{Draw, SizeRange};
 use artifact::settings::Class;
 use std::borrow::Cow;

@@ -1,20 +1,18 @@
 //! Samples of a real radar (`fixtures/captures`): our maps and points beside NumPy's, the array's coherence,
 //! the noise; and the room simulated, of which three points are known.
 
+mod room;
 mod simulated;
 
 use crate::project::project_root;
 use crate::study::extent::Extent;
 use crate::study::pages::part::Part;
+use crate::study::pages::real_captures::room::{Echo, Ours, made};
 use crate::study::sources::{Places, SIGNALS};
-use artifact::Reader;
-use artifact::cube::{Cube, CubeFrame, CubeHeader, SampleUnit};
-use artifact::points::Point;
-use artifact::rdm::RdmFrame;
+use artifact::cube::{CubeFrame, CubeHeader};
 use dsp::Receiver;
 use dsp::angle::VirtualArray;
 use std::path::Path;
-use std::process::{Command, Stdio};
 use wayside::host::failure::Failure;
 
 /// Sources that the figures hang on.
@@ -24,6 +22,7 @@ pub(crate) const SOURCES: Places = &[
         "fixtures/captures",
         "crates/wayside/src/program/commands/formats/raw_data",
         "crates/wayside/src/program/commands/formats/raw_data.rs",
+        "xtask/src/study/pages/real_captures",
         "xtask/src/study/pages/real_captures.rs",
     ],
 ];
@@ -56,33 +55,6 @@ fn imported(folder: &Path) -> Result<(CubeHeader, CubeFrame), Failure> {
     made(&["import".as_ref(), &folder.join("room.bin"), "--scene".as_ref(), &folder.join("room.toml")])
 }
 
-/// The first frame of the cube that a command of this program makes.
-fn made(words: &[&Path]) -> Result<(CubeHeader, CubeFrame), Failure> {
-    let place = tempfile::tempdir().map_err(|e| Failure::System(format!("a folder for the cube: {e}")))?;
-    let cube = place.path().join("room.cube");
-    let this = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
-    let mut command = Command::new(this);
-    command.args(words).arg("--out").arg(&cube).arg("--quiet").stdin(Stdio::null()).stdout(Stdio::null());
-    let status = command.status().map_err(|e| Failure::System(format!("{words:?}: {e}")))?;
-    if !status.success() {
-        return Err(Failure::Refused(format!("{words:?}: {status}")));
-    }
-    let mut reader = Reader::<Cube>::open(&cube)?;
-    let header = reader.header().clone();
-    let frame = reader.next_frame()?.ok_or_else(|| Failure::Refused("the cube holds no frame".into()))?;
-    Ok((header, frame))
-}
-
-/// An echo as NumPy's strongest cell tells it.
-struct Echo {
-    name: String,
-    range_m: f64,
-    velocity_mps: f64,
-    azimuth_deg: f64,
-    level_dbfs: f64,
-    coherence: f64,
-}
-
 fn echoes(file: &Path) -> Result<Vec<Echo>, Failure> {
     let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
     let echo = |line: &str| {
@@ -99,78 +71,6 @@ fn levels(file: &Path) -> Result<Vec<f64>, Failure> {
     let bytes = std::fs::read(file).map_err(|e| Failure::system(file, "read", e))?;
     let behind = bytes.iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |end| end + 1);
     Ok(bytes[behind..].as_chunks::<4>().0.iter().map(|b| f64::from(f32::from_le_bytes(*b))).collect())
-}
-
-/// What this project makes of the frame.
-struct Ours<'a> {
-    header: &'a CubeHeader,
-    map: &'a RdmFrame,
-    array: VirtualArray,
-    points: &'a [Point],
-}
-
-impl Ours<'_> {
-    /// Row and column of the cell in which an echo is strongest.
-    fn cell(&self, echo: &Echo) -> [usize; 2] {
-        let nearest = |axis: &[f64], at: f64| {
-            let apart = |i: &usize| (axis[*i] - at).abs();
-            (0..axis.len()).min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(0)
-        };
-        let velocities = dsp::velocity_axis_mps(self.header);
-        [nearest(&velocities, echo.velocity_mps), nearest(&dsp::range_axis_m(self.header), echo.range_m)]
-    }
-
-    /// Level of a cell, dBFS.
-    fn level_dbfs(&self, [row, column]: [usize; 2]) -> Result<f64, Failure> {
-        let power = dsp::power_map(self.header, self.map).map_err(Failure::refused)?[[row, column]];
-        Ok(self.header.map_level_db(power, self.header.radar.map_channels()))
-    }
-
-    /// Level of an echo's cell, dBFS, where the samples are a converter's.
-    fn level_told(&self, echo: &Echo) -> Result<String, Failure> {
-        match self.header.unit {
-            SampleUnit::FullScale(_) => Ok(format!("{:.2}", self.level_dbfs(self.cell(echo))?)),
-            SampleUnit::RootWatts | SampleUnit::Steps => Ok("–".into()),
-        }
-    }
-
-    /// Power of the strongest beam over what all channels would have in phase.
-    fn coherence(&self, echo: &Echo) -> f64 {
-        let snapshot = self.array.snapshot(self.map, self.cell(echo), echo.velocity_mps);
-        let direction = self.array.direction(std::slice::from_ref(&snapshot), echo.range_m);
-        let steering = self.array.steering(direction, echo.range_m);
-        let sum: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
-        self.array.beam(&snapshot, &steering).norm_sqr() / (snapshot.len() as f64 * sum)
-    }
-
-    /// The strongest point within a cell of an echo.
-    fn point(&self, echo: &Echo) -> Option<&Point> {
-        let radar = &self.header.radar;
-        let cells = [radar.waveform.range_resolution_m(), radar.velocity_resolution_mps()];
-        let is_near = |p: &&Point| {
-            (p.range_m - echo.range_m).abs() < cells[0]
-                && (p.radial_velocity_mps - echo.velocity_mps).abs() < cells[1]
-        };
-        self.points.iter().filter(is_near).max_by(|a, b| a.snr_db.total_cmp(&b.snr_db))
-    }
-
-    /// Row of the table of echoes: the point, its cell and its coherence.
-    fn row(&self, of: &str, echo: &Echo) -> Result<[String; 8], Failure> {
-        let point = self.point(echo);
-        let told = |of: fn(&Point) -> f64, digits: usize| {
-            point.map_or_else(|| "–".to_owned(), |point| format!("{:.digits$}", of(point)))
-        };
-        Ok([
-            String::new(),
-            of.to_owned(),
-            told(|p| p.range_m, 3),
-            told(|p| p.radial_velocity_mps, 3),
-            told(|p| p.azimuth_rad.to_degrees(), 2),
-            self.level_told(echo)?,
-            told(|p| p.snr_db, 1),
-            format!("{:.3}", self.coherence(echo)),
-        ])
-    }
 }
 
 fn table_of_echoes(part: &mut Part, ours: &Ours<'_>, echoes: &[Echo]) -> Result<(), Failure> {

@@ -4,7 +4,7 @@
 //! is what the rows say, and by how much the room differs from a few points what the line below says.
 
 use crate::study::pages::part::Part;
-use crate::study::pages::real_captures::{Echo, Ours, made};
+use crate::study::pages::real_captures::room::{Echo, Ours, made};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::Point;
 use dsp::Receiver;

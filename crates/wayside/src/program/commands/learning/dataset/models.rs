@@ -131,7 +131,8 @@ fn manifest_of(file: &Path) -> Result<Manifest, Failure> {
 /// Word for all crosses of a class.
 const ALL_CROSSES: &str = "crosses";
 
-/// The models that a word of the recipe names: an own vehicle, all crosses, a file, or all `.glb` of a folder.
+/// The models that a word of the recipe names: an own vehicle, all crosses, a file, or all `.glb` of a
+/// folder.
 fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, String> {
     let key = format!("models.{}", class.name());
     let path = folder.join(written);
