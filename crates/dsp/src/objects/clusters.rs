@@ -113,9 +113,9 @@ impl Echoes<'_> {
             moment += self.members[next].cross_m * self.members[next].power;
             weight += self.members[next].power;
             group.push(next);
-            for other in 0..self.members.len() {
-                if free[other] && self.near(&self.members[next], &self.members[other]) {
-                    free[other] = false;
+            for (other, is_free) in free.iter_mut().enumerate() {
+                if *is_free && self.near(&self.members[next], &self.members[other]) {
+                    *is_free = false;
                     reached.push(other);
                 }
             }

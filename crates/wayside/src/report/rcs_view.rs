@@ -258,3 +258,54 @@ fn controls() -> Markup {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use num_complex::Complex64;
+
+    fn plate() -> Mesh {
+        let vertices_m = vec![[0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0], [0.0, 2.0, 1.0]];
+        Mesh { vertices_m, triangles: vec![[0, 1, 2], [1, 3, 2]], ..Mesh::default() }
+    }
+
+    fn part(triangle: u32, amplitude: f64) -> Contribution {
+        let amplitude_m = Complex64::new(amplitude, 0.0);
+        let points_m = vec![DVec3::new(0.0, 1.0, 0.5)];
+        Contribution { triangles: vec![triangle], edge_m: None, points_m, amplitude_m }
+    }
+
+    #[test]
+    fn levels_are_whole_decibels_over_the_foot_and_nothing_below_it() {
+        assert_eq!([1.0, 0.1, 1e-4, 0.9e-4, 0.0].map(|power| level(power, 1.0)), [41, 31, 1, 0, 0]);
+        assert_eq!(level(3.0, 1.0), 41);
+    }
+
+    #[test]
+    fn a_body_of_any_size_is_ten_units_long_about_the_middle() {
+        let place = Placing::of(&plate());
+        assert_eq!(place.bounds(), [[0.0, -5.0, -2.5], [0.0, 5.0, 2.5]]);
+    }
+
+    #[test]
+    fn the_page_tells_all_sequences_and_no_name_ends_its_script() {
+        let (mesh, parts) = (plate(), [part(1, 2.0), part(0, 1.0)]);
+        let view = RcsView {
+            mesh: &mesh,
+            name: "</script>.npy".into(),
+            parts: &parts,
+            direction: [1.0, 0.0, 0.0],
+            aspect: "77.000 GHz".into(),
+            azimuth_deg: 0.0,
+            level_dbsm: 6.0,
+            cut: vec![[0.0, f64::NEG_INFINITY]],
+        };
+        let numbers = view.numbers();
+        assert_eq!((numbers.all_sequences, numbers.all_power), (2, 1.25));
+        assert_eq!(numbers.cut.levels_dbsm, [-200.0]);
+        let page = page(&view).unwrap();
+        assert_eq!(page.matches("</script>").count(), 2);
+        assert!(!page.contains("viewer-cut\" role"), "one azimuth has no cut");
+    }
+}
