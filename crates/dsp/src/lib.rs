@@ -35,22 +35,25 @@
 //! use num_complex::Complex32;
 //! use radar::{aperture::Preset, paper};
 //!
-//! let waveform = paper::waveform(256, 64); let radar = paper::radar([0.0, 0.0, 6.0], waveform,
-//! Preset::OneByFour.elements()); let header = CubeHeader { radar, noise: Noise::Absent, dsp: DspSettings {
-//! range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate:
-//! 1e-5, guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, calibration:
-//! vec![], static_echoes: StaticEchoes::Keep, nearest_m: 0.0, assumed_height_m: 0.75, cluster_range_m: 2.5,
-//! cluster_velocity_mps: 1.0, cluster_cross_m: 2.5, road: Lanes { lanes: vec![Lane { number: 2, centre_m:
-//! 5.75, width_m: 3.75 }], ..Lanes::default() }, }, unit: Default::default() };
+//! let waveform = paper::waveform(256, 64);
+//! let radar = paper::radar([0.0, 0.0, 6.0], waveform, Preset::OneByFour.elements());
+//! let header = CubeHeader { radar, noise: Noise::Absent, dsp: DspSettings {
+//!     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
+//!     guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], static_echoes: StaticEchoes::Keep, nearest_m: 0.0, assumed_height_m: 0.75,
+//!     cluster_range_m: 2.5, cluster_velocity_mps: 1.0, cluster_cross_m: 2.5,
+//!     road: Lanes { lanes: vec![Lane { number: 2, centre_m: 5.75, width_m: 3.75 }], ..Lanes::default() },
+//! }, unit: Default::default() };
 //!
-//! // A point at 40 m in lane 2 (u = 5.75/40), approaching at 10 m/s: phases of eq. (13). let (range_m,
-//! velocity_mps, u) = (40.0, -10.0, 5.75 / 40.0); let cycles = |rx: i32, chirp: i32, sample: i32| { let
-//! time_s = f64::from(sample) / 5.12e6; let delay_s = 2.0 * (range_m + velocity_mps * (f64::from(chirp) *
-//! 60e-6 + time_s)) / 299_792_458.0; 77e9 * delay_s + 12.5e12 * (time_s * delay_s - 0.5 * delay_s * delay_s)
-//! - 0.5 * f64::from(rx) * u }; let sample = |i: i32| (cycles(i / 256 / 64, i / 256 % 64, i % 256).fract() *
-//! std::f64::consts::TAU) as f32; let samples = (0..4 * 64 * 256).map(|i| Complex32::from_polar(1e-6,
-//! sample(i))).collect(); let frame = CubeFrame { index: 0, time_s: 0.0, samples, error: Default::default()
+//! // A point at 40 m in lane 2 (u = 5.75/40), approaching at 10 m/s: phases of eq. (13).
+//! let (range_m, velocity_mps, u) = (40.0, -10.0, 5.75 / 40.0);
+//! let cycles = |rx: i32, chirp: i32, sample: i32| {
+//!     let time_s = f64::from(sample) / 5.12e6;
+//!     let delay_s = 2.0 * (range_m + velocity_mps * (f64::from(chirp) * 60e-6 + time_s)) / 299_792_458.0;
+//!     77e9 * delay_s + 12.5e12 * (time_s * delay_s - 0.5 * delay_s * delay_s) - 0.5 * f64::from(rx) * u
 //! };
+//! let sample = |i: i32| (cycles(i / 256 / 64, i / 256 % 64, i % 256).fract() * std::f64::consts::TAU) as f32;
+//! let samples = (0..4 * 64 * 256).map(|i| Complex32::from_polar(1e-6, sample(i))).collect();
+//! let frame = CubeFrame { index: 0, time_s: 0.0, samples, error: Default::default() };
 //!
 //! let receiver = dsp::Receiver::new(&header)?;
 //! let (map, seen) = receiver.process(&frame)?;
