@@ -43,5 +43,5 @@ mod tests;
 #[cfg(test)]
 mod family_tests;
 
-pub use catalogue::{NAMES, class_of, crosses_of, mesh, names, ranges_m};
+pub use catalogue::{NAMES, class_of, crosses_of, families_of, mesh, names, ranges_m};
 pub use glb::glb;

@@ -209,7 +209,7 @@ mod tests {
         vec![format!("a{number}").as_str().into(), (u64::MAX - number).into(), real.into(), is_third.into()]
     }
 
-    /// By the library's own reader; by pandas and pyarrow in `docs/training-sets/check.py`.
+    /// The library's own reader reads it; pandas and pyarrow do in `docs/training-sets/check.py`.
     #[test]
     fn rows_of_several_groups_come_back_as_they_went() {
         let mut bytes = vec![];

@@ -34,6 +34,11 @@ pub fn crosses_of(class: Class) -> Vec<String> {
     family::crosses_of(class)
 }
 
+/// Names of the two families that a cross is named by; `None` of any other name.
+pub fn families_of(cross: &str) -> Option<[&'static str; 2]> {
+    family::of_cross(cross).map(|families| families.map(|family| family.name.as_str()))
+}
+
 /// Class of one of [`names`] or [`crosses_of`]; `None` for any other name.
 pub fn class_of(name: &str) -> Option<Class> {
     if let Some(family) = family::find(name) {

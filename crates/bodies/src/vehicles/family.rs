@@ -54,14 +54,24 @@ pub(crate) fn all() -> &'static [Family] {
 
 /// The family of that name, or the cross of two of one build.
 pub(crate) fn find(name: &str) -> Option<Cow<'static, Family>> {
-    let written = |name: &str| FAMILIES.iter().find(|family| family.name == name);
-    let Some((first, second)) = name.split_once(crosses::SIGN) else {
-        return written(name).map(Cow::Borrowed);
-    };
-    let first = written(first)?;
-    let second = written(&format!("{}-{second}", first.class.name())).filter(|s| s.name != first.name)?;
+    if let Some(family) = written(name) {
+        return Some(Cow::Borrowed(family));
+    }
+    let [first, second] = of_cross(name)?;
     let values = crosses::half_way(&first.values, &second.values)?;
     Some(Cow::Owned(Family { name: name.to_owned(), class: first.class, values }))
+}
+
+fn written(name: &str) -> Option<&'static Family> {
+    FAMILIES.iter().find(|family| family.name == name)
+}
+
+/// The two families that a cross is named by, whether they are of one build or not.
+pub(crate) fn of_cross(name: &str) -> Option<[&'static Family; 2]> {
+    let (first, second) = name.split_once(crosses::SIGN)?;
+    let first = written(first)?;
+    let second = written(&format!("{}-{second}", first.class.name())).filter(|s| s.name != first.name)?;
+    Some([first, second])
 }
 
 /// Names of all crosses of a class: each family with each other one of its build, in their order.

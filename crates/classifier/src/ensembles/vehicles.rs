@@ -8,6 +8,7 @@ use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
 use artifact::seed;
 use artifact::settings::Class;
+use bodies::vehicles::families_of;
 use rand::{SeedableRng, seq::SliceRandom};
 use rand_chacha::ChaCha8Rng;
 use std::collections::{BTreeMap, BTreeSet};
@@ -107,7 +108,7 @@ impl Sightings {
     /// seed. A cross has those of both families that it stands between, any other vehicle twice its own.
     pub fn folds(&self, numbers: &[usize], folds: usize, seed: u64) -> Vec<[usize; 2]> {
         let kin = |i: &usize| kin(&self.all[*i].model).map(|model| (self.all[*i].class, model));
-        let models: BTreeSet<(usize, String)> = numbers.iter().flat_map(kin).collect();
+        let models: BTreeSet<(usize, &str)> = numbers.iter().flat_map(kin).collect();
         let mut fold_of = BTreeMap::new();
         for class in 0..Class::ALL.len() {
             let mut own: Vec<_> = models.iter().filter(|(c, _)| *c == class).collect();
@@ -118,21 +119,16 @@ impl Sightings {
     }
 }
 
-/// Sign between the names of two families in that of their cross, the class written once: `car-kei+pickup`.
-const CROSS: char = '+';
-
 impl Seen {
     /// Whether the vehicle stands half way between two families, which others show as they are.
     pub fn is_cross(&self) -> bool {
-        self.model.contains(CROSS)
+        families_of(&self.model).is_some()
     }
 }
 
 /// The two families of a cross; of any other vehicle twice itself.
-fn kin(model: &str) -> [String; 2] {
-    let Some((first, second)) = model.split_once(CROSS) else { return [model.to_owned(), model.to_owned()] };
-    let class = first.split_once('-').map_or("", |(class, _)| class);
-    [first.to_owned(), format!("{class}-{second}")]
+fn kin(model: &str) -> [&str; 2] {
+    families_of(model).unwrap_or([model, model])
 }
 
 #[cfg(test)]

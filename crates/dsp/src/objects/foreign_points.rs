@@ -5,6 +5,7 @@
 
 use crate::objects::cluster_member::Member;
 use crate::objects::clusters::clusters;
+use crate::objects::points::extent;
 use crate::objects::velocity_steps::DopplerAxis;
 use artifact::cube::CubeHeader;
 use artifact::points::{Object, Point};
@@ -69,10 +70,6 @@ fn object(header: &CubeHeader, points: &[&Point], span_mps: f64) -> Object {
         ghost_share: None,
         stationary: None,
     }
-}
-
-fn extent(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
-    [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
 }
 
 #[cfg(test)]

@@ -503,6 +503,6 @@ fn weighted_mean(values: impl Iterator<Item = f64>, weights: &[f64]) -> f64 {
     values.zip(weights).map(|(v, w)| v * w).sum::<f64>() / weight
 }
 
-fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
+pub(crate) fn extent(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// Longest line of a sentence, in bytes: a list of all vehicles fits, a damaged file's word of megabytes not.
 const LINE_BYTES: usize = 4096;
-/// Of a longer one, the bytes that stay of its beginning and of its end, where file and rule stand.
+/// Bytes of a longer line that stay of its beginning and of its end, where file and rule stand.
 const KEPT_BYTES: [usize; 2] = [3072, 512];
 
 /// The sentence was made by the error it came from; what a program makes of its kind is the program's.

@@ -3,13 +3,14 @@
 
 use crate::report::page::sheet;
 use crate::report::viewer::packed::Packed;
+use crate::report::viewer::page_script::{json, scripts};
 use artifact::scene::Mesh;
 use artifact::units::db_from_power;
 use bart_rcs::Contribution;
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 use serde::Serialize;
 
-/// What the view shows.
+/// A table's body, seen at one aspect.
 pub(crate) struct RcsView<'a> {
     /// The body, and the file's name it came from.
     pub(crate) mesh: &'a Mesh,
@@ -77,7 +78,7 @@ struct Cut {
 
 /// The page as a text; an error of serde's where a number is none.
 pub(crate) fn page(view: &RcsView<'_>) -> Result<String, serde_json::Error> {
-    let numbers = serde_json::to_string(&view.numbers())?;
+    let numbers = json(&view.numbers())?;
     Ok(sheet(&view.name, content(view, &numbers)))
 }
 
@@ -135,7 +136,7 @@ impl RcsView<'_> {
         }
     }
 
-    /// From the radar's side over the touched points and back to it.
+    /// Way of the ray: from the radar's side over the touched points and back to it.
     fn way(&self, place: &Placing, part: &Contribution) -> Vec<[f64; 3]> {
         let points: Vec<[f64; 3]> =
             part.points_m.iter().take(250).map(|p| place.of_m(p.to_array())).collect();
@@ -199,6 +200,12 @@ fn level(power: f64, strongest: f64) -> u8 {
     if power > 0.0 && db >= 0.0 { 1 + db.min(SPAN_DB).round() as u8 } else { 0 }
 }
 
+/// How the view is read and moved.
+const HOW: &str = "facets from −40 to 0 dB of the strongest sequence, by the powers of all sequences that they \
+                   take part in, without their phases. Lines are sequences, coloured by their bounces. Drag \
+                   turns the view, with the right button or Shift moves it; the wheel comes nearer once the \
+                   picture was clicked. A click on a facet lists its sequences.";
+
 /// The view's script, in the order in which its parts use each other.
 const SCRIPT: [&str; 10] = [
     include_str!("viewer/script/numbers.js"),
@@ -227,17 +234,13 @@ fn content(view: &RcsView<'_>, numbers: &str) -> Markup {
                 }
                 div #viewer-panel aria-live="polite" {}
             }
-            p.made { i #viewer-scale {} "facets from −40 to 0 dB of the strongest sequence, by the powers of all sequences that "
-                "they take part in, without their phases. Lines are sequences, coloured by their bounces. Drag turns the "
-                "view, with the right button or Shift moves it; the wheel comes nearer once the picture was clicked. A click on "
-                "a facet lists its sequences." }
+            p.made { i #viewer-scale {} (HOW) }
             @if left_out > 0 { p.made { (left_out) " facets that return least are not shown." } }
             @if view.cut.len() > 1 {
                 div.viewer-maps { div { canvas #viewer-cut role="img" aria-label="Level over azimuth" {} } }
             }
         }
-        script type="application/json" id="viewer-data" { (PreEscaped(numbers.replace('<', "\\u003c"))) }
-        script { (PreEscaped("\"use strict\";\n{\n")) @for part in SCRIPT { (PreEscaped(part)) } (PreEscaped("}\n")) }
+        (scripts(numbers, &SCRIPT))
     }
 }
 
@@ -262,6 +265,7 @@ fn controls() -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::viewer::page_script::reads_as_the_source_does;
     use glam::DVec3;
     use num_complex::Complex64;
 
@@ -274,6 +278,11 @@ mod tests {
         let amplitude_m = Complex64::new(amplitude, 0.0);
         let points_m = vec![DVec3::new(0.0, 1.0, 0.5)];
         Contribution { triangles: vec![triangle], edge_m: None, points_m, amplitude_m }
+    }
+
+    #[test]
+    fn the_script_reads_as_the_rest_of_the_source_does() {
+        reads_as_the_source_does(&SCRIPT);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! them (`docs/report.md`). Where scripts do not run, and on paper, the page's drawings stand for it.
 
 pub(in crate::report) mod packed; // numbers in few bytes
+pub(in crate::report) mod page_script; // numbers and scripts in a page
 mod budget; // how much of a run the view holds
 mod ways; // the places that a path passes
 mod strongest_paths; // what is shown of a frame's paths

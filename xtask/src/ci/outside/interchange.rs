@@ -6,13 +6,14 @@
 use crate::ci::commands::{Tally, counted, finished};
 use crate::ci::outside::interpreter::{Interpreter, Needs};
 use crate::project::project_root;
+use std::path::Path;
 use std::process::Command;
 use wayside::host::failure::Failure;
 
 /// Scripts of the check, from the project's root on.
 const SCRIPTS: &str = "docs/interchange";
 /// The program with the feature.
-pub(super) const PROGRAM: [&str; 5] = ["--release", "--package", "wayside", "--features", "interchange"];
+const PROGRAM: [&str; 5] = ["--release", "--package", "wayside", "--features", "interchange"];
 
 pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let lints = ["clippy", "--release", "--package", "interchange", "--all-targets", "--package", "wayside"];
@@ -20,8 +21,13 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     finished(Command::new("cargo").args(lints))?;
     let tests = ["test", "--release", "--package", "interchange"];
     counted(Command::new("cargo").args(tests), tally)?;
-    let folder = project_root().join("target/interchange");
-    let requirements = format!("{SCRIPTS}/requirements.txt");
+    by_scripts(SCRIPTS, tally)
+}
+
+/// Runs `check.py` of a folder of scripts, in an environment of its own, on the program with the feature.
+pub(super) fn by_scripts(scripts: &str, tally: &mut Tally) -> Result<(), Failure> {
+    let folder = project_root().join("target").join(Path::new(scripts).file_name().unwrap_or_default());
+    let requirements = format!("{scripts}/requirements.txt");
     let needs = Needs::of_scripts(&requirements);
     let Some(python) = Interpreter::of(&needs, &folder, tally)? else { return Ok(()) };
     finished(Command::new("cargo").arg("build").args(PROGRAM))?;
@@ -30,5 +36,5 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let _ = std::fs::remove_dir_all(&work);
     let mut command = Command::new(python.program());
     let program = this.with_file_name(format!("wayside{}", std::env::consts::EXE_SUFFIX));
-    counted(command.arg(format!("{SCRIPTS}/check.py")).arg(program).arg(&work), tally)
+    counted(command.arg(format!("{scripts}/check.py")).arg(program).arg(&work), tally)
 }

@@ -10,8 +10,6 @@ use crate::study::pages::part::Part;
 use crate::study::pages::real_captures::room::{Echo, Ours, made};
 use crate::study::sources::{Places, SIGNALS};
 use artifact::cube::{CubeFrame, CubeHeader};
-use dsp::Receiver;
-use dsp::angle::VirtualArray;
 use std::path::Path;
 use wayside::host::failure::Failure;
 
@@ -30,15 +28,13 @@ pub(crate) const SOURCES: Places = &[
 /// Makes the part; there is one frame, however few cases are asked for.
 pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
     let folder = project_root().join("fixtures/captures");
-    let (header, frame) = imported(&folder)?;
-    let receiver = Receiver::new(&header).map_err(Failure::refused)?;
-    let (map, seen) = receiver.process(&frame).map_err(Failure::refused)?;
+    let ours = Ours::of(&imported(&folder)?)?;
     let echoes = echoes(&folder.join("room.numpy.csv"))?;
     let mut part = Part::default();
-    let ours = Ours { header: &header, map: &map, array: VirtualArray::new(&header), points: &seen.points };
     table_of_echoes(&mut part, &ours, &echoes)?;
     simulated::rows(&mut part, &folder, &ours, &echoes)?;
     table_of_map(&mut part, &ours, &levels(&folder.join("room.numpy.npy"))?)?;
+    let Ours { header, map, seen, .. } = &ours;
     let near = seen.points.iter().filter(|p| p.range_m < header.dsp.nearest_m).count();
     part.line(format!(
         "\n{} cells above the threshold of {} tested, {} points ({near} nearer than `nearest_m`), {} objects.",
@@ -73,7 +69,7 @@ fn levels(file: &Path) -> Result<Vec<f64>, Failure> {
     Ok(bytes[behind..].as_chunks::<4>().0.iter().map(|b| f64::from(f32::from_le_bytes(*b))).collect())
 }
 
-fn table_of_echoes(part: &mut Part, ours: &Ours<'_>, echoes: &[Echo]) -> Result<(), Failure> {
+fn table_of_echoes(part: &mut Part, ours: &Ours, echoes: &[Echo]) -> Result<(), Failure> {
     part.head(&[
         "echo",
         "",
@@ -108,9 +104,9 @@ fn table_of_echoes(part: &mut Part, ours: &Ours<'_>, echoes: &[Echo]) -> Result<
 const WORST_DB: f64 = 1e-3;
 const WITHIN_DB: f64 = 60.0;
 
-fn table_of_map(part: &mut Part, ours: &Ours<'_>, numpys: &[f64]) -> Result<(), Failure> {
-    let (header, channels) = (ours.header, ours.header.radar.map_channels());
-    let power = dsp::power_map(header, ours.map).map_err(Failure::refused)?;
+fn table_of_map(part: &mut Part, ours: &Ours, numpys: &[f64]) -> Result<(), Failure> {
+    let (header, channels) = (&ours.header, ours.header.radar.map_channels());
+    let power = dsp::power_map(header, &ours.map).map_err(Failure::refused)?;
     let levels: Vec<f64> = power.iter().map(|power| header.map_level_db(*power, channels)).collect();
     let strongest = numpys.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let compared: Vec<f64> = levels
@@ -120,7 +116,7 @@ fn table_of_map(part: &mut Part, ours: &Ours<'_>, numpys: &[f64]) -> Result<(), 
         .map(|(a, b)| (a - b).abs())
         .collect();
     let worst = compared.iter().copied().fold(0.0, f64::max);
-    let noise = dsp::noise_power(header, ours.map).map_err(Failure::refused)?;
+    let noise = dsp::noise_power(header, &ours.map).map_err(Failure::refused)?;
     let floor_dbfs = header.map_level_db(noise, 1);
     // Each part of a sample is rounded to a step: a twelfth of its square, twice; a Hann window's noise
     // bandwidth is 1.5 cells.

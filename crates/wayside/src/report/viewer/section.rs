@@ -1,8 +1,9 @@
 //! The part of the page that the view stands in. Its script fills it; without one it stays hidden.
 
 use crate::outcome::summary::Summary;
+use crate::report::viewer::page_script::scripts;
 use crate::report::viewer::viewed_frame::Viewed;
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 /// Style of the view.
 pub(crate) const STYLE: &str = include_str!("viewer.css");
@@ -64,8 +65,7 @@ pub(crate) fn section(viewed: &Viewed, summary: &Summary) -> Markup {
                 "vehicle or its name tells about it." }
             (maps())
         }
-        script type="application/json" id="viewer-data" { (PreEscaped(json)) }
-        script { (PreEscaped("\"use strict\";\n{\n")) @for part in SCRIPT { (PreEscaped(part)) } (PreEscaped("}\n")) }
+        (scripts(&json, &SCRIPT))
     }
 }
 
@@ -106,22 +106,10 @@ fn maps() -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::viewer::page_script::reads_as_the_source_does;
 
     #[test]
     fn the_script_reads_as_the_rest_of_the_source_does() {
-        for part in SCRIPT {
-            let (name, lines) = (part.lines().next().unwrap_or_default(), part.lines().count());
-            assert!(name.starts_with("// ") && lines < 600, "{name}: {lines} lines");
-            let long = part.lines().find(|line| line.chars().count() > 110);
-            assert_eq!(long, None, "{name}");
-            // A function begins and ends at the first column.
-            let mut begun = 0;
-            for (number, line) in part.lines().enumerate() {
-                if line.starts_with("function ") {
-                    begun = number;
-                }
-                assert!(line != "}" || number - begun < 70, "{name}, line {number}");
-            }
-        }
+        reads_as_the_source_does(&SCRIPT);
     }
 }

@@ -6,6 +6,7 @@ use crate::outcome::summary::{ErrorFigures, FrameSummary, ModelErrorFigures, Sum
 use crate::report::viewer::budget::Budget;
 use crate::report::viewer::map_cells::MapCells;
 use crate::report::viewer::packed::Packed;
+use crate::report::viewer::page_script::json;
 use crate::report::viewer::strongest_paths::StrongestPaths;
 use crate::report::viewer::surroundings::Surroundings;
 use crate::report::viewer::ways::Folding;
@@ -132,8 +133,7 @@ impl Viewed {
         let frames = self.frames.iter().filter_map(told);
         let frames_all = summary.frames.len();
         let data = PageData { frames_all, every: self.every, surroundings, frames: frames.collect() };
-        // In a page `</script` and `<!--` would end or open something.
-        serde_json::to_string(&data).ok().map(|json| json.replace('<', "\\u003c"))
+        json(&data).ok()
     }
 }
 

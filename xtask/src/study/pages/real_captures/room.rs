@@ -2,8 +2,9 @@
 
 use artifact::Reader;
 use artifact::cube::{Cube, CubeFrame, CubeHeader, SampleUnit};
-use artifact::points::Point;
+use artifact::points::{Point, PointsFrame};
 use artifact::rdm::RdmFrame;
+use dsp::Receiver;
 use dsp::angle::VirtualArray;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -37,27 +38,34 @@ pub(super) struct Echo {
 }
 
 /// What this project makes of the frame.
-pub(super) struct Ours<'a> {
-    pub(super) header: &'a CubeHeader,
-    pub(super) map: &'a RdmFrame,
-    pub(super) array: VirtualArray,
-    pub(super) points: &'a [Point],
+pub(super) struct Ours {
+    pub(super) header: CubeHeader,
+    pub(super) map: RdmFrame,
+    array: VirtualArray,
+    pub(super) seen: PointsFrame,
 }
 
-impl Ours<'_> {
+impl Ours {
+    /// Map and points of a frame.
+    pub(super) fn of((header, frame): &(CubeHeader, CubeFrame)) -> Result<Self, Failure> {
+        let receiver = Receiver::new(header).map_err(Failure::refused)?;
+        let (map, seen) = receiver.process(frame).map_err(Failure::refused)?;
+        Ok(Self { header: header.clone(), map, array: VirtualArray::new(header), seen })
+    }
+
     /// Row and column of the cell in which an echo is strongest.
     pub(super) fn cell(&self, echo: &Echo) -> [usize; 2] {
         let nearest = |axis: &[f64], at: f64| {
             let apart = |i: &usize| (axis[*i] - at).abs();
             (0..axis.len()).min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(0)
         };
-        let velocities = dsp::velocity_axis_mps(self.header);
-        [nearest(&velocities, echo.velocity_mps), nearest(&dsp::range_axis_m(self.header), echo.range_m)]
+        let velocities = dsp::velocity_axis_mps(&self.header);
+        [nearest(&velocities, echo.velocity_mps), nearest(&dsp::range_axis_m(&self.header), echo.range_m)]
     }
 
     /// Level of a cell, dBFS.
     pub(super) fn level_dbfs(&self, [row, column]: [usize; 2]) -> Result<f64, Failure> {
-        let power = dsp::power_map(self.header, self.map).map_err(Failure::refused)?[[row, column]];
+        let power = dsp::power_map(&self.header, &self.map).map_err(Failure::refused)?[[row, column]];
         Ok(self.header.map_level_db(power, self.header.radar.map_channels()))
     }
 
@@ -71,7 +79,7 @@ impl Ours<'_> {
 
     /// Power of the strongest beam over what all channels would have in phase.
     pub(super) fn coherence(&self, echo: &Echo) -> f64 {
-        let snapshot = self.array.snapshot(self.map, self.cell(echo), echo.velocity_mps);
+        let snapshot = self.array.snapshot(&self.map, self.cell(echo), echo.velocity_mps);
         let direction = self.array.direction(std::slice::from_ref(&snapshot), echo.range_m);
         let steering = self.array.steering(direction, echo.range_m);
         let sum: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
@@ -86,7 +94,7 @@ impl Ours<'_> {
             (p.range_m - echo.range_m).abs() < cells[0]
                 && (p.radial_velocity_mps - echo.velocity_mps).abs() < cells[1]
         };
-        self.points.iter().filter(is_near).max_by(|a, b| a.snr_db.total_cmp(&b.snr_db))
+        self.seen.points.iter().filter(is_near).max_by(|a, b| a.snr_db.total_cmp(&b.snr_db))
     }
 
     /// Row of the table of echoes: the point, its cell and its coherence.

@@ -5,29 +5,17 @@
 
 use crate::study::pages::part::Part;
 use crate::study::pages::real_captures::room::{Echo, Ours, made};
-use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::Point;
-use dsp::Receiver;
-use dsp::angle::VirtualArray;
 use std::fmt::Write;
 use std::path::Path;
 use wayside::host::failure::Failure;
 
 /// Adds a row for each echo and a line on what it took.
-pub(super) fn rows(
-    part: &mut Part,
-    folder: &Path,
-    measured: &Ours<'_>,
-    echoes: &[Echo],
-) -> Result<(), Failure> {
+pub(super) fn rows(part: &mut Part, folder: &Path, measured: &Ours, echoes: &[Echo]) -> Result<(), Failure> {
     let seen: Vec<&Point> = echoes.iter().filter_map(|echo| measured.point(echo)).collect();
     let of_a_square_metre = levels(&simulated(folder, &seen, &vec![0.0; seen.len()])?, echoes)?;
     let needed: Vec<f64> = seen.iter().zip(&of_a_square_metre).map(|(point, db)| point.snr_db - db).collect();
-    let (header, frame) = simulated(folder, &seen, &needed)?;
-    let receiver = Receiver::new(&header).map_err(Failure::refused)?;
-    let (map, told) = receiver.process(&frame).map_err(Failure::refused)?;
-    let array = VirtualArray::new(&header);
-    let room = Ours { header: &header, map: &map, array, points: &told.points };
+    let room = simulated(folder, &seen, &needed)?;
     for echo in echoes {
         part.row(&room.row(&format!("simulated, {}", echo.name), echo)?);
     }
@@ -35,30 +23,22 @@ pub(super) fn rows(
     part.line(format!(
         "\nSimulated, {} dBsm: {} cells above the threshold, {} points, {} objects.",
         sections.join(", "),
-        map.detections,
-        told.points.len(),
-        told.objects.len()
+        room.map.detections,
+        room.seen.points.len(),
+        room.seen.objects.len()
     ));
     Ok(())
 }
 
 /// Level over noise of the strongest point at each echo.
-fn levels((header, frame): &(CubeHeader, CubeFrame), echoes: &[Echo]) -> Result<Vec<f64>, Failure> {
-    let (map, told) =
-        Receiver::new(header).and_then(|receiver| receiver.process(frame)).map_err(Failure::refused)?;
-    let array = VirtualArray::new(header);
-    let room = Ours { header, map: &map, array, points: &told.points };
+fn levels(room: &Ours, echoes: &[Echo]) -> Result<Vec<f64>, Failure> {
     let level = |echo: &Echo| room.point(echo).map(|point| point.snr_db);
     let all: Option<Vec<f64>> = echoes.iter().map(level).collect();
     all.ok_or_else(|| Failure::Refused("an echo of the simulated room has no point".into()))
 }
 
-/// The cube of points where the measured ones are, with these cross sections.
-fn simulated(
-    folder: &Path,
-    points: &[&Point],
-    sections_dbsm: &[f64],
-) -> Result<(CubeHeader, CubeFrame), Failure> {
+/// A frame of points where the measured ones are, with these cross sections.
+fn simulated(folder: &Path, points: &[&Point], sections_dbsm: &[f64]) -> Result<Ours, Failure> {
     let scene = folder.join("room.toml");
     let radar = std::fs::read_to_string(&scene).map_err(|e| Failure::system(&scene, "read", e))?;
     let mut text = radar.replace("name = \"room\"", "name = \"room-simulated\"");
@@ -68,7 +48,7 @@ fn simulated(
     let place = tempfile::tempdir().map_err(|e| Failure::System(format!("a folder for the scene: {e}")))?;
     let file = place.path().join("room-simulated.toml");
     std::fs::write(&file, text).map_err(|e| Failure::system(&file, "write", e))?;
-    made(&["echo".as_ref(), &file])
+    Ours::of(&made(&["echo".as_ref(), &file])?)
 }
 
 /// A point target at the radar's height.

@@ -24,6 +24,20 @@ pub(crate) fn fail(
     std::io::Error::other("the artifact is damaged")
 }
 
+/// Writes a file whose frames may turn out to be damaged.
+#[cfg(feature = "interchange")]
+pub(crate) fn streamed(
+    out: &std::path::Path,
+    content: impl FnOnce(
+        &mut artifact::whole_file::WholeFile,
+        &mut Option<artifact::ArtifactError>,
+    ) -> std::io::Result<()>,
+) -> Result<(), crate::host::failure::Failure> {
+    let mut failed = None;
+    let written = crate::host::files::write_with(out, |stream| content(stream, &mut failed));
+    failed.map_or(written, |error| Err(error.into()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

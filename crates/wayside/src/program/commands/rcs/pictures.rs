@@ -50,16 +50,16 @@ pub(super) fn write(
     Ok(())
 }
 
-/// What makes the level at the middle aspect and the first frequency: `S-facets.glb`, triangles coloured by
-/// the power of the sequences they take part in and the rays of the strongest sequences as lines, and
-/// `S-view.html`, the same to walk around in.
+/// Writes what makes the level at the middle aspect and the first frequency: `S-facets.glb`, triangles
+/// coloured by the power of the sequences they take part in and the rays of the strongest sequences as lines,
+/// and `S-view.html`, the same to walk around in.
 pub(super) fn write_facets(
     out: &Path,
     mesh: &Mesh,
     request: &RcsRequest,
     amplitude_m: &[Complex64],
 ) -> Result<(), Failure> {
-    let aspect = request.elevation_rad.len() * request.azimuth_rad.len() / 2;
+    let aspect = middle_aspect(request);
     let parts = contributions(mesh, request, aspect).map_err(Failure::refused)?;
     let strongest = parts.first().map_or(1.0, |c| c.amplitude_m.norm_sqr());
     let colours = triangle_colours(mesh, &parts, strongest);
@@ -79,26 +79,35 @@ fn view<'a>(
     amplitude_m: &[Complex64],
     parts: &'a [Contribution],
 ) -> RcsView<'a> {
-    let azimuths = request.azimuth_rad.len();
-    let aspect = request.elevation_rad.len() * azimuths / 2;
-    let (elevation_rad, azimuth_rad) =
-        (request.elevation_rad[aspect / azimuths], request.azimuth_rad[aspect % azimuths]);
-    let standpoint = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
+    let aspect = middle_aspect(request);
+    let radar = standpoint(request, aspect);
     let cut = request.azimuth_rad.iter().zip(amplitude_m).map(|(az, s)| [az.to_degrees(), dbsm(s)]);
     RcsView {
         mesh,
         name: out.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         parts,
-        direction: standpoint.direction().to_array(),
-        aspect: aspect_name(request, [elevation_rad, azimuth_rad]),
-        azimuth_deg: azimuth_rad.to_degrees(),
+        direction: radar.direction().to_array(),
+        aspect: aspect_name(request, &radar),
+        azimuth_deg: radar.azimuth_rad.to_degrees(),
         level_dbsm: amplitude_m.get(aspect).map_or(f64::NAN, dbsm),
         cut: cut.collect(),
     }
 }
 
-fn aspect_name(request: &RcsRequest, [elevation_rad, azimuth_rad]: [f64; 2]) -> String {
-    let [elevation, azimuth] = [elevation_rad, azimuth_rad].map(|angle| angle.to_degrees());
+fn middle_aspect(request: &RcsRequest) -> usize {
+    request.elevation_rad.len() * request.azimuth_rad.len() / 2
+}
+
+/// Where the transmitter stands for an aspect, elevation by elevation, azimuth by azimuth.
+fn standpoint(request: &RcsRequest, aspect: usize) -> Standpoint {
+    let azimuths = request.azimuth_rad.len();
+    let (elevation_rad, azimuth_rad) =
+        (request.elevation_rad[aspect / azimuths], request.azimuth_rad[aspect % azimuths]);
+    Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m }
+}
+
+fn aspect_name(request: &RcsRequest, radar: &Standpoint) -> String {
+    let [elevation, azimuth] = [radar.elevation_rad, radar.azimuth_rad].map(f64::to_degrees);
     let seen = format!("elevation {elevation:.2}°, azimuth {azimuth:.2}°").replace('-', "−");
     format!("{}, {seen}", ghz(request.frequency_hz[0]))
 }
@@ -273,10 +282,7 @@ fn triangle_colours(mesh: &Mesh, parts: &[Contribution], strongest: f64) -> Vec<
 /// Line from the transmitter's side, [`RAY_M`] away, over the touched points and as far out to the receiver's
 /// side.
 fn ray(request: &RcsRequest, aspect: usize, part: &Contribution, strongest: f64) -> PaintedLine {
-    let azimuths = request.azimuth_rad.len();
-    let (elevation_rad, azimuth_rad) =
-        (request.elevation_rad[aspect / azimuths], request.azimuth_rad[aspect % azimuths]);
-    let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
+    let transmitter = standpoint(request, aspect);
     let [direction, back] =
         [transmitter, request.receiver.unwrap_or(transmitter)].map(|s| s.direction().to_array());
     let out = |from: &[f64; 3], along: [f64; 3]| [0, 1, 2].map(|i| from[i] + RAY_M * along[i]);

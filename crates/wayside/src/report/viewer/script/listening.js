@@ -1,9 +1,14 @@
 // What pointer, keys and controls do.
 
 function hearControls(view) {
-  const { state } = view;
   part("frame").addEventListener("input", () => chooseFrame(view, part("frame").valueAsNumber));
   part("level").addEventListener("input", () => chooseLevel(view));
+  hearSurroundings(view, (place) => stand(view, place));
+}
+
+/** What every view hears: layers, places to stand, light or dark, its size. */
+function hearSurroundings(view, standAtPlace) {
+  const { state } = view;
   for (const box of document.querySelectorAll("#viewer [data-layer]")) {
     state.layers[box.dataset.layer] = box.checked;
     box.addEventListener("change", () => {
@@ -12,13 +17,23 @@ function hearControls(view) {
     });
   }
   for (const button of document.querySelectorAll("#viewer [data-place]")) {
-    button.addEventListener("click", () => stand(view, button.dataset.place));
+    button.addEventListener("click", () => standAtPlace(button.dataset.place));
   }
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
     state.colours = readColours();
     redraw(view);
   });
   new ResizeObserver(() => redraw(view)).observe(document.getElementById("viewer"));
+}
+
+/** Draws at the screen's next picture, however often it is asked. */
+function atNextPicture(view, draw) {
+  if (view.isWaiting) return;
+  view.isWaiting = true;
+  requestAnimationFrame(() => {
+    view.isWaiting = false;
+    draw();
+  });
 }
 
 function hearMap(view) {

@@ -1,5 +1,8 @@
 // Numbers of the page: arrays of whole steps as base64 (packed.rs writes them), and how they are told.
 
+/** A part of the view by its name. */
+const part = (name) => document.getElementById(`viewer-${name}`);
+
 /** The page's numbers, with every packed array unpacked. */
 function readPage() {
   const text = document.getElementById("viewer-data").textContent;

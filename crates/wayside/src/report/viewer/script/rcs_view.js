@@ -4,8 +4,6 @@
 const NOTHING = 0;
 const SOUND_DB = 40;
 
-const part = (name) => document.getElementById(`viewer-${name}`);
-
 function startRcsView() {
   const page = readPage();
   document.getElementById("viewer").hidden = false;
@@ -181,22 +179,8 @@ function tellOfBounces({ page, state }) {
 }
 
 function hearRcsControls(view) {
-  const { state } = view;
   part("level").addEventListener("input", () => chooseRays(view));
-  for (const box of document.querySelectorAll("#viewer [data-layer]")) {
-    state.layers[box.dataset.layer] = box.checked;
-    box.addEventListener("change", () => {
-      state.layers[box.dataset.layer] = box.checked;
-      redraw(view);
-    });
-  }
-  for (const button of document.querySelectorAll("#viewer [data-place]"))
-    button.addEventListener("click", () => standBefore(view, button.dataset.place));
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-    state.colours = readColours();
-    redraw(view);
-  });
-  new ResizeObserver(() => redraw(view)).observe(document.getElementById("viewer"));
+  hearSurroundings(view, (place) => standBefore(view, place));
 }
 
 /** Stands the eye aside of the radar's line of sight, in it, or above; all of the body is seen. */
@@ -221,12 +205,8 @@ function standBefore(view, place) {
 
 const move = redraw;
 
-/** Draws at the screen's next picture, however often it is asked. */
 function redraw(view) {
-  if (view.isWaiting) return;
-  view.isWaiting = true;
-  requestAnimationFrame(() => {
-    view.isWaiting = false;
+  atNextPicture(view, () => {
     drawBodyNow(view);
     drawAzimuthCut(view);
   });

@@ -17,8 +17,6 @@ function makeState(page) {
   };
 }
 
-const part = (name) => document.getElementById(`viewer-${name}`);
-
 function startViewer() {
   const page = readPage();
   document.getElementById("viewer").hidden = false;
@@ -119,12 +117,8 @@ function move(view) {
   redraw(view);
 }
 
-/** Draws at the screen's next picture, however often it is asked. */
 function redraw(view) {
-  if (view.isWaiting) return;
-  view.isWaiting = true;
-  requestAnimationFrame(() => {
-    view.isWaiting = false;
+  atNextPicture(view, () => {
     drawAll(view);
     if (!view.state.moving.isOn) drawMaps(view);
   });

@@ -1,14 +1,12 @@
 //! Messages of other programs: ASAM OSI in `.osi` or MCAP, ROS 2 in MCAP.
 
 use crate::host::failure::Failure;
-use crate::host::files;
 use crate::outcome::summary::{Summary, TrackSummary};
-use crate::program::commands::formats::writing::fail;
+use crate::program::commands::formats::writing::{fail, streamed};
 use artifact::paths::Paths;
 use artifact::points::Points;
 use artifact::tracks::{Tracks, TracksFrame};
-use artifact::whole_file::WholeFile;
-use artifact::{ArtifactError, Reader, Schema};
+use artifact::{Reader, Schema};
 use interchange::{Container, RosRecording, SensorDataTrace, SensorViewTrace};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -101,16 +99,6 @@ fn tracks_as_ros(reader: Reader<Tracks>, out: &Path) -> Result<(), Failure> {
         }
         recording.finish()
     })
-}
-
-/// Writes a file whose frames may turn out to be damaged.
-fn streamed(
-    out: &Path,
-    content: impl FnOnce(&mut WholeFile, &mut Option<ArtifactError>) -> std::io::Result<()>,
-) -> Result<(), Failure> {
-    let mut failed = None;
-    let written = files::write_with(out, |stream| content(stream, &mut failed));
-    failed.map_or(written, |error| Err(error.into()))
 }
 
 /// Classes of tracks as the summary of the run tells them that made the tracks.

@@ -3,13 +3,11 @@
 
 use crate::chain::loading;
 use crate::host::failure::Failure;
-use crate::host::files;
-use crate::program::commands::formats::writing::fail;
+use crate::program::commands::formats::writing::{fail, streamed};
+use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
 use artifact::points::{Point, Points, PointsFrame, PointsHeader};
 use artifact::settings::Class;
-use artifact::whole_file::WholeFile;
-use artifact::{ArtifactError, Reader};
 use interchange::table::{Kind, Table, Value};
 use std::path::{Path, PathBuf};
 
@@ -181,14 +179,4 @@ fn feature_names() -> Vec<String> {
 #[cfg(not(feature = "classifier"))]
 fn features(_sample: &Sample) -> Vec<f64> {
     vec![]
-}
-
-/// Writes a file whose frames may turn out to be damaged.
-fn streamed(
-    out: &Path,
-    content: impl FnOnce(&mut WholeFile, &mut Option<ArtifactError>) -> std::io::Result<()>,
-) -> Result<(), Failure> {
-    let mut failed = None;
-    let written = files::write_with(out, |stream| content(stream, &mut failed));
-    failed.map_or(written, |error| Err(error.into()))
 }

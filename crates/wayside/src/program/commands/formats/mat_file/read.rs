@@ -167,7 +167,7 @@ mod tests {
         assert_eq!(complex_values(&packed(&file()), SHAPE).unwrap(), values());
     }
 
-    /// As MATLAB keeps an array of whole doubles: its numbers as 16-bit integers, its last side of 1 left
+    /// MATLAB keeps an array of whole doubles so: its numbers as 16-bit integers, its last side of 1 left
     /// out, a short name in its tag, another array before it.
     #[test]
     fn an_array_by_hand_is_read_in_whatever_type_its_numbers_are_kept() {

@@ -210,7 +210,7 @@ mod tests {
         assert_eq!(of_bytes(&to_bytes(&[])).unwrap(), []);
     }
 
-    /// As the set's description has it: fields in its order, other types where they fit.
+    /// The file is as the set's description has it: fields in its order, other types where they fit.
     #[test]
     fn a_cloud_by_hand_is_read_by_the_names_of_its_fields() {
         let head = "# .PCD v0.7\nVERSION 0.7\nFIELDS vx vy x y z rcs id\nSIZE 8 4 4 4 2 1 4\nTYPE F F F F I I U\n\

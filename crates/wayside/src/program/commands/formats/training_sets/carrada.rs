@@ -6,7 +6,6 @@
 //! (cells) and `label`.
 
 use crate::host::failure::Failure;
-use crate::host::progress::Work;
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::training_sets::angle_spectrum::{AngleSpectrum, Tensor, sines};
 use crate::program::commands::formats::training_sets::cell_boxes::{CellBox, cell_box};
@@ -18,6 +17,7 @@ use artifact::rdm::{Rdm, RdmFrame};
 use artifact::settings::Class;
 use artifact::{Radar, Reader};
 use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Name of the sequence where no scene tells one.
@@ -30,21 +30,21 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
     let name = truth.as_ref().map_or(SEQUENCE.to_owned(), |truth| plain_name(&truth.header().name));
     AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
     let mut set = SetFolder::begin(out)?;
-    let (mut frames, mut annotations) = (0, Map::new());
-    let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
-    for (done, map) in reader.enumerate() {
-        under_way.at(done, of);
-        let map = map?;
-        set.begin_frame(map.index)?;
-        let header = header.in_frame(map.index);
-        let tensor = AngleSpectrum::of(&header)?.tensor(&map);
-        write_maps(&set, &name, (&header, &map), &tensor)?;
-        if let Some(truth) = &mut truth {
-            let of_frame = of_frame(&header.radar, &truth.of_frame(map.index)?);
-            annotations.insert(format!("{:06}", map.index), of_frame);
-        }
-        frames += 1;
-    }
+    let mut annotations = Map::new();
+    let frames = set.each_frame(
+        reader,
+        |map| map.index,
+        |set, map| {
+            let header = header.in_frame(map.index);
+            let tensor = AngleSpectrum::of(&header)?.tensor(&map);
+            write_maps(set, &name, (&header, &map), &tensor)?;
+            if let Some(truth) = &mut truth {
+                let of_frame = of_frame(&header.radar, &truth.of_frame(map.index)?);
+                annotations.insert(format!("{:06}", map.index), of_frame);
+            }
+            Ok(())
+        },
+    )?;
     if truth.is_some() {
         set.write_json("annotations_frame_oriented.json", &json!({ name: annotations }))?;
     }
@@ -126,7 +126,7 @@ fn description(header: &CubeHeader, frames: usize) -> Value {
             "range_m": dsp::range_axis_m(header), "azimuth_sine": sines(),
             "velocity_mps": dsp::velocity_axis_mps(header),
         },
-        "labels": Class::ALL.iter().map(|class| (class.name(), label(*class))).collect::<std::collections::BTreeMap<_, _>>(),
+        "labels": Class::ALL.iter().map(|class| (class.name(), label(*class))).collect::<BTreeMap<_, _>>(),
         "not_filled": ["camera_images", "data_seq_ref.json", "angle_doppler_processed"],
     })
 }

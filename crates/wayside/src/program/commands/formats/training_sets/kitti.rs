@@ -6,7 +6,6 @@
 //! made up: a pinhole at the radar's place that looks along its x axis.
 
 use crate::host::failure::Failure;
-use crate::host::progress::Work;
 use crate::program::commands::formats::levelled_axes::{LevelledAxes, wrapped};
 use crate::program::commands::formats::radar_cloud::{Detection, velodyne};
 use crate::program::commands::formats::training_sets::radar_of_points::{radar_of, sections_of};
@@ -35,24 +34,25 @@ pub(crate) fn write(reader: Reader<Points>, scene: Option<&Path>, out: &Path) ->
     let axes = LevelledAxes::of(radar_of(&header, truth.as_ref())?);
     let mut set = SetFolder::begin(out)?;
     let mut names = String::new();
-    let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
-    for (done, frame) in reader.enumerate() {
-        under_way.at(done, of);
-        let frame = frame?;
-        set.begin_frame(frame.index)?;
-        let name = format!("{:05}", frame.index);
-        set.write(&format!("training/velodyne/{name}.bin"), &cloud(&header, &axes, &frame))?;
-        set.write(&format!("training/calib/{name}.txt"), calibration().as_bytes())?;
-        if let Some(truth) = &mut truth {
-            let bodies = truth.of_frame(frame.index)?;
-            let lines: String = bodies.iter().filter_map(|body| label(&axes, body)).collect();
-            set.write(&format!("training/label_2/{name}.txt"), lines.as_bytes())?;
-        }
-        names += &format!("{name}\n");
-    }
+    let frames = set.each_frame(
+        reader,
+        |frame| frame.index,
+        |set, frame| {
+            let name = format!("{:05}", frame.index);
+            set.write(&format!("training/velodyne/{name}.bin"), &cloud(&header, &axes, &frame))?;
+            set.write(&format!("training/calib/{name}.txt"), calibration().as_bytes())?;
+            if let Some(truth) = &mut truth {
+                let bodies = truth.of_frame(frame.index)?;
+                let lines: String = bodies.iter().filter_map(|body| label(&axes, body)).collect();
+                set.write(&format!("training/label_2/{name}.txt"), lines.as_bytes())?;
+            }
+            names += &format!("{name}\n");
+            Ok(())
+        },
+    )?;
     set.write("ImageSets/train.txt", names.as_bytes())?;
     set.finish(&json!({
-        "set": "View-of-Delft", "frames": names.lines().count(), "labelled": truth.is_some(),
+        "set": "View-of-Delft", "frames": frames, "labelled": truth.is_some(),
         "columns": ["x", "y", "z", "RCS", "v_r", "v_r_compensated", "time"],
         "RCS": sections_of(&header), "camera": "made up",
         "not_filled": ["image_2", "pose", "truncated (the body's number)", "occluded (0)"],
@@ -125,7 +125,8 @@ mod tests {
     use super::*;
     use crate::program::commands::formats::training_sets::test_body::bus;
 
-    /// By hand: the bus is 50 m ahead, 2 m to the right, 6 m below the radar, and comes nearer.
+    /// The numbers are worked out by hand: the bus is 50 m ahead, 2 m to the right, 6 m below the radar, and
+    /// comes nearer.
     #[test]
     fn a_label_tells_the_box_in_the_camera_s_axes() {
         let axes = LevelledAxes { origin_m: DVec3::new(0.0, 0.0, 6.0), yaw_rad: FRAC_PI_2 };

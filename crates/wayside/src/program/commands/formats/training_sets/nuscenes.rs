@@ -4,7 +4,6 @@
 //! global frame is the scene's world; the vehicle that carries the radar stands at the radar's foot.
 
 use crate::host::failure::Failure;
-use crate::host::progress::Work;
 use crate::pictures;
 use crate::program::commands::formats::levelled_axes::LevelledAxes;
 use crate::program::commands::formats::radar_cloud::{Detection, pcd};
@@ -33,23 +32,25 @@ pub(crate) fn write(reader: Reader<Points>, scene: Option<&Path>, out: &Path) ->
     let name = truth.as_ref().map_or("scene".to_owned(), |truth| truth.header().name.clone());
     let mut set = SetFolder::begin(out)?;
     let mut tables = Tables::of(&name, &axes);
-    let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
-    for (done, frame) in reader.enumerate() {
-        under_way.at(done, of);
-        let frame = frame?;
-        set.begin_frame(frame.index)?;
-        let file = format!("samples/RADAR_FRONT/{:06}.pcd", frame.index);
-        set.write(&file, &pcd::to_bytes(&rows(&header, &axes, &frame)))?;
-        let boxes = truth.as_mut().map(|truth| truth.of_frame(frame.index)).transpose()?.unwrap_or_default();
-        let seen = boxes.into_iter().map(|body| Seen { points: points_in(&body, &frame.points), body });
-        tables.add(frame.time_s, &file, seen.collect());
-    }
+    let frames = set.each_frame(
+        reader,
+        |frame| frame.index,
+        |set, frame| {
+            let file = format!("samples/RADAR_FRONT/{:06}.pcd", frame.index);
+            set.write(&file, &pcd::to_bytes(&rows(&header, &axes, &frame)))?;
+            let boxes =
+                truth.as_mut().map(|truth| truth.of_frame(frame.index)).transpose()?.unwrap_or_default();
+            let seen = boxes.into_iter().map(|body| Seen { points: points_in(&body, &frame.points), body });
+            tables.add(frame.time_s, &file, seen.collect());
+            Ok(())
+        },
+    )?;
     for (table, content) in tables.content() {
         set.write_json(&format!("{VERSION}/{table}.json"), &content)?;
     }
     pictures::write_gray(&set.place("maps/none.png"), [1, 1], &[255])?;
     set.finish(&json!({
-        "set": "nuScenes", "version": VERSION, "frames": tables.frames(), "labelled": truth.is_some(),
+        "set": "nuScenes", "version": VERSION, "frames": frames, "labelled": truth.is_some(),
         "rcs": sections_of(&header),
         "not_filled": ["x_rms", "y_rms", "vx_rms", "vy_rms", "pdh0", "num_lidar_pts", "visibility", "map"],
     }))

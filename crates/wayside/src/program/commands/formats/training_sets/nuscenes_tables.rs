@@ -46,11 +46,6 @@ impl Tables {
         self.frames.push(Frame { timestamp, file: file.to_owned(), seen });
     }
 
-    /// Number of frames.
-    pub(crate) fn frames(&self) -> usize {
-        self.frames.len()
-    }
-
     /// Name and rows of each table.
     pub(crate) fn content(&self) -> Vec<(&'static str, Value)> {
         vec![

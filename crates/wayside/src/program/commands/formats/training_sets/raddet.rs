@@ -7,7 +7,6 @@
 //! middle).
 
 use crate::host::failure::Failure;
-use crate::host::progress::Work;
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::training_sets::angle_spectrum::{AngleSpectrum, Tensor, sines};
 use crate::program::commands::formats::training_sets::cell_boxes::{CellBox, cell_box};
@@ -32,23 +31,23 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
     AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
     let mut set = SetFolder::begin(out)?;
-    let (mut scale, mut frames) = (None, 0);
-    let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
-    for (done, map) in reader.enumerate() {
-        under_way.at(done, of);
-        let map = map?;
-        set.begin_frame(map.index)?;
-        let header = header.in_frame(map.index);
-        let mut tensor = AngleSpectrum::of(&header)?.tensor(&map);
-        let scale = *scale.get_or_insert_with(|| scale_of(tensor.by_range.iter().flatten()));
-        tensor.by_range.iter_mut().flatten().for_each(|value| *value *= scale);
-        write_tensor(&set, map.index, &tensor)?;
-        if let Some(truth) = &mut truth {
-            let ground_truth = ground_truth(&header.radar, &truth.of_frame(map.index)?);
-            set.write(&format!("gt/part1/{:06}.pickle", map.index), &ground_truth)?;
-        }
-        frames += 1;
-    }
+    let mut scale = None;
+    let frames = set.each_frame(
+        reader,
+        |map| map.index,
+        |set, map| {
+            let header = header.in_frame(map.index);
+            let mut tensor = AngleSpectrum::of(&header)?.tensor(&map);
+            let scale = *scale.get_or_insert_with(|| scale_of(tensor.by_range.iter().flatten()));
+            tensor.by_range.iter_mut().flatten().for_each(|value| *value *= scale);
+            write_tensor(set, map.index, &tensor)?;
+            if let Some(truth) = &mut truth {
+                let ground_truth = ground_truth(&header.radar, &truth.of_frame(map.index)?);
+                set.write(&format!("gt/part1/{:06}.pickle", map.index), &ground_truth)?;
+            }
+            Ok(())
+        },
+    )?;
     let mut told = description(&header, frames, scale);
     told["labelled"] = truth.is_some().into();
     set.finish(&told)

@@ -5,6 +5,8 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::host::progress::Work;
+use artifact::{Reader, Schema};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -43,11 +45,33 @@ impl SetFolder {
         Ok(Self { out: out.to_owned(), filled, frame: None, _writing: writing })
     }
 
+    /// Writes the frames of an artifact, one after the other, and gives their number.
+    ///
+    /// # Errors
+    /// A frame is damaged or no later one than that before it, or cannot be written.
+    pub(crate) fn each_frame<S: Schema>(
+        &mut self,
+        reader: Reader<S>,
+        index_of: fn(&S::Frame) -> u32,
+        mut write: impl FnMut(&Self, S::Frame) -> Result<(), Failure>,
+    ) -> Result<usize, Failure> {
+        let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
+        let mut written = 0;
+        for frame in reader {
+            under_way.at(written, of);
+            let frame = frame?;
+            self.begin_frame(index_of(&frame))?;
+            write(self, frame)?;
+            written += 1;
+        }
+        Ok(written)
+    }
+
     /// Begins a frame, whose files bear its number.
     ///
     /// # Errors
     /// It is no later one than that before it.
-    pub(crate) fn begin_frame(&mut self, index: u32) -> Result<(), Failure> {
+    fn begin_frame(&mut self, index: u32) -> Result<(), Failure> {
         match self.frame.replace(index) {
             Some(before) if before >= index => {
                 Err(Failure::refused(format!("frame {index} follows frame {before}: they are not in order")))

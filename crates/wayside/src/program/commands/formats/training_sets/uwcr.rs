@@ -5,7 +5,6 @@
 //! and y ahead of the radar.
 
 use crate::host::failure::Failure;
-use crate::host::progress::Work;
 use crate::program::commands::formats::levelled_axes::LevelledAxes;
 use crate::program::commands::formats::mat_file;
 use crate::program::commands::formats::raw_data::uwcr::{ARRAY, shape};
@@ -22,22 +21,22 @@ pub(crate) fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> R
     let header = reader.header().clone();
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
     let mut set = SetFolder::begin(out)?;
-    let (axes, mut frames) = (LevelledAxes::of(&header.radar), 0);
-    let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
-    for (done, frame) in reader.enumerate() {
-        under_way.at(done, of);
-        let frame = frame?;
-        set.begin_frame(frame.index)?;
-        let shape = shape(&header);
-        let array = mat_file::Array { name: ARRAY, shape, values: &frame.samples };
-        set.write(&format!("radar_raw_frame/{:06}.mat", frame.index), &array.to_bytes())?;
-        if let Some(truth) = &mut truth {
-            let rows: String =
-                truth.of_frame(frame.index)?.iter().filter_map(|body| row(&axes, body)).collect();
-            set.write(&format!("text_labels/{:06}.csv", frame.index), rows.as_bytes())?;
-        }
-        frames += 1;
-    }
+    let axes = LevelledAxes::of(&header.radar);
+    let frames = set.each_frame(
+        reader,
+        |frame| frame.index,
+        |set, frame| {
+            let shape = shape(&header);
+            let array = mat_file::Array { name: ARRAY, shape, values: &frame.samples };
+            set.write(&format!("radar_raw_frame/{:06}.mat", frame.index), &array.to_bytes())?;
+            if let Some(truth) = &mut truth {
+                let rows: String =
+                    truth.of_frame(frame.index)?.iter().filter_map(|body| row(&axes, body)).collect();
+                set.write(&format!("text_labels/{:06}.csv", frame.index), rows.as_bytes())?;
+            }
+            Ok(())
+        },
+    )?;
     let mut told = description(&header, frames);
     told["labelled"] = truth.is_some().into();
     set.finish(&told)

@@ -1,0 +1,36 @@
+//! Numbers and scripts of a view, as they stand in its page.
+
+use maud::{Markup, PreEscaped, html};
+use serde::Serialize;
+
+/// Numbers as a page can hold them: `</script` and `<!--` would end or open something.
+pub(in crate::report) fn json(numbers: &impl Serialize) -> Result<String, serde_json::Error> {
+    serde_json::to_string(numbers).map(|json| json.replace('<', "\\u003c"))
+}
+
+/// Numbers and scripts, the latter in the order in which they use each other.
+pub(in crate::report) fn scripts(json: &str, parts: &[&str]) -> Markup {
+    html! {
+        script type="application/json" id="viewer-data" { (PreEscaped(json)) }
+        script { (PreEscaped("\"use strict\";\n{\n")) @for part in parts { (PreEscaped(part)) } (PreEscaped("}\n")) }
+    }
+}
+
+/// Ends a test where a script's lines, functions or length are not those of the rest of the source.
+#[cfg(test)]
+pub(in crate::report) fn reads_as_the_source_does(parts: &[&str]) {
+    for part in parts {
+        let (name, lines) = (part.lines().next().unwrap_or_default(), part.lines().count());
+        assert!(name.starts_with("// ") && lines < 600, "{name}: {lines} lines");
+        let long = part.lines().find(|line| line.chars().count() > 110);
+        assert_eq!(long, None, "{name}");
+        // A function begins and ends at the first column.
+        let mut begun = 0;
+        for (number, line) in part.lines().enumerate() {
+            if line.starts_with("function ") {
+                begun = number;
+            }
+            assert!(line != "}" || number - begun < 70, "{name}, line {number}");
+        }
+    }
+}
