@@ -26,7 +26,8 @@ function makeBody(canvas, page, state) {
   if (!graphics) return null;
   const of = Array.from({ length: SOUND_DB + 2 }, () => []);
   page.levels.forEach((level, facet) => of[level].push(...page.triangles.slice(3 * facet, 3 * facet + 3)));
-  const surfaces = of.map((triangles) => triangles.length && surfaceBuffer(graphics, page.corners, triangles));
+  const surface = (triangles) => triangles.length && surfaceBuffer(graphics, page.corners, triangles);
+  const surfaces = of.map(surface);
   const { numbers, ends } = rayMarks(page.rays);
   return { canvas, graphics, state, surfaces, rays: markBuffer(graphics, numbers), ends };
 }
