@@ -1,5 +1,5 @@
-//! Two slow obvious references: [`po`] (first order, dense sampling) and [`sbr`] (shooting and bouncing
-//! rays).
+//! Slow obvious references: [`po`] (first order, dense sampling), [`sbr`] (shooting and bouncing rays) and
+//! [`iterated`] (two bounces without mirrors: currents in the near field of currents).
 //!
 //! A mesh, an aspect and frequencies go in, the scattering amplitude S in metres comes out, 2 × 2 over
 //! polarization. They share no visibility and no integration code with the beam tracer: rays of their own
@@ -33,6 +33,7 @@ pub mod plane_layers;
 mod coated;
 pub mod po;
 pub mod sbr;
+pub mod iterated;
 #[cfg(test)]
 mod verification;
 

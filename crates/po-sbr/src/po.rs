@@ -58,7 +58,7 @@ pub fn amplitude(
     Ok(node::scaled(&sums, &wavenumbers_per_m))
 }
 
-pub(super) fn check_positive(what: &'static str, value: f64) -> Result<(), ReferenceError> {
+pub(crate) fn check_positive(what: &'static str, value: f64) -> Result<(), ReferenceError> {
     let ok = value > 0.0 && value.is_finite();
     if ok { Ok(()) } else { Err(ReferenceError::NotPositive { what, value }) }
 }
@@ -84,7 +84,7 @@ const CELLS_PER_PATCH_EDGE: f64 = 64.0;
 /// Cells, or rays, of an aspect: some hours of one processor.
 const MOST: f64 = 1e10;
 
-pub(super) fn check_count(what: &'static str, count: f64) -> Result<(), ReferenceError> {
+pub(crate) fn check_count(what: &'static str, count: f64) -> Result<(), ReferenceError> {
     if count <= MOST { Ok(()) } else { Err(ReferenceError::TooMany { what, count, most: MOST }) }
 }
 

@@ -116,7 +116,7 @@ impl<I: Integrand> EdgePart for Piece<'_, I> {
 }
 
 /// Factor 1/√π.
-const PER_ROOT_PI: f64 = std::f64::consts::FRAC_2_SQRT_PI * 0.5;
+pub(crate) const PER_ROOT_PI: f64 = std::f64::consts::FRAC_2_SQRT_PI * 0.5;
 
 /// Amplitude of the sum that [`EdgePart::add_to`] adds to.
 pub(crate) fn amplitude_of(sum: &[Complex64; 4]) -> Amplitude {

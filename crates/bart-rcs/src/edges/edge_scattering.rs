@@ -1,9 +1,10 @@
 //! S of all edges that both ends light.
 
-use crate::edges::edge_currents::{EdgeNode, amplitude_of, edge_amplitudes, for_each_part};
+use crate::edges::edge_currents::{EdgeNode, EdgePart, amplitude_of, edge_amplitudes, for_each_part};
 use crate::edges::lit_edge::EdgeJoint;
 use crate::integral::node::Estimate;
 use crate::joins::band::{self, Band, Groups, INTERPOLATION_ERROR, Kind};
+use crate::joins::joint::Reverse;
 use crate::joins::scatterer::{Integration, Scatterer, Way, scaled, sum as sum_of, with_reverse};
 use artifact::paths::Amplitude;
 use glam::DVec3;
@@ -20,22 +21,34 @@ pub(crate) fn sum_of_edges(
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Vec<Amplitude> {
+    let at_each = || sum_at_each(scatterer, joints, origin_m, integration);
+    over_band(joints, integration, at_each, |joint, band, groups| {
+        add_joint(scatterer, joint, origin_m, integration.accuracy, band, groups)
+    })
+}
+
+/// Sum of shares over frequency: `add` puts each into the groups of the band; `at_each` is their sum at every
+/// frequency for itself, where there are too few to save any.
+pub(crate) fn over_band<T: Sync>(
+    shares: &[T],
+    integration: &Integration<'_>,
+    at_each: impl Fn() -> Vec<Amplitude>,
+    add: impl Fn(&T, &Band<'_>, &mut Groups) + Sync,
+) -> Vec<Amplitude> {
     let error = INTERPOLATION_ERROR * integration.accuracy;
     let Some(band) = Band::new(integration.wavenumbers_per_m, error, Kind::Edges) else {
-        return sum_at_each(scatterer, joints, origin_m, integration);
+        return at_each();
     };
-    let of_run = |run: &[EdgeJoint]| {
+    let of_run = |run: &[T]| {
         let mut groups = Groups::new();
-        run.iter().for_each(|joint| {
-            add_joint(scatterer, joint, origin_m, integration.accuracy, &band, &mut groups)
-        });
+        run.iter().for_each(|share| add(share, &band, &mut groups));
         groups
     };
-    band.sum(joints.par_chunks(RUN).map(of_run).collect())
+    band.sum(shares.par_chunks(RUN).map(of_run).collect())
 }
 
 /// Joints that are added by one thread.
-const RUN: usize = 64;
+pub(crate) const RUN: usize = 64;
 
 /// Adds the parts of a joint to their groups, its reverse included.
 fn add_joint(
@@ -48,19 +61,32 @@ fn add_joint(
 ) {
     let node = node(scatterer, joint, joint.span_m, band.highest_per_m());
     let (spread, length_m) = way_from(scatterer, joint, node.middle_m(), origin_m);
-    let mut some = Vec::new();
+    let whole = WholeWay { spread, length_m, reverse: joint.reverse };
     for_each_part(&node, node.middle_m(), band.highest_per_m(), accuracy, &mut |part, _| {
-        let way = part.way();
-        let group = band.group(Way { length_m: way.length_m + length_m, ..way }, groups);
-        some.clear();
-        some.resize(group.wavenumbers_per_m.len(), [Complex64::ZERO; 4]);
-        part.add_to(group.wavenumbers_per_m, &mut some);
-        let turned_m = length_m - group.length_m;
-        for ((sum, part), k) in group.sums.iter_mut().zip(&some).zip(group.wavenumbers_per_m) {
-            let both = with_reverse(joint.reverse, &amplitude_of(part));
-            *sum = sum_of(sum, &scaled(&both, Complex64::from_polar(spread, -k * turned_m)));
-        }
+        whole.add_part(part, band, groups);
     });
+}
+
+/// The way of a share's reference point: R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r.
+pub(crate) struct WholeWay {
+    pub(crate) spread: f64,
+    pub(crate) length_m: f64,
+    pub(crate) reverse: Reverse,
+}
+
+impl WholeWay {
+    /// Adds a part of the share to its group, its reverse included.
+    pub(crate) fn add_part(&self, part: &dyn EdgePart, band: &Band<'_>, groups: &mut Groups) {
+        let way = part.way();
+        let group = band.group(Way { length_m: way.length_m + self.length_m, ..way }, groups);
+        let mut some = vec![[Complex64::ZERO; 4]; group.wavenumbers_per_m.len()];
+        part.add_to(group.wavenumbers_per_m, &mut some);
+        let turned_m = self.length_m - group.length_m;
+        for ((sum, part), k) in group.sums.iter_mut().zip(&some).zip(group.wavenumbers_per_m) {
+            let both = with_reverse(self.reverse, &amplitude_of(part));
+            *sum = sum_of(sum, &scaled(&both, Complex64::from_polar(self.spread, -k * turned_m)));
+        }
+    }
 }
 
 /// Sums at every frequency for itself: what the interpolation is compared with.

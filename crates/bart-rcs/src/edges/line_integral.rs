@@ -108,6 +108,11 @@ impl<'a, I: Integrand> Piece<'a, I> {
         self.middle_length_m
     }
 
+    /// Samples of its start, middle and end.
+    pub(crate) fn samples(&self) -> &'a [I::Sample; 3] {
+        self.samples
+    }
+
     /// Greatest difference of L on the piece from that in the middle.
     pub(crate) fn extent_m(&self) -> f64 {
         self.slope.abs() * self.half_m + self.bend_m.abs()

@@ -3,7 +3,7 @@
 use crate::beams::body_ways::BodyWays;
 use crate::bodies::world::World;
 use crate::frame::cells::cell_room::CellRoom;
-use crate::frame::cells::edge_cells::edge_cells;
+use crate::frame::cells::edge_cells::{edge_cells, truncation_cells};
 use crate::frame::cells::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
 use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
 use crate::frame::integration_error::{IntegrationError, integration_error};
@@ -119,6 +119,7 @@ impl<'a> BodyParts<'a> {
     fn of_order(&self, meeting: &OrderJoints, settings: &CellSettings<'_>) -> Result<Vec<Cell>, BartError> {
         let mut found = cells(self.scatterer, &meeting.facets, settings);
         found.extend(edge_cells(self.scatterer, &meeting.edges, settings));
+        found.extend(truncation_cells(self.scatterer, &meeting.truncations, settings));
         settings.room.check()?;
         Ok(gathered(found, [Antenna::Point(self.plan.position_m); 2], settings))
     }

@@ -60,7 +60,7 @@ fn amplitude_of(integrals_m2: &[Complex64; 4], wavenumber_per_m: f64) -> Amplitu
 
 impl Field<'_> {
     /// Bracket times 1/(L₁L₂), relative to 1/(L₁L₂) at the reference point: [vv, vh, hv, hh], receiver first.
-    fn weights(&self, at: &SurfacePoint) -> [f64; 4] {
+    pub(crate) fn weights(&self, at: &SurfacePoint) -> [f64; 4] {
         let Node { transmit, receive, bracket, .. } = *self.node;
         let SurfacePoint { x_m, area: normal, .. } = *at;
         let (d1, d2) = (transmit.image.travel_direction_at(x_m), receive.image.travel_direction_at(x_m));

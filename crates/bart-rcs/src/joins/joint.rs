@@ -3,6 +3,7 @@
 use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::Received;
 use crate::joins::outline::Outline;
+use crate::joins::parting::Parting;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -61,6 +62,8 @@ pub(crate) struct Joint {
     pub(crate) backward: u32,
     pub(crate) weight: f64,
     pub(crate) reverse: Reverse,
+    /// How far its sequence is from the specular.
+    pub(crate) parting: Parting,
     corners: Range<usize>,
 }
 
@@ -74,6 +77,13 @@ pub(crate) struct Joints {
     /// Area of overlaps that were given up for their size, both ways: its sum, m², and the sum of its
     /// squares, m⁴.
     pub(crate) given_up: [f64; 2],
+}
+
+impl Joint {
+    /// Weight of its polygon at a wavenumber.
+    pub(crate) fn weight_at(&self, wavenumber_per_m: f64) -> f64 {
+        self.weight * self.parting.of_polygons(wavenumber_per_m)
+    }
 }
 
 impl Joints {
@@ -93,6 +103,7 @@ impl Joints {
         for joint in self.list.iter().filter(|joint| is_kept(joint)) {
             let pair = (joint.forward, joint.backward);
             some.push(pair, joint.weight, joint.reverse, self.polygon(joint).iter().copied());
+            some.list.iter_mut().rev().take(1).for_each(|copy| copy.parting = joint.parting);
         }
         some
     }
@@ -122,6 +133,7 @@ impl Joints {
         let start = self.corners_m.len();
         self.corners_m.extend(corners_m);
         let corners = start..self.corners_m.len();
-        self.list.push(Joint { forward: pair.0, backward: pair.1, weight, reverse, corners });
+        let (forward, backward) = pair;
+        self.list.push(Joint { forward, backward, weight, reverse, parting: Parting::NONE, corners });
     }
 }

@@ -114,7 +114,9 @@ impl<'a> Scatterer<'a> {
         let accuracy = node.accuracy(part.reference_m, wavenumbers_per_m, accuracy);
         let mut estimate = node_amplitudes(&node, part.reference_m, wavenumbers_per_m, accuracy);
         estimate.error *= joint.weight;
-        estimate.value.iter_mut().flatten().flatten().for_each(|a| *a *= joint.weight);
+        for (amplitude, k) in estimate.value.iter_mut().zip(wavenumbers_per_m) {
+            amplitude.iter_mut().flatten().for_each(|a| *a *= joint.weight_at(*k));
+        }
         estimate
     }
 
@@ -275,7 +277,11 @@ impl JointTile<'_> {
             if self.field.is_bent() { self.field.along(self.tile.steps_m().into_iter()).rise_m } else { 0.0 };
         Way {
             length_m: self.length_m + at_middle_m + 0.5 * (low_m + high_m),
-            extent_m: 0.5 * (high_m - low_m) + curved_m + bent_m + self.field.turning_length_m(),
+            extent_m: 0.5 * (high_m - low_m)
+                + curved_m
+                + bent_m
+                + self.field.turning_length_m()
+                + self.joint.parting.turning_m(),
         }
     }
 
@@ -283,8 +289,8 @@ impl JointTile<'_> {
     pub(crate) fn add_to(&self, group: &mut Group<'_>) {
         let length_m = self.length_m - group.length_m;
         self.field.for_each_amplitude(self.tile, group.wavenumbers_per_m, &mut |index, amplitude| {
-            let phase_rad = -group.wavenumbers_per_m[index] * length_m;
-            let factor = Complex64::from_polar(self.spread * self.joint.weight, phase_rad);
+            let k = group.wavenumbers_per_m[index];
+            let factor = Complex64::from_polar(self.spread * self.joint.weight_at(k), -k * length_m);
             let total = &mut group.sums[index];
             *total = sum(total, &scaled(&with_reverse(self.joint.reverse, amplitude), factor));
         });

@@ -4,7 +4,6 @@
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::stand_off::{check_stand, distance_and_diagonal_m};
 use crate::bodies::world::World;
-use crate::edges::edge_scattering::sum_of_edges;
 use crate::geometry::antenna::Antenna;
 use crate::joins::afforded::afforded;
 use crate::joins::join::tree_order;
@@ -13,7 +12,7 @@ use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
 use crate::table::end_tree::EndTree;
-use crate::table::meeting::{MeetingSettings, OrderJoints, edge_meetings};
+use crate::table::meeting::{MeetingSettings, OrderJoints};
 use crate::table::small_mirrors::SmallMirrors;
 use crate::table::work_meter::WorkMeter;
 use artifact::radar::Polarization;
@@ -372,8 +371,8 @@ fn of_meeting(
 /// Scattering amplitude of the edges in one order.
 fn edges_of_order(scatterer: &Scatterer<'_>, order: u8, settings: &AspectSettings) -> Vec<Complex64> {
     let (p, q) = settings.polarization.indices();
-    let edges = edge_meetings(scatterer, order, &settings.meeting(settings.nodes));
-    let sum = sum_of_edges(scatterer, &edges, DVec3::ZERO, &settings.integration(settings.nodes));
+    let meeting = settings.meeting(settings.nodes).on_edges(scatterer, order);
+    let [_, sum] = meeting.sums(scatterer, DVec3::ZERO, &settings.integration(settings.nodes));
     sum.iter().map(|s| s[p][q]).collect()
 }
 

@@ -5,6 +5,7 @@ use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
 use crate::edges::edge_scattering::edge_share;
 use crate::edges::lit_edge::EdgeJoint;
+use crate::edges::truncation::{Truncation, truncation_share};
 use crate::geometry::antenna::Antenna;
 use crate::geometry::facet_geometry::FacetGeometry;
 use crate::joins::afforded::afforded;
@@ -92,11 +93,12 @@ type Found = (Option<u32>, Contribution);
 
 impl Teller<'_> {
     fn of_order(&self, order: u8) -> Vec<Found> {
-        let OrderJoints { facets, edges } = OrderJoints::of(&self.scatterer, order, &self.what);
+        let OrderJoints { facets, edges, truncations } = OrderJoints::of(&self.scatterer, order, &self.what);
         let of_facets =
             facets.list.par_iter().map(|joint| (None, self.of_joint(joint, facets.polygon(joint))));
         let of_edges = edges.par_iter().map(|joint| (Some(joint.edge), self.of_edge(joint)));
-        of_facets.chain(of_edges).collect()
+        let of_ends = (0..).zip(&truncations).map(|(i, end)| (Some(u32::MAX - i), self.of_truncation(end)));
+        of_facets.chain(of_edges).collect::<Vec<Found>>().into_iter().chain(of_ends).collect()
     }
 
     fn of_joint(&self, joint: &Joint, corners_m: &[DVec3]) -> Contribution {
@@ -124,6 +126,17 @@ impl Teller<'_> {
             points_m: touched_m(&self.scatterer, (joint.forward, joint.backward), middle_m),
             amplitude_m: self
                 .element(&edge_share(&self.scatterer, joint, DVec3::ZERO, &self.integration).value),
+        }
+    }
+
+    fn of_truncation(&self, end: &Truncation) -> Contribution {
+        let amplitudes = truncation_share(&self.scatterer, end, DVec3::ZERO, &self.integration);
+        let middle_m = end.point_m(0.5 * end.length_m());
+        Contribution {
+            triangles: self.triangles(sequence(&self.scatterer, end.forward, end.backward)),
+            edge_m: Some(end.side.ends_m),
+            points_m: touched_m(&self.scatterer, (end.forward, end.backward), middle_m),
+            amplitude_m: self.element(&amplitudes),
         }
     }
 

@@ -7,7 +7,7 @@ use super::row::Row;
 use super::table::{Table, complex_error, dbsm, mean_db, power_mean_dbsm};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
-use artifact::settings::Edges;
+use artifact::settings::{Edges, NodeRule};
 use bart_rcs::Standpoint;
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -34,7 +34,8 @@ fn with_and_without(
     antennas: &[Standpoint],
 ) -> [Vec<Amplitude>; 2] {
     [Edges::FirstOrder, Edges::Ignored].map(|edges| {
-        let bart = Bart { frequency_hz, bounces, edges, ..Bart::with_edges(mesh) };
+        let nodes = if bounces > 1 { NodeRule::OwnEdge } else { NodeRule::Middle };
+        let bart = Bart { frequency_hz, bounces, edges, nodes, ..Bart::with_edges(mesh) };
         bart.orders(antennas).iter().map(|orders| sum(orders)).collect()
     })
 }
@@ -191,8 +192,9 @@ fn closed_box(folder: &Path) -> Vec<Row> {
     rows
 }
 
-/// A cut through a full-wave body: gates on the mean |dB| and on the complex error; none where it is shown
-/// for comparison.
+/// A cut through a full-wave body: gates on the mean |dB| and on the complex error, infinite where it is shown
+/// for comparison. Off the plane of its axis a dihedral is carried by its edges, also by those seen in the
+/// mirrors.
 struct Solved {
     body: &'static str,
     el_deg: f64,
@@ -201,8 +203,6 @@ struct Solved {
     gate_db: [f64; 2],
     gate_complex: [f64; 2],
 }
-
-const NONE: [f64; 2] = [f64::INFINITY; 2];
 
 const SOLVED: [Solved; 4] = [
     Solved {
@@ -226,16 +226,16 @@ const SOLVED: [Solved; 4] = [
         el_deg: 10.0,
         az_deg: [-44.0, 44.0],
         bounces: 3,
-        gate_db: NONE,
-        gate_complex: NONE,
+        gate_db: [1.0, f64::INFINITY],
+        gate_complex: [0.23, 0.5],
     },
     Solved {
         body: "dihedral_6lambda",
         el_deg: 10.0,
         az_deg: [-44.0, 44.0],
         bounces: 3,
-        gate_db: NONE,
-        gate_complex: NONE,
+        gate_db: [1.0, f64::INFINITY],
+        gate_complex: [0.21, 0.38],
     },
 ];
 
@@ -261,9 +261,7 @@ fn solved_rows(case: &Solved, folder: &Path) -> Vec<Row> {
         let name = format!("full-wave {}, el {}, {pol}", case.body, case.el_deg);
         rows.push(row(&format!("{name}: mean |dB|"), figure, case.gate_db[p], "0.05", "dB"));
         let figure = s.each_ref().map(|s| complex_error(s, &reference.complex("s_re_m", "s_im_m")));
-        // Off the plane edges seen in the mirrors carry a dihedral: with them it must be nearer than without.
-        let gate = if case.bounces > 1 { figure[1] } else { case.gate_complex[p] };
-        rows.push(row(&format!("{name}: complex error"), figure, gate, "0.01", ""));
+        rows.push(row(&format!("{name}: complex error"), figure, case.gate_complex[p], "0.01", ""));
     }
     rows
 }

@@ -1,0 +1,129 @@
+//! How far the lit polygons of a double reflection are from its specular point, and what that means for
+//! where it is integrated.
+//!
+//! On the specular the reflection has a point of stationary phase on the lit polygon, and the integral over
+//! the polygon is right on either facet. Off it the phase runs over the polygon; all that is left of a
+//! physical optics that knows the near field of each facet on the other are the ends of the currents at the
+//! own edges of both facets (asymptotically; docs/decisions/node-rule.md), and a polygon counts each of them
+//! by a share only. With g the least gradient of the length L₁ + L₂ on what is lit, v the variance of lit
+//! places along it and h = 1/L₁ + 1/L₂ the bend of the length, polygons keep
+//!
+//! ```text
+//! e^{−X}      X = k²g²/(1/v + kh)
+//! ```
+//! which is e^{−k²σ²} with σ the standard deviation of the length for plane waves, and for spherical ones
+//! tells whether the specular point is farther off than a Fresnel zone. The ends take 1 − e^{−X}.
+
+/// Parting of the node on one facet.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct NodeParting {
+    /// Least squared gradient of the length on what is lit.
+    pub(crate) gradient_squared: f64,
+    /// Variance of lit places along that gradient, m².
+    pub(crate) variance_m2: f64,
+    /// Bend 1/L₁ + 1/L₂ of the length, 1/m.
+    pub(crate) bend_per_m: f64,
+    /// Lit area across the wave, m².
+    pub(crate) across_m2: f64,
+}
+
+/// Parting of a sequence of two facets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Parting {
+    /// The nodes on the first and on the second facet.
+    pub(crate) nodes: [NodeParting; 2],
+    /// How clear the sight between both facets and both ends is: 1 where all is lit that would be lit of the
+    /// two alone, 0 where more than a little of it is hidden.
+    pub(crate) clear: f64,
+    /// Highest wavenumber that is asked for.
+    pub(crate) highest_per_m: f64,
+}
+
+impl Parting {
+    /// Of what is integrated over its polygons alone.
+    pub(crate) const NONE: Self = Self {
+        nodes: [NodeParting { gradient_squared: 0.0, variance_m2: 0.0, bend_per_m: 0.0, across_m2: 0.0 }; 2],
+        clear: 0.0,
+        highest_per_m: 0.0,
+    };
+
+    /// Share of the polygons.
+    pub(crate) fn of_polygons(&self, wavenumber_per_m: f64) -> f64 {
+        1.0 - self.of_ends(wavenumber_per_m)
+    }
+
+    /// Share of the ends at own edges.
+    pub(crate) fn of_ends(&self, wavenumber_per_m: f64) -> f64 {
+        if self.clear == 0.0 {
+            return 0.0;
+        }
+        self.clear * self.presence(wavenumber_per_m) * -(-self.exponent(wavenumber_per_m)).exp_m1()
+    }
+
+    /// Bound of the derivative of the logarithm of both shares by the wavenumber, m: they change over a band
+    /// as if their lengths were spread by this.
+    pub(crate) fn turning_m(&self) -> f64 {
+        /// Beyond e⁻³⁶ nothing is left that could change.
+        const MOST: f64 = 36.0;
+        let exponent = if self.clear == 0.0 { 0.0 } else { self.exponent(self.highest_per_m).min(MOST) };
+        2.0 * exponent / self.highest_per_m.max(f64::MIN_POSITIVE)
+    }
+
+    /// The exponent X, the mean of both nodes by what is lit.
+    fn exponent(&self, k: f64) -> f64 {
+        let of = |node: &NodeParting| {
+            let spread_m2 = node.variance_m2 / (1.0 + k * node.bend_per_m * node.variance_m2);
+            node.across_m2 * k * k * node.gradient_squared * spread_m2
+        };
+        let all_m2: f64 = self.nodes.iter().map(|node| node.across_m2).sum();
+        self.nodes.iter().map(of).sum::<f64>() / all_m2.max(f64::MIN_POSITIVE)
+    }
+
+    /// How much there is of both nodes: a sequence that vanishes leaves its polygons, which vanish as well.
+    fn presence(&self, k: f64) -> f64 {
+        let least_m2 = self.nodes[0].across_m2.min(self.nodes[1].across_m2);
+        let zones = k * k * least_m2 / (4.0 * std::f64::consts::PI * std::f64::consts::PI);
+        zones / (1.0 + zones)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn node(gradient: f64, bend_per_m: f64) -> NodeParting {
+        let variance_m2 = 0.04 * 0.04 / 12.0;
+        NodeParting { gradient_squared: gradient * gradient, variance_m2, bend_per_m, across_m2: 1.6e-3 }
+    }
+
+    fn parting(gradient: f64, bend_per_m: f64) -> Parting {
+        Parting { nodes: [node(gradient, bend_per_m); 2], clear: 1.0, highest_per_m: 1613.8 }
+    }
+
+    #[test]
+    fn polygons_keep_the_specular_and_lose_what_is_parted_from_it_by_its_own_spread() {
+        let k = 1613.8;
+        assert_eq!(parting(0.0, 0.0).of_polygons(k), 1.0);
+        let sigma_m = 0.1 * 0.04 / 12.0_f64.sqrt();
+        let presence = parting(0.1, 0.0).presence(k);
+        let asked = 1.0 - presence * (1.0 - (-(k * sigma_m).powi(2)).exp());
+        assert!((parting(0.1, 0.0).of_polygons(k) - asked).abs() < 1e-14 && presence > 0.99);
+    }
+
+    #[test]
+    fn a_bent_wave_is_parted_by_its_fresnel_zone_where_that_is_narrower_than_what_is_lit() {
+        let k = 1613.8;
+        let wide = NodeParting { variance_m2: 1e3, ..node(0.01, 0.08) };
+        let parting = Parting { nodes: [wide; 2], ..parting(0.0, 0.0) };
+        // k g²/h.
+        assert!((parting.exponent(k) / (k * 1e-4 / 0.08) - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn a_sequence_with_one_node_or_out_of_sight_keeps_its_polygons() {
+        let one = Parting { nodes: [node(1.0, 0.0), NodeParting::default()], ..parting(0.0, 0.0) };
+        let hidden = Parting { clear: 0.0, ..parting(1.0, 0.0) };
+        assert_eq!([one.of_polygons(1613.8), hidden.of_polygons(1613.8)], [1.0, 1.0]);
+        assert_eq!(Parting::NONE.of_polygons(1613.8), 1.0);
+    }
+}
