@@ -165,7 +165,7 @@ const CASES: &[Case] = &[
     (POINT, "wheel_angle_deg = 3\n", "7:19", "`wheel_angle_deg` needs `wheel_radius_m` beside it"),
     (CAR, "acceleration_mps2 = [0, 101, 0]\n", "7:25", "`acceleration_mps2` must be a number from -100 to 100, is 101"),
     (CAR, "yaw_deg = 1e3\n", "7:11", "`yaw_deg` must be a number from -360 to 360, is 1000"),
-    (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"car-suw\"\n", "11:9", "model `car-suw` is neither a .glb, .gltf, .stl or .obj file nor one of the project's vehicles; the nearest is `car-suv`"),
+    (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"car-suw\"\n", "11:9", "model `car-suw` is neither a .glb, .gltf, .stl, .obj or .xoma file nor one of the project's vehicles; the nearest is `car-suv`"),
     (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"absent.glb\"\n", "11:9", "absent.glb: cannot be read"),
     (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"scene.obj\"\n", "11:9", "scene.obj:1: expected a polygonal OBJ statement"),
     // The road.
@@ -180,7 +180,7 @@ const CASES: &[Case] = &[
     (NAME, "[[clutter]]\nmodel = \"pole\"\nposition_m = [0, 9, 0]\n", "2:1", "clutter `#1`: key `id` is missing"),
     (NAME, "[[clutter]]\nid = \"k\"\nmodel = \"kerb\"\nlength_m = 9\n", "2:1", "clutter `k`: key `position_m` is missing"),
     (NAME, "[[clutter]]\nid = \"k\"\nmodel = \"kerb\"\nposition_m = [0, 9, 0]\n", "2:1", "clutter `k`: key `length_m` is missing"),
-    (NAME, "[[clutter]]\nid = \"k\"\nmodel = \"curb\"\nposition_m = [0, 9, 0]\n", "4:9", "model `curb` is neither a .glb, .gltf, .stl or .obj file nor one of the project's street furniture; the nearest is `kerb`"),
+    (NAME, "[[clutter]]\nid = \"k\"\nmodel = \"curb\"\nposition_m = [0, 9, 0]\n", "4:9", "model `curb` is neither a .glb, .gltf, .stl, .obj or .xoma file nor one of the project's street furniture; the nearest is `kerb`"),
     (NAME, "[[clutter]]\nid = \"p\"\nmodel = \"pole\"\nlength_m = 9\nposition_m = [0, 9, 0]\n", "5:12", "key `length_m` has no meaning for a pole"),
     (NAME, "[[clutter]]\nid = \"p\"\nmodel = \"scene.obj\"\nheight_m = 9\nposition_m = [0, 9, 0]\n", "5:12", "key `height_m` has no meaning for a mesh file"),
     (NAME, "[[clutter]]\nid = \"p\"\nmodel = \"pole\"\ndiameter_m = 0\nposition_m = [0, 9, 0]\n", "5:14", "`diameter_m` must be a number from 0.01 to 5, is 0"),

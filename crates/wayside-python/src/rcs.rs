@@ -6,6 +6,7 @@ use crate::failure;
 use crate::told;
 use crate::work::carry_out;
 use artifact::Accuracy;
+use artifact::material::MaterialMap;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use ndarray::Array3;
@@ -157,6 +158,7 @@ pub(crate) fn rcs(
     let memory = Allowance::of(memory_limit_mib);
     let table = carry_out(py, Some(&mesh), progress, move |_| {
         let mesh = stepwise::mesh(&place, unit_scale)?;
+        let mesh = stepwise::dressed(mesh, &place, &MaterialMap::default(), &asked.frequency_hz)?;
         stepwise::rcs(&mesh, &asked, memory).map_err(|failure| failure.about(&place))
     })?;
     Rcs::of(py, table, request)

@@ -3,11 +3,13 @@
 
 use crate::chain::loading;
 use crate::host::failure::Failure;
+use crate::program::commands::learning::dataset::document::Base;
 use artifact::bounded;
-use artifact::scene::Mesh;
+use artifact::material::MaterialMap;
+use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Class;
 use scene::mesh::{self, Format, MeshOptions};
-use scene::{centred, read_mesh, vehicles};
+use scene::{asset_materials, centred, read_mesh, vehicles};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -37,7 +39,11 @@ pub(super) struct Model {
 enum Source {
     /// One of the project's vehicles.
     Own,
-    File(Mesh),
+    File {
+        mesh: Mesh,
+        /// Materials of the file beside each base scene's.
+        materials: Vec<MaterialMap>,
+    },
 }
 
 impl Model {
@@ -46,12 +52,13 @@ impl Model {
         matches!(self.source, Source::Own)
     }
 
-    /// Mesh of a variant in a scene's axes, its materials not looked up yet.
-    pub(super) fn mesh(&self, variant: u64) -> Mesh {
-        match &self.source {
-            Source::Own => vehicles::mesh(&self.name, variant).unwrap_or_default(),
-            Source::File(mesh) => mesh.clone(),
-        }
+    /// Mesh of a variant in a scene's axes, in the materials of a base scene, by its number, and its own.
+    pub(super) fn mesh(&self, variant: u64, base: usize, header: &SceneHeader) -> Mesh {
+        let (mesh, map) = match &self.source {
+            Source::Own => (vehicles::mesh(&self.name, variant).unwrap_or_default(), &header.materials),
+            Source::File { mesh, materials } => (mesh.clone(), &materials[base]),
+        };
+        Mesh { makeup: map.makeup(&mesh.materials), ..mesh }
     }
 }
 
@@ -62,9 +69,10 @@ type Named = (String, Option<PathBuf>);
 pub(super) fn read(
     choice: &Choice,
     recipe: &Path,
-    folder: &Path,
+    bases: &[Base],
     files: &mut Vec<PathBuf>,
 ) -> Result<BTreeMap<Class, Vec<Model>>, Failure> {
+    let folder = recipe.parent().unwrap_or(Path::new("."));
     let refused = |rule: String| Failure::Refused(format!("{}: {rule}", recipe.display()));
     let mut all: BTreeMap<Class, Vec<Named>> = BTreeMap::new();
     if let Some(vehicles) = &choice.vehicles {
@@ -86,7 +94,7 @@ pub(super) fn read(
     for (class, (name, file)) in
         all.into_iter().flat_map(|(class, of)| of.into_iter().map(move |named| (class, named)))
     {
-        models.entry(class).or_default().push(model(name, file, files)?);
+        models.entry(class).or_default().push(model(name, file, bases, files)?);
     }
     Ok(models)
 }
@@ -150,7 +158,7 @@ fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, Strin
     match Format::of(&path) {
         Some(_) => Ok(vec![(stem(&path), Some(path))]),
         None => Err(format!(
-            "{key}: `{written}` is no mesh file (.glb, .gltf, .stl, .obj), no folder and none of {:?}",
+            "{key}: `{written}` is no mesh file (.glb, .gltf, .stl, .obj, .xoma), no folder and none of {:?}",
             vehicles::names()
         )),
     }
@@ -189,9 +197,19 @@ fn check(all: &BTreeMap<Class, Vec<Named>>, choice: &Choice) -> Result<(), Strin
     Ok(())
 }
 
-fn model(name: String, file: Option<PathBuf>, files: &mut Vec<PathBuf>) -> Result<Model, Failure> {
+fn model(
+    name: String,
+    file: Option<PathBuf>,
+    bases: &[Base],
+    files: &mut Vec<PathBuf>,
+) -> Result<Model, Failure> {
     let Some(file) = file else { return Ok(Model { name, source: Source::Own }) };
     let mesh = read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(loading::of_mesh)?;
     files.extend(mesh::files(&file));
-    Ok(Model { name, source: Source::File(centred(mesh)) })
+    let of_base = |Base { header, .. }: &Base| {
+        let frequency_hz = header.radar.waveform.centre_frequency_hz();
+        asset_materials(&file, &mesh.materials, &header.materials, frequency_hz).map_err(loading::of_asset)
+    };
+    let materials = bases.iter().map(of_base).collect::<Result<_, _>>()?;
+    Ok(Model { name, source: Source::File { mesh: centred(mesh), materials } })
 }

@@ -39,7 +39,7 @@ impl Recipe {
             files.extend(loading::files_of_radar(&scene)?);
         }
         rules::check(&asked, &bases).map_err(refused)?;
-        let models = models::read(&asked.models, file, folder, &mut files)?;
+        let models = models::read(&asked.models, file, &bases, &mut files)?;
         let seed = seed.unwrap_or(asked.seed);
         Ok(Self { inputs: loading::hashed(&files)?, asked, bases, models, seed, text })
     }
