@@ -16,6 +16,7 @@ use crate::document::text::{at_no_place, read_text};
 use crate::materials::shelf::Shelf;
 use crate::models::library::Models;
 use crate::openmaterial::KnownMaterial;
+use crate::wording::allowed::Allowed;
 use crate::wording::likeness::nearest;
 use artifact::material::{Layer, Material, MaterialMap, Road, Thickness, Transmission};
 use artifact::permittivity::{SUBSTANCES, Substance, substance};
@@ -133,19 +134,21 @@ fn read_mirror(section: &Section<'_>, shelf: &Shelf) -> Option<Road> {
     let known = if named { read_substance(section, shelf)? } else { smooth(of_asphalt()) };
     let told_m = known.rms_height_m.filter(|_| !section.has(RMS_HEIGHT.name));
     let rms_height_m = match told_m {
-        Some(told_m) => checked_height_m(section, told_m)?,
+        Some(told_m) => checked_height_m(section, shelf, told_m)?,
         None => 1e-3 * section.or_default(&RMS_HEIGHT),
     };
     Some(Road { material: known.filled(), rms_height_m })
 }
 
 /// The height that a file tells, where `rms_height_mm` may have it.
-fn checked_height_m(section: &Section<'_>, told_m: f64) -> Option<f64> {
-    let (key, found, allowed) = (RMS_HEIGHT.name, 1e3 * told_m, RMS_HEIGHT.takes.0);
-    if !allowed.holds(found) {
-        section.note(OPENMATERIAL.name, Rule::OutOfRange { key, found, allowed });
+fn checked_height_m(section: &Section<'_>, shelf: &Shelf, told_m: f64) -> Option<f64> {
+    let Allowed::Between(least_mm, most_mm) = RMS_HEIGHT.takes.0 else { return Some(told_m) };
+    let allowed = Allowed::Between(1e-3 * least_mm, 1e-3 * most_mm);
+    if !allowed.holds(told_m) {
+        let error = shelf.too_rough(section.read(&OPENMATERIAL)?, told_m, allowed);
+        section.note(OPENMATERIAL.name, Rule::OpenMaterial(error));
     }
-    allowed.holds(found).then_some(told_m)
+    allowed.holds(told_m).then_some(told_m)
 }
 
 fn read_backscatter(section: &Section<'_>, radar: &Radar, echo: EchoMode) -> Option<Backscatter> {

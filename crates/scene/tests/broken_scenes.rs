@@ -170,6 +170,8 @@ const CASES: &[Case] = &[
     (CAR, "[[target]]\nkind = \"mesh\"\nid = \"d\"\nposition_m = [2, 30, 0]\nmodel = \"scene.obj\"\n", "11:9", "scene.obj:1: expected a polygonal OBJ statement"),
     // The road.
     (NAME, "[road]\nmirror = \"off\"\nsubstance = \"asphalt\"\n", "4:13", "key `substance` has no meaning for a road that is no mirror"),
+    (NAME, "[road]\nopenmaterial = 5\n", "3:16", "[road]: `openmaterial` must be a text in quotes, is a whole number"),
+    (NAME, "[road]\nsubstance = \"asphalt\"\nopenmaterial = \"a.xomp\"\n", "4:16", "`openmaterial` and `substance` exclude one another"),
     (NAME, "[road]\nbackscatter = \"on\"\n", "3:15", "`backscatter` cannot be `on`; it can be `off`, `floor`"),
     (NAME, "[road]\nbackscatter_gamma_db = -20\n", "3:24", "`backscatter_gamma_db` needs `backscatter = \"floor\"` beside it"),
     (NAME, "[road]\nbackscatter = \"floor\"\nbackscatter_gamma_db = 40\n", "4:24", "`backscatter_gamma_db` must be a number from -100 to 30, is 40"),

@@ -107,8 +107,8 @@ impl Rcs {
     }
 }
 
-/// Makes S of a mesh by BART, as `wayside rcs` does. `mesh` is a file or the name of an own vehicle; angles
-/// are those of the antenna in body axes.
+/// Makes S of a mesh by BART, as `wayside rcs` does. `mesh` is a file (of assets of OpenMATERIAL 3D in their
+/// own materials) or the name of an own vehicle; angles are those of the antenna in body axes.
 #[pyfunction]
 #[pyo3(signature = (mesh, freq_ghz, az_deg=None, el_deg=None, *, range_m=f64::INFINITY, pol="vv", bounces=3,
     edges="off", nodes="own-edge", surface="flat", sides="two", accuracy_db=-40.0, rx_az_deg=None,

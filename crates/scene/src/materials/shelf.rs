@@ -1,6 +1,7 @@
 //! Materials in files of their own, from one folder and at one frequency.
 
-use crate::openmaterial::{KnownMaterial, Library, OpenMaterialError, material_at};
+use crate::openmaterial::{KnownMaterial, Library, OpenMaterialError, OpenMaterialFault, material_at};
+use crate::wording::allowed::Allowed;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
@@ -22,6 +23,16 @@ impl Shelf {
         let material = material_at(&self.folder.join(written), self.frequency_hz, &mut library);
         self.files.borrow_mut().extend(library.into_files());
         material
+    }
+
+    /// An error of a material whose roughness is none of a road.
+    pub(super) fn too_rough(&self, written: &str, found: f64, allowed: Allowed) -> OpenMaterialError {
+        let what = "a road's height in m, unless `rms_height_mm` says it,";
+        OpenMaterialError {
+            file: self.folder.join(written),
+            place: "materialProperties.surfaceRoughness.surfaceHeightRms".to_owned(),
+            fault: OpenMaterialFault::OutOfRange { what, found, allowed },
+        }
     }
 
     /// All files that were opened.

@@ -167,5 +167,5 @@ fn and_others(others: usize) -> String {
 }
 
 fn ghz(frequency_hz: f64) -> f64 {
-    (frequency_hz * 1e-6).round() * 1e-3
+    (frequency_hz * 1e-6).round() / 1e3
 }

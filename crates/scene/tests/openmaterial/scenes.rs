@@ -164,7 +164,9 @@ fn a_road_takes_permittivity_and_roughness() {
     assert_eq!(road(json!(8e-4), "rms_height_mm = 0.25\n").unwrap().road.unwrap().rms_height_m, 2.5e-4);
     assert!(road(json!(0.8), "rms_height_mm = 0.25\n").is_ok());
     let told = car.told(&road(json!(0.8), "").unwrap_err());
-    assert_eq!(told, "s.toml:3:16: [road]: `rms_height_mm` must be a number from 0 to 100, is 800");
+    let expected = "s.toml:3:16: [road]: m/glass.xomp: materialProperties.surfaceRoughness.surfaceHeightRms: a \
+                    road's height in m, unless `rms_height_mm` says it, must be from 0 to 0.1, is 0.8";
+    assert_eq!(told, expected);
     car.material("m/glass", &[row(None, [6.0, 0.2])]);
     let text = "name = \"s\"\n[road]\nopenmaterial = \"m/glass.xomp\"\n";
     assert_eq!(open(&car, text).unwrap().road.unwrap().rms_height_m, 5e-4, "the key's default");
