@@ -146,7 +146,7 @@ fn checked_height_m(section: &Section<'_>, shelf: &Shelf, told_m: f64) -> Option
     let allowed = Allowed::Between(1e-3 * least_mm, 1e-3 * most_mm);
     if !allowed.holds(told_m) {
         let error = shelf.too_rough(section.read(&OPENMATERIAL)?, told_m, allowed);
-        section.note(OPENMATERIAL.name, Rule::OpenMaterial(error));
+        section.note(OPENMATERIAL.name, Rule::OpenMaterial(Box::new(error)));
     }
     allowed.holds(told_m).then_some(told_m)
 }
@@ -254,7 +254,7 @@ fn read_substance(section: &Section<'_>, shelf: &Shelf) -> Option<KnownMaterial>
         }
         [key] if key == PERMITTIVITY.name => read_permittivity(section).map(|told| smooth(Some(told))),
         [key] if key == OPENMATERIAL.name => {
-            let at_fault = |error| section.note(key, Rule::OpenMaterial(error));
+            let at_fault = |error| section.note(key, Rule::OpenMaterial(Box::new(error)));
             shelf.material(section.read(&OPENMATERIAL)?).map_err(at_fault).ok()
         }
         [_] => of_table(section).map(|known| smooth(known.permittivity)),

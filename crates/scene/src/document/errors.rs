@@ -404,7 +404,7 @@ pub enum Rule {
     Materials(#[source] SceneErrors),
     /// A file of OpenMATERIAL 3D was refused or could not be read.
     #[error("{0}")]
-    OpenMaterial(#[source] OpenMaterialError),
+    OpenMaterial(#[source] Box<OpenMaterialError>),
     /// A table of an antenna pattern was refused or could not be read.
     #[error("{0}")]
     Pattern(#[source] PatternFileError),

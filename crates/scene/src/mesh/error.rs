@@ -85,7 +85,7 @@ pub enum MeshPlace {
 pub enum MeshFault {
     /// An asset of OpenMATERIAL 3D was refused or could not be read.
     #[error("{0}")]
-    Asset(#[source] OpenMaterialError),
+    Asset(#[source] Box<OpenMaterialError>),
     /// The file cannot be read, or is longer than what is read.
     #[error("{0}")]
     Unread(#[source] ReadFault),

@@ -50,7 +50,7 @@ fn mesh_of_asset(bytes: &[u8], path: &Path, options: &MeshOptions) -> Result<Mes
     let model = openmaterial::model_of(bytes, path).map_err(|error| MeshError {
         file: path.to_owned(),
         place: MeshPlace::File,
-        fault: MeshFault::Asset(error),
+        fault: MeshFault::Asset(Box::new(error)),
     })?;
     read_mesh(&model, options)
 }

@@ -214,7 +214,7 @@ impl Models {
             // A mesh that was not read has none.
             Model::File { path, .. } if !mesh.materials.is_empty() => {
                 asset_materials(path, &mesh.materials, &self.materials, self.frequency_hz)
-                    .map_err(|error| target.note(MODEL.name, Rule::OpenMaterial(error)))
+                    .map_err(|error| target.note(MODEL.name, Rule::OpenMaterial(Box::new(error))))
                     .ok()
             }
             _ => None,

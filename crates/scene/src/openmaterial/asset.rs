@@ -44,7 +44,7 @@ pub(crate) fn model_of(bytes: &[u8], file: &Path) -> Result<PathBuf, OpenMateria
 fn model_beside(file: &Path) -> Result<PathBuf, OpenMaterialFault> {
     let is_there = |ending: &&str| file.with_extension(ending).exists();
     let name = || file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let found: Vec<&str> = ["glb", "gltf"].into_iter().filter(|ending| is_there(&ending)).collect();
+    let found: Vec<&str> = ["glb", "gltf"].into_iter().filter(is_there).collect();
     match (found[..].first(), OTHER_FORMATS.into_iter().find(is_there)) {
         (Some(_), _) if found.len() > 1 => Err(OpenMaterialFault::TwoModels(name())),
         (Some(ending), _) => Ok(file.with_extension(ending)),
