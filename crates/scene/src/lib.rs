@@ -45,8 +45,7 @@
 //! wrong with it (`faults`) and its typed values with their places (`section`); then come the rooms that read
 //! tables, and `read`, which calls them.
 
-mod wording; // sentences about what was read
-mod references; // what files may name
+mod wording; // sentences about what was read, and what it may refer to
 mod measured; // patterns and calibrations from files
 mod openmaterial; // assets of OpenMATERIAL 3D
 pub mod mesh; // meshes from files

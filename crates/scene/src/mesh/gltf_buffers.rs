@@ -3,7 +3,7 @@
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::mesh::format::LIMIT_BYTES;
 use crate::mesh::gltf_json::check_values;
-use crate::references::{self, ReferenceFault};
+use crate::wording::reference::{self, ReferenceFault};
 use artifact::bounded::{self, ReadFault};
 use gltf::json::{Buffer, Root, deserialize};
 use std::collections::BTreeSet;
@@ -86,7 +86,7 @@ fn read_uri(uri: &str, path: &Path, left: u64) -> Result<Vec<u8>, MeshFault> {
 
 /// The file that a `uri` names.
 fn file_of(uri: &str, path: &Path) -> Result<PathBuf, MeshFault> {
-    references::file_of(uri, path).map_err(|fault| match fault {
+    reference::file_of(uri, path).map_err(|fault| match fault {
         ReferenceFault::Malformed => MeshFault::BadUri,
         ReferenceFault::Outside => MeshFault::UriOutside,
     })

@@ -1,8 +1,8 @@
 //! A value of a JSON file that knows its place.
 
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
-use crate::references::{ReferenceFault, file_of};
 use crate::wording::excerpt::excerpt;
+use crate::wording::reference::{ReferenceFault, file_of};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 

@@ -3,7 +3,6 @@
 
 use crate::chain::loading;
 use crate::host::failure::Failure;
-use crate::program::commands::learning::dataset::document::Base;
 use artifact::bounded;
 use artifact::material::MaterialMap;
 use artifact::scene::{Mesh, SceneHeader};
@@ -69,7 +68,7 @@ type Named = (String, Option<PathBuf>);
 pub(super) fn read(
     choice: &Choice,
     recipe: &Path,
-    bases: &[Base],
+    bases: &[&SceneHeader],
     files: &mut Vec<PathBuf>,
 ) -> Result<BTreeMap<Class, Vec<Model>>, Failure> {
     let folder = recipe.parent().unwrap_or(Path::new("."));
@@ -200,15 +199,15 @@ fn check(all: &BTreeMap<Class, Vec<Named>>, choice: &Choice) -> Result<(), Strin
 fn model(
     name: String,
     file: Option<PathBuf>,
-    bases: &[Base],
+    bases: &[&SceneHeader],
     files: &mut Vec<PathBuf>,
 ) -> Result<Model, Failure> {
     let Some(file) = file else { return Ok(Model { name, source: Source::Own }) };
     let mesh = read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(loading::of_mesh)?;
     files.extend(mesh::files(&file));
-    let of_base = |Base { header, .. }: &Base| {
-        let frequency_hz = header.radar.waveform.centre_frequency_hz();
-        asset_materials(&file, &mesh.materials, &header.materials, frequency_hz).map_err(loading::of_asset)
+    let of_base = |base: &&SceneHeader| {
+        let frequency_hz = base.radar.waveform.centre_frequency_hz();
+        asset_materials(&file, &mesh.materials, &base.materials, frequency_hz).map_err(loading::of_asset)
     };
     let materials = bases.iter().map(of_base).collect::<Result<_, _>>()?;
     Ok(Model { name, source: Source::File { mesh: centred(mesh), materials } })
