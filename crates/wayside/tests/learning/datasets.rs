@@ -109,13 +109,13 @@ fn an_asset_is_drawn_in_its_own_materials() {
     write("v/m.xomm", serde_json::json!({ "materialMapping": entries }));
     let properties = serde_json::json!({ "electromagneticPropertiesUri": "m_emp.xompt" });
     write("v/m.xomp", serde_json::json!({ "materialProperties": properties }));
-    let row = serde_json::json!([null, null, null, null, null, 4.0, 0.4]);
+    let row = serde_json::json!([null, null, null, null, null, 40.0, 60.0]);
     write("v/m_emp.xompt", serde_json::json!({ "electromagneticProperties": [row] }));
     let recipe =
         |ending: &str| format!("{NEEDED}[models]\nmotorcycle = [\"v/motorcycle-street.{ending}\"]\n");
     let asset = made(&place, &recipe("xoma"), "asset");
     let metal = made(&place, &recipe("glb"), "metal");
-    let map: String = names.iter().map(|name| format!("{name} = {{ permittivity = [4, 0.4] }}\n")).collect();
+    let map: String = names.iter().map(|name| format!("{name} = {{ permittivity = [40, 60] }}\n")).collect();
     std::fs::write(place.path("base.toml"), format!("{BASE}[materials]\n{map}")).unwrap();
     let map = made(&place, &recipe("glb"), "map");
     assert!(asset == map && asset != metal && !asset.is_empty());

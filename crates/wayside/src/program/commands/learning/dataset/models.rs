@@ -38,11 +38,13 @@ pub(super) struct Model {
 enum Source {
     /// One of the project's vehicles.
     Own,
-    File {
-        mesh: Mesh,
-        /// Materials of the file beside each base scene's.
-        materials: Vec<MaterialMap>,
-    },
+    File(Box<OfFile>),
+}
+
+struct OfFile {
+    mesh: Mesh,
+    /// Each base scene's materials, and the file's own beside them.
+    materials: Vec<MaterialMap>,
 }
 
 impl Model {
@@ -55,7 +57,7 @@ impl Model {
     pub(super) fn mesh(&self, variant: u64, base: usize, header: &SceneHeader) -> Mesh {
         let (mesh, map) = match &self.source {
             Source::Own => (vehicles::mesh(&self.name, variant).unwrap_or_default(), &header.materials),
-            Source::File { mesh, materials } => (mesh.clone(), &materials[base]),
+            Source::File(of_file) => (of_file.mesh.clone(), &of_file.materials[base]),
         };
         Mesh { makeup: map.makeup(&mesh.materials), ..mesh }
     }
@@ -210,5 +212,6 @@ fn model(
         asset_materials(&file, &mesh.materials, &base.materials, frequency_hz).map_err(loading::of_asset)
     };
     let materials = bases.iter().map(of_base).collect::<Result<_, _>>()?;
-    Ok(Model { name, source: Source::File { mesh: centred(mesh), materials } })
+    let of_file = OfFile { mesh: centred(mesh), materials };
+    Ok(Model { name, source: Source::File(Box::new(of_file)) })
 }
