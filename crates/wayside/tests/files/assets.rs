@@ -1,5 +1,7 @@
 //! Assets of OpenMATERIAL 3D as models: results are those of their glTF in the same materials.
 
+#![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
+
 use crate::common::Workplace;
 use serde_json::{Value, json};
 
@@ -19,7 +21,9 @@ fn dihedral(place: &Workplace) {
         positions.chain(facets.as_flattened().iter().flat_map(|i| i.to_le_bytes())).collect();
     std::fs::write(place.path("d.bin"), bytes).unwrap();
     let view = |offset: u32, length: u32| json!({ "buffer": 0, "byteOffset": offset, "byteLength": length });
-    let part = |indices: u32, material: u32| json!({ "attributes": { "POSITION": 0 }, "indices": indices, "material": material });
+    let part = |indices: u32, material: u32| {
+        json!({ "attributes": { "POSITION": 0 }, "indices": indices, "material": material })
+    };
     let gltf = json!({
         "asset": { "version": "2.0" },
         "buffers": [{ "uri": "d.bin", "byteLength": 96 }],
