@@ -41,12 +41,13 @@
 //! The project's own [`vehicles`] and [`street`] furniture are the crate `bodies`.
 //!
 //! Rooms, to read in this order, each of which uses only those before it: below are bodies from files,
-//! [`mesh`] (glTF, STL, OBJ), and what SUMO recorded; `document` is what a scene may say (`keys`), what is
+//! [`mesh`] (glTF, STL, OBJ, and assets of OpenMATERIAL 3D), and what SUMO recorded; `document` is what a scene may say (`keys`), what is
 //! wrong with it (`faults`) and its typed values with their places (`section`); then come the rooms that read
 //! tables, and `read`, which calls them.
 
-mod wording; // sentences about what was read
+mod wording; // sentences about what was read, and what it may refer to
 mod measured; // patterns and calibrations from files
+mod openmaterial; // assets of OpenMATERIAL 3D
 pub mod mesh; // meshes from files
 mod recording; // what SUMO writes
 mod document; // a scene file as tables that know their place
@@ -70,6 +71,7 @@ pub use measured::pattern_table::{PatternFileError, PatternRule};
 pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
 pub use models::options::{Meshes, ReadOptions};
 pub use motion::{bodies_in_view, frame_view, snapshot, vehicles_in_view};
+pub use openmaterial::{OpenMaterialError, OpenMaterialFault, asset_materials};
 pub use radar::radars::radars;
 pub use read::{inputs, inputs_of_changed, read, read_changed};
 pub use recording::xml::XmlFault;

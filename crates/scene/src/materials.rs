@@ -1,20 +1,25 @@
 //! `[materials]`, files of them, and `[road]`: names of materials, and what they stand for.
 
+mod shelf;
+
 use crate::document::entries::{layers, materials};
 use crate::document::errors::{Place, Rule, SceneErrors};
 use crate::document::faults::Faults;
 use crate::document::keys::fidelity::{MATERIALS, TRANSMISSION};
 use crate::document::keys::materials::{
-    BACKING, BACKSCATTER, COHERENT, GAMMA, Ground, LAYERS, MIRROR, Mirror, PERMITTIVITY, RMS_HEIGHT, ROAD,
-    ROAD_SUBSTANCE, SUBSTANCE, THICKNESS,
+    BACKING, BACKSCATTER, COHERENT, GAMMA, Ground, LAYERS, MIRROR, Mirror, OPENMATERIAL, PERMITTIVITY,
+    RMS_HEIGHT, ROAD, ROAD_SUBSTANCE, SUBSTANCE, THICKNESS,
 };
 use crate::document::keys::scene::{MATERIAL_FILE, OF_MATERIALS};
 use crate::document::section::Section;
 use crate::document::text::{at_no_place, read_text};
+use crate::materials::shelf::Shelf;
 use crate::models::library::Models;
+use crate::openmaterial::KnownMaterial;
+use crate::wording::allowed::Allowed;
 use crate::wording::likeness::nearest;
 use artifact::material::{Layer, Material, MaterialMap, Road, Thickness, Transmission};
-use artifact::permittivity::{SUBSTANCES, substance};
+use artifact::permittivity::{SUBSTANCES, Substance, substance};
 use artifact::radar::{Polarization, Radar};
 use artifact::scene::Backscatter;
 use artifact::settings::EchoMode;
@@ -23,12 +28,18 @@ use num_complex::Complex64;
 use std::path::Path;
 use toml::de::DeTable;
 
-/// The materials in a file of the form of a scene's `[materials]`; whether waves pass sheets is not for it to
-/// say.
+/// The materials in a file of the form of a scene's `[materials]`, those of OpenMATERIAL 3D at that
+/// frequency; whether waves pass sheets is not for it to say.
 ///
 /// # Errors
 /// Every broken rule with line and column; `is_system` tells a file that is missing or unreadable.
-pub fn read_materials(path: &Path) -> Result<MaterialMap, SceneErrors> {
+pub fn read_materials(path: &Path, frequency_hz: f64) -> Result<MaterialMap, SceneErrors> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let by_name = of_file(path, &Shelf::new(folder, frequency_hz))?;
+    Ok(MaterialMap { by_name, transmission: Transmission::Ignored })
+}
+
+fn of_file(path: &Path, shelf: &Shelf) -> Result<Vec<(String, Material)>, SceneErrors> {
     let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
     let faults = Faults::new(path, &text);
     let (document, syntax) = DeTable::parse_recoverable(&text);
@@ -38,41 +49,57 @@ pub fn read_materials(path: &Path) -> Result<MaterialMap, SceneErrors> {
     }
     let root = Section::root(document.get_ref(), &MATERIAL_FILE, &faults);
     root.require(OF_MATERIALS.name);
-    let by_name = by_name(&root);
+    let by_name = by_name(&root, shelf);
     drop(root);
-    faults.into_errors().map(|()| MaterialMap { by_name, transmission: Transmission::Ignored })
+    faults.into_errors().map(|()| by_name)
 }
 
 /// Reads a scene's materials, from a table of its own or a file, and whether waves pass through them.
 pub(crate) fn read_scene_materials(
     root: &Section<'_>,
     fidelity: &Section<'_>,
+    radar: &Radar,
     models: &mut Models,
 ) -> MaterialMap {
     let transmission = fidelity.or_default(&TRANSMISSION);
+    let frequency_hz = radar.waveform.centre_frequency_hz();
     let by_name = match fidelity.read(&MATERIALS) {
         Some(_) if root.has(OF_MATERIALS.name) => {
             let key = MATERIALS.name;
             fidelity.note(key, Rule::Contradiction { key, other: "[materials]" });
             vec![]
         }
-        Some(written) => from_file(fidelity, &models.file_beside(written)),
-        None => by_name(root),
+        Some(written) => from_file(fidelity, written, frequency_hz, models),
+        None => {
+            let shelf = Shelf::new(&models.folder(), frequency_hz);
+            let by_name = by_name(root, &shelf);
+            models.depend_on(shelf.into_files());
+            by_name
+        }
     };
     MaterialMap { by_name, transmission }
 }
 
-fn from_file(fidelity: &Section<'_>, path: &Path) -> Vec<(String, Material)> {
-    read_materials(path).map(|map| map.by_name).unwrap_or_else(|errors| {
+fn from_file(
+    fidelity: &Section<'_>,
+    written: &str,
+    frequency_hz: f64,
+    models: &mut Models,
+) -> Vec<(String, Material)> {
+    let path = models.file_beside(written);
+    let shelf = Shelf::new(path.parent().unwrap_or(Path::new("")), frequency_hz);
+    let by_name = of_file(&path, &shelf);
+    models.depend_on(shelf.into_files());
+    by_name.unwrap_or_else(|errors| {
         fidelity.note(MATERIALS.name, Rule::Materials(errors));
         vec![]
     })
 }
 
-fn by_name(root: &Section<'_>) -> Vec<(String, Material)> {
+fn by_name(root: &Section<'_>, shelf: &Shelf) -> Vec<(String, Material)> {
     materials(root)
         .iter()
-        .filter_map(|(name, section)| Some(((*name).to_owned(), read_material(section)?)))
+        .filter_map(|(name, section)| Some(((*name).to_owned(), read_material(section, shelf)?)))
         .collect()
 }
 
@@ -81,28 +108,47 @@ pub(crate) fn read_road(
     root: &Section<'_>,
     radar: &Radar,
     echo: EchoMode,
+    models: &mut Models,
 ) -> (Option<Road>, Option<Backscatter>) {
     let section = root.section(&ROAD);
     if !section.exists() {
         return (None, None);
     }
-    (read_mirror(&section), read_backscatter(&section, radar, echo))
+    let shelf = Shelf::new(&models.folder(), radar.waveform.centre_frequency_hz());
+    let mirror = read_mirror(&section, &shelf);
+    models.depend_on(shelf.into_files());
+    (mirror, read_backscatter(&section, radar, echo))
 }
 
-fn read_mirror(section: &Section<'_>) -> Option<Road> {
+fn read_mirror(section: &Section<'_>, shelf: &Shelf) -> Option<Road> {
     if section.or_default(&MIRROR) == Mirror::Off {
-        let of_mirrors = [SUBSTANCE.name, PERMITTIVITY.name, RMS_HEIGHT.name];
+        let of_mirrors = [SUBSTANCE.name, PERMITTIVITY.name, OPENMATERIAL.name, RMS_HEIGHT.name];
         for key in of_mirrors.into_iter().filter(|key| section.has(key)) {
             section.note(key, Rule::Misplaced { key, owner: "a road that is no mirror" });
         }
         return None;
     }
-    let named = section.has(SUBSTANCE.name) || section.has(PERMITTIVITY.name);
+    let named = SOURCES.iter().any(|key| section.has(key));
     let of_asphalt = || substance(ROAD_SUBSTANCE.absent.0).and_then(|asphalt| asphalt.permittivity);
-    let permittivity = if named { read_permittivity(section)? } else { of_asphalt() };
-    let material =
-        permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity });
-    Some(Road { material, rms_height_m: 1e-3 * section.or_default(&RMS_HEIGHT) })
+    let smooth = |permittivity| KnownMaterial { permittivity, rms_height_m: None };
+    let known = if named { read_substance(section, shelf)? } else { smooth(of_asphalt()) };
+    let told_m = known.rms_height_m.filter(|_| !section.has(RMS_HEIGHT.name));
+    let rms_height_m = match told_m {
+        Some(told_m) => checked_height_m(section, shelf, told_m)?,
+        None => 1e-3 * section.or_default(&RMS_HEIGHT),
+    };
+    Some(Road { material: known.filled(), rms_height_m })
+}
+
+/// The height that a file tells, where `rms_height_mm` may have it.
+fn checked_height_m(section: &Section<'_>, shelf: &Shelf, told_m: f64) -> Option<f64> {
+    let Allowed::Between(least_mm, most_mm) = RMS_HEIGHT.takes.0 else { return Some(told_m) };
+    let allowed = Allowed::Between(1e-3 * least_mm, 1e-3 * most_mm);
+    if !allowed.holds(told_m) {
+        let error = shelf.too_rough(section.read(&OPENMATERIAL)?, told_m, allowed);
+        section.note(OPENMATERIAL.name, Rule::OpenMaterial(Box::new(error)));
+    }
+    allowed.holds(told_m).then_some(told_m)
 }
 
 fn read_backscatter(section: &Section<'_>, radar: &Radar, echo: EchoMode) -> Option<Backscatter> {
@@ -130,8 +176,8 @@ fn read_backscatter(section: &Section<'_>, radar: &Radar, echo: EchoMode) -> Opt
     Some(Backscatter { gamma: power_from_db(gamma_db) })
 }
 
-fn read_material(section: &Section<'_>) -> Option<Material> {
-    let layers = if section.has(LAYERS.name) { stacked(section)? } else { single(section)? };
+fn read_material(section: &Section<'_>, shelf: &Shelf) -> Option<Material> {
+    let layers = if section.has(LAYERS.name) { stacked(section, shelf)? } else { single(section, shelf)? };
     let backing = section.or_default(&BACKING);
     let thickness = if section.or_default(&COHERENT) { Thickness::Exact } else { Thickness::Averaged };
     match layers {
@@ -154,18 +200,18 @@ enum Composition {
     Layered(Vec<Layer>),
 }
 
-fn stacked(section: &Section<'_>) -> Option<Composition> {
-    let alone = [SUBSTANCE.name, PERMITTIVITY.name, THICKNESS.name].into_iter().find(|key| section.has(key));
-    if let Some(key) = alone {
+fn stacked(section: &Section<'_>, shelf: &Shelf) -> Option<Composition> {
+    let of_one = SOURCES.into_iter().chain([THICKNESS.name]);
+    if let Some(key) = of_one.into_iter().find(|key| section.has(key)) {
         section.note(key, Rule::Contradiction { key, other: LAYERS.name });
         return None;
     }
-    let read: Option<Vec<Layer>> = layers(section)?.iter().map(read_layer).collect();
+    let read: Option<Vec<Layer>> = layers(section)?.iter().map(|layer| read_layer(layer, shelf)).collect();
     read.map(Composition::Layered)
 }
 
-fn single(section: &Section<'_>) -> Option<Composition> {
-    let permittivity = read_permittivity(section)?;
+fn single(section: &Section<'_>, shelf: &Shelf) -> Option<Composition> {
+    let permittivity = read_substance(section, shelf)?.permittivity;
     if !section.has(THICKNESS.name) {
         return Some(Composition::Filled(permittivity));
     }
@@ -179,14 +225,13 @@ fn single(section: &Section<'_>) -> Option<Composition> {
     }
 }
 
-fn read_layer(section: &Section<'_>) -> Option<Layer> {
+fn read_layer(section: &Section<'_>, shelf: &Shelf) -> Option<Layer> {
     section.require(THICKNESS.name);
-    let (permittivity, thickness_m) = (read_permittivity(section)?, read_thickness_m(section)?);
+    let permittivity = read_substance(section, shelf)?.permittivity;
+    let thickness_m = read_thickness_m(section)?;
     if permittivity.is_none() {
-        section.note(
-            SUBSTANCE.name,
-            Rule::Misplaced { key: SUBSTANCE.name, owner: "a layer of metal: say backing = \"metal\"" },
-        );
+        let key = if section.has(OPENMATERIAL.name) { OPENMATERIAL.name } else { SUBSTANCE.name };
+        section.note(key, Rule::Misplaced { key, owner: "a layer of metal: say backing = \"metal\"" });
     }
     Some(Layer { thickness_m, permittivity: permittivity? })
 }
@@ -195,40 +240,48 @@ fn read_thickness_m(section: &Section<'_>) -> Option<f64> {
     section.read(&THICKNESS).map(|mm| 1e-3 * mm)
 }
 
-/// Reads a permittivity from the table of substances or as a number: `Some(None)` is metal, `None` wrong and
-/// noted.
-#[expect(
-    clippy::option_option,
-    reason = "the outer says whether something readable is there, the inner whether it is metal"
-)]
-fn read_permittivity(section: &Section<'_>) -> Option<Option<Complex64>> {
-    let (key, other) = (PERMITTIVITY.name, SUBSTANCE.name);
-    match (section.has(other), section.has(key)) {
-        (true, true) => {
-            section.note(key, Rule::Contradiction { key, other });
-            None
-        }
-        (false, true) => {
-            let [real, loss] = section.read(&PERMITTIVITY)?;
-            let [allowed, _] = PERMITTIVITY.takes.each;
-            if !allowed.holds(real) {
-                section.note(key, Rule::OutOfRange { key, found: real, allowed });
-                return None;
-            }
-            Some(Some(Complex64::new(real, -loss)))
-        }
-        (true, false) => {
-            let found = section.read(&SUBSTANCE)?;
-            let known = substance(found);
-            if known.is_none() {
-                let nearest = nearest(found, &SUBSTANCES.map(|s| s.name));
-                section.note(SUBSTANCE.name, Rule::UnknownSubstance { found: found.to_owned(), nearest });
-            }
-            known.map(|known| known.permittivity)
-        }
-        (false, false) => {
+/// Keys that say what something consists of.
+const SOURCES: [&str; 3] = [SUBSTANCE.name, PERMITTIVITY.name, OPENMATERIAL.name];
+
+/// What something consists of: of the table of substances, a number, or a file. `None` is wrong and noted.
+fn read_substance(section: &Section<'_>, shelf: &Shelf) -> Option<KnownMaterial> {
+    let smooth = |permittivity| KnownMaterial { permittivity, rms_height_m: None };
+    let said: Vec<&'static str> = SOURCES.into_iter().filter(|key| section.has(key)).collect();
+    match said[..] {
+        [] => {
             section.require(SUBSTANCE.name);
             None
         }
+        [key] if key == PERMITTIVITY.name => read_permittivity(section).map(|told| smooth(Some(told))),
+        [key] if key == OPENMATERIAL.name => {
+            let at_fault = |error| section.note(key, Rule::OpenMaterial(Box::new(error)));
+            shelf.material(section.read(&OPENMATERIAL)?).map_err(at_fault).ok()
+        }
+        [_] => of_table(section).map(|known| smooth(known.permittivity)),
+        [other, key, ..] => {
+            section.note(key, Rule::Contradiction { key, other });
+            None
+        }
     }
+}
+
+fn read_permittivity(section: &Section<'_>) -> Option<Complex64> {
+    let key = PERMITTIVITY.name;
+    let [real, loss] = section.read(&PERMITTIVITY)?;
+    let [allowed, _] = PERMITTIVITY.takes.each;
+    if !allowed.holds(real) {
+        section.note(key, Rule::OutOfRange { key, found: real, allowed });
+        return None;
+    }
+    Some(Complex64::new(real, -loss))
+}
+
+fn of_table(section: &Section<'_>) -> Option<&'static Substance> {
+    let found = section.read(&SUBSTANCE)?;
+    let known = substance(found);
+    if known.is_none() {
+        let nearest = nearest(found, &SUBSTANCES.map(|s| s.name));
+        section.note(SUBSTANCE.name, Rule::UnknownSubstance { found: found.to_owned(), nearest });
+    }
+    known
 }

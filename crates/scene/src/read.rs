@@ -105,6 +105,10 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let radar = read_radar(&radar_section, models);
     let (frames, frame_interval_s) = read_frames(root, &radar);
     let (intersection, lanes) = read_intersection(root, &radar);
+    // Opened once: it notes its unknown keys when it is.
+    let fidelity_section = root.section(&FIDELITY);
+    let materials = read_scene_materials(root, &fidelity_section, &radar, models);
+    models.dress_in(&materials, radar.waveform.centre_frequency_hz());
     let targets = read_targets(root, &radar, &lanes, models);
     let recording = read_traffic(root, &radar, frame_interval_s, models);
     let courses = recording
@@ -116,11 +120,8 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let traffic = recording.map(|recording| recording.frames(models, &targets));
     let sub_frames = radar.schedule.sub_frames();
     let frames = traffic.as_ref().map_or(frames, |traffic| (traffic.frames.len() as u32).max(1) * sub_frames);
-    // Opened once: it notes its unknown keys when it is.
-    let fidelity_section = root.section(&FIDELITY);
-    let materials = read_scene_materials(root, &fidelity_section, models);
     let fidelity = read_fidelity(&fidelity_section);
-    let (road, backscatter) = read_road(root, &radar, fidelity.echo);
+    let (road, backscatter) = read_road(root, &radar, fidelity.echo, models);
     SceneHeader {
         name: String::new(),
         seed: root.or_default(&SEED),
@@ -131,7 +132,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
         fidelity,
         radar,
         intersection,
-        meshes: models.take_meshes(&materials).into(),
+        meshes: models.take_meshes().into(),
         materials,
         road,
         backscatter,

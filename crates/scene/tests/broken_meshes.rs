@@ -170,7 +170,7 @@ fn stl_and_obj_cases() -> Vec<Case> {
         ("curve.obj", obj("cstype bezier\n"), ":5: ", "expected a polygonal OBJ statement"),
         ("nan.obj", obj("v nan 0 0\nf 1 2 5\n"), ": ", "vertex 2 is not finite"),
         ("flat.obj", obj("v 2 0 0\nf 1 2 5\n"), ": ", "has no triangle with area (1 without)"),
-        ("model.fbx", vec![], ": ", "is not a .glb, .gltf, .stl or .obj file by its name"),
+        ("model.fbx", vec![], ": ", "is not a .glb, .gltf, .stl, .obj or .xoma file by its name"),
     ]
 }
 

@@ -97,7 +97,7 @@ fn a_road_sends_back_of_itself_where_it_is_told_to_mirror_or_not() {
 #[test]
 fn the_map_of_the_own_vehicles_and_street_furniture_names_every_material_of_theirs() {
     let file = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/vehicles.materials.toml"));
-    let map = read_materials(file).unwrap();
+    let map = read_materials(file, 77e9).unwrap();
     let [pole, sign] = [Piece::Pole { height_m: 6.0, diameter_m: 0.1 }, Piece::Sign { height_m: 3.0 }];
     let street = [pole, sign, Piece::GuardRail { length_m: 4.0 }, Piece::Kerb { length_m: 4.0 }];
     let vehicles = scene::vehicles::NAMES.map(|name| scene::vehicles::mesh(name, 0).unwrap());

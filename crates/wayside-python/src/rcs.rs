@@ -6,6 +6,7 @@ use crate::failure;
 use crate::told;
 use crate::work::carry_out;
 use artifact::Accuracy;
+use artifact::material::MaterialMap;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use ndarray::Array3;
@@ -106,8 +107,8 @@ impl Rcs {
     }
 }
 
-/// Makes S of a mesh by BART, as `wayside rcs` does. `mesh` is a file or the name of an own vehicle; angles
-/// are those of the antenna in body axes.
+/// Makes S of a mesh by BART, as `wayside rcs` does. `mesh` is a file (of assets of OpenMATERIAL 3D in their
+/// own materials) or the name of an own vehicle; angles are those of the antenna in body axes.
 #[pyfunction]
 #[pyo3(signature = (mesh, freq_ghz, az_deg=None, el_deg=None, *, range_m=f64::INFINITY, pol="vv", bounces=3,
     edges="off", nodes="own-edge", surface="flat", sides="two", accuracy_db=-40.0, rx_az_deg=None,
@@ -157,6 +158,7 @@ pub(crate) fn rcs(
     let memory = Allowance::of(memory_limit_mib);
     let table = carry_out(py, Some(&mesh), progress, move |_| {
         let mesh = stepwise::mesh(&place, unit_scale)?;
+        let mesh = stepwise::dressed(mesh, &place, &MaterialMap::default(), &asked.frequency_hz)?;
         stepwise::rcs(&mesh, &asked, memory).map_err(|failure| failure.about(&place))
     })?;
     Rcs::of(py, table, request)

@@ -16,7 +16,7 @@ mod tables; // S of a mesh
 pub use bart_rcs::{RcsRequest, Standpoint};
 pub use delays::delay_at_middle;
 pub use echoes::{echoes, echoes_of_paths};
-pub use meshes::{far_field_from_m, mesh};
+pub use meshes::{dressed, far_field_from_m, mesh, middle_hz};
 pub use opened_scene::{Cost, OpenedScene, radars};
 pub use processing::{Answered, Processing};
 pub use recorded::{Recorded, error_figures, model_error_figures};

@@ -2,7 +2,7 @@
 //! chunks.
 
 #[path = "../../../scene/tests/glb_file/mod.rs"]
-mod glb_file;
+pub(crate) mod glb_file;
 
 use fuzzing::{Noise, change_json, change_numbers};
 use glb_file::{GlbFile, floats};

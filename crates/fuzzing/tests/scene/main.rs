@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
 mod gltf;
+mod openmaterial;
 mod readers;
 mod sound;
 

@@ -1,6 +1,7 @@
 //! The readers of this crate: how a case of each is made, and how it is read.
 
 use crate::gltf;
+use crate::openmaterial;
 use crate::sound;
 use flate2::Compression;
 use flate2::write::GzEncoder;
@@ -9,7 +10,7 @@ use scene::{MeshOptions, Meshes, ReadOptions};
 use std::io::Write as _;
 use std::path::Path;
 
-pub(crate) const READERS: [Reader; 12] = [
+pub(crate) const READERS: [Reader; 13] = [
     Reader::refusing("glb", 400, |n, at| put(at, "m.glb", &gltf::binary(n)), |at| mesh(at, "m.glb")),
     Reader::refusing("gltf", 400, write_gltf, |at| mesh(at, "m.gltf")),
     Reader::refusing("stl", 400, write_stl, |at| mesh(at, "m.stl")),
@@ -17,6 +18,7 @@ pub(crate) const READERS: [Reader; 12] = [
     Reader::refusing("obj", 400, |n, at| text(n, at, "m.obj", sound::OBJ), |at| mesh(at, "m.obj")),
     Reader::refusing("scene-text", 150, write_scene, |at| whole_scene(at, "s.toml")),
     Reader::refusing("materials", 400, |n, at| text(n, at, "m.toml", sound::MATERIALS), materials),
+    Reader::refusing("openmaterial", 400, openmaterial::write, |at| whole_scene(at, "openmaterial.toml")),
     Reader::refusing(
         "pattern",
         400,
@@ -43,6 +45,9 @@ pub(crate) const READERS: [Reader; 12] = [
     ),
     Reader::refusing("fcd-gzip", 400, write_packed, |at| whole_scene(at, "traffic.toml")),
 ];
+
+/// Frequency at which materials are asked for.
+const CARRIER_HZ: f64 = 77e9;
 
 /// Writes the files that every case finds in its folder.
 pub(crate) fn prepare(folder: &Path) {
@@ -128,7 +133,7 @@ fn mesh(folder: &Path, name: &str) -> Result<(), String> {
 }
 
 fn materials(folder: &Path) -> Result<(), String> {
-    scene::read_materials(&folder.join("m.toml")).map(drop).map_err(|errors| errors.to_string())
+    scene::read_materials(&folder.join("m.toml"), CARRIER_HZ).map(drop).map_err(|errors| errors.to_string())
 }
 
 fn whole_scene(folder: &Path, name: &str) -> Result<(), String> {

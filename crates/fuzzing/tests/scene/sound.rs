@@ -87,9 +87,18 @@ pub(crate) const SCENES: &[&str] = &[
     "name = \"files\"\nframes = 3\n[fidelity]\nmaterials = \"m.toml\"\n[radar.array]\npreset = \"1x4\"\npattern = \"table\"\npattern_file = \"p.csv\"\n[dsp]\ncalibration = \"c.csv\"\n[[target]]\nkind = \"mesh\"\nid = \"m\"\nmodel = \"sheet.obj\"\nlane = 2\ny_m = 30\n[intersection]\nlane_centres_m = [2, 6]\n[[clutter]]\nid = \"c\"\nmodel = \"sheet.obj\"\nposition_m = [0, 9, 0]\n",
 ];
 
+/// A scene whose model is the asset, and whose road and materials are of OpenMATERIAL 3D.
+const OPENMATERIAL: &str = concat!(
+    "name = \"o\"\n[materials]\nglass = { openmaterial = \"g.xomp\", thickness_mm = 5 }\n",
+    "[road]\nopenmaterial = \"g.xomp\"\n",
+    "[[target]]\nkind = \"mesh\"\nid = \"m\"\nmodel = \"o.xoma\"\nlane = 2\ny_m = 30\n",
+    "[intersection]\nlane_centres_m = [2, 6]\n"
+);
+
 /// Files that stand beside a case, whatever it is.
-pub(crate) const FILES: [(&str, &str); 11] = [
+pub(crate) const FILES: [(&str, &str); 12] = [
     ("sheet.obj", SHEET),
+    ("openmaterial.toml", OPENMATERIAL),
     ("t.fcd.xml", FCD[0]),
     ("t.net.xml", NET[0]),
     (

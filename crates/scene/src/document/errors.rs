@@ -3,6 +3,7 @@
 use crate::measured::calibration::CalibrationFileError;
 use crate::measured::pattern_table::PatternFileError;
 use crate::mesh::MeshError;
+use crate::openmaterial::OpenMaterialError;
 use crate::recording::fcd::FcdError;
 use crate::recording::net::NetError;
 use crate::wording::allowed::Allowed;
@@ -373,7 +374,7 @@ pub enum Rule {
         wavelength_m: f64,
     },
     /// Neither a file of a known format nor one of the project's own.
-    #[error("model `{found}` is neither a .glb, .gltf, .stl or .obj file nor one of the project's {own}{}", nearest_key(.nearest))]
+    #[error("model `{found}` is neither a .glb, .gltf, .stl, .obj or .xoma file nor one of the project's {own}{}", nearest_key(.nearest))]
     UnknownModel {
         /// Model as written.
         found: String,
@@ -401,6 +402,9 @@ pub enum Rule {
     /// A file of materials was refused or could not be read.
     #[error("{0}")]
     Materials(#[source] SceneErrors),
+    /// A file of OpenMATERIAL 3D was refused or could not be read.
+    #[error("{0}")]
+    OpenMaterial(#[source] Box<OpenMaterialError>),
     /// A table of an antenna pattern was refused or could not be read.
     #[error("{0}")]
     Pattern(#[source] PatternFileError),
@@ -432,6 +436,7 @@ impl Rule {
             Self::Traffic(error) => error.is_system(),
             Self::Net(error) => error.is_system(),
             Self::Materials(errors) => errors.is_system(),
+            Self::OpenMaterial(error) => error.is_system(),
             Self::Pattern(error) => error.is_system(),
             Self::Calibration(error) => error.is_system(),
             _ => false,

@@ -1,5 +1,6 @@
 //! Faults of a mesh file.
 
+use crate::openmaterial::OpenMaterialError;
 use crate::wording::number::WrittenNumber;
 use artifact::bounded::ReadFault;
 use std::fmt;
@@ -21,6 +22,7 @@ impl MeshError {
     pub fn is_system(&self) -> bool {
         match &self.fault {
             MeshFault::Unread(error) | MeshFault::BufferUnread { error, .. } => error.is_system(),
+            MeshFault::Asset(error) => error.is_system(),
             _ => false,
         }
     }
@@ -30,6 +32,8 @@ impl fmt::Display for MeshError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (file, fault) = (self.file.display(), &self.fault);
         match self.place {
+            // It names the file itself.
+            MeshPlace::File if matches!(fault, MeshFault::Asset(_)) => write!(f, "{fault}"),
             MeshPlace::File => write!(f, "{file}: {fault}"),
             MeshPlace::Line(line) => write!(f, "{file}:{line}: {fault}"),
             MeshPlace::Facet(facet) => write!(f, "{file}: facet {facet}: {fault}"),
@@ -79,6 +83,9 @@ pub enum MeshPlace {
 /// The rules of a mesh file, broken.
 #[derive(Debug, thiserror::Error)]
 pub enum MeshFault {
+    /// An asset of OpenMATERIAL 3D was refused or could not be read.
+    #[error("{0}")]
+    Asset(#[source] Box<OpenMaterialError>),
     /// The file cannot be read, or is longer than what is read.
     #[error("{0}")]
     Unread(#[source] ReadFault),
@@ -124,7 +131,7 @@ pub enum MeshFault {
         limit: u64,
     },
     /// The format cannot be told by the file's extension.
-    #[error("is not a .glb, .gltf, .stl or .obj file by its name")]
+    #[error("is not a .glb, .gltf, .stl, .obj or .xoma file by its name")]
     UnknownFormat,
     /// The container of binary glTF.
     #[error("is not binary glTF 2.0: {0}")]

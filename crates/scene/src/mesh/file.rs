@@ -2,8 +2,8 @@
 
 use crate::mesh::error::{Located, MeshError, MeshFault, MeshPlace};
 use crate::mesh::format::{Format, LIMIT_BYTES, MeshOptions};
-use crate::mesh::part::Part;
 use crate::mesh::{assemble, gltf_buffers, gltf_document, obj, stl};
+use crate::openmaterial;
 use artifact::bounded;
 use artifact::scene::Mesh;
 use std::path::{Path, PathBuf};
@@ -33,29 +33,44 @@ pub fn mesh_from_bytes(
     options: &MeshOptions,
 ) -> Result<Mesh, MeshError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    read_parts(bytes, format, path)
+    let parts = match format {
+        Format::Glb => gltf_document::read_glb(bytes, path),
+        Format::Gltf => gltf_document::read_gltf(bytes, path),
+        Format::Stl => stl::read_stl(bytes),
+        Format::Obj => obj::read_obj(bytes),
+        Format::Asset => return Ok(Mesh { name, ..mesh_of_asset(bytes, path, options)? }),
+    };
+    parts
         .and_then(|parts| assemble::assemble(name, parts, options))
         .map_err(|Located { place, fault }| MeshError { file: path.to_owned(), place, fault })
 }
 
-/// The files that a mesh consists of: itself, and for `.gltf` the buffers beside it as far as it can be read.
+/// The mesh of the model that lies beside an asset: a glTF, so that this ends.
+fn mesh_of_asset(bytes: &[u8], path: &Path, options: &MeshOptions) -> Result<Mesh, MeshError> {
+    let model = openmaterial::model_of(bytes, path).map_err(|error| MeshError {
+        file: path.to_owned(),
+        place: MeshPlace::File,
+        fault: MeshFault::Asset(Box::new(error)),
+    })?;
+    read_mesh(&model, options)
+}
+
+/// The files that a mesh consists of: itself; for `.gltf` the buffers beside it, for `.xoma` its model and
+/// the files in which its materials are told, as far as they can be read.
 pub fn files(path: &Path) -> Vec<PathBuf> {
     let beside = match Format::of(path) {
         Some(Format::Gltf) => {
             read_bytes(path).map(|bytes| gltf_buffers::files_beside(&bytes, path)).unwrap_or_default()
         }
+        Some(Format::Asset) => files_of_asset(path),
         _ => vec![],
     };
     std::iter::once(path.to_owned()).chain(beside).collect()
 }
 
-fn read_parts(bytes: &[u8], format: Format, path: &Path) -> Result<Vec<Part>, Located> {
-    match format {
-        Format::Glb => gltf_document::read_glb(bytes, path),
-        Format::Gltf => gltf_document::read_gltf(bytes, path),
-        Format::Stl => stl::read_stl(bytes),
-        Format::Obj => obj::read_obj(bytes),
-    }
+fn files_of_asset(path: &Path) -> Vec<PathBuf> {
+    let model = read_bytes(path).ok().and_then(|bytes| openmaterial::model_of(&bytes, path).ok());
+    model.into_iter().flat_map(|model| files(&model)).chain(openmaterial::files_of_asset(path)).collect()
 }
 
 fn read_bytes(path: &Path) -> Result<Vec<u8>, MeshFault> {

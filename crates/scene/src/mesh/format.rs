@@ -22,6 +22,8 @@ pub enum Format {
     Stl,
     /// Wavefront OBJ, text.
     Obj,
+    /// Asset of OpenMATERIAL 3D: JSON beside a glTF of the same name.
+    Asset,
 }
 
 impl Format {
@@ -32,6 +34,7 @@ impl Format {
             "gltf" => Some(Self::Gltf),
             "stl" => Some(Self::Stl),
             "obj" => Some(Self::Obj),
+            "xoma" => Some(Self::Asset),
             _ => None,
         }
     }

@@ -3,10 +3,11 @@
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::mesh::format::LIMIT_BYTES;
 use crate::mesh::gltf_json::check_values;
+use crate::wording::reference::{self, ReferenceFault};
 use artifact::bounded::{self, ReadFault};
 use gltf::json::{Buffer, Root, deserialize};
 use std::collections::BTreeSet;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 /// Bytes of each buffer, at least as many as it says.
 pub(crate) type Buffers = Vec<Vec<u8>>;
@@ -83,36 +84,12 @@ fn read_uri(uri: &str, path: &Path, left: u64) -> Result<Vec<u8>, MeshFault> {
     })
 }
 
-/// The file of a relative reference (RFC 3986, 4.2) in the folder of `path` or below it.
+/// The file that a `uri` names.
 fn file_of(uri: &str, path: &Path) -> Result<PathBuf, MeshFault> {
-    // A colon ends the name of a scheme: what follows is no file.
-    let name = (!uri.is_empty() && !uri.contains(':')).then(|| percent_decoded(uri)).flatten();
-    let name = name.ok_or(MeshFault::BadUri)?;
-    match is_below(&name) {
-        true => Ok(path.parent().unwrap_or(Path::new("")).join(name)),
-        false => Err(MeshFault::UriOutside),
-    }
-}
-
-/// Whether a name leads nowhere but down, on any system: a backslash parts folders on some, a colon stands
-/// behind a drive.
-fn is_below(name: &str) -> bool {
-    let is_down = |part: Component| matches!(part, Component::Normal(_) | Component::CurDir);
-    !name.contains(['\\', ':', '\0']) && Path::new(name).components().all(is_down)
-}
-
-/// The text without percent signs (RFC 3986, 2.1).
-fn percent_decoded(uri: &str) -> Option<String> {
-    let mut decoded = vec![];
-    let mut bytes = uri.bytes();
-    while let Some(byte) = bytes.next() {
-        decoded.push(if byte == b'%' { 16 * hex(bytes.next()?)? + hex(bytes.next()?)? } else { byte });
-    }
-    String::from_utf8(decoded).ok()
-}
-
-fn hex(digit: u8) -> Option<u8> {
-    char::from(digit).to_digit(16).map(|value| value as u8)
+    reference::file_of(uri, path).map_err(|fault| match fault {
+        ReferenceFault::Malformed => MeshFault::BadUri,
+        ReferenceFault::Outside => MeshFault::UriOutside,
+    })
 }
 
 /// Bytes of base64 (RFC 4648, 4); `None` where the text is none.

@@ -7,6 +7,7 @@ use crate::document::section::Section;
 use crate::mesh::{self, MeshOptions, centred, read_mesh};
 use crate::models::options::{Meshes, ReadOptions};
 use crate::models::street_piece::read_size;
+use crate::openmaterial::asset_materials;
 use crate::wording::likeness::nearest;
 use artifact::material::MaterialMap;
 use artifact::scene::Mesh;
@@ -47,6 +48,8 @@ pub(crate) struct Models {
     places: HashMap<String, usize>,
     meshes: Vec<Mesh>,
     triangles: usize,
+    materials: MaterialMap,
+    frequency_hz: f64,
 }
 
 /// Triangles of all models of a scene: as many as one file may have, for one body may be all of it.
@@ -74,7 +77,14 @@ impl Models {
             places: HashMap::new(),
             meshes: vec![],
             triangles: 0,
+            materials: MaterialMap::default(),
+            frequency_hz: 0.0,
         }
+    }
+
+    /// Sets what names of materials stand for at the radar's frequency, before the first model is chosen.
+    pub(crate) fn dress_in(&mut self, materials: &MaterialMap, frequency_hz: f64) {
+        (self.materials, self.frequency_hz) = (materials.clone(), frequency_hz);
     }
 
     /// The model of a mesh target; what is wrong with it is noted at its key.
@@ -130,7 +140,7 @@ impl Models {
         Some(self.chosen(clutter, model))
     }
 
-    /// The meshes so far, without their materials; empty where only names were asked for.
+    /// The meshes so far; empty where only names were asked for.
     pub(crate) fn meshes(&self) -> &[Mesh] {
         &self.meshes
     }
@@ -141,9 +151,18 @@ impl Models {
     }
 
     /// The meshes in their materials, handed over once.
-    pub(crate) fn take_meshes(&mut self, materials: &MaterialMap) -> Vec<Mesh> {
-        let dressed = |mesh: Mesh| Mesh { makeup: materials.makeup(&mesh.materials), ..mesh };
-        std::mem::take(&mut self.meshes).into_iter().map(dressed).collect()
+    pub(crate) fn take_meshes(&mut self) -> Vec<Mesh> {
+        std::mem::take(&mut self.meshes)
+    }
+
+    /// The folder at which relative paths of the scene start.
+    pub(crate) fn folder(&self) -> PathBuf {
+        self.folder.clone()
+    }
+
+    /// A file of which the result depends too.
+    pub(crate) fn depend_on(&mut self, files: impl IntoIterator<Item = PathBuf>) {
+        self.beside.extend(files);
     }
 
     /// A file beside the scene, of which the result depends too.
@@ -183,9 +202,25 @@ impl Models {
         if mesh.triangles.len() > room {
             target.note(MODEL.name, Rule::TooManyTriangles { limit: TRIANGLE_LIMIT });
         }
+        let mesh = self.dressed(target, &model, mesh);
         self.known.push(model);
         self.meshes.push(mesh);
         self.meshes.len() - 1
+    }
+
+    /// The mesh in the scene's materials and those of its asset; what is wrong with these is noted.
+    fn dressed(&self, target: &Section<'_>, model: &Model, mesh: Mesh) -> Mesh {
+        let of_asset = match model {
+            // A mesh that was not read has none.
+            Model::File { path, .. } if !mesh.materials.is_empty() => {
+                asset_materials(path, &mesh.materials, &self.materials, self.frequency_hz)
+                    .map_err(|error| target.note(MODEL.name, Rule::OpenMaterial(Box::new(error))))
+                    .ok()
+            }
+            _ => None,
+        };
+        let makeup = of_asset.as_ref().unwrap_or(&self.materials).makeup(&mesh.materials);
+        Mesh { makeup, ..mesh }
     }
 }
 

@@ -65,7 +65,8 @@ def rcs(
 ) -> Rcs:
     """Makes S of a mesh by BART, as `wayside rcs` does.
 
-    `mesh` is a file or the name of an own vehicle; angles are those of the antenna in body axes, degrees.
+    `mesh` is a file (of assets of OpenMATERIAL 3D in their own materials) or the name of an own vehicle;
+    angles are those of the antenna in body axes, degrees.
     """
 
 @final

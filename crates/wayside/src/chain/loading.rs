@@ -99,6 +99,11 @@ pub(crate) fn of_mesh(error: scene::MeshError) -> Failure {
     if error.is_system() { Failure::System(error.to_string()) } else { Failure::Refused(error.to_string()) }
 }
 
+/// Rules of a material of OpenMATERIAL 3D were broken, or the system refused.
+pub(crate) fn of_asset(error: scene::OpenMaterialError) -> Failure {
+    if error.is_system() { Failure::System(error.to_string()) } else { Failure::Refused(error.to_string()) }
+}
+
 /// A scene's rules were broken, or the system refused.
 pub(crate) fn of_scene(errors: scene::SceneErrors) -> Failure {
     if errors.is_system() {

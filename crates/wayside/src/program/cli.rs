@@ -214,7 +214,7 @@ pub struct RunArguments {
 /// Words of `rcs`.
 #[derive(Debug, Args)]
 pub struct RcsArguments {
-    /// Mesh (.glb, .gltf, .stl, .obj) or the name of an own vehicle.
+    /// Mesh (.glb, .gltf, .stl, .obj, .xoma) or the name of an own vehicle.
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
     /// Frequencies, GHz: one number or START:STOP:N.

@@ -2,6 +2,7 @@
 
 use crate::chain::loading;
 use crate::host::failure::Failure;
+use artifact::material::MaterialMap;
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use std::path::Path;
@@ -16,6 +17,23 @@ pub fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
         return Ok(mesh);
     }
     scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(loading::of_mesh)
+}
+
+/// The mesh in the materials of a map and, where it was read from an asset of OpenMATERIAL 3D, in those that
+/// the asset tells for the middle of the frequencies.
+///
+/// # Errors
+/// A file of the asset is missing, or is refused.
+pub fn dressed(mesh: Mesh, place: &Path, map: &MaterialMap, frequency_hz: &[f64]) -> Result<Mesh, Failure> {
+    let map = scene::asset_materials(place, &mesh.materials, map, middle_hz(frequency_hz))
+        .map_err(loading::of_asset)?;
+    Ok(Mesh { makeup: map.makeup(&mesh.materials), ..mesh })
+}
+
+/// The middle between the lowest and the highest frequency, at which materials are taken.
+pub fn middle_hz(frequency_hz: &[f64]) -> f64 {
+    let [lowest, highest] = [f64::min, f64::max].map(|end| frequency_hz.iter().copied().reduce(end));
+    0.5 * (lowest.unwrap_or(0.0) + highest.unwrap_or(0.0))
 }
 
 /// 2D²/λ at the highest frequency in m, D the diagonal of the box about the mesh.

@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod assets;
 mod caches;
 mod crafted_artifacts;
 mod damage;

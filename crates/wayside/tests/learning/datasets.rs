@@ -94,6 +94,34 @@ fn files_folders_and_manifests_are_models_beside_the_own_vehicles() {
 }
 
 #[test]
+fn an_asset_is_drawn_in_its_own_materials() {
+    let place = prepared();
+    place.run("vehicles --out v --quiet");
+    let write = |name: &str, mut value: Value| {
+        value["metadata"] = serde_json::json!({ "openMaterial3dVersion": "1.0.0" });
+        std::fs::write(place.path(name), value.to_string()).unwrap();
+    };
+    let glb =
+        scene::read_mesh(&place.path("v/motorcycle-street.glb"), &scene::MeshOptions { unit_scale: None });
+    let names = glb.unwrap().materials;
+    let entries: Vec<[&str; 3]> = names.iter().map(|name| [name.as_str(), "m.xomp", "all"]).collect();
+    write("v/motorcycle-street.xoma", serde_json::json!({ "materialMappingUri": "m.xomm" }));
+    write("v/m.xomm", serde_json::json!({ "materialMapping": entries }));
+    let properties = serde_json::json!({ "electromagneticPropertiesUri": "m_emp.xompt" });
+    write("v/m.xomp", serde_json::json!({ "materialProperties": properties }));
+    let row = serde_json::json!([null, null, null, null, null, 40.0, 60.0]);
+    write("v/m_emp.xompt", serde_json::json!({ "electromagneticProperties": [row] }));
+    let recipe =
+        |ending: &str| format!("{NEEDED}[models]\nmotorcycle = [\"v/motorcycle-street.{ending}\"]\n");
+    let asset = made(&place, &recipe("xoma"), "asset");
+    let metal = made(&place, &recipe("glb"), "metal");
+    let map: String = names.iter().map(|name| format!("{name} = {{ permittivity = [40, 60] }}\n")).collect();
+    std::fs::write(place.path("base.toml"), format!("{BASE}[materials]\n{map}")).unwrap();
+    let map = made(&place, &recipe("glb"), "map");
+    assert!(asset == map && asset != metal && !asset.is_empty());
+}
+
+#[test]
 fn crosses_are_models_as_any_other_and_their_names_are_those_of_both_families() {
     let place = prepared();
     let models = "[models]\ntruck = [\"truck-fire\", \"crosses\"]\n";

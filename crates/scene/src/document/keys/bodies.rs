@@ -116,8 +116,8 @@ pub(crate) const YAW: Key<Number> = Key::new(
 pub(crate) const MODEL: Key<Text> = Key::new(
     "model",
     Text("a file or a vehicle's name"),
-    "a `.glb`, `.gltf`, `.stl` or `.obj` file, or one of the project's vehicles; `--model FILE` replaces \
-     it for one run",
+    "a `.glb`, `.gltf`, `.stl`, `.obj` or `.xoma` file, or one of the project's vehicles; `--model FILE` \
+     replaces it for one run",
 )
 .absent("required for a mesh");
 

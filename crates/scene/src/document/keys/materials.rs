@@ -30,7 +30,7 @@ pub(crate) const MATERIAL: Table = Table {
     name: "materials",
     heading: "[materials]",
     about: "What a material's name in mesh files stands for.",
-    keys: &[&SUBSTANCE, &PERMITTIVITY, &THICKNESS, &LAYERS, &BACKING, &COHERENT],
+    keys: &[&SUBSTANCE, &PERMITTIVITY, &OPENMATERIAL, &THICKNESS, &LAYERS, &BACKING, &COHERENT],
 };
 
 pub(crate) const SUBSTANCE: Key<Text> = Key::new(
@@ -42,13 +42,19 @@ pub(crate) const SUBSTANCE: Key<Text> = Key::new(
 pub(crate) const PERMITTIVITY: Key<Pair> =
     Key::new("permittivity", COMPLEX, "[ε′, ε″] of ε′ − jε″ instead of a substance");
 
+pub(crate) const OPENMATERIAL: Key<Text> = Key::new(
+    "openmaterial",
+    Text("a `.xomp` file"),
+    "a material of OpenMATERIAL 3D at the radar's centre frequency instead of a substance",
+);
+
 pub(crate) const THICKNESS: Key<Number> =
     Key::new("thickness_mm", Number(Above(0.0, 1e3)), "mm: a plane layer; left out: filled all the way");
 
 pub(crate) const LAYERS: Key<Below> = Key::new(
     "layers",
     Below { form: TableForm::List(LAYERS_OF_ONE), table: &LAYER },
-    "several layers, the outermost first, instead of the three keys above",
+    "several layers, the outermost first, instead of the four keys above",
 )
 .allowed("{} layers");
 
@@ -68,14 +74,18 @@ pub(crate) const LAYER: Table = Table {
     name: "materials.layers",
     heading: "layers of [materials]",
     about: "A plane layer.",
-    keys: &[&OF_SUBSTANCE, &OF_PERMITTIVITY, &OF_THICKNESS],
+    keys: &[&OF_SUBSTANCE, &OF_PERMITTIVITY, &OF_OPENMATERIAL, &OF_THICKNESS],
 };
 
 pub(crate) const OF_SUBSTANCE: Key<Text> =
-    Key::new("substance", SUBSTANCE.takes, "one of these two is required").allowed("as above, but \"metal\"");
+    Key::new("substance", SUBSTANCE.takes, "one of these three is required")
+        .allowed("as above, but \"metal\"");
 
 pub(crate) const OF_PERMITTIVITY: Key<Pair> =
     Key::new("permittivity", PERMITTIVITY.takes, "").allowed("as above");
+
+pub(crate) const OF_OPENMATERIAL: Key<Text> =
+    Key::new("openmaterial", OPENMATERIAL.takes, "").allowed("as above, but no conductor");
 
 pub(crate) const OF_THICKNESS: Key<Number> = Key::new("thickness_mm", THICKNESS.takes, "mm").required();
 
@@ -83,13 +93,21 @@ pub(crate) const ROAD: Table = Table {
     name: "road",
     heading: "[road]",
     about: "The plane z = 0, as a mirror and as a rough surface.",
-    keys: &[&MIRROR, &ROAD_SUBSTANCE, &ROAD_PERMITTIVITY, &RMS_HEIGHT, &BACKSCATTER, &GAMMA],
+    keys: &[
+        &MIRROR,
+        &ROAD_SUBSTANCE,
+        &ROAD_PERMITTIVITY,
+        &ROAD_OPENMATERIAL,
+        &RMS_HEIGHT,
+        &BACKSCATTER,
+        &GAMMA,
+    ],
 };
 
 pub(crate) const MIRROR: Key<Words<Mirror>, Or<Mirror>> = Key::new(
     "mirror",
     Words(|| vec![("on", Mirror::On), ("off", Mirror::Off)]),
-    "\"off\": no ways by the road; then the next three are errors",
+    "\"off\": no ways by the road; then the next four are errors",
 )
 .or(Mirror::On);
 
@@ -98,6 +116,13 @@ pub(crate) const ROAD_SUBSTANCE: Key<Text, Or<&'static str>> =
 
 pub(crate) const ROAD_PERMITTIVITY: Key<Pair> =
     Key::new("permittivity", PERMITTIVITY.takes, "[ε′, ε″] of ε′ − jε″ instead of a substance");
+
+pub(crate) const ROAD_OPENMATERIAL: Key<Text> = Key::new(
+    "openmaterial",
+    OPENMATERIAL.takes,
+    "a material of OpenMATERIAL 3D instead of a substance; where it has a roughness, this is the default of \
+     `rms_height_mm`",
+);
 
 /// 0.5 mm costs 0.1 to 0.9 dB at the grazing angles of 60 to 25 m (docs/physics.md §5).
 pub(crate) const RMS_HEIGHT: Key<Number, Or<f64>> = Key::new(

@@ -7,6 +7,7 @@ mod isar;
 mod pictures;
 mod references;
 
+use crate::chain::loading;
 use crate::chain::stages::Stage;
 use crate::host::checkpoint::Checkpoint;
 use crate::host::failure::Failure;
@@ -42,7 +43,7 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
         .for_each(|file| artifact::inputs::note(file));
     let request = request(arguments)?;
     let mesh = progress::during(format!("reading {}", arguments.mesh.display()), || {
-        dressed(stepwise::mesh(&arguments.mesh, arguments.unit_scale)?, arguments)
+        dressed(stepwise::mesh(&arguments.mesh, arguments.unit_scale)?, arguments, &request)
     })?;
     claim(arguments)?;
     let load = clock.seconds();
@@ -116,19 +117,19 @@ fn traced(
     .map_err(Failure::refused)
 }
 
-/// The mesh in the materials asked for.
-fn dressed(mesh: Mesh, arguments: &RcsArguments) -> Result<Mesh, Failure> {
-    let Some(file) = &arguments.materials else { return Ok(mesh) };
-    let map = scene::read_materials(file).map_err(|errors| match errors.is_system() {
-        true => Failure::System(errors.to_string()),
-        false => Failure::Refused(errors.to_string()),
-    })?;
+/// The mesh in the materials asked for and those of its asset.
+fn dressed(mesh: Mesh, arguments: &RcsArguments, request: &RcsRequest) -> Result<Mesh, Failure> {
+    let frequency_hz = &request.frequency_hz;
+    let map = match &arguments.materials {
+        Some(file) => scene::read_materials(file, stepwise::middle_hz(frequency_hz)),
+        None => Ok(MaterialMap::default()),
+    };
+    let map = map.map_err(loading::of_scene)?;
     let transmission = match arguments.transmission {
         TransmissionWord::On => Transmission::Followed,
         TransmissionWord::Off => Transmission::Ignored,
     };
-    let makeup = MaterialMap { transmission, ..map }.makeup(&mesh.materials);
-    Ok(Mesh { makeup, ..mesh })
+    stepwise::dressed(mesh, &arguments.mesh, &MaterialMap { transmission, ..map }, frequency_hz)
 }
 
 fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {

@@ -4,10 +4,11 @@
 use crate::chain::loading;
 use crate::host::failure::Failure;
 use artifact::bounded;
-use artifact::scene::Mesh;
+use artifact::material::MaterialMap;
+use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Class;
 use scene::mesh::{self, Format, MeshOptions};
-use scene::{centred, read_mesh, vehicles};
+use scene::{asset_materials, centred, read_mesh, vehicles};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -37,7 +38,13 @@ pub(super) struct Model {
 enum Source {
     /// One of the project's vehicles.
     Own,
-    File(Mesh),
+    File(Box<OfFile>),
+}
+
+struct OfFile {
+    mesh: Mesh,
+    /// Each base scene's materials, and the file's own beside them.
+    materials: Vec<MaterialMap>,
 }
 
 impl Model {
@@ -46,12 +53,13 @@ impl Model {
         matches!(self.source, Source::Own)
     }
 
-    /// Mesh of a variant in a scene's axes, its materials not looked up yet.
-    pub(super) fn mesh(&self, variant: u64) -> Mesh {
-        match &self.source {
-            Source::Own => vehicles::mesh(&self.name, variant).unwrap_or_default(),
-            Source::File(mesh) => mesh.clone(),
-        }
+    /// Mesh of a variant in a scene's axes, in the materials of a base scene, by its number, and its own.
+    pub(super) fn mesh(&self, variant: u64, base: usize, header: &SceneHeader) -> Mesh {
+        let (mesh, map) = match &self.source {
+            Source::Own => (vehicles::mesh(&self.name, variant).unwrap_or_default(), &header.materials),
+            Source::File(of_file) => (of_file.mesh.clone(), &of_file.materials[base]),
+        };
+        Mesh { makeup: map.makeup(&mesh.materials), ..mesh }
     }
 }
 
@@ -62,9 +70,10 @@ type Named = (String, Option<PathBuf>);
 pub(super) fn read(
     choice: &Choice,
     recipe: &Path,
-    folder: &Path,
+    bases: &[&SceneHeader],
     files: &mut Vec<PathBuf>,
 ) -> Result<BTreeMap<Class, Vec<Model>>, Failure> {
+    let folder = recipe.parent().unwrap_or(Path::new("."));
     let refused = |rule: String| Failure::Refused(format!("{}: {rule}", recipe.display()));
     let mut all: BTreeMap<Class, Vec<Named>> = BTreeMap::new();
     if let Some(vehicles) = &choice.vehicles {
@@ -86,7 +95,7 @@ pub(super) fn read(
     for (class, (name, file)) in
         all.into_iter().flat_map(|(class, of)| of.into_iter().map(move |named| (class, named)))
     {
-        models.entry(class).or_default().push(model(name, file, files)?);
+        models.entry(class).or_default().push(model(name, file, bases, files)?);
     }
     Ok(models)
 }
@@ -150,7 +159,7 @@ fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, Strin
     match Format::of(&path) {
         Some(_) => Ok(vec![(stem(&path), Some(path))]),
         None => Err(format!(
-            "{key}: `{written}` is no mesh file (.glb, .gltf, .stl, .obj), no folder and none of {:?}",
+            "{key}: `{written}` is no mesh file (.glb, .gltf, .stl, .obj, .xoma), no folder and none of {:?}",
             vehicles::names()
         )),
     }
@@ -189,9 +198,20 @@ fn check(all: &BTreeMap<Class, Vec<Named>>, choice: &Choice) -> Result<(), Strin
     Ok(())
 }
 
-fn model(name: String, file: Option<PathBuf>, files: &mut Vec<PathBuf>) -> Result<Model, Failure> {
+fn model(
+    name: String,
+    file: Option<PathBuf>,
+    bases: &[&SceneHeader],
+    files: &mut Vec<PathBuf>,
+) -> Result<Model, Failure> {
     let Some(file) = file else { return Ok(Model { name, source: Source::Own }) };
     let mesh = read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(loading::of_mesh)?;
     files.extend(mesh::files(&file));
-    Ok(Model { name, source: Source::File(centred(mesh)) })
+    let of_base = |base: &&SceneHeader| {
+        let frequency_hz = base.radar.waveform.centre_frequency_hz();
+        asset_materials(&file, &mesh.materials, &base.materials, frequency_hz).map_err(loading::of_asset)
+    };
+    let materials = bases.iter().map(of_base).collect::<Result<_, _>>()?;
+    let of_file = OfFile { mesh: centred(mesh), materials };
+    Ok(Model { name, source: Source::File(Box::new(of_file)) })
 }

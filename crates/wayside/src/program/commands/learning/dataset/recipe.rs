@@ -6,6 +6,7 @@ use crate::program::commands::learning::dataset::document::{Base, Document};
 use crate::program::commands::learning::dataset::models::{self, Model};
 use crate::program::commands::learning::dataset::rules;
 use artifact::bounded;
+use artifact::scene::SceneHeader;
 use artifact::settings::Class;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -39,7 +40,8 @@ impl Recipe {
             files.extend(loading::files_of_radar(&scene)?);
         }
         rules::check(&asked, &bases).map_err(refused)?;
-        let models = models::read(&asked.models, file, folder, &mut files)?;
+        let headers: Vec<&SceneHeader> = bases.iter().map(|base| &base.header).collect();
+        let models = models::read(&asked.models, file, &headers, &mut files)?;
         let seed = seed.unwrap_or(asked.seed);
         Ok(Self { inputs: loading::hashed(&files)?, asked, bases, models, seed, text })
     }

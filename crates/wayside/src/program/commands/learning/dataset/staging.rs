@@ -35,10 +35,7 @@ pub(super) struct ToldVehicle {
 /// The base scene with these vehicles as its only targets; those that find no room are left out.
 pub(super) fn stage(recipe: &Recipe, drawn: &Drawn) -> Staged {
     let base = before_radar(recipe, drawn);
-    let mesh = |vehicle: &Vehicle| {
-        let mesh = model(recipe, vehicle).mesh(vehicle.variant);
-        Mesh { makeup: base.materials.makeup(&mesh.materials), ..mesh }
-    };
+    let mesh = |vehicle: &Vehicle| model(recipe, vehicle).mesh(vehicle.variant, drawn.base, &base);
     let all: Vec<Mesh> = drawn.vehicles.iter().map(mesh).collect();
     let places = Road { recipe, drawn, base: &base }.places(&all);
     let (mut meshes, mut targets, mut vehicles) = (Vec::new(), Vec::new(), Vec::<ToldVehicle>::new());

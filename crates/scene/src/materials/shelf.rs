@@ -1,0 +1,42 @@
+//! Materials in files of their own, from one folder and at one frequency.
+
+use crate::openmaterial::{KnownMaterial, Library, OpenMaterialError, OpenMaterialFault, material_at};
+use crate::wording::allowed::Allowed;
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+
+/// The folder where files of materials lie, and all that were opened there.
+pub(super) struct Shelf {
+    folder: PathBuf,
+    frequency_hz: f64,
+    files: RefCell<Vec<PathBuf>>,
+}
+
+impl Shelf {
+    pub(super) fn new(folder: &Path, frequency_hz: f64) -> Self {
+        Self { folder: folder.to_owned(), frequency_hz, files: RefCell::default() }
+    }
+
+    /// The material in a file that the user names.
+    pub(super) fn material(&self, written: &str) -> Result<KnownMaterial, OpenMaterialError> {
+        let mut library = Library::new();
+        let material = material_at(&self.folder.join(written), self.frequency_hz, &mut library);
+        self.files.borrow_mut().extend(library.into_files());
+        material
+    }
+
+    /// An error of a material whose roughness is none of a road.
+    pub(super) fn too_rough(&self, written: &str, found: f64, allowed: Allowed) -> OpenMaterialError {
+        let what = "a road's height in m, unless `rms_height_mm` says it,";
+        OpenMaterialError {
+            file: self.folder.join(written),
+            place: "materialProperties.surfaceRoughness.surfaceHeightRms".to_owned(),
+            fault: OpenMaterialFault::OutOfRange { what, found, allowed },
+        }
+    }
+
+    /// All files that were opened.
+    pub(super) fn into_files(self) -> Vec<PathBuf> {
+        self.files.into_inner()
+    }
+}

@@ -1,0 +1,71 @@
+//! The files that were read, whole and bounded, each of them of a version that is known.
+
+use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
+use crate::openmaterial::node::Node;
+use crate::wording::excerpt::excerpt;
+use artifact::bounded::{self, ReadFault};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// Bytes of a file: a table of a thousand frequencies in fifty conditions.
+const FILE_LIMIT_BYTES: u64 = 4 << 20;
+
+/// Bytes of all files that the materials of one asset are read from.
+const TOTAL_LIMIT_BYTES: u64 = 64 << 20;
+
+/// The files that the materials of one asset, or one material, are read from.
+pub(crate) struct Library {
+    files: Vec<PathBuf>,
+    left: u64,
+}
+
+impl Library {
+    /// One that has read nothing.
+    pub(crate) fn new() -> Self {
+        Self { files: vec![], left: TOTAL_LIMIT_BYTES }
+    }
+
+    /// All files that were opened, in their order.
+    pub(crate) fn into_files(self) -> Vec<PathBuf> {
+        self.files
+    }
+
+    /// All that a file says.
+    pub(super) fn read(&mut self, file: &Path) -> Result<Value, OpenMaterialError> {
+        self.files.push(file.to_owned());
+        let error = |fault| OpenMaterialError { file: file.to_owned(), place: String::new(), fault };
+        let bytes = bounded::read(file, FILE_LIMIT_BYTES.min(self.left)).map_err(|fault| match fault {
+            ReadFault::TooLong { limit } if limit < FILE_LIMIT_BYTES => {
+                error(OpenMaterialFault::TooLongTogether { limit: TOTAL_LIMIT_BYTES })
+            }
+            fault => error(OpenMaterialFault::Unread(fault)),
+        })?;
+        self.left -= bytes.len() as u64;
+        parsed(file, &bytes)
+    }
+}
+
+/// All that the bytes of a file say.
+pub(super) fn parsed(file: &Path, bytes: &[u8]) -> Result<Value, OpenMaterialError> {
+    let root = OpenMaterialError { file: file.to_owned(), place: String::new(), fault: too_long() };
+    if bytes.len() as u64 > FILE_LIMIT_BYTES {
+        return Err(root);
+    }
+    let value: Value = serde_json::from_slice(bytes)
+        .map_err(|fault| OpenMaterialError { fault: OpenMaterialFault::Json(fault), ..root })?;
+    check_version(&Node::root(file, &value))?;
+    Ok(value)
+}
+
+fn too_long() -> OpenMaterialFault {
+    OpenMaterialFault::Unread(ReadFault::TooLong { limit: FILE_LIMIT_BYTES })
+}
+
+fn check_version(root: &Node<'_>) -> Result<(), OpenMaterialError> {
+    let version = root.need("metadata")?.need("openMaterial3dVersion")?;
+    let found = version.text()?;
+    match found.split('.').next() {
+        Some("1") => Ok(()),
+        _ => Err(version.error(OpenMaterialFault::Version(excerpt(found)))),
+    }
+}

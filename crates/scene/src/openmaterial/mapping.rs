@@ -1,0 +1,26 @@
+//! A mapping (`.xomm`): files of materials by the names and colours that models have for them.
+
+use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
+use crate::openmaterial::library::Library;
+use crate::openmaterial::node::Node;
+use crate::wording::excerpt::excerpt;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Files of materials by name.
+pub(super) fn read(
+    file: &Path,
+    library: &mut Library,
+) -> Result<BTreeMap<String, PathBuf>, OpenMaterialError> {
+    let value = library.read(file)?;
+    let mut known = BTreeMap::new();
+    for entry in Node::root(file, &value).need("materialMapping")?.list()? {
+        let [name, material, description] = entry.tuple("a list of name, file and description")?;
+        description.text()?;
+        let text = name.text()?;
+        if known.insert(text.to_owned(), material.reference(".xomp")?).is_some() {
+            return Err(name.error(OpenMaterialFault::Twice(excerpt(text))));
+        }
+    }
+    Ok(known)
+}

@@ -1,0 +1,95 @@
+//! What an asset says of the materials of its model.
+
+use crate::openmaterial::asset::{self, Asset};
+use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
+use crate::openmaterial::library::Library;
+use crate::openmaterial::mapping;
+use crate::openmaterial::material::{material_at, table_of};
+use crate::openmaterial::node::Node;
+use crate::wording::excerpt::excerpt;
+use artifact::material::{Material, MaterialMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::path::{Path, PathBuf};
+
+/// The materials of a mesh file whose materials have these names: those of the map, and beside them, where
+/// the file is an asset, what its mapping says at that frequency of the names that the map leaves out.
+/// Meshes of other formats, parts without a material, and assets without a mapping say nothing.
+///
+/// # Errors
+/// Names the file, the place in it and the broken rule; `is_system` tells a file that is missing or
+/// unreadable.
+pub fn asset_materials(
+    mesh_file: &Path,
+    names: &[String],
+    map: &MaterialMap,
+    frequency_hz: f64,
+) -> Result<MaterialMap, OpenMaterialError> {
+    let mut all = map.clone();
+    if !asset::is_asset(mesh_file) {
+        return Ok(all);
+    }
+    let known: HashSet<&String> = map.by_name.iter().map(|(name, _)| name).collect();
+    let open: Vec<&String> = names.iter().filter(|name| !name.is_empty() && !known.contains(name)).collect();
+    let mut library = Library::new();
+    let mut materials: HashMap<PathBuf, Material> = HashMap::new();
+    for (name, file) in mapped(mesh_file, &open, &mut library)? {
+        let material = match materials.get(&file) {
+            Some(material) => material.clone(),
+            None => material_at(&file, frequency_hz, &mut library)?.filled(),
+        };
+        all.by_name.push((name.clone(), material.clone()));
+        materials.insert(file, material);
+    }
+    Ok(all)
+}
+
+/// The file of each name's material; none where the asset has no mapping.
+fn mapped<'n>(
+    file: &Path,
+    names: &[&'n String],
+    library: &mut Library,
+) -> Result<Vec<(&'n String, PathBuf)>, OpenMaterialError> {
+    let value = library.read(file)?;
+    let root = Node::root(file, &value);
+    let asset = asset::read(&root)?;
+    if let Some(name) = names.iter().find(|name| asset.textured.contains(**name)) {
+        return Err(root.error(OpenMaterialFault::Textured(excerpt(name))));
+    }
+    let Some(mapping) = &asset.mapping else { return Ok(vec![]) };
+    let files = mapping::read(mapping, library)?;
+    let found = |name: &&'n String| Some((*name, files.get(asset.key_of(name))?.clone()));
+    let all: Vec<_> = names.iter().filter_map(found).collect();
+    match unmapped(&asset, names, &files) {
+        None => Ok(all),
+        Some(fault) => {
+            Err(OpenMaterialError { file: mapping.clone(), place: "materialMapping".to_owned(), fault })
+        }
+    }
+}
+
+/// The first name that a mapping does not have, and how many there are besides.
+fn unmapped(
+    asset: &Asset,
+    names: &[&String],
+    files: &BTreeMap<String, PathBuf>,
+) -> Option<OpenMaterialFault> {
+    let mut missing = names.iter().filter(|name| !files.contains_key(asset.key_of(name)));
+    let name = missing.next()?;
+    let (key, name) = (excerpt(asset.key_of(name)), excerpt(name));
+    Some(OpenMaterialFault::Unmapped { name, key, others: missing.count() })
+}
+
+/// The files in which the materials of an asset are told, as far as they can be read; of a mapping all that
+/// are there, whether the model has need of them or not.
+pub(crate) fn files_of_asset(file: &Path) -> Vec<PathBuf> {
+    let mut library = Library::new();
+    let mapping =
+        library.read(file).ok().and_then(|value| asset::read(&Node::root(file, &value)).ok()?.mapping);
+    let Some(mapping) = mapping else { return vec![] };
+    let materials = mapping::read(&mapping, &mut library).unwrap_or_default();
+    let distinct: BTreeSet<PathBuf> = materials.into_values().collect();
+    let tables: BTreeSet<PathBuf> =
+        distinct.iter().filter_map(|material| table_of(material, &mut library).ok()).collect();
+    let all = std::iter::once(mapping).chain(distinct).chain(tables);
+    all.filter(|file| file.is_file()).collect()
+}
