@@ -1,7 +1,7 @@
 //! `[materials]`, files of them, and `[road]`: names of materials, and what they stand for.
 
 use crate::document::entries::{layers, materials};
-use crate::document::errors::{Place, Rule, SceneErrors};
+use crate::document::errors::{Rule, SceneErrors};
 use crate::document::faults::Faults;
 use crate::document::keys::fidelity::{MATERIALS, TRANSMISSION};
 use crate::document::keys::materials::{
@@ -21,7 +21,6 @@ use artifact::settings::EchoMode;
 use artifact::units::power_from_db;
 use num_complex::Complex64;
 use std::path::Path;
-use toml::de::DeTable;
 
 /// The materials in a file of the form of a scene's `[materials]`; whether waves pass sheets is not for it to
 /// say.
@@ -31,12 +30,8 @@ use toml::de::DeTable;
 pub fn read_materials(path: &Path) -> Result<MaterialMap, SceneErrors> {
     let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
     let faults = Faults::new(path, &text);
-    let (document, syntax) = DeTable::parse_recoverable(&text);
-    for error in &syntax {
-        let byte = error.span().map_or(text.len(), |span| span.start);
-        faults.note(byte, Place::Scene, Rule::Syntax { message: error.message().to_owned() });
-    }
-    let root = Section::root(document.get_ref(), &MATERIAL_FILE, &faults);
+    let document = faults.document();
+    let root = Section::root(&document, &MATERIAL_FILE, &faults);
     root.require(OF_MATERIALS.name);
     let by_name = by_name(&root);
     drop(root);
