@@ -102,6 +102,34 @@ fn damaged_bytes_of_a_keeper_are_made_anew() {
     assert_eq!(keeper.made.into_inner().unwrap().len(), 3);
 }
 
+#[test]
+fn aspects_of_another_shape_are_made_anew() {
+    let mesh = car(6).mesh();
+    // Near by, errors of the integrals are measured at some aspects, the model's at all.
+    let asked = RcsRequest { range_m: 5.0, bounces: 2, ..request(6, -20.0) };
+    let whole = made_with(&mesh, &asked, &NothingKept);
+    let others = [
+        RcsRequest { bounces: 1, ..asked.clone() },
+        RcsRequest { bounces: 3, ..asked.clone() },
+        RcsRequest { frequency_hz: vec![77e9], ..asked.clone() },
+        RcsRequest { frequency_hz: vec![77e9; 4], ..asked.clone() },
+        RcsRequest { range_m: f64::INFINITY, ..asked.clone() },
+    ];
+    for other in others {
+        let first = Memory::default();
+        made_with(&mesh, &other, &first);
+        let keeper = Memory { found: first.made.into_inner().unwrap(), made: Mutex::default() };
+        let found = made_with(&mesh, &asked, &keeper);
+        let made = keeper.made.into_inner().unwrap().len();
+        println!("{} bounces, {} frequencies: {made} made", other.bounces, other.frequency_hz.len());
+        match other.range_m.is_finite() {
+            true => assert_eq!((found, made), (whole.clone(), 6)),
+            // Of the right shape are those at which nothing of the integrals was measured.
+            false => assert_eq!(made, 3),
+        }
+    }
+}
+
 /// The plate of docs/physics.md §0, 1.5 m seen square: 66.23 dBsm far away, 31.59 at 25 m, 37.35 at 40 m.
 #[test]
 fn a_far_field_table_says_what_it_errs_by_near_by() {

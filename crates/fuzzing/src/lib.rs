@@ -11,6 +11,7 @@
 //! WAYSIDE_FUZZ_SEED=2         other cases (1)
 //! WAYSIDE_FUZZ_READER=fcd     one reader
 //! WAYSIDE_FUZZ_FIRST=100      cases from this number on (0)
+//! WAYSIDE_FUZZ_CASE=3297      this case alone; its files stay, whether it passes or not
 //! WAYSIDE_FUZZ_LOG=FILE       appends a line for each minute of each reader: docs/validation/fuzz.md
 //! ```
 //!

@@ -72,7 +72,10 @@ fn try_all(readers: &[Reader], prepare: fn(&Path), asked: &Asked) {
     }
     watch::rest();
     trials.iter_mut().for_each(|trial| trial.end(asked));
-    std::fs::remove_dir_all(folder).unwrap();
+    match asked.keeping {
+        Keeping::OfFailures => std::fs::remove_dir_all(folder).unwrap(),
+        Keeping::OfAny => println!("the files stay in {}", folder.display()),
+    }
 }
 
 /// Trials that the environment asks for.
@@ -82,17 +85,28 @@ struct Asked {
     minutes: Option<f64>,
     seed: u64,
     first: u64,
+    keeping: Keeping,
     only: Option<String>,
     log: Option<PathBuf>,
 }
 
+/// Whether the files of the last case stay.
+#[derive(Default, Clone, Copy, PartialEq, Eq)]
+enum Keeping {
+    #[default]
+    OfFailures,
+    OfAny,
+}
+
 impl Asked {
     fn of_environment() -> Self {
+        let one: Option<u64> = asked("WAYSIDE_FUZZ_CASE");
         Self {
-            cases: asked("WAYSIDE_FUZZ_CASES"),
-            minutes: asked("WAYSIDE_FUZZ_MINUTES"),
+            cases: one.map(|_| 1).or_else(|| asked("WAYSIDE_FUZZ_CASES")),
+            minutes: asked("WAYSIDE_FUZZ_MINUTES").filter(|_| one.is_none()),
             seed: asked("WAYSIDE_FUZZ_SEED").unwrap_or(1),
-            first: asked("WAYSIDE_FUZZ_FIRST").unwrap_or(0),
+            first: one.or_else(|| asked("WAYSIDE_FUZZ_FIRST")).unwrap_or(0),
+            keeping: one.map_or(Keeping::OfFailures, |_| Keeping::OfAny),
             only: asked("WAYSIDE_FUZZ_READER"),
             log: asked("WAYSIDE_FUZZ_LOG"),
         }

@@ -11,4 +11,5 @@ pub(crate) mod section;
 pub(crate) mod values;
 pub(crate) mod entries;
 pub(crate) mod text;
+pub mod toml_text;
 pub(crate) mod ids;

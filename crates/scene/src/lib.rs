@@ -65,6 +65,7 @@ pub use document::changes::Change;
 pub use document::errors::{MapAxis, Place, Position, Rule, SceneError, SceneErrors};
 pub use document::keys;
 pub use document::keys::fidelity::Planning;
+pub use document::toml_text;
 pub use materials::read_materials;
 pub use measured::calibration::{CalibrationFileError, CalibrationRule};
 pub use measured::pattern_table::{PatternFileError, PatternRule};

@@ -3,7 +3,7 @@
 mod shelf;
 
 use crate::document::entries::{layers, materials};
-use crate::document::errors::{Place, Rule, SceneErrors};
+use crate::document::errors::{Rule, SceneErrors};
 use crate::document::faults::Faults;
 use crate::document::keys::fidelity::{MATERIALS, TRANSMISSION};
 use crate::document::keys::materials::{
@@ -26,7 +26,6 @@ use artifact::settings::EchoMode;
 use artifact::units::power_from_db;
 use num_complex::Complex64;
 use std::path::Path;
-use toml::de::DeTable;
 
 /// The materials in a file of the form of a scene's `[materials]`, those of OpenMATERIAL 3D at that
 /// frequency; whether waves pass sheets is not for it to say.
@@ -42,12 +41,8 @@ pub fn read_materials(path: &Path, frequency_hz: f64) -> Result<MaterialMap, Sce
 fn of_file(path: &Path, shelf: &Shelf) -> Result<Vec<(String, Material)>, SceneErrors> {
     let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
     let faults = Faults::new(path, &text);
-    let (document, syntax) = DeTable::parse_recoverable(&text);
-    for error in &syntax {
-        let byte = error.span().map_or(text.len(), |span| span.start);
-        faults.note(byte, Place::Scene, Rule::Syntax { message: error.message().to_owned() });
-    }
-    let root = Section::root(document.get_ref(), &MATERIAL_FILE, &faults);
+    let document = faults.document();
+    let root = Section::root(&document, &MATERIAL_FILE, &faults);
     root.require(OF_MATERIALS.name);
     let by_name = by_name(&root, shelf);
     drop(root);

@@ -1,7 +1,7 @@
 //! Reads a scene file and the meshes that it names; every broken rule is reported, not only the first.
 
 use crate::document::changes::{self, Change};
-use crate::document::errors::{Place, Rule, SceneErrors};
+use crate::document::errors::SceneErrors;
 use crate::document::faults::Faults;
 use crate::document::keys::fidelity::FIDELITY;
 use crate::document::keys::radar::RADAR;
@@ -19,7 +19,6 @@ use crate::traffic::read_traffic;
 use artifact::scene::SceneHeader;
 use artifact::settings::Lanes;
 use std::path::{Path, PathBuf};
-use toml::de::DeTable;
 
 /// The scene in `path`, with the meshes of its targets: each in body axes, the centre of its bounding box on
 /// the ground at the origin, a model named twice read once.
@@ -82,15 +81,10 @@ fn read_with_models(
 ) -> Result<(SceneHeader, Models), SceneErrors> {
     let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
     let faults = Faults::new(path, &text);
-    let (document, syntax) = DeTable::parse_recoverable(&text);
-    for error in &syntax {
-        let byte = error.span().map_or(text.len(), |span| span.start);
-        faults.note(byte, Place::Scene, Rule::Syntax { message: error.message().to_owned() });
-    }
+    let mut document = faults.document();
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut models = Models::new(folder, options);
     let asked = options.radar.as_deref();
-    let mut document = document.into_inner();
     changes::make(&mut document, changes, &faults);
     let document = radars::through(&document, asked);
     let root = Section::root(&document, &SCENE, &faults);

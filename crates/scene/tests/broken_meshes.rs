@@ -197,6 +197,25 @@ fn every_broken_mesh_is_refused_at_its_place_with_its_rule() {
 }
 
 #[test]
+fn a_refusal_repeats_no_megabytes_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let word = json!("x".repeat(2 << 20));
+    let lines = json!("x\n".repeat(1 << 20));
+    for (pointer, value, rule) in [
+        ("/extensionsRequired", json!([word]), "`, which is not supported"),
+        ("/extensionsRequired", json!([lines]), "`, which is not supported"),
+        ("/asset/version", word.clone(), "; version 2 is read"),
+        ("/buffers/0/uri", word, ""),
+    ] {
+        let file = folder.path().join("long.glb");
+        std::fs::write(&file, changed(pointer, value)).unwrap();
+        let said = scene::read_mesh(&file, &METRES).unwrap_err().to_string();
+        assert!(said.len() < 4096 && said.starts_with(&format!("{}: ", file.display())), "{}", said.len());
+        assert!(said.contains("left out …") && said.ends_with(rule), "{pointer}: {said}");
+    }
+}
+
+#[test]
 fn a_missing_mesh_or_buffer_file_is_the_systems_fault() {
     let folder = tempfile::tempdir().unwrap();
     assert!(scene::read_mesh(&folder.path().join("absent.glb"), &METRES).unwrap_err().is_system());

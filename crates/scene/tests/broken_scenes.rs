@@ -308,6 +308,24 @@ fn of_many_broken_rules_the_first_hundred_are_told_and_the_others_counted() {
 }
 
 #[test]
+fn a_refusal_repeats_no_megabytes_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("long.toml");
+    let word = "x".repeat(2 << 20);
+    for text in [format!("{word} = 1\n"), format!("[radar]\n{word} = 1\n"), format!("[{word}]\na = 1\n")] {
+        let said = read_text(&file, &format!("name = \"long\"\n{text}")).unwrap_err().to_string();
+        let is_named = said.starts_with(&format!("{}:", file.display()));
+        assert!(said.len() < 1 << 14 && is_named, "{} bytes", said.len());
+    }
+}
+
+/// Tables in a line, each opened by a key of so many names: the parser bounds both, not their product.
+fn levels(tables: usize, names: usize) -> String {
+    let key = vec!["a"; names].join(".");
+    format!("{key} = {}1{}", format!("{{ {key} = ").repeat(tables), " }".repeat(tables))
+}
+
+#[test]
 fn nesting_without_end_is_refused_and_does_not_end_the_program() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("deep.toml");
@@ -319,6 +337,8 @@ fn nesting_without_end_is_refused_and_does_not_end_the_program() {
         format!("[{}a]", "a.".repeat(1 << 20)),
         format!("[[{}a]]", "a.".repeat(1 << 20)),
         "\"\"\"".repeat(1 << 19),
+        levels(79, 79),
+        format!("[[radars]]\nid = \"one\"\n{}", levels(79, 79)),
     ];
     for (i, text) in deep.iter().enumerate() {
         let errors = read_text(&file, &format!("name = \"deep\"\n{text}\n")).unwrap_err();

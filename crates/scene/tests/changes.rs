@@ -81,6 +81,17 @@ fn a_change_that_is_refused_stands_where_the_value_stood_or_its_table() {
 }
 
 #[test]
+fn a_change_deeper_than_any_scene_is_refused_before_it_is_made() {
+    let key = vec!["name"; 1 << 16].join(".");
+    let tables = format!("{{ {} = ", vec!["a"; 79].join("."));
+    let value = format!("{}1{}", tables.repeat(79), " }".repeat(79));
+    for (key, value) in [(key.as_str(), "1"), ("radar.x", value.as_str())] {
+        let said = read(SCENE, &[(key, value)]).unwrap_err().to_string();
+        assert!(said.contains("lies within more than 64 tables and lists"), "{said}");
+    }
+}
+
+#[test]
 fn the_files_of_a_changed_scene_are_those_that_it_names() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("scene.toml");

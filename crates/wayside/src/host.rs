@@ -9,4 +9,5 @@ pub mod processor_time;
 pub mod places;
 pub mod checkpoint;
 pub mod call_off;
+pub(crate) mod toml_text;
 pub(crate) mod side_by_side;

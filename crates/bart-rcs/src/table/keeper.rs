@@ -1,12 +1,12 @@
 //! Results that a table made in several runs leaves from one run to the next.
 
-use crate::table::aspect::Scattering;
+use crate::table::aspect::{AspectSettings, Check, Checks, Scattering};
 use num_complex::Complex64;
 
 /// Keeps the aspects of a table as they are done, for a run that goes on where another one ended.
 ///
-/// Nothing is checked here: a keeper answers only with bytes that it was given for the same mesh, the same
-/// request and the same program.
+/// A keeper answers only with bytes that it was given for the same mesh, the same request and the same
+/// program: that they have the shape of the request is checked, their figures are believed.
 pub trait Keeper: Sync {
     /// Bytes kept of a piece; `None` makes it anew.
     fn kept(&self, piece: Piece) -> Option<&[u8]>;
@@ -70,6 +70,18 @@ impl Scattering {
             check_seconds: words.number()?,
         };
         words.left.is_empty().then_some(found)
+    }
+
+    /// Whether it has a value for each order and frequency that is asked for, and what is measured beside.
+    pub(crate) fn is_of(&self, settings: &AspectSettings, checks: Checks) -> bool {
+        let (orders, frequencies) = (usize::from(settings.bounces), settings.wavenumbers_per_m.len());
+        let is_whole = |all: &Vec<Vec<Complex64>>| {
+            all.len() == orders && all.iter().all(|order| order.len() == frequencies)
+        };
+        let is_measured = |check: Check| check == Check::Measured;
+        is_whole(&self.chosen_m)
+            && self.other_m.as_ref().map(is_whole) == is_measured(checks.model).then_some(true)
+            && self.error_power.is_some() == is_measured(checks.integrals)
     }
 }
 

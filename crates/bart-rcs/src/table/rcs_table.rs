@@ -369,10 +369,11 @@ impl SharedByAspects<'_> {
     ) -> Result<Scattering, BartError> {
         let keeper = self.surroundings.keeper;
         let piece = Piece { pass, aspect: index as u32 };
-        if let Some(kept) = keeper.kept(piece).and_then(Scattering::from_bytes) {
+        let (aspect, checks) = (&self.aspects[index], self.checks(index, settings));
+        let kept = keeper.kept(piece).and_then(Scattering::from_bytes);
+        if let Some(kept) = kept.filter(|kept| kept.is_of(settings, checks)) {
             return Ok(kept);
         }
-        let (aspect, checks) = (&self.aspects[index], self.checks(index, settings));
         let company = Company { received, progress: self.surroundings.progress, meter: self.meter };
         scattering_with(self.world, aspect, settings, checks, &company)
             .inspect(|done| keeper.keep(piece, &done.to_bytes()))

@@ -77,12 +77,16 @@ pub(crate) fn noted(folder: &Path) -> Result<(), String> {
 /// asks for twice.
 pub(crate) fn noted_of_content(folder: &Path) -> Result<(), String> {
     let words = std::fs::read_to_string(folder.join("words")).unwrap();
-    carry_out(folder, &words).map_err(|failure| match failure {
-        Failure::Refused(sentence) => sentence,
-        Failure::System(sentence) if sentence.contains(&*out(folder).to_string_lossy()) => sentence,
-        // An artifact of another kind than the words are for: they name no file.
-        Failure::System(sentence) if sentence.starts_with("--axes on") => folder.display().to_string(),
-        other => panic!("{words}: {other:?} is no refusal of what a file holds"),
+    carry_out(folder, &words).map_err(|failure| {
+        // As it is told, not as it is held: what is too long is left out where it is told.
+        let sentence = failure.to_string();
+        match failure {
+            Failure::Refused(_) => sentence,
+            Failure::System(_) if sentence.contains(&*out(folder).to_string_lossy()) => sentence,
+            // An artifact of another kind than the words are for: they name no file.
+            Failure::System(_) if sentence.starts_with("--axes on") => folder.display().to_string(),
+            other => panic!("{words}: {other:?} is no refusal of what a file holds"),
+        }
     })
 }
 

@@ -2,6 +2,7 @@
 
 use crate::document::errors::{Place, Rule};
 use crate::document::faults::Faults;
+use crate::document::toml_text::{self, DEPTH_LIMIT, TooDeep};
 use std::borrow::Cow;
 use std::ops::Range;
 use toml::Spanned;
@@ -32,7 +33,11 @@ type Obstacle = (usize, String);
 
 fn make_one<'d>(document: &mut DeTable<'d>, change: &'d Change) -> Result<(), Obstacle> {
     let value = DeValue::parse(&change.value).map_err(|error| (0, error.message().to_owned()))?;
+    toml_text::check_value(&value).map_err(|too_deep| (0, too_deep.to_string()))?;
     let keys: Vec<&'d str> = change.key.split('.').collect();
+    if keys.len() > DEPTH_LIMIT {
+        return Err((0, TooDeep { byte: 0 }.to_string()));
+    }
     put_into_table(document, 0..0, &keys, value.into_inner())
 }
 

@@ -1,5 +1,6 @@
 //! Errors of a scene file: facts as fields, the sentence made once.
 
+use crate::document::toml_text::TooDeep;
 use crate::measured::calibration::CalibrationFileError;
 use crate::measured::pattern_table::PatternFileError;
 use crate::mesh::MeshError;
@@ -9,6 +10,7 @@ use crate::recording::net::NetError;
 use crate::wording::allowed::Allowed;
 use crate::wording::number::WrittenNumber;
 use artifact::bounded::ReadFault;
+use artifact::sentence::readable;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -26,16 +28,9 @@ impl SceneErrors {
 
 impl fmt::Display for SceneErrors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, error) in self.0.iter().enumerate() {
-            if i > 0 {
-                writeln!(f)?;
-            }
-            write!(f, "{error}")?;
-        }
-        match self.1 {
-            0 => Ok(()),
-            more => write!(f, "\nand {more} more"),
-        }
+        let mut lines: Vec<String> = self.0.iter().map(SceneError::to_string).collect();
+        lines.extend((self.1 > 0).then(|| format!("and {} more", self.1)));
+        f.write_str(&readable(&lines.join("\n")))
     }
 }
 
@@ -75,6 +70,7 @@ impl std::error::Error for SceneError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match &self.rule {
             Rule::File(error) => Some(error),
+            Rule::Depth(error) => Some(error),
             Rule::Mesh(error) => Some(error),
             Rule::Traffic(error) => Some(error),
             Rule::Net(error) => Some(error),
@@ -141,6 +137,9 @@ pub enum Rule {
         /// The parser's words.
         message: String,
     },
+    /// A value lies too deep.
+    #[error("{0}")]
+    Depth(#[source] TooDeep),
     /// A change of a value that has no place in the file.
     #[error("`{key}`: {obstacle}")]
     Change {

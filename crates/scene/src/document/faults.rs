@@ -2,9 +2,11 @@
 //! are.
 
 use crate::document::errors::{Place, Position, Rule, SceneError, SceneErrors};
+use crate::document::toml_text;
 use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use toml::de::DeTable;
 
 /// Most errors that are told, as many as a person reads; a file that breaks more is another one given by
 /// mistake.
@@ -47,8 +49,26 @@ impl<'s> Faults<'s> {
         Self { file, text, lines: OnceCell::new(), syntax: RefCell::default(), others: RefCell::default() }
     }
 
+    /// The document that the text says, as far as it is TOML; none where it is too deep to be walked. Noted is
+    /// what is wrong with it.
+    pub(crate) fn document(&self) -> DeTable<'s> {
+        let (document, syntax) = DeTable::parse_recoverable(self.text);
+        for error in &syntax {
+            let byte = error.span().map_or(self.text.len(), |span| span.start);
+            self.note(byte, Place::Scene, Rule::Syntax { message: error.message().to_owned() });
+        }
+        match toml_text::check(document.get_ref()) {
+            Ok(()) => document.into_inner(),
+            Err(too_deep) => {
+                self.note(too_deep.byte, Place::Scene, Rule::Depth(too_deep));
+                DeTable::new()
+            }
+        }
+    }
+
     pub(crate) fn note(&self, byte: usize, place: Place, rule: Rule) {
-        let first = if matches!(rule, Rule::Syntax { .. }) { &self.syntax } else { &self.others };
+        let is_of_text = matches!(rule, Rule::Syntax { .. } | Rule::Depth(_));
+        let first = if is_of_text { &self.syntax } else { &self.others };
         first.borrow_mut().note(byte, place, rule);
     }
 

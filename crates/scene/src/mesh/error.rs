@@ -3,6 +3,7 @@
 use crate::openmaterial::OpenMaterialError;
 use crate::wording::number::WrittenNumber;
 use artifact::bounded::ReadFault;
+use artifact::sentence::readable;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -26,25 +27,30 @@ impl MeshError {
             _ => false,
         }
     }
+
+    /// The whole sentence, with words of the file however long they are.
+    fn sentence(&self) -> String {
+        let (file, fault) = (self.file.display(), &self.fault);
+        match self.place {
+            // It names the file itself.
+            MeshPlace::File if matches!(fault, MeshFault::Asset(_)) => fault.to_string(),
+            MeshPlace::File => format!("{file}: {fault}"),
+            MeshPlace::Line(line) => format!("{file}:{line}: {fault}"),
+            MeshPlace::Facet(facet) => format!("{file}: facet {facet}: {fault}"),
+            MeshPlace::Buffer(i) => format!("{file}: buffers[{i}]: {fault}"),
+            MeshPlace::View(i) => format!("{file}: bufferViews[{i}]: {fault}"),
+            MeshPlace::Accessor(i) => format!("{file}: accessors[{i}]: {fault}"),
+            MeshPlace::Node(i) => format!("{file}: nodes[{i}]: {fault}"),
+            MeshPlace::Primitive { mesh, primitive } => {
+                format!("{file}: meshes[{mesh}].primitives[{primitive}]: {fault}")
+            }
+        }
+    }
 }
 
 impl fmt::Display for MeshError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (file, fault) = (self.file.display(), &self.fault);
-        match self.place {
-            // It names the file itself.
-            MeshPlace::File if matches!(fault, MeshFault::Asset(_)) => write!(f, "{fault}"),
-            MeshPlace::File => write!(f, "{file}: {fault}"),
-            MeshPlace::Line(line) => write!(f, "{file}:{line}: {fault}"),
-            MeshPlace::Facet(facet) => write!(f, "{file}: facet {facet}: {fault}"),
-            MeshPlace::Buffer(i) => write!(f, "{file}: buffers[{i}]: {fault}"),
-            MeshPlace::View(i) => write!(f, "{file}: bufferViews[{i}]: {fault}"),
-            MeshPlace::Accessor(i) => write!(f, "{file}: accessors[{i}]: {fault}"),
-            MeshPlace::Node(i) => write!(f, "{file}: nodes[{i}]: {fault}"),
-            MeshPlace::Primitive { mesh, primitive } => {
-                write!(f, "{file}: meshes[{mesh}].primitives[{primitive}]: {fault}")
-            }
-        }
+        f.write_str(&readable(&self.sentence()))
     }
 }
 

@@ -2,6 +2,7 @@
 //! with it; a scene is read as one of them has it.
 
 use crate::document::errors::{Rule, SceneErrors};
+use crate::document::faults::Faults;
 use crate::document::ids::read_ids;
 use crate::document::keys::radar::{ID, RADARS};
 use crate::document::keys::scene::{NAME, OF_RADAR, OF_RADARS};
@@ -19,8 +20,8 @@ use toml::de::{DeTable, DeValue};
 /// The file cannot be read, or is no text.
 pub fn radars(path: &Path) -> Result<Vec<String>, SceneErrors> {
     let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
-    let (document, _) = DeTable::parse_recoverable(&text);
-    Ok(entries(document.get_ref()).filter_map(|(_, entry)| id_of(entry)).map(str::to_owned).collect())
+    let document = Faults::new(path, &text).document();
+    Ok(entries(&document).filter_map(|(_, entry)| id_of(entry)).map(str::to_owned).collect())
 }
 
 /// The document as one of its radars has it: `[radar]` with what the entry of that `id` says in its place,

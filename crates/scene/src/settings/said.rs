@@ -28,9 +28,9 @@ pub struct SaidPhysics {
 /// The file cannot be read, or is no text.
 pub fn said_physics(path: &Path, changes: &[Change]) -> Result<SaidPhysics, SceneErrors> {
     let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
-    let (document, _) = DeTable::parse_recoverable(&text);
-    let mut document = document.into_inner();
-    changes::make(&mut document, changes, &Faults::new(path, &text));
+    let faults = Faults::new(path, &text);
+    let mut document = faults.document();
+    changes::make(&mut document, changes, &faults);
     Ok(of_document(&document))
 }
 

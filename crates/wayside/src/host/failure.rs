@@ -2,13 +2,8 @@
 
 use artifact::ArtifactError;
 use artifact::bounded::ReadFault;
-use std::borrow::Cow;
+use artifact::sentence::readable;
 use std::path::Path;
-
-/// Longest line of a sentence, in bytes: a list of all vehicles fits, a damaged file's word of megabytes not.
-const LINE_BYTES: usize = 4096;
-/// Bytes of a longer line that stay of its beginning and of its end, where file and rule stand.
-const KEPT_BYTES: [usize; 2] = [3072, 512];
 
 /// The sentence was made by the error it came from; what a program makes of its kind is the program's.
 #[derive(Debug, thiserror::Error)]
@@ -41,6 +36,16 @@ impl Failure {
         }
     }
 
+    /// Names the file that names the one which is refused.
+    pub fn named_in(self, file: &Path) -> Self {
+        let named = |text: String| format!("{}: {text}", file.display());
+        match self {
+            Self::Refused(text) | Self::Unplaced(text) => Self::Refused(named(text)),
+            Self::System(text) => Self::System(named(text)),
+            Self::CalledOff => Self::CalledOff,
+        }
+    }
+
     /// An input was not read whole: the system's fault, or its own.
     pub fn unread(file: &Path, fault: &ReadFault) -> Self {
         let text = format!("{}: {fault}", file.display());
@@ -56,37 +61,5 @@ impl Failure {
 impl From<ArtifactError> for Failure {
     fn from(error: ArtifactError) -> Self {
         if error.is_system() { Self::System(error.to_string()) } else { Self::Refused(error.to_string()) }
-    }
-}
-
-/// The sentence with what is too long for a reader left out of the middle of its lines.
-fn readable(text: &str) -> Cow<'_, str> {
-    if text.lines().all(|line| line.len() <= LINE_BYTES) {
-        return text.into();
-    }
-    text.lines().map(readable_line).collect::<Vec<_>>().join("\n").into()
-}
-
-fn readable_line(line: &str) -> Cow<'_, str> {
-    if line.len() <= LINE_BYTES {
-        return line.into();
-    }
-    let [head, tail] = KEPT_BYTES;
-    let (begin, end) = (line.floor_char_boundary(head), line.ceil_char_boundary(line.len() - tail));
-    format!("{} … {} bytes left out … {}", &line[..begin], end - begin, &line[end..]).into()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_sentence_stays_and_of_a_words_megabytes_beginning_and_end_do() {
-        let short = format!("a.model: one\n{}", "é".repeat(LINE_BYTES / 2));
-        assert_eq!(Failure::Refused(short.clone()).to_string(), short);
-        let long = format!("a.model: layers {} are not these\nnext", "é".repeat(3 << 20));
-        let told = Failure::Refused(long).to_string();
-        assert!(told.starts_with("a.model: layers é") && told.ends_with("é are not these\nnext"), "{told}");
-        assert!(told.contains("bytes left out") && told.len() < LINE_BYTES, "{}", told.len());
     }
 }

@@ -30,6 +30,7 @@ fn all_of_any() -> Vec<(&'static str, Vec<u8>)> {
         ("braces", b"{\"a\":".repeat(1 << 18)),
         ("tags", b"<a>".repeat(1 << 19)),
         ("dots", [b"a.".repeat(1 << 20), b"a = 1".to_vec()].concat()),
+        ("levels", levels().into_bytes()),
         ("tables", b"[a]\n".repeat(1 << 19)),
         ("a gibibyte packed", packed(1 << 30)),
         ("a terminal's commands", b"\x1b[2J\x1b]0;title\x07\r\x08 = \x1b[31m\n".to_vec()),
@@ -37,6 +38,12 @@ fn all_of_any() -> Vec<(&'static str, Vec<u8>)> {
         ("a container of nothing", [&b"glTF\x02\0\0\0"[..], &[0xff; 500]].concat()),
         ("an array of nothing", [&b"\x93NUMPY\x02\0"[..], &[0xff; 500]].concat()),
     ]
+}
+
+/// Six thousand tables of TOML within one another, within a table that some readers pass over.
+fn levels() -> String {
+    let key = vec!["a"; 79].join(".");
+    format!("{key} = {}1{}\n", format!("{{ {key} = ").repeat(79), " }".repeat(79))
 }
 
 fn packed(zeros: usize) -> Vec<u8> {

@@ -13,10 +13,13 @@ use std::path::Path;
 use std::process::Command;
 
 /// A reader: what its file is called, and a command that reads it.
-const READERS: [(&str, &str); 23] = [
+const READERS: [(&str, &str); 26] = [
     ("h.toml", "run h.toml --out a --no-cache"),
     ("h.toml", "paths h.toml --out a.paths"),
     ("h.toml", "dataset h.toml --out a"),
+    ("h.toml", "sweep h.toml --out a --no-cache"),
+    ("manifest.toml", "dataset spec.toml --out a"),
+    ("h.toml", "import x.bin --scene h.toml --config b.cfg --device xwr1443 --out a.cube"),
     ("h.glb", "rcs h.glb --freq-ghz 77 --az-deg 0 --out a.npy"),
     ("h.gltf", "rcs h.gltf --freq-ghz 77 --az-deg 0 --out a.npy"),
     ("h.stl", "rcs h.stl --freq-ghz 77 --az-deg 0 --out a.npy"),
@@ -58,6 +61,13 @@ fn prepare(place: &Workplace) {
     let recording = "<fcd-export><timestep time=\"0\"/></fcd-export>";
     std::fs::write(place.path("sound.fcd.xml"), recording).unwrap();
     std::fs::write(place.path("beside.gltf"), gltf::beside("b.bin")).unwrap();
+    let recipe = "scene = \"small.toml\"\nseed = 1\nscenes_per_class = 1\nrange_m = [25, 45]\n\
+                  speed_mps = [1, 5]\nlanes = [1]\n[models]\nvehicles = \".\"\n";
+    std::fs::write(place.path("spec.toml"), recipe).unwrap();
+    let board = "channelCfg 15 1 0\nadcCfg 2 1\nprofileCfg 0 77 10 6 40 0 0 12.5 1 64 5120 0 0 30\n\
+                 chirpCfg 0 0 0 0 0 0 0 1\nframeCfg 0 0 8 0 50 1 0\n";
+    std::fs::write(place.path("b.cfg"), board).unwrap();
+    std::fs::write(place.path("x.bin"), [0; 16 * 8 * 64]).unwrap();
     let told = r#"{"global": {"core:datatype": "cf32_le", "core:num_channels": 4}}"#;
     std::fs::write(place.path("s.sigmf-meta"), told).unwrap();
 }

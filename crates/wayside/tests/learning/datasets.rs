@@ -293,9 +293,22 @@ fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
 }
 
 #[test]
-fn a_model_that_is_missing_is_the_systems_fault() {
+fn what_a_recipe_names_is_refused_with_the_recipe_and_what_is_missing_is_the_systems_fault() {
     let place = prepared();
-    std::fs::write(place.path("spec.toml"), format!("{NEEDED}[models]\ncar = [\"gone.glb\"]\n")).unwrap();
-    let output = place.try_run("dataset spec.toml --out d --quiet");
-    assert!(output.status.code() == Some(2) && String::from_utf8_lossy(&output.stderr).contains("gone.glb"));
+    std::fs::write(place.path("broken.toml"), "name = 3\n").unwrap();
+    std::fs::write(place.path("broken.obj"), "v 0\n").unwrap();
+    let of_scene = |scene: &str| format!("{NEEDED}{OWN}").replace("base.toml", scene);
+    let of_models = |models: &str| format!("{NEEDED}[models]\n{models}\n");
+    for (recipe, code, said) in [
+        (of_scene("/gone/base.toml"), 2, "spec.toml: /gone/base.toml: cannot be read"),
+        (of_scene("broken.toml"), 1, "spec.toml: broken.toml:1:8: "),
+        (of_models("car = [\"gone.glb\"]"), 2, "spec.toml: gone.glb: "),
+        (of_models("car = [\"broken.obj\"]"), 1, "spec.toml: broken.obj:1: "),
+        (of_models("vehicles = \"gone\""), 2, "spec.toml: gone/manifest.toml: cannot be read"),
+    ] {
+        std::fs::write(place.path("spec.toml"), &recipe).unwrap();
+        let output = place.try_run("dataset spec.toml --out d --quiet");
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(code) && told.contains(said), "{recipe}\n{told}\nnot: {said}");
+    }
 }

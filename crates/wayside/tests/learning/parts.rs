@@ -129,6 +129,32 @@ fn concluding_alone_names_what_lacks_makes_nothing_and_is_the_same_however_often
 }
 
 #[test]
+fn lines_that_tell_of_more_than_a_recipe_may_ask_for_are_made_anew_and_cost_no_minutes() {
+    let place = prepared(RECIPE);
+    made(&place, "");
+    let whole = held(&place.path("d"));
+    let text = String::from_utf8(place.bytes("d/shard-0000.jsonl")).unwrap();
+    let (first, others) = text.split_once('\n').unwrap();
+    let damages: [fn(&mut serde_json::Value); 3] = [
+        |scene| {
+            let vehicle = scene["frames"][0]["vehicles"][0].clone();
+            scene["frames"][0]["vehicles"] = vec![vehicle; 20_000].into();
+        },
+        |scene| scene["frames"] = vec![scene["frames"][0].clone(); 20_000].into(),
+        |scene| scene["base"] = "x".repeat(1 << 24).into(),
+    ];
+    for damage in damages {
+        let mut scene: serde_json::Value = serde_json::from_str(first).unwrap();
+        damage(&mut scene);
+        std::fs::write(place.path("d/shard-0000.jsonl"), format!("{scene}\n{others}")).unwrap();
+        let words = "dataset spec.toml --out d --quiet --threads 1";
+        let ended = bounded::run(place.root(), words.split_whitespace());
+        assert!(ended.status.success(), "{} after {:?}: {}", ended.status, ended.after, ended.said);
+        assert!(held(&place.path("d")) == whole);
+    }
+}
+
+#[test]
 fn shards_beyond_a_thousand_have_a_folder_and_stay_where_earlier_versions_put_them() {
     let many = RECIPE
         .replace("scenes_per_class = 6", "scenes_per_class = 501")

@@ -110,8 +110,28 @@ fn what_the_scene_refuses_is_told_with_the_line_that_changes_it_and_the_scenes_o
         assert!(said.contains(expected), "{instead}: {said}");
         assert_eq!(code, Some(1), "{said}");
     }
-    let (said, code) = said_of(&place, &WHOLE.replace("small.toml", "gone.toml"));
-    assert!(said.contains("gone.toml") && code == Some(2), "{code:?} {said}");
+    for gone in ["gone.toml", "/gone/scene.toml"] {
+        let (said, code) = said_of(&place, &WHOLE.replace("small.toml", gone));
+        assert!(said.contains(&format!("study.toml: {gone}: ")) && code == Some(2), "{code:?} {said}");
+    }
+}
+
+#[test]
+fn a_study_deeper_than_any_scene_is_refused_and_does_not_end_the_program() {
+    let place = Workplace::new();
+    let names = |count: usize| vec!["a"; count].join(".");
+    let tables = format!("{{ {} = ", names(79)).repeat(79);
+    let levels = format!("{tables}1{}", " }".repeat(79));
+    let values = "values = [\"1x4\", \"3x4\"]";
+    for (found, instead, line) in [
+        ("radar.array.preset", names(1 << 18), "study.toml:2: with a.a."),
+        (values, format!("values = [{levels}]"), "study.toml:4:"),
+        ("[goal]", format!("[goal]\ncost = {levels}"), "study.toml:6:"),
+    ] {
+        let (said, code) = said_of(&place, &WHOLE.replace(found, &instead));
+        let rule = "a value lies within more than 64 tables and lists";
+        assert!(said.contains(rule) && said.contains(line) && code == Some(1), "{code:?} {line} {said}");
+    }
 }
 
 /// Address space in which the program reads a study, KiB; 10¹² conditions have no place there.

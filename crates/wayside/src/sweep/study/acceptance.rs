@@ -12,7 +12,7 @@ use scene::{Change, Meshes, ReadOptions, SceneErrors};
 /// first repeat, models unopened. A refusal names the study, the line that changes what is refused, and the
 /// scene's own sentence.
 pub(crate) fn check(study: &Study, designs: &[Vec<Pick>], situations: &[Situation]) -> Result<(), Failure> {
-    try_scene(study, &[]).map_err(loading::of_scene)?;
+    try_scene(study, &[]).map_err(|errors| loading::of_scene(errors).named_in(&study.page.file))?;
     let (Some(first), Some(situation)) = (designs.first(), situations.first()) else { return Ok(()) };
     designs.iter().try_for_each(|design| check_one(study, design, situation))?;
     situations.iter().try_for_each(|situation| check_one(study, first, situation))

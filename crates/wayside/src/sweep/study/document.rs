@@ -6,6 +6,7 @@ use crate::sweep::study::axes;
 use crate::sweep::study::axis::Axis;
 use crate::sweep::study::fields::{Fields, nearest, number};
 use crate::sweep::study::page::Page;
+use scene::toml_text;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toml::de::DeTable;
@@ -83,6 +84,8 @@ impl Study {
             let at = error.span().map_or(0, |span| span.start);
             page.refused(at, "", &format!("not valid TOML: {}", error.message()))
         })?;
+        toml_text::check(table.get_ref())
+            .map_err(|too_deep| page.refused(too_deep.byte, "", &too_deep.to_string()))?;
         let root = Fields::of(&page, "", 0, table.get_ref(), &KEYS)?;
         let study = Self::of(&root, &page)?;
         Ok(Self { seed: seed.unwrap_or(study.seed), ..study })

@@ -36,8 +36,9 @@ pub(super) fn answer(
     let pairs = elevations.iter().flat_map(|el| azimuths.iter().map(move |az| (*el, *az)));
     for (number, (elevation_rad, azimuth_rad)) in pairs.enumerate() {
         let piece = Piece { pass: 0, aspect: number as u32 };
-        let values = match checkpoint.kept(piece) {
-            Some(bytes) => from_bytes(bytes),
+        let kept = checkpoint.kept(piece).and_then(|bytes| from_bytes(bytes, request.frequency_hz.len()));
+        let values = match kept {
+            Some(values) => values,
             None => {
                 let aspect = aspect(request, elevation_rad, azimuth_rad);
                 let amplitudes = amplitudes(arguments, mesh, request, &aspect).map_err(Failure::refused)?;
@@ -70,9 +71,13 @@ fn to_bytes(values: &[Complex64]) -> Vec<u8> {
     values.iter().flat_map(|s| [s.re, s.im]).flat_map(f64::to_le_bytes).collect()
 }
 
-fn from_bytes(bytes: &[u8]) -> Vec<Complex64> {
-    let numbers: Vec<f64> = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
-    numbers.as_chunks().0.iter().map(|[re, im]| Complex64::new(*re, *im)).collect()
+/// Values of so many frequencies; `None` unless these are exactly the bytes of them.
+fn from_bytes(bytes: &[u8], frequencies: usize) -> Option<Vec<Complex64>> {
+    let (parts, rest) = bytes.as_chunks();
+    let numbers: Vec<f64> = parts.iter().map(|part| f64::from_le_bytes(*part)).collect();
+    let (values, odd) = numbers.as_chunks();
+    let is_whole = rest.is_empty() && odd.is_empty() && values.len() == frequencies;
+    is_whole.then(|| values.iter().map(|[re, im]| Complex64::new(*re, *im)).collect())
 }
 
 /// The references know flat facets and no edges; what they cannot do is refused, not ignored.
@@ -123,4 +128,18 @@ fn summed(orders: &[Vec<Amplitude>], frequencies: usize) -> Vec<Amplitude> {
         }
     }
     sums
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_come_back_from_the_bytes_of_as_many_frequencies_and_from_no_others() {
+        let values = [Complex64::new(1.0, -0.0), Complex64::new(f64::MIN_POSITIVE, 1.0 / 3.0)];
+        let bytes = to_bytes(&values);
+        assert_eq!(from_bytes(&bytes, 2).unwrap(), values);
+        assert!([0, 1, 3].iter().all(|frequencies| from_bytes(&bytes, *frequencies).is_none()));
+        (0..bytes.len()).for_each(|cut| assert!(from_bytes(&bytes[..cut], 2).is_none(), "{cut}"));
+    }
 }

@@ -5,6 +5,7 @@ use super::chirp_program::DeviceSettings;
 use super::scene_tables::entries;
 use crate::chain::loading;
 use crate::host::failure::Failure;
+use crate::host::toml_text;
 use artifact::Radar;
 use artifact::bounded;
 use artifact::radar::{Multiplexing, Sampling};
@@ -54,7 +55,7 @@ impl Said {
     fn of(file: &Path, radar: Option<&str>) -> Result<Self, Failure> {
         let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
         // What is no TOML the scene's reader refuses, with its place.
-        let document: toml::Table = toml::from_str(&text).unwrap_or_default();
+        let document: toml::Table = toml_text::read(&text).unwrap_or_default();
         let own = document.get("radars").and_then(toml::Value::as_array).into_iter().flatten();
         let is_asked =
             |entry: &&toml::Value| radar.is_some() && entry.get("id").and_then(toml::Value::as_str) == radar;

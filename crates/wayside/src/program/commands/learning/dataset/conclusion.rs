@@ -49,17 +49,14 @@ pub(super) fn conclude(layout: &Layout, out: &Path) -> Result<(), Failure> {
     let _work = Work::begin("concluding");
     let [manifest, scenes, table] = files_of(out);
     files::write_with(&manifest, |stream| {
-        each_line(layout, |line| {
-            let vehicles = lines::vehicles(std::slice::from_ref(&line));
-            vehicles.iter().filter(|v| lines::is_found(v)).try_for_each(|v| writeln!(stream, "{v}"))
-        })
+        each_line(layout, |line| lines::samples(&line).try_for_each(|sample| writeln!(stream, "{sample}")))
     })?;
     let mut reached = ReachedAccuracy::default();
     let mut detected = DetectionTable::new();
     files::write_with(&scenes, |stream| {
         each_line(layout, |line| {
             reached.add(&line);
-            lines::vehicles(std::slice::from_ref(&line)).iter().for_each(|v| detected.add(v));
+            lines::vehicles(&line).for_each(|(_, vehicle)| detected.add(vehicle));
             writeln!(stream, "{line}")
         })
     })?;

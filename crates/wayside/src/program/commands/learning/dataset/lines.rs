@@ -4,6 +4,7 @@ use crate::host::files;
 use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::commands::learning::dataset::draws::Drawn;
 use crate::program::commands::learning::dataset::recipe::Recipe;
+use crate::program::commands::learning::dataset::rules::{FRAMES_LIMIT, VEHICLES_LIMIT};
 use crate::program::commands::learning::dataset::seen::SeenFrame;
 use crate::program::commands::learning::dataset::staging::{Staged, ToldVehicle};
 use artifact::points::Object;
@@ -94,16 +95,40 @@ pub(in crate::program::commands::learning) const LIMIT_BYTES: u64 = 1 << 30;
 pub(super) fn read(file: &Path) -> Option<Vec<Value>> {
     let bytes = files::read_own(file, LIMIT_BYTES).ok()?;
     let text = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
-    text.split(|byte| *byte == b'\n').map(|line| serde_json::from_slice(line).ok()).collect()
+    text.split(|byte| *byte == b'\n').map(read_scene).collect()
 }
 
-/// Every vehicle of every frame of such lines, with what its scene tells of all.
-pub(super) fn vehicles(scenes: &[Value]) -> Vec<Value> {
-    let frames =
-        scenes.iter().flat_map(|scene| list(&scene["frames"]).iter().map(move |frame| (scene, frame)));
-    frames
-        .flat_map(|(scene, frame)| list(&frame["vehicles"]).iter().map(move |v| joined(scene, frame, v)))
-        .collect()
+/// Bytes of what a scene's line says beside its frames, which every line of a sample repeats: ten times as
+/// many as the program writes there.
+const SCENE_LIMIT_BYTES: usize = 4096;
+
+/// The scene of a line; `None` where it is damaged, or tells of more than a recipe may ask for.
+pub(in crate::program::commands::learning) fn read_scene(line: &[u8]) -> Option<Value> {
+    let scene: Value = serde_json::from_slice(line).ok()?;
+    let frames = list(&scene["frames"]);
+    let is_full = |frame: &Value| list(&frame["vehicles"]).len() > VEHICLES_LIMIT as usize;
+    let is_bounded = frames.len() <= FRAMES_LIMIT as usize && !frames.iter().any(is_full);
+    (is_bounded && of_all(&scene).to_string().len() <= SCENE_LIMIT_BYTES).then_some(scene)
+}
+
+/// Every vehicle of every frame of a scene, with the frame.
+pub(super) fn vehicles(scene: &Value) -> impl Iterator<Item = (&Value, &Value)> {
+    list(&scene["frames"])
+        .iter()
+        .flat_map(|frame| list(&frame["vehicles"]).iter().map(move |vehicle| (frame, vehicle)))
+}
+
+/// Lines of a scene's samples: vehicles that were found, each with what its scene tells of all.
+pub(super) fn samples(scene: &Value) -> impl Iterator<Item = Value> {
+    let of_all = of_all(scene);
+    let found = vehicles(scene).filter(|(_, vehicle)| is_found(vehicle));
+    found.map(move |(frame, vehicle)| joined(&of_all, frame, vehicle))
+}
+
+/// What a scene tells of all of its vehicles.
+fn of_all(scene: &Value) -> Value {
+    let fields = scene.as_object().into_iter().flatten().filter(|(key, _)| *key != "frames");
+    fields.map(|(key, value)| (key.clone(), value.clone())).collect()
 }
 
 /// Whether such a vehicle was found, and is a sample.
@@ -118,8 +143,44 @@ fn list(value: &Value) -> &[Value] {
 fn joined(scene: &Value, frame: &Value, vehicle: &Value) -> Value {
     let fields = |value: &Value| value.as_object().cloned().unwrap_or_default();
     let mut all: Map<String, Value> = fields(scene);
-    all.remove("frames");
     all.insert("frame".into(), frame["frame"].clone());
     all.extend(fields(vehicle));
     Value::Object(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(frames: usize, vehicles: usize, base: &str) -> Vec<u8> {
+        let vehicle = json!({ "id": "a", "class": "car", "estimate": { "lane": 2 } });
+        let missed = json!({ "id": "b", "estimate": null });
+        let mut all = vec![vehicle; vehicles];
+        all.extend((vehicles < 16).then_some(missed));
+        let frame = |number: usize| json!({ "frame": number, "vehicles": all });
+        let frames: Vec<Value> = (0..frames).map(frame).collect();
+        json!({ "scene": 7, "base": base, "frames": frames }).to_string().into_bytes()
+    }
+
+    #[test]
+    fn a_line_of_more_frames_vehicles_or_words_than_the_program_writes_is_damaged() {
+        let is_read = |frames: usize, vehicles: usize, base: usize| {
+            read_scene(&line(frames, vehicles, &"x".repeat(base))).is_some()
+        };
+        assert!(is_read(1000, 1, 1) && is_read(1, 16, 255) && is_read(0, 0, 4000));
+        assert!(!is_read(1001, 0, 1) && !is_read(1, 17, 1) && !is_read(1, 1, 4096));
+        assert!(read_scene(b"{\"scene\": 7").is_none());
+    }
+
+    #[test]
+    fn a_sample_has_the_words_of_its_scene_its_frame_and_its_vehicle() {
+        let scene = read_scene(&line(2, 1, "base.toml")).unwrap();
+        assert_eq!(vehicles(&scene).count(), 4);
+        let lines: Vec<String> = samples(&scene).map(|sample| sample.to_string()).collect();
+        let of_frame = |frame: usize| {
+            let words = r#""base":"base.toml","class":"car","estimate":{"lane":2},"frame""#;
+            format!(r#"{{{words}:{frame},"id":"a","scene":7}}"#)
+        };
+        assert_eq!(lines, [of_frame(0), of_frame(1)]);
+    }
 }

@@ -3,6 +3,7 @@
 
 use crate::chain::loading;
 use crate::host::failure::Failure;
+use crate::host::toml_text;
 use artifact::bounded;
 use artifact::material::MaterialMap;
 use artifact::scene::{Mesh, SceneHeader};
@@ -75,10 +76,11 @@ pub(super) fn read(
 ) -> Result<BTreeMap<Class, Vec<Model>>, Failure> {
     let folder = recipe.parent().unwrap_or(Path::new("."));
     let refused = |rule: String| Failure::Refused(format!("{}: {rule}", recipe.display()));
+    let named_in = |failure: Failure| failure.named_in(recipe);
     let mut all: BTreeMap<Class, Vec<Named>> = BTreeMap::new();
     if let Some(vehicles) = &choice.vehicles {
         let manifest = folder.join(vehicles).join("manifest.toml");
-        for Entry { name, class } in manifest_of(&manifest)?.vehicle {
+        for Entry { name, class } in manifest_of(&manifest).map_err(named_in)?.vehicle {
             let file = manifest.with_file_name(format!("{name}.glb"));
             all.entry(class).or_default().push((name, Some(file)));
         }
@@ -95,7 +97,7 @@ pub(super) fn read(
     for (class, (name, file)) in
         all.into_iter().flat_map(|(class, of)| of.into_iter().map(move |named| (class, named)))
     {
-        models.entry(class).or_default().push(model(name, file, bases, files)?);
+        models.entry(class).or_default().push(model(name, file, bases, files).map_err(named_in)?);
     }
     Ok(models)
 }
@@ -127,7 +129,7 @@ struct Entry {
 fn manifest_of(file: &Path) -> Result<Manifest, Failure> {
     let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     let refused = |rule: String| Failure::Refused(format!("{}: {rule}", file.display()));
-    let manifest: Manifest = toml::from_str(&text).map_err(|e| refused(e.to_string()))?;
+    let manifest: Manifest = toml_text::read(&text).map_err(refused)?;
     let is_plain = |name: &str| Path::new(name).file_name().is_some_and(|own| own == name);
     match manifest.vehicle.iter().find(|entry| !is_plain(&entry.name)) {
         Some(entry) => {

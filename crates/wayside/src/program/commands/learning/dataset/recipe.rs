@@ -2,6 +2,7 @@
 
 use crate::chain::loading;
 use crate::host::failure::Failure;
+use crate::host::toml_text;
 use crate::program::commands::learning::dataset::document::{Base, Document};
 use crate::program::commands::learning::dataset::models::{self, Model};
 use crate::program::commands::learning::dataset::rules;
@@ -30,27 +31,28 @@ impl Recipe {
     pub(super) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
         let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
         let refused = |rule: String| Failure::Refused(format!("{}: {rule}", file.display()));
-        let asked: Document = toml::from_str(&text).map_err(|e| refused(e.to_string()))?;
+        let asked: Document = toml_text::read(&text).map_err(refused)?;
+        let named = |failure: Failure| failure.named_in(file);
         let folder = file.parent().unwrap_or(Path::new("."));
         let mut files = vec![file.to_owned()];
         let mut bases = Vec::new();
         for scene in asked.base_scenes().map_err(refused)? {
             let scene = folder.join(scene);
-            bases.push(base(&scene)?);
-            files.extend(loading::files_of_radar(&scene)?);
+            bases.push(base(&scene).map_err(named)?);
+            files.extend(loading::files_of_radar(&scene).map_err(named)?);
         }
         rules::check(&asked, &bases).map_err(refused)?;
         let headers: Vec<&SceneHeader> = bases.iter().map(|base| &base.header).collect();
         let models = models::read(&asked.models, file, &headers, &mut files)?;
         let seed = seed.unwrap_or(asked.seed);
-        Ok(Self { inputs: loading::hashed(&files)?, asked, bases, models, seed, text })
+        Ok(Self { inputs: loading::hashed(&files).map_err(named)?, asked, bases, models, seed, text })
     }
 
     /// Whether a recipe of that text, read from those inputs, draws the same scenes; how many of them is left
     /// open, as more scenes leave the first ones as they are.
     pub(super) fn draws_as(&self, text: &str, inputs: &[(String, String)]) -> bool {
         let open = |text: &str| {
-            toml::from_str::<Document>(text).map(|known| Document { scenes_per_class: 0, ..known })
+            toml_text::read::<Document>(text).map(|known| Document { scenes_per_class: 0, ..known })
         };
         let is_same = matches!((open(text), open(&self.text)), (Ok(its), Ok(own)) if its == own);
         let hashes = |inputs: &[(String, String)]| {

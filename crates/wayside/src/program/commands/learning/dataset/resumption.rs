@@ -84,8 +84,7 @@ fn of_another(shard: &Path) -> Failure {
 
 /// Whether there is a sample for every vehicle that was found.
 fn tells_of(lines: &[Value], samples: &[Sample]) -> bool {
-    let vehicles = told::vehicles(lines);
-    let found =
-        vehicles.iter().filter(|vehicle| told::is_found(vehicle)).map(|vehicle| vehicle["id"].as_str());
+    let vehicles = lines.iter().flat_map(told::vehicles).map(|(_, vehicle)| vehicle);
+    let found = vehicles.filter(|vehicle| told::is_found(vehicle)).map(|vehicle| vehicle["id"].as_str());
     found.eq(samples.iter().map(|sample| Some(sample.id.as_str())))
 }

@@ -6,9 +6,9 @@ use artifact::settings::Noise;
 /// Scenes of a class: at a second a scene a week and a half.
 const SCENES_LIMIT: u32 = 1_000_000;
 /// Vehicles of a scene: more than stand within reach of a radar in three lanes.
-const VEHICLES_LIMIT: u32 = 16;
+pub(super) const VEHICLES_LIMIT: u32 = 16;
 /// Frames of a scene: a minute and a half at ten a second.
-const FRAMES_LIMIT: u32 = 1000;
+pub(super) const FRAMES_LIMIT: u32 = 1000;
 
 /// The first rule that is broken.
 pub(super) fn check(asked: &Document, bases: &[Base]) -> Result<(), String> {

@@ -3,7 +3,7 @@
 
 use crate::chain::loading;
 use crate::host::files;
-use crate::program::commands::learning::dataset::lines::LIMIT_BYTES;
+use crate::program::commands::learning::dataset::lines::{LIMIT_BYTES, read_scene};
 use classifier::TrackKey;
 use glam::DVec2;
 use serde_json::Value;
@@ -33,7 +33,7 @@ pub(super) fn conditions(folders: &[PathBuf]) -> BTreeMap<TrackKey, Conditions> 
         for shard in loading::shards(folder) {
             let text = files::read_own(&shard.with_extension("jsonl"), LIMIT_BYTES).unwrap_or_default();
             let lines = text.split(|byte| *byte == b'\n');
-            let scenes = lines.filter_map(|line| serde_json::from_slice::<Value>(line).ok());
+            let scenes = lines.filter_map(read_scene);
             scenes.for_each(|scene| of_scene(number, &scene, &mut all));
         }
     }

@@ -1,0 +1,67 @@
+//! Sentences about files, short enough for a reader whatever a file says: a damaged one's word of megabytes is
+//! repeated neither in one line nor in many.
+
+use std::borrow::Cow;
+
+/// Longest line of a sentence, in bytes: a list of all vehicles fits, a damaged file's word of megabytes not.
+const LINE_BYTES: usize = 4096;
+/// Bytes of a longer line that stay of its beginning and of its end, where file and rule stand.
+const KEPT_BYTES: [usize; 2] = [3072, 512];
+/// Most lines of a sentence: a hundred broken rules of a scene, and what is said around them.
+const LINES: usize = 128;
+/// Lines of a longer sentence that stay of its beginning and of its end.
+const KEPT_LINES: [usize; 2] = [112, 8];
+
+/// The sentence, with what is too long for a reader left out of the middle of its lines, and lines that are
+/// too many out of the middle of these.
+pub fn readable(text: &str) -> Cow<'_, str> {
+    let lines: Vec<&str> = text.lines().collect();
+    if lines.len() <= LINES && lines.iter().all(|line| line.len() <= LINE_BYTES) {
+        return text.into();
+    }
+    let [head, tail] = if lines.len() > LINES { KEPT_LINES } else { [lines.len(), 0] };
+    let left_out = lines.len() - head - tail;
+    let note = (left_out > 0).then(|| format!("… {left_out} lines left out …").into());
+    let end = lines[lines.len() - tail..].iter().map(|line| readable_line(line));
+    let kept = lines[..head].iter().map(|line| readable_line(line)).chain(note).chain(end);
+    kept.collect::<Vec<_>>().join("\n").into()
+}
+
+fn readable_line(line: &str) -> Cow<'_, str> {
+    if line.len() <= LINE_BYTES {
+        return line.into();
+    }
+    let [head, tail] = KEPT_BYTES;
+    let (begin, end) = (line.floor_char_boundary(head), line.ceil_char_boundary(line.len() - tail));
+    format!("{} … {} bytes left out … {}", &line[..begin], end - begin, &line[end..]).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sentence_stays_and_of_a_words_megabytes_beginning_and_end_do() {
+        let short = format!("a.model: one\n{}", "é".repeat(LINE_BYTES / 2));
+        assert_eq!(readable(&short), short);
+        let long = format!("a.model: layers {} are not these\nnext", "é".repeat(3 << 20));
+        let told = readable(&long);
+        assert!(told.starts_with("a.model: layers é") && told.ends_with("é are not these\nnext"), "{told}");
+        assert!(told.contains("bytes left out") && told.len() < LINE_BYTES, "{}", told.len());
+    }
+
+    #[test]
+    fn of_a_words_million_lines_beginning_and_end_stay() {
+        let most = vec!["rule"; LINES].join("\n");
+        assert_eq!(readable(&most), most);
+        let long = format!("a.model: layers {} are not these", "a,b\nc".repeat(1 << 20));
+        let told = readable(&long);
+        assert!(
+            told.starts_with("a.model: layers a,b\nca,b") && told.ends_with("\nc are not these"),
+            "{told}"
+        );
+        assert!(told.contains("1048457 lines left out"), "{told}");
+        let longest = readable(&vec!["é".repeat(LINE_BYTES); 1 << 10].join("\n")).len();
+        assert!(longest < LINES * LINE_BYTES, "{longest}");
+    }
+}

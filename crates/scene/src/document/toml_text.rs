@@ -1,0 +1,96 @@
+//! Depth of what a text of TOML says. The parser bounds the tables that one key opens and the lists and
+//! tables that stand within one another, but not their product: a text of some kilobytes makes six thousand
+//! levels, and who walks these by recursion runs out of the stack. All who read TOML ask here first.
+
+use std::fmt;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Most tables and lists around a value: those of scenes, studies, recipes and manifests have six.
+pub(crate) const DEPTH_LIMIT: usize = 64;
+
+/// Fault of a value that lies within more tables and lists than are read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TooDeep {
+    /// Byte at which it begins.
+    pub byte: usize,
+}
+
+impl fmt::Display for TooDeep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a value lies within more than {DEPTH_LIMIT} tables and lists, the most that are read")
+    }
+}
+
+impl std::error::Error for TooDeep {}
+
+/// Refuses a text of which a value lies too deep; what is no TOML passes, for its reader to refuse.
+///
+/// # Errors
+/// The first such value that is met.
+pub fn check_text(text: &str) -> Result<(), TooDeep> {
+    check(DeTable::parse_recoverable(text).0.get_ref())
+}
+
+/// Refuses a document of which a value lies too deep.
+///
+/// # Errors
+/// The first such value that is met.
+pub fn check(document: &DeTable<'_>) -> Result<(), TooDeep> {
+    check_all(document.values().map(|value| (value, 1)).collect())
+}
+
+/// Refuses a value of which a part lies too deep.
+pub(crate) fn check_value(value: &Spanned<DeValue<'_>>) -> Result<(), TooDeep> {
+    check_all(vec![(value, 0)])
+}
+
+/// A stack of our own: what lies too deep must not be walked by recursion.
+fn check_all(mut waiting: Vec<(&Spanned<DeValue<'_>>, usize)>) -> Result<(), TooDeep> {
+    while let Some((value, around)) = waiting.pop() {
+        if around > DEPTH_LIMIT {
+            return Err(TooDeep { byte: value.span().start });
+        }
+        match value.get_ref() {
+            DeValue::Array(list) => waiting.extend(list.iter().map(|part| (part, around + 1))),
+            DeValue::Table(table) => waiting.extend(table.values().map(|part| (part, around + 1))),
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Tables in a line, as many keys in each; a byte less than ten for a level.
+    fn within(tables: usize, keys: usize) -> String {
+        let key = vec!["a"; keys].join(".");
+        (0..tables).fold("1".to_owned(), |inner, _| format!("{{ {key} = {inner} }}"))
+    }
+
+    #[test]
+    fn a_value_within_as_many_tables_and_lists_as_are_read_passes_and_one_deeper_is_told() {
+        let lists = |count: usize| format!("{}1{}", "[".repeat(count), "]".repeat(count));
+        // The document is a table itself.
+        for most in [within(63, 1), within(9, 7), lists(63)] {
+            assert_eq!(check_text(&format!("a = {most}")), Ok(()), "{most}");
+        }
+        for deeper in [within(64, 1), within(8, 8), lists(64)] {
+            let text = format!("b = 1\na = {deeper}");
+            let byte = text.rfind('1').unwrap();
+            assert_eq!(check_text(&text), Err(TooDeep { byte }), "{text}");
+        }
+        let headers = format!("[{}]\nb = 1", vec!["a"; 64].join("."));
+        assert!(check_text(&headers).is_err());
+    }
+
+    #[test]
+    fn six_thousand_levels_in_some_kilobytes_are_refused_without_recursion() {
+        let text = format!("a = {}", within(79, 79));
+        assert!(text.len() < 1 << 14);
+        assert!(DeTable::parse(&text).is_ok(), "the parser's own bounds do not hold their product");
+        assert!(check_text(&text).is_err());
+    }
+}
