@@ -22,7 +22,8 @@ fn dihedral(place: &Workplace) {
     std::fs::write(place.path("d.bin"), bytes).unwrap();
     let view = |offset: u32, length: u32| json!({ "buffer": 0, "byteOffset": offset, "byteLength": length });
     let part = |indices: u32, material: u32| {
-        json!({ "attributes": { "POSITION": 0 }, "indices": indices, "material": material })
+        let attributes = json!({ "POSITION": 0 });
+        json!({ "attributes": attributes, "indices": indices, "material": material })
     };
     let gltf = json!({
         "asset": { "version": "2.0" },
