@@ -21,10 +21,6 @@ fn dihedral(place: &Workplace) {
         positions.chain(facets.as_flattened().iter().flat_map(|i| i.to_le_bytes())).collect();
     std::fs::write(place.path("d.bin"), bytes).unwrap();
     let view = |offset: u32, length: u32| json!({ "buffer": 0, "byteOffset": offset, "byteLength": length });
-    let part = |indices: u32, material: u32| {
-        let attributes = json!({ "POSITION": 0 });
-        json!({ "attributes": attributes, "indices": indices, "material": material })
-    };
     let gltf = json!({
         "asset": { "version": "2.0" },
         "buffers": [{ "uri": "d.bin", "byteLength": 96 }],
@@ -38,6 +34,10 @@ fn dihedral(place: &Workplace) {
         "nodes": [{ "mesh": 0 }],
         "scenes": [{ "nodes": [0] }] });
     write(place, "d.gltf", gltf);
+}
+
+fn part(indices: u32, material: u32) -> Value {
+    json!({ "attributes": { "POSITION": 0 }, "indices": indices, "material": material })
 }
 
 fn write(place: &Workplace, name: &str, value: Value) {
