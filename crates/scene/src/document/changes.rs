@@ -3,6 +3,7 @@
 use crate::document::errors::{Place, Rule};
 use crate::document::faults::Faults;
 use crate::document::toml_text::{self, DEPTH_LIMIT, TooDeep};
+use crate::wording::excerpt::excerpt;
 use std::borrow::Cow;
 use std::ops::Range;
 use toml::Spanned;
@@ -23,7 +24,7 @@ pub struct Change {
 pub(crate) fn make<'d>(document: &mut DeTable<'d>, changes: &'d [Change], faults: &Faults<'_>) {
     for change in changes {
         if let Err((byte, obstacle)) = make_one(document, change) {
-            faults.note(byte, Place::Scene, Rule::Change { key: change.key.clone(), obstacle });
+            faults.note(byte, Place::Scene, Rule::Change { key: excerpt(&change.key), obstacle });
         }
     }
 }

@@ -143,7 +143,7 @@ pub enum Rule {
     /// A change of a value that has no place in the file.
     #[error("`{key}`: {obstacle}")]
     Change {
-        /// Key of the change.
+        /// Key of the change, or its beginning.
         key: String,
         /// Why there is no such place.
         obstacle: String,
