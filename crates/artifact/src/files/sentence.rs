@@ -1,5 +1,5 @@
-//! Sentences about files, short enough for a reader whatever a file says: a damaged one's word of megabytes is
-//! repeated neither in one line nor in many.
+//! Sentences about files, short enough for a reader whatever a file says: the word of megabytes of a damaged
+//! one is repeated neither in one line nor in many.
 
 use std::borrow::Cow;
 

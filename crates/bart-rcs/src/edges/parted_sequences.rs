@@ -2,8 +2,8 @@
 //! take over.
 //!
 //! For sequences of two flat conducting patches of a square wavelength or more, without road, sheets and
-//! bent skin, from which no third facet rises and whose sight nothing else is in: the lit polygons, seen from the mirror's image in the mirror's
-//! plane, are as large as the overlap of both patches there.
+//! bent skin, from which no third facet rises and whose sight nothing else is in: the lit polygons, seen
+//! from the mirror's image in the mirror's plane, are as large as the overlap of both patches there.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;

@@ -192,9 +192,9 @@ fn closed_box(folder: &Path) -> Vec<Row> {
     rows
 }
 
-/// A cut through a full-wave body: gates on the mean |dB| and on the complex error, infinite where it is shown
-/// for comparison. Off the plane of its axis a dihedral is carried by its edges, also by those seen in the
-/// mirrors.
+/// A cut through a full-wave body: gates on the mean |dB| and on the complex error, infinite where it is
+/// shown for comparison. Off the plane of its axis a dihedral is carried by its edges, also by those seen in
+/// the mirrors.
 struct Solved {
     body: &'static str,
     el_deg: f64,
