@@ -51,7 +51,8 @@ mod tests {
 
     #[test]
     fn every_key_that_names_a_file_is_told() {
-        let known = ["calibration", "fcd", "materials", "model", "net", "osi", "pattern_file"];
+        let known =
+            ["calibration", "fcd", "materials", "model", "net", "openmaterial", "osi", "pattern_file"];
         assert_eq!(file_keys(), BTreeSet::from(known));
     }
 }
