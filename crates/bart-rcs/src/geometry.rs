@@ -11,3 +11,4 @@ pub(crate) mod plane_frame; // coordinates in a facet's plane
 pub(crate) mod convex_intersection; // where two beams overlap
 pub(crate) mod sweep; // of a beam, as boxes see it
 pub(crate) mod bvh; // obvhs proposes candidates in single precision
+pub(crate) mod nearest_point; // of polygons and their sides

@@ -62,8 +62,9 @@ fn add_joint(
     let node = node(scatterer, joint, joint.span_m, band.highest_per_m());
     let (spread, length_m) = way_from(scatterer, joint, node.middle_m(), origin_m);
     let whole = WholeWay { spread, length_m, reverse: joint.reverse };
+    let mut some = Vec::new();
     for_each_part(&node, node.middle_m(), band.highest_per_m(), accuracy, &mut |part, _| {
-        whole.add_part(part, band, groups);
+        whole.add_part(part, band, groups, &mut some);
     });
 }
 
@@ -75,14 +76,22 @@ pub(crate) struct WholeWay {
 }
 
 impl WholeWay {
-    /// Adds a part of the share to its group, its reverse included.
-    pub(crate) fn add_part(&self, part: &dyn EdgePart, band: &Band<'_>, groups: &mut Groups) {
+    /// Adds a part of the share to its group, its reverse included; `some` is room for its values, which one
+    /// part leaves to the next.
+    pub(crate) fn add_part(
+        &self,
+        part: &dyn EdgePart,
+        band: &Band<'_>,
+        groups: &mut Groups,
+        some: &mut Vec<[Complex64; 4]>,
+    ) {
         let way = part.way();
         let group = band.group(Way { length_m: way.length_m + self.length_m, ..way }, groups);
-        let mut some = vec![[Complex64::ZERO; 4]; group.wavenumbers_per_m.len()];
-        part.add_to(group.wavenumbers_per_m, &mut some);
+        some.clear();
+        some.resize(group.wavenumbers_per_m.len(), [Complex64::ZERO; 4]);
+        part.add_to(group.wavenumbers_per_m, some);
         let turned_m = self.length_m - group.length_m;
-        for ((sum, part), k) in group.sums.iter_mut().zip(&some).zip(group.wavenumbers_per_m) {
+        for ((sum, part), k) in group.sums.iter_mut().zip(some.iter()).zip(group.wavenumbers_per_m) {
             let both = with_reverse(self.reverse, &amplitude_of(part));
             *sum = sum_of(sum, &scaled(&both, Complex64::from_polar(self.spread, -k * turned_m)));
         }

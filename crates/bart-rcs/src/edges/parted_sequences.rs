@@ -10,7 +10,9 @@ use crate::bodies::world::World;
 use crate::edges::mirror_window::FlatPatch;
 use crate::edges::truncation::Truncation;
 use crate::geometry::antenna::Antenna;
+use crate::geometry::clip::doubled_area;
 use crate::geometry::convex_intersection::{bounds, intersection};
+use crate::geometry::nearest_point::{is_over, on_segment_m, sides};
 use crate::geometry::plane_frame::area_m2;
 use crate::joins::joint::{Joint, Joints, Trees};
 use crate::joins::parting::{NodeParting, Parting};
@@ -175,7 +177,7 @@ impl LitNode {
             self.gradient = Some((gradient, bend_per_m));
         }
         let cosine = 0.5 * travel.iter().map(|d| d.dot(normal).abs()).sum::<f64>();
-        self.across_m2 += cosine * polygon_area_m2(corners_m, normal);
+        self.across_m2 += cosine * 0.5 * doubled_area(corners_m.iter().copied()).dot(normal);
     }
 
     fn add_triangle(&mut self, [a, b, c]: [DVec3; 3], normal: DVec3) {
@@ -203,11 +205,6 @@ impl LitNode {
     }
 }
 
-fn polygon_area_m2(corners_m: &[DVec3], normal: DVec3) -> f64 {
-    let first = corners_m[0];
-    corners_m[1..].windows(2).map(|pair| 0.5 * (pair[0] - first).cross(pair[1] - first).dot(normal)).sum()
-}
-
 /// The point of a convex polygon nearest to where its plane mirrors one image into the other; any, where
 /// both waves are plane.
 fn nearest_to_specular_m(images: [Antenna; 2], normal: DVec3, corners_m: &[DVec3]) -> DVec3 {
@@ -220,16 +217,11 @@ fn nearest_to_specular_m(images: [Antenna; 2], normal: DVec3, corners_m: &[DVec3
 
 /// The point of a convex polygon nearest to one of its plane.
 fn nearest_m(corners_m: &[DVec3], normal: DVec3, x_m: DVec3) -> DVec3 {
-    let sides = || corners_m.iter().zip(corners_m.iter().cycle().skip(1));
-    if sides().all(|(a, b)| (b - a).cross(x_m - a).dot(normal) >= 0.0) {
+    if is_over(x_m, corners_m, normal) {
         return x_m;
     }
-    let on_side = |(a, b): (&DVec3, &DVec3)| {
-        let along = *b - *a;
-        a + along * ((x_m - a).dot(along) / along.length_squared()).clamp(0.0, 1.0)
-    };
     let nearer = |a: DVec3, b: DVec3| if b.distance(x_m) < a.distance(x_m) { b } else { a };
-    sides().map(on_side).reduce(nearer).unwrap_or(corners_m[0])
+    sides(corners_m).map(|(a, b)| on_segment_m(x_m, a, b)).reduce(nearer).unwrap_or(corners_m[0])
 }
 
 /// At this share that is hidden of what both patches would show each other alone, polygons are left alone.

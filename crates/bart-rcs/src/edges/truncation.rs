@@ -130,8 +130,9 @@ pub(crate) fn sum_of_truncations(
         let (spread, length_m) = way_from(scatterer, truncation, origin_m);
         let whole = WholeWay { spread, length_m, reverse: truncation.reverse };
         let (highest, accuracy) = (band.highest_per_m(), integration.accuracy);
+        let mut some = Vec::new();
         for_each_end_part(scatterer, truncation, span_m, highest, accuracy, &mut |part, _| {
-            whole.add_part(part, band, groups);
+            whole.add_part(part, band, groups, &mut some);
         });
     })
 }

@@ -2,6 +2,7 @@
 
 use crate::beams::beam::BeamTree;
 use crate::bodies::world::World;
+use crate::geometry::nearest_point::{is_over, on_segment_m, sides};
 use glam::DVec3;
 
 /// Distance from `from_m` to the nearest point of a body's lit polygons of order 1, for each of `targets`;
@@ -24,20 +25,12 @@ pub(crate) fn nearest_range_m(
 
 /// Distance to the plane where the foot lies inside, else to the nearest edge.
 fn distance_to_polygon_m(x_m: DVec3, corners_m: &[DVec3], normal: DVec3) -> f64 {
-    let edges = || corners_m.iter().zip(corners_m.iter().cycle().skip(1));
-    let inside = edges().all(|(a, b)| (b - a).cross(x_m - a).dot(normal) >= 0.0);
-    if inside {
+    if is_over(x_m, corners_m, normal) {
         (x_m - corners_m[0]).dot(normal).abs()
     } else {
-        edges().map(|(a, b)| distance_to_segment_m(x_m, *a, *b)).fold(f64::INFINITY, f64::min)
+        let of_side = |(a, b)| x_m.distance(on_segment_m(x_m, a, b));
+        sides(corners_m).map(of_side).fold(f64::INFINITY, f64::min)
     }
-}
-
-fn distance_to_segment_m(x_m: DVec3, a_m: DVec3, b_m: DVec3) -> f64 {
-    let along = b_m - a_m;
-    let share = (x_m - a_m).dot(along) / along.length_squared();
-    let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
-    x_m.distance(a_m + share * along)
 }
 
 #[cfg(test)]

@@ -103,7 +103,9 @@ impl Joints {
         for joint in self.list.iter().filter(|joint| is_kept(joint)) {
             let pair = (joint.forward, joint.backward);
             some.push(pair, joint.weight, joint.reverse, self.polygon(joint).iter().copied());
-            some.list.iter_mut().rev().take(1).for_each(|copy| copy.parting = joint.parting);
+            if let Some(copy) = some.list.last_mut() {
+                copy.parting = joint.parting;
+            }
         }
         some
     }

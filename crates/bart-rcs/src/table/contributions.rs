@@ -97,8 +97,8 @@ impl Teller<'_> {
         let of_facets =
             facets.list.par_iter().map(|joint| (None, self.of_joint(joint, facets.polygon(joint))));
         let of_edges = edges.par_iter().map(|joint| (Some(joint.edge), self.of_edge(joint)));
-        let of_ends = (0..).zip(&truncations).map(|(i, end)| (Some(u32::MAX - i), self.of_truncation(end)));
-        of_facets.chain(of_edges).collect::<Vec<Found>>().into_iter().chain(of_ends).collect()
+        let of_end = |(i, end)| (Some(u32::MAX - i as u32), self.of_truncation(end));
+        of_facets.chain(of_edges).chain(truncations.par_iter().enumerate().map(of_end)).collect()
     }
 
     fn of_joint(&self, joint: &Joint, corners_m: &[DVec3]) -> Contribution {

@@ -1,12 +1,11 @@
 //! Whole assets: geometry and materials.
 
-use crate::fixture::{ASKED_HZ, Fixture, asset, mapping, row, text_model};
+use crate::fixture::{ASKED_HZ, Fixture, MATERIAL_FILES, asset, mapping, row, text_model};
 use artifact::material::{Material, MaterialMap};
 use artifact::scene::Mesh;
 use num_complex::Complex64;
 use scene::{MeshOptions, asset_materials, read_mesh};
 use serde_json::json;
-use std::path::PathBuf;
 
 const METRES: MeshOptions = MeshOptions { unit_scale: None };
 
@@ -37,17 +36,7 @@ fn a_text_gltf_and_its_buffer_are_read_and_are_files_of_the_asset() {
     car.write("car.gltf", &json);
     car.write_bytes("car.bin", &buffer);
     assert_eq!(read_mesh(&car.path("car.xoma"), &METRES).unwrap(), whole);
-    let expected = [
-        "car.xoma",
-        "car.gltf",
-        "car.bin",
-        "car.xomm",
-        "m/glass.xomp",
-        "m/paint.xomp",
-        "m/glass_emp.xompt",
-        "m/paint_emp.xompt",
-    ];
-    let files: Vec<PathBuf> = expected.iter().map(|name| car.path(name)).collect();
+    let files = car.paths(&["car.xoma", "car.gltf", "car.bin"], &MATERIAL_FILES);
     assert_eq!(scene::mesh::files(&car.path("car.xoma")), files);
 }
 

@@ -12,6 +12,10 @@ use tempfile::TempDir;
 /// The frequency at which most tests ask.
 pub(crate) const ASKED_HZ: f64 = 77e9;
 
+/// Files beside asset and model that [`Fixture::car`] has, in the order in which they are read.
+pub(crate) const MATERIAL_FILES: [&str; 5] =
+    ["car.xomm", "m/glass.xomp", "m/paint.xomp", "m/glass_emp.xompt", "m/paint_emp.xompt"];
+
 /// Files in a folder of their own.
 pub(crate) struct Fixture {
     folder: TempDir,
@@ -32,6 +36,11 @@ impl Fixture {
 
     pub(crate) fn empty() -> Self {
         Self { folder: tempfile::tempdir().unwrap() }
+    }
+
+    /// Places of some files and of others after them.
+    pub(crate) fn paths(&self, names: &[&str], more: &[&str]) -> Vec<PathBuf> {
+        names.iter().chain(more).map(|name| self.path(name)).collect()
     }
 
     /// A material and its table, named without their endings.

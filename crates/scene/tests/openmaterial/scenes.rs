@@ -1,12 +1,11 @@
 //! Scenes with assets as models, and with materials of OpenMATERIAL 3D among their own.
 
-use crate::fixture::{Fixture, row, with_metadata};
+use crate::fixture::{Fixture, MATERIAL_FILES, row, with_metadata};
 use artifact::material::{Backing, Layer, Material, Thickness};
 use artifact::scene::{Mesh, SceneHeader};
 use num_complex::Complex64;
 use scene::{Meshes, ReadOptions, SceneErrors, read, read_materials};
 use serde_json::json;
-use std::path::PathBuf;
 
 const WHOLE: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
 
@@ -94,17 +93,7 @@ fn permittivities_are_those_at_the_centre_of_the_sweep() {
 fn all_files_of_an_asset_are_inputs_of_the_scene() {
     let car = Fixture::car();
     car.write_bytes("s.toml", scene_text("car.xoma").as_bytes());
-    let expected = [
-        "s.toml",
-        "car.xoma",
-        "car.glb",
-        "car.xomm",
-        "m/glass.xomp",
-        "m/paint.xomp",
-        "m/glass_emp.xompt",
-        "m/paint_emp.xompt",
-    ];
-    let files: Vec<PathBuf> = expected.iter().map(|name| car.path(name)).collect();
+    let files = car.paths(&["s.toml", "car.xoma", "car.glb"], &MATERIAL_FILES);
     assert_eq!(scene::inputs(&car.path("s.toml"), &WHOLE).unwrap(), files);
     car.remove("m/paint_emp.xompt");
     assert_eq!(scene::inputs(&car.path("s.toml"), &WHOLE).unwrap(), files[..7]);
