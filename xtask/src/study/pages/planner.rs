@@ -2,11 +2,13 @@
 //! kept, and what a plan costs beside the cheapest setting that keeps it.
 
 mod drawn; // scenes of a seed
+mod kept; // rows of a study that was ended
 mod trial; // a plan, its truth, and other settings
 
 use crate::study::extent::Extent;
 use crate::study::pages::part::Part;
-use crate::study::sources::{CHAIN, Places};
+use crate::study::sources::{self, CHAIN, Places};
+use kept::Kept;
 use trial::{Searched, Trial};
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
@@ -25,6 +27,7 @@ const SEARCHED_EVERY: u64 = 20;
 
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     let (mut part, count) = (Part::default(), extent.of(SCENES));
+    let kept = Kept::of(&sources::hash(SOURCES)?);
     let columns = [
         "scene",
         "asked",
@@ -42,12 +45,13 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     for number in 0..count {
         work.at(number as usize, count as usize);
         let asked_db = ASKED_DB[(number % 4) as usize];
-        let trial = Trial::of(&drawn::scene(1, number, if asked_db < -25.0 { 1 } else { 3 }), asked_db)?;
+        let scene = drawn::scene(1, number, if asked_db < -25.0 { 1 } else { 3 });
+        let trial = kept.or_made(&format!("planned-{number:03}"), || Trial::of(&scene, asked_db))?;
         part.row(&trial.cells());
         trials.push(trial);
     }
     told(&mut part, &trials);
-    searched(&mut part, count)?;
+    searched(&mut part, count, &kept)?;
     Ok(part)
 }
 
@@ -74,7 +78,7 @@ fn told(part: &mut Part, trials: &[Trial]) {
 }
 
 /// Plans beside the cheapest of all settings that err by no more than the plan spends.
-fn searched(part: &mut Part, count: u64) -> Result<(), Failure> {
+fn searched(part: &mut Part, count: u64, kept: &Kept) -> Result<(), Failure> {
     part.head(&[
         "scene",
         "spent",
@@ -88,7 +92,8 @@ fn searched(part: &mut Part, count: u64) -> Result<(), Failure> {
     for number in (0..count).step_by(SEARCHED_EVERY as usize) {
         work.at(number as usize, count as usize);
         let asked_db = ASKED_DB[((number / SEARCHED_EVERY) % 3) as usize];
-        let searched = Searched::of(&drawn::scene(2, number, 1), asked_db)?;
+        let scene = drawn::scene(2, number, 1);
+        let searched = kept.or_made(&format!("searched-{number:03}"), || Searched::of(&scene, asked_db))?;
         part.row(&searched.cells());
     }
     Ok(())

@@ -9,6 +9,7 @@ use artifact::units::db_from_amplitude;
 use bart_rcs::{FrameSurroundings, PathView, Tracer, scattering_of_paths, usual_road};
 use glam::DVec3;
 use num_complex::Complex64;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use wayside::host::failure::Failure;
 use wayside::host::files;
@@ -17,6 +18,7 @@ use wayside::planning::told::PlanFigures;
 use wayside::{Allowance, SceneSource};
 
 /// A planned scene beside its truth.
+#[derive(Serialize, Deserialize)]
 pub(super) struct Trial {
     name: String,
     plan: PlanFigures,
@@ -72,6 +74,7 @@ impl Trial {
 }
 
 /// The cheapest setting that keeps what a plan spends.
+#[derive(Serialize, Deserialize)]
 pub(super) struct Searched {
     name: String,
     spent_db: f64,
