@@ -1,17 +1,17 @@
 // Opens a report in Chromium and looks at what a reader sees: pixels, clicks, sliders, a telephone, paper.
 //
-//   node check.mjs CHROMIUM REPORT.html VIEW.html [FOLDER for pictures]
+//   node check.mjs CHROMIUM REPORT.html VIEW.html STUDY.html [FOLDER for pictures]
 //
-// The report is of several frames with paths of several bounces, the view of an `rcs` table over azimuth. The
-// last line is one of `cargo test`.
+// The report is of several frames with paths of several bounces, the view of an `rcs` table over azimuth, the study
+// of several designs and situations. The last line is one of `cargo test`.
 
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launch, pause } from "./chromium.mjs";
 
-const [program, report, body, folder] = process.argv.slice(2);
-const [url, urlOfBody] = [report, body].map((file) => pathToFileURL(resolve(file)).href);
+const [program, report, body, study, folder] = process.argv.slice(2);
+const [url, urlOfBody, urlOfStudy] = [report, body, study].map((file) => pathToFileURL(resolve(file)).href);
 const tally = { passed: 0, failed: 0 };
 
 function holds(claim, isTrue, seen) {
@@ -195,13 +195,59 @@ async function bodyIsViewed(page) {
   await page.size(1400, 900);
 }
 
+/** Sets a control of the view and tells it. */
+const set = (name, property, value) => `(() => {
+  const control = document.getElementById("viewer-${name}");
+  control.${property} = ${JSON.stringify(value)};
+  control.dispatchEvent(new Event("input"));
+})()`;
+
+async function studyIsViewed(page) {
+  await page.open(urlOfStudy);
+  holds("starts the view of a study", await page.value("typeof waysideViewer === 'object'"));
+  const [none, bodies, dots] = [
+    await page.value(COLOURS_OF_BODY([])),
+    await page.value(COLOURS_OF_BODY(["bodies"])),
+    await page.value(COLOURS_OF_BODY(["designs"])),
+  ];
+  holds("draws vehicles and designs", bodies > none + 20 && dots > none, [none, bodies, dots]);
+  await page.value("Object.keys(waysideViewer.view.state.layers).forEach((name) => {" +
+    " waysideViewer.view.state.layers[name] = true; }), waysideViewer.draw()");
+  const count = await page.value("waysideViewer.view.page.designs.length");
+  for (const [canvas, pixelOf] of [["space", "pixelOf"], ["chart", "pixelOnChart"]]) {
+    const box = await page.value(RECT(canvas));
+    const before = await page.value("waysideViewer.view.state.chosen");
+    const other = count - 1 - before;
+    const [x, y] = await page.value(`waysideViewer.${pixelOf}(${other})`);
+    await page.click(box.x + x, box.y + y);
+    await pause(100);
+    const [chosen, text] = [await page.value("waysideViewer.view.state.chosen"), await page.value(TEXT("panel"))];
+    const isTold = text.includes(`Design ${chosen}`) && text.includes("coverage");
+    holds(`tells of the design whose dot in the ${canvas} is clicked`, chosen === other && isTold, [other, chosen]);
+  }
+  const place = "waysideViewer.view.page.situations[waysideViewer.view.state.situation].bodies[1].place_m[0]";
+  const first = await page.value(place);
+  await page.value(set("situation", "value", 1));
+  const [second, words] = [await page.value(place), await page.value(TEXT("situation-told"))];
+  holds("goes from situation to situation", first !== second && words.includes("lane 3"), [first, second, words]);
+  const mean = await page.value(TEXT("scale-told"));
+  await page.value(set("alone", "checked", true));
+  const alone = await page.value(TEXT("scale-told"));
+  holds("colours one situation alone", mean.includes("mean over") && alone.includes("alone"), [mean, alone]);
+  await page.value(set("alone", "checked", false));
+  await page.value(set("metric", "value", "0"));
+  if (folder) await takePictures(page, "study", "around");
+  await telephone(page);
+  await page.size(1400, 900);
+}
+
 const PLACE_OF_VIEW = `(() => {
   const { y, height } = document.getElementById("viewer").getBoundingClientRect();
   return [y + scrollY, height];
 })()`;
 
 async function takePictures(page, name, place) {
-  await page.value(slide("level", -30));
+  if (name !== "study") await page.value(slide("level", -30));
   await page.value(`document.querySelector("#viewer [data-place=${place}]").click()`);
   for (const [width, height] of [
     [1400, 900],
@@ -239,6 +285,7 @@ try {
   if (folder) await takePictures(page, "report", "around");
   await telephone(page);
   await bodyIsViewed(page);
+  await studyIsViewed(page);
   await page.open(url);
   await withoutView(page);
 } finally {

@@ -7,6 +7,7 @@ mod false_objects;
 mod page;
 mod radars;
 pub(crate) mod rcs_view;
+pub(crate) mod sweep_view;
 mod tables;
 mod tracks;
 pub(crate) mod viewer;

@@ -24,10 +24,11 @@ use rounds::{Made, Rounds};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicUsize;
 use study::document::{RUNS_LIMIT, Study};
+use study::situations::Situation;
 use study::{acceptance, designs, kinds, situations};
 use told::blocks::{markdown, on_page};
 use told::report::{Done, answer as answer_of, details};
-use told::{picture, tables};
+use told::{picture, tables, view};
 
 /// Settings of a study: its file, and how it is carried out.
 pub struct Settings<'a> {
@@ -108,13 +109,13 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
         }
     };
     let answer = Answer::of(&study, &ledger);
-    let all: Vec<&situations::Situation> = situations.iter().flatten().collect();
+    let all: Vec<&Situation> = situations.iter().flatten().collect();
     let _writing = Writing::into_folder(&settings.out)?;
     let out = |name: &str| settings.out.join(name);
     files::write_file(&out("sweep.csv"), tables::runs(&study, &designs, &all, &ledger).as_bytes())?;
     files::write_file(&out("designs.csv"), tables::designs(&study, &designs, &ledger, &answer).as_bytes())?;
     let done = Done { study: &study, designs: &designs, ledger: &ledger, answer: &answer };
-    conclude(settings, &done).map(Some)
+    conclude(settings, &done, &all).map(Some)
 }
 
 /// Refuses too many runs before designs and situations are made, which are as many.
@@ -127,7 +128,7 @@ fn check_size(study: &Study) -> Result<(), Failure> {
 }
 
 /// Writes picture and report, and tells the answer.
-fn conclude(settings: &Settings, done: &Done) -> Result<Outcome, Failure> {
+fn conclude(settings: &Settings, done: &Done, situations: &[&Situation]) -> Result<Outcome, Failure> {
     let figure = Figure::of(|form: Form| picture::draw(done.study, done.answer, form));
     let out = |name: &str| settings.out.join(name);
     files::write_file(&out("pareto.svg"), figure.wide.text().as_bytes())?;
@@ -141,10 +142,12 @@ fn conclude(settings: &Settings, done: &Done) -> Result<Outcome, Failure> {
         markdown(&rest)
     );
     files::write_file(&out("report.md"), text.as_bytes())?;
+    let seen = view::of(done, situations)?;
     let page = report::sheet(
         &name,
         html! {
             @for block in &first { (on_page(block)) }
+            (report::sweep_view::section(&seen))
             (report::figure("Designs by what they are worth and what they cost.", &figure))
             @for block in &rest { (on_page(block)) }
             p.made {

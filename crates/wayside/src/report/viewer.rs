@@ -7,7 +7,8 @@ mod budget; // how much of a run the view holds
 mod ways; // the places that a path passes
 mod strongest_paths; // what is shown of a frame's paths
 mod map_cells; // a frame's map and whose echoes are in it
-mod surroundings; // radar, road and meshes
+pub(in crate::report) mod body_view; // a body where it stands
+pub(in crate::report) mod surroundings; // radar, road and meshes
 mod viewed_frame; // all of one frame
 mod section; // the part of the page
 

@@ -20,6 +20,7 @@ use crate::sweep::study::designs::changes;
 use crate::sweep::study::document::Study;
 use crate::sweep::study::situations::Situation;
 use artifact::scene::SceneHeader;
+use scene::Meshes;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -214,7 +215,7 @@ impl Rounds<'_> {
     fn scene(&self, number: usize, situations: &[Situation]) -> Result<SceneHeader, Failure> {
         let seed = situations[number % situations.len()].seed;
         let changes = self.changes(number, situations);
-        one_run::read(&self.study.scene, self.study.radar.as_deref(), &changes, seed)
+        one_run::read(&self.study.scene, self.study.radar.as_deref(), &changes, seed, Meshes::Whole)
     }
 
     /// One run a thread, as many as are expected to fit into the memory that they may take if all are as

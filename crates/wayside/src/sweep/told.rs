@@ -4,3 +4,4 @@ pub(crate) mod tables;
 pub(crate) mod picture;
 pub(crate) mod blocks;
 pub(crate) mod report;
+pub(crate) mod view;

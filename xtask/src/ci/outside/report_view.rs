@@ -43,6 +43,29 @@ y_m = 27.0
 velocity_mps = [0.0, -4.0, 0.0]
 "#;
 
+/// Study whose view is opened: four designs, two situations, of the same scene with one frame and one bounce.
+const STUDY: &str = r#"scene = "simple.toml"
+repeats = 1
+
+[[vary]]
+name = "array"
+key = "radar.array.preset"
+values = ["1x4", "3x4"]
+
+[[vary]]
+name = "height"
+key = "radar.position_m.2"
+values = [5.0, 7.0]
+
+[[condition]]
+name = "lane"
+key = "target.1.lane"
+values = [1, 3]
+
+[goal]
+metric = "coverage"
+"#;
+
 /// Table whose view is opened.
 const TABLE: [&str; 8] = [
     "rcs",
@@ -77,8 +100,14 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let mut table = Command::new(program);
     table.args(TABLE).arg("--out").arg(folder.join("out/S.npy"));
     finished(table.arg("--quiet"))?;
+    let simple = SCENE.replace("frames = 2", "frames = 1").replace("bounces = 2", "bounces = 1");
+    std::fs::write(folder.join("simple.toml"), simple).map_err(write)?;
+    std::fs::write(folder.join("study.toml"), STUDY).map_err(write)?;
+    let mut study = Command::new(table.get_program());
+    study.arg("sweep").arg(folder.join("study.toml")).arg("--out").arg(folder.join("out/study"));
+    finished(study.args(["--no-cache", "--quiet"]))?;
     let mut look = Command::new(node);
-    let pages = ["report.html", "S-view.html"].map(|name| folder.join("out").join(name));
+    let pages = ["report.html", "S-view.html", "study/report.html"].map(|name| folder.join("out").join(name));
     counted(look.arg(SCRIPT).arg(browser).args(pages), tally)
 }
 

@@ -11,18 +11,19 @@ use serde::Serialize;
 
 /// Radar, road and meshes of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct Surroundings {
+pub(in crate::report) struct Surroundings {
     radar: RadarView,
     /// Roads as rows of places left and right, world x and y, m.
     roads_m: Vec<[Vec<[f64; 2]>; 2]>,
     /// Lines of lanes.
     lines_m: Vec<Vec<[f64; 2]>>,
     lanes: Vec<LaneName>,
-    meshes: Vec<MeshView>,
+    pub(in crate::report) meshes: Vec<MeshView>,
 }
 
+/// A radar with its field of view.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-struct RadarView {
+pub(in crate::report) struct RadarView {
     position_m: [f64; 3],
     boresight_az_rad: f64,
     boresight_el_rad: f64,
@@ -44,7 +45,7 @@ struct LaneName {
 
 /// A mesh, or its box alone where there is no room for more.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-struct MeshView {
+pub(in crate::report) struct MeshView {
     /// Corners of the bounding box, body axes, m.
     box_m: [[f64; 3]; 2],
     triangles_all: usize,
@@ -57,7 +58,7 @@ struct MeshView {
 const STEP_M: f64 = 0.001;
 
 impl Surroundings {
-    pub(super) fn of(header: &SceneHeader) -> Self {
+    pub(in crate::report) fn of(header: &SceneHeader) -> Self {
         let (road, far_m) = (&header.dsp.road, header.radar.waveform.range_max_m());
         let near_m = header.intersection.width_m;
         let straight = |lane: &Lane| lane_m(road, lane, [near_m, far_m]);
@@ -71,12 +72,14 @@ impl Surroundings {
         };
         let lanes = road.lanes.iter().map(of_lane).chain(road.courses.iter().filter_map(course_name));
         let lanes = lanes.collect();
-        Self { radar: RadarView::of(&header.radar), roads_m, lines_m, lanes, meshes: meshes(header) }
+        let mut shelf = MeshShelf::default();
+        header.meshes.iter().for_each(|mesh| shelf.put(mesh));
+        Self { radar: RadarView::of(&header.radar), roads_m, lines_m, lanes, meshes: shelf.meshes }
     }
 }
 
 impl RadarView {
-    fn of(radar: &Radar) -> Self {
+    pub(in crate::report) fn of(radar: &Radar) -> Self {
         Self {
             position_m: radar.position_m,
             boresight_az_rad: radar.boresight_az_rad,
@@ -111,15 +114,20 @@ fn course_name(course: &Course) -> Option<LaneName> {
     Some(LaneName { name: format!("{} {}", course.number, course.name), at_m: *at_m })
 }
 
-/// Meshes in their order, whole as long as there is room.
-fn meshes(header: &SceneHeader) -> Vec<MeshView> {
-    let mut room = TRIANGLES;
-    let view = |mesh: &Mesh| {
-        let fits = mesh.triangles.len() <= room;
-        room -= if fits { mesh.triangles.len() } else { 0 };
-        MeshView::of(mesh, fits.then_some(mesh))
-    };
-    header.meshes.iter().map(view).collect()
+/// Meshes of a page, whole as long as there is room.
+#[derive(Default)]
+pub(in crate::report) struct MeshShelf {
+    pub(in crate::report) meshes: Vec<MeshView>,
+    triangles: usize,
+}
+
+impl MeshShelf {
+    /// Puts a mesh behind the others.
+    pub(in crate::report) fn put(&mut self, mesh: &Mesh) {
+        let fits = self.triangles + mesh.triangles.len() <= TRIANGLES;
+        self.triangles += if fits { mesh.triangles.len() } else { 0 };
+        self.meshes.push(MeshView::of(mesh, fits.then_some(mesh)));
+    }
 }
 
 impl MeshView {

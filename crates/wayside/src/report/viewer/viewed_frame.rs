@@ -3,6 +3,7 @@
 use crate::chain::link::{Chain, FrameProducts};
 use crate::host::failure::Failure;
 use crate::outcome::summary::{ErrorFigures, FrameSummary, ModelErrorFigures, Summary, TargetSummary};
+use crate::report::viewer::body_view::BodyView;
 use crate::report::viewer::budget::Budget;
 use crate::report::viewer::map_cells::MapCells;
 use crate::report::viewer::packed::Packed;
@@ -12,8 +13,6 @@ use crate::report::viewer::surroundings::Surroundings;
 use crate::report::viewer::ways::Folding;
 use artifact::paths::PathsFrame;
 use artifact::points::{Object, Point, PointsFrame};
-use artifact::scene::{Pose, Role, Target, TargetKind};
-use artifact::settings::Class;
 use artifact::tracks::{Track, TracksFrame};
 use evaluation::{FrameTruth, Origin};
 use radar::motion::pose_after;
@@ -38,17 +37,6 @@ struct ViewedFrame {
     points: PointsView,
     objects: Vec<ObjectView>,
     tracks: Vec<TrackView>,
-}
-
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct BodyView {
-    id: String,
-    class: Option<&'static str>,
-    is_clutter: bool,
-    /// Index of the mesh; `None` of a point.
-    mesh: Option<u32>,
-    place_m: [f64; 3],
-    yaw_rad: f64,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -175,23 +163,6 @@ impl ViewedFrame {
             objects: objects.map(|(i, object)| ObjectView::of(object, truth.pairing.body_of(i))).collect(),
             tracks: tracks.tracks.iter().map(TrackView::of).collect(),
         })
-    }
-}
-
-impl BodyView {
-    fn of(target: &Target, pose: &Pose) -> Self {
-        let (class, mesh) = match &target.kind {
-            TargetKind::Mesh { class, mesh, .. } => (class.map(Class::name), Some(*mesh)),
-            TargetKind::Point { .. } => (None, None),
-        };
-        Self {
-            id: target.id.clone(),
-            class,
-            is_clutter: target.role == Role::Clutter,
-            mesh,
-            place_m: pose.position_m,
-            yaw_rad: pose.yaw_rad,
-        }
     }
 }
 

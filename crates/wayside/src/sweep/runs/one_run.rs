@@ -37,14 +37,15 @@ pub(crate) struct Measured {
     hash: String,
 }
 
-/// The scene of a study, changed, with its models and its seed.
+/// The scene of a study, changed, with its models as far as they are asked for, and its seed.
 pub(crate) fn read(
     scene: &Path,
     radar: Option<&str>,
     changes: &[Change],
     seed: u64,
+    meshes: Meshes,
 ) -> Result<SceneHeader, Failure> {
-    let options = ReadOptions { model: None, radar: radar.map(str::to_owned), meshes: Meshes::Whole };
+    let options = ReadOptions { model: None, radar: radar.map(str::to_owned), meshes };
     let header = scene::read_changed(scene, changes, &options).map_err(loading::of_scene)?;
     let fidelity = Fidelity { measured_every: MEASURED_EVERY, ..header.fidelity };
     Ok(SceneHeader { seed, fidelity, ..header })

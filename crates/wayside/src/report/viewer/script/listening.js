@@ -93,7 +93,7 @@ function hearSpace(view) {
     const pointer = pointers.get(event.pointerId);
     pointers.delete(event.pointerId);
     if (pointer && pointer.moved < 5)
-      choose(view, bodyUnder(view.space, [event.offsetX, event.offsetY]));
+      choose(view, thingUnder(view.space, [event.offsetX, event.offsetY]));
   });
   canvas.addEventListener("pointercancel", (event) => pointers.delete(event.pointerId));
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());

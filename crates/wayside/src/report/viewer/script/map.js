@@ -178,6 +178,11 @@ function ticks({ from, to }, about) {
   );
 }
 
+/** Digits behind the point that tell values of such a step apart. */
+function digitsOf(step) {
+  return Math.min(6, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
+}
+
 function drawAxes(sheet, colours, xName, yName) {
   const { context, box, across, up, x, y } = sheet;
   context.strokeStyle = colours.soft;
@@ -185,7 +190,7 @@ function drawAxes(sheet, colours, xName, yName) {
   context.font = "12px system-ui, sans-serif";
   context.lineWidth = 1;
   context.strokeRect(box.left, box.top, box.right - box.left, box.bottom - box.top);
-  const digits = (values) => (values.length > 1 && values[1] - values[0] < 1 ? 1 : 0);
+  const digits = (values) => (values.length > 1 ? digitsOf(values[1] - values[0]) : 0);
   const columns = ticks(x, (box.right - box.left) / 65);
   context.textAlign = "center";
   for (const value of columns)

@@ -49,19 +49,14 @@ function rayMarks(rays) {
 
 function drawBodyNow({ space, state }) {
   if (!space) return;
-  const { canvas, graphics } = space;
+  const { graphics } = space;
   const { gl } = graphics;
-  const pixels = resize(canvas);
-  gl.viewport(0, 0, canvas.width, canvas.height);
-  gl.clearColor(...rgba(state.colours.paper).slice(0, 3), 1);
-  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  const look = beginPicture(space);
   gl.enable(gl.DEPTH_TEST);
-  const clip = clipFromWorld(state.camera, canvas.width / canvas.height);
-  if (state.layers.body) drawFacets(space, clip);
+  if (state.layers.body) drawFacets(space, look.clip);
   gl.depthMask(false);
   const count = space.ends[state.shown];
-  const look = { clip, pixels, colours: state.colours.marks, form: FORM.line, count };
-  if (state.layers.rays) drawMarks(graphics, space.rays, look);
+  if (state.layers.rays) drawMarks(graphics, space.rays, { ...look, form: FORM.line, count });
   gl.depthMask(true);
 }
 
@@ -76,7 +71,7 @@ function drawFacets({ graphics, surfaces, state }, clip) {
 }
 
 /** The facet that the ray through a pixel meets first; `null` if none. */
-function bodyUnder({ canvas, state }, [x, y]) {
+function thingUnder({ canvas, state }, [x, y]) {
   const at = [(2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight];
   const ray = rayThrough(state.camera, canvas.clientWidth / canvas.clientHeight, at);
   const { corners, triangles } = state.page;

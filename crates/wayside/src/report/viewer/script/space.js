@@ -6,37 +6,20 @@ const CURSOR_CELLS = 1.5;
 function makeSpace(canvas, page, state) {
   const graphics = makeGraphics(canvas);
   if (!graphics) return null;
-  const { radar, roads_m, lines_m, meshes } = page.surroundings;
-  const surface = ({ corners, triangles }) => surfaceBuffer(graphics, corners, triangles);
-  const lanes = lines_m.flatMap((line) => {
-    const out = [];
-    addLines(
-      out,
-      line.map(([x, y]) => [x, y, LINE_HEIGHT_M]),
-      { colour: MARK.lanes },
-    );
-    return out;
-  });
+  const { surroundings } = page;
+  const { radar } = surroundings;
   return {
     canvas,
     graphics,
     page,
     state,
     radar,
-    road: surface(roadSurface(roads_m)),
-    beam: surface(beamSurface(radar)),
-    lanes: markBuffer(graphics, lanes),
+    ...makeSurroundings(graphics, surroundings),
+    beam: surfaceOf(graphics, beamSurface(radar)),
     radarLines: markBuffer(graphics, radarLines(radar)),
     radarDot: markBuffer(graphics, radarDot(radar)),
-    meshes: meshes.map((mesh) => surface(meshSurface(mesh))),
     frame: null,
   };
-}
-
-function meshSurface({ corners_m, triangles, box_m }) {
-  return corners_m
-    ? { corners: corners_m, triangles }
-    : { corners: boxCorners(box_m).flat(), triangles: FACES };
 }
 
 /** Puts the marks of a frame on the card, in the place of those before. */
@@ -58,61 +41,21 @@ function showFrame(space, frame) {
 }
 
 function drawSpace(space) {
-  const {
-    canvas,
-    graphics: { gl },
-    state,
-  } = space;
-  const pixels = resize(canvas);
-  gl.viewport(0, 0, canvas.width, canvas.height);
-  gl.clearColor(...rgba(state.colours.paper).slice(0, 3), 1);
-  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-  const clip = clipFromWorld(state.camera, canvas.width / canvas.height);
-  drawGround(space, clip, pixels);
-  gl.enable(gl.DEPTH_TEST);
-  if (state.layers.bodies) drawBodies(space, clip);
-  drawFrameMarks(space, { clip, pixels, colours: state.colours.marks });
-  drawCursor(space, { clip, pixels, colours: state.colours.marks });
+  const { graphics, state } = space;
+  const look = beginPicture(space);
+  drawGround(space, look);
+  graphics.gl.enable(graphics.gl.DEPTH_TEST);
+  const isFaint = (index) => state.chosen !== null && state.chosen !== index;
+  if (state.layers.bodies) drawBodies(space, look, state.frame.bodies, isFaint);
+  drawFrameMarks(space, look);
+  drawCursor(space, look);
 }
 
 /** The ground is flat and lies below everything: it needs no depth. */
-function drawGround(space, clip, pixels) {
-  const {
-    graphics,
-    graphics: { gl },
-    state,
-  } = space;
-  const marks = { clip, pixels, colours: state.colours.marks, form: FORM.line };
-  gl.disable(gl.DEPTH_TEST);
-  drawSurface(graphics, space.road, { clip, colour: rgba(state.colours.road) });
-  drawMarks(graphics, space.lanes, marks);
-  if (state.layers.beam) {
-    drawSurface(graphics, space.beam, { clip, colour: [...state.colours.named.c0.slice(0, 3), 0.07] });
-    drawMarks(graphics, space.radarLines, marks);
-  }
-}
-
-function drawBodies(space, clip) {
-  const { graphics, state } = space;
-  state.frame.bodies.forEach((body, index) => {
-    if (body.mesh === null) return;
-    const isFaint = state.chosen !== null && state.chosen !== index;
-    const colour = toned(
-      bodyColour(state.colours, body),
-      rgba(state.colours.paper),
-      isFaint ? 0.6 : 0.15,
-    );
-    drawSurface(graphics, space.meshes[body.mesh], {
-      clip,
-      body: worldFromBody(body.place_m, body.yaw_rad),
-      colour,
-      shaded: 1,
-    });
-  });
-}
-
-function bodyColour({ named }, body) {
-  return named[body.is_clutter ? "clutter" : (body.class ?? "plain")];
+function drawGround(space, look) {
+  space.graphics.gl.disable(space.graphics.gl.DEPTH_TEST);
+  drawRoad(space, look);
+  if (space.state.layers.beam) drawBeam(space, look, space);
 }
 
 /** Lines are hidden by the bodies before them; what was detected is not. */
@@ -166,21 +109,8 @@ function drawCursor(space, look) {
   forget(space.graphics, buffer);
 }
 
-/** Pixels of the page of a world place; `null` behind the eye. */
-function onScreen({ canvas, state }, place) {
-  const clip = clipFromWorld(state.camera, canvas.width / canvas.height);
-  const along = (row) =>
-    clip[row] * place[0] + clip[4 + row] * place[1] + clip[8 + row] * place[2] + clip[12 + row];
-  const depth = along(3);
-  if (depth <= 0) return null;
-  return [
-    (canvas.clientWidth * (along(0) / depth + 1)) / 2,
-    (canvas.clientHeight * (1 - along(1) / depth)) / 2,
-  ];
-}
-
 /** The nearest body whose box the ray through a pixel meets; `null` if none. */
-function bodyUnder(space, [x, y]) {
+function thingUnder(space, [x, y]) {
   const { canvas, state } = space;
   const at = [(2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight];
   const ray = rayThrough(state.camera, canvas.clientWidth / canvas.clientHeight, at);

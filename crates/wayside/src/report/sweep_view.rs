@@ -1,0 +1,295 @@
+//! The designs of a study to walk around: where each stands, what it is worth by any metric, and the vehicles
+//! that it was tried on. It stands in the study's report and is hidden where no script runs.
+
+use crate::report::viewer::body_view::BodyView;
+use crate::report::viewer::page_script::{json, scripts};
+use crate::report::viewer::surroundings::{MeshShelf, RadarView, Surroundings};
+use artifact::envelope::fingerprint;
+use artifact::radar::Radar;
+use artifact::scene::SceneHeader;
+use maud::{Markup, html};
+use radar::motion::pose_after;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// A study as its view shows it; designs and situations by their places in its lists.
+pub(crate) struct SweepView {
+    /// Names of what was varied.
+    pub(crate) axes: Vec<String>,
+    pub(crate) metrics: Vec<Metric>,
+    /// Metric that the study chooses by, and the one that a design costs.
+    pub(crate) goal: usize,
+    pub(crate) cost: usize,
+    pub(crate) designs: Vec<Design>,
+    /// Designs of the study, more than there are in the view where that has no room.
+    pub(crate) designs_all: usize,
+    pub(crate) answer: Option<usize>,
+    pub(crate) best: Option<usize>,
+    /// The first situations; one at least.
+    pub(crate) situations: Vec<Situation>,
+    pub(crate) situations_all: usize,
+}
+
+#[derive(Serialize)]
+pub(crate) struct Metric {
+    pub(crate) name: String,
+    pub(crate) is_lower_better: bool,
+}
+
+pub(crate) struct Design {
+    /// Number in the study.
+    pub(crate) number: usize,
+    /// What it has of each axis.
+    pub(crate) labels: Vec<String>,
+    pub(crate) radar: Radar,
+    /// Mean of each metric and half the width of its interval; `None` where they are not known.
+    pub(crate) means: Vec<Option<(f64, Option<f64>)>>,
+    /// The goal's metric in each situation of the view.
+    pub(crate) goal_by_situation: Vec<Option<f64>>,
+    /// Situations that it has seen.
+    pub(crate) situations: usize,
+    pub(crate) is_candidate: bool,
+    pub(crate) is_on_front: bool,
+}
+
+/// The first frame of a situation.
+pub(crate) struct Situation {
+    pub(crate) words: String,
+    pub(crate) header: SceneHeader,
+}
+
+/// Numbers of the page.
+#[derive(Serialize)]
+struct Page<'a> {
+    axes: &'a [String],
+    metrics: &'a [Metric],
+    goal: usize,
+    cost: usize,
+    answer: Option<usize>,
+    best: Option<usize>,
+    radars: Vec<StandingRadar>,
+    designs: Vec<PageDesign<'a>>,
+    situations: Vec<PageSituation<'a>>,
+    situations_all: usize,
+    surroundings: Surroundings,
+}
+
+/// A radar of one design or of several.
+#[derive(PartialEq, Serialize)]
+struct StandingRadar {
+    #[serde(flatten)]
+    view: RadarView,
+    stands: String,
+}
+
+#[derive(Serialize)]
+struct PageDesign<'a> {
+    number: usize,
+    labels: &'a [String],
+    /// Index among the radars.
+    radar: usize,
+    means: &'a [Option<(f64, Option<f64>)>],
+    goal_by_situation: &'a [Option<f64>],
+    situations: usize,
+    is_candidate: bool,
+    is_on_front: bool,
+}
+
+#[derive(Serialize)]
+struct PageSituation<'a> {
+    words: &'a str,
+    bodies: Vec<BodyView>,
+}
+
+/// The view's script, in the order in which its parts use each other.
+const SCRIPT: [&str; 15] = [
+    include_str!("viewer/script/numbers.js"),
+    include_str!("viewer/script/matrices.js"),
+    include_str!("viewer/script/camera.js"),
+    include_str!("viewer/script/graphics.js"),
+    include_str!("viewer/script/colours.js"),
+    include_str!("viewer/script/shapes.js"),
+    include_str!("viewer/script/picture.js"),
+    include_str!("viewer/script/surroundings.js"),
+    include_str!("viewer/script/map.js"),
+    include_str!("viewer/script/cuts.js"),
+    include_str!("viewer/script/panel.js"),
+    include_str!("viewer/script/names.js"),
+    include_str!("viewer/script/listening.js"),
+    include_str!("viewer/script/sweep_chart.js"),
+    include_str!("viewer/script/sweep_view.js"),
+];
+
+/// The part of the report that the view stands in; nothing of a study without a situation.
+pub(crate) fn section(view: &SweepView) -> Markup {
+    let Some(page) = view.page() else { return html! {} };
+    let Ok(numbers) = json(&page) else { return html! {} };
+    html! {
+        section #viewer hidden {
+            h2 { "Walk around" }
+            (controls(view))
+            div.viewer-scene {
+                div #viewer-space-place {
+                    canvas #viewer-space tabindex="0" role="img" aria-label="The designs in three dimensions" {}
+                    div #viewer-names {}
+                }
+                div #viewer-panel aria-live="polite" {}
+            }
+            p.made { i #viewer-scale {} span #viewer-scale-told {} ". A dot is a design, a plain one where the metric is not known; "
+                "those of one place stand side by side. A click on a dot, here or in the chart, chooses it: its field of view "
+                "is shown, and what it was worth. Drag turns the view, with the right button or Shift moves it; the wheel comes "
+                "nearer once the picture was clicked." }
+            @if view.designs.len() < view.designs_all {
+                p.made { (view.designs.len()) " of " (view.designs_all) " designs are shown: the front, the candidates "
+                    "and the best of the others." }
+            }
+            div.viewer-maps {
+                div { canvas #viewer-chart role="img" aria-label="Designs by two metrics" {}
+                    p.made { "Every design by two metrics: the wider ring is the answer, the other one the chosen design." } }
+            }
+        }
+        (scripts(&numbers, &SCRIPT))
+    }
+}
+
+fn controls(view: &SweepView) -> Markup {
+    let layers =
+        [("designs", "designs"), ("bodies", "vehicles"), ("beam", "field of view"), ("names", "names")];
+    let places = [("around", "from the side"), ("radar", "from the radar"), ("above", "from above")];
+    let told = [(view.answer, "the answer"), (view.best, "the best mean")];
+    html! {
+        div.viewer-controls {
+            label { "colours: " (metrics("metric", view, view.goal)) }
+            label { "over: " (metrics("across", view, view.cost)) }
+            label { "design " select #viewer-design {
+                @for (place, design) in view.designs.iter().enumerate() {
+                    option value=(place) { (design.number) ": " (design.labels.join(", ")) }
+                }
+            } }
+            @for (design, words) in told {
+                @if let Some(design) = design { button type="button" data-design=(design) { (words) } }
+            }
+        }
+        div.viewer-controls {
+            label { "situation " input #viewer-situation type="range" min="0" max=(view.situations.len() - 1) value="0" step="1";
+                output #viewer-situation-told {} }
+            label { input #viewer-alone type="checkbox"; " colours of this situation alone" }
+        }
+        div.viewer-controls {
+            @for (name, words) in layers {
+                label { input type="checkbox" data-layer=(name) checked; " " (words) }
+            }
+            @for (place, words) in places { button type="button" data-place=(place) { (words) } }
+        }
+    }
+}
+
+fn metrics(name: &str, view: &SweepView, chosen: usize) -> Markup {
+    html! {
+        select id={ "viewer-" (name) } {
+            @for (place, metric) in view.metrics.iter().enumerate() {
+                option value=(place) selected[place == chosen] { (metric.name) }
+            }
+        }
+    }
+}
+
+impl SweepView {
+    /// `None` of a study without a situation.
+    fn page(&self) -> Option<Page<'_>> {
+        let mut surroundings = Surroundings::of(&self.situations.first()?.header);
+        let (situations, meshes) = self.bodies();
+        surroundings.meshes = meshes.meshes;
+        let (designs, radars) = self.standing();
+        let Self { goal, cost, answer, best, situations_all, .. } = *self;
+        let (axes, metrics) = (&self.axes[..], &self.metrics[..]);
+        Some(Page {
+            axes,
+            metrics,
+            goal,
+            cost,
+            answer,
+            best,
+            radars,
+            designs,
+            situations,
+            situations_all,
+            surroundings,
+        })
+    }
+
+    /// Designs and the radars that they share.
+    fn standing(&self) -> (Vec<PageDesign<'_>>, Vec<StandingRadar>) {
+        let mut radars: Vec<StandingRadar> = vec![];
+        let mut index = |design: &Design| {
+            let radar = StandingRadar::of(&design.radar);
+            radars.iter().position(|known| *known == radar).unwrap_or_else(|| {
+                radars.push(radar);
+                radars.len() - 1
+            })
+        };
+        let designs = self.designs.iter().map(|design| PageDesign::of(design, index(design))).collect();
+        (designs, radars)
+    }
+
+    /// Bodies of each situation, and their meshes, each once.
+    fn bodies(&self) -> (Vec<PageSituation<'_>>, MeshShelf) {
+        let (mut shelf, mut places) = (MeshShelf::default(), BTreeMap::new());
+        let situations = self.situations.iter().map(|Situation { words, header }| {
+            let of_header: Vec<u32> = header
+                .meshes
+                .iter()
+                .map(|mesh| {
+                    *places.entry(fingerprint(mesh)).or_insert_with(|| {
+                        shelf.put(mesh);
+                        shelf.meshes.len() as u32 - 1
+                    })
+                })
+                .collect();
+            PageSituation { words, bodies: bodies(header, &of_header) }
+        });
+        (situations.collect(), shelf)
+    }
+}
+
+/// Bodies in the middle of the first frame, by the places of their meshes in the page.
+fn bodies(header: &SceneHeader, meshes: &[u32]) -> Vec<BodyView> {
+    let (view, frame) = (scene::frame_view(header, 0), scene::snapshot(header, 0));
+    let middle_s = header.radar.frame_middle_s();
+    let body = |(target, pose)| {
+        let body = BodyView::of(target, &pose_after(pose, middle_s));
+        BodyView { mesh: body.mesh.map(|mesh| meshes[mesh as usize]), ..body }
+    };
+    view.targets.iter().zip(&frame.poses).map(body).collect()
+}
+
+impl StandingRadar {
+    fn of(radar: &Radar) -> Self {
+        let [x, y, z] = radar.position_m.map(|m| format!("{m:.2}").replace('-', "−"));
+        let [azimuth, elevation] = [radar.boresight_az_rad, radar.boresight_el_rad]
+            .map(|angle| format!("{:.1}°", angle.to_degrees()).replace('-', "−"));
+        let stands =
+            format!("stands at x {x}, y {y}, z {z} m; boresight: azimuth {azimuth}, elevation {elevation}");
+        Self { view: RadarView::of(radar), stands }
+    }
+}
+
+impl<'a> PageDesign<'a> {
+    fn of(design: &'a Design, radar: usize) -> Self {
+        let Design { number, situations, is_candidate, is_on_front, .. } = *design;
+        let (labels, means) = (&design.labels[..], &design.means[..]);
+        let goal_by_situation = &design.goal_by_situation[..];
+        Self { number, labels, radar, means, goal_by_situation, situations, is_candidate, is_on_front }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::viewer::page_script::reads_as_the_source_does;
+
+    #[test]
+    fn the_script_reads_as_the_rest_of_the_source_does() {
+        reads_as_the_source_does(&SCRIPT);
+    }
+}

@@ -1,0 +1,35 @@
+//! A body of a view: what it is called, its mesh, and where it stands.
+
+use artifact::scene::{Pose, Role, Target, TargetKind};
+use artifact::settings::Class;
+use serde::Serialize;
+
+/// A body where it stands.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(in crate::report) struct BodyView {
+    id: String,
+    class: Option<&'static str>,
+    is_clutter: bool,
+    /// Index of the mesh; `None` of a point.
+    pub(in crate::report) mesh: Option<u32>,
+    place_m: [f64; 3],
+    yaw_rad: f64,
+}
+
+impl BodyView {
+    /// The body of a target at a pose.
+    pub(in crate::report) fn of(target: &Target, pose: &Pose) -> Self {
+        let (class, mesh) = match &target.kind {
+            TargetKind::Mesh { class, mesh, .. } => (class.map(Class::name), Some(*mesh)),
+            TargetKind::Point { .. } => (None, None),
+        };
+        Self {
+            id: target.id.clone(),
+            class,
+            is_clutter: target.role == Role::Clutter,
+            mesh,
+            place_m: pose.position_m,
+            yaw_rad: pose.yaw_rad,
+        }
+    }
+}
