@@ -143,10 +143,8 @@ pub(crate) fn section(view: &SweepView) -> Markup {
                 p.made { (view.designs.len()) " of " (view.designs_all) " designs are shown: the front, the candidates "
                     "and the best of the others." }
             }
-            div.viewer-maps {
-                div { canvas #viewer-chart role="img" aria-label="Designs by two metrics" {}
-                    p.made { "Every design by two metrics: the wider ring is the answer, the other one the chosen design." } }
-            }
+            canvas #viewer-chart role="img" aria-label="Designs by two metrics" {}
+            p.made { "Every design by two metrics: the wider ring is the answer, the other one the chosen design." }
         }
         (scripts(&numbers, &SCRIPT))
     }
@@ -257,8 +255,7 @@ fn bodies(header: &SceneHeader, meshes: &[u32]) -> Vec<BodyView> {
     let (view, frame) = (scene::frame_view(header, 0), scene::snapshot(header, 0));
     let middle_s = header.radar.frame_middle_s();
     let body = |(target, pose)| {
-        let body = BodyView::of(target, &pose_after(pose, middle_s));
-        BodyView { mesh: body.mesh.map(|mesh| meshes[mesh as usize]), ..body }
+        BodyView::of(target, &pose_after(pose, middle_s)).with_mesh(|mesh| meshes[mesh as usize])
     };
     view.targets.iter().zip(&frame.poses).map(body).collect()
 }

@@ -54,8 +54,9 @@ values = ["1x4", "3x4"]
 
 [[vary]]
 name = "height"
-key = "radar.position_m.2"
-values = [5.0, 7.0]
+key = "radar.position_m"
+values = [[0.0, 0.0, 5.0], [0.0, 0.0, 7.0]]
+labels = ["5 m", "7 m"]
 
 [[condition]]
 name = "lane"

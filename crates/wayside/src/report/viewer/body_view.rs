@@ -11,7 +11,7 @@ pub(in crate::report) struct BodyView {
     class: Option<&'static str>,
     is_clutter: bool,
     /// Index of the mesh; `None` of a point.
-    pub(in crate::report) mesh: Option<u32>,
+    mesh: Option<u32>,
     place_m: [f64; 3],
     yaw_rad: f64,
 }
@@ -31,5 +31,10 @@ impl BodyView {
             place_m: pose.position_m,
             yaw_rad: pose.yaw_rad,
         }
+    }
+
+    /// The body with its mesh at another place among the page's.
+    pub(in crate::report) fn with_mesh(self, place: impl Fn(u32) -> u32) -> Self {
+        Self { mesh: self.mesh.map(place), ..self }
     }
 }

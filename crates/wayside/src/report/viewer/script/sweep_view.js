@@ -206,12 +206,16 @@ function chooseMetric(view) {
   const ends = endsOfWorth(state);
   const { name } = page.metrics[metricShown(state)];
   const over = state.isAlone ? "in this situation alone" : "mean over the situations";
-  part("scale-told").textContent = ends
-    ? ` ${name}, ${over}: from ${shortly(ends[0])}, the worst, to ${shortly(ends[1])}, the best`
-    : ` ${name}, ${over}: known of no design`;
+  part("scale-told").textContent = ` ${name}, ${over}: ${toldOfEnds(ends)}`;
   putDots(view);
   nameThings(view);
   redraw(view);
+}
+
+function toldOfEnds(ends) {
+  if (!ends) return "known of no design";
+  const [worst, best] = ends.map(shortly);
+  return worst === best ? `${best} of all designs` : `from ${worst}, the worst, to ${best}, the best`;
 }
 
 /** A number with three digits that tell. */
