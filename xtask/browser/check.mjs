@@ -2,8 +2,8 @@
 //
 //   node check.mjs CHROMIUM REPORT.html VIEW.html STUDY.html [FOLDER for pictures]
 //
-// The report is of several frames with paths of several bounces, the view of an `rcs` table over azimuth, the study
-// of several designs and situations. The last line is one of `cargo test`.
+// The report is of several frames with paths of several bounces, the view of an `rcs` table over azimuth, the
+// study of several designs and situations. The last line is one of `cargo test`.
 
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -221,15 +221,18 @@ async function studyIsViewed(page) {
     const [x, y] = await page.value(`waysideViewer.${pixelOf}(${other})`);
     await page.click(box.x + x, box.y + y);
     await pause(100);
-    const [chosen, text] = [await page.value("waysideViewer.view.state.chosen"), await page.value(TEXT("panel"))];
+    const chosen = await page.value("waysideViewer.view.state.chosen");
+    const text = await page.value(TEXT("panel"));
     const isTold = text.includes(`Design ${chosen}`) && text.includes("coverage");
-    holds(`tells of the design whose dot in the ${canvas} is clicked`, chosen === other && isTold, [other, chosen]);
+    const claim = `tells of the design whose dot in the ${canvas} is clicked`;
+    holds(claim, chosen === other && isTold, [other, chosen]);
   }
   const place = "waysideViewer.view.page.situations[waysideViewer.view.state.situation].bodies[1].place_m[0]";
   const first = await page.value(place);
   await page.value(set("situation", "value", 1));
   const [second, words] = [await page.value(place), await page.value(TEXT("situation-told"))];
-  holds("goes from situation to situation", first !== second && words.includes("lane 3"), [first, second, words]);
+  const isOther = first !== second && words.includes("lane 3");
+  holds("goes from situation to situation", isOther, [first, second, words]);
   const mean = await page.value(TEXT("scale-told"));
   await page.value(set("alone", "checked", true));
   const alone = await page.value(TEXT("scale-told"));

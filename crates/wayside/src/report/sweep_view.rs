@@ -120,6 +120,12 @@ const SCRIPT: [&str; 15] = [
     include_str!("viewer/script/sweep_view.js"),
 ];
 
+/// How the view is read and moved.
+const HOW: &str = ". A dot is a design, a plain one where the metric is not known; those of one place stand side \
+                   by side. A click on a dot, here or in the chart, chooses it: its field of view is shown, and \
+                   what it was worth. Drag turns the view, with the right button or Shift moves it; the wheel \
+                   comes nearer once the picture was clicked.";
+
 /// The part of the report that the view stands in; nothing of a study without a situation.
 pub(crate) fn section(view: &SweepView) -> Markup {
     let Some(page) = view.page() else { return html! {} };
@@ -135,16 +141,15 @@ pub(crate) fn section(view: &SweepView) -> Markup {
                 }
                 div #viewer-panel aria-live="polite" {}
             }
-            p.made { i #viewer-scale {} span #viewer-scale-told {} ". A dot is a design, a plain one where the metric is not known; "
-                "those of one place stand side by side. A click on a dot, here or in the chart, chooses it: its field of view "
-                "is shown, and what it was worth. Drag turns the view, with the right button or Shift moves it; the wheel comes "
-                "nearer once the picture was clicked." }
+            p.made { i #viewer-scale {} span #viewer-scale-told {} (HOW) }
             @if view.designs.len() < view.designs_all {
-                p.made { (view.designs.len()) " of " (view.designs_all) " designs are shown: the front, the candidates "
-                    "and the best of the others." }
+                p.made { (view.designs.len()) " of " (view.designs_all) " designs are shown: the front, the "
+                    "candidates and the best of the others." }
             }
             canvas #viewer-chart role="img" aria-label="Designs by two metrics" {}
-            p.made { "Every design by two metrics: the wider ring is the answer, the other one the chosen design." }
+            p.made {
+                "Every design by two metrics: the wider ring is the answer, the other one the chosen design."
+            }
         }
         (scripts(&numbers, &SCRIPT))
     }
@@ -169,7 +174,8 @@ fn controls(view: &SweepView) -> Markup {
             }
         }
         div.viewer-controls {
-            label { "situation " input #viewer-situation type="range" min="0" max=(view.situations.len() - 1) value="0" step="1";
+            label { "situation "
+                input #viewer-situation type="range" min="0" max=(view.situations.len() - 1) value="0" step="1";
                 output #viewer-situation-told {} }
             label { input #viewer-alone type="checkbox"; " colours of this situation alone" }
         }

@@ -1,4 +1,4 @@
-//! Rows that an earlier run of the same sources has made: a study of hours that is ended goes on where it was.
+//! Rows that an earlier run of the same sources has made: a study that is ended goes on where it was.
 
 use serde::{Serialize, de::DeserializeOwned};
 use std::path::PathBuf;
