@@ -1,6 +1,7 @@
 //! S of all edges that both ends light.
 
-use crate::edges::edge_currents::{EdgeNode, EdgePart, amplitude_of, edge_amplitudes, for_each_part};
+use crate::edges::edge_currents::{edge_amplitudes, for_each_part};
+use crate::edges::edge_node::{EdgeNode, EdgePart, amplitude_of};
 use crate::edges::lit_edge::EdgeJoint;
 use crate::integral::node::Estimate;
 use crate::joins::band::{self, Band, Groups, INTERPOLATION_ERROR, Kind};

@@ -58,6 +58,11 @@ impl EndCurrent {
         Self { ab, b, square_in: s * s, of_wave, of_edge, along_ray }
     }
 
+    /// Root of κd(a + b)/k after a way: the wave has fallen off as W of it times √k.
+    pub(crate) fn falloff_root(&self, way_m: f64) -> f64 {
+        (self.square_in * way_m * self.ab).sqrt()
+    }
+
     /// Current beyond a way by `[received][sent]`, and W(√(κd(a + b))): how the edge wave has fallen off
     /// after the way.
     pub(crate) fn beyond(&self, way_m: f64, wavenumber_per_m: f64) -> ([Complex64; 4], Complex64) {

@@ -11,7 +11,7 @@
 //! [`crate::integral::physical_optics`] and Φ the field behind the other facet, [`Window::field`]. |g|² + h/k
 //! in place of |g|², h = 1/L₁ + 1/L₂, keeps it finite at a stationary point, where the polygon has it.
 
-use crate::edges::edge_currents::{EdgePart, PER_ROOT_PI, amplitude_of};
+use crate::edges::edge_node::{EdgePart, PER_ROOT_PI, amplitude_of};
 use crate::edges::edge_scattering::{RUN, WholeWay, over_band};
 use crate::edges::line_integral::{Integrand, Piece, for_each_piece};
 use crate::edges::mirror_window::{FlatPatch, OutlineSide, Window};

@@ -14,7 +14,7 @@ use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, seque
 use crate::oversight::error::BartError;
 use crate::table::aspect::Aspect;
 use crate::table::meeting::{MeetingSettings, OrderJoints};
-use crate::table::rcs_request::{RcsRequest, aspects};
+use crate::table::rcs_request::{RcsRequest, traced_aspects};
 use crate::table::rcs_table::{aspect_settings, check, skin};
 use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
@@ -47,7 +47,7 @@ pub fn contributions(
 ) -> Result<Vec<Contribution>, BartError> {
     check(request)?;
     let world = World::of_skin(mesh, skin(request))?;
-    let aspects = aspects(request);
+    let aspects = traced_aspects(request, &world);
     let Some(aspect) = aspects.get(aspect) else { return Ok(Vec::new()) };
     let settings = aspect_settings(request, &world, request.accuracy.amplitude());
     let transmit = BeamTree::trace(&world, aspect.transmit.0, &settings.trace)?;

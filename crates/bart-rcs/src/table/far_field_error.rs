@@ -9,7 +9,7 @@ use crate::bodies::world::World;
 use crate::oversight::error::BartError;
 use crate::table::amplitude_ratio::ratio;
 use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scattering};
-use crate::table::rcs_request::{RcsRequest, aspects};
+use crate::table::rcs_request::{RcsRequest, traced_aspects};
 use artifact::units::db_from_power;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -77,7 +77,7 @@ pub(crate) fn far_field_error(
     };
     let cases: Vec<(usize, Aspect)> = ranges_m
         .iter()
-        .map(|range_m| aspects(&request.at_range(*range_m)))
+        .map(|range_m| traced_aspects(&request.at_range(*range_m), world))
         .flat_map(|there| chosen.iter().map(move |&index| (index, there[index])))
         .collect();
     let compare = |&(index, aspect): &(usize, Aspect)| {

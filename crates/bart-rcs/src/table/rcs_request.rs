@@ -1,5 +1,7 @@
 //! Request of a table of S, and the antennas of its aspects.
 
+use crate::bodies::world::World;
+use crate::edges::edge_on::off_sheets;
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
 use crate::table::aspect::Aspect;
@@ -76,4 +78,17 @@ pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
         .iter()
         .flat_map(|el| request.azimuth_rad.iter().map(move |az| of(*el, *az)))
         .collect()
+}
+
+/// Aspects as they are traced: with edges on, no antenna stands in the plane of a sheet.
+pub(crate) fn traced_aspects(request: &RcsRequest, world: &World) -> Vec<Aspect> {
+    let asked = aspects(request);
+    if request.edges == Edges::Ignored {
+        return asked;
+    }
+    let edges = world.edges(request.wavenumbers_per_m().into_iter().fold(0.0, f64::max));
+    let traced = |(antenna, zenith_h)| (off_sheets(antenna, edges), zenith_h);
+    let aspect =
+        |Aspect { transmit, receive }| Aspect { transmit: traced(transmit), receive: receive.map(traced) };
+    asked.into_iter().map(aspect).collect()
 }

@@ -16,7 +16,7 @@ use crate::table::aspect::{
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
 use crate::table::keeper::{Keeper, NothingKept, Piece};
-use crate::table::rcs_request::{RcsRequest, aspects};
+use crate::table::rcs_request::{RcsRequest, traced_aspects};
 use crate::table::work_meter::WorkMeter;
 use artifact::material::{Makeup, Material, Transmission};
 use artifact::scene::Mesh;
@@ -133,8 +133,8 @@ pub fn rcs_within(
     let limit = surroundings.memory_limit;
     let meter = WorkMeter::new(surroundings.clock_s);
     let start_s = meter.total_s();
-    let aspects = aspects(request);
-    let at_a_time = aspects.len().min(rayon::current_num_threads());
+    let count = request.elevation_rad.len() * request.azimuth_rad.len();
+    let at_a_time = count.min(rayon::current_num_threads());
     let fits = |triangles: usize| {
         limit.check_estimate(triangles, memory_estimate_bytes(triangles, request.bounces, at_a_time))
     };
@@ -144,6 +144,7 @@ pub fn rcs_within(
     fits(world.facets().len())?;
     let limit = limit.shared(world.bytes() as u64, at_a_time);
     let world = world.within(limit);
+    let aspects = traced_aspects(request, &world);
     let build = meter.total_s() - start_s;
     let asked = request.accuracy.amplitude().max(1e-8);
     // Bounds of bent facets are far above their errors, which cancel from facet to facet: spheres asked for

@@ -1,0 +1,72 @@
+//! A part of an edge with the legs that lead to it, and what its integrals are cut into.
+
+use crate::edges::line_integral::{Integrand, Piece};
+use crate::geometry::antenna::Antenna;
+use crate::integral::node::Leg;
+use crate::joins::scatterer::Way;
+use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
+use artifact::paths::Amplitude;
+use glam::DVec3;
+use num_complex::Complex64;
+
+/// A part of an edge with its two legs.
+#[derive(Clone, Copy)]
+pub(crate) struct EdgeNode<'a> {
+    pub(crate) edge: &'a EdgeGeometry,
+    /// Edges of the world, which its faces end at.
+    pub(crate) edges: &'a WorldEdges,
+    pub(crate) span_m: [f64; 2],
+    pub(crate) transmit: &'a Leg,
+    pub(crate) receive: &'a Leg,
+}
+
+impl EdgeNode<'_> {
+    /// The reference point of its amplitudes.
+    pub(crate) fn middle_m(&self) -> DVec3 {
+        self.edge.point_m(0.5 * (self.span_m[0] + self.span_m[1]))
+    }
+
+    pub(crate) fn legs(&self) -> [&Leg; 2] {
+        [self.transmit, self.receive]
+    }
+
+    /// Whether the way back is the way there.
+    pub(crate) fn has_one_leg(&self) -> bool {
+        std::ptr::eq(self.transmit, self.receive)
+    }
+}
+
+/// A part of an edge's integrals.
+pub(crate) trait EdgePart {
+    /// Length L₁ + L₂ of its middle, less that of the reference point.
+    fn way(&self) -> Way;
+    /// Adds √π·S without the way of the reference point: [vv, vh, hv, hh].
+    fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]);
+}
+
+impl<I: Integrand> EdgePart for Piece<'_, I> {
+    fn way(&self) -> Way {
+        Way { length_m: self.length_m(), extent_m: self.extent_m() }
+    }
+
+    fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
+        Piece::add_to(self, wavenumbers_per_m, sums);
+    }
+}
+
+/// Factor 1/√π.
+pub(crate) const PER_ROOT_PI: f64 = std::f64::consts::FRAC_2_SQRT_PI * 0.5;
+
+/// Amplitude of the sum that [`EdgePart::add_to`] adds to.
+pub(crate) fn amplitude_of(sum: &[Complex64; 4]) -> Amplitude {
+    let [vv, vh, hv, hh] = sum.map(|s| s * PER_ROOT_PI);
+    [[vv, vh], [hv, hh]]
+}
+
+/// Ratio L(reference)/L.
+pub(crate) fn spread(image: Antenna, x_m: DVec3, reference_m: DVec3) -> f64 {
+    match image {
+        Antenna::Point(p) => p.distance(reference_m) / p.distance(x_m),
+        Antenna::Direction(_) => 1.0,
+    }
+}

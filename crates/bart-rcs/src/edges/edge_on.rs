@@ -1,0 +1,81 @@
+//! Antennas in the plane of a sheet: there no polygon of it is lit and its edges are silent, while the field
+//! goes on from one side to the other. Such an antenna is moved out of the plane by less than any phase tells.
+
+use crate::geometry::antenna::Antenna;
+use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
+use glam::{DQuat, DVec3};
+use std::f64::consts::PI;
+
+/// Angle by which an antenna is moved, rad: beyond what counts as edge-on (fringe.rs, 1e-9) where it leaves a
+/// plane aslant, and over 10 m at 77 GHz a phase of 3e-4 rad.
+const ASIDE_RAD: f64 = 2e-8;
+/// Sheets whose planes are nearer to the antenna are seen edge-on, rad.
+const EDGE_ON_RAD: f64 = 1e-9;
+/// Edges nearer to the line of sight are silent from anywhere near, as a sine (fringe.rs).
+const LEAST_SINE: f64 = 1e-6;
+/// Directions tried in which an antenna leaves the planes of sheets.
+const DIRECTIONS: u32 = 16;
+
+/// The antenna, outside of the planes of all sheets that have an edge across its line of sight.
+pub(crate) fn off_sheets(antenna: Antenna, edges: &WorldEdges) -> Antenna {
+    let in_plane: Vec<(DVec3, &EdgeGeometry)> =
+        edges.edges.iter().filter_map(|edge| Some((normal_if_edge_on(antenna, edge)?, edge))).collect();
+    let Some((first, edge)) = in_plane.first() else { return antenna };
+    let middle_m = edge.point_m(0.5 * edge.length_m);
+    let sight = antenna.travel_direction_at(middle_m);
+    let turned = |step| DQuat::from_axis_angle(sight, f64::from(step) * PI / f64::from(DIRECTIONS)) * *first;
+    let least = |aside: DVec3| in_plane.iter().map(|(n, _)| n.dot(aside).abs()).fold(1.0, f64::min);
+    let better = |a: DVec3, b: DVec3| if least(b) > least(a) { b } else { a };
+    let aside = (0..DIRECTIONS).map(turned).fold(*first, better);
+    match antenna {
+        Antenna::Point(p) => Antenna::Point(p + ASIDE_RAD * p.distance(middle_m) * aside),
+        Antenna::Direction(r) => Antenna::Direction((r + ASIDE_RAD * aside).normalize()),
+    }
+}
+
+/// Normal of the sheet that ends at an edge, where the antenna stands in its plane and sees the edge.
+fn normal_if_edge_on(antenna: Antenna, edge: &EdgeGeometry) -> Option<DVec3> {
+    let (wedge, sight) = (&edge.wedge, antenna.travel_direction_at(edge.point_m(0.5 * edge.length_m)));
+    let is_sheet = wedge.exterior > 2.0 - EDGE_ON_RAD;
+    let is_edge_on = wedge.normal[0].dot(sight).abs() < EDGE_ON_RAD;
+    let is_seen = wedge.along.cross(sight).length() > LEAST_SINE;
+    (is_sheet && is_edge_on && is_seen).then_some(wedge.normal[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bodies::world::World;
+    use artifact::scene::Mesh;
+
+    /// Two sheets of a metre: one in the plane y = 0, one in z = 0, apart.
+    fn sheets() -> World {
+        let at = |x: f64, y: f64, z: f64| [x, y, z];
+        let vertices_m = vec![
+            at(0.0, 0.0, 0.0),
+            at(1.0, 0.0, 0.0),
+            at(1.0, 0.0, 1.0),
+            at(0.0, 0.0, 1.0),
+            at(0.0, 2.0, 0.0),
+            at(1.0, 2.0, 0.0),
+            at(1.0, 3.0, 0.0),
+            at(0.0, 3.0, 0.0),
+        ];
+        let triangles = vec![[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
+        World::of_mesh(&Mesh { vertices_m, triangles, ..Mesh::default() }).unwrap()
+    }
+
+    #[test]
+    fn an_antenna_leaves_the_planes_of_all_sheets_that_it_sees_edge_on_and_no_other_moves() {
+        let world = sheets();
+        let edges = world.edges(1600.0);
+        let Antenna::Direction(moved) = off_sheets(Antenna::Direction(DVec3::X), edges) else { panic!() };
+        assert!(moved.y.abs() > 5.0 * EDGE_ON_RAD && moved.z.abs() > 5.0 * EDGE_ON_RAD, "{moved}");
+        assert!(moved.distance(DVec3::X) < 1.01 * ASIDE_RAD);
+        let aslant = Antenna::Direction(DVec3::new(0.6, 0.48, 0.64));
+        assert_eq!(off_sheets(aslant, edges), aslant);
+        let near = Antenna::Point(DVec3::new(9.0, 0.0, 0.5));
+        let Antenna::Point(moved) = off_sheets(near, edges) else { panic!() };
+        assert!(moved.y.abs() > 5e-8 && moved.distance(DVec3::new(9.0, 0.0, 0.5)) < 2e-7, "{moved}");
+    }
+}

@@ -1,0 +1,337 @@
+//! Waves that run over faces from edge to edge: where they end with the face, and what they give rise to there.
+//!
+//! The fringe current of an edge runs along its face as a wave. Where the face ends, what of it would lie
+//! beyond is taken away, and the edge there sends waves of its own, over both of its faces; each of these
+//! ends again where its face does. For H ∥: the wave of E ∥ vanishes on the face. Near grazing all of them
+//! count: on a strip seen along its plane the waves of first and higher orders cancel one by one, so that S
+//! vanishes as the square of the angle (docs/decisions/edges.md).
+
+use crate::edges::edge_node::{EdgeNode, EdgePart, spread};
+use crate::edges::end_current::EndCurrent;
+use crate::edges::fresnel::edge_wave;
+use crate::edges::fringe::FaceView;
+use crate::edges::line_integral::{Integrand, for_each_piece};
+use crate::integral::field::length_difference_m;
+use crate::integral::node::Leg;
+use crate::mesh::wedges::face_end::{FaceEnds, Met};
+use crate::mesh::wedges::wedge::Wedge;
+use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
+use glam::{DVec2, DVec3};
+use num_complex::Complex64;
+
+/// Direction of travel along a way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sense {
+    /// The wave runs from the transmitter to the receiver.
+    Forth,
+    /// The wave runs from the receiver to the transmitter, transposed.
+    Back,
+    /// Both directions with one antenna: back is forth, transposed.
+    Both,
+}
+
+/// Faces that a wave runs over, at most: over each further one, 5 λ wide, it loses nine tenths and more.
+const FACES: usize = 3;
+/// Current, over that of the field sent, from which on a wave is followed past the end of its face; up to
+/// twice as much it fades in, so that nothing jumps. What is left out is below −26 dB of the amplitude of an
+/// edge that is seen square, and edges without terms of their corners are no better.
+const FAINTEST: f64 = 0.05;
+
+/// Calls `give` with the parts of all waves that begin at an edge, and a bound of the error of each, √π·m.
+pub(crate) fn for_each_part(
+    node: &EdgeNode<'_>,
+    reference_m: DVec3,
+    highest_per_m: f64,
+    accuracy: f64,
+    give: &mut dyn FnMut(&dyn EdgePart, f64),
+) {
+    let mut following = Following { node, reference_m, highest_per_m, accuracy, give };
+    let senses: &[Sense] = if node.has_one_leg() { &[Sense::Both] } else { &[Sense::Forth, Sense::Back] };
+    for face in 0..2 {
+        for sense in senses {
+            let mut crossed = vec![Crossed::of(node.edges, node.edge, face)];
+            following.follow(&mut crossed, *sense, node.span_m);
+        }
+    }
+}
+
+/// Waves of an edge on their way.
+struct Following<'a, 'g> {
+    node: &'a EdgeNode<'a>,
+    reference_m: DVec3,
+    highest_per_m: f64,
+    accuracy: f64,
+    give: &'g mut dyn FnMut(&dyn EdgePart, f64),
+}
+
+impl Following<'_, '_> {
+    /// Gives the ends of the waves over the last face, then those of the waves that they give rise to.
+    fn follow(&mut self, crossed: &mut Vec<Crossed>, sense: Sense, span_m: [f64; 2]) {
+        let Self { node, reference_m, .. } = *self;
+        for piece_m in (FaceWaves { node, reference_m, crossed, sense }).pieces(span_m) {
+            let waves = FaceWaves { node, reference_m, crossed, sense };
+            let give = &mut *self.give;
+            for_each_piece(&waves, piece_m, self.highest_per_m, self.accuracy, &mut |part, error| {
+                give(part, error);
+            });
+            let Some((next, share)) = self.worth_following(&waves, piece_m) else { continue };
+            let edges = node.edges;
+            for face in 0..2 {
+                crossed.push(Crossed { share, ..Crossed::of(edges, &edges.edges[next as usize], face) });
+                self.follow(crossed, sense, piece_m);
+                crossed.pop();
+            }
+        }
+    }
+
+    /// The edge at which the waves end, and the share by which those that it sends count: 0 to 1.
+    fn worth_following(&self, waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, f64)> {
+        let wave = waves.wave_from(0.5 * (span_m[0] + span_m[1]))?;
+        let faintest = FAINTEST.max(self.accuracy);
+        let share = (wave.strength(self.highest_per_m) / faintest - 1.0).min(1.0);
+        let edge = wave.met.edge.filter(|_| share > 0.0 && waves.crossed.len() < FACES)?;
+        Some((edge, share))
+    }
+}
+
+/// A face that a wave runs over, from one of its edges.
+struct Crossed {
+    edge: EdgeGeometry,
+    face: usize,
+    ends: FaceEnds,
+    /// Share by which the waves over it count.
+    share: f64,
+}
+
+impl Crossed {
+    fn of(edges: &WorldEdges, edge: &EdgeGeometry, face: usize) -> Self {
+        let Wedge { along, inward, .. } = edge.wedge;
+        let ends = FaceEnds::seen_from(edge.from_m, along, inward[face], edges.ends_of_face(edge, face));
+        Self { edge: edge.clone(), face, ends, share: 1.0 }
+    }
+
+    /// Direction of a wave along the face in the coordinates of its ends.
+    fn direction(&self, view: &FaceView) -> DVec2 {
+        DVec2::new(view.sin_in, view.along_face().dot(self.edge.wedge.along))
+    }
+
+    fn place_of(&self, x_m: DVec3) -> f64 {
+        (x_m - self.edge.from_m).dot(self.edge.wedge.along)
+    }
+}
+
+/// Amplitude of the currents beyond the end of the last of some faces, which is taken away, and of what the
+/// edge there adds.
+struct FaceWaves<'a> {
+    node: &'a EdgeNode<'a>,
+    reference_m: DVec3,
+    crossed: &'a [Crossed],
+    sense: Sense,
+}
+
+/// A wave over the last face, from one point of the first edge.
+#[derive(Clone)]
+struct Wave {
+    /// The face, as the wave's edge sees it.
+    view: FaceView,
+    /// The end of the face, and where it is met.
+    met: Met,
+    end_m: DVec3,
+    /// Distance over all faces.
+    way_m: f64,
+    current: EndCurrent,
+    /// Factor of the current at the last edge for each field sent: of one over a first face.
+    arriving: [f64; 2],
+    before: FallenOff,
+}
+
+/// Waves over the faces before the last: how each has fallen off, to be told of a wavenumber.
+#[derive(Debug, Clone, Copy, Default)]
+struct FallenOff {
+    /// Roots of κd(1 + cosφ′)/k by face.
+    roots: [f64; FACES],
+    count: usize,
+}
+
+impl FallenOff {
+    fn then(mut self, root: f64) -> Self {
+        self.roots[self.count] = root;
+        self.count += 1;
+        self
+    }
+
+    fn at(&self, wavenumber_per_m: f64) -> Complex64 {
+        let root_k = wavenumber_per_m.sqrt();
+        self.roots[..self.count].iter().map(|root| edge_wave(root * root_k)).product()
+    }
+}
+
+/// Ends of the waves from one point of the first edge.
+#[derive(Clone)]
+struct Ended {
+    length_m: f64,
+    spread: f64,
+    wave: Wave,
+    /// Kernel √π·K of the edge at the end for a current along the ray of one, by what is received.
+    next: [f64; 2],
+}
+
+impl FaceWaves<'_> {
+    /// Legs of the waves: where they come from and where they go.
+    fn legs(&self) -> [&Leg; 2] {
+        let EdgeNode { transmit, receive, .. } = *self.node;
+        if self.sense == Sense::Back { [receive, transmit] } else { [transmit, receive] }
+    }
+
+    /// The wave over the last face that begins at a point of the first edge; `None` where an edge on the way
+    /// sends none, or a face has no end.
+    fn wave_from(&self, at_m: f64) -> Option<Wave> {
+        let (first, others) = self.crossed.split_first()?;
+        let mut wave = self.first_wave(first, at_m)?;
+        for crossed in others {
+            wave = self.next_wave(&wave, crossed)?;
+        }
+        Some(wave)
+    }
+
+    /// The wave that the incident field gives rise to.
+    fn first_wave(&self, crossed: &Crossed, at_m: f64) -> Option<Wave> {
+        let [from, to] = self.legs();
+        let x_m = crossed.edge.point_m(at_m);
+        let [travel, back] = [from, to].map(|leg| leg.image.travel_direction_at(x_m));
+        let view = crossed.edge.wedge.faces(travel, -back)?[crossed.face];
+        let sent = from.mirrors.fields_at_node(travel, from.zenith_h);
+        let received = to.mirrors.fields_at_node(back, to.zenith_h);
+        let met = crossed.ends.nearest(at_m, crossed.direction(&view))?;
+        Some(Wave {
+            view,
+            met,
+            end_m: x_m + met.way_m * view.along_face(),
+            way_m: met.way_m,
+            current: EndCurrent::new(&view, travel, &sent, &received),
+            arriving: [1.0; 2],
+            before: FallenOff::default(),
+        })
+    }
+
+    /// The wave that an arriving one gives rise to, over a face of the edge at which that ends.
+    ///
+    /// A wave that grazes a conductor has the current 2H: E = ½J·n. Its own current up to the edge is there
+    /// already, so the fringe of grazing incidence is what the edge adds.
+    fn next_wave(&self, wave: &Wave, crossed: &Crossed) -> Option<Wave> {
+        let to = self.legs()[1];
+        let (travel, back) = (wave.view.along_face(), to.image.travel_direction_at(wave.end_m));
+        let view = crossed.edge.wedge.faces_from_face(travel, wave.view.normal, -back)?[crossed.face];
+        let received = to.mirrors.fields_at_node(back, to.zenith_h);
+        let met = crossed.ends.nearest(crossed.place_of(wave.end_m), crossed.direction(&view))?;
+        let width = crossed.share * wave.view.sin_in / view.sin_in;
+        Some(Wave {
+            view,
+            met,
+            end_m: wave.end_m + met.way_m * view.along_face(),
+            way_m: wave.way_m + met.way_m,
+            current: EndCurrent::new(&view, travel, &[0.5 * wave.view.normal; 2], &received),
+            arriving: [0, 1].map(|q| width * wave.arriving[q] * wave.current.along_ray[q]),
+            before: wave.before.then(wave.current.falloff_root(wave.met.way_m)),
+        })
+    }
+
+    /// Kernel √π·K of the edge where the face ends, for a wave that arrives along the face with a current
+    /// of one, per length of the edge before; by what is received.
+    fn next_edge(&self, wave: &Wave) -> [f64; 2] {
+        let Some(edge) = wave.met.edge else { return [0.0; 2] };
+        let (to, view) = (self.legs()[1], &wave.view);
+        let wedge = &self.node.edges.edges[edge as usize].wedge;
+        let (travel, back) = (view.along_face(), to.image.travel_direction_at(wave.end_m));
+        let Some(faces) = wedge.faces_from_face(travel, view.normal, -back) else { return [0.0; 2] };
+        let width = view.sin_in / travel.cross(wedge.along).length();
+        let received = to.mirrors.fields_at_node(back, to.zenith_h);
+        let [one, other] =
+            faces.map(|f| f.coefficients([f.incident(travel, 0.5 * view.normal)], -back, received));
+        [0, 1].map(|p| width * (one[p][0] + other[p][0]))
+    }
+
+    /// A span cut where rays along the last face change from one end to the next.
+    fn pieces(&self, span_m: [f64; 2]) -> Vec<[f64; 2]> {
+        let mut cuts = vec![span_m[0]];
+        cuts.extend(self.changes_m(span_m));
+        cuts.push(span_m[1]);
+        cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+    }
+
+    /// Places on the first edge from which rays over all faces meet a corner of the last one's ends. A ray's
+    /// place on a later edge is a linear function of that on the first for an antenna far away, and nearly
+    /// so near by, where a jump that is left is cut by halving.
+    fn changes_m(&self, span_m: [f64; 2]) -> Vec<f64> {
+        let Some(last) = self.crossed.last() else { return Vec::new() };
+        let [from, middle, to] = [0.01, 0.5, 0.99].map(|share| span_m[0] + share * (span_m[1] - span_m[0]));
+        let start = |wave: &Wave| last.place_of(wave.end_m - wave.met.way_m * wave.view.along_face());
+        let waves = [from, middle, to].map(|at_m| self.wave_from(at_m));
+        let [Some(one), Some(in_middle), Some(other)] = waves else { return Vec::new() };
+        let slope = (start(&other) - start(&one)) / (to - from);
+        if slope.abs() < 1e-9 {
+            return Vec::new();
+        }
+        let place = |on_last_m: f64| from + (on_last_m - start(&one)) / slope;
+        let ends_m = [0, 1].map(|end| start(&one) + slope * (span_m[end] - from));
+        let span_of_last_m = [ends_m[0].min(ends_m[1]), ends_m[0].max(ends_m[1])];
+        let mut changes: Vec<f64> = last
+            .ends
+            .changes_m(last.direction(&in_middle.view), span_of_last_m)
+            .into_iter()
+            .map(place)
+            .collect();
+        changes.sort_by(f64::total_cmp);
+        changes
+    }
+}
+
+impl Wave {
+    /// Current that arrives at the end of the last face at a wavenumber, per field sent: a bound of what the
+    /// edge there can add.
+    fn strength(&self, wavenumber_per_m: f64) -> f64 {
+        let ray = [0, 1].map(|q| self.ray(q).abs()).into_iter().fold(0.0, f64::max);
+        let falloff = edge_wave(self.current.falloff_root(self.met.way_m) * wavenumber_per_m.sqrt());
+        ray * (self.before.at(wavenumber_per_m) * falloff).norm()
+    }
+
+    /// Current along the ray over its fall-off, for a field sent.
+    fn ray(&self, q: usize) -> f64 {
+        self.arriving[q] * self.current.along_ray[q]
+    }
+}
+
+impl Integrand for FaceWaves<'_> {
+    type Sample = Option<Ended>;
+
+    fn sample(&self, at_m: f64) -> Option<Ended> {
+        let wave = self.wave_from(at_m)?;
+        let [from, to] = self.legs().map(|leg| leg.image);
+        let (x_m, reference_m) = (self.node.edge.point_m(at_m), self.reference_m);
+        let length_m = length_difference_m(from, x_m, reference_m)
+            + wave.way_m
+            + length_difference_m(to, wave.end_m, reference_m);
+        let spread = spread(from, x_m, reference_m) * spread(to, wave.end_m, reference_m);
+        let next = self.next_edge(&wave);
+        Some(Ended { length_m, spread, wave, next })
+    }
+
+    fn length_m(sample: &Option<Ended>) -> f64 {
+        sample.as_ref().map_or(0.0, |ended| ended.length_m)
+    }
+
+    fn weights(&self, sample: &Option<Ended>, wavenumber_per_m: f64) -> [Complex64; 4] {
+        let Some(Ended { wave, spread, next, .. }) = sample else { return [Complex64::ZERO; 4] };
+        let (beyond, falloff) = wave.current.beyond(wave.met.way_m, wavenumber_per_m);
+        let before = 0.5 * spread * wave.before.at(wavenumber_per_m);
+        let of = |p: usize, q: usize| {
+            before * (next[p] * wave.ray(q) * falloff - wave.arriving[q] * beyond[2 * p + q])
+        };
+        let [vv, vh, hv, hh] = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| of(p, q));
+        match self.sense {
+            Sense::Forth => [vv, vh, hv, hh],
+            Sense::Back => [vv, hv, vh, hh],
+            Sense::Both => [2.0 * vv, vh + hv, vh + hv, 2.0 * hh],
+        }
+    }
+}
