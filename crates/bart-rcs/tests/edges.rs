@@ -216,3 +216,29 @@ fn random_soups_have_finite_edges() {
     println!("edges of {scatter} of {CASES} soups scatter");
     assert!(scatter > CASES * 8 / 10);
 }
+
+/// A square sheet of 5 λ seen from `az_deg`, 90° in its plane.
+fn along_a_sheet(az_deg: f64, pol: Polarization) -> f64 {
+    let sheet = strip(5.0 * WAVELENGTH_M, 5.0 * WAVELENGTH_M, 0.0);
+    amplitude(&sheet, standpoint(az_deg, 0.0, f64::INFINITY), None, pol, Edges::FirstOrder).norm()
+}
+
+#[test]
+fn a_sheet_seen_along_its_plane_vanishes_as_the_square_of_the_angle_where_e_is_square_to_it() {
+    let db = |ratio: f64| 20.0 * ratio.log10();
+    // An angle of 0.4 and of 1.6° from the plane: 16 times as much if by the square.
+    let [near, far] = [89.6, 88.4].map(|az_deg| along_a_sheet(az_deg, Polarization::Hh));
+    println!("0.4° {:.1} dBsm, 1.6° {:.1} dBsm", db(near), db(far));
+    // Without the waves from edge to edge both are −40 dBsm.
+    assert!((db(far / near) - db(16.0)).abs() < 3.0 && db(far) < -70.0);
+}
+
+#[test]
+fn a_sheet_seen_exactly_along_its_plane_is_what_it_is_beside() {
+    let beside = along_a_sheet(89.999, Polarization::Vv);
+    for az_deg in [90.0, -90.0] {
+        let at = along_a_sheet(az_deg, Polarization::Vv);
+        println!("{az_deg}°: {at:.6} m, beside {beside:.6} m");
+        assert!((at / beside - 1.0).abs() < 1e-3);
+    }
+}

@@ -36,6 +36,9 @@ const FACES: usize = 3;
 /// twice as much it fades in, so that nothing jumps. What is left out is below −26 dB of the amplitude of an
 /// edge that is seen square, and edges without terms of their corners are no better.
 const FAINTEST: f64 = 0.05;
+/// Accuracy to which waves over a second face and further ones are integrated at best; what they err by is
+/// told.
+const FINEST: f64 = 1e-4;
 
 /// Calls `give` with the parts of all waves that begin at an edge, and a bound of the error of each, √π·m.
 pub(crate) fn for_each_part(
@@ -47,9 +50,9 @@ pub(crate) fn for_each_part(
 ) {
     let mut following = Following { node, reference_m, highest_per_m, accuracy, give };
     let senses: &[Sense] = if node.has_one_leg() { &[Sense::Both] } else { &[Sense::Forth, Sense::Back] };
-    for face in 0..2 {
+    for first in Crossed::faces_of(node.edges, node.edge, 1.0) {
+        let mut crossed = vec![first];
         for sense in senses {
-            let mut crossed = vec![Crossed::of(node.edges, node.edge, face)];
             following.follow(&mut crossed, *sense, node.span_m);
         }
     }
@@ -71,13 +74,14 @@ impl Following<'_, '_> {
         for piece_m in (FaceWaves { node, reference_m, crossed, sense }).pieces(span_m) {
             let waves = FaceWaves { node, reference_m, crossed, sense };
             let give = &mut *self.give;
-            for_each_piece(&waves, piece_m, self.highest_per_m, self.accuracy, &mut |part, error| {
+            let accuracy = if crossed.len() > 1 { self.accuracy.max(FINEST) } else { self.accuracy };
+            for_each_piece(&waves, piece_m, self.highest_per_m, accuracy, &mut |part, error| {
                 give(part, error);
             });
             let Some((next, share)) = self.worth_following(&waves, piece_m) else { continue };
             let edges = node.edges;
-            for face in 0..2 {
-                crossed.push(Crossed { share, ..Crossed::of(edges, &edges.edges[next as usize], face) });
+            for face in Crossed::faces_of(edges, &edges.edges[next as usize], share) {
+                crossed.push(face);
                 self.follow(crossed, sense, piece_m);
                 crossed.pop();
             }
@@ -104,10 +108,21 @@ struct Crossed {
 }
 
 impl Crossed {
-    fn of(edges: &WorldEdges, edge: &EdgeGeometry, face: usize) -> Self {
+    /// Faces of an edge, on which waves count by a share. Both sides of a sheet have the same fringe current:
+    /// one of them stands for both, where it ends at edges of sheets alone.
+    fn faces_of(edges: &WorldEdges, edge: &EdgeGeometry, share: f64) -> Vec<Self> {
+        let is_sheet = |edge: &EdgeGeometry| edge.wedge.exterior == 2.0;
+        let ends_at = edges.ends_of_face(edge, 0).iter().filter_map(|end| end.edge);
+        match is_sheet(edge) && ends_at.into_iter().all(|end| is_sheet(&edges.edges[end as usize])) {
+            true => vec![Self::of(edges, edge, 0, 2.0 * share)],
+            false => [0, 1].map(|face| Self::of(edges, edge, face, share)).into(),
+        }
+    }
+
+    fn of(edges: &WorldEdges, edge: &EdgeGeometry, face: usize, share: f64) -> Self {
         let Wedge { along, inward, .. } = edge.wedge;
         let ends = FaceEnds::seen_from(edge.from_m, along, inward[face], edges.ends_of_face(edge, face));
-        Self { edge: edge.clone(), face, ends, share: 1.0 }
+        Self { edge: edge.clone(), face, ends, share }
     }
 
     /// Direction of a wave along the face in the coordinates of its ends.
@@ -209,7 +224,7 @@ impl FaceWaves<'_> {
             end_m: x_m + met.way_m * view.along_face(),
             way_m: met.way_m,
             current: EndCurrent::new(&view, travel, &sent, &received),
-            arriving: [1.0; 2],
+            arriving: [crossed.share; 2],
             before: FallenOff::default(),
         })
     }
