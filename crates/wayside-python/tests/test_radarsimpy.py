@@ -73,13 +73,13 @@ def test_the_fmcw_example_has_its_targets_in_the_cells_that_its_page_names() -> 
         assert near.max() > 100 * np.median(power)
 
 
-def test_levels_are_the_radar_equations_in_volts() -> None:
+def test_echoes_are_peaks_of_the_radar_equations_volts() -> None:
     radar = fmcw_radar()
     baseband = sim_radar(radar, TARGETS[:1])["baseband"]
     wavelength_m = C_MPS / 24.125e9
     gain = 10 ** (2 * (6 + 20 * np.log10(1.01)) / 10)
     received_w = 0.01 * gain * 100 * wavelength_m**2 / ((4 * np.pi) ** 3 * 200.0**4)
-    volts = np.sqrt(received_w * 500 * 1e5)
+    volts = np.sqrt(2 * received_w * 500 * 1e5)
     # 0.13 m nearer at the frame's end: 0.13 % of the amplitude; single precision behind it.
     assert np.allclose(np.abs(baseband), volts, rtol=2e-3)
 

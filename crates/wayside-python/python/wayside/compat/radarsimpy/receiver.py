@@ -12,7 +12,7 @@ class Receiver:
     """Receiver by RadarSimPy's names and units.
 
     ``fs`` in samples a second, ``noise_figure``, ``rf_gain`` and ``baseband_gain`` in dB, ``load_resistor``
-    in ohms: a sample is √(received power · gains · load resistor), in volts.
+    in ohms: noise has √(power · gains · load resistor) volts, an echo the peak of as much.
     """
 
     def __init__(

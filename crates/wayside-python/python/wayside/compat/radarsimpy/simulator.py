@@ -14,12 +14,14 @@ from .refusal import refuse
 from .scene import channels_of, in_front, scale_of, scene_of, yaw_of
 
 _UPRIGHT = (0, 0, 1)
+# Of a sine's root mean square: the samples that RadarSimPy's own tests expect are peaks
+# (tests/test_module_sim_radar_ideal.py, 15.3.0).
+_PEAK = 2**0.5
 
 
 def sim_radar(
     radar: Radar,
     targets: list[dict[str, Any]],
-    frame_time: Any = None,
     density: float = 1,
     level: str | None = None,
     interf: Any = None,
@@ -28,13 +30,16 @@ def sim_radar(
     back_propagating: bool = False,
     log_path: str | None = None,
     debug: bool = False,
+    *,
+    frame_time: Any = None,
 ) -> dict[str, Any]:
     """Baseband of point and mesh targets, as RadarSimPy gives it.
 
     Returns ``baseband``, ``noise``, ``timestamp`` of shape [frames·tx·rx, pulses, samples] (frame, then
-    transmitter, then receiver) and ``interference``, None. Samples are in volts. ``density`` and ``level``
-    set rays there; here nothing is sampled, and they have no meaning. ``frame_time`` is where a frame
-    begins, as in earlier versions; the radar's own where it is left out.
+    transmitter, then receiver) and ``interference``, None. Samples are in volts: an echo by its peak, the
+    noise by its root mean square. ``density`` and ``level`` set rays there; here nothing is sampled, and they
+    have no meaning. ``frame_time`` is where a frame begins, as before 15.1.0; the radar's own where it is
+    left out.
     """
     del density, level, debug
     for name, value in (("interf", interf), ("ray_filter", ray_filter), ("log_path", log_path)):
@@ -69,7 +74,7 @@ def _frame(radar: Radar, targets: list[dict[str, Any]], start_s: float) -> NDArr
         samples = _samples(radar, targets, together, start_s + float(delay))
         for at, transmit in enumerate(together):
             part = samples[at * receivers : (at + 1) * receivers]
-            whole[transmit * receivers : (transmit + 1) * receivers] = receiver.volts() * part
+            whole[transmit * receivers : (transmit + 1) * receivers] = _PEAK * receiver.volts() * part
     return whole if receiver.bb_prop["bb_type"] == "complex" else whole.real
 
 
