@@ -36,6 +36,10 @@ const FACES: usize = 3;
 /// twice as much it fades in, so that nothing jumps. What is left out is below −26 dB of the amplitude of an
 /// edge that is seen square, and edges without terms of their corners are no better.
 const FAINTEST: f64 = 0.05;
+/// Squared sines of the angle to the next edge between which a wave fades in: one that runs along the edge
+/// meets its corners, which have no terms.
+const SHALLOWEST: f64 = 0.5;
+const STEEP: f64 = 0.75;
 /// Accuracy to which waves over a second face and further ones are integrated at best; what they err by is
 /// told.
 const FINEST: f64 = 1e-4;
@@ -91,10 +95,12 @@ impl Following<'_, '_> {
     /// The edge at which the waves end, and the share by which those that it sends count: 0 to 1.
     fn worth_following(&self, waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, f64)> {
         let wave = waves.wave_from(0.5 * (span_m[0] + span_m[1]))?;
-        let faintest = FAINTEST.max(self.accuracy);
-        let share = (wave.strength(self.highest_per_m) / faintest - 1.0).min(1.0);
-        let edge = wave.met.edge.filter(|_| share > 0.0 && waves.crossed.len() < FACES)?;
-        Some((edge, share))
+        let edge = wave.met.edge.filter(|_| waves.crossed.len() < FACES)?;
+        let strong = wave.strength(self.highest_per_m) / FAINTEST - 1.0;
+        let sine = wave.view.along_face().cross(self.node.edges.edges[edge as usize].wedge.along).length();
+        let steep = (sine * sine - SHALLOWEST) / (STEEP - SHALLOWEST);
+        let share = strong.clamp(0.0, 1.0) * steep.clamp(0.0, 1.0);
+        (share > 0.0).then_some((edge, share))
     }
 }
 
