@@ -31,17 +31,15 @@ enum Sense {
 }
 
 /// Faces that a wave runs over, at most: over each further one, 5 λ wide, it loses nine tenths and more.
-const FACES: usize = 3;
+const FACES: usize = 4;
 /// Current, over that of the field sent, from which on a wave is followed past the end of its face; up to
-/// twice as much it fades in, so that nothing jumps. What is left out is below −26 dB of the amplitude of an
+/// twice as much it fades in, so that nothing jumps. What is left out is below −34 dB of the amplitude of an
 /// edge that is seen square, and edges without terms of their corners are no better.
-const FAINTEST: f64 = 0.05;
-/// Squared sines of the angle to the next edge between which a wave fades in: one that runs along the edge
-/// meets its corners, which have no terms.
-const SHALLOWEST: f64 = 0.5;
-const STEEP: f64 = 0.75;
-/// Accuracy to which waves over a second face and further ones are integrated at best; what they err by is
-/// told.
+const FAINTEST: f64 = 0.02;
+/// Share of the accuracy to which waves over a second face and further ones are integrated: there are more of
+/// them.
+const SHARE: f64 = 0.1;
+/// Accuracy of these integrals at best; what they err by is told.
 const FINEST: f64 = 1e-4;
 
 /// Calls `give` with the parts of all waves that begin at an edge, and a bound of the error of each, √π·m.
@@ -78,7 +76,8 @@ impl Following<'_, '_> {
         for piece_m in (FaceWaves { node, reference_m, crossed, sense }).pieces(span_m) {
             let waves = FaceWaves { node, reference_m, crossed, sense };
             let give = &mut *self.give;
-            let accuracy = if crossed.len() > 1 { self.accuracy.max(FINEST) } else { self.accuracy };
+            let accuracy =
+                if crossed.len() > 1 { (SHARE * self.accuracy).max(FINEST) } else { self.accuracy };
             for_each_piece(&waves, piece_m, self.highest_per_m, accuracy, &mut |part, error| {
                 give(part, error);
             });
@@ -96,10 +95,7 @@ impl Following<'_, '_> {
     fn worth_following(&self, waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, f64)> {
         let wave = waves.wave_from(0.5 * (span_m[0] + span_m[1]))?;
         let edge = wave.met.edge.filter(|_| waves.crossed.len() < FACES)?;
-        let strong = wave.strength(self.highest_per_m) / FAINTEST - 1.0;
-        let sine = wave.view.along_face().cross(self.node.edges.edges[edge as usize].wedge.along).length();
-        let steep = (sine * sine - SHALLOWEST) / (STEEP - SHALLOWEST);
-        let share = strong.clamp(0.0, 1.0) * steep.clamp(0.0, 1.0);
+        let share = (wave.strength(self.highest_per_m) / FAINTEST - 1.0).clamp(0.0, 1.0);
         (share > 0.0).then_some((edge, share))
     }
 }
