@@ -49,21 +49,24 @@ fn run(
     pol: Polarization,
     edges: Edges,
 ) -> RcsResult {
-    let request = RcsRequest {
+    rcs(mesh, &RcsRequest { receiver: received, edges, ..request(sent, pol) }, &|_, _| {}).unwrap()
+}
+
+fn request(sent: Standpoint, pol: Polarization) -> RcsRequest {
+    RcsRequest {
         frequency_hz: vec![FREQUENCY_HZ],
         elevation_rad: vec![sent.elevation_rad],
         azimuth_rad: vec![sent.azimuth_rad],
         range_m: sent.range_m,
-        receiver: received,
+        receiver: None,
         polarization: pol,
         bounces: 1,
         nodes: NodeRule::Middle,
         sides: Sides::Two,
-        edges,
+        edges: Edges::FirstOrder,
         surface: Surface::Flat,
         accuracy: Accuracy::from_db(-80.0),
-    };
-    rcs(mesh, &request, &|_, _| {}).unwrap()
+    }
 }
 
 const FAR: f64 = f64::INFINITY;
@@ -241,4 +244,14 @@ fn a_sheet_seen_exactly_along_its_plane_is_what_it_is_beside() {
         println!("{az_deg}°: {at:.6} m, beside {beside:.6} m");
         assert!((at / beside - 1.0).abs() < 1e-3);
     }
+    // In a table with other aspects, which are stronger by far.
+    let sheet = strip(5.0 * WAVELENGTH_M, 5.0 * WAVELENGTH_M, 0.0);
+    let azimuth_rad = [0.0, 89.999, 90.0].map(f64::to_radians).to_vec();
+    let request = RcsRequest {
+        azimuth_rad,
+        accuracy: Accuracy::from_db(-20.0),
+        ..request(standpoint(0.0, 0.0, FAR), Polarization::Vv)
+    };
+    let table = rcs(&sheet, &request, &|_, _| {}).unwrap().amplitude_m;
+    assert!((table[2].norm() / table[1].norm() - 1.0).abs() < 1e-3, "{table:?}");
 }

@@ -11,6 +11,8 @@ use std::f64::consts::PI;
 const ASIDE_RAD: f64 = 2e-8;
 /// Sheets whose planes are nearer to the antenna are seen edge-on, rad.
 const EDGE_ON_RAD: f64 = 1e-9;
+/// Sheets whose planes are nearer show slivers that may be dropped as too small, with their edges, rad.
+const SLIVER_RAD: f64 = 1e-3;
 /// Edges nearer to the line of sight are silent from anywhere near, as a sine (fringe.rs).
 const LEAST_SINE: f64 = 1e-6;
 /// Directions tried in which an antenna leaves the planes of sheets.
@@ -18,8 +20,11 @@ const DIRECTIONS: u32 = 16;
 
 /// The antenna, outside of the planes of all sheets that have an edge across its line of sight.
 pub(crate) fn off_sheets(antenna: Antenna, edges: &WorldEdges) -> Antenna {
-    let in_plane: Vec<(DVec3, &EdgeGeometry)> =
-        edges.edges.iter().filter_map(|edge| Some((normal_if_edge_on(antenna, edge)?, edge))).collect();
+    let in_plane: Vec<(DVec3, &EdgeGeometry)> = edges
+        .edges
+        .iter()
+        .filter_map(|edge| Some((normal_if_edge_on(antenna, edge, EDGE_ON_RAD)?, edge)))
+        .collect();
     let Some((first, edge)) = in_plane.first() else { return antenna };
     let middle_m = edge.point_m(0.5 * edge.length_m);
     let sight = antenna.travel_direction_at(middle_m);
@@ -33,11 +38,17 @@ pub(crate) fn off_sheets(antenna: Antenna, edges: &WorldEdges) -> Antenna {
     }
 }
 
-/// Normal of the sheet that ends at an edge, where the antenna stands in its plane and sees the edge.
-fn normal_if_edge_on(antenna: Antenna, edge: &EdgeGeometry) -> Option<DVec3> {
+/// Whether the antenna sees a sheet so much along its plane that it shows a sliver alone.
+pub(crate) fn sees_along_sheet(antenna: Antenna, edges: &WorldEdges) -> bool {
+    edges.edges.iter().any(|edge| normal_if_edge_on(antenna, edge, SLIVER_RAD).is_some())
+}
+
+/// Normal of the sheet that ends at an edge, where the antenna stands in its plane to an angle and sees the
+/// edge.
+fn normal_if_edge_on(antenna: Antenna, edge: &EdgeGeometry, within_rad: f64) -> Option<DVec3> {
     let (wedge, sight) = (&edge.wedge, antenna.travel_direction_at(edge.point_m(0.5 * edge.length_m)));
     let is_sheet = wedge.exterior > 2.0 - EDGE_ON_RAD;
-    let is_edge_on = wedge.normal[0].dot(sight).abs() < EDGE_ON_RAD;
+    let is_edge_on = wedge.normal[0].dot(sight).abs() < within_rad;
     let is_seen = wedge.along.cross(sight).length() > LEAST_SINE;
     (is_sheet && is_edge_on && is_seen).then_some(wedge.normal[0])
 }

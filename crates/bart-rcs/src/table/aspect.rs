@@ -27,6 +27,9 @@ pub(crate) struct Aspect {
     pub(crate) transmit: (Antenna, DVec3),
     /// Receiver; `None` where it is the transmitter.
     pub(crate) receive: Option<(Antenna, DVec3)>,
+    /// Whether an antenna sees a sheet along its plane: what is lit of that is a sliver, and its edges count
+    /// all the same.
+    pub(crate) is_along_sheet: bool,
 }
 
 impl Aspect {
@@ -51,6 +54,14 @@ pub(crate) struct AspectSettings {
     /// An aspect whose integrals would be cut into more tiles has coarser ones: what they err by is measured,
     /// and what is more than was asked for is integrated finer, with more tiles.
     pub(crate) most_tiles: u64,
+}
+
+impl AspectSettings {
+    /// Settings with which an aspect is traced: along a sheet no sliver is dropped.
+    pub(crate) fn seen_from(&self, aspect: &Aspect) -> Self {
+        let least_area_m2 = if aspect.is_along_sheet { 0.0 } else { self.trace.least_area_m2 };
+        Self { trace: TraceSettings { least_area_m2, ..self.trace }, ..self.clone() }
+    }
 }
 
 /// S of one aspect.
@@ -125,6 +136,7 @@ pub(crate) fn scattering_with(
     company: &Company<'_>,
 ) -> Result<Scattering, BartError> {
     let metered = company.meter.begin();
+    let settings = &settings.seen_from(aspect);
     let mut ends = Ends::new(world, aspect, company, settings)?;
     ends.grow_to(1)?;
     ends.check_open()?;
@@ -542,8 +554,11 @@ mod tests {
             let tree = BeamTree::trace(&world, receiver, &settings.trace).unwrap();
             for (x, model) in [(3.0, Check::Measured), (3.5, Check::Skipped), (2.0, Check::Skipped)] {
                 let transmitter = Antenna::Point(DVec3::new(x, 4.5, 4.0));
-                let aspect =
-                    Aspect { transmit: (transmitter, DVec3::Y), receive: Some((receiver, DVec3::Y)) };
+                let aspect = Aspect {
+                    transmit: (transmitter, DVec3::Y),
+                    receive: Some((receiver, DVec3::Y)),
+                    is_along_sheet: false,
+                };
                 let checks = Checks { integrals: Check::Measured, model };
                 let [own, shared] = [None, Some(&tree)].map(|received| {
                     let meter = &WorkMeter::new(&|| 0.0);

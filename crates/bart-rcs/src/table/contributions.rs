@@ -49,7 +49,7 @@ pub fn contributions(
     let world = World::of_skin(mesh, skin(request))?;
     let aspects = traced_aspects(request, &world);
     let Some(aspect) = aspects.get(aspect) else { return Ok(Vec::new()) };
-    let settings = aspect_settings(request, &world, request.accuracy.amplitude());
+    let settings = aspect_settings(request, &world, request.accuracy.amplitude()).seen_from(aspect);
     let transmit = BeamTree::trace(&world, aspect.transmit.0, &settings.trace)?;
     let receive =
         aspect.receive.map(|(antenna, _)| BeamTree::trace(&world, antenna, &settings.trace)).transpose()?;

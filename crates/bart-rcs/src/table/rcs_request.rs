@@ -1,7 +1,7 @@
 //! Request of a table of S, and the antennas of its aspects.
 
 use crate::bodies::world::World;
-use crate::edges::edge_on::off_sheets;
+use crate::edges::edge_on::{off_sheets, sees_along_sheet};
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
 use crate::table::aspect::Aspect;
@@ -9,6 +9,7 @@ use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
+use glam::DVec3;
 use radar::standpoint::Standpoint;
 use std::f64::consts::TAU;
 
@@ -71,6 +72,7 @@ pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
         Aspect {
             transmit: (antenna(&transmitter), zenith_h(azimuth_rad)),
             receive: request.receiver.map(|r| (antenna(&r), zenith_h(r.azimuth_rad))),
+            is_along_sheet: false,
         }
     };
     request
@@ -87,8 +89,12 @@ pub(crate) fn traced_aspects(request: &RcsRequest, world: &World) -> Vec<Aspect>
         return asked;
     }
     let edges = world.edges(request.wavenumbers_per_m().into_iter().fold(0.0, f64::max));
-    let traced = |(antenna, zenith_h)| (off_sheets(antenna, edges), zenith_h);
-    let aspect =
-        |Aspect { transmit, receive }| Aspect { transmit: traced(transmit), receive: receive.map(traced) };
+    let off = |(antenna, zenith_h): (Antenna, DVec3)| (off_sheets(antenna, edges), zenith_h);
+    let aspect = |asked: Aspect| {
+        let (transmit, receive) = (off(asked.transmit), asked.receive.map(off));
+        let mut antennas = [Some(asked.transmit), asked.receive].into_iter().flatten();
+        let is_along_sheet = antennas.any(|(antenna, _)| sees_along_sheet(antenna, edges));
+        Aspect { transmit, receive, is_along_sheet }
+    };
     asked.into_iter().map(aspect).collect()
 }
