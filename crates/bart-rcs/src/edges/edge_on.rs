@@ -34,7 +34,7 @@ pub(crate) fn off_sheets(antenna: Antenna, edges: &WorldEdges) -> Antenna {
     let aside = (0..DIRECTIONS).map(turned).fold(*first, better);
     match antenna {
         Antenna::Point(p) => Antenna::Point(p + ASIDE_RAD * p.distance(middle_m) * aside),
-        Antenna::Direction(r) => Antenna::Direction((r + ASIDE_RAD * aside).normalize()),
+        Antenna::Direction(r) => Antenna::Direction((r + ASIDE_RAD * aside).try_normalize().unwrap_or(r)),
     }
 }
 
