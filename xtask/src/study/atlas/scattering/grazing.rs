@@ -85,7 +85,8 @@ fn strip_rows(method: Method, edges: Edges) -> Result<Vec<CaseRow>, Failure> {
     let trial = method
         .trial("strip of ten wavelengths, exact series", "field along the edges, degrees from the plane");
     let body = strip();
-    let fringes = documented("docs/decisions/edges.md", "No third order")?;
+    let words = "A wave is followed while its current is above a fiftieth";
+    let fringes = documented("docs/decisions/edges.md", words)?;
     let row = |(name, polarization, from_plane_deg, db): (&str, Polarization, f64, f64)| {
         let request = RcsRequest { edges, polarization, ..looks::first_order(90.0 - from_plane_deg, 0.0) };
         let result = looks::traced(&body, &request)?;
