@@ -13,6 +13,7 @@ use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
 use crate::table::end_tree::EndTree;
 use crate::table::meeting::{MeetingSettings, OrderJoints};
+use crate::table::rcs_request::Aspect;
 use crate::table::small_mirrors::SmallMirrors;
 use crate::table::work_meter::WorkMeter;
 use artifact::radar::Polarization;
@@ -20,25 +21,6 @@ use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
-
-/// Place of the antennas, with ĥ straight above and below.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Aspect {
-    pub(crate) transmit: (Antenna, DVec3),
-    /// Receiver; `None` where it is the transmitter.
-    pub(crate) receive: Option<(Antenna, DVec3)>,
-    /// Whether an antenna sees a sheet along its plane: what is lit of that is a sliver, and its edges count
-    /// all the same.
-    pub(crate) is_along_sheet: bool,
-}
-
-impl Aspect {
-    /// Whether a wave is spherical.
-    pub(crate) fn is_near(&self) -> bool {
-        let near = |antenna: Antenna| matches!(antenna, Antenna::Point(_));
-        near(self.transmit.0) || self.receive.is_some_and(|(antenna, _)| near(antenna))
-    }
-}
 
 /// Settings that are the same at every aspect.
 #[derive(Debug, Clone)]

@@ -8,8 +8,8 @@
 use crate::bodies::world::World;
 use crate::oversight::error::BartError;
 use crate::table::amplitude_ratio::ratio;
-use crate::table::aspect::{Aspect, AspectSettings, Check, Checks, Scattering, scattering};
-use crate::table::rcs_request::{RcsRequest, traced_aspects};
+use crate::table::aspect::{AspectSettings, Check, Checks, Scattering, scattering};
+use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
 use artifact::units::db_from_power;
 use num_complex::Complex64;
 use rayon::prelude::*;

@@ -4,7 +4,6 @@ use crate::bodies::world::World;
 use crate::edges::edge_on::{off_sheets, sees_along_sheet};
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
-use crate::table::aspect::Aspect;
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
@@ -62,6 +61,25 @@ fn antenna(at: &Standpoint) -> Antenna {
         Antenna::Point(at.range_m * at.direction())
     } else {
         Antenna::Direction(at.direction())
+    }
+}
+
+/// Place of the antennas, with ĥ straight above and below.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Aspect {
+    pub(crate) transmit: (Antenna, DVec3),
+    /// Receiver; `None` where it is the transmitter.
+    pub(crate) receive: Option<(Antenna, DVec3)>,
+    /// Whether an antenna sees a sheet along its plane: what is lit of that is a sliver, and its edges count
+    /// all the same.
+    pub(crate) is_along_sheet: bool,
+}
+
+impl Aspect {
+    /// Whether a wave is spherical.
+    pub(crate) fn is_near(&self) -> bool {
+        let near = |antenna: Antenna| matches!(antenna, Antenna::Point(_));
+        near(self.transmit.0) || self.receive.is_some_and(|(antenna, _)| near(antenna))
     }
 }
 

@@ -10,13 +10,11 @@ use crate::oversight::memory::{MemoryLimit, memory_estimate_bytes};
 use crate::oversight::progress::{Phase, Progress};
 use crate::surface::skin::Skin;
 use crate::table::amplitude_ratio::ratio;
-use crate::table::aspect::{
-    Aspect, AspectSettings, Check, Checks, Company, Scattering, scattering, scattering_with,
-};
+use crate::table::aspect::{AspectSettings, Check, Checks, Company, Scattering, scattering, scattering_with};
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
 use crate::table::keeper::{Keeper, NothingKept, Piece};
-use crate::table::rcs_request::{RcsRequest, traced_aspects};
+use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
 use crate::table::work_meter::WorkMeter;
 use artifact::material::{Makeup, Material, Transmission};
 use artifact::scene::Mesh;
