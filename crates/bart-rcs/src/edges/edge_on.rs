@@ -1,5 +1,6 @@
 //! Antennas in the plane of a sheet: there no polygon of it is lit and its edges are silent, while the field
-//! goes on from one side to the other. Such an antenna is moved out of the plane by less than any phase tells.
+//! goes on from one side to the other. Such an antenna is moved out of the plane by less than any phase
+//! tells.
 
 use crate::geometry::antenna::Antenna;
 use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};

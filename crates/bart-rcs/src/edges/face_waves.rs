@@ -1,4 +1,4 @@
-//! Waves that run over faces from edge to edge: where they end with the face, and what they give rise to there.
+//! Waves that run over faces from edge to edge: where they end, and what they give rise to there.
 //!
 //! The fringe current of an edge runs along its face as a wave. Where the face ends, what of it would lie
 //! beyond is taken away, and the edge there sends waves of its own, over both of its faces; each of these
