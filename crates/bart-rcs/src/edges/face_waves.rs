@@ -83,7 +83,8 @@ impl Following<'_, '_> {
             });
             let Some((next, share)) = self.worth_following(&waves, piece_m) else { continue };
             let edges = node.edges;
-            for face in Crossed::faces_of(edges, &edges.edges[next as usize], share) {
+            let free = Crossed::faces_of(edges, &edges.edges[next as usize], share);
+            for face in free.into_iter().filter(|face| face.is_free) {
                 crossed.push(face);
                 self.follow(crossed, sense, piece_m);
                 crossed.pop();
@@ -91,10 +92,12 @@ impl Following<'_, '_> {
         }
     }
 
-    /// The edge at which the waves end, and the share by which those that it sends count: 0 to 1.
+    /// The edge at which the waves end, and the share by which those that it sends count: 0 to 1. A face with a
+    /// wall on it has waves that the wall reflects, which are not told: there the second order is the last.
     fn worth_following(&self, waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, f64)> {
         let wave = waves.wave_from(0.5 * (span_m[0] + span_m[1]))?;
-        let edge = wave.met.edge.filter(|_| waves.crossed.len() < FACES)?;
+        let is_free = waves.crossed.last().is_some_and(|face| face.is_free);
+        let edge = wave.met.edge.filter(|_| is_free && waves.crossed.len() < FACES)?;
         let share = (wave.strength(self.highest_per_m) / FAINTEST - 1.0).clamp(0.0, 1.0);
         (share > 0.0).then_some((edge, share))
     }
@@ -107,6 +110,8 @@ struct Crossed {
     ends: FaceEnds,
     /// Share by which the waves over it count.
     share: f64,
+    /// Whether it ends at edges alone and no wall rises on it.
+    is_free: bool,
 }
 
 impl Crossed {
@@ -122,9 +127,13 @@ impl Crossed {
     }
 
     fn of(edges: &WorldEdges, edge: &EdgeGeometry, face: usize, share: f64) -> Self {
-        let Wedge { along, inward, .. } = edge.wedge;
-        let ends = FaceEnds::seen_from(edge.from_m, along, inward[face], edges.ends_of_face(edge, face));
-        Self { edge: edge.clone(), face, ends, share }
+        let Wedge { along, inward, normal, .. } = edge.wedge;
+        let of_face = edges.ends_of_face(edge, face);
+        // The edge of a corner looks away from what the corner encloses.
+        let looks = |end: u32| edges.edges[end as usize].wedge.has_face(normal[face]);
+        let is_free = of_face.iter().all(|end| end.edge.is_some_and(looks));
+        let ends = FaceEnds::seen_from(edge.from_m, along, inward[face], of_face);
+        Self { edge: edge.clone(), face, ends, share, is_free }
     }
 
     /// Direction of a wave along the face in the coordinates of its ends.

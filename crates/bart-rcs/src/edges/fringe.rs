@@ -79,6 +79,11 @@ impl Wedge {
         Some([self.face(0, travel, out, angle_in), self.face(1, travel, out, span - angle_in)])
     }
 
+    /// Whether one of its faces looks along `normal`.
+    pub(crate) fn has_face(&self, normal: DVec3) -> bool {
+        self.normal.iter().any(|n| n.dot(normal) > SAME_FACE_COSINE)
+    }
+
     /// Views of both faces for a wave that comes along `travel` on the face that looks along `normal`, at
     /// grazing incidence; `None` as for [`Self::faces`], and where no face of the wedge looks that way.
     pub(crate) fn faces_from_face(&self, travel: DVec3, normal: DVec3, out: DVec3) -> Option<[FaceView; 2]> {

@@ -59,9 +59,11 @@ fn strips(folder: &Path) -> Vec<Row> {
         let exact = ["soft", "hard"].map(cut);
         let antennas: Vec<Standpoint> =
             exact[0].numbers("phi_deg").iter().map(|phi| far(90.0 - phi, 0.0)).collect();
-        let heights = [10.0, 20.0].map(|h| h * wavelength_m);
+        let width_m = width.parse::<f64>().unwrap() * wavelength_m;
+        // Waves that run from the ends along the upright edges are the same from four widths of height on.
+        let heights = [4.0, 8.0].map(|widths| widths * width_m);
         let of = |h_m: f64| {
-            let (w, h) = (0.5 * width.parse::<f64>().unwrap() * wavelength_m, 0.5 * h_m);
+            let (w, h) = (0.5 * width_m, 0.5 * h_m);
             let mesh = bodies::mesh_of(&[vec![[0.0, -w, -h], [0.0, w, -h], [0.0, w, h], [0.0, -w, h]]]);
             with_and_without(&mesh, FREQUENCY_HZ, 1, &antennas)
         };
