@@ -92,8 +92,8 @@ impl Following<'_, '_> {
         }
     }
 
-    /// The edge at which the waves end, and the share by which those that it sends count: 0 to 1. A face with a
-    /// wall on it has waves that the wall reflects, which are not told: there the second order is the last.
+    /// The edge at which the waves end, and the share by which those that it sends count: 0 to 1. A face with
+    /// a wall on it has waves that the wall reflects, which are not told: there the second order is the last.
     fn worth_following(&self, waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, f64)> {
         let wave = waves.wave_from(0.5 * (span_m[0] + span_m[1]))?;
         let is_free = waves.crossed.last().is_some_and(|face| face.is_free);
