@@ -2,6 +2,7 @@
 //! goes on from one side to the other. Such an antenna is moved out of the plane by less than any phase
 //! tells.
 
+use crate::edges::fringe::{EDGE_ON_RAD, LEAST_SINE};
 use crate::geometry::antenna::Antenna;
 use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
 use glam::{DQuat, DVec3};
@@ -10,12 +11,8 @@ use std::f64::consts::PI;
 /// Angle by which an antenna is moved, rad: beyond what counts as edge-on (fringe.rs, 1e-9) where it leaves a
 /// plane aslant, and over 10 m at 77 GHz a phase of 3e-4 rad.
 const ASIDE_RAD: f64 = 2e-8;
-/// Sheets whose planes are nearer to the antenna are seen edge-on, rad.
-const EDGE_ON_RAD: f64 = 1e-9;
 /// Sheets whose planes are nearer show slivers that may be dropped as too small, with their edges, rad.
 const SLIVER_RAD: f64 = 1e-3;
-/// Edges nearer to the line of sight are silent from anywhere near, as a sine (fringe.rs).
-const LEAST_SINE: f64 = 1e-6;
 /// Directions tried in which an antenna leaves the planes of sheets.
 const DIRECTIONS: u32 = 16;
 
@@ -48,10 +45,9 @@ pub(crate) fn sees_along_sheet(antenna: Antenna, edges: &WorldEdges) -> bool {
 /// edge.
 fn normal_if_edge_on(antenna: Antenna, edge: &EdgeGeometry, within_rad: f64) -> Option<DVec3> {
     let (wedge, sight) = (&edge.wedge, antenna.travel_direction_at(edge.point_m(0.5 * edge.length_m)));
-    let is_sheet = wedge.exterior > 2.0 - EDGE_ON_RAD;
     let is_edge_on = wedge.normal[0].dot(sight).abs() < within_rad;
     let is_seen = wedge.along.cross(sight).length() > LEAST_SINE;
-    (is_sheet && is_edge_on && is_seen).then_some(wedge.normal[0])
+    (wedge.is_of_sheet() && is_edge_on && is_seen).then_some(wedge.normal[0])
 }
 
 #[cfg(test)]

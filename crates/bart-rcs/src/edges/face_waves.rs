@@ -118,9 +118,9 @@ impl Crossed {
     /// Faces of an edge, on which waves count by a share. Both sides of a sheet have the same fringe current:
     /// one of them stands for both, where it ends at edges of sheets alone.
     fn faces_of(edges: &WorldEdges, edge: &EdgeGeometry, share: f64) -> Vec<Self> {
-        let is_sheet = |edge: &EdgeGeometry| edge.wedge.exterior == 2.0;
-        let ends_at = edges.ends_of_face(edge, 0).iter().filter_map(|end| end.edge);
-        match is_sheet(edge) && ends_at.into_iter().all(|end| is_sheet(&edges.edges[end as usize])) {
+        let mut ends_at = edges.ends_of_face(edge, 0).iter().filter_map(|end| end.edge);
+        let is_of_sheet = |end: u32| edges.edges[end as usize].wedge.is_of_sheet();
+        match edge.wedge.is_of_sheet() && ends_at.all(is_of_sheet) {
             true => vec![Self::of(edges, edge, 0, 2.0 * share)],
             false => [0, 1].map(|face| Self::of(edges, edge, face, share)).into(),
         }
@@ -169,6 +169,19 @@ struct Wave {
     /// Factor of the current at the last edge for each field sent: of one over a first face.
     arriving: [f64; 2],
     before: FallenOff,
+}
+
+/// The end of a wave at an edge, per unit of its current.
+struct Arrival {
+    /// Faces of the edge, as the wave sees them.
+    faces: [FaceView; 2],
+    travel: DVec3,
+    field: DVec3,
+    /// Direction to the receiver, and its unit fields.
+    out: DVec3,
+    received: [DVec3; 2],
+    /// Length of the edge before over the length that its waves meet here.
+    width: f64,
 }
 
 /// Waves over the faces before the last: how each has fallen off, to be told of a wavenumber.
@@ -240,24 +253,32 @@ impl FaceWaves<'_> {
         })
     }
 
-    /// The wave that an arriving one gives rise to, over a face of the edge at which that ends.
+    /// A wave as it meets the edge of a wedge at the end of its face; `None` where the edge is silent.
     ///
     /// A wave that grazes a conductor has the current 2H: E = ½J·n. Its own current up to the edge is there
     /// already, so the fringe of grazing incidence is what the edge adds.
-    fn next_wave(&self, wave: &Wave, crossed: &Crossed) -> Option<Wave> {
+    fn arrival(&self, wave: &Wave, wedge: &Wedge) -> Option<Arrival> {
         let to = self.legs()[1];
         let (travel, back) = (wave.view.along_face(), to.image.travel_direction_at(wave.end_m));
-        let view = crossed.edge.wedge.faces_from_face(travel, wave.view.normal, -back)?[crossed.face];
+        let faces = wedge.faces_from_face(travel, wave.view.normal, -back)?;
+        let width = wave.view.sin_in / faces[0].sin_in;
         let received = to.mirrors.fields_at_node(back, to.zenith_h);
+        Some(Arrival { faces, travel, field: 0.5 * wave.view.normal, out: -back, received, width })
+    }
+
+    /// The wave that an arriving one gives rise to, over a face of the edge at which that ends.
+    fn next_wave(&self, wave: &Wave, crossed: &Crossed) -> Option<Wave> {
+        let Arrival { faces, travel, field, received, width, .. } =
+            self.arrival(wave, &crossed.edge.wedge)?;
+        let view = faces[crossed.face];
         let met = crossed.ends.nearest(crossed.place_of(wave.end_m), crossed.direction(&view))?;
-        let width = crossed.share * wave.view.sin_in / view.sin_in;
         Some(Wave {
             view,
             met,
             end_m: wave.end_m + met.way_m * view.along_face(),
             way_m: wave.way_m + met.way_m,
-            current: EndCurrent::new(&view, travel, &[0.5 * wave.view.normal; 2], &received),
-            arriving: [0, 1].map(|q| width * wave.arriving[q] * wave.current.along_ray[q]),
+            current: EndCurrent::new(&view, travel, &[field; 2], &received),
+            arriving: [0, 1].map(|q| crossed.share * width * wave.ray(q)),
             before: wave.before.then(wave.current.falloff_root(wave.met.way_m)),
         })
     }
@@ -265,16 +286,11 @@ impl FaceWaves<'_> {
     /// Kernel √π·K of the edge where the face ends, for a wave that arrives along the face with a current
     /// of one, per length of the edge before; by what is received.
     fn next_edge(&self, wave: &Wave) -> [f64; 2] {
-        let Some(edge) = wave.met.edge else { return [0.0; 2] };
-        let (to, view) = (self.legs()[1], &wave.view);
-        let wedge = &self.node.edges.edges[edge as usize].wedge;
-        let (travel, back) = (view.along_face(), to.image.travel_direction_at(wave.end_m));
-        let Some(faces) = wedge.faces_from_face(travel, view.normal, -back) else { return [0.0; 2] };
-        let width = view.sin_in / travel.cross(wedge.along).length();
-        let received = to.mirrors.fields_at_node(back, to.zenith_h);
+        let wedge = wave.met.edge.map(|edge| &self.node.edges.edges[edge as usize].wedge);
+        let Some(at) = wedge.and_then(|wedge| self.arrival(wave, wedge)) else { return [0.0; 2] };
         let [one, other] =
-            faces.map(|f| f.coefficients([f.incident(travel, 0.5 * view.normal)], -back, received));
-        [0, 1].map(|p| width * (one[p][0] + other[p][0]))
+            at.faces.map(|f| f.coefficients([f.incident(at.travel, at.field)], at.out, at.received));
+        [0, 1].map(|p| at.width * (one[p][0] + other[p][0]))
     }
 
     /// A span cut where rays along the last face change from one end to the next.

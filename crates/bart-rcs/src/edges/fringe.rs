@@ -51,10 +51,10 @@ pub(crate) enum Lighting {
 const LEAST_GRAZING: f64 = 1e-9;
 /// Directions are rounded to ε, and facets nearer to edge-on than 16 ε have no shadow and no light
 /// (shadow.rs).
-const EDGE_ON_RAD: f64 = 1e-9;
+pub(crate) const EDGE_ON_RAD: f64 = 1e-9;
 /// A leg along the edge itself has no angle φ; within this sine of it the edge is left out (its amplitude is
 /// bounded).
-const LEAST_SINE: f64 = 1e-6;
+pub(crate) const LEAST_SINE: f64 = 1e-6;
 
 /// Planes of one flat patch differ by less.
 const SAME_FACE_COSINE: f64 = 0.999;
@@ -79,6 +79,11 @@ impl Wedge {
         Some([self.face(0, travel, out, angle_in), self.face(1, travel, out, span - angle_in)])
     }
 
+    /// Whether it is the open edge of a sheet.
+    pub(crate) fn is_of_sheet(&self) -> bool {
+        self.exterior == 2.0
+    }
+
     /// Whether one of its faces looks along `normal`.
     pub(crate) fn has_face(&self, normal: DVec3) -> bool {
         self.normal.iter().any(|n| n.dot(normal) > SAME_FACE_COSINE)
@@ -92,7 +97,7 @@ impl Wedge {
         let is_sound = [travel, out].iter().all(|d| d.cross(self.along).length() >= LEAST_SINE);
         let alignment = self.normal.map(|n| n.dot(normal));
         let first = if alignment[0] >= alignment[1] { 0.0 } else { span };
-        let looks = alignment[0].max(alignment[1]) > SAME_FACE_COSINE;
+        let looks = self.has_face(normal);
         let faces = || [self.face(0, travel, out, first), self.face(1, travel, out, span - first)];
         (is_seen && is_sound && looks).then(faces)
     }

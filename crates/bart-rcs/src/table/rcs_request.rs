@@ -109,10 +109,15 @@ pub(crate) fn traced_aspects(request: &RcsRequest, world: &World) -> Vec<Aspect>
     let edges = world.edges(request.wavenumbers_per_m().into_iter().fold(0.0, f64::max));
     let off = |(antenna, zenith_h): (Antenna, DVec3)| (off_sheets(antenna, edges), zenith_h);
     let aspect = |asked: Aspect| {
-        let (transmit, receive) = (off(asked.transmit), asked.receive.map(off));
         let mut antennas = [Some(asked.transmit), asked.receive].into_iter().flatten();
-        let is_along_sheet = antennas.any(|(antenna, _)| sees_along_sheet(antenna, edges));
-        Aspect { transmit, receive, is_along_sheet }
+        match antennas.any(|(antenna, _)| sees_along_sheet(antenna, edges)) {
+            true => Aspect {
+                transmit: off(asked.transmit),
+                receive: asked.receive.map(off),
+                is_along_sheet: true,
+            },
+            false => asked,
+        }
     };
     asked.into_iter().map(aspect).collect()
 }
