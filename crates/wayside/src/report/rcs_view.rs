@@ -206,15 +206,8 @@ const HOW: &str = "facets from −40 to 0 dB of the strongest sequence, by the p
                    turns the view, with the right button or Shift moves it; the wheel comes nearer once the \
                    picture was clicked. A click on a facet lists its sequences.";
 
-/// The view's script, in the order in which its parts use each other.
-const SCRIPT: [&str; 11] = [
-    include_str!("viewer/script/numbers.js"),
-    include_str!("viewer/script/matrices.js"),
-    include_str!("viewer/script/camera.js"),
-    include_str!("viewer/script/graphics.js"),
-    include_str!("viewer/script/colours.js"),
-    include_str!("viewer/script/shapes.js"),
-    include_str!("viewer/script/picture.js"),
+/// The view's own scripts, in the order in which they use each other.
+const SCRIPT: [&str; 4] = [
     include_str!("viewer/script/map.js"),
     include_str!("viewer/script/cuts.js"),
     include_str!("viewer/script/listening.js"),

@@ -13,6 +13,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// A study as its view shows it; designs and situations by their places in its lists.
+#[derive(Serialize)]
 pub(crate) struct SweepView {
     /// Names of what was varied.
     pub(crate) axes: Vec<String>,
@@ -20,12 +21,15 @@ pub(crate) struct SweepView {
     /// Metric that the study chooses by, and the one that a design costs.
     pub(crate) goal: usize,
     pub(crate) cost: usize,
+    #[serde(skip)]
     pub(crate) designs: Vec<Design>,
     /// Designs of the study, more than there are in the view where that has no room.
+    #[serde(skip)]
     pub(crate) designs_all: usize,
     pub(crate) answer: Option<usize>,
     pub(crate) best: Option<usize>,
     /// The first situations; one at least.
+    #[serde(skip)]
     pub(crate) situations: Vec<Situation>,
     pub(crate) situations_all: usize,
 }
@@ -36,11 +40,13 @@ pub(crate) struct Metric {
     pub(crate) is_lower_better: bool,
 }
 
+#[derive(Serialize)]
 pub(crate) struct Design {
     /// Number in the study.
     pub(crate) number: usize,
-    /// What it has of each axis.
+    /// Its choice of each axis.
     pub(crate) labels: Vec<String>,
+    #[serde(skip)]
     pub(crate) radar: Radar,
     /// Mean of each metric and half the width of its interval; `None` where they are not known.
     pub(crate) means: Vec<Option<(f64, Option<f64>)>>,
@@ -61,16 +67,11 @@ pub(crate) struct Situation {
 /// Numbers of the page.
 #[derive(Serialize)]
 struct Page<'a> {
-    axes: &'a [String],
-    metrics: &'a [Metric],
-    goal: usize,
-    cost: usize,
-    answer: Option<usize>,
-    best: Option<usize>,
+    #[serde(flatten)]
+    view: &'a SweepView,
     radars: Vec<StandingRadar>,
     designs: Vec<PageDesign<'a>>,
     situations: Vec<PageSituation<'a>>,
-    situations_all: usize,
     surroundings: Surroundings,
 }
 
@@ -84,15 +85,10 @@ struct StandingRadar {
 
 #[derive(Serialize)]
 struct PageDesign<'a> {
-    number: usize,
-    labels: &'a [String],
+    #[serde(flatten)]
+    design: &'a Design,
     /// Index among the radars.
     radar: usize,
-    means: &'a [Option<(f64, Option<f64>)>],
-    goal_by_situation: &'a [Option<f64>],
-    situations: usize,
-    is_candidate: bool,
-    is_on_front: bool,
 }
 
 #[derive(Serialize)]
@@ -101,15 +97,8 @@ struct PageSituation<'a> {
     bodies: Vec<BodyView>,
 }
 
-/// The view's script, in the order in which its parts use each other.
-const SCRIPT: [&str; 15] = [
-    include_str!("viewer/script/numbers.js"),
-    include_str!("viewer/script/matrices.js"),
-    include_str!("viewer/script/camera.js"),
-    include_str!("viewer/script/graphics.js"),
-    include_str!("viewer/script/colours.js"),
-    include_str!("viewer/script/shapes.js"),
-    include_str!("viewer/script/picture.js"),
+/// The view's own scripts, in the order in which they use each other.
+const SCRIPT: [&str; 8] = [
     include_str!("viewer/script/surroundings.js"),
     include_str!("viewer/script/map.js"),
     include_str!("viewer/script/cuts.js"),
@@ -120,7 +109,7 @@ const SCRIPT: [&str; 15] = [
     include_str!("viewer/script/sweep_view.js"),
 ];
 
-/// How the view is read and moved.
+/// Words on reading and moving the view.
 const HOW: &str = ". A dot is a design, a plain one where the metric is not known; those of one place stand side \
                    by side. A click on a dot, here or in the chart, chooses it: its field of view is shown, and \
                    what it was worth. Drag turns the view, with the right button or Shift moves it; the wheel \
@@ -201,25 +190,11 @@ fn metrics(name: &str, view: &SweepView, chosen: usize) -> Markup {
 impl SweepView {
     /// `None` of a study without a situation.
     fn page(&self) -> Option<Page<'_>> {
-        let mut surroundings = Surroundings::of(&self.situations.first()?.header);
+        let first = self.situations.first()?;
         let (situations, meshes) = self.bodies();
-        surroundings.meshes = meshes.meshes;
         let (designs, radars) = self.standing();
-        let Self { goal, cost, answer, best, situations_all, .. } = *self;
-        let (axes, metrics) = (&self.axes[..], &self.metrics[..]);
-        Some(Page {
-            axes,
-            metrics,
-            goal,
-            cost,
-            answer,
-            best,
-            radars,
-            designs,
-            situations,
-            situations_all,
-            surroundings,
-        })
+        let surroundings = Surroundings::with_meshes(&first.header, meshes);
+        Some(Page { view: self, radars, designs, situations, surroundings })
     }
 
     /// Designs and the radars that they share.
@@ -232,7 +207,7 @@ impl SweepView {
                 radars.len() - 1
             })
         };
-        let designs = self.designs.iter().map(|design| PageDesign::of(design, index(design))).collect();
+        let designs = self.designs.iter().map(|design| PageDesign { design, radar: index(design) }).collect();
         (designs, radars)
     }
 
@@ -240,16 +215,8 @@ impl SweepView {
     fn bodies(&self) -> (Vec<PageSituation<'_>>, MeshShelf) {
         let (mut shelf, mut places) = (MeshShelf::default(), BTreeMap::new());
         let situations = self.situations.iter().map(|Situation { words, header }| {
-            let of_header: Vec<u32> = header
-                .meshes
-                .iter()
-                .map(|mesh| {
-                    *places.entry(fingerprint(mesh)).or_insert_with(|| {
-                        shelf.put(mesh);
-                        shelf.meshes.len() as u32 - 1
-                    })
-                })
-                .collect();
+            let mut place = |mesh| *places.entry(fingerprint(mesh)).or_insert_with(|| shelf.put(mesh));
+            let of_header: Vec<u32> = header.meshes.iter().map(&mut place).collect();
             PageSituation { words, bodies: bodies(header, &of_header) }
         });
         (situations.collect(), shelf)
@@ -274,15 +241,6 @@ impl StandingRadar {
         let stands =
             format!("stands at x {x}, y {y}, z {z} m; boresight: azimuth {azimuth}, elevation {elevation}");
         Self { view: RadarView::of(radar), stands }
-    }
-}
-
-impl<'a> PageDesign<'a> {
-    fn of(design: &'a Design, radar: usize) -> Self {
-        let Design { number, situations, is_candidate, is_on_front, .. } = *design;
-        let (labels, means) = (&design.labels[..], &design.means[..]);
-        let goal_by_situation = &design.goal_by_situation[..];
-        Self { number, labels, radar, means, goal_by_situation, situations, is_candidate, is_on_front }
     }
 }
 

@@ -16,9 +16,8 @@ use crate::sweep::runs::ledger::{Ledger, Values};
 use crate::sweep::runs::one_run::{self, Means, Measured};
 use crate::sweep::statistics::contest::{self, Rule};
 use crate::sweep::study::axis::Pick;
-use crate::sweep::study::designs::changes;
 use crate::sweep::study::document::Study;
-use crate::sweep::study::situations::Situation;
+use crate::sweep::study::situations::{Situation, changes_in};
 use artifact::scene::SceneHeader;
 use scene::Meshes;
 use std::collections::BTreeMap;
@@ -156,9 +155,13 @@ impl Rounds<'_> {
 
     /// Changes that a run makes to the scene.
     fn changes(&self, number: usize, situations: &[Situation]) -> Vec<scene::Change> {
-        let (design, situation) = (number / situations.len(), &situations[number % situations.len()]);
-        let varied = self.study.vary.iter().zip(&self.designs[design]);
-        changes(varied.chain(self.study.conditions.iter().zip(&situation.picks)))
+        let (design, situation) = self.at(number, situations);
+        changes_in(self.study, design, situation)
+    }
+
+    /// Design and situation of a run.
+    fn at<'s>(&self, number: usize, situations: &'s [Situation]) -> (&[Pick], &'s Situation) {
+        (&self.designs[number / situations.len()], &situations[number % situations.len()])
     }
 
     fn make(&self, repeat: usize, situations: &[Situation], jobs: &[Job]) -> Result<(), Failure> {
@@ -213,9 +216,8 @@ impl Rounds<'_> {
     }
 
     fn scene(&self, number: usize, situations: &[Situation]) -> Result<SceneHeader, Failure> {
-        let seed = situations[number % situations.len()].seed;
-        let changes = self.changes(number, situations);
-        one_run::read(&self.study.scene, self.study.radar.as_deref(), &changes, seed, Meshes::Whole)
+        let (design, situation) = self.at(number, situations);
+        one_run::read(self.study, design, situation, Meshes::Whole)
     }
 
     /// One run a thread, as many as are expected to fit into the memory that they may take if all are as

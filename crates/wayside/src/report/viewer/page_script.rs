@@ -8,11 +8,22 @@ pub(in crate::report) fn json(numbers: &impl Serialize) -> Result<String, serde_
     serde_json::to_string(numbers).map(|json| json.replace('<', "\\u003c"))
 }
 
-/// Numbers and scripts, the latter in the order in which they use each other.
-pub(in crate::report) fn scripts(json: &str, parts: &[&str]) -> Markup {
+/// Scripts that every view begins with, in the order in which they use each other.
+const FIRST: [&str; 7] = [
+    include_str!("script/numbers.js"),
+    include_str!("script/matrices.js"),
+    include_str!("script/camera.js"),
+    include_str!("script/graphics.js"),
+    include_str!("script/colours.js"),
+    include_str!("script/shapes.js"),
+    include_str!("script/picture.js"),
+];
+
+/// Numbers and scripts: those of every view, then its own, in the order in which they use each other.
+pub(in crate::report) fn scripts(json: &str, own: &[&str]) -> Markup {
     html! {
         script type="application/json" id="viewer-data" { (PreEscaped(json)) }
-        script { (PreEscaped("\"use strict\";\n{\n")) @for part in parts { (PreEscaped(part)) } (PreEscaped("}\n")) }
+        script { (PreEscaped("\"use strict\";\n{\n")) @for part in FIRST.iter().chain(own) { (PreEscaped(part)) } (PreEscaped("}\n")) }
     }
 }
 
@@ -32,5 +43,15 @@ pub(in crate::report) fn reads_as_the_source_does(parts: &[&str]) {
             }
             assert!(line != "}" || number - begun < 70, "{name}, line {number}");
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scripts_of_every_view_read_as_the_rest_of_the_source_does() {
+        reads_as_the_source_does(&FIRST);
     }
 }

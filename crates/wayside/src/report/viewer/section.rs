@@ -8,15 +8,8 @@ use maud::{Markup, html};
 /// Style of the view.
 pub(crate) const STYLE: &str = include_str!("viewer.css");
 
-/// The view's script, in the order in which its parts use each other.
-const SCRIPT: [&str; 18] = [
-    include_str!("script/numbers.js"),
-    include_str!("script/matrices.js"),
-    include_str!("script/camera.js"),
-    include_str!("script/graphics.js"),
-    include_str!("script/colours.js"),
-    include_str!("script/shapes.js"),
-    include_str!("script/picture.js"),
+/// The view's own scripts, in the order in which they use each other.
+const SCRIPT: [&str; 11] = [
     include_str!("script/surroundings.js"),
     include_str!("script/ways.js"),
     include_str!("script/motion.js"),

@@ -18,7 +18,7 @@ pub(in crate::report) struct Surroundings {
     /// Lines of lanes.
     lines_m: Vec<Vec<[f64; 2]>>,
     lanes: Vec<LaneName>,
-    pub(in crate::report) meshes: Vec<MeshView>,
+    meshes: Vec<MeshView>,
 }
 
 /// A radar with its field of view.
@@ -45,7 +45,7 @@ struct LaneName {
 
 /// A mesh, or its box alone where there is no room for more.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(in crate::report) struct MeshView {
+struct MeshView {
     /// Corners of the bounding box, body axes, m.
     box_m: [[f64; 3]; 2],
     triangles_all: usize,
@@ -58,7 +58,17 @@ pub(in crate::report) struct MeshView {
 const STEP_M: f64 = 0.001;
 
 impl Surroundings {
+    /// All of a scene.
     pub(in crate::report) fn of(header: &SceneHeader) -> Self {
+        let mut shelf = MeshShelf::default();
+        header.meshes.iter().for_each(|mesh| {
+            shelf.put(mesh);
+        });
+        Self::with_meshes(header, shelf)
+    }
+
+    /// Radar and road of a scene, with these meshes.
+    pub(in crate::report) fn with_meshes(header: &SceneHeader, shelf: MeshShelf) -> Self {
         let (road, far_m) = (&header.dsp.road, header.radar.waveform.range_max_m());
         let near_m = header.intersection.width_m;
         let straight = |lane: &Lane| lane_m(road, lane, [near_m, far_m]);
@@ -72,8 +82,6 @@ impl Surroundings {
         };
         let lanes = road.lanes.iter().map(of_lane).chain(road.courses.iter().filter_map(course_name));
         let lanes = lanes.collect();
-        let mut shelf = MeshShelf::default();
-        header.meshes.iter().for_each(|mesh| shelf.put(mesh));
         Self { radar: RadarView::of(&header.radar), roads_m, lines_m, lanes, meshes: shelf.meshes }
     }
 }
@@ -117,16 +125,17 @@ fn course_name(course: &Course) -> Option<LaneName> {
 /// Meshes of a page, whole as long as there is room.
 #[derive(Default)]
 pub(in crate::report) struct MeshShelf {
-    pub(in crate::report) meshes: Vec<MeshView>,
+    meshes: Vec<MeshView>,
     triangles: usize,
 }
 
 impl MeshShelf {
-    /// Puts a mesh behind the others.
-    pub(in crate::report) fn put(&mut self, mesh: &Mesh) {
+    /// Puts a mesh behind the others, and tells its place among them.
+    pub(in crate::report) fn put(&mut self, mesh: &Mesh) -> u32 {
         let fits = self.triangles + mesh.triangles.len() <= TRIANGLES;
         self.triangles += if fits { mesh.triangles.len() } else { 0 };
         self.meshes.push(MeshView::of(mesh, fits.then_some(mesh)));
+        self.meshes.len() as u32 - 1
     }
 }
 

@@ -12,11 +12,13 @@ use crate::host::memory::Allowance;
 use crate::outcome::frame_truth::frame_truth;
 use crate::outcome::summary::{FrameSummary, Summary};
 use crate::outcome::tracking::Tracking;
+use crate::sweep::study::axis::Pick;
+use crate::sweep::study::document::Study;
+use crate::sweep::study::situations::{Situation, changes_in};
 use artifact::envelope::fingerprint;
 use artifact::scene::SceneHeader;
 use artifact::settings::Fidelity;
-use scene::{Change, Meshes, ReadOptions};
-use std::path::Path;
+use scene::{Meshes, ReadOptions};
 
 /// Means that all runs of a study share.
 pub(crate) struct Means<'a> {
@@ -37,18 +39,18 @@ pub(crate) struct Measured {
     hash: String,
 }
 
-/// The scene of a study, changed, with its models as far as they are asked for, and its seed.
+/// The scene of a design in a situation, with its models as far as they are asked for.
 pub(crate) fn read(
-    scene: &Path,
-    radar: Option<&str>,
-    changes: &[Change],
-    seed: u64,
+    study: &Study,
+    design: &[Pick],
+    situation: &Situation,
     meshes: Meshes,
 ) -> Result<SceneHeader, Failure> {
-    let options = ReadOptions { model: None, radar: radar.map(str::to_owned), meshes };
-    let header = scene::read_changed(scene, changes, &options).map_err(loading::of_scene)?;
+    let changes = changes_in(study, design, situation);
+    let options = ReadOptions { model: None, radar: study.radar.clone(), meshes };
+    let header = scene::read_changed(&study.scene, &changes, &options).map_err(loading::of_scene)?;
     let fidelity = Fidelity { measured_every: MEASURED_EVERY, ..header.fidelity };
-    Ok(SceneHeader { seed, fidelity, ..header })
+    Ok(SceneHeader { seed: situation.seed, fidelity, ..header })
 }
 
 /// Errors of a run's first frame.

@@ -2,8 +2,9 @@
 //! designs are compared in pairs.
 
 use crate::sweep::study::axis::{Axis, Pick};
-use crate::sweep::study::designs::{combinations, product, share};
+use crate::sweep::study::designs::{changes, combinations, product, share};
 use crate::sweep::study::document::Study;
+use scene::Change;
 
 /// A condition with a seed.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,6 +34,11 @@ pub(crate) fn situations(study: &Study) -> Vec<Vec<Situation>> {
 /// Number of situations of all repeats, before one is made.
 pub(crate) fn count(study: &Study) -> u64 {
     combinations(&study.conditions).saturating_mul(u64::from(study.repeats))
+}
+
+/// Changes that a design in a situation makes to the scene.
+pub(crate) fn changes_in(study: &Study, design: &[Pick], situation: &Situation) -> Vec<Change> {
+    changes(study.vary.iter().zip(design).chain(study.conditions.iter().zip(&situation.picks)))
 }
 
 fn situation(study: &Study, repeat: u32, condition: usize, listed: &[Pick]) -> Situation {

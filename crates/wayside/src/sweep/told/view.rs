@@ -6,10 +6,8 @@ use crate::sweep::runs::metrics::Better;
 use crate::sweep::runs::one_run;
 use crate::sweep::statistics::interval::Mean;
 use crate::sweep::study::axis::{Axis, Pick};
-use crate::sweep::study::designs::changes;
 use crate::sweep::study::situations::Situation;
 use crate::sweep::told::report::Done;
-use artifact::scene::SceneHeader;
 use scene::Meshes;
 
 /// Designs of a view: more make a page of several megabytes.
@@ -20,7 +18,7 @@ const SITUATIONS: usize = 24;
 /// The view of a study that is done, with these situations in their order.
 ///
 /// # Errors
-/// As of reading a scene, which every design has passed before its runs.
+/// Those of reading a scene, which every design has passed before its runs.
 pub(crate) fn of(done: &Done, situations: &[&Situation]) -> Result<SweepView, Failure> {
     let shown = shown(done);
     let place = |design: Option<usize>| shown.iter().position(|own| Some(*own) == design);
@@ -29,7 +27,7 @@ pub(crate) fn of(done: &Done, situations: &[&Situation]) -> Result<SweepView, Fa
     let design = |number: &usize| design(done, *number, seen.first().copied(), seen.len());
     let situation = |situation: &&Situation| {
         let words = words(done, situation);
-        Ok(Seen { words, header: read(done, first, situation, Meshes::Whole)? })
+        Ok(Seen { words, header: one_run::read(done.study, &done.designs[first], situation, Meshes::Whole)? })
     };
     Ok(SweepView {
         axes: done.study.vary.iter().map(|axis| axis.name.clone()).collect(),
@@ -85,7 +83,7 @@ fn design(
     let mut goal_by_situation = ledger.metric(number, study.goal.metric);
     goal_by_situation.resize(situations, None);
     let radar = match situation {
-        Some(situation) => read(done, number, situation, Meshes::NamesOnly)?.radar,
+        Some(situation) => one_run::read(study, &designs[number], situation, Meshes::NamesOnly)?.radar,
         None => return Err(Failure::System("the study has no situation".into())),
     };
     Ok(Design {
@@ -98,13 +96,6 @@ fn design(
         is_candidate: answer.candidates.contains(&number),
         is_on_front: answer.front.contains(&number),
     })
-}
-
-/// Scene of a design in a situation.
-fn read(done: &Done, design: usize, situation: &Situation, meshes: Meshes) -> Result<SceneHeader, Failure> {
-    let varied = done.study.vary.iter().zip(&done.designs[design]);
-    let changes = changes(varied.chain(done.study.conditions.iter().zip(&situation.picks)));
-    one_run::read(&done.study.scene, done.study.radar.as_deref(), &changes, situation.seed, meshes)
 }
 
 /// A situation in words: its conditions and its repeat.

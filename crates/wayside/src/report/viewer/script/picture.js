@@ -10,6 +10,16 @@ function beginPicture({ canvas, graphics: { gl }, state }) {
   return { clip, pixels, colours: state.colours.marks };
 }
 
+/** The index of the place nearest to a pixel; `null` where none is within so many pixels. */
+function nearestTo([x, y], places, within) {
+  let [best, nearest] = [null, within];
+  places.forEach((place, index) => {
+    const distance = place ? Math.hypot(place[0] - x, place[1] - y) : Infinity;
+    if (distance < nearest) [best, nearest] = [index, distance];
+  });
+  return best;
+}
+
 /** Pixels of the page of a world place; `null` behind the eye. */
 function onScreen({ canvas, state }, place) {
   const clip = clipFromWorld(state.camera, canvas.width / canvas.height);

@@ -150,11 +150,6 @@ function foundUnder(space, pixel) {
   }));
   for (const object of objects)
     all.push({ place: object.place_m, range: object.range_m, velocity: object.velocity_mps });
-  let [best, nearest] = [null, 10];
-  for (const thing of all) {
-    const at = onScreen(space, thing.place);
-    const distance = at ? Math.hypot(at[0] - pixel[0], at[1] - pixel[1]) : Infinity;
-    if (distance < nearest) [best, nearest] = [thing, distance];
-  }
-  return best;
+  const pixels = all.map(({ place }) => onScreen(space, place));
+  return all[nearestTo(pixel, pixels, 10)] ?? null;
 }

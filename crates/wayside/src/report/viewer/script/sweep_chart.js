@@ -24,15 +24,10 @@ function pixelOnChart(state, design) {
 }
 
 /** The design nearest to a pixel of the chart; `null` where none is near. */
-function designOnChart(state, [x, y]) {
+function designOnChart(state, pixel) {
   const sheet = chartSheet(state);
-  let [best, nearest] = [null, FINGER];
-  state.page.designs.forEach((_, design) => {
-    const at = placeOnChart(sheet, state, design);
-    const distance = at ? Math.hypot(at[0] - x, at[1] - y) : Infinity;
-    if (distance < nearest) [best, nearest] = [design, distance];
-  });
-  return best;
+  const pixels = state.page.designs.map((_, design) => placeOnChart(sheet, state, design));
+  return nearestTo(pixel, pixels, FINGER);
 }
 
 function drawChart(state) {
@@ -85,7 +80,7 @@ function tellOfDesign(panel, page, index) {
   rowsInto(panel, caption, head, page.metrics.map(row));
 }
 
-/** What the study says of a design. */
+/** The study's verdict on a design. */
 function verdictOn(page, index) {
   const design = page.designs[index];
   const words = [

@@ -79,7 +79,7 @@ function placesOfDesigns({ designs, radars }) {
   return places;
 }
 
-/** What a design is worth by the metric that is shown; `null` where it is not known. */
+/** The worth of a design by the metric that is shown; `null` where it is not known. */
 function worthOf({ page, metric, isAlone, situation }, design) {
   if (isAlone) return page.designs[design].goal_by_situation[situation] ?? null;
   return page.designs[design].means[metric]?.[0] ?? null;
@@ -163,13 +163,8 @@ function beamOf(space, radar) {
 
 /** The design whose dot is nearest to a pixel; `null` where none is near. */
 function thingUnder(space, pixel) {
-  let [best, nearest] = [null, FINGER];
-  space.places.forEach((place, design) => {
-    const at = onScreen(space, place);
-    const distance = at ? Math.hypot(at[0] - pixel[0], at[1] - pixel[1]) : Infinity;
-    if (distance < nearest) [best, nearest] = [design, distance];
-  });
-  return best;
+  const pixels = space.places.map((place) => onScreen(space, place));
+  return nearestTo(pixel, pixels, FINGER);
 }
 
 /** Nothing is found by hovering: `isHeld` keeps the listeners from asking. */
