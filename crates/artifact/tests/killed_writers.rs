@@ -4,7 +4,7 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
-use artifact::whole_file::{Durability, WholeFile, is_temporary};
+use artifact::whole_file::{Durability, WholeFile, WholeFolder, is_temporary};
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -12,24 +12,44 @@ use std::process::{Child, Command, Stdio};
 /// Variable that names the place where the child writes; the test is a child where it is set.
 const PLACE: &str = "WRITER_OF_A_TEST";
 
+/// Variable whose presence makes the child fill a folder.
+const FOLDER: &str = "FOLDER_OF_A_TEST";
+
 /// Writes without end if it is a child; no test by itself.
 #[test]
 fn a_writer() {
     let Some(place) = std::env::var_os(PLACE) else { return };
+    if std::env::var_os(FOLDER).is_some() {
+        let folder = WholeFolder::create(Path::new(&place)).unwrap();
+        std::fs::create_dir(folder.filled().join("below")).unwrap();
+        std::fs::write(folder.filled().join("below/file"), [1; 1 << 16]).unwrap();
+        wait();
+    }
     let mut file = WholeFile::create(Path::new(&place)).unwrap();
     file.write_all(&[1; 1 << 16]).unwrap();
+    wait();
+}
+
+/// Until the child is killed.
+fn wait() -> ! {
     println!("\nwriting");
     std::thread::sleep(std::time::Duration::from_secs(600));
+    unreachable!("nobody has killed the writer");
 }
 
 /// A program that has begun to write.
 fn writer(place: &Path) -> Child {
-    let mut child = Command::new(std::env::current_exe().unwrap())
-        .args(["--exact", "a_writer", "--nocapture"])
-        .env(PLACE, place)
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
+    begun(Command::new(std::env::current_exe().unwrap()).env(PLACE, place))
+}
+
+/// A program that has begun to fill a folder.
+fn folder_writer(place: &Path) -> Child {
+    begun(Command::new(std::env::current_exe().unwrap()).env(PLACE, place).env(FOLDER, "yes"))
+}
+
+fn begun(program: &mut Command) -> Child {
+    let mut child =
+        program.args(["--exact", "a_writer", "--nocapture"]).stdout(Stdio::piped()).spawn().unwrap();
     let lines = BufReader::new(child.stdout.take().unwrap()).lines();
     assert!(lines.map_while(Result::ok).any(|line| line == "writing"));
     child
@@ -108,5 +128,37 @@ fn writers_and_sweepers_at_once_lose_nothing() {
         scope.spawn(|| (0..2000).for_each(|_| _ = artifact::whole_file::sweep(folder.path())));
     });
     (0..4).for_each(|writer| assert_eq!(std::fs::read(place(writer)).unwrap(), 499_u32.to_le_bytes()));
+    assert!(temporaries(folder.path()).is_empty());
+}
+
+#[test]
+fn folders_of_dead_writers_go_with_all_they_hold_and_those_of_living_ones_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let in_it = |name: &str| folder.path().join(name);
+    let living = folder_writer(&in_it("set"));
+    [folder_writer(&in_it("set")), folder_writer(&in_it("other"))].into_iter().for_each(killed);
+    assert_eq!(temporaries(folder.path()).len(), 3);
+    // Whatever is written there next.
+    WholeFile::create(&in_it("d")).unwrap().finish(Durability::InCache).unwrap();
+    let left = temporaries(folder.path());
+    assert!(left.len() == 1 && left[0].join("below/file").is_file(), "{left:?}");
+    killed(living);
+    assert_eq!(artifact::whole_file::sweep(folder.path()), 1);
+}
+
+#[test]
+fn of_two_that_fill_one_folder_the_first_has_it_and_nothing_is_mixed() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().join("set");
+    std::fs::create_dir(&place).unwrap(); // an empty one is no hindrance
+    let both = [(); 2].map(|()| WholeFolder::create(&place).unwrap());
+    for (writer, name) in both.iter().zip(["a", "b"]) {
+        std::fs::write(writer.filled().join(name), name).unwrap();
+    }
+    let [first, second] = both;
+    second.finish().unwrap();
+    let refused = first.finish().unwrap_err();
+    assert!(refused.is_system() && refused.to_string().contains("not empty"), "{refused}");
+    assert!(place.join("b").is_file() && !place.join("a").exists());
     assert!(temporaries(folder.path()).is_empty());
 }

@@ -1,10 +1,17 @@
 //! Colours that say the same to most eyes: classes of `light.css` and `dark.css`, on the palette of Okabe &
 //! Ito (2008), darkened where it is too faint on white.
 
+/// Colours of lines, told apart by most eyes.
+const COLOURS: [&str; 10] = ["c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8", "c9"];
+
 /// Colour of the n-th line of a plot.
 pub fn line_colour(n: usize) -> &'static str {
-    const COLOURS: [&str; 10] = ["c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8", "c9"];
     COLOURS[n % COLOURS.len()]
+}
+
+/// Whether the n-th line of a plot has the colour of an earlier one, and is told from it by its strokes.
+pub(crate) fn is_repeated(n: usize) -> bool {
+    n >= COLOURS.len()
 }
 
 /// Colour from dark to bright for 0 to 1: eight samples of matplotlib's `inferno`, linear between

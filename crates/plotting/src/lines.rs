@@ -1,7 +1,7 @@
 //! Lines over linear or logarithmic axes.
 
 use crate::axes::{Axes, Axis, Tick, tick_text};
-use crate::colours::line_colour;
+use crate::colours::{is_repeated, line_colour};
 use crate::form::Form;
 use crate::heat_map::head;
 use crate::marks::{Legend, Mark};
@@ -84,7 +84,7 @@ const HEIGHT_PX: f64 = 320.0;
 fn samples(n: usize, line: &Line) -> Vec<Mark> {
     let is_line = line.points.len() > 1;
     let value = line.marked.then(|| Mark::OF_LINES[n % Mark::OF_LINES.len()]);
-    is_line.then_some(Mark::Line).into_iter().chain(value).collect()
+    is_line.then(|| stroke_mark(n)).into_iter().chain(value).collect()
 }
 
 fn number(scale: Scale, value: f64) -> f64 {
@@ -140,9 +140,40 @@ fn span(points: &[[f64; 2]], axis: usize) -> (f64, f64) {
 
 fn draw_line(sheet: &mut Svg, axes: &Axes, n: usize, line: &Line, points: &[[f64; 2]]) {
     let places: Vec<[f64; 2]> = points.iter().map(|[x, y]| [axes.x.at(*x), axes.y.at(*y)]).collect();
-    sheet.polyline(line_colour(n), 1.6, &places);
+    draw_stroke(sheet, n, 1.6, &places);
     if line.marked {
         let mark = Mark::OF_LINES[n % Mark::OF_LINES.len()];
         places.iter().for_each(|place| mark.draw(sheet, line_colour(n), *place));
+    }
+}
+
+/// Draws the n-th line of a plot, whole, or broken where its colour is an earlier one's.
+pub(crate) fn draw_stroke(sheet: &mut Svg, n: usize, width: f64, places: &[[f64; 2]]) {
+    if is_repeated(n) {
+        sheet.broken(line_colour(n), width, places);
+    } else {
+        sheet.polyline(line_colour(n), width, places);
+    }
+}
+
+/// The same in a legend.
+pub(crate) fn stroke_mark(n: usize) -> Mark {
+    if is_repeated(n) { Mark::BrokenLine } else { Mark::Line }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_of_twenty_lines_look_alike_in_the_legend() {
+        let line = |n: usize| Line {
+            name: format!("{n}"),
+            points: vec![[1.0, 1.0], [2.0, n as f64]],
+            marked: false,
+        };
+        let looks = |n: usize| format!("{} {:?}", line_colour(n), samples(n, &line(n)));
+        let all: std::collections::BTreeSet<String> = (0..20).map(looks).collect();
+        assert_eq!(all.len(), 20);
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::colours::line_colour;
 use crate::heat_map::head;
-use crate::marks::{Legend, Mark};
+use crate::lines::{draw_stroke, stroke_mark};
+use crate::marks::Legend;
 use crate::svg::Svg;
 
 /// Decibels over azimuth: 0° points up, where the body's front is, and grows counter-clockwise as seen from
@@ -36,8 +37,8 @@ impl PolarPlot {
         let mut legend = Legend::default();
         for (n, (name, points)) in self.lines.iter().enumerate() {
             let places: Vec<[f64; 2]> = points.iter().map(|&[az, db]| place(az, db, rim_db)).collect();
-            sheet.polyline(line_colour(n), 1.3, &places);
-            legend.say(Mark::Line, line_colour(n), name);
+            draw_stroke(&mut sheet, n, 1.3, &places);
+            legend.say(stroke_mark(n), line_colour(n), name);
         }
         legend.draw(&mut sheet, CENTRE_PX[1] + RADIUS_PX + 46.0, [10.0, 470.0]);
         sheet

@@ -1,6 +1,7 @@
-//! Pages that name what is there: source files and tests that exist, libraries that the manifests list, prose
-//! in lines that fit.
+//! Pages that name what is there: source files and tests that exist, libraries that the manifests list and the
+//! code uses, prose in lines that fit.
 
+mod libraries; // that are listed, told of and used
 pub(super) mod navigation; // which pages the site has
 
 use crate::ci::findings::{self, COLUMNS, none_of, pages, read};
@@ -30,10 +31,7 @@ pub(super) fn check() -> Result<(), Failure> {
             );
         }
     }
-    broken.extend(libraries(
-        &read(&root.join("Cargo.toml"))?,
-        &read(&root.join("docs/decisions/dependencies.md"))?,
-    ));
+    broken.extend(libraries::findings(&root)?);
     none_of(broken)
 }
 
@@ -90,20 +88,6 @@ fn long_lines(text: &str) -> Vec<usize> {
     long
 }
 
-/// A sentence for each library of the workspace of which no row tells.
-fn libraries(manifest: &str, page: &str) -> Vec<String> {
-    let section = manifest.split("[workspace.dependencies]").nth(1).unwrap_or_default();
-    let section = section.split("\n[").next().unwrap_or_default();
-    let listed =
-        section.lines().filter(|line| !line.contains("path = ")).filter_map(|line| line.split_once(" = "));
-    let listed: BTreeSet<String> = listed.map(|(name, _)| name.trim().replace('_', "-")).collect();
-    let rows = page.lines().filter_map(|line| line.strip_prefix("| ")?.split(" | ").next());
-    let words = rows.flat_map(|row| row.split(|c: char| !(c.is_alphanumeric() || "-_".contains(c))));
-    let told: BTreeSet<String> = words.map(|word| word.replace('_', "-")).collect();
-    let untold = listed.iter().filter(|name| !told.contains(*name));
-    untold.map(|name| format!("docs/decisions/dependencies.md: no row tells of `{name}`")).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -124,12 +108,5 @@ mod tests {
         let long = "word ".repeat(30);
         let text = format!("{long}\n| {long} |\n```\n{long}\n```\n    {long}\nshort\n{long}\n");
         assert_eq!(long_lines(&text), [1, 8]);
-    }
-
-    #[test]
-    fn every_library_has_its_reason() {
-        let manifest = "[workspace.dependencies]\nown = { path = \"x\" }\nserde = \"1\"\nnum_traits = \"1\"\nclap = \"4\"\n[profile]\n";
-        let page = "| library | for |\n|---|---|\n| serde, num-traits | records |\n";
-        assert_eq!(libraries(manifest, page), ["docs/decisions/dependencies.md: no row tells of `clap`"]);
     }
 }

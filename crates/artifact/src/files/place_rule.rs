@@ -17,6 +17,9 @@ pub enum PlaceRule {
     /// A symbolic link that leads nowhere: what it is meant to lead to is not known to be a plain file.
     #[error("it is a symbolic link to nothing; remove it, or make the file that it leads to")]
     DanglingLink,
+    /// A folder that is filled as a whole holds something, or is no folder.
+    #[error("it is not empty, and is filled as a whole: choose a folder of its own")]
+    Filled,
     /// The owner has protected the file at that place.
     #[error("it is write-protected")]
     WriteProtected,

@@ -7,9 +7,11 @@
 
 mod destination;
 mod temporary;
+mod whole_folder;
 
 pub use crate::files::place_rule::PlaceRule;
 pub use temporary::{abandon_all, is_temporary, sweep};
+pub use whole_folder::WholeFolder;
 
 use crate::files::fault::{ArtifactError, Fault};
 use destination::Destination;

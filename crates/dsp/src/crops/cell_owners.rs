@@ -7,11 +7,22 @@
 use crate::spectrum::axes::Axes;
 use artifact::points::PointsFrame;
 
-/// Points of objects in and around a part of the map, `[row, column]`.
+/// Points of objects in and around a part of the map.
 pub(crate) struct CellOwners {
-    peaks: Vec<([f64; 2], u32)>,
+    /// By column, and of one column in the order of the points.
+    peaks: Vec<Peak>,
     /// Rows of the map: velocities wrap.
     rows: f64,
+}
+
+/// A located point of an object.
+#[derive(Clone, Copy)]
+struct Peak {
+    row: f64,
+    column: f64,
+    /// Its number among the points: of equally near ones the first counts.
+    number: usize,
+    object: u32,
 }
 
 impl CellOwners {
@@ -21,28 +32,91 @@ impl CellOwners {
         let chirps = axes.rows as f64;
         let middle = 0.5 * (rows[0] + rows[1]) as f64;
         let half = 0.5 * (rows[1] - rows[0]) as f64;
-        let located = points.points.iter().filter_map(|point| {
+        let located = points.points.iter().enumerate().filter_map(|(number, point)| {
             let velocity_mps = point.radial_velocity_mps;
             let column = axes.column_of(point.range_m, velocity_mps);
-            Some(([axes.row_at(velocity_mps), column], point.object?))
+            Some(Peak { row: axes.row_at(velocity_mps), column, number, object: point.object? })
         });
-        let is_near = |([row, column], _): &([f64; 2], u32)| {
-            wrapped(row - middle, chirps).abs() <= half
-                && (columns[0] as f64..=columns[1] as f64).contains(column)
+        let is_near = |peak: &Peak| {
+            wrapped(peak.row - middle, chirps).abs() <= half
+                && (columns[0] as f64..=columns[1] as f64).contains(&peak.column)
         };
-        Self { peaks: located.filter(is_near).collect(), rows: chirps }
+        Self::of_peaks(located.filter(is_near).collect(), chirps)
+    }
+
+    fn of_peaks(mut peaks: Vec<Peak>, rows: f64) -> Self {
+        peaks.sort_by(|a, b| a.column.total_cmp(&b.column));
+        Self { peaks, rows }
     }
 
     /// The object of the nearest point, the first of equally near ones; `None` without a point.
+    ///
+    /// Points are asked from the cell's own column outwards, on either side as far as one may be nearer than
+    /// the nearest yet: a frame of a thousand objects has thousands of points.
     pub(crate) fn of(&self, [row, column]: [i64; 2]) -> Option<u32> {
-        let distance =
-            |[r, c]: [f64; 2]| wrapped(r - row as f64, self.rows).powi(2) + (c - column as f64).powi(2);
-        let distances = self.peaks.iter().map(|(at, object)| (distance(*at), *object));
-        distances.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, object)| object)
+        let cell = [row as f64, column as f64];
+        let (before, after) = self.peaks.split_at(self.peaks.partition_point(|peak| peak.column < cell[1]));
+        let nearest = self.nearer(cell, None, after.iter());
+        self.nearer(cell, nearest, before.iter().rev()).map(|(_, peak)| peak.object)
+    }
+
+    /// The nearest of a cell's best yet and of points in the order of their columns' distance.
+    fn nearer<'p>(
+        &self,
+        [row, column]: [f64; 2],
+        mut best: Option<(f64, &'p Peak)>,
+        outwards: impl Iterator<Item = &'p Peak>,
+    ) -> Option<(f64, &'p Peak)> {
+        for peak in outwards {
+            let along = (peak.column - column).powi(2);
+            if best.is_some_and(|(least, _)| along > least) {
+                break;
+            }
+            let distance = wrapped(peak.row - row, self.rows).powi(2) + along;
+            let is_nearer = |(least, first): (f64, &Peak)| {
+                distance.total_cmp(&least).then(peak.number.cmp(&first.number)).is_lt()
+            };
+            if best.is_none_or(is_nearer) {
+                best = Some((distance, peak));
+            }
+        }
+        best
     }
 }
 
 /// A difference of rows, by whole turns nearest to zero.
 fn wrapped(rows: f64, turn: f64) -> f64 {
     rows - turn * (rows / turn).round()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of drawn points on a grid, where many are equally near, beside the search through all of them.
+    #[test]
+    fn the_nearest_point_is_that_of_a_search_through_all() {
+        let mut state = 1_u64;
+        let mut draw = |below: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % below
+        };
+        for count in [0, 1, 2, 7, 60] {
+            let points: Vec<Peak> = (0..count)
+                .map(|number| {
+                    let half = |n: u64| 0.5 * n as f64;
+                    let [row, column] = [half(draw(64)), half(draw(40))];
+                    Peak { row, column, number, object: draw(5) as u32 }
+                })
+                .collect();
+            let owners = CellOwners::of_peaks(points.clone(), 32.0);
+            let cells = (-3..35).flat_map(|row| (-2..22).map(move |column| [row, column]));
+            for [row, column] in cells {
+                let distance =
+                    |p: &Peak| wrapped(p.row - row as f64, 32.0).powi(2) + (p.column - column as f64).powi(2);
+                let slow = points.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+                assert_eq!(owners.of([row, column]), slow.map(|p| p.object), "{count}: {row}, {column}");
+            }
+        }
+    }
 }

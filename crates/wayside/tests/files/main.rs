@@ -8,6 +8,7 @@ mod caches;
 mod crafted_artifacts;
 mod damage;
 mod full_disk;
+mod heights;
 mod outputs;
 mod raw_data;
 mod resumed_tables;

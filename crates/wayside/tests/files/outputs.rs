@@ -29,6 +29,8 @@ fn filled() -> Workplace {
     place
 }
 
+const BOARD: &str = "channelCfg 15 1 0\nadcCfg 2 1\nprofileCfg 0 77 10 6 40 0 0 12.5 1 64 5120 0 0 30\n\
+    chirpCfg 0 0 0 0 0 0 0 1\nframeCfg 0 0 8 0 50 1 0\n";
 const RCS: &str = "--freq-ghz 77 --az-deg 0 --quiet";
 
 #[test]
@@ -36,6 +38,9 @@ fn no_command_replaces_what_it_reads() {
     let place = filled();
     place.run("export f.cube --to npy --out f.npy");
     place.run("rcs corner.obj --freq-ghz 77 --az-deg 0:90:5 --quiet --out s.npy");
+    std::fs::write(place.path("board.cfg"), BOARD).unwrap();
+    // A cube under the name of a description is an input under that name.
+    std::fs::copy(place.path("f.cube"), place.path("f.sigmf-meta")).unwrap();
     std::fs::write(place.path("skin.toml"), "[materials]\nskin = { substance = \"metal\" }\n").unwrap();
     for (words, input) in [
         ("echo small.toml --quiet --out small.toml", "small.toml"),
@@ -48,6 +53,12 @@ fn no_command_replaces_what_it_reads() {
         ("export f.points --to csv --out f.points", "f.points"),
         ("export f.tracks --to json --out f.tracks", "f.tracks"),
         ("export f.paths --to csv --out f.paths", "f.paths"),
+        ("export f.sigmf-meta --to sigmf --out f", "f.sigmf-meta"),
+        ("export f.cube --to dca1000 --out f.cube", "f.cube"),
+        ("export f.rdm --to exr --out f.rdm", "f.rdm"),
+        ("export f.points --to pcd --out f.points", "f.points"),
+        ("export f.points --to ply --out f.points", "f.points"),
+        ("scene-from board.cfg --device xwr1443 --out board.cfg", "board.cfg"),
         ("import f.npy --scene small.toml --quiet --out f.npy", "f.npy"),
         ("import f.npy --scene small.toml --quiet --out small.toml", "small.toml"),
         ("calibrate f.cube --at-m 2,30,1 --out f.cube", "f.cube"),
@@ -179,6 +190,7 @@ fn work_that_could_not_be_written_is_not_begun() {
     std::fs::create_dir(place.path("full/s.json")).unwrap();
     std::fs::create_dir(place.path("full/report.html")).unwrap();
     std::fs::create_dir(place.path("full/weights.model")).unwrap();
+    std::fs::create_dir(place.path("full/manifest.json")).unwrap();
     std::fs::write(place.path("spec.toml"), RECIPE.replace("SCENES", "1")).unwrap();
     std::fs::write(place.path("base.toml"), BASE).unwrap();
     std::fs::create_dir(place.path("full/detection.md")).unwrap();
@@ -192,6 +204,7 @@ fn work_that_could_not_be_written_is_not_begun() {
         "train d --quiet --out file",
         "dsp f.cube --quiet --out file",
         "vehicles --quiet --out file",
+        "vehicles --quiet --out full",
         &format!("rcs corner.obj {RCS} --out full/s.npy"),
         &format!("rcs corner.obj {RCS} --out file/s.npy"),
     ] {
@@ -295,4 +308,22 @@ fn a_table_is_not_described_over_another_files_sidecar() {
     std::fs::remove_file(place.path("s.json")).unwrap();
     place.run(&words);
     place.run(&words);
+}
+
+#[test]
+fn vehicles_are_not_written_where_a_manifest_of_another_program_lies() {
+    let place = Workplace::new();
+    std::fs::create_dir(place.path("v")).unwrap();
+    for foreign in ["{\"name\": \"my page\"}", "[]", "[{\"name\": \"a\"}]", "no JSON"] {
+        std::fs::write(place.path("v/manifest.json"), foreign).unwrap();
+        let output = place.try_run("vehicles --quiet --out v");
+        refused(&output, "manifest.json: was not written by this program", foreign);
+        assert_eq!(place.bytes("v/manifest.json"), foreign.as_bytes());
+        assert_eq!(std::fs::read_dir(place.path("v")).unwrap().count(), 1, "refused before the work");
+    }
+    std::fs::remove_file(place.path("v/manifest.json")).unwrap();
+    place.run("vehicles --quiet --out v");
+    let manifest = place.bytes("v/manifest.json");
+    place.run("vehicles --quiet --out v");
+    assert_eq!(place.bytes("v/manifest.json"), manifest, "its own is replaced");
 }

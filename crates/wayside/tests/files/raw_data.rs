@@ -25,6 +25,24 @@ fn a_cube_through_sigmf_is_the_same_samples() {
 }
 
 #[test]
+fn recordings_whose_names_have_a_dot_are_two_and_anothers_recording_stays() {
+    let place = tdm();
+    place.run("export a.cube --to sigmf --out x.1 --quiet");
+    place.run("export a.cube --to sigmf --out x.2 --quiet");
+    place.run("export a.cube --to sigmf --out x.2.sigmf-meta --quiet"); // its own, once more
+    for name in ["x.1", "x.2"] {
+        assert!(["data", "meta"].iter().all(|part| place.path(&format!("{name}.sigmf-{part}")).is_file()));
+    }
+    let foreign = r#"{ "global": { "core:recorder": "another" } }"#;
+    std::fs::write(place.path("y.sigmf-meta"), foreign).unwrap();
+    let output = place.try_run("export a.cube --to sigmf --out y");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(told.contains("y.sigmf-meta") && told.contains("not written by this program"), "{told}");
+    assert!(place.bytes("y.sigmf-meta") == foreign.as_bytes() && !place.path("y.sigmf-data").exists());
+}
+
+#[test]
 fn a_cube_through_a_capture_card_errs_by_half_a_step_and_shows_the_same_cells() {
     let place = tdm();
     place.run("export a.cube --to dca1000 --out raw.bin --quiet");

@@ -13,7 +13,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// A reader: what its file is called, and a command that reads it.
-const READERS: [(&str, &str); 26] = [
+const READERS: [(&str, &str); 33] = [
     ("h.toml", "run h.toml --out a --no-cache"),
     ("h.toml", "paths h.toml --out a.paths"),
     ("h.toml", "dataset h.toml --out a"),
@@ -40,6 +40,13 @@ const READERS: [(&str, &str); 26] = [
     ("h.rdm", "export h.rdm --to npy --out a.npy"),
     ("h.paths", "echo small.toml --paths h.paths --out a.cube"),
     ("h.model", "classify h.model h.rdm"),
+    ("h.model", "run small.toml --classifier h.model --out a --no-cache"),
+    ("h.points", "score h.points --scene small.scene"),
+    ("h.cube", "calibrate h.cube --at-m 2,30,1 --out a.csv"),
+    ("h.cfg", "scene-from h.cfg --device xwr1443 --out a.toml"),
+    ("h.mat", "import h.mat --scene small.toml --out a.cube"),
+    ("h.pcd", "import h.pcd --scene small.toml --out a.points"),
+    ("h.dataset", "export h.dataset --to csv --out a.csv"),
 ];
 
 /// Files of other readers that these commands need, and that are sound.
@@ -68,6 +75,8 @@ fn prepare(place: &Workplace) {
                  chirpCfg 0 0 0 0 0 0 0 1\nframeCfg 0 0 8 0 50 1 0\n";
     std::fs::write(place.path("b.cfg"), board).unwrap();
     std::fs::write(place.path("x.bin"), [0; 16 * 8 * 64]).unwrap();
+    place.run("run small.toml --out sound --no-cache --quiet");
+    std::fs::rename(place.path("sound/scene.scene"), place.path("small.scene")).unwrap();
     let told = r#"{"global": {"core:datatype": "cf32_le", "core:num_channels": 4}}"#;
     std::fs::write(place.path("s.sigmf-meta"), told).unwrap();
 }

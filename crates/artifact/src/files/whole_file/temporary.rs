@@ -1,10 +1,11 @@
-//! Temporary files: named so that they are known again, locked as long as their writer lives.
+//! Temporary files and folders: named so that they are known again, locked as long as their writer lives.
 //!
 //! A program that is killed leaves them behind and loses its locks. The next one that writes into the folder
 //! removes those that nobody holds; those of a program that still runs it cannot lock, and leaves alone. On
 //! file systems without locks nothing is removed. Locks of another machine may not be seen where a folder is
 //! shared over a network: the name tells the machine, and another one's file is removed only when nothing was
-//! written to it for a day.
+//! written to it for a day. What another machine's folder holds may be written to without a trace on the
+//! folder, so it stays.
 
 use crate::files::fault::Fault;
 use std::collections::BTreeSet;
@@ -12,7 +13,7 @@ use std::fs::{File, Metadata, TryLockError};
 use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
-use tempfile::TempPath;
+use tempfile::{TempDir, TempPath};
 
 /// Ending of a temporary file's name; before it stand a dot, the name that the file will have, a dot, the
 /// machine, a dot and six random letters.
@@ -38,10 +39,7 @@ pub(super) struct Temporary(Option<TempPath>);
 impl Temporary {
     /// Makes a temporary file in the folder of `target`, which is made where it is missing.
     pub(super) fn beside(target: &Path) -> Result<(File, Self), Fault> {
-        let folder = target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        std::fs::create_dir_all(folder).map_err(Fault::system("make the folder"))?;
-        sweep_once(folder);
-        let (handle, path) = locked(folder, &prefix(target)).map_err(Fault::system("create"))?;
+        let (handle, path) = locked(folder_of(target)?, &prefix(target)).map_err(Fault::system("create"))?;
         open_files().insert(path.to_path_buf());
         Ok((handle, Self(Some(path))))
     }
@@ -65,27 +63,85 @@ impl Drop for Temporary {
     }
 }
 
-/// Removes the temporary files that dead writers have left in a folder, not below it, and returns their
-/// number.
+/// A folder that is filled under a temporary name, and removed with all it holds unless it is persisted.
+pub(super) struct TemporaryFolder {
+    /// Held while the folder is filled; some systems open no folder and so lock none.
+    _lock: Option<File>,
+    folder: Option<TempDir>,
+}
+
+impl TemporaryFolder {
+    /// Makes a temporary folder beside `target`; folders above it are made where they are missing.
+    pub(super) fn beside(target: &Path) -> Result<Self, Fault> {
+        let above = folder_of(target)?;
+        let (lock, folder) = locked_folder(above, &prefix(target)).map_err(Fault::system("create"))?;
+        open_files().insert(folder.path().to_path_buf());
+        Ok(Self { _lock: lock, folder: Some(folder) })
+    }
+
+    /// Where it stands until it is persisted.
+    pub(super) fn path(&self) -> &Path {
+        self.folder.as_ref().map_or(Path::new(""), TempDir::path)
+    }
+
+    /// Gives the folder its name, which nothing may bear but an empty folder.
+    pub(super) fn persist(mut self, target: &Path) -> std::io::Result<()> {
+        let _ = std::fs::remove_dir(target); // an empty one; of anything else it takes nothing
+        std::fs::rename(self.path(), target)?;
+        if let Some(folder) = self.folder.take() {
+            open_files().remove(&folder.keep());
+        }
+        Ok(())
+    }
+}
+
+impl Drop for TemporaryFolder {
+    fn drop(&mut self) {
+        if let Some(folder) = &self.folder {
+            open_files().remove(folder.path());
+        }
+    }
+}
+
+/// The folder in which a temporary one is made, swept once.
+fn folder_of(target: &Path) -> Result<&Path, Fault> {
+    let folder = target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    std::fs::create_dir_all(folder).map_err(Fault::system("make the folder"))?;
+    sweep_once(folder);
+    Ok(folder)
+}
+
+/// Removes the temporary files and folders that dead writers have left in a folder, not below it, and returns
+/// their number.
 pub fn sweep(folder: &Path) -> usize {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     entries.filter(|file| is_temporary(file) && remove_if_abandoned(file)).count()
 }
 
-/// Whether a file's name is one that only temporary files have.
+/// Whether a name is one that only temporary files and folders have.
 pub fn is_temporary(file: &Path) -> bool {
     let name = file.file_name().and_then(|name| name.to_str()).and_then(|name| name.strip_suffix(SUFFIX));
     name.is_some_and(|name| name.starts_with('.'))
 }
 
-/// Removes the temporary files of all that is being written: the last act of a program that is told to stop.
+/// Removes the temporary files and folders of all that is being written: the last act of a program that is
+/// told to stop.
 pub fn abandon_all() {
-    for file in open_files().iter() {
-        let _ = std::fs::remove_file(file);
+    for place in open_files().iter() {
+        let _ = remove(place);
     }
 }
 
-/// Temporary files that are still open.
+/// Removes a file, or a folder with all it holds; a link is not followed.
+fn remove(place: &Path) -> std::io::Result<()> {
+    if std::fs::symlink_metadata(place)?.is_dir() {
+        std::fs::remove_dir_all(place)
+    } else {
+        std::fs::remove_file(place)
+    }
+}
+
+/// Temporary files and folders that are still open.
 static OPEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 fn open_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
@@ -101,15 +157,16 @@ fn sweep_once(folder: &Path) {
     }
 }
 
-/// Removes a temporary file while it is locked, so that no writer can take it up; a link is not
+/// Removes a temporary file or folder while it is locked, so that no writer can take it up; a link is not
 /// followed.
-fn remove_if_abandoned(file: &Path) -> bool {
-    let Some(about) = std::fs::symlink_metadata(file).ok().filter(Metadata::is_file) else { return false };
-    if !is_of_this_machine(file) && !is_silent(&about) {
+fn remove_if_abandoned(place: &Path) -> bool {
+    let Ok(about) = std::fs::symlink_metadata(place) else { return false };
+    let is_plain = about.is_file() || about.is_dir();
+    if !is_plain || !(is_of_this_machine(place) || about.is_file() && is_silent(&about)) {
         return false;
     }
-    let Ok(handle) = File::open(file) else { return false };
-    handle.try_lock().is_ok() && std::fs::remove_file(file).is_ok()
+    let Ok(handle) = File::open(place) else { return false };
+    handle.try_lock().is_ok() && remove(place).is_ok()
 }
 
 fn is_of_this_machine(file: &Path) -> bool {
@@ -143,6 +200,22 @@ fn locked(folder: &Path, prefix: &str) -> std::io::Result<(File, TempPath)> {
         }
     }
     Err(std::io::Error::other("temporary files are removed as soon as they are made"))
+}
+
+fn locked_folder(above: &Path, prefix: &str) -> std::io::Result<(Option<File>, TempDir)> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(prefix).suffix(SUFFIX);
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777)); // less the umask
+    for _ in 0..ATTEMPTS {
+        let folder = builder.tempdir_in(above)?;
+        let Ok(handle) = File::open(folder.path()) else { return Ok((None, folder)) };
+        let is_held = !matches!(handle.try_lock(), Err(TryLockError::WouldBlock));
+        if is_held && is_named(&handle, folder.path()) {
+            return Ok((Some(handle), folder));
+        }
+    }
+    Err(std::io::Error::other("temporary folders are removed as soon as they are made"))
 }
 
 /// Whether the open file still has its name: a sweeper may have removed it before it was locked.

@@ -11,15 +11,16 @@ use artifact::cube::{Cube, CubeHeader};
 use num_complex::Complex32;
 use serde_json::{Value, json};
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Writes a cube as `cf32_le`, in its own unit; every frame is a capture.
 pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let mut reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
     let recording = Recording::of_complex(file, &header)?;
-    let (data, meta_place) = (out.with_extension(DATA), out.with_extension(META));
+    let (data, meta_place) = (part_of(out, DATA), part_of(out, META));
     files::claim(&[data.clone(), meta_place.clone()])?;
+    keep_foreign(&meta_place)?;
     let mut times = Vec::new();
     let mut failed = None;
     let written = files::write_with(&data, |stream| {
@@ -35,6 +36,29 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     failed.map_or(written, |error| Err(error.into()))?;
     let text = serde_json::to_string_pretty(&meta(&header, &recording, &times)).map_err(Failure::refused)?;
     files::write_file(&meta_place, text.as_bytes())
+}
+
+/// `x` or either file of the pair → `x.sigmf-data` or `x.sigmf-meta`; any other ending is a part of the name.
+fn part_of(out: &Path, ending: &str) -> PathBuf {
+    let is_pair = out.extension().is_some_and(|told| told == DATA || told == META);
+    let mut name = if is_pair { out.with_extension("") } else { out.to_owned() }.into_os_string();
+    name.push(".");
+    name.push(ending);
+    PathBuf::from(name)
+}
+
+/// Refuses where a description of another program stands: its recording would be lost.
+fn keep_foreign(meta: &Path) -> Result<(), Failure> {
+    if !meta.is_file() {
+        return Ok(());
+    }
+    let told = files::read_own(meta, META_LIMIT_BYTES).ok();
+    let told: Option<Value> = told.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+    if told.is_some_and(|told| told["global"]["core:recorder"] == RECORDER) {
+        return Ok(());
+    }
+    let rule = "was not written by this program, and would be replaced; choose another --out";
+    Err(Failure::System(format!("{}: {rule}", meta.display())))
 }
 
 /// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit.
@@ -71,6 +95,8 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
 
 const DATA: &str = "sigmf-data";
 const META: &str = "sigmf-meta";
+/// What a description names as the program that recorded.
+const RECORDER: &str = "wayside";
 /// A capture for each of a hundred thousand frames.
 const META_LIMIT_BYTES: u64 = 16 << 20;
 
@@ -101,7 +127,7 @@ fn meta(header: &CubeHeader, recording: &Recording, times_s: &[f64]) -> Value {
             "core:num_channels": recording.receivers,
             "core:sample_rate": waveform.sample_rate_hz,
             "core:description": format!("IF samples of an FMCW radar, {}: frame, chirp of any transmitter, sample, receiver", header.unit.name()),
-            "core:recorder": "wayside",
+            "core:recorder": RECORDER,
             "core:extensions": [{ "name": "wayside", "version": "1.0.0", "optional": true }],
             "wayside:chirps": recording.slots(),
             "wayside:samples": recording.samples,

@@ -1,11 +1,11 @@
 //! The folder of a training set: there whole, under its name, or not at all.
 //!
-//! Files go into a hidden folder beside it, which is renamed when all are there. The set's own description,
-//! `set.json`, is one of them.
+//! The set's own description, `set.json`, is one of its files.
 
 use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::progress::Work;
+use artifact::whole_file::WholeFolder;
 use artifact::{Reader, Schema};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -15,11 +15,9 @@ pub(crate) const DESCRIPTION: &str = "set.json";
 
 /// A folder that is being filled; dropped before [`Self::finish`], it leaves nothing.
 pub(crate) struct SetFolder {
-    out: PathBuf,
-    filled: PathBuf,
+    whole: WholeFolder,
     /// Number of the frame that is written.
     frame: Option<u32>,
-    _writing: files::Writing,
 }
 
 impl SetFolder {
@@ -28,21 +26,7 @@ impl SetFolder {
     /// # Errors
     /// It holds something, is no folder, or nothing can be written beside it.
     pub(crate) fn begin(out: &Path) -> Result<Self, Failure> {
-        let refused = |rule: &str| Failure::System(format!("{}: {rule}", out.display()));
-        let name = out.file_name().ok_or_else(|| refused("is no name of a folder"))?;
-        let entries = std::fs::read_dir(out).map(Iterator::count);
-        match entries {
-            Ok(0) => {}
-            Ok(_) => return Err(refused("is not empty: a training set gets a folder of its own")),
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {}
-            Err(error) => return Err(Failure::system(out, "be made a folder", error)),
-        }
-        let hidden = format!(".{}.wayside.part", name.to_string_lossy());
-        let filled = out.with_file_name(hidden);
-        let writing = files::Writing::into_folder(&filled)?;
-        let _ = std::fs::remove_dir_all(&filled); // what a killed command left
-        std::fs::create_dir_all(&filled).map_err(|e| Failure::system(out, "be made", e))?;
-        Ok(Self { out: out.to_owned(), filled, frame: None, _writing: writing })
+        Ok(Self { whole: WholeFolder::create(out)?, frame: None })
     }
 
     /// Writes the frames of an artifact, one after the other, and gives their number.
@@ -82,7 +66,7 @@ impl SetFolder {
 
     /// Place of a file while the folder is being filled.
     pub(crate) fn place(&self, name: &str) -> PathBuf {
-        self.filled.join(name)
+        self.whole.filled().join(name)
     }
 
     /// Writes a file; folders above it are made.
@@ -99,15 +83,7 @@ impl SetFolder {
     /// Writes the description and gives the folder its name.
     pub(crate) fn finish(self, description: &Value) -> Result<(), Failure> {
         self.write_json(DESCRIPTION, description)?;
-        let _ = std::fs::remove_dir(&self.out); // an empty one; of anything else it takes nothing
-        std::fs::rename(&self.filled, &self.out)
-            .map_err(|e| Failure::system(&self.out, "be given its name", e))
-    }
-}
-
-impl Drop for SetFolder {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.filled);
+        Ok(self.whole.finish()?)
     }
 }
 

@@ -1,0 +1,16 @@
+//! What is being written when a program is told to stop is gone; alone in its process, because all of it is.
+#![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
+
+use artifact::whole_file::{WholeFile, WholeFolder, abandon_all};
+
+#[test]
+fn a_program_that_is_told_to_stop_leaves_no_file_and_no_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let _file = WholeFile::create(&folder.path().join("a")).unwrap();
+    let set = WholeFolder::create(&folder.path().join("set")).unwrap();
+    std::fs::create_dir(set.filled().join("below")).unwrap();
+    std::fs::write(set.filled().join("below/file"), "x").unwrap();
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
+    abandon_all();
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
