@@ -301,6 +301,9 @@ def reflections(program):
 # Points and tracks, read by mcap-ros2-support.
 
 
+FIELDS = ["x", "y", "z", "velocity", "snr", "object", "height_measured"]
+
+
 def clouds(program):
     for kind in ["points", "tracks"]:
         wayside(program, "export", f"truth.osi-run/frames.{kind}", "--to", "mcap", "--out", f"{kind}.mcap")
@@ -311,14 +314,15 @@ def clouds(program):
     axes, count = axes_of(points["header"]["cube"]["radar"]), 0
     for frame, cloud, scan in zip(points["frames"], seen["/radar/points"], seen["/radar/scan"], strict=True):
         same(frame["time_s"], cloud.header.stamp.sec + cloud.header.stamp.nanosec * 1e-9, "time")
-        same([field.name for field in cloud.fields], ["x", "y", "z", "velocity", "snr", "object"], "fields")
+        same([field.name for field in cloud.fields], FIELDS, "fields")
         same(len(frame["points"]), cloud.width, "points")
         same(len(frame["points"]), len(scan.returns), "returns")
         for number, point in enumerate(frame["points"]):
-            *numbers, thing = struct.unpack_from("<5fi", bytes(cloud.data), number * cloud.point_step)
+            *numbers, thing, measured = struct.unpack_from("<5fiI", bytes(cloud.data), number * cloud.point_step)
             for ours, theirs in zip([*point["position_m"], point["radial_velocity_mps"], point["snr_db"]], numbers):
                 same(ours, theirs, "a number of the cloud", 1e-6)
             same(-1 if point["object"] is None else point["object"], thing, "object")
+            same(int(point["height"] == "Measured"), measured, "height_measured")
             echo = scan.returns[number]
             azimuth, elevation = angles(axes, point["azimuth_rad"], point["elevation_rad"])
             for ours, theirs in [(point["range_m"], echo.range), (azimuth, echo.azimuth),

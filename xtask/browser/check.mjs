@@ -88,6 +88,12 @@ async function pictureIsDrawn(page) {
   );
 }
 
+async function heightsAreTold(page) {
+  const assumed = await page.value("waysideViewer.view.state.frame.assumed_height_m");
+  const words = await page.value(TEXT("told"));
+  holds("tells whether heights are assumed", (assumed !== null) === words.includes("assumed height"), words);
+}
+
 async function slidersMove(page) {
   const [few, many] = [await page.value(slide("level", -3)), await page.value(slide("level", -60))];
   const count = (told) => Number(/strongest: ([\d,]+) of/.exec(told)[1].replaceAll(",", ""));
@@ -281,6 +287,7 @@ try {
   await page.open(url);
   holds("starts its view", await page.value("typeof waysideViewer === 'object'"));
   await pictureIsDrawn(page);
+  await heightsAreTold(page);
   await slidersMove(page);
   await vehicleIsChosen(page);
   await cursorIsShared(page);

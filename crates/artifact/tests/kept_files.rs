@@ -1,5 +1,5 @@
-//! Files of today's versions are read and written again to the byte, so that no record changes its shape under
-//! an old number; files of the version before are refused by name.
+//! Files of today's versions are read and written again to the byte, so that no record changes its shape
+//! under an old number; files of the version before are refused by name.
 #![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
 
 use artifact::classes::Classes;

@@ -120,7 +120,7 @@ impl PathsFrame {
         PyArray1::from_vec(py, self.frame().paths.iter().map(rate).collect())
     }
 
-    /// Numerical errors in dB relative to the echo; None where they were not estimated.
+    /// Numerical errors in dB relative to the echo; None where not estimated and of no error at all.
     #[getter]
     fn error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         told::errors(py, &self.frame().error)

@@ -85,7 +85,7 @@ impl Rcs {
         self.table.far_field_from_m
     }
 
-    /// Numerical errors of the table in dB relative to it; None where they were not estimated.
+    /// Numerical errors of the table in dB relative to it; None where not estimated and of no error.
     #[getter]
     fn error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         told::errors(py, &self.table.error)

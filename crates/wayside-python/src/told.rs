@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use wayside::stepwise::{error_figures, model_error_figures};
 
-/// Numerical errors in dB relative to the echo; `None` where they were not estimated.
+/// Numerical errors in dB relative to the echo; `None` where not estimated and of no error at all.
 pub(crate) fn errors<'py>(py: Python<'py>, error: &ErrorBudget) -> PyResult<Bound<'py, PyDict>> {
     let (figures, told) = (error_figures(error), PyDict::new(py));
     told.set_item("total", figures.total)?;

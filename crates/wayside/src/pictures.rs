@@ -24,7 +24,7 @@ use plotting::form::{Figure, Form};
 use plotting::raster::{self, Pixels};
 use plotting::svg::Svg;
 use rdm::{OnMap, TrueEcho};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub(crate) use common_view::common_view;
 pub(crate) use exr::rdm_exr;
@@ -75,11 +75,17 @@ pub(crate) fn write_frame(
     rdm: &RdmFrame,
     folder: &Path,
 ) -> Result<(), Failure> {
-    let place = |name: &str, kind: &str| folder.join(format!("{name}-{:04}.{kind}", rdm.index));
-    write_png(&place("scene", "png"), &figures.plan.wide)?;
-    write_png(&place("rdm", "png"), &figures.rdm.wide)?;
-    write_png(&place("points", "png"), &figures.points.wide)?;
-    rdm_exr(header, rdm, &place("rdm", "exr"))
+    let [plan, map, points, levels] = places_of_frame(rdm.index, folder);
+    write_png(&plan, &figures.plan.wide)?;
+    write_png(&map, &figures.rdm.wide)?;
+    write_png(&points, &figures.points.wide)?;
+    rdm_exr(header, rdm, &levels)
+}
+
+/// Files of the pictures of one frame.
+pub(crate) fn places_of_frame(index: u32, folder: &Path) -> [PathBuf; 4] {
+    let kinds = [("scene", "png"), ("rdm", "png"), ("points", "png"), ("rdm", "exr")];
+    kinds.map(|(name, kind)| folder.join(format!("{name}-{index:04}.{kind}")))
 }
 
 /// Map and points of one frame: what can be drawn without truth.

@@ -43,12 +43,13 @@ pub(crate) fn write(
     files::write_file(&out.join("report.html"), page::page(summary, figures, making, out).as_bytes())
 }
 
-/// Writes the report of several radars over theirs.
+/// Writes the report of several radars, each with its id and its own summary, over theirs.
 pub(crate) fn write_several(
     summary: &RadarsSummary,
+    radars: &[(&str, &Summary)],
     views: &[Figure],
     making: &Making,
     out: &Path,
 ) -> Result<(), Failure> {
-    files::write_file(&out.join("report.html"), radars::page(summary, views, making, out).as_bytes())
+    files::write_file(&out.join("report.html"), radars::page(summary, radars, views, making, out).as_bytes())
 }

@@ -73,3 +73,14 @@ fn commands_on_a_mesh_of_two_million_facets_are_heard_of_within_two_seconds() {
     }
     assert_eq!(first_line(&place, &format!("{rcs} --quiet"), Duration::from_secs(3)), None);
 }
+
+#[test]
+fn work_on_many_frames_tells_how_many_of_them_are_done() {
+    let place = Workplace::new();
+    std::fs::write(place.path("many.toml"), SMALL_SCENE.replace("frames = 2", "frames = 60")).unwrap();
+    place.run("echo many.toml --out many.cube --quiet");
+    // The pictures of a frame take some 60 ms.
+    let words = "dsp many.cube --pictures --threads 1 --out a";
+    let (_, line) = first_line(&place, words, Duration::from_secs(10)).unwrap();
+    assert!(line.contains("; frames: ") && line.contains(" of 60, about "), "{line}");
+}

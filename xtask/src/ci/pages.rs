@@ -1,5 +1,5 @@
-//! Pages that name what is there: source files and tests that exist, libraries that the manifests list and the
-//! code uses, prose in lines that fit.
+//! Pages that name what is there: source files and tests that exist, libraries that the manifests list and
+//! the code uses, prose in lines that fit.
 
 mod libraries; // that are listed, told of and used
 pub(super) mod navigation; // which pages the site has

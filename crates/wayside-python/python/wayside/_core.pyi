@@ -191,7 +191,7 @@ class PathsFrame:
         """Rate of the delay at the frame's middle, s/s, [n]."""
     @property
     def error_db(self) -> dict[str, float | None]:
-        """Numerical errors in dB relative to the echo; None where they were not estimated."""
+        """Numerical errors in dB relative to the echo; None where not estimated and of no error at all."""
     @property
     def model_error_db(self) -> dict[str, float | None]:
         """Errors of what the model leaves out, in dB relative to the echo."""
@@ -342,7 +342,7 @@ class Rcs:
         """Range from which on a table of infinite range is right, m: 2D²/λ."""
     @property
     def error_db(self) -> dict[str, float | None]:
-        """Numerical errors of the table in dB relative to it; None where they were not estimated."""
+        """Numerical errors of the table in dB relative to it; None where not estimated and of no error."""
     @property
     def model_error_db(self) -> dict[str, float | None]:
         """Errors of what the model leaves out, in dB relative to the table."""

@@ -20,6 +20,23 @@ pub fn claim(places: &[PathBuf]) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Refuses, before the work, to replace a file that nobody named and that is not what an earlier run of this
+/// program has left there: more than `limit` bytes, or not its own by what it holds.
+pub(crate) fn keep_foreign(
+    place: &Path,
+    limit: u64,
+    is_own: impl FnOnce(&[u8]) -> bool,
+) -> Result<(), Failure> {
+    if !place.is_file() {
+        return Ok(()); // what is neither missing nor a plain file is refused by its writer
+    }
+    if read_own(place, limit).is_ok_and(|bytes| is_own(&bytes)) {
+        return Ok(());
+    }
+    let rule = "was not written by this program, and would be replaced; choose another --out";
+    Err(Failure::System(format!("{}: {rule}", place.display())))
+}
+
 /// Writes `file` whole or not at all; folders that are missing are made.
 pub fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_with(file, |stream| stream.write_all(bytes))

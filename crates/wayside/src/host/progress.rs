@@ -4,6 +4,8 @@
 
 mod under_way;
 
+use artifact::dataset::Dataset;
+use artifact::{ArtifactError, Reader, Schema};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 use under_way::{Item, UnderWay};
@@ -63,6 +65,25 @@ impl Work {
 pub fn during<T>(name: impl Into<String>, work: impl FnOnce() -> T) -> T {
     let _under_way = Work::begin(name);
     work()
+}
+
+/// Items of a number that is known, told of as they are taken: the work ends with the iterator.
+pub fn counted<T>(
+    name: impl Into<String>,
+    items: impl IntoIterator<Item = T>,
+    of: usize,
+) -> impl Iterator<Item = T> {
+    let work = Work::begin(name);
+    items.into_iter().enumerate().map(move |(done, item)| {
+        work.at(done, of);
+        item
+    })
+}
+
+/// Frames of an artifact, or samples of a dataset, told of as they are taken.
+pub fn frames<S: Schema>(reader: Reader<S>) -> impl Iterator<Item = Result<S::Frame, ArtifactError>> {
+    let of = reader.frames() as usize;
+    counted(if S::NAME == Dataset::NAME { "samples" } else { "frames" }, reader, of)
 }
 
 /// A part of the work heard from a stage.

@@ -1,10 +1,10 @@
 //! Error budgets in decibels, as `summary.json` and the sidecar of `rcs` hold them.
 
 use artifact::accuracy::{ErrorBudget, ModelError};
-use artifact::units::db_from_amplitude;
+use artifact::units::{LOWEST_DB, db_from_amplitude};
 use serde::{Deserialize, Serialize};
 
-/// Estimated numerical error: dB relative to the echo, `None` where not estimated.
+/// Estimated numerical error: dB relative to the echo, `None` where not estimated and of no error at all.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorFigures {
     /// Total of all shares.
@@ -49,7 +49,8 @@ impl ErrorFigures {
     }
 }
 
-/// Error by what the physical model leaves out: dB relative to the echo, `None` where not estimated.
+/// Error by what the physical model leaves out: dB relative to the echo, `None` where not estimated and where
+/// it leaves nothing out.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelErrorFigures {
     /// Higher bounces than were traced.
@@ -96,12 +97,26 @@ impl ModelErrorFigures {
 }
 
 /// Converts an error's amplitude relative to the echo to dB; `None` where it is not estimated, and of no
-/// error at all, as JSON has no infinity.
+/// error at all: its level has no end, and the lowest that is printed stands for it nowhere.
 pub(crate) fn db(amplitude: Option<f64>) -> Option<f64> {
-    amplitude.map(db_from_amplitude).filter(|db| db.is_finite())
+    amplitude.map(db_from_amplitude).filter(|db| db.is_finite() && *db > LOWEST_DB)
 }
 
 /// Text of a level for a person, to a tenth of a dB; "not estimated" of `None`.
 pub(crate) fn decibels(db: impl Into<Option<f64>>) -> String {
     db.into().map_or("not estimated".into(), |db| format!("{db:.1} dB").replace('-', "−"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_error_at_all_and_one_that_is_not_estimated_have_no_level() {
+        assert_eq!([db(None), db(Some(0.0)), db(Some(f64::INFINITY))], [None; 3]);
+        assert!((db(Some(0.1)).unwrap() + 20.0).abs() < 1e-12);
+        let model = ModelError { bounces: Some(0.0), nodes: Some(0.1), ..ModelError::default() };
+        let told = ModelErrorFigures::of(&model);
+        assert_eq!((told.bounces, told.nodes.is_some()), (None, true));
+    }
 }

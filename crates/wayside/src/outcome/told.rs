@@ -3,7 +3,8 @@
 
 use crate::outcome::error_figures::decibels;
 use crate::outcome::summary::{
-    Cause, FalseObject, FrameSummary, OneOfRadars, Predicted, RadarsSummary, Summary, TargetSummary,
+    AccuracyVerdict, Cause, FalseObject, FrameSummary, OneOfRadars, Predicted, RadarsSummary, Summary,
+    TargetSummary,
 };
 use crate::outcome::verdict::{self, FRAMES_IN_FULL};
 use artifact::settings::StaticEchoes;
@@ -25,10 +26,13 @@ pub(crate) fn lines_of_radars(summary: &RadarsSummary) -> Vec<String> {
 
 fn of_radar(radar: &OneOfRadars) -> String {
     let accuracy = radar.accuracy.as_ref();
-    let is_missed = accuracy.is_some_and(|accuracy| accuracy.met == Some(false));
-    let verdict = if is_missed { "NOT REACHED" } else { "reached" };
-    let error = decibels(accuracy.and_then(|accuracy| accuracy.reached_db));
-    let asked = accuracy.map_or("not estimated asked".into(), verdict::asked_in_words);
+    let verdict = match accuracy.and_then(|accuracy| accuracy.met) {
+        Some(true) => "reached",
+        Some(false) => "NOT REACHED",
+        None => "not known",
+    };
+    let error = accuracy.map_or_else(|| decibels(None), AccuracyVerdict::reached_in_words);
+    let asked = accuracy.map_or("whatever was asked".into(), verdict::asked_in_words);
     let count = Count::of_radar(radar).text();
     format!("radar {}: {count}; numerical error {error}, {asked}: {verdict}", radar.id)
 }
@@ -130,7 +134,7 @@ impl Count {
 }
 
 fn in_a_line(number: usize, frame: &FrameSummary) -> String {
-    let error = decibels(frame.accuracy.reached_db);
+    let error = frame.accuracy.reached_in_words();
     let missed = if frame.accuracy.met == Some(false) { " (not reached)" } else { "" };
     format!("frame {number:>3}, {:.3} s: {}; error {error}{missed}", frame.time_s, Count::of(frame).text())
 }
@@ -148,7 +152,7 @@ fn together(frames: &[FrameSummary]) -> Vec<String> {
 /// The frame with the largest error, and how many did not reach what was asked.
 fn worst_error(frames: &[FrameSummary]) -> Vec<String> {
     let known = frames.iter().enumerate();
-    let known = known.filter_map(|(number, frame)| Some((number, frame, frame.accuracy.reached_db?)));
+    let known = known.filter_map(|(number, frame)| Some((number, frame, frame.accuracy.level_db()?)));
     let Some((number, frame, _)) = known.max_by(|a, b| a.2.total_cmp(&b.2)) else { return vec![] };
     let missed = frames.iter().filter(|frame| frame.accuracy.met == Some(false)).count();
     let mut lines = vec![format!(
@@ -200,8 +204,8 @@ fn causes<'a>(objects: impl IntoIterator<Item = &'a FalseObject>) -> String {
     causes.iter().map(|(cause, many)| format!("{many} {cause}")).collect::<Vec<_>>().join(", ")
 }
 
-/// Line about what the model leaves out, apart from numerical errors; `None` where nothing of it was
-/// estimated.
+/// Line about what the model leaves out, apart from numerical errors; `None` where it leaves nothing out, or
+/// nothing of it was estimated.
 fn left_out(frame: &FrameSummary) -> Option<String> {
     let estimated = frame.model_error_db.sources().into_iter().filter_map(|(name, db)| Some((name, db?)));
     let named: Vec<String> = estimated.map(|(name, db)| format!("{name} {}", decibels(db))).collect();

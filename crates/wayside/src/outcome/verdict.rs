@@ -21,7 +21,7 @@ pub struct AccuracyVerdict {
     /// Result whose need that is; `None` where an accuracy was asked for itself.
     #[serde(rename = "for")]
     pub goal: Option<Goal>,
-    /// The error's total, dB; `None` where it was not estimated.
+    /// The error's total, dB; `None` where it was not estimated, and with `met` of no error at all.
     pub reached_db: Option<f64>,
     /// Whether the error is no larger than was asked; `None` where it was not estimated.
     pub met: Option<bool>,
@@ -54,6 +54,24 @@ pub(crate) enum Asking {
     Scene,
     /// Options of the command line.
     Options,
+}
+
+impl AccuracyVerdict {
+    /// Level by which verdicts are compared, dB: without end where there is no error, or one beyond all
+    /// numbers; `None` where it was not estimated.
+    pub(crate) fn level_db(&self) -> Option<f64> {
+        let endless = |met| if met { f64::NEG_INFINITY } else { f64::INFINITY };
+        self.reached_db.or(self.met.map(endless))
+    }
+
+    /// The error that was reached, for a person.
+    pub(crate) fn reached_in_words(&self) -> String {
+        match self.level_db() {
+            Some(f64::NEG_INFINITY) => "none".into(),
+            Some(f64::INFINITY) => "beyond all numbers".into(),
+            level => decibels(level),
+        }
+    }
 }
 
 impl Verdict {
@@ -171,14 +189,14 @@ pub(crate) fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
 /// not reached, what limits it and what would help.
 pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<String> {
     let asked = asked_in_words(accuracy);
-    let Some(reached_db) = accuracy.reached_db else {
+    if accuracy.level_db().is_none() {
         return vec![format!("numerical error not estimated ({asked})")];
-    };
+    }
     let verdict = if accuracy.met == Some(true) { "reached" } else { "NOT REACHED" };
     let shares: Vec<String> =
         shares_that_matter(error_db).iter().map(|(name, db)| format!("{name} {}", decibels(*db))).collect();
-    let reached = decibels(reached_db);
-    let head = format!("numerical error {reached}, {asked}: {verdict} ({})", shares.join(", "));
+    let shares = if shares.is_empty() { String::new() } else { format!(" ({})", shares.join(", ")) };
+    let head = format!("numerical error {}, {asked}: {verdict}{shares}", accuracy.reached_in_words());
     std::iter::once(head).chain(accuracy.advice.clone()).collect()
 }
 
@@ -287,6 +305,17 @@ mod tests {
         let unknown = Verdict::of(Accuracy::from_db(-20.0), &ErrorBudget::default()).told(Asking::Scene);
         assert_eq!((unknown.met, unknown.limited_by, unknown.reached_db), (None, None, None));
         assert!((unknown.asked_db + 20.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn no_error_at_all_is_told_as_none_and_reached() {
+        let exact = Verdict::of(
+            Accuracy::from_db(-20.0),
+            &ErrorBudget { integration: Some(0.0), dropped: Some(0.0), ..ErrorBudget::default() },
+        );
+        let told = exact.told(Asking::Scene);
+        assert_eq!((told.met, told.reached_db, told.level_db()), (Some(true), None, Some(f64::NEG_INFINITY)));
+        assert_eq!(exact.lines(Asking::Scene), ["numerical error none, −20.0 dB asked: reached"]);
     }
 
     #[test]

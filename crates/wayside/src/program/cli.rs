@@ -232,15 +232,15 @@ pub struct RcsArguments {
     /// First letter receives, second transmits.
     #[arg(long, value_enum, default_value = "vv")]
     pub(crate) pol: PolarizationWord,
-    /// Highest bounce order.
-    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=5))]
-    pub(crate) bounces: u8,
+    /// Highest bounce order [default: 3].
+    #[arg(long, value_parser = clap::value_parser!(u8).range(1..=5))]
+    pub(crate) bounces: Option<u8>,
     /// Beam tracing, or one of the slow references.
     #[arg(long, value_enum, default_value = "bart")]
     pub(crate) method: MethodWord,
-    /// Samples or rays per wavelength of the references.
-    #[arg(long, default_value_t = 6.0, value_parser = density)]
-    pub(crate) density: f64,
+    /// Samples or rays per wavelength of the references [default: 6].
+    #[arg(long, value_parser = density)]
+    pub(crate) density: Option<f64>,
     /// Diffraction by edges (physical theory of diffraction).
     #[arg(long, value_enum, default_value = "off")]
     pub(crate) edges: EdgesWord,
@@ -268,9 +268,9 @@ pub struct RcsArguments {
     /// Fixed receiver: distance, m [default: that of the transmitter].
     #[arg(long, value_parser = range, requires = "rx_az_deg")]
     pub(crate) rx_range_m: Option<f64>,
-    /// Relative amplitude error allowed, dB.
-    #[arg(long, default_value_t = -40.0, value_parser = accuracy_db)]
-    pub(crate) accuracy_db: f64,
+    /// Relative amplitude error allowed, dB [default: -40].
+    #[arg(long, value_parser = accuracy_db)]
+    pub(crate) accuracy_db: Option<f64>,
     /// Metres per unit of the mesh file.
     #[arg(long, value_parser = scale)]
     pub(crate) unit_scale: Option<f64>,
@@ -281,6 +281,23 @@ pub struct RcsArguments {
     /// Result; S.json is written beside it.
     #[arg(long, value_name = "S.npy")]
     pub(crate) out: PathBuf,
+}
+
+impl RcsArguments {
+    /// Highest bounce order.
+    pub(crate) fn bounces(&self) -> u8 {
+        self.bounces.unwrap_or(3)
+    }
+
+    /// Samples or rays per wavelength of the references.
+    pub(crate) fn density(&self) -> f64 {
+        self.density.unwrap_or(6.0)
+    }
+
+    /// Relative amplitude error allowed, dB.
+    pub(crate) fn accuracy_db(&self) -> f64 {
+        self.accuracy_db.unwrap_or(-40.0)
+    }
 }
 
 /// Words of `paths`.
@@ -506,7 +523,7 @@ mod tests {
         let matches = command.try_get_matches_from(words.split(' ')).unwrap();
         let parsed = Arguments::from_arg_matches(&matches).unwrap();
         let Command::Rcs(rcs) = parsed.command else { panic!("not rcs") };
-        assert_eq!((rcs.az_deg.values[0], rcs.accuracy_db), (-10.0, -60.0));
+        assert_eq!((rcs.az_deg.values[0], rcs.accuracy_db()), (-10.0, -60.0));
     }
 
     #[test]

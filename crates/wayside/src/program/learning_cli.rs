@@ -65,12 +65,15 @@ pub struct DatasetArguments {
     #[arg(long, conflicts_with = "shard")]
     pub(crate) conclude: bool,
     /// Says how many files, bytes and core-hours the whole dataset would take, and makes nothing.
-    #[arg(long, conflicts_with = "conclude")]
+    #[arg(long, conflicts_with_all = ["conclude", "shard"])]
     pub(crate) dry_run: bool,
     /// Replaces the recipe's seed.
     #[arg(long)]
     pub(crate) seed: Option<u64>,
 }
+
+/// Steps of the optimizer, where none are asked for: the paper's number.
+pub(crate) const PAPER_ITERATIONS: u32 = 1440;
 
 /// Words of `train`.
 #[derive(Debug, Args)]
@@ -87,10 +90,11 @@ pub struct TrainArguments {
     /// Seed of every draw: examples and features of trees, initial weights, the order of samples.
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
-    /// Steps of the network's optimizer; the paper's number.
-    #[arg(long, default_value_t = 1440)]
-    pub(crate) iterations: u32,
-    /// Text file with a line for each source of vehicles that its licence asks to be named with the model.
+    /// Steps of the network's optimizer [default: 1440, the paper's number].
+    #[arg(long, value_name = "N")]
+    pub(crate) iterations: Option<u32>,
+    /// Text file with a line for each source of vehicles that its licence asks to be named with the model of
+    /// trees.
     #[arg(long, value_name = "FILE")]
     pub(crate) attributions: Option<PathBuf>,
 }
@@ -122,9 +126,9 @@ pub struct ProtocolsArguments {
     /// copies of a map apart.
     #[arg(long, value_enum, default_value = "trees")]
     pub(crate) learner: LearnerWord,
-    /// Steps of the network's optimizer in each training.
-    #[arg(long, value_name = "N", default_value_t = 1440, value_parser = clap::value_parser!(u32).range(1..))]
-    pub(crate) iterations: u32,
+    /// Steps of the network's optimizer in each training [default: 1440, the paper's number].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) iterations: Option<u32>,
     /// Trainings, of the seeds 1, 2, ...
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=100))]
     pub(crate) seeds: u64,

@@ -4,19 +4,21 @@ use crate::outcome::summary::{Cause, FalseObject};
 use crate::report::tables::{rounded, scrolled};
 use maud::{Markup, html};
 
-/// A row per false object, and per object that the radar tells to be at rest.
-pub(super) fn section(objects: &[FalseObject], standing: &[FalseObject]) -> Markup {
+/// A row per false object, and per object that the radar tells to be at rest; whose they are as the headings
+/// go on.
+pub(super) fn section(of: &str, objects: &[FalseObject], standing: &[FalseObject]) -> Markup {
+    let headings = ["False objects", "Objects at rest that are no body's"].map(|what| format!("{what}{of}"));
     html! {
-        h3 { "False objects" }
+        h3 { (headings[0]) }
         @match (objects, standing) {
             ([], []) => p { "None: every object is a body's." },
             ([], _) => p { "None: every object that moves is a body's." },
-            _ => (table("False objects", objects)),
+            _ => (table(&headings[0], objects)),
         }
         @if !standing.is_empty() {
-            h3 { "Objects at rest that are no body's" }
+            h3 { (headings[1]) }
             p { "The radar tells them to be at rest, and they claim no vehicle: they are not counted as false." }
-            (table("Objects at rest", standing))
+            (table(&headings[1], standing))
         }
     }
 }
@@ -72,15 +74,16 @@ mod tests {
             bounces: Some(bounces),
             ..FalseObject::default()
         };
-        let text = section(&[of(3, Cause::Ghost, &["bus-1", "truck-1"], 2)], &[]).into_string();
+        let text = section("", &[of(3, Cause::Ghost, &["bus-1", "truck-1"], 2)], &[]).into_string();
         for said in ["#3", "multipath ghost: bus-1, truck-1, 2 bounces", "<td>–</td>"] {
             assert!(text.contains(said), "{said}: {text}");
         }
-        assert!(section(&[], &[]).into_string().contains("None"));
-        let text = section(&[], &[of(5, Cause::Clutter, &["rail"], 1)]).into_string();
+        assert!(section("", &[], &[]).into_string().contains("None"));
+        let text = section(" of east", &[], &[of(5, Cause::Clutter, &["rail"], 1)]).into_string();
         assert!(
             text.contains("every object that moves is a body's") && text.contains("clutter: rail"),
             "{text}"
         );
+        assert!(text.contains("<h3>False objects of east</h3>"), "{text}");
     }
 }

@@ -95,10 +95,10 @@ fn section(number: usize, frame: &FrameSummary, figures: Option<&FrameFigures>) 
         section {
             h2 { "Frame " (number) " at " (tables::rounded(frame.time_s, 3)) " s" }
             @if let Some(f) = figures { (figure("Truth, detected points and objects, to scale.", &f.plan)) }
-            (accuracy::section(&frame.accuracy))
+            (accuracy::section("", &frame.accuracy))
             h3 { "Truth beside estimate" }
             (tables::targets(&frame.targets))
-            (false_objects::section(&frame.false_objects, &frame.stationary_objects))
+            (false_objects::section("", &frame.false_objects, &frame.stationary_objects))
             @if let Some(f) = figures {
                 (figure("Power of all channels together; crosses are the truth, rings what was found.", &f.rdm))
                 (figure("The strongest cell at each range.", &f.profile))

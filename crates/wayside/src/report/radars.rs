@@ -1,6 +1,8 @@
 //! The page of a scene with several radars: the scene as all have it, and the way to each radar's own report.
 
-use crate::outcome::summary::{CommonFrame, OneOfRadars, RadarsSummary};
+use crate::outcome::summary::{CommonFrame, OneOfRadars, RadarsSummary, Summary};
+use crate::report::accuracy;
+use crate::report::false_objects;
 use crate::report::made::{Making, made};
 use crate::report::page::{figure, sheet};
 use crate::report::tables::{rounded, scrolled};
@@ -12,8 +14,14 @@ use std::path::Path;
 /// Frames whose targets are listed: a page of more opens slowly.
 const FRAMES_TOLD: usize = 24;
 
-/// The whole page; `out` is the folder in which it will lie.
-pub(super) fn page(summary: &RadarsSummary, views: &[Figure], making: &Making, out: &Path) -> String {
+/// The whole page of radars, each with its id and its own summary; `out` is the folder in which it will lie.
+pub(super) fn page(
+    summary: &RadarsSummary,
+    own: &[(&str, &Summary)],
+    views: &[Figure],
+    making: &Making,
+    out: &Path,
+) -> String {
     let frames = &summary.frames;
     sheet(
         &summary.scene,
@@ -21,11 +29,15 @@ pub(super) fn page(summary: &RadarsSummary, views: &[Figure], making: &Making, o
             p.lead { (lead(frames)) }
             (made(making, out))
             (radars(&summary.radars))
+            (accuracies(&summary.radars))
             @for (number, view) in views.iter().enumerate() {
                 @let caption = format!("Frame {number}: truth; points and objects in the colour of the radar that found them.");
                 (figure(&caption, view))
             }
-            @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() { (targets(number, frame)) }
+            @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
+                (targets(number, frame))
+                (nobodys(number, own))
+            }
             footer { "Each radar's noise is its own, drawn from the scene's seed and its name." }
         },
     )
@@ -62,6 +74,32 @@ fn radars(radars: &[OneOfRadars]) -> Markup {
     scrolled("Radars", table)
 }
 
+/// Accuracy of each radar, in its frame of the largest error.
+fn accuracies(radars: &[OneOfRadars]) -> Markup {
+    let of = |radar: &OneOfRadars| match radar.frames {
+        1 => format!(" of {}", radar.id),
+        frames => format!(" of {}, in the worst of its {frames} frames", radar.id),
+    };
+    html! {
+        @for radar in radars {
+            @match &radar.accuracy {
+                Some(told) => (accuracy::section(&of(radar), told)),
+                None => p { "The numerical error of " (radar.id) " was not estimated." },
+            }
+        }
+    }
+}
+
+/// Objects of a frame that are nobody's, radar by radar, and what made them.
+fn nobodys(number: usize, own: &[(&str, &Summary)]) -> Markup {
+    let frames = own.iter().filter_map(|(id, summary)| Some((id, summary.frames.get(number)?)));
+    html! {
+        @for (id, frame) in frames {
+            (false_objects::section(&format!(" of {id}"), &frame.false_objects, &frame.stationary_objects))
+        }
+    }
+}
+
 fn targets(number: usize, frame: &CommonFrame) -> Markup {
     let by = |names: &[String]| if names.is_empty() { "–".to_owned() } else { names.join(", ") };
     let table = html! { table {
@@ -85,6 +123,7 @@ fn targets(number: usize, frame: &CommonFrame) -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::outcome::summary::AccuracyVerdict;
 
     #[test]
     fn a_radars_row_has_a_cell_under_every_heading() {
@@ -94,5 +133,16 @@ mod tests {
         let table = radars(&[radar]).into_string();
         assert_eq!(table.matches("<td").count(), table.matches("<th>").count(), "{table}");
         assert!(table.contains("<td class=\"bad\">2</td><td>3</td><td>11</td>"), "{table}");
+    }
+
+    #[test]
+    fn every_radar_says_which_accuracy_it_reached_or_that_this_is_not_known() {
+        let told = AccuracyVerdict { reached_db: Some(-3.6), met: Some(false), ..AccuracyVerdict::default() };
+        let north =
+            OneOfRadars { id: "north".into(), frames: 2, accuracy: Some(told), ..OneOfRadars::default() };
+        let east = OneOfRadars { id: "east".into(), frames: 2, ..OneOfRadars::default() };
+        let text = accuracies(&[north, east]).into_string();
+        assert!(text.contains("reached of north, in the worst of its 2 frames</h3>"), "{text}");
+        assert!(text.contains("−3.6 dB") && text.contains("The numerical error of east was not"), "{text}");
     }
 }

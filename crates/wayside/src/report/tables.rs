@@ -136,19 +136,22 @@ fn bar(probability: Option<f64>) -> Markup {
     }
 }
 
-/// Numerical error by source and what the model leaves out, dB.
+/// Numerical error by source and what the model leaves out, dB; parts that have a level.
 pub(super) fn errors(frame: &FrameSummary) -> Markup {
     let numerical = frame.error_db.shares().into_iter().chain([("total", frame.error_db.total)]);
+    let known = numerical.filter_map(|(name, db)| Some((name, db?)));
+    let of_model = frame.model_error_db.sources().into_iter().filter_map(|(name, db)| Some((name, db?)));
     let table = html! { table {
         thead { tr { th { "relative to the echo" } th { "dB" } } }
         tbody {
-            @for (name, db) in numerical { tr { td { (name) } td { (rounded_or(db, 1, "not estimated")) } } }
-            @for (name, db) in frame.model_error_db.sources() {
-                tr { td { "model: " (name) } td { (rounded_or(db, 1, "not estimated")) } }
-            }
+            @for (name, db) in known { tr { td { (name) } td { (rounded(db, 1)) } } }
+            @for (name, db) in of_model { tr { td { "model: " (name) } td { (rounded(db, 1)) } } }
         }
     } };
-    scrolled("Error budget", table)
+    html! {
+        (scrolled("Error budget", table))
+        p { "Parts without a row are no error, or were not estimated." }
+    }
 }
 
 /// Seconds by stage, memory at most.
@@ -172,11 +175,7 @@ pub(super) fn costs(frame: &FrameSummary) -> Markup {
 
 /// A number with so many digits; a dash where there is none.
 pub(super) fn rounded(value: impl Into<Option<f64>>, digits: usize) -> String {
-    rounded_or(value.into(), digits, "–")
-}
-
-fn rounded_or(value: Option<f64>, digits: usize, otherwise: &str) -> String {
-    value.map_or(otherwise.into(), |v| format!("{v:.digits$}").replace('-', "−"))
+    value.into().map_or("–".into(), |v| format!("{v:.digits$}").replace('-', "−"))
 }
 
 fn whole(value: Option<impl Display>) -> String {

@@ -13,12 +13,33 @@ use artifact::paths::Paths;
 use artifact::points::{Label, Points, PointsHeader};
 use artifact::rcs::Rcs;
 use artifact::rdm::Rdm;
-use artifact::scene::Scene;
+use artifact::scene::{Scene, SceneHeader};
 use artifact::settings::EchoMode;
 use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Writer};
 use evaluation::FrameTruth;
 use std::path::{Path, PathBuf};
+
+const SCENE: &str = "scene.scene";
+const CUBE: &str = "frames.cube";
+const RDM: &str = "frames.rdm";
+const POINTS: &str = "frames.points";
+const TRACKS: &str = "frames.tracks";
+
+fn scattering_name(echo: EchoMode) -> &'static str {
+    match echo {
+        EchoMode::Paths => "frames.paths",
+        EchoMode::RcsTable => "frames.rcs",
+    }
+}
+
+/// Files of a run beside its summary and its report: every artifact, and the pictures of the first frame for
+/// those of all.
+pub(crate) fn places(header: &SceneHeader, out: &Path) -> Vec<PathBuf> {
+    let artifacts = [SCENE, scattering_name(header.fidelity.echo), CUBE, RDM, POINTS, TRACKS];
+    let pictures = pictures::places_of_frame(0, &out.join("pictures"));
+    artifacts.into_iter().map(|name| out.join(name)).chain(pictures).collect()
+}
 
 /// Open writers of all artifacts of a run.
 pub(crate) struct Products {
@@ -45,12 +66,12 @@ impl Products {
         let followed = TracksHeader { cube: Some(chain.cube_header.clone()) };
         Ok(Self {
             out: out.to_owned(),
-            scene: Writer::create(&out.join("scene.scene"), &from(Stage::Scene), chain.header)?,
+            scene: Writer::create(&out.join(SCENE), &from(Stage::Scene), chain.header)?,
             scattering: ScatteringWriter::create(chain, out, &from(Stage::BartRcs))?,
-            cube: Writer::create(&out.join("frames.cube"), &from(Stage::FmcwEcho), &chain.cube_header)?,
-            rdm: Writer::create(&out.join("frames.rdm"), &from(Stage::Dsp), &chain.cube_header)?,
-            points: Writer::create(&out.join("frames.points"), &from(Stage::Dsp), &with_truth)?,
-            tracks: Writer::create(&out.join("frames.tracks"), &from(Stage::Dsp), &followed)?,
+            cube: Writer::create(&out.join(CUBE), &from(Stage::FmcwEcho), &chain.cube_header)?,
+            rdm: Writer::create(&out.join(RDM), &from(Stage::Dsp), &chain.cube_header)?,
+            points: Writer::create(&out.join(POINTS), &from(Stage::Dsp), &with_truth)?,
+            tracks: Writer::create(&out.join(TRACKS), &from(Stage::Dsp), &followed)?,
             figures: Figures::default(),
         })
     }
@@ -98,13 +119,11 @@ impl Products {
 
 impl ScatteringWriter {
     fn create(chain: &Chain, out: &Path, from: &Provenance) -> Result<Self, Failure> {
-        Ok(match chain.header.fidelity.echo {
-            EchoMode::Paths => {
-                Self::Paths(Writer::create(&out.join("frames.paths"), from, &chain.paths_header())?)
-            }
-            EchoMode::RcsTable => {
-                Self::Tables(Writer::create(&out.join("frames.rcs"), from, &chain.rcs_header())?)
-            }
+        let echo = chain.header.fidelity.echo;
+        let place = out.join(scattering_name(echo));
+        Ok(match echo {
+            EchoMode::Paths => Self::Paths(Writer::create(&place, from, &chain.paths_header())?),
+            EchoMode::RcsTable => Self::Tables(Writer::create(&place, from, &chain.rcs_header())?),
         })
     }
 

@@ -22,7 +22,7 @@ use crate::planning::told::PlanFigures;
 use crate::planning::{self, PlannedScene};
 use crate::report::figures::Figures;
 use crate::report::{self, Making};
-use crate::run::products::Products;
+use crate::run::products::{self, Products};
 use crate::run::several_radars::{self, Told};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -117,8 +117,9 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     let load = |run: &Run| planning::scene(&run.scene, cache.as_ref(), settings.memory);
     let planned: Vec<PlannedScene> = runs.iter().map(load).collect::<Result<_, _>>()?;
     let outs: Vec<PathBuf> = runs.iter().zip(&planned).map(|(run, planned)| run.out_of(planned)).collect();
-    let begin = || outs.iter().map(|out| Writing::into_folder(out)).collect::<Result<Vec<_>, _>>();
-    let _writing = (!settings.dry_run).then(begin).transpose()?;
+    let is_of_all = settings.scene.radar.is_none() && runs.iter().all(|run| run.scene.radar.is_some());
+    let above = outs.first().filter(|_| is_of_all).map(|out| several_radars::above(out));
+    let _writing = (!settings.dry_run).then(|| begin(&planned, &outs, above)).transpose()?;
     let mut of_radars = vec![];
     for ((run, planned), out) in runs.iter().zip(&planned).zip(&outs) {
         if runs.len() > 1 {
@@ -126,10 +127,25 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
         }
         of_radars.extend(one_radar(settings, planned, cache.as_ref(), model.as_ref(), out)?);
     }
-    let is_of_all = settings.scene.radar.is_none() && runs.iter().all(|run| run.scene.radar.is_some());
     let conclude = || several_radars::conclude(&of_radars, &settings.making, settings.tell);
     let of_all = (is_of_all && !of_radars.is_empty()).then(conclude).transpose()?;
     Ok(Outcome { of_radars, of_all })
+}
+
+/// Begins to write into the folder of each radar and into the one above them, where there is one, and claims
+/// all of their files: what could not be written of the last is said before the first is computed.
+fn begin(planned: &[PlannedScene], outs: &[PathBuf], above: Option<&Path>) -> Result<Vec<Writing>, Failure> {
+    let folders = outs.iter().map(PathBuf::as_path).chain(above);
+    let writing = folders.map(Writing::into_folder).collect::<Result<Vec<_>, _>>()?;
+    let of_radar = |(planned, out): (&PlannedScene, &PathBuf)| {
+        let told = ["summary.json", "report.html"].map(|name| out.join(name));
+        products::places(&planned.loaded.header, out).into_iter().chain(told)
+    };
+    let frames = planned.iter().map(|planned| planned.loaded.header.frames).min().unwrap_or(0);
+    let in_common = above.into_iter().flat_map(|out| several_radars::places(out, frames as usize));
+    let places: Vec<PathBuf> = planned.iter().zip(outs).flat_map(of_radar).chain(in_common).collect();
+    files::claim(&places)?;
+    Ok(writing)
 }
 
 /// Results are for good, a cache is not: one folder cannot be both.
@@ -196,7 +212,6 @@ fn one_radar(
         expectation::lines(&chain, cache, &plans)?.iter().for_each(|line| (settings.tell)(line));
         return Ok(None);
     }
-    files::claim(&["summary.json", "report.html"].map(|name| out.join(name)))?;
     let (start, begin) = (Instant::now(), processor_time::of_process());
     let (computed, figures) = compute(&chain, loaded, &plans, settings, out)?;
     let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);

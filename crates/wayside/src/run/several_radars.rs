@@ -2,13 +2,13 @@
 //! each.
 
 use crate::host::failure::Failure;
-use crate::host::files::{self, Writing};
+use crate::host::files;
 use crate::outcome::summary::{RadarsSummary, Summary};
 use crate::outcome::told;
 use crate::pictures;
 use crate::pictures::common_view;
 use crate::pictures::seen::Seen;
-use crate::report::{self, Making};
+use crate::report::{self, FRAMES_DRAWN, Making};
 use plotting::form::Figure;
 use std::path::{Path, PathBuf};
 
@@ -28,22 +28,37 @@ impl Told {
     }
 }
 
+/// Folder of what the radars have in common, above that of each.
+pub(crate) fn above(out: &Path) -> &Path {
+    out.parent().unwrap_or(Path::new(""))
+}
+
+/// Files of what radars of so many frames have in common.
+pub(crate) fn places(out: &Path, frames: usize) -> Vec<PathBuf> {
+    let pictures = (0..frames.min(FRAMES_DRAWN)).map(|number| picture(out, number));
+    ["summary.json", "report.html"].map(|name| out.join(name)).into_iter().chain(pictures).collect()
+}
+
+/// Picture of a frame as all radars have it.
+fn picture(out: &Path, number: usize) -> PathBuf {
+    out.join(format!("pictures/scene-{number:04}.png"))
+}
+
 /// Writes what the radars have in common, one folder above theirs, and tells it.
 pub(crate) fn conclude(
     radars: &[Told],
     making: &Making,
     tell: &dyn Fn(&str),
 ) -> Result<RadarsSummary, Failure> {
-    let out = radars[0].out.parent().unwrap_or(Path::new(""));
-    let _writing = Writing::into_folder(out)?;
+    let out = above(&radars[0].out);
     let by_id: Vec<_> = radars.iter().map(|radar| (radar.id(), &radar.summary)).collect();
     let summary = RadarsSummary::of(&by_id);
     let views = views(radars);
     for (number, view) in views.iter().enumerate() {
-        pictures::write_png(&out.join(format!("pictures/scene-{number:04}.png")), &view.wide)?;
+        pictures::write_png(&picture(out, number), &view.wide)?;
     }
     files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
-    report::write_several(&summary, &views, making, out)?;
+    report::write_several(&summary, &by_id, &views, making, out)?;
     told::lines_of_radars(&summary).iter().for_each(|line| tell(line));
     tell(&format!("report of all radars: {}", out.join("report.html").display()));
     Ok(summary)

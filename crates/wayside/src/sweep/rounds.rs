@@ -12,8 +12,9 @@ use crate::host::side_by_side::side_by_side;
 use crate::outcome::summary::Summary;
 use crate::sweep::answer::scores;
 use crate::sweep::runs::kept::Kept;
-use crate::sweep::runs::ledger::{Ledger, Values};
+use crate::sweep::runs::ledger::{Ledger, Run};
 use crate::sweep::runs::one_run::{self, Means, Measured};
+use crate::sweep::runs::reached::Reached;
 use crate::sweep::statistics::contest::{self, Rule};
 use crate::sweep::study::axis::Pick;
 use crate::sweep::study::document::Study;
@@ -79,10 +80,10 @@ impl Rounds<'_> {
         let mut ledger = Ledger::of(self.designs.len());
         let mut missing = 0;
         for (repeat, situations) in self.situations.iter().enumerate() {
-            let values = self.round(repeat, situations, &ledger.open)?;
-            missing += values.iter().filter(|values| values.is_none()).count();
+            let runs = self.round(repeat, situations, &ledger.open)?;
+            missing += runs.iter().filter(|run| run.is_none()).count();
             match (missing, self.study.stop) {
-                (0, _) => self.enter(&mut ledger, situations, values),
+                (0, _) => self.enter(&mut ledger, situations, runs),
                 (_, None) => continue,
                 (_, Some(_)) => break,
             }
@@ -94,10 +95,10 @@ impl Rounds<'_> {
     }
 
     /// Enters a repeat of which no run lacks.
-    fn enter(&self, ledger: &mut Ledger, situations: &[Situation], values: Vec<Option<Values>>) {
+    fn enter(&self, ledger: &mut Ledger, situations: &[Situation], runs: Vec<Option<Run>>) {
         let numbers = self.numbers(situations, &ledger.open);
-        for (number, values) in numbers.into_iter().zip(values.into_iter().flatten()) {
-            ledger.enter(number / situations.len(), values);
+        for (number, run) in numbers.into_iter().zip(runs.into_iter().flatten()) {
+            ledger.enter(number / situations.len(), run);
         }
         self.drop_worse(ledger);
     }
@@ -116,13 +117,13 @@ impl Rounds<'_> {
         open.iter().flat_map(|design| design * count..(design + 1) * count).collect()
     }
 
-    /// Values of a repeat's runs in the order of their numbers; `None` where another part has to make one.
+    /// A repeat's runs in the order of their numbers; `None` where another part has to make one.
     fn round(
         &self,
         repeat: usize,
         situations: &[Situation],
         open: &[usize],
-    ) -> Result<Vec<Option<Values>>, Failure> {
+    ) -> Result<Vec<Option<Run>>, Failure> {
         let is_of = |number: usize, [part, of]: [u32; 2]| number % of as usize == (part - 1) as usize;
         let is_mine = |number: &usize| self.shard.is_some_and(|shard| is_of(*number, shard));
         let numbers = self.numbers(situations, open);
@@ -175,7 +176,8 @@ impl Rounds<'_> {
         let make = |job: &Job| {
             self.call_off.check()?;
             let summary = self.summary(job, situations, &measured, &means)?;
-            self.kept.put(self.study, &job.key, &self.study.measures.values(&summary))?;
+            let (values, accuracy) = (self.study.measures.values(&summary), Reached::of(&summary));
+            self.kept.put(self.study, &job.key, &Run { values, accuracy })?;
             self.put.fetch_add(1, Ordering::Relaxed);
             work.at(done.fetch_add(1, Ordering::Relaxed) + 1, jobs.len());
             Ok(())

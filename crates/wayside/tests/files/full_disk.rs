@@ -130,7 +130,7 @@ const COMMANDS: [&str; 32] = [
     "scene-from b.cfg --device xwr1443 --out disk/b.toml",
     "export a/frames.cube --to sigmf --out disk/f",
     "export a/frames.cube --to dca1000 --out disk/f.bin",
-    "export a/frames.rdm --to png --axes --out disk/f.png",
+    "export a/frames.rdm --to png --axes on --out disk/f.png",
     "export a/frames.points --to pcd --out disk/f.pcd",
     "export a/frames.points --to ply --out disk/f.ply",
     "export a/frames.tracks --to json --out disk/f.json",

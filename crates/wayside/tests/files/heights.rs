@@ -47,6 +47,20 @@ fn sets_whose_clouds_have_no_room_for_it_tell_it_in_their_description() {
 }
 
 #[test]
+fn a_set_whose_heights_are_assumed_is_read_as_one() {
+    for (array, measured, _) in ARRAYS {
+        let place = points_of(array);
+        place.run("export a.points --to kitti --out set --quiet");
+        place.run("import set/training/velodyne --scene small.toml --out b.points --quiet");
+        place.run("export b.points --to csv --out b.csv --quiet");
+        let table = String::from_utf8(place.bytes("b.csv")).unwrap();
+        let height = if measured == "1" { "measured" } else { "assumed" };
+        let mut rows = table.lines().skip(1).peekable();
+        assert!(rows.peek().is_some() && rows.all(|row| row.rsplit(',').next() == Some(height)), "{table}");
+    }
+}
+
+#[test]
 fn an_export_of_points_says_that_their_heights_are_assumed() {
     for (array, measured, heights) in ARRAYS {
         let place = points_of(array);

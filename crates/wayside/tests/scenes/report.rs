@@ -102,6 +102,21 @@ fn the_view_holds_its_numbers_and_its_script_and_the_drawings_stand_for_it_witho
 }
 
 #[test]
+fn the_view_tells_which_heights_are_assumed_and_which_measured() {
+    // Codes of what heights stand on: 0 measured, 1 assumed.
+    for (array, assumed_m, code) in [("1x4", Some(0.75), 1), ("6x8", None, 0)] {
+        let (_place, page) = report_of(&SMALL_SCENE.replace("1x4", array));
+        let data = data_of_view(&page);
+        let shown = &data["frames"][0]["shown"];
+        assert_eq!(shown["assumed_height_m"].as_f64(), assumed_m, "{array}");
+        let objects = shown["objects"].as_array().unwrap();
+        assert!(!objects.is_empty() && objects.iter().all(|object| object["height"] == code), "{objects:?}");
+        assert!(shown["points"]["heights"]["base64"].is_string(), "{array}");
+        assert!(page.contains("Heights of points and objects are not measured: they are drawn"));
+    }
+}
+
+#[test]
 fn the_view_shows_the_strongest_paths_and_tells_the_power_of_all() {
     let (_place, page) = report_of(SMALL_SCENE);
     let paths = &data_of_view(&page)["frames"][0]["shown"]["paths"];

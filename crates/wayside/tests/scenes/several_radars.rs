@@ -142,3 +142,56 @@ fn a_command_that_sees_one_radar_asks_which() {
     assert_eq!(unknown.status.code(), Some(1));
     assert!(!folder.path().join("out").exists(), "nothing is written of what was refused");
 }
+
+#[test]
+fn what_stands_above_the_radars_and_what_each_of_them_leaves_is_claimed_before_any_work() {
+    for taken in
+        ["report.html", "summary.json", "pictures/scene-0000.png", "east/report.html", "east/frames.cube"]
+    {
+        let folder = folder_with(&crossing());
+        std::fs::create_dir_all(folder.path().join("all").join(taken)).unwrap();
+        let refused = wayside(folder.path(), &["run", "scene.toml", "--cache", "cache", "--out", "all"]);
+        let told = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert_eq!(refused.status.code(), Some(2), "{taken}: {told}");
+        assert!(told.contains(taken) && told.contains("it is a folder"), "{taken}: {told}");
+        assert_eq!(files_below(&folder.path().join("all")), 0, "{taken}: something was computed before");
+    }
+}
+
+/// Number of files in a folder and those below it.
+fn files_below(folder: &Path) -> usize {
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.map(|path| if path.is_dir() { files_below(&path) } else { 1 }).sum()
+}
+
+#[test]
+fn a_radar_named_like_a_file_that_stands_above_it_is_refused_before_any_work() {
+    let folder = folder_with(&crossing().replace("id = \"east\"", "id = \"summary.json\""));
+    let refused = wayside(folder.path(), &["run", "scene.toml", "--no-cache", "--out", "all"]);
+    let told = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(refused.status.code(), Some(2), "{told}");
+    assert!(told.contains("all/summary.json: cannot be written: it is a folder"), "{told}");
+    assert_eq!(files_below(&folder.path().join("all")), 0, "nothing was computed before");
+}
+
+#[test]
+fn the_report_of_all_radars_says_what_accuracy_each_reached_and_what_made_its_false_objects() {
+    // Some of ten thousand cells are alarms of the noise alone.
+    let alarms = crossing().replace("[noise]", "[dsp]\nfalse_alarm_rate = 1e-3\n[noise]");
+    let folder = folder_with(&alarms);
+    run(folder.path(), &["--out", "all"]);
+    let page = std::fs::read_to_string(folder.path().join("all/report.html")).unwrap();
+    for radar in ["north", "east"] {
+        let of_radar = summary(folder.path().join("all").join(radar));
+        let frame = &of_radar["frames"][0];
+        assert!(page.contains(&format!("<h3>Accuracy asked and reached of {radar}</h3>")), "{page}");
+        assert!(page.contains(&format!("<h3>False objects of {radar}</h3>")), "{page}");
+        let false_ones = frame["false_objects"].as_array().unwrap();
+        assert!(!false_ones.is_empty() && false_ones.iter().all(|object| object["cause"] == "noise"));
+        let heading = format!("False objects of {radar}</h3>");
+        let section = page.split(&heading).nth(1).unwrap().split("<h").next().unwrap();
+        assert_eq!(section.matches(">noise</td>").count(), false_ones.len(), "{section}");
+        let reached = format!("{:.1} dB", frame["accuracy"]["reached_db"].as_f64().unwrap());
+        assert!(page.contains(&reached.replace('-', "−")), "{reached}");
+    }
+}

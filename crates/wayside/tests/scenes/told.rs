@@ -97,6 +97,25 @@ fn an_accuracy_that_was_not_reached_is_said_with_what_limits_it_and_what_would_h
 }
 
 #[test]
+fn a_part_that_is_no_error_is_null_and_is_said_nowhere() {
+    let place = Workplace::new();
+    let (head, reflector) = SMALL_SCENE.split_once("[[target]]").unwrap();
+    let (_, point) = reflector.split_once("[[target]]").unwrap();
+    write(&place, "small.toml", &format!("{head}[[target]]{point}"));
+    let told = place.run("run small.toml --out out --quiet");
+    assert!(told.contains("−20.0 dB asked: reached (") && !told.contains("−300.0 dB"), "{told}");
+    assert!(!told.contains("left out by the model"), "a point leaves nothing out: {told}");
+    let frame = &place.summary("out/summary.json")["frames"][0];
+    for (of, part) in
+        [("model_error_db", "bounces"), ("model_error_db", "nodes"), ("error_db", "integration")]
+    {
+        assert_eq!(frame[of][part], Value::Null, "{part}");
+    }
+    let page = String::from_utf8(place.bytes("out/report.html")).unwrap();
+    assert!(!page.contains("−300.0") && !page.contains("model: nodes"), "a row of no error");
+}
+
+#[test]
 fn a_run_says_which_accuracy_is_of_use_and_what_its_own_is_for() {
     let place = Workplace::new();
     let scene = |asked: &str| format!("{SMALL_SCENE}\n[fidelity]\n{asked}\n");

@@ -7,7 +7,7 @@
 )]
 
 use crate::common::killing::{files, killed_after};
-use crate::common::{Workplace, asked};
+use crate::common::{SMALL_SCENE, Workplace, asked};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeSet;
@@ -235,4 +235,77 @@ fn what_is_worse_for_sure_is_repeated_no_further_and_parts_agree_on_it() {
     }
     assert!(said.contains("Answer"), "{said}");
     same_results(&place, "whole", "parts");
+}
+
+/// A scene of which drawn points stand for a corner reflector, at an error larger than the echo itself where
+/// `detail` asks for it.
+fn of_a_corner(detail: &str) -> Workplace {
+    let place = Workplace::new();
+    let scene = SMALL_SCENE.replace("frames = 2", "frames = 1");
+    std::fs::write(place.path("scene.toml"), format!("{scene}\n[fidelity]\ndetail = \"{detail}\"\n"))
+        .unwrap();
+    let study = "scene = \"scene.toml\"\nrepeats = 2\n[[vary]]\nname = \"array\"\nkey = \"radar.array.preset\"\n\
+                 values = [\"1x4\", \"3x4\"]\n[goal]\nmetric = \"coverage\"\n";
+    std::fs::write(place.path("study.toml"), study).unwrap();
+    place
+}
+
+#[test]
+fn a_study_says_how_many_of_its_runs_did_not_reach_their_accuracy_and_which_candidates_rest_on_them() {
+    let place = of_a_corner("statistical");
+    let said = sweep(&place, "--out a");
+    let sentence = "4 of 4 runs did NOT REACH the accuracy that they asked for, the worst, of design ";
+    assert!(said.contains(sentence) && said.contains(" dB for −20.0 dB asked"), "{said}");
+    let runs = table(&place, "a/sweep.csv");
+    let reached: Vec<f64> =
+        column(&runs, "accuracy_reached_db").iter().map(|level| level.parse().unwrap()).collect();
+    let worst = reached.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    assert!(reached.iter().all(|level| *level > -20.0), "{reached:?}");
+    assert!(said.contains(&format!("{worst:.1} dB for").replace('-', "−")), "{worst}: {said}");
+    let asked = column(&runs, "accuracy_asked_db");
+    assert!(asked.iter().all(|asked| (asked.parse::<f64>().unwrap() + 20.0).abs() < 1e-9), "{asked:?}");
+    assert_eq!(column(&runs, "accuracy_met"), ["no"; 4]);
+    let designs = table(&place, "a/designs.csv");
+    assert_eq!(column(&designs, "accuracy_missed"), ["2", "2"]);
+    let candidates = column(&designs, "candidate");
+    let resting: Vec<String> =
+        (0..2).filter(|design| candidates[*design] == "yes").map(|design| design.to_string()).collect();
+    assert!(said.contains(&format!("candidates rest on them: {}.", resting.join(", "))), "{said}");
+    let unwrapped = |name: &str| {
+        let text = String::from_utf8(place.bytes(name)).unwrap();
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    for name in ["a/report.md", "a/report.html"] {
+        let report = unwrapped(name);
+        assert!(report.contains(sentence) && report.contains("accuracy not reached"), "{name}: {report}");
+    }
+}
+
+#[test]
+fn a_study_whose_runs_all_reached_their_accuracy_says_that_too() {
+    let place = of_a_corner("paths");
+    let said = sweep(&place, "--out a");
+    assert!(said.contains("All 4 runs reached the accuracy that they asked for."), "{said}");
+    assert_eq!(column(&table(&place, "a/sweep.csv"), "accuracy_met"), ["yes"; 4]);
+    assert_eq!(column(&table(&place, "a/designs.csv"), "accuracy_missed"), ["0", "0"]);
+}
+
+#[test]
+fn of_runs_that_earlier_versions_kept_it_is_said_that_their_accuracy_is_not_known() {
+    let place = of_a_corner("statistical");
+    sweep(&place, "--out a");
+    for file in &files(&place.path("a/runs"))[..3] {
+        let mut run: serde_json::Value = serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap();
+        assert!(run.as_object_mut().unwrap().remove("accuracy").is_some(), "{run}");
+        std::fs::write(file, run.to_string()).unwrap();
+    }
+    let said = sweep(&place, "--out a --conclude");
+    assert!(
+        said.contains("1 of 4 runs did NOT REACH") && said.contains("not known of 3 of 4 runs"),
+        "{said}"
+    );
+    let runs = table(&place, "a/sweep.csv");
+    for name in ["accuracy_asked_db", "accuracy_reached_db", "accuracy_met"] {
+        assert_eq!(column(&runs, name).iter().filter(|cell| cell.is_empty()).count(), 3, "{name}");
+    }
 }

@@ -3,5 +3,6 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod idle_options;
 mod refusals;
 mod standard_output;

@@ -2,6 +2,7 @@
 //! half-written.
 
 use crate::common::{SMALL_SCENE, Workplace};
+use std::collections::BTreeSet;
 use std::process::Output;
 
 /// Exit code, and that the words say something of use.
@@ -104,9 +105,20 @@ fn help_is_given_for_every_command() {
         "protocols",
         "calibrate",
         "sweep",
+        "score",
         "scene-from",
     ];
     commands.iter().for_each(|c| assert!(place.run(&format!("{c} --help")).contains("Usage"), "{c}"));
+    let help = place.run("--help");
+    let listed =
+        help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let all: BTreeSet<&str> = listed.filter_map(|line| line.split_whitespace().next()).collect();
+    let told: BTreeSet<&str> = commands.into_iter().chain(["help"]).collect();
+    assert_eq!(all, told, "every command is asked for its help");
+    let page = std::fs::read_to_string(Workplace::project_file("docs/interface.md")).unwrap();
+    let row = page.lines().find(|line| line.starts_with("| `run`, ")).unwrap();
+    let on_page: BTreeSet<&str> = row.split('`').skip(1).step_by(2).chain(["help"]).collect();
+    assert_eq!(all, on_page, "every command is on the page");
 }
 
 #[test]

@@ -45,7 +45,7 @@ pub struct OneOfRadars {
     pub removed: usize,
     /// Number of points detected in all frames.
     pub points: usize,
-    /// The largest total of a frame, dB; `None` where none was estimated.
+    /// The largest total of a frame, dB; `None` where none was estimated, and of no error at all.
     pub largest_error_db: Option<f64>,
     /// Accuracy of the frame with the largest error; `None` where none was estimated.
     pub accuracy: Option<AccuracyVerdict>,
@@ -103,8 +103,8 @@ impl OneOfRadars {
         let targets = |is: &dyn Fn(&TargetSummary) -> bool| {
             frames.iter().flat_map(|frame| &frame.targets).filter(|target| is(target)).count()
         };
-        let errors = frames.iter().filter_map(|frame| Some((frame, frame.error_db.total?)));
-        let worst = errors.max_by(|a, b| a.1.total_cmp(&b.1));
+        let errors = frames.iter().filter_map(|frame| Some((frame, frame.accuracy.level_db()?)));
+        let worst = errors.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(frame, _)| frame);
         Self {
             id: id.to_owned(),
             seed: summary.seed,
@@ -117,8 +117,8 @@ impl OneOfRadars {
             stationary: sum(&|frame| frame.stationary_objects.len()),
             removed: targets(&|target| target.removed),
             points: sum(&|frame| frame.points),
-            largest_error_db: worst.map(|(_, error)| error),
-            accuracy: worst.map(|(frame, _)| frame.accuracy.clone()),
+            largest_error_db: worst.and_then(|frame| frame.error_db.total),
+            accuracy: worst.map(|frame| frame.accuracy.clone()),
             frames_seconds: summary.frames_seconds,
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::host::progress;
 use crate::program::cli::CalibrateArguments;
 use crate::program::terminal;
 use artifact::Reader;
@@ -17,7 +18,7 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     let refused = |error| Failure::Refused(format!("{}: {error}", arguments.cube.display()));
     let receiver = Receiver::new(&header).map_err(refused)?;
     let mut frames = Vec::new();
-    for cube in reader {
+    for cube in progress::frames(reader) {
         let map = receiver.range_doppler(&cube?).map_err(refused)?;
         frames.push(receiver.channel_errors(&map, arguments.at_m.0).map_err(refused)?);
     }

@@ -3,7 +3,7 @@
 use crate::chain::loading;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
-use crate::host::progress::Work;
+use crate::host::progress;
 use crate::outcome::told::without_height;
 use crate::pictures;
 use crate::program::cli::DspArguments;
@@ -38,9 +38,8 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
         tracker: Tracker::new(&header, ROAD_TRAFFIC).map_err(|e| refused(&arguments.cube, &e))?,
     };
     let mut cycle = Vec::new();
-    for cube in reader {
+    for cube in progress::frames(reader) {
         let cube = cube?;
-        let _under_way = Work::begin(format!("frame {}", cube.index));
         cycle.push(receiver.process(&cube).map_err(|e| refused(&arguments.cube, &e))?);
         if cycle.len() == receiver.frames_in_cycle() {
             products.write(std::mem::take(&mut cycle))?;

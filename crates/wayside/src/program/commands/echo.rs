@@ -5,7 +5,7 @@ use crate::chain::loading::{LoadedScene, provenance};
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
-use crate::host::progress::Work;
+use crate::host::progress::{self, Work};
 use crate::outcome::verdict::{self, Verdict};
 use crate::planning;
 use crate::program::cli::EchoArguments;
@@ -79,7 +79,7 @@ fn from_paths(
         return Err(Failure::Refused(text));
     }
     let mut told = vec![];
-    for frame in reader {
+    for frame in progress::frames(reader) {
         let frame: PathsFrame = frame?;
         let (index, scene) = (frame.index, scene::snapshot(&loaded.header, frame.index));
         told.push((index, write(chain, &scene, &Scattering::Paths(frame), writer)?));

@@ -5,6 +5,7 @@ pub(crate) mod inspect;
 pub(crate) mod writing;
 pub(crate) mod npy_stream;
 pub(crate) mod mat_file;
+pub(crate) mod heights;
 pub(crate) mod levelled_axes;
 pub(crate) mod radar_cloud;
 pub(crate) mod raw_data;

@@ -41,6 +41,7 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     std::iter::once(&arguments.mesh)
         .chain(&arguments.materials)
         .for_each(|file| artifact::inputs::note(file));
+    check(arguments)?;
     let request = request(arguments)?;
     let mesh = progress::during(format!("reading {}", arguments.mesh.display()), || {
         dressed(stepwise::mesh(&arguments.mesh, arguments.unit_scale)?, arguments, &request)
@@ -81,6 +82,24 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     Ok(())
 }
 
+/// Refuses options that mean nothing to the method; an accuracy that is asked of a reference is remarked on.
+fn check(arguments: &RcsArguments) -> Result<(), Failure> {
+    let refused = |rule: &str| Err(Failure::System(format!("{}: {rule}", arguments.mesh.display())));
+    match arguments.method {
+        MethodWord::Bart if arguments.density.is_some() => refused("--density is for --method po and sbr"),
+        MethodWord::Po if arguments.bounces.is_some_and(|bounces| bounces > 1) => {
+            refused("--bounces is for --method bart and sbr: po has single reflections alone")
+        }
+        MethodWord::Po | MethodWord::Sbr if arguments.accuracy_db.is_some() => {
+            progress::note(
+                "note: --accuracy-db is for --method bart: --density is what a reference is exact by",
+            );
+            Ok(())
+        }
+        MethodWord::Bart | MethodWord::Po | MethodWord::Sbr => Ok(()),
+    }
+}
+
 /// Refuses, before the work, what could not be written, or what is an input of it.
 fn claim(arguments: &RcsArguments) -> Result<(), Failure> {
     sidecar::claim_table(&arguments.out)?;
@@ -90,7 +109,7 @@ fn claim(arguments: &RcsArguments) -> Result<(), Failure> {
 /// Checkpoint of this very table, by these very sources.
 fn checkpoint(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Checkpoint {
     let sources = Stage::BartRcs.sources();
-    let method = format!("{:?} {:?} {request:?}", arguments.method, arguments.density);
+    let method = format!("{:?} {:?} {request:?}", arguments.method, arguments.density());
     let checkpoint = Checkpoint::open(&arguments.out, &fingerprint(&(sources, mesh, method)));
     if checkpoint.aspects() > 0 {
         let of = request.elevation_rad.len() * request.azimuth_rad.len();
@@ -143,12 +162,12 @@ fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {
         range_m: arguments.range_m,
         receiver: receiver(arguments),
         polarization: polarization(arguments.pol),
-        bounces: arguments.bounces,
+        bounces: arguments.bounces(),
         nodes: nodes(arguments.nodes),
         edges: edges(arguments.edges),
         surface: surface(arguments.surface),
         sides: sides(arguments.sides),
-        accuracy: Accuracy::from_db(arguments.accuracy_db),
+        accuracy: Accuracy::from_db(arguments.accuracy_db()),
     })
 }
 

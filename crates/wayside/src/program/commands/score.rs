@@ -1,6 +1,7 @@
 //! `score`: how well anybody's points and tracks agree with a scene, as the metrics of `summary.json`.
 
 use crate::host::failure::Failure;
+use crate::host::progress;
 use crate::program::cli::ScoreArguments;
 use crate::program::commands::beside::{Beside, check_poses};
 use crate::program::terminal;
@@ -20,7 +21,7 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let paths = arguments.paths.as_deref();
     let mut paths = paths.map(|file| Beside::<Paths>::open(file, |frame| frame.index)).transpose()?;
     let mut score = Score::default();
-    for frame in points {
+    for frame in progress::frames(points) {
         let frame = frame?;
         let (poses, tracks) = (scene.frame(frame.index)?, tracks.frame(&frame)?);
         let bodies = scene::bodies_in_view(&header, frame.index);

@@ -8,29 +8,57 @@ use crate::program::terminal;
 use artifact::scene::Mesh;
 use serde_json::{Value, json};
 
+/// A manifest of some hundred thousand vehicles.
+const LIMIT_BYTES: u64 = 256 << 20;
+
+/// Keys of a manifest's entry by which one of this program is known.
+const KEYS: [&str; 4] = ["name", "file", "seed", "triangles"];
+
+/// A vehicle to be written.
+struct Planned {
+    name: &'static str,
+    seed: u64,
+    file: String,
+}
+
 pub(crate) fn run(arguments: &VehiclesArguments) -> Result<(), Failure> {
-    let names = scene::vehicles::names();
-    let total = names.len() * arguments.count as usize;
+    let planned = planned(arguments);
+    let manifest_place = arguments.out.join("manifest.json");
+    let places = planned.iter().map(|vehicle| arguments.out.join(&vehicle.file));
+    files::claim(&places.chain([manifest_place.clone()]).collect::<Vec<_>>())?;
+    files::keep_foreign(&manifest_place, LIMIT_BYTES, is_manifest)?;
     let work = Work::begin("vehicles");
     let mut manifest = Vec::new();
-    for number in 0..arguments.count {
-        for name in &names {
-            work.at(manifest.len(), total);
-            let file =
-                if arguments.count == 1 { format!("{name}.glb") } else { format!("{name}-{number}.glb") };
-            let seed = arguments.seed + number;
-            let Some(mesh) = scene::vehicles::mesh(name, seed) else { continue };
-            files::write_file(&arguments.out.join(&file), &scene::vehicles::glb(&mesh))?;
-            manifest.push(entry(name, &file, seed, &mesh));
-        }
+    for vehicle in &planned {
+        work.at(manifest.len(), planned.len());
+        let Some(mesh) = scene::vehicles::mesh(vehicle.name, vehicle.seed) else { continue };
+        files::write_file(&arguments.out.join(&vehicle.file), &scene::vehicles::glb(&mesh))?;
+        manifest.push(entry(vehicle, &mesh));
     }
     let text = serde_json::to_string_pretty(&manifest).map_err(Failure::refused)?;
-    files::write_file(&arguments.out.join("manifest.json"), text.as_bytes())?;
-    terminal::line(format!("{total} vehicles in {}", arguments.out.display()));
+    files::write_file(&manifest_place, text.as_bytes())?;
+    terminal::line(format!("{} vehicles in {}", planned.len(), arguments.out.display()));
     Ok(())
 }
 
-fn entry(name: &str, file: &str, seed: u64, mesh: &Mesh) -> Value {
+/// Every model of every seed; where there is one seed, files are named by the model alone.
+fn planned(arguments: &VehiclesArguments) -> Vec<Planned> {
+    let names = scene::vehicles::names();
+    let vehicle = |number: u64, name: &'static str| {
+        let file = if arguments.count == 1 { format!("{name}.glb") } else { format!("{name}-{number}.glb") };
+        Planned { name, seed: arguments.seed + number, file }
+    };
+    (0..arguments.count).flat_map(|number| names.iter().map(move |name| vehicle(number, name))).collect()
+}
+
+/// Whether a text is a manifest of vehicles.
+fn is_manifest(text: &[u8]) -> bool {
+    let entries: Vec<Value> = serde_json::from_slice(text).unwrap_or_default();
+    !entries.is_empty() && entries.iter().all(|entry| KEYS.iter().all(|key| entry.get(key).is_some()))
+}
+
+fn entry(vehicle: &Planned, mesh: &Mesh) -> Value {
+    let Planned { name, seed, file } = vehicle;
     let [length_m, width_m, height_m] = extent_m(mesh);
     json!({
         "name": name, "class": scene::vehicles::class_of(name).map(|c| c.name()), "file": file, "seed": seed,

@@ -12,7 +12,7 @@ use crate::report::viewer::strongest_paths::StrongestPaths;
 use crate::report::viewer::surroundings::Surroundings;
 use crate::report::viewer::ways::Folding;
 use artifact::paths::PathsFrame;
-use artifact::points::{Object, Point, PointsFrame};
+use artifact::points::{Height, Object, Point, PointsFrame};
 use artifact::tracks::{Track, TracksFrame};
 use evaluation::{FrameTruth, Origin};
 use radar::motion::pose_after;
@@ -34,6 +34,8 @@ struct ViewedFrame {
     /// `None` of echoes from tables.
     paths: Option<StrongestPaths>,
     map: MapCells,
+    /// Height that points and objects are assumed to have, m; `None` where nothing here stands on it.
+    assumed_height_m: Option<f64>,
     points: PointsView,
     objects: Vec<ObjectView>,
     tracks: Vec<TrackView>,
@@ -45,6 +47,8 @@ struct PointsView {
     ranges_m: Packed,
     velocities_mps: Packed,
     snrs_db: Packed,
+    /// What each point's height stands on, as [`HEIGHTS`] counts it.
+    heights: Packed,
     /// Index of each point's object, counted from 1; 0: of none.
     objects: Packed,
     /// Body whose echo the point is, counted from 1; 0: of none.
@@ -59,6 +63,8 @@ struct ObjectView {
     range_m: f64,
     velocity_mps: f64,
     snr_db: f64,
+    /// What its height stands on, as [`HEIGHTS`] counts it.
+    height: u8,
     points: u32,
     /// Index of the body that the object is; `None`: nobody's.
     target: Option<usize>,
@@ -159,6 +165,7 @@ impl ViewedFrame {
             bodies: bodies.map(|(target, pose)| BodyView::of(target, &pose_after(pose, middle_s))).collect(),
             paths: traced.map(strongest),
             map: MapCells::of(&header, frame, heard.as_deref(), budget.cells)?,
+            assumed_height_m: has_assumed(points).then_some(header.dsp.assumed_height_m),
             points: PointsView::of(points, truth),
             objects: objects.map(|(i, object)| ObjectView::of(object, truth.pairing.body_of(i))).collect(),
             tracks: tracks.tracks.iter().map(TrackView::of).collect(),
@@ -169,6 +176,18 @@ impl ViewedFrame {
 /// Precision of points: m, m/s and dB.
 const STEP: f64 = 0.01;
 
+/// What heights stand on, in the order in which the page counts them (`HEIGHTS` of telling.js).
+const HEIGHTS: [Height; 3] = [Height::Measured, Height::Assumed, Height::None];
+
+fn counted(height: Height) -> u8 {
+    HEIGHTS.iter().take_while(|other| **other != height).count() as u8
+}
+
+fn has_assumed(frame: &PointsFrame) -> bool {
+    let heights = frame.points.iter().map(|point| point.height);
+    heights.chain(frame.objects.iter().map(|object| object.height)).any(|height| height == Height::Assumed)
+}
+
 impl PointsView {
     fn of(frame: &PointsFrame, truth: &FrameTruth) -> Self {
         let steps = |of: &dyn Fn(&Point) -> f64| {
@@ -176,14 +195,16 @@ impl PointsView {
         };
         let labels = || (0..frame.points.len()).map(|i| truth.origins.get(i).and_then(Origin::label));
         let places: Vec<f64> = frame.points.iter().flat_map(|point| point.position_m).collect();
-        let counted = |index: Option<u32>| index.map_or(0, |index| index + 1);
+        let from_1 = |index: Option<u32>| index.map_or(0, |index| index + 1);
+        let heights: Vec<u8> = frame.points.iter().map(|point| counted(point.height)).collect();
         Self {
             places_m: Packed::steps(&places, STEP),
             ranges_m: steps(&|point| point.range_m),
             velocities_mps: steps(&|point| point.radial_velocity_mps),
             snrs_db: steps(&|point| point.snr_db),
-            objects: Packed::numbers(&frame.points.iter().map(|p| counted(p.object)).collect::<Vec<_>>()),
-            targets: Packed::numbers(&labels().map(|l| counted(l.map(|l| l.target))).collect::<Vec<_>>()),
+            heights: Packed::bytes(&heights),
+            objects: Packed::numbers(&frame.points.iter().map(|p| from_1(p.object)).collect::<Vec<_>>()),
+            targets: Packed::numbers(&labels().map(|l| from_1(l.map(|l| l.target))).collect::<Vec<_>>()),
             orders: Packed::bytes(&labels().map(|l| l.map_or(0, |l| l.order)).collect::<Vec<_>>()),
         }
     }
@@ -196,6 +217,7 @@ impl ObjectView {
             range_m: object.range_m,
             velocity_mps: object.radial_velocity_mps,
             snr_db: object.snr_db,
+            height: counted(object.height),
             points: object.points,
             target,
         }

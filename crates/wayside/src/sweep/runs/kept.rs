@@ -5,10 +5,13 @@ use crate::chain::loading;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::sweep::runs::ledger::Run;
 use crate::sweep::runs::metrics::VERSION;
+use crate::sweep::runs::reached::Reached;
 use crate::sweep::study::document::Study;
 use artifact::envelope::fingerprint;
 use scene::{Change, Meshes, ReadOptions};
+use serde::Deserialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -64,9 +67,8 @@ impl Kept {
         Ok(hash)
     }
 
-    /// Values of a run that was made before, in the order of the study's measures; `None` where its file is
-    /// not there or is not whole.
-    pub(crate) fn get(&self, study: &Study, key: &str) -> Option<Vec<Option<f64>>> {
+    /// A run that was made before; `None` where its file is not there or is not whole.
+    pub(crate) fn get(&self, study: &Study, key: &str) -> Option<Run> {
         // Earlier versions had folders of two letters.
         let read = |file: &Path| files::read_own(file, LIMIT_BYTES);
         let text = read(&self.file(key)).or_else(|_| read(&self.file_below(key, 2))).ok()?;
@@ -76,15 +78,20 @@ impl Kept {
             Value::Null => Some(None),
             value => value.as_f64().map(Some),
         };
-        study.measures.names().map(value).collect()
+        // Earlier versions kept no accuracy.
+        let accuracy = match run.get("accuracy") {
+            None => Reached::default(),
+            Some(accuracy) => Reached::deserialize(accuracy).ok()?,
+        };
+        Some(Run { values: study.measures.names().map(value).collect::<Option<_>>()?, accuracy })
     }
 
     /// Keeps a run, whole or not at all.
-    pub(crate) fn put(&self, study: &Study, key: &str, values: &[Option<f64>]) -> Result<(), Failure> {
+    pub(crate) fn put(&self, study: &Study, key: &str, run: &Run) -> Result<(), Failure> {
         let metric = |(name, value): (&str, &Option<f64>)| (name.to_owned(), Value::from(*value));
-        let metrics: Map<String, Value> = study.measures.names().zip(values).map(metric).collect();
-        let run = serde_json::json!({ "key": key, "metrics": metrics });
-        files::write_again(&self.file(key), format!("{run}\n").as_bytes())
+        let metrics: Map<String, Value> = study.measures.names().zip(&run.values).map(metric).collect();
+        let text = serde_json::json!({ "key": key, "metrics": metrics, "accuracy": run.accuracy });
+        files::write_again(&self.file(key), format!("{text}\n").as_bytes())
     }
 
     /// Three letters are 4096 folders, of 2500 runs each in the largest study.

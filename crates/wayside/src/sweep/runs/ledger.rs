@@ -1,12 +1,19 @@
 //! What all runs of a study so far have measured: by design and situation.
 
-/// Values of a run, in the order of the study's measures.
-pub(crate) type Values = Vec<Option<f64>>;
+use crate::sweep::runs::reached::Reached;
 
-/// Values by design; each has seen the first so many situations.
+/// A run: what was measured of it, and how exactly.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Run {
+    /// Values in the order of the study's measures.
+    pub(crate) values: Vec<Option<f64>>,
+    pub(crate) accuracy: Reached,
+}
+
+/// Runs by design; each has seen the first so many situations.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Ledger {
-    runs: Vec<Vec<Values>>,
+    runs: Vec<Vec<Run>>,
     /// Designs that are repeated further.
     pub(crate) open: Vec<usize>,
 }
@@ -18,8 +25,8 @@ impl Ledger {
     }
 
     /// Enters a design's run in its next situation.
-    pub(crate) fn enter(&mut self, design: usize, values: Values) {
-        self.runs[design].push(values);
+    pub(crate) fn enter(&mut self, design: usize, run: Run) {
+        self.runs[design].push(run);
     }
 
     /// Number of designs.
@@ -28,13 +35,13 @@ impl Ledger {
     }
 
     /// Runs of a design, situation by situation.
-    pub(crate) fn runs(&self, design: usize) -> &[Values] {
+    pub(crate) fn runs(&self, design: usize) -> &[Run] {
         &self.runs[design]
     }
 
     /// One metric of a design, situation by situation.
     pub(crate) fn metric(&self, design: usize, metric: usize) -> Vec<Option<f64>> {
-        self.runs[design].iter().map(|values| values[metric]).collect()
+        self.runs[design].iter().map(|run| run.values[metric]).collect()
     }
 
     /// Situations that every design has seen.

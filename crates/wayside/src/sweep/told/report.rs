@@ -5,6 +5,7 @@ use crate::sweep::runs::ledger::Ledger;
 use crate::sweep::statistics::interval::Mean;
 use crate::sweep::study::axis::Pick;
 use crate::sweep::study::document::Study;
+use crate::sweep::told::accuracy;
 use crate::sweep::told::blocks::Block;
 use plotting::axes::tick_text;
 
@@ -37,8 +38,14 @@ pub(crate) fn details(done: &Done) -> Vec<Block> {
 }
 
 impl Done<'_> {
-    /// The answer in sentences, the first of which names the design.
+    /// The answer in sentences, the first of which names the design, and what it is worth by the accuracy of
+    /// the runs.
     pub(crate) fn sentences(&self) -> Vec<String> {
+        let accuracy = accuracy::sentences(self.ledger, &self.answer.candidates);
+        self.choice().into_iter().chain(accuracy).collect()
+    }
+
+    fn choice(&self) -> Vec<String> {
         let (Some(best), Some(chosen)) = (self.answer.best, self.answer.chosen) else {
             return vec![format!("No answer: {} was known in no run.", self.metric())];
         };
@@ -88,7 +95,8 @@ impl Done<'_> {
 
     fn head(&self) -> Vec<String> {
         let axes = self.study.vary.iter().map(|axis| axis.name.clone());
-        let rest = [self.cost(), self.metric(), "behind the best", "situations"].map(str::to_owned);
+        let rest = [self.cost(), self.metric(), "behind the best", "situations", "accuracy not reached"];
+        let rest = rest.map(str::to_owned);
         ["design".to_owned()].into_iter().chain(axes).chain(rest).collect()
     }
 
@@ -97,7 +105,11 @@ impl Done<'_> {
         let picks = self.designs[design].iter().map(|pick| pick.label.clone());
         let behind = if Some(design) == self.answer.best { "–".to_owned() } else { text(standing.behind) };
         let seen = self.ledger.runs(design).len().to_string();
-        let rest = [number(standing.cost), text(standing.mean), behind, seen];
+        let missed = match accuracy::missed(self.ledger, design) {
+            0 => "–".to_owned(),
+            missed => format!("in {missed}"),
+        };
+        let rest = [number(standing.cost), text(standing.mean), behind, seen, missed];
         [design.to_string()].into_iter().chain(picks).chain(rest).collect()
     }
 

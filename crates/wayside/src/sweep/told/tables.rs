@@ -2,13 +2,15 @@
 
 use crate::sweep::answer::Answer;
 use crate::sweep::runs::ledger::Ledger;
+use crate::sweep::runs::reached::Reached;
 use crate::sweep::statistics::interval::Mean;
 use crate::sweep::study::axis::{Axis, Pick};
 use crate::sweep::study::document::Study;
 use crate::sweep::study::situations::Situation;
+use crate::sweep::told::accuracy;
 
-/// All runs: design, condition, repeat and seed, the value of every key, and every metric; empty where a
-/// metric is not known.
+/// All runs: design, condition, repeat and seed, the value of every key, every metric, and the accuracy asked
+/// and reached; empty where something is not known.
 pub(crate) fn runs(
     study: &Study,
     designs: &[Vec<Pick>],
@@ -17,24 +19,28 @@ pub(crate) fn runs(
 ) -> String {
     let keys = keys(&study.vary).chain(keys(&study.conditions));
     let head = ["design", "condition", "repeat", "seed"].map(str::to_owned).into_iter().chain(keys);
-    let mut table = row(head.chain(study.measures.names().map(str::to_owned)));
+    let metrics = study.measures.names().chain(ACCURACY).map(str::to_owned);
+    let mut table = row(head.chain(metrics));
     for (number, design) in designs.iter().enumerate() {
-        for (situation, values) in situations.iter().zip(ledger.runs(number)) {
+        for (situation, run) in situations.iter().zip(ledger.runs(number)) {
             let Situation { condition, repeat, seed, picks } = situation;
             let place = [number.to_string(), condition.to_string(), repeat.to_string(), seed.to_string()];
             let picked =
                 design.iter().chain(picks).flat_map(|pick| pick.values.iter().map(|value| plain(value)));
-            table += &row(place.into_iter().chain(picked).chain(values.iter().copied().map(cell)));
+            let measured = run.values.iter().copied().map(cell).chain(cells_of(&run.accuracy));
+            table += &row(place.into_iter().chain(picked).chain(measured));
         }
     }
     table
 }
 
 /// All designs: the value of every key, how many situations it has seen, the mean of every metric with its
-/// interval, how far it is behind the best, and whether it is on the front.
+/// interval, how far it is behind the best, whether it is on the front and a candidate, and how many of its
+/// runs did not reach the accuracy that they asked for.
 pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, answer: &Answer) -> String {
     let of_metric = |name: &str| [name.to_owned(), format!("{name}_low"), format!("{name}_high")];
-    let behind = ["behind", "behind_low", "behind_high", "front", "candidate"].map(str::to_owned);
+    let behind = ["behind", "behind_low", "behind_high", "front", "candidate", "accuracy_missed"];
+    let behind = behind.map(str::to_owned);
     let head = ["design".to_owned()].into_iter().chain(keys(&study.vary)).chain(["situations".to_owned()]);
     let mut table = row(head.chain(study.measures.names().flat_map(of_metric)).chain(behind));
     for (number, design) in designs.iter().enumerate() {
@@ -44,11 +50,20 @@ pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, ans
             .flat_map(|metric| interval(Mean::of_known(&ledger.metric(number, metric), study.confidence)));
         let behind = interval(answer.standings[number].behind);
         let is_in = |designs: &[usize]| if designs.contains(&number) { "yes" } else { "no" }.to_owned();
-        let verdict = [is_in(&answer.front), is_in(&answer.candidates)];
+        let missed = accuracy::missed(ledger, number).to_string();
+        let verdict = [is_in(&answer.front), is_in(&answer.candidates), missed];
         let first = [number.to_string()].into_iter().chain(values).chain([seen.to_string()]);
         table += &row(first.chain(means).chain(behind).chain(verdict));
     }
     table
+}
+
+/// Columns of the accuracy of a run.
+const ACCURACY: [&str; 3] = ["accuracy_asked_db", "accuracy_reached_db", "accuracy_met"];
+
+fn cells_of(accuracy: &Reached) -> [String; 3] {
+    let met = accuracy.met.map_or("", |met| if met { "yes" } else { "no" });
+    [cell(accuracy.asked_db), cell(accuracy.reached_db), met.to_owned()]
 }
 
 fn keys(axes: &[Axis]) -> impl Iterator<Item = String> {

@@ -16,7 +16,9 @@ mod tracks;
 
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::host::progress;
 use crate::program::cli::ExportArguments;
+use crate::program::commands::formats::heights::Heights;
 use crate::program::commands::formats::raw_data::dca1000;
 use crate::program::commands::formats::raw_data::sigmf;
 use crate::program::commands::formats::training_sets;
@@ -28,13 +30,12 @@ use clap::ValueEnum;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
-    use FormatWord::{Csv, Dca1000, Exr, Json, Mcap, Npy, Osi, Parquet, Pcd, Ply, Png, Safetensors, Sigmf};
     let (file, out) = (arguments.file.as_path(), arguments.out.as_path());
-    if file.is_dir() && arguments.to == Parquet {
+    if file.is_dir() && arguments.to == FormatWord::Parquet {
         return parquet::samples(file, out);
     }
     let schema = read_preamble(file)?.schema; // from here on the file is known as an input
-    if arguments.axes == AxesWord::On && (schema.as_str(), arguments.to) != ("rdm", Png) {
+    if arguments.axes == AxesWord::On && (schema.as_str(), arguments.to) != ("rdm", FormatWord::Png) {
         return Err(Failure::System("--axes on is for range-Doppler maps (.rdm) exported to png".into()));
     }
     let (scene, is_set) = (arguments.scene.as_deref(), training_sets::is_set(arguments.to));
@@ -43,9 +44,21 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         return Err(Failure::System(rule.into()));
     }
     if let Some(written) = training_sets::write(arguments.to, &schema, file, scene, out) {
-        return written;
+        written?;
+    } else {
+        alone(arguments, &schema)?;
     }
-    match (schema.as_str(), arguments.to) {
+    if schema == artifact::points::Points::NAME {
+        Heights::of(file)?.note(file).into_iter().for_each(progress::note);
+    }
+    Ok(())
+}
+
+/// Writes an artifact in a format that is a file, or a pair of them.
+fn alone(arguments: &ExportArguments, schema: &str) -> Result<(), Failure> {
+    use FormatWord::{Csv, Dca1000, Exr, Json, Mcap, Npy, Osi, Parquet, Pcd, Ply, Png, Safetensors, Sigmf};
+    let (file, out) = (arguments.file.as_path(), arguments.out.as_path());
+    match (schema, arguments.to) {
         ("cube", Npy) => cube::npy(Reader::open(file)?, out),
         ("cube", Dca1000) => dca1000::write(file, out),
         ("cube", Sigmf) => sigmf::write(file, out),
@@ -114,7 +127,8 @@ fn as_json<S: Schema>(file: &Path, out: &Path) -> Result<(), Failure> {
         write!(stream, "{{\"header\":")?;
         serde_json::to_writer(&mut *stream, reader.header())?;
         write!(stream, ",\"frames\":[")?;
-        for (i, frame) in reader.by_ref().enumerate() {
+        let of = reader.frames() as usize;
+        for (i, frame) in progress::counted("frames", reader.by_ref(), of).enumerate() {
             match frame {
                 Ok(frame) => {
                     stream.write_all(if i == 0 { b"\n" } else { b",\n" })?;

@@ -1,5 +1,7 @@
 //! `import`: IF samples from anywhere as a radar cube.
 
+mod options;
+
 use crate::chain::keys::cube_header;
 use crate::chain::loading::{self, provenance};
 use crate::chain::stages::Stage;
@@ -8,7 +10,7 @@ use crate::host::progress;
 use crate::program::cli::ImportArguments;
 use crate::program::commands::formats::device_config::{self, Configured, DeviceSettings, scene_with};
 use crate::program::commands::formats::radar_cloud;
-use crate::program::commands::formats::radar_cloud::import::{ending, frames_of};
+use crate::program::commands::formats::radar_cloud::import::frames_of;
 use crate::program::commands::formats::raw_data::dca1000;
 use crate::program::commands::formats::raw_data::npy;
 use crate::program::commands::formats::raw_data::sigmf;
@@ -22,32 +24,35 @@ use artifact::scene::SceneHeader;
 use artifact::{ErrorBudget, Provenance, Writer};
 use ndarray::{Array4, Axis};
 use num_complex::Complex32;
-use std::path::Path;
+use options::Kind;
+use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
+    let kind = Kind::of(arguments);
+    options::check(arguments, kind)?;
     let settings = arguments.config.as_deref().map(|file| device_config::read(file, arguments.device));
     let settings = settings.transpose()?;
     let scene = scene_of(arguments, settings.as_ref())?;
     let file = arguments.array.as_path();
-    if ending(&arguments.out) == Some("points") {
-        return radar_cloud::import::points(file, &arguments.scene, &scene, &arguments.out);
-    }
     let mut header = cube_header(&scene);
-    if arguments.step.is_some_and(|step| !(step.is_finite() && step > 0.0)) {
-        return Err(Failure::Refused("--step: a step must be a positive number".to_owned()));
-    }
-    let Imported { frames, step } = match ending(file) {
-        Some("bin") => dca1000::read(file, &header, arguments.step, layout(arguments, settings.as_ref()))?,
-        Some("sigmf-meta" | "sigmf-data") => sigmf::read(file, &header, arguments.step)?,
-        Some("mat") => uwcr::read(file, &header)?,
-        _ if file.is_dir() => uwcr::read(file, &header)?,
-        _ => Imported { frames: of_array(file, header.shape())?, step: IntegerStep::Floats },
+    let Imported { frames, step } = match kind {
+        Kind::Clouds => {
+            return radar_cloud::import::points(file, &radar_files(arguments), &scene, &arguments.out);
+        }
+        Kind::CaptureCard => {
+            dca1000::read(file, &header, arguments.step, layout(arguments, settings.as_ref()))?
+        }
+        Kind::Sigmf => sigmf::read(file, &header, arguments.step)?,
+        Kind::Uwcr => uwcr::read(file, &header)?,
+        Kind::Array => Imported { frames: of_array(file, header.shape())?, step: IntegerStep::Floats },
     };
+    options::check_samples(arguments, header.radar.waveform.sampling, &step)?;
     let told = Told { full_scale: arguments.full_scale, bits: settings.as_ref().map(DeviceSettings::bits) };
     header.unit = unit_of(&step, &frames, told);
     let from = provenance_of(arguments, &scene, &step)?;
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
-    for (index, samples) in frames.into_iter().enumerate() {
+    let of = frames.len();
+    for (index, samples) in progress::counted("frames", frames, of).enumerate() {
         let time_s = scene.frame_time_s(index as u32);
         stepwise::finite(index, &samples, header.shape()).map_err(|failure| failure.about(file))?;
         writer.write(&CubeFrame { index: index as u32, time_s, samples, error: ErrorBudget::default() })?;
@@ -99,6 +104,11 @@ fn layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> dca
     }
 }
 
+/// Files that tell the radar.
+fn radar_files(arguments: &ImportArguments) -> Vec<PathBuf> {
+    std::iter::once(arguments.scene.clone()).chain(arguments.config.clone()).collect()
+}
+
 /// The step of integer samples stands among the settings, and the file that told it among the inputs.
 fn provenance_of(
     arguments: &ImportArguments,
@@ -106,8 +116,7 @@ fn provenance_of(
     step: &IntegerStep,
 ) -> Result<Provenance, Failure> {
     let mut files = frames_of(&arguments.array, &uwcr::ENDINGS)?;
-    files.push(arguments.scene.clone());
-    files.extend(arguments.config.clone());
+    files.extend(radar_files(arguments));
     match step {
         IntegerStep::Told(_, place) => files.push(place.clone()),
         IntegerStep::Unknown => progress::note(format!(

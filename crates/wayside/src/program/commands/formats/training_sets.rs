@@ -51,8 +51,8 @@ pub(crate) fn write(
         FormatWord::Raddet => opened(file).and_then(|reader| raddet::write(reader, scene, out)),
         FormatWord::Carrada => opened(file).and_then(|reader| carrada::write(reader, scene, out)),
         FormatWord::Uwcr => opened(file).and_then(|reader| uwcr::write(reader, scene, out)),
-        FormatWord::Kitti => opened(file).and_then(|reader| kitti::write(reader, scene, out)),
-        _ => opened(file).and_then(|reader| nuscenes::write(reader, scene, out)),
+        FormatWord::Kitti => kitti::write(file, scene, out),
+        _ => nuscenes::write(file, scene, out),
     })
 }
 

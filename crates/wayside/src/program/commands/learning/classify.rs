@@ -4,6 +4,7 @@
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::loading;
 use crate::host::failure::Failure;
+use crate::host::progress::{self, Work};
 use crate::outcome::summary::Probabilities;
 use crate::program::commands::formats::inspect;
 use crate::program::learning_cli::ClassifyArguments;
@@ -46,7 +47,7 @@ fn unfit(file: &Path, schema: &str) -> Failure {
 fn maps(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
     let reader = Reader::<Rdm>::open(file)?;
     let receiver = dsp::Receiver::new(reader.header()).map_err(Failure::refused)?;
-    for rdm in reader {
+    for rdm in progress::frames(reader) {
         let rdm = rdm?;
         let points = receiver.detect(&rdm).map_err(Failure::refused)?;
         for (object, p) in model.classify(&receiver, &rdm, &points)?.iter().enumerate() {
@@ -58,7 +59,10 @@ fn maps(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
 
 fn samples(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
     let mut reader = Reader::<Dataset>::open(file)?;
+    let (under_way, of) = (Work::begin("samples"), reader.frames() as usize);
+    let mut done = 0;
     loop {
+        under_way.at(done, of);
         let batch: Vec<Sample> = reader.by_ref().take(BATCH).collect::<Result<_, _>>()?;
         if batch.is_empty() {
             return Ok(());
@@ -67,6 +71,7 @@ fn samples(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
         {
             tell(model, file, sample.frame, &sample.id, &p);
         }
+        done += batch.len();
     }
 }
 

@@ -5,6 +5,7 @@ use crate::chain::loaded_model::{LoadedModel, of_classifier_about};
 use crate::chain::loading;
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::host::progress;
 use crate::program::learning_cli::EvaluateArguments;
 use crate::program::terminal;
 use artifact::dataset::Sample;
@@ -25,14 +26,12 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<(), Failure> {
     }
     let mut sightings = Sightings::default();
     let mut logits = Vec::new();
-    for (number, folder) in arguments.datasets.iter().enumerate() {
-        for shard in shards_of(folder)? {
-            let samples: Vec<Sample> = classifier::samples_of(&shard).collect::<Result<_, _>>()?;
-            logits.extend(answers(&model, &samples).map_err(|failure| failure.about(&shard))?);
-            let added = sightings.add(number, samples.into_iter().map(Ok));
-            added.map_err(of_classifier_about(&shard))?;
-        }
-    }
+    each_shard(&arguments.datasets, |number, shard| {
+        let samples: Vec<Sample> = classifier::samples_of(shard).collect::<Result<_, _>>()?;
+        logits.extend(answers(&model, &samples).map_err(|failure| failure.about(shard))?);
+        let added = sightings.add(number, samples.into_iter().map(Ok));
+        added.map_err(of_classifier_about(shard))
+    })?;
     let seen: Vec<_> = sightings.all.iter().collect();
     let told = parts(&seen, &logits, f64::from(model.rule().frame_correlation));
     let page = page(&told);
@@ -43,13 +42,24 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<(), Failure> {
 /// Everything that the shards of these folders hold.
 pub(super) fn sightings_of(folders: &[PathBuf]) -> Result<Sightings, Failure> {
     let mut sightings = Sightings::default();
-    for (number, folder) in folders.iter().enumerate() {
-        for shard in shards_of(folder)? {
-            let added = sightings.add(number, classifier::samples_of(&shard));
-            added.map_err(of_classifier_about(&shard))?;
-        }
-    }
+    each_shard(folders, |number, shard| {
+        let added = sightings.add(number, classifier::samples_of(shard));
+        added.map_err(of_classifier_about(shard))
+    })?;
     Ok(sightings)
+}
+
+/// Does something with each shard of these folders, and with its folder's number.
+fn each_shard(
+    folders: &[PathBuf],
+    mut visit: impl FnMut(usize, &Path) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let of_folders: Vec<Vec<PathBuf>> =
+        folders.iter().map(|folder| shards_of(folder)).collect::<Result<_, _>>()?;
+    let folders = of_folders.iter().enumerate();
+    let numbered = folders.flat_map(|(number, shards)| shards.iter().map(move |shard| (number, shard)));
+    let of = of_folders.iter().map(Vec::len).sum();
+    progress::counted("shards", numbered, of).try_for_each(|(number, shard)| visit(number, shard))
 }
 
 fn shards_of(folder: &Path) -> Result<Vec<PathBuf>, Failure> {

@@ -13,6 +13,7 @@ use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::progress::Work;
 use crate::program::commands::learning::evaluate::{confusion, sightings_of};
+use crate::program::commands::learning::train::iterations_of_trees;
 use crate::program::learning_cli::LearnerWord;
 use crate::program::learning_cli::ProtocolsArguments;
 use crate::program::terminal;
@@ -35,6 +36,7 @@ pub(crate) fn run(arguments: &ProtocolsArguments) -> Result<(), Failure> {
         files::claim(std::slice::from_ref(out))?;
     }
     let page = match arguments.learner {
+        LearnerWord::Trees if arguments.iterations.is_some() => return Err(iterations_of_trees()),
         LearnerWord::Trees => of_trees(arguments)?,
         LearnerWord::Paper => paper::page(arguments)?,
     };

@@ -12,8 +12,7 @@ use crate::host::failure::Failure;
 use crate::host::files;
 use crate::host::places;
 use crate::host::progress::Work;
-use crate::program::learning_cli::LearnerWord;
-use crate::program::learning_cli::TrainArguments;
+use crate::program::learning_cli::{LearnerWord, PAPER_ITERATIONS, TrainArguments};
 use crate::program::terminal;
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
@@ -24,6 +23,7 @@ use std::process::{Child, Command, Stdio};
 pub const PROGRAM: &str = "classifier-training";
 
 pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
+    check(arguments)?;
     let datasets: Vec<Vec<PathBuf>> =
         arguments.datasets.iter().map(|folder| loading::shards(folder)).collect();
     for (folder, shards) in arguments.datasets.iter().zip(&datasets) {
@@ -38,11 +38,30 @@ pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
     }
 }
 
+/// Refuses what means nothing to the learner.
+fn check(arguments: &TrainArguments) -> Result<(), Failure> {
+    match (arguments.learner, &arguments.attributions) {
+        (LearnerWord::Trees, _) if arguments.iterations.is_some() => Err(iterations_of_trees()),
+        (LearnerWord::Paper, Some(file)) => Err(Failure::System(format!(
+            "{}: --attributions is for --learner trees: a model of the network would not name them",
+            file.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Refusal of steps of an optimizer where trees learn.
+pub(super) fn iterations_of_trees() -> Failure {
+    let rule = "--iterations is for --learner paper: trees have no steps, they end where they are best";
+    Failure::System(rule.to_owned())
+}
+
 /// Trains the network by the program that stands on the learning library.
 fn network(arguments: &TrainArguments, shards: &[PathBuf]) -> Result<(), Failure> {
     let mut command = Command::new(built()?);
     command.arg("--out").arg(&arguments.out);
-    command.args(["--seed", &arguments.seed.to_string(), "--iterations", &arguments.iterations.to_string()]);
+    let iterations = arguments.iterations.unwrap_or(PAPER_ITERATIONS);
+    command.args(["--seed", &arguments.seed.to_string(), "--iterations", &iterations.to_string()]);
     ran(command, shards, &Work::begin("training")).map(drop)
 }
 

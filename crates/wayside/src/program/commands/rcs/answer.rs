@@ -92,7 +92,7 @@ impl Answer {
     }
 
     fn verdict(&self, arguments: &RcsArguments) -> Verdict {
-        Verdict::of(Accuracy::from_db(arguments.accuracy_db), &self.error).beside(&self.model_error)
+        Verdict::of(Accuracy::from_db(arguments.accuracy_db()), &self.error).beside(&self.model_error)
     }
 
     /// Level and errors, for a person.
@@ -177,10 +177,10 @@ fn settings(arguments: &RcsArguments) -> Value {
     let materials = arguments.materials.as_ref().map(|file| file.to_string_lossy());
     json!({
         "mesh": arguments.mesh.to_string_lossy(), "range_m": finite(arguments.range_m), "pol": lower(&arguments.pol),
-        "bounces": arguments.bounces, "method": lower(&arguments.method), "edges": lower(&arguments.edges),
+        "bounces": arguments.bounces(), "method": lower(&arguments.method), "edges": lower(&arguments.edges),
         "nodes": nodes, "surface": lower(&arguments.surface), "sides": lower(&arguments.sides),
         "materials": materials, "transmission": lower(&arguments.transmission),
-        "accuracy_db": arguments.accuracy_db, "rx_az_deg": arguments.rx_az_deg, "rx_el_deg": arguments.rx_el_deg,
-        "rx_range_m": arguments.rx_range_m.map(finite), "density_per_wavelength": arguments.density,
+        "accuracy_db": arguments.accuracy_db(), "rx_az_deg": arguments.rx_az_deg, "rx_el_deg": arguments.rx_el_deg,
+        "rx_range_m": arguments.rx_range_m.map(finite), "density_per_wavelength": arguments.density(),
     })
 }

@@ -101,7 +101,7 @@ fn amplitudes(
     request: &RcsRequest,
     aspect: &Aspect,
 ) -> Result<Vec<Amplitude>, ReferenceError> {
-    let (per_wavelength, sides) = (arguments.density, request.sides);
+    let (per_wavelength, sides) = (arguments.density(), request.sides);
     let bracket = match request.nodes {
         NodeRule::Middle | NodeRule::OwnEdge => Bracket::Symmetrised,
         NodeRule::Exit => Bracket::Plain,

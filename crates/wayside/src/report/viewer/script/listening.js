@@ -92,8 +92,9 @@ function hearSpace(view) {
   canvas.addEventListener("pointerup", (event) => {
     const pointer = pointers.get(event.pointerId);
     pointers.delete(event.pointerId);
-    if (pointer && pointer.moved < 5)
-      choose(view, thingUnder(view.space, [event.offsetX, event.offsetY]));
+    if (!pointer || pointer.moved >= 5) return;
+    hoverSpace(view, event); // a finger does not hover before it touches
+    choose(view, thingUnder(view.space, [event.offsetX, event.offsetY]));
   });
   canvas.addEventListener("pointercancel", (event) => pointers.delete(event.pointerId));
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
@@ -139,7 +140,8 @@ function hoverSpace(view, event) {
   const { state, space } = view;
   if (state.isHeld) return;
   const found = foundUnder(space, [event.offsetX, event.offsetY]);
-  if (found) pointAt(view, { range: found.range, velocity: found.velocity, source: "space" });
+  if (!found) return;
+  pointAt(view, { range: found.range, velocity: found.velocity, source: "space", found });
 }
 
 function stepEye(view, event) {

@@ -19,7 +19,7 @@ function fillPanel(panel, state, letGo) {
   button.addEventListener("click", letGo);
   const target = state.frame.targets.find(({ id }) => id === body.id);
   if (target) tellOfClass(panel, target);
-  if (target) tellOfPlace(panel, target);
+  if (target) tellOfPlace(panel, target, heightOf(state));
   if (state.frame.paths) tellOfPaths(panel, state);
   tellOfErrors(panel, state);
 }
@@ -60,7 +60,14 @@ function tellOfClass(panel, target) {
   });
 }
 
-function tellOfPlace(panel, { truth, estimate, found }) {
+/** The chosen body's measured height in words; `null` where no object is it. */
+function heightOf({ frame, chosen }) {
+  const object = frame.objects.find(({ target }) => target === chosen);
+  if (!object) return null;
+  return told(object.place_m[2], 2) + (object.height === MEASURED ? "" : " (not measured)");
+}
+
+function tellOfPlace(panel, { truth, estimate, found }, height) {
   const range = truth.echo_range_m ?? truth.range_m;
   const velocity = truth.echo_radial_velocity_mps ?? truth.radial_velocity_mps;
   const words = found === null ? "not to be found" : found ? "found" : "missed";
@@ -73,6 +80,7 @@ function tellOfPlace(panel, { truth, estimate, found }) {
       ["velocity, m/s", told(velocity, 2), told(estimate?.radial_velocity_mps, 2)],
       ["x, m", told(truth.x_m, 2), told(estimate?.x_m, 2)],
       ["y, m", told(truth.y_m, 2), told(estimate?.y_m, 2)],
+      ["z, m", told(truth.z_m, 2), height ?? "–"],
       ["lane", truth.lane ?? "–", estimate?.lane ?? "–"],
       estimate && ["SNR, dB", "", told(estimate.snr_db, 1)],
     ],

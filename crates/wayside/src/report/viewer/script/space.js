@@ -144,12 +144,14 @@ function distanceToBox({ from, direction }, body, [low, high]) {
 function foundUnder(space, pixel) {
   const { points, objects } = space.state.frame;
   const all = [...points.ranges_m].map((range, i) => ({
+    name: "point",
     place: points.places_m.slice(3 * i, 3 * i + 3),
     range,
     velocity: points.velocities_mps[i],
+    height: points.heights[i],
   }));
-  for (const object of objects)
-    all.push({ place: object.place_m, range: object.range_m, velocity: object.velocity_mps });
+  for (const { place_m, range_m, velocity_mps, height } of objects)
+    all.push({ name: "object", place: place_m, range: range_m, velocity: velocity_mps, height });
   const pixels = all.map(({ place }) => onScreen(space, place));
   return all[nearestTo(pixel, pixels, 10)] ?? null;
 }

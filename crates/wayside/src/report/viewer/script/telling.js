@@ -7,6 +7,7 @@ function tellOfRun({ page, state }) {
     page.every > 1 && `Every ${page.every}th of ${page.frames_all} frames is here.`,
     ...(state.frame.paths ? sentencesOnPaths(state.frame.paths) : []),
     ...sentencesOnMap(state.frame.map),
+    sentenceOnHeights(state.frame),
     sentenceOnMeshes(page.surroundings.meshes),
     `${words[0].toUpperCase()}${words.slice(1)}.`,
   ];
@@ -34,6 +35,21 @@ function sentencesOnMap({ pooled, floor_is_assumed }) {
     pooled > 1 && `One cell of the map stands for ${pooled} × ${pooled}, by the strongest.`,
     floor_is_assumed && "There is no noise: a floor 60 dB below the peak stands for it.",
   ];
+}
+
+/** What a height is, in the order in which viewed_frame.rs counts what it stands on. */
+const HEIGHTS = ["measured", "assumed, not measured", "the radar's own, not measured"];
+const [MEASURED, RADARS_OWN] = [0, 2];
+
+/** Where points and objects stand though nobody measured how high. */
+function sentenceOnHeights({ assumed_height_m, points, objects }) {
+  const heights = [...points.heights, ...objects.map(({ height }) => height)];
+  if (heights.every((height) => height === MEASURED)) return false;
+  const own = heights.filter((height) => height === RADARS_OWN).length;
+  const assumed = assumed_height_m !== null && `at an assumed height of ${assumed_height_m} m`;
+  const some = assumed ? `${own.toLocaleString("en")} of them ` : "";
+  const places = [assumed, own > 0 && `${some}at the radar's own height`].filter(Boolean);
+  return `Heights of points and objects are not measured: they are drawn ${places.join(", ")}.`;
 }
 
 function sentenceOnMeshes(meshes) {
@@ -64,8 +80,16 @@ function readout({ cursor, frame }) {
   const velocity = map.velocity_mps[0] + row * map.velocity_mps[1];
   return (
     `${told(map.range_m[0] + column * map.range_m[1], 2, "m")}, ${told(velocity, 2, "m/s")}: ` +
-    `${told(map.levels_db[cell], 1, "dB over the noise")}, ${verdict}; ${whose(frame, cell)}.`
+    `${told(map.levels_db[cell], 1, "dB over the noise")}, ${verdict}; ${whose(frame, cell)}.` +
+    toldOfThing(cursor)
   );
+}
+
+/** What is told of the point or the object that the cursor was set by. */
+function toldOfThing({ found }) {
+  if (!found) return "";
+  const height = told(found.place[2], 2, "m");
+  return ` Height of the ${found.name}: ${height}, ${HEIGHTS[found.height]}.`;
 }
 
 const ROAD = 0xffffffff;

@@ -66,7 +66,8 @@ function chooseFrame(view, number) {
   const again = state.frame.bodies.findIndex(({ id }) => id === chosen);
   state.chosen = again < 0 ? null : again;
   state.picture = mapPicture(state.frame.map);
-  state.cursor ??= { ...strongestCell(state.frame.map), source: "start" };
+  const cursor = state.cursor ?? { ...strongestCell(state.frame.map), source: "start" };
+  state.cursor = { ...cursor, found: null };
   if (space) showFrame(space, state.frame);
   part("frame-told").textContent = ` ${state.frame.index} at ${told.shown.time_s.toFixed(2)} s`;
   tellOfRun(view);

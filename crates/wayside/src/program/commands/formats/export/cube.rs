@@ -1,6 +1,7 @@
 //! Radar cubes as complex64 `[frame, channel, chirp, sample]`.
 
 use crate::host::failure::Failure;
+use crate::host::progress;
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
 use crate::program::commands::formats::writing::fail;
@@ -19,7 +20,7 @@ pub(crate) fn npy(reader: Reader<Cube>, out: &Path) -> Result<(), Failure> {
     let mut times = Vec::new();
     let mut failed = None;
     let written = NpyStream::write::<Complex32>(out, &shape, |stream| {
-        for frame in reader {
+        for frame in progress::frames(reader) {
             let frame = frame.map_err(|e| fail(&mut failed, e))?;
             times.push(frame.time_s);
             stream.append(&frame.samples)?;

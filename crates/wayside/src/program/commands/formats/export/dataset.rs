@@ -1,6 +1,7 @@
 //! Crops as uint8 `[sample, velocity, range]`, or as pictures.
 
 use crate::host::failure::Failure;
+use crate::host::progress;
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
 use crate::program::commands::formats::writing::plain_name;
@@ -17,7 +18,7 @@ pub(crate) fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
     let mut labels = Vec::new();
     let mut failed = None;
     let written = NpyStream::write::<u8>(out, &[reader.frames() as usize, side, side], |stream| {
-        for sample in reader {
+        for sample in progress::frames(reader) {
             match sample.map_err(Failure::from).and_then(|sample| Ok((label(&sample), image(file, sample)?)))
             {
                 Ok((label, crop)) => {
@@ -62,7 +63,7 @@ pub(crate) fn label(sample: &Sample) -> Value {
 pub(crate) fn png(file: &Path, out: &Path) -> Result<(), Failure> {
     let reader = Reader::<Dataset>::open(file)?;
     let side = reader.header().side;
-    for sample in reader {
+    for sample in progress::frames(reader) {
         let sample = sample?;
         let place = out.join(format!("{}.png", plain_name(&sample.id)));
         crate::pictures::write_gray(&place, [side as usize; 2], &image(file, sample)?.pixels)?;

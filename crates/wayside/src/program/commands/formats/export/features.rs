@@ -1,6 +1,7 @@
 //! Features of signatures as CSV, a row for each sample of a dataset.
 
 use crate::host::failure::Failure;
+use crate::host::progress;
 use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
@@ -16,7 +17,7 @@ pub(crate) fn csv(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
             "id,class,model,variant,scene,target,frame,split,{}",
             classifier::feature_names().join(",")
         )?;
-        for sample in reader {
+        for sample in progress::frames(reader) {
             let sample = sample.map_err(|e| fail(&mut failed, e))?;
             writeln!(stream, "{}", row(&sample))?;
         }

@@ -1,6 +1,7 @@
 //! Messages of other programs: ASAM OSI in `.osi` or MCAP, ROS 2 in MCAP.
 
 use crate::host::failure::Failure;
+use crate::host::progress;
 use crate::outcome::summary::{Summary, TrackSummary};
 use crate::program::commands::formats::writing::{fail, streamed};
 use artifact::paths::Paths;
@@ -45,7 +46,7 @@ fn points_as_osi(reader: Reader<Points>, container: Container, out: &Path) -> Re
     let header = reader.header().clone();
     streamed(out, |stream, failed| {
         let mut trace = SensorDataTrace::create(stream, container)?;
-        for frame in reader {
+        for frame in progress::frames(reader) {
             trace.points(&header, &frame.map_err(|e| fail(failed, e))?)?;
         }
         trace.finish()
@@ -61,7 +62,7 @@ fn tracks_as_osi(
     let header = reader.header().clone();
     streamed(out, |stream, failed| {
         let mut trace = SensorDataTrace::create(stream, container)?;
-        for frame in reader {
+        for frame in progress::frames(reader) {
             let frame = frame.map_err(|e| fail(failed, e))?;
             trace.tracks(&header, &frame, &classes.of(&frame))?;
         }
@@ -73,7 +74,7 @@ fn paths_as_osi(reader: Reader<Paths>, container: Container, out: &Path) -> Resu
     let header = reader.header().clone();
     streamed(out, |stream, failed| {
         let mut trace = SensorViewTrace::create(stream, container)?;
-        for frame in reader {
+        for frame in progress::frames(reader) {
             trace.paths(&header, &frame.map_err(|e| fail(failed, e))?)?;
         }
         trace.finish()
@@ -84,7 +85,7 @@ fn points_as_ros(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
     streamed(out, |stream, failed| {
         let mut recording = RosRecording::create(stream)?;
-        for frame in reader {
+        for frame in progress::frames(reader) {
             recording.points(&header, &frame.map_err(|e| fail(failed, e))?)?;
         }
         recording.finish()
@@ -94,7 +95,7 @@ fn points_as_ros(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
 fn tracks_as_ros(reader: Reader<Tracks>, out: &Path) -> Result<(), Failure> {
     streamed(out, |stream, failed| {
         let mut recording = RosRecording::create(stream)?;
-        for frame in reader {
+        for frame in progress::frames(reader) {
             recording.tracks(&frame.map_err(|e| fail(failed, e))?)?;
         }
         recording.finish()

@@ -3,6 +3,7 @@
 
 use crate::chain::loading;
 use crate::host::failure::Failure;
+use crate::host::progress;
 use crate::program::commands::formats::writing::{fail, streamed};
 use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
@@ -42,7 +43,7 @@ pub(crate) fn points(reader: Reader<Points>, out: &Path) -> Result<(), Failure> 
     let header = reader.header().clone();
     streamed(out, |stream, failed| {
         let mut table = Table::create(stream, &OF_POINTS)?;
-        for frame in reader {
+        for frame in progress::frames(reader) {
             let frame = frame.map_err(|e| fail(failed, e))?;
             frame.points.iter().try_for_each(|point| table.push(of_point(&header, &frame, point)))?;
         }

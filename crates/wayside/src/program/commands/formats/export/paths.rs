@@ -3,6 +3,7 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::host::progress;
 use crate::program::commands::formats::sidecar;
 use crate::program::commands::formats::writing::fail;
 use crate::stepwise::delay_at_middle;
@@ -23,7 +24,7 @@ pub(crate) fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
     let mut failed = None;
     let written = files::write_with(out, |stream| {
         writeln!(stream, "{COLUMNS}")?;
-        for frame in reader {
+        for frame in progress::frames(reader) {
             let frame = frame.map_err(|e| fail(&mut failed, e))?;
             frame.paths.iter().try_for_each(|path| rows(stream, &header, frame.index, path))?;
         }

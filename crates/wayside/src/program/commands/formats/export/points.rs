@@ -2,9 +2,10 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::host::progress;
 use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
-use artifact::points::{Label, Point, Points, PointsFrame, PointsHeader};
+use artifact::points::{Height, Label, Point, Points, PointsFrame, PointsHeader};
 use artifact::settings::Class;
 use std::io::Write;
 use std::path::Path;
@@ -17,7 +18,7 @@ pub(crate) fn csv(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     let mut failed = None;
     let written = files::write_with(out, |stream| {
         writeln!(stream, "{COLUMNS}")?;
-        for frame in reader {
+        for frame in progress::frames(reader) {
             write_csv(stream, &frame.map_err(|e| fail(&mut failed, e))?, &header)?;
         }
         Ok(())
@@ -71,12 +72,10 @@ pub(crate) fn pcd(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     files::write_with(out, |s| {
         writeln!(
             s,
-            "VERSION .7\nFIELDS x y z velocity snr frame object\nSIZE 4 4 4 4 4 4 4\nTYPE F F F F F U I"
+            "VERSION .7\nFIELDS x y z velocity snr frame object height_measured\nSIZE 4 4 4 4 4 4 4 1"
         )?;
-        writeln!(
-            s,
-            "COUNT 1 1 1 1 1 1 1\nWIDTH {n}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {n}\nDATA ascii"
-        )?;
+        writeln!(s, "TYPE F F F F F U I U\nCOUNT 1 1 1 1 1 1 1 1\nWIDTH {n}\nHEIGHT 1")?;
+        writeln!(s, "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS {n}\nDATA ascii")?;
         rows.iter().try_for_each(|row| writeln!(s, "{row}"))
     })
 }
@@ -87,22 +86,25 @@ pub(crate) fn ply(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     files::write_with(out, |s| {
         writeln!(s, "ply\nformat ascii 1.0\nelement vertex {}", rows.len())?;
         writeln!(s, "property float x\nproperty float y\nproperty float z\nproperty float velocity")?;
-        writeln!(s, "property float snr\nproperty uint frame\nproperty int object\nend_header")?;
+        writeln!(s, "property float snr\nproperty uint frame\nproperty int object")?;
+        writeln!(s, "property uchar height_measured\nend_header")?;
         rows.iter().try_for_each(|row| writeln!(s, "{row}"))
     })
 }
 
 fn rows(reader: Reader<Points>) -> Result<Vec<String>, Failure> {
     let mut rows = Vec::new();
-    for frame in reader {
+    for frame in progress::frames(reader) {
         let frame = frame?;
         rows.extend(frame.points.iter().map(|p| row(frame.index, p)));
     }
     Ok(rows)
 }
 
+/// The last number is 1 where z is measured, 0 where it is assumed or the radar's own.
 fn row(frame: u32, p: &Point) -> String {
     let [x, y, z] = p.position_m;
     let object = p.object.map_or(-1, i64::from);
-    format!("{x:.4} {y:.4} {z:.4} {:.4} {:.2} {frame} {object}", p.radial_velocity_mps, p.snr_db)
+    let (velocity, snr, measured) = (p.radial_velocity_mps, p.snr_db, u8::from(p.height == Height::Measured));
+    format!("{x:.4} {y:.4} {z:.4} {velocity:.4} {snr:.2} {frame} {object} {measured}")
 }

@@ -1,6 +1,7 @@
 //! RCS tables as complex128 `[frequency, elevation, azimuth]`.
 
 use crate::host::failure::Failure;
+use crate::host::progress;
 use crate::program::commands::formats::npy_stream::NpyStream;
 use crate::program::commands::formats::sidecar;
 use crate::program::commands::formats::writing::plain_name;
@@ -14,7 +15,7 @@ use std::path::{Path, PathBuf};
 pub(crate) fn npy(reader: Reader<Rcs>, out: &Path) -> Result<(), Failure> {
     let targets = reader.header().targets.clone();
     let mut tables: Vec<(u32, RcsTable)> = Vec::new();
-    for frame in reader {
+    for frame in progress::frames(reader) {
         let frame = frame?;
         tables.extend(frame.tables.into_iter().map(|t| (frame.index, t)));
     }

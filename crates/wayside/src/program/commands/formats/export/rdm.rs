@@ -2,6 +2,7 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::host::progress;
 use crate::pictures;
 use crate::pictures::rdm_exr;
 use crate::program::commands::formats::export::cube::map_channels;
@@ -24,7 +25,7 @@ pub(crate) fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     let frames = reader.frames() as usize;
     let (mut masks, mut told, mut failed) = (Vec::new(), Vec::new(), None);
     let written = NpyStream::write::<Complex32>(out, &[frames, channels, doppler, range], |stream| {
-        for frame in reader {
+        for frame in progress::frames(reader) {
             let frame = frame.map_err(|e| fail(&mut failed, e))?;
             stream.append(&frame.values)?;
             told.push((frame.time_s, frame.detections, frame.cells));
@@ -95,7 +96,7 @@ fn each_frame(
 ) -> Result<(), Failure> {
     files::claim(&[out.to_owned()])?; // pictures of several frames are numbered after it
     let (header, single) = (reader.header().clone(), reader.frames() == 1);
-    for frame in reader {
+    for frame in progress::frames(reader) {
         let frame = frame?;
         let place = if single { out.to_owned() } else { numbered(out, frame.index) };
         write(&header, &frame, &place)?;

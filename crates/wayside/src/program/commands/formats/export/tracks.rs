@@ -2,6 +2,7 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::host::progress;
 use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
 use artifact::tracks::{Track, Tracks};
@@ -15,7 +16,7 @@ pub(crate) fn csv(reader: Reader<Tracks>, out: &Path) -> Result<(), Failure> {
     let mut failed = None;
     let written = files::write_with(out, |stream| {
         writeln!(stream, "{COLUMNS}")?;
-        for frame in reader {
+        for frame in progress::frames(reader) {
             let frame = frame.map_err(|e| fail(&mut failed, e))?;
             for track in &frame.tracks {
                 writeln!(stream, "{},{},{}", frame.index, frame.time_s, row(track))?;

@@ -4,39 +4,59 @@ use crate::chain::keys::cube_header;
 use crate::chain::loading::{self, provenance};
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
-use crate::host::progress::Work;
+use crate::host::progress;
+use crate::program::commands::formats::heights::Heights;
 use crate::program::commands::formats::levelled_axes::LevelledAxes;
 use crate::program::commands::formats::radar_cloud::{Detection, LIMIT_BYTES, pcd, velodyne};
 use artifact::points::{Height, Point, Points, PointsFrame, PointsHeader};
 use artifact::scene::SceneHeader;
 use artifact::{Writer, bounded};
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// Writes clouds as the points that the scene's radar has, with the objects that they form.
+/// Writes clouds as the points that the scene's radar has, with the objects that they form; `told_by` are the
+/// files that tell the scene and its radar.
 ///
 /// # Errors
 /// A file that is no such cloud, or none at all.
 pub(crate) fn points(
     asked: &Path,
-    scene_file: &Path,
+    told_by: &[PathBuf],
     scene: &SceneHeader,
     out: &Path,
 ) -> Result<(), Failure> {
     let files = frames_of(asked, &["bin", "pcd"])?;
-    let inputs = loading::hashed(&[files.as_slice(), &[scene_file.to_owned()]].concat())?;
+    let description: Option<PathBuf> = files.first().and_then(|file| description_of(file));
+    let inputs = loading::hashed(&[files.as_slice(), told_by, description.as_slice()].concat())?;
+    let told = description.as_deref().map(height_told).transpose()?.flatten();
     let cube = cube_header(scene);
     let axes = LevelledAxes::of(&scene.radar);
     let header = PointsHeader { cube: Some(cube.clone()), ..PointsHeader::default() };
     let mut writer = Writer::<Points>::create(out, &provenance(Stage::Dsp, scene, inputs), &header)?;
-    let under_way = Work::begin("frames");
-    for (index, file) in (0..).zip(&files) {
-        under_way.at(index as usize, files.len());
+    for (index, file) in (0..).zip(progress::counted("frames", &files, files.len())) {
         let (seen, height) = read(file)?;
+        let height = told.unwrap_or(height);
         let mut points: Vec<Point> = seen.iter().map(|seen| seen.point(&cube, &axes, height)).collect();
         let objects = dsp::objects_of_points(&cube, &mut points);
         writer.write(&PointsFrame { index, time_s: scene.frame_time_s(index), points, objects })?;
     }
     Ok(writer.finish()?)
+}
+
+/// The description of the set that a file is of, as this program writes one: three folders up from clouds of
+/// View-of-Delft and of nuScenes alike.
+fn description_of(file: &Path) -> Option<PathBuf> {
+    let file = std::fs::canonicalize(file).ok()?;
+    file.ancestors().nth(3).map(|set| set.join("set.json")).filter(|place| place.is_file())
+}
+
+/// What the heights of a set stand on, where its description says that they are not measured.
+fn height_told(description: &Path) -> Result<Option<Height>, Failure> {
+    let text = bounded::read_text(description, LIMIT_BYTES);
+    let text = text.map_err(|fault| Failure::unread(description, &fault))?;
+    let told: Value = serde_json::from_str(&text).unwrap_or_default();
+    let is_assumed = told["heights"].as_str().is_some_and(|heights| heights != Heights::Measured.words());
+    Ok(is_assumed.then_some(Height::Assumed))
 }
 
 /// Detections of a file, and what their height stands on: radars of `.pcd` tell none.

@@ -27,7 +27,7 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     TWO_LANES.check(file, &recording, Sampling::Complex)?;
     sidecar::claim(out)?;
     let mut peak = 0.0_f32;
-    for frame in reader {
+    for frame in progress::frames(reader) {
         peak = frame?.samples.iter().fold(peak, |peak, x| peak.max(x.re.abs()).max(x.im.abs()));
     }
     let step = step_of(header.unit, peak);
@@ -35,7 +35,7 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let mut reader = Reader::<Cube>::open(file)?;
     let frames = reader.frames();
     let written = files::write_with(out, |stream| {
-        reader.by_ref().try_for_each(|frame| {
+        progress::counted("frames", reader.by_ref(), frames as usize).try_for_each(|frame| {
             let frame = frame.map_err(|e| fail(&mut failed, e))?;
             let bytes = bytes(&recording.by_slot(&frame.samples), step);
             hasher.update(&bytes);

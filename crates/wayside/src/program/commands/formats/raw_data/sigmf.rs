@@ -20,7 +20,7 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let recording = Recording::of_complex(file, &header)?;
     let (data, meta_place) = (part_of(out, DATA), part_of(out, META));
     files::claim(&[data.clone(), meta_place.clone()])?;
-    keep_foreign(&meta_place)?;
+    files::keep_foreign(&meta_place, META_LIMIT_BYTES, is_own)?;
     let mut times = Vec::new();
     let mut failed = None;
     let written = files::write_with(&data, |stream| {
@@ -47,18 +47,9 @@ fn part_of(out: &Path, ending: &str) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Refuses where a description of another program stands: its recording would be lost.
-fn keep_foreign(meta: &Path) -> Result<(), Failure> {
-    if !meta.is_file() {
-        return Ok(());
-    }
-    let told = files::read_own(meta, META_LIMIT_BYTES).ok();
-    let told: Option<Value> = told.and_then(|bytes| serde_json::from_slice(&bytes).ok());
-    if told.is_some_and(|told| told["global"]["core:recorder"] == RECORDER) {
-        return Ok(());
-    }
-    let rule = "was not written by this program, and would be replaced; choose another --out";
-    Err(Failure::System(format!("{}: {rule}", meta.display())))
+/// Whether these bytes describe a recording of this program.
+fn is_own(meta: &[u8]) -> bool {
+    serde_json::from_slice::<Value>(meta).is_ok_and(|told| told["global"]["core:recorder"] == RECORDER)
 }
 
 /// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit.

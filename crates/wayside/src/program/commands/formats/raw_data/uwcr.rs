@@ -1,6 +1,7 @@
 //! Raw frames of the University of Washington: a `.mat` a frame, `[sample, chirp, receiver, transmitter]`.
 
 use crate::host::failure::Failure;
+use crate::host::progress;
 use crate::program::commands::formats::mat_file;
 use crate::program::commands::formats::radar_cloud::import::frames_of;
 use crate::program::commands::formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
@@ -26,7 +27,8 @@ pub(crate) fn shape(header: &CubeHeader) -> [usize; 4] {
 /// Frames of a file, or of a folder in the order of its files' names.
 pub(crate) fn read(asked: &Path, header: &CubeHeader) -> Result<Imported, Failure> {
     let files = frames_of(asked, &ENDINGS)?;
-    let frames: Result<Vec<_>, _> = files.iter().map(|file| of_file(file, header)).collect();
+    let counted = progress::counted("frames", &files, files.len());
+    let frames: Result<Vec<_>, _> = counted.map(|file| of_file(file, header)).collect();
     Ok(Imported { frames: frames?, step: IntegerStep::Floats })
 }
 

@@ -6,6 +6,7 @@
 //! made up: a pinhole at the radar's place that looks along its x axis.
 
 use crate::host::failure::Failure;
+use crate::program::commands::formats::heights::Heights;
 use crate::program::commands::formats::levelled_axes::{LevelledAxes, wrapped};
 use crate::program::commands::formats::radar_cloud::{Detection, velodyne};
 use crate::program::commands::formats::training_sets::radar_of_points::{radar_of, sections_of};
@@ -27,7 +28,8 @@ const PICTURE_PX: [f64; 2] = [1936.0, 1216.0];
 const NEAREST_M: f64 = 0.1;
 
 /// Writes the points of a run, labelled where a scene is given.
-pub(crate) fn write(reader: Reader<Points>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
+pub(crate) fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
+    let (reader, heights) = (Reader::<Points>::open(file)?, Heights::of(file)?);
     let header = reader.header().clone();
     let radar = header.cube.as_ref().map(|cube| &cube.radar);
     let mut truth = scene.map(|file| TruthBoxes::open(file, radar)).transpose()?;
@@ -54,7 +56,7 @@ pub(crate) fn write(reader: Reader<Points>, scene: Option<&Path>, out: &Path) ->
     set.finish(&json!({
         "set": "View-of-Delft", "frames": frames, "labelled": truth.is_some(),
         "columns": ["x", "y", "z", "RCS", "v_r", "v_r_compensated", "time"],
-        "RCS": sections_of(&header), "camera": "made up",
+        "RCS": sections_of(&header), "camera": "made up", "heights": heights.words(),
         "not_filled": ["image_2", "pose", "truncated (the body's number)", "occluded (0)"],
     }))
 }

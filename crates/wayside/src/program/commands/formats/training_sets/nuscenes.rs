@@ -5,6 +5,7 @@
 
 use crate::host::failure::Failure;
 use crate::pictures;
+use crate::program::commands::formats::heights::Heights;
 use crate::program::commands::formats::levelled_axes::LevelledAxes;
 use crate::program::commands::formats::radar_cloud::{Detection, pcd};
 use crate::program::commands::formats::training_sets::nuscenes_tables::{Seen, Tables};
@@ -24,7 +25,8 @@ const VERSION: &str = "v1.0-wayside";
 const NEAR_M: f64 = 0.5;
 
 /// Writes the points of a run as one scene of the set, labelled where a scene is given.
-pub(crate) fn write(reader: Reader<Points>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
+pub(crate) fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
+    let (reader, heights) = (Reader::<Points>::open(file)?, Heights::of(file)?);
     let header = reader.header().clone();
     let radar = header.cube.as_ref().map(|cube| &cube.radar);
     let mut truth = scene.map(|file| TruthBoxes::open(file, radar)).transpose()?;
@@ -51,7 +53,7 @@ pub(crate) fn write(reader: Reader<Points>, scene: Option<&Path>, out: &Path) ->
     pictures::write_gray(&set.place("maps/none.png"), [1, 1], &[255])?;
     set.finish(&json!({
         "set": "nuScenes", "version": VERSION, "frames": frames, "labelled": truth.is_some(),
-        "rcs": sections_of(&header),
+        "rcs": sections_of(&header), "heights": heights.words(),
         "not_filled": ["x_rms", "y_rms", "vx_rms", "vy_rms", "pdh0", "num_lidar_pts", "visibility", "map"],
     }))
 }

@@ -4,7 +4,7 @@ use crate::chain::loading;
 use crate::host::failure::Failure;
 use crate::host::progress::Work;
 use crate::program::commands::learning::train;
-use crate::program::learning_cli::ProtocolsArguments;
+use crate::program::learning_cli::{PAPER_ITERATIONS, ProtocolsArguments};
 use serde_json::Value;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -33,6 +33,7 @@ pub(super) fn page(arguments: &ProtocolsArguments) -> Result<String, Failure> {
             "--test and --curves are asked of trees; the paper's protocols have neither",
         ));
     }
+    let iterations = arguments.iterations.unwrap_or(PAPER_ITERATIONS);
     let shards: Vec<PathBuf> = arguments.datasets.iter().flat_map(|folder| loading::shards(folder)).collect();
     let program = train::built()?;
     let work = Work::begin("training");
@@ -43,17 +44,17 @@ pub(super) fn page(arguments: &ProtocolsArguments) -> Result<String, Failure> {
         for seed in 1..=arguments.seeds {
             let mut command = Command::new(&program);
             command.args(["--deal", deal, "--seed", &seed.to_string()]);
-            command.args(["--iterations", &arguments.iterations.to_string()]);
+            command.args(["--iterations", &iterations.to_string()]);
             told.push(train::ran(command, &shards, &work)?);
         }
         let _ = writeln!(rows, "{}", row(name, parted, &told));
         curves.push((name, told[0]["curves"].clone()));
     }
     let head = format!(
-        "Means over {} trainings of {} iterations; in brackets the least and the most.\n\n\
+        "Means over {} trainings of {iterations} iterations; in brackets the least and the most.\n\n\
          | protocol | parted are | watched (320 of 1120) | unused (200 of 1120) | car | bus | truck | motorcycle |\n\
          |---|---|---|---|---|---|---|---|\n{PAPER}\n",
-        arguments.seeds, arguments.iterations
+        arguments.seeds
     );
     Ok(head + &rows + &curves_table(&curves))
 }

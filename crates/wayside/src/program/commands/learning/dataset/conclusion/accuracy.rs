@@ -40,7 +40,9 @@ impl ReachedAccuracy {
     /// missed it how many there are of each cause, with what would help.
     pub(super) fn lines(&self) -> Vec<String> {
         let Some(worst) = &self.worst else { return vec!["numerical errors were not estimated".into()] };
-        let (reached, asked) = (decibels(worst["reached_db"].as_f64()), decibels(worst["asked_db"].as_f64()));
+        // What was measured and has no level is no error at all.
+        let reached = worst["reached_db"].as_f64().map_or("none".into(), decibels);
+        let asked = decibels(worst["asked_db"].as_f64());
         let Self { scenes, measured, met, .. } = self;
         let missed = measured - met;
         let mut lines = vec![format!(

@@ -1,0 +1,89 @@
+//! An option that would mean nothing beside what else is said is refused, exit code 2, by its name and rule.
+#![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
+
+use crate::common::{SMALL_SCENE, Workplace};
+
+/// Refuses each of these commands by these words, and leaves nothing.
+fn refuses(place: &Workplace, out: &str, commands: &[(&str, &[&str])]) {
+    for (command, words) in commands {
+        let output = place.try_run(&format!("{command} --out {out}"));
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{command}: {said}");
+        words.iter().for_each(|word| assert!(said.contains(word), "{command}: `{word}` is not in {said}"));
+        assert!(!place.path(out).exists(), "{command}");
+    }
+}
+
+#[test]
+fn an_option_that_means_nothing_of_what_is_imported_is_refused() {
+    let place = Workplace::new();
+    let real = SMALL_SCENE.replace("[noise]", "[radar.receiver]\nsampling = \"real\"\n\n[noise]");
+    std::fs::write(place.path("real.toml"), real).unwrap();
+    std::fs::write(place.path("real.bin"), vec![0; 2 * 4 * 16 * 64]).unwrap();
+    place.run("echo small.toml --out a.cube --quiet");
+    for (format, name) in [("npy", "a.npy"), ("sigmf", "a"), ("dca1000", "a.bin"), ("uwcr", "raw")] {
+        place.run(&format!("export a.cube --to {format} --out {name} --quiet"));
+    }
+    let small = "--scene small.toml";
+    for (file, options) in [
+        ("a.npy", &["--step 5", "--layout four-lanes", "--iq-order qi"][..]),
+        ("raw/radar_raw_frame", &["--step 5", "--layout four-lanes", "--iq-order qi"]),
+        ("raw/radar_raw_frame/000000.mat", &["--step 5", "--layout two-lanes"]),
+        ("a.sigmf-meta", &["--step 5", "--layout four-lanes", "--iq-order iq"]),
+        ("a.bin", &["--full-scale 2048"]),
+    ] {
+        for option in options {
+            let (name, command) =
+                (option.split(' ').next().unwrap(), format!("import {file} {small} {option}"));
+            refuses(&place, "b.cube", &[(&command, &[name, file, " is for "])]);
+        }
+    }
+    refuses(
+        &place,
+        "b.cube",
+        &[("import real.bin --scene real.toml --iq-order qi", &["real.bin", "--iq-order", "complex"])],
+    );
+    for option in ["--step 5", "--full-scale 5", "--layout two-lanes", "--iq-order iq"] {
+        let (name, command) = (option.split(' ').next().unwrap(), format!("import a.bin {small} {option}"));
+        refuses(&place, "b.points", &[(&command, &[name, "a.bin", " is for "])]);
+    }
+}
+
+#[test]
+fn an_option_that_means_nothing_to_the_learner_is_refused() {
+    let place = Workplace::new();
+    std::fs::write(place.path("who.txt"), "nobody").unwrap();
+    refuses(
+        &place,
+        "m",
+        &[
+            ("train d --iterations 3", &["--iterations is for --learner paper"]),
+            (
+                "train d --learner paper --attributions who.txt",
+                &["who.txt", "--attributions is for --learner trees"],
+            ),
+            ("protocols d --iterations 3", &["--iterations is for --learner paper"]),
+            ("dataset spec.toml --dry-run --shard 1/2", &["--dry-run", "--shard"]),
+        ],
+    );
+}
+
+#[test]
+fn an_option_that_means_nothing_to_the_method_is_refused_or_remarked_on() {
+    let place = Workplace::new();
+    let rcs = "rcs corner.obj --freq-ghz 3 --az-deg 0";
+    refuses(
+        &place,
+        "s.npy",
+        &[
+            (&format!("{rcs} --density 4"), &["corner.obj", "--density is for --method po and sbr"]),
+            (
+                &format!("{rcs} --method po --bounces 2"),
+                &["corner.obj", "--bounces is for --method bart and sbr"],
+            ),
+        ],
+    );
+    let output = place.try_run(&format!("{rcs} --method po --bounces 1 --accuracy-db -60 --out s.npy"));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && said.contains("--accuracy-db is for --method bart"), "{said}");
+}
