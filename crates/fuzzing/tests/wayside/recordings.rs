@@ -24,6 +24,8 @@ pub(crate) fn readers() -> Vec<Reader> {
 fn import(noise: &mut Noise, folder: &Path, file: &str) {
     sound::texts(folder);
     let step = noise.pick(&["", "", " --step=0.5", " --step=1e-30", " --step=1e30"]);
+    // Files whose samples are never integers have no step.
+    let step = if file.ends_with(".npy") || file.ends_with(".mat") { "" } else { step };
     note(folder, &format!("import @{file} --scene @sound/small.toml --out @O{step}"));
 }
 
