@@ -1,4 +1,5 @@
-//! What is being written when a program is told to stop is gone; alone in its process, because all of it is.
+//! A program that is told to stop leaves nothing of what it was writing; alone in its process, because all
+//! that is open there goes.
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::whole_file::{WholeFile, WholeFolder, abandon_all};

@@ -9,7 +9,7 @@ use artifact::points::PointsFrame;
 
 /// Points of objects in and around a part of the map.
 pub(crate) struct CellOwners {
-    /// By column, and of one column in the order of the points.
+    /// Points in the order of their columns, those of one column in their own order.
     peaks: Vec<Peak>,
     /// Rows of the map: velocities wrap.
     rows: f64,
@@ -93,7 +93,7 @@ fn wrapped(rows: f64, turn: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Of drawn points on a grid, where many are equally near, beside the search through all of them.
+    /// Points are drawn on a grid, where many are equally near; beside it the search through all of them.
     #[test]
     fn the_nearest_point_is_that_of_a_search_through_all() {
         let mut state = 1_u64;

@@ -57,6 +57,10 @@ velocity_mps = [0.0, 0.0, 0.0]
 pub(crate) const CORNER: &str = "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0\nv 0.5 0.5 0\nv 0 0 0.5\nv 0.5 0 0.5\nv 0 0.5 0.5\n\
 f 1 2 4 3\nf 1 5 6 2\nf 1 3 7 5\n";
 
+/// A board's configuration: four receivers, one transmitter, 64 complex samples, 8 chirps.
+pub(crate) const BOARD: &str = "channelCfg 15 1 0\nadcCfg 2 1\nprofileCfg 0 77 10 6 40 0 0 12.5 1 64 5120 0 0 30\n\
+chirpCfg 0 0 0 0 0 0 0 1\nframeCfg 0 0 8 0 50 1 0\n";
+
 pub(crate) struct Workplace {
     folder: tempfile::TempDir,
 }

@@ -8,7 +8,7 @@
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
-use crate::common::{Workplace, crops};
+use crate::common::{BOARD, Workplace, crops};
 use std::process::Command;
 
 /// Outcome of a command on a disk with so much room: its exit code, what it said, and what the disk held
@@ -85,9 +85,6 @@ speed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\n[models]\nmotorcycle 
 const STUDY: &str = "scene = \"small.toml\"\nrepeats = 2\n[[vary]]\nname = \"chirps\"\nkey = \"radar.waveform.chirps\"\n\
 values = [16, 32]\n[goal]\nmetric = \"coverage\"\n";
 
-const BOARD: &str = "channelCfg 15 1 0\nadcCfg 2 1\nprofileCfg 0 77 10 6 40 0 0 12.5 1 64 5120 0 0 30\n\
-chirpCfg 0 0 0 0 0 0 0 1\nframeCfg 0 0 8 0 50 1 0\n";
-
 fn filled() -> Workplace {
     let place = Workplace::new();
     std::fs::write(place.path("study.toml"), STUDY).unwrap();
@@ -99,7 +96,8 @@ fn filled() -> Workplace {
     std::fs::write(place.path("b.cfg"), BOARD).unwrap();
     place.run("export a/frames.points --to kitti --scene a/scene.scene --out k --quiet");
     let small = std::fs::read_to_string(place.path("small.toml")).unwrap();
-    let radars = "[[radars]]\nid = \"near\"\n[[radars]]\nid = \"far\"\nposition_m = [0.0, 80.0, 6.0]\nboresight_az_deg = 180.0\n";
+    let radars = "[[radars]]\nid = \"near\"\n\
+        [[radars]]\nid = \"far\"\nposition_m = [0.0, 80.0, 6.0]\nboresight_az_deg = 180.0\n";
     std::fs::write(place.path("radars.toml"), format!("{small}{radars}")).unwrap();
     crops::write(&place.path("crops"), 10);
     place

@@ -7,7 +7,7 @@
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
-use crate::common::{SMALL_SCENE, Workplace};
+use crate::common::{BOARD, SMALL_SCENE, Workplace};
 use std::os::unix::fs::{FileTypeExt, symlink};
 use std::path::Path;
 use std::process::Output;
@@ -29,8 +29,6 @@ fn filled() -> Workplace {
     place
 }
 
-const BOARD: &str = "channelCfg 15 1 0\nadcCfg 2 1\nprofileCfg 0 77 10 6 40 0 0 12.5 1 64 5120 0 0 30\n\
-    chirpCfg 0 0 0 0 0 0 0 1\nframeCfg 0 0 8 0 50 1 0\n";
 const RCS: &str = "--freq-ghz 77 --az-deg 0 --quiet";
 
 #[test]

@@ -1,7 +1,7 @@
 //! Raw data of devices: written, read back, and processed as before.
 #![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
 
-use crate::common::Workplace;
+use crate::common::{BOARD, Workplace};
 
 /// The small scene with transmitters that take turns.
 fn tdm() -> Workplace {
@@ -100,9 +100,7 @@ fn recordings_that_do_not_fit_are_refused_by_name_and_rule() {
 #[test]
 fn a_recording_is_read_by_the_boards_configuration_where_the_scene_says_nothing() {
     let place = Workplace::new();
-    let config = "channelCfg 15 1 0\nadcCfg 2 1\nprofileCfg 0 77 10 6 40 0 0 12.5 1 64 5120 0 0 30\n\
-                  chirpCfg 0 0 0 0 0 0 0 1\nframeCfg 0 0 8 0 50 1 0\n";
-    std::fs::write(place.path("b.cfg"), config).unwrap();
+    std::fs::write(place.path("b.cfg"), BOARD).unwrap();
     std::fs::write(place.path("bare.toml"), "name = \"bare\"\n").unwrap();
     let count = 8 * 64 * 4;
     let parts = (0..count).flat_map(|i| {

@@ -8,7 +8,7 @@ mod common;
 mod contents;
 mod gltf;
 
-use common::{Workplace, bounded};
+use common::{BOARD, Workplace, bounded};
 use std::path::Path;
 use std::process::Command;
 
@@ -71,9 +71,7 @@ fn prepare(place: &Workplace) {
     let recipe = "scene = \"small.toml\"\nseed = 1\nscenes_per_class = 1\nrange_m = [25, 45]\n\
                   speed_mps = [1, 5]\nlanes = [1]\n[models]\nvehicles = \".\"\n";
     std::fs::write(place.path("spec.toml"), recipe).unwrap();
-    let board = "channelCfg 15 1 0\nadcCfg 2 1\nprofileCfg 0 77 10 6 40 0 0 12.5 1 64 5120 0 0 30\n\
-                 chirpCfg 0 0 0 0 0 0 0 1\nframeCfg 0 0 8 0 50 1 0\n";
-    std::fs::write(place.path("b.cfg"), board).unwrap();
+    std::fs::write(place.path("b.cfg"), BOARD).unwrap();
     std::fs::write(place.path("x.bin"), [0; 16 * 8 * 64]).unwrap();
     place.run("run small.toml --out sound --no-cache --quiet");
     std::fs::rename(place.path("sound/scene.scene"), place.path("small.scene")).unwrap();

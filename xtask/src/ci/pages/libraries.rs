@@ -67,7 +67,8 @@ mod tests {
 
     #[test]
     fn every_library_has_its_reason() {
-        let manifest = "[workspace.dependencies]\nown = { path = \"x\" }\nserde = \"1\"\nnum_traits = \"1\"\nclap = \"4\"\n[profile]\n";
+        let manifest = "[workspace.dependencies]\nown = { path = \"x\" }\nserde = \"1\"\nnum_traits = \"1\"\n\
+                        clap = \"4\"\n[profile]\n";
         let page = "| library | for |\n|---|---|\n| serde, num-traits | records |\n";
         assert_eq!(untold(manifest, page), ["docs/decisions/dependencies.md: no row tells of `clap`"]);
     }
@@ -75,7 +76,8 @@ mod tests {
     #[test]
     fn a_library_that_no_code_names_is_found() {
         let manifest = "[package]\nname = \"x\"\n[dependencies]\nnum-complex.workspace = true\n\
-                        once_cell = \"1\" # for its features alone\nrobust = \"1\"\n[dev-dependencies]\nobvhs = \"0.3\"\n\
+                        once_cell = \"1\" # for its features alone\nrobust = \"1\"\n\
+                        [dev-dependencies]\nobvhs = \"0.3\"\n\
                         [lints]\nworkspace = true\n";
         assert_eq!(unused(manifest, "use num_complex::Complex64; // robustly"), ["robust", "obvhs"]);
     }

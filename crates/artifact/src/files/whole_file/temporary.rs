@@ -79,7 +79,7 @@ impl TemporaryFolder {
         Ok(Self { _lock: lock, folder: Some(folder) })
     }
 
-    /// Where it stands until it is persisted.
+    /// The place of the folder until it is persisted.
     pub(super) fn path(&self) -> &Path {
         self.folder.as_ref().map_or(Path::new(""), TempDir::path)
     }
@@ -188,34 +188,44 @@ static MACHINE: LazyLock<String> = LazyLock::new(|| {
 });
 
 fn locked(folder: &Path, prefix: &str) -> std::io::Result<(File, TempPath)> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(prefix).suffix(SUFFIX);
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less the umask, as any new file
     for _ in 0..ATTEMPTS {
-        let (handle, path) = builder.tempfile_in(folder)?.into_parts();
-        let is_held = !matches!(handle.try_lock(), Err(TryLockError::WouldBlock));
-        if is_held && is_named(&handle, &path) {
+        let (handle, path) = named(prefix, 0o666).tempfile_in(folder)?.into_parts();
+        if is_own(&handle, &path) {
             return Ok((handle, path));
         }
     }
-    Err(std::io::Error::other("temporary files are removed as soon as they are made"))
+    Err(taken_away())
 }
 
 fn locked_folder(above: &Path, prefix: &str) -> std::io::Result<(Option<File>, TempDir)> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(prefix).suffix(SUFFIX);
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777)); // less the umask
     for _ in 0..ATTEMPTS {
-        let folder = builder.tempdir_in(above)?;
+        let folder = named(prefix, 0o777).tempdir_in(above)?;
         let Ok(handle) = File::open(folder.path()) else { return Ok((None, folder)) };
-        let is_held = !matches!(handle.try_lock(), Err(TryLockError::WouldBlock));
-        if is_held && is_named(&handle, folder.path()) {
+        if is_own(&handle, folder.path()) {
             return Ok((Some(handle), folder));
         }
     }
-    Err(std::io::Error::other("temporary folders are removed as soon as they are made"))
+    Err(taken_away())
+}
+
+/// Names of temporary files and folders, with these permissions less the umask, as anything new.
+fn named(prefix: &str, mode: u32) -> tempfile::Builder<'_, 'static> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(prefix).suffix(SUFFIX);
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(mode));
+    #[cfg(not(unix))]
+    let _ = mode;
+    builder
+}
+
+/// Locks what was just made, and whether it is still there: a sweeper may have met it before the lock.
+fn is_own(handle: &File, path: &Path) -> bool {
+    !matches!(handle.try_lock(), Err(TryLockError::WouldBlock)) && is_named(handle, path)
+}
+
+fn taken_away() -> std::io::Error {
+    std::io::Error::other("temporary files are removed as soon as they are made")
 }
 
 /// Whether the open file still has its name: a sweeper may have removed it before it was locked.

@@ -25,7 +25,7 @@ impl WholeFolder {
         made.map(|temporary| Self { place: place.to_owned(), temporary }).map_err(|fault| fault.of(place))
     }
 
-    /// Where the folder's files are written until it is finished.
+    /// The place of the folder's files until it is finished.
     pub fn filled(&self) -> &Path {
         self.temporary.path()
     }

@@ -47,7 +47,7 @@ struct PointsView {
     ranges_m: Packed,
     velocities_mps: Packed,
     snrs_db: Packed,
-    /// What each point's height stands on, as [`HEIGHTS`] counts it.
+    /// Source of each point's height, as [`HEIGHTS`] counts it.
     heights: Packed,
     /// Index of each point's object, counted from 1; 0: of none.
     objects: Packed,
@@ -63,7 +63,7 @@ struct ObjectView {
     range_m: f64,
     velocity_mps: f64,
     snr_db: f64,
-    /// What its height stands on, as [`HEIGHTS`] counts it.
+    /// Source of its height, as [`HEIGHTS`] counts it.
     height: u8,
     points: u32,
     /// Index of the body that the object is; `None`: nobody's.
@@ -176,7 +176,7 @@ impl ViewedFrame {
 /// Precision of points: m, m/s and dB.
 const STEP: f64 = 0.01;
 
-/// What heights stand on, in the order in which the page counts them (`HEIGHTS` of telling.js).
+/// Sources of heights, in the order in which the page counts them (`HEIGHTS` of telling.js).
 const HEIGHTS: [Height; 3] = [Height::Measured, Height::Assumed, Height::None];
 
 fn counted(height: Height) -> u8 {

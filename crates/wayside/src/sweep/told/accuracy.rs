@@ -1,4 +1,4 @@
-//! What is said of runs that did not reach the accuracy that they asked for.
+//! Sentences about runs that did not reach the accuracy that they asked for.
 
 use crate::outcome::error_figures::decibels;
 use crate::sweep::runs::ledger::Ledger;

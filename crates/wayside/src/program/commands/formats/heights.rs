@@ -1,11 +1,11 @@
-//! What the heights of points stand on, in words, where a format has a z and no place to say so beside it.
+//! Sources of the heights of points, in words, where a format has a z and no place to say so beside it.
 
 use crate::host::failure::Failure;
 use artifact::Reader;
 use artifact::points::{Height, Point, Points, PointsHeader};
 use std::path::Path;
 
-/// What the heights of a file of points stand on.
+/// Source of the heights of a file of points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Heights {
     /// They are measured, or there are no points.
@@ -52,7 +52,7 @@ impl Heights {
         }
     }
 
-    /// What they stand on, in words.
+    /// The source in words.
     pub(crate) fn words(self) -> String {
         match self {
             Self::Measured => "measured".to_owned(),

@@ -50,7 +50,7 @@ fn description_of(file: &Path) -> Option<PathBuf> {
     file.ancestors().nth(3).map(|set| set.join("set.json")).filter(|place| place.is_file())
 }
 
-/// What the heights of a set stand on, where its description says that they are not measured.
+/// Source of the heights of a set, where its description says that they are not measured.
 fn height_told(description: &Path) -> Result<Option<Height>, Failure> {
     let text = bounded::read_text(description, LIMIT_BYTES);
     let text = text.map_err(|fault| Failure::unread(description, &fault))?;

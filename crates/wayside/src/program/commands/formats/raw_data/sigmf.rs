@@ -3,6 +3,7 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
+use crate::host::progress;
 use crate::program::commands::formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording};
 use crate::program::commands::formats::writing::fail;
 use artifact::Reader;
@@ -15,7 +16,7 @@ use std::path::{Path, PathBuf};
 
 /// Writes a cube as `cf32_le`, in its own unit; every frame is a capture.
 pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
-    let mut reader = Reader::<Cube>::open(file)?;
+    let reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
     let recording = Recording::of_complex(file, &header)?;
     let (data, meta_place) = (part_of(out, DATA), part_of(out, META));
@@ -24,7 +25,7 @@ pub(crate) fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let mut times = Vec::new();
     let mut failed = None;
     let written = files::write_with(&data, |stream| {
-        reader.by_ref().try_for_each(|frame| {
+        progress::frames(reader).try_for_each(|frame| {
             let frame = frame.map_err(|e| fail(&mut failed, e))?;
             times.push(frame.time_s);
             let values = recording.interleaved(&recording.by_slot(&frame.samples));
@@ -86,7 +87,7 @@ pub(crate) fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Resul
 
 const DATA: &str = "sigmf-data";
 const META: &str = "sigmf-meta";
-/// What a description names as the program that recorded.
+/// The program that a description names as the one that recorded.
 const RECORDER: &str = "wayside";
 /// A capture for each of a hundred thousand frames.
 const META_LIMIT_BYTES: u64 = 16 << 20;

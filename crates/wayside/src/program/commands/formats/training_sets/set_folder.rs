@@ -4,7 +4,7 @@
 
 use crate::host::failure::Failure;
 use crate::host::files;
-use crate::host::progress::Work;
+use crate::host::progress;
 use artifact::whole_file::WholeFolder;
 use artifact::{Reader, Schema};
 use serde_json::Value;
@@ -39,10 +39,8 @@ impl SetFolder {
         index_of: fn(&S::Frame) -> u32,
         mut write: impl FnMut(&Self, S::Frame) -> Result<(), Failure>,
     ) -> Result<usize, Failure> {
-        let (under_way, of) = (Work::begin("frames"), reader.frames() as usize);
         let mut written = 0;
-        for frame in reader {
-            under_way.at(written, of);
+        for frame in progress::frames(reader) {
             let frame = frame?;
             self.begin_frame(index_of(&frame))?;
             write(self, frame)?;
