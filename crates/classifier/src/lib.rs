@@ -1,31 +1,31 @@
-//! Vehicle classes from range-Doppler crops by a convolutional network.
+//! Vehicle classes: of an object's signature by boosted decision trees, and of its crop of the range-Doppler
+//! map by the paper's convolutional network.
 //!
-//! A crop goes in: 24 m x 8 m/s around a detected object, 451 x 451 grey levels in fixed decibel limits
-//! ([`artifact::dataset::CropFormat`]). Four probabilities come out, in the order of
-//! [`artifact::settings::Class::ALL`]. The network is the paper's (three blocks of convolution, batch
-//! normalization, rectifier and maximum, then a fully connected layer). It sees levels only: neither range,
-//! nor lane, nor truth. Here it answers; the crate `classifier-training` makes its weights, and needs a
-//! learning library for that which this one does without.
+//! A signature goes in ([`artifact::signature::Signature`]: levels, cross sections, places across and heights,
+//! range cell by range cell). Some ninety features of it ([`features()`]) go into trees whose four
+//! probabilities are tempered on vehicles that they never saw ([`SignatureClassifier`], [`train_trees`]). The
+//! network is kept for the paper's protocol ([`Classifier`]): three blocks of convolution, batch normalization,
+//! rectifier and maximum, then a fully connected layer, over 24 m x 8 m/s around the object in grey levels.
+//! Neither sees lane or truth. Here both answer and the trees learn; the network's weights are made by the crate
+//! `classifier-training`, which needs a learning library that this one does without.
 //!
-//! Reading order is that of the rooms below; each uses only those that stand before it. Of crops: pooling →
-//! network → probabilities → evaluation.
+//! Probabilities are in the order of [`artifact::settings::Class::ALL`]. Reading order is that of the rooms
+//! below; each uses only those that stand before it.
 //!
 //! ```no_run
-//! use artifact::dataset::Crop;
-//! use classifier::Classifier;
+//! use artifact::signature::Signature;
+//! use classifier::SignatureClassifier;
 //! use std::path::Path;
 //!
-//! let classifier = Classifier::open(Path::new("fixtures/classifier.model"))?;
-//! let side = classifier.layout().crop_side;
-//! let black = Crop { pixels: vec![0; side * side], range_m: 40.0, radial_velocity_mps: 0.0 };
-//! let [car, bus, truck, motorcycle] = classifier.probabilities(&[black])?[0];
+//! let classifier = SignatureClassifier::open(Path::new("fixtures/classifier.model"))?;
+//! let [car, bus, truck, motorcycle] = classifier.probabilities(&Signature::default());
 //! # let _ = (car, bus, truck, motorcycle);
 //! # Ok::<(), classifier::ClassifierError>(())
 //! ```
 
 mod error; // what can be wrong with a crop, a model or a dataset
-mod signatures; // what of them tells the class
-mod crops; // the network over them
+mod signatures; // what of a signature tells the class
+mod crops; // the paper's network over crops of maps
 mod evaluation; // how good answers are
 mod ensembles; // boosted trees over features of signatures
 
