@@ -1,12 +1,12 @@
 //! Vehicle classes: of an object's signature by boosted decision trees, and of its crop of the range-Doppler
 //! map by the paper's convolutional network.
 //!
-//! A signature goes in ([`artifact::signature::Signature`]: levels, cross sections, places across and heights,
-//! range cell by range cell). Some ninety features of it ([`features()`]) go into trees whose four
-//! probabilities are tempered on vehicles that they never saw ([`SignatureClassifier`], [`train_trees`]). The
-//! network is kept for the paper's protocol ([`Classifier`]): three blocks of convolution, batch normalization,
-//! rectifier and maximum, then a fully connected layer, over 24 m x 8 m/s around the object in grey levels.
-//! Neither sees lane or truth. Here both answer and the trees learn; the network's weights are made by the crate
+//! A signature goes in ([`artifact::signature::Signature`]: level, cross section, place across and height of
+//! each range cell). Some ninety features of it ([`features()`]) go into trees whose four probabilities are
+//! tempered on vehicles that they never saw ([`SignatureClassifier`], [`train_trees`]). The network is kept
+//! for the paper's protocol ([`Classifier`]): three blocks of convolution, batch normalization, rectifier and
+//! maximum, then a fully connected layer, over 24 m x 8 m/s around the object in grey levels. Neither sees
+//! lane or truth. Here both answer and the trees learn; the network's weights are made by the crate
 //! `classifier-training`, which needs a learning library that this one does without.
 //!
 //! Probabilities are in the order of [`artifact::settings::Class::ALL`]. Reading order is that of the rooms

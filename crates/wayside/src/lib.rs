@@ -11,22 +11,20 @@
 //! # Ok::<(), wayside::Failure>(())
 //! ```
 //!
-//! The stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) meet here and nowhere else; each hands
-//! an artifact to the next. A room of this crate uses only rooms that stand before it in this list.
+//! The stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) meet in `pipeline`; each hands an
+//! artifact to the next. Pictures and pages are made by `reporting`, studies by `sweeps`, foreign files are
+//! read and written by `formats`. Here stands what uses all of these; what a program of others needs of them
+//! is handed on below.
+//!
+//! Reading order is that of the rooms below; each uses only those that stand before it.
 
-// Datasets alone use some of the rooms before them.
-#![cfg_attr(not(feature = "classifier"), allow(dead_code))]
+pub mod run; // a scene to everything
+pub mod stepwise; // a scene stage by stage in memory
+pub mod program; // command line, a file per command
 
-pub mod host;
-pub mod chain;
-pub mod planning;
-pub mod outcome;
-pub mod pictures;
-pub mod report;
-pub mod run;
-pub mod sweep;
-pub mod stepwise;
-pub mod program;
+pub use pipeline::{chain, host, outcome, planning};
+pub use reporting::{pictures, report};
+pub use sweeps as sweep;
 
 pub use chain::cache::CacheLocation;
 pub use chain::loading::SceneSource;

@@ -14,12 +14,12 @@ mod suggestion;
 mod values;
 mod words;
 
-use crate::host::failure::Failure;
-use crate::host::memory::Allowance;
-use crate::host::progress::Work;
-use crate::report::Making;
 use cli::General;
 use means::Means;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::Allowance;
+use pipeline::host::progress::Work;
+use reporting::report::Making;
 use std::process::ExitCode;
 
 /// Runs the binary `wayside`.

@@ -9,13 +9,12 @@ mod scattering; // paths of a scene
 mod echoes; // radar cubes of a scene
 mod samples; // anybody's samples as a radar cube
 mod processing; // maps, points, tracks and classes of cubes
-mod delays; // of paths
 mod meshes; // files and own vehicles
 mod tables; // S of a mesh
 
 pub use bart_rcs::{RcsRequest, Standpoint};
-pub use delays::delay_at_middle;
 pub use echoes::{echoes, echoes_of_paths};
+pub use formats::export::delay_at_middle;
 pub use meshes::{dressed, far_field_from_m, mesh, middle_hz};
 pub use opened_scene::{Cost, OpenedScene, radars};
 pub use processing::{Answered, Processing};

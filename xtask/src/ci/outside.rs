@@ -23,12 +23,22 @@ pub(super) fn check() -> Result<(), Failure> {
     let (root, folder) = (project_root(), project_root().join("target/outside"));
     let lines = example(&read(&root.join("README.md"))?)?;
     write(&folder.join("src/main.rs"), &program(&lines))?;
-    write(&folder.join("Cargo.toml"), &manifest(&root))?;
+    let workspace = read(&root.join("Cargo.toml"))?;
+    write(&folder.join("Cargo.toml"), &manifest(&root, profiles(&workspace)))?;
     // The same versions as here; what has been downloaded for the workspace is enough.
     write(&folder.join("Cargo.lock"), &read(&root.join("Cargo.lock"))?)?;
-    // By its manifest: commands of a check run in the project's root, which is another package.
-    let manifest = folder.join("Cargo.toml");
-    finished(Command::new("cargo").args(["check", "--offline", "--manifest-path"]).arg(manifest))
+    // By its manifest: commands of a check run in the project's root, which is another package. Profiles and
+    // folder are the workspace's: what its lints have looked at of the libraries is not looked at again.
+    let mut check = Command::new("cargo");
+    check.args(["check", "--release", "--offline", "--manifest-path"]).arg(folder.join("Cargo.toml"));
+    finished(check.arg("--target-dir").arg(root.join("target")))
+}
+
+/// Profiles of the workspace, which stand together in its manifest, up to its lints.
+fn profiles(workspace: &str) -> &str {
+    let from = workspace.find("[profile").unwrap_or(workspace.len());
+    let to = workspace[from..].find("[workspace").map_or(workspace.len(), |length| from + length);
+    &workspace[from..to]
 }
 
 /// Lines of the first block of Rust.
@@ -43,11 +53,11 @@ fn program(lines: &str) -> String {
 }
 
 /// A package of its own, in no workspace, and without the classifier: what asks for none builds without it.
-fn manifest(root: &Path) -> String {
+fn manifest(root: &Path, profiles: &str) -> String {
     let place = root.join("crates/wayside");
     format!(
         "[package]\nname = \"outside\"\nedition = \"2024\"\n\n[dependencies]\nwayside = {{ path = {place:?}, default-features = false }}\n\n\
-         [workspace]\n"
+         [workspace]\n\n{profiles}"
     )
 }
 
@@ -67,5 +77,12 @@ mod tests {
         let program = program(&example(&readme).unwrap());
         assert_eq!(program, "fn main() -> Result<(), wayside::Failure> {\nlet a = 1;\n    Ok(())\n}\n");
         assert!(example("no block").is_err());
+    }
+
+    #[test]
+    fn the_profiles_are_those_of_the_workspace_and_nothing_else() {
+        let text = "[workspace]\n[profile.release]\na = 1\n[profile.release.package.b]\nc = 2\n[workspace.lints.d]\n";
+        assert_eq!(profiles(text), "[profile.release]\na = 1\n[profile.release.package.b]\nc = 2\n");
+        assert_eq!(profiles("[workspace]\n"), "");
     }
 }

@@ -1,6 +1,6 @@
 //! Sources that the figures of a study hang on, and their short hash.
 
-#[path = "../../../crates/wayside/sources.rs"]
+#[path = "../../../crates/pipeline/sources.rs"]
 mod hashed;
 
 use crate::project::project_root;

@@ -60,11 +60,6 @@ impl CellOwners {
         self.nearer(cell, nearest, before.iter().rev()).map(|(_, peak)| peak.object)
     }
 
-    /// The object of a cell, if it is another than this.
-    pub(crate) fn other_than(&self, object: u32, cell: [i64; 2]) -> Option<u32> {
-        self.of(cell).filter(|owner| *owner != object)
-    }
-
     /// The nearest of a cell's best yet and of points in the order of their columns' distance.
     fn nearer<'p>(
         &self,

@@ -2,15 +2,12 @@
 //! across and heights.
 //!
 //! A rigid vehicle fills a row or two of a map (0.15 m/s at 10 m/s), so what tells of its shape lies along
-//! range and in direction. The strongest of the object's own velocity cells stands for each range cell. A cell
-//! nearer to a point of another object (`cell_owners.rs`) is left out, unless the two stand in directions that
-//! the array tells apart: then of the cell's echoes, found by maximum likelihood, those of the object's own
-//! side count ([`crate::direction::point_sources`]). A mirror image in the side of a lorry hides a car no more.
+//! range and in direction. The strongest of the object's own velocity cells stands for each range cell; cells
+//! nearer to a point of another object (`cell_owners.rs`) are left out.
 
 use crate::crops::cell_owners::CellOwners;
 use crate::crops::crop::{check_object, direction_of};
 use crate::direction::angle::Direction;
-use crate::direction::point_sources::sources_and_residual;
 use crate::direction::position::{Place, place};
 use crate::error::DspError;
 use crate::plan::Plan;
@@ -32,8 +29,6 @@ const GATE_MPS: f64 = 1.25;
 /// A cell's direction is its own up to here from the object's place, m: no vehicle is wider; else that of the
 /// object.
 const ACROSS_M: f64 = 6.0;
-/// Echoes of two objects are parted by direction from so many beams between them on.
-const LEAST_APART_BEAMS: f64 = 0.5;
 /// A direction is measured where the channels' mean power is so many standard deviations of noise over its
 /// mean.
 const DEVIATIONS: f64 = 5.0;
@@ -52,7 +47,6 @@ pub struct Signatures<'a> {
 
 /// Part of the map in which an object's signature is looked for.
 struct Search<'o> {
-    points: &'o PointsFrame,
     object: &'o Object,
     number: u32,
     owners: CellOwners,
@@ -118,7 +112,7 @@ impl<'a> Signatures<'a> {
 
     fn search<'o>(
         &self,
-        points: &'o PointsFrame,
+        points: &PointsFrame,
         object: &'o Object,
         number: u32,
         columns: [i64; 2],
@@ -130,7 +124,6 @@ impl<'a> Signatures<'a> {
         let rows = [first, (last.ceil() as i64).min(first + chirps - 1)];
         let direction = direction_of(array, object);
         Search {
-            points,
             object,
             number,
             owners: CellOwners::within(axes, points, [rows, columns]),
@@ -140,76 +133,38 @@ impl<'a> Signatures<'a> {
         }
     }
 
-    /// The strongest of the object's own velocity cells at a range, or what is its own of a stronger one that
-    /// is another object's; nothing where there is neither.
+    /// The strongest of the object's own velocity cells at a range; nothing where all are another object's.
     fn cell(&self, search: &Search<'_>, column: i64) -> SignatureCell {
         let chirps = self.power.nrows() as i64;
-        let all = (search.rows[0]..=search.rows[1])
-            .map(|row| (row, self.power[(row.rem_euclid(chirps) as usize, column as usize)]));
-        let (own, others): (Vec<(i64, f64)>, Vec<(i64, f64)>) =
-            all.partition(|(row, _)| search.owners.other_than(search.number, [*row, column]).is_none());
-        let own_cell = strongest(&own).map_or_else(
-            || nothing(self.has_rows()),
-            |(row, power)| SignatureCell {
-                velocity_spread_mps: self.spread_mps(&own) as f32,
-                ..self.located(search, [row, column], power)
-            },
-        );
-        let shared = strongest(&others).filter(|(_, power)| self.tells_direction(*power));
-        let parted = shared.and_then(|(row, _)| self.parted(search, [row, column]));
-        parted.filter(|cell| cell.level_db > own_cell.level_db).unwrap_or(own_cell)
-    }
-
-    /// Of the echoes in a cell of another object, the strongest that stands on this one's side; `None` where
-    /// there is none, or the two are too near in direction.
-    fn parted(&self, search: &Search<'_>, cell: [i64; 2]) -> Option<SignatureCell> {
-        let other = &search.points.objects[search.owners.other_than(search.number, cell)? as usize];
-        let (array, other_m) = (&self.plan.array, self.cross_m(&search.place, other.position_m.into()));
-        if other_m.abs() < LEAST_APART_BEAMS * array.beams()[0] * search.object.range_m {
-            return None;
+        let own: Vec<(i64, f64)> = (search.rows[0]..=search.rows[1])
+            .filter(|row| search.owners.of([*row, column]).is_none_or(|owner| owner == search.number))
+            .map(|row| (row, self.power[(row.rem_euclid(chirps) as usize, column as usize)]))
+            .collect();
+        let strongest = own.iter().copied().reduce(|best, next| if next.1 > best.1 { next } else { best });
+        let Some((row, power)) = strongest else { return self.nothing() };
+        SignatureCell {
+            velocity_spread_mps: self.spread_mps(&own) as f32,
+            ..self.located(search, [row, column], power)
         }
-        let (snapshot, range_m) = self.snapshot(search, cell);
-        let (sources, residual) = sources_and_residual(array, &snapshot, range_m, self.noise);
-        sources.into_iter().find_map(|source| {
-            let found = place(array, source.direction, range_m);
-            let cross_m = self.cross_m(&search.place, found.position_m);
-            let is_own = cross_m.abs() <= ACROSS_M && cross_m.abs() < (cross_m - other_m).abs();
-            is_own.then(|| self.echo(&found, cross_m, source.power, source.power + residual))
-        })
     }
 
     /// Level, place across, height and coherence that the channels of a cell tell.
-    fn located(&self, search: &Search<'_>, cell: [i64; 2], power: f64) -> SignatureCell {
-        let (snapshot, range_m) = self.snapshot(search, cell);
-        let (direction, found) = self.direction(search, &snapshot, range_m, power);
-        let explained = self.plan.array.explained(&snapshot, direction, range_m);
-        let total: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
-        self.echo(&found, self.cross_m(&search.place, found.position_m), explained, total)
-    }
-
-    /// Channels of a cell, turned by the object's velocity, and its range.
-    fn snapshot(&self, search: &Search<'_>, [row, column]: [i64; 2]) -> (Vec<Complex64>, f64) {
+    fn located(&self, search: &Search<'_>, [row, column]: [i64; 2], power: f64) -> SignatureCell {
         let (array, axes) = (&self.plan.array, self.plan.array.cells());
         let row = row.rem_euclid(axes.rows as i64) as usize;
         let velocity_mps = axes.unwrapped(axes.velocity_at(row as f64), search.object.radial_velocity_mps);
+        let snapshot = array.snapshot(self.map, [row, column as usize], velocity_mps);
         let range_m = self.range_at(column, velocity_mps).max(axes.range_cell_m);
-        (array.snapshot(self.map, [row, column as usize], velocity_mps), range_m)
-    }
-
-    /// A cell with an echo of this power out of a total, both summed over channels.
-    fn echo(&self, found: &Place, cross_m: f64, power: f64, total: f64) -> SignatureCell {
+        let (direction, found) = self.direction(search, &snapshot, range_m, power);
+        let explained = array.explained(&snapshot, direction, range_m);
+        let total: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
         SignatureCell {
-            level_db: db_from_power((power / self.noise.max(f64::MIN_POSITIVE)).max(1e-3)) as f32,
-            cross_m: cross_m as f32,
+            level_db: db_from_power((explained / self.noise.max(f64::MIN_POSITIVE)).max(1e-3)) as f32,
+            cross_m: self.cross_m(&search.place, &found) as f32,
             height_m: self.has_rows().then_some(found.position_m.z as f32),
-            coherence: (power / total.max(f64::MIN_POSITIVE)) as f32,
+            coherence: (explained / total.max(f64::MIN_POSITIVE)) as f32,
             velocity_spread_mps: 0.0,
         }
-    }
-
-    /// Whether the channels' mean power is so far over the noise's that it has a direction.
-    fn tells_direction(&self, power: f64) -> bool {
-        power >= self.noise * (1.0 + DEVIATIONS / (self.plan.radar.virtual_channels() as f64).sqrt())
     }
 
     /// The strongest beam of a cell, if it is near the object; else the object's.
@@ -222,16 +177,13 @@ impl<'a> Signatures<'a> {
     ) -> (Direction, Place) {
         let array = &self.plan.array;
         let own = || (search.direction, place(array, search.direction, range_m));
-        if !self.tells_direction(power) {
+        let deviation = self.noise / (snapshot.len() as f64).sqrt();
+        if power < self.noise + DEVIATIONS * deviation {
             return own();
         }
         let direction = array.direction(&[snapshot.to_vec()], range_m);
         let found = place(array, direction, range_m);
-        if self.cross_m(&search.place, found.position_m).abs() <= ACROSS_M {
-            (direction, found)
-        } else {
-            own()
-        }
+        if self.cross_m(&search.place, &found).abs() <= ACROSS_M { (direction, found) } else { own() }
     }
 
     /// Standard deviation of velocity over an object's rows, weighted by the power over the noise, m/s.
@@ -250,6 +202,11 @@ impl<'a> Signatures<'a> {
 
     fn has_rows(&self) -> bool {
         self.plan.array.beams()[1].is_finite()
+    }
+
+    fn nothing(&self) -> SignatureCell {
+        let height_m = self.has_rows().then_some(0.0);
+        SignatureCell { level_db: 0.0, cross_m: 0.0, height_m, coherence: 0.0, velocity_spread_mps: 0.0 }
     }
 
     /// Noise level as an RCS in dBsm, σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) of a beam over N channels, P the
@@ -274,20 +231,9 @@ impl<'a> Signatures<'a> {
     }
 
     /// Distance of a place to the right of an object's, across the horizontal line of sight to it, m.
-    fn cross_m(&self, object: &Place, found_m: DVec3) -> f64 {
+    fn cross_m(&self, object: &Place, found: &Place) -> f64 {
         let radar = self.plan.array.position_m();
         let sight = (object.position_m - radar).truncate().normalize_or(DVec2::Y);
-        (found_m - object.position_m).truncate().dot(DVec2::new(sight.y, -sight.x))
+        (found.position_m - object.position_m).truncate().dot(DVec2::new(sight.y, -sight.x))
     }
-}
-
-/// Row and power of the strongest, the first of equal ones.
-fn strongest(cells: &[(i64, f64)]) -> Option<(i64, f64)> {
-    cells.iter().copied().reduce(|best, next| if next.1 > best.1 { next } else { best })
-}
-
-/// A cell that is another object's.
-fn nothing(has_rows: bool) -> SignatureCell {
-    let height_m = has_rows.then_some(0.0);
-    SignatureCell { level_db: 0.0, cross_m: 0.0, height_m, coherence: 0.0, velocity_spread_mps: 0.0 }
 }

@@ -37,20 +37,10 @@ const STEPS: usize = 16;
 
 /// Echoes of a cell, strongest first, at least one; `noise` is the mean noise power of one channel.
 pub fn sources(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise: f64) -> Vec<Source> {
-    sources_and_residual(array, snapshot, range_m, noise).0
-}
-
-/// The same echoes, and the power that they leave of the cell.
-pub(crate) fn sources_and_residual(
-    array: &VirtualArray,
-    snapshot: &[Complex64],
-    range_m: f64,
-    noise: f64,
-) -> (Vec<Source>, f64) {
     let strongest = array.direction(&[snapshot.to_vec()], range_m);
     match likeliest(array, snapshot, range_m, strongest, noise) {
-        Some(fit) => (fit.sources(snapshot.len()), fit.residual_power),
-        None => (vec![Source { direction: strongest, power: 0.0 }], power(snapshot)),
+        Some(fit) => fit.sources(snapshot.len()),
+        None => vec![Source { direction: strongest, power: 0.0 }],
     }
 }
 

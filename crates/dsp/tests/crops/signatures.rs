@@ -111,36 +111,3 @@ fn cells_of_another_object_are_left_out() {
     assert!(strongest(&neighbour).1.level_db > level.1.level_db + 20.0);
     assert_eq!(signatures.of(&points, 2), Err(DspError::NoSuchObject { object: 2 }));
 }
-
-/// The rear of one object lies in the cell of a stronger one of its velocity, as that of a car and its mirror
-/// image do: what is hidden of the weaker is found by direction.
-#[test]
-fn a_cell_of_two_objects_is_parted_by_direction() {
-    let header = noisy(elements_3x4());
-    let car = [[5.5, 35.5], [5.5, 37.5]].map(|[x, y]| target([x, y, 0.75], [0.0, -9.9, 0.0], 10.0));
-    let beside = |x: f64| {
-        let range_m = (5.5_f64.powi(2) + 37.5_f64.powi(2)).sqrt();
-        let y = (range_m.powi(2) - x * x).sqrt();
-        // The same radial velocity at the other azimuth.
-        target([x, y, 0.75], [0.0, -9.9 * 37.5 / y, 0.0], 100.0)
-    };
-    let at_rear = |targets: &[Target]| {
-        let receiver = Receiver::new(&header).unwrap();
-        let map = receiver.range_doppler(&cube(&header, targets, 1)).unwrap();
-        let points = receiver.detect(&map).unwrap();
-        let nearest = |a: &&artifact::points::Object, b: &&artifact::points::Object| {
-            let off = |o: &artifact::points::Object| (o.range_m - 36.3).abs() + (o.position_m[0] - 5.5).abs();
-            off(a).total_cmp(&off(b))
-        };
-        let own = points.objects.iter().min_by(nearest).unwrap();
-        let number = points.objects.iter().position(|o| o == own).unwrap() as u32;
-        let found = receiver.signatures(&map).unwrap().of(&points, number).unwrap();
-        let range_m = (5.5_f64.powi(2) + 37.5_f64.powi(2) + 5.25_f64.powi(2)).sqrt();
-        let cell = found.cells[((range_m - found.first_range_m) / found.cell_m).round() as usize];
-        (points.objects.len(), cell)
-    };
-    let (_, alone) = at_rear(&car);
-    let (objects, parted) = at_rear(&[car[0], car[1], beside(14.0)]);
-    assert!(objects == 2 && (parted.level_db - alone.level_db).abs() < 1.0, "{objects} {alone:?} {parted:?}");
-    assert!((parted.cross_m - alone.cross_m).abs() < 0.5, "{alone:?} {parted:?}");
-}

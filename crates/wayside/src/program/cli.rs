@@ -1,8 +1,6 @@
 //! The words a user types. What they mean is in `docs/interface.md`; the defaults here are the promise made
 //! there.
 
-use crate::chain::cache::CacheLocation;
-use crate::chain::loading::SceneSource;
 use crate::program::export_formats::help_on_formats;
 #[cfg(feature = "classifier")]
 use crate::program::learning_cli::LearningCommand;
@@ -14,10 +12,12 @@ use crate::program::values::{
 };
 use crate::program::values::{full_scale, scale, shard, step};
 pub(crate) use crate::program::words::{
-    AxesWord, Board, EdgesWord, FormatWord, IqOrder, Lanes, MethodWord, NodesWord, PolarizationWord,
-    SidesWord, SurfaceWord, TransmissionWord,
+    AxesWord, BoardWord, EdgesWord, FormatWord, IqOrderWord, LanesWord, MethodWord, NodesWord,
+    PolarizationWord, SidesWord, SurfaceWord, TransmissionWord,
 };
 use clap::{Args, Parser, Subcommand};
+use pipeline::chain::cache::CacheLocation;
+use pipeline::chain::loading::SceneSource;
 use std::path::PathBuf;
 
 /// From a 3D model to a vehicle class: scattering at 77 GHz, FMCW echoes, detection, classification.
@@ -393,13 +393,13 @@ pub struct ImportArguments {
     pub(crate) config: Option<PathBuf>,
     /// Evaluation board of that configuration [default: that of the chip which it names].
     #[arg(long, value_enum, requires = "config")]
-    pub(crate) device: Option<Board>,
+    pub(crate) device: Option<BoardWord>,
     /// Lanes by which a DCA1000EVM recorded [default: those of the configuration, else two].
     #[arg(long, value_enum)]
-    pub(crate) layout: Option<Lanes>,
+    pub(crate) layout: Option<LanesWord>,
     /// Part of a DCA1000EVM's complex samples that comes first [default: that of the configuration, else I].
     #[arg(long, value_enum)]
-    pub(crate) iq_order: Option<IqOrder>,
+    pub(crate) iq_order: Option<IqOrderWord>,
     /// Scene that tells the radar and the processing.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: PathBuf,
@@ -419,7 +419,7 @@ pub struct SceneFromArguments {
     pub(crate) config: PathBuf,
     /// Evaluation board, with its antennas [default: that of the chip which the file names].
     #[arg(long, value_enum)]
-    pub(crate) device: Option<Board>,
+    pub(crate) device: Option<BoardWord>,
     /// Result.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) out: PathBuf,

@@ -1,24 +1,25 @@
 //! One file per command.
 
-mod beside; // artifacts that commands read beside others
 mod cache;
 mod calibrate;
 mod dsp;
 mod echo;
+mod export;
+mod import;
+mod inspect;
 mod paths;
 mod rcs;
 mod run;
+mod scene_from;
 mod score;
 mod sweep;
 mod vehicles;
-mod formats;
 #[cfg(feature = "classifier")]
 mod learning;
 
-use crate::host::failure::Failure;
 use crate::program::cli::Command;
 use crate::program::means::Means;
-use formats::{export, import, inspect, scene_from};
+use pipeline::host::failure::Failure;
 
 #[cfg(feature = "classifier")]
 pub use learning::train::{PROGRAM as TRAINING_PROGRAM, target_folder as training_target_folder};

@@ -1,7 +1,7 @@
 //! Ends of the program where a command does not succeed.
 
-use crate::host::failure::Failure;
 use crate::program::terminal;
+use pipeline::host::failure::Failure;
 use std::process::ExitCode;
 
 /// Prints the sentence on standard error; exit code 1 of what was refused, 2 of what the system or the words

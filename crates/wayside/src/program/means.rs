@@ -1,7 +1,7 @@
 //! Means with which a command is carried out.
 
-use crate::host::memory::Allowance;
-use crate::report::Making;
+use pipeline::host::memory::Allowance;
+use reporting::report::Making;
 
 /// Means with which a command is carried out.
 pub struct Means {

@@ -3,9 +3,9 @@
 //! a second: so a command that is silent inside one long step is heard of all the same, 2 s after its begin
 //! at the latest.
 
-use crate::host::progress;
 use artifact::whole_file;
 use indicatif::{ProgressBar, ProgressStyle};
+use pipeline::host::progress;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -1,6 +1,8 @@
 //! Words that options take, each one of a few.
 
 use clap::ValueEnum;
+use formats::devices::{Board, IqOrder, Lanes};
+use formats::training_sets::Set;
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub(crate) enum PolarizationWord {
@@ -86,9 +88,23 @@ pub(crate) enum FormatWord {
     Parquet,
 }
 
+impl FormatWord {
+    /// The set whose layout it is; `None` of a format that is a file, or a pair of them.
+    pub(crate) fn set(self) -> Option<Set> {
+        match self {
+            Self::Raddet => Some(Set::Raddet),
+            Self::Carrada => Some(Set::Carrada),
+            Self::Uwcr => Some(Set::Uwcr),
+            Self::Kitti => Some(Set::Kitti),
+            Self::Nuscenes => Some(Set::Nuscenes),
+            _ => None,
+        }
+    }
+}
+
 /// Evaluation board of a family of devices, automotive and industrial alike.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Board {
+pub(crate) enum BoardWord {
     /// AWR1243BOOST.
     #[value(alias("awr1243"), alias("iwr1243"))]
     Xwr1243,
@@ -111,7 +127,7 @@ pub(crate) enum Board {
 
 /// Lanes between a device and its capture card.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Lanes {
+pub(crate) enum LanesWord {
     /// Receiver after receiver, each by twos where samples are complex.
     #[value(name = "two-lanes")]
     Two,
@@ -122,11 +138,42 @@ pub(crate) enum Lanes {
 
 /// The part of a complex sample that comes first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum IqOrder {
+pub(crate) enum IqOrderWord {
     /// I before Q.
     #[value(name = "iq")]
     InPhaseFirst,
     /// Q before I.
     #[value(name = "qi")]
     QuadratureFirst,
+}
+
+impl From<BoardWord> for Board {
+    fn from(word: BoardWord) -> Self {
+        match word {
+            BoardWord::Xwr1243 => Self::Xwr1243,
+            BoardWord::Xwr1443 => Self::Xwr1443,
+            BoardWord::Xwr1642 => Self::Xwr1642,
+            BoardWord::Xwr1843 => Self::Xwr1843,
+            BoardWord::Xwr6843 => Self::Xwr6843,
+            BoardWord::Awr2243 => Self::Awr2243,
+        }
+    }
+}
+
+impl From<LanesWord> for Lanes {
+    fn from(word: LanesWord) -> Self {
+        match word {
+            LanesWord::Two => Self::Two,
+            LanesWord::Four => Self::Four,
+        }
+    }
+}
+
+impl From<IqOrderWord> for IqOrder {
+    fn from(word: IqOrderWord) -> Self {
+        match word {
+            IqOrderWord::InPhaseFirst => Self::InPhaseFirst,
+            IqOrderWord::QuadratureFirst => Self::QuadratureFirst,
+        }
+    }
 }

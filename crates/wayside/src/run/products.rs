@@ -1,13 +1,5 @@
 //! The artifacts and pictures of a run, written frame by frame and put in place when whole.
 
-use crate::chain::link::{Chain, FrameProducts, Scattering};
-use crate::chain::loading::provenance;
-use crate::chain::stages::Stage;
-use crate::host::failure::Failure;
-use crate::pictures;
-use crate::pictures::seen::Seen;
-use crate::report;
-use crate::report::figures::Figures;
 use artifact::cube::Cube;
 use artifact::paths::Paths;
 use artifact::points::{Label, Points, PointsHeader};
@@ -18,6 +10,14 @@ use artifact::settings::EchoMode;
 use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Writer};
 use evaluation::FrameTruth;
+use pipeline::chain::link::{Chain, FrameProducts, Scattering};
+use pipeline::chain::loading::provenance;
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
+use reporting::pictures;
+use reporting::pictures::seen::Seen;
+use reporting::report;
+use reporting::report::figures::Figures;
 use std::path::{Path, PathBuf};
 
 const SCENE: &str = "scene.scene";

@@ -1,15 +1,15 @@
 //! Run of a scene through several radars, side by side: `summary.json` and `report.html` above the folders of
 //! each.
 
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::outcome::summary::{RadarsSummary, Summary};
-use crate::outcome::told;
-use crate::pictures;
-use crate::pictures::common_view;
-use crate::pictures::seen::Seen;
-use crate::report::{self, FRAMES_DRAWN, Making};
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::outcome::summary::{RadarsSummary, Summary};
+use pipeline::outcome::told;
 use plotting::form::Figure;
+use reporting::pictures;
+use reporting::pictures::common_view;
+use reporting::pictures::seen::Seen;
+use reporting::report::{self, FRAMES_DRAWN, Making};
 use std::path::{Path, PathBuf};
 
 /// A finished run through one radar.

@@ -1,14 +1,14 @@
 //! Radar cubes of a scene.
 
-use crate::chain::link::{Chain, Scattering};
-use crate::chain::stages::Stage;
-use crate::host::call_off::CallOff;
-use crate::host::failure::Failure;
-use crate::host::progress::Work;
 use crate::stepwise::opened_scene::OpenedScene;
 use crate::stepwise::recorded::Recorded;
 use artifact::cube::{Cube, CubeFrame};
 use artifact::paths::Paths;
+use pipeline::chain::link::{Chain, Scattering};
+use pipeline::chain::stages::Stage;
+use pipeline::host::call_off::CallOff;
+use pipeline::host::failure::Failure;
+use pipeline::host::progress::Work;
 
 /// Makes the cubes of every frame, as the command `echo` does: of paths or, where the scene asks for them, of
 /// tables.

@@ -1,10 +1,10 @@
 //! Meshes from files or by the names of own vehicles, and from where on they are seen as from afar.
 
-use crate::chain::loading;
-use crate::host::failure::Failure;
 use artifact::material::MaterialMap;
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
+use pipeline::chain::loading;
+use pipeline::host::failure::Failure;
 use std::path::Path;
 
 /// Reads a mesh file as it is, or makes an own vehicle by its name.

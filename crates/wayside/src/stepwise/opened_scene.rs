@@ -1,17 +1,17 @@
 //! A scene that was read and planned, from which its stages go on.
 
-use crate::chain::expectation::{Expectation, rates};
-use crate::chain::link::Chain;
-use crate::chain::loading::{self, LoadedScene, SceneSource, provenance};
-use crate::chain::stages::Stage;
-use crate::host::failure::Failure;
-use crate::host::memory::Allowance;
-use crate::outcome::summary::RadarSummary;
-use crate::planning;
 use artifact::Provenance;
 use artifact::cube::CubeHeader;
 use artifact::scene::SceneHeader;
 use artifact::settings::EchoMode;
+use pipeline::chain::expectation::{Expectation, rates};
+use pipeline::chain::link::Chain;
+use pipeline::chain::loading::{self, LoadedScene, SceneSource, provenance};
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::Allowance;
+use pipeline::outcome::summary::RadarSummary;
+use pipeline::planning;
 
 /// Ids of several radars of a scene; empty where it has one.
 ///

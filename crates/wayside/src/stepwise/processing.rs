@@ -1,8 +1,5 @@
 //! Products of a receiver: maps of cubes, points and objects, tracks, classes.
 
-use crate::chain::loaded_model::LoadedModel;
-use crate::chain::stages::Stage;
-use crate::host::failure::Failure;
 use artifact::Provenance;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::{PointsFrame, PointsHeader};
@@ -10,6 +7,9 @@ use artifact::rdm::RdmFrame;
 use artifact::settings::Class;
 use artifact::tracks::{TracksFrame, TracksHeader};
 use dsp::{ROAD_TRAFFIC, Receiver, Tracker};
+use pipeline::chain::loaded_model::LoadedModel;
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
 
 /// Processing of the cubes of one radar, from the cubes alone.
 pub struct Processing {

@@ -1,8 +1,8 @@
 //! Frames of an artifact in memory, with all that its file says.
 
-use crate::host::failure::Failure;
-use crate::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
 use artifact::{ErrorBudget, ModelError, Provenance, Reader, Schema, Writer};
+use pipeline::host::failure::Failure;
+use pipeline::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
 use std::path::Path;
 
 /// An artifact whole in memory.

@@ -1,12 +1,12 @@
 //! Anybody's IF samples as radar cubes.
 
-use crate::chain::stages::Stage;
-use crate::host::failure::Failure;
 use crate::stepwise::opened_scene::OpenedScene;
 use crate::stepwise::recorded::Recorded;
 use artifact::ErrorBudget;
 use artifact::cube::{Cube, CubeFrame};
 use num_complex::Complex32;
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
 
 /// Makes cubes of samples `[frame, channel, chirp, sample]`, √W, of the scene's radar.
 ///

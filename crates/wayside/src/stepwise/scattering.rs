@@ -1,13 +1,13 @@
 //! Paths of a scene.
 
-use crate::chain::link::Scattering;
-use crate::chain::stages::Stage;
-use crate::host::call_off::CallOff;
-use crate::host::failure::Failure;
-use crate::host::progress::Work;
 use crate::stepwise::opened_scene::OpenedScene;
 use crate::stepwise::recorded::Recorded;
 use artifact::paths::Paths;
+use pipeline::chain::link::Scattering;
+use pipeline::chain::stages::Stage;
+use pipeline::host::call_off::CallOff;
+use pipeline::host::failure::Failure;
+use pipeline::host::progress::Work;
 
 /// Traces the paths of every frame, as the command `paths` does.
 ///

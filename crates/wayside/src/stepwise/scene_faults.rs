@@ -1,6 +1,6 @@
 //! Faults of a scene, rule by rule, for who shows them otherwise than in lines.
 
-use crate::chain::loading::SceneSource;
+use pipeline::chain::loading::SceneSource;
 use scene::{Meshes, Place, ReadOptions, SceneError};
 use std::collections::BTreeSet;
 

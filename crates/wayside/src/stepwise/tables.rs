@@ -1,14 +1,14 @@
 //! S of a mesh over frequency and aspect, in memory.
 
-use crate::host::failure::Failure;
-use crate::host::memory::Allowance;
-use crate::host::processor_time::WorkClock;
-use crate::host::progress::Work;
 use crate::stepwise::meshes::far_field_from_m;
 use artifact::scene::Mesh;
 use artifact::{ErrorBudget, ModelError};
 use bart_rcs::{NothingKept, RcsRequest, Surroundings};
 use num_complex::Complex64;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::Allowance;
+use pipeline::host::processor_time::WorkClock;
+use pipeline::host::progress::Work;
 
 /// S in metres and what is known of it.
 pub struct RcsTable {

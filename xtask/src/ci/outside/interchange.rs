@@ -16,8 +16,9 @@ const SCRIPTS: &str = "docs/interchange";
 const PROGRAM: [&str; 5] = ["--release", "--package", "wayside", "--features", "interchange"];
 
 pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
-    let lints = ["clippy", "--release", "--package", "interchange", "--all-targets", "--package", "wayside"];
-    let lints = [&lints[..], &["--features", "wayside/interchange", "--", "-D", "warnings"]].concat();
+    let lints = ["clippy", "--release", "--all-targets", "--package", "interchange"];
+    let above = ["--package", "formats", "--package", "wayside", "--features", "wayside/interchange"];
+    let lints = [&lints[..], &above, &["--", "-D", "warnings"]].concat();
     finished(Command::new("cargo").args(lints))?;
     let tests = ["test", "--release", "--package", "interchange"];
     counted(Command::new("cargo").args(tests), tally)?;

@@ -14,7 +14,7 @@ use wayside::{Allowance, CacheLocation};
 
 /// Sources that the figures hang on.
 pub(crate) const SOURCES: Places =
-    &[CHAIN, &["crates/evaluation", "crates/wayside/src/sweep", "scenes/studies", file!()]];
+    &[CHAIN, &["crates/evaluation", "crates/sweeps/src", "scenes/studies", file!()]];
 
 const SEEDS: [u64; 2] = [1, 2];
 

@@ -16,7 +16,7 @@ use wayside::host::progress::Work;
 /// Sources that the figures hang on.
 pub(crate) const SOURCES: Places = &[
     CHAIN,
-    &["crates/wayside/src/planning", "xtask/src/study/pages/planner", "xtask/src/study/pages/planner.rs"],
+    &["crates/pipeline/src/planning", "xtask/src/study/pages/planner", "xtask/src/study/pages/planner.rs"],
 ];
 
 /// Accuracies asked, dB, in turn; the finest of one vehicle alone.

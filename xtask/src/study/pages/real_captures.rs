@@ -18,8 +18,8 @@ pub(crate) const SOURCES: Places = &[
     SIGNALS,
     &[
         "fixtures/captures",
-        "crates/wayside/src/program/commands/formats/raw_data",
-        "crates/wayside/src/program/commands/formats/raw_data.rs",
+        "crates/formats/src/raw_data",
+        "crates/formats/src/raw_data.rs",
         "xtask/src/study/pages/real_captures",
         "xtask/src/study/pages/real_captures.rs",
     ],

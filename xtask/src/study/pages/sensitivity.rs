@@ -20,7 +20,7 @@ use wayside::host::progress::note;
 /// Sources that the figures hang on.
 pub(crate) const SOURCES: Places = &[
     CHAIN,
-    &["crates/classifier", "crates/evaluation", "crates/wayside/src/chain", "crates/wayside/src/outcome"],
+    &["crates/classifier", "crates/evaluation", "crates/pipeline/src/chain", "crates/pipeline/src/outcome"],
     &["scenes", "xtask/src/study/pages/sensitivity", file!()],
 ];
 

@@ -1,11 +1,11 @@
 //! `cache`: what is kept, by stage, and how to be rid of it.
 
-use crate::chain::cache::Cache;
-use crate::chain::stages::Stage;
-use crate::host::failure::Failure;
-use crate::host::memory::mib;
 use crate::program::cli::CacheCommandArguments;
 use crate::program::terminal;
+use pipeline::chain::cache::Cache;
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::mib;
 
 pub(crate) fn run(arguments: &CacheCommandArguments) -> Result<(), Failure> {
     let cache = Cache::open(&arguments.location.location())?;

@@ -1,8 +1,5 @@
 //! `calibrate`: what the channels of a radar differ by from ideal ones, from a reflector at a known place.
 
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::host::progress;
 use crate::program::cli::CalibrateArguments;
 use crate::program::terminal;
 use artifact::Reader;
@@ -10,6 +7,9 @@ use artifact::cube::Cube;
 use artifact::units::db_from_amplitude;
 use dsp::{Receiver, mean_errors};
 use num_complex::Complex64;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::progress;
 
 pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(&arguments.cube)?;

@@ -1,11 +1,5 @@
 //! `dsp`: range-Doppler maps and points of any radar cube, from the cube alone.
 
-use crate::chain::loading;
-use crate::chain::stages::Stage;
-use crate::host::failure::Failure;
-use crate::host::progress;
-use crate::outcome::told::without_height;
-use crate::pictures;
 use crate::program::cli::DspArguments;
 use crate::program::terminal;
 use artifact::cube::{Cube, CubeHeader};
@@ -14,6 +8,12 @@ use artifact::rdm::{Rdm, RdmFrame};
 use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Reader, Writer};
 use dsp::{ROAD_TRAFFIC, Receiver, Tracker};
+use pipeline::chain::loading;
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
+use pipeline::host::progress;
+use pipeline::outcome::told::without_height;
+use reporting::pictures;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {

@@ -1,13 +1,5 @@
 //! `echo`: radar cubes of a scene, from its own paths or from paths that are given.
 
-use crate::chain::link::{Chain, Scattering};
-use crate::chain::loading::{LoadedScene, provenance};
-use crate::chain::stages::Stage;
-use crate::host::failure::Failure;
-use crate::host::memory::Allowance;
-use crate::host::progress::{self, Work};
-use crate::outcome::verdict::{self, Verdict};
-use crate::planning;
 use crate::program::cli::EchoArguments;
 use crate::program::terminal;
 use artifact::cube::Cube;
@@ -15,6 +7,14 @@ use artifact::paths::{Paths, PathsFrame};
 use artifact::scene::SceneFrame;
 use artifact::settings::EchoMode;
 use artifact::{Reader, Writer};
+use pipeline::chain::link::{Chain, Scattering};
+use pipeline::chain::loading::{LoadedScene, provenance};
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::Allowance;
+use pipeline::host::progress::{self, Work};
+use pipeline::outcome::verdict::{self, Verdict};
+use pipeline::planning;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Failure> {

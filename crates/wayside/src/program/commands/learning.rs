@@ -6,9 +6,9 @@ pub(crate) mod evaluate;
 pub(crate) mod train;
 pub(crate) mod protocols;
 
-use crate::host::failure::Failure;
-use crate::host::memory::Allowance;
 use crate::program::learning_cli::LearningCommand;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::Allowance;
 use std::path::PathBuf;
 
 /// Does what was asked.

@@ -1,18 +1,18 @@
 //! `paths`: the scattering paths of each frame of a scene.
 
-use crate::chain::link::{Chain, Scattering};
-use crate::chain::loading::provenance;
-use crate::chain::stages::Stage;
-use crate::host::failure::Failure;
-use crate::host::memory::Allowance;
-use crate::host::progress::Work;
-use crate::outcome::verdict::{self, Verdict};
-use crate::planning;
 use crate::program::cli::PathsArguments;
 use crate::program::terminal;
 use artifact::Writer;
 use artifact::paths::Paths;
 use artifact::settings::EchoMode;
+use pipeline::chain::link::{Chain, Scattering};
+use pipeline::chain::loading::provenance;
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::Allowance;
+use pipeline::host::progress::Work;
+use pipeline::outcome::verdict::{self, Verdict};
+use pipeline::planning;
 
 pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), Failure> {
     let mut loaded = planning::scene(&arguments.scene.source(), None, memory)?.loaded;

@@ -7,17 +7,7 @@ mod isar;
 mod pictures;
 mod references;
 
-use crate::chain::loading;
-use crate::chain::stages::Stage;
-use crate::host::checkpoint::Checkpoint;
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::host::memory::Allowance;
-use crate::host::processor_time::{Counted, WorkClock};
-use crate::host::progress::{self, Work};
 use crate::program::cli::RcsArguments;
-use crate::program::commands::formats::npy_stream::NpyStream;
-use crate::program::commands::formats::sidecar;
 use crate::program::terminal;
 use crate::program::words::{
     EdgesWord, MethodWord, NodesWord, PolarizationWord, SidesWord, SurfaceWord, TransmissionWord,
@@ -31,7 +21,17 @@ use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use bart_rcs::{RcsRequest, Standpoint, Surroundings};
+use formats::npy_stream::NpyStream;
+use formats::sidecar;
 use num_complex::Complex64;
+use pipeline::chain::loading;
+use pipeline::chain::stages::Stage;
+use pipeline::host::checkpoint::Checkpoint;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::memory::Allowance;
+use pipeline::host::processor_time::{Counted, WorkClock};
+use pipeline::host::progress::{self, Work};
 use sampling::Samplings;
 use serde_json::Value;
 use std::time::Instant;

@@ -1,11 +1,11 @@
 //! `run`: a scene to everything that can be known of it.
 
-use crate::host::call_off::CallOff;
-use crate::host::failure::Failure;
 use crate::program::cli::RunArguments;
 use crate::program::means::Means;
 use crate::program::terminal;
 use crate::run::{self, Settings};
+use pipeline::host::call_off::CallOff;
+use pipeline::host::failure::Failure;
 
 pub(crate) fn run(arguments: &RunArguments, means: &Means) -> Result<(), Failure> {
     let settings = Settings {

@@ -1,9 +1,6 @@
 //! `score`: how well anybody's points and tracks agree with a scene, as the metrics of `summary.json`.
 
-use crate::host::failure::Failure;
-use crate::host::progress;
 use crate::program::cli::ScoreArguments;
-use crate::program::commands::beside::{Beside, check_poses};
 use crate::program::terminal;
 use artifact::Reader;
 use artifact::paths::{GROUND, Paths, PathsFrame};
@@ -12,6 +9,9 @@ use artifact::scene::Scene;
 use artifact::tracks::{Tracks, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
 use evaluation::{FrameTruth, Score};
+use pipeline::host::beside::{Beside, check_poses};
+use pipeline::host::failure::Failure;
+use pipeline::host::progress;
 
 pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let points = Reader::<Points>::open(&arguments.points)?;

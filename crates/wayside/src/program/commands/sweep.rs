@@ -1,13 +1,13 @@
 //! `sweep`: a study of many designs to the one to take.
 
-use crate::host::call_off::CallOff;
-use crate::host::failure::Failure;
 use crate::program::cli::SweepArguments;
 use crate::program::means::Means;
 use crate::program::terminal;
-use crate::report::Making;
-use crate::sweep::{self, Settings};
+use pipeline::host::call_off::CallOff;
+use pipeline::host::failure::Failure;
+use reporting::report::Making;
 use std::path::Path;
+use sweeps::Settings;
 
 pub(crate) fn run(arguments: &SweepArguments, means: &Means) -> Result<(), Failure> {
     let settings = Settings {
@@ -22,7 +22,7 @@ pub(crate) fn run(arguments: &SweepArguments, means: &Means) -> Result<(), Failu
         tell: &|line| terminal::line(line),
         call_off: CallOff::default(),
     };
-    sweep::run(&settings).map(drop)
+    sweeps::run(&settings).map(drop)
 }
 
 /// The command that makes the whole study alone: the report is the same whichever part writes it.

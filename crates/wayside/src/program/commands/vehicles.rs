@@ -1,11 +1,11 @@
 //! `vehicles`: the project's own vehicles as `.glb`, with their manifest.
 
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::host::progress::Work;
 use crate::program::cli::VehiclesArguments;
 use crate::program::terminal;
 use artifact::scene::Mesh;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::progress::Work;
 use serde_json::{Value, json};
 
 /// A manifest of some hundred thousand vehicles.

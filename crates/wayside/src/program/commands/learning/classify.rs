@@ -1,17 +1,17 @@
 //! `classify`: class and probabilities of every object of a map, or of every sample of a dataset, one JSON
 //! line each.
 
-use crate::chain::loaded_model::LoadedModel;
-use crate::chain::loading;
-use crate::host::failure::Failure;
-use crate::host::progress::{self, Work};
-use crate::outcome::summary::Probabilities;
-use crate::program::commands::formats::inspect;
+use crate::program::commands::inspect;
 use crate::program::learning_cli::ClassifyArguments;
 use crate::program::terminal;
 use artifact::dataset::{Dataset, Sample};
 use artifact::rdm::Rdm;
 use artifact::{Reader, Schema, read_preamble};
+use pipeline::chain::loaded_model::LoadedModel;
+use pipeline::chain::loading;
+use pipeline::host::failure::Failure;
+use pipeline::host::progress::{self, Work};
+use pipeline::outcome::summary::Probabilities;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 

@@ -18,13 +18,13 @@ mod resumption;
 mod conclusion;
 mod cost;
 
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::host::memory::Allowance;
-use crate::host::progress::Work;
 use crate::program::learning_cli::DatasetArguments;
 use crate::program::terminal;
 use layout::{Layout, PlannedShard};
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::memory::Allowance;
+use pipeline::host::progress::Work;
 use recipe::Recipe;
 use std::path::Path;
 

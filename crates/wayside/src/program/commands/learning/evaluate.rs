@@ -1,16 +1,16 @@
 //! `evaluate`: how often a model is right on datasets, by frame and by track, with its spread over vehicles,
 //! as a page.
 
-use crate::chain::loaded_model::{LoadedModel, of_classifier_about};
-use crate::chain::loading;
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::host::progress;
 use crate::program::learning_cli::EvaluateArguments;
 use crate::program::terminal;
 use artifact::dataset::Sample;
 use artifact::settings::Class;
 use classifier::{Evaluation, Part, Sightings, parts};
+use pipeline::chain::loaded_model::{LoadedModel, of_classifier_about};
+use pipeline::chain::loading;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::progress;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

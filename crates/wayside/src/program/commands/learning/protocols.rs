@@ -7,11 +7,6 @@ mod conditions;
 mod curves;
 mod paper;
 
-use crate::chain::loaded_model::of_classifier;
-use crate::chain::told_class::{ClassRule, Predicted};
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::host::progress::Work;
 use crate::program::commands::learning::evaluate::{confusion, sightings_of};
 use crate::program::commands::learning::train::iterations_of_trees;
 use crate::program::learning_cli::LearnerWord;
@@ -23,6 +18,11 @@ use classifier::{
     Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax,
     train_trees,
 };
+use pipeline::chain::loaded_model::of_classifier;
+use pipeline::chain::told_class::{ClassRule, Predicted};
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::progress::Work;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

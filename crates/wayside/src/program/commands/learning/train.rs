@@ -6,14 +6,14 @@
 
 mod trees;
 
-use crate::chain::loaded_model::of_classifier_about;
-use crate::chain::loading;
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::host::places;
-use crate::host::progress::Work;
 use crate::program::learning_cli::{LearnerWord, PAPER_ITERATIONS, TrainArguments};
 use crate::program::terminal;
+use pipeline::chain::loaded_model::of_classifier_about;
+use pipeline::chain::loading;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::places;
+use pipeline::host::progress::Work;
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};

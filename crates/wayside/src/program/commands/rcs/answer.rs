@@ -1,8 +1,5 @@
 //! Answer of `rcs`: the table and what is known of it.
 
-use crate::host::processor_time::Counted;
-use crate::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
-use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::cli::RcsArguments;
 use crate::program::terminal;
 use crate::stepwise::far_field_from_m;
@@ -12,6 +9,9 @@ use artifact::{Accuracy, ErrorBudget, ModelError};
 use bart_rcs::{FarFieldError, Followed, RcsResult, Spread};
 use clap::ValueEnum;
 use num_complex::Complex64;
+use pipeline::host::processor_time::Counted;
+use pipeline::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
+use pipeline::outcome::verdict::{Asking, Verdict};
 use serde_json::{Value, json};
 
 /// Time that the command took, s.
@@ -79,7 +79,7 @@ impl Answer {
                 "processor_total": took.processor_total, "counted": took.counted.name() },
             "cached": self.cached,
             "beams": self.beams,
-            "peak_memory_mib": crate::host::memory::peak_mib(),
+            "peak_memory_mib": pipeline::host::memory::peak_mib(),
             "accuracy": self.verdict(arguments).told(Asking::Options),
             "error_db": ErrorFigures::of(&self.error),
             "model_error_db": ModelErrorFigures::of(&self.model_error),

@@ -1,18 +1,16 @@
 //! Pictures of a table: level over azimuth and frequency, range profile, ISAR image, and the facets that make
 //! the level.
 
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::pictures::write_png;
 use crate::program::commands::rcs::isar::{self, Sum};
 use crate::program::commands::rcs::sampling::{Samplings, middle_m};
 use crate::program::commands::rcs::silhouette;
-use crate::report::rcs_view::{self, RcsView};
 use artifact::scene::Mesh;
 use artifact::units::db_from_power;
 use bart_rcs::{Contribution, RcsRequest, Standpoint, contributions};
 use ndarray::{Array2, ArrayView2, ArrayView3, s};
 use num_complex::Complex64;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
 use plotting::colours::heat;
 use plotting::form::Form;
 use plotting::heat_map::HeatMap;
@@ -20,6 +18,8 @@ use plotting::lines::{Line, LinePlot, Scale};
 use plotting::marks::{Legend, Mark};
 use plotting::polar::PolarPlot;
 use plotting::svg::Svg;
+use reporting::pictures::write_png;
+use reporting::report::rcs_view::{self, RcsView};
 use scene::{Painted, PaintedLine, painted_glb};
 use std::path::{Path, PathBuf};
 

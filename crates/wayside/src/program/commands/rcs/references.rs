@@ -1,9 +1,5 @@
 //! `rcs --method po` and `--method sbr`: the slow references, aspect by aspect.
 
-use crate::host::checkpoint::Checkpoint;
-use crate::host::failure::Failure;
-use crate::host::processor_time::WorkClock;
-use crate::host::progress::Work;
 use crate::program::cli::RcsArguments;
 use crate::program::commands::rcs::answer::Answer;
 use crate::program::words::MethodWord;
@@ -13,6 +9,10 @@ use artifact::settings::{Edges, NodeRule, Surface};
 use artifact::{ErrorBudget, ModelError};
 use bart_rcs::{Keeper, Piece, RcsRequest, Standpoint};
 use num_complex::Complex64;
+use pipeline::host::checkpoint::Checkpoint;
+use pipeline::host::failure::Failure;
+use pipeline::host::processor_time::WorkClock;
+use pipeline::host::progress::Work;
 use po_sbr::{Aspect, Bracket, ReferenceError, po, sbr};
 
 /// Halvings of a cell that a shadow's border crosses (`po_sbr::po`).

@@ -1,7 +1,7 @@
 //! The outline of a mesh from above, as a picture to be laid over an image of it.
 
-use crate::host::failure::Failure;
 use artifact::scene::Mesh;
+use pipeline::host::failure::Failure;
 use plotting::raster::{self, Pixels};
 
 /// Pixels along each side.

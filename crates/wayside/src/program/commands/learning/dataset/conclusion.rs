@@ -4,9 +4,6 @@
 mod detection;
 mod accuracy;
 
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::host::progress::Work;
 use crate::program::commands::learning::dataset::layout::{Layout, PlannedShard};
 use crate::program::commands::learning::dataset::lines;
 use crate::program::commands::learning::dataset::recipe::Recipe;
@@ -14,6 +11,9 @@ use crate::program::commands::learning::dataset::resumption;
 use crate::program::terminal;
 use accuracy::ReachedAccuracy;
 use detection::DetectionTable;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::progress::Work;
 use serde_json::Value;
 use std::io::{Error, Write};
 use std::path::{Path, PathBuf};

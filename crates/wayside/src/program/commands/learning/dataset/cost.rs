@@ -1,17 +1,17 @@
 //! Cost of a dataset before it is made: files and bytes by the counts of its recipe, processor time by the
 //! work of some of its scenes (docs/engines.md).
 
-use crate::chain::expectation::Expectation;
-use crate::chain::expectation::rates::SPREAD;
-use crate::chain::link::Chain;
-use crate::host::failure::Failure;
-use crate::host::memory::Allowance;
-use crate::host::progress::Work;
 use crate::program::commands::learning::dataset::draws::{self, Drawn, Kind};
 use crate::program::commands::learning::dataset::layout::Layout;
 use crate::program::commands::learning::dataset::recipe::Recipe;
 use crate::program::commands::learning::dataset::staging::stage;
 use artifact::scene::SceneHeader;
+use pipeline::chain::expectation::Expectation;
+use pipeline::chain::expectation::rates::SPREAD;
+use pipeline::chain::link::Chain;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::Allowance;
+use pipeline::host::progress::Work;
 use std::collections::BTreeSet;
 use std::ops::Range;
 

@@ -1,7 +1,5 @@
 //! JSON lines of a dataset: a line a scene beside each shard, from which a line a sample is made.
 
-use crate::host::files;
-use crate::outcome::verdict::{Asking, Verdict};
 use crate::program::commands::learning::dataset::draws::Drawn;
 use crate::program::commands::learning::dataset::recipe::Recipe;
 use crate::program::commands::learning::dataset::rules::{FRAMES_LIMIT, VEHICLES_LIMIT};
@@ -9,6 +7,8 @@ use crate::program::commands::learning::dataset::seen::SeenFrame;
 use crate::program::commands::learning::dataset::staging::{Staged, ToldVehicle};
 use artifact::points::Object;
 use evaluation::Truth;
+use pipeline::host::files;
+use pipeline::outcome::verdict::{Asking, Verdict};
 use serde_json::{Map, Value, json};
 use std::path::Path;
 

@@ -1,13 +1,13 @@
 //! `[models]` of a recipe: the project's own vehicles, mesh files, folders of them, and a folder whose
 //! manifest tells classes.
 
-use crate::chain::loading;
-use crate::host::failure::Failure;
-use crate::host::toml_text;
 use artifact::bounded;
 use artifact::material::MaterialMap;
 use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Class;
+use pipeline::chain::loading;
+use pipeline::host::failure::Failure;
+use pipeline::host::toml_text;
 use scene::mesh::{self, Format, MeshOptions};
 use scene::{asset_materials, centred, read_mesh, vehicles};
 use serde::Deserialize;

@@ -1,14 +1,14 @@
 //! A dataset's recipe, `SPEC.toml`; its keys are in `docs/datasets.md`.
 
-use crate::chain::loading;
-use crate::host::failure::Failure;
-use crate::host::toml_text;
 use crate::program::commands::learning::dataset::document::{Base, Document};
 use crate::program::commands::learning::dataset::models::{self, Model};
 use crate::program::commands::learning::dataset::rules;
 use artifact::bounded;
 use artifact::scene::SceneHeader;
 use artifact::settings::Class;
+use pipeline::chain::loading;
+use pipeline::host::failure::Failure;
+use pipeline::host::toml_text;
 use std::collections::BTreeMap;
 use std::path::Path;
 

@@ -1,13 +1,13 @@
 //! Resumption of a dataset from what an earlier run has left: a shard is taken up if it is whole and of the
 //! same scenes.
 
-use crate::host::failure::Failure;
-use crate::host::progress;
 use crate::program::commands::learning::dataset::layout::PlannedShard;
 use crate::program::commands::learning::dataset::lines as told;
 use crate::program::commands::learning::dataset::recipe::Recipe;
 use artifact::dataset::{Dataset, Sample};
 use artifact::{ArtifactError, Reader};
+use pipeline::host::failure::Failure;
+use pipeline::host::progress;
 use serde_json::Value;
 use std::path::Path;
 

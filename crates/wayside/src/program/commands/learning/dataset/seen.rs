@@ -1,8 +1,8 @@
 //! One frame of a drawn scene, beside its truth.
 
-use crate::chain::link::FrameProducts;
 use crate::program::commands::learning::dataset::staging::Staged;
 use evaluation::{Pairing, Reach, Truth, truths};
+use pipeline::chain::link::FrameProducts;
 
 /// One frame of a scene.
 pub(super) struct SeenFrame {

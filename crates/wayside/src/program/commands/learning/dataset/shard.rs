@@ -1,11 +1,6 @@
 //! A shard made whole: the first scene of each kind is measured, the others take its errors over; several
 //! scenes at a time.
 
-use crate::chain::link::Chain;
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::host::memory::Allowance;
-use crate::host::side_by_side::side_by_side;
 use crate::program::commands::learning::dataset::draws::{self, Drawn, Kind};
 use crate::program::commands::learning::dataset::layout::PlannedShard;
 use crate::program::commands::learning::dataset::recipe::Recipe;
@@ -13,6 +8,11 @@ use crate::program::commands::learning::dataset::shots::{Measured, Shot, Surroun
 use crate::program::commands::learning::dataset::staging::{Staged, stage};
 use artifact::dataset::Dataset;
 use artifact::{Provenance, Writer};
+use pipeline::chain::link::Chain;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::memory::Allowance;
+use pipeline::host::side_by_side::side_by_side;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 

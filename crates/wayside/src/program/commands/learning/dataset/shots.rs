@@ -1,15 +1,15 @@
 //! Drawn scenes sent through the whole chain: samples of what was found, and a line of truth and estimate.
 
-use crate::chain::link::Chain;
-use crate::chain::measured_frames::Known;
-use crate::host::failure::Failure;
-use crate::host::memory::Allowance;
 use crate::program::commands::learning::dataset::draws::Drawn;
 use crate::program::commands::learning::dataset::lines;
 use crate::program::commands::learning::dataset::recipe::Recipe;
 use crate::program::commands::learning::dataset::seen::{SeenFrame, seen};
 use crate::program::commands::learning::dataset::staging::{Staged, stage};
 use artifact::dataset::{Crop, Sample};
+use pipeline::chain::link::Chain;
+use pipeline::chain::measured_frames::Known;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::Allowance;
 use serde_json::Value;
 use std::sync::Arc;
 

@@ -1,11 +1,11 @@
 //! Conditions of a sighting, from the truth beside its shard: signal-to-noise ratio, range, aspect, company,
 //! line of sight, radar.
 
-use crate::chain::loading;
-use crate::host::files;
 use crate::program::commands::learning::dataset::lines::{LIMIT_BYTES, read_scene};
 use classifier::TrackKey;
 use glam::DVec2;
+use pipeline::chain::loading;
+use pipeline::host::files;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;

@@ -1,12 +1,12 @@
 //! Learning curves: trainings on parts of the scenes, and of the vehicles.
 
-use crate::chain::loaded_model::of_classifier;
-use crate::host::failure::Failure;
-use crate::host::progress::Work;
 use crate::program::commands::learning::protocols::asked::{of_test, of_training, told};
 use artifact::dataset::Split;
 use artifact::seed;
 use classifier::{ClassifierError, Part, Seen, Sightings, TrainedTrees, TreeSettings, train_trees};
+use pipeline::chain::loaded_model::of_classifier;
+use pipeline::host::failure::Failure;
+use pipeline::host::progress::Work;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 

@@ -1,10 +1,10 @@
 //! The paper's network by the paper's protocol, and by two that keep the copies of a map on one side.
 
-use crate::chain::loading;
-use crate::host::failure::Failure;
-use crate::host::progress::Work;
 use crate::program::commands::learning::train;
 use crate::program::learning_cli::{PAPER_ITERATIONS, ProtocolsArguments};
+use pipeline::chain::loading;
+use pipeline::host::failure::Failure;
+use pipeline::host::progress::Work;
 use serde_json::Value;
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -1,10 +1,5 @@
 //! Boosted trees from datasets: `weights.model`, `metrics.json`, `curves.csv`.
 
-use crate::chain::loaded_model::{of_classifier, of_classifier_about};
-use crate::chain::loading;
-use crate::host::failure::Failure;
-use crate::host::files;
-use crate::host::progress::Work;
 use crate::program::learning_cli::TrainArguments;
 use crate::program::terminal;
 use artifact::model::Model;
@@ -12,6 +7,11 @@ use artifact::{Provenance, Writer, bounded};
 use classifier::{
     CURVES_FILE, METRICS_FILE, Part, Sightings, TrainedTrees, TreeSettings, WEIGHTS_FILE, train_trees,
 };
+use pipeline::chain::loaded_model::{of_classifier, of_classifier_about};
+use pipeline::chain::loading;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::progress::Work;
 use std::fmt::Write;
 use std::path::PathBuf;
 

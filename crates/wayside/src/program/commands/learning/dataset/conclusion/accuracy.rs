@@ -1,6 +1,6 @@
 //! Whether the accuracy asked for was reached over all scenes of a dataset.
 
-use crate::outcome::error_figures::decibels;
+use pipeline::outcome::error_figures::decibels;
 use serde_json::Value;
 use std::collections::BTreeMap;
 

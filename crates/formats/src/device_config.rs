@@ -1,0 +1,47 @@
+//! Configurations of Texas Instruments' radar boards: what a device was told to send, receive and record.
+//!
+//! Two kinds of files tell it: the `.cfg` of the mmWave SDK's command line (`profileCfg …`), and what mmWave
+//! Studio leaves, its log (`API:ProfileConfig,…`) and its scripts (`ar1.ProfileConfig(…)`). Both become the
+//! same [`statements`], these a [`DeviceSettings`], and that tables of a scene.
+
+mod boards; // antennas, lanes and bands of evaluation boards
+mod statements; // commands as both kinds of files have them
+mod sdk_cfg; // `.cfg` of the mmWave SDK
+mod studio_log; // logs and scripts of mmWave Studio
+mod chirp_program; // who sends in which chirp
+mod scene_tables; // keys of a scene
+mod beside_scene; // a scene that says some of them itself
+
+pub use beside_scene::{Configured, scene_with};
+pub use chirp_program::DeviceSettings;
+pub use scene_tables::scene_text;
+
+use crate::devices::Board;
+use artifact::bounded;
+use pipeline::host::failure::Failure;
+use statements::Fault;
+use std::path::Path;
+
+/// A log of days; commands of a configuration take a few kilobytes.
+const LIMIT_BYTES: u64 = 16 << 20;
+
+/// Settings that a configuration tells, for the board that was asked for, else the one that it names.
+pub fn read(file: &Path, board: Option<Board>) -> Result<DeviceSettings, Failure> {
+    let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    settings(&text, board).map_err(|Fault { line, rule }| {
+        let place = line.map_or_else(String::new, |line| format!(":{line}"));
+        Failure::Refused(format!("{}{place}: {rule}", file.display()))
+    })
+}
+
+fn settings(text: &str, board: Option<Board>) -> Result<DeviceSettings, Fault> {
+    let statements = if studio_log::is_one(text) {
+        studio_log::statements(text, board)?
+    } else {
+        sdk_cfg::statements(text)?
+    };
+    chirp_program::settings(&statements, board)
+}
+
+#[cfg(test)]
+mod tests;

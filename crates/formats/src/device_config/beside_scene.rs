@@ -1,0 +1,168 @@
+//! A scene whose radar is that of a configuration: what the scene does not say, the configuration does; what
+//! both say has to agree.
+
+use super::chirp_program::DeviceSettings;
+use super::scene_tables::entries;
+use artifact::Radar;
+use artifact::bounded;
+use artifact::radar::{Multiplexing, Sampling};
+use artifact::scene::SceneHeader;
+use pipeline::chain::loading;
+use pipeline::host::failure::Failure;
+use pipeline::host::toml_text;
+use std::path::Path;
+
+/// A configuration and its file.
+pub struct Configured<'a> {
+    /// The file, as errors name it.
+    pub file: &'a Path,
+    /// Settings that it holds.
+    pub settings: &'a DeviceSettings,
+}
+
+/// The scene's radar and settings, its models unopened, with what the configuration alone says.
+///
+/// # Errors
+/// What is wrong with the scene, and what scene and configuration say differently.
+pub fn scene_with(
+    file: &Path,
+    radar: Option<&str>,
+    configured: &Configured<'_>,
+) -> Result<SceneHeader, Failure> {
+    let said = Said::of(file, radar)?;
+    let change = |entry: super::scene_tables::Entry| scene::Change {
+        key: format!("{}.{}", entry.table, entry.key),
+        value: entry.value,
+    };
+    let open = entries(configured.settings).into_iter().filter(|entry| !said.says(entry.table, entry.key));
+    let changes: Vec<scene::Change> = open.map(change).collect();
+    let header = loading::radar_changed(file, radar, &changes)?;
+    match contradiction(&header.radar, configured.settings) {
+        None => Ok(header),
+        Some(Contradiction { key, scenes, configs, line }) => Err(Failure::Refused(format!(
+            "{}: {key} is {scenes}; {}:{line} has {configs}",
+            file.display(),
+            configured.file.display()
+        ))),
+    }
+}
+
+/// Tables of the radar that a scene file has.
+struct Said(Vec<toml::Table>);
+
+/// The scene's own reader tells a longer file.
+const LIMIT_BYTES: u64 = 4 << 20;
+
+impl Said {
+    fn of(file: &Path, radar: Option<&str>) -> Result<Self, Failure> {
+        let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+        // What is no TOML the scene's reader refuses, with its place.
+        let document: toml::Table = toml_text::read(&text).unwrap_or_default();
+        let own = document.get("radars").and_then(toml::Value::as_array).into_iter().flatten();
+        let is_asked =
+            |entry: &&toml::Value| radar.is_some() && entry.get("id").and_then(toml::Value::as_str) == radar;
+        let tables = document.get("radar").into_iter().chain(own.filter(is_asked));
+        Ok(Self(tables.filter_map(toml::Value::as_table).cloned().collect()))
+    }
+
+    /// Whether a key, or another in whose place it would stand, is there.
+    fn says(&self, table: &str, key: &str) -> bool {
+        let table = table.strip_prefix("radar.").unwrap_or(table);
+        let keys: &[&str] = match key {
+            "idle_us" => &["idle_us", "sub_frame_idle_us"],
+            "tx_half_wavelengths" | "rx_half_wavelengths" => {
+                &["preset", "tx_half_wavelengths", "rx_half_wavelengths"]
+            }
+            _ => &[key],
+        };
+        let has =
+            |radar: &toml::Table, key: &str| radar.get(table).is_some_and(|table| table.get(key).is_some());
+        self.0.iter().any(|radar| keys.iter().any(|key| has(radar, key)))
+    }
+}
+
+/// Something that scene and configuration say differently.
+struct Contradiction {
+    key: &'static str,
+    scenes: String,
+    configs: String,
+    line: usize,
+}
+
+fn contradiction(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction> {
+    of_numbers(radar, settings).or_else(|| of_array(radar, settings)).or_else(|| {
+        let word = |sampling| if sampling == Sampling::Real { "real" } else { "complex" };
+        let (scenes, configs) = (radar.waveform.sampling, settings.sampling);
+        (scenes != configs).then(|| Contradiction {
+            key: "radar.receiver.sampling",
+            scenes: word(scenes).into(),
+            configs: word(configs).into(),
+            line: settings.profile.line,
+        })
+    })
+}
+
+/// Numbers agree within a millionth: a person rounds what a device has in steps.
+fn of_numbers(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction> {
+    let (w, p) = (&radar.waveform, &settings.profile.value);
+    let start_ghz = p.start_ghz + 1e-3 * p.slope_mhz_per_us * p.adc_start_us;
+    let interval_us = p.idle_us + p.ramp_end_us;
+    let (profile, frame) = (settings.profile.line, settings.frame.line);
+    let numbers = [
+        ("radar.waveform.start_frequency_ghz", w.start_frequency_hz / 1e9, start_ghz, profile),
+        ("radar.waveform.slope_mhz_per_us", w.slope_hz_per_s / 1e12, p.slope_mhz_per_us, profile),
+        ("radar.waveform.sample_rate_msps", w.sample_rate_hz / 1e6, p.rate_ksps / 1e3, profile),
+        ("radar.waveform.samples", f64::from(w.samples), f64::from(p.samples), profile),
+        ("the chirp interval in µs", w.chirp_interval_s * 1e6, interval_us, profile),
+        ("radar.waveform.chirps", f64::from(w.chirps), f64::from(settings.chirps), frame),
+    ];
+    numbers.into_iter().find(|(_, a, b, _)| (a - b).abs() > 1e-6 * b.abs()).map(|(key, a, b, line)| {
+        Contradiction {
+            key,
+            scenes: super::scene_tables::decimal(a),
+            configs: super::scene_tables::decimal(b),
+            line,
+        }
+    })
+}
+
+/// Elements are compared about the mean of their row, as a scene places them.
+fn of_array(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction> {
+    let line = settings.channels.line;
+    let array = &radar.array;
+    let said = |key, scenes: String, configs: String| Contradiction { key, scenes, configs, line };
+    let [tx, rx] = [settings.turns.len(), settings.channels.value.receivers.len()];
+    let counts = [array.tx_m.len(), array.rx_m.len()];
+    if counts != [tx, rx] {
+        let told = |[tx, rx]: [usize; 2]| format!("{tx} transmitters and {rx} receivers");
+        return Some(said("radar.array", told(counts), told([tx, rx])));
+    }
+    if tx > 1 && array.multiplexing != Multiplexing::Tdm {
+        let word = format!("{:?}", array.multiplexing).to_lowercase();
+        return Some(said("radar.array.multiplexing", word, "transmitters in turn, tdm".into()));
+    }
+    let [tx, rx] = settings.board?.elements();
+    let pick = |all: &[[f64; 2]], which: &[usize]| which.iter().map(|i| all[*i]).collect::<Vec<_>>();
+    let pairs = [
+        ("radar.array.tx_half_wavelengths", &array.tx_half_wavelengths, pick(&tx, &settings.turns)),
+        (
+            "radar.array.rx_half_wavelengths",
+            &array.rx_half_wavelengths,
+            pick(&rx, &settings.channels.value.receivers),
+        ),
+    ];
+    pairs
+        .into_iter()
+        .find(|(_, a, b)| are_apart(a, b))
+        .map(|(key, a, b)| said(key, format!("{a:?}"), format!("{b:?}")))
+}
+
+fn are_apart(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
+    let centred = |all: &[[f64; 2]]| -> Vec<[f64; 2]> {
+        let mean = |axis: usize| all.iter().map(|e| e[axis]).sum::<f64>() / all.len().max(1) as f64;
+        let (x, y) = (mean(0), mean(1));
+        all.iter().map(|e| [e[0] - x, e[1] - y]).collect()
+    };
+    // A thousandth of half a wavelength turns a phase by 0.2°.
+    centred(a).iter().zip(centred(b)).any(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]) > 1e-3)
+}

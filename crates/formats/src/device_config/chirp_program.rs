@@ -1,0 +1,222 @@
+//! Settings of commands: which form of chirp is sent, by whom, how often.
+
+use super::statements::{Chirps, Fault, Frame, Profile, Statement, Told};
+use crate::devices::{Board, IqOrder, Lanes};
+use artifact::radar::Sampling;
+
+/// Settings of a device, as its configuration tells them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DeviceSettings {
+    /// Board that was asked for, else the one of the chip that the file names.
+    pub(super) board: Option<Board>,
+    pub(super) profile: InLine<Profile>,
+    pub(super) frame: InLine<Frame>,
+    pub(super) channels: InLine<Channels>,
+    /// Transmitters by their numbers from 0, in the order of their chirps.
+    pub(super) turns: Vec<usize>,
+    /// Chirps of each transmitter in a frame.
+    pub(super) chirps: u32,
+    pub(super) sampling: Sampling,
+    /// Bits of the converter.
+    pub(super) bits: u32,
+    lanes: Option<Lanes>,
+    /// The part of a sample that comes first; `None` where the file says nothing.
+    pub iq_order: Option<IqOrder>,
+}
+
+/// Something with the command that told it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct InLine<T> {
+    pub(super) line: usize,
+    pub(super) name: &'static str,
+    pub(super) value: T,
+}
+
+/// Receivers that are switched on, by their numbers from 0.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Channels {
+    transmitters: u32,
+    pub(super) receivers: Vec<usize>,
+}
+
+impl DeviceSettings {
+    /// Bits of the converter.
+    pub fn bits(&self) -> u32 {
+        self.bits
+    }
+
+    /// Lanes that the file tells, else those of the board.
+    pub fn lanes(&self) -> Option<Lanes> {
+        self.lanes.or(self.board.map(Board::lanes))
+    }
+}
+
+/// Settings of these commands, the last of each kind.
+pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result<DeviceSettings, Fault> {
+    let from = statements.iter().rposition(|s| s.told == Told::Flush).unwrap_or(0);
+    let program = Program(&statements[from..]);
+    let frame = program.last("frameCfg or FrameConfig", |told| match told {
+        Told::Frame(frame) => Some(*frame),
+        _ => None,
+    })?;
+    let channels = program.last("channelCfg, ChannelConfig or ChanNAdcConfig", |told| match told {
+        Told::Channels { transmitters, receivers } => {
+            Some(Channels { transmitters: *transmitters, receivers: numbers(*receivers) })
+        }
+        _ => None,
+    })?;
+    let profile = program.profile(&frame)?;
+    let turns = program.turns(&frame, &channels)?;
+    let (bits, sampling) = program.converter();
+    let named = program.find(|told| if let Told::Board(board) = told { Some(*board) } else { None });
+    let settings = DeviceSettings {
+        board: asked.or(named.map(|named| named.value)),
+        chirps: frame.value.loops * (frame.value.last + 1 - frame.value.first) / turns.len() as u32,
+        turns,
+        lanes: program
+            .find(|told| if let Told::Lanes(lanes) = told { Some(*lanes) } else { None })
+            .map(|l| l.value),
+        iq_order: program
+            .find(|told| if let Told::Order(order) = told { Some(*order) } else { None })
+            .map(|o| o.value),
+        profile,
+        frame,
+        channels,
+        sampling,
+        bits,
+    };
+    check_board(&settings)?;
+    Ok(settings)
+}
+
+/// Numbers of the bits that are set.
+fn numbers(mask: u32) -> Vec<usize> {
+    (0..32).filter(|bit| mask >> bit & 1 == 1).collect()
+}
+
+/// Commands that count.
+struct Program<'a>(&'a [Statement]);
+
+impl Program<'_> {
+    /// The last command that tells it.
+    fn find<T>(&self, told: impl Fn(&Told) -> Option<T>) -> Option<InLine<T>> {
+        let in_line = |s: &Statement| Some(InLine { line: s.line, name: s.name, value: told(&s.told)? });
+        self.0.iter().rev().find_map(in_line)
+    }
+
+    fn last<T>(&self, names: &str, told: impl Fn(&Told) -> Option<T>) -> Result<InLine<T>, Fault> {
+        self.find(told).ok_or_else(|| Fault { line: None, rule: format!("there is no {names}") })
+    }
+
+    fn converter(&self) -> (u32, Sampling) {
+        let told = self.find(|told| match told {
+            Told::Converter { bits, sampling } => Some((*bits, *sampling)),
+            _ => None,
+        });
+        told.map_or((16, Sampling::Complex), |told| told.value)
+    }
+
+    /// Definition of a chirp: the last that has it.
+    fn chirp(&self, index: u32, frame: &InLine<Frame>) -> Result<InLine<Chirps>, Fault> {
+        let of_chirp = self.find(|told| match told {
+            Told::Chirps(chirps) if (chirps.first..=chirps.last).contains(&index) => Some(*chirps),
+            _ => None,
+        });
+        of_chirp.ok_or_else(|| frame.fault(format!("it sends chirp {index}, which nothing defines before")))
+    }
+
+    /// The one profile of all chirps of a frame.
+    fn profile(&self, frame: &InLine<Frame>) -> Result<InLine<Profile>, Fault> {
+        let Frame { first, last, loops, .. } = frame.value;
+        if last < first || loops == 0 {
+            return Err(frame.fault(format!("chirps {first} to {last}, {loops} times, are none")));
+        }
+        let id = self.chirp(first, frame)?.value.profile;
+        for index in first..=last {
+            let chirp = self.chirp(index, frame)?;
+            if chirp.value.profile != id {
+                return Err(chirp.fault(format!("chirp {index} has profile {}, chirp {first} profile {id}: chirps of one form alone are read", chirp.value.profile)));
+            }
+        }
+        self.last(&format!("profile {id}"), |told| match told {
+            Told::Profile(profile) if profile.id == id => Some(*profile),
+            _ => None,
+        })
+    }
+
+    /// Transmitters in the order of their chirps, each once: the frame's chirps are whole turns of them.
+    fn turns(&self, frame: &InLine<Frame>, channels: &InLine<Channels>) -> Result<Vec<usize>, Fault> {
+        let Frame { first, last, .. } = frame.value;
+        let mut sent = Vec::new();
+        for index in first..=last {
+            let chirp = self.chirp(index, frame)?;
+            sent.push(lone_transmitter(index, &chirp, channels)?);
+        }
+        let mut turns: Vec<usize> = Vec::new();
+        for tx in &sent {
+            if turns.contains(tx) {
+                break;
+            }
+            turns.push(*tx);
+        }
+        let are_whole = sent.len().is_multiple_of(turns.len())
+            && sent.iter().enumerate().all(|(index, tx)| *tx == turns[index % turns.len()]);
+        if are_whole {
+            return Ok(turns);
+        }
+        let order: Vec<String> = sent.iter().map(|tx| format!("TX{}", tx + 1)).collect();
+        Err(frame.fault(format!(
+            "transmitters send in the order {}: they have to take turns, each as often as the others",
+            order.join(", ")
+        )))
+    }
+}
+
+/// The one transmitter of a chirp.
+fn lone_transmitter(index: u32, chirp: &InLine<Chirps>, channels: &InLine<Channels>) -> Result<usize, Fault> {
+    let mask = chirp.value.transmitters;
+    match numbers(mask)[..] {
+        [tx] if channels.value.transmitters >> tx & 1 == 1 => Ok(tx),
+        [tx] => Err(chirp.fault(format!(
+            "chirp {index} is TX{}'s, which {} of line {} leaves off",
+            tx + 1,
+            channels.name,
+            channels.line
+        ))),
+        [] => Err(chirp.fault(format!("nothing sends chirp {index}"))),
+        _ => Err(chirp.fault(format!(
+            "chirp {index} is sent by {} transmitters at once (mask {mask}): beams and binary phases are not read, transmitters in turn alone",
+            mask.count_ones()
+        ))),
+    }
+}
+
+/// Refuses channels and frequencies that the board does not have.
+fn check_board(settings: &DeviceSettings) -> Result<(), Fault> {
+    if settings.channels.value.receivers.is_empty() {
+        return Err(settings.channels.fault("no receiver is switched on"));
+    }
+    let Some(board) = settings.board else { return Ok(()) };
+    let ([transmitters, _], name) = (board.elements(), board.name());
+    if let Some(tx) = settings.turns.iter().find(|tx| **tx >= transmitters.len()) {
+        let text = format!("TX{} sends; the {name} has {} transmitters", tx + 1, transmitters.len());
+        return Err(settings.channels.fault(text));
+    }
+    let (band, start_ghz) = (board.band().ghz, settings.profile.value.start_ghz);
+    // A code names a frequency to 54 Hz.
+    if start_ghz < band.start() - 1e-6 || start_ghz > band.end() + 1e-6 {
+        let text = format!(
+            "chirps begin at {start_ghz} GHz; the {name} sends from {} to {}",
+            band.start(),
+            band.end()
+        );
+        return Err(settings.profile.fault(text));
+    }
+    Ok(())
+}
+
+impl<T> InLine<T> {
+    pub(super) fn fault(&self, rule: impl std::fmt::Display) -> Fault {
+        Fault { line: Some(self.line), rule: format!("{}: {rule}", self.name) }
+    }
+}

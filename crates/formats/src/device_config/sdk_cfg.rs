@@ -1,0 +1,128 @@
+//! The `.cfg` of the mmWave SDK: a command a line, numbers apart by blanks, `%` before remarks (mmWave SDK
+//! User Guide, release 3.6, "Configuration (.cfg) File Format"). What says nothing about chirps, channels and
+//! samples is passed over.
+
+use super::statements::{Arguments, CHIRPS_MAX, Chirps, Fault, Frame, Profile, Statement, Told};
+use crate::devices::IqOrder;
+
+/// Commands of a file in their order.
+pub(super) fn statements(text: &str) -> Result<Vec<Statement>, Fault> {
+    let mut all = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        let mut words = line.split('%').next().unwrap_or_default().split_whitespace();
+        let Some((name, read)) = words.next().and_then(command) else { continue };
+        let arguments = Arguments { line: index + 1, name, words: words.collect() };
+        if let Some(told) = read(&arguments)? {
+            all.push(arguments.statement(told));
+        }
+    }
+    Ok(all)
+}
+
+/// Meaning of a command's words; none of what says nothing.
+type Reads = fn(&Arguments<'_>) -> Result<Option<Told>, Fault>;
+
+fn command(name: &str) -> Option<(&'static str, Reads)> {
+    const COMMANDS: [(&str, Reads); 13] = [
+        ("flushCfg", |_| Ok(Some(Told::Flush))),
+        ("dfeDataOutputMode", mode),
+        ("channelCfg", channels),
+        ("adcCfg", |a| a.converter([0, 1]).map(Some)),
+        ("adcbufCfg", buffer),
+        ("profileCfg", profile),
+        ("chirpCfg", chirps),
+        ("frameCfg", frame),
+        ("bpmCfg", bpm),
+        ("advFrameCfg", advanced),
+        ("subFrameCfg", advanced),
+        ("chirpComnCfg", low_power),
+        ("chirpTimingCfg", low_power),
+    ];
+    COMMANDS.into_iter().find(|(known, _)| *known == name)
+}
+
+fn mode(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+    match arguments.whole(0, "the mode", 4)? {
+        1 => Ok(None),
+        3 => Err(arguments.fault("mode 3, advanced frames, is not read: frameCfg alone")),
+        other => Err(arguments.fault(format!("mode {other} is not read: 1, frames of chirps, alone"))),
+    }
+}
+
+fn channels(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+    arguments.at_least(2)?;
+    let (receivers, transmitters) = (
+        arguments.whole(0, "the mask of receivers", 15)?,
+        arguments.whole(1, "the mask of transmitters", 15)?,
+    );
+    if arguments.words.len() > 2 && arguments.number(2, "the cascade")? != 0.0 {
+        return Err(arguments.fault("cascades of devices are not read"));
+    }
+    Ok(Some(Told::Channels { transmitters, receivers }))
+}
+
+/// Sub-frame, format (0 complex, 1 real), order (1: Q in the low half, so that it comes first).
+fn buffer(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+    // Releases before 2.0 have no sub-frame.
+    let order = if arguments.words.len() >= 5 { 2 } else { 1 };
+    Ok(Some(Told::Order(match arguments.whole(order, "the order of I and Q", 1)? {
+        0 => IqOrder::InPhaseFirst,
+        _ => IqOrder::QuadratureFirst,
+    })))
+}
+
+fn profile(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+    arguments.at_least(14)?;
+    let number = |index, what| arguments.number(index, what);
+    let profile = Profile {
+        id: arguments.whole(0, "the profile's number", 3)?,
+        start_ghz: number(1, "the start frequency")?,
+        idle_us: number(2, "the idle time")?,
+        adc_start_us: number(3, "the time of the first sample")?,
+        ramp_end_us: number(4, "the ramp's end")?,
+        slope_mhz_per_us: number(7, "the slope")?,
+        samples: arguments.whole(9, "the number of samples", u32::from(u16::MAX))?,
+        rate_ksps: number(10, "the sample rate")?,
+    };
+    arguments.profile(profile).map(|statement| Some(statement.told))
+}
+
+fn chirps(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+    arguments.at_least(8)?;
+    for (index, what) in [(3, "the start frequency's"), (4, "the slope's"), (5, "the idle time's")] {
+        arguments.none(index, &format!("{what} change"))?;
+    }
+    arguments.none(6, "the first sample's change")?;
+    Ok(Some(Told::Chirps(Chirps {
+        first: arguments.whole(0, "the first chirp", CHIRPS_MAX - 1)?,
+        last: arguments.whole(1, "the last chirp", CHIRPS_MAX - 1)?,
+        profile: arguments.whole(2, "the profile's number", 3)?,
+        transmitters: arguments.whole(7, "the mask of transmitters", 15)?,
+    })))
+}
+
+fn frame(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+    arguments.at_least(5)?;
+    Ok(Some(Told::Frame(Frame {
+        first: arguments.whole(0, "the first chirp", CHIRPS_MAX - 1)?,
+        last: arguments.whole(1, "the last chirp", CHIRPS_MAX - 1)?,
+        loops: arguments.whole(2, "the number of loops", u32::from(u16::MAX))?,
+        frames: arguments.whole(3, "the number of frames", u32::from(u16::MAX))?,
+        period_ms: arguments.number(4, "the frame's period")?,
+    })))
+}
+
+fn bpm(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+    match arguments.whole(1, "the switch", 1)? {
+        0 => Ok(None),
+        _ => Err(arguments.fault("transmitters told apart by binary phases are not read: in turn alone")),
+    }
+}
+
+fn advanced(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+    Err(arguments.fault("advanced frames of sub-frames are not read: frameCfg alone"))
+}
+
+fn low_power(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+    Err(arguments.fault("the commands of xWRL devices are not read: profileCfg, chirpCfg and frameCfg alone"))
+}

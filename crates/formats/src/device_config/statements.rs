@@ -1,0 +1,171 @@
+//! Commands of a configuration as both kinds of files have them, and words read as their numbers.
+
+use crate::devices::{Board, IqOrder, Lanes};
+use artifact::radar::Sampling;
+
+/// Rule that a configuration breaks, and its line from 1 where it has one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Fault {
+    pub(super) line: Option<usize>,
+    pub(super) rule: String,
+}
+
+/// A command in its place.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Statement {
+    pub(super) line: usize,
+    /// Name as the file writes it.
+    pub(super) name: &'static str,
+    pub(super) told: Told,
+}
+
+/// Meaning of a command.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Told {
+    /// A start anew: earlier commands do not count.
+    Flush,
+    Board(Board),
+    /// Transmitters and receivers that are switched on, bit by bit.
+    Channels {
+        transmitters: u32,
+        receivers: u32,
+    },
+    Converter {
+        bits: u32,
+        sampling: Sampling,
+    },
+    Order(IqOrder),
+    Lanes(Lanes),
+    Profile(Profile),
+    Chirps(Chirps),
+    Frame(Frame),
+}
+
+/// Form of a chirp.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Profile {
+    pub(super) id: u32,
+    /// Frequency at which the ramp begins.
+    pub(super) start_ghz: f64,
+    pub(super) idle_us: f64,
+    /// Time from the ramp's begin to the first sample.
+    pub(super) adc_start_us: f64,
+    /// Time from the ramp's begin to its end.
+    pub(super) ramp_end_us: f64,
+    pub(super) slope_mhz_per_us: f64,
+    pub(super) samples: u32,
+    pub(super) rate_ksps: f64,
+}
+
+/// Chirps of one form and one choice of transmitters.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Chirps {
+    pub(super) first: u32,
+    pub(super) last: u32,
+    pub(super) profile: u32,
+    /// Transmitters that send, bit by bit.
+    pub(super) transmitters: u32,
+}
+
+/// Chirps of a frame, over and over.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Frame {
+    pub(super) first: u32,
+    pub(super) last: u32,
+    pub(super) loops: u32,
+    /// 0: without end.
+    pub(super) frames: u32,
+    pub(super) period_ms: f64,
+}
+
+/// Chirps that a device holds.
+pub(super) const CHIRPS_MAX: u32 = 512;
+
+/// Words of a command behind its name.
+pub(super) struct Arguments<'a> {
+    pub(super) line: usize,
+    pub(super) name: &'static str,
+    pub(super) words: Vec<&'a str>,
+}
+
+impl Arguments<'_> {
+    /// The command that these words tell.
+    pub(super) fn statement(&self, told: Told) -> Statement {
+        Statement { line: self.line, name: self.name, told }
+    }
+
+    /// A rule that this command breaks.
+    pub(super) fn fault(&self, rule: impl std::fmt::Display) -> Fault {
+        Fault { line: Some(self.line), rule: format!("{}: {rule}", self.name) }
+    }
+
+    /// Refuses fewer words than the command has.
+    pub(super) fn at_least(&self, count: usize) -> Result<(), Fault> {
+        let found = self.words.len();
+        if found >= count {
+            Ok(())
+        } else {
+            Err(self.fault(format!("it has {count} numbers, {found} are here")))
+        }
+    }
+
+    /// The word at an index, from 0, as a number.
+    pub(super) fn number(&self, index: usize, what: &str) -> Result<f64, Fault> {
+        let word = self.words.get(index).copied().unwrap_or_default();
+        let number = word.parse::<f64>().ok().filter(|number| number.is_finite());
+        number.ok_or_else(|| self.fault(format!("{what} is `{word}`, not a number")))
+    }
+
+    /// The word at an index as a whole number up to `most`; `0x` begins hexadecimal digits.
+    pub(super) fn whole(&self, index: usize, what: &str, most: u32) -> Result<u32, Fault> {
+        let word = self.words.get(index).copied().unwrap_or_default();
+        let number = match word.strip_prefix("0x") {
+            Some(digits) => u32::from_str_radix(digits, 16).ok(),
+            None => word.parse::<u32>().ok(),
+        };
+        number
+            .filter(|number| *number <= most)
+            .ok_or_else(|| self.fault(format!("{what} is `{word}`, not a whole number from 0 to {most}")))
+    }
+
+    /// Refuses a number that is not 0.
+    pub(super) fn none(&self, index: usize, what: &str) -> Result<(), Fault> {
+        match self.number(index, what)? {
+            0.0 => Ok(()),
+            other => {
+                Err(self
+                    .fault(format!("{what} is {other}: chirps that differ from their profile are not read")))
+            }
+        }
+    }
+
+    /// Meaning of a converter's two codes: bits, and real, complex, or complex with its image band.
+    pub(super) fn converter(&self, [bits, format]: [usize; 2]) -> Result<Told, Fault> {
+        let bits = [12, 14, 16][self.whole(bits, "the converter's bits", 2)? as usize];
+        let sampling = match self.whole(format, "the format of samples", 3)? {
+            0 => Sampling::Real,
+            _ => Sampling::Complex,
+        };
+        Ok(Told::Converter { bits, sampling })
+    }
+
+    /// Refuses a form of chirps that no device sends.
+    pub(super) fn profile(&self, profile: Profile) -> Result<Statement, Fault> {
+        let Profile { slope_mhz_per_us, rate_ksps, samples, idle_us, adc_start_us, ramp_end_us, .. } =
+            profile;
+        if slope_mhz_per_us == 0.0 || rate_ksps <= 0.0 || samples == 0 {
+            return Err(self.fault("slope, sample rate and samples must not be 0"));
+        }
+        if idle_us < 0.0 || adc_start_us < 0.0 {
+            return Err(self.fault("times must not be negative"));
+        }
+        let end_us = adc_start_us + 1e3 * f64::from(samples) / rate_ksps;
+        // Times are told to 10 ns.
+        if end_us > ramp_end_us + 0.01 {
+            return Err(self.fault(format!(
+                "the last sample is taken {end_us:.2} µs into the ramp, which ends after {ramp_end_us} µs"
+            )));
+        }
+        Ok(self.statement(Told::Profile(profile)))
+    }
+}

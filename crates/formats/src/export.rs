@@ -1,0 +1,62 @@
+//! Artifacts in formats that others read: a module for each kind of artifact, whole artifacts as JSON, and
+//! weights as they are.
+
+mod delays; // of paths
+pub mod cube;
+pub mod dataset;
+#[cfg(feature = "classifier")]
+pub mod features;
+#[cfg_attr(not(feature = "interchange"), path = "export/no_interchange.rs")]
+pub mod interchange;
+#[cfg_attr(not(feature = "interchange"), path = "export/no_parquet.rs")]
+pub mod parquet;
+pub mod paths;
+pub mod points;
+pub mod rcs;
+pub mod rdm;
+pub mod tracks;
+
+use crate::writing::fail;
+use artifact::model::{Model, Weights};
+use artifact::{Reader, Schema};
+pub use delays::delay_at_middle;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::progress;
+use std::path::Path;
+
+/// Writes the tensors of a network's weights.
+pub fn model(file: &Path, out: &Path) -> Result<(), Failure> {
+    let weights = Reader::<Model>::open(file)?.next_frame()?;
+    match weights {
+        Some(Weights::Network { safetensors }) => files::write_file(out, &safetensors),
+        Some(Weights::Trees(_)) => {
+            Err(Failure::Refused(format!("{}: trees have no tensors; --to json writes them", file.display())))
+        }
+        None => Err(Failure::Refused(format!("{}: holds no weights", file.display()))),
+    }
+}
+
+/// Header and frames, as their types name them, one frame after the other.
+pub fn as_json<S: Schema>(file: &Path, out: &Path) -> Result<(), Failure> {
+    use std::io::Write;
+    let mut reader = Reader::<S>::open(file)?;
+    let mut failed = None;
+    let written = files::write_with(out, |stream| {
+        write!(stream, "{{\"header\":")?;
+        serde_json::to_writer(&mut *stream, reader.header())?;
+        write!(stream, ",\"frames\":[")?;
+        let of = reader.frames() as usize;
+        for (i, frame) in progress::counted("frames", reader.by_ref(), of).enumerate() {
+            match frame {
+                Ok(frame) => {
+                    stream.write_all(if i == 0 { b"\n" } else { b",\n" })?;
+                    serde_json::to_writer(&mut *stream, &frame)?;
+                }
+                Err(error) => return Err(fail(&mut failed, error)),
+            }
+        }
+        writeln!(stream, "]}}")
+    });
+    failed.map_or(written, |error| Err(error.into()))
+}

@@ -1,0 +1,73 @@
+//! Crops as uint8 `[sample, velocity, range]`, or as pictures.
+
+use crate::npy_stream::NpyStream;
+use crate::sidecar;
+use crate::writing::plain_name;
+use artifact::Reader;
+use artifact::dataset::{Crop, Dataset, Sample};
+use pipeline::host::failure::Failure;
+use pipeline::host::progress;
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Writes the crops as a NumPy array `[sample, velocity, range]` of grey levels, their labels beside it.
+pub fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
+    let reader = Reader::<Dataset>::open(file)?;
+    sidecar::claim(out)?;
+    let format = *reader.header();
+    let side = format.side as usize;
+    let mut labels = Vec::new();
+    let mut failed = None;
+    let written = NpyStream::write::<u8>(out, &[reader.frames() as usize, side, side], |stream| {
+        for sample in progress::frames(reader) {
+            match sample.map_err(Failure::from).and_then(|sample| Ok((label(&sample), image(file, sample)?)))
+            {
+                Ok((label, crop)) => {
+                    labels.push(label);
+                    stream.append(&crop.pixels)?;
+                }
+                Err(failure) => {
+                    failed = Some(failure);
+                    return Err(std::io::Error::other("a sample is damaged or has no image"));
+                }
+            }
+        }
+        Ok(())
+    });
+    failed.map_or(written, Err)?;
+    sidecar::write(
+        out,
+        &json!({ "shape": ["sample", "velocity", "range"], "format": format, "samples": labels }),
+    )
+}
+
+/// The image of a sample; refused of a dataset that was made without images.
+fn image(file: &Path, sample: Sample) -> Result<Crop, Failure> {
+    let Sample { id, crop, .. } = sample;
+    crop.ok_or_else(|| {
+        let rule = "has no image: the recipe of this dataset says crops = false";
+        Failure::Refused(format!("{}: sample `{id}` {rule}", file.display()))
+    })
+}
+
+/// Fields of a sample's line in `manifest.jsonl`.
+pub(crate) fn label(sample: &Sample) -> Value {
+    json!({
+        "id": sample.id, "class": sample.class.map(|c| c.name()), "model": sample.model, "variant": sample.variant,
+        "scene": sample.scene, "target": sample.target, "frame": sample.frame,
+        "range_m": sample.range_m, "velocity_mps": sample.radial_velocity_mps, "lane": sample.lane,
+        "seed": sample.seed, "split": sample.split,
+    })
+}
+
+/// One grey picture a sample, in the folder `out`.
+pub fn png(file: &Path, out: &Path) -> Result<(), Failure> {
+    let reader = Reader::<Dataset>::open(file)?;
+    let side = reader.header().side;
+    for sample in progress::frames(reader) {
+        let sample = sample?;
+        let place = out.join(format!("{}.png", plain_name(&sample.id)));
+        reporting::pictures::write_gray(&place, [side as usize; 2], &image(file, sample)?.pixels)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,21 @@
+//! Messages of other programs, in a program that was built without them.
+
+use pipeline::host::failure::Failure;
+use std::path::Path;
+
+/// Refuses to write messages of ASAM OSI.
+pub fn osi(_file: &Path, _schema: &str, _out: &Path) -> Result<(), Failure> {
+    Err(without("osi"))
+}
+
+/// Refuses to write messages of ROS 2.
+pub fn mcap(_file: &Path, _schema: &str, _out: &Path) -> Result<(), Failure> {
+    Err(without("mcap"))
+}
+
+fn without(format: &str) -> Failure {
+    Failure::System(format!(
+        "--to {format}: this program was built without messages of OSI and ROS 2; `cargo install --path \
+         crates/wayside --features interchange` in the project's folder builds one with them"
+    ))
+}

@@ -1,0 +1,67 @@
+//! Paths as the table of `docs/interface.md`: positions at the frame's first sample, one row per
+//! polarization.
+
+use crate::export::delays::delay_at_middle;
+use crate::sidecar;
+use crate::writing::fail;
+use artifact::Reader;
+use artifact::paths::{Path as Record, Paths, PathsHeader, Span};
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::progress;
+use serde_json::json;
+use std::io::Write;
+use std::path::Path;
+
+const COLUMNS: &str = "frame,target,order,pol,re_m,im_m,dre_m_per_ghz,dim_m_per_ghz,ax_m,ay_m,az_m,bx_m,by_m,bz_m,\
+avx_mps,avy_mps,avz_mps,bvx_mps,bvy_mps,bvz_mps,delay_s,delay_rate,facets,\
+span_first_s,span_step_s,span_moments,span_moment";
+const POLARIZATIONS: [(&str, usize, usize); 4] = [("vv", 0, 0), ("hh", 1, 1), ("vh", 0, 1), ("hv", 1, 0)];
+
+/// Writes a row for each path of each frame.
+pub fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
+    sidecar::claim(out)?;
+    let header = reader.header().clone();
+    let mut failed = None;
+    let written = files::write_with(out, |stream| {
+        writeln!(stream, "{COLUMNS}")?;
+        for frame in progress::frames(reader) {
+            let frame = frame.map_err(|e| fail(&mut failed, e))?;
+            frame.paths.iter().try_for_each(|path| rows(stream, &header, frame.index, path))?;
+        }
+        Ok(())
+    });
+    failed.map_or(written, |error| Err(error.into()))?;
+    let axes = json!({ "f_c_hz": header.centre_frequency_hz, "positions_at": "the frame's first sample",
+        "delay_at": "the frame's middle, from the array's centre", "facets": "body:triangle in the order of travel",
+        "left_out": "accelerations, but for delay and rate; the turning of a wheel, whose hub is told (export to json has them)" });
+    sidecar::write(out, &axes)
+}
+
+fn rows(sink: &mut dyn Write, header: &PathsHeader, frame: u32, path: &Record) -> std::io::Result<()> {
+    let target = header.targets.get(path.target as usize).map_or("", String::as_str);
+    let (delay_s, rate) = delay_at_middle(&header.radar, path);
+    let geometry: Vec<String> =
+        [path.apparent_tx_m, path.apparent_rx_m, path.apparent_tx_mps, path.apparent_rx_mps]
+            .concat()
+            .iter()
+            .map(f64::to_string)
+            .collect();
+    let facets: Vec<String> = path.sequence().iter().map(|f| format!("{}:{}", f.body, f.triangle)).collect();
+    let (geometry, facets, order, span) = (geometry.join(","), facets.join(" "), path.order, span(path));
+    for (name, receive, transmit) in POLARIZATIONS {
+        let (a, slope) = (path.amplitude_m[receive][transmit], path.slope_m_per_hz[receive][transmit] * 1e9);
+        let amplitude = format!("{},{},{},{}", a.re, a.im, slope.re, slope.im);
+        writeln!(
+            sink,
+            "{frame},{target},{order},{name},{amplitude},{geometry},{delay_s},{rate},{facets},{span}"
+        )?;
+    }
+    Ok(())
+}
+
+/// The part of the frame that a path stands for; empty where it is all of it.
+fn span(path: &Record) -> String {
+    let told = |span: Span| format!("{},{},{},{}", span.first_s, span.step_s, span.moments, span.moment);
+    path.curve.span.map_or(",,,".into(), told)
+}

@@ -1,0 +1,112 @@
+//! Range-Doppler maps as complex64 `[frame, channel, doppler, range]`, as EXR layers and as grey pictures.
+
+use crate::export::cube::map_channels;
+use crate::npy_stream::NpyStream;
+use crate::sidecar;
+use crate::writing::fail;
+use artifact::Reader;
+use artifact::cube::CubeHeader;
+use artifact::rdm::{Rdm, RdmFrame};
+use num_complex::Complex32;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::progress;
+use reporting::pictures;
+use reporting::pictures::rdm_exr;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// Writes the maps as a NumPy array `[frame, channel, doppler, range]`, the cells that were found as another,
+/// and axes beside it.
+pub fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
+    let mask = mask_beside(out);
+    files::claim(&[out.to_owned(), mask.clone(), sidecar::beside(out)])?;
+    sidecar::claim(out)?;
+    let header = reader.header().clone();
+    let [channels, doppler, range] = artifact::rdm::shape(&header);
+    let frames = reader.frames() as usize;
+    let (mut masks, mut told, mut failed) = (Vec::new(), Vec::new(), None);
+    let written = NpyStream::write::<Complex32>(out, &[frames, channels, doppler, range], |stream| {
+        for frame in progress::frames(reader) {
+            let frame = frame.map_err(|e| fail(&mut failed, e))?;
+            stream.append(&frame.values)?;
+            told.push((frame.time_s, frame.detections, frame.cells));
+            masks.extend_from_slice(&frame.mask);
+        }
+        Ok(())
+    });
+    failed.map_or(written, |error| Err(error.into()))?;
+    NpyStream::write::<u8>(&mask, &[frames, doppler, range], |s| s.append(&masks))?;
+    sidecar::write(out, &axes(&header, &told))
+}
+
+/// `F.npy` → `F.mask.npy`; a name without that ending keeps all of it.
+fn mask_beside(out: &Path) -> PathBuf {
+    let is_npy = out.extension().is_some_and(|kind| kind == "npy");
+    let mut name = if is_npy { out.with_extension("") } else { out.to_owned() }.into_os_string();
+    name.push(".mask.npy");
+    PathBuf::from(name)
+}
+
+fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {
+    json!({
+        "shape": ["frame", "channel", "doppler", "range"],
+        "unit": header.unit.name(),
+        "full_scale": header.unit.full_scale(),
+        "mask": { "0": "untested", "1": "tested", "2": "detected" },
+        "frame_times_s": told.iter().map(|t| t.0).collect::<Vec<_>>(),
+        "detections": told.iter().map(|t| t.1).collect::<Vec<_>>(),
+        "cells": told.iter().map(|t| t.2).collect::<Vec<_>>(),
+        "velocity_mps": velocities(header),
+        "range_m": dsp::range_axis_m(header),
+        "channels": map_channels(header),
+    })
+}
+
+/// Velocities of the map's rows, m/s; with sub-frames a list of such lists, one a sub-frame.
+fn velocities(header: &CubeHeader) -> serde_json::Value {
+    match header.radar.schedule.sub_frames() {
+        1 => json!(dsp::velocity_axis_mps(header)),
+        count => (0..count).map(|index| json!(dsp::velocity_axis_mps(&header.in_frame(index)))).collect(),
+    }
+}
+
+/// One file a frame; a single frame keeps the name that was asked for.
+pub fn exr(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
+    each_frame(reader, out, rdm_exr)
+}
+
+/// The paper's grey picture; receding is above, as in all pictures.
+pub fn png(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
+    each_frame(reader, out, |header, frame, place| {
+        let side = dsp::PAPER_CROP.side;
+        let grey = dsp::rdm_grayscale(header, frame).map_err(Failure::refused)?;
+        let upwards: Vec<u8> = grey.chunks(side as usize).rev().flatten().copied().collect();
+        pictures::write_gray(place, [side as usize; 2], &upwards)
+    })
+}
+
+/// Writes a picture of each frame, with axes in metres and m/s and a scale in decibels.
+pub fn png_with_axes(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
+    each_frame(reader, out, |header, frame, place| pictures::write_map(place, header, frame))
+}
+
+fn each_frame(
+    reader: Reader<Rdm>,
+    out: &Path,
+    write: impl Fn(&CubeHeader, &RdmFrame, &Path) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    files::claim(&[out.to_owned()])?; // pictures of several frames are numbered after it
+    let (header, single) = (reader.header().clone(), reader.frames() == 1);
+    for frame in progress::frames(reader) {
+        let frame = frame?;
+        let place = if single { out.to_owned() } else { numbered(out, frame.index) };
+        write(&header, &frame, &place)?;
+    }
+    Ok(())
+}
+
+fn numbered(out: &Path, frame: u32) -> PathBuf {
+    let (stem, kind) = (out.file_stem().unwrap_or_default(), out.extension().unwrap_or_default());
+    out.with_file_name(format!("{}-{frame:04}.{}", stem.to_string_lossy(), kind.to_string_lossy()))
+}

@@ -1,0 +1,70 @@
+//! Sources of the heights of points, in words, where a format has a z and no place to say so beside it.
+
+use artifact::Reader;
+use artifact::points::{Height, Point, Points, PointsHeader};
+use pipeline::host::failure::Failure;
+use std::path::Path;
+
+/// Source of the heights of a file of points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Heights {
+    /// They are measured, or there are no points.
+    Measured,
+    /// They are assumed: at this height, m, where all have the one that the settings say.
+    Assumed(Option<f64>),
+    /// Not even an assumed one fits: they are the radar's own.
+    RadarsOwn,
+}
+
+/// Coordinates are products of directions and ranges: their height differs from the settings' by rounding.
+const SAME_HEIGHT_M: f64 = 1e-6;
+
+impl Heights {
+    /// Heights of a file, by the first point that has one: an array has elevation rows or none, for all
+    /// points.
+    ///
+    /// # Errors
+    /// A frame before that point is damaged.
+    pub fn of(file: &Path) -> Result<Self, Failure> {
+        let reader = Reader::<Points>::open(file)?;
+        let header = reader.header().clone();
+        let mut heights = Self::Measured;
+        for frame in reader {
+            for point in frame?.points {
+                heights = Self::of_point(&header, &point);
+                if heights != Self::RadarsOwn {
+                    return Ok(heights);
+                }
+            }
+        }
+        Ok(heights)
+    }
+
+    fn of_point(header: &PointsHeader, point: &Point) -> Self {
+        match point.height {
+            Height::Measured => Self::Measured,
+            Height::None => Self::RadarsOwn,
+            Height::Assumed => {
+                let told_m = header.cube.as_ref().map(|cube| cube.dsp.assumed_height_m);
+                let is_there = |told_m: &f64| (point.position_m[2] - told_m).abs() <= SAME_HEIGHT_M;
+                Self::Assumed(told_m.filter(is_there))
+            }
+        }
+    }
+
+    /// The source in words.
+    pub(crate) fn words(self) -> String {
+        match self {
+            Self::Measured => "measured".to_owned(),
+            Self::Assumed(Some(at_m)) => format!("assumed at {at_m} m"),
+            Self::Assumed(None) => "assumed".to_owned(),
+            Self::RadarsOwn => "the radar's own".to_owned(),
+        }
+    }
+
+    /// The remark that an export makes of a file whose heights nobody measured.
+    pub fn note(self, file: &Path) -> Option<String> {
+        let text = || format!("note: {}: heights are {}, not measured", file.display(), self.words());
+        (self != Self::Measured).then(text)
+    }
+}

@@ -1,0 +1,96 @@
+//! Clouds of other radars as points: a file, or a folder of files, a frame each in the order of their names.
+
+use crate::heights::Heights;
+use crate::levelled_axes::LevelledAxes;
+use crate::radar_cloud::{Detection, LIMIT_BYTES, pcd, velodyne};
+use artifact::points::{Height, Point, Points, PointsFrame, PointsHeader};
+use artifact::scene::SceneHeader;
+use artifact::{Writer, bounded};
+use pipeline::chain::keys::cube_header;
+use pipeline::chain::loading::{self, provenance};
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
+use pipeline::host::progress;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// Writes clouds as the points that the scene's radar has, with the objects that they form; `told_by` are the
+/// files that tell the scene and its radar.
+///
+/// # Errors
+/// A file that is no such cloud, or none at all.
+pub fn points(asked: &Path, told_by: &[PathBuf], scene: &SceneHeader, out: &Path) -> Result<(), Failure> {
+    let files = frames_of(asked, &["bin", "pcd"])?;
+    let description: Option<PathBuf> = files.first().and_then(|file| description_of(file));
+    let inputs = loading::hashed(&[files.as_slice(), told_by, description.as_slice()].concat())?;
+    let told = description.as_deref().map(height_told).transpose()?.flatten();
+    let cube = cube_header(scene);
+    let axes = LevelledAxes::of(&scene.radar);
+    let header = PointsHeader { cube: Some(cube.clone()), ..PointsHeader::default() };
+    let mut writer = Writer::<Points>::create(out, &provenance(Stage::Dsp, scene, inputs), &header)?;
+    for (index, file) in (0..).zip(progress::counted("frames", &files, files.len())) {
+        let (seen, height) = read(file)?;
+        let height = told.unwrap_or(height);
+        let mut points: Vec<Point> = seen.iter().map(|seen| seen.point(&cube, &axes, height)).collect();
+        let objects = dsp::objects_of_points(&cube, &mut points);
+        writer.write(&PointsFrame { index, time_s: scene.frame_time_s(index), points, objects })?;
+    }
+    Ok(writer.finish()?)
+}
+
+/// The description of the set that a file is of, as this program writes one: three folders up from clouds of
+/// View-of-Delft and of nuScenes alike.
+fn description_of(file: &Path) -> Option<PathBuf> {
+    let file = std::fs::canonicalize(file).ok()?;
+    file.ancestors().nth(3).map(|set| set.join("set.json")).filter(|place| place.is_file())
+}
+
+/// Source of the heights of a set, where its description says that they are not measured.
+fn height_told(description: &Path) -> Result<Option<Height>, Failure> {
+    let text = bounded::read_text(description, LIMIT_BYTES);
+    let text = text.map_err(|fault| Failure::unread(description, &fault))?;
+    let told: Value = serde_json::from_str(&text).unwrap_or_default();
+    let is_assumed = told["heights"].as_str().is_some_and(|heights| heights != Heights::Measured.words());
+    Ok(is_assumed.then_some(Height::Assumed))
+}
+
+/// Detections of a file, and what their height stands on: radars of `.pcd` tell none.
+fn read(file: &Path) -> Result<(Vec<Detection>, Height), Failure> {
+    let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    let (found, height) = match ending(file) {
+        Some("pcd") => (pcd::of_bytes(&bytes), Height::Assumed),
+        _ => (velodyne::of_bytes(&bytes), Height::Measured),
+    };
+    let found = found.map_err(|why| Failure::Refused(format!("{}: {why}", file.display())))?;
+    Ok((found, height))
+}
+
+/// The files of a folder that have one of these endings, all the same one, in the order of their names; a
+/// plain file stands for itself.
+pub fn frames_of(asked: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, Failure> {
+    if !asked.is_dir() {
+        return Ok(vec![asked.to_owned()]);
+    }
+    let entries = std::fs::read_dir(asked).map_err(|e| Failure::system(asked, "be listed", e))?;
+    let mut files = vec![];
+    for entry in entries {
+        let file = entry.map_err(|e| Failure::system(asked, "be listed", e))?.path();
+        if ending(&file).is_some_and(|ending| endings.contains(&ending)) {
+            files.push(file);
+        }
+    }
+    files.sort();
+    let refused = |rule: String| Err(Failure::Refused(format!("{}: {rule}", asked.display())));
+    match files.split_first() {
+        None => refused(format!("no file in it ends in .{}", endings.join(" or ."))),
+        Some((first, rest)) if rest.iter().any(|file| ending(file) != ending(first)) => {
+            refused(format!("its files do not all end alike, in .{}", endings.join(" or .")))
+        }
+        Some(_) => Ok(files),
+    }
+}
+
+/// Ending of a file's name.
+pub fn ending(file: &Path) -> Option<&str> {
+    file.extension().and_then(|ending| ending.to_str())
+}

@@ -1,0 +1,66 @@
+//! Rows of View-of-Delft's radar clouds: seven float32 a detection, x, y, z, RCS, v_r, v_r compensated for
+//! the vehicle's own motion, and the number of the scan that it is of, 0 the current one.
+
+use crate::radar_cloud::{DETECTION_LIMIT, Detection};
+use glam::DVec3;
+
+/// Bytes of a row.
+const ROW_BYTES: usize = 28;
+
+/// Bytes of detections; the radar stands, so that both velocities are one.
+pub(crate) fn to_bytes(detections: &[Detection]) -> Vec<u8> {
+    let row = |seen: &Detection| {
+        let DVec3 { x, y, z } = seen.place_m;
+        [x, y, z, seen.section_dbsm, seen.velocity_mps, seen.velocity_mps, 0.0]
+    };
+    detections.iter().flat_map(row).flat_map(|value| (value as f32).to_le_bytes()).collect()
+}
+
+/// Detections of a file. Velocities are those relative to the radar, as it measures them.
+///
+/// # Errors
+/// The file ends within a row, has too many, or one of numbers that are none.
+pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Vec<Detection>, String> {
+    if !bytes.len().is_multiple_of(ROW_BYTES) {
+        return Err(format!("{} bytes are no whole rows of seven float32", bytes.len()));
+    }
+    if bytes.len() / ROW_BYTES > DETECTION_LIMIT {
+        return Err(format!("it has more than {DETECTION_LIMIT} detections, the most that are read"));
+    }
+    bytes.chunks_exact(ROW_BYTES).enumerate().map(|(number, row)| of_row(number, row)).collect()
+}
+
+fn of_row(number: usize, row: &[u8]) -> Result<Detection, String> {
+    let value = |column: usize| {
+        let bytes: [u8; 4] = std::array::from_fn(|byte| row[4 * column + byte]);
+        f64::from(f32::from_le_bytes(bytes))
+    };
+    let place_m = DVec3::new(value(0), value(1), value(2));
+    let seen = Detection { place_m, section_dbsm: value(3), velocity_mps: value(4) };
+    seen.is_sound().then_some(seen).ok_or_else(|| format!("row {number}: no detection has these numbers"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen() -> Detection {
+        Detection { place_m: DVec3::new(30.0, -2.5, -5.25), section_dbsm: 10.5, velocity_mps: -9.75 }
+    }
+
+    #[test]
+    fn rows_come_back_as_they_went() {
+        let bytes = to_bytes(&[seen(), seen()]);
+        assert_eq!(bytes.len(), 56);
+        assert_eq!(of_bytes(&bytes).unwrap(), [seen(), seen()]);
+        assert_eq!(of_bytes(&[]).unwrap(), []);
+    }
+
+    #[test]
+    fn rows_that_are_cut_off_many_or_no_numbers_are_refused() {
+        assert!(of_bytes(&to_bytes(&[seen()])[1..]).is_err_and(|e| e.contains("whole rows")));
+        let strange = Detection { velocity_mps: f64::NAN, ..seen() };
+        assert!(of_bytes(&to_bytes(&[seen(), strange])).is_err_and(|e| e.starts_with("row 1")));
+        assert!(of_bytes(&vec![0; ROW_BYTES * (DETECTION_LIMIT + 1)]).is_err_and(|e| e.contains("most")));
+    }
+}

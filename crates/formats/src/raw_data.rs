@@ -1,0 +1,186 @@
+//! Samples as devices record them: the order of a capture card and of SigMF.
+//!
+//! A device records receivers while transmitters take turns: slot after slot, slot m·N_tx + i is chirp m of
+//! transmitter i (tdm), or slot m·M + s is chirp s of all transmitters' codes in block m (bpm). Samples of a
+//! cube are `[turn·N_rx + rx][chirp][sample]`.
+
+mod lanes; // bytes of a capture card
+pub mod dca1000;
+pub mod npy;
+pub mod sigmf;
+pub mod uwcr;
+
+use artifact::cube::CubeHeader;
+use artifact::radar::{Multiplexing, Sampling};
+use num_complex::Complex32;
+use pipeline::host::failure::Failure;
+use std::path::{Path, PathBuf};
+
+/// Files of samples are read whole; devices write files of a gibibyte.
+pub const LIMIT_BYTES: u64 = 4 << 30;
+
+/// The shape of one frame of a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Recording {
+    /// Chirps in the air from one of a channel to its next.
+    turns: usize,
+    pub(crate) receivers: usize,
+    chirps: usize,
+    pub(crate) samples: usize,
+}
+
+impl Recording {
+    /// Refused where a cube holds what no device can record: transmitters that send at once and are told
+    /// apart all the same.
+    pub(crate) fn of(file: &Path, header: &CubeHeader) -> Result<Self, Failure> {
+        let array = &header.radar.array;
+        match array.multiplexing {
+            Multiplexing::Tdm | Multiplexing::Ddm | Multiplexing::Bpm => {}
+            Multiplexing::Simultaneous if array.tx_m.len() == 1 => {}
+            Multiplexing::Simultaneous => {
+                let text = "transmitters are ideally orthogonal: no device records them apart; take multiplexing tdm, ddm or bpm";
+                return Err(Failure::Refused(format!("{}: {text}", file.display())));
+            }
+        }
+        let [_, chirps, samples] = header.shape();
+        Ok(Self { turns: header.radar.slots(), receivers: array.rx_m.len(), chirps, samples })
+    }
+
+    /// Takes the shape as above; refused where samples are real.
+    pub(crate) fn of_complex(file: &Path, header: &CubeHeader) -> Result<Self, Failure> {
+        if header.radar.waveform.sampling == Sampling::Real {
+            let text = "samples are real: of recordings a DCA1000EVM's alone are read, and none is written";
+            return Err(Failure::Refused(format!("{}: {text}", file.display())));
+        }
+        Self::of(file, header)
+    }
+
+    /// One chirp of one transmitter.
+    #[cfg(test)]
+    pub(crate) fn of_sizes(receivers: usize, samples: usize) -> Self {
+        Self { turns: 1, receivers, chirps: 1, samples }
+    }
+
+    /// Chirps of all transmitters.
+    pub(crate) fn slots(&self) -> usize {
+        self.chirps * self.turns
+    }
+
+    /// Complex values of a frame.
+    pub(crate) fn values(&self) -> usize {
+        self.slots() * self.receivers * self.samples
+    }
+
+    /// Range of a cube's frame that holds the samples of a slot and a receiver.
+    fn row(&self, slot: usize, receiver: usize) -> std::ops::Range<usize> {
+        let (chirp, turn) = (slot / self.turns, slot % self.turns);
+        let start = ((turn * self.receivers + receiver) * self.chirps + chirp) * self.samples;
+        start..start + self.samples
+    }
+
+    /// `[slot][receiver][sample]` of a cube's frame.
+    pub(crate) fn by_slot(&self, cube: &[Complex32]) -> Vec<Complex32> {
+        let rows =
+            (0..self.slots()).flat_map(|slot| (0..self.receivers).map(move |receiver| (slot, receiver)));
+        rows.flat_map(|(slot, receiver)| cube[self.row(slot, receiver)].iter().copied()).collect()
+    }
+
+    /// A cube's frame of `[slot][receiver][sample]`.
+    pub(crate) fn cube_of_slots(&self, values: &[Complex32]) -> Vec<Complex32> {
+        let mut cube = vec![Complex32::ZERO; self.values()];
+        for (row, values) in values.chunks_exact(self.samples).enumerate() {
+            cube[self.row(row / self.receivers, row % self.receivers)].copy_from_slice(values);
+        }
+        cube
+    }
+
+    /// `[slot][sample][receiver]` of `[slot][receiver][sample]`.
+    pub(crate) fn interleaved(&self, values: &[Complex32]) -> Vec<Complex32> {
+        transposed(values, self.receivers, self.samples)
+    }
+
+    /// `[slot][receiver][sample]` of `[slot][sample][receiver]`.
+    pub(crate) fn apart(&self, values: &[Complex32]) -> Vec<Complex32> {
+        transposed(values, self.samples, self.receivers)
+    }
+
+    /// Whole frames in a file of so many values.
+    pub(crate) fn frames(&self, file: &Path, values: usize) -> Result<usize, Failure> {
+        if values == 0 || !values.is_multiple_of(self.values()) {
+            let asked = format!(
+                "{values} samples are no whole number of frames of {} chirps × {} receivers × {} samples",
+                self.slots(),
+                self.receivers,
+                self.samples
+            );
+            return Err(Failure::Refused(format!(
+                "{}: {asked}, as the scene's radar has them",
+                file.display()
+            )));
+        }
+        Ok(values / self.values())
+    }
+}
+
+/// Each run of `rows` × `columns` values with rows and columns exchanged.
+fn transposed(values: &[Complex32], rows: usize, columns: usize) -> Vec<Complex32> {
+    let run = |run: &[Complex32]| {
+        (0..rows * columns).map(|i| run[i % rows * columns + i / rows]).collect::<Vec<_>>()
+    };
+    values.chunks_exact(rows * columns).flat_map(run).collect()
+}
+
+/// Frames that a reader of raw data gives, and what their steps stand for.
+pub struct Imported {
+    /// Samples of each frame, in the order of a cube.
+    pub frames: Vec<Vec<Complex32>>,
+    /// Step of integer samples, and who told it.
+    pub step: IntegerStep,
+}
+
+/// Value of one step of integer samples, and who says it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum IntegerStep {
+    /// Samples are floats in √W.
+    Floats,
+    /// √W, as the command says.
+    Asked(f32),
+    /// √W, as that file says.
+    Told(f32, PathBuf),
+    /// Nobody says it.
+    Unknown,
+}
+
+impl IntegerStep {
+    /// The command's word goes before the file's.
+    fn of(asked: Option<f32>, told: impl FnOnce() -> Option<(f32, PathBuf)>) -> Self {
+        let told = || told().map_or(Self::Unknown, |(step, place)| Self::Told(step, place));
+        asked.map_or_else(told, Self::Asked)
+    }
+
+    /// √W of a step; 1 where nobody says it.
+    pub(crate) fn sqrt_w(&self) -> f32 {
+        match self {
+            Self::Asked(step) | Self::Told(step, _) => *step,
+            Self::Floats | Self::Unknown => 1.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slots_of_two_transmitters_and_back_are_the_cube() {
+        let recording = Recording { turns: 2, receivers: 3, chirps: 2, samples: 4 };
+        let cube: Vec<Complex32> = (0..48).map(|i| Complex32::new(i as f32, -(i as f32))).collect();
+        let slots = recording.by_slot(&cube);
+        // Slot 1 is the first chirp of the second transmitter: channel 3.
+        assert_eq!(slots[12], cube[3 * 2 * 4]);
+        assert_eq!(recording.cube_of_slots(&slots), cube);
+        let interleaved = recording.interleaved(&slots);
+        assert_eq!(interleaved[1], slots[4]);
+        assert_eq!(recording.apart(&interleaved), slots);
+    }
+}

@@ -1,0 +1,143 @@
+//! NumPy's `.npy` of complex64 (NumPy Enhancement Proposal 1), its head checked before it is believed: the
+//! values that it tells of have to be there.
+
+use ndarray::{Array4, ShapeBuilder};
+use num_complex::Complex32;
+
+/// Bytes of a complex64.
+const VALUE_BYTES: u64 = 8;
+/// NumPy's name of a little-endian complex64.
+const COMPLEX64: &str = "<c8";
+
+/// The values of an array of four axes, row- or column-major.
+///
+/// # Errors
+/// A head that is cut off, tells of another type or number of axes, or of none or of other than the values
+/// that stand behind it.
+pub fn complex_values(bytes: &[u8]) -> Result<Array4<Complex32>, String> {
+    let (head, values) = head_and_values(bytes).ok_or("it ends within its head")?;
+    let head = std::str::from_utf8(head).map_err(|_| "its head is no text")?;
+    let [descr, order, shape] = told(head).ok_or("its head tells no shape, type and order alone")?;
+    let shape = sides(shape).ok_or("its head tells no shape")?;
+    match shape.iter().try_fold(VALUE_BYTES, |bytes, side| bytes.checked_mul(*side)) {
+        Some(0) => return Err("it holds no values".to_owned()),
+        Some(told) if told == values.len() as u64 => {}
+        _ => return Err(format!("its head tells of {shape:?} values, behind it are {} bytes", values.len())),
+    }
+    if descr != COMPLEX64 {
+        return Err(format!("its values are of type {descr}"));
+    }
+    let sides: Vec<usize> = shape.iter().map(|side| *side as usize).collect();
+    let sides: [usize; 4] = sides.try_into().map_err(|s: Vec<usize>| format!("it has {} axes", s.len()))?;
+    let is_column_major = match order {
+        "True" => true,
+        "False" => false,
+        other => return Err(format!("fortran_order is True or False, not {other}")),
+    };
+    let part = |bytes: &[u8]| f32::from_le_bytes(std::array::from_fn(|i| bytes[i]));
+    let value = |bytes: &[u8]| Complex32::new(part(bytes), part(&bytes[4..]));
+    let values = values.chunks_exact(VALUE_BYTES as usize).map(value).collect();
+    Array4::from_shape_vec(sides.set_f(is_column_major), values).map_err(|e| e.to_string())
+}
+
+/// The values of `descr`, `fortran_order` and `shape`, the only keys that a head has.
+fn told(head: &str) -> Option<[&str; 3]> {
+    let mut entries = entries(head)?;
+    entries.sort_unstable();
+    match entries[..] {
+        [("descr", descr), ("fortran_order", order), ("shape", shape)] => Some([descr, order, shape]),
+        _ => None,
+    }
+}
+
+/// Keys and values of a dictionary as Python writes it.
+fn entries(head: &str) -> Option<Vec<(&str, &str)>> {
+    let mut rest = head.trim().strip_prefix('{')?.strip_suffix('}')?.trim();
+    let mut all = Vec::new();
+    while !rest.is_empty() {
+        let (key, behind) = rest.strip_prefix('\'')?.split_once('\'')?;
+        let (value, behind) = value_and_rest(behind.trim_start().strip_prefix(':')?.trim_start())?;
+        all.push((key, value.trim()));
+        rest = behind.trim_start();
+        rest = rest.strip_prefix(',').unwrap_or(rest).trim_start();
+    }
+    Some(all)
+}
+
+/// A number, word, quoted text or what stands in brackets.
+fn value_and_rest(text: &str) -> Option<(&str, &str)> {
+    if let Some(quoted) = text.strip_prefix('\'') {
+        return quoted.split_once('\'');
+    }
+    let end = if text.starts_with('(') { text.find(')')? + 1 } else { text.find(',').unwrap_or(text.len()) };
+    Some(text.split_at(end))
+}
+
+/// Magic, version, length of the head in two bytes or, from version 2 on, four, the head (NumPy Enhancement
+/// Proposal 1).
+fn head_and_values(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
+    let behind = bytes.strip_prefix(b"\x93NUMPY")?;
+    let ([major, _], behind) = behind.split_first_chunk::<2>()?;
+    let (length, behind) = if *major == 1 {
+        let (length, behind) = behind.split_first_chunk::<2>()?;
+        (u32::from(u16::from_le_bytes(*length)), behind)
+    } else {
+        let (length, behind) = behind.split_first_chunk::<4>()?;
+        (u32::from_le_bytes(*length), behind)
+    };
+    behind.split_at_checked(length as usize)
+}
+
+/// Numbers in brackets.
+fn sides(shape: &str) -> Option<Vec<u64>> {
+    let inside = shape.strip_prefix('(')?.strip_suffix(')')?;
+    inside.split(',').map(str::trim).filter(|side| !side.is_empty()).map(|side| side.parse().ok()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ndarray_npy::WriteNpyExt;
+
+    fn file(shape: &str, values: usize) -> Vec<u8> {
+        let head = format!("{{'descr': '<c8', 'fortran_order': False, 'shape': {shape}, }}\n");
+        [&b"\x93NUMPY\x01\0"[..], &(head.len() as u16).to_le_bytes(), head.as_bytes(), &vec![0; 8 * values]]
+            .concat()
+    }
+
+    #[test]
+    fn a_head_is_believed_as_far_as_there_are_values() {
+        assert_eq!(complex_values(&file("(2, 3, 1, 1)", 6)).unwrap().dim(), (2, 3, 1, 1));
+        for shape in [
+            "(2, 4)",
+            "(2, 3)",
+            "(0, 6)",
+            "(-1, 6)",
+            "(4294967296, 4294967296, 4294967296)",
+            "2, 3",
+            "(1.0, 6)",
+        ] {
+            assert!(complex_values(&file(shape, 6)).is_err(), "{shape}");
+        }
+        let long = [&b"\x93NUMPY\x02\0"[..], &u32::MAX.to_le_bytes(), b"{}"].concat();
+        assert_eq!(complex_values(&long).unwrap_err(), "it ends within its head");
+        assert!(complex_values(b"\x93NUMPY").is_err() && complex_values(b"").is_err());
+        let other = String::from_utf8_lossy(&file("(1, 1, 1, 1)", 1)).replace("<c8", "<f8");
+        assert!(complex_values(other.as_bytes()).is_err());
+    }
+
+    /// Written by another library, in both orders.
+    #[test]
+    fn values_stand_where_another_library_has_put_them() {
+        let value = |(a, b, c, d): (usize, usize, usize, usize)| {
+            Complex32::new((1000 * a + 100 * b + 10 * c + d) as f32, -(d as f32))
+        };
+        let array = Array4::from_shape_fn((2, 3, 4, 5), value);
+        let turned = Array4::from_shape_fn((2, 3, 4, 5).f(), value);
+        for array in [array, turned] {
+            let mut bytes = Vec::new();
+            array.write_npy(&mut bytes).unwrap();
+            assert_eq!(complex_values(&bytes).unwrap(), array);
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! SigMF recordings (sigmf.org, version 1.0): `.sigmf-data`, receivers interleaved, and `.sigmf-meta` beside
+//! it.
+
+use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording};
+use crate::writing::fail;
+use artifact::Reader;
+use artifact::bounded;
+use artifact::cube::{Cube, CubeHeader};
+use num_complex::Complex32;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::host::progress;
+use serde_json::{Value, json};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Writes a cube as `cf32_le`, in its own unit; every frame is a capture.
+pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
+    let reader = Reader::<Cube>::open(file)?;
+    let header = reader.header().clone();
+    let recording = Recording::of_complex(file, &header)?;
+    let (data, meta_place) = (part_of(out, DATA), part_of(out, META));
+    files::claim(&[data.clone(), meta_place.clone()])?;
+    files::keep_foreign(&meta_place, META_LIMIT_BYTES, is_own)?;
+    let mut times = Vec::new();
+    let mut failed = None;
+    let written = files::write_with(&data, |stream| {
+        progress::frames(reader).try_for_each(|frame| {
+            let frame = frame.map_err(|e| fail(&mut failed, e))?;
+            times.push(frame.time_s);
+            let values = recording.interleaved(&recording.by_slot(&frame.samples));
+            let bytes: Vec<u8> =
+                values.iter().flat_map(|x| [x.re, x.im]).flat_map(f32::to_le_bytes).collect();
+            stream.write_all(&bytes)
+        })
+    });
+    failed.map_or(written, |error| Err(error.into()))?;
+    let text = serde_json::to_string_pretty(&meta(&header, &recording, &times)).map_err(Failure::refused)?;
+    files::write_file(&meta_place, text.as_bytes())
+}
+
+/// `x` or either file of the pair → `x.sigmf-data` or `x.sigmf-meta`; any other ending is a part of the name.
+fn part_of(out: &Path, ending: &str) -> PathBuf {
+    let is_pair = out.extension().is_some_and(|told| told == DATA || told == META);
+    let mut name = if is_pair { out.with_extension("") } else { out.to_owned() }.into_os_string();
+    name.push(".");
+    name.push(ending);
+    PathBuf::from(name)
+}
+
+/// Whether these bytes describe a recording of this program.
+fn is_own(meta: &[u8]) -> bool {
+    serde_json::from_slice::<Value>(meta).is_ok_and(|told| told["global"]["core:recorder"] == RECORDER)
+}
+
+/// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit.
+pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
+    let recording = Recording::of_complex(file, header)?;
+    let (meta, data) = (file.with_extension(META), file.with_extension(DATA));
+    let text = bounded::read_text(&meta, META_LIMIT_BYTES).map_err(|fault| Failure::unread(&meta, &fault))?;
+    let told: Value = serde_json::from_str(&text).map_err(|e| refused(&meta, e.to_string()))?;
+    let channels = told["global"]["core:num_channels"].as_u64().unwrap_or(1);
+    if channels != recording.receivers as u64 {
+        let text = format!(
+            "core:num_channels is {channels}, the scene's radar has {} receivers",
+            recording.receivers
+        );
+        return Err(refused(&meta, text));
+    }
+    let bytes = bounded::read(&data, LIMIT_BYTES).map_err(|fault| Failure::unread(&data, &fault))?;
+    let (values, step) = match told["global"]["core:datatype"].as_str() {
+        Some("cf32_le") => (of_floats(&bytes), IntegerStep::Floats),
+        Some("ci16_le") => {
+            let step = IntegerStep::of(step, || None);
+            (of_integers(&bytes, step.sqrt_w()), step)
+        }
+        other => {
+            let found = other.unwrap_or("nothing");
+            return Err(refused(&meta, format!("core:datatype is {found}; cf32_le and ci16_le are read")));
+        }
+    };
+    let values = values.ok_or_else(|| refused(&data, "ends within a sample".to_owned()))?;
+    recording.frames(&data, values.len())?;
+    let cube = |frame: &[Complex32]| recording.cube_of_slots(&recording.apart(frame));
+    Ok(Imported { frames: values.chunks_exact(recording.values()).map(cube).collect(), step })
+}
+
+const DATA: &str = "sigmf-data";
+const META: &str = "sigmf-meta";
+/// The program that a description names as the one that recorded.
+const RECORDER: &str = "wayside";
+/// A capture for each of a hundred thousand frames.
+const META_LIMIT_BYTES: u64 = 16 << 20;
+
+fn refused(file: &Path, text: String) -> Failure {
+    Failure::Refused(format!("{}: {text}", file.display()))
+}
+
+fn of_floats(bytes: &[u8]) -> Option<Vec<Complex32>> {
+    let (values, rest) = bytes.as_chunks::<8>();
+    let part = |v: &[u8; 8], i: usize| f32::from_le_bytes([v[i], v[i + 1], v[i + 2], v[i + 3]]);
+    rest.is_empty().then(|| values.iter().map(|v| Complex32::new(part(v, 0), part(v, 4))).collect())
+}
+
+fn of_integers(bytes: &[u8], step: f32) -> Option<Vec<Complex32>> {
+    let (values, rest) = bytes.as_chunks::<4>();
+    let part = |v: &[u8; 4], i: usize| f32::from(i16::from_le_bytes([v[i], v[i + 1]])) * step;
+    rest.is_empty().then(|| values.iter().map(|v| Complex32::new(part(v, 0), part(v, 2))).collect())
+}
+
+fn meta(header: &CubeHeader, recording: &Recording, times_s: &[f64]) -> Value {
+    let waveform = &header.radar.waveform;
+    let of_a_frame = recording.slots() * recording.samples;
+    let capture = |(i, time_s): (usize, &f64)| json!({ "core:sample_start": i * of_a_frame, "core:frequency": waveform.centre_frequency_hz(), "wayside:time_s": time_s });
+    json!({
+        "global": {
+            "core:version": "1.0.0",
+            "core:datatype": "cf32_le",
+            "core:num_channels": recording.receivers,
+            "core:sample_rate": waveform.sample_rate_hz,
+            "core:description": format!("IF samples of an FMCW radar, {}: frame, chirp of any transmitter, sample, receiver", header.unit.name()),
+            "core:recorder": RECORDER,
+            "core:extensions": [{ "name": "wayside", "version": "1.0.0", "optional": true }],
+            "wayside:chirps": recording.slots(),
+            "wayside:samples": recording.samples,
+            "wayside:start_frequency_hz": waveform.start_frequency_hz,
+            "wayside:slope_hz_per_s": waveform.slope_hz_per_s,
+        },
+        "captures": times_s.iter().enumerate().map(capture).collect::<Vec<_>>(),
+        "annotations": [],
+    })
+}

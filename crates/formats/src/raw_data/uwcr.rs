@@ -1,0 +1,39 @@
+//! Raw frames of the University of Washington: a `.mat` a frame, `[sample, chirp, receiver, transmitter]`.
+
+use crate::mat_file;
+use crate::radar_cloud::import::frames_of;
+use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
+use artifact::bounded;
+use artifact::cube::CubeHeader;
+use num_complex::Complex32;
+use pipeline::host::failure::Failure;
+use pipeline::host::progress;
+use std::path::Path;
+
+/// Ending of a frame's file.
+pub const ENDINGS: [&str; 1] = ["mat"];
+
+/// Name of the array in each file.
+pub(crate) const ARRAY: &str = "adcData";
+
+/// Samples, chirps, receivers, and transmitters or the slots of their codes: a cube's axes backwards, so that
+/// its values stand in the order of a column-major array as they are.
+pub(crate) fn shape(header: &CubeHeader) -> [usize; 4] {
+    let [channels, chirps, samples] = header.shape();
+    let receivers = header.radar.array.rx_m.len().max(1);
+    [samples, chirps, receivers, channels / receivers]
+}
+
+/// Frames of a file, or of a folder in the order of its files' names.
+pub fn read(asked: &Path, header: &CubeHeader) -> Result<Imported, Failure> {
+    let files = frames_of(asked, &ENDINGS)?;
+    let counted = progress::counted("frames", &files, files.len());
+    let frames: Result<Vec<_>, _> = counted.map(|file| of_file(file, header)).collect();
+    Ok(Imported { frames: frames?, step: IntegerStep::Floats })
+}
+
+fn of_file(file: &Path, header: &CubeHeader) -> Result<Vec<Complex32>, Failure> {
+    let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    let refused = |why: String| Failure::Refused(format!("{}: {why}", file.display()));
+    mat_file::complex_values(&bytes, shape(header)).map_err(refused)
+}

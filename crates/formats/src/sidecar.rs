@@ -1,0 +1,102 @@
+//! Sidecars, which describe the file that they stand beside: `F.json` behind the file's whole name, so that
+//! no two files share one.
+//!
+//! Each says in `of` which file it belongs to; the description of a table of `rcs` is known by what it holds.
+//! What belongs to another file, or is no sidecar, is never replaced.
+
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use serde_json::Value;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// `x.npy` → `x.npy.json`.
+pub(crate) fn beside(file: &Path) -> PathBuf {
+    let mut name = file.as_os_str().to_owned();
+    name.push(".json");
+    PathBuf::from(name)
+}
+
+/// `S.npy` → `S.json`, the name of a table's description in `docs/interface.md`; `S.json` itself gets
+/// `S.axes.json`.
+pub(crate) fn of_table(table: &Path) -> PathBuf {
+    let json = table.with_extension("json");
+    if json == table { table.with_extension("axes.json") } else { json }
+}
+
+/// Writes the sidecar of an exported file: its axes, and in `of` the file's name.
+pub(crate) fn write(file: &Path, axes: &Value) -> Result<(), Failure> {
+    let mut told = axes.clone();
+    if let Some(map) = told.as_object_mut() {
+        map.insert(OF.into(), name(file).into());
+    }
+    put(&beside(file), file, &told)
+}
+
+/// The description of a table: the same bytes under whatever name.
+pub fn write_of_table(table: &Path, described: &Value) -> Result<(), Failure> {
+    put(&of_table(table), table, described)
+}
+
+/// Refuses, before the work, to write a file or what stands beside it where something else would be lost.
+pub(crate) fn claim(file: &Path) -> Result<(), Failure> {
+    files::claim(&[file.to_owned(), beside(file)])?;
+    keep_foreign(&beside(file), file)
+}
+
+/// Claims a table and its description, as [`claim`] does for an exported file and its sidecar.
+pub fn claim_table(table: &Path) -> Result<(), Failure> {
+    files::claim(&[table.to_owned(), of_table(table)])?;
+    keep_foreign(&of_table(table), table)
+}
+
+/// Content of a sidecar; `None` where there is none that can be read as one.
+pub(crate) fn read(place: &Path) -> Option<Value> {
+    text_of(|| artifact::inputs::open(place), place)
+}
+
+fn text_of(open: impl FnOnce() -> std::io::Result<std::fs::File>, place: &Path) -> Option<Value> {
+    let file = place.is_file().then(|| open().ok()).flatten()?;
+    let mut text = Vec::new();
+    file.take(LIMIT_BYTES).read_to_end(&mut text).ok()?;
+    serde_json::from_slice(&text).ok()
+}
+
+/// Axes of the largest table, as text.
+const LIMIT_BYTES: u64 = 256 << 20;
+
+/// Key under which a sidecar names its file.
+const OF: &str = "of";
+
+fn put(place: &Path, file: &Path, told: &Value) -> Result<(), Failure> {
+    keep_foreign(place, file)?;
+    let text = serde_json::to_string_pretty(told).map_err(Failure::refused)?;
+    files::write_file(place, text.as_bytes())
+}
+
+fn name(file: &Path) -> String {
+    file.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Refuses where `place` holds what is no sidecar of `file`: what was asked for is replaced, and what stands
+/// beside it only if it is this file's own.
+fn keep_foreign(place: &Path, file: &Path) -> Result<(), Failure> {
+    if !place.is_file() {
+        return Ok(()); // what is neither missing nor a plain file is refused by its writer
+    }
+    let told = text_of(|| std::fs::File::open(place), place);
+    let is_own = told.is_some_and(|told| match told.get(OF).and_then(Value::as_str) {
+        Some(of) => of == name(file),
+        None => is_of_a_table(&told),
+    });
+    if is_own {
+        return Ok(());
+    }
+    let rule =
+        format!("does not belong to {}, beside which it would be written; choose another --out", name(file));
+    Err(Failure::System(format!("{}: {rule}", place.display())))
+}
+
+fn is_of_a_table(told: &Value) -> bool {
+    ["axes", "settings", "mesh"].iter().all(|key| told[key].is_object())
+}

@@ -1,0 +1,28 @@
+//! The radar that points are of, and what its noise tells of cross sections.
+
+use crate::training_sets::truth_boxes::TruthBoxes;
+use artifact::Radar;
+use artifact::points::PointsHeader;
+use artifact::radar::Sampling;
+use artifact::settings::Noise;
+use pipeline::host::failure::Failure;
+
+/// The radar that points are of: their header's, else the scene's.
+pub(crate) fn radar_of<'a>(
+    points: &'a PointsHeader,
+    truth: Option<&'a TruthBoxes>,
+) -> Result<&'a Radar, Failure> {
+    let told = points.cube.as_ref().map(|cube| &cube.radar);
+    told.or(truth.map(|truth| &truth.header().radar)).ok_or_else(|| {
+        Failure::refused("no radar stands in these points, by whose axes they could be told: give --scene")
+    })
+}
+
+/// Sentence on cross sections of a cloud.
+pub(crate) fn sections_of(points: &PointsHeader) -> &'static str {
+    let is_known = points.cube.as_ref().is_some_and(|cube| {
+        let is_thermal = matches!(cube.noise, Noise::Figure { .. });
+        is_thermal && cube.radar.waveform.sampling == Sampling::Complex
+    });
+    if is_known { "dBsm, by the radar equation" } else { "not known: 0" }
+}

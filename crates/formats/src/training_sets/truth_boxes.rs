@@ -1,0 +1,145 @@
+//! Boxes of the bodies of a scene, the truth of training sets: upright, as long, wide and high as the mesh,
+//! at the frame's middle.
+//!
+//! A box is made of every target with a class; clutter, points and bodies without one have none. The scene's
+//! snapshot alone is read: whether a body is hidden is not known of it.
+
+use artifact::Radar;
+use artifact::scene::{Mesh, Pose, Role, Scene, SceneHeader, Target, TargetKind};
+use artifact::settings::Class;
+use glam::{DVec2, DVec3};
+use pipeline::host::beside::{Beside, check_poses};
+use pipeline::host::failure::Failure;
+use std::path::{Path, PathBuf};
+
+/// A body's box.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct TruthBox {
+    /// Number of the body in the whole scene: the same in all frames.
+    pub(crate) number: u32,
+    /// Name of the body.
+    pub(crate) id: String,
+    pub(crate) class: Class,
+    /// Middle of the lower face, world metres.
+    pub(crate) foot_m: DVec3,
+    /// Length, width, height.
+    pub(crate) size_m: [f64; 3],
+    /// Forward from world +x towards +y.
+    pub(crate) yaw_rad: f64,
+    pub(crate) velocity_mps: DVec3,
+}
+
+impl TruthBox {
+    /// Corners in world metres: those of the lower face, then those of the upper one.
+    pub(crate) fn corners_m(&self) -> [DVec3; 8] {
+        let [length, width, height] = self.size_m;
+        std::array::from_fn(|corner| {
+            let side = |bit: usize| if corner >> bit & 1 == 1 { 0.5 } else { -0.5 };
+            let along = DVec2::new(side(0) * length, side(1) * width);
+            let up_m = if corner >> 2 & 1 == 1 { height } else { 0.0 };
+            self.foot_m + DVec2::from_angle(self.yaw_rad).rotate(along).extend(up_m)
+        })
+    }
+
+    /// Middle in world metres.
+    pub(crate) fn middle_m(&self) -> DVec3 {
+        self.foot_m + DVec3::Z * (0.5 * self.size_m[2])
+    }
+
+    /// The place of the box that is nearest to a place, which is that place itself where it is inside.
+    pub(crate) fn nearest_m(&self, place_m: DVec3) -> DVec3 {
+        let [length, width, height] = self.size_m;
+        let away = place_m - self.foot_m;
+        let in_body = DVec2::from_angle(-self.yaw_rad).rotate(away.truncate());
+        let half = DVec2::new(0.5 * length, 0.5 * width);
+        let nearest = in_body.clamp(-half, half);
+        let turned = DVec2::from_angle(self.yaw_rad).rotate(nearest);
+        self.foot_m + turned.extend(away.z.clamp(0.0, height))
+    }
+}
+
+/// A scene that is read beside an artifact, as boxes of its frames.
+pub(crate) struct TruthBoxes {
+    file: PathBuf,
+    scene: Beside<Scene>,
+    header: SceneHeader,
+    /// Least and greatest corner of each mesh, in body axes.
+    extents_m: Vec<[DVec3; 2]>,
+}
+
+impl TruthBoxes {
+    /// Opens the scene that an artifact of `radar` is of.
+    ///
+    /// # Errors
+    /// The file is no scene, or its radar is another one.
+    pub(crate) fn open(file: &Path, radar: Option<&Radar>) -> Result<Self, Failure> {
+        let scene = Beside::<Scene>::open(file, |frame| frame.index)?;
+        let header = scene.header().clone();
+        if radar.is_some_and(|radar| *radar != header.radar) {
+            let rule = "its radar is not the one that the frames are of";
+            return Err(Failure::Refused(format!("{}: {rule}", file.display())));
+        }
+        let extents_m = header.meshes.iter().map(extent_m).collect();
+        Ok(Self { file: file.to_owned(), scene, header, extents_m })
+    }
+
+    /// Header of the scene.
+    pub(crate) fn header(&self) -> &SceneHeader {
+        &self.header
+    }
+
+    /// Boxes of a frame at its middle, in the order of the scene's bodies; frames are asked for in order.
+    pub(crate) fn of_frame(&mut self, index: u32) -> Result<Vec<TruthBox>, Failure> {
+        let frame = self.scene.frame(index)?;
+        let view = scene::frame_view(&self.header, index);
+        check_poses(&self.file, &view, &frame)?;
+        let middle_s = view.in_frame(index).radar.frame_middle_s();
+        let numbers = scene::bodies_in_view(&self.header, index);
+        let bodies = view.targets.iter().zip(&frame.poses).zip(numbers);
+        let boxes = bodies.filter_map(|((target, pose), number)| {
+            self.of_body(target, &radar::motion::pose_after(pose, middle_s), number)
+        });
+        let boxes: Vec<TruthBox> = boxes.collect();
+        boxes.iter().try_for_each(|body| self.check(index, body))?;
+        Ok(boxes)
+    }
+
+    fn of_body(&self, target: &Target, pose: &Pose, number: u32) -> Option<TruthBox> {
+        let TargetKind::Mesh { class: Some(class), mesh, .. } = target.kind else { return None };
+        let [low, high] = *self.extents_m.get(mesh as usize)?;
+        if target.role != Role::Target {
+            return None;
+        }
+        let middle = 0.5 * (low + high).truncate();
+        let turned = DVec2::from_angle(pose.yaw_rad).rotate(middle);
+        Some(TruthBox {
+            number,
+            id: target.id.clone(),
+            class,
+            foot_m: DVec3::from(pose.position_m) + turned.extend(low.z),
+            size_m: (high - low).to_array(),
+            yaw_rad: pose.yaw_rad,
+            velocity_mps: pose.velocity_mps.into(),
+        })
+    }
+
+    /// Refuses a box whose numbers are none.
+    fn check(&self, index: u32, body: &TruthBox) -> Result<(), Failure> {
+        let is_number = body.foot_m.is_finite()
+            && body.velocity_mps.is_finite()
+            && DVec3::from(body.size_m).is_finite()
+            && body.yaw_rad.is_finite();
+        if is_number {
+            return Ok(());
+        }
+        let rule = format!("frame {index}, `{}`: place, size or motion is no number", body.id);
+        Err(Failure::Refused(format!("{}: {rule}", self.file.display())))
+    }
+}
+
+fn extent_m(mesh: &Mesh) -> [DVec3; 2] {
+    let corner = |pick: fn(DVec3, DVec3) -> DVec3| {
+        mesh.vertices_m.iter().map(|vertex| DVec3::from(*vertex)).reduce(pick).unwrap_or(DVec3::ZERO)
+    };
+    [corner(DVec3::min), corner(DVec3::max)]
+}

@@ -1,0 +1,100 @@
+//! Raw data of the University of Washington (Gao et al. 2022): a frame's samples and its labels.
+//!
+//! Layout by the set's public description: `radar_raw_frame/NNNNNN.mat` with `adcData` `[sample, chirp,
+//! receiver, transmitter]`, `text_labels/NNNNNN.csv` with rows `uid,class,px,py,wid,len`, m, x to the right
+//! and y ahead of the radar.
+
+use crate::levelled_axes::LevelledAxes;
+use crate::mat_file;
+use crate::raw_data::uwcr::{ARRAY, shape};
+use crate::training_sets::set_folder::SetFolder;
+use crate::training_sets::truth_boxes::{TruthBox, TruthBoxes};
+use artifact::Reader;
+use artifact::cube::{Cube, CubeHeader};
+use artifact::settings::Class;
+use pipeline::host::failure::Failure;
+use serde_json::json;
+use std::path::Path;
+
+/// Writes the cubes of a run, labelled where a scene is given.
+pub(crate) fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
+    let header = reader.header().clone();
+    let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
+    let mut set = SetFolder::begin(out)?;
+    let axes = LevelledAxes::of(&header.radar);
+    let frames = set.each_frame(
+        reader,
+        |frame| frame.index,
+        |set, frame| {
+            let shape = shape(&header);
+            let array = mat_file::Array { name: ARRAY, shape, values: &frame.samples };
+            set.write(&format!("radar_raw_frame/{:06}.mat", frame.index), &array.to_bytes())?;
+            if let Some(truth) = &mut truth {
+                let rows: String =
+                    truth.of_frame(frame.index)?.iter().filter_map(|body| row(&axes, body)).collect();
+                set.write(&format!("text_labels/{:06}.csv", frame.index), rows.as_bytes())?;
+            }
+            Ok(())
+        },
+    )?;
+    let mut told = description(&header, frames);
+    told["labelled"] = truth.is_some().into();
+    set.finish(&told)
+}
+
+/// A line of labels; none of a body behind the radar.
+fn row(axes: &LevelledAxes, body: &TruthBox) -> Option<String> {
+    let middle = axes.of_world(body.middle_m());
+    let corners = body.corners_m().map(|corner| axes.of_world(corner));
+    let extent = |along: fn(&glam::DVec3) -> f64| {
+        let values = corners.iter().map(along);
+        values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
+    };
+    let (width, length) = (extent(|corner| corner.y), extent(|corner| corner.x));
+    let (number, class) = (body.number, class_id(body.class));
+    (middle.x > 0.0)
+        .then(|| format!("{number},{class},{:.4},{:.4},{width:.4},{length:.4}\n", -middle.y, middle.x))
+}
+
+/// Numbers of the set's classes.
+fn class_id(class: Class) -> u8 {
+    match class {
+        Class::Car => 2,
+        Class::Motorcycle => 3,
+        Class::Bus => 5,
+        Class::Truck => 7,
+    }
+}
+
+fn description(header: &CubeHeader, frames: usize) -> serde_json::Value {
+    let waveform = &header.radar.waveform;
+    json!({
+        "set": "UWCR", "frames": frames, "array": ARRAY, "shape": shape(header),
+        "axes": ["sample", "chirp", "receiver", "transmitter"], "unit": header.unit.name(),
+        "radar_configs": {
+            "startFreqConst_GHz": waveform.start_frequency_hz / 1e9,
+            "freqSlopeConst_MHz_usec": waveform.slope_hz_per_s / 1e12,
+            "chirpDuration_usec": waveform.chirp_interval_s * 1e6,
+            "numAdcSamples": waveform.samples,
+            "digOutSampleRate": waveform.sample_rate_hz / 1e3,
+            "numLoops": waveform.chirps,
+        },
+        "not_filled": ["images_0"],
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::training_sets::test_body::bus;
+    use radar::{aperture::Preset, paper};
+
+    #[test]
+    fn a_label_tells_right_ahead_and_the_sides_along_both() {
+        let radar = paper::radar([0.0, 0.0, 6.0], paper::waveform(16, 8), Preset::OneByFour.elements());
+        let axes = LevelledAxes::of(&radar);
+        assert_eq!(row(&axes, &bus()).unwrap(), "3,5,2.0000,50.0000,2.5000,12.0000\n");
+        let behind = TruthBox { foot_m: glam::DVec3::new(0.0, -5.0, 0.0), ..bus() };
+        assert_eq!(row(&axes, &behind), None);
+    }
+}

@@ -1,0 +1,18 @@
+//! The stages linked, frame by frame: what a frame depends on, what of it is cached, what it will cost, and
+//! its artifacts.
+
+pub mod stages;
+pub mod keys;
+pub mod cache;
+pub mod plan;
+pub mod told_class;
+#[cfg_attr(not(feature = "classifier"), path = "chain/no_model.rs")]
+pub mod loaded_model;
+pub mod loading;
+pub mod looks;
+pub mod measured_frames;
+pub mod frame_result;
+pub mod link;
+pub mod cycles;
+pub mod memory_estimate;
+pub mod expectation;

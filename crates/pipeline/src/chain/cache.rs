@@ -1,0 +1,253 @@
+//! Whole frames of stages, found by what they depend on.
+//!
+//! One artifact of one frame per entry, `<stage>/<first two letters>/<key>.<kind>`, written whole or not at
+//! all, so that two runs at once do not hurt each other: at worst both compute the same bytes. A hit renews
+//! an entry's time; beyond the size limit the oldest go first. `<stage>/last/<scene>-<frame>.json` remembers
+//! the key's parts, so that a plan can say which of them changed.
+//!
+//! A folder is used as a cache if it is marked as one (`marker`), and files are removed from it if their
+//! names are a cache's (`own_files`): whatever folder is given with `--cache`, nothing else in it is ever
+//! touched.
+
+mod marker;
+mod own_files;
+mod sealed;
+
+use crate::chain::keys::Key;
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use crate::host::places;
+use crate::host::progress;
+use artifact::{ArtifactError, Fault, Provenance, Reader, Schema, Writer};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::time::SystemTime;
+
+pub(crate) use own_files::OwnFile;
+
+/// Folder of a cache and the size to which it may grow.
+#[derive(Debug, Clone)]
+pub struct CacheLocation {
+    /// `None`: `.cache` of the project's folder, or outside of it the user's cache folder (`host::places`).
+    pub folder: Option<PathBuf>,
+    /// Size of all entries beyond which the oldest go first, MiB.
+    pub limit_mib: u64,
+}
+
+impl Default for CacheLocation {
+    fn default() -> Self {
+        Self { folder: None, limit_mib: 8192 }
+    }
+}
+
+/// An open cache.
+pub struct Cache {
+    root: PathBuf,
+    limit_bytes: u64,
+    /// Whether the folder could be marked, once something was to be kept.
+    marked: OnceLock<bool>,
+}
+
+impl Cache {
+    /// Opens the folder; one that is missing is made with the first entry. Refused where it is no cache.
+    pub fn open(location: &CacheLocation) -> Result<Self, Failure> {
+        let root = location.folder.clone().unwrap_or_else(places::default_cache);
+        marker::check(&root)?;
+        Ok(Self { root, limit_bytes: location.limit_mib << 20, marked: OnceLock::new() })
+    }
+
+    /// Folder of the cache.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// Path of the entry of this key, whether it exists or not.
+    pub(crate) fn place(&self, stage: Stage, key: &Key, kind: &str) -> PathBuf {
+        let id = key.id();
+        self.root.join(stage.name()).join(&id[..2]).join(format!("{id}.{kind}"))
+    }
+
+    /// Whether the entry exists.
+    pub(crate) fn holds(&self, stage: Stage, key: &Key, kind: &str) -> bool {
+        self.place(stage, key, kind).is_file()
+    }
+
+    /// The entry's frame; a damaged entry is named, removed and counts as missing.
+    pub(crate) fn get<S: Schema>(&self, stage: Stage, key: &Key) -> Option<S::Frame> {
+        self.entry::<S>(stage, key, Content::OneFrame)?.1
+    }
+
+    /// Header of an entry without frames; a damaged entry is treated as in [`Cache::get`].
+    pub(crate) fn get_header<S: Schema>(&self, stage: Stage, key: &Key) -> Option<S::Header> {
+        Some(self.entry::<S>(stage, key, Content::Header)?.0)
+    }
+
+    /// Keeps one frame. A cache that cannot be written is said once and costs only time.
+    pub(crate) fn put<S: Schema>(&self, stage: Stage, key: &Key, header: &S::Header, frame: &S::Frame) {
+        self.keep::<S>(stage, key, header, &[frame]);
+    }
+
+    /// Keeps a header without frames; a cache that cannot be written is treated as in [`Cache::put`].
+    pub(crate) fn put_header<S: Schema>(&self, stage: Stage, key: &Key, header: &S::Header) {
+        self.keep::<S>(stage, key, header, &[]);
+    }
+
+    /// The key that this frame of this scene had when it was last computed; a damaged file is named and not
+    /// believed.
+    pub(crate) fn last_key(&self, stage: Stage, scene: &str, frame: u32) -> Option<Key> {
+        sealed::read(&self.last_place(stage, scene, frame))
+    }
+
+    /// Remembers the key that this frame of this scene has now.
+    pub(crate) fn remember_key(&self, stage: Stage, scene: &str, frame: u32, key: &Key) {
+        if self.is_marked() {
+            sealed::write(&self.last_place(stage, scene, frame), key); // only explanations need it
+        }
+    }
+
+    fn last_place(&self, stage: Stage, scene: &str, frame: u32) -> PathBuf {
+        let scene: String =
+            scene.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
+        self.root.join(stage.name()).join("last").join(format!("{scene}-{frame:04}.json"))
+    }
+
+    /// All files of the cache's own, oldest first.
+    pub fn files(&self) -> Vec<OwnFile> {
+        let mut files = own_files::of(&self.root).files;
+        files.sort_by(|a, b| (a.used, &a.path).cmp(&(b.used, &b.path)));
+        files
+    }
+
+    /// Removes the oldest files until the rest is within the limit, and what dead writers left behind.
+    pub fn trim(&self) {
+        own_files::sweep(&self.root);
+        let files = self.files();
+        let mut bytes: u64 = files.iter().map(|file| file.bytes).sum();
+        for file in &files {
+            if bytes <= self.limit_bytes {
+                break;
+            }
+            if std::fs::remove_file(&file.path).is_ok() {
+                bytes -= file.bytes;
+            }
+        }
+    }
+
+    /// Empties it; its mark stays, and what is not its own.
+    pub fn clear(&self) -> Result<(), Failure> {
+        own_files::sweep(&self.root);
+        for file in self.files() {
+            match std::fs::remove_file(&file.path) {
+                Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
+                    return Err(Failure::system(&file.path, "remove", e));
+                }
+                _ => {}
+            }
+        }
+        own_files::remove_empty_folders(&self.root);
+        Ok(())
+    }
+
+    fn entry<S: Schema>(
+        &self,
+        stage: Stage,
+        key: &Key,
+        content: Content,
+    ) -> Option<(S::Header, Option<S::Frame>)> {
+        let place = self.place(stage, key, S::NAME);
+        if !place.is_file() {
+            return None;
+        }
+        match whole::<S>(&place, key, content) {
+            Ok(entry) => {
+                renew(&place);
+                Some(entry)
+            }
+            Err(why) => {
+                discard(&place, &why);
+                None
+            }
+        }
+    }
+
+    fn keep<S: Schema>(&self, stage: Stage, key: &Key, header: &S::Header, frames: &[&S::Frame]) {
+        let place = self.place(stage, key, S::NAME);
+        if !self.is_marked() || own_files::is_link(&place) {
+            return;
+        }
+        let provenance =
+            Provenance { stage: stage.name().into(), inputs: key.parts.clone(), ..Provenance::default() };
+        let written = Writer::<S>::create(&place, &provenance, header).and_then(|mut writer| {
+            frames.iter().try_for_each(|frame| writer.write(frame))?;
+            writer.finish()
+        });
+        if let Err(error) = written {
+            say_once(&error);
+        }
+    }
+
+    /// Marks the folder, which is made, before the first file is put into it.
+    fn is_marked(&self) -> bool {
+        *self.marked.get_or_init(|| marker::set(&self.root).map_err(|error| say_once(&error)).is_ok())
+    }
+}
+
+/// Content of an entry: a header alone, or a header and one frame.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Content {
+    Header,
+    OneFrame,
+}
+
+/// Fault of an entry that is not what it should be.
+#[derive(Debug, thiserror::Error)]
+enum EntryFault {
+    #[error("{0}")]
+    Artifact(#[from] ArtifactError),
+    #[error("{}: is the entry of another key: it was put under this name", .0.display())]
+    OtherKey(PathBuf),
+    #[error("{}: does not hold what an entry of its kind holds", .0.display())]
+    OtherContent(PathBuf),
+}
+
+/// An entry, read to its end.
+fn whole<S: Schema>(
+    place: &Path,
+    key: &Key,
+    content: Content,
+) -> Result<(S::Header, Option<S::Frame>), EntryFault> {
+    let mut reader = Reader::<S>::open_own(place)?;
+    if reader.preamble().provenance.inputs != key.parts {
+        return Err(EntryFault::OtherKey(place.to_owned()));
+    }
+    let frame = reader.next_frame()?;
+    let is_as_told = frame.is_some() == (content == Content::OneFrame);
+    if !is_as_told || (frame.is_some() && reader.next_frame()?.is_some()) {
+        return Err(EntryFault::OtherContent(place.to_owned()));
+    }
+    Ok((reader.into_header(), frame))
+}
+
+fn renew(place: &Path) {
+    if let Ok(file) = std::fs::File::options().append(true).open(place) {
+        let _ = file.set_modified(SystemTime::now()); // only the order of eviction hangs on it
+    }
+}
+
+/// Removes a damaged entry and says so; one that could not be read, or is a link, is left: it may be readable
+/// tomorrow, and a link is not the cache's own.
+fn discard(place: &Path, why: &EntryFault) {
+    let is_unread = matches!(why, EntryFault::Artifact(ArtifactError { fault: Fault::System { .. }, .. }));
+    if is_unread || own_files::is_link(place) {
+        progress::note(format!("note: cache entry not used: {why}"));
+    } else {
+        progress::note(format!("note: damaged cache entry removed, it is made anew: {why}"));
+        let _ = std::fs::remove_file(place);
+    }
+}
+
+/// A disk that is full or a folder that is protected is so for every entry.
+fn say_once(error: &dyn std::fmt::Display) {
+    static SAID: OnceLock<()> = OnceLock::new();
+    SAID.get_or_init(|| progress::note(format!("note: not cached: {error}")));
+}

@@ -1,0 +1,80 @@
+//! Processor seconds of each kind of work on the machine that they were measured on, and bytes.
+
+use crate::chain::expectation::work::{ITEMS, WorkCounts, WorkKind};
+
+/// Memory that the program holds beside frames, MiB: code, thread stacks, the classifier (32 to 40 MiB were
+/// measured when the learning library was part of it).
+pub(crate) const PROGRAM_MIB: f64 = 48.0;
+
+/// Bytes of a facet, at rest and placed, and of a beam with what is joined on it.
+pub(crate) const BYTES_PER_FACET: f64 = 2000.0;
+pub(crate) const BYTES_PER_BEAM: f64 = 1500.0;
+/// Bytes of a cell with its path: most were 5.2 KB (192 channels, which hardly anything could be left out
+/// for); a quarter more.
+pub(crate) const BYTES_PER_CELL: f64 = 6500.0;
+/// Further bytes of a cell where a body moves, whose paths may be held for up to 33 moments: most were 8.6 KB
+/// in all (under the mast); 14 KB in all.
+pub(crate) const BYTES_PER_CHANGING_CELL: f64 = 7500.0;
+/// Bytes of a tile between bodies that slide past each other, for each wavelength; below it those of a cell
+/// of such ways.
+pub(crate) const BYTES_PER_SLIDING_TILE: f64 = 2500.0;
+pub(crate) const BYTES_PER_MOVING_CELL: f64 = 0.0;
+
+/// Nine of ten runs are meant to take between the expected time over this and times this
+/// (docs/validation/predictions.md).
+pub const SPREAD: f64 = 2.0;
+
+/// Fitted to the first 36 scenes of `cargo xtask bench --predictions --seed 1`, held to first rates from the
+/// figures of docs/speed.md, which work keeps that these scenes have little of (edges, tables, frames split
+/// in time).
+const SECONDS: [(WorkKind, f64); ITEMS] = [
+    (WorkKind::Run, 0.13),
+    (WorkKind::Triangles, 4.6e-6),
+    (WorkKind::Facets, 8.3e-7),
+    (WorkKind::InSight, 3.0e-5),
+    (WorkKind::Beams, 7.9e-6),
+    (WorkKind::Mirrors, 2.1e-5),
+    (WorkKind::Tiles, 4.2e-6),
+    (WorkKind::LaterTiles, 3.9e-6),
+    (WorkKind::FineTiles, 1.2e-5),
+    (WorkKind::LaterFineTiles, 2.4e-5),
+    (WorkKind::LongTiles, 1.5e-5),
+    (WorkKind::MeasuredCells, 6.9e-6),
+    (WorkKind::Cells, 4.4e-6),
+    (WorkKind::WideCells, 3.5e-4),
+    (WorkKind::SlidingBeams, 7.0e-5),
+    (WorkKind::SlidingTiles, 4.0e-6),
+    (WorkKind::MovingBeams, 9.9e-6),
+    (WorkKind::MovingTiles, 1.0e-6),
+    (WorkKind::MovingCells, 1.0e-5),
+    (WorkKind::RoadBeams, 8.2e-5),
+    (WorkKind::EdgeBeams, 1.8e-5),
+    (WorkKind::LossyTiles, 2.6e-4),
+    (WorkKind::TableTiles, 1.4e-5),
+    (WorkKind::Echoes, 1.1e-7),
+    (WorkKind::GroundEchoes, 8.7e-6),
+    (WorkKind::Samples, 9.1e-8),
+    (WorkKind::MapCells, 9.1e-8),
+    (WorkKind::Bodies, 9.5e-3),
+    (WorkKind::SeparatedBodies, 8.2e-3),
+    (WorkKind::Frames, 0.13),
+];
+
+/// Processor seconds of each kind of work, in the order of [`WorkKind`].
+pub(super) fn by_item() -> [f64; ITEMS] {
+    let mut rates = [0.0; ITEMS];
+    SECONDS.iter().for_each(|(item, rate)| rates[*item as usize] = *rate);
+    rates
+}
+
+/// Processor seconds of the work on the machine of the rates.
+pub(super) fn reference_seconds(work: &WorkCounts) -> f64 {
+    SECONDS.iter().map(|(item, rate)| rate * work.0[*item as usize]).sum()
+}
+
+/// Wall-clock seconds on free processors, from processor seconds: what one thread does alone, and the rest
+/// shared.
+pub fn wall_seconds(seconds: f64, threads: usize) -> f64 {
+    const ALONE: f64 = 0.15;
+    seconds * (ALONE + (1.0 - ALONE) / threads as f64)
+}

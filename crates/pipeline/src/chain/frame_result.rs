@@ -1,0 +1,31 @@
+//! Result of one frame when its chain is done.
+
+use crate::chain::stages::Stage;
+use crate::chain::told_class::ClassRule;
+use artifact::accuracy::{ErrorBudget, ModelError};
+use artifact::paths::PathsFrame;
+use artifact::points::PointsFrame;
+use artifact::scene::SceneFrame;
+
+/// Result of one frame: points, classes, errors, time and memory, beside the scene and its paths.
+pub struct FrameResult {
+    /// Poses of the bodies in this frame.
+    pub scene: SceneFrame,
+    /// Paths that the echo is made of; `None` of tables.
+    pub paths: Option<PathsFrame>,
+    /// Points and objects.
+    pub points: PointsFrame,
+    /// Probabilities of each object, in the order of [`Class::ALL`]; empty without a classifier.
+    pub(crate) classes: Vec<[f32; 4]>,
+    /// Rule by which a class is told from the probabilities.
+    pub(crate) rule: ClassRule,
+    /// Numerical errors.
+    pub error: ErrorBudget,
+    /// Errors of what the model leaves out.
+    pub model_error: ModelError,
+    /// Time of each stage that ran, s.
+    pub seconds: Vec<(Stage, f64)>,
+    /// Stages whose frame came from the cache.
+    pub cached: Vec<Stage>,
+    pub(crate) memory_estimate_mib: f64,
+}

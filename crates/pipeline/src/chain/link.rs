@@ -1,0 +1,490 @@
+//! The stages linked: one frame from the scene snapshot to classes, each stage's frame taken from the cache
+//! where it is there. What goes into a stage is what its artifact holds, nothing else.
+
+use crate::chain::cache::Cache;
+use crate::chain::frame_result::FrameResult;
+use crate::chain::keys::{FrameKeys, SceneParts, cube_header, echo_header};
+use crate::chain::loaded_model::LoadedModel;
+use crate::chain::looks::{Look, Looks};
+use crate::chain::measured_frames::{self, MeasuredFrames};
+use crate::chain::plan::FramePlan;
+use crate::chain::stages::Stage;
+use crate::chain::told_class::ClassRule;
+use crate::host::failure::Failure;
+use crate::host::memory::{self, Allowance};
+use crate::host::progress::{self, Work};
+use artifact::classes::{Classes, ClassesFrame};
+use artifact::cube::{Cube, CubeFrame, CubeHeader};
+use artifact::paths::{Paths, PathsFrame, PathsHeader};
+use artifact::points::{Points, PointsFrame, PointsHeader};
+use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
+use artifact::rdm::{Rdm, RdmFrame};
+use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
+use artifact::settings::{Class, EchoMode};
+use artifact::{ErrorBudget, ModelError, Schema};
+use bart_rcs::FrameSurroundings;
+use fmcw_echo::EchoError;
+use std::sync::{Arc, OnceLock};
+use std::time::Instant;
+
+/// Scattering of one frame, which the tracer hands to the echo: paths, or tables of bodies.
+pub enum Scattering {
+    /// Paths from the transmitter over the bodies to the receiver.
+    Paths(PathsFrame),
+    /// Far-field tables of the bodies.
+    Tables(RcsFrame),
+}
+
+impl Scattering {
+    /// Numerical errors, and what the model leaves out.
+    pub fn error(&self) -> (ErrorBudget, ModelError) {
+        match self {
+            Self::Paths(frame) => (frame.error, frame.model_error),
+            Self::Tables(frame) => (frame.error, frame.model_error),
+        }
+    }
+
+    /// Paths of the frame; `None` of tables.
+    pub fn paths(&self) -> Option<&PathsFrame> {
+        match self {
+            Self::Paths(frame) => Some(frame),
+            Self::Tables(_) => None,
+        }
+    }
+}
+
+/// All artifacts of one frame.
+pub struct FrameProducts {
+    /// The scene as this frame has it: vehicles in view are targets.
+    pub view: SceneHeader,
+    /// Paths or tables, as the tracer made them.
+    pub scattering: Scattering,
+    /// IF samples, √W.
+    pub cube: CubeFrame,
+    /// Range-Doppler maps with the cells that were found.
+    pub rdm: RdmFrame,
+    /// Points, classes, errors and time.
+    pub result: FrameResult,
+}
+
+/// A scene with everything that its frames share.
+pub struct Chain<'a> {
+    /// The scene.
+    pub header: &'a SceneHeader,
+    /// The radar and its processing, as the maps' stage takes them.
+    pub cube_header: CubeHeader,
+    echo_header: CubeHeader,
+    cache: Option<&'a Cache>,
+    /// Last stage whose frames are looked for in the cache and put there.
+    kept_to: Stage,
+    model: Option<&'a LoadedModel>,
+    parts: SceneParts,
+    tracer: OnceLock<Result<bart_rcs::Tracer, String>>,
+    synthesizer: OnceLock<Result<fmcw_echo::Synthesizer, String>>,
+    receiver: OnceLock<Result<dsp::Receiver, String>>,
+    measured: MeasuredFrames,
+    looks: Looks,
+    /// Number of frames that share what tracing may take; one where no plan was made of them.
+    at_once: OnceLock<usize>,
+    limited: OnceLock<bart_rcs::Tracer>,
+    memory: Allowance,
+}
+
+impl<'a> Chain<'a> {
+    /// Makes the chain of a scene: its frames are looked for in the cache and classified by the model, and
+    /// tracing takes no more memory than it may.
+    pub fn of(
+        header: &'a SceneHeader,
+        cache: Option<&'a Cache>,
+        model: Option<&'a LoadedModel>,
+        memory: Allowance,
+    ) -> Self {
+        let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
+        let (echo_header, measured) = (echo_header(header), MeasuredFrames::default());
+        let (tracer, synthesizer, receiver) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        let (looks, at_once, limited) = (Looks::default(), OnceLock::new(), OnceLock::new());
+        Self {
+            header,
+            cube_header,
+            echo_header,
+            cache,
+            kept_to: Stage::Classifier,
+            model,
+            parts,
+            tracer,
+            synthesizer,
+            receiver,
+            measured,
+            looks,
+            at_once,
+            limited,
+            memory,
+        }
+    }
+
+    /// The chain with a cache of the stages to this one: those behind it are computed anew.
+    pub fn keeping(self, kept_to: Stage) -> Self {
+        Self { kept_to, ..self }
+    }
+
+    /// The chain with a tracer of the same meshes that was made before.
+    pub(crate) fn tracing_by(self, tracer: bart_rcs::Tracer) -> Self {
+        Self { tracer: OnceLock::from(Ok(tracer)), ..self }
+    }
+
+    /// The chain of a scene whose errors are those that were measured in another one of its kind, told by the
+    /// hash of what these depend on.
+    pub fn like(self, measured: measured_frames::Known, hash: &str) -> Self {
+        let parts = self.parts.measured_in(hash);
+        Self { measured: MeasuredFrames::of_another(measured), parts, ..self }
+    }
+
+    /// Frames whose error was measured so far, for other scenes to take over.
+    pub fn measured(&self) -> measured_frames::Known {
+        self.measured.all()
+    }
+
+    /// Plan of one frame: which stages run, and why.
+    pub fn plan(&self, index: u32) -> FramePlan {
+        let frame = scene::snapshot(self.header, index);
+        let model = self.model.map(LoadedModel::hash);
+        let keys = FrameKeys::of(self.header, &self.parts, &frame, model);
+        FramePlan::of(self.cache, self.header, index, keys)
+    }
+
+    /// Computes what the plan lacks.
+    pub fn frame(&self, plan: &FramePlan) -> Result<FrameProducts, Failure> {
+        let scene = scene::snapshot(self.header, plan.index);
+        let mut log = Log::default();
+        let scattering = log.time(Stage::BartRcs, || self.scattering(plan, &scene))?;
+        let cube = log.time(Stage::FmcwEcho, || self.cube(plan, &scene, &scattering))?;
+        let (rdm, points) = log.time(Stage::Dsp, || self.maps(plan, &cube))?;
+        let classes = log.time(Stage::Classifier, || self.classes(plan, &rdm, &points))?;
+        let (error, model_error) = scattering.error();
+        let paths = match &scattering {
+            Scattering::Paths(frame) => Some(frame.clone()),
+            Scattering::Tables(_) => None,
+        };
+        let error = error.joined(cube.error);
+        let memory_estimate_mib = self.memory_estimate_mib(plan)?;
+        let (Log { seconds, cached }, rule) = (log, self.class_rule());
+        let result = FrameResult {
+            scene,
+            paths,
+            points,
+            classes,
+            rule,
+            error,
+            model_error,
+            seconds,
+            cached,
+            memory_estimate_mib,
+        };
+        Ok(FrameProducts { view: scene::frame_view(self.header, plan.index), scattering, cube, rdm, result })
+    }
+
+    /// Triangles of all bodies in view of a frame, points counting as one.
+    pub(crate) fn triangles(&self, index: u32) -> usize {
+        let vehicles = scene::vehicles_in_view(self.header, index).into_iter().map(|vehicle| &vehicle.kind);
+        let triangles = |kind: &TargetKind| match kind {
+            TargetKind::Mesh { mesh, .. } => {
+                self.header.meshes.get(*mesh as usize).map_or(0, |m| m.triangles.len())
+            }
+            TargetKind::Point { .. } => 1,
+        };
+        self.header.targets.iter().map(|target| &target.kind).chain(vehicles).map(triangles).sum()
+    }
+
+    /// Memory that tracing may take.
+    pub(crate) fn memory(&self) -> Allowance {
+        self.memory
+    }
+
+    /// A frame's work, told by one that was looked at.
+    pub(crate) fn look(&self, index: u32) -> Result<Look, Failure> {
+        self.looks.of(self.header, index, |at| self.expected_work(at), |at| self.triangles(at))
+    }
+
+    /// Expected work of a frame's tracing, from a sample of it.
+    pub(crate) fn expected_work(&self, index: u32) -> Result<bart_rcs::ExpectedWork, Failure> {
+        let (view, frame) = (scene::frame_view(self.header, index), scene::snapshot(self.header, index));
+        self.unlimited_tracer()?.expected_work(&view, &frame).map_err(Failure::refused)
+    }
+
+    /// Header of the `.paths` artifact.
+    pub fn paths_header(&self) -> PathsHeader {
+        PathsHeader {
+            radar: self.header.radar.clone(),
+            centre_frequency_hz: self.header.radar.waveform.centre_frequency_hz(),
+            targets: self.targets(),
+        }
+    }
+
+    /// Header of the `.rcs` artifact.
+    pub fn rcs_header(&self) -> RcsHeader {
+        RcsHeader { radar: Some(self.header.radar.clone()), targets: self.targets() }
+    }
+
+    /// Header of the `.points` artifact, without truth.
+    pub fn points_header(&self) -> PointsHeader {
+        PointsHeader { cube: Some(self.cube_header.clone()), targets: vec![], classes: vec![] }
+    }
+
+    /// Ids of the scene's targets and of every vehicle that is in view in some frame.
+    pub fn targets(&self) -> Vec<String> {
+        let vehicles = self.header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|v| v.id.clone());
+        self.header.targets.iter().map(|t| t.id.clone()).chain(vehicles).collect()
+    }
+
+    /// Classes of the same, where they are told.
+    pub fn classes_of_targets(&self) -> Vec<Option<Class>> {
+        let vehicles = self.header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|v| &v.kind);
+        let class = |kind: &TargetKind| match kind {
+            TargetKind::Mesh { class, .. } => *class,
+            TargetKind::Point { .. } => None,
+        };
+        self.header.targets.iter().map(|t| &t.kind).chain(vehicles).map(class).collect()
+    }
+
+    /// Scattering with its bodies counted as in [`Chain::targets`], not as in the frame's view.
+    pub fn counted_through(&self, scattering: Scattering) -> Scattering {
+        let numbers = |index: u32| {
+            let bodies = scene::bodies_in_view(self.header, index);
+            move |body: u32| bodies.get(body as usize).copied().unwrap_or(body)
+        };
+        match scattering {
+            Scattering::Paths(frame) => {
+                let number = numbers(frame.index);
+                Scattering::Paths(frame.renumbered(number))
+            }
+            Scattering::Tables(mut frame) => {
+                let number = numbers(frame.index);
+                frame.tables.iter_mut().for_each(|table| table.target = number(table.target));
+                Scattering::Tables(frame)
+            }
+        }
+    }
+
+    /// Paths or tables of one frame; a frame whose bodies stand and move as in another one has that one's,
+    /// found in the cache.
+    pub fn scattering(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<Step<Scattering>, Failure> {
+        let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
+        match self.header.fidelity.echo {
+            EchoMode::Paths => {
+                let compute = || self.paths(plan, scene);
+                let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
+                self.measured.keep(self.header, scene.index, &step.value);
+                let (index, time_s) = (scene.index, scene.time_s);
+                Ok(step.map(|frame| Scattering::Paths(PathsFrame { index, time_s, ..frame })))
+            }
+            EchoMode::RcsTable => {
+                let compute = || {
+                    let (tracer, view) = (self.tracer(plan)?, scene::frame_view(self.header, scene.index));
+                    let progress = &Work::begin(format!("frame {}, tables of bodies", scene.index));
+                    tracer.tables(&view, scene, progress).map_err(Failure::refused)
+                };
+                let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
+                let (index, time_s) = (scene.index, scene.time_s);
+                Ok(step.map(|frame| Scattering::Tables(RcsFrame { index, time_s, ..frame })))
+            }
+        }
+    }
+
+    /// Measured, or like the frame that was.
+    fn paths(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
+        let (view, tracer) = (scene::frame_view(self.header, scene.index), self.tracer(plan)?);
+        let measured_in = self.header.measured_in(scene.index);
+        let in_this_scene =
+            || (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose();
+        let measured = match self.measured.taken_over(measured_in) {
+            Some(known) => Some(known),
+            None => in_this_scene()?,
+        };
+        let progress = &Work::begin(format!("frame {}, paths", scene.index));
+        let surroundings = FrameSurroundings { like: measured.as_deref(), progress };
+        tracer.paths(&view, scene, &surroundings).map_err(Failure::refused)
+    }
+
+    /// Paths frame, without its paths, in which errors were measured; computed where no earlier frame of this
+    /// run needed it.
+    fn measured_frame(&self, index: u32) -> Result<Arc<PathsFrame>, Failure> {
+        if let Some(known) = self.measured.get(index) {
+            return Ok(known);
+        }
+        self.scattering(&self.plan(index), &scene::snapshot(self.header, index))?;
+        self.measured.get(index).ok_or_else(|| Failure::refused(format!("frame {index} has no paths")))
+    }
+
+    /// Frames are traced so many at a time from now on: each has its share of the memory.
+    pub fn share_memory(&self, at_once: usize) {
+        let _ = self.at_once.set(at_once);
+    }
+
+    /// Tracer of the frames, held to its share of the memory; refused where the frame cannot fit into the
+    /// memory that it may take.
+    fn tracer(&self, plan: &FramePlan) -> Result<&bart_rcs::Tracer, Failure> {
+        self.memory.check(self.least_memory_mib(plan)?)?;
+        let tracer = self.unlimited_tracer()?;
+        let share = || self.memory.limit().share_of(*self.at_once.get_or_init(|| 1));
+        Ok(self.limited.get_or_init(|| tracer.clone().within(share())))
+    }
+
+    /// Tracer without a limit of memory, for looks; refused where the bodies at rest do not fit.
+    fn unlimited_tracer(&self) -> Result<&bart_rcs::Tracer, Failure> {
+        let triangles = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
+        self.memory.check(memory::mib(bart_rcs::memory_estimate_bytes(triangles, 0, 0)))?;
+        let build = || {
+            let _under_way = Work::begin("building the hierarchies of the meshes");
+            bart_rcs::Tracer::new(self.header).map_err(|e| e.to_string())
+        };
+        self.tracer.get_or_init(build).as_ref().map_err(Failure::refused)
+    }
+
+    fn cube(
+        &self,
+        plan: &FramePlan,
+        scene: &SceneFrame,
+        scattering: &Scattering,
+    ) -> Result<Step<CubeFrame>, Failure> {
+        let compute = || self.synthesize(scene, scattering);
+        self.step::<Cube>(plan, Stage::FmcwEcho, &plan.keys.fmcw_echo, &self.cube_header, compute)
+    }
+
+    /// The echo of paths or tables.
+    pub fn synthesize(&self, scene: &SceneFrame, scattering: &Scattering) -> Result<CubeFrame, Failure> {
+        let work = Work::begin(format!("frame {}, echo, percent", scene.index));
+        let progress = |share: f64| work.at((100.0 * share) as usize, 100);
+        let synthesizer = self.synthesizer()?;
+        match scattering {
+            Scattering::Paths(frame) => {
+                synthesizer.frame(frame, &progress).map_err(|error| self.of_echo(&error, frame))
+            }
+            Scattering::Tables(frame) => {
+                synthesizer.frame_of_tables(&scene.poses, frame, &progress).map_err(Failure::refused)
+            }
+        }
+    }
+
+    /// A refusal with the body whose path it is about.
+    fn of_echo(&self, error: &EchoError, frame: &PathsFrame) -> Failure {
+        let path = error.path().and_then(|path| frame.paths.get(path));
+        let targets = self.paths_header().targets;
+        match path.and_then(|path| targets.get(path.target as usize)) {
+            Some(id) => Failure::refused(format!("target `{id}`: {error}")),
+            None => Failure::refused(error),
+        }
+    }
+
+    /// Synthesizer that makes cubes of the scene's paths, built when the first frame asks for it: with the
+    /// road's own backscatter, which no `.paths` holds and no table hears.
+    pub fn synthesizer(&self) -> Result<&fmcw_echo::Synthesizer, Failure> {
+        let SceneHeader { radar, backscatter, seed, fidelity, .. } = self.header;
+        let build = || {
+            let heard = backscatter.as_ref().filter(|_| fidelity.echo == EchoMode::Paths);
+            let draw = |road| fmcw_echo::ground::paths(radar, road, *seed);
+            let ground = heard.map(draw).transpose()?.unwrap_or_default();
+            let accuracy = fmcw_echo::sum_accuracy(fidelity.accuracy);
+            fmcw_echo::Synthesizer::new(&self.echo_header, *seed, accuracy, ground)
+        };
+        let build = || build().map_err(|error: EchoError| error.to_string());
+        self.synthesizer.get_or_init(build).as_ref().map_err(Failure::refused)
+    }
+
+    /// Receiver that makes maps and points of the scene's cubes, built when the first frame asks for it.
+    pub fn receiver(&self) -> Result<&dsp::Receiver, Failure> {
+        let build = || dsp::Receiver::new(&self.cube_header).map_err(|error| error.to_string());
+        self.receiver.get_or_init(build).as_ref().map_err(Failure::refused)
+    }
+
+    fn maps(&self, plan: &FramePlan, cube: &CubeFrame) -> Result<Step<(RdmFrame, PointsFrame)>, Failure> {
+        let (key, stage) = (&plan.keys.dsp, Stage::Dsp);
+        let _under_way = Work::begin(format!("frame {}, range-Doppler map and points", plan.index));
+        let compute = || self.receiver()?.range_doppler(cube).map_err(Failure::refused);
+        let rdm = self.step::<Rdm>(plan, stage, key, &self.cube_header, compute)?;
+        let detect = || self.receiver()?.detect_refined(&rdm.value, cube).map_err(Failure::refused);
+        let points = self.step::<Points>(plan, stage, key, &self.points_header(), detect)?;
+        Ok(Step { cached: rdm.cached && points.cached, value: (rdm.value, points.value) })
+    }
+
+    /// Rule by which classes are told; without a model no probability is too small to tell one.
+    pub(crate) fn class_rule(&self) -> ClassRule {
+        self.model.map(LoadedModel::rule).unwrap_or_default()
+    }
+
+    fn classes(
+        &self,
+        plan: &FramePlan,
+        rdm: &RdmFrame,
+        points: &PointsFrame,
+    ) -> Result<Step<Vec<[f32; 4]>>, Failure> {
+        let stage = Stage::Classifier;
+        let Some((model, key)) = self.model.zip(plan.keys.classifier.as_ref()) else {
+            return Ok(Step { value: vec![], cached: false });
+        };
+        let name = format!("frame {}, classification", plan.index);
+        let compute = || {
+            let probabilities = progress::during(name, || model.classify(self.receiver()?, rdm, points))?;
+            Ok(ClassesFrame { probabilities })
+        };
+        let step = self.step::<Classes>(plan, stage, key, &model.classes_header(), compute)?;
+        Ok(step.map(|frame| frame.probabilities))
+    }
+
+    fn step<S: Schema>(
+        &self,
+        plan: &FramePlan,
+        stage: Stage,
+        key: &crate::chain::keys::Key,
+        header: &S::Header,
+        compute: impl FnOnce() -> Result<S::Frame, Failure>,
+    ) -> Result<Step<S::Frame>, Failure> {
+        // Looked for even where the plan found nothing: an equal frame of this run may have put it there
+        // since.
+        let cache = self.cache.filter(|_| stage <= self.kept_to);
+        if let Some(value) = cache.and_then(|c| c.get::<S>(stage, key)) {
+            return Ok(Step { value, cached: true });
+        }
+        let value = compute()?;
+        if let Some(cache) = cache {
+            cache.put::<S>(stage, key, header, &value);
+            cache.remember_key(stage, &self.header.name, plan.index, key);
+        }
+        Ok(Step { value, cached: false })
+    }
+}
+
+/// A stage's value and whether it came from the cache.
+pub struct Step<T> {
+    /// Artifact that the stage made or the cache kept.
+    pub value: T,
+    cached: bool,
+}
+
+impl<T> Step<T> {
+    fn map<U>(self, convert: impl FnOnce(T) -> U) -> Step<U> {
+        Step { value: convert(self.value), cached: self.cached }
+    }
+}
+
+/// Seconds of each stage, and which came from the cache.
+#[derive(Default)]
+struct Log {
+    seconds: Vec<(Stage, f64)>,
+    cached: Vec<Stage>,
+}
+
+impl Log {
+    fn time<T>(
+        &mut self,
+        stage: Stage,
+        work: impl FnOnce() -> Result<Step<T>, Failure>,
+    ) -> Result<T, Failure> {
+        let start = Instant::now();
+        let step = work()?;
+        self.seconds.push((stage, start.elapsed().as_secs_f64()));
+        if step.cached {
+            self.cached.push(stage);
+        }
+        Ok(step.value)
+    }
+}

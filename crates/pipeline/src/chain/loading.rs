@@ -1,0 +1,170 @@
+//! A scene from its file, through the cache.
+
+use crate::chain::cache::Cache;
+use crate::chain::keys;
+use crate::chain::loaded_model::LoadedModel;
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use crate::host::progress::{self, Work};
+use artifact::Provenance;
+use artifact::scene::{Scene, SceneHeader};
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// A scene file and what replaces parts of it.
+#[derive(Debug, Clone, Default)]
+pub struct SceneSource {
+    /// Scene file (`docs/scenes.md`).
+    pub file: PathBuf,
+    /// Model file in place of the model of every target.
+    pub model: Option<PathBuf>,
+    /// Through which of several radars, by its id.
+    pub radar: Option<String>,
+    /// Seed in place of the scene's.
+    pub seed: Option<u64>,
+    /// Accuracy in place of the scene's, dB, by which its physics is chosen ([`crate::planning`]).
+    pub accuracy_db: Option<f64>,
+}
+
+/// A scene and how it was come by.
+pub struct LoadedScene {
+    /// The scene as every stage reads it.
+    pub header: SceneHeader,
+    /// Whether it came from the cache.
+    pub cached: bool,
+    /// Time that it took, s.
+    pub seconds: f64,
+    /// Name and hash of the files it was read from.
+    pub files: Vec<(String, String)>,
+}
+
+/// Reads the scene, or takes it from the cache where no file that it reads has changed.
+pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene, Failure> {
+    let start = Instant::now();
+    let (model, radar) = (source.model.clone(), source.radar.clone());
+    let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
+    let name = source.file.display();
+    let files = progress::during(format!("looking for changes of {name} and of what it names"), || {
+        hashed(&scene::inputs(&source.file, &options).map_err(of_scene)?)
+    })?;
+    // Of a path that is no text the key has what can be shown; what is in the file is among the hashes.
+    let model = source.model.as_ref().map(|file| file.to_string_lossy());
+    let key = keys::scene(&files, &(model, &source.radar));
+    let reading = Work::begin(format!("reading {name} and its meshes"));
+    let known = cache.and_then(|c| c.get_header::<Scene>(Stage::Scene, &key));
+    let cached = known.is_some();
+    let mut header = match known {
+        Some(header) => header,
+        None => scene::read(&source.file, &options).map_err(of_scene)?,
+    };
+    if let (Some(cache), false) = (cache, cached) {
+        cache.put_header::<Scene>(Stage::Scene, &key, &header);
+    }
+    drop(reading);
+    header.seed = seed(source.seed.unwrap_or(header.seed), source.radar.as_deref());
+    Ok(LoadedScene { header, cached, seconds: start.elapsed().as_secs_f64(), files })
+}
+
+/// Seed of the noise: the scene's, or one of its own for each of several radars. That has 53 bits: readers of
+/// JSON that know but f64 keep them all.
+fn seed(of_scene: u64, radar: Option<&str>) -> u64 {
+    let Some(id) = radar else { return of_scene };
+    let key = artifact::seed::key(of_scene, &format!("xtask/radar/{id}"), &[]);
+    u64::from_le_bytes(std::array::from_fn(|i| key[i])) >> 11
+}
+
+/// A radar and settings of a scene, its models unopened.
+pub fn radar_only(file: &Path, radar: Option<&str>) -> Result<SceneHeader, Failure> {
+    radar_changed(file, radar, &[])
+}
+
+/// The same with some of the scene's values changed.
+pub fn radar_changed(
+    file: &Path,
+    radar: Option<&str>,
+    changes: &[scene::Change],
+) -> Result<SceneHeader, Failure> {
+    let radar = radar.map(str::to_owned);
+    let options = scene::ReadOptions { model: None, radar, meshes: scene::Meshes::NamesOnly };
+    scene::read_changed(file, changes, &options).map_err(of_scene)
+}
+
+/// The files that such a reading depends on.
+pub fn files_of_radar(file: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+    scene::inputs(file, &options).map_err(of_scene)
+}
+
+/// A mesh file's rules were broken, or the system refused.
+pub fn of_mesh(error: scene::MeshError) -> Failure {
+    if error.is_system() { Failure::System(error.to_string()) } else { Failure::Refused(error.to_string()) }
+}
+
+/// Rules of a material of OpenMATERIAL 3D were broken, or the system refused.
+pub fn of_asset(error: scene::OpenMaterialError) -> Failure {
+    if error.is_system() { Failure::System(error.to_string()) } else { Failure::Refused(error.to_string()) }
+}
+
+/// A scene's rules were broken, or the system refused.
+pub fn of_scene(errors: scene::SceneErrors) -> Failure {
+    if errors.is_system() {
+        Failure::System(errors.to_string())
+    } else {
+        Failure::Refused(errors.to_string())
+    }
+}
+
+/// Name and content hash of files.
+pub fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
+    let hash =
+        |file: &PathBuf| artifact::inputs::named_hash(file).map_err(|e| Failure::system(file, "read", e));
+    files.iter().map(hash).collect()
+}
+
+/// The model that was asked for, else the one that ships with the program; `None` where that has no
+/// classifier.
+pub fn model(asked: Option<&Path>) -> Result<Option<LoadedModel>, Failure> {
+    asked.map_or_else(shipped, |place| LoadedModel::read(place).map(Some))
+}
+
+#[cfg(feature = "classifier")]
+fn shipped() -> Result<Option<LoadedModel>, Failure> {
+    LoadedModel::of_bytes(crate::host::places::SHIPPED_MODEL).map(Some)
+}
+
+#[cfg(not(feature = "classifier"))]
+fn shipped() -> Result<Option<LoadedModel>, Failure> {
+    Ok(None)
+}
+
+/// Provenance of an artifact: stage, version, inputs, settings and seed.
+pub fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, String)>) -> Provenance {
+    Provenance {
+        stage: stage.name().into(),
+        program_version: env!("CARGO_PKG_VERSION").into(),
+        inputs,
+        settings: serde_json::to_string(&(&header.fidelity, &header.dsp)).unwrap_or_default(),
+        seed: header.seed,
+    }
+}
+
+/// The shards of a dataset folder and of its folders for a thousand shards each, in the order of their
+/// numbers; others before them, in the order of their names.
+pub fn shards(folder: &Path) -> Vec<PathBuf> {
+    let folders = entries(folder).filter(|place| name(place).starts_with("shards-") && place.is_dir());
+    let all = entries(folder).chain(folders.flat_map(|folder| entries(&folder)));
+    let mut shards: Vec<PathBuf> =
+        all.filter(|place| place.extension().is_some_and(|e| e == "dataset")).collect();
+    let number = |shard: &Path| name(shard).strip_prefix("shard-")?.split('.').next()?.parse::<u64>().ok();
+    shards.sort_by_cached_key(|shard| (number(shard), shard.clone()));
+    shards
+}
+
+fn entries(folder: &Path) -> impl Iterator<Item = PathBuf> + use<> {
+    std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path())
+}
+
+fn name(place: &Path) -> Cow<'_, str> {
+    place.file_name().unwrap_or_default().to_string_lossy()
+}

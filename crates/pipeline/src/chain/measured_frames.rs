@@ -1,0 +1,63 @@
+//! Frames whose error was measured, for the frames that take it over.
+
+use artifact::paths::{ErrorOrigin, PathsFrame};
+use artifact::scene::SceneHeader;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Frames whose error was measured in this run, without their paths.
+#[derive(Default)]
+pub(crate) struct MeasuredFrames {
+    own: Mutex<Known>,
+    /// Frames of another scene whose errors this one takes over.
+    taken_over: Known,
+}
+
+/// Measured frames by frame record.
+pub type Known = BTreeMap<u32, Arc<PathsFrame>>;
+
+impl MeasuredFrames {
+    /// Makes the frames of a scene that takes over what was measured in another one.
+    pub(crate) fn of_another(taken_over: Known) -> Self {
+        Self { taken_over, ..Self::default() }
+    }
+
+    /// All frames whose error was measured in this scene.
+    pub(crate) fn all(&self) -> Known {
+        self.known().clone()
+    }
+
+    /// Frame of another scene that was measured for this frame record.
+    pub(crate) fn taken_over(&self, index: u32) -> Option<Arc<PathsFrame>> {
+        self.taken_over.get(&index).cloned()
+    }
+
+    /// Remembers frame record `index` if others take over what was measured in it.
+    pub(crate) fn keep(&self, header: &SceneHeader, index: u32, frame: &PathsFrame) {
+        if header.fidelity.measured_every > 1 && header.measured_in(index) == index {
+            let without_paths = PathsFrame {
+                paths: vec![],
+                nearest_range_m: frame.nearest_range_m.clone(),
+                trace: frame.trace.clone(),
+                ..*frame
+            };
+            self.known().insert(index, Arc::new(without_paths));
+        }
+    }
+
+    pub(crate) fn get(&self, index: u32) -> Option<Arc<PathsFrame>> {
+        self.known().get(&index).cloned()
+    }
+
+    fn known(&self) -> MutexGuard<'_, Known> {
+        self.own.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The frame record in which the errors that are told of record `index` were measured.
+pub(crate) fn errors_of_frame(header: &SceneHeader, index: u32, paths: &PathsFrame) -> u32 {
+    match paths.trace.origin {
+        ErrorOrigin::Measured => index,
+        ErrorOrigin::TakenOver => header.measured_in(index),
+    }
+}

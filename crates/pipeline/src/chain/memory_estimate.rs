@@ -1,0 +1,132 @@
+//! Expected memory of a run at most: what is known of its arrays, and bounds of what the tracer finds.
+
+use crate::chain::expectation::rates::{
+    BYTES_PER_BEAM, BYTES_PER_CELL, BYTES_PER_CHANGING_CELL, BYTES_PER_FACET, BYTES_PER_MOVING_CELL,
+    BYTES_PER_SLIDING_TILE, PROGRAM_MIB,
+};
+use crate::chain::link::Chain;
+use crate::chain::looks::Look;
+use crate::chain::plan::FramePlan;
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use crate::host::memory::mib;
+use artifact::paths::Path;
+use artifact::settings::EchoMode;
+
+/// Expected load of a frame on memory, by what it goes into.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Load {
+    /// Cubes, maps and paths of the ground.
+    pub signal_mib: f64,
+    /// Facets that are placed.
+    pub facets: f64,
+    /// Lit polygons.
+    pub beams: f64,
+    /// Cells of paths.
+    pub cells: f64,
+    /// Cells of paths where a body moves: then their paths may be held for several moments of the frame.
+    pub changing_cells: f64,
+    /// Tiles between bodies that slide past each other, times the wavelengths that they do.
+    pub sliding_tiles: f64,
+    /// Cells of ways between bodies that slide past each other, however far they slide.
+    pub moving_cells: f64,
+}
+
+impl Load {
+    /// Memory that a frame cannot do without, MiB: signals, facets and lit polygons. How many cells an
+    /// accuracy takes, and how many of their paths it drops, is known only from the trace, which watches them
+    /// grow.
+    pub(crate) fn least_mib(&self) -> f64 {
+        self.signal_mib + mib((self.facets * BYTES_PER_FACET + self.beams * BYTES_PER_BEAM) as u64)
+    }
+
+    /// Memory held at most, MiB, the program not among it.
+    pub(crate) fn mib(&self) -> f64 {
+        let bytes = self.cells * BYTES_PER_CELL
+            + self.changing_cells * BYTES_PER_CHANGING_CELL
+            + self.sliding_tiles * BYTES_PER_SLIDING_TILE
+            + self.moving_cells * BYTES_PER_MOVING_CELL;
+        self.least_mib() + mib(bytes as u64)
+    }
+}
+
+impl Chain<'_> {
+    /// Memory held at most while a frame's plan is carried out, MiB, the program itself among it.
+    pub fn memory_estimate_mib(&self, plan: &FramePlan) -> Result<f64, Failure> {
+        Ok(PROGRAM_MIB + self.load(plan)?.mib())
+    }
+
+    /// Memory held at least while a frame's plan is carried out, MiB, the program itself among it.
+    pub(crate) fn least_memory_mib(&self, plan: &FramePlan) -> Result<f64, Failure> {
+        Ok(PROGRAM_MIB + self.load(plan)?.least_mib())
+    }
+
+    /// Memory held at most in a run of these plans, MiB: the program, and the largest frame as often as
+    /// frames are computed side by side.
+    pub(crate) fn memory_of_run_mib(&self, plans: &[FramePlan]) -> Result<f64, Failure> {
+        let at_once = self.side_by_side(plans)? as f64;
+        Ok(PROGRAM_MIB + self.largest_load(plans)?.mib() * at_once)
+    }
+
+    /// Number of frames that are computed at a time: one a thread, as many as are expected to fit into the
+    /// memory that they may take. A frame's own work is in parallel too; what of it is not, is done beside
+    /// another frame.
+    pub fn side_by_side(&self, plans: &[FramePlan]) -> Result<usize, Failure> {
+        let most = rayon::current_num_threads().min(plans.len()).max(1);
+        let Some(limit_mib) = self.memory().mib().filter(|_| most > 1) else { return Ok(most) };
+        let fitting = (limit_mib / (PROGRAM_MIB + self.largest_load(plans)?.mib())) as usize;
+        Ok(most.min(fitting).max(1))
+    }
+
+    /// Load of the frame that is expected to hold most.
+    pub fn largest_load(&self, plans: &[FramePlan]) -> Result<Load, Failure> {
+        plans.iter().try_fold(Load::default(), |most, plan| {
+            let load = self.load(plan)?;
+            Ok(if load.mib() > most.mib() { load } else { most })
+        })
+    }
+
+    fn load(&self, plan: &FramePlan) -> Result<Load, Failure> {
+        let signal = Load { signal_mib: mib(self.signal_bytes()), ..Load::default() };
+        if !plan.runs(Stage::BartRcs) {
+            return Ok(signal);
+        }
+        let Look { work, facets, cells } = self.look(plan.index)?;
+        let bodies =
+            Load { facets: facets * work.facets, beams: facets * (work.beams[0] + work.beams[1]), ..signal };
+        Ok(match self.header.fidelity.echo {
+            EchoMode::RcsTable => bodies,
+            EchoMode::Paths => Load {
+                cells: cells * work.smaller_cells,
+                changing_cells: if self.moves(plan.index) { cells * work.smaller_cells } else { 0.0 },
+                sliding_tiles: facets * work.sliding_tiles,
+                moving_cells: cells * work.moving_cells,
+                ..bodies
+            },
+        })
+    }
+
+    /// Whether any body of a frame does.
+    fn moves(&self, index: u32) -> bool {
+        let poses = scene::snapshot(self.header, index).poses;
+        poses.iter().any(|pose| pose.velocity_mps != [0.0; 3] || pose.acceleration_mps2 != [0.0; 3])
+    }
+
+    /// Bytes of what follows the tracer: cubes, maps, paths of the ground.
+    fn signal_bytes(&self) -> u64 {
+        let accuracy = fmcw_echo::sum_accuracy(self.header.fidelity.accuracy);
+        fmcw_echo::memory_estimate_bytes(&self.cube_header, accuracy) + self.map_bytes() + self.ground_bytes()
+    }
+
+    /// A map in both precisions: all channels are transformed at once.
+    fn map_bytes(&self) -> u64 {
+        let cells: usize = artifact::rdm::shape(&self.cube_header).iter().product();
+        (cells * (size_of::<num_complex::Complex32>() + size_of::<num_complex::Complex64>())) as u64
+    }
+
+    /// Paths of the ground, once for the run and once among those of the frame.
+    fn ground_bytes(&self) -> u64 {
+        let patches = self.header.backscatter.map_or(0, |_| fmcw_echo::ground::patches(&self.header.radar));
+        (2 * patches * size_of::<Path>()) as u64
+    }
+}

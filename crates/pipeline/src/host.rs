@@ -1,0 +1,14 @@
+//! Services that the chain stands on beside the stages: failures, whole files, memory, progress, places and
+//! long work's checkpoints.
+
+pub mod failure;
+pub mod progress;
+pub mod files;
+pub mod memory;
+pub mod processor_time;
+pub mod places;
+pub mod checkpoint;
+pub mod call_off;
+pub mod beside;
+pub mod toml_text;
+pub mod side_by_side;

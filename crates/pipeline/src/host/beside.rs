@@ -1,0 +1,48 @@
+//! Artifacts that are read beside others, frame by frame.
+
+use crate::host::failure::Failure;
+use artifact::scene::{SceneFrame, SceneHeader};
+use artifact::{ArtifactError, Reader, Schema};
+use std::path::{Path, PathBuf};
+
+/// An artifact that is read beside the points, frame by frame.
+pub struct Beside<S: Schema> {
+    file: PathBuf,
+    reader: Reader<S>,
+    index_of: fn(&S::Frame) -> u32,
+}
+
+impl<S: Schema> Beside<S> {
+    /// Opens the artifact; `index_of` tells the number of a frame.
+    pub fn open(file: &Path, index_of: fn(&S::Frame) -> u32) -> Result<Self, Failure> {
+        Ok(Self { file: file.to_owned(), reader: Reader::open(file)?, index_of })
+    }
+
+    /// Header of the artifact.
+    pub fn header(&self) -> &S::Header {
+        self.reader.header()
+    }
+
+    /// The frame of this index; frames before it are passed over.
+    pub fn frame(&mut self, index: u32) -> Result<S::Frame, Failure> {
+        let index_of = self.index_of;
+        let found = self.reader.find(|frame| frame.as_ref().map_or(true, |frame| index_of(frame) >= index));
+        let found: Option<Result<S::Frame, ArtifactError>> = found;
+        found.transpose()?.filter(|frame| index_of(frame) == index).ok_or_else(|| {
+            Failure::Refused(format!(
+                "{}: frame {index} of the points is not in it, or not in the order of the points",
+                self.file.display()
+            ))
+        })
+    }
+}
+
+/// Refuses a frame of the scene with more or fewer poses than there are bodies in view.
+pub fn check_poses(file: &Path, view: &SceneHeader, frame: &SceneFrame) -> Result<(), Failure> {
+    let (poses, bodies, index) = (frame.poses.len(), view.targets.len(), frame.index);
+    if poses == bodies {
+        return Ok(());
+    }
+    let rule = format!("frame {index} has {poses} poses of {bodies} bodies in view");
+    Err(Failure::Refused(format!("{}: {rule}", file.display())))
+}

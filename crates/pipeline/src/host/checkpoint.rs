@@ -1,0 +1,272 @@
+//! Checkpoint of long work, beside the result it will become: the next run of the same work goes on from
+//! there, a run of other work never looks at it, and a finished run removes it.
+//!
+//! ```text
+//! magic "WAYSIDE CHECKPOINT 1\n", key in 64 hexadecimal digits, "\n"
+//! record  length u32 | checksum 16 bytes | pass u32 | aspect u32 | bytes      (any number, in the order they were done)
+//! ```
+//!
+//! Integers are little endian; checksums are the first half of BLAKE3 over what follows them. A run that is
+//! killed leaves at most one record half-written: reading ends at the first one that is not whole.
+
+use crate::host::progress;
+use bart_rcs::{Keeper, Piece};
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+const MAGIC: &[u8] = b"WAYSIDE CHECKPOINT 1\n";
+const CHECKSUM_BYTES: usize = 16;
+/// The largest table, every order of it.
+const LIMIT_BYTES: u64 = 16 << 30;
+const HEAD_BYTES: usize = size_of::<u32>() + CHECKSUM_BYTES;
+
+/// The checkpoint of one piece of long work.
+pub struct Checkpoint {
+    place: PathBuf,
+    head: Vec<u8>,
+    kept: BTreeMap<Piece, Vec<u8>>,
+    state: Mutex<State>,
+}
+
+/// State of the file that records go to.
+enum State {
+    /// The file is made with the first record.
+    NotYet,
+    /// The file is open and locked, at its end.
+    Open(File),
+    /// Another run has the file, it is not ours, or it cannot be written: this run keeps nothing.
+    GivenUp,
+}
+
+impl Checkpoint {
+    /// Opens the checkpoint of the work that `key` names and whose result goes to `out`; `key` has to tell of
+    /// everything the result depends on.
+    pub fn open(out: &Path, key: &str) -> Self {
+        let mut name = out.as_os_str().to_owned();
+        name.push(".checkpoint");
+        let mut checkpoint = Self {
+            place: PathBuf::from(name),
+            head: [MAGIC, key.as_bytes(), b"\n"].concat(),
+            kept: BTreeMap::new(),
+            state: Mutex::new(State::NotYet),
+        };
+        // A FIFO would be waited for, a link leads to what is somebody else's.
+        let is_plain = std::fs::symlink_metadata(&checkpoint.place).is_ok_and(|about| about.is_file());
+        let file =
+            is_plain.then(|| File::options().read(true).write(true).open(&checkpoint.place).ok()).flatten();
+        if let Some(file) = file {
+            let state = checkpoint.take_up(file).unwrap_or_else(|why| checkpoint.give_up(&why));
+            checkpoint.state = Mutex::new(state);
+        }
+        checkpoint
+    }
+
+    /// Number of aspects of the last pass that were found in the file.
+    pub fn aspects(&self) -> usize {
+        let last = self.kept.keys().map(|piece| piece.pass).max();
+        self.kept.keys().filter(|piece| Some(piece.pass) == last).count()
+    }
+
+    /// The work is done and its result written: the file goes.
+    pub fn finish(self) {
+        if let State::Open(_file) = self.state.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            let _ = std::fs::remove_file(&self.place); // a file that is left costs only its room: it is read or replaced
+        }
+    }
+
+    /// Reads what is whole and stands at its end, or begins anew where it is of other work.
+    fn take_up(&mut self, mut file: File) -> std::io::Result<State> {
+        file.try_lock().map_err(|_| std::io::Error::other("another run has it"))?;
+        let about = file.metadata()?;
+        if !about.is_file() {
+            return Err(std::io::Error::other("it is no plain file"));
+        }
+        if about.len() > LIMIT_BYTES {
+            return Err(std::io::Error::other(format!("it has more than {LIMIT_BYTES} bytes")));
+        }
+        let mut bytes = Vec::new();
+        Read::by_ref(&mut file).take(about.len()).read_to_end(&mut bytes)?;
+        if !MAGIC.starts_with(&bytes[..bytes.len().min(MAGIC.len())]) {
+            return Err(std::io::Error::other("it is no checkpoint"));
+        }
+        let whole = match bytes.strip_prefix(self.head.as_slice()) {
+            Some(records) => self.head.len() + self.read(records),
+            None => 0,
+        };
+        file.set_len(whole as u64)?;
+        file.seek(SeekFrom::End(0))?;
+        if whole == 0 {
+            progress::note(format!("note: {}: of other work, begun anew", self.place.display()));
+            file.write_all(&self.head)?;
+        }
+        Ok(State::Open(file))
+    }
+
+    /// Takes whole records; how many bytes they are.
+    fn read(&mut self, records: &[u8]) -> usize {
+        let mut left = records;
+        while let Some((piece, bytes, rest)) = record(left) {
+            self.kept.insert(piece, bytes.to_vec());
+            left = rest;
+        }
+        records.len() - left.len()
+    }
+
+    fn give_up(&self, why: &std::io::Error) -> State {
+        progress::note(format!("note: {}: {why}; this run cannot be resumed", self.place.display()));
+        State::GivenUp
+    }
+
+    fn create(&self) -> std::io::Result<File> {
+        if let Some(folder) = self.place.parent().filter(|p| !p.as_os_str().is_empty()) {
+            std::fs::create_dir_all(folder)?;
+        }
+        let mut file = File::options().write(true).create_new(true).open(&self.place)?;
+        file.try_lock().map_err(|_| std::io::Error::other("another run has it"))?;
+        file.write_all(&self.head)?;
+        Ok(file)
+    }
+}
+
+impl Keeper for Checkpoint {
+    fn kept(&self, piece: Piece) -> Option<&[u8]> {
+        self.kept.get(&piece).map(Vec::as_slice)
+    }
+
+    fn keep(&self, piece: Piece, bytes: &[u8]) {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        if matches!(*state, State::NotYet) {
+            *state = self.create().map_or_else(|why| self.give_up(&why), State::Open);
+        }
+        let State::Open(file) = &mut *state else { return };
+        if let Err(why) = append(file, piece, bytes) {
+            *state = self.give_up(&why);
+        }
+    }
+}
+
+/// One call to the system for a record: a run that is killed has written it or a part of it, and nothing
+/// behind it.
+fn append(file: &mut File, piece: Piece, bytes: &[u8]) -> std::io::Result<()> {
+    let body = [&piece.pass.to_le_bytes(), &piece.aspect.to_le_bytes(), bytes].concat();
+    let length = u32::try_from(body.len()).map_err(std::io::Error::other)?;
+    file.write_all(&[&length.to_le_bytes(), checksum(&body).as_slice(), &body].concat())
+}
+
+/// The first record of these bytes and what is behind it; `None` where it is not whole.
+fn record(bytes: &[u8]) -> Option<(Piece, &[u8], &[u8])> {
+    let (head, rest) = bytes.split_at_checked(HEAD_BYTES)?;
+    let (length, sum) = head.split_first_chunk()?;
+    let (body, rest) = rest.split_at_checked(u32::from_le_bytes(*length) as usize)?;
+    if checksum(body) != sum {
+        return None;
+    }
+    let (pass, body) = body.split_first_chunk()?;
+    let (aspect, bytes) = body.split_first_chunk()?;
+    Some((Piece { pass: u32::from_le_bytes(*pass), aspect: u32::from_le_bytes(*aspect) }, bytes, rest))
+}
+
+fn checksum(bytes: &[u8]) -> [u8; CHECKSUM_BYTES] {
+    let mut short = [0; CHECKSUM_BYTES];
+    short.copy_from_slice(&blake3::hash(bytes).as_bytes()[..CHECKSUM_BYTES]);
+    short
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PIECES: [Piece; 3] =
+        [Piece { pass: 0, aspect: 7 }, Piece { pass: 0, aspect: 2 }, Piece { pass: 1, aspect: 0 }];
+
+    fn written(out: &Path) -> Vec<u8> {
+        let checkpoint = Checkpoint::open(out, "key");
+        PIECES.iter().for_each(|piece| checkpoint.keep(*piece, &piece.aspect.to_le_bytes()));
+        drop(checkpoint); // as when the run is killed
+        std::fs::read(beside(out)).unwrap()
+    }
+
+    fn beside(out: &Path) -> PathBuf {
+        out.with_file_name("s.npy.checkpoint")
+    }
+
+    fn kept(out: &Path, key: &str) -> Vec<bool> {
+        let checkpoint = Checkpoint::open(out, key);
+        let is_kept = |piece: &Piece| checkpoint.kept(*piece) == Some(&piece.aspect.to_le_bytes()[..]);
+        PIECES.iter().map(is_kept).collect()
+    }
+
+    #[test]
+    fn whole_records_are_found_again_and_no_other_byte_is_believed() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("s.npy");
+        let whole = written(&out);
+        assert_eq!(kept(&out, "key"), [true; 3]);
+        let head = MAGIC.len() + "key\n".len();
+        let record = (whole.len() - head) / 3;
+        for cut in 0..whole.len() {
+            std::fs::write(beside(&out), &whole[..cut]).unwrap();
+            let found = kept(&out, "key");
+            let expected: Vec<bool> = (1..=3).map(|n| cut >= head + n * record).collect();
+            assert_eq!(found, expected, "cut at {cut}");
+        }
+        for at in head..whole.len() {
+            let mut damaged = whole.clone();
+            damaged[at] ^= 4;
+            std::fs::write(beside(&out), damaged).unwrap();
+            let found = kept(&out, "key");
+            let first = (at - head) / record;
+            assert_eq!(found, [0, 1, 2].map(|n| n < first), "a bit at {at}");
+        }
+    }
+
+    #[test]
+    fn other_work_begins_anew_and_a_finished_one_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("s.npy");
+        written(&out);
+        assert_eq!(kept(&out, "other"), [false; 3]);
+        assert_eq!(kept(&out, "key"), [false; 3], "the other work has replaced it");
+        written(&out);
+        Checkpoint::open(&out, "key").finish();
+        assert!(!beside(&out).exists());
+    }
+
+    #[test]
+    fn a_file_of_that_name_that_is_no_checkpoint_is_left_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("s.npy");
+        std::fs::write(beside(&out), "my notes").unwrap();
+        assert_eq!(written(&out), b"my notes");
+        Checkpoint::open(&out, "key").finish();
+        assert_eq!(std::fs::read(beside(&out)).unwrap(), b"my notes");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_fifo_of_that_name_is_not_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("s.npy");
+        assert!(std::process::Command::new("mkfifo").arg(beside(&out)).status().unwrap().success());
+        assert_eq!(kept(&out, "key"), [false; 3]);
+    }
+
+    #[test]
+    fn of_two_runs_at_once_one_keeps() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("s.npy");
+        let first = Checkpoint::open(&out, "key");
+        first.keep(PIECES[0], b"first");
+        let second = Checkpoint::open(&out, "key");
+        second.keep(PIECES[1], b"second");
+        assert!(second.kept(PIECES[0]).is_none());
+        second.finish();
+        assert!(beside(&out).exists(), "the first still has it");
+        first.keep(PIECES[1], b"too");
+        drop(first);
+        assert_eq!(Checkpoint::open(&out, "key").kept(PIECES[1]), Some(&b"too"[..]));
+    }
+}

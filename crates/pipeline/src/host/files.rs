@@ -1,0 +1,206 @@
+//! Writing of files that are there whole or not at all, and reading of what earlier runs have left.
+
+use crate::host::failure::Failure;
+use artifact::whole_file::{self, Durability, WholeFile};
+use std::collections::BTreeSet;
+use std::io::{Error, ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Refuses what could not be written, before the work that it is the result of: no plain file, an input, a
+/// place without permission, or one place for two results.
+pub fn claim(places: &[PathBuf]) -> Result<(), Failure> {
+    let mut claimed = BTreeSet::new();
+    for place in places {
+        whole_file::check(place)?;
+        if !claimed.insert(one_name(place)) {
+            return Err(twice(place));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses, before the work, to replace a file that nobody named and that is not what an earlier run of this
+/// program has left there: more than `limit` bytes, or not its own by what it holds.
+pub fn keep_foreign(place: &Path, limit: u64, is_own: impl FnOnce(&[u8]) -> bool) -> Result<(), Failure> {
+    if !place.is_file() {
+        return Ok(()); // what is neither missing nor a plain file is refused by its writer
+    }
+    if read_own(place, limit).is_ok_and(|bytes| is_own(&bytes)) {
+        return Ok(());
+    }
+    let rule = "was not written by this program, and would be replaced; choose another --out";
+    Err(Failure::System(format!("{}: {rule}", place.display())))
+}
+
+/// Writes `file` whole or not at all; folders that are missing are made.
+pub fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_with(file, |stream| stream.write_all(bytes))
+}
+
+/// Bytes of a file that an earlier run has left and this one may replace: it is no input. What is no plain
+/// file and what has more than `limit` bytes is not read.
+pub fn read_own(file: &Path, limit: u64) -> std::io::Result<Vec<u8>> {
+    // Opening a FIFO waits for its writer.
+    if !std::fs::metadata(file)?.is_file() {
+        return Err(Error::new(ErrorKind::InvalidInput, "it is no plain file"));
+    }
+    let mut bytes = Vec::new();
+    std::fs::File::open(file)?.take(limit + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > limit {
+        return Err(Error::new(ErrorKind::FileTooLarge, format!("it has more than {limit} bytes")));
+    }
+    Ok(bytes)
+}
+
+/// Writes a file that grows and is written again and again, whole or not at all.
+pub fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let mut whole = WholeFile::create(file)?;
+    whole.write_all(bytes).map_err(|e| Failure::system(file, "write", e))?;
+    Ok(whole.finish(Durability::InCache)?)
+}
+
+/// Writes a file whose content is made as a stream, whole or not at all.
+pub fn write_with(
+    file: &Path,
+    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    write(file, Durability::InCache, content)
+}
+
+/// Writes a file as [`write_with`] does and waits for the disk: what took hours, and what they were kept in
+/// until now is removed next.
+pub fn write_lasting(
+    file: &Path,
+    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    write(file, Durability::OnDisk, content)
+}
+
+fn write(
+    file: &Path,
+    durability: Durability,
+    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    let mut whole = WholeFile::create(file)?;
+    content(&mut whole).map_err(|e| Failure::system(file, "write", e))?;
+    if !taken().files.insert(one_name(file)) {
+        return Err(twice(file));
+    }
+    Ok(whole.finish(durability)?)
+}
+
+/// A run that writes into a folder: it writes no file twice, and no other one of this process writes there
+/// meanwhile. When it ends, a later one may write the same files again.
+pub struct Writing {
+    folder: PathBuf,
+}
+
+impl Writing {
+    /// Begins to write into a folder, which need not be there.
+    ///
+    /// # Errors
+    /// Another run of this process is writing there.
+    pub fn into_folder(folder: &Path) -> Result<Self, Failure> {
+        let here = std::env::current_dir().map_err(|e| Failure::system(folder, "write", e))?;
+        let folder = here.join(folder);
+        if !taken().folders.insert(one_name(&folder)) {
+            let rule = "is being written by another run of this program";
+            return Err(Failure::System(format!("{}: {rule}", folder.display())));
+        }
+        Ok(Self { folder })
+    }
+}
+
+impl Drop for Writing {
+    fn drop(&mut self) {
+        let mut taken = taken();
+        // What was not there at the beginning has its whole name now.
+        for name in [one_name(&self.folder), self.folder.clone()] {
+            taken.folders.remove(&name);
+            taken.files.retain(|file| !file.starts_with(&name));
+        }
+    }
+}
+
+/// Names that what is under way has taken.
+struct Taken {
+    /// Files that were written.
+    files: BTreeSet<PathBuf>,
+    /// Folders into which runs write.
+    folders: BTreeSet<PathBuf>,
+}
+
+static TAKEN: Mutex<Taken> = Mutex::new(Taken { files: BTreeSet::new(), folders: BTreeSet::new() });
+
+fn taken() -> MutexGuard<'static, Taken> {
+    TAKEN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn twice(place: &Path) -> Failure {
+    Failure::System(format!(
+        "{}: cannot be written: two results of this command have this name",
+        place.display()
+    ))
+}
+
+/// Name that all ways to a file share, where its folder exists.
+fn one_name(place: &Path) -> PathBuf {
+    let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match (std::fs::canonicalize(place), std::fs::canonicalize(folder), place.file_name()) {
+        (Ok(whole), _, _) => whole,
+        (_, Ok(folder), Some(name)) => folder.join(name),
+        _ => place.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_an_earlier_run_left_is_read_up_to_its_limit_and_may_be_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("left");
+        std::fs::write(&place, b"abc").unwrap();
+        assert_eq!(read_own(&place, 3).unwrap(), b"abc");
+        assert_eq!(read_own(&place, 2).unwrap_err().kind(), ErrorKind::FileTooLarge);
+        claim(&[place]).unwrap();
+        assert_eq!(read_own(folder.path(), 3).unwrap_err().kind(), ErrorKind::InvalidInput);
+    }
+
+    #[test]
+    fn a_run_writes_no_file_twice_and_the_next_one_writes_the_same_files_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("new/out");
+        for _ in 0..2 {
+            let writing = Writing::into_folder(&out).unwrap();
+            write_file(&out.join("a"), b"a").unwrap();
+            assert!(write_file(&out.join("a"), b"b").unwrap_err().to_string().contains("two results"));
+            drop(writing);
+        }
+        assert_eq!(std::fs::read(out.join("a")).unwrap(), b"a");
+    }
+
+    #[test]
+    fn a_folder_that_a_run_writes_into_is_refused_to_another_run_until_it_ends() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        let first = Writing::into_folder(&out).unwrap();
+        std::fs::create_dir(&out).unwrap();
+        let refused = Writing::into_folder(&folder.path().join("out/../out")).err().unwrap().to_string();
+        assert!(refused.contains("out: is being written by another run of this program"), "{refused}");
+        drop(Writing::into_folder(folder.path()).unwrap());
+        drop(first);
+        drop(Writing::into_folder(&out).unwrap());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_fifo_in_the_place_of_what_an_earlier_run_left_is_not_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("left");
+        assert!(std::process::Command::new("mkfifo").arg(&place).status().unwrap().success());
+        assert_eq!(read_own(&place, 3).unwrap_err().kind(), ErrorKind::InvalidInput);
+    }
+}

@@ -1,0 +1,23 @@
+//! Several pieces of work at once, each of which is in parallel too.
+
+use crate::host::failure::Failure;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Results of all jobs, in any order, each done on one of so many threads: threads of the pool would take up
+/// a further job while they wait for a part of one, and hold more than was allowed.
+pub fn side_by_side<J: Sync, T: Send>(
+    jobs: &[J],
+    at_once: usize,
+    work: impl Fn(&J) -> Result<T, Failure> + Sync,
+) -> Result<Vec<T>, Failure> {
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        let taken = std::iter::from_fn(|| jobs.get(next.fetch_add(1, Ordering::Relaxed)));
+        taken.map(&work).collect::<Result<Vec<T>, Failure>>()
+    };
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..at_once.min(jobs.len())).map(|_| scope.spawn(worker)).collect();
+        let joined = workers.into_iter().map(|w| w.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
+        joined.collect::<Result<Vec<_>, _>>().map(|parts| parts.into_iter().flatten().collect())
+    })
+}

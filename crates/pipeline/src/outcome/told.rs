@@ -1,0 +1,288 @@
+//! Lines that `run` prints at its end, from its summary alone: what was found, how well, and whether the
+//! accuracy asked for was reached.
+
+use crate::outcome::error_figures::decibels;
+use crate::outcome::summary::{
+    AccuracyVerdict, Cause, FalseObject, FrameSummary, OneOfRadars, Predicted, RadarsSummary, Summary,
+    TargetSummary,
+};
+use crate::outcome::verdict::{self, FRAMES_IN_FULL};
+use artifact::settings::StaticEchoes;
+use std::collections::BTreeMap;
+
+/// Frames that have a line: more would push the rest off the screen.
+const FRAMES_TOLD: usize = 24;
+/// False objects of a frame that have a line of their own.
+const FALSE_OBJECTS_LISTED: usize = 8;
+
+/// Lines about several radars: one for each, and one for each target of a frame that none of them found.
+pub fn lines_of_radars(summary: &RadarsSummary) -> Vec<String> {
+    let by_nobody = summary.frames.iter().enumerate().flat_map(|(number, frame)| {
+        let unseen = frame.targets.iter().filter(|t| t.found_by.is_empty() && !t.missed_by.is_empty());
+        unseen.map(move |target| format!("  frame {number}: {} is found by no radar", target.id))
+    });
+    summary.radars.iter().map(of_radar).chain(by_nobody.take(FRAMES_TOLD)).collect()
+}
+
+fn of_radar(radar: &OneOfRadars) -> String {
+    let accuracy = radar.accuracy.as_ref();
+    let verdict = match accuracy.and_then(|accuracy| accuracy.met) {
+        Some(true) => "reached",
+        Some(false) => "NOT REACHED",
+        None => "not known",
+    };
+    let error = accuracy.map_or_else(|| decibels(None), AccuracyVerdict::reached_in_words);
+    let asked = accuracy.map_or("whatever was asked".into(), verdict::asked_in_words);
+    let count = Count::of_radar(radar).text();
+    format!("radar {}: {count}; numerical error {error}, {asked}: {verdict}", radar.id)
+}
+
+/// Lines about a run through one radar: each of a few frames in full, else a line a frame and all together.
+pub fn lines(summary: &Summary) -> Vec<String> {
+    let frames = &summary.frames[..];
+    if frames.len() <= FRAMES_IN_FULL {
+        let in_full = frames.iter().enumerate().flat_map(|(number, frame)| in_full(number, frame));
+        return in_full.chain(of_clutter(summary)).chain(of_heights(frames)).collect();
+    }
+    let mut lines: Vec<String> =
+        frames.iter().take(FRAMES_TOLD).enumerate().map(|(number, frame)| in_a_line(number, frame)).collect();
+    if frames.len() > FRAMES_TOLD {
+        lines.push(format!("frames {FRAMES_TOLD} to {} stand in summary.json", frames.len() - 1));
+    }
+    lines.extend(together(frames));
+    lines.extend(of_clutter(summary));
+    lines.extend(of_heights(frames));
+    lines
+}
+
+/// What points tell that no place on the ground has the range of; `None` where there are none.
+pub fn without_height([points, of]: [usize; 2]) -> Option<String> {
+    (points > 0).then(|| {
+        format!("{points} of {of} points are nearer than assumed_height_m is below or above the radar: their azimuth is the boresight's and the cone's angle, their height the radar's")
+    })
+}
+
+fn of_heights(frames: &[FrameSummary]) -> Option<String> {
+    let sum = |count: fn(&FrameSummary) -> usize| frames.iter().map(count).sum();
+    without_height([sum(|frame| frame.points_without_height), sum(|frame| frame.points)])
+}
+
+/// Advice that would take clutter out of the false objects, where some of them are that and nobody asked for
+/// it.
+fn of_clutter(summary: &Summary) -> Option<String> {
+    let false_ones = summary.frames.iter().flat_map(|frame| &frame.false_objects);
+    let clutter = false_ones.filter(|object| object.cause == Cause::Clutter).count();
+    let is_asked = clutter > 0 && summary.static_echoes == StaticEchoes::Keep;
+    is_asked.then(|| {
+        format!("{clutter} false objects are clutter: static = \"mark\" in [dsp] tells apart what is at rest, \"remove\" leaves it out")
+    })
+}
+
+/// Counts of targets and objects: found, missed, false, at rest, removed and hidden.
+#[derive(Default, Clone, Copy)]
+struct Count {
+    found: usize,
+    missed: usize,
+    false_ones: usize,
+    stationary: usize,
+    removed: usize,
+    hidden: usize,
+}
+
+impl Count {
+    fn of_radar(radar: &OneOfRadars) -> Self {
+        let OneOfRadars { found, missed, false_ones, stationary, removed, .. } = *radar;
+        Self { found, missed, false_ones, stationary, removed, hidden: 0 }
+    }
+
+    fn of(frame: &FrameSummary) -> Self {
+        let targets = |found| frame.targets.iter().filter(|target| target.found == found).count();
+        let removed = frame.targets.iter().filter(|target| target.removed).count();
+        Self {
+            found: targets(Some(true)),
+            missed: targets(Some(false)),
+            hidden: targets(None) - removed,
+            false_ones: frame.false_objects.len(),
+            stationary: frame.stationary_objects.len(),
+            removed,
+        }
+    }
+
+    fn and(self, more: Self) -> Self {
+        Self {
+            found: self.found + more.found,
+            missed: self.missed + more.missed,
+            false_ones: self.false_ones + more.false_ones,
+            stationary: self.stationary + more.stationary,
+            removed: self.removed + more.removed,
+            hidden: self.hidden + more.hidden,
+        }
+    }
+
+    fn text(self) -> String {
+        let Self { found, missed, false_ones, stationary, removed, hidden } = self;
+        let more = [
+            (stationary, "at rest and of no target"),
+            (removed, "removed as echoes at rest"),
+            (hidden, "hidden or out of range"),
+        ];
+        let more =
+            more.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("; {count} {what}"));
+        let more: String = more.collect();
+        format!("{found} of {} targets found, {missed} missed, {false_ones} false{more}", found + missed)
+    }
+}
+
+fn in_a_line(number: usize, frame: &FrameSummary) -> String {
+    let error = frame.accuracy.reached_in_words();
+    let missed = if frame.accuracy.met == Some(false) { " (not reached)" } else { "" };
+    format!("frame {number:>3}, {:.3} s: {}; error {error}{missed}", frame.time_s, Count::of(frame).text())
+}
+
+/// Lines about all frames together: counts, and the frame with the largest error.
+fn together(frames: &[FrameSummary]) -> Vec<String> {
+    let count = frames.iter().map(Count::of).fold(Count::default(), Count::and);
+    let causes = causes(frames.iter().flat_map(|frame| &frame.false_objects));
+    let causes = if causes.is_empty() { causes } else { format!(" (false: {causes})") };
+    let mut lines = vec![format!("all {} frames: {}{causes}", frames.len(), count.text())];
+    lines.extend(worst_error(frames));
+    lines
+}
+
+/// The frame with the largest error, and how many did not reach what was asked.
+fn worst_error(frames: &[FrameSummary]) -> Vec<String> {
+    let known = frames.iter().enumerate();
+    let known = known.filter_map(|(number, frame)| Some((number, frame, frame.accuracy.level_db()?)));
+    let Some((number, frame, _)) = known.max_by(|a, b| a.2.total_cmp(&b.2)) else { return vec![] };
+    let missed = frames.iter().filter(|frame| frame.accuracy.met == Some(false)).count();
+    let mut lines = vec![format!(
+        "  accuracy reached in {} of {} frames; the worst, frame {number}:",
+        frames.len() - missed,
+        frames.len()
+    )];
+    lines.extend(
+        verdict::lines(&frame.accuracy, &frame.error_db).into_iter().map(|line| format!("    {line}")),
+    );
+    lines.extend(left_out(frame));
+    lines
+}
+
+fn in_full(number: usize, frame: &FrameSummary) -> Vec<String> {
+    let (time_s, points) = (frame.time_s, frame.points);
+    let mut lines =
+        vec![format!("frame {number}, {time_s:.3} s: {}; {points} points", Count::of(frame).text())];
+    lines
+        .extend(verdict::lines(&frame.accuracy, &frame.error_db).into_iter().map(|line| format!("  {line}")));
+    lines.extend(left_out(frame));
+    lines.extend(targets(&frame.targets));
+    lines.extend(false_objects(&frame.false_objects));
+    lines.extend(standing(&frame.stationary_objects));
+    lines
+}
+
+/// Objects that the radar tells to be at rest: how many of which causes.
+fn standing(all: &[FalseObject]) -> Option<String> {
+    (!all.is_empty()).then(|| format!("  {} objects at rest and of no target: {}", all.len(), causes(all)))
+}
+
+/// The strongest, and how many more of which causes.
+fn false_objects(all: &[FalseObject]) -> Vec<String> {
+    let (listed, more) = all.split_at(all.len().min(FALSE_OBJECTS_LISTED));
+    let mut lines: Vec<String> = listed.iter().map(false_object).collect();
+    if !more.is_empty() {
+        lines.push(format!("  {} more false objects: {}", more.len(), causes(more)));
+    }
+    lines
+}
+
+/// Text of the number of objects of each cause.
+fn causes<'a>(objects: impl IntoIterator<Item = &'a FalseObject>) -> String {
+    let mut causes: BTreeMap<&str, usize> = BTreeMap::new();
+    for object in objects {
+        *causes.entry(object.cause.name()).or_default() += 1;
+    }
+    causes.iter().map(|(cause, many)| format!("{many} {cause}")).collect::<Vec<_>>().join(", ")
+}
+
+/// Line about what the model leaves out, apart from numerical errors; `None` where it leaves nothing out, or
+/// nothing of it was estimated.
+fn left_out(frame: &FrameSummary) -> Option<String> {
+    let estimated = frame.model_error_db.sources().into_iter().filter_map(|(name, db)| Some((name, db?)));
+    let named: Vec<String> = estimated.map(|(name, db)| format!("{name} {}", decibels(db))).collect();
+    (!named.is_empty()).then(|| format!("  left out by the model: {}", named.join(", ")))
+}
+
+/// A table, one row a target.
+fn targets(targets: &[TargetSummary]) -> Vec<String> {
+    let Some(longest) = targets.iter().map(|target| target.id.chars().count()).max() else { return vec![] };
+    let width = longest.max(6);
+    let head = format!("  {:<width$}   range   error    velocity   error     SNR  lane  predicted", "target");
+    std::iter::once(head).chain(targets.iter().map(|target| target_row(target, width))).collect()
+}
+
+fn target_row(target: &TargetSummary, width: usize) -> String {
+    let (id, truth) = (&target.id, &target.truth);
+    let Some(estimate) = &target.estimate else {
+        let why = match (target.found, target.removed) {
+            (Some(false), _) => "missed",
+            (_, true) => "removed as an echo at rest (static in [dsp])",
+            _ => "hidden or out of range",
+        };
+        return format!("  {id:<width$} {:6.2} m  {why}", truth.compared_range_m());
+    };
+    let (range, velocity, snr) = (estimate.range_m, estimate.radial_velocity_mps, estimate.snr_db);
+    let range_error = signed(range - truth.compared_range_m(), 6);
+    let velocity_error = signed(velocity - truth.compared_radial_velocity_mps(), 6);
+    let velocity = signed(velocity, 7);
+    let numbers = format!("{range:6.2} m  {range_error} {velocity} m/s  {velocity_error} {snr:4.0} dB");
+    let lane = lane(estimate.lane, truth.lane);
+    let (numbers, class) = (numbers.replace('-', "−"), class(target));
+    let aliasing = if target.velocity_aliased { "; velocity aliased in the map" } else { "" };
+    format!("  {id:<width$} {numbers}  {lane:<4}  {class}{aliasing}")
+}
+
+/// Text of a value with its sign, to hundredths; a value that rounds to zero has a plus.
+fn signed(value: f64, width: usize) -> String {
+    let value = if value.abs() < 0.005 { 0.0 } else { value };
+    format!("{value:+width$.2}")
+}
+
+fn lane(got: Option<u8>, asked: Option<u8>) -> String {
+    let [got, asked] = [got, asked].map(|lane| lane.map_or("–".into(), |lane| lane.to_string()));
+    if got == asked { got } else { format!("{got}≠{asked}") }
+}
+
+/// Text of the target's class: of its track where there is one, else of this frame.
+fn class(target: &TargetSummary) -> String {
+    let by_track = target.track_class.zip(target.track_probabilities);
+    let told = by_track.or(target.predicted_class.map(|predicted| (predicted, target.probabilities)));
+    let Some((predicted, probabilities)) = told else { return "–".into() };
+    let name = predicted.name();
+    let Some((likeliest, probability)) = probabilities.likeliest() else { return name.into() };
+    let is_likeliest = predicted == Predicted::Class(likeliest);
+    let told = if is_likeliest { name.to_owned() } else { format!("{name}, {}", likeliest.name()) };
+    let wrong = target.class.filter(|class| predicted != Predicted::Class(*class));
+    let wrong = wrong.map_or(String::new(), |class| format!(" (is a {})", class.name()));
+    format!("{told} {probability:.2}{wrong}")
+}
+
+fn false_object(object: &FalseObject) -> String {
+    let FalseObject { range_m, x_m, y_m, snr_db, .. } = object;
+    let velocity = signed(object.radial_velocity_mps, 1);
+    let text =
+        format!("  false object at {range_m:.2} m ({x_m:.1}, {y_m:.1}), {velocity} m/s, {snr_db:.0} dB: ");
+    text.replace('-', "−") + &cause(object)
+}
+
+fn cause(object: &FalseObject) -> String {
+    let bodies = object.bodies.join(" and ");
+    let bounces = object.bounces.map_or(String::new(), |n| format!(", {n} bounces"));
+    match object.cause {
+        Cause::Ghost => format!("ghost by {bodies}{bounces}"),
+        Cause::Split => format!("split off {bodies}, which has an object"),
+        Cause::Misplaced => format!("echo of {bodies}, too far from it{bounces}"),
+        Cause::Clutter if object.bodies.is_empty() => "clutter: the road".into(),
+        Cause::Clutter => format!("clutter: {bodies}"),
+        cause @ (Cause::Noise | Cause::Unknown) => cause.name().into(),
+    }
+}

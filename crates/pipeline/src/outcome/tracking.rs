@@ -1,0 +1,83 @@
+//! Objects followed over the frames of a run, and how that agrees with the truth.
+
+use crate::chain::frame_result::FrameResult;
+use crate::chain::link::{Chain, FrameProducts};
+use crate::host::failure::Failure;
+use crate::outcome::summary::TrackSummary;
+use artifact::tracks::{Track, TracksFrame};
+use dsp::{ROAD_TRAFFIC, Tracker};
+use evaluation::{FrameTruth, Metrics, Score, believed, bodies_of_tracks};
+use std::collections::BTreeMap;
+
+/// A run's tracker and its score.
+pub struct Tracking {
+    tracker: Tracker,
+    score: Score,
+    classes: BTreeMap<u32, Evidence>,
+}
+
+/// Evidence of a track's class: the sums of the logarithms of its frames' probabilities, and how many frames.
+#[derive(Debug, Clone, Copy, Default)]
+struct Evidence {
+    log_sums: [f64; 4],
+    frames: u32,
+}
+
+/// The logarithm of no probability is lower: one frame that is sure and wrong is outweighed by a few others.
+const LEAST_PROBABILITY: f64 = 1e-3;
+
+impl Evidence {
+    fn add(&mut self, probabilities: &[f32; 4]) {
+        for (sum, p) in self.log_sums.iter_mut().zip(probabilities) {
+            *sum += f64::from(*p).max(LEAST_PROBABILITY).ln();
+        }
+        self.frames += 1;
+    }
+}
+
+impl Tracking {
+    /// Begins to follow a scene, before its first frame.
+    pub fn of(chain: &Chain) -> Result<Self, Failure> {
+        let tracker = Tracker::new(&chain.cube_header, ROAD_TRAFFIC).map_err(Failure::refused)?;
+        Ok(Self { tracker, score: Score::default(), classes: BTreeMap::new() })
+    }
+
+    /// The frame's tracks, from its objects alone, and what is told of those that are believed, beside the
+    /// truth.
+    pub fn follow(
+        &mut self,
+        frame: &FrameProducts,
+        truth: &FrameTruth,
+    ) -> Result<(TracksFrame, Vec<TrackSummary>), Failure> {
+        let result = &frame.result;
+        let tracks = self.tracker.step(&result.points).map_err(Failure::refused)?;
+        self.score.add(truth, &result.points.objects, &tracks);
+        tracks.tracks.iter().for_each(|track| self.hear(track, result));
+        let believed = believed(&tracks);
+        let bodies = bodies_of_tracks(truth, &believed);
+        let told = believed.iter().zip(bodies).map(|(track, body)| {
+            let target = body.and_then(|body| frame.view.targets.get(body)).map(|target| target.id.as_str());
+            let evidence = self.classes.get(&track.id);
+            let probabilities = evidence.map(|e| result.rule.joined(&e.log_sums, e.frames));
+            TrackSummary::of(track, target, probabilities.as_ref(), &result.rule)
+        });
+        let told = told.collect();
+        Ok((tracks, told))
+    }
+
+    /// The strongest of a track's objects says what this frame knows of its class.
+    fn hear(&mut self, track: &Track, result: &FrameResult) {
+        let objects = track.objects.iter().map(|object| *object as usize);
+        let snr_db =
+            |object: &usize| result.points.objects.get(*object).map_or(f64::NEG_INFINITY, |o| o.snr_db);
+        let strongest = objects.max_by(|a, b| snr_db(a).total_cmp(&snr_db(b)));
+        if let Some(probabilities) = strongest.and_then(|object| result.classes.get(object)) {
+            self.classes.entry(track.id).or_default().add(probabilities);
+        }
+    }
+
+    /// Metrics of all frames so far.
+    pub fn metrics(&self) -> Metrics {
+        self.score.metrics()
+    }
+}

@@ -1,0 +1,383 @@
+//! Whether the accuracy that was asked for was reached; where not, what limits it and what would help.
+
+use crate::outcome::error_figures::{ErrorFigures, db, decibels};
+use crate::outcome::of_use::OfUse;
+use artifact::accuracy::ModelError;
+use artifact::goal::Goal;
+use artifact::paths::PathsFrame;
+use artifact::settings::Fidelity;
+use artifact::units::db_from_amplitude;
+use artifact::{Accuracy, ErrorBudget};
+use serde::{Deserialize, Serialize};
+
+/// Largest number of frames that are all told in full; of more only the worst is.
+pub(crate) const FRAMES_IN_FULL: usize = 4;
+
+/// Whether the accuracy that was asked for was reached.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct AccuracyVerdict {
+    /// The largest error allowed, dB relative to the echo.
+    pub asked_db: f64,
+    /// Result whose need that is; `None` where an accuracy was asked for itself.
+    #[serde(rename = "for")]
+    pub goal: Option<Goal>,
+    /// The error's total, dB; `None` where it was not estimated, and with `met` of no error at all.
+    pub reached_db: Option<f64>,
+    /// Whether the error is no larger than was asked; `None` where it was not estimated.
+    pub met: Option<bool>,
+    /// The name of the largest share of the error.
+    pub limited_by: Option<String>,
+    /// Accuracy of use, dB: the largest error of the model's method and of the mesh, which stays however
+    /// little is asked for; `None` where none was estimated.
+    pub of_use_db: Option<f64>,
+    /// Sentences: what limits the accuracy and what would help, where it was not met; and which accuracy is
+    /// of use, where less was asked for. `None` where neither is so.
+    pub advice: Option<String>,
+}
+
+/// Accuracy that was asked of a frame, a table or a scene, and the error that it came to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Verdict {
+    asked: Accuracy,
+    goal: Option<Goal>,
+    error: ErrorBudget,
+    model: ModelError,
+    /// Number of moments of the frame at which ways between bodies were traced; `None` where that means
+    /// nothing.
+    moments: Option<u32>,
+}
+
+/// Place in which a person asks for an accuracy, for the words of advice.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Asking {
+    /// Keys of a scene.
+    Scene,
+    /// Options of the command line.
+    Options,
+}
+
+impl AccuracyVerdict {
+    /// Level by which verdicts are compared, dB: without end where there is no error, or one beyond all
+    /// numbers; `None` where it was not estimated.
+    pub fn level_db(&self) -> Option<f64> {
+        let endless = |met| if met { f64::NEG_INFINITY } else { f64::INFINITY };
+        self.reached_db.or(self.met.map(endless))
+    }
+
+    /// The error that was reached, for a person.
+    pub fn reached_in_words(&self) -> String {
+        match self.level_db() {
+            Some(f64::NEG_INFINITY) => "none".into(),
+            Some(f64::INFINITY) => "beyond all numbers".into(),
+            level => decibels(level),
+        }
+    }
+}
+
+impl Verdict {
+    /// Compares a frame's numerical errors with the accuracy asked for; what the model leaves out is zero.
+    pub fn of(asked: Accuracy, error: &ErrorBudget) -> Self {
+        Self { asked, goal: None, error: *error, model: ModelError::default(), moments: None }
+    }
+
+    /// Makes the verdict of a frame; its paths, where they are known, tell the number of moments.
+    pub fn of_paths(asked: &Fidelity, error: &ErrorBudget, paths: Option<&PathsFrame>) -> Self {
+        let fineness = paths.and_then(|paths| paths.trace.fineness.as_ref());
+        let moments = fineness.map(|fineness| fineness.moments);
+        Self { goal: asked.goal, moments, ..Self::of(asked.accuracy, error) }
+    }
+
+    /// Makes the same verdict that knows what the model leaves out, and so which accuracy is of use.
+    pub fn beside(self, model: &ModelError) -> Self {
+        Self { model: *model, ..self }
+    }
+
+    /// Whether the error is no larger than was asked; `None` where it was not estimated.
+    fn is_met(&self) -> Option<bool> {
+        // An accuracy that went through decibels and back may differ by rounding.
+        self.error.total().map(|total| total <= self.asked.amplitude() * (1.0 + 1e-9))
+    }
+
+    /// Name of the largest share of the error; `None` where no share is above zero.
+    fn limited_by(&self) -> Option<&'static str> {
+        let known = self.error.shares().into_iter().filter_map(|(name, error)| Some((name, error?)));
+        known.filter(|(_, error)| *error > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(name, _)| name)
+    }
+
+    /// Makes the verdict as `summary.json` has it.
+    pub fn told(&self, asking: Asking) -> AccuracyVerdict {
+        AccuracyVerdict {
+            asked_db: self.asked.db(),
+            goal: self.goal,
+            reached_db: db(self.error.total()),
+            met: self.is_met(),
+            limited_by: self.limited_by().map(str::to_owned),
+            of_use_db: db(self.of_use().map(|error| error.amplitude)),
+            advice: self.advice(asking),
+        }
+    }
+
+    /// Makes the verdict as lines for a person.
+    pub fn lines(&self, asking: Asking) -> Vec<String> {
+        lines(&self.told(asking), &ErrorFigures::of(&self.error))
+    }
+
+    fn of_use(&self) -> Option<OfUse> {
+        OfUse::of(self.asked, &self.error, &self.model)
+    }
+
+    /// Advice on what limits the accuracy, and on which one is of use; `None` where there is none to give.
+    fn advice(&self, asking: Asking) -> Option<String> {
+        let sentences: Vec<String> =
+            [self.advice_on_limit(asking), self.advice_on_use(asking)].into_iter().flatten().collect();
+        (!sentences.is_empty()).then(|| sentences.join(" "))
+    }
+
+    /// Advice where less error is asked for than the model has itself: no integral makes that smaller.
+    fn advice_on_use(&self, asking: Asking) -> Option<String> {
+        let of_use = self.of_use().filter(|error| error.amplitude > self.asked.amplitude())?;
+        let level = decibels(db(Some(of_use.amplitude)));
+        let key = match asking {
+            Asking::Scene => "accuracy_db",
+            Asking::Options => "--accuracy-db",
+        };
+        Some(format!(
+            "The model's largest named error is {level} ({}): {key} below that buys nothing.",
+            of_use.name
+        ))
+    }
+
+    /// Advice on what limits the accuracy and what would help; `None` where it was reached or nothing is
+    /// known.
+    fn advice_on_limit(&self, asking: Asking) -> Option<String> {
+        let limited_by = self.limited_by().filter(|_| self.is_met() == Some(false))?;
+        let (what, help) = match (limited_by, self.moments) {
+            ("freezing", Some(moments)) if moments > 1 => of_moments(moments),
+            _ => cause_and_help(limited_by, asking),
+        };
+        let help = help.replace("{finer}", &format!("{:.0}", self.finer_db()));
+        Some(format!("Limited by {limited_by}: {what}. What would help: {help}."))
+    }
+
+    /// Accuracy to ask for instead, dB: finer than what was asked by as much as the error is above it, to a
+    /// whole dB.
+    fn finer_db(&self) -> f64 {
+        let reached_db = self.error.total().map_or(self.asked.db(), db_from_amplitude);
+        (2.0 * self.asked.db() - reached_db).floor()
+    }
+}
+
+/// Lines that tell whether the accuracy was reached: of every frame, or of many the worst and how many there
+/// are.
+pub fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
+    let frame = |(number, verdict): &(u32, Verdict)| {
+        let mut lines = verdict.lines(Asking::Scene);
+        lines[0] = format!("frame {number}: {}", lines[0]);
+        lines
+    };
+    if frames.len() <= FRAMES_IN_FULL {
+        return frames.iter().flat_map(frame).collect();
+    }
+    let missed = frames.iter().filter(|(_, verdict)| verdict.is_met() == Some(false)).count();
+    let head =
+        format!("accuracy reached in {} of {} frames; the worst:", frames.len() - missed, frames.len());
+    let error = |verdict: &Verdict| verdict.error.total().unwrap_or(0.0);
+    let worst = frames.iter().max_by(|a, b| error(&a.1).total_cmp(&error(&b.1)));
+    std::iter::once(head).chain(worst.into_iter().flat_map(frame)).collect()
+}
+
+/// Lines about an accuracy: asked, reached and the shares that make up most of the error; then, where it was
+/// not reached, what limits it and what would help.
+pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<String> {
+    let asked = asked_in_words(accuracy);
+    if accuracy.level_db().is_none() {
+        return vec![format!("numerical error not estimated ({asked})")];
+    }
+    let verdict = if accuracy.met == Some(true) { "reached" } else { "NOT REACHED" };
+    let shares: Vec<String> =
+        shares_that_matter(error_db).iter().map(|(name, db)| format!("{name} {}", decibels(*db))).collect();
+    let shares = if shares.is_empty() { String::new() } else { format!(" ({})", shares.join(", ")) };
+    let head = format!("numerical error {}, {asked}: {verdict}{shares}", accuracy.reached_in_words());
+    std::iter::once(head).chain(accuracy.advice.clone()).collect()
+}
+
+/// The accuracy that was asked for, and the result that asks for it.
+pub(crate) fn asked_in_words(accuracy: &AccuracyVerdict) -> String {
+    let goal = accuracy.goal.map_or(String::new(), |goal| format!(" for \"{}\"", goal.name()));
+    format!("{} asked{goal}", decibels(accuracy.asked_db))
+}
+
+/// Shares within 10 dB of the largest, largest first: each of the others changes the total by less than half
+/// a decibel.
+fn shares_that_matter(error_db: &ErrorFigures) -> Vec<(&'static str, f64)> {
+    let estimated = error_db.shares().into_iter().filter_map(|(name, db)| Some((name, db?)));
+    let mut shares: Vec<(&str, f64)> = estimated.collect();
+    shares.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let largest = shares.first().map_or(0.0, |(_, db)| *db);
+    shares.retain(|(_, db)| *db >= largest - 10.0);
+    shares
+}
+
+/// Explains a share of the error and what makes it smaller; `{finer}` stands for a value in dB.
+fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
+    let is_scene = asking == Asking::Scene;
+    match share {
+        "tessellation" => (
+            "a bound of what facets in place of the curved skin err by",
+            "a mesh with more triangles, or surface = \"flat\" where the facets are what is meant",
+        ),
+        "integration" if is_scene => (
+            "parts of a body cancel, and what is left of their sum is known to less",
+            "accuracy_db = {finer} in [fidelity]",
+        ),
+        "integration" => (
+            "parts of the body cancel, and what is left of their sum is known to less",
+            "--accuracy-db {finer}",
+        ),
+        "dropped" if is_scene => (
+            "beams and mirrors too small were given up",
+            "accuracy_db = {finer} in [fidelity], or fewer bounces",
+        ),
+        "dropped" => {
+            ("beams and mirrors too small were given up", "--accuracy-db {finer}, or fewer --bounces")
+        }
+        "freezing" => (
+            "bodies move and shadows shift within the frame, and paths follow them only so far",
+            "a shorter frame (fewer chirps, shorter intervals), or fewer bounces where bodies reflect each other",
+        ),
+        "detail" => ("fewer paths stand for all that were traced", "detail = \"paths\" in [fidelity]"),
+        "synthesis" => (
+            "echoes are summed from tables or by transforms",
+            "echo = \"paths\" and a finer accuracy_db in [fidelity]",
+        ),
+        _ => ("of unknown cause", "a finer accuracy"),
+    }
+}
+
+/// Explains freezing in a frame whose ways between bodies were traced at several moments already.
+fn of_moments(moments: u32) -> (&'static str, &'static str) {
+    if moments >= bart_rcs::MOMENTS_MAX {
+        (
+            "ways between moving bodies change faster than the moments follow at which they are traced",
+            "a shorter frame (fewer chirps, shorter intervals), or slower bodies",
+        )
+    } else {
+        (
+            "more moments of the frame did not help, so what is left is not motion but the width of the array and of the sweep",
+            "a smaller array or a narrower sweep",
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(integration: f64, freezing: f64) -> Verdict {
+        let error = ErrorBudget {
+            integration: Some(integration),
+            freezing: Some(freezing),
+            ..ErrorBudget::default()
+        };
+        Verdict::of(Accuracy::from_db(-20.0), &error)
+    }
+
+    #[test]
+    fn an_accuracy_that_was_not_reached_is_told_with_its_cause_and_what_helps() {
+        let missed = of(0.02, 0.24);
+        let told = missed.told(Asking::Scene);
+        assert_eq!((told.met, told.limited_by.as_deref()), (Some(false), Some("freezing")));
+        // √(0.02² + 0.24²) = 0.2408: −12.4 dB.
+        assert!((told.reached_db.unwrap() + 12.366).abs() < 1e-3, "{told:?}");
+        let advice = told.advice.unwrap();
+        assert!(advice.contains("freezing") && advice.contains("shorter frame"), "{advice}");
+        let lines = missed.lines(Asking::Scene);
+        assert!(
+            lines[0].contains("−12.4 dB") && lines[0].contains("−20.0 dB asked: NOT REACHED"),
+            "{lines:?}"
+        );
+        assert!(!lines[0].contains("integration"), "0.02 changes 0.24 by 0.03 dB: {lines:?}");
+    }
+
+    #[test]
+    fn an_accuracy_that_was_reached_needs_no_advice_and_one_not_estimated_no_verdict() {
+        let met = of(0.05, 0.06).told(Asking::Scene);
+        assert_eq!((met.met, met.advice, met.limited_by.as_deref()), (Some(true), None, Some("freezing")));
+        let unknown = Verdict::of(Accuracy::from_db(-20.0), &ErrorBudget::default()).told(Asking::Scene);
+        assert_eq!((unknown.met, unknown.limited_by, unknown.reached_db), (None, None, None));
+        assert!((unknown.asked_db + 20.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn no_error_at_all_is_told_as_none_and_reached() {
+        let exact = Verdict::of(
+            Accuracy::from_db(-20.0),
+            &ErrorBudget { integration: Some(0.0), dropped: Some(0.0), ..ErrorBudget::default() },
+        );
+        let told = exact.told(Asking::Scene);
+        assert_eq!((told.met, told.reached_db, told.level_db()), (Some(true), None, Some(f64::NEG_INFINITY)));
+        assert_eq!(exact.lines(Asking::Scene), ["numerical error none, −20.0 dB asked: reached"]);
+    }
+
+    #[test]
+    fn every_share_of_a_budget_has_a_cause_and_a_help_of_its_own() {
+        for (share, _) in ErrorBudget::default().shares() {
+            for asking in [Asking::Scene, Asking::Options] {
+                assert_ne!(cause_and_help(share, asking).0, "of unknown cause", "{share}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_to_ask_for_instead_is_finer_by_what_is_missing() {
+        // 0.2 is −13.98 dB, 6.02 dB above what was asked.
+        let advice = of(0.2, 0.001).advice(Asking::Options).unwrap();
+        assert!(advice.ends_with("--accuracy-db -27."), "{advice}");
+    }
+
+    #[test]
+    fn an_accuracy_that_the_model_does_not_have_is_told_as_of_no_use() {
+        let model = |nodes| ModelError { nodes: Some(nodes), ..ModelError::default() };
+        // −20 dB asked; 0.3 is −10.46 dB.
+        let beyond = of(0.02, 0.03).beside(&model(0.3)).told(Asking::Scene);
+        assert!((beyond.of_use_db.unwrap() + 10.458).abs() < 1e-3, "{beyond:?}");
+        let sentence = "The model's largest named error is −10.5 dB (nodes): accuracy_db below that buys \
+                        nothing.";
+        assert_eq!((beyond.met, beyond.advice.as_deref()), (Some(true), Some(sentence)));
+        let missed = of(0.2, 0.001).beside(&model(0.3)).told(Asking::Options).advice.unwrap();
+        let (limit, of_use) = missed.split_once(". The").unwrap();
+        assert!(limit.starts_with("Limited by integration") && of_use.contains("--accuracy-db"), "{missed}");
+        let enough = of(0.02, 0.03).beside(&model(0.09)).told(Asking::Scene);
+        assert_eq!(enough.advice, None, "the model is better than asked");
+        assert!((enough.of_use_db.unwrap() + 20.915).abs() < 1e-3, "{enough:?}");
+        assert_eq!(of(0.02, 0.03).told(Asking::Scene).of_use_db, None, "nothing is known of the model");
+    }
+
+    #[test]
+    fn what_the_accuracy_is_asked_for_is_told_with_it() {
+        let for_class = Verdict { goal: Some(Goal::Class), ..of(0.02, 0.03) };
+        let told = for_class.told(Asking::Scene);
+        let lines = lines(&told, &ErrorFigures::of(&for_class.error));
+        assert!(lines[0].contains("−20.0 dB asked for \"class\": reached"), "{lines:?}");
+        let json = serde_json::to_value(&told).unwrap();
+        assert_eq!(json["for"], "class");
+        assert_eq!(serde_json::from_value::<AccuracyVerdict>(json).unwrap(), told);
+    }
+
+    /// More moments are no help where all that there are were used, and none where fewer were found to do as
+    /// well.
+    #[test]
+    fn what_helps_against_freezing_depends_on_the_moments_at_which_the_frame_was_traced() {
+        let advice = |moments| Verdict { moments, ..of(0.02, 0.24) }.advice(Asking::Scene).unwrap();
+        let most = bart_rcs::MOMENTS_MAX;
+        assert_eq!(advice(Some(1)), advice(None), "one moment is the whole frame");
+        assert!(advice(Some(most)).contains("slower bodies"), "{}", advice(Some(most)));
+        let fewer = advice(Some(most / 2 + 1));
+        assert!(fewer.contains("smaller array") && !fewer.contains("shorter frame"), "{fewer}");
+        let other = Verdict { moments: Some(most), ..of(0.24, 0.02) }.advice(Asking::Scene).unwrap();
+        assert!(
+            other.contains("integration") && !other.contains("slower bodies"),
+            "freezing is not what limits: {other}"
+        );
+    }
+}

@@ -1,0 +1,120 @@
+//! Pictures: drawn once as SVG, put into the report as they are and onto disk as PNG.
+
+pub(crate) mod field_of_view;
+pub(crate) mod lane_sides;
+mod bodies;
+mod beyond;
+mod found;
+mod ground;
+mod rdm;
+mod exr;
+mod plan_view;
+mod points;
+pub mod seen;
+mod common_view;
+
+use artifact::cube::CubeHeader;
+use artifact::points::PointsFrame;
+use artifact::rdm::RdmFrame;
+use evaluation::{FrameTruth, Truth};
+use pipeline::chain::link::{Chain, FrameProducts};
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use plotting::form::{Figure, Form};
+use plotting::raster::{self, Pixels};
+use plotting::svg::Svg;
+use rdm::{OnMap, TrueEcho};
+use std::path::{Path, PathBuf};
+
+pub use common_view::common_view;
+pub use exr::rdm_exr;
+
+/// Pictures of one frame.
+pub struct FrameFigures {
+    /// The scene from above.
+    pub plan: Figure,
+    pub(crate) rdm: Figure,
+    pub(crate) profile: Figure,
+    pub(crate) points: Figure,
+}
+
+/// Draws one frame with its truth.
+pub fn figures(chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<FrameFigures, Failure> {
+    let (header, points) = (&chain.cube_header.in_frame(frame.rdm.index), &frame.result.points);
+    let is_nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
+    let nobodys: Vec<usize> = (0..points.objects.len()).filter(is_nobodys).collect();
+    let echoes = true_echoes(frame, truth);
+    let over = OnMap { points: Some(points), nobodys: Some(&nobodys), truth: &echoes };
+    let bodies = bodies::bodies(&frame.view, &frame.result.scene);
+    Ok(FrameFigures {
+        plan: Figure::of(|form| plan_view::of_frame(&frame.view, &frame.result, &nobodys, form)),
+        rdm: Figure::try_of(|form| rdm::draw(header, &frame.rdm, &over, form))?,
+        profile: Figure::try_of(|form| rdm::range_profile(header, &frame.rdm, form))?,
+        points: Figure::of(|form| points::draw(header, points, &bodies, form)),
+    })
+}
+
+/// True range and radial velocity of each body's echo; bodies that send none back are left out.
+fn true_echoes(frame: &FrameProducts, truth: &FrameTruth) -> Vec<TrueEcho> {
+    let named = frame.view.targets.iter().zip(&truth.truths).filter(|(_, truth)| truth.sends_back);
+    let echo = |(target, truth): (&artifact::scene::Target, &Truth)| TrueEcho {
+        name: target.id.clone(),
+        range_m: truth.echo.map_or(truth.range_m, |e| e.range_m),
+        radial_velocity_mps: truth.echo.map_or(truth.radial_velocity_mps, |e| e.radial_velocity_mps),
+    };
+    named.map(echo).collect()
+}
+
+/// `scene-NNNN.png`, `rdm-NNNN.png`, `points-NNNN.png` and `rdm-NNNN.exr` of one frame.
+pub fn write_frame(
+    figures: &FrameFigures,
+    header: &CubeHeader,
+    rdm: &RdmFrame,
+    folder: &Path,
+) -> Result<(), Failure> {
+    let [plan, map, points, levels] = places_of_frame(rdm.index, folder);
+    write_png(&plan, &figures.plan.wide)?;
+    write_png(&map, &figures.rdm.wide)?;
+    write_png(&points, &figures.points.wide)?;
+    rdm_exr(header, rdm, &levels)
+}
+
+/// Files of the pictures of one frame.
+pub fn places_of_frame(index: u32, folder: &Path) -> [PathBuf; 4] {
+    let kinds = [("scene", "png"), ("rdm", "png"), ("points", "png"), ("rdm", "exr")];
+    kinds.map(|(name, kind)| folder.join(format!("{name}-{index:04}.{kind}")))
+}
+
+/// Map and points of one frame: what can be drawn without truth.
+pub fn of_map(
+    header: &CubeHeader,
+    rdm: &RdmFrame,
+    points: &PointsFrame,
+    folder: &Path,
+) -> Result<(), Failure> {
+    let (header, number) = (&header.in_frame(rdm.index), rdm.index);
+    let over = OnMap { points: Some(points), ..OnMap::default() };
+    write_png(&folder.join(format!("rdm-{number:04}.png")), &rdm::draw(header, rdm, &over, Form::Wide)?)?;
+    write_png(
+        &folder.join(format!("points-{number:04}.png")),
+        &points::draw(header, points, &[], Form::Wide),
+    )?;
+    rdm_exr(header, rdm, &folder.join(format!("rdm-{number:04}.exr")))
+}
+
+/// A map with axes and nothing over it.
+pub fn write_map(file: &Path, header: &CubeHeader, rdm: &RdmFrame) -> Result<(), Failure> {
+    write_png(file, &rdm::draw(&header.in_frame(rdm.index), rdm, &OnMap::default(), Form::Wide)?)
+}
+
+/// Writes an SVG as PNG.
+pub fn write_png(file: &Path, picture: &Svg) -> Result<(), Failure> {
+    let bytes = raster::png(picture).map_err(|e| Failure::system(file, "draw", e))?;
+    files::write_file(file, &bytes)
+}
+
+/// Writes grey levels, row-major, as PNG.
+pub fn write_gray(file: &Path, size: [usize; 2], pixels: &[u8]) -> Result<(), Failure> {
+    let bytes = raster::encode(Pixels::Grey, size, pixels).map_err(|e| Failure::system(file, "encode", e))?;
+    files::write_file(file, &bytes)
+}

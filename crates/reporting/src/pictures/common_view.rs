@@ -1,0 +1,88 @@
+//! The scene from above as several radars have it together: north is up, to scale.
+
+use crate::pictures::beyond::Thing;
+use crate::pictures::bodies::{Body, bodies};
+use crate::pictures::field_of_view;
+use crate::pictures::found::{self, Owner};
+use crate::pictures::ground::{Ground, Region};
+use crate::pictures::seen::Seen;
+use artifact::settings::Lanes;
+use plotting::colours::line_colour;
+use plotting::form::{Figure, Form};
+use plotting::marks::Mark;
+use plotting::svg::Svg;
+
+/// Around what is to be seen.
+const MARGIN_M: f64 = 10.0;
+
+/// One frame: what there was, and the points and objects of each radar in a colour of its own. `radars` are
+/// names and what they saw, at least one.
+pub fn common_view(radars: &[(&str, &Seen)]) -> Figure {
+    Figure::of(|form| draw(radars, form))
+}
+
+fn draw(radars: &[(&str, &Seen)], form: Form) -> Svg {
+    let number = radars.first().map_or(0, |(_, seen)| seen.scene.index);
+    let title = format!("Scene from above as all radars have it, frame {number}");
+    let bodies = all_bodies(radars);
+    let mut ground = Ground::new(&title, &[], form, region(radars, &bodies), &Lanes::default());
+    for (_, seen) in radars {
+        let (road, far_m) = (&seen.view.dsp.road, seen.view.radar.waveform.range_max_m());
+        ground.lane_lines(road, [seen.view.intersection.width_m, far_m]);
+        if road.are_known() {
+            ground.say(Mark::Line, "lanes", "lane");
+        }
+    }
+    for (n, (id, seen)) in radars.iter().enumerate() {
+        ground.radar(line_colour(n), id, &seen.view.radar);
+    }
+    bodies.iter().for_each(|body| ground.body(body));
+    for (n, (id, seen)) in radars.iter().enumerate() {
+        found(&mut ground, line_colour(n), id, seen);
+    }
+    if let Some((_, seen)) = radars.first() {
+        ground.say(Mark::Dot, "plain", "detected point, in its radar's colour");
+        ground.say(Mark::Ring, "plain", "object, in its radar's colour");
+        if radars
+            .iter()
+            .any(|(_, seen)| seen.points.objects.iter().any(|object| object.stationary == Some(true)))
+        {
+            ground.say(Mark::Hollow, "plain", found::POINT_AT_REST);
+            ground.say(Mark::Box, "plain", "object at rest");
+        }
+        ground.say(Mark::BrokenLine, "plain", "boresight");
+        ground.say(Mark::Line, "plain", field_of_view::words(&seen.view.radar));
+    }
+    ground.finish(["x, m", "y, m"])
+}
+
+/// Bodies of all radars, every body once, though several radars have it in view.
+fn all_bodies(radars: &[(&str, &Seen)]) -> Vec<Body> {
+    let mut all: Vec<Body> = vec![];
+    for body in radars.iter().flat_map(|(_, seen)| bodies(&seen.view, &seen.scene)) {
+        if !all.iter().any(|known| known.name == body.name) {
+            all.push(body);
+        }
+    }
+    all
+}
+
+/// Region as large as bodies and radars need it.
+fn region(radars: &[(&str, &Seen)], bodies: &[Body]) -> Region {
+    let radar = |(_, seen): &(&str, &Seen)| seen.view.radar.position_m;
+    let mut places = radars.iter().map(radar).chain(bodies.iter().map(|body| body.place_m));
+    let first = places.next().unwrap_or_default();
+    let start = Region::of([first[0], first[1]]).with([first[0], first[1]], MARGIN_M);
+    places.fold(start, |region, place| region.with([place[0], place[1]], MARGIN_M))
+}
+
+/// Points and objects of a radar.
+fn found(ground: &mut Ground, colour: &str, id: &str, seen: &Seen) {
+    for point in &seen.points.points {
+        ground.found(Thing::Point, found::of_point(point), colour, point.position_m, "");
+    }
+    for object in &seen.points.objects {
+        ground.found(Thing::Object, found::of_object(object, Owner::Unknown), colour, object.position_m, "");
+    }
+    ground.say(Mark::Triangle, colour, format!("radar {id}"));
+}

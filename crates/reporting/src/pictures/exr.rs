@@ -1,0 +1,35 @@
+//! Range-Doppler map as OpenEXR.
+
+use ::exr::prelude::{
+    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, ImageAttributes, Layer, LayerAttributes, SmallVec,
+    WritableImage,
+};
+use artifact::cube::CubeHeader;
+use artifact::rdm::RdmFrame;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use std::path::Path;
+
+/// Floating-point layer with channels `power` (W, summed over channels), `re`/`im` of channel 0 and `mask`;
+/// rows are Doppler cells, columns range cells.
+pub fn rdm_exr(header: &CubeHeader, frame: &RdmFrame, out: &Path) -> Result<(), Failure> {
+    let [_, doppler, range] = artifact::rdm::shape(header);
+    let cells = doppler * range;
+    let power: Vec<f32> =
+        dsp::power_map(header, frame).map_err(Failure::refused)?.iter().map(|p| *p as f32).collect();
+    let first = &frame.values[..cells];
+    let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = SmallVec::from_vec(vec![
+        AnyChannel::new("im", FlatSamples::F32(first.iter().map(|v| v.im).collect())),
+        AnyChannel::new("mask", FlatSamples::F32(frame.mask.iter().map(|m| f32::from(*m)).collect())),
+        AnyChannel::new("power", FlatSamples::F32(power)),
+        AnyChannel::new("re", FlatSamples::F32(first.iter().map(|v| v.re).collect())),
+    ]);
+    let attributes = LayerAttributes::named("range-doppler");
+    let layer =
+        Layer::new((range, doppler), attributes, Encoding::SMALL_LOSSLESS, AnyChannels::sort(channels));
+    let size = ::exr::math::Vec2(range, doppler);
+    let image = Image::empty(ImageAttributes::with_size(size)).with_layer(layer);
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    image.write().to_buffered(&mut bytes).map_err(|e| Failure::system(out, "encode", e))?;
+    files::write_file(out, bytes.get_ref())
+}

@@ -1,0 +1,117 @@
+//! The scene from above as one radar has it: the radar and its view, its lanes if it has any, true outlines,
+//! objects and points.
+
+use crate::pictures::beyond::Thing;
+use crate::pictures::bodies::bodies;
+use crate::pictures::field_of_view;
+use crate::pictures::found::{self, Owner};
+use crate::pictures::ground::{Ground, Region};
+use artifact::radar::Radar;
+use artifact::scene::SceneHeader;
+use artifact::settings::Lanes;
+use pipeline::chain::frame_result::FrameResult;
+use plotting::form::Form;
+use plotting::marks::Mark;
+use plotting::svg::Svg;
+
+/// Truth, points and estimates of one frame; `nobodys` are indices of objects that are no body's.
+pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult, nobodys: &[usize], form: Form) -> Svg {
+    let title = format!("Scene from above, frame {}", result.scene.index);
+    let bodies = bodies(header, &result.scene);
+    let (road, radar) = (&header.dsp.road, &header.radar);
+    let places = bodies.iter().map(|body| road.across_along_m(body.place_m));
+    let mut ground = Ground::new(&title, &[], form, region(road, radar, places), road);
+    if !road.lanes.is_empty() {
+        lanes(&mut ground, header);
+    }
+    if !road.courses.is_empty() {
+        ground.courses(road);
+        ground.lane_lines(road, [0.0; 2]);
+        ground.say(Mark::Line, "lanes", "lane of the network");
+    }
+    ground.radar("radar", "radar", radar);
+    bodies.iter().for_each(|body| ground.body(body));
+    for point in &result.points.points {
+        ground.found(Thing::Point, found::of_point(point), "found", point.position_m, "");
+    }
+    let marks: Vec<(Mark, Owner)> = marks(result, nobodys).collect();
+    for (number, (object, (mark, _))) in result.points.objects.iter().zip(&marks).enumerate() {
+        let name = if *mark == Mark::BrokenRing { format!("#{number}") } else { String::new() };
+        ground.found(Thing::Object, *mark, "found", object.position_m, &name);
+    }
+    say(&mut ground, radar, result, &marks);
+    ground.finish(axis_names(road))
+}
+
+/// Mark and owner of each object.
+fn marks(result: &FrameResult, nobodys: &[usize]) -> impl Iterator<Item = (Mark, Owner)> {
+    result.points.objects.iter().enumerate().map(|(number, object)| {
+        let owner = if nobodys.contains(&number) { Owner::Nobody } else { Owner::Body };
+        (found::of_object(object, owner), owner)
+    })
+}
+
+fn say(ground: &mut Ground, radar: &Radar, result: &FrameResult, objects: &[(Mark, Owner)]) {
+    ground.say(Mark::Dot, "found", "detected point");
+    if result.points.points.iter().any(|point| point.stationary == Some(true)) {
+        ground.say(Mark::Hollow, "found", found::POINT_AT_REST);
+    }
+    for shown in [Mark::Ring, Mark::BrokenRing, Mark::Box] {
+        if let Some((mark, owner)) = objects.iter().find(|(mark, _)| *mark == shown) {
+            ground.say(*mark, "found", found::words(*mark, *owner));
+        }
+    }
+    say_radar(ground, radar);
+}
+
+/// Marks of a radar.
+pub(super) fn say_radar(ground: &mut Ground, radar: &Radar) {
+    ground.say(Mark::Triangle, "radar", "radar");
+    ground.say(Mark::BrokenLine, "radar", "boresight");
+    ground.say(Mark::Line, "radar", field_of_view::words(radar));
+}
+
+/// Names of the axes across and along the road; the world's x and y where those are the road's.
+pub(super) fn axis_names(road: &Lanes) -> [&'static str; 2] {
+    match (road.lanes.is_empty(), road.azimuth_rad == 0.0 && road.origin_m == [0.0; 2]) {
+        (true, true) => ["x, m", "y, m"],
+        (_, true) => ["x, across the road, m", "y, along the road, m"],
+        _ => ["across the road, m", "along the road, m"],
+    }
+}
+
+/// Region as large as the radar, its lanes and the bodies within its range need, in steps that keep frames
+/// alike.
+pub(super) fn region(road: &Lanes, radar: &Radar, bodies: impl Iterator<Item = [f64; 2]>) -> Region {
+    const ROOM_M: f64 = 3.0;
+    const STEP_M: f64 = 5.0;
+    let at_radar = road.across_along_m(radar.position_m);
+    let far_m = radar.waveform.range_max_m().clamp(10.0, 120.0);
+    let (sin, cos) = radar.boresight_az_rad.sin_cos();
+    let [x_m, y_m, _] = radar.position_m;
+    let ahead = road.across_along_m([x_m + far_m * sin, y_m + far_m * cos, 0.0]);
+    let mut region = Region::of(at_radar).with(at_radar, 2.0).with(ahead, 2.0);
+    for lane in &road.lanes {
+        for across_m in [lane.centre_m - 0.5 * lane.width_m, lane.centre_m + 0.5 * lane.width_m] {
+            region = region.with([across_m, at_radar[1]], 2.0);
+        }
+    }
+    let is_near = |at: &[f64; 2]| (at[0] - at_radar[0]).hypot(at[1] - at_radar[1]) <= far_m;
+    region = bodies.filter(is_near).fold(region, |region, at| region.with(at, ROOM_M));
+    let outer = |[low, high]: [f64; 2]| [(low / STEP_M).floor() * STEP_M, (high / STEP_M).ceil() * STEP_M];
+    Region { across_m: outer(region.across_m), along_m: outer(region.along_m) }
+}
+
+/// The lanes and the road that crosses them before they begin.
+fn lanes(ground: &mut Ground, header: &SceneHeader) {
+    let (road, crossing_m) = (&header.dsp.road, header.intersection.width_m);
+    let [_, far_m] = ground.along_m();
+    ground.strip("road", [-1e3, 1e3], [0.0, crossing_m]);
+    for lane in &road.lanes {
+        let sides = [lane.centre_m - 0.5 * lane.width_m, lane.centre_m + 0.5 * lane.width_m];
+        ground.strip("road", sides, [crossing_m, far_m]);
+        ground.note([lane.centre_m, far_m], &format!("lane {}", lane.number));
+    }
+    ground.lane_lines(road, [crossing_m, far_m]);
+    ground.say(Mark::Line, "lanes", "lane");
+}

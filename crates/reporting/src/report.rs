@@ -1,0 +1,50 @@
+//! `report.html`: one self-contained file that opens from disk.
+
+pub mod figures;
+pub(crate) mod made;
+mod accuracy;
+mod false_objects;
+mod page;
+mod radars;
+pub mod rcs_view;
+pub mod sweep_view;
+mod tables;
+mod tracks;
+pub(crate) mod viewer;
+
+use crate::report::figures::Figures;
+pub use made::Making;
+pub use page::{figure, sheet};
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::outcome::summary::{RadarsSummary, Summary};
+use plotting::form::Figure;
+use std::path::Path;
+pub use tables::scrolled;
+
+/// Frames that get pictures of their own in the report; the others stand in its tables.
+pub const FRAMES_DRAWN: usize = 4;
+
+/// Pictures of a strip, at most.
+const STRIP: u32 = 12;
+
+/// Whether a frame is one of those that show how a long scene goes on: every n-th, where not all are drawn.
+pub fn is_in_strip(index: u32, frames: u32) -> bool {
+    frames as usize > FRAMES_DRAWN && index.is_multiple_of(frames.div_ceil(STRIP))
+}
+
+/// Writes the report of a run from its summary and its figures.
+pub fn write(summary: &Summary, figures: &Figures, making: &Making, out: &Path) -> Result<(), Failure> {
+    files::write_file(&out.join("report.html"), page::page(summary, figures, making, out).as_bytes())
+}
+
+/// Writes the report of several radars, each with its id and its own summary, over theirs.
+pub fn write_several(
+    summary: &RadarsSummary,
+    radars: &[(&str, &Summary)],
+    views: &[Figure],
+    making: &Making,
+    out: &Path,
+) -> Result<(), Failure> {
+    files::write_file(&out.join("report.html"), radars::page(summary, radars, views, making, out).as_bytes())
+}

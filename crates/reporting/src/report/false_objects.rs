@@ -1,0 +1,89 @@
+//! Tables of objects that are nobody's, and what made them.
+
+use crate::report::tables::{rounded, scrolled};
+use maud::{Markup, html};
+use pipeline::outcome::summary::{Cause, FalseObject};
+
+/// A row per false object, and per object that the radar tells to be at rest; whose they are as the headings
+/// go on.
+pub(super) fn section(of: &str, objects: &[FalseObject], standing: &[FalseObject]) -> Markup {
+    let headings = ["False objects", "Objects at rest that are no body's"].map(|what| format!("{what}{of}"));
+    html! {
+        h3 { (headings[0]) }
+        @match (objects, standing) {
+            ([], []) => p { "None: every object is a body's." },
+            ([], _) => p { "None: every object that moves is a body's." },
+            _ => (table(&headings[0], objects)),
+        }
+        @if !standing.is_empty() {
+            h3 { (headings[1]) }
+            p { "The radar tells them to be at rest, and they claim no vehicle: they are not counted as false." }
+            (table(&headings[1], standing))
+        }
+    }
+}
+
+fn table(name: &str, objects: &[FalseObject]) -> Markup {
+    let table = html! { table {
+        thead { tr {
+            th { "object" } th.words { "what made it" } th { "range, m" } th { "velocity, m/s" } th { "x, m" } th { "y, m" }
+            th { "SNR, dB" } th { "multipath ghost share" }
+        } }
+        tbody { @for object in objects { (row(object)) } }
+    } };
+    scrolled(name, table)
+}
+
+fn row(object: &FalseObject) -> Markup {
+    html! { tr {
+        td { "#" (object.object) }
+        td.words { (cause(object)) }
+        td { (rounded(object.range_m, 2)) } td { (rounded(object.radial_velocity_mps, 3)) }
+        td { (rounded(object.x_m, 2)) } td { (rounded(object.y_m, 2)) } td { (rounded(object.snr_db, 1)) }
+        td { (rounded(object.ghost_share, 2)) }
+    } }
+}
+
+/// The cause in words, with the bodies and bounces that it names.
+fn cause(object: &FalseObject) -> String {
+    let bodies = object.bodies.join(", ");
+    match object.cause {
+        Cause::Ghost => match object.bounces {
+            Some(n) => format!("multipath ghost: {bodies}, {n} bounces"),
+            None => format!("multipath ghost: {bodies}"),
+        },
+        Cause::Clutter if bodies.is_empty() => "clutter: the road's own backscatter".into(),
+        Cause::Clutter => format!("clutter: {bodies}"),
+        Cause::Split => format!("a further part of {bodies}, which has its object"),
+        Cause::Misplaced => format!("echo of {bodies}, seen too far from it"),
+        Cause::Noise => "noise".into(),
+        Cause::Unknown => "not known".into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_false_object_says_what_made_it() {
+        let of = |object, cause, bodies: &[&str], bounces| FalseObject {
+            object,
+            cause,
+            bodies: bodies.iter().map(|id| (*id).to_owned()).collect(),
+            bounces: Some(bounces),
+            ..FalseObject::default()
+        };
+        let text = section("", &[of(3, Cause::Ghost, &["bus-1", "truck-1"], 2)], &[]).into_string();
+        for said in ["#3", "multipath ghost: bus-1, truck-1, 2 bounces", "<td>–</td>"] {
+            assert!(text.contains(said), "{said}: {text}");
+        }
+        assert!(section("", &[], &[]).into_string().contains("None"));
+        let text = section(" of east", &[], &[of(5, Cause::Clutter, &["rail"], 1)]).into_string();
+        assert!(
+            text.contains("every object that moves is a body's") && text.contains("clutter: rail"),
+            "{text}"
+        );
+        assert!(text.contains("<h3>False objects of east</h3>"), "{text}");
+    }
+}

@@ -1,0 +1,19 @@
+//! The pictures of a run that its report shows.
+
+use crate::pictures::FrameFigures;
+use crate::pictures::seen::Seen;
+use crate::report::viewer::Viewed;
+use plotting::form::Figure;
+
+/// Pictures for the report.
+#[derive(Default)]
+pub struct Figures {
+    /// Pictures of the first frames, in order.
+    pub frames: Vec<FrameFigures>,
+    /// Number and view from above of every n-th frame of a long scene.
+    pub strip: Vec<(u32, Figure)>,
+    /// Points and scenes of the first frames, to be laid beside what other radars saw.
+    pub seen: Vec<Seen>,
+    /// Numbers of the view to walk around in.
+    pub viewed: Viewed,
+}

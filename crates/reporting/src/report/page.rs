@@ -1,0 +1,124 @@
+//! The page around the figures and tables.
+
+use crate::pictures::FrameFigures;
+use crate::report::accuracy;
+use crate::report::false_objects;
+use crate::report::figures::Figures;
+use crate::report::made::{Making, made};
+use crate::report::tables;
+use crate::report::tracks;
+use crate::report::viewer;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use pipeline::outcome::summary::{Agreement, FrameSummary, Metrics, Summary};
+use plotting::form::Figure;
+use std::path::Path;
+
+const STYLE: &str = include_str!("style.css");
+
+/// The whole page; `out` is the folder in which it will lie.
+pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making, out: &Path) -> String {
+    let (frames, metrics) = (&summary.frames[..], &summary.metrics);
+    sheet(
+        &summary.scene,
+        html! {
+            p.lead { (lead(frames, metrics)) }
+            (made(making, out))
+            (viewer::section(&figures.viewed, summary))
+            (tables::radar(&summary.radar, frames))
+            @if frames.len() > 1 { (tracks::section(metrics)) }
+            @if !figures.strip.is_empty() { (strip(frames, figures)) }
+            @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
+                (section(number, frame, figures.frames.get(number)))
+            }
+            @if frames.len() > FRAMES_TOLD {
+                p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " stand in "
+                    a href="summary.json" { "summary.json" } "." }
+            }
+            footer { "Seed " (summary.seed) ". Ranges and velocities of the truth are power-weighted means over each "
+                "target's echo; signs, axes and units as in docs/conventions.md." }
+        },
+    )
+}
+
+/// A page of this name around its content.
+pub fn sheet(name: &str, content: Markup) -> String {
+    let markup = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { "Wayside: " (name) }
+                style { (PreEscaped(STYLE)) (PreEscaped(plotting::svg::style())) (PreEscaped(viewer::STYLE)) }
+            }
+            body {
+                h1 { (name) }
+                (content)
+            }
+        }
+    };
+    markup.into_string()
+}
+
+/// Frames that have tables in the report: a page of more opens slowly.
+const FRAMES_TOLD: usize = 24;
+
+/// Section on the whole of a long scene: what was found and where, and every n-th frame from above.
+fn strip(frames: &[FrameSummary], figures: &Figures) -> Markup {
+    html! {
+        section {
+            h2 { "The whole scene" }
+            (tables::scene(frames))
+            @for (number, plan) in &figures.strip {
+                (figure(&format!("Frame {number}: truth, detected points and objects"), plan))
+            }
+        }
+    }
+}
+
+fn lead(frames: &[FrameSummary], metrics: &Metrics) -> String {
+    let points: usize = frames.iter().map(|frame| frame.points).sum();
+    let Agreement { found, missed, false_ones, stationary, removed, .. } = metrics.objects;
+    let over = if frames.len() == 1 { "one frame".into() } else { format!("{} frames", frames.len()) };
+    let objects = if false_ones == 1 { "object is" } else { "objects are" };
+    let more = [(stationary, "objects at rest are no body's"), (removed, "bodies at rest were removed")];
+    let more = more.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("; {count} {what}"));
+    format!(
+        "{found} of {} bodies with an echo found in {over}; {false_ones} {objects} false{}; {points} points detected.",
+        found + missed,
+        more.collect::<String>()
+    )
+}
+
+fn section(number: usize, frame: &FrameSummary, figures: Option<&FrameFigures>) -> Markup {
+    html! {
+        section {
+            h2 { "Frame " (number) " at " (tables::rounded(frame.time_s, 3)) " s" }
+            @if let Some(f) = figures { (figure("Truth, detected points and objects, to scale.", &f.plan)) }
+            (accuracy::section("", &frame.accuracy))
+            h3 { "Truth beside estimate" }
+            (tables::targets(&frame.targets))
+            (false_objects::section("", &frame.false_objects, &frame.stationary_objects))
+            @if let Some(f) = figures {
+                (figure("Power of all channels together; crosses are the truth, rings what was found.", &f.rdm))
+                (figure("The strongest cell at each range.", &f.profile))
+                (figure("Detected points coloured by the object that they form, with the truth.", &f.points))
+            }
+            h3 { "Classes" }
+            (tables::classes(&frame.targets))
+            div.pair {
+                div { h3 { "Error budget of this frame" } (tables::errors(frame)) }
+                div { h3 { "What each stage cost" } (tables::costs(frame)) }
+            }
+        }
+    }
+}
+
+/// A picture in the form for which there is room, and what it shows.
+pub fn figure(caption: &str, picture: &Figure) -> Markup {
+    html! { figure {
+        div.wide { (PreEscaped(picture.wide.inline())) }
+        div.narrow { (PreEscaped(picture.narrow.inline())) }
+        figcaption { (caption) }
+    } }
+}

@@ -1,0 +1,148 @@
+//! The page of a scene with several radars: the scene as all have it, and the way to each radar's own report.
+
+use crate::report::accuracy;
+use crate::report::false_objects;
+use crate::report::made::{Making, made};
+use crate::report::page::{figure, sheet};
+use crate::report::tables::{rounded, scrolled};
+use artifact::settings::Class;
+use maud::{Markup, html};
+use pipeline::outcome::summary::{CommonFrame, OneOfRadars, RadarsSummary, Summary};
+use plotting::form::Figure;
+use std::path::Path;
+
+/// Frames whose targets are listed: a page of more opens slowly.
+const FRAMES_TOLD: usize = 24;
+
+/// The whole page of radars, each with its id and its own summary; `out` is the folder in which it will lie.
+pub(super) fn page(
+    summary: &RadarsSummary,
+    own: &[(&str, &Summary)],
+    views: &[Figure],
+    making: &Making,
+    out: &Path,
+) -> String {
+    let frames = &summary.frames;
+    sheet(
+        &summary.scene,
+        html! {
+            p.lead { (lead(frames)) }
+            (made(making, out))
+            (radars(&summary.radars))
+            (accuracies(&summary.radars))
+            @for (number, view) in views.iter().enumerate() {
+                @let caption = format!("Frame {number}: truth; points and objects in the colour of the radar that found them.");
+                (figure(&caption, view))
+            }
+            @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
+                (targets(number, frame))
+                (nobodys(number, own))
+            }
+            footer { "Each radar's noise is its own, drawn from the scene's seed and its name." }
+        },
+    )
+}
+
+fn lead(frames: &[CommonFrame]) -> String {
+    let targets = || frames.iter().flat_map(|frame| &frame.targets);
+    let found_by = |least: usize| targets().filter(|target| target.found_by.len() >= least).count();
+    let (all, some, several) = (targets().count(), found_by(1), found_by(2));
+    let over = if frames.len() == 1 { "one frame".into() } else { format!("{} frames", frames.len()) };
+    format!("{some} of {all} targets found by some radar in {over}, {several} by two or more.")
+}
+
+fn radars(radars: &[OneOfRadars]) -> Markup {
+    let table = html! { table {
+        thead { tr {
+            th { "radar" } th { "found" } th { "missed" } th { "false objects" } th { "points" } th { "largest error, dB" }
+            th { "seconds" }
+        } }
+        tbody {
+            @for radar in radars {
+                tr {
+                    td { a href={ (radar.id) "/report.html" } { (radar.id) } }
+                    td { (radar.found) }
+                    td.bad[radar.missed != 0] { (radar.missed) }
+                    td { (radar.false_ones) }
+                    td { (radar.points) }
+                    td { (rounded(radar.largest_error_db, 1)) }
+                    td { (rounded(radar.frames_seconds, 2)) }
+                }
+            }
+        }
+    } };
+    scrolled("Radars", table)
+}
+
+/// Accuracy of each radar, in its frame of the largest error.
+fn accuracies(radars: &[OneOfRadars]) -> Markup {
+    let of = |radar: &OneOfRadars| match radar.frames {
+        1 => format!(" of {}", radar.id),
+        frames => format!(" of {}, in the worst of its {frames} frames", radar.id),
+    };
+    html! {
+        @for radar in radars {
+            @match &radar.accuracy {
+                Some(told) => (accuracy::section(&of(radar), told)),
+                None => p { "The numerical error of " (radar.id) " was not estimated." },
+            }
+        }
+    }
+}
+
+/// Objects of a frame that are nobody's, radar by radar, and what made them.
+fn nobodys(number: usize, own: &[(&str, &Summary)]) -> Markup {
+    let frames = own.iter().filter_map(|(id, summary)| Some((id, summary.frames.get(number)?)));
+    html! {
+        @for (id, frame) in frames {
+            (false_objects::section(&format!(" of {id}"), &frame.false_objects, &frame.stationary_objects))
+        }
+    }
+}
+
+fn targets(number: usize, frame: &CommonFrame) -> Markup {
+    let by = |names: &[String]| if names.is_empty() { "–".to_owned() } else { names.join(", ") };
+    let table = html! { table {
+        thead { tr { th { "target" } th.words { "true class" } th.words { "found by" } th.words { "missed by" } } }
+        tbody {
+            @for target in &frame.targets {
+                tr {
+                    td { (target.id) }
+                    td.words { (target.class.map_or("–", Class::name)) }
+                    td.words { (by(&target.found_by)) } td.words { (by(&target.missed_by)) }
+                }
+            }
+        }
+    } };
+    html! {
+        h2 { "Frame " (number) " at " (rounded(frame.time_s, 3)) " s" }
+        (scrolled(&format!("Targets of frame {number}"), table))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pipeline::outcome::summary::AccuracyVerdict;
+
+    #[test]
+    fn a_radars_row_has_a_cell_under_every_heading() {
+        let (found, missed, false_ones, points, largest_error_db) = (1, 2, 3, 11, Some(-13.4));
+        let radar =
+            OneOfRadars { found, missed, false_ones, points, largest_error_db, ..OneOfRadars::default() };
+        let table = radars(&[radar]).into_string();
+        assert_eq!(table.matches("<td").count(), table.matches("<th>").count(), "{table}");
+        assert!(table.contains("<td class=\"bad\">2</td><td>3</td><td>11</td>"), "{table}");
+    }
+
+    #[test]
+    fn every_radar_says_which_accuracy_it_reached_or_that_this_is_not_known() {
+        let told = AccuracyVerdict { reached_db: Some(-3.6), met: Some(false), ..AccuracyVerdict::default() };
+        let north =
+            OneOfRadars { id: "north".into(), frames: 2, accuracy: Some(told), ..OneOfRadars::default() };
+        let east = OneOfRadars { id: "east".into(), frames: 2, ..OneOfRadars::default() };
+        let text = accuracies(&[north, east]).into_string();
+        assert!(text.contains("reached of north, in the worst of its 2 frames</h3>"), "{text}");
+        assert!(text.contains("−3.6 dB") && text.contains("The numerical error of east was not"), "{text}");
+    }
+}

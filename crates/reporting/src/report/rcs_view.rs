@@ -1,0 +1,316 @@
+//! The body of an `rcs` table to walk around: facets by what they return at one aspect, the strongest facet
+//! sequences as rays, level over azimuth. One file that opens from disk, as the report does.
+
+use crate::report::page::sheet;
+use crate::report::viewer::packed::Packed;
+use crate::report::viewer::page_script::{json, scripts};
+use artifact::scene::Mesh;
+use artifact::units::db_from_power;
+use bart_rcs::Contribution;
+use maud::{Markup, html};
+use serde::Serialize;
+
+/// A table's body, seen at one aspect.
+pub struct RcsView<'a> {
+    /// The body.
+    pub mesh: &'a Mesh,
+    /// Name of the file that it came from.
+    pub name: String,
+    /// Facet sequences at the aspect, strongest first.
+    pub parts: &'a [Contribution],
+    /// Direction from the body to the radar, a unit vector in body axes.
+    pub direction: [f64; 3],
+    /// The aspect and its frequency, in words.
+    pub aspect: String,
+    /// Azimuth of the aspect, degrees.
+    pub azimuth_deg: f64,
+    /// S at the aspect, dBsm.
+    pub level_dbsm: f64,
+    /// Azimuths of the table's first elevation in degrees, and their levels at the same frequency.
+    pub cut: Vec<[f64; 2]>,
+}
+
+/// Longest extent of the body in the units of the page: bodies of millimetres and of metres look alike.
+const EXTENT: f64 = 10.0;
+/// Levels that are coloured lie this far below the strongest sequence.
+const SPAN_DB: f64 = 40.0;
+/// Facets in the page, those that return most: more make a page of more than ten megabytes.
+const FACETS: usize = 200_000;
+/// Sequences in the page.
+const SEQUENCES: usize = 5_000;
+/// Length of a ray's first and last leg.
+const LEG: f64 = 4.0;
+
+/// Numbers of the page.
+#[derive(Serialize)]
+struct Page {
+    corners: Packed,
+    triangles: Packed,
+    /// Numbers of the facets in the mesh.
+    numbers: Packed,
+    levels: Packed,
+    #[serde(rename = "box")]
+    bounds: [[f64; 3]; 2],
+    direction: [f64; 3],
+    azimuth_deg: f64,
+    rays: Rays,
+    strongest_dbsm: f64,
+    /// Powers of all sequences over that of the strongest.
+    all_power: f64,
+    all_sequences: usize,
+    cut: Cut,
+}
+
+/// Sequences, strongest first.
+#[derive(Serialize)]
+struct Rays {
+    orders: Packed,
+    levels_db: Packed,
+    corners: Packed,
+    places: Packed,
+    facet_counts: Packed,
+    facets: Packed,
+}
+
+#[derive(Serialize)]
+struct Cut {
+    azimuths_deg: Vec<f64>,
+    levels_dbsm: Vec<f64>,
+}
+
+/// The page as a text; an error of serde's where a number is none.
+pub fn page(view: &RcsView<'_>) -> Result<String, serde_json::Error> {
+    let numbers = json(&view.numbers())?;
+    Ok(sheet(&view.name, content(view, &numbers)))
+}
+
+impl RcsView<'_> {
+    fn strongest(&self) -> f64 {
+        self.parts.first().map_or(1.0, |part| part.amplitude_m.norm_sqr())
+    }
+
+    fn numbers(&self) -> Page {
+        let place = Placing::of(self.mesh);
+        let powers = powers_of_facets(self.mesh, self.parts);
+        let shown = shown(&powers);
+        let corners: Vec<f64> = self.mesh.vertices_m.iter().flat_map(|v| place.of_m(*v)).collect();
+        let triangles: Vec<u32> = shown.iter().flat_map(|t| self.mesh.triangles[*t as usize]).collect();
+        let levels: Vec<u8> = shown.iter().map(|t| level(powers[*t as usize], self.strongest())).collect();
+        let all: f64 = self.parts.iter().map(|part| part.amplitude_m.norm_sqr()).sum();
+        Page {
+            corners: Packed::steps(&corners, 5e-4),
+            triangles: Packed::numbers(&triangles),
+            numbers: Packed::numbers(&shown),
+            levels: Packed::bytes(&levels),
+            bounds: place.bounds(),
+            direction: self.direction,
+            azimuth_deg: self.azimuth_deg,
+            rays: self.rays(&place),
+            strongest_dbsm: db_from_power(self.strongest()),
+            all_power: all / self.strongest(),
+            all_sequences: self.parts.len(),
+            cut: Cut {
+                azimuths_deg: self.cut.iter().map(|point| point[0]).collect(),
+                levels_dbsm: self.cut.iter().map(|point| point[1].max(-200.0)).collect(),
+            },
+        }
+    }
+
+    fn rays(&self, place: &Placing) -> Rays {
+        let parts = &self.parts[..self.parts.len().min(SEQUENCES)];
+        let ways: Vec<Vec<[f64; 3]>> = parts.iter().map(|part| self.way(place, part)).collect();
+        let bytes = |of: fn(&Contribution) -> usize| {
+            Packed::bytes(&parts.iter().map(|part| of(part).min(255) as u8).collect::<Vec<_>>())
+        };
+        let db = |part: &Contribution| db_from_power(part.amplitude_m.norm_sqr() / self.strongest());
+        let facets: Vec<u32> =
+            parts.iter().flat_map(|part| part.triangles.iter().copied().take(255)).collect();
+        Rays {
+            orders: bytes(|part| part.points_m.len()),
+            levels_db: Packed::steps(
+                &parts.iter().map(|part| db(part).max(-300.0)).collect::<Vec<_>>(),
+                0.05,
+            ),
+            corners: Packed::bytes(&ways.iter().map(|way| way.len().min(255) as u8).collect::<Vec<_>>()),
+            places: Packed::steps(&ways.concat().concat(), 5e-4),
+            facet_counts: bytes(|part| part.triangles.len()),
+            facets: Packed::numbers(&facets),
+        }
+    }
+
+    /// Way of the ray: from the radar's side over the touched points and back to it.
+    fn way(&self, place: &Placing, part: &Contribution) -> Vec<[f64; 3]> {
+        let points: Vec<[f64; 3]> =
+            part.points_m.iter().take(250).map(|p| place.of_m(p.to_array())).collect();
+        let out = |from: &[f64; 3]| [0, 1, 2].map(|i| from[i] + LEG * self.direction[i]);
+        match (points.first(), points.last()) {
+            (Some(first), Some(last)) => [vec![out(first)], points.clone(), vec![out(last)]].concat(),
+            _ => vec![],
+        }
+    }
+}
+
+/// Places of the body in the page's units.
+struct Placing {
+    low_m: [f64; 3],
+    high_m: [f64; 3],
+    scale: f64,
+}
+
+impl Placing {
+    fn of(mesh: &Mesh) -> Self {
+        let end = |start: f64, of: fn(f64, f64) -> f64| {
+            [0, 1, 2].map(|axis| mesh.vertices_m.iter().map(|v| v[axis]).fold(start, of))
+        };
+        let [low_m, high_m] = [end(f64::INFINITY, f64::min), end(f64::NEG_INFINITY, f64::max)];
+        let extent_m = (0..3).map(|axis| high_m[axis] - low_m[axis]).fold(0.0, f64::max);
+        Self { low_m, high_m, scale: EXTENT / extent_m.max(f64::MIN_POSITIVE) }
+    }
+
+    fn of_m(&self, place_m: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|axis| self.scale * (place_m[axis] - 0.5 * (self.low_m[axis] + self.high_m[axis])))
+    }
+
+    fn bounds(&self) -> [[f64; 3]; 2] {
+        [self.of_m(self.low_m), self.of_m(self.high_m)]
+    }
+}
+
+/// Power of the sequences that each triangle takes part in.
+pub fn powers_of_facets(mesh: &Mesh, parts: &[Contribution]) -> Vec<f64> {
+    let mut power = vec![0.0; mesh.triangles.len()];
+    for part in parts {
+        part.triangles.iter().for_each(|t| power[*t as usize] += part.amplitude_m.norm_sqr());
+    }
+    power
+}
+
+/// Facets that the page shows, in their order: all, or those that return most.
+fn shown(powers: &[f64]) -> Vec<u32> {
+    let mut facets: Vec<u32> = (0..powers.len() as u32).collect();
+    if facets.len() > FACETS {
+        facets.sort_by(|a, b| powers[*b as usize].total_cmp(&powers[*a as usize]).then(a.cmp(b)));
+        facets.truncate(FACETS);
+        facets.sort_unstable();
+    }
+    facets
+}
+
+/// 0 of a facet that returns nothing within the span, else one more than its decibels over the span's foot.
+fn level(power: f64, strongest: f64) -> u8 {
+    let db = db_from_power(power / strongest) + SPAN_DB;
+    if power > 0.0 && db >= 0.0 { 1 + db.min(SPAN_DB).round() as u8 } else { 0 }
+}
+
+/// How the view is read and moved.
+const HOW: &str = "facets from −40 to 0 dB of the strongest sequence, by the powers of all sequences that they \
+                   take part in, without their phases. Lines are sequences, coloured by their bounces. Drag \
+                   turns the view, with the right button or Shift moves it; the wheel comes nearer once the \
+                   picture was clicked. A click on a facet lists its sequences.";
+
+/// The view's own scripts, in the order in which they use each other.
+const SCRIPT: [&str; 4] = [
+    include_str!("viewer/script/map.js"),
+    include_str!("viewer/script/cuts.js"),
+    include_str!("viewer/script/listening.js"),
+    include_str!("viewer/script/rcs_view.js"),
+];
+
+fn content(view: &RcsView<'_>, numbers: &str) -> Markup {
+    let left_out = view.mesh.triangles.len().saturating_sub(FACETS);
+    html! {
+        p.lead { (view.aspect) ": " (format!("{:.1} dBsm", view.level_dbsm).replace('-', "−")) " from "
+            (view.parts.len()) " facet sequences." }
+        noscript { p.made { "Scripts do not run here: the pictures beside this page show the same table." } }
+        section #viewer hidden {
+            (controls())
+            div.viewer-scene {
+                div #viewer-space-place {
+                    canvas #viewer-space tabindex="0" role="img" aria-label="The body in three dimensions" {}
+                }
+                div #viewer-panel aria-live="polite" {}
+            }
+            p.made { i #viewer-scale {} (HOW) }
+            @if left_out > 0 { p.made { (left_out) " facets that return least are not shown." } }
+            @if view.cut.len() > 1 {
+                div.viewer-maps { div { canvas #viewer-cut role="img" aria-label="Level over azimuth" {} } }
+            }
+        }
+        (scripts(numbers, &SCRIPT))
+    }
+}
+
+fn controls() -> Markup {
+    let layers = [("body", "body"), ("rays", "sequences")];
+    let places = [("side", "from aside"), ("radar", "from the radar"), ("above", "from above")];
+    html! {
+        div.viewer-controls {
+            label { "down to " input #viewer-level type="range" min="-40" max="0" value="-20" step="1";
+                output #viewer-level-told {} }
+        }
+        div.viewer-controls {
+            @for (name, words) in layers {
+                label { input type="checkbox" data-layer=(name) checked; " " (words) }
+            }
+            @for (place, words) in places { button type="button" data-place=(place) { (words) } }
+            span #viewer-orders {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::viewer::page_script::reads_as_the_source_does;
+    use glam::DVec3;
+    use num_complex::Complex64;
+
+    fn plate() -> Mesh {
+        let vertices_m = vec![[0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0], [0.0, 2.0, 1.0]];
+        Mesh { vertices_m, triangles: vec![[0, 1, 2], [1, 3, 2]], ..Mesh::default() }
+    }
+
+    fn part(triangle: u32, amplitude: f64) -> Contribution {
+        let amplitude_m = Complex64::new(amplitude, 0.0);
+        let points_m = vec![DVec3::new(0.0, 1.0, 0.5)];
+        Contribution { triangles: vec![triangle], edge_m: None, points_m, amplitude_m }
+    }
+
+    #[test]
+    fn the_script_reads_as_the_rest_of_the_source_does() {
+        reads_as_the_source_does(&SCRIPT);
+    }
+
+    #[test]
+    fn levels_are_whole_decibels_over_the_foot_and_nothing_below_it() {
+        assert_eq!([1.0, 0.1, 1e-4, 0.9e-4, 0.0].map(|power| level(power, 1.0)), [41, 31, 1, 0, 0]);
+        assert_eq!(level(3.0, 1.0), 41);
+    }
+
+    #[test]
+    fn a_body_of_any_size_is_ten_units_long_about_the_middle() {
+        let place = Placing::of(&plate());
+        assert_eq!(place.bounds(), [[0.0, -5.0, -2.5], [0.0, 5.0, 2.5]]);
+    }
+
+    #[test]
+    fn the_page_tells_all_sequences_and_no_name_ends_its_script() {
+        let (mesh, parts) = (plate(), [part(1, 2.0), part(0, 1.0)]);
+        let view = RcsView {
+            mesh: &mesh,
+            name: "</script>.npy".into(),
+            parts: &parts,
+            direction: [1.0, 0.0, 0.0],
+            aspect: "77.000 GHz".into(),
+            azimuth_deg: 0.0,
+            level_dbsm: 6.0,
+            cut: vec![[0.0, f64::NEG_INFINITY]],
+        };
+        let numbers = view.numbers();
+        assert_eq!((numbers.all_sequences, numbers.all_power), (2, 1.25));
+        assert_eq!(numbers.cut.levels_dbsm, [-200.0]);
+        let page = page(&view).unwrap();
+        assert_eq!(page.matches("</script>").count(), 2);
+        assert!(!page.contains("viewer-cut\" role"), "one azimuth has no cut");
+    }
+}

@@ -1,0 +1,271 @@
+//! The designs of a study to walk around: where each stands, what it is worth by any metric, and the vehicles
+//! that it was tried on. It stands in the study's report and is hidden where no script runs.
+
+use crate::report::viewer::body_view::BodyView;
+use crate::report::viewer::page_script::{json, scripts};
+use crate::report::viewer::surroundings::{MeshShelf, RadarView, Surroundings};
+use artifact::envelope::fingerprint;
+use artifact::radar::Radar;
+use artifact::scene::SceneHeader;
+use maud::{Markup, html};
+use radar::motion::pose_after;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// A study as its view shows it; designs and situations by their places in its lists.
+#[derive(Serialize)]
+pub struct SweepView {
+    /// Names of what was varied.
+    pub axes: Vec<String>,
+    /// Metrics in the order of the study's tables.
+    pub metrics: Vec<Metric>,
+    /// Metric that the study chooses by.
+    pub goal: usize,
+    /// Metric that tells what a design costs.
+    pub cost: usize,
+    /// Designs that the view has room for.
+    #[serde(skip)]
+    pub designs: Vec<Design>,
+    /// Designs of the study, more than there are in the view where that has no room.
+    #[serde(skip)]
+    pub designs_all: usize,
+    /// Design of the answer; `None` where the goal was never known.
+    pub answer: Option<usize>,
+    /// Design of the best mean; `None` where the goal was never known.
+    pub best: Option<usize>,
+    /// The first situations; one at least.
+    #[serde(skip)]
+    pub situations: Vec<Situation>,
+    /// Situations of the study.
+    pub situations_all: usize,
+}
+
+/// A metric of the study.
+#[derive(Serialize)]
+pub struct Metric {
+    /// Name in the study's tables.
+    pub name: String,
+    /// Whether less is better.
+    pub is_lower_better: bool,
+}
+
+/// A design and what it is worth.
+#[derive(Serialize)]
+pub struct Design {
+    /// Number in the study.
+    pub number: usize,
+    /// Its choice of each axis.
+    pub labels: Vec<String>,
+    /// Radar of the design.
+    #[serde(skip)]
+    pub radar: Radar,
+    /// Mean of each metric and half the width of its interval; `None` where they are not known.
+    pub means: Vec<Option<(f64, Option<f64>)>>,
+    /// The goal's metric in each situation of the view.
+    pub goal_by_situation: Vec<Option<f64>>,
+    /// Situations that it has seen.
+    pub situations: usize,
+    /// Whether it is not told apart from the best.
+    pub is_candidate: bool,
+    /// Whether no design is both better and no dearer.
+    pub is_on_front: bool,
+}
+
+/// The first frame of a situation.
+pub struct Situation {
+    /// Words for what varies in it.
+    pub words: String,
+    /// Scene of the situation.
+    pub header: SceneHeader,
+}
+
+/// Numbers of the page.
+#[derive(Serialize)]
+struct Page<'a> {
+    #[serde(flatten)]
+    view: &'a SweepView,
+    radars: Vec<StandingRadar>,
+    designs: Vec<PageDesign<'a>>,
+    situations: Vec<PageSituation<'a>>,
+    surroundings: Surroundings,
+}
+
+/// A radar of one design or of several.
+#[derive(PartialEq, Serialize)]
+struct StandingRadar {
+    #[serde(flatten)]
+    view: RadarView,
+    stands: String,
+}
+
+#[derive(Serialize)]
+struct PageDesign<'a> {
+    #[serde(flatten)]
+    design: &'a Design,
+    /// Index among the radars.
+    radar: usize,
+}
+
+#[derive(Serialize)]
+struct PageSituation<'a> {
+    words: &'a str,
+    bodies: Vec<BodyView>,
+}
+
+/// The view's own scripts, in the order in which they use each other.
+const SCRIPT: [&str; 8] = [
+    include_str!("viewer/script/surroundings.js"),
+    include_str!("viewer/script/map.js"),
+    include_str!("viewer/script/cuts.js"),
+    include_str!("viewer/script/panel.js"),
+    include_str!("viewer/script/names.js"),
+    include_str!("viewer/script/listening.js"),
+    include_str!("viewer/script/sweep_chart.js"),
+    include_str!("viewer/script/sweep_view.js"),
+];
+
+/// Words on reading and moving the view.
+const HOW: &str = ". A dot is a design, a plain one where the metric is not known; those of one place stand side \
+                   by side. A click on a dot, here or in the chart, chooses it: its field of view is shown, and \
+                   what it was worth. Drag turns the view, with the right button or Shift moves it; the wheel \
+                   comes nearer once the picture was clicked.";
+
+/// The part of the report that the view stands in; nothing of a study without a situation.
+pub fn section(view: &SweepView) -> Markup {
+    let Some(page) = view.page() else { return html! {} };
+    let Ok(numbers) = json(&page) else { return html! {} };
+    html! {
+        section #viewer hidden {
+            h2 { "Walk around" }
+            (controls(view))
+            div.viewer-scene {
+                div #viewer-space-place {
+                    canvas #viewer-space tabindex="0" role="img" aria-label="The designs in three dimensions" {}
+                    div #viewer-names {}
+                }
+                div #viewer-panel aria-live="polite" {}
+            }
+            p.made { i #viewer-scale {} span #viewer-scale-told {} (HOW) }
+            @if view.designs.len() < view.designs_all {
+                p.made { (view.designs.len()) " of " (view.designs_all) " designs are shown: the front, the "
+                    "candidates and the best of the others." }
+            }
+            canvas #viewer-chart role="img" aria-label="Designs by two metrics" {}
+            p.made {
+                "Every design by two metrics: the wider ring is the answer, the other one the chosen design."
+            }
+        }
+        (scripts(&numbers, &SCRIPT))
+    }
+}
+
+fn controls(view: &SweepView) -> Markup {
+    let layers =
+        [("designs", "designs"), ("bodies", "vehicles"), ("beam", "field of view"), ("names", "names")];
+    let places = [("around", "from the side"), ("radar", "from the radar"), ("above", "from above")];
+    let told = [(view.answer, "the answer"), (view.best, "the best mean")];
+    html! {
+        div.viewer-controls {
+            label { "colours: " (metrics("metric", view, view.goal)) }
+            label { "over: " (metrics("across", view, view.cost)) }
+            label { "design " select #viewer-design {
+                @for (place, design) in view.designs.iter().enumerate() {
+                    option value=(place) { (design.number) ": " (design.labels.join(", ")) }
+                }
+            } }
+            @for (design, words) in told {
+                @if let Some(design) = design { button type="button" data-design=(design) { (words) } }
+            }
+        }
+        div.viewer-controls {
+            label { "situation "
+                input #viewer-situation type="range" min="0" max=(view.situations.len() - 1) value="0" step="1";
+                output #viewer-situation-told {} }
+            label { input #viewer-alone type="checkbox"; " colours of this situation alone" }
+        }
+        div.viewer-controls {
+            @for (name, words) in layers {
+                label { input type="checkbox" data-layer=(name) checked; " " (words) }
+            }
+            @for (place, words) in places { button type="button" data-place=(place) { (words) } }
+        }
+    }
+}
+
+fn metrics(name: &str, view: &SweepView, chosen: usize) -> Markup {
+    html! {
+        select id={ "viewer-" (name) } {
+            @for (place, metric) in view.metrics.iter().enumerate() {
+                option value=(place) selected[place == chosen] { (metric.name) }
+            }
+        }
+    }
+}
+
+impl SweepView {
+    /// `None` of a study without a situation.
+    fn page(&self) -> Option<Page<'_>> {
+        let first = self.situations.first()?;
+        let (situations, meshes) = self.bodies();
+        let (designs, radars) = self.standing();
+        let surroundings = Surroundings::with_meshes(&first.header, meshes);
+        Some(Page { view: self, radars, designs, situations, surroundings })
+    }
+
+    /// Designs and the radars that they share.
+    fn standing(&self) -> (Vec<PageDesign<'_>>, Vec<StandingRadar>) {
+        let mut radars: Vec<StandingRadar> = vec![];
+        let mut index = |design: &Design| {
+            let radar = StandingRadar::of(&design.radar);
+            radars.iter().position(|known| *known == radar).unwrap_or_else(|| {
+                radars.push(radar);
+                radars.len() - 1
+            })
+        };
+        let designs = self.designs.iter().map(|design| PageDesign { design, radar: index(design) }).collect();
+        (designs, radars)
+    }
+
+    /// Bodies of each situation, and their meshes, each once.
+    fn bodies(&self) -> (Vec<PageSituation<'_>>, MeshShelf) {
+        let (mut shelf, mut places) = (MeshShelf::default(), BTreeMap::new());
+        let situations = self.situations.iter().map(|Situation { words, header }| {
+            let mut place = |mesh| *places.entry(fingerprint(mesh)).or_insert_with(|| shelf.put(mesh));
+            let of_header: Vec<u32> = header.meshes.iter().map(&mut place).collect();
+            PageSituation { words, bodies: bodies(header, &of_header) }
+        });
+        (situations.collect(), shelf)
+    }
+}
+
+/// Bodies in the middle of the first frame, by the places of their meshes in the page.
+fn bodies(header: &SceneHeader, meshes: &[u32]) -> Vec<BodyView> {
+    let (view, frame) = (scene::frame_view(header, 0), scene::snapshot(header, 0));
+    let middle_s = header.radar.frame_middle_s();
+    let body = |(target, pose)| {
+        BodyView::of(target, &pose_after(pose, middle_s)).with_mesh(|mesh| meshes[mesh as usize])
+    };
+    view.targets.iter().zip(&frame.poses).map(body).collect()
+}
+
+impl StandingRadar {
+    fn of(radar: &Radar) -> Self {
+        let [x, y, z] = radar.position_m.map(|m| format!("{m:.2}").replace('-', "−"));
+        let [azimuth, elevation] = [radar.boresight_az_rad, radar.boresight_el_rad]
+            .map(|angle| format!("{:.1}°", angle.to_degrees()).replace('-', "−"));
+        let stands =
+            format!("stands at x {x}, y {y}, z {z} m; boresight: azimuth {azimuth}, elevation {elevation}");
+        Self { view: RadarView::of(radar), stands }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::viewer::page_script::reads_as_the_source_does;
+
+    #[test]
+    fn the_script_reads_as_the_rest_of_the_source_does() {
+        reads_as_the_source_does(&SCRIPT);
+    }
+}

@@ -1,0 +1,183 @@
+//! The report's tables, filled from the summary alone.
+
+use artifact::settings::Class;
+use maud::{Markup, html};
+use pipeline::outcome::summary::{FrameSummary, MapState, Predicted, RadarSummary, Stage, TargetSummary};
+use std::fmt::Display;
+
+/// A table that is scrolled where the page is narrower, by keys too; its first column stays.
+pub fn scrolled(name: &str, table: Markup) -> Markup {
+    html! { div.scroll tabindex="0" role="region" aria-label=(name) { (table) } }
+}
+
+/// Table of the radar's parameters in the words of the field (the paper's Table 2).
+pub(super) fn radar(radar: &RadarSummary, frames: &[FrameSummary]) -> Markup {
+    let rows = [
+        ("Carrier (centre of the sweep)", format!("{:.4} GHz", radar.carrier_hz * 1e-9)),
+        ("Bandwidth", format!("{:.4} GHz", radar.bandwidth_hz * 1e-9)),
+        ("Chirp interval", format!("{:.1} µs", radar.chirp_interval_s * 1e6)),
+        ("Samples per chirp", radar.samples_per_chirp.to_string()),
+        ("Chirps per frame × channels", format!("{} × {}", radar.chirps, radar.channels)),
+        ("Range resolution", format!("{:.2} m", radar.range_resolution_m)),
+        ("Maximum unambiguous range", format!("{:.1} m", radar.range_max_m)),
+        ("Velocity resolution", format!("{:.3} m/s", radar.velocity_resolution_mps)),
+        ("Maximum unambiguous velocity", format!("{:.2} m/s", radar.velocity_max_mps)),
+        ("Velocity of some target aliased", aliased(frames)),
+        ("Detected points, frame 0", whole(frames.first().map(|frame| frame.points))),
+    ];
+    html! {
+        h3 { "Radar" }
+        (scrolled("Radar", html! { table { tbody { @for (name, value) in rows { tr { th { (name) } td { (value) } } } } } }))
+    }
+}
+
+/// Tells in how many frames the map shows a target's velocity folded.
+fn aliased(frames: &[FrameSummary]) -> String {
+    let folded = frames.iter().filter(|frame| frame.rdm_state == MapState::Abnormal).count();
+    match (folded, frames.len()) {
+        (0, _) => "no".into(),
+        (1, 1) => "yes".into(),
+        (some, all) => format!("in {some} of {all} frames"),
+    }
+}
+
+/// Table of the targets found over all frames, and in which lane.
+pub(super) fn scene(frames: &[FrameSummary]) -> Markup {
+    let all = || frames.iter().flat_map(|frame| &frame.targets);
+    let count = |of: &dyn Fn(&TargetSummary) -> bool| all().filter(|target| of(target)).count();
+    let is_seen = |t: &TargetSummary| t.truth.nearest_range_m.is_some();
+    let in_lane = |t: &TargetSummary| t.estimate.is_some() && t.truth.lane.is_some();
+    let lane_is_right = |t: &TargetSummary| in_lane(t) && t.estimate.is_some_and(|e| e.lane == t.truth.lane);
+    let share = |part: usize, of: usize| format!("{part} of {of}");
+    let rows = [
+        ("Bodies in view, frame by frame", all().count().to_string()),
+        ("With a lit surface", share(count(&is_seen), all().count())),
+        (
+            "Found, of those with a lit surface",
+            share(count(&|t| is_seen(t) && t.estimate.is_some()), count(&is_seen)),
+        ),
+        ("In the right lane, of those found in a lane", share(count(&lane_is_right), count(&in_lane))),
+    ];
+    scrolled(
+        "The whole scene",
+        html! { table { tbody { @for (name, value) in rows { tr { th { (name) } td { (value) } } } } } },
+    )
+}
+
+/// Truth beside estimate with the error, a row per target.
+pub(super) fn targets(targets: &[TargetSummary]) -> Markup {
+    let table = html! { table {
+        thead { tr {
+            th { "target" } th { "range, m" } th { "true" } th { "error" } th { "velocity, m/s" } th { "true" } th { "error" }
+            th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" } th { "SNR, dB" } th { "points" }
+            th { "multipath ghost share" }
+        } }
+        tbody { @for target in targets { (target_row(target)) } }
+    } };
+    scrolled("Truth beside estimate", table)
+}
+
+fn target_row(target: &TargetSummary) -> Markup {
+    let (id, truth) = (&target.id, &target.truth);
+    let Some(estimate) = &target.estimate else {
+        let is_missed = target.found.is_some();
+        let words = match (is_missed, target.removed) {
+            (true, _) => "missed",
+            (_, true) => "removed with the echoes at rest, as static in [dsp] asks",
+            _ => "not to be found: hidden, without an echo of its own, or out of range",
+        };
+        return html! { tr { td { (id) } td.words.bad[is_missed] colspan="14" { (words) } } };
+    };
+    html! { tr {
+        td { (id) }
+        (compared(estimate.range_m, truth.compared_range_m(), 2))
+        (compared(estimate.radial_velocity_mps, truth.compared_radial_velocity_mps(), 3))
+        (compared(estimate.x_m, truth.x_m, 2))
+        td.bad[estimate.lane != truth.lane] { (whole(estimate.lane)) } td { (whole(truth.lane)) }
+        td { (rounded(estimate.snr_db, 1)) } td { (estimate.points) }
+        td { (rounded(estimate.ghost_share, 2)) }
+    } }
+}
+
+fn compared(estimate: f64, truth: f64, digits: usize) -> Markup {
+    let error = format!("{:+.digits$}", estimate - truth).replace('-', "−");
+    html! { td { (rounded(estimate, digits)) } td { (rounded(truth, digits)) } td { (error) } }
+}
+
+/// Probabilities as bars, a row per vehicle.
+pub(super) fn classes(targets: &[TargetSummary]) -> Markup {
+    let vehicles = targets.iter().filter_map(|target| Some((target, target.class?)));
+    let table = html! { table {
+        thead { tr {
+            th { "target" } th.words { "true class" } th.words { "predicted class" } th.words { "predicted by track" }
+            @for class in Class::ALL { th.words { "probability of " (class.name()) } }
+        } }
+        tbody { @for (target, class) in vehicles { (class_row(target, class)) } }
+    } };
+    scrolled("Classes", table)
+}
+
+fn class_row(target: &TargetSummary, class: Class) -> Markup {
+    let (in_frame, by_track) = (target.predicted_class, target.track_class);
+    let right = Predicted::Class(class);
+    html! { tr {
+        td { (target.id) }
+        td.words { (class.name()) }
+        td.words.bad[in_frame != Some(right)] { (in_frame.map_or("–", Predicted::name)) }
+        td.words.bad[by_track.is_some_and(|told| told != right)] { (by_track.map_or("–", Predicted::name)) }
+        @for class in Class::ALL { td.words { (bar(target.probabilities.of_class(class))) } }
+    } }
+}
+
+fn bar(probability: Option<f64>) -> Markup {
+    match probability {
+        Some(p) => html! { span.bar style=(format!("width:{:.2}em", 4.0 * p)) {} (format!("{p:.3}")) },
+        None => html! { "–" },
+    }
+}
+
+/// Numerical error by source and what the model leaves out, dB; parts that have a level.
+pub(super) fn errors(frame: &FrameSummary) -> Markup {
+    let numerical = frame.error_db.shares().into_iter().chain([("total", frame.error_db.total)]);
+    let known = numerical.filter_map(|(name, db)| Some((name, db?)));
+    let of_model = frame.model_error_db.sources().into_iter().filter_map(|(name, db)| Some((name, db?)));
+    let table = html! { table {
+        thead { tr { th { "relative to the echo" } th { "dB" } } }
+        tbody {
+            @for (name, db) in known { tr { td { (name) } td { (rounded(db, 1)) } } }
+            @for (name, db) in of_model { tr { td { "model: " (name) } td { (rounded(db, 1)) } } }
+        }
+    } };
+    html! {
+        (scrolled("Error budget", table))
+        p { "Parts without a row are no error, or were not estimated." }
+    }
+}
+
+/// Seconds by stage, memory at most.
+pub(super) fn costs(frame: &FrameSummary) -> Markup {
+    let mut stages: Vec<(Stage, f64)> = frame.stage_seconds.iter().map(|(stage, s)| (*stage, *s)).collect();
+    stages.sort_by_key(|(stage, _)| stage.name());
+    let table = html! { table {
+        thead { tr { th { "stage" } th { "seconds" } th { "" } } }
+        tbody {
+            @for (stage, seconds) in &stages {
+                tr { td { (stage.name().replace('_', "-")) } td { (rounded(*seconds, 3)) }
+                    td { @if frame.cached.contains(stage) { "cached" } } }
+            }
+            tr { td { "paths" } td { (whole(frame.paths)) } td {} }
+            tr { td { "memory, MiB" } td { (rounded(frame.peak_memory_mib, 0)) }
+                td { "at most; " (rounded(frame.memory_estimate_mib, 0)) " said before" } }
+        }
+    } };
+    scrolled("What each stage cost", table)
+}
+
+/// A number with so many digits; a dash where there is none.
+pub(super) fn rounded(value: impl Into<Option<f64>>, digits: usize) -> String {
+    value.into().map_or("–".into(), |v| format!("{v:.digits$}").replace('-', "−"))
+}
+
+fn whole(value: Option<impl Display>) -> String {
+    value.map_or("–".into(), |v| v.to_string())
+}

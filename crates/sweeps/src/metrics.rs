@@ -1,0 +1,181 @@
+//! Measures of a run in a study: shares, errors and costs, each a number or nothing where nothing could be
+//! asked.
+
+use artifact::settings::Class;
+use pipeline::outcome::summary::{Cause, Estimate, Predicted, Summary, TargetSummary};
+
+/// Version of what the metrics mean: kept runs of another one are made anew.
+pub(crate) const VERSION: u32 = 1;
+
+/// The better of two values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Better {
+    Lower,
+    Higher,
+}
+
+impl Better {
+    /// The value, or its negative where less is better.
+    pub(crate) fn rising(self, value: f64) -> f64 {
+        match self {
+            Self::Lower => -value,
+            Self::Higher => value,
+        }
+    }
+}
+
+/// Metrics of a study, in the order of its tables.
+pub(crate) struct Measures {
+    all: Vec<Measure>,
+}
+
+struct Measure {
+    name: String,
+    better: Better,
+    of: Box<OfRun>,
+}
+
+/// Value of a metric in a run.
+type OfRun = dyn Fn(&Summary) -> Option<f64> + Send + Sync;
+
+impl Measures {
+    /// The metrics, with detection rates in bands of range between these bounds, m.
+    pub(crate) fn of(bounds_m: Vec<f64>) -> Self {
+        let all = found().chain(of_classes()).chain(of_bands(bounds_m)).chain(estimated()).chain(wrong());
+        Self { all: all.chain(costs()).collect() }
+    }
+
+    /// Names of all, in their order.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.all.iter().map(|measure| measure.name.as_str())
+    }
+
+    /// Better value of a metric, unless a study says otherwise.
+    pub(crate) fn better(&self, metric: usize) -> Better {
+        self.all[metric].better
+    }
+
+    /// All values of a run.
+    pub(crate) fn values(&self, summary: &Summary) -> Vec<Option<f64>> {
+        self.all.iter().map(|measure| (measure.of)(summary).filter(|value| value.is_finite())).collect()
+    }
+}
+
+fn measure(
+    name: impl Into<String>,
+    better: Better,
+    of: impl Fn(&Summary) -> Option<f64> + Send + Sync + 'static,
+) -> Measure {
+    Measure { name: name.into(), better, of: Box::new(of) }
+}
+
+fn found() -> impl Iterator<Item = Measure> {
+    let is_found = |target: &TargetSummary| target.estimate.is_some();
+    [
+        measure("coverage", Better::Higher, move |s| share(s, |_| true, is_found)),
+        measure("lane_coverage", Better::Higher, |s| share(s, |t| t.truth.lane.is_some(), lane_is_right)),
+        measure("class_coverage", Better::Higher, |s| share(s, |t| t.class.is_some(), class_is_right)),
+        measure("detection_rate", Better::Higher, move |s| share(s, |t| t.found.is_some(), is_found)),
+    ]
+    .into_iter()
+}
+
+fn of_classes() -> impl Iterator<Item = Measure> {
+    Class::ALL.into_iter().map(|class| {
+        let asked = move |target: &TargetSummary| target.found.is_some() && target.class == Some(class);
+        let name = format!("detection_rate_{}", class.name());
+        measure(name, Better::Higher, move |s| share(s, asked, |t| t.estimate.is_some()))
+    })
+}
+
+/// Detection rates nearer than the first bound, between each two, and beyond the last.
+fn of_bands(bounds_m: Vec<f64>) -> impl Iterator<Item = Measure> {
+    let ends = bounds_m.iter().copied().chain([f64::INFINITY]);
+    let bands: Vec<(f64, f64)> = std::iter::once(0.0).chain(bounds_m.iter().copied()).zip(ends).collect();
+    bands.into_iter().map(|(near, far)| {
+        let asked =
+            move |t: &TargetSummary| t.found.is_some() && (near..far).contains(&t.truth.compared_range_m());
+        let to = if far.is_finite() { far.to_string() } else { "beyond".into() };
+        let name = format!("detection_rate_{near}_{to}_m");
+        measure(name, Better::Higher, move |s| share(s, asked, |t| t.estimate.is_some()))
+    })
+}
+
+fn estimated() -> impl Iterator<Item = Measure> {
+    let range = |t: &TargetSummary, e: &Estimate| e.range_m - t.truth.compared_range_m();
+    let velocity =
+        |t: &TargetSummary, e: &Estimate| e.radial_velocity_mps - t.truth.compared_radial_velocity_mps();
+    [
+        measure("lane_rate", Better::Higher, |s| s.metrics.objects.lane_rate),
+        measure("class_accuracy", Better::Higher, |s| {
+            share(s, |t| t.class.is_some() && t.estimate.is_some(), class_is_right)
+        }),
+        measure("range_error_m", Better::Lower, move |s| rms(s, range)),
+        measure("velocity_error_mps", Better::Lower, move |s| rms(s, velocity)),
+        measure("gospa_m", Better::Lower, |s| s.metrics.objects.gospa_m),
+        measure("track_gospa_m", Better::Lower, |s| s.metrics.tracks.gospa_m),
+    ]
+    .into_iter()
+}
+
+fn wrong() -> impl Iterator<Item = Measure> {
+    [
+        measure("false_objects", Better::Lower, |s| per_frame(s, s.metrics.objects.false_ones)),
+        measure("ghosts", Better::Lower, |s| {
+            let false_ones = s.frames.iter().flat_map(|frame| &frame.false_objects);
+            per_frame(s, false_ones.filter(|object| object.cause == Cause::Ghost).count())
+        }),
+        measure("identity_switches", Better::Lower, |s| Some(f64::from(s.metrics.identities.switches))),
+    ]
+    .into_iter()
+}
+
+fn costs() -> impl Iterator<Item = Measure> {
+    [
+        measure("channels", Better::Lower, |s| Some(s.radar.channels as f64)),
+        measure("values_per_frame", Better::Lower, |s| {
+            let (chirps, samples) = (f64::from(s.radar.chirps), f64::from(s.radar.samples_per_chirp));
+            Some(s.radar.channels as f64 * chirps * samples)
+        }),
+        measure("bandwidth_ghz", Better::Lower, |s| Some(s.radar.bandwidth_hz * 1e-9)),
+    ]
+    .into_iter()
+}
+
+fn targets(summary: &Summary) -> impl Iterator<Item = &TargetSummary> {
+    summary.frames.iter().flat_map(|frame| &frame.targets)
+}
+
+/// Share of the targets asked for, over all frames; `None` where there are none.
+fn share(
+    summary: &Summary,
+    is_asked: impl Fn(&TargetSummary) -> bool,
+    is_right: impl Fn(&TargetSummary) -> bool,
+) -> Option<f64> {
+    let asked: Vec<&TargetSummary> = targets(summary).filter(|target| is_asked(target)).collect();
+    let right = asked.iter().filter(|target| is_right(target)).count();
+    (!asked.is_empty()).then(|| right as f64 / asked.len() as f64)
+}
+
+fn lane_is_right(target: &TargetSummary) -> bool {
+    target.estimate.is_some_and(|estimate| estimate.lane == target.truth.lane)
+}
+
+fn class_is_right(target: &TargetSummary) -> bool {
+    let told = match target.predicted_class {
+        Some(Predicted::Class(class)) => Some(class),
+        _ => None,
+    };
+    told.is_some() && told == target.class
+}
+
+/// Root mean square of an error over the targets found.
+fn rms(summary: &Summary, error: impl Fn(&TargetSummary, &Estimate) -> f64) -> Option<f64> {
+    let errors: Vec<f64> = targets(summary).filter_map(|t| Some(error(t, t.estimate.as_ref()?))).collect();
+    let sum: f64 = errors.iter().map(|error| error * error).sum();
+    (!errors.is_empty()).then(|| (sum / errors.len() as f64).sqrt())
+}
+
+fn per_frame(summary: &Summary, count: usize) -> Option<f64> {
+    (!summary.frames.is_empty()).then(|| count as f64 / summary.frames.len() as f64)
+}

@@ -1,0 +1,234 @@
+//! The runs of a study, repeat by repeat: what is kept is taken up, what lacks is made, and after each repeat
+//! designs that are worse for sure are left.
+
+use crate::answer::scores;
+use crate::runs::kept::Kept;
+use crate::runs::ledger::{Ledger, Run};
+use crate::runs::one_run::{self, Means, Measured};
+use crate::runs::reached::Reached;
+use crate::statistics::contest::{self, Rule};
+use crate::study::axis::Pick;
+use crate::study::document::Study;
+use crate::study::situations::{Situation, changes_in};
+use artifact::scene::SceneHeader;
+use pipeline::chain::cache::Cache;
+use pipeline::chain::link::Chain;
+use pipeline::chain::loaded_model::LoadedModel;
+use pipeline::host::call_off::CallOff;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::Allowance;
+use pipeline::host::progress::Work;
+use pipeline::host::side_by_side::side_by_side;
+use pipeline::outcome::summary::Summary;
+use scene::Meshes;
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// A study whose runs are made.
+pub(crate) struct Rounds<'a> {
+    pub(crate) study: &'a Study,
+    pub(crate) designs: &'a [Vec<Pick>],
+    /// First design of each design's kind.
+    pub(crate) first_of_kinds: &'a [usize],
+    /// Situations, repeat by repeat.
+    pub(crate) situations: &'a [Vec<Situation>],
+    pub(crate) kept: Kept,
+    pub(crate) cache: Option<Cache>,
+    pub(crate) model: Option<LoadedModel>,
+    pub(crate) memory: Allowance,
+    /// Part of the runs that is made here: number from 1, and of how many; `None`: none.
+    pub(crate) shard: Option<[u32; 2]>,
+    pub(crate) call_off: &'a CallOff,
+    /// Runs made so far.
+    pub(crate) put: AtomicUsize,
+}
+
+/// Runs of a study as far as they are made.
+pub(crate) enum Made {
+    /// Everything that the answer needs.
+    Whole(Ledger),
+    /// So many runs are other parts' and not made yet; with an early stop those of one repeat, as who stays is
+    /// not known before.
+    Waiting { missing: usize },
+}
+
+/// Errors of one run, once they are measured.
+type Measuring = Mutex<Option<Arc<Measured>>>;
+
+/// A run that lacks: its number among those of its repeat.
+struct Job {
+    number: usize,
+    key: String,
+}
+
+impl Rounds<'_> {
+    /// Makes this part's runs. It looks at all again until it finds nothing to make: what another part made
+    /// meanwhile is seen by the one that ends last.
+    pub(crate) fn made(&self) -> Result<Made, Failure> {
+        loop {
+            let before = self.put.load(Ordering::Relaxed);
+            let made = self.gone_through()?;
+            if matches!(made, Made::Whole(_)) || self.put.load(Ordering::Relaxed) == before {
+                return Ok(made);
+            }
+        }
+    }
+
+    /// Goes through all repeats and makes what lacks of this part.
+    fn gone_through(&self) -> Result<Made, Failure> {
+        let mut ledger = Ledger::of(self.designs.len());
+        let mut missing = 0;
+        for (repeat, situations) in self.situations.iter().enumerate() {
+            let runs = self.round(repeat, situations, &ledger.open)?;
+            missing += runs.iter().filter(|run| run.is_none()).count();
+            match (missing, self.study.stop) {
+                (0, _) => self.enter(&mut ledger, situations, runs),
+                (_, None) => continue,
+                (_, Some(_)) => break,
+            }
+            if self.study.stop.is_some() && ledger.open.len() == 1 {
+                break;
+            }
+        }
+        Ok(if missing == 0 { Made::Whole(ledger) } else { Made::Waiting { missing } })
+    }
+
+    /// Enters a repeat of which no run lacks.
+    fn enter(&self, ledger: &mut Ledger, situations: &[Situation], runs: Vec<Option<Run>>) {
+        let numbers = self.numbers(situations, &ledger.open);
+        for (number, run) in numbers.into_iter().zip(runs.into_iter().flatten()) {
+            ledger.enter(number / situations.len(), run);
+        }
+        self.drop_worse(ledger);
+    }
+
+    fn drop_worse(&self, ledger: &mut Ledger) {
+        if let Some(stop) = self.study.stop {
+            let looks = self.situations.len();
+            let rule = Rule { confidence: stop.confidence, least: stop.least, looks };
+            ledger.open = contest::staying(&scores(self.study, ledger), &ledger.open, &rule);
+        }
+    }
+
+    /// Numbers of the runs of open designs in a repeat, design by design.
+    fn numbers(&self, situations: &[Situation], open: &[usize]) -> Vec<usize> {
+        let count = situations.len();
+        open.iter().flat_map(|design| design * count..(design + 1) * count).collect()
+    }
+
+    /// A repeat's runs in the order of their numbers; `None` where another part has to make one.
+    fn round(
+        &self,
+        repeat: usize,
+        situations: &[Situation],
+        open: &[usize],
+    ) -> Result<Vec<Option<Run>>, Failure> {
+        let is_of = |number: usize, [part, of]: [u32; 2]| number % of as usize == (part - 1) as usize;
+        let is_mine = |number: &usize| self.shard.is_some_and(|shard| is_of(*number, shard));
+        let numbers = self.numbers(situations, open);
+        let mut keys = vec![];
+        let mut jobs = vec![];
+        for number in &numbers {
+            let key = self.key(*number, situations)?;
+            if is_mine(number) && self.kept.get(self.study, &key).is_none() {
+                jobs.push(Job { number: *number, key: key.clone() });
+            }
+            keys.push(key);
+        }
+        self.make(repeat, situations, &jobs)?;
+        Ok(keys.iter().map(|key| self.kept.get(self.study, key)).collect())
+    }
+
+    fn key(&self, number: usize, situations: &[Situation]) -> Result<String, Failure> {
+        let situation = &situations[number % situations.len()];
+        let measured_in = self.measured_in(number, situations);
+        let changes = [number, measured_in].map(|number| self.changes(number, situations));
+        self.kept.key(self.study, [&changes[0], &changes[1]], situation.seed)
+    }
+
+    /// The run in which the errors of a run are measured: that of the first design of its kind in the same
+    /// situation.
+    fn measured_in(&self, number: usize, situations: &[Situation]) -> usize {
+        let count = situations.len();
+        self.first_of_kinds[number / count] * count + number % count
+    }
+
+    /// Changes that a run makes to the scene.
+    fn changes(&self, number: usize, situations: &[Situation]) -> Vec<scene::Change> {
+        let (design, situation) = self.at(number, situations);
+        changes_in(self.study, design, situation)
+    }
+
+    /// Design and situation of a run.
+    fn at<'s>(&self, number: usize, situations: &'s [Situation]) -> (&[Pick], &'s Situation) {
+        (&self.designs[number / situations.len()], &situations[number % situations.len()])
+    }
+
+    fn make(&self, repeat: usize, situations: &[Situation], jobs: &[Job]) -> Result<(), Failure> {
+        let Some(first) = jobs.first() else { return Ok(()) };
+        let work = Work::begin(format!("repeat {} of {}", repeat + 1, self.situations.len()));
+        let at_once = self.at_once(&self.scene(first.number, situations)?, jobs.len())?;
+        let means =
+            Means { cache: self.cache.as_ref(), model: self.model.as_ref(), memory: self.memory, at_once };
+        let done = AtomicUsize::new(0);
+        let measured = self.not_measured_yet(jobs, situations);
+        let make = |job: &Job| {
+            self.call_off.check()?;
+            let summary = self.summary(job, situations, &measured, &means)?;
+            let (values, accuracy) = (self.study.measures.values(&summary), Reached::of(&summary));
+            self.kept.put(self.study, &job.key, &Run { values, accuracy })?;
+            self.put.fetch_add(1, Ordering::Relaxed);
+            work.at(done.fetch_add(1, Ordering::Relaxed) + 1, jobs.len());
+            Ok(())
+        };
+        let made = side_by_side(jobs, at_once, make).map(drop);
+        if let Some(cache) = &self.cache {
+            cache.trim();
+        }
+        made
+    }
+
+    /// A place for the errors of every run in which those of some job are measured.
+    fn not_measured_yet(&self, jobs: &[Job], situations: &[Situation]) -> BTreeMap<usize, Measuring> {
+        jobs.iter().map(|job| (self.measured_in(job.number, situations), Measuring::default())).collect()
+    }
+
+    fn summary(
+        &self,
+        job: &Job,
+        situations: &[Situation],
+        measured: &BTreeMap<usize, Measuring>,
+        means: &Means,
+    ) -> Result<Summary, Failure> {
+        let first = self.measured_in(job.number, situations);
+        let header = self.scene(job.number, situations)?;
+        if first == job.number {
+            return one_run::summary(&header, None, means);
+        }
+        // Whoever comes first measures; the others wait.
+        let mut place = measured[&first].lock().unwrap_or_else(PoisonError::into_inner);
+        let like = match &*place {
+            Some(like) => like.clone(),
+            None => Arc::new(one_run::measured(&self.scene(first, situations)?, means)?),
+        };
+        *place = Some(like.clone());
+        drop(place);
+        one_run::summary(&header, Some(&like), means)
+    }
+
+    fn scene(&self, number: usize, situations: &[Situation]) -> Result<SceneHeader, Failure> {
+        let (design, situation) = self.at(number, situations);
+        one_run::read(self.study, design, situation, Meshes::Whole)
+    }
+
+    /// One run a thread, as many as are expected to fit into the memory that they may take if all are as
+    /// large as this.
+    fn at_once(&self, header: &SceneHeader, jobs: usize) -> Result<usize, Failure> {
+        let threads = rayon::current_num_threads().min(jobs).max(1);
+        let Some(limit_mib) = self.memory.mib().filter(|_| threads > 1) else { return Ok(threads) };
+        let chain = Chain::of(header, None, None, self.memory);
+        let estimate_mib = chain.memory_estimate_mib(&chain.plan(0))?;
+        Ok(((limit_mib / estimate_mib) as usize).clamp(1, threads))
+    }
+}

@@ -1,0 +1,105 @@
+//! Runs that are kept: a file for each under the hash of all that it depends on, so that a study goes on
+//! where it was ended, takes up what another one has made in the same folder, and is made in parts.
+
+use crate::metrics::VERSION;
+use crate::runs::ledger::Run;
+use crate::runs::reached::Reached;
+use crate::study::document::Study;
+use artifact::envelope::fingerprint;
+use pipeline::chain::loading;
+use pipeline::chain::stages::{SOURCES_OF_EVALUATION, Stage};
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use scene::{Change, Meshes, ReadOptions};
+use serde::Deserialize;
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+/// A run is a line of some numbers.
+const LIMIT_BYTES: u64 = 1 << 20;
+
+/// Folder of a study's runs.
+pub(crate) struct Kept {
+    folder: PathBuf,
+    /// Hash of what every run of this study depends on.
+    common: String,
+    /// Hashes of the files that were read so far.
+    hashes: Mutex<BTreeMap<PathBuf, String>>,
+}
+
+impl Kept {
+    /// Runs of a study by a classifier's model of this hash, in the folder of its results.
+    pub(crate) fn of(study: &Study, model: Option<&str>, out: &Path) -> Self {
+        let sources: Vec<&str> = Stage::ALL.iter().map(|stage| stage.sources()).collect();
+        let names: Vec<&str> = study.measures.names().collect();
+        let common = fingerprint(&(VERSION, sources, SOURCES_OF_EVALUATION, names, model, &study.radar));
+        Self { folder: out.join("runs"), common, hashes: Mutex::default() }
+    }
+
+    /// Hash of all that a run depends on: what it changes, and what that changes in which its errors are
+    /// measured.
+    pub(crate) fn key(
+        &self,
+        study: &Study,
+        [changes, measured_in]: [&[Change]; 2],
+        seed: u64,
+    ) -> Result<String, Failure> {
+        let options = ReadOptions { model: None, radar: study.radar.clone(), meshes: Meshes::NamesOnly };
+        let files = scene::inputs_of_changed(&study.scene, changes, &options).map_err(loading::of_scene)?;
+        let hashes = files.iter().map(|file| self.hash(file)).collect::<Result<Vec<_>, _>>()?;
+        let pairs = |changes: &[Change]| {
+            changes.iter().map(|c| (c.key.clone(), c.value.clone())).collect::<Vec<(String, String)>>()
+        };
+        Ok(fingerprint(&(&self.common, hashes, pairs(changes), pairs(measured_in), seed)))
+    }
+
+    fn hash(&self, file: &Path) -> Result<String, Failure> {
+        let mut known = self.hashes.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(hash) = known.get(file) {
+            return Ok(hash.clone());
+        }
+        let hashed = loading::hashed(&[file.to_owned()])?;
+        let hash = hashed.into_iter().map(|(_, hash)| hash).collect::<String>();
+        known.insert(file.to_owned(), hash.clone());
+        Ok(hash)
+    }
+
+    /// A run that was made before; `None` where its file is not there or is not whole.
+    pub(crate) fn get(&self, study: &Study, key: &str) -> Option<Run> {
+        // Earlier versions had folders of two letters.
+        let read = |file: &Path| files::read_own(file, LIMIT_BYTES);
+        let text = read(&self.file(key)).or_else(|_| read(&self.file_below(key, 2))).ok()?;
+        let run: Value = serde_json::from_slice(&text).ok()?;
+        let metrics = run["metrics"].as_object().filter(|_| run["key"] == key)?;
+        let value = |name: &str| match metrics.get(name)? {
+            Value::Null => Some(None),
+            value => value.as_f64().map(Some),
+        };
+        // Earlier versions kept no accuracy.
+        let accuracy = match run.get("accuracy") {
+            None => Reached::default(),
+            Some(accuracy) => Reached::deserialize(accuracy).ok()?,
+        };
+        Some(Run { values: study.measures.names().map(value).collect::<Option<_>>()?, accuracy })
+    }
+
+    /// Keeps a run, whole or not at all.
+    pub(crate) fn put(&self, study: &Study, key: &str, run: &Run) -> Result<(), Failure> {
+        let metric = |(name, value): (&str, &Option<f64>)| (name.to_owned(), Value::from(*value));
+        let metrics: Map<String, Value> = study.measures.names().zip(&run.values).map(metric).collect();
+        let text = serde_json::json!({ "key": key, "metrics": metrics, "accuracy": run.accuracy });
+        files::write_again(&self.file(key), format!("{text}\n").as_bytes())
+    }
+
+    /// Three letters are 4096 folders, of 2500 runs each in the largest study.
+    fn file(&self, key: &str) -> PathBuf {
+        self.file_below(key, 3)
+    }
+
+    fn file_below(&self, key: &str, letters: usize) -> PathBuf {
+        let (first, _) = key.split_at_checked(letters).unwrap_or((key, ""));
+        self.folder.join(first).join(format!("{key}.json"))
+    }
+}

@@ -1,0 +1,51 @@
+//! Measures of all runs of a study so far: by design and situation.
+
+use crate::runs::reached::Reached;
+
+/// A run: what was measured of it, and how exactly.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Run {
+    /// Values in the order of the study's measures.
+    pub(crate) values: Vec<Option<f64>>,
+    pub(crate) accuracy: Reached,
+}
+
+/// Runs by design; each has seen the first so many situations.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Ledger {
+    runs: Vec<Vec<Run>>,
+    /// Designs that are repeated further.
+    pub(crate) open: Vec<usize>,
+}
+
+impl Ledger {
+    /// A ledger of so many designs, in which nothing stands.
+    pub(crate) fn of(designs: usize) -> Self {
+        Self { runs: vec![vec![]; designs], open: (0..designs).collect() }
+    }
+
+    /// Enters a design's run in its next situation.
+    pub(crate) fn enter(&mut self, design: usize, run: Run) {
+        self.runs[design].push(run);
+    }
+
+    /// Number of designs.
+    pub(crate) fn designs(&self) -> usize {
+        self.runs.len()
+    }
+
+    /// Runs of a design, situation by situation.
+    pub(crate) fn runs(&self, design: usize) -> &[Run] {
+        &self.runs[design]
+    }
+
+    /// One metric of a design, situation by situation.
+    pub(crate) fn metric(&self, design: usize, metric: usize) -> Vec<Option<f64>> {
+        self.runs[design].iter().map(|run| run.values[metric]).collect()
+    }
+
+    /// Situations that every design has seen.
+    pub(crate) fn common(&self) -> usize {
+        self.runs.iter().map(Vec::len).min().unwrap_or(0)
+    }
+}

@@ -1,0 +1,101 @@
+//! One run: a design in a situation through the whole chain to its summary, without files and pictures.
+
+use crate::study::axis::Pick;
+use crate::study::document::Study;
+use crate::study::situations::{Situation, changes_in};
+use artifact::envelope::fingerprint;
+use artifact::scene::SceneHeader;
+use artifact::settings::Fidelity;
+use pipeline::chain::cache::Cache;
+use pipeline::chain::cycles::resolved;
+use pipeline::chain::link::Chain;
+use pipeline::chain::loaded_model::LoadedModel;
+use pipeline::chain::loading;
+use pipeline::chain::measured_frames::Known;
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
+use pipeline::host::memory::Allowance;
+use pipeline::outcome::frame_truth::frame_truth;
+use pipeline::outcome::summary::{FrameSummary, Summary};
+use pipeline::outcome::tracking::Tracking;
+use scene::{Meshes, ReadOptions};
+
+/// Means that all runs of a study share.
+pub(crate) struct Means<'a> {
+    pub(crate) cache: Option<&'a Cache>,
+    pub(crate) model: Option<&'a LoadedModel>,
+    pub(crate) memory: Allowance,
+    /// Runs that share the memory.
+    pub(crate) at_once: usize,
+}
+
+/// All frames of a run take over what is measured in its first.
+const MEASURED_EVERY: u32 = 1_000_000;
+
+/// Errors of paths that were measured in one run, for others of its kind.
+pub(crate) struct Measured {
+    known: Known,
+    /// Hash of what they depend on.
+    hash: String,
+}
+
+/// The scene of a design in a situation, with its models as far as they are asked for.
+pub(crate) fn read(
+    study: &Study,
+    design: &[Pick],
+    situation: &Situation,
+    meshes: Meshes,
+) -> Result<SceneHeader, Failure> {
+    let changes = changes_in(study, design, situation);
+    let options = ReadOptions { model: None, radar: study.radar.clone(), meshes };
+    let header = scene::read_changed(&study.scene, &changes, &options).map_err(loading::of_scene)?;
+    let fidelity = Fidelity { measured_every: MEASURED_EVERY, ..header.fidelity };
+    Ok(SceneHeader { seed: situation.seed, fidelity, ..header })
+}
+
+/// Errors of a run's first frame.
+pub(crate) fn measured(header: &SceneHeader, means: &Means) -> Result<Measured, Failure> {
+    let chain = chain(header, means);
+    let mut keys = vec![];
+    for index in 0..header.radar.schedule.sub_frames().min(header.frames) {
+        let plan = chain.plan(index);
+        chain.scattering(&plan, &scene::snapshot(header, index))?;
+        keys.push(plan.keys.bart_rcs.id());
+    }
+    Ok(Measured { known: chain.measured(), hash: fingerprint(&keys) })
+}
+
+/// Summary of all frames of a scene, with errors of another run of its kind where there are some.
+pub(crate) fn summary(
+    header: &SceneHeader,
+    like: Option<&Measured>,
+    means: &Means,
+) -> Result<Summary, Failure> {
+    let chain = chain(header, means);
+    let chain = match like {
+        Some(measured) => chain.like(measured.known.clone(), &measured.hash),
+        None => chain,
+    };
+    let mut tracking = Tracking::of(&chain)?;
+    let (mut frames, mut cycle) = (Vec::new(), Vec::new());
+    for index in 0..header.frames {
+        cycle.push(chain.frame(&chain.plan(index))?);
+        if cycle.len() < header.radar.schedule.sub_frames() as usize {
+            continue;
+        }
+        for frame in resolved(&chain, std::mem::take(&mut cycle))? {
+            let truth = frame_truth(&chain, &frame)?;
+            let (_, tracks) = tracking.follow(&frame, &truth)?;
+            frames.push(FrameSummary::of(&frame.view, &frame.result, &truth, tracks));
+        }
+    }
+    Ok(Summary::of(header, frames, tracking.metrics()))
+}
+
+/// Of the cache only scattering is asked and told: what comes behind it is quickly made again, and fills a
+/// disk.
+fn chain<'a>(header: &'a SceneHeader, means: &Means<'a>) -> Chain<'a> {
+    let chain = Chain::of(header, means.cache, means.model, means.memory).keeping(Stage::BartRcs);
+    chain.share_memory(means.at_once);
+    chain
+}

@@ -1,0 +1,5 @@
+//! Certainty of a mean, and designs that are worse for sure.
+
+pub(crate) mod student;
+pub(crate) mod interval;
+pub(crate) mod contest;

@@ -1,0 +1,93 @@
+//! Designs that may still be the best: the others are repeated no further.
+
+use crate::statistics::interval::Mean;
+
+/// Rule by which a design is given up.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rule {
+    /// Probability that the best design is never given up, over all looks.
+    pub(crate) confidence: f64,
+    /// Situations that a design has to have seen.
+    pub(crate) least: usize,
+    /// Number of times that the designs are looked at, at most.
+    pub(crate) looks: usize,
+}
+
+/// Designs that stay of those that are `open`, in their order; `scores` has each design's by situation, more
+/// is better. The one of the greatest mean stays, and each that is not worse than it by paired differences.
+/// The true best goes only where one of its comparisons errs: at most one with every other design at every
+/// look, which share what may go wrong (Bonferroni).
+pub(crate) fn staying(scores: &[Vec<Option<f64>>], open: &[usize], rule: &Rule) -> Vec<usize> {
+    let Some(best) = best(scores, open) else { return open.to_vec() };
+    let confidence = jointly(rule.confidence, scores.len().saturating_sub(1) * rule.looks);
+    let is_worse = |design: usize| {
+        let behind = Mean::of_pairs(&scores[best], &scores[design], confidence);
+        behind.is_some_and(|behind| behind.count >= rule.least && behind.low() > 0.0)
+    };
+    open.iter().copied().filter(|design| *design == best || !is_worse(*design)).collect()
+}
+
+/// The design of the greatest mean, of equal ones the first; `None` where nothing is known.
+pub(crate) fn best(scores: &[Vec<Option<f64>>], open: &[usize]) -> Option<usize> {
+    let mean = |design: &usize| Mean::of_known(&scores[*design], 0.5).map(|mean| (*design, mean.value));
+    let better = |best: (usize, f64), other: (usize, f64)| if other.1 > best.1 { other } else { best };
+    open.iter().filter_map(mean).reduce(better).map(|(design, _)| design)
+}
+
+/// Confidence of each of some statements that all hold together at a confidence (Bonferroni). A two-sided
+/// interval errs to one side half as often; that is left as a reserve.
+pub(crate) fn jointly(confidence: f64, statements: usize) -> f64 {
+    1.0 - (1.0 - confidence) / statements.max(1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    const RULE: Rule = Rule { confidence: 0.95, least: 4, looks: 6 };
+
+    /// Values about the designs' means, with a part that all designs of a situation share.
+    fn toy(means: &[f64], situations: usize, seed: u64) -> Vec<Vec<Option<f64>>> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut normal = || (0..12).map(|_| random.random::<f64>()).sum::<f64>() - 6.0;
+        let shared: Vec<f64> = (0..situations).map(|_| 3.0 * normal()).collect();
+        let of = |mean: &f64| shared.iter().map(|s| Some(mean + s + normal())).collect::<Vec<_>>();
+        means.iter().map(of).collect()
+    }
+
+    /// Designs that are left after looks at 4, 8, … situations, and how many runs that took.
+    fn contest(scores: &[Vec<Option<f64>>]) -> (Vec<usize>, usize) {
+        let (mut open, mut runs) = ((0..scores.len()).collect::<Vec<_>>(), 0);
+        for look in 1..=RULE.looks {
+            runs += 4 * open.len();
+            let seen: Vec<_> = scores.iter().map(|all| all[..4 * look].to_vec()).collect();
+            open = staying(&seen, &open, &RULE);
+        }
+        (open, runs)
+    }
+
+    #[test]
+    fn the_true_best_is_dropped_no_more_often_than_was_allowed() {
+        let means = [0.0, 0.3, 0.8, 1.0, 0.9, -2.0];
+        let dropped = (0..400).filter(|seed| !contest(&toy(&means, 24, *seed)).0.contains(&3)).count();
+        assert!(dropped <= 20, "{dropped} of 400, 5 % are allowed");
+    }
+
+    #[test]
+    fn what_is_far_behind_is_repeated_no_further() {
+        let (open, runs) = contest(&toy(&[0.0, 8.0, 0.5, 1.0], 24, 5));
+        assert_eq!(open, [1]);
+        assert!(runs < 4 * 24, "{runs} runs");
+    }
+
+    #[test]
+    fn equal_designs_and_few_situations_drop_nobody() {
+        let equal = vec![vec![Some(1.0); 8]; 3];
+        assert_eq!(staying(&equal, &[0, 1, 2], &RULE), [0, 1, 2]);
+        let few = vec![vec![Some(1.0); 3], vec![Some(0.0); 3]];
+        assert_eq!(staying(&few, &[0, 1], &RULE), [0, 1]);
+        assert_eq!(staying(&[vec![None], vec![None]], &[0, 1], &RULE), [0, 1]);
+    }
+}

@@ -1,0 +1,200 @@
+//! A study's file, `STUDY.toml`; its keys are in `docs/sweeps.md`.
+
+use crate::metrics::{Better, Measures};
+use crate::study::axes;
+use crate::study::axis::Axis;
+use crate::study::fields::{Fields, nearest, number};
+use crate::study::page::Page;
+use pipeline::host::failure::Failure;
+use scene::toml_text;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use toml::de::DeTable;
+
+/// Designs and runs of a study: at a second a run the greatest number is a third of a year.
+pub(crate) const DESIGNS_LIMIT: u64 = 100_000;
+pub(crate) const RUNS_LIMIT: u64 = 10_000_000;
+const REPEATS_LIMIT: u64 = 10_000;
+
+const KEYS: [&str; 11] = [
+    "scene",
+    "radar",
+    "seed",
+    "repeats",
+    "confidence",
+    "range_bands_m",
+    "vary",
+    "condition",
+    "sample",
+    "goal",
+    "stop",
+];
+
+/// A study, checked for itself; what its scenes say to it is asked later.
+pub(crate) struct Study {
+    /// File that was read.
+    pub(crate) page: Arc<Page>,
+    /// Scene of which all designs are changes.
+    pub(crate) scene: PathBuf,
+    /// Through which of several radars.
+    pub(crate) radar: Option<String>,
+    pub(crate) seed: u64,
+    pub(crate) repeats: u32,
+    /// Probability that an interval holds the mean.
+    pub(crate) confidence: f64,
+    pub(crate) measures: Measures,
+    /// Axes to choose on.
+    pub(crate) vary: Vec<Axis>,
+    /// Axes that are not chosen but averaged over.
+    pub(crate) conditions: Vec<Axis>,
+    /// Number of designs that are drawn; `None`: all combinations of the listed values.
+    pub(crate) sample: Option<u32>,
+    pub(crate) goal: Goal,
+    /// Rule by which a design is not repeated further; `None`: all are repeated equally often.
+    pub(crate) stop: Option<Stop>,
+}
+
+/// Metric that a study chooses by.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Goal {
+    /// Place of the metric among the measures.
+    pub(crate) metric: usize,
+    pub(crate) better: Better,
+    /// Place of what a design costs among the measures; less is better.
+    pub(crate) cost: usize,
+    /// What may be given away of the metric for a cheaper design; `None`: one standard
+    /// error of the difference.
+    pub(crate) margin: Option<f64>,
+}
+
+/// Rule by which a design is repeated no further.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Stop {
+    /// Probability that no design is dropped which is the best.
+    pub(crate) confidence: f64,
+    /// Situations that a design has to have seen before.
+    pub(crate) least: usize,
+}
+
+impl Study {
+    /// Reads and checks the file; a seed given takes the place of its own.
+    pub(crate) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
+        let page = Arc::new(Page::read(file)?);
+        let table = DeTable::parse(&page.text).map_err(|error| {
+            let at = error.span().map_or(0, |span| span.start);
+            page.refused(at, "", &format!("not valid TOML: {}", error.message()))
+        })?;
+        toml_text::check(table.get_ref())
+            .map_err(|too_deep| page.refused(too_deep.byte, "", &too_deep.to_string()))?;
+        let root = Fields::of(&page, "", 0, table.get_ref(), &KEYS)?;
+        let study = Self::of(&root, &page)?;
+        Ok(Self { seed: seed.unwrap_or(study.seed), ..study })
+    }
+
+    fn of(root: &Fields<'_>, page: &Arc<Page>) -> Result<Self, Failure> {
+        let axes = |key| root.tables(key, &axes::KEYS)?.iter().map(axes::read).collect::<Result<Vec<_>, _>>();
+        let (vary, conditions) = (axes("vary")?, axes("condition")?);
+        let sample = root.table("sample", &["count"])?.map(|sample| count(&sample)).transpose()?;
+        once_each(root, &vary, &conditions)?;
+        size(root, &vary, sample)?;
+        let confidence = root.number("confidence", 0.5..=0.9999)?.unwrap_or(0.95);
+        let measures = Measures::of(bands(root)?);
+        let goal = root.table("goal", &["metric", "better", "cost", "margin"])?;
+        let stop = root.table("stop", &["confidence", "least"])?;
+        Ok(Self {
+            page: page.clone(),
+            scene: page.file.parent().unwrap_or(Path::new("")).join(required(
+                root,
+                "scene",
+                root.text("scene")?,
+            )?),
+            radar: root.text("radar")?.map(str::to_owned),
+            seed: root.whole("seed", 0..=i64::MAX as u64)?.unwrap_or(1),
+            repeats: root.whole("repeats", 1..=REPEATS_LIMIT)?.unwrap_or(1) as u32,
+            confidence,
+            goal: read_goal(&required(root, "goal", goal)?, &measures)?,
+            stop: stop.map(|stop| read_stop(&stop, confidence)).transpose()?,
+            measures,
+            vary,
+            conditions,
+            sample,
+        })
+    }
+}
+
+fn required<T>(fields: &Fields<'_>, key: &str, value: Option<T>) -> Result<T, Failure> {
+    value.ok_or_else(|| fields.refused_whole(&format!("`{key}` is missing")))
+}
+
+fn bands(root: &Fields<'_>) -> Result<Vec<f64>, Failure> {
+    let Some(bounds) = root.list("range_bands_m")? else { return Ok(vec![30.0, 60.0]) };
+    let bounds: Option<Vec<f64>> = bounds.iter().map(|bound| number(bound.get_ref())).collect();
+    let is_right = |bounds: &Vec<f64>| {
+        (1..=16).contains(&bounds.len()) && bounds[0] > 0.0 && bounds.windows(2).all(|pair| pair[0] < pair[1])
+    };
+    let rule = "`range_bands_m` has to be 1 to 16 rising numbers of metres above 0";
+    bounds.filter(is_right).ok_or_else(|| root.refused_whole(rule))
+}
+
+fn count(sample: &Fields<'_>) -> Result<u32, Failure> {
+    Ok(required(sample, "count", sample.whole("count", 1..=DESIGNS_LIMIT)?)? as u32)
+}
+
+/// A key that two axes change has the value of neither.
+fn once_each(root: &Fields<'_>, vary: &[Axis], conditions: &[Axis]) -> Result<(), Failure> {
+    let all: Vec<&String> = vary.iter().chain(conditions).flat_map(|axis| &axis.keys).collect();
+    let twice = all.iter().enumerate().find(|(number, key)| all[..*number].contains(key));
+    match twice {
+        Some((_, key)) => {
+            Err(root.refused_whole(&format!("`{key}` is changed by two of `vary` and `condition`")))
+        }
+        None if vary.is_empty() => Err(root.refused_whole("`vary` is missing: there is nothing to choose")),
+        None => Ok(()),
+    }
+}
+
+fn size(root: &Fields<'_>, vary: &[Axis], sample: Option<u32>) -> Result<(), Failure> {
+    let is_drawn = vary.iter().any(|axis| axis.listed().is_none());
+    if is_drawn && sample.is_none() {
+        return Err(root.refused_whole("`draw` of [[vary]] asks for [sample] with the `count` of designs"));
+    }
+    let counts = vary.iter().map(|axis| axis.listed().map_or(1, <[_]>::len) as u64);
+    let all = counts.fold(1, u64::saturating_mul);
+    if sample.is_none() && all > DESIGNS_LIMIT {
+        return Err(root.refused_whole(&format!(
+            "`vary` has {all} designs, more than {DESIGNS_LIMIT}: draw a [sample]"
+        )));
+    }
+    Ok(())
+}
+
+fn read_goal(goal: &Fields<'_>, measures: &Measures) -> Result<Goal, Failure> {
+    let metric = required(goal, "metric", goal.text("metric")?)?;
+    let metric = measure(goal, "metric", metric, measures)?;
+    let better = match goal.text("better")? {
+        None => measures.better(metric),
+        Some("lower") => Better::Lower,
+        Some("higher") => Better::Higher,
+        Some(other) => {
+            return Err(
+                goal.refused_whole(&format!("`better` has to be \"lower\" or \"higher\", is \"{other}\""))
+            );
+        }
+    };
+    let cost = measure(goal, "cost", goal.text("cost")?.unwrap_or("channels"), measures)?;
+    Ok(Goal { metric, better, cost, margin: goal.number("margin", 0.0..=1e9)? })
+}
+
+fn measure(goal: &Fields<'_>, key: &str, name: &str, measures: &Measures) -> Result<usize, Failure> {
+    let known: Vec<&str> = measures.names().collect();
+    let refused = || {
+        let at = goal.value(key).map_or(goal.at, |value| value.span().start);
+        goal.refused(at, &format!("`{key}`: there is no metric `{name}`{}", nearest(name, &known)))
+    };
+    known.iter().position(|known| *known == name).ok_or_else(refused)
+}
+
+fn read_stop(stop: &Fields<'_>, confidence: f64) -> Result<Stop, Failure> {
+    let confidence = stop.number("confidence", 0.5..=0.9999)?.unwrap_or(confidence);
+    Ok(Stop { confidence, least: stop.whole("least", 2..=RUNS_LIMIT)?.unwrap_or(8) as usize })
+}

@@ -1,0 +1,35 @@
+//! Text of a study's file, and sentences about places in it.
+
+use artifact::bounded;
+use pipeline::host::failure::Failure;
+use std::path::{Path, PathBuf};
+
+/// A study is a page of text.
+const LIMIT_BYTES: u64 = 4 << 20;
+
+/// A study's file with its text.
+pub(crate) struct Page {
+    pub(crate) file: PathBuf,
+    pub(crate) text: String,
+}
+
+impl Page {
+    pub(crate) fn read(file: &Path) -> Result<Self, Failure> {
+        let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+        Ok(Self { file: file.to_owned(), text })
+    }
+
+    /// Refusal of what stands at a byte: file, line, column, place and rule.
+    pub(crate) fn refused(&self, byte: usize, place: &str, rule: &str) -> Failure {
+        let before = self.text.get(..byte).unwrap_or(&self.text);
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let (line, column) = (self.line(byte), before[line_start..].chars().count() + 1);
+        let place = if place.is_empty() { String::new() } else { format!(" {place}:") };
+        Failure::Refused(format!("{}:{line}:{column}:{place} {rule}", self.file.display()))
+    }
+
+    /// Line of a byte, from 1.
+    pub(crate) fn line(&self, byte: usize) -> usize {
+        self.text.bytes().take(byte).filter(|byte| *byte == b'\n').count() + 1
+    }
+}

@@ -1,0 +1,161 @@
+//! A study carried out: its runs made, its tables, picture and report written.
+
+use crate::answer::Answer;
+use crate::rounds::{Made, Rounds};
+use crate::runs::kept::Kept;
+use crate::study::document::{RUNS_LIMIT, Study};
+use crate::study::situations::Situation;
+use crate::study::{acceptance, designs, kinds, situations};
+use crate::told::blocks::{markdown, on_page};
+use crate::told::report::{Done, answer as answer_of, details};
+use crate::told::{picture, tables, view};
+use maud::html;
+use pipeline::chain::cache::{Cache, CacheLocation};
+use pipeline::chain::loaded_model::LoadedModel;
+use pipeline::chain::loading;
+use pipeline::host::call_off::CallOff;
+use pipeline::host::failure::Failure;
+use pipeline::host::files::{self, Writing};
+use pipeline::host::memory::Allowance;
+use pipeline::host::progress::Work;
+use plotting::form::{Figure, Form};
+use reporting::pictures;
+use reporting::report;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicUsize;
+
+/// Settings of a study: its file, and how it is carried out.
+pub struct Settings<'a> {
+    /// Study file (`docs/sweeps.md`).
+    pub study: PathBuf,
+    /// Folder of all results; what an earlier study left there is taken up.
+    pub out: PathBuf,
+    /// Part of the runs that is made, from 1, and of how many; `None`: none is made, and it is an error if
+    /// one lacks.
+    pub shard: Option<[u32; 2]>,
+    /// Seed in place of the study's.
+    pub seed: Option<u64>,
+    /// The classifier's model; `None`: the one that ships.
+    pub classifier: Option<PathBuf>,
+    /// Cache of scattering; `None`: no cache.
+    pub cache: Option<CacheLocation>,
+    /// Memory that tracing may take.
+    pub memory: Allowance,
+    /// Command that the report names.
+    pub command: String,
+    /// Hears each line of results.
+    pub tell: &'a dyn Fn(&str),
+    /// Ends the study between two runs.
+    pub call_off: CallOff,
+}
+
+/// Result of a study beside its files.
+pub struct Outcome {
+    /// The answer as Markdown; its first sentence names the design.
+    pub answer: String,
+    /// Details as Markdown: front, effects of each value, all metrics, how it was made.
+    pub details: String,
+    /// Number of the design of the answer, from 0; `None` where the metric was never known.
+    pub chosen: Option<usize>,
+}
+
+const RESULTS: [&str; 6] =
+    ["sweep.csv", "designs.csv", "report.md", "report.html", "pareto.svg", "pareto.png"];
+
+/// Carries a study out: makes the runs of this part and, where all are made, tables, picture and report;
+/// `None` where other parts still have to make theirs.
+///
+/// # Errors
+/// A sentence that names file, place and rule where the study, its scene or a model refuses; runs that are
+/// made are kept.
+pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
+    let study = Study::read(&settings.study, settings.seed)?;
+    check_size(&study)?;
+    let (designs, situations) = (designs::designs(&study), situations::situations(&study));
+    files::claim(&RESULTS.map(|name| settings.out.join(name)))?;
+    let work = Work::begin("reading the scenes of all designs");
+    acceptance::check(&study, &designs, situations.first().map_or(&[], Vec::as_slice))?;
+    drop(work);
+    let model = loading::model(settings.classifier.as_deref())?;
+    let first_of_kinds = kinds::first_of_kinds(&study, &designs);
+    let rounds = Rounds {
+        study: &study,
+        designs: &designs,
+        first_of_kinds: &first_of_kinds,
+        situations: &situations,
+        kept: Kept::of(&study, model.as_ref().map(LoadedModel::hash), &settings.out),
+        cache: settings.cache.as_ref().map(Cache::open).transpose()?,
+        model,
+        memory: settings.memory,
+        shard: settings.shard,
+        call_off: &settings.call_off,
+        put: AtomicUsize::new(0),
+    };
+    let ledger = match rounds.made()? {
+        Made::Whole(ledger) => ledger,
+        Made::Waiting { missing } if settings.shard.is_none() => {
+            let out = settings.out.display();
+            return Err(Failure::System(format!("{out}: {missing} runs are not made yet")));
+        }
+        Made::Waiting { missing } => {
+            (settings.tell)(&format!("{missing} runs are not made yet (another part of --shard)"));
+            return Ok(None);
+        }
+    };
+    let answer = Answer::of(&study, &ledger);
+    let all: Vec<&Situation> = situations.iter().flatten().collect();
+    let _writing = Writing::into_folder(&settings.out)?;
+    let out = |name: &str| settings.out.join(name);
+    files::write_file(&out("sweep.csv"), tables::runs(&study, &designs, &all, &ledger).as_bytes())?;
+    files::write_file(&out("designs.csv"), tables::designs(&study, &designs, &ledger, &answer).as_bytes())?;
+    let done = Done { study: &study, designs: &designs, ledger: &ledger, answer: &answer };
+    conclude(settings, &done, &all).map(Some)
+}
+
+/// Refuses too many runs before designs and situations are made, which are as many.
+fn check_size(study: &Study) -> Result<(), Failure> {
+    let runs = situations::count(study).saturating_mul(designs::count(study));
+    match runs {
+        0..=RUNS_LIMIT => Ok(()),
+        _ => Err(study.page.refused(0, "", &format!("the study has {runs} runs, more than {RUNS_LIMIT}"))),
+    }
+}
+
+/// Writes picture and report, and tells the answer.
+fn conclude(settings: &Settings, done: &Done, situations: &[&Situation]) -> Result<Outcome, Failure> {
+    let figure = Figure::of(|form: Form| picture::draw(done.study, done.answer, form));
+    let out = |name: &str| settings.out.join(name);
+    files::write_file(&out("pareto.svg"), figure.wide.text().as_bytes())?;
+    pictures::write_png(&out("pareto.png"), &figure.wide)?;
+    let (first, rest) = (answer_of(done), details(done));
+    let name = settings.study.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let made = format!("Made by `{}`.", settings.command);
+    let text = format!(
+        "# {name}\n\n{}\n![The front](pareto.svg)\n\n{}\n{made}\n",
+        markdown(&first),
+        markdown(&rest)
+    );
+    files::write_file(&out("report.md"), text.as_bytes())?;
+    let seen = view::of(done, situations)?;
+    let page = report::sheet(
+        &name,
+        html! {
+            @for block in &first { (on_page(block)) }
+            (report::sweep_view::section(&seen))
+            (report::figure("Designs by what they are worth and what they cost.", &figure))
+            @for block in &rest { (on_page(block)) }
+            p.made {
+                "Made by " code { (settings.command) } ". Beside this page: " a href="sweep.csv" { "sweep.csv" } " (every run), "
+                a href="designs.csv" { "designs.csv" } " (every design)."
+            }
+        },
+    );
+    files::write_file(&out("report.html"), page.as_bytes())?;
+    done.sentences().iter().for_each(|line| (settings.tell)(line));
+    (settings.tell)(&format!("report: {}", shown(&out("report.html"))));
+    Ok(Outcome { answer: markdown(&first), details: markdown(&rest), chosen: done.answer.chosen })
+}
+
+fn shown(file: &Path) -> String {
+    file.display().to_string()
+}

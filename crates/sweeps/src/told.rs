@@ -1,0 +1,8 @@
+//! Results of a study: tables, a picture and a report.
+
+pub(crate) mod accuracy;
+pub(crate) mod tables;
+pub(crate) mod picture;
+pub(crate) mod blocks;
+pub(crate) mod report;
+pub(crate) mod view;

@@ -1,0 +1,106 @@
+//! Sentences about runs that did not reach the accuracy that they asked for.
+
+use crate::runs::ledger::Ledger;
+use crate::runs::reached::Reached;
+use pipeline::outcome::error_figures::decibels;
+
+/// Designs that are listed by their numbers.
+const DESIGNS_LISTED: usize = 8;
+
+/// A sentence on how many runs did not reach what they asked for, the worst of them, and which candidates
+/// rest on them; with another one where it is not known of all.
+pub(crate) fn sentences(ledger: &Ledger, candidates: &[usize]) -> Vec<String> {
+    let of = |design: usize| ledger.runs(design).iter().map(move |run| (design, run.accuracy));
+    let all = || (0..ledger.designs()).flat_map(of);
+    let runs = all().count();
+    let missed = all().filter(|(_, accuracy)| accuracy.is_missed());
+    let worst = missed.max_by(|a, b| a.1.excess_db().total_cmp(&b.1.excess_db()));
+    let unknown = all().filter(|(_, accuracy)| accuracy.met.is_none()).count();
+    let told = match worst {
+        Some((design, worst)) => {
+            let missed = all().filter(|(_, accuracy)| accuracy.is_missed()).count();
+            Some(of_missed([missed, runs], design, &worst) + &of_candidates(ledger, candidates))
+        }
+        None if unknown == 0 => Some(format!("All {runs} runs reached the accuracy that they asked for.")),
+        None => None,
+    };
+    let not_known = format!(
+        "It is not known of {unknown} of {runs} runs whether they reached the accuracy that they asked for."
+    );
+    told.into_iter().chain((unknown > 0).then_some(not_known)).collect()
+}
+
+/// Runs of a design that did not reach what they asked for.
+pub(crate) fn missed(ledger: &Ledger, design: usize) -> usize {
+    ledger.runs(design).iter().filter(|run| run.accuracy.is_missed()).count()
+}
+
+fn of_missed([missed, runs]: [usize; 2], design: usize, worst: &Reached) -> String {
+    let (reached, asked) =
+        (worst.reached_db.map_or("beyond all numbers".into(), decibels), decibels(worst.asked_db));
+    format!(
+        "{missed} of {runs} runs did NOT REACH the accuracy that they asked for, the worst, of design {design}, \
+         {reached} for {asked} asked: with a finer one the answer may be another; "
+    )
+}
+
+/// The candidates that rest on runs which did not reach what they asked for.
+fn of_candidates(ledger: &Ledger, candidates: &[usize]) -> String {
+    let resting: Vec<usize> =
+        candidates.iter().copied().filter(|design| missed(ledger, *design) > 0).collect();
+    let (listed, more) = resting.split_at(resting.len().min(DESIGNS_LISTED));
+    let listed = listed.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+    let more = if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
+    match resting.len() {
+        0 => "no candidate rests on them.".into(),
+        _ => format!("of the candidates rest on them: {listed}{more}."),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::runs::ledger::Run;
+
+    /// A ledger of designs whose runs reached these levels of −20 dB asked; `None`: it is not known.
+    fn ledger(designs: &[&[Option<f64>]]) -> Ledger {
+        let mut ledger = Ledger::of(designs.len());
+        for (design, levels) in designs.iter().enumerate() {
+            for reached_db in *levels {
+                let met = reached_db.map(|db| db <= -20.0);
+                let accuracy = Reached { asked_db: Some(-20.0), reached_db: *reached_db, met };
+                ledger.enter(design, Run { values: vec![], accuracy });
+            }
+        }
+        ledger
+    }
+
+    #[test]
+    fn runs_that_missed_their_accuracy_are_counted_with_the_worst_and_the_candidates_on_them() {
+        let missed = ledger(&[&[Some(-25.0), Some(-12.0)], &[Some(3.6), Some(-30.0)], &[Some(-21.0), None]]);
+        let told = sentences(&missed, &[0, 2]);
+        assert_eq!(
+            told[0],
+            "2 of 6 runs did NOT REACH the accuracy that they asked for, the worst, of design 1, 3.6 dB for −20.0 dB \
+             asked: with a finer one the answer may be another; of the candidates rest on them: 0."
+        );
+        assert!(told[1].contains("not known of 1 of 6 runs"), "{told:?}");
+        assert!(sentences(&missed, &[2])[0].ends_with("no candidate rests on them."));
+    }
+
+    #[test]
+    fn a_study_whose_runs_all_reached_their_accuracy_says_so_and_one_that_knows_nothing_says_that() {
+        let met = sentences(&ledger(&[&[Some(-25.0)], &[Some(-20.0)]]), &[0]);
+        assert_eq!(met, ["All 2 runs reached the accuracy that they asked for."]);
+        let unknown = sentences(&ledger(&[&[None], &[Some(-20.0)]]), &[0]);
+        assert!(unknown.len() == 1 && unknown[0].contains("not known of 1 of 2 runs"), "{unknown:?}");
+    }
+
+    #[test]
+    fn of_many_candidates_the_first_are_listed_and_the_others_counted() {
+        let all: Vec<&[Option<f64>]> = vec![&[Some(0.0)]; 11];
+        let candidates: Vec<usize> = (0..11).collect();
+        let told = sentences(&ledger(&all), &candidates);
+        assert!(told[0].ends_with("rest on them: 0, 1, 2, 3, 4, 5, 6, 7 and 3 more."), "{told:?}");
+    }
+}

@@ -1,0 +1,120 @@
+//! Worth of each design over what it costs, with the front of what cannot be had better for less.
+
+use crate::answer::{Answer, Standing};
+use crate::study::document::Study;
+use plotting::axes::{Axes, Axis, Tick, tick_text};
+use plotting::form::Form;
+use plotting::heat_map::head;
+use plotting::labels::Labels;
+use plotting::marks::{Legend, Mark};
+use plotting::svg::Svg;
+
+const HEIGHT_PX: f64 = 340.0;
+
+/// The picture: every design a disc, the front joined, the interval of each of its designs, the chosen one in
+/// a ring.
+pub(crate) fn draw(study: &Study, answer: &Answer, form: Form) -> Svg {
+    let names: Vec<&str> = study.measures.names().collect();
+    let (metric, cost) = (names[study.goal.metric], names[study.goal.cost]);
+    let title = format!("{metric} over {cost}");
+    let mut sheet = Svg::new(title.clone(), form.width_px(), 0.0);
+    let note =
+        "A disc is a design; numbers are those of designs.csv, bars the intervals of the front's means.";
+    let top = head(&mut sheet, &title, &[note.to_owned()]);
+    let axes = axes(answer, form, top);
+    axes.draw_with(&mut sheet, [cost, metric], [&costs(answer, &axes), &numbers(&axes)]);
+    let legend = marks(&mut sheet, answer, &axes);
+    let [left, right] = form.sides_px();
+    legend.draw(&mut sheet, top + HEIGHT_PX + 68.0, [left - 44.0, right]);
+    sheet
+}
+
+/// Logarithm of the cost, and the mean.
+fn place(standing: &Standing) -> Option<[f64; 2]> {
+    Some([standing.cost.filter(|cost| *cost > 0.0)?.log10(), standing.mean?.value])
+}
+
+fn axes(answer: &Answer, form: Form, top: f64) -> Axes {
+    let places: Vec<[f64; 2]> = answer.standings.iter().filter_map(place).collect();
+    let on_front = answer.front.iter().filter_map(|design| answer.standings[*design].mean);
+    let ends =
+        on_front.flat_map(|mean| [-1.0, 1.0].map(|sign| mean.value + sign * mean.half_width.unwrap_or(0.0)));
+    let [left, right] = form.sides_px();
+    let x = span(places.iter().map(|p| p[0]));
+    let y = span(places.iter().map(|p| p[1]).chain(ends));
+    Axes {
+        x: Axis { from: x[0], to: x[1], start_px: left, end_px: right },
+        y: Axis { from: y[0], to: y[1], start_px: top + HEIGHT_PX, end_px: top },
+    }
+}
+
+/// Least and greatest with a little room.
+fn span(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
+    let (low, high) =
+        (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));
+    match high - low {
+        width if !width.is_finite() => [0.0, 1.0],
+        0.0 => [low - 0.5, high + 0.5],
+        width => [low - 0.06 * width, high + 0.06 * width],
+    }
+}
+
+/// The designs' own costs, as far as there is room for their numbers.
+fn costs(answer: &Answer, axes: &Axes) -> Vec<Tick> {
+    let mut values: Vec<f64> = answer.standings.iter().filter_map(|standing| standing.cost).collect();
+    values.sort_by(f64::total_cmp);
+    let mut ticks: Vec<Tick> = vec![];
+    for cost in values.into_iter().filter(|cost| *cost > 0.0) {
+        let at = cost.log10();
+        if ticks.last().is_none_or(|(last, _)| axes.x.at(at) - axes.x.at(*last) >= 34.0) {
+            ticks.push((at, tick_text(cost)));
+        }
+    }
+    ticks
+}
+
+fn numbers(axes: &Axes) -> Vec<Tick> {
+    axes.y.ticks().into_iter().map(|value| (value, tick_text(value))).collect()
+}
+
+fn marks(sheet: &mut Svg, answer: &Answer, axes: &Axes) -> Legend {
+    let mut legend = Legend::default();
+    let at = |design: usize| place(&answer.standings[design]).map(|[x, y]| [axes.x.at(x), axes.y.at(y)]);
+    let others = (0..answer.standings.len()).filter(|design| !answer.front.contains(design));
+    others.filter_map(at).for_each(|place| Mark::Circle.draw(sheet, "plain", place));
+    legend.say(Mark::Circle, "plain", "a design");
+    let front: Vec<[f64; 2]> = answer.front.iter().copied().filter_map(at).collect();
+    sheet.polyline("c0", 1.6, &front);
+    front.iter().for_each(|place| Mark::Disc.draw(sheet, "c0", *place));
+    legend.say_of(&[Mark::Line, Mark::Disc], "c0", "the front: none is better for as little");
+    bars(sheet, answer, axes);
+    if let Some(place) = answer.chosen.and_then(at) {
+        Mark::Box.draw(sheet, "c1", place);
+        legend.say(Mark::Box, "c1", "the answer");
+    }
+    labels(sheet, answer, axes, at);
+    legend
+}
+
+/// Intervals of the front's means.
+fn bars(sheet: &mut Svg, answer: &Answer, axes: &Axes) {
+    for design in &answer.front {
+        let standing = &answer.standings[*design];
+        let half = standing.mean.and_then(|mean| mean.half_width);
+        if let (Some([x, y]), Some(half)) = (place(standing), half) {
+            let end = |sign: f64| [axes.x.at(x), axes.y.at(y + sign * half)];
+            sheet.polyline("c0", 1.2, &[end(-1.0), end(1.0)]);
+        }
+    }
+}
+
+fn labels(sheet: &mut Svg, answer: &Answer, axes: &Axes, at: impl Fn(usize) -> Option<[f64; 2]>) {
+    let mut labels = Labels::within([axes.x.start_px, axes.y.end_px, axes.x.end_px, axes.y.start_px]);
+    let chosen = answer.chosen.filter(|chosen| !answer.front.contains(chosen));
+    for design in answer.front.iter().copied().chain(chosen) {
+        if let Some([x, y]) = at(design) {
+            labels.put([x - 7.0, y - 7.0, x + 7.0, y + 7.0], &design.to_string());
+        }
+    }
+    labels.draw(sheet);
+}

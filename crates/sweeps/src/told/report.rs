@@ -1,0 +1,181 @@
+//! The report of a study: which design, how sure that is, what the others are worth.
+
+use crate::answer::{Answer, Effect, effects};
+use crate::runs::ledger::Ledger;
+use crate::statistics::interval::Mean;
+use crate::study::axis::Pick;
+use crate::study::document::Study;
+use crate::told::accuracy;
+use crate::told::blocks::Block;
+use plotting::axes::tick_text;
+
+/// A study with all that was measured.
+pub(crate) struct Done<'a> {
+    pub(crate) study: &'a Study,
+    pub(crate) designs: &'a [Vec<Pick>],
+    pub(crate) ledger: &'a Ledger,
+    pub(crate) answer: &'a Answer,
+}
+
+/// Parts of the report before its picture: the answer.
+pub(crate) fn answer(done: &Done) -> Vec<Block> {
+    done.sentences().into_iter().map(Block::Words).collect()
+}
+
+/// Parts of the report behind its picture.
+pub(crate) fn details(done: &Done) -> Vec<Block> {
+    let front =
+        Block::Table("Front".into(), done.head(), done.answer.front.iter().map(|d| done.row(*d)).collect());
+    let mut blocks = vec![Block::Heading("The front".into()), front];
+    for (number, axis) in done.study.vary.iter().enumerate().filter(|(_, axis)| axis.listed().is_some()) {
+        blocks.push(Block::Heading(format!("By {}", axis.name)));
+        blocks.push(done.by_axis(&axis.name, &effects(done.study, done.designs, done.ledger, number)));
+    }
+    blocks.push(Block::Heading("All metrics".into()));
+    blocks.push(done.metrics());
+    blocks.push(Block::Words(done.method()));
+    blocks
+}
+
+impl Done<'_> {
+    /// The answer in sentences, the first of which names the design, and what it is worth by the accuracy of
+    /// the runs.
+    pub(crate) fn sentences(&self) -> Vec<String> {
+        let accuracy = accuracy::sentences(self.ledger, &self.answer.candidates);
+        self.choice().into_iter().chain(accuracy).collect()
+    }
+
+    fn choice(&self) -> Vec<String> {
+        let (Some(best), Some(chosen)) = (self.answer.best, self.answer.chosen) else {
+            return vec![format!("No answer: {} was known in no run.", self.metric())];
+        };
+        let candidates = self.answer.candidates.len();
+        let (cost, metric) = (self.cost(), self.metric());
+        let first = format!("Answer: {}.", self.named(chosen));
+        let worth = format!(
+            "It has a {metric} of {} and costs {} {cost}.",
+            text(self.answer.standings[chosen].mean),
+            number(self.answer.standings[chosen].cost),
+        );
+        let others = match candidates {
+            1 => "It is the best, and no other is as near to it as would do.".to_owned(),
+            _ => format!(
+                "It is the cheapest of {candidates} that {}; the best mean has {}: {}.",
+                self.bound(),
+                self.named(best),
+                text(self.answer.standings[best].mean),
+            ),
+        };
+        vec![first, worth, others]
+    }
+
+    /// Values that the candidates have in common.
+    fn bound(&self) -> String {
+        let margin = match self.study.goal.margin {
+            Some(margin) => margin.to_string(),
+            None => "one standard error".to_owned(),
+        };
+        let confidence = percent(self.study.confidence);
+        format!("are behind the best by {margin} at most and not told apart from it at {confidence} %")
+    }
+
+    fn named(&self, design: usize) -> String {
+        let axes = self.study.vary.iter().zip(&self.designs[design]);
+        let picks: Vec<String> = axes.map(|(axis, pick)| format!("{} {}", axis.name, pick.label)).collect();
+        format!("design {design} ({})", picks.join(", "))
+    }
+
+    fn metric(&self) -> &str {
+        self.study.measures.names().nth(self.study.goal.metric).unwrap_or_default()
+    }
+
+    fn cost(&self) -> &str {
+        self.study.measures.names().nth(self.study.goal.cost).unwrap_or_default()
+    }
+
+    fn head(&self) -> Vec<String> {
+        let axes = self.study.vary.iter().map(|axis| axis.name.clone());
+        let rest = [self.cost(), self.metric(), "behind the best", "situations", "accuracy not reached"];
+        let rest = rest.map(str::to_owned);
+        ["design".to_owned()].into_iter().chain(axes).chain(rest).collect()
+    }
+
+    fn row(&self, design: usize) -> Vec<String> {
+        let standing = &self.answer.standings[design];
+        let picks = self.designs[design].iter().map(|pick| pick.label.clone());
+        let behind = if Some(design) == self.answer.best { "–".to_owned() } else { text(standing.behind) };
+        let seen = self.ledger.runs(design).len().to_string();
+        let missed = match accuracy::missed(self.ledger, design) {
+            0 => "–".to_owned(),
+            missed => format!("in {missed}"),
+        };
+        let rest = [number(standing.cost), text(standing.mean), behind, seen, missed];
+        [design.to_string()].into_iter().chain(picks).chain(rest).collect()
+    }
+
+    fn by_axis(&self, name: &str, effects: &[Effect]) -> Block {
+        let head = [name, "designs", "mean over them", "the best of them", "has"].map(str::to_owned).to_vec();
+        let row = |effect: &Effect| {
+            let worth = effect.best.and_then(|best| self.answer.standings[best].mean);
+            let best = effect.best.map_or("–".to_owned(), |best| best.to_string());
+            let designs = effect.designs.to_string();
+            vec![effect.label.clone(), designs, number(effect.mean), best, text(worth)]
+        };
+        Block::Table(format!("By {name}"), head, effects.iter().map(row).collect())
+    }
+
+    /// All metrics of the chosen design beside those of the best.
+    fn metrics(&self) -> Block {
+        let shown: Vec<usize> = self.answer.chosen.into_iter().chain(self.answer.best).collect();
+        let titles = ["the answer", "the best mean"].map(str::to_owned);
+        let head = ["metric".to_owned()].into_iter().chain(titles.into_iter().take(shown.len())).collect();
+        let mean = |design: usize, metric: usize| {
+            text(Mean::of_known(&self.ledger.metric(design, metric), self.study.confidence))
+        };
+        let row = |(metric, name): (usize, &str)| {
+            let means = shown.iter().map(|design| mean(*design, metric));
+            [name.to_owned()].into_iter().chain(means).collect()
+        };
+        Block::Table("All metrics".into(), head, self.study.measures.names().enumerate().map(row).collect())
+    }
+
+    fn method(&self) -> String {
+        let runs: usize = (0..self.ledger.designs()).map(|design| self.ledger.runs(design).len()).sum();
+        let most = (0..self.ledger.designs()).map(|design| self.ledger.runs(design).len()).max().unwrap_or(0);
+        let dropped = self.ledger.designs() - self.ledger.open.len();
+        let stopped = match self.study.stop {
+            Some(_) => format!(" {dropped} designs were worse before that and were repeated no further."),
+            None => String::new(),
+        };
+        format!(
+            "{} designs in up to {most} situations, {runs} runs, seed {}; all designs see the same situations. Intervals \
+             are Student's at {} % over situations; those behind the best are of paired differences, each at {} %, so \
+             that all hold together.{stopped} Means by value are over the {} situations that every design has seen.",
+            self.ledger.designs(),
+            self.study.seed,
+            percent(self.study.confidence),
+            percent(self.answer.jointly),
+            self.ledger.common(),
+        )
+    }
+}
+
+fn percent(share: f64) -> String {
+    let text = format!("{:.2}", 100.0 * share);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn number(value: Option<f64>) -> String {
+    value.map_or("–".to_owned(), tick_text)
+}
+
+/// A mean with half the width of its interval.
+fn text(mean: Option<Mean>) -> String {
+    match mean {
+        None => "–".into(),
+        Some(Mean { value, half_width: None, .. }) => tick_text(value),
+        Some(Mean { value, half_width: Some(half), .. }) => {
+            format!("{} ± {}", tick_text(value), tick_text(half))
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! `sweep.csv`, a row for each run, and `designs.csv`, a row for each design.
+
+use crate::answer::Answer;
+use crate::runs::ledger::Ledger;
+use crate::runs::reached::Reached;
+use crate::statistics::interval::Mean;
+use crate::study::axis::{Axis, Pick};
+use crate::study::document::Study;
+use crate::study::situations::Situation;
+use crate::told::accuracy;
+
+/// All runs: design, condition, repeat and seed, the value of every key, every metric, and the accuracy asked
+/// and reached; empty where something is not known.
+pub(crate) fn runs(
+    study: &Study,
+    designs: &[Vec<Pick>],
+    situations: &[&Situation],
+    ledger: &Ledger,
+) -> String {
+    let keys = keys(&study.vary).chain(keys(&study.conditions));
+    let head = ["design", "condition", "repeat", "seed"].map(str::to_owned).into_iter().chain(keys);
+    let metrics = study.measures.names().chain(ACCURACY).map(str::to_owned);
+    let mut table = row(head.chain(metrics));
+    for (number, design) in designs.iter().enumerate() {
+        for (situation, run) in situations.iter().zip(ledger.runs(number)) {
+            let Situation { condition, repeat, seed, picks } = situation;
+            let place = [number.to_string(), condition.to_string(), repeat.to_string(), seed.to_string()];
+            let picked =
+                design.iter().chain(picks).flat_map(|pick| pick.values.iter().map(|value| plain(value)));
+            let measured = run.values.iter().copied().map(cell).chain(cells_of(&run.accuracy));
+            table += &row(place.into_iter().chain(picked).chain(measured));
+        }
+    }
+    table
+}
+
+/// All designs: the value of every key, how many situations it has seen, the mean of every metric with its
+/// interval, how far it is behind the best, whether it is on the front and a candidate, and how many of its
+/// runs did not reach the accuracy that they asked for.
+pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, answer: &Answer) -> String {
+    let of_metric = |name: &str| [name.to_owned(), format!("{name}_low"), format!("{name}_high")];
+    let behind = ["behind", "behind_low", "behind_high", "front", "candidate", "accuracy_missed"];
+    let behind = behind.map(str::to_owned);
+    let head = ["design".to_owned()].into_iter().chain(keys(&study.vary)).chain(["situations".to_owned()]);
+    let mut table = row(head.chain(study.measures.names().flat_map(of_metric)).chain(behind));
+    for (number, design) in designs.iter().enumerate() {
+        let seen = ledger.runs(number).len();
+        let values = design.iter().flat_map(|pick| pick.values.iter().map(|value| plain(value)));
+        let means = (0..study.measures.names().count())
+            .flat_map(|metric| interval(Mean::of_known(&ledger.metric(number, metric), study.confidence)));
+        let behind = interval(answer.standings[number].behind);
+        let is_in = |designs: &[usize]| if designs.contains(&number) { "yes" } else { "no" }.to_owned();
+        let missed = accuracy::missed(ledger, number).to_string();
+        let verdict = [is_in(&answer.front), is_in(&answer.candidates), missed];
+        let first = [number.to_string()].into_iter().chain(values).chain([seen.to_string()]);
+        table += &row(first.chain(means).chain(behind).chain(verdict));
+    }
+    table
+}
+
+/// Columns of the accuracy of a run.
+const ACCURACY: [&str; 3] = ["accuracy_asked_db", "accuracy_reached_db", "accuracy_met"];
+
+fn cells_of(accuracy: &Reached) -> [String; 3] {
+    let met = accuracy.met.map_or("", |met| if met { "yes" } else { "no" });
+    [cell(accuracy.asked_db), cell(accuracy.reached_db), met.to_owned()]
+}
+
+fn keys(axes: &[Axis]) -> impl Iterator<Item = String> {
+    axes.iter().flat_map(|axis| axis.keys.clone())
+}
+
+/// A value as it is written, a text without its quotes.
+fn plain(value: &str) -> String {
+    let inside = value.strip_prefix('"').and_then(|value| value.strip_suffix('"'));
+    inside.filter(|text| !text.contains('"')).unwrap_or(value).to_owned()
+}
+
+/// Mean and both ends of its interval, which are empty where no spread is known.
+fn interval(mean: Option<Mean>) -> [String; 3] {
+    let end = |sign: f64| mean.and_then(|mean| Some(mean.value + sign * mean.half_width?));
+    [cell(mean.map(|mean| mean.value)), cell(end(-1.0)), cell(end(1.0))]
+}
+
+fn cell(value: Option<f64>) -> String {
+    value.map_or(String::new(), |value| value.to_string())
+}
+
+/// A row as RFC 4180 has it.
+fn row(cells: impl Iterator<Item = String>) -> String {
+    let quoted = |cell: String| match cell.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", cell.replace('"', "\"\"")),
+        false => cell,
+    };
+    cells.map(quoted).collect::<Vec<_>>().join(",") + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_with_commas_and_quotes_stays_one_cell() {
+        let cells = ["[0.0, 6.0]", "\"3x4\"", "a \"b\""].map(plain);
+        assert_eq!(row(cells.into_iter()), "\"[0.0, 6.0]\",3x4,\"a \"\"b\"\"\"\n");
+    }
+}

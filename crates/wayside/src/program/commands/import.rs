@@ -1,0 +1,153 @@
+//! `import`: IF samples from anywhere as a radar cube.
+
+mod options;
+
+use crate::program::cli::ImportArguments;
+use crate::stepwise;
+use artifact::bounded;
+use artifact::cube::{Cube, CubeFrame, SampleUnit};
+use artifact::scene::SceneHeader;
+use artifact::{ErrorBudget, Provenance, Writer};
+use formats::device_config::{self, Configured, DeviceSettings, scene_with};
+use formats::devices::{Board, IqOrder, Lanes};
+use formats::radar_cloud;
+use formats::radar_cloud::import::frames_of;
+use formats::raw_data::dca1000;
+use formats::raw_data::npy;
+use formats::raw_data::sigmf;
+use formats::raw_data::uwcr;
+use formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
+use ndarray::{Array4, Axis};
+use num_complex::Complex32;
+use options::Kind;
+use pipeline::chain::keys::cube_header;
+use pipeline::chain::loading::{self, provenance};
+use pipeline::chain::stages::Stage;
+use pipeline::host::failure::Failure;
+use pipeline::host::progress;
+use std::path::{Path, PathBuf};
+
+pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
+    let kind = Kind::of(arguments);
+    options::check(arguments, kind)?;
+    let settings =
+        arguments.config.as_deref().map(|file| device_config::read(file, arguments.device.map(Board::from)));
+    let settings = settings.transpose()?;
+    let scene = scene_of(arguments, settings.as_ref())?;
+    let file = arguments.array.as_path();
+    let mut header = cube_header(&scene);
+    let Imported { frames, step } = match kind {
+        Kind::Clouds => {
+            return radar_cloud::import::points(file, &radar_files(arguments), &scene, &arguments.out);
+        }
+        Kind::CaptureCard => {
+            dca1000::read(file, &header, arguments.step, layout(arguments, settings.as_ref()))?
+        }
+        Kind::Sigmf => sigmf::read(file, &header, arguments.step)?,
+        Kind::Uwcr => uwcr::read(file, &header)?,
+        Kind::Array => Imported { frames: of_array(file, header.shape())?, step: IntegerStep::Floats },
+    };
+    options::check_samples(arguments, header.radar.waveform.sampling, &step)?;
+    let told = Told { full_scale: arguments.full_scale, bits: settings.as_ref().map(DeviceSettings::bits) };
+    header.unit = unit_of(&step, &frames, told);
+    let from = provenance_of(arguments, &scene, &step)?;
+    let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
+    let of = frames.len();
+    for (index, samples) in progress::counted("frames", frames, of).enumerate() {
+        let time_s = scene.frame_time_s(index as u32);
+        stepwise::finite(index, &samples, header.shape()).map_err(|failure| failure.about(file))?;
+        writer.write(&CubeFrame { index: index as u32, time_s, samples, error: ErrorBudget::default() })?;
+    }
+    Ok(writer.finish()?)
+}
+
+/// Properties of a converter, by command and configuration.
+struct Told {
+    full_scale: Option<f64>,
+    bits: Option<u32>,
+}
+
+/// Unit of samples: √W where a step is told, and of floats; of a converter's integers its steps. Floats that
+/// are whole numbers are such steps too, of a converter that nobody tells of.
+fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> SampleUnit {
+    let is_whole = |x: f32| x.fract() == 0.0;
+    let mut values = frames.iter().flatten();
+    match (step, told.full_scale) {
+        (IntegerStep::Asked(_) | IntegerStep::Told(..), _) => SampleUnit::RootWatts,
+        (_, Some(steps)) => SampleUnit::FullScale(steps),
+        (IntegerStep::Unknown, None) => SampleUnit::FullScale(f64::from(1 << (told.bits.unwrap_or(16) - 1))),
+        (IntegerStep::Floats, None) => {
+            let are_steps = values.all(|v| is_whole(v.re) && is_whole(v.im)) && peak(frames) > 0.0;
+            if are_steps { SampleUnit::Steps } else { SampleUnit::RootWatts }
+        }
+    }
+}
+
+fn peak(frames: &[Vec<Complex32>]) -> f32 {
+    frames.iter().flatten().fold(0.0, |peak, v| v.re.abs().max(v.im.abs()).max(peak))
+}
+
+/// The scene, with what the board's configuration alone says of its radar.
+fn scene_of(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> Result<SceneHeader, Failure> {
+    let (file, radar) = (arguments.scene.as_path(), arguments.radar.as_deref());
+    match (settings, arguments.config.as_deref()) {
+        (Some(settings), Some(config)) => scene_with(file, radar, &Configured { file: config, settings }),
+        _ => loading::radar_only(file, radar),
+    }
+}
+
+/// What the command says of a capture card's file, else what the configuration does.
+fn layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> dca1000::Layout {
+    let (lanes, order) = (settings.and_then(DeviceSettings::lanes), settings.and_then(|s| s.iq_order));
+    dca1000::Layout {
+        lanes: arguments.layout.map(Lanes::from).or(lanes).unwrap_or(Lanes::Two),
+        order: arguments.iq_order.map(IqOrder::from).or(order).unwrap_or(IqOrder::InPhaseFirst),
+    }
+}
+
+/// Files that tell the radar.
+fn radar_files(arguments: &ImportArguments) -> Vec<PathBuf> {
+    std::iter::once(arguments.scene.clone()).chain(arguments.config.clone()).collect()
+}
+
+/// The step of integer samples stands among the settings, and the file that told it among the inputs.
+fn provenance_of(
+    arguments: &ImportArguments,
+    scene: &SceneHeader,
+    step: &IntegerStep,
+) -> Result<Provenance, Failure> {
+    let mut files = frames_of(&arguments.array, &uwcr::ENDINGS)?;
+    files.extend(radar_files(arguments));
+    match step {
+        IntegerStep::Told(_, place) => files.push(place.clone()),
+        IntegerStep::Unknown => progress::note(format!(
+            "note: {}: no step is told (--step): samples are counted in steps of the converter, and levels are no powers",
+            arguments.array.display()
+        )),
+        IntegerStep::Asked(_) | IntegerStep::Floats => {}
+    }
+    let from = provenance(Stage::FmcwEcho, scene, loading::hashed(&files)?);
+    let told = match step {
+        IntegerStep::Floats => return Ok(from),
+        IntegerStep::Unknown => "not told: samples are steps".to_owned(),
+        IntegerStep::Asked(step) | IntegerStep::Told(step, _) => step.to_string(),
+    };
+    Ok(Provenance { settings: format!("{}, sqrt_w_per_step {told}", from.settings), ..from })
+}
+
+fn of_array(file: &Path, shape: [usize; 3]) -> Result<Vec<Vec<Complex32>>, Failure> {
+    let array = read(file)?;
+    let found = &array.shape()[1..];
+    if found != shape {
+        let text = format!("[channel, chirp, sample] is {found:?}, the scene's radar has {shape:?}");
+        return Err(Failure::Refused(format!("{}: {text}", file.display())));
+    }
+    Ok(array.axis_iter(Axis(0)).map(|frame| frame.iter().copied().collect()).collect())
+}
+
+fn read(file: &Path) -> Result<Array4<Complex32>, Failure> {
+    let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    let rule = "a .npy of complex64 in the shape [frame, channel, chirp, sample] is needed";
+    let refused = |why: String| Failure::Refused(format!("{}: {why}: {rule}", file.display()));
+    npy::complex_values(&bytes).map_err(refused)
+}

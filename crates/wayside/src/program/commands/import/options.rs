@@ -1,0 +1,109 @@
+//! Kinds of what is imported, and which options mean something of which; the others are refused, not ignored.
+
+use crate::program::cli::ImportArguments;
+use artifact::radar::Sampling;
+use formats::radar_cloud::import::ending;
+use formats::raw_data::IntegerStep;
+use pipeline::host::failure::Failure;
+
+/// Kind of what is imported.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A NumPy array of complex floats.
+    Array,
+    /// The `.bin` of a DCA1000EVM.
+    CaptureCard,
+    /// A SigMF recording.
+    Sigmf,
+    /// A `.mat` of UWCR, or a folder of them.
+    Uwcr,
+    /// Clouds of detections, which become points.
+    Clouds,
+}
+
+impl Kind {
+    /// The kind by the names of what is read and what is written.
+    pub(super) fn of(arguments: &ImportArguments) -> Self {
+        match ending(&arguments.array) {
+            _ if ending(&arguments.out) == Some("points") => Self::Clouds,
+            Some("bin") => Self::CaptureCard,
+            Some("sigmf-meta" | "sigmf-data") => Self::Sigmf,
+            Some("mat") => Self::Uwcr,
+            _ if arguments.array.is_dir() => Self::Uwcr,
+            _ => Self::Array,
+        }
+    }
+}
+
+/// An option that means something of some kinds alone.
+struct KindOption {
+    name: &'static str,
+    is_given: fn(&ImportArguments) -> bool,
+    kinds: &'static [Kind],
+    rule: &'static str,
+}
+
+/// Options beside those that every kind takes: `--config`, `--device`, `--scene` and `--radar` tell the
+/// radar.
+const OPTIONS: [KindOption; 4] = [
+    KindOption {
+        name: "--step",
+        is_given: |arguments| arguments.step.is_some(),
+        kinds: &[Kind::CaptureCard, Kind::Sigmf],
+        rule: INTEGERS,
+    },
+    KindOption {
+        name: "--full-scale",
+        is_given: |arguments| arguments.full_scale.is_some(),
+        kinds: &[Kind::Array, Kind::CaptureCard, Kind::Sigmf, Kind::Uwcr],
+        rule: "is for samples: a cloud of detections has none",
+    },
+    KindOption {
+        name: "--layout",
+        is_given: |arguments| arguments.layout.is_some(),
+        kinds: &[Kind::CaptureCard],
+        rule: CAPTURE_CARD,
+    },
+    KindOption {
+        name: "--iq-order",
+        is_given: |arguments| arguments.iq_order.is_some(),
+        kinds: &[Kind::CaptureCard],
+        rule: CAPTURE_CARD,
+    },
+];
+
+const INTEGERS: &str =
+    "is for samples that are integers: a DCA1000EVM's .bin, or a SigMF recording of ci16_le";
+const CAPTURE_CARD: &str = "is for the .bin of a DCA1000EVM";
+
+/// Refuses an option that means nothing of this kind of input.
+pub(super) fn check(arguments: &ImportArguments, kind: Kind) -> Result<(), Failure> {
+    let is_idle = |option: &&KindOption| (option.is_given)(arguments) && !option.kinds.contains(&kind);
+    match OPTIONS.iter().find(is_idle) {
+        Some(option) => Err(off(arguments, option.name, option.rule)),
+        None => Ok(()),
+    }
+}
+
+/// Refuses an option that means nothing of the samples that were found.
+pub(super) fn check_samples(
+    arguments: &ImportArguments,
+    sampling: Sampling,
+    step: &IntegerStep,
+) -> Result<(), Failure> {
+    match step {
+        IntegerStep::Floats if arguments.step.is_some() => Err(off(arguments, "--step", INTEGERS)),
+        IntegerStep::Told(_, place) if arguments.full_scale.is_some() => {
+            let rule = format!("is for samples in steps: {} tells what a step is, √W", place.display());
+            Err(off(arguments, "--full-scale", &rule))
+        }
+        _ if sampling == Sampling::Real && arguments.iq_order.is_some() => {
+            Err(off(arguments, "--iq-order", "is for complex samples: the scene's radar has real ones"))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn off(arguments: &ImportArguments, option: &str, rule: &str) -> Failure {
+    Failure::System(format!("{}: {option} {rule}", arguments.array.display()))
+}

@@ -1,8 +1,0 @@
-//! What a study leaves: tables, a picture and a report.
-
-pub(crate) mod accuracy;
-pub(crate) mod tables;
-pub(crate) mod picture;
-pub(crate) mod blocks;
-pub(crate) mod report;
-pub(crate) mod view;
