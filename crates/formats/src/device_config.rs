@@ -2,7 +2,7 @@
 //!
 //! Two kinds of files tell it: the `.cfg` of the mmWave SDK's command line (`profileCfg …`), and what mmWave
 //! Studio leaves, its log (`API:ProfileConfig,…`) and its scripts (`ar1.ProfileConfig(…)`). Both become the
-//! same [`statements`], these a [`DeviceSettings`], and that tables of a scene.
+//! same `statements`, these a [`DeviceSettings`], and that tables of a scene.
 
 mod boards; // antennas, lanes and bands of evaluation boards
 mod statements; // commands as both kinds of files have them

@@ -44,7 +44,7 @@ pub(crate) fn claim(file: &Path) -> Result<(), Failure> {
     keep_foreign(&beside(file), file)
 }
 
-/// Claims a table and its description, as [`claim`] does for an exported file and its sidecar.
+/// Claims a table and its description, as `claim` does for an exported file and its sidecar.
 pub fn claim_table(table: &Path) -> Result<(), Failure> {
     files::claim(&[table.to_owned(), of_table(table)])?;
     keep_foreign(&of_table(table), table)
