@@ -128,7 +128,9 @@ def _if_of_point(radar: Radar, target: dict[str, Any], channel: int, stamp: Any)
     slope = waveform["bandwidth"] / waveform["pulse_length"]
     t = np.arange(stamp.shape[1]) / receiver.bb_prop["fs"]
     wavelength = C_MPS / np.mean(waveform["f"])
-    level = np.sqrt(0.01 * 10 * wavelength**2 / ((4 * np.pi) ** 3 * there**2 * back**2)) * receiver.volts()
+    # An echo's power is that of its effective value, its baseband sample a peak: twice the power.
+    power = 2 * 0.01 * 10 * wavelength**2 / ((4 * np.pi) ** 3 * there**2 * back**2)
+    level = np.sqrt(power) * receiver.volts()
     return level * np.exp(2j * np.pi * (waveform["f"][0] * tau + slope * t * tau - 0.5 * slope * tau**2))
 
 
