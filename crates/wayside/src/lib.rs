@@ -13,7 +13,7 @@
 //!
 //! The stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) meet in `pipeline`; each hands an
 //! artifact to the next. Pictures and pages are made by `reporting`, studies by `sweeps`, foreign files are
-//! read and written by `formats`. Here stands what uses all of these; what a program of others needs of them
+//! read and written by `formats`, datasets and models are made by `learning`. Here stands what uses all of these; what a program of others needs of them
 //! is handed on below.
 //!
 //! Reading order is that of the rooms below; each uses only those that stand before it.
@@ -22,6 +22,8 @@ pub mod run; // a scene to everything
 pub mod stepwise; // a scene stage by stage in memory
 pub mod program; // command line, a file per command
 
+#[cfg(feature = "classifier")]
+pub use ::learning;
 pub use pipeline::{chain, host, outcome, planning};
 pub use reporting::{pictures, report};
 pub use sweeps as sweep;

@@ -1,8 +1,9 @@
 //! The layer rule: leaves depend on no crate of the workspace (`radar` and `bodies` on `artifact` alone,
 //! `po-sbr` and `interchange` on `artifact` and `radar`), stages on leaves and never on each other; `pipeline`
 //! links them. What stands on it, each crate below the next, sees stages and leaves as well: `reporting`,
-//! `sweeps` and `formats` see it and what stands before them, `wayside` all of these. `xtask` stands above
-//! it, and so does `wayside-python`, which sees `wayside` and leaves. What teaches a stage may see it.
+//! `sweeps`, `formats` and `learning` see it and what stands before them, `wayside` all of these. `xtask`
+//! stands above it, and so does `wayside-python`, which sees `wayside` and leaves. What teaches a stage may
+//! see it.
 //! `fuzzing` is for tests alone, and its own tests see all.
 
 use crate::ci::findings::none_of;
@@ -66,7 +67,7 @@ fn forbidden(edges: &[Edge]) -> Vec<String> {
     const LEAVES: [&str; 6] = ["artifact", "bodies", "interchange", "plotting", "po-sbr", "radar"];
     const STAGES: [&str; 6] = ["scene", "bart-rcs", "fmcw-echo", "dsp", "classifier", "evaluation"];
     /// Crates above the stages, from below.
-    const FLOORS: [&str; 5] = ["pipeline", "reporting", "sweeps", "formats", "wayside"];
+    const FLOORS: [&str; 6] = ["pipeline", "reporting", "sweeps", "formats", "learning", "wayside"];
     let is_leaf = |name: &str| LEAVES.contains(&name);
     let floor = |name: &str| FLOORS.iter().position(|floor| *floor == name);
     let is_below = |to: &str, from: usize| floor(to).is_some_and(|to| to < from);

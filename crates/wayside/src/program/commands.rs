@@ -22,7 +22,7 @@ use crate::program::means::Means;
 use pipeline::host::failure::Failure;
 
 #[cfg(feature = "classifier")]
-pub use learning::train::{PROGRAM as TRAINING_PROGRAM, target_folder as training_target_folder};
+pub use ::learning::training::{PROGRAM as TRAINING_PROGRAM, target_folder as training_target_folder};
 
 /// Does what was asked.
 pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {

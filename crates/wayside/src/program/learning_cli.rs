@@ -50,7 +50,7 @@ pub(crate) enum LearnerWord {
 }
 
 /// Words of `dataset`.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct DatasetArguments {
     /// Recipe.
     #[arg(value_name = "SPEC.toml")]
@@ -72,11 +72,8 @@ pub struct DatasetArguments {
     pub(crate) seed: Option<u64>,
 }
 
-/// Steps of the optimizer, where none are asked for: the paper's number.
-pub(crate) const PAPER_ITERATIONS: u32 = 1440;
-
 /// Words of `train`.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct TrainArguments {
     /// Dataset folders.
     #[arg(value_name = "DIR", required = true)]
@@ -100,7 +97,7 @@ pub struct TrainArguments {
 }
 
 /// Words of `evaluate`.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct EvaluateArguments {
     /// Model file or folder.
     #[arg(value_name = "MODEL")]
@@ -114,7 +111,7 @@ pub struct EvaluateArguments {
 }
 
 /// Words of `protocols`.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct ProtocolsArguments {
     /// Dataset folders that train; their vehicles are held out in turn.
     #[arg(value_name = "DIR", required = true)]
@@ -141,7 +138,7 @@ pub struct ProtocolsArguments {
 }
 
 /// Words of `classify`.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct ClassifyArguments {
     /// Model file or folder.
     #[arg(value_name = "MODEL")]

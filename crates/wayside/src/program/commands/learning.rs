@@ -1,12 +1,14 @@
-//! Datasets, training, classes and how right they are.
+//! Datasets, training, classes and how right they are: what is asked is handed to the crate `learning`.
 
 pub(crate) mod classify;
-pub(crate) mod dataset;
-pub(crate) mod evaluate;
-pub(crate) mod train;
-pub(crate) mod protocols;
 
-use crate::program::learning_cli::LearningCommand;
+use crate::program::learning_cli::{
+    DatasetArguments, EvaluateArguments, LearnerWord, LearningCommand, ProtocolsArguments, TrainArguments,
+};
+use crate::program::terminal;
+use ::learning::dataset::Task;
+use ::learning::training::Learner;
+use ::learning::{dataset, evaluation, protocols, training};
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use std::path::PathBuf;
@@ -15,13 +17,15 @@ use std::path::PathBuf;
 pub(crate) fn dispatch(command: LearningCommand, memory: Allowance) -> Result<(), Failure> {
     match command {
         LearningCommand::Dataset(arguments) => {
-            dataset::run(&arguments, memory).map_err(|failure| failure.about(&arguments.spec))
+            dataset::run(&of_dataset(&arguments, memory)).map_err(|failure| failure.about(&arguments.spec))
         }
-        LearningCommand::Train(arguments) => train::run(&arguments).map_err(about_first(&arguments.datasets)),
+        LearningCommand::Train(arguments) => {
+            training::run(&of_training(&arguments)).map_err(about_first(&arguments.datasets))
+        }
         LearningCommand::Classify(arguments) => classify::run(&arguments),
-        LearningCommand::Evaluate(arguments) => evaluate::run(&arguments),
+        LearningCommand::Evaluate(arguments) => evaluation::run(&of_evaluation(&arguments)).map(tell_page),
         LearningCommand::Protocols(arguments) => {
-            protocols::run(&arguments).map_err(about_first(&arguments.datasets))
+            protocols::run(&of_protocols(&arguments)).map(tell_page).map_err(about_first(&arguments.datasets))
         }
     }
 }
@@ -29,4 +33,54 @@ pub(crate) fn dispatch(command: LearningCommand, memory: Allowance) -> Result<()
 /// Names the first of the folders, where what they hold together is refused.
 fn about_first(folders: &[PathBuf]) -> impl FnOnce(Failure) -> Failure {
     move |failure| folders.iter().take(1).fold(failure, |failure, folder| failure.about(folder))
+}
+
+/// A page as lines of results.
+fn tell_page(page: String) {
+    terminal::line(page.trim_end());
+}
+
+fn tell(line: &str) {
+    terminal::line(line);
+}
+
+fn of_dataset(arguments: &DatasetArguments, memory: Allowance) -> dataset::Settings<'static> {
+    let DatasetArguments { spec, out, shard, conclude, dry_run, seed } = arguments;
+    let task = match (dry_run, conclude) {
+        (true, _) => Task::Predict,
+        (_, true) => Task::Conclude,
+        _ => Task::Make { shard: [shard.number, shard.of] },
+    };
+    dataset::Settings { recipe: spec.clone(), out: out.clone(), seed: *seed, task, memory, tell: &tell }
+}
+
+fn of_training(arguments: &TrainArguments) -> training::Settings<'static> {
+    let TrainArguments { datasets, out, learner, seed, iterations, attributions } = arguments;
+    training::Settings {
+        datasets: datasets.clone(),
+        out: out.clone(),
+        learner: learner_of(*learner),
+        seed: *seed,
+        iterations: *iterations,
+        attributions: attributions.clone(),
+        tell: &tell,
+    }
+}
+
+fn of_evaluation(arguments: &EvaluateArguments) -> evaluation::Settings {
+    let EvaluateArguments { model, datasets, out } = arguments.clone();
+    evaluation::Settings { model, datasets, out }
+}
+
+fn of_protocols(arguments: &ProtocolsArguments) -> protocols::Settings<'static> {
+    let ProtocolsArguments { datasets, test, learner, iterations, seeds, curves, out } = arguments.clone();
+    let learner = learner_of(learner);
+    protocols::Settings { datasets, test, learner, iterations, seeds, curves, out, tell: &tell }
+}
+
+fn learner_of(word: LearnerWord) -> Learner {
+    match word {
+        LearnerWord::Trees => Learner::Trees,
+        LearnerWord::Paper => Learner::Paper,
+    }
 }

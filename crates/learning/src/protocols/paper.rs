@@ -1,7 +1,7 @@
 //! The paper's network by the paper's protocol, and by two that keep the copies of a map on one side.
 
-use crate::program::commands::learning::train;
-use crate::program::learning_cli::{PAPER_ITERATIONS, ProtocolsArguments};
+use crate::protocols::settings::Settings;
+use crate::training::{PAPER_ITERATIONS, network};
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress::Work;
@@ -27,25 +27,25 @@ const PAPER: &str =
 const POINTS: usize = 8;
 
 /// Trains each protocol with every seed and tables what came out.
-pub(super) fn page(arguments: &ProtocolsArguments) -> Result<String, Failure> {
-    if !arguments.test.is_empty() || arguments.curves {
+pub(super) fn page(settings: &Settings) -> Result<String, Failure> {
+    if !settings.test.is_empty() || settings.curves {
         return Err(Failure::refused(
             "--test and --curves are asked of trees; the paper's protocols have neither",
         ));
     }
-    let iterations = arguments.iterations.unwrap_or(PAPER_ITERATIONS);
-    let shards: Vec<PathBuf> = arguments.datasets.iter().flat_map(|folder| loading::shards(folder)).collect();
-    let program = train::built()?;
+    let iterations = settings.iterations.unwrap_or(PAPER_ITERATIONS);
+    let shards: Vec<PathBuf> = settings.datasets.iter().flat_map(|folder| loading::shards(folder)).collect();
+    let program = network::built()?;
     let work = Work::begin("training");
     let mut rows = String::new();
     let mut curves = Vec::new();
     for (name, deal, parted) in PROTOCOLS {
         let mut told = Vec::new();
-        for seed in 1..=arguments.seeds {
+        for seed in 1..=settings.seeds {
             let mut command = Command::new(&program);
             command.args(["--deal", deal, "--seed", &seed.to_string()]);
             command.args(["--iterations", &iterations.to_string()]);
-            told.push(train::ran(command, &shards, &work)?);
+            told.push(network::ran(command, &shards, &work, settings.tell)?);
         }
         let _ = writeln!(rows, "{}", row(name, parted, &told));
         curves.push((name, told[0]["curves"].clone()));
@@ -54,7 +54,7 @@ pub(super) fn page(arguments: &ProtocolsArguments) -> Result<String, Failure> {
         "Means over {} trainings of {iterations} iterations; in brackets the least and the most.\n\n\
          | protocol | parted are | watched (320 of 1120) | unused (200 of 1120) | car | bus | truck | motorcycle |\n\
          |---|---|---|---|---|---|---|---|\n{PAPER}\n",
-        arguments.seeds
+        settings.seeds
     );
     Ok(head + &rows + &curves_table(&curves))
 }

@@ -1,6 +1,6 @@
 //! Draws of each scene before any mesh is there: which vehicles, before which radar.
 
-use crate::program::commands::learning::dataset::recipe::Recipe;
+use crate::dataset::recipe::Recipe;
 use artifact::settings::Class;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -13,39 +13,73 @@ mod staging;
 mod shots;
 mod seen;
 mod shard;
-pub(super) mod lines;
+pub(crate) mod lines;
 mod resumption;
 mod conclusion;
 mod cost;
 
-use crate::program::learning_cli::DatasetArguments;
-use crate::program::terminal;
 use layout::{Layout, PlannedShard};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::memory::Allowance;
 use pipeline::host::progress::Work;
 use recipe::Recipe;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-pub(crate) fn run(arguments: &DatasetArguments, memory: Allowance) -> Result<(), Failure> {
-    let recipe = Recipe::read(&arguments.spec, arguments.seed)?;
-    let layout = Layout::of(&recipe, &arguments.out);
-    if arguments.dry_run {
-        cost::lines(&recipe, &layout, memory)?.into_iter().for_each(terminal::line);
+/// Settings of a dataset: its recipe, and what of it is done.
+pub struct Settings<'a> {
+    /// Recipe (`docs/datasets.md`).
+    pub recipe: PathBuf,
+    /// Folder of the dataset; whole shards that lie there are taken up.
+    pub out: PathBuf,
+    /// Seed in place of the recipe's.
+    pub seed: Option<u64>,
+    /// What is done.
+    pub task: Task,
+    /// Memory that tracing may take.
+    pub memory: Allowance,
+    /// Hears each line of results.
+    pub tell: &'a dyn Fn(&str),
+}
+
+/// What is done of a dataset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Task {
+    /// The shards of a part, from 1, of so many; and the conclusion, where all shards are there then.
+    Make {
+        /// Number and count of parts.
+        shard: [u32; 2],
+    },
+    /// Only what is made of all shards; an error if one lacks.
+    Conclude,
+    /// Only a prediction of files, bytes and core-hours of the whole.
+    Predict,
+}
+
+/// Makes a dataset or a part of it.
+///
+/// # Errors
+/// A sentence that names file, place and rule where the recipe or a model refuses; shards that are made are
+/// kept.
+pub fn run(settings: &Settings) -> Result<(), Failure> {
+    let recipe = Recipe::read(&settings.recipe, settings.seed)?;
+    let layout = Layout::of(&recipe, &settings.out);
+    if settings.task == Task::Predict {
+        cost::lines(&recipe, &layout, settings.memory)?.iter().for_each(|line| (settings.tell)(line));
         return Ok(());
     }
-    files::claim(&conclusion::files_of(&arguments.out))?;
-    if arguments.conclude {
+    files::claim(&conclusion::files_of(&settings.out))?;
+    let conclude = || conclusion::conclude(&layout, &settings.out, settings.tell);
+    let Task::Make { shard: [number, of] } = settings.task else {
         let lacking = conclusion::lacking(&recipe, &layout, usize::MAX)?;
         lacking.first().map_or(Ok(()), |first| Err(unfinished(first, lacking.len(), &layout)))?;
-        return conclusion::conclude(&layout, &arguments.out);
-    }
-    make(&recipe, layout.part(arguments.shard.number, arguments.shard.of).collect(), memory)?;
+        return conclude();
+    };
+    make(&recipe, layout.part(number, of).collect(), settings.memory)?;
     match conclusion::lacking(&recipe, &layout, 1)?.first() {
-        None => conclusion::conclude(&layout, &arguments.out),
+        None => conclude(),
         Some(lines) => {
-            terminal::line(format!("{}: not made yet (another part of --shard)", lines.display()));
+            (settings.tell)(&format!("{}: not made yet (another part of --shard)", lines.display()));
             Ok(())
         }
     }

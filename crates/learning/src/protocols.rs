@@ -1,4 +1,4 @@
-//! `protocols`: boosted trees trained with several seeds, and how right they are where they never looked: on
+//! Protocols: boosted trees trained with several seeds, and how right they are where they never looked: on
 //! scenes of the test split (S), on vehicles held out in turn (V, folder by folder), and on datasets that
 //! never trained (T). Or the paper's network by the paper's protocol (P).
 
@@ -6,12 +6,10 @@ mod asked;
 mod conditions;
 mod curves;
 mod paper;
+mod settings;
 
-use crate::program::commands::learning::evaluate::{confusion, sightings_of};
-use crate::program::commands::learning::train::iterations_of_trees;
-use crate::program::learning_cli::LearnerWord;
-use crate::program::learning_cli::ProtocolsArguments;
-use crate::program::terminal;
+use crate::evaluation::{confusion, sightings_of};
+use crate::training::{Learner, iterations_of_trees};
 use artifact::settings::Class;
 use asked::{HELD_OUT, Kept, Protocol, answers, of_test, of_training, told};
 use classifier::{
@@ -27,38 +25,45 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+pub use settings::Settings;
+
 /// Arrays that have a row of the table.
 const ARRAYS: [(&str, Kept); 3] =
     [("all", |_| true), ("without rows", |seen| !seen.has_rows), ("with rows", |seen| seen.has_rows)];
 
-pub(crate) fn run(arguments: &ProtocolsArguments) -> Result<(), Failure> {
-    if let Some(out) = &arguments.out {
+/// Trains and asks; gives the page (Markdown).
+///
+/// # Errors
+/// A sentence that names file and rule where a shard is damaged, a class lacks, or what is asked means
+/// nothing to the learner.
+pub fn run(settings: &Settings) -> Result<String, Failure> {
+    if let Some(out) = &settings.out {
         files::claim(std::slice::from_ref(out))?;
     }
-    let page = match arguments.learner {
-        LearnerWord::Trees if arguments.iterations.is_some() => return Err(iterations_of_trees()),
-        LearnerWord::Trees => of_trees(arguments)?,
-        LearnerWord::Paper => paper::page(arguments)?,
+    let page = match settings.learner {
+        Learner::Trees if settings.iterations.is_some() => return Err(iterations_of_trees()),
+        Learner::Trees => of_trees(settings)?,
+        Learner::Paper => paper::page(settings)?,
     };
-    terminal::line(page.trim_end());
-    arguments.out.as_ref().map_or(Ok(()), |out| files::write_file(out, page.as_bytes()))
+    settings.out.as_ref().map_or(Ok(()), |out| files::write_file(out, page.as_bytes()))?;
+    Ok(page)
 }
 
-fn of_trees(arguments: &ProtocolsArguments) -> Result<String, Failure> {
-    let learned = sightings_of(&arguments.datasets)?;
-    let tests: Vec<Sightings> = arguments
+fn of_trees(settings: &Settings) -> Result<String, Failure> {
+    let learned = sightings_of(&settings.datasets)?;
+    let tests: Vec<Sightings> = settings
         .test
         .iter()
         .map(|folder| sightings_of(std::slice::from_ref(folder)))
         .collect::<Result<_, _>>()?;
-    let mut protocols = of_training(&learned, &arguments.datasets);
+    let mut protocols = of_training(&learned, &settings.datasets);
     let named = |folder: &PathBuf| format!("T: {} never seen", folder.display());
-    protocols.extend(arguments.test.iter().zip(&tests).map(|(folder, test)| of_test(named(folder), test)));
+    protocols.extend(settings.test.iter().zip(&tests).map(|(folder, test)| of_test(named(folder), test)));
     let work = Work::begin("training");
     let mut trained = Vec::new();
-    for seed in 1..=arguments.seeds {
+    for seed in 1..=settings.seeds {
         let before = (seed - 1) as usize;
-        let all = arguments.seeds as usize;
+        let all = settings.seeds as usize;
         let one = train_trees(&learned, &TreeSettings::default(), seed, &mut |at, of| {
             work.at(before * of + at, all * of)
         });
@@ -69,15 +74,15 @@ fn of_trees(arguments: &ProtocolsArguments) -> Result<String, Failure> {
     page += &reliability(&protocols, &trained[0]);
     page += &by_threshold(&protocols, &trained[0]);
     if let Some(held_out) = protocols.iter().find(|protocol| protocol.name == HELD_OUT) {
-        page += &by_condition(held_out, &arguments.datasets, &trained[0]);
+        page += &by_condition(held_out, &settings.datasets, &trained[0]);
     }
-    for (folder, test) in arguments.test.iter().zip(&tests) {
+    for (folder, test) in settings.test.iter().zip(&tests) {
         page += &by_condition(&of_test(named(folder), test), std::slice::from_ref(folder), &trained[0]);
         page += &likenesses(folder, &learned, test);
     }
-    if arguments.curves {
+    if settings.curves {
         let name = |folder: &PathBuf| folder.display().to_string();
-        let tests: Vec<(String, &Sightings)> = arguments.test.iter().map(name).zip(&tests).collect();
+        let tests: Vec<(String, &Sightings)> = settings.test.iter().map(name).zip(&tests).collect();
         page += &curves::page(&learned, &trained[0], &tests)?;
     }
     Ok(page)

@@ -1,7 +1,6 @@
 //! Boosted trees from datasets: `weights.model`, `metrics.json`, `curves.csv`.
 
-use crate::program::learning_cli::TrainArguments;
-use crate::program::terminal;
+use crate::training::settings::Settings;
 use artifact::model::Model;
 use artifact::{Provenance, Writer, bounded};
 use classifier::{
@@ -19,8 +18,8 @@ use std::path::PathBuf;
 const ATTRIBUTIONS_LIMIT_BYTES: u64 = 1 << 20;
 
 /// Reads all shards, trains, writes the folder, tells how good it is.
-pub(super) fn train(arguments: &TrainArguments, datasets: &[Vec<PathBuf>]) -> Result<(), Failure> {
-    let attributions = attributions(arguments)?;
+pub(super) fn train(settings: &Settings, datasets: &[Vec<PathBuf>]) -> Result<(), Failure> {
+    let attributions = attributions(settings)?;
     let mut sightings = Sightings::default();
     for (number, shards) in datasets.iter().enumerate() {
         for shard in shards {
@@ -28,49 +27,49 @@ pub(super) fn train(arguments: &TrainArguments, datasets: &[Vec<PathBuf>]) -> Re
             added.map_err(of_classifier_about(shard))?;
         }
     }
-    let settings = TreeSettings::default();
+    let of_trees = TreeSettings::default();
     let work = Work::begin("training");
-    let trained = train_trees(&sightings, &settings, arguments.seed, &mut |at, of| work.at(at, of));
+    let trained = train_trees(&sightings, &of_trees, settings.seed, &mut |at, of| work.at(at, of));
     let mut trained = trained.map_err(of_classifier)?;
     drop(work);
     trained.header.attributions = attributions;
-    save(arguments, &trained, &provenance(arguments, datasets, &settings)?)?;
-    told(&trained).into_iter().for_each(terminal::line);
+    save(settings, &trained, &provenance(settings, datasets, &of_trees)?)?;
+    told(&trained).iter().for_each(|line| (settings.tell)(line));
     Ok(())
 }
 
-fn attributions(arguments: &TrainArguments) -> Result<Vec<String>, Failure> {
-    let Some(file) = &arguments.attributions else { return Ok(vec![]) };
+fn attributions(settings: &Settings) -> Result<Vec<String>, Failure> {
+    let Some(file) = &settings.attributions else { return Ok(vec![]) };
     let text =
         bounded::read_text(file, ATTRIBUTIONS_LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     Ok(text.lines().map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect())
 }
 
 fn provenance(
-    arguments: &TrainArguments,
+    settings: &Settings,
     datasets: &[Vec<PathBuf>],
-    settings: &TreeSettings,
+    of_trees: &TreeSettings,
 ) -> Result<Provenance, Failure> {
     Ok(Provenance {
         stage: "classifier".into(),
         program_version: env!("CARGO_PKG_VERSION").into(),
         inputs: loading::hashed(&datasets.concat())?,
-        settings: serde_json::to_string(settings).map_err(Failure::refused)?,
-        seed: arguments.seed,
+        settings: serde_json::to_string(of_trees).map_err(Failure::refused)?,
+        seed: settings.seed,
     })
 }
 
 /// The weights come last: where they are, all is.
-fn save(arguments: &TrainArguments, trained: &TrainedTrees, provenance: &Provenance) -> Result<(), Failure> {
+fn save(settings: &Settings, trained: &TrainedTrees, provenance: &Provenance) -> Result<(), Failure> {
     let mut metrics = serde_json::to_vec_pretty(&trained.metrics).map_err(Failure::refused)?;
     metrics.push(b'\n');
-    files::write_file(&arguments.out.join(METRICS_FILE), &metrics)?;
+    files::write_file(&settings.out.join(METRICS_FILE), &metrics)?;
     let mut curve = String::from("trees,log_loss_on_unseen_vehicles\n");
     for (round, loss) in trained.curve.iter().enumerate() {
         let _ = writeln!(curve, "{},{loss:.6}", round + 1);
     }
-    files::write_file(&arguments.out.join(CURVES_FILE), curve.as_bytes())?;
-    let mut writer = Writer::<Model>::create(&arguments.out.join(WEIGHTS_FILE), provenance, &trained.header)?;
+    files::write_file(&settings.out.join(CURVES_FILE), curve.as_bytes())?;
+    let mut writer = Writer::<Model>::create(&settings.out.join(WEIGHTS_FILE), provenance, &trained.header)?;
     writer.write(&trained.weights)?;
     Ok(writer.finish()?)
 }

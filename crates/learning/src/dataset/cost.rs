@@ -1,10 +1,10 @@
 //! Cost of a dataset before it is made: files and bytes by the counts of its recipe, processor time by the
 //! work of some of its scenes (docs/engines.md).
 
-use crate::program::commands::learning::dataset::draws::{self, Drawn, Kind};
-use crate::program::commands::learning::dataset::layout::Layout;
-use crate::program::commands::learning::dataset::recipe::Recipe;
-use crate::program::commands::learning::dataset::staging::stage;
+use crate::dataset::draws::{self, Drawn, Kind};
+use crate::dataset::layout::Layout;
+use crate::dataset::recipe::Recipe;
+use crate::dataset::staging::stage;
 use artifact::scene::SceneHeader;
 use pipeline::chain::expectation::Expectation;
 use pipeline::chain::expectation::rates::SPREAD;

@@ -2,8 +2,8 @@
 //! thousand in a folder of its own, so that none holds more than some thousand files however many scenes
 //! there are.
 
-use crate::program::commands::learning::dataset::draws;
-use crate::program::commands::learning::dataset::recipe::Recipe;
+use crate::dataset::draws;
+use crate::dataset::recipe::Recipe;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 

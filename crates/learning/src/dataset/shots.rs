@@ -1,10 +1,10 @@
 //! Drawn scenes sent through the whole chain: samples of what was found, and a line of truth and estimate.
 
-use crate::program::commands::learning::dataset::draws::Drawn;
-use crate::program::commands::learning::dataset::lines;
-use crate::program::commands::learning::dataset::recipe::Recipe;
-use crate::program::commands::learning::dataset::seen::{SeenFrame, seen};
-use crate::program::commands::learning::dataset::staging::{Staged, stage};
+use crate::dataset::draws::Drawn;
+use crate::dataset::lines;
+use crate::dataset::recipe::Recipe;
+use crate::dataset::seen::{SeenFrame, seen};
+use crate::dataset::staging::{Staged, stage};
 use artifact::dataset::{Crop, Sample};
 use pipeline::chain::link::Chain;
 use pipeline::chain::measured_frames::Known;

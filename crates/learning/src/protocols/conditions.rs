@@ -1,7 +1,7 @@
 //! Conditions of a sighting, from the truth beside its shard: signal-to-noise ratio, range, aspect, company,
 //! line of sight, radar.
 
-use crate::program::commands::learning::dataset::lines::{LIMIT_BYTES, read_scene};
+use crate::dataset::lines::{LIMIT_BYTES, read_scene};
 use classifier::TrackKey;
 use glam::DVec2;
 use pipeline::chain::loading;

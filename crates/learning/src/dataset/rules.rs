@@ -1,6 +1,6 @@
 //! Rules of what the keys of a recipe may say.
 
-use crate::program::commands::learning::dataset::document::{Base, Document};
+use crate::dataset::document::{Base, Document};
 use artifact::settings::Noise;
 
 /// Scenes of a class: at a second a scene a week and a half.

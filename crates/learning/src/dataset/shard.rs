@@ -1,11 +1,11 @@
 //! A shard made whole: the first scene of each kind is measured, the others take its errors over; several
 //! scenes at a time.
 
-use crate::program::commands::learning::dataset::draws::{self, Drawn, Kind};
-use crate::program::commands::learning::dataset::layout::PlannedShard;
-use crate::program::commands::learning::dataset::recipe::Recipe;
-use crate::program::commands::learning::dataset::shots::{Measured, Shot, Surroundings, shoot};
-use crate::program::commands::learning::dataset::staging::{Staged, stage};
+use crate::dataset::draws::{self, Drawn, Kind};
+use crate::dataset::layout::PlannedShard;
+use crate::dataset::recipe::Recipe;
+use crate::dataset::shots::{Measured, Shot, Surroundings, shoot};
+use crate::dataset::staging::{Staged, stage};
 use artifact::dataset::Dataset;
 use artifact::{Provenance, Writer};
 use pipeline::chain::link::Chain;

@@ -1,10 +1,10 @@
 //! JSON lines of a dataset: a line a scene beside each shard, from which a line a sample is made.
 
-use crate::program::commands::learning::dataset::draws::Drawn;
-use crate::program::commands::learning::dataset::recipe::Recipe;
-use crate::program::commands::learning::dataset::rules::{FRAMES_LIMIT, VEHICLES_LIMIT};
-use crate::program::commands::learning::dataset::seen::SeenFrame;
-use crate::program::commands::learning::dataset::staging::{Staged, ToldVehicle};
+use crate::dataset::draws::Drawn;
+use crate::dataset::recipe::Recipe;
+use crate::dataset::rules::{FRAMES_LIMIT, VEHICLES_LIMIT};
+use crate::dataset::seen::SeenFrame;
+use crate::dataset::staging::{Staged, ToldVehicle};
 use artifact::points::Object;
 use evaluation::Truth;
 use pipeline::host::files;
@@ -88,7 +88,7 @@ fn vehicle(id: &str, target: usize, told: &ToldVehicle, truth: &Truth, object: O
 }
 
 /// A thousand frames of sixteen vehicles for each of the usual scenes of a shard.
-pub(in crate::program::commands::learning) const LIMIT_BYTES: u64 = 1 << 30;
+pub(crate) const LIMIT_BYTES: u64 = 1 << 30;
 
 /// The lines of a shard, which another part of the same work may have written; `None` where they cannot be
 /// read, or one of them is damaged.
@@ -103,7 +103,7 @@ pub(super) fn read(file: &Path) -> Option<Vec<Value>> {
 const SCENE_LIMIT_BYTES: usize = 4096;
 
 /// The scene of a line; `None` where it is damaged, or tells of more than a recipe may ask for.
-pub(in crate::program::commands::learning) fn read_scene(line: &[u8]) -> Option<Value> {
+pub(crate) fn read_scene(line: &[u8]) -> Option<Value> {
     let scene: Value = serde_json::from_slice(line).ok()?;
     let frames = list(&scene["frames"]);
     let is_full = |frame: &Value| list(&frame["vehicles"]).len() > VEHICLES_LIMIT as usize;

@@ -1,8 +1,6 @@
-//! `evaluate`: how often a model is right on datasets, by frame and by track, with its spread over vehicles,
-//! as a page.
+//! Evaluation of a model (`evaluate`): how often it is right on datasets, by frame and by track, with its
+//! spread over vehicles, as a page.
 
-use crate::program::learning_cli::EvaluateArguments;
-use crate::program::terminal;
 use artifact::dataset::Sample;
 use artifact::settings::Class;
 use classifier::{Evaluation, Part, Sightings, parts};
@@ -19,14 +17,28 @@ const BATCH: usize = 256;
 /// The logarithm of no probability is lower.
 const LEAST_PROBABILITY: f32 = 1e-6;
 
-pub(crate) fn run(arguments: &EvaluateArguments) -> Result<(), Failure> {
-    let model = LoadedModel::read(&arguments.model)?;
-    if let Some(out) = &arguments.out {
+/// Settings of an evaluation.
+pub struct Settings {
+    /// Model file or folder.
+    pub model: PathBuf,
+    /// Folders of datasets.
+    pub datasets: Vec<PathBuf>,
+    /// File of the page; `None`: none is written.
+    pub out: Option<PathBuf>,
+}
+
+/// Evaluates a model; gives the page (Markdown).
+///
+/// # Errors
+/// A sentence that names the file where a model or a shard is damaged, or of another radar's signatures.
+pub fn run(settings: &Settings) -> Result<String, Failure> {
+    let model = LoadedModel::read(&settings.model)?;
+    if let Some(out) = &settings.out {
         files::claim(std::slice::from_ref(out))?;
     }
     let mut sightings = Sightings::default();
     let mut logits = Vec::new();
-    each_shard(&arguments.datasets, |number, shard| {
+    each_shard(&settings.datasets, |number, shard| {
         let samples: Vec<Sample> = classifier::samples_of(shard).collect::<Result<_, _>>()?;
         logits.extend(answers(&model, &samples).map_err(|failure| failure.about(shard))?);
         let added = sightings.add(number, samples.into_iter().map(Ok));
@@ -35,8 +47,8 @@ pub(crate) fn run(arguments: &EvaluateArguments) -> Result<(), Failure> {
     let seen: Vec<_> = sightings.all.iter().collect();
     let told = parts(&seen, &logits, f64::from(model.rule().frame_correlation));
     let page = page(&told);
-    terminal::line(page.trim_end());
-    arguments.out.as_ref().map_or(Ok(()), |out| files::write_file(out, page.as_bytes()))
+    settings.out.as_ref().map_or(Ok(()), |out| files::write_file(out, page.as_bytes()))?;
+    Ok(page)
 }
 
 /// Everything that the shards of these folders hold.

@@ -1,17 +1,8 @@
-//! `train`: a dataset to a model with its curves and its evaluation.
-//!
-//! Trees learn here. The program that trains the paper's network, `classifier-training`, stands on a learning
-//! library that is most of a first build; so it is built when it is asked for, and runs as a process of its
-//! own.
+//! The program that trains the paper's network, `classifier-training`: it stands on a learning library that
+//! is most of a first build; so it is built when it is asked for, and runs as a process of its own.
 
-mod trees;
-
-use crate::program::learning_cli::{LearnerWord, PAPER_ITERATIONS, TrainArguments};
-use crate::program::terminal;
-use pipeline::chain::loaded_model::of_classifier_about;
-use pipeline::chain::loading;
+use crate::training::settings::{PAPER_ITERATIONS, Settings};
 use pipeline::host::failure::Failure;
-use pipeline::host::files;
 use pipeline::host::places;
 use pipeline::host::progress::Work;
 use serde_json::Value;
@@ -22,55 +13,26 @@ use std::process::{Child, Command, Stdio};
 /// Package and program.
 pub const PROGRAM: &str = "classifier-training";
 
-pub(crate) fn run(arguments: &TrainArguments) -> Result<(), Failure> {
-    check(arguments)?;
-    let datasets: Vec<Vec<PathBuf>> =
-        arguments.datasets.iter().map(|folder| loading::shards(folder)).collect();
-    for (folder, shards) in arguments.datasets.iter().zip(&datasets) {
-        if classifier::format_of(shards).map_err(of_classifier_about(folder))?.is_none() {
-            return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
-        }
-    }
-    files::claim(&classifier::MODEL_FILES.map(|name| arguments.out.join(name)))?;
-    match arguments.learner {
-        LearnerWord::Trees => trees::train(arguments, &datasets),
-        LearnerWord::Paper => network(arguments, &datasets.concat()),
-    }
-}
-
-/// Refuses what means nothing to the learner.
-fn check(arguments: &TrainArguments) -> Result<(), Failure> {
-    match (arguments.learner, &arguments.attributions) {
-        (LearnerWord::Trees, _) if arguments.iterations.is_some() => Err(iterations_of_trees()),
-        (LearnerWord::Paper, Some(file)) => Err(Failure::System(format!(
-            "{}: --attributions is for --learner trees: a model of the network would not name them",
-            file.display()
-        ))),
-        _ => Ok(()),
-    }
-}
-
-/// Refusal of steps of an optimizer where trees learn.
-pub(super) fn iterations_of_trees() -> Failure {
-    let rule = "--iterations is for --learner paper: trees have no steps, they end where they are best";
-    Failure::System(rule.to_owned())
-}
-
 /// Trains the network by the program that stands on the learning library.
-fn network(arguments: &TrainArguments, shards: &[PathBuf]) -> Result<(), Failure> {
+pub(super) fn train(settings: &Settings, shards: &[PathBuf]) -> Result<(), Failure> {
     let mut command = Command::new(built()?);
-    command.arg("--out").arg(&arguments.out);
-    let iterations = arguments.iterations.unwrap_or(PAPER_ITERATIONS);
-    command.args(["--seed", &arguments.seed.to_string(), "--iterations", &iterations.to_string()]);
-    ran(command, shards, &Work::begin("training")).map(drop)
+    command.arg("--out").arg(&settings.out);
+    let iterations = settings.iterations.unwrap_or(PAPER_ITERATIONS);
+    command.args(["--seed", &settings.seed.to_string(), "--iterations", &iterations.to_string()]);
+    ran(command, shards, &Work::begin("training"), settings.tell).map(drop)
 }
 
 /// Runs the program on shards; gives what it said of metrics, if it was asked for that.
-pub(super) fn ran(mut command: Command, shards: &[PathBuf], work: &Work) -> Result<Value, Failure> {
+pub(crate) fn ran(
+    mut command: Command,
+    shards: &[PathBuf],
+    work: &Work,
+    tell: &dyn Fn(&str),
+) -> Result<Value, Failure> {
     command.arg("--").args(shards);
     command.env("RAYON_NUM_THREADS", rayon::current_num_threads().to_string());
     let child = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn();
-    heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?, work)
+    heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?, work, tell)
 }
 
 /// Folder in which the training program is built: what it stands on has other features than what the main job
@@ -80,7 +42,7 @@ pub fn target_folder(project: &Path) -> PathBuf {
 }
 
 /// The program, made anew where its code has changed; cargo says where it lies.
-pub(super) fn built() -> Result<PathBuf, Failure> {
+pub(crate) fn built() -> Result<PathBuf, Failure> {
     let project = places::project_folder().ok_or_else(|| {
         let rule = "it is built from the project's source: run this inside the project's folder, or name that in WAYSIDE_PROJECT";
         Failure::System(format!("{PROGRAM}: {rule}"))
@@ -125,7 +87,7 @@ fn program_of(message: &Value) -> Option<PathBuf> {
 }
 
 /// Tells what the program says until it ends.
-fn heard(mut child: Child, work: &Work) -> Result<Value, Failure> {
+fn heard(mut child: Child, work: &Work, tell: &dyn Fn(&str)) -> Result<Value, Failure> {
     let (mut ended_badly, mut answer) = (None, Value::Null);
     for line in child
         .stdout
@@ -139,7 +101,7 @@ fn heard(mut child: Child, work: &Work) -> Result<Value, Failure> {
         if let (Some(at), Some(of)) = (said["at"].as_u64(), said["of"].as_u64()) {
             work.at(at as usize, of as usize);
         }
-        text("told").into_iter().for_each(terminal::line);
+        text("told").iter().for_each(|line| tell(line));
         if said["metrics"].is_object() {
             answer = said.clone();
         }

@@ -1,6 +1,6 @@
 //! Content of a recipe's file; its keys are in `docs/datasets.md`.
 
-use crate::program::commands::learning::dataset::models::Choice;
+use crate::dataset::models::Choice;
 use artifact::scene::SceneHeader;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};

@@ -1,10 +1,10 @@
 //! A drawn scene with its meshes: vehicles placed before the radar of its base scene.
 
-use crate::program::commands::learning::dataset::document::Base;
-use crate::program::commands::learning::dataset::draws::{self, Drawn, Drive, Vehicle};
-use crate::program::commands::learning::dataset::models::Model;
-use crate::program::commands::learning::dataset::places::BodyOnRoad;
-use crate::program::commands::learning::dataset::recipe::Recipe;
+use crate::dataset::document::Base;
+use crate::dataset::draws::{self, Drawn, Drive, Vehicle};
+use crate::dataset::models::Model;
+use crate::dataset::places::BodyOnRoad;
+use crate::dataset::recipe::Recipe;
 use artifact::scene::{Mesh, Role, SceneHeader, Target, TargetKind};
 use artifact::settings::{Class, Fidelity, Noise};
 use rand::RngExt;

@@ -1,6 +1,6 @@
 //! One frame of a drawn scene, beside its truth.
 
-use crate::program::commands::learning::dataset::staging::Staged;
+use crate::dataset::staging::Staged;
 use evaluation::{Pairing, Reach, Truth, truths};
 use pipeline::chain::link::FrameProducts;
 

@@ -1,8 +1,8 @@
 //! A dataset's recipe, `SPEC.toml`; its keys are in `docs/datasets.md`.
 
-use crate::program::commands::learning::dataset::document::{Base, Document};
-use crate::program::commands::learning::dataset::models::{self, Model};
-use crate::program::commands::learning::dataset::rules;
+use crate::dataset::document::{Base, Document};
+use crate::dataset::models::{self, Model};
+use crate::dataset::rules;
 use artifact::bounded;
 use artifact::scene::SceneHeader;
 use artifact::settings::Class;

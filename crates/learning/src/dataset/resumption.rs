@@ -1,9 +1,9 @@
 //! Resumption of a dataset from what an earlier run has left: a shard is taken up if it is whole and of the
 //! same scenes.
 
-use crate::program::commands::learning::dataset::layout::PlannedShard;
-use crate::program::commands::learning::dataset::lines as told;
-use crate::program::commands::learning::dataset::recipe::Recipe;
+use crate::dataset::layout::PlannedShard;
+use crate::dataset::lines as told;
+use crate::dataset::recipe::Recipe;
 use artifact::dataset::{Dataset, Sample};
 use artifact::{ArtifactError, Reader};
 use pipeline::host::failure::Failure;

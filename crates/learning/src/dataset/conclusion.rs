@@ -4,11 +4,10 @@
 mod detection;
 mod accuracy;
 
-use crate::program::commands::learning::dataset::layout::{Layout, PlannedShard};
-use crate::program::commands::learning::dataset::lines;
-use crate::program::commands::learning::dataset::recipe::Recipe;
-use crate::program::commands::learning::dataset::resumption;
-use crate::program::terminal;
+use crate::dataset::layout::{Layout, PlannedShard};
+use crate::dataset::lines;
+use crate::dataset::recipe::Recipe;
+use crate::dataset::resumption;
 use accuracy::ReachedAccuracy;
 use detection::DetectionTable;
 use pipeline::host::failure::Failure;
@@ -44,8 +43,8 @@ pub(super) fn lacking(recipe: &Recipe, layout: &Layout, most: usize) -> Result<V
 }
 
 /// Writes `manifest.jsonl`: a line a sample; `scenes.jsonl`: a line a scene; `detection.md`: errors of all
-/// vehicles, found or not.
-pub(super) fn conclude(layout: &Layout, out: &Path) -> Result<(), Failure> {
+/// vehicles, found or not. `tell` hears how many there are and what accuracy their scenes reached.
+pub(super) fn conclude(layout: &Layout, out: &Path, tell: &dyn Fn(&str)) -> Result<(), Failure> {
     let _work = Work::begin("concluding");
     let [manifest, scenes, table] = files_of(out);
     files::write_with(&manifest, |stream| {
@@ -63,8 +62,8 @@ pub(super) fn conclude(layout: &Layout, out: &Path) -> Result<(), Failure> {
     files::write_file(&table, detected.markdown().as_bytes())?;
     let (samples, asked) = detected.found_of_all();
     let (scenes, place) = (layout.scenes, out.display());
-    terminal::line(format!("{samples} samples of {asked} vehicles in {scenes} scenes: {place}"));
-    reached.lines().into_iter().for_each(terminal::line);
+    tell(&format!("{samples} samples of {asked} vehicles in {scenes} scenes: {place}"));
+    reached.lines().iter().for_each(|line| tell(line));
     Ok(())
 }
 

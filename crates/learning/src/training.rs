@@ -1,0 +1,55 @@
+//! Training (`train`): a dataset to a model with its curves and its evaluation.
+//!
+//! Trees learn here, the paper's network in a program of its own.
+
+mod settings;
+pub(crate) mod network;
+mod trees;
+
+use pipeline::chain::loaded_model::of_classifier_about;
+use pipeline::chain::loading;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use std::path::PathBuf;
+
+pub use network::{PROGRAM, target_folder};
+pub use settings::{Learner, PAPER_ITERATIONS, Settings};
+
+/// Trains a model and writes its folder.
+///
+/// # Errors
+/// A sentence that names file and rule where a shard is damaged, a class lacks, or what is asked means
+/// nothing to the learner.
+pub fn run(settings: &Settings) -> Result<(), Failure> {
+    check(settings)?;
+    let datasets: Vec<Vec<PathBuf>> =
+        settings.datasets.iter().map(|folder| loading::shards(folder)).collect();
+    for (folder, shards) in settings.datasets.iter().zip(&datasets) {
+        if classifier::format_of(shards).map_err(of_classifier_about(folder))?.is_none() {
+            return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
+        }
+    }
+    files::claim(&classifier::MODEL_FILES.map(|name| settings.out.join(name)))?;
+    match settings.learner {
+        Learner::Trees => trees::train(settings, &datasets),
+        Learner::Paper => network::train(settings, &datasets.concat()),
+    }
+}
+
+/// Refuses what means nothing to the learner.
+fn check(settings: &Settings) -> Result<(), Failure> {
+    match (settings.learner, &settings.attributions) {
+        (Learner::Trees, _) if settings.iterations.is_some() => Err(iterations_of_trees()),
+        (Learner::Paper, Some(file)) => Err(Failure::System(format!(
+            "{}: --attributions is for --learner trees: a model of the network would not name them",
+            file.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Refusal of steps of an optimizer where trees learn.
+pub(crate) fn iterations_of_trees() -> Failure {
+    let rule = "--iterations is for --learner paper: trees have no steps, they end where they are best";
+    Failure::System(rule.to_owned())
+}

@@ -1,0 +1,33 @@
+//! Settings of a training.
+
+use std::path::PathBuf;
+
+/// Steps of the network's optimizer, where none are asked for: the paper's number.
+pub const PAPER_ITERATIONS: u32 = 1440;
+
+/// Learners.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Learner {
+    /// Boosted trees on features of signatures.
+    Trees,
+    /// The paper's network on crops.
+    Paper,
+}
+
+/// Settings of a training.
+pub struct Settings<'a> {
+    /// Folders of datasets.
+    pub datasets: Vec<PathBuf>,
+    /// Folder of the model.
+    pub out: PathBuf,
+    /// What learns.
+    pub learner: Learner,
+    /// Seed of every draw: examples and features of trees, initial weights, the order of samples.
+    pub seed: u64,
+    /// Steps of the network's optimizer; `None`: [`PAPER_ITERATIONS`].
+    pub iterations: Option<u32>,
+    /// Text file with a line for each source of vehicles that the model of trees names.
+    pub attributions: Option<PathBuf>,
+    /// Hears each line of results.
+    pub tell: &'a dyn Fn(&str),
+}
