@@ -52,7 +52,7 @@ fn strips(folder: &Path) -> Vec<Row> {
     let table = Table::read(&folder.join("wedge/strip.csv"));
     let wavelength_m = 299_792_458.0 / FREQUENCY_HZ;
     let mut rows = Vec::new();
-    for (width, gates) in [("5", [0.05, 1.4]), ("10", [0.05, 1.0]), ("20", [0.05, 0.7])] {
+    for (width, gates) in [("5", [0.03, 0.01]), ("10", [0.02, 0.01]), ("20", [0.01, 0.01])] {
         let cut = |pol| {
             table.only(&[("width_wavelengths", width), ("pol", pol)]).between("phi_deg", 30.0, 90.0).every(3)
         };
@@ -104,7 +104,7 @@ const CUTS: [Cut; 2] = [
         name: "thin plate II.A 10.2 GHz, az to 60",
         az_deg: [0.0, 60.0],
         step: 2,
-        gate_db: [0.5, 1.4],
+        gate_db: [0.4, 0.7],
         floor: ["unknown", "unknown"],
     },
     Cut {
@@ -113,7 +113,7 @@ const CUTS: [Cut; 2] = [
         name: "thick plate II.B 10.24 GHz, az to 60",
         az_deg: [0.0, 60.0],
         step: 2,
-        gate_db: [0.8, 1.4],
+        gate_db: [0.4, 1.2],
         floor: ["0.28", "0.43"],
     },
 ];
@@ -170,7 +170,7 @@ fn closed_box(folder: &Path) -> Vec<Row> {
         name: "closed box IIIS.A 10.24 GHz",
         az_deg: [0.0, 180.0],
         step: 1,
-        gate_db: [0.35, 0.8],
+        gate_db: [0.25, 0.4],
         floor: ["1.29", "1.89"],
     };
     let levels = cut.levels(folder);
@@ -178,7 +178,7 @@ fn closed_box(folder: &Path) -> Vec<Row> {
     for (p, pol) in POLARIZATIONS.into_iter().enumerate() {
         let means = levels.got.each_ref().map(|got| mean_db(&got[p], &levels.reference[p]));
         for (i, (what, gate)) in
-            [("all", cut.gate_db[p]), ("top 30", [0.15, 0.35][p])].into_iter().enumerate()
+            [("all", cut.gate_db[p]), ("top 30", [0.1, 0.2][p])].into_iter().enumerate()
         {
             let check = format!("{}, {pol}, {what}: mean |dB|", cut.name);
             rows.push(row(&check, means.map(|m| m[i]), gate, cut.floor[p], "dB"));
@@ -189,7 +189,7 @@ fn closed_box(folder: &Path) -> Vec<Row> {
         };
         let off = levels.got.each_ref().map(|got| (part(&got[p]) - part(&levels.reference[p])).abs());
         let check = format!("{}, {pol}, power mean az 10–45, off the reference", cut.name);
-        rows.push(row(&check, off, [0.2, 0.5][p], ["0.07", "0.27"][p], "dB"));
+        rows.push(row(&check, off, [0.1, 0.4][p], ["0.07", "0.27"][p], "dB"));
     }
     rows
 }
@@ -212,16 +212,16 @@ const SOLVED: [Solved; 4] = [
         el_deg: 0.0,
         az_deg: [0.0, 60.0],
         bounces: 1,
-        gate_db: [0.4, 0.9],
-        gate_complex: [0.015, 0.035],
+        gate_db: [0.2, 0.5],
+        gate_complex: [0.008, 0.025],
     },
     Solved {
         body: "cube_2p784lambda",
         el_deg: 0.0,
         az_deg: [0.0, 45.0],
         bounces: 1,
-        gate_db: [0.6, 1.4],
-        gate_complex: [0.04, 0.08],
+        gate_db: [0.5, 0.8],
+        gate_complex: [0.03, 0.06],
     },
     Solved {
         body: "dihedral_3lambda",
