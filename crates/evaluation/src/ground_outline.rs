@@ -47,7 +47,13 @@ mod tests {
 
     fn pose(x_m: f64, y_m: f64, yaw_deg: f64) -> Pose {
         let yaw_rad = f64::to_radians(yaw_deg);
-        Pose { position_m: [x_m, y_m, 0.0], yaw_rad, velocity_mps: [0.0; 3], acceleration_mps2: [0.0; 3] }
+        Pose {
+            position_m: [x_m, y_m, 0.0],
+            yaw_rad,
+            yaw_radps: 0.0,
+            velocity_mps: [0.0; 3],
+            acceleration_mps2: [0.0; 3],
+        }
     }
 
     #[test]

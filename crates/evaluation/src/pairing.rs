@@ -148,6 +148,7 @@ mod tests {
         let pose = Pose {
             position_m: [x_m, y_m, 0.0],
             yaw_rad,
+            yaw_radps: 0.0,
             velocity_mps: [0.0; 3],
             acceleration_mps2: [0.0; 3],
         };

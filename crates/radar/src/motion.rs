@@ -1,9 +1,20 @@
-//! Motion of a body: constant acceleration and yaw.
+//! Motion of a body: it accelerates and turns evenly (constant turn rate and acceleration, CTRA).
 
 use artifact::scene::Pose;
 
-/// The pose `elapsed_s` later (or earlier, where negative), rounded once: to half a unit in the last place.
+/// The pose `elapsed_s` later (or earlier, where negative); of a body that does not turn it is rounded once,
+/// to half a unit in the last place.
 pub fn pose_after(pose: &Pose, elapsed_s: f64) -> Pose {
+    if pose.yaw_radps == 0.0 { straight_on(pose, elapsed_s) } else { around(pose, elapsed_s) }
+}
+
+/// Acceleration at the moment of the pose, with what turning adds: a + ω × v.
+pub fn whole_acceleration_mps2(pose: &Pose) -> [f64; 3] {
+    let ([ax, ay, az], [vx, vy, _]) = (pose.acceleration_mps2, pose.velocity_mps);
+    [ax - pose.yaw_radps * vy, ay + pose.yaw_radps * vx, az]
+}
+
+fn straight_on(pose: &Pose, elapsed_s: f64) -> Pose {
     let gained_mps = pose.acceleration_mps2.map(|acceleration_mps2| acceleration_mps2 * elapsed_s);
     // Fused: after an hour at 30 m/s the product alone would round by 1.5e-11 m, 4e-9 of a wavelength. It
     // costs nothing.
@@ -13,5 +24,115 @@ pub fn pose_after(pose: &Pose, elapsed_s: f64) -> Pose {
         position_m: [along(0), along(1), along(2)],
         velocity_mps: [0, 1, 2].map(|axis| pose.velocity_mps[axis] + gained_mps[axis]),
         ..*pose
+    }
+}
+
+/// With the velocity R(ωt)(v + at) the way is ∫R(ωs)(v + as)ds; upwards nothing turns.
+fn around(pose: &Pose, t: f64) -> Pose {
+    let (angle_rad, straight) = (pose.yaw_radps * t, straight_on(pose, t));
+    let [of_velocity, of_acceleration] = [means(angle_rad), ramp_means(angle_rad)];
+    let way = |axis: usize| {
+        let by_velocity = turned(pose.velocity_mps, of_velocity)[axis];
+        let by_acceleration = turned(pose.acceleration_mps2, of_acceleration)[axis];
+        (by_velocity + by_acceleration * t).mul_add(t, pose.position_m[axis])
+    };
+    let now = |v: [f64; 3]| turned(v, [angle_rad.cos(), angle_rad.sin()]);
+    Pose {
+        position_m: [way(0), way(1), straight.position_m[2]],
+        yaw_rad: pose.yaw_rad + angle_rad,
+        yaw_radps: pose.yaw_radps,
+        velocity_mps: now(straight.velocity_mps),
+        acceleration_mps2: now(pose.acceleration_mps2),
+    }
+}
+
+/// Turned about the vertical by the angle of this cosine and sine.
+fn turned([x, y, z]: [f64; 3], [cos, sin]: [f64; 2]) -> [f64; 3] {
+    [cos * x - sin * y, sin * x + cos * y, z]
+}
+
+/// Means of cosine and sine from 0 to an angle: sin θ/θ and (1 − cos θ)/θ.
+fn means(angle: f64) -> [f64; 2] {
+    if angle == 0.0 {
+        return [1.0, 0.0];
+    }
+    let half = (0.5 * angle).sin();
+    [angle.sin() / angle, 2.0 * half * half / angle]
+}
+
+/// ∫s·cos and ∫s·sin of an angle that grows evenly from 0, s from 0 to 1; by their series where the closed
+/// form would cancel.
+fn ramp_means(angle: f64) -> [f64; 2] {
+    let square = angle * angle;
+    if angle.abs() < 0.1 {
+        let cosine = 0.5 - square * (1.0 / 8.0 - square * (1.0 / 144.0 - square / 5760.0));
+        let sine = angle * (1.0 / 3.0 - square * (1.0 / 30.0 - square * (1.0 / 840.0 - square / 45360.0)));
+        return [cosine, sine];
+    }
+    let (sin, cos) = angle.sin_cos();
+    [(angle * sin + cos - 1.0) / square, (sin - angle * cos) / square]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pose(yaw_radps: f64) -> Pose {
+        Pose {
+            position_m: [3.0, 40.0, 0.5],
+            yaw_rad: 0.7,
+            yaw_radps,
+            velocity_mps: [8.0, -3.0, 0.2],
+            acceleration_mps2: [-2.0, 1.0, 0.1],
+        }
+    }
+
+    /// Steps of a millionth of the time, by the middle of each.
+    #[test]
+    fn a_bend_is_the_sum_of_many_small_steps() {
+        for yaw_radps in [0.001, 0.4, -3.0] {
+            let (start, seconds, steps) = (pose(yaw_radps), 1.7, 200_000);
+            let step_s = seconds / f64::from(steps);
+            let (mut at_m, mut mps) = (start.position_m, start.velocity_mps);
+            for step in 0..steps {
+                let turn = |s: f64| [(yaw_radps * s).cos(), (yaw_radps * s).sin()];
+                let middle_s = (f64::from(step) + 0.5) * step_s;
+                let along = |axis: usize| start.velocity_mps[axis] + start.acceleration_mps2[axis] * middle_s;
+                mps = turned([along(0), along(1), along(2)], turn(middle_s));
+                at_m = [0, 1, 2].map(|axis| at_m[axis] + step_s * mps[axis]);
+            }
+            let end = pose_after(&start, seconds);
+            for axis in 0..3 {
+                assert!((end.position_m[axis] - at_m[axis]).abs() < 1e-8, "{yaw_radps}: axis {axis}");
+                assert!((end.velocity_mps[axis] - mps[axis]).abs() < 1e-4, "{yaw_radps}: axis {axis}");
+            }
+            assert!((end.yaw_rad - (0.7 + yaw_radps * seconds)).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn two_steps_lead_where_one_leads_and_the_derivative_of_velocity_is_the_whole_acceleration() {
+        let start = pose(0.9);
+        let [by_two, by_one] = [pose_after(&pose_after(&start, 0.4), 0.8), pose_after(&start, 1.2)];
+        for axis in 0..3 {
+            assert!((by_two.position_m[axis] - by_one.position_m[axis]).abs() < 1e-12);
+            let near = [-1e-5, 1e-5].map(|s| pose_after(&start, s).velocity_mps[axis]);
+            let slope_mps2 = (near[1] - near[0]) / 2e-5;
+            assert!((slope_mps2 - whole_acceleration_mps2(&start)[axis]).abs() < 1e-8);
+        }
+    }
+
+    #[test]
+    fn series_and_closed_form_meet() {
+        let [below, above] = [0.1 - 1e-12, 0.1 + 1e-12].map(ramp_means);
+        assert!((below[0] - above[0]).abs() < 1e-13 && (below[1] - above[1]).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_slow_turn_goes_over_into_the_straight_line() {
+        let [straight, slow] = [0.0, 1e-12].map(|rate| pose_after(&pose(rate), 2.0));
+        for axis in 0..3 {
+            assert!((straight.position_m[axis] - slow.position_m[axis]).abs() < 1e-10);
+        }
     }
 }

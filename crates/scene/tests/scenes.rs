@@ -450,6 +450,7 @@ fn a_pose_is_exact_to_half_a_unit_in_the_last_place_at_any_time() {
     let pose = Pose {
         position_m: [0.1, 40.0, 0.0],
         yaw_rad: 0.0,
+        yaw_radps: 0.0,
         velocity_mps: [1.1, -10.3, 0.0],
         acceleration_mps2: [0.0; 3],
     };

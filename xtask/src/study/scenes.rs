@@ -34,7 +34,8 @@ pub(super) fn with_body(
     let mesh = header.meshes.len() as u32;
     header.meshes.push(body.clone());
     let kind = TargetKind::Mesh { class: None, model: body.name.clone(), mesh };
-    let start = Pose { position_m, yaw_rad: -FRAC_PI_2, velocity_mps, acceleration_mps2: [0.0; 3] };
+    let start =
+        Pose { position_m, yaw_rad: -FRAC_PI_2, yaw_radps: 0.0, velocity_mps, acceleration_mps2: [0.0; 3] };
     header.targets.push(Target { id: format!("body-{mesh}"), role: Role::Target, kind, start });
     header
 }
@@ -47,7 +48,7 @@ pub(super) fn with_point(
     velocity_mps: [f64; 3],
 ) -> SceneHeader {
     let id = format!("point-{}", header.targets.len());
-    let start = Pose { position_m, yaw_rad: 0.0, velocity_mps, acceleration_mps2: [0.0; 3] };
+    let start = Pose { position_m, yaw_rad: 0.0, yaw_radps: 0.0, velocity_mps, acceleration_mps2: [0.0; 3] };
     header.targets.push(Target {
         id,
         role: Role::Target,

@@ -14,7 +14,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 15;
+    const VERSION: u32 = 16;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }
@@ -162,7 +162,7 @@ pub struct Target {
     pub role: Role,
     /// Mesh or point that scatters.
     pub kind: TargetKind,
-    /// Pose at the first frame's first sample; acceleration and yaw stay as they are from then on.
+    /// Pose at the first frame's first sample; acceleration and yaw rate stay as they are from then on.
     pub start: Pose,
 }
 
@@ -218,15 +218,19 @@ pub struct SceneFrame {
 }
 
 /// Place of a body and its motion; `world = position + Rz(yaw)·body`.
+///
+/// While it turns, its velocity and its acceleration turn with it: a body that drives a bend ahead.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Body origin, world metres.
     pub position_m: [f64; 3],
     /// Body x axis (forward) from world +x towards +y.
     pub yaw_rad: f64,
+    /// Rate of `yaw_rad`, constant.
+    pub yaw_radps: f64,
     /// Velocity at the moment of the pose.
     pub velocity_mps: [f64; 3],
-    /// Acceleration, constant over the frame.
+    /// Acceleration at the moment of the pose, constant as the body sees it; without what turning adds.
     pub acceleration_mps2: [f64; 3],
 }
 

@@ -3,19 +3,107 @@
 use crate::bodies::road_mirror::below;
 use artifact::scene::Pose;
 use glam::DVec3;
+use radar::motion::{pose_after, whole_acceleration_mps2};
 
-/// Velocity at one instant, and an acceleration that stays as it is.
+/// Velocity of a point at one instant, and an acceleration that stays as it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Motion {
     pub(crate) velocity_mps: DVec3,
     pub(crate) acceleration_mps2: DVec3,
 }
 
-impl Motion {
-    pub(crate) const REST: Self = Self { velocity_mps: DVec3::ZERO, acceleration_mps2: DVec3::ZERO };
+/// Motion of a rigid body at one instant: of its origin, and its turning about the vertical through it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RigidMotion {
+    pub(crate) origin_m: DVec3,
+    pub(crate) of_origin: Motion,
+    pub(crate) yaw_radps: f64,
+}
+
+/// A point of a plane and the plane's normal, on a body.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MovingPlane {
+    pub(crate) point_m: DVec3,
+    pub(crate) normal: DVec3,
+    pub(crate) body: RigidMotion,
+}
+
+impl RigidMotion {
+    pub(crate) const REST: Self = Self { origin_m: DVec3::ZERO, of_origin: Motion::REST, yaw_radps: 0.0 };
 
     /// Motion of a body `seconds` after its pose.
     pub(crate) fn of(pose: &Pose, seconds: f64) -> Self {
+        let origin_m = position_m(pose, seconds);
+        Self { origin_m, of_origin: Motion::of(pose, seconds), yaw_radps: pose.yaw_radps }
+    }
+
+    /// Motion of the body's point at `at_m`: v + ω × r, a + ω × (ω × r).
+    pub(crate) fn at(&self, at_m: DVec3) -> Motion {
+        if self.yaw_radps == 0.0 {
+            return self.of_origin;
+        }
+        let from_origin_m = at_m - self.origin_m;
+        let gained_mps = self.turning(from_origin_m);
+        Motion {
+            velocity_mps: self.of_origin.velocity_mps + gained_mps,
+            acceleration_mps2: self.of_origin.acceleration_mps2 + self.turning(gained_mps),
+        }
+    }
+
+    /// Rate of a vector that is fixed to the body: ω × v.
+    fn turning(&self, vector: DVec3) -> DVec3 {
+        (DVec3::Z * self.yaw_radps).cross(vector)
+    }
+
+    pub(crate) fn is_finite(&self) -> bool {
+        self.origin_m.is_finite() && self.of_origin.is_finite() && self.yaw_radps.is_finite()
+    }
+
+    /// Motion of the image in the road's mirror: it turns as the body does.
+    pub(crate) fn below_road(&self) -> Self {
+        let (origin_m, of_origin) = (below(self.origin_m), self.of_origin.below_road());
+        Self { origin_m, of_origin, yaw_radps: self.yaw_radps }
+    }
+}
+
+impl MovingPlane {
+    /// Image of a point that moves, and its motion.
+    ///
+    /// With d = (x − p)·n the image is x − 2dn, its velocity v − 2ḋn − 2dṅ with ḋ = (v − v_p)·n + (x − p)·ṅ
+    /// and ṅ = ω × n, its acceleration a − 2d̈n − 4ḋṅ − 2dn̈ with d̈ = (a − a_p)·n + 2(v − v_p)·ṅ + (x − p)·n̈.
+    pub(crate) fn image(&self, at_m: DVec3, motion: Motion) -> (DVec3, Motion) {
+        let (n, of_plane) = (self.normal, self.body.at(self.point_m));
+        let from_plane_m = at_m - self.point_m;
+        let distance_m = from_plane_m.dot(n);
+        let image_m = at_m - 2.0 * distance_m * n;
+        if self.body.yaw_radps == 0.0 {
+            return (image_m, motion.mirrored(&of_plane, n));
+        }
+        let turning = self.body.turning(n);
+        let turning_on = self.body.turning(turning);
+        let across_mps = motion.velocity_mps - of_plane.velocity_mps;
+        let away_mps = across_mps.dot(n) + from_plane_m.dot(turning);
+        let away_mps2 = (motion.acceleration_mps2 - of_plane.acceleration_mps2).dot(n)
+            + 2.0 * across_mps.dot(turning)
+            + from_plane_m.dot(turning_on);
+        let of_image = Motion {
+            velocity_mps: motion.velocity_mps - 2.0 * (away_mps * n + distance_m * turning),
+            acceleration_mps2: motion.acceleration_mps2
+                - 2.0 * (away_mps2 * n + 2.0 * away_mps * turning + distance_m * turning_on),
+        };
+        (image_m, of_image)
+    }
+}
+
+impl Motion {
+    pub(crate) const REST: Self = Self { velocity_mps: DVec3::ZERO, acceleration_mps2: DVec3::ZERO };
+
+    /// Motion of a body's origin `seconds` after its pose.
+    fn of(pose: &Pose, seconds: f64) -> Self {
+        if pose.yaw_radps != 0.0 {
+            let later = pose_after(pose, seconds);
+            return Self::from_arrays(later.velocity_mps, whole_acceleration_mps2(&later));
+        }
         let start = Self::from_arrays(pose.velocity_mps, pose.acceleration_mps2);
         Self { velocity_mps: start.after(DVec3::ZERO, seconds).1, ..start }
     }
@@ -34,9 +122,9 @@ impl Motion {
         self.each(below)
     }
 
-    /// Motion of the image in a plane with the normal n that moves by v_p: a point's velocity v turns into
-    /// v − 2((v − v_p)·n)n, and so does its acceleration, as n does not turn.
-    pub(crate) fn mirrored(&self, mirror: &Self, n: DVec3) -> Self {
+    /// Motion of the image in a plane with the normal n that moves by v_p and does not turn: a point's
+    /// velocity v turns into v − 2((v − v_p)·n)n, and so does its acceleration.
+    fn mirrored(&self, mirror: &Self, n: DVec3) -> Self {
         let turned = |v: DVec3, of_mirror: DVec3| v - 2.0 * (v - of_mirror).dot(n) * n;
         Self {
             velocity_mps: turned(self.velocity_mps, mirror.velocity_mps),
@@ -65,6 +153,9 @@ impl Motion {
 
 /// Position of a body's origin `seconds` after its pose.
 pub(crate) fn position_m(pose: &Pose, seconds: f64) -> DVec3 {
+    if pose.yaw_radps != 0.0 {
+        return DVec3::from_array(pose_after(pose, seconds).position_m);
+    }
     Motion::of(pose, 0.0).after(DVec3::from_array(pose.position_m), seconds).0
 }
 

@@ -2,8 +2,7 @@
 //! own frame.
 
 use crate::bodies::deaf_side::DeafSide;
-use crate::bodies::motion::{Motion, position_m};
-use crate::bodies::road_mirror::below;
+use crate::bodies::motion::{Motion, MovingPlane, RigidMotion};
 use crate::geometry::antenna::Antenna;
 use crate::geometry::bvh::{Hierarchy, Stack};
 use crate::geometry::facet_geometry::FacetGeometry;
@@ -222,14 +221,26 @@ impl World {
         Some((body.first_facet + triangle, winding))
     }
 
-    /// Motion of the body that a facet belongs to.
-    pub(crate) fn motion(&self, facet: u32) -> Motion {
-        self.body_of(facet).map_or(Motion::REST, |body| body.motion)
+    /// Motion of a point of the body that a facet belongs to.
+    pub(crate) fn motion(&self, facet: u32, at_m: DVec3) -> Motion {
+        self.body_of(facet).map_or(Motion::REST, |body| body.motion.at(at_m))
     }
 
-    /// Speed of the fastest of all bodies, m/s.
+    /// The plane of a facet, and how it moves.
+    pub(crate) fn moving_plane(&self, facet: u32) -> MovingPlane {
+        let body = self.body_of(facet).map_or(RigidMotion::REST, |body| body.motion);
+        let FacetGeometry { corners_m, .. } = self.facet(facet);
+        MovingPlane { point_m: corners_m[0], normal: self.facet(facet).normal(), body }
+    }
+
+    /// Speed of the fastest point of all bodies at most, m/s.
     pub(crate) fn fastest_mps(&self) -> f64 {
-        self.bodies.iter().map(|body| body.motion.velocity_mps.length()).fold(0.0, f64::max)
+        self.bodies.iter().map(Body::fastest_mps).fold(0.0, f64::max)
+    }
+
+    /// Rate of the fastest turn of all bodies, rad/s.
+    pub(crate) fn fastest_turn_radps(&self) -> f64 {
+        self.bodies.iter().map(|body| body.motion.yaw_radps.abs()).fold(0.0, f64::max)
     }
 
     /// Distances below this are rounding, m: points so near a plane count as on it.
@@ -270,7 +281,7 @@ impl World {
             let mut all = WorldEdges::for_facets(self.facets.len());
             for body in &self.bodies {
                 let place =
-                    BodyPlacement { world_from_body: body.world_from_body, position_m: body.position_m };
+                    BodyPlacement { world_from_body: body.world_from_body, position_m: body.motion.origin_m };
                 all.add(body.mesh.edges(), &place, body.first_facet, 1.0 / wavenumber_per_m);
             }
             all
@@ -306,7 +317,13 @@ impl World {
                 .extend(walk.planes.iter().map(|plane| body.plane_in_body(plane, self.tolerance_m)));
             let body_from_world = body.world_from_body.transpose();
             let sweep = opening.map(|(antenna, opening_m)| {
-                BeamSweep::behind(opening_m, antenna, &body_from_world, body.position_m, self.tolerance_m)
+                BeamSweep::behind(
+                    opening_m,
+                    antenna,
+                    &body_from_world,
+                    body.motion.origin_m,
+                    self.tolerance_m,
+                )
             });
             let nearer = body_from_world * nearer;
             let of_body = |triangle: u32| visit(body.first_facet + triangle);
@@ -485,8 +502,13 @@ fn corners_of(mesh: &Mesh, index: usize, triangle: &[u32; 3]) -> Result<[DVec3; 
     Ok(corners_m)
 }
 
-const AT_ORIGIN: Pose =
-    Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3], acceleration_mps2: [0.0; 3] };
+const AT_ORIGIN: Pose = Pose {
+    position_m: [0.0; 3],
+    yaw_rad: 0.0,
+    yaw_radps: 0.0,
+    velocity_mps: [0.0; 3],
+    acceleration_mps2: [0.0; 3],
+};
 
 /// A mesh at its place.
 #[derive(Clone)]
@@ -495,8 +517,7 @@ struct Body {
     id: Arc<str>,
     mesh: Arc<BodyMesh>,
     world_from_body: DMat3,
-    position_m: DVec3,
-    motion: Motion,
+    motion: RigidMotion,
     first_facet: u32,
 }
 
@@ -508,23 +529,34 @@ impl Body {
         seconds: f64,
         id: &str,
     ) -> Result<Self, BartError> {
-        let motion = Motion::of(pose, seconds);
-        let position_m = position_m(pose, seconds);
-        if !(position_m.is_finite() && motion.is_finite() && pose.yaw_rad.is_finite()) {
+        let motion = RigidMotion::of(pose, seconds);
+        let yaw_rad = pose.yaw_rad + pose.yaw_radps * seconds;
+        if !(motion.is_finite() && yaw_rad.is_finite()) {
             return Err(BartError::PoseNotFinite { target: id.to_owned() });
         }
-        let world_from_body = DMat3::from_rotation_z(pose.yaw_rad);
-        Ok(Self { target, id: id.into(), mesh, world_from_body, position_m, motion, first_facet: 0 })
+        let world_from_body = DMat3::from_rotation_z(yaw_rad);
+        Ok(Self { target, id: id.into(), mesh, world_from_body, motion, first_facet: 0 })
+    }
+
+    /// Speed of its fastest point at most: of its origin, and what turning adds where it reaches farthest.
+    fn fastest_mps(&self) -> f64 {
+        let speed_mps = self.motion.of_origin.velocity_mps.length();
+        if self.motion.yaw_radps == 0.0 {
+            return speed_mps;
+        }
+        let corners = self.mesh.skin.triangles_m.iter().flatten();
+        let reach_m = corners.map(|corner| corner.truncate().length()).fold(0.0, f64::max);
+        speed_mps + self.motion.yaw_radps.abs() * reach_m
     }
 
     /// Whether antennas have gain towards any of it, or of its image below the road, during a frame.
     fn is_heard(&self, header: &SceneHeader) -> bool {
-        let speed_mps = self.motion.velocity_mps.length()
-            + self.motion.acceleration_mps2.length() * header.radar.frame_duration_s();
+        let speed_mps = self.fastest_mps()
+            + self.motion.of_origin.acceleration_mps2.length() * header.radar.frame_duration_s();
         let Some(deaf) = DeafSide::of(&header.radar, speed_mps) else { return true };
         let is_on = |body: &Self| {
             let corners = body.mesh.skin.triangles_m.iter().flatten();
-            deaf.holds(corners.map(|corner| body.position_m + body.world_from_body * *corner))
+            deaf.holds(corners.map(|corner| body.motion.origin_m + body.world_from_body * *corner))
         };
         !is_on(self) || (header.road.is_some() && !is_on(&self.below_road()))
     }
@@ -536,7 +568,6 @@ impl Body {
             id: Arc::clone(&self.id),
             mesh: Arc::clone(&self.mesh),
             world_from_body: DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0)) * self.world_from_body,
-            position_m: below(self.position_m),
             motion: self.motion.below_road(),
             first_facet: 0,
         }
@@ -545,7 +576,7 @@ impl Body {
     fn facets(&self) -> impl IndexedParallelIterator<Item = FacetGeometry> {
         let SkinTriangles { triangles_m, triangle_of, .. } = &self.mesh.skin;
         triangles_m.par_iter().zip(triangle_of).map(|(corners_m, &triangle)| {
-            let corners_m = corners_m.map(|corner| self.position_m + self.world_from_body * corner);
+            let corners_m = corners_m.map(|corner| self.motion.origin_m + self.world_from_body * corner);
             FacetGeometry::of_triangle(corners_m, Facet { body: self.target, triangle })
         })
     }
@@ -553,6 +584,6 @@ impl Body {
     /// A world plane in this body's frame, moved back by `slack_m` so that rounding loses nothing.
     fn plane_in_body(&self, plane: &Plane, slack_m: f64) -> Plane {
         let normal = self.world_from_body.transpose() * plane.normal;
-        Plane { normal, offset_m: plane.offset_m - plane.normal.dot(self.position_m) - slack_m }
+        Plane { normal, offset_m: plane.offset_m - plane.normal.dot(self.motion.origin_m) - slack_m }
     }
 }

@@ -202,14 +202,16 @@ impl<'a> Fit<'a> {
 /// (ΔkD)²/4 of it. While the node moves by vT/2 at a right angle, or is seen from an element δ off the
 /// radar's position, both legs turn by (vT/2 + δ)/R: the phase between node and point runs over kD(vT/2 +
 /// δ)/R. Neighbouring cells cancel most of both (physics.md §6 has −41 dB with cells of 12 cm where this
-/// bound says −14 dB), so either may reach four times the accuracy asked.
-pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64) -> f64 {
+/// bound says −14 dB), so either may reach four times the accuracy asked. A body that turns by ωT/2 turns the
+/// line from node to point as much against both legs.
+pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64, turn_radps: f64) -> f64 {
     let waveform = &header.radar.waveform;
     let allowed = 4.0 * header.fidelity.accuracy.amplitude();
     let band_per_m = std::f64::consts::PI * waveform.bandwidth_hz().abs() / SPEED_OF_LIGHT_MPS;
     let by_band = 2.0 * allowed.sqrt() / band_per_m;
     let wavenumber = TAU / waveform.wavelength_m();
-    let way_m = 0.5 * header.radar.frame_duration_s() * fastest_mps + element_offset_m(header);
+    let half_frame_s = 0.5 * header.radar.frame_duration_s();
+    let way_m = half_frame_s * fastest_mps + element_offset_m(header) + half_frame_s * turn_radps * nearest_m;
     let by_motion = allowed * nearest_m / (wavenumber * way_m);
     by_band.min(by_motion).clamp(2.0 * waveform.wavelength_m(), waveform.range_resolution_m())
 }
@@ -217,7 +219,8 @@ pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64) ->
 /// Largest side of cells for the bodies of a world.
 pub(crate) fn largest_cell_of_world_m(plan: &Plan<'_>, world: &World) -> f64 {
     let ranges_m = world.facets().iter().map(|f| plan.position_m.distance(f.corners_m[0]));
-    largest_cell_m(plan.header, ranges_m.fold(f64::INFINITY, f64::min), world.fastest_mps())
+    let nearest_m = ranges_m.fold(f64::INFINITY, f64::min);
+    largest_cell_m(plan.header, nearest_m, world.fastest_mps(), world.fastest_turn_radps())
 }
 
 /// Greatest distance of an element from the radar's position.

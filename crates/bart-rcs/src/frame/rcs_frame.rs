@@ -112,7 +112,7 @@ impl<'a> TabledBody<'a> {
     /// Vector from the body's origin to the radar, body axes.
     fn to_radar_m(&self, seconds: f64) -> DVec3 {
         let origin = position_m(self.pose, seconds);
-        DMat3::from_rotation_z(-self.pose.yaw_rad)
+        DMat3::from_rotation_z(-self.pose.yaw_rad - self.pose.yaw_radps * seconds)
             * (DVec3::from_array(self.header.radar.position_m) - origin)
     }
 

@@ -21,6 +21,7 @@ pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame)
     let pose = |&(position_m, yaw_rad, velocity_mps): &Placed| Pose {
         position_m,
         yaw_rad,
+        yaw_radps: 0.0,
         velocity_mps,
         acceleration_mps2: [0.0; 3],
     };

@@ -13,6 +13,7 @@ use bart_rcs::{FrameSurroundings, PathView, RcsRequest, Standpoint, Tracer, rcs,
 use glam::DVec3;
 use num_complex::Complex64;
 use radar::aperture::Preset;
+use radar::motion::pose_after;
 use radar::paper;
 
 pub(crate) const RADAR_M: [f64; 3] = [0.0, 0.0, 6.0];
@@ -22,7 +23,7 @@ pub(crate) fn waveform() -> Waveform {
 }
 
 pub(crate) fn pose(position_m: [f64; 3], velocity_mps: [f64; 3], yaw_rad: f64) -> Pose {
-    Pose { position_m, yaw_rad, velocity_mps, acceleration_mps2: [0.0; 3] }
+    Pose { position_m, yaw_rad, yaw_radps: 0.0, velocity_mps, acceleration_mps2: [0.0; 3] }
 }
 
 /// A scene of bodies, each with its own mesh, and of points.
@@ -115,8 +116,7 @@ pub(crate) fn of_paths(
     seconds: f64,
     frequency_hz: f64,
 ) -> Amplitude {
-    let start = scene.1.poses[0];
-    let origin_m = DVec3::from_array(start.position_m) + seconds * DVec3::from_array(start.velocity_mps);
+    let origin_m = DVec3::from_array(pose_after(&scene.1.poses[0], seconds).position_m);
     let (transmitter_m, receiver_m) = (DVec3::from_array(RADAR_M), DVec3::from_array(RADAR_M));
     let view = PathView {
         transmitter_m,
@@ -146,10 +146,10 @@ pub(crate) fn exact(
     frequency_hz: &[f64],
     polarization: Polarization,
 ) -> Vec<Complex64> {
-    let start = scene.1.poses[0];
-    let origin_m = DVec3::from_array(start.position_m) + seconds * DVec3::from_array(start.velocity_mps);
+    let now = pose_after(&scene.1.poses[0], seconds);
+    let origin_m = DVec3::from_array(now.position_m);
     let place = |x_m: [f64; 3]| {
-        let way = glam::DMat3::from_rotation_z(-start.yaw_rad) * (DVec3::from_array(x_m) - origin_m);
+        let way = glam::DMat3::from_rotation_z(-now.yaw_rad) * (DVec3::from_array(x_m) - origin_m);
         Standpoint {
             azimuth_rad: way.y.atan2(way.x),
             elevation_rad: (way.z / way.length()).asin(),

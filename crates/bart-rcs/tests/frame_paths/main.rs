@@ -8,6 +8,7 @@
 #[path = "../bodies/mod.rs"]
 mod bodies;
 mod frames;
+mod turning;
 
 use artifact::Accuracy;
 use artifact::paths::{ErrorOrigin, PathsFrame};

@@ -19,6 +19,7 @@ use glam::{DQuat, DVec3};
 use num_complex::Complex64;
 use radar::beat::if_cycles;
 use radar::link::link_amplitude;
+use radar::motion::whole_acceleration_mps2;
 use std::f64::consts::TAU;
 
 /// Targets of one frame, each a table at a moving origin.
@@ -91,7 +92,8 @@ struct Body<'a> {
     table: &'a RcsTable,
     /// The body's origin as a path whose apparent points are the origin itself.
     origin: Path,
-    body_from_world: DQuat,
+    /// The body's yaw at the frame's first sample, and its rate.
+    yaw_rad: [f64; 2],
 }
 
 impl<'a> Body<'a> {
@@ -99,12 +101,7 @@ impl<'a> Body<'a> {
         check(radar, index, table)?;
         let missing = EchoError::TargetMissing { table: index, target: table.target, targets: poses.len() };
         let pose = poses.get(table.target as usize).ok_or(missing)?;
-        Ok(Self {
-            index,
-            table,
-            origin: origin_path(pose),
-            body_from_world: DQuat::from_rotation_z(-pose.yaw_rad),
-        })
+        Ok(Self { index, table, origin: origin_path(pose), yaw_rad: [pose.yaw_rad, pose.yaw_radps] })
     }
 
     /// Adds the body's echo of one transmission.
@@ -156,7 +153,8 @@ impl<'a> Body<'a> {
         let [at_m, mps, mps2] =
             [*apparent_tx_m, *apparent_tx_mps, curve.apparent_tx_mps2].map(DVec3::from_array);
         let origin_m = at_m + time_s * (mps + 0.5 * time_s * mps2);
-        let to_radar = self.body_from_world * (DVec3::from_array(radar.position_m) - origin_m);
+        let body_from_world = DQuat::from_rotation_z(-self.yaw_rad[0] - time_s * self.yaw_rad[1]);
+        let to_radar = body_from_world * (DVec3::from_array(radar.position_m) - origin_m);
         (to_radar.z.atan2(to_radar.truncate().length()), to_radar.y.atan2(to_radar.x))
     }
 
@@ -201,6 +199,7 @@ fn nearest_turn(axis: &[f64], angle: f64) -> f64 {
 }
 
 fn origin_path(pose: &Pose) -> Path {
+    let acceleration_mps2 = whole_acceleration_mps2(pose);
     Path {
         target: 0,
         order: 0,
@@ -212,8 +211,8 @@ fn origin_path(pose: &Pose) -> Path {
         slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
         facets: [Facet::default(); MAX_ORDER],
         curve: Curve {
-            apparent_tx_mps2: pose.acceleration_mps2,
-            apparent_rx_mps2: pose.acceleration_mps2,
+            apparent_tx_mps2: acceleration_mps2,
+            apparent_rx_mps2: acceleration_mps2,
             ..Curve::default()
         },
     }

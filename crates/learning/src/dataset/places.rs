@@ -62,6 +62,7 @@ impl BodyOnRoad {
         Pose {
             position_m: [x_m, y_m, 0.0],
             yaw_rad,
+            yaw_radps: 0.0,
             velocity_mps: [self.speed_mps * cos, self.speed_mps * sin, 0.0],
             acceleration_mps2: [0.0; 3],
         }

@@ -68,17 +68,19 @@ impl Looks {
         let frame = scene::snapshot(header, index);
         let reaches_m = self.reach_of_mesh_m.get_or_init(|| header.meshes.iter().map(reach_m).collect());
         let position_m = DVec3::from_array(header.radar.position_m);
-        let (mut nearest_m, mut fastest_mps) = (f64::INFINITY, 0.0_f64);
+        let (mut nearest_m, mut fastest_mps, mut turn_radps) = (f64::INFINITY, 0.0_f64, 0.0_f64);
         for (target, pose) in view.targets.iter().zip(&frame.poses) {
             if let TargetKind::Mesh { mesh, .. } = target.kind {
                 let distance_m = position_m.distance(DVec3::from_array(pose.position_m));
                 let reach_m = reaches_m.get(mesh as usize).copied().unwrap_or(0.0);
                 // An antenna within a body's reach is a good deal away from its surface as a rule.
                 nearest_m = nearest_m.min((distance_m - reach_m).max(0.2 * distance_m));
-                fastest_mps = fastest_mps.max(DVec3::from_array(pose.velocity_mps).length());
+                let speed_mps = DVec3::from_array(pose.velocity_mps).length();
+                fastest_mps = fastest_mps.max(speed_mps + pose.yaw_radps.abs() * reach_m);
+                turn_radps = turn_radps.max(pose.yaw_radps.abs());
             }
         }
-        bart_rcs::largest_cell_m(&view.in_frame(index), nearest_m, fastest_mps)
+        bart_rcs::largest_cell_m(&view.in_frame(index), nearest_m, fastest_mps, turn_radps)
     }
 
     fn taken(&self) -> std::sync::MutexGuard<'_, BTreeMap<u32, ExpectedWork>> {

@@ -11,6 +11,7 @@ use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::memory::mib;
 use artifact::paths::Path;
+use artifact::scene::Pose;
 use artifact::settings::EchoMode;
 
 /// Expected load of a frame on memory, by what it goes into.
@@ -109,7 +110,10 @@ impl Chain<'_> {
     /// Whether any body of a frame does.
     fn moves(&self, index: u32) -> bool {
         let poses = scene::snapshot(self.header, index).poses;
-        poses.iter().any(|pose| pose.velocity_mps != [0.0; 3] || pose.acceleration_mps2 != [0.0; 3])
+        let moves = |pose: &Pose| {
+            pose.velocity_mps != [0.0; 3] || pose.acceleration_mps2 != [0.0; 3] || pose.yaw_radps != 0.0
+        };
+        poses.iter().any(moves)
     }
 
     /// Bytes of what follows the tracer: cubes, maps, paths of the ground.

@@ -73,9 +73,10 @@ impl Bumper {
         Pose {
             position_m: (self.front_m - (ahead * reach_m).extend(0.0)).into(),
             yaw_rad: self.yaw_rad,
+            yaw_radps: self.yaw_radps,
             velocity_mps: (self.velocity_mps - (turning * reach_m).extend(0.0)).into(),
-            // Between two steps velocities stay as they are.
-            acceleration_mps2: [0.0; 3],
+            // Between two steps the bumper's velocity does not turn with the body: −ω × v undoes that.
+            acceleration_mps2: (self.velocity_mps.truncate().perp() * -self.yaw_radps).extend(0.0).into(),
         }
     }
 }

@@ -24,6 +24,7 @@ fn read_piece(section: &Section<'_>, id: Option<&str>, models: &mut Models) -> O
     let start = Pose {
         position_m: position_m?,
         yaw_rad: yaw_deg.to_radians(),
+        yaw_radps: 0.0,
         velocity_mps: [0.0; 3],
         acceleration_mps2: [0.0; 3],
     };

@@ -4,7 +4,7 @@ use crate::document::errors::Rule;
 use crate::document::ids::read_ids;
 use crate::document::keys::bodies::{
     ACCELERATION, Body, CLASS, CLUTTER, KIND, LANE, MODEL, POSITION, RCS, TARGET, UNIT_SCALE, VEHICLE_SEED,
-    VELOCITY, WHEEL_ANGLE, WHEEL_RADIUS, Y, YAW,
+    VELOCITY, WHEEL_ANGLE, WHEEL_RADIUS, Y, YAW, YAW_RATE,
 };
 use crate::document::section::Section;
 use crate::models::library::Models;
@@ -69,7 +69,11 @@ fn read_mesh_target(section: &Section<'_>, models: &mut Models) -> Option<Target
 }
 
 fn read_point_target(section: &Section<'_>) -> Option<TargetKind> {
-    misplaced(section, &[CLASS.name, MODEL.name, VEHICLE_SEED.name, UNIT_SCALE.name], "a point target");
+    misplaced(
+        section,
+        &[CLASS.name, MODEL.name, VEHICLE_SEED.name, UNIT_SCALE.name, YAW_RATE.name],
+        "a point target",
+    );
     if !section.has(WHEEL_RADIUS.name) {
         misplaced(section, &[YAW.name], "a point target that is on no wheel");
     }
@@ -102,7 +106,8 @@ fn read_pose(section: &Section<'_>, road: &Lanes) -> Option<Pose> {
     let acceleration_mps2 = section.or_default(&ACCELERATION);
     let yaw = section.read(&YAW).map(f64::to_radians);
     let yaw_rad = yaw.unwrap_or(yaw_along(velocity_mps));
-    Some(Pose { position_m: position_m?, yaw_rad, velocity_mps, acceleration_mps2 })
+    let yaw_radps = section.or_default(&YAW_RATE).to_radians();
+    Some(Pose { position_m: position_m?, yaw_rad, yaw_radps, velocity_mps, acceleration_mps2 })
 }
 
 /// Yaw of a body that faces the way it moves; at rest it faces the radar, down the lane.

@@ -68,7 +68,6 @@ impl CutLine {
     ) -> Vec<Cell> {
         let (forward, backward) = self.ends;
         let facets = facets_of(scatterer, forward, backward);
-        let motion = motions(scatterer, forward, backward);
         let accuracy = settings.accuracy_of_body[scatterer.node_body(forward)];
         let [from, to] = self.span_m;
         let count = ((to - from) / settings.size_m).ceil().max(1.0);
@@ -84,7 +83,7 @@ impl CutLine {
                 order: facets.len() as u8,
                 facets: padded(&facets),
                 apparent_m: scatterer.legs(forward, backward).map(|leg| leg.mirrors.unfolded(middle_m)),
-                motion,
+                motion: motions(scatterer, forward, backward, middle_m),
                 amplitudes_m: estimate.value,
                 area_m2: as_area_m2(span_m, settings),
                 error_m: estimate.error,

@@ -75,7 +75,6 @@ fn cells_of(
 ) -> Vec<Cell> {
     let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
     let facets = facets_of(scatterer, joint.forward, joint.backward);
-    let motion = motions(scatterer, joint.forward, joint.backward);
     let accuracy = settings.accuracy_of_body[scatterer.node_body(joint.forward)];
     let mut cells = Vec::new();
     for piece in cut_into_squares(&frame, corners_m, settings.size_m) {
@@ -90,7 +89,7 @@ fn cells_of(
             order: facets.len() as u8,
             facets: padded(&facets),
             apparent_m: scatterer.apparent_m(joint, reference_m),
-            motion,
+            motion: motions(scatterer, joint.forward, joint.backward, reference_m),
             amplitudes_m: estimate.value,
             area_m2: area_m2(&piece),
             error_m: estimate.error,
@@ -128,16 +127,15 @@ pub(crate) fn padded(facets: &[Facet]) -> [Facet; MAX_ORDER] {
     all
 }
 
-/// Motions of the apparent points.
-pub(crate) fn motions(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> [Motion; 2] {
+/// Motions of the apparent points of a node at `node_m`.
+pub(crate) fn motions(scatterer: &Scatterer<'_>, forward: u32, backward: u32, node_m: DVec3) -> [Motion; 2] {
     let world = scatterer.world;
-    let of_node = world.motion(scatterer.trees.transmit().beams[forward as usize].facet);
+    let of_node = world.motion(scatterer.trees.transmit().beams[forward as usize].facet, node_m);
     let through = |tree: &BeamTree, beam: u32| {
         let mirrors =
             std::iter::successors(tree.beams[beam as usize].parent, |b| tree.beams[*b as usize].parent);
-        let at_antenna = mirrors.fold(of_node, |motion, mirror| {
-            let facet = tree.beams[mirror as usize].facet;
-            motion.mirrored(&world.motion(facet), world.facet(facet).normal())
+        let (_, at_antenna) = mirrors.fold((node_m, of_node), |(at_m, motion), mirror| {
+            world.moving_plane(tree.beams[mirror as usize].facet).image(at_m, motion)
         });
         match origin(tree, &tree.beams[beam as usize]) {
             Half::Above => at_antenna,

@@ -73,6 +73,7 @@ fn a_table_of_one_value_is_a_point_target() {
         let pose = Pose {
             position_m: [5.75, 40.0, 0.5],
             yaw_rad: -FRAC_PI_2,
+            yaw_radps: 0.0,
             velocity_mps: [0.0, -10.0, 0.0],
             acceleration_mps2: [0.0; 3],
         };
@@ -101,6 +102,7 @@ impl FarCase {
         let pose = Pose {
             position_m: [0.0, 2000.0, 6.0],
             yaw_rad: -1.4,
+            yaw_radps: 0.0,
             velocity_mps: [0.0, -10.0, 0.0],
             acceleration_mps2: [0.0; 3],
         };
@@ -149,6 +151,7 @@ fn tables_that_cannot_answer_are_refused() {
     let pose = Pose {
         position_m: [0.0, 40.0, 6.0],
         yaw_rad: 0.0,
+        yaw_radps: 0.0,
         velocity_mps: [0.0; 3],
         acceleration_mps2: [0.0; 3],
     };

@@ -196,8 +196,13 @@ mod tests {
 
     fn way(path: &Path) -> Way {
         let mesh = dihedral();
-        let pose =
-            Pose { position_m: [0.0; 3], yaw_rad: 0.0, velocity_mps: [0.0; 3], acceleration_mps2: [0.0; 3] };
+        let pose = Pose {
+            position_m: [0.0; 3],
+            yaw_rad: 0.0,
+            yaw_radps: 0.0,
+            velocity_mps: [0.0; 3],
+            acceleration_mps2: [0.0; 3],
+        };
         let radar_m = DVec3::new(0.0, 0.0, 1.0);
         let bodies = vec![(Some(&mesh), pose)];
         Folding { radar_m, middle_s: 0.0, bodies, road_turns: WITH_ROAD }.way(path)

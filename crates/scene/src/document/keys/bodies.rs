@@ -37,6 +37,7 @@ pub(crate) const TARGET: Table = Table {
         &WHEEL_RADIUS,
         &WHEEL_ANGLE,
         &YAW,
+        &YAW_RATE,
         &MODEL,
         &CLASS,
         &VEHICLE_SEED,
@@ -88,7 +89,8 @@ pub(crate) const VELOCITY: Key<Vector<3>, Or<[f64; 3]>> = Key::new(
 pub(crate) const ACCELERATION: Key<Vector<3>, Or<[f64; 3]>> = Key::new(
     "acceleration_mps2",
     Vector(Between(-100.0, 100.0)),
-    "m/s², world, constant from the first frame's first sample on, within frames too; yaw stays as it is",
+    "m/s², world, constant from the first frame's first sample on, within frames too; where the body turns \
+     (`yaw_rate_dps`) it turns with it",
 )
 .or([0.0; 3]);
 
@@ -112,6 +114,15 @@ pub(crate) const YAW: Key<Number> = Key::new(
     "mesh, or point on a wheel: degrees of the body's x axis (forward) from world +x towards +y; left \
      out: along the velocity, and -90 (down the lane, towards the radar) at rest",
 );
+
+/// A vehicle at walking pace within its turning circle turns by 20°/s; one that is thrown, by a few turns.
+pub(crate) const YAW_RATE: Key<Number, Or<f64>> = Key::new(
+    "yaw_rate_dps",
+    Number(Between(-720.0, 720.0)),
+    "mesh only: degrees a second by which the body turns about the vertical through its origin, from world \
+     +x towards +y; velocity and acceleration turn with it, so that it drives a bend",
+)
+.or(0.0);
 
 pub(crate) const MODEL: Key<Text> = Key::new(
     "model",

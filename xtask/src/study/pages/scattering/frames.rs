@@ -36,6 +36,7 @@ pub(crate) fn try_frame(case: u64, meshes: &[Named], empty: &SceneHeader) -> Res
     let pose = Pose {
         position_m: [rng.random_range(0.0..11.0), rng.random_range(25.0..60.0), 0.0],
         yaw_rad,
+        yaw_radps: 0.0,
         velocity_mps: [speed_mps * f64::cos(yaw_rad), speed_mps * f64::sin(yaw_rad), 0.0],
         acceleration_mps2: [0.0; 3],
     };

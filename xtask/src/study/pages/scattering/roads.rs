@@ -43,6 +43,7 @@ pub(crate) fn try_road(case: u64, meshes: &[Named], empty: &SceneHeader) -> Resu
     let pose = Pose {
         position_m: [range_m * bearing_rad.sin(), range_m * bearing_rad.cos(), 0.0],
         yaw_rad: rng.random_range(0.0..TAU),
+        yaw_radps: 0.0,
         velocity_mps: [0.0; 3],
         acceleration_mps2: [0.0; 3],
     };

@@ -184,7 +184,7 @@ def yaw_of(target: dict[str, Any]) -> float:
     refuse_keys(target, _MESH, "target")
     turned = vector(target.get("rotation", (0, 0, 0)), "target['rotation']")
     nothing(turned[1:], "target['rotation']", "pitch and roll; yaw is taken")
-    nothing(target.get("rotation_rate"), "target['rotation_rate']", "bodies do not turn in a frame")
+    nothing(target.get("rotation_rate"), "target['rotation_rate']", "a scene turns velocity with the body: yaw_rate_dps")
     nothing(target.get("origin"), "target['origin']", "move the mesh itself")
     if target.get("permittivity") is not None:
         raise refuse("target['permittivity']", "name a material in [[material]] of a scene")

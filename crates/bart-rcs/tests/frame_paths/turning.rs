@@ -1,0 +1,129 @@
+//! Bodies that turn within a frame: every part has its own Doppler, and mirrors turn what they show.
+
+use crate::bodies::carts::{cart, joined, parallelogram};
+use crate::frames::{RADAR_M, anew, of_paths, pose, relative, scene, trace};
+use crate::true_error;
+use artifact::radar::Polarization;
+use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader};
+use bart_rcs::{PathView, scattering_of_paths};
+use glam::DVec3;
+use num_complex::Complex64;
+use radar::motion::pose_after;
+use std::f64::consts::FRAC_PI_2;
+
+/// A body whose x axis looks at the radar, and which turns.
+fn turning(position_m: [f64; 3], velocity_mps: [f64; 3], yaw_radps: f64) -> Pose {
+    Pose { yaw_radps, ..pose(position_m, velocity_mps, -FRAC_PI_2) }
+}
+
+/// Two small plates at both ends of an arm of 4 m across the line of sight.
+#[test]
+fn the_ends_of_an_arm_approach_and_leave_as_fast_as_it_turns() {
+    let plate = |y_m: f64| parallelogram([0.0, y_m - 0.02, 5.98], [0.0, 0.04, 0.0], [0.0, 0.0, 0.04]);
+    let arm = joined(&[plate(-2.0), plate(2.0)]);
+    let scene = scene(&[(arm, turning([0.0, 30.0, 0.0], [0.0, -5.0, 0.0], 0.8))], &[], -40.0, 1);
+    let frame = trace(&scene);
+    assert!(frame.paths.len() >= 2);
+    for path in &frame.paths {
+        // The body's y axis is the world's x axis here: v + ω × r with r = (x, 0, 0).
+        let [x_m, _, _] = path.apparent_tx_m;
+        assert!((x_m.abs() - 2.0).abs() < 0.03, "{x_m}");
+        let [vx_mps, vy_mps, _] = path.apparent_tx_mps;
+        assert!((vy_mps - (-5.0 + 0.8 * x_m)).abs() < 1e-3, "{vy_mps} at {x_m}");
+        assert!(vx_mps.abs() < 0.1);
+        assert_eq!(path.apparent_tx_mps, path.apparent_rx_mps);
+    }
+}
+
+/// A cart in a bend with three bounces, against itself traced anew at moments of the frame.
+#[test]
+fn the_paths_of_a_body_that_turns_are_its_scattering_amplitude_all_through_the_frame() {
+    let start = turning([2.0, 25.0, 0.0], [3.0, -6.0, 0.0], 0.5);
+    let scene = scene(&[(cart(0.1), start)], &[], -20.0, 3);
+    let frame = trace(&scene);
+    let duration_s = scene.0.radar.frame_duration_s();
+    let centre_hz = scene.0.radar.waveform.centre_frequency_hz();
+    let (mut error, mut power, mut still) = (0.0, 0.0, 0.0);
+    for moment in 0..5 {
+        let seconds = 0.25 * f64::from(moment) * duration_s;
+        let exact = anew(&scene, seconds, &[centre_hz], Polarization::Vv)[0];
+        let at = |frame: &_| of_paths(&scene, frame, seconds, centre_hz)[0][0];
+        error += (at(&frame) - exact).norm_sqr();
+        power += exact.norm_sqr();
+        let mut stiff = frame.clone();
+        let middle = pose_after(&start, 0.5 * duration_s);
+        let now = DVec3::from_array(middle.velocity_mps);
+        for path in &mut stiff.paths {
+            let tx_m = DVec3::from_array(path.apparent_tx_m)
+                + 0.5 * duration_s * (DVec3::from_array(path.apparent_tx_mps) - now);
+            (path.apparent_tx_m, path.apparent_tx_mps) = (tx_m.to_array(), now.to_array());
+            let rx_m = DVec3::from_array(path.apparent_rx_m)
+                + 0.5 * duration_s * (DVec3::from_array(path.apparent_rx_mps) - now);
+            (path.apparent_rx_m, path.apparent_rx_mps) = (rx_m.to_array(), now.to_array());
+        }
+        still += (at(&stiff) - exact).norm_sqr();
+    }
+    let [got, without, told] =
+        [error / power, still / power, frame.error.total().unwrap().powi(2)].map(|e| 10.0 * e.log10());
+    println!("a cart in a bend: true {got:.1} dB, told {told:.1} dB, without its turning {without:.1} dB");
+    assert!(got <= told + 1.0 && without > -10.0, "{got} {told} {without}");
+}
+
+/// One wall of a dihedral turns, the other drives past: what the first shows of the second turns twice as
+/// fast.
+#[test]
+fn a_mirror_that_turns_moves_what_it_shows() {
+    let wall = |side: f64| parallelogram([0.0, 0.0, -0.2], [-0.4, side * 0.4, 0.0], [0.0, 0.0, 0.4]);
+    let start = pose([2.0, 20.0, 6.0], [0.0, -10.0, 0.0], FRAC_PI_2);
+    let bent = Pose { yaw_radps: 0.6, ..start };
+    let past = Pose { velocity_mps: [1.0, -9.0, 0.0], ..start };
+    let scene = scene(&[(wall(1.0), bent), (wall(-1.0), past)], &[], -40.0, 2);
+    let double: Vec<_> = trace(&scene).paths.into_iter().filter(|path| path.order == 2).collect();
+    assert!(!double.is_empty(), "the walls see each other");
+    let centre_hz = scene.0.radar.waveform.centre_frequency_hz();
+    let view = |seconds: f64| PathView {
+        transmitter_m: DVec3::from_array(RADAR_M),
+        receiver_m: DVec3::from_array(RADAR_M),
+        origin_m: DVec3::new(2.0, 20.0, 6.0),
+        seconds,
+        centre_frequency_hz: centre_hz,
+    };
+    let duration_s = scene.0.radar.frame_duration_s();
+    for seconds in [0.0, 0.5 * duration_s, duration_s] {
+        let exact = double_of(&trace(&standing(&scene, seconds)).paths, &view(0.0), centre_hz);
+        let moving = scattering_of_paths(&double, &view(seconds), centre_hz)[0][0];
+        println!("after {:.2} ms: {:.1} dB", 1e3 * seconds, 20.0 * relative(moving, exact).log10());
+        assert!(relative(moving, exact) < 0.1, "{moving} {exact}");
+    }
+}
+
+fn double_of(paths: &[artifact::paths::Path], view: &PathView, frequency_hz: f64) -> Complex64 {
+    scattering_of_paths(paths.iter().filter(|path| path.order == 2), view, frequency_hz)[0][0]
+}
+
+/// The scene as it stands at a moment.
+fn standing(scene: &(SceneHeader, SceneFrame), seconds: f64) -> (SceneHeader, SceneFrame) {
+    let still = |start: &Pose| {
+        let now = pose_after(start, seconds);
+        pose(now.position_m, [0.0; 3], now.yaw_rad)
+    };
+    let (mut header, mut frame) = scene.clone();
+    header.radar.waveform.chirps = 1;
+    frame.poses = frame.poses.iter().map(still).collect();
+    (header, frame)
+}
+
+/// A panel of 1.5 m flashes as it turns: its lobe passes within the frame, which no path follows.
+#[test]
+fn what_a_panel_that_turns_loses_of_its_flash_is_told() {
+    let panel: Mesh = parallelogram([0.0, -0.75, 0.5], [0.0, 1.5, 0.0], [0.0, 0.0, 1.0]);
+    for yaw_radps in [0.1, 0.5, 2.0] {
+        let scene =
+            scene(&[(panel.clone(), turning([0.0, 25.0, 0.0], [0.0, -6.0, 0.0], yaw_radps))], &[], -20.0, 1);
+        let frame = trace(&scene);
+        let [told, got] =
+            [frame.error.total().unwrap(), true_error(&scene, &frame)].map(|e| 20.0 * e.log10());
+        println!("{yaw_radps} rad/s: {} paths, told {told:.1}, true {got:.1} dB", frame.paths.len());
+        assert!(got <= told, "{yaw_radps} rad/s: told {told}, true {got}");
+    }
+}
