@@ -177,8 +177,7 @@ fn closed_box(folder: &Path) -> Vec<Row> {
     let mut rows = Vec::new();
     for (p, pol) in POLARIZATIONS.into_iter().enumerate() {
         let means = levels.got.each_ref().map(|got| mean_db(&got[p], &levels.reference[p]));
-        for (i, (what, gate)) in
-            [("all", cut.gate_db[p]), ("top 30", [0.1, 0.2][p])].into_iter().enumerate()
+        for (i, (what, gate)) in [("all", cut.gate_db[p]), ("top 30", [0.1, 0.2][p])].into_iter().enumerate()
         {
             let check = format!("{}, {pol}, {what}: mean |dB|", cut.name);
             rows.push(row(&check, means.map(|m| m[i]), gate, cut.floor[p], "dB"));
