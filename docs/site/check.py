@@ -31,6 +31,8 @@ TUTORIALS = "docs/tutorials/"
 # Folders of the sources that commands of pages name.
 OF_SOURCES = ["scenes", "fixtures", "crates", "docs"]
 LONGEST_S = 600
+# A prediction is of all parts.
+PART = re.compile(r" --shard \S+")
 # Lines about a work that goes on: standard error, when nobody looks at a terminal.
 PROGRESS = re.compile(r"^[\w-]+, for \d+ s|^frame \d+ of \d+$")
 # Numbers that hang on the machine: seconds, memory, threads, and the first of two that end with seconds.
@@ -127,7 +129,7 @@ class Check:
             self.counts["patterns"] += 1
             return None
         instead = row.get("instead") if (ROOT / row.get("needs", ".")).exists() else None
-        return f"{command.split(' #')[0]} {instead}" if instead else None
+        return f"{PART.sub('', command.split(' #')[0])} {instead}" if instead else None
 
     def left_out(self, command):
         for number, row in enumerate(self.table["left_out"]):
