@@ -6,8 +6,10 @@
 //! An element of type 15 is another one packed by zlib.
 
 mod written;
+mod mat_error;
 mod read;
 
+pub(crate) use mat_error::MatError;
 pub(crate) use read::complex_values;
 pub(crate) use written::Array;
 

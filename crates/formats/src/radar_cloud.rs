@@ -2,6 +2,7 @@
 //! View-of-Delft's `velodyne` files, and nuScenes' `.pcd`.
 
 mod detection;
+mod cloud_error;
 pub(crate) mod velodyne;
 pub(crate) mod pcd;
 pub mod import;

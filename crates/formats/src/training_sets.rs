@@ -11,6 +11,7 @@ mod angle_spectrum; // range, azimuth and Doppler
 mod cell_boxes; // labels, in cells of it
 mod set_folder;
 mod radar_of_points; // whose axes clouds are told in
+mod opened_points;
 mod pickle;
 mod raddet;
 mod carrada;

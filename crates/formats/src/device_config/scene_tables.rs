@@ -16,14 +16,17 @@ pub(super) struct Entry {
     remark: String,
 }
 
+/// No board was asked for, and the configuration names none: nothing says where the antennas are.
+#[derive(Debug, thiserror::Error)]
+#[error("no chip is named, and with it no antenna: --device")]
+pub struct NoBoard;
+
 /// Text of a scene file with the radar of these settings; `from` is the configuration's name.
 ///
 /// # Errors
 /// No board says where the antennas are.
-pub fn scene_text(settings: &DeviceSettings, from: &Path) -> Result<String, String> {
-    let Some(board) = settings.board else {
-        return Err("no chip is named, and with it no antenna: --device".to_owned());
-    };
+pub fn scene_text(settings: &DeviceSettings, from: &Path) -> Result<String, NoBoard> {
+    let board = settings.board.ok_or(NoBoard)?;
     let file = from.file_name().unwrap_or_default().to_string_lossy();
     let (stem, frame) = (name_of(from), &settings.frame);
     let asked = match frame.value.frames {

@@ -2,7 +2,7 @@
 //! User Guide, release 3.6, "Configuration (.cfg) File Format"). What says nothing about chirps, channels and
 //! samples is passed over.
 
-use super::statements::{Arguments, CHIRPS_MAX, Chirps, Fault, Frame, Profile, Statement, Told};
+use super::statements::{Arguments, CHIRPS_MAX, Chirps, Fault, Frame, ProfileColumns, Statement, Told};
 use crate::devices::IqOrder;
 
 /// Commands of a file in their order.
@@ -73,18 +73,7 @@ fn buffer(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
 
 fn profile(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
     arguments.at_least(14)?;
-    let number = |index, what| arguments.number(index, what);
-    let profile = Profile {
-        id: arguments.whole(0, "the profile's number", 3)?,
-        start_ghz: number(1, "the start frequency")?,
-        idle_us: number(2, "the idle time")?,
-        adc_start_us: number(3, "the time of the first sample")?,
-        ramp_end_us: number(4, "the ramp's end")?,
-        slope_mhz_per_us: number(7, "the slope")?,
-        samples: arguments.whole(9, "the number of samples", u32::from(u16::MAX))?,
-        rate_ksps: number(10, "the sample rate")?,
-    };
-    arguments.profile(profile).map(|statement| Some(statement.told))
+    arguments.profile(ProfileColumns { slope: 7, samples: 9, rate: 10 }).map(Some)
 }
 
 fn chirps(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {

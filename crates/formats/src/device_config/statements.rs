@@ -57,6 +57,14 @@ pub(super) struct Profile {
     pub(super) rate_ksps: f64,
 }
 
+/// Indices, from 0, of the words of a profile that do not stand in the same place everywhere.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ProfileColumns {
+    pub(super) slope: usize,
+    pub(super) samples: usize,
+    pub(super) rate: usize,
+}
+
 /// Chirps of one form and one choice of transmitters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Chirps {
@@ -149,8 +157,23 @@ impl Arguments<'_> {
         Ok(Told::Converter { bits, sampling })
     }
 
+    /// A profile as people write it, in GHz, µs, MHz/µs and ksps.
+    pub(super) fn profile(&self, columns: ProfileColumns) -> Result<Told, Fault> {
+        let number = |index, what| self.number(index, what);
+        self.sound_profile(Profile {
+            id: self.whole(0, "the profile's number", 3)?,
+            start_ghz: number(1, "the start frequency")?,
+            idle_us: number(2, "the idle time")?,
+            adc_start_us: number(3, "the time of the first sample")?,
+            ramp_end_us: number(4, "the ramp's end")?,
+            slope_mhz_per_us: number(columns.slope, "the slope")?,
+            samples: self.whole(columns.samples, "the number of samples", u32::from(u16::MAX))?,
+            rate_ksps: number(columns.rate, "the sample rate")?,
+        })
+    }
+
     /// Refuses a form of chirps that no device sends.
-    pub(super) fn profile(&self, profile: Profile) -> Result<Statement, Fault> {
+    pub(super) fn sound_profile(&self, profile: Profile) -> Result<Told, Fault> {
         let Profile { slope_mhz_per_us, rate_ksps, samples, idle_us, adc_start_us, ramp_end_us, .. } =
             profile;
         if slope_mhz_per_us == 0.0 || rate_ksps <= 0.0 || samples == 0 {
@@ -166,6 +189,6 @@ impl Arguments<'_> {
                 "the last sample is taken {end_us:.2} µs into the ramp, which ends after {ramp_end_us} µs"
             )));
         }
-        Ok(self.statement(Told::Profile(profile)))
+        Ok(Told::Profile(profile))
     }
 }

@@ -4,7 +4,9 @@
 //!
 //! A log has every attempt; what counts is what was told last before the last start of the sensor.
 
-use super::statements::{Arguments, CHIRPS_MAX, Chirps, Fault, Frame, Profile, Statement, Told};
+use super::statements::{
+    Arguments, CHIRPS_MAX, Chirps, Fault, Frame, Profile, ProfileColumns, Statement, Told,
+};
 use crate::devices::{Board, IqOrder, Lanes};
 
 /// Whether a text is a log or a script, not a `.cfg`.
@@ -139,7 +141,7 @@ impl LogReader {
                 .fault("codes of frequencies are those of a device that is not named before: --device"));
         };
         let (band, number) = (board.band(), |index, what| arguments.number(index, what));
-        let profile = Profile {
+        arguments.sound_profile(Profile {
             id: arguments.whole(0, "the profile's number", 3)?,
             start_ghz: number(1, "the code of the start frequency")? * band.start_step_ghz,
             idle_us: number(2, "the idle time")? / 100.0,
@@ -148,8 +150,7 @@ impl LogReader {
             slope_mhz_per_us: number(7, "the code of the slope")? * band.slope_step_mhz_per_us,
             samples: arguments.whole(9, "the number of samples", u32::from(u16::MAX))?,
             rate_ksps: number(10, "the sample rate")?,
-        };
-        arguments.profile(profile).map(|statement| statement.told)
+        })
     }
 }
 
@@ -192,18 +193,7 @@ fn lanes(arguments: &Arguments<'_>) -> Result<Told, Fault> {
 /// Three transmitters have their power and three their phase each before the slope.
 fn profile(arguments: &Arguments<'_>) -> Result<Told, Fault> {
     arguments.at_least(15)?;
-    let number = |index, what| arguments.number(index, what);
-    let profile = Profile {
-        id: arguments.whole(0, "the profile's number", 3)?,
-        start_ghz: number(1, "the start frequency")?,
-        idle_us: number(2, "the idle time")?,
-        adc_start_us: number(3, "the time of the first sample")?,
-        ramp_end_us: number(4, "the ramp's end")?,
-        slope_mhz_per_us: number(11, "the slope")?,
-        samples: arguments.whole(13, "the number of samples", u32::from(u16::MAX))?,
-        rate_ksps: number(14, "the sample rate")?,
-    };
-    arguments.profile(profile).map(|statement| statement.told)
+    arguments.profile(ProfileColumns { slope: 11, samples: 13, rate: 14 })
 }
 
 /// Transmitters are a mask in the log, switches in a script.

@@ -1,5 +1,6 @@
 //! The complex array of a file, packed or not, its lengths checked before they are believed.
 
+use crate::mat_file::mat_error::MatError;
 use crate::mat_file::{COMPLEX, COMPRESSED, HEAD_BYTES, INT8, INT32, MATRIX, UINT32};
 use flate2::read::ZlibDecoder;
 use num_complex::Complex32;
@@ -12,10 +13,9 @@ const BESIDE_VALUES: u64 = 65_536;
 ///
 /// # Errors
 /// A file of another kind, elements that are cut off, no such array, or one of other sides.
-pub(crate) fn complex_values(bytes: &[u8], shape: [usize; 4]) -> Result<Vec<Complex32>, String> {
+pub(crate) fn complex_values(bytes: &[u8], shape: [usize; 4]) -> Result<Vec<Complex32>, MatError> {
     if bytes.len() < HEAD_BYTES || bytes[HEAD_BYTES - 4..HEAD_BYTES] != [0, 1, b'I', b'M'] {
-        let others = "a file of MATLAB 7.3 (HDF5) or of the other order of bytes is not read";
-        return Err(format!("it is no little-endian MAT-file of level 5; {others}"));
+        return Err(MatError::NotLevel5);
     }
     let mut rest = &bytes[HEAD_BYTES..];
     while !rest.is_empty() {
@@ -25,15 +25,15 @@ pub(crate) fn complex_values(bytes: &[u8], shape: [usize; 4]) -> Result<Vec<Comp
             return Ok(values);
         }
     }
-    Err("it has no complex array".to_owned())
+    Err(MatError::NoComplexArray)
 }
 
-fn of_element(element: &Element<'_>, shape: [usize; 4]) -> Result<Option<Vec<Complex32>>, String> {
+fn of_element(element: &Element<'_>, shape: [usize; 4]) -> Result<Option<Vec<Complex32>>, MatError> {
     match element.kind {
         MATRIX => of_matrix(element.content, shape),
         COMPRESSED => {
             let values = shape.iter().try_fold(1_u64, |product, side| product.checked_mul(*side as u64));
-            let most = values.and_then(|values| values.checked_mul(16)).ok_or("its sides are too long")?;
+            let most = values.and_then(|values| values.checked_mul(16)).ok_or(MatError::SidesTooLong)?;
             let unpacked = unpacked(element.content, most + BESIDE_VALUES)?;
             let (inside, _) = Element::split(&unpacked)?;
             if inside.kind == MATRIX { of_matrix(inside.content, shape) } else { Ok(None) }
@@ -43,15 +43,14 @@ fn of_element(element: &Element<'_>, shape: [usize; 4]) -> Result<Option<Vec<Com
 }
 
 /// At most so many bytes; an element that unpacks to more is cut off there, and its length tells.
-fn unpacked(content: &[u8], most: u64) -> Result<Vec<u8>, String> {
+fn unpacked(content: &[u8], most: u64) -> Result<Vec<u8>, MatError> {
     let mut bytes = vec![];
-    let read = ZlibDecoder::new(content).take(most).read_to_end(&mut bytes);
-    read.map_err(|error| format!("an element does not unpack: {error}"))?;
+    ZlibDecoder::new(content).take(most).read_to_end(&mut bytes).map_err(MatError::Damaged)?;
     Ok(bytes)
 }
 
 /// Values of an array; `None` of one that is not complex numbers.
-fn of_matrix(content: &[u8], shape: [usize; 4]) -> Result<Option<Vec<Complex32>>, String> {
+fn of_matrix(content: &[u8], shape: [usize; 4]) -> Result<Option<Vec<Complex32>>, MatError> {
     let (flags, rest) = Element::split(content)?;
     let is_complex = flags.kind == UINT32 && flags.content.len() == 8 && {
         let word = u32::from_le_bytes(std::array::from_fn(|byte| flags.content[byte]));
@@ -64,7 +63,7 @@ fn of_matrix(content: &[u8], shape: [usize; 4]) -> Result<Option<Vec<Complex32>>
     let (sides, rest) = Element::split(rest)?;
     let (name, rest) = Element::split(rest)?;
     if sides.kind != INT32 || name.kind != INT8 {
-        return Err("an array has no sides or no name".to_owned());
+        return Err(MatError::NoSidesOrName);
     }
     let told: Vec<u32> =
         sides.content.chunks_exact(4).map(|b| u32::from_le_bytes(std::array::from_fn(|i| b[i]))).collect();
@@ -74,7 +73,7 @@ fn of_matrix(content: &[u8], shape: [usize; 4]) -> Result<Option<Vec<Complex32>>
         asked.pop();
     }
     if told != asked {
-        return Err(format!("its array is {told:?}, the scene's radar has {shape:?}"));
+        return Err(MatError::OtherSides { found: told, asked: shape });
     }
     let (re, rest) = Element::split(rest)?;
     let (im, _) = Element::split(rest)?;
@@ -92,31 +91,28 @@ struct Element<'a> {
 impl<'a> Element<'a> {
     /// The first element, and what stands behind it. Elements of up to four bytes have their length in the
     /// upper half of the type, and stand in the tag.
-    fn split(bytes: &'a [u8]) -> Result<(Self, &'a [u8]), String> {
-        let cut_off = || "it ends within an element".to_owned();
-        let (tag, behind) = bytes.split_first_chunk::<8>().ok_or_else(cut_off)?;
+    fn split(bytes: &'a [u8]) -> Result<(Self, &'a [u8]), MatError> {
+        let (tag, behind) = bytes.split_first_chunk::<8>().ok_or(MatError::EndsInElement)?;
         let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|byte| tag[at + byte]));
         let (kind, length) = (word(0), word(4) as usize);
         if kind >> 16 != 0 {
             let content = bytes.get(4..4 + (kind >> 16) as usize).filter(|content| content.len() <= 4);
-            return Ok((Self { kind: kind & 0xffff, content: content.ok_or_else(cut_off)? }, behind));
+            let content = content.ok_or(MatError::EndsInElement)?;
+            return Ok((Self { kind: kind & 0xffff, content }, behind));
         }
-        let content = behind.get(..length).ok_or_else(cut_off)?;
+        let content = behind.get(..length).ok_or(MatError::EndsInElement)?;
         // Packed elements are not padded.
         let padded = if kind == COMPRESSED { length } else { length.next_multiple_of(8) };
         Ok((Self { kind, content }, behind.get(padded..).unwrap_or(&[])))
     }
 
     /// So many numbers, of whatever type they are kept in.
-    fn numbers(&self, count: usize) -> Result<Vec<f32>, String> {
+    fn numbers(&self, count: usize) -> Result<Vec<f32>, MatError> {
         let of = |bytes: usize, number: fn(&[u8]) -> f64| {
             if self.content.len().checked_div(bytes) != Some(count)
                 || !self.content.len().is_multiple_of(bytes)
             {
-                return Err(format!(
-                    "{count} numbers are asked for, it has {} bytes of them",
-                    self.content.len()
-                ));
+                return Err(MatError::OtherCount { asked: count, bytes: self.content.len() });
             }
             Ok(self.content.chunks_exact(bytes).map(|bytes| number(bytes) as f32).collect())
         };
@@ -129,7 +125,7 @@ impl<'a> Element<'a> {
             6 => of(4, |b| f64::from(u32::from_le_bytes(std::array::from_fn(|i| b[i])))),
             7 => of(4, |b| f64::from(f32::from_le_bytes(std::array::from_fn(|i| b[i])))),
             9 => of(8, |b| f64::from_le_bytes(std::array::from_fn(|i| b[i]))),
-            other => Err(format!("numbers of type {other} are not known")),
+            other => Err(MatError::UnknownNumbers(other)),
         }
     }
 }
@@ -188,10 +184,12 @@ mod tests {
         for length in 0..file().len() {
             assert!(complex_values(&file()[..length], SHAPE).is_err(), "{length}");
         }
-        assert!(complex_values(&file(), [3, 2, 1, 2]).is_err_and(|e| e.contains("the scene's radar")));
+        assert!(
+            complex_values(&file(), [3, 2, 1, 2]).is_err_and(|e| e.to_string().contains("the scene's radar"))
+        );
         let bomb = packed(&[&file()[..HEAD_BYTES], &vec![0; 1 << 24][..]].concat());
         assert!(complex_values(&bomb, SHAPE).is_err());
         let hdf5 = [b"\x89HDF\r\n\x1a\n".to_vec(), vec![0; 200]].concat();
-        assert!(complex_values(&hdf5, SHAPE).is_err_and(|e| e.contains("7.3")));
+        assert!(complex_values(&hdf5, SHAPE).is_err_and(|e| e.to_string().contains("7.3")));
     }
 }

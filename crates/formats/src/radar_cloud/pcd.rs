@@ -1,5 +1,6 @@
 //! nuScenes' radar clouds: Point Cloud Data 0.7, binary, eighteen fields, x ahead and y left of the sensor.
 
+use crate::radar_cloud::cloud_error::CloudError;
 use crate::radar_cloud::{DETECTION_LIMIT, Detection};
 use glam::DVec3;
 
@@ -61,19 +62,15 @@ fn append(bytes: &mut Vec<u8>, row: &Row) {
 ///
 /// # Errors A head that is cut off, has no such fields or tells of other rows than stand behind it, and rows
 /// of numbers that no detection has.
-pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Vec<Detection>, String> {
+pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Vec<Detection>, CloudError> {
     let (head, rows) = head_and_rows(bytes)?;
     let layout = Layout::of(&head)?;
     let told = layout.points.checked_mul(layout.row_bytes).filter(|told| *told <= rows.len());
     if told.is_none() {
-        return Err(format!(
-            "its head tells of {} points, behind it are {} bytes",
-            layout.points,
-            rows.len()
-        ));
+        return Err(CloudError::TooFewRows { points: layout.points, bytes: rows.len() });
     }
     if layout.points > DETECTION_LIMIT {
-        return Err(format!("it has more than {DETECTION_LIMIT} detections, the most that are read"));
+        return Err(CloudError::TooManyDetections { limit: DETECTION_LIMIT });
     }
     let rows = rows.chunks_exact(layout.row_bytes).take(layout.points).enumerate();
     rows.filter_map(|(number, row)| layout.detection(number, row)).collect()
@@ -83,10 +80,10 @@ pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Vec<Detection>, String> {
 const HEAD_BYTES: usize = 65_536;
 
 /// Lines of the head, up to the one that tells how the rows are written, and what stands behind it.
-fn head_and_rows(bytes: &[u8]) -> Result<(Vec<Vec<&str>>, &[u8]), String> {
+fn head_and_rows(bytes: &[u8]) -> Result<(Vec<Vec<&str>>, &[u8]), CloudError> {
     let (mut lines, mut at) = (vec![], 0);
     while let Some(length) = bytes[at..].iter().take(HEAD_BYTES).position(|byte| *byte == b'\n') {
-        let line = std::str::from_utf8(&bytes[at..at + length]).map_err(|_| "its head is no text")?;
+        let line = std::str::from_utf8(&bytes[at..at + length]).map_err(|_| CloudError::NoText)?;
         at += length + 1;
         let words: Vec<&str> = line.split_whitespace().collect();
         let is_last = words.first() == Some(&"DATA");
@@ -100,7 +97,7 @@ fn head_and_rows(bytes: &[u8]) -> Result<(Vec<Vec<&str>>, &[u8]), String> {
             break;
         }
     }
-    Err("it ends within its head, which has no line DATA".to_owned())
+    Err(CloudError::EndsInHead)
 }
 
 /// Place and type of a field in a row.
@@ -120,23 +117,23 @@ struct Layout {
 }
 
 impl Layout {
-    fn of(head: &[Vec<&str>]) -> Result<Self, String> {
-        let words = |key: &str| {
+    fn of(head: &[Vec<&str>]) -> Result<Self, CloudError> {
+        let words = |key: &'static str| {
             let line = head.iter().find(|words| words.first() == Some(&key));
-            line.map(|words| &words[1..]).ok_or_else(|| format!("its head has no line {key}"))
+            line.map(|words| &words[1..]).ok_or(CloudError::NoLine(key))
         };
         if words("DATA")? != ["binary"] {
-            return Err("its DATA is not binary".to_owned());
+            return Err(CloudError::NotBinary);
         }
         let (names, sizes, kinds) = (words("FIELDS")?, words("SIZE")?, words("TYPE")?);
         if sizes.len() != names.len()
             || kinds.len() != names.len()
             || words("COUNT")? != vec!["1"; names.len()]
         {
-            return Err("FIELDS, SIZE, TYPE and COUNT do not tell of the same fields of one value".to_owned());
+            return Err(CloudError::UnequalFields);
         }
         let points = words("POINTS")?.first().and_then(|count| count.parse().ok());
-        let points = points.ok_or("POINTS is no number")?;
+        let points = points.ok_or(CloudError::NoPointCount)?;
         let mut fields = Vec::with_capacity(names.len());
         let mut row_bytes = 0;
         for (kind, size) in kinds.iter().zip(sizes) {
@@ -146,13 +143,13 @@ impl Layout {
         }
         let place = |name: &str| names.iter().position(|known| *known == name).map(|at| fields[at]);
         let asked = ["x", "y", "z", "rcs", "vx", "vy"];
-        let found = asked.map(|name| place(name).ok_or_else(|| format!("it has no field {name}")));
+        let found = asked.map(|name| place(name).ok_or(CloudError::NoField(name)));
         let [x, y, z, rcs, vx, vy] = found;
         Ok(Self { points, row_bytes, fields: [x?, y?, z?, rcs?, vx?, vy?] })
     }
 
     /// The detection of a row; `None` of one whose place is no number.
-    fn detection(&self, number: usize, row: &[u8]) -> Option<Result<Detection, String>> {
+    fn detection(&self, number: usize, row: &[u8]) -> Option<Result<Detection, CloudError>> {
         let [x, y, z, section_dbsm, vx, vy] = self.fields.map(|field| field.value(row));
         if x.is_nan() || y.is_nan() {
             return None;
@@ -160,17 +157,17 @@ impl Layout {
         let velocity_mps = (vx * x + vy * y) / x.hypot(y);
         let seen = Detection { place_m: DVec3::new(x, y, z), section_dbsm, velocity_mps };
         let is_sound = seen.is_sound().then_some(seen);
-        Some(is_sound.ok_or_else(|| format!("point {number}: no detection has these numbers")))
+        Some(is_sound.ok_or(CloudError::UnsoundPoint(number)))
     }
 }
 
-fn field(at: usize, kind: &str, size: &str) -> Result<Field, String> {
+fn field(at: usize, kind: &str, size: &str) -> Result<Field, CloudError> {
     match (kind, size) {
         ("F", "4" | "8") | ("I" | "U", "1" | "2" | "4" | "8") => {
             let bytes = if size == "8" { 8 } else { usize::from(size.as_bytes()[0] - b'0') };
             Ok(Field { at, kind: char::from(kind.as_bytes()[0]), bytes })
         }
-        _ => Err(format!("a field of type {kind} and size {size} is not known")),
+        _ => Err(CloudError::UnknownField { kind: kind.to_owned(), size: size.to_owned() }),
     }
 }
 
@@ -241,7 +238,7 @@ mod tests {
             ("DATA", "DATE", "no line DATA"),
         ] {
             let found = of_bytes(whole.replace(from, to).as_bytes());
-            assert!(found.as_ref().is_err_and(|text| text.contains(why)), "{from} -> {to}: {found:?}");
+            assert!(found.as_ref().is_err_and(|e| e.to_string().contains(why)), "{from} -> {to}: {found:?}");
         }
         assert!(of_bytes(&vec![b'x'; 1 << 20]).is_err() && of_bytes(b"").is_err());
     }

@@ -1,6 +1,7 @@
 //! Rows of View-of-Delft's radar clouds: seven float32 a detection, x, y, z, RCS, v_r, v_r compensated for
 //! the vehicle's own motion, and the number of the scan that it is of, 0 the current one.
 
+use crate::radar_cloud::cloud_error::CloudError;
 use crate::radar_cloud::{DETECTION_LIMIT, Detection};
 use glam::DVec3;
 
@@ -20,24 +21,24 @@ pub(crate) fn to_bytes(detections: &[Detection]) -> Vec<u8> {
 ///
 /// # Errors
 /// The file ends within a row, has too many, or one of numbers that are none.
-pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Vec<Detection>, String> {
+pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Vec<Detection>, CloudError> {
     if !bytes.len().is_multiple_of(ROW_BYTES) {
-        return Err(format!("{} bytes are no whole rows of seven float32", bytes.len()));
+        return Err(CloudError::PartOfRow(bytes.len()));
     }
     if bytes.len() / ROW_BYTES > DETECTION_LIMIT {
-        return Err(format!("it has more than {DETECTION_LIMIT} detections, the most that are read"));
+        return Err(CloudError::TooManyDetections { limit: DETECTION_LIMIT });
     }
     bytes.chunks_exact(ROW_BYTES).enumerate().map(|(number, row)| of_row(number, row)).collect()
 }
 
-fn of_row(number: usize, row: &[u8]) -> Result<Detection, String> {
+fn of_row(number: usize, row: &[u8]) -> Result<Detection, CloudError> {
     let value = |column: usize| {
         let bytes: [u8; 4] = std::array::from_fn(|byte| row[4 * column + byte]);
         f64::from(f32::from_le_bytes(bytes))
     };
     let place_m = DVec3::new(value(0), value(1), value(2));
     let seen = Detection { place_m, section_dbsm: value(3), velocity_mps: value(4) };
-    seen.is_sound().then_some(seen).ok_or_else(|| format!("row {number}: no detection has these numbers"))
+    seen.is_sound().then_some(seen).ok_or(CloudError::UnsoundRow(number))
 }
 
 #[cfg(test)]
@@ -58,9 +59,12 @@ mod tests {
 
     #[test]
     fn rows_that_are_cut_off_many_or_no_numbers_are_refused() {
-        assert!(of_bytes(&to_bytes(&[seen()])[1..]).is_err_and(|e| e.contains("whole rows")));
+        assert!(of_bytes(&to_bytes(&[seen()])[1..]).is_err_and(|e| e.to_string().contains("whole rows")));
         let strange = Detection { velocity_mps: f64::NAN, ..seen() };
-        assert!(of_bytes(&to_bytes(&[seen(), strange])).is_err_and(|e| e.starts_with("row 1")));
-        assert!(of_bytes(&vec![0; ROW_BYTES * (DETECTION_LIMIT + 1)]).is_err_and(|e| e.contains("most")));
+        assert!(of_bytes(&to_bytes(&[seen(), strange])).is_err_and(|e| e.to_string().starts_with("row 1")));
+        assert!(
+            of_bytes(&vec![0; ROW_BYTES * (DETECTION_LIMIT + 1)])
+                .is_err_and(|e| e.to_string().contains("most"))
+        );
     }
 }

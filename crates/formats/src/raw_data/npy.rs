@@ -1,7 +1,7 @@
 //! NumPy's `.npy` of complex64 (NumPy Enhancement Proposal 1), its head checked before it is believed: the
 //! values that it tells of have to be there.
 
-use ndarray::{Array4, ShapeBuilder};
+use ndarray::{Array4, ShapeBuilder, ShapeError};
 use num_complex::Complex32;
 
 /// Bytes of a complex64.
@@ -14,30 +14,70 @@ const COMPLEX64: &str = "<c8";
 /// # Errors
 /// A head that is cut off, tells of another type or number of axes, or of none or of other than the values
 /// that stand behind it.
-pub fn complex_values(bytes: &[u8]) -> Result<Array4<Complex32>, String> {
-    let (head, values) = head_and_values(bytes).ok_or("it ends within its head")?;
-    let head = std::str::from_utf8(head).map_err(|_| "its head is no text")?;
-    let [descr, order, shape] = told(head).ok_or("its head tells no shape, type and order alone")?;
-    let shape = sides(shape).ok_or("its head tells no shape")?;
+pub fn of_bytes(bytes: &[u8]) -> Result<Array4<Complex32>, NpyError> {
+    let (head, values) = head_and_values(bytes).ok_or(NpyError::EndsInHead)?;
+    let head = std::str::from_utf8(head).map_err(|_| NpyError::NoText)?;
+    let [descr, order, shape] = told(head).ok_or(NpyError::OtherKeys)?;
+    let shape = sides(shape).ok_or(NpyError::NoShape)?;
     match shape.iter().try_fold(VALUE_BYTES, |bytes, side| bytes.checked_mul(*side)) {
-        Some(0) => return Err("it holds no values".to_owned()),
+        Some(0) => return Err(NpyError::Empty),
         Some(told) if told == values.len() as u64 => {}
-        _ => return Err(format!("its head tells of {shape:?} values, behind it are {} bytes", values.len())),
+        _ => return Err(NpyError::OtherLength { shape, bytes: values.len() }),
     }
     if descr != COMPLEX64 {
-        return Err(format!("its values are of type {descr}"));
+        return Err(NpyError::OtherType(descr.to_owned()));
     }
     let sides: Vec<usize> = shape.iter().map(|side| *side as usize).collect();
-    let sides: [usize; 4] = sides.try_into().map_err(|s: Vec<usize>| format!("it has {} axes", s.len()))?;
+    let sides: [usize; 4] = sides.try_into().map_err(|s: Vec<usize>| NpyError::OtherAxes(s.len()))?;
     let is_column_major = match order {
         "True" => true,
         "False" => false,
-        other => return Err(format!("fortran_order is True or False, not {other}")),
+        other => return Err(NpyError::NoOrder(other.to_owned())),
     };
     let part = |bytes: &[u8]| f32::from_le_bytes(std::array::from_fn(|i| bytes[i]));
     let value = |bytes: &[u8]| Complex32::new(part(bytes), part(&bytes[4..]));
     let values = values.chunks_exact(VALUE_BYTES as usize).map(value).collect();
-    Array4::from_shape_vec(sides.set_f(is_column_major), values).map_err(|e| e.to_string())
+    Array4::from_shape_vec(sides.set_f(is_column_major), values).map_err(NpyError::Shape)
+}
+
+/// An array's file that was refused.
+#[derive(Debug, thiserror::Error)]
+pub enum NpyError {
+    /// The file is none of NumPy's, or is shorter than its head.
+    #[error("it ends within its head")]
+    EndsInHead,
+    /// The head is not UTF-8.
+    #[error("its head is no text")]
+    NoText,
+    /// The head is no dictionary, or one of other keys.
+    #[error("its head tells no shape, type and order alone")]
+    OtherKeys,
+    /// The shape is no list of whole numbers.
+    #[error("its head tells no shape")]
+    NoShape,
+    /// A side of the array is 0.
+    #[error("it holds no values")]
+    Empty,
+    /// Fewer or more values stand behind the head than it tells of.
+    #[error("its head tells of {shape:?} values, behind it are {bytes} bytes")]
+    OtherLength {
+        /// Sides of the array.
+        shape: Vec<u64>,
+        /// Bytes behind the head.
+        bytes: usize,
+    },
+    /// The values are no complex64.
+    #[error("its values are of type {0}")]
+    OtherType(String),
+    /// The array has not four axes.
+    #[error("it has {0} axes")]
+    OtherAxes(usize),
+    /// The order of the values is neither by rows nor by columns.
+    #[error("fortran_order is True or False, not {0}")]
+    NoOrder(String),
+    /// The values do not fill the shape.
+    #[error("{0}")]
+    Shape(#[source] ShapeError),
 }
 
 /// The values of `descr`, `fortran_order` and `shape`, the only keys that a head has.
@@ -107,7 +147,7 @@ mod tests {
 
     #[test]
     fn a_head_is_believed_as_far_as_there_are_values() {
-        assert_eq!(complex_values(&file("(2, 3, 1, 1)", 6)).unwrap().dim(), (2, 3, 1, 1));
+        assert_eq!(of_bytes(&file("(2, 3, 1, 1)", 6)).unwrap().dim(), (2, 3, 1, 1));
         for shape in [
             "(2, 4)",
             "(2, 3)",
@@ -117,13 +157,13 @@ mod tests {
             "2, 3",
             "(1.0, 6)",
         ] {
-            assert!(complex_values(&file(shape, 6)).is_err(), "{shape}");
+            assert!(of_bytes(&file(shape, 6)).is_err(), "{shape}");
         }
         let long = [&b"\x93NUMPY\x02\0"[..], &u32::MAX.to_le_bytes(), b"{}"].concat();
-        assert_eq!(complex_values(&long).unwrap_err(), "it ends within its head");
-        assert!(complex_values(b"\x93NUMPY").is_err() && complex_values(b"").is_err());
+        assert_eq!(of_bytes(&long).unwrap_err().to_string(), "it ends within its head");
+        assert!(of_bytes(b"\x93NUMPY").is_err() && of_bytes(b"").is_err());
         let other = String::from_utf8_lossy(&file("(1, 1, 1, 1)", 1)).replace("<c8", "<f8");
-        assert!(complex_values(other.as_bytes()).is_err());
+        assert!(of_bytes(other.as_bytes()).is_err());
     }
 
     /// Written by another library, in both orders.
@@ -137,7 +177,7 @@ mod tests {
         for array in [array, turned] {
             let mut bytes = Vec::new();
             array.write_npy(&mut bytes).unwrap();
-            assert_eq!(complex_values(&bytes).unwrap(), array);
+            assert_eq!(of_bytes(&bytes).unwrap(), array);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Raw frames of the University of Washington: a `.mat` a frame, `[sample, chirp, receiver, transmitter]`.
 
-use crate::mat_file;
+use crate::mat_file::{self, MatError};
 use crate::radar_cloud::import::frames_of;
 use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
 use artifact::bounded;
@@ -34,6 +34,6 @@ pub fn read(asked: &Path, header: &CubeHeader) -> Result<Imported, Failure> {
 
 fn of_file(file: &Path, header: &CubeHeader) -> Result<Vec<Complex32>, Failure> {
     let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-    let refused = |why: String| Failure::Refused(format!("{}: {why}", file.display()));
+    let refused = |why: MatError| Failure::Refused(format!("{}: {why}", file.display()));
     mat_file::complex_values(&bytes, shape(header)).map_err(refused)
 }

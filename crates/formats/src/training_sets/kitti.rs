@@ -5,14 +5,13 @@
 //! axes of the radar; `training/label_2/NNNNN.txt` the boxes, `training/calib/NNNNN.txt` a camera that is
 //! made up: a pinhole at the radar's place that looks along its x axis.
 
-use crate::heights::Heights;
 use crate::levelled_axes::{LevelledAxes, wrapped};
 use crate::radar_cloud::{Detection, velodyne};
-use crate::training_sets::radar_of_points::{radar_of, sections_of};
+use crate::training_sets::opened_points::OpenedPoints;
+use crate::training_sets::radar_of_points::sections_of;
 use crate::training_sets::set_folder::SetFolder;
-use crate::training_sets::truth_boxes::{TruthBox, TruthBoxes};
-use artifact::Reader;
-use artifact::points::{Points, PointsFrame, PointsHeader};
+use crate::training_sets::truth_boxes::TruthBox;
+use artifact::points::{PointsFrame, PointsHeader};
 use artifact::settings::Class;
 use glam::DVec3;
 use pipeline::host::failure::Failure;
@@ -29,11 +28,7 @@ const NEAREST_M: f64 = 0.1;
 
 /// Writes the points of a run, labelled where a scene is given.
 pub(crate) fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
-    let (reader, heights) = (Reader::<Points>::open(file)?, Heights::of(file)?);
-    let header = reader.header().clone();
-    let radar = header.cube.as_ref().map(|cube| &cube.radar);
-    let mut truth = scene.map(|file| TruthBoxes::open(file, radar)).transpose()?;
-    let axes = LevelledAxes::of(radar_of(&header, truth.as_ref())?);
+    let OpenedPoints { reader, header, heights, mut truth, axes } = OpenedPoints::open(file, scene)?;
     let mut set = SetFolder::begin(out)?;
     let mut names = String::new();
     let frames = set.each_frame(

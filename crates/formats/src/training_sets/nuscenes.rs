@@ -3,15 +3,14 @@
 //! `samples/RADAR_FRONT/NNNNNN.pcd` in the levelled axes of the radar, tables as JSON in `v1.0-wayside`. The
 //! global frame is the scene's world; the vehicle that carries the radar stands at the radar's foot.
 
-use crate::heights::Heights;
 use crate::levelled_axes::LevelledAxes;
 use crate::radar_cloud::{Detection, pcd};
 use crate::training_sets::nuscenes_tables::{Seen, Tables};
-use crate::training_sets::radar_of_points::{radar_of, sections_of};
+use crate::training_sets::opened_points::OpenedPoints;
+use crate::training_sets::radar_of_points::sections_of;
 use crate::training_sets::set_folder::SetFolder;
-use crate::training_sets::truth_boxes::{TruthBox, TruthBoxes};
-use artifact::Reader;
-use artifact::points::{Point, Points, PointsFrame, PointsHeader};
+use crate::training_sets::truth_boxes::TruthBox;
+use artifact::points::{Point, PointsFrame, PointsHeader};
 use glam::DVec3;
 use pipeline::host::failure::Failure;
 use reporting::pictures;
@@ -26,11 +25,7 @@ const NEAR_M: f64 = 0.5;
 
 /// Writes the points of a run as one scene of the set, labelled where a scene is given.
 pub(crate) fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
-    let (reader, heights) = (Reader::<Points>::open(file)?, Heights::of(file)?);
-    let header = reader.header().clone();
-    let radar = header.cube.as_ref().map(|cube| &cube.radar);
-    let mut truth = scene.map(|file| TruthBoxes::open(file, radar)).transpose()?;
-    let axes = LevelledAxes::of(radar_of(&header, truth.as_ref())?);
+    let OpenedPoints { reader, header, heights, mut truth, axes } = OpenedPoints::open(file, scene)?;
     let name = truth.as_ref().map_or("scene".to_owned(), |truth| truth.header().name.clone());
     let mut set = SetFolder::begin(out)?;
     let mut tables = Tables::of(&name, &axes);

@@ -148,6 +148,6 @@ fn of_array(file: &Path, shape: [usize; 3]) -> Result<Vec<Vec<Complex32>>, Failu
 fn read(file: &Path) -> Result<Array4<Complex32>, Failure> {
     let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     let rule = "a .npy of complex64 in the shape [frame, channel, chirp, sample] is needed";
-    let refused = |why: String| Failure::Refused(format!("{}: {why}: {rule}", file.display()));
-    npy::complex_values(&bytes).map_err(refused)
+    let refused = |why: npy::NpyError| Failure::Refused(format!("{}: {why}: {rule}", file.display()));
+    npy::of_bytes(&bytes).map_err(refused)
 }
