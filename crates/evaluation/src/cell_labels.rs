@@ -120,7 +120,9 @@ impl<'a> CellMap<'a> {
         sums
     }
 
-    /// Adds what an echo leaves in the cells about it; rows follow each other in a circle.
+    /// Adds what an echo leaves in the cells about it; rows follow each other in a circle, and so do the
+    /// columns of a whole sample rate, of which the map of real samples shows one half (what folds into it
+    /// there is left out).
     fn lay(&self, echo: &PathOnMap, value: Complex64, sums: &mut [Complex64]) {
         let [velocity_cell_mps, range_cell_m] = self.response.cells;
         let speed_mps = echo.radial_velocity_mps;
@@ -129,8 +131,11 @@ impl<'a> CellMap<'a> {
         for r in reached(row) {
             let of_row = value * at(&self.response.along[0], r as f64 - row);
             let begin = r.rem_euclid(self.rows as i64) as usize * self.columns;
-            for c in reached(column).filter(|c| (0..self.columns as i64).contains(c)) {
-                sums[begin + c as usize] += of_row * at(&self.response.along[1], c as f64 - column);
+            for c in reached(column) {
+                let shown = c.rem_euclid(i64::from(self.radar.waveform.samples)) as usize;
+                if shown < self.columns {
+                    sums[begin + shown] += of_row * at(&self.response.along[1], c as f64 - column);
+                }
             }
         }
     }

@@ -130,7 +130,7 @@ impl Group {
     }
 }
 
-/// A path at the frame's middle, as a map shows it; of a wheel its hub.
+/// A path at the frame's middle, as a map shows it.
 pub(crate) struct PathOnMap {
     pub(crate) group: Group,
     /// √W, with its phase in the middle of the sweep.
@@ -195,7 +195,7 @@ impl MapResponse {
         let mut shares: BTreeMap<Group, Share> = BTreeMap::new();
         for (index, echo) in echoes.iter().enumerate() {
             let Some(left) = self.left_of(radar, echo, point) else { continue };
-            let value = echo.value * left * beam(radar, echo, toward);
+            let value = left.of(echo.value * beam(radar, echo, toward));
             let share = shares.entry(echo.group).or_default();
             share.sum += value;
             if value.norm_sqr() >= share.largest {
@@ -205,20 +205,48 @@ impl MapResponse {
         shares
     }
 
-    /// Share of the amplitude; `None` beyond the reach of the windows.
-    fn left_of(&self, radar: &Radar, echo: &PathOnMap, point: &Point) -> Option<f64> {
+    /// Share of the amplitude; `None` beyond the reach of the windows. Tones are the same a sample rate apart,
+    /// and rows a turn per chirp: echoes from beyond the map fold into it.
+    fn left_of(&self, radar: &Radar, echo: &PathOnMap, point: &Point) -> Option<Left> {
         // Both as the map shows them: a moving echo stands f_c/μ metres farther for each m/s.
         let w = &radar.waveform;
-        let apart_mps = echo.radial_velocity_mps - point.radial_velocity_mps;
-        let columns = (echo.range_m - point.range_m + coupling_m(w, apart_mps)) / self.cells[1];
-        if columns.abs() >= REACH_CELLS {
-            return None;
-        }
-        let span = f64::from(w.chirps);
-        let rows = apart_mps / self.cells[0];
-        let rows = rows - span * (rows / span).round();
-        (rows.abs() < REACH_CELLS).then(|| at(&self.along[0], rows) * at(&self.along[1], columns))
+        let column = |range_m: f64, mps: f64| (range_m + coupling_m(w, mps)) / self.cells[1];
+        let of_point = column(point.range_m, point.radial_velocity_mps);
+        let of_echo = column(echo.range_m, echo.radial_velocity_mps);
+        let rows = (echo.radial_velocity_mps - point.radial_velocity_mps) / self.cells[0];
+        let [turn, rate] = [w.chirps, w.samples].map(f64::from);
+        let direct = [folded(rows, turn), folded(of_echo - of_point, rate)];
+        let image =
+            [folded(rows_of_image(echo, point, self.cells[0]), turn), folded(-of_echo - of_point, rate)];
+        let has_image = w.sampling == Sampling::Real;
+        let within = |[rows, columns]: [f64; 2]| rows.abs() < REACH_CELLS && columns.abs() < REACH_CELLS;
+        let share = |[rows, columns]: [f64; 2]| at(&self.along[0], rows) * at(&self.along[1], columns);
+        let direct = within(direct).then(|| Left { share: share(direct), is_image: false });
+        direct.or_else(|| (has_image && within(image)).then(|| Left { share: share(image), is_image: true }))
     }
+}
+
+/// Part of a tone's amplitude that a cell has.
+struct Left {
+    share: f64,
+    /// Of a real tone: whether it is that of the negative frequency.
+    is_image: bool,
+}
+
+impl Left {
+    fn of(&self, value: Complex64) -> Complex64 {
+        self.share * if self.is_image { value.conj() } else { value }
+    }
+}
+
+/// Rows from the point to the image of an echo: the velocity of a conjugated tone has the other sign.
+fn rows_of_image(echo: &PathOnMap, point: &Point, cell_mps: f64) -> f64 {
+    -(echo.radial_velocity_mps + point.radial_velocity_mps) / cell_mps
+}
+
+/// Cells to the nearest of places that are a period apart.
+pub(crate) fn folded(cells: f64, period: f64) -> f64 {
+    cells - period * (cells / period).round()
 }
 
 pub(crate) fn at(response: &[f64], cells: f64) -> f64 {

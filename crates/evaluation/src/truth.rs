@@ -4,7 +4,7 @@ use crate::ground_outline::GroundOutline;
 use artifact::paths::{Path, PathsFrame};
 use artifact::scene::{Pose, Role, SceneFrame, SceneHeader, TargetKind};
 use glam::DVec3;
-use radar::path_kinematics::{legs, mean_share};
+use radar::path_kinematics::{legs, mean_share, nodes};
 
 /// Truth of one target at the frame's middle, seen from the radar's position.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,9 +58,10 @@ pub fn truths(header: &SceneHeader, frame: &SceneFrame, paths: Option<&PathsFram
 
 fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFrame>) -> Truth {
     let pose = &radar::motion::pose_after(pose, header.radar.frame_middle_s());
-    let position_m = DVec3::from(pose.position_m);
+    let of_origin = (DVec3::from(pose.position_m), DVec3::from(pose.velocity_mps));
+    let (position_m, velocity_mps) = paths.and_then(|p| on_rim(header, index, &p.paths)).unwrap_or(of_origin);
     let away = position_m - DVec3::from(header.radar.position_m);
-    let (range_m, velocity_mps) = (away.length(), DVec3::from(pose.velocity_mps));
+    let range_m = away.length();
     let echo = paths.and_then(|p| echo(header, index, &p.paths));
     Truth {
         role: header.targets[index].role,
@@ -74,6 +75,12 @@ fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFr
         echo,
         sends_back: paths.is_none() || echo.is_some(),
     }
+}
+
+/// Place and velocity of a point that is on the rim of a wheel; its pose is that of the hub.
+fn on_rim(header: &SceneHeader, index: usize, paths: &[Path]) -> Option<(DVec3, DVec3)> {
+    let is_it = |path: &&Path| path.target as usize == index && path.curve.rim.is_some();
+    paths.iter().find(is_it).map(|path| nodes(&header.radar, path)[0])
 }
 
 fn outline(header: &SceneHeader, index: usize, pose: &Pose) -> GroundOutline {

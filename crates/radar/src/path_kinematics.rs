@@ -1,7 +1,7 @@
 //! Apparent place of a path's node in the frame's middle, seen from the radar's position, and the share of
 //! the frame that the path stands for.
 
-use artifact::paths::Path;
+use artifact::paths::{Path, Rim};
 use artifact::radar::Radar;
 use glam::DVec3;
 
@@ -16,13 +16,42 @@ pub struct Leg {
     pub direction: DVec3,
 }
 
-/// The legs from the transmitter and from the receiver in the frame's middle; of a wheel those of its hub.
+/// The legs from the transmitter and from the receiver in the frame's middle.
 pub fn legs(radar: &Radar, path: &Path) -> [Leg; 2] {
-    let curve = &path.curve;
+    nodes(radar, path).map(|(at_m, mps)| {
+        let away = at_m - DVec3::from(radar.position_m);
+        let length_m = away.length();
+        Leg { length_m, rate_mps: away.dot(mps) / length_m, direction: away / length_m }
+    })
+}
+
+/// Place and velocity of a path's node in the frame's middle, as it appears from the transmitter and from the
+/// receiver.
+pub fn nodes(radar: &Radar, path: &Path) -> [(DVec3, DVec3); 2] {
+    let (curve, middle_s) = (&path.curve, radar.frame_middle_s());
+    let node = |at_m: [f64; 3], mps: [f64; 3], mps2: [f64; 3]| {
+        let gained = DVec3::from(mps2) * middle_s;
+        let velocity = DVec3::from(mps) + gained;
+        let way_m = (velocity - 0.5 * gained) * middle_s;
+        let hub = (DVec3::from(at_m) + way_m, velocity);
+        curve.rim.map_or(hub, |rim| on_rim(&rim, way_m, hub))
+    };
     [
-        leg(radar, path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2),
-        leg(radar, path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2),
+        node(path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2),
+        node(path.apparent_rx_m, path.apparent_rx_mps, curve.apparent_rx_mps2),
     ]
+}
+
+/// The point on the rim of a wheel that has rolled `way_m` and whose hub is at a place with a velocity: hub +
+/// r·(cos φ·forward + sin φ·up), φ = φ₀ − (way along forward)/r.
+fn on_rim(rim: &Rim, way_m: DVec3, (hub_m, hub_mps): (DVec3, DVec3)) -> (DVec3, DVec3) {
+    let forward = DVec3::from(rim.forward);
+    let (sin, cos) = (rim.angle_rad - way_m.dot(forward) / rim.radius_m).sin_cos();
+    let rolling_mps = hub_mps.dot(forward);
+    (
+        hub_m + rim.radius_m * (cos * forward + sin * DVec3::Z),
+        hub_mps + rolling_mps * (sin * forward - cos * DVec3::Z),
+    )
 }
 
 /// Mean over the frame of a path's share of the echo: 1 where it stands for all of it.
@@ -33,12 +62,47 @@ pub fn mean_share(radar: &Radar, path: &Path) -> f64 {
     (0..INSTANTS).map(|i| span.share(seconds(i))).sum::<f64>() / f64::from(INSTANTS)
 }
 
-fn leg(radar: &Radar, apparent_m: [f64; 3], apparent_mps: [f64; 3], apparent_mps2: [f64; 3]) -> Leg {
-    let middle_s = radar.frame_middle_s();
-    let gained = DVec3::from(apparent_mps2) * middle_s;
-    let velocity = DVec3::from(apparent_mps) + gained;
-    let at_middle = DVec3::from(apparent_m) + (velocity - 0.5 * gained) * middle_s;
-    let away = at_middle - DVec3::from(radar.position_m);
-    let length_m = away.length();
-    Leg { length_m, rate_mps: away.dot(velocity) / length_m, direction: away / length_m }
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::aperture::Preset;
+    use crate::paper;
+    use artifact::paths::{Curve, Facet, MAX_ORDER};
+    use std::f64::consts::FRAC_PI_2;
+
+    /// A wheel of 0.33 m whose hub is in the frame's middle at 30 m and drives at 8 m/s towards the radar.
+    fn wheel(angle_rad: f64) -> (Radar, Path) {
+        let radar = paper::radar([0.0, 0.0, 6.0], paper::waveform(256, 128), Preset::OneByOne.elements());
+        let (mps, way_m) = ([0.0, -8.0, 0.0], 8.0 * radar.frame_middle_s());
+        let hub_m = [0.0, 30.0 + way_m, 0.33];
+        let rim = Rim { radius_m: 0.33, forward: [0.0, -1.0, 0.0], angle_rad: angle_rad + way_m / 0.33 };
+        let path = Path {
+            target: 0,
+            order: 0,
+            apparent_tx_m: hub_m,
+            apparent_tx_mps: mps,
+            apparent_rx_m: hub_m,
+            apparent_rx_mps: mps,
+            amplitude_m: Default::default(),
+            slope_m_per_hz: Default::default(),
+            facets: [Facet::default(); MAX_ORDER],
+            curve: Curve { rim: Some(rim), ..Curve::default() },
+        };
+        (radar, path)
+    }
+
+    #[test]
+    fn the_top_of_a_wheel_is_twice_as_fast_as_its_hub_and_the_point_on_the_road_stands() {
+        for (angle_rad, place_m, mps) in [
+            (FRAC_PI_2, [0.0, 30.0, 0.66], [0.0, -16.0, 0.0]),
+            (-FRAC_PI_2, [0.0, 30.0, 0.0], [0.0; 3]),
+            (0.0, [0.0, 29.67, 0.33], [0.0, -8.0, -8.0]),
+        ] {
+            let (radar, path) = wheel(angle_rad);
+            let [(at_m, velocity), from_receiver] = nodes(&radar, &path);
+            assert_eq!((at_m, velocity), from_receiver);
+            assert!((at_m - DVec3::from(place_m)).length() < 1e-12, "{at_m}");
+            assert!((velocity - DVec3::from(mps)).length() < 1e-12, "{velocity}");
+        }
+    }
 }

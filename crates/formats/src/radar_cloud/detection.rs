@@ -19,8 +19,12 @@ pub(crate) struct Detection {
 
 /// Cross section of a point in dBsm; 0, as clouds have it, where the noise is not known.
 fn cross_section(header: Option<&CubeHeader>, point: &Point) -> f64 {
-    header.and_then(|header| cross_section_dbsm(header, point)).unwrap_or(0.0)
+    let shown = Point { snr_db: point.snr_db.max(FAINTEST_SNR_DB), ..*point };
+    header.and_then(|header| cross_section_dbsm(header, &shown)).unwrap_or(0.0)
 }
+
+/// Power over noise below which nothing is left for an echo: such points are told as a tenth of the noise.
+const FAINTEST_SNR_DB: f64 = 0.414;
 
 impl Detection {
     /// The detection that a point is.

@@ -3,7 +3,7 @@
 use crate::training_sets::truth_boxes::TruthBoxes;
 use artifact::Radar;
 use artifact::points::PointsHeader;
-use artifact::radar::Sampling;
+use artifact::radar::{Multiplexing, Sampling};
 use artifact::settings::Noise;
 use pipeline::host::failure::Failure;
 
@@ -22,7 +22,8 @@ pub(crate) fn radar_of<'a>(
 pub(crate) fn sections_of(points: &PointsHeader) -> &'static str {
     let is_known = points.cube.as_ref().is_some_and(|cube| {
         let is_thermal = matches!(cube.noise, Noise::Figure { .. });
-        is_thermal && cube.radar.waveform.sampling == Sampling::Complex
+        let has_codes = cube.radar.array.multiplexing == Multiplexing::Bpm;
+        is_thermal && !has_codes && cube.radar.waveform.sampling == Sampling::Complex
     });
     if is_known { "dBsm, by the radar equation" } else { "not known: 0" }
 }

@@ -98,3 +98,34 @@ fn a_run_of_many_frames_has_tracks_with_metrics_and_identities() {
     let text = String::from_utf8(place.bytes("out/report.html")).unwrap();
     assert!(text.contains("GOSPA"));
 }
+
+/// A point a third beyond the range that the waveform tells, and one on top of a wheel that drives: their
+/// echoes stand where neither body is, and are theirs all the same.
+#[test]
+fn echoes_that_fold_in_range_and_those_of_a_rim_have_their_targets() {
+    for (sampling, far_m) in [("complex", 80.0), ("real", 45.0)] {
+        let place = Workplace::new();
+        let scene = format!(
+            "name = \"folded\"\n[radar]\nposition_m = [0.0, 0.0, 1.0]\n[radar.waveform]\nchirps = 64\n\
+             [radar.receiver]\nsampling = \"{sampling}\"\n[radar.array]\npreset = \"3x4\"\n[noise]\nnoise_figure_db = 12.0\n[dsp]\nassumed_height_m = 1.0\n\
+             [[target]]\nkind = \"point\"\nid = \"far\"\nrcs_m2 = 200.0\nposition_m = [5.0, {far_m:.1}, 1.0]\n\
+             velocity_mps = [0.0, -5.0, 0.0]\n\
+             [[target]]\nkind = \"point\"\nid = \"rim\"\nrcs_m2 = 20.0\nposition_m = [0.0, 25.0, 0.33]\n\
+             velocity_mps = [0.0, -6.0, 0.0]\nwheel_radius_m = 0.33\nwheel_angle_deg = 90.0\n"
+        );
+        std::fs::write(place.path("folded.toml"), scene).unwrap();
+        place.run("run folded.toml --out out --quiet");
+        let rows = table(&place, "frames.points");
+        let strong = rows.iter().filter(|row| row["snr_db"].parse::<f64>().unwrap() > 15.0);
+        let mut known: BTreeMap<&str, usize> = BTreeMap::new();
+        strong.for_each(|row| *known.entry(row["true_target"].as_str()).or_default() += 1);
+        println!("{sampling}: {known:?}");
+        assert!(known.len() == 2 && known.contains_key("far") && known.contains_key("rim"), "{known:?}");
+        let summary = place.summary("out/summary.json");
+        let rim = &summary["frames"][0]["targets"][1];
+        assert_eq!(rim["found"], true, "{rim}");
+        let error =
+            |key: &str| (rim["estimate"][key].as_f64().unwrap() - rim["truth"][key].as_f64().unwrap()).abs();
+        assert!(error("range_m") < 0.05 && error("radial_velocity_mps") < 0.05, "{rim}");
+    }
+}
