@@ -18,13 +18,13 @@ fn main() {
         let reference = (stage == "bart-rcs").then(|| root.join("crates/po-sbr")); // tables of both are kept alike
         let places = || common.iter().chain([&own]).chain(&reference);
         places().for_each(|place| println!("cargo::rerun-if-changed={}", place.display()));
-        let hash = sources::hash_of(places()).unwrap_or_else(|sentence| fail(&sentence));
+        let hash = sources::hash_of(places()).unwrap_or_else(|error| fail(&error));
         println!("cargo::rustc-env=SOURCES_OF_{}={hash}", stage.replace('-', "_").to_uppercase());
     }
 }
 
-/// Ends the build with a sentence.
-fn fail(sentence: &str) -> ! {
-    println!("cargo::error={sentence}");
+/// Ends the build with the sentence of an error.
+fn fail(error: &sources::SourceError) -> ! {
+    println!("cargo::error={error}");
     std::process::exit(1);
 }

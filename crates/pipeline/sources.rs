@@ -1,25 +1,53 @@
 //! The hash of source files: by `build.rs` for cache keys, by `xtask` for the age of the pages of `docs/`.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Of all sources at these places, one after the other; a sentence where one cannot be read.
-pub(crate) fn hash_of<'a>(places: impl IntoIterator<Item = &'a PathBuf>) -> Result<blake3::Hash, String> {
+/// Of all sources at these places, one after the other.
+pub(crate) fn hash_of<'a>(
+    places: impl IntoIterator<Item = &'a PathBuf>,
+) -> Result<blake3::Hash, SourceError> {
     let mut hasher = blake3::Hasher::new();
     for place in places {
         for file in sources(place)? {
-            let bytes = std::fs::read(&file).map_err(|e| format!("{}: {e}", file.display()))?;
+            let bytes = std::fs::read(&file).map_err(SourceError::at(&file))?;
             hasher.update(file.file_name().unwrap_or_default().as_encoded_bytes()).update(&bytes);
         }
     }
     Ok(hasher.finalize())
 }
 
+/// A source, or a folder of sources, that cannot be read.
+#[derive(Debug)]
+pub(crate) struct SourceError {
+    place: PathBuf,
+    cause: std::io::Error,
+}
+
+impl SourceError {
+    fn at(place: &Path) -> impl FnOnce(std::io::Error) -> Self {
+        |cause| Self { place: place.to_owned(), cause }
+    }
+}
+
+impl fmt::Display for SourceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place.display(), self.cause)
+    }
+}
+
+impl std::error::Error for SourceError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&self.cause)
+    }
+}
+
 /// The file itself, or all `.rs` and `.toml` files below the folder but tests, in a fixed order.
-fn sources(place: &Path) -> Result<Vec<PathBuf>, String> {
+fn sources(place: &Path) -> Result<Vec<PathBuf>, SourceError> {
     if place.is_file() {
         return Ok(vec![place.to_owned()]);
     }
-    let entries = std::fs::read_dir(place).map_err(|e| format!("{}: {e}", place.display()))?;
+    let entries = std::fs::read_dir(place).map_err(SourceError::at(place))?;
     let mut entries: Vec<PathBuf> = entries.flatten().map(|e| e.path()).filter(|p| is_source(p)).collect();
     entries.sort();
     let mut all = Vec::new();

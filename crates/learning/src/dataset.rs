@@ -3,9 +3,6 @@
 //! scene with truth and estimates. Whoever finds all shards made writes what is made of all.
 
 mod recipe;
-mod rules;
-mod models;
-mod document;
 mod draws;
 mod layout;
 mod places;

@@ -2,6 +2,7 @@
 
 use crate::axes::{Axes, Axis};
 use crate::colours::heat;
+use crate::error::PlottingError;
 use crate::form::Form;
 use crate::marks::Legend;
 use crate::raster::{self, Pixels};
@@ -33,7 +34,7 @@ pub struct HeatMap {
 
 impl HeatMap {
     /// Draws the map as high as wide: a metre is as long across as up.
-    pub fn draw_square(&self) -> Result<Svg, String> {
+    pub fn draw_square(&self) -> Result<Svg, PlottingError> {
         const SIDE: f64 = 420.0;
         let mut sheet = Svg::new(self.title.clone(), SIDE + 130.0, 0.0);
         let top = head(&mut sheet, &self.title, &self.notes);
@@ -72,7 +73,7 @@ pub fn head(sheet: &mut Svg, title: &str, notes: &[String]) -> f64 {
 }
 
 /// Levels as colours, row 0 at the bottom.
-pub fn heat_png(map: &Array2<f64>, [dark, bright]: [f64; 2]) -> Result<Vec<u8>, String> {
+pub fn heat_png(map: &Array2<f64>, [dark, bright]: [f64; 2]) -> Result<Vec<u8>, PlottingError> {
     let (rows, columns) = map.dim();
     let upside_down = map.rows().into_iter().rev();
     let colours: Vec<u8> = upside_down

@@ -11,6 +11,7 @@ pub mod labels;
 pub mod marks;
 pub mod form;
 pub mod axes;
+pub mod error;
 pub mod raster;
 pub mod heat_map;
 pub mod lines;

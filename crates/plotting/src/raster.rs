@@ -1,6 +1,7 @@
 //! SVG to PNG, with the typeface that the program carries: a bare machine has none. Pictures within a drawing
 //! are laid between its marks here, so that the renderer needs no readers of picture formats.
 
+use crate::error::PlottingError;
 use crate::svg::{Layer, Paper, Svg};
 use resvg::tiny_skia::{FilterQuality, Paint, Pattern, Pixmap, PixmapMut, Rect, SpreadMode, Transform};
 use resvg::usvg;
@@ -18,15 +19,14 @@ static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
 });
 
 /// The picture as PNG.
-pub fn png(picture: &Svg) -> Result<Vec<u8>, String> {
+pub fn png(picture: &Svg) -> Result<Vec<u8>, PlottingError> {
     let options = usvg::Options { fontdb: FONTS.clone(), ..usvg::Options::default() };
     let (width, height) = ((picture.width as f32 * SCALE) as u32, (picture.height as f32 * SCALE) as u32);
-    let mut pixels = Pixmap::new(width.max(1), height.max(1)).ok_or("the picture is too large")?;
+    let mut pixels = Pixmap::new(width.max(1), height.max(1)).ok_or(PlottingError::TooLarge)?;
     let draw = |marks: &str, paper: Paper, pixels: &mut PixmapMut| {
-        let tree =
-            usvg::Tree::from_str(&picture.of_marks(marks, paper), &options).map_err(|e| e.to_string())?;
+        let tree = usvg::Tree::from_str(&picture.of_marks(marks, paper), &options)?;
         resvg::render(&tree, Transform::from_scale(SCALE, SCALE), pixels);
-        Ok::<_, String>(())
+        Ok::<_, PlottingError>(())
     };
     let sheet = &mut pixels.as_mut();
     draw("", Paper::White, sheet)?;
@@ -36,12 +36,12 @@ pub fn png(picture: &Svg) -> Result<Vec<u8>, String> {
             Layer::Image { corner, size, png } => lay(sheet, *corner, *size, png)?,
         }
     }
-    pixels.encode_png().map_err(|e| e.to_string())
+    Ok(pixels.encode_png()?)
 }
 
 /// Stretches a PNG over a rectangle of the drawing.
-fn lay(pixels: &mut PixmapMut, corner: [f64; 2], size: [f64; 2], png: &[u8]) -> Result<(), String> {
-    let image = Pixmap::decode_png(png).map_err(|e| e.to_string())?;
+fn lay(pixels: &mut PixmapMut, corner: [f64; 2], size: [f64; 2], png: &[u8]) -> Result<(), PlottingError> {
+    let image = Pixmap::decode_png(png)?;
     let ([x, y], [width, height]) = (corner.map(hundredths), size.map(hundredths));
     let (columns, rows) = (image.width() as f32, image.height() as f32);
     let Some(whole) = Rect::from_xywh(0.0, 0.0, columns, rows) else { return Ok(()) };
@@ -70,7 +70,7 @@ pub enum Pixels {
 }
 
 /// Bytes of pixels, row by row from the top, as PNG.
-pub fn encode(pixels: Pixels, [width, height]: [usize; 2], values: &[u8]) -> Result<Vec<u8>, String> {
+pub fn encode(pixels: Pixels, [width, height]: [usize; 2], values: &[u8]) -> Result<Vec<u8>, PlottingError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
     encoder.set_depth(png::BitDepth::Eight);
@@ -79,9 +79,9 @@ pub fn encode(pixels: Pixels, [width, height]: [usize; 2], values: &[u8]) -> Res
         Pixels::Rgb => png::ColorType::Rgb,
         Pixels::Rgba => png::ColorType::Rgba,
     });
-    let mut writer = encoder.write_header().map_err(|e| e.to_string())?;
-    writer.write_image_data(values).map_err(|e| e.to_string())?;
-    writer.finish().map_err(|e| e.to_string())?;
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(values)?;
+    writer.finish()?;
     Ok(bytes)
 }
 
@@ -103,5 +103,15 @@ mod tests {
             [colour(2, 2), colour(27, 12), colour(15, 7)],
             [[255, 0, 0], [0, 0, 255], [255, 255, 255]]
         );
+    }
+
+    #[test]
+    fn a_picture_that_is_too_large_or_holds_one_that_is_no_png_is_refused_with_its_reason() {
+        let huge = png(&Svg::new("huge", 1e9, 1e9)).unwrap_err();
+        assert_eq!(huge.to_string(), "the picture is too large");
+        let mut sheet = Svg::new("no PNG", 20.0, 10.0);
+        sheet.image([0.0, 0.0], [20.0, 10.0], b"no PNG");
+        assert!(matches!(png(&sheet), Err(PlottingError::Image(_))));
+        assert!(matches!(encode(Pixels::Grey, [2, 1], &[0]), Err(PlottingError::Pixels(_))));
     }
 }

@@ -27,7 +27,7 @@ fn straight_on(pose: &Pose, elapsed_s: f64) -> Pose {
     }
 }
 
-/// With the velocity R(ωt)(v + at) the way is ∫R(ωs)(v + as)ds; upwards nothing turns.
+/// The way is ∫R(ωs)(v + as)ds, for the velocity is R(ωt)(v + at); upwards nothing turns.
 fn around(pose: &Pose, t: f64) -> Pose {
     let (angle_rad, straight) = (pose.yaw_radps * t, straight_on(pose, t));
     let [of_velocity, of_acceleration] = [means(angle_rad), ramp_means(angle_rad)];

@@ -25,7 +25,7 @@ pub(super) const CHAIN: &[&str] = &["crates/scene", "crates/bart-rcs", "crates/f
 pub(super) fn hash(places: Places) -> Result<String, Failure> {
     let root = project_root();
     let all: Vec<_> = LEAVES.iter().chain(places.iter().copied().flatten()).map(|p| root.join(p)).collect();
-    let hash = hashed::hash_of(&all).map_err(Failure::System)?;
+    let hash = hashed::hash_of(&all).map_err(|error| Failure::System(error.to_string()))?;
     Ok(hash.to_hex()[..8].to_owned())
 }
 

@@ -70,7 +70,8 @@ impl MovingPlane {
     /// Image of a point that moves, and its motion.
     ///
     /// With d = (x − p)·n the image is x − 2dn, its velocity v − 2ḋn − 2dṅ with ḋ = (v − v_p)·n + (x − p)·ṅ
-    /// and ṅ = ω × n, its acceleration a − 2d̈n − 4ḋṅ − 2dn̈ with d̈ = (a − a_p)·n + 2(v − v_p)·ṅ + (x − p)·n̈.
+    /// and ṅ = ω × n, its acceleration a − 2d̈n − 4ḋṅ − 2dn̈ with d̈ = (a − a_p)·n + 2(v − v_p)·ṅ + (x −
+    /// p)·n̈.
     pub(crate) fn image(&self, at_m: DVec3, motion: Motion) -> (DVec3, Motion) {
         let (n, of_plane) = (self.normal, self.body.at(self.point_m));
         let from_plane_m = at_m - self.point_m;

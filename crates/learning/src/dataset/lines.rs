@@ -1,8 +1,7 @@
 //! JSON lines of a dataset: a line a scene beside each shard, from which a line a sample is made.
 
 use crate::dataset::draws::Drawn;
-use crate::dataset::recipe::Recipe;
-use crate::dataset::rules::{FRAMES_LIMIT, VEHICLES_LIMIT};
+use crate::dataset::recipe::{FRAMES_LIMIT, Recipe, VEHICLES_LIMIT};
 use crate::dataset::seen::SeenFrame;
 use crate::dataset::staging::{Staged, ToldVehicle};
 use artifact::points::Object;

@@ -1,11 +1,19 @@
 //! A dataset's recipe, `SPEC.toml`; its keys are in `docs/datasets.md`.
 
-use crate::dataset::document::{Base, Document};
-use crate::dataset::models::{self, Model};
-use crate::dataset::rules;
+mod error;
+mod models;
+mod document;
+mod rules;
+
+pub(super) use document::Base;
+pub(super) use models::Model;
+pub(super) use rules::{FRAMES_LIMIT, VEHICLES_LIMIT};
+
 use artifact::bounded;
 use artifact::scene::SceneHeader;
 use artifact::settings::Class;
+use document::Document;
+use error::RecipeError;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
 use pipeline::host::toml_text;
@@ -30,8 +38,8 @@ pub(super) struct Recipe {
 impl Recipe {
     pub(super) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
         let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-        let refused = |rule: String| Failure::Refused(format!("{}: {rule}", file.display()));
-        let asked: Document = toml_text::read(&text).map_err(refused)?;
+        let refused = |error: RecipeError| Failure::refused(error).about(file);
+        let asked: Document = toml_text::read(&text).map_err(|fault| refused(fault.into()))?;
         let named = |failure: Failure| failure.named_in(file);
         let folder = file.parent().unwrap_or(Path::new("."));
         let mut files = vec![file.to_owned()];

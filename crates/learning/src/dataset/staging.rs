@@ -1,10 +1,8 @@
 //! A drawn scene with its meshes: vehicles placed before the radar of its base scene.
 
-use crate::dataset::document::Base;
 use crate::dataset::draws::{self, Drawn, Drive, Vehicle};
-use crate::dataset::models::Model;
 use crate::dataset::places::BodyOnRoad;
-use crate::dataset::recipe::Recipe;
+use crate::dataset::recipe::{Base, Model, Recipe};
 use artifact::scene::{Mesh, Role, SceneHeader, Target, TargetKind};
 use artifact::settings::{Class, Fidelity, Noise};
 use rand::RngExt;

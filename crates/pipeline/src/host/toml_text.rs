@@ -1,15 +1,32 @@
 //! Values from texts of TOML, whose depth is bounded first.
 
-use scene::toml_text;
+use scene::toml_text::{self, TooDeep};
 use serde::de::DeserializeOwned;
 
 /// The value that a text says; else the rule that it breaks, for who knows the file.
-pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, String> {
-    toml_text::check_text(text).map_err(|too_deep| {
-        let line = text.bytes().take(too_deep.byte).filter(|byte| *byte == b'\n').count() + 1;
-        format!("line {line}: {too_deep}")
+pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, TomlFault> {
+    toml_text::check_text(text).map_err(|fault| {
+        let line = text.bytes().take(fault.byte).filter(|byte| *byte == b'\n').count() + 1;
+        TomlFault::TooDeep { line, fault }
     })?;
-    toml::from_str(text).map_err(|error| error.to_string())
+    Ok(toml::from_str(text)?)
+}
+
+/// Fault of a text that is to say a value in TOML.
+#[derive(Debug, thiserror::Error)]
+pub enum TomlFault {
+    /// A value lies too deep.
+    #[error("line {line}: {fault}")]
+    TooDeep {
+        /// Number of the line at which the value begins, from 1.
+        line: usize,
+        /// Fault of the value.
+        #[source]
+        fault: TooDeep,
+    },
+    /// The text is no TOML, or does not say such a value.
+    #[error(transparent)]
+    Refused(#[from] toml::de::Error),
 }
 
 #[cfg(test)]
@@ -21,8 +38,11 @@ mod tests {
         let key = vec!["a"; 79].join(".");
         let deep = (0..79).fold("1".to_owned(), |inner, _| format!("{{ {key} = {inner} }}"));
         let said = read::<toml::Table>(&format!("x = 1\na = {deep}\n")).unwrap_err();
-        assert_eq!(said, "line 2: a value lies within more than 64 tables and lists, the most that are read");
+        assert_eq!(
+            said.to_string(),
+            "line 2: a value lies within more than 64 tables and lists, the most that are read"
+        );
         assert!(read::<toml::Table>("x = 1\na = [[2]]").is_ok());
-        assert!(read::<toml::Table>("x = ").unwrap_err().contains("line 1"));
+        assert!(read::<toml::Table>("x = ").unwrap_err().to_string().contains("line 1"));
     }
 }

@@ -1,6 +1,7 @@
 //! `[models]` of a recipe: the project's own vehicles, mesh files, folders of them, and a folder whose
 //! manifest tells classes.
 
+use crate::dataset::recipe::error::RecipeError;
 use artifact::bounded;
 use artifact::material::MaterialMap;
 use artifact::scene::{Mesh, SceneHeader};
@@ -30,9 +31,9 @@ pub(super) struct Choice {
 }
 
 /// A body that a recipe may draw.
-pub(super) struct Model {
+pub(in crate::dataset) struct Model {
     /// Name of the project's own vehicle, or of the file without its ending.
-    pub(super) name: String,
+    pub(in crate::dataset) name: String,
     source: Source,
 }
 
@@ -50,12 +51,12 @@ struct OfFile {
 
 impl Model {
     /// Whether there is more than one variant of it.
-    pub(super) fn has_variants(&self) -> bool {
+    pub(in crate::dataset) fn has_variants(&self) -> bool {
         matches!(self.source, Source::Own)
     }
 
     /// Mesh of a variant in a scene's axes, in the materials of a base scene, by its number, and its own.
-    pub(super) fn mesh(&self, variant: u64, base: usize, header: &SceneHeader) -> Mesh {
+    pub(in crate::dataset) fn mesh(&self, variant: u64, base: usize, header: &SceneHeader) -> Mesh {
         let (mesh, map) = match &self.source {
             Source::Own => (vehicles::mesh(&self.name, variant).unwrap_or_default(), &header.materials),
             Source::File(of_file) => (of_file.mesh.clone(), &of_file.materials[base]),
@@ -75,7 +76,7 @@ pub(super) fn read(
     files: &mut Vec<PathBuf>,
 ) -> Result<BTreeMap<Class, Vec<Model>>, Failure> {
     let folder = recipe.parent().unwrap_or(Path::new("."));
-    let refused = |rule: String| Failure::Refused(format!("{}: {rule}", recipe.display()));
+    let refused = |error: RecipeError| Failure::refused(error).about(recipe);
     let named_in = |failure: Failure| failure.named_in(recipe);
     let mut all: BTreeMap<Class, Vec<Named>> = BTreeMap::new();
     if let Some(vehicles) = &choice.vehicles {
@@ -128,13 +129,11 @@ struct Entry {
 
 fn manifest_of(file: &Path) -> Result<Manifest, Failure> {
     let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-    let refused = |rule: String| Failure::Refused(format!("{}: {rule}", file.display()));
-    let manifest: Manifest = toml_text::read(&text).map_err(refused)?;
+    let refused = |error: RecipeError| Failure::refused(error).about(file);
+    let manifest: Manifest = toml_text::read(&text).map_err(|fault| refused(fault.into()))?;
     let is_plain = |name: &str| Path::new(name).file_name().is_some_and(|own| own == name);
     match manifest.vehicle.iter().find(|entry| !is_plain(&entry.name)) {
-        Some(entry) => {
-            Err(refused(format!("vehicle: name `{}` is no name of a file in this folder", entry.name)))
-        }
+        Some(entry) => Err(refused(RecipeError::NameOfNoFile { name: entry.name.clone() })),
         None => Ok(manifest),
     }
 }
@@ -144,38 +143,35 @@ const ALL_CROSSES: &str = "crosses";
 
 /// The models that a word of the recipe names: an own vehicle, all crosses, a file, or all `.glb` of a
 /// folder.
-fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, String> {
-    let key = format!("models.{}", class.name());
-    let path = folder.join(written);
+fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, RecipeError> {
+    let (path, name) = (folder.join(written), || written.to_owned());
     if written == ALL_CROSSES {
         return Ok(vehicles::crosses_of(class).into_iter().map(|name| (name, None)).collect());
     }
     match vehicles::class_of(written) {
-        Some(own) if own == class => return Ok(vec![(written.to_owned(), None)]),
-        Some(own) => return Err(format!("{key}: `{written}` is a {}", own.name())),
+        Some(own) if own == class => return Ok(vec![(name(), None)]),
+        Some(own) => return Err(RecipeError::VehicleOfAnotherClass { class, name: name(), own }),
         None if path.is_dir() => {
-            return glb_files(&path).map_err(|rule| format!("{key}: `{written}`: {rule}"));
+            return match glb_files(&path) {
+                Ok(none) if none.is_empty() => Err(RecipeError::NoMeshInFolder { class, name: name() }),
+                Ok(files) => Ok(files),
+                Err(cause) => Err(RecipeError::UnreadableFolder { class, name: name(), cause }),
+            };
         }
         None => {}
     }
     match Format::of(&path) {
         Some(_) => Ok(vec![(stem(&path), Some(path))]),
-        None => Err(format!(
-            "{key}: `{written}` is no mesh file (.glb, .gltf, .stl, .obj, .xoma), no folder and none of {:?}",
-            vehicles::names()
-        )),
+        None => Err(RecipeError::NoModel { class, name: name(), own: vehicles::names() }),
     }
 }
 
-fn glb_files(folder: &Path) -> Result<Vec<Named>, String> {
-    let entries = std::fs::read_dir(folder).map_err(|e| e.to_string())?;
+fn glb_files(folder: &Path) -> std::io::Result<Vec<Named>> {
+    let entries = std::fs::read_dir(folder)?;
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     files.retain(|file| Format::of(file) == Some(Format::Glb));
     files.sort();
-    match files.is_empty() {
-        true => Err("the folder holds no .glb".into()),
-        false => Ok(files.into_iter().map(|file| (stem(&file), Some(file))).collect()),
-    }
+    Ok(files.into_iter().map(|file| (stem(&file), Some(file))).collect())
 }
 
 fn stem(file: &Path) -> String {
@@ -183,18 +179,18 @@ fn stem(file: &Path) -> String {
 }
 
 /// A class that is named has models, and a name is one model's, for splits may go by it.
-fn check(all: &BTreeMap<Class, Vec<Named>>, choice: &Choice) -> Result<(), String> {
+fn check(all: &BTreeMap<Class, Vec<Named>>, choice: &Choice) -> Result<(), RecipeError> {
     if let Some((class, _)) = choice.by_class().find(|(_, written)| written.is_empty()) {
-        return Err(format!("models.{}: name at least one", class.name()));
+        return Err(RecipeError::EmptyClass(class));
     }
     if all.is_empty() {
-        return Err("models: name at least one of a class, or a folder with a manifest as `vehicles`".into());
+        return Err(RecipeError::NoModels);
     }
     let mut known: BTreeMap<&String, (Class, &Option<PathBuf>)> = BTreeMap::new();
     for (class, (name, file)) in all.iter().flat_map(|(class, of)| of.iter().map(|named| (*class, named))) {
         let first = *known.entry(name).or_insert((class, file));
         if first != (class, file) {
-            return Err(format!("models.{}: two different models are called `{name}`", class.name()));
+            return Err(RecipeError::NameOfTwoModels { class, name: name.clone() });
         }
     }
     Ok(())

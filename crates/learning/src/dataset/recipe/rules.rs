@@ -1,24 +1,25 @@
 //! Rules of what the keys of a recipe may say.
 
-use crate::dataset::document::{Base, Document};
+use crate::dataset::recipe::document::{Base, Document};
+use crate::dataset::recipe::error::RecipeError;
 use artifact::settings::Noise;
 
 /// Scenes of a class: at a second a scene a week and a half.
 const SCENES_LIMIT: u32 = 1_000_000;
 /// Vehicles of a scene: more than stand within reach of a radar in three lanes.
-pub(super) const VEHICLES_LIMIT: u32 = 16;
+pub(in crate::dataset) const VEHICLES_LIMIT: u32 = 16;
 /// Frames of a scene: a minute and a half at ten a second.
-pub(super) const FRAMES_LIMIT: u32 = 1000;
+pub(in crate::dataset) const FRAMES_LIMIT: u32 = 1000;
 
 /// The first rule that is broken.
-pub(super) fn check(asked: &Document, bases: &[Base]) -> Result<(), String> {
+pub(super) fn check(asked: &Document, bases: &[Base]) -> Result<(), RecipeError> {
     check_spans(asked)?;
     check_counts(asked)?;
     check_vehicles(asked)?;
     bases.iter().try_for_each(|base| check_base(asked, base))
 }
 
-fn check_spans(asked: &Document) -> Result<(), String> {
+fn check_spans(asked: &Document) -> Result<(), RecipeError> {
     // As far and as fast as a scene's targets.
     let spans = [
         ("range_m", Some(asked.range_m), [f64::MIN_POSITIVE, 1e5]),
@@ -33,60 +34,54 @@ fn check_spans(asked: &Document) -> Result<(), String> {
     known.into_iter().try_for_each(|(name, span, within)| check_span(name, span, within))
 }
 
-fn check_span(name: &str, [low, high]: [f64; 2], [least, most]: [f64; 2]) -> Result<(), String> {
-    if low >= least && high >= low && high <= most {
-        return Ok(());
+fn check_span(key: &'static str, found: [f64; 2], [least, most]: [f64; 2]) -> Result<(), RecipeError> {
+    let [low, high] = found;
+    match low >= least && high >= low && high <= most {
+        true => Ok(()),
+        false => Err(RecipeError::Span { key, least, most, found }),
     }
-    let least = if least == f64::MIN_POSITIVE { "positive".into() } else { format!("at least {least}") };
-    Err(format!("{name} must be [least, greatest], {least}, at most {most}, is [{low}, {high}]"))
 }
 
-fn check_counts(asked: &Document) -> Result<(), String> {
+fn check_counts(asked: &Document) -> Result<(), RecipeError> {
     if asked.vehicle_seeds == 0 || asked.scenes_per_class == 0 {
-        return Err("vehicle_seeds and scenes_per_class must be at least 1".into());
+        return Err(RecipeError::NoSeedsOrScenes);
     }
     if asked.scenes_per_class > SCENES_LIMIT {
-        return Err(format!(
-            "scenes_per_class must be at most {SCENES_LIMIT}, is {}",
-            asked.scenes_per_class
-        ));
+        return Err(RecipeError::TooManyScenes { limit: SCENES_LIMIT, found: asked.scenes_per_class });
     }
     if asked.scenes_per_shard == 0 {
-        return Err("scenes_per_shard must be at least 1".into());
+        return Err(RecipeError::EmptyShards);
     }
     match asked.frames {
         1..=FRAMES_LIMIT => Ok(()),
-        other => Err(format!("frames must be from 1 to {FRAMES_LIMIT}, is {other}")),
+        found => Err(RecipeError::Frames { limit: FRAMES_LIMIT, found }),
     }
 }
 
-fn check_vehicles(asked: &Document) -> Result<(), String> {
+fn check_vehicles(asked: &Document) -> Result<(), RecipeError> {
     let [least, most] = asked.vehicles_per_scene;
     if least < 1 || most < least || most > VEHICLES_LIMIT {
-        let is = asked.vehicles_per_scene;
-        return Err(format!(
-            "vehicles_per_scene must be [least, most], from 1 to {VEHICLES_LIMIT}, is {is:?}"
-        ));
+        return Err(RecipeError::Vehicles { limit: VEHICLES_LIMIT, found: asked.vehicles_per_scene });
     }
     match asked.queue_share {
         0.0..=1.0 => Ok(()),
-        other => Err(format!("queue_share must be from 0 to 1, is {other}")),
+        found => Err(RecipeError::QueueShare(found)),
     }
 }
 
-fn check_base(asked: &Document, Base { name, header }: &Base) -> Result<(), String> {
+fn check_base(asked: &Document, Base { name, header }: &Base) -> Result<(), RecipeError> {
     let known = |lane: &u8| header.dsp.road.lanes.iter().any(|l| l.number == *lane);
     if asked.lanes.is_empty() || !asked.lanes.iter().all(known) {
-        return Err(format!("lanes must be some of the scene's ({name}), are {:?}", asked.lanes));
+        return Err(RecipeError::Lanes { scene: name.clone(), found: asked.lanes.clone() });
     }
     if header.noise == Noise::Absent && asked.extra_noise_db != [0.0; 2] {
-        return Err(format!("extra_noise_db: {name} has no noise that could grow"));
+        return Err(RecipeError::NoNoise { scene: name.clone() });
     }
-    let duration_s = header.radar.cycle_duration_s();
+    let cycle_s = header.radar.cycle_duration_s();
     match asked.frame_interval_s {
-        Some(interval_s) if !(duration_s..=1e4).contains(&interval_s) => Err(format!(
-            "frame_interval_s must be from {duration_s} (a frame of {name}) to 10000, is {interval_s}"
-        )),
+        Some(found_s) if !(cycle_s..=1e4).contains(&found_s) => {
+            Err(RecipeError::FrameInterval { scene: name.clone(), cycle_s, found_s })
+        }
         _ => Ok(()),
     }
 }
