@@ -189,6 +189,7 @@ pub(crate) const NUMBERS: &[Number] = &[
     number(BODY, "velocity_mps", "[@, -3, 0]", MESH),
     number(BODY, "acceleration_mps2", "[@, 0, 0]", Usual),
     number(BODY, "yaw_deg", "@", MESH),
+    number(BODY, "yaw_rate_dps", "@", MESH),
     number(BODY, "vehicle_seed", "@", VEHICLE),
     number(BODY, "unit_scale", "@", MESH),
     number(BODY, "rcs_m2", "@", Usual),
