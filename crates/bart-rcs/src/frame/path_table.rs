@@ -213,7 +213,9 @@ pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64, tu
     let half_frame_s = 0.5 * header.radar.frame_duration_s();
     let way_m = half_frame_s * fastest_mps + element_offset_m(header) + half_frame_s * turn_radps * nearest_m;
     let by_motion = allowed * nearest_m / (wavenumber * way_m);
-    by_band.min(by_motion).clamp(2.0 * waveform.wavelength_m(), waveform.range_resolution_m())
+    // Of a sweep over more than a quarter of its carrier range cells are finer than two wavelengths.
+    let smallest_m = 2.0 * waveform.wavelength_m();
+    by_band.min(by_motion).clamp(smallest_m, waveform.range_resolution_m().max(smallest_m))
 }
 
 /// Largest side of cells for the bodies of a world.

@@ -471,3 +471,14 @@ fn the_far_field_error_of_a_large_plate_is_told_of_the_spherical_wave() {
     println!("asked 34.6 dB ± 1.5 dB (the ripple of the plate's edges over the band), got {error_db:.1} dB");
     assert!((error_db - 34.6).abs() < 1.5);
 }
+
+/// A sweep over a third of its carrier: range cells are finer than two wavelengths, which cells of paths are
+/// not.
+#[test]
+fn a_sweep_over_much_of_its_carrier_is_traced() {
+    let start = pose([2.0, 12.0, 0.0], [0.0, -3.0, 0.0], -FRAC_PI_2);
+    let mut scene = scene(&[(cart(0.1), start)], &[], -15.0, 1);
+    scene.0.radar.waveform.start_frequency_hz = 1.5e9;
+    assert!(4.0 * scene.0.radar.waveform.bandwidth_hz() > scene.0.radar.waveform.centre_frequency_hz());
+    assert!(!trace(&scene).paths.is_empty());
+}
