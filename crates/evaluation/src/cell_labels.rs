@@ -10,7 +10,6 @@ use artifact::paths::PathsFrame;
 use artifact::radar::Radar;
 use glam::DVec3;
 use num_complex::Complex64;
-use radar::beat::coupling_m;
 use radar::window::Sidelobes;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -125,9 +124,8 @@ impl<'a> CellMap<'a> {
     /// there is left out).
     fn lay(&self, echo: &PathOnMap, value: Complex64, sums: &mut [Complex64]) {
         let [velocity_cell_mps, range_cell_m] = self.response.cells;
-        let speed_mps = echo.radial_velocity_mps;
-        let row = speed_mps / velocity_cell_mps + (self.rows / 2) as f64;
-        let column = (echo.range_m + coupling_m(&self.radar.waveform, speed_mps)) / range_cell_m;
+        let row = echo.shown.radial_velocity_mps / velocity_cell_mps + (self.rows / 2) as f64;
+        let column = echo.shown.range_m / range_cell_m;
         for r in reached(row) {
             let of_row = value * at(&self.response.along[0], r as f64 - row);
             let begin = r.rem_euclid(self.rows as i64) as usize * self.columns;

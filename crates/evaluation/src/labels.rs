@@ -8,6 +8,7 @@
 //! each: cells of one surface cancel away from its mirror direction, and powers of single paths would say
 //! nothing of it. A point whose paths all together stay below the noise is a false alarm and has no label.
 
+use artifact::Waveform;
 use artifact::cube::CubeHeader;
 use artifact::paths::{Path, PathsFrame};
 use artifact::points::{Label, Point};
@@ -135,8 +136,7 @@ pub(crate) struct PathOnMap {
     pub(crate) group: Group,
     /// √W, with its phase in the middle of the sweep.
     pub(crate) value: Complex64,
-    pub(crate) range_m: f64,
-    pub(crate) radial_velocity_mps: f64,
+    pub(crate) shown: Shown,
     /// Unit vectors from the array to where the echo appears from the transmitter and from the receiver.
     pub(crate) directions: [DVec3; 2],
 }
@@ -147,10 +147,26 @@ impl PathOnMap {
         Self {
             group: Group::of(path),
             value: echo_value(radar, path),
-            range_m: 0.5 * (there.length_m + back.length_m),
-            radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps),
+            shown: Shown::of(
+                &radar.waveform,
+                0.5 * (there.length_m + back.length_m),
+                0.5 * (there.rate_mps + back.rate_mps),
+            ),
             directions: [there.direction, back.direction],
         }
+    }
+}
+
+/// Place on a map that did not end: a moving echo stands f_c/μ metres farther for each m/s.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Shown {
+    pub(crate) range_m: f64,
+    pub(crate) radial_velocity_mps: f64,
+}
+
+impl Shown {
+    fn of(waveform: &Waveform, range_m: f64, radial_velocity_mps: f64) -> Self {
+        Self { range_m: range_m + coupling_m(waveform, radial_velocity_mps), radial_velocity_mps }
     }
 }
 
@@ -191,10 +207,11 @@ impl MapResponse {
 
     /// Finds the sum that each group leaves in the cell of a point, seen in the point's direction, √W.
     fn shares(&self, radar: &Radar, echoes: &[PathOnMap], point: &Point) -> BTreeMap<Group, Share> {
-        let toward = direction(point);
+        let (w, toward) = (&radar.waveform, direction(point));
+        let shown = Shown::of(w, point.range_m, point.radial_velocity_mps);
         let mut shares: BTreeMap<Group, Share> = BTreeMap::new();
         for (index, echo) in echoes.iter().enumerate() {
-            let Some(left) = self.left_of(radar, echo, point) else { continue };
+            let Some(left) = self.left_of(w, echo, shown) else { continue };
             let value = left.of(echo.value * beam(radar, echo, toward));
             let share = shares.entry(echo.group).or_default();
             share.sum += value;
@@ -205,31 +222,26 @@ impl MapResponse {
         shares
     }
 
-    /// Share of the amplitude; `None` beyond the reach of the windows. Tones are the same a sample rate apart,
-    /// and rows a turn per chirp: echoes from beyond the map fold into it.
-    fn left_of(&self, radar: &Radar, echo: &PathOnMap, point: &Point) -> Option<Left> {
-        // Both as the map shows them: a moving echo stands f_c/μ metres farther for each m/s.
-        let w = &radar.waveform;
-        let column = |range_m: f64, mps: f64| (range_m + coupling_m(w, mps)) / self.cells[1];
-        let of_point = column(point.range_m, point.radial_velocity_mps);
-        let of_echo = column(echo.range_m, echo.radial_velocity_mps);
-        let rows = (echo.radial_velocity_mps - point.radial_velocity_mps) / self.cells[0];
-        let [turn, rate] = [w.chirps, w.samples].map(f64::from);
-        let direct = [folded(rows, turn), folded(of_echo - of_point, rate)];
-        let image =
-            [folded(rows_of_image(echo, point, self.cells[0]), turn), folded(-of_echo - of_point, rate)];
-        let has_image = w.sampling == Sampling::Real;
-        let within = |[rows, columns]: [f64; 2]| rows.abs() < REACH_CELLS && columns.abs() < REACH_CELLS;
-        let share = |[rows, columns]: [f64; 2]| at(&self.along[0], rows) * at(&self.along[1], columns);
-        let direct = within(direct).then(|| Left { share: share(direct), is_image: false });
-        direct.or_else(|| (has_image && within(image)).then(|| Left { share: share(image), is_image: true }))
+    /// Part of the amplitude; `None` beyond the reach of the windows. Tones are the same a sample rate apart,
+    /// and rows a turn per chirp: echoes from beyond the map fold into it, of real samples also the image.
+    fn left_of(&self, w: &Waveform, echo: &PathOnMap, point: Shown) -> Option<Left> {
+        let left = |is_image: bool| {
+            let sign = if is_image { -1.0 } else { 1.0 };
+            let rows = (sign * echo.shown.radial_velocity_mps - point.radial_velocity_mps) / self.cells[0];
+            let columns = (sign * echo.shown.range_m - point.range_m) / self.cells[1];
+            let (rows, columns) = (folded(rows, w.chirps), folded(columns, w.samples));
+            let is_near = rows.abs() < REACH_CELLS && columns.abs() < REACH_CELLS;
+            let share = || at(&self.along[0], rows) * at(&self.along[1], columns);
+            is_near.then(|| Left { share: share(), is_image })
+        };
+        left(false).or_else(|| (w.sampling == Sampling::Real).then(|| left(true)).flatten())
     }
 }
 
 /// Part of a tone's amplitude that a cell has.
 struct Left {
     share: f64,
-    /// Of a real tone: whether it is that of the negative frequency.
+    /// Whether it is that of the negative frequency, which real tones have.
     is_image: bool,
 }
 
@@ -239,13 +251,9 @@ impl Left {
     }
 }
 
-/// Rows from the point to the image of an echo: the velocity of a conjugated tone has the other sign.
-fn rows_of_image(echo: &PathOnMap, point: &Point, cell_mps: f64) -> f64 {
-    -(echo.radial_velocity_mps + point.radial_velocity_mps) / cell_mps
-}
-
 /// Cells to the nearest of places that are a period apart.
-pub(crate) fn folded(cells: f64, period: f64) -> f64 {
+fn folded(cells: f64, period: u32) -> f64 {
+    let period = f64::from(period);
     cells - period * (cells / period).round()
 }
 

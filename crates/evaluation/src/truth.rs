@@ -79,6 +79,7 @@ fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFr
 
 /// Place and velocity of a point that is on the rim of a wheel; its pose is that of the hub.
 fn on_rim(header: &SceneHeader, index: usize, paths: &[Path]) -> Option<(DVec3, DVec3)> {
+    let TargetKind::Point { wheel: Some(_), .. } = header.targets[index].kind else { return None };
     let is_it = |path: &&Path| path.target as usize == index && path.curve.rim.is_some();
     paths.iter().find(is_it).map(|path| nodes(&header.radar, path)[0])
 }

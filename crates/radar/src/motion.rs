@@ -87,7 +87,7 @@ mod tests {
         }
     }
 
-    /// Steps of a millionth of the time, by the middle of each.
+    /// Two hundred thousand steps, by the middle of each.
     #[test]
     fn a_bend_is_the_sum_of_many_small_steps() {
         for yaw_radps in [0.001, 0.4, -3.0] {

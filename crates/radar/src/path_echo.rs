@@ -9,8 +9,7 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// IF value of a path's echo in the middle of frame and sweep at the array's centre, √W; of a wheel's that of
-/// its hub.
+/// IF value of a path's echo in the middle of frame and sweep at the array's centre, √W.
 pub fn echo_value(radar: &Radar, path: &Path) -> Complex64 {
     let [there, back] = legs(radar, path);
     let delay_s = (there.length_m + back.length_m) / SPEED_OF_LIGHT_MPS;

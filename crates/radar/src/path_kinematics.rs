@@ -42,16 +42,20 @@ pub fn nodes(radar: &Radar, path: &Path) -> [(DVec3, DVec3); 2] {
     ]
 }
 
-/// The point on the rim of a wheel that has rolled `way_m` and whose hub is at a place with a velocity: hub +
+/// Vector from the hub of a rolling wheel to the point on its rim, `way_m` after the frame's first sample:
 /// r·(cos φ·forward + sin φ·up), φ = φ₀ − (way along forward)/r.
-fn on_rim(rim: &Rim, way_m: DVec3, (hub_m, hub_mps): (DVec3, DVec3)) -> (DVec3, DVec3) {
+pub fn from_hub_m(rim: &Rim, way_m: DVec3) -> DVec3 {
     let forward = DVec3::from(rim.forward);
     let (sin, cos) = (rim.angle_rad - way_m.dot(forward) / rim.radius_m).sin_cos();
-    let rolling_mps = hub_mps.dot(forward);
-    (
-        hub_m + rim.radius_m * (cos * forward + sin * DVec3::Z),
-        hub_mps + rolling_mps * (sin * forward - cos * DVec3::Z),
-    )
+    rim.radius_m * (cos * forward + sin * DVec3::Z)
+}
+
+/// The point on the rim of a wheel that has rolled `way_m` and whose hub is at a place with a velocity: it
+/// turns about the axle, from up towards forward, at the hub's speed over the radius.
+fn on_rim(rim: &Rim, way_m: DVec3, (hub_m, hub_mps): (DVec3, DVec3)) -> (DVec3, DVec3) {
+    let (forward, from_hub_m) = (DVec3::from(rim.forward), from_hub_m(rim, way_m));
+    let turn_radps = DVec3::Z.cross(forward) * (hub_mps.dot(forward) / rim.radius_m);
+    (hub_m + from_hub_m, hub_mps + turn_radps.cross(from_hub_m))
 }
 
 /// Mean over the frame of a path's share of the echo: 1 where it stands for all of it.

@@ -13,8 +13,8 @@
 //!
 //! The stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) meet in `pipeline`; each hands an
 //! artifact to the next. Pictures and pages are made by `reporting`, studies by `sweeps`, foreign files are
-//! read and written by `formats`, datasets and models are made by `learning`. Here stands what uses all of these; what a program of others needs of them
-//! is handed on below.
+//! read and written by `formats`, datasets and models are made by `learning`. Here stands what uses all of
+//! these; what a program of others needs of them is handed on below.
 //!
 //! Reading order is that of the rooms below; each uses only those that stand before it.
 

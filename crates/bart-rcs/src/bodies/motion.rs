@@ -33,8 +33,16 @@ impl RigidMotion {
 
     /// Motion of a body `seconds` after its pose.
     pub(crate) fn of(pose: &Pose, seconds: f64) -> Self {
-        let origin_m = position_m(pose, seconds);
-        Self { origin_m, of_origin: Motion::of(pose, seconds), yaw_radps: pose.yaw_radps }
+        let (origin_m, of_origin) = if pose.yaw_radps == 0.0 {
+            let start = Motion::from_arrays(pose.velocity_mps, pose.acceleration_mps2);
+            let (at_m, velocity_mps) = start.after(DVec3::from_array(pose.position_m), seconds);
+            (at_m, Motion { velocity_mps, ..start })
+        } else {
+            let later = pose_after(pose, seconds);
+            let motion = Motion::from_arrays(later.velocity_mps, whole_acceleration_mps2(&later));
+            (DVec3::from_array(later.position_m), motion)
+        };
+        Self { origin_m, of_origin, yaw_radps: pose.yaw_radps }
     }
 
     /// Motion of the body's point at `at_m`: v + ω × r, a + ω × (ω × r).
@@ -76,10 +84,6 @@ impl MovingPlane {
         let (n, of_plane) = (self.normal, self.body.at(self.point_m));
         let from_plane_m = at_m - self.point_m;
         let distance_m = from_plane_m.dot(n);
-        let image_m = at_m - 2.0 * distance_m * n;
-        if self.body.yaw_radps == 0.0 {
-            return (image_m, motion.mirrored(&of_plane, n));
-        }
         let turning = self.body.turning(n);
         let turning_on = self.body.turning(turning);
         let across_mps = motion.velocity_mps - of_plane.velocity_mps;
@@ -92,22 +96,12 @@ impl MovingPlane {
             acceleration_mps2: motion.acceleration_mps2
                 - 2.0 * (away_mps2 * n + 2.0 * away_mps * turning + distance_m * turning_on),
         };
-        (image_m, of_image)
+        (at_m - 2.0 * distance_m * n, of_image)
     }
 }
 
 impl Motion {
     pub(crate) const REST: Self = Self { velocity_mps: DVec3::ZERO, acceleration_mps2: DVec3::ZERO };
-
-    /// Motion of a body's origin `seconds` after its pose.
-    fn of(pose: &Pose, seconds: f64) -> Self {
-        if pose.yaw_radps != 0.0 {
-            let later = pose_after(pose, seconds);
-            return Self::from_arrays(later.velocity_mps, whole_acceleration_mps2(&later));
-        }
-        let start = Self::from_arrays(pose.velocity_mps, pose.acceleration_mps2);
-        Self { velocity_mps: start.after(DVec3::ZERO, seconds).1, ..start }
-    }
 
     pub(crate) fn from_arrays(velocity_mps: [f64; 3], acceleration_mps2: [f64; 3]) -> Self {
         let [velocity_mps, acceleration_mps2] = [velocity_mps, acceleration_mps2].map(DVec3::from_array);
@@ -121,16 +115,6 @@ impl Motion {
     /// Motion of the image in the road's mirror.
     pub(crate) fn below_road(&self) -> Self {
         self.each(below)
-    }
-
-    /// Motion of the image in a plane with the normal n that moves by v_p and does not turn: a point's
-    /// velocity v turns into v − 2((v − v_p)·n)n, and so does its acceleration.
-    fn mirrored(&self, mirror: &Self, n: DVec3) -> Self {
-        let turned = |v: DVec3, of_mirror: DVec3| v - 2.0 * (v - of_mirror).dot(n) * n;
-        Self {
-            velocity_mps: turned(self.velocity_mps, mirror.velocity_mps),
-            acceleration_mps2: turned(self.acceleration_mps2, mirror.acceleration_mps2),
-        }
     }
 
     /// Place and velocity, `seconds` later (earlier, where negative), of a point that is at `at_m` now.
@@ -154,15 +138,13 @@ impl Motion {
 
 /// Position of a body's origin `seconds` after its pose.
 pub(crate) fn position_m(pose: &Pose, seconds: f64) -> DVec3 {
-    if pose.yaw_radps != 0.0 {
-        return DVec3::from_array(pose_after(pose, seconds).position_m);
-    }
-    Motion::of(pose, 0.0).after(DVec3::from_array(pose.position_m), seconds).0
+    RigidMotion::of(pose, seconds).origin_m
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DMat3;
 
     /// Comparison with the mirror images of both ends of a second, made of places alone.
     #[test]
@@ -184,12 +166,40 @@ mod tests {
             let (x, p) = (place(&point, x, t), place(&plane, p, t));
             x - 2.0 * (x - p).dot(n) * n
         };
-        let seen = point.mirrored(&plane, n);
+        let body = RigidMotion { origin_m: p, of_origin: plane, yaw_radps: 0.0 };
+        let (at_m, seen) = MovingPlane { point_m: p, normal: n, body }.image(x, point);
+        assert!((at_m - image(0.0)).length() < 1e-14);
         for t in [-0.7, 0.3, 1.0] {
             assert!((place(&seen, image(0.0), t) - image(t)).length() < 1e-14, "{t}");
             let (was_m, was_mps) = seen.after(image(0.0), -t);
             assert!((was_m - image(-t)).length() < 1e-14);
             assert!((was_mps - (image(1e-6 - t) - image(-1e-6 - t)) / 2e-6).length() < 1e-8);
         }
+    }
+
+    /// Differences of images that are made of places alone, in a mirror on a body that drives a bend.
+    #[test]
+    fn motion_in_a_mirror_that_turns_is_that_of_the_image() {
+        let pose = Pose {
+            position_m: [2.0, 20.0, 0.0],
+            yaw_rad: 0.4,
+            yaw_radps: 0.8,
+            velocity_mps: [3.0, -9.0, 0.5],
+            acceleration_mps2: [1.0, -3.0, 0.2],
+        };
+        let of_point = Motion::from_arrays([-2.0, 4.0, 1.0], [0.4, 7.0, -1.0]);
+        let at = |t: f64| {
+            let (body, turn) = (RigidMotion::of(&pose, t), DMat3::from_rotation_z(pose.yaw_radps * t));
+            let normal = turn * DVec3::new(0.36, 0.48, 0.8);
+            let point_m = body.origin_m + turn * DVec3::new(-1.0, 0.5, 0.3);
+            let (x_m, mps) = of_point.after(DVec3::new(1.0, 15.0, 3.0), t);
+            MovingPlane { point_m, normal, body }.image(x_m, Motion { velocity_mps: mps, ..of_point })
+        };
+        const STEP_S: f64 = 1e-4;
+        let [(before_m, _), (now_m, seen), (after_m, _)] = [-STEP_S, 0.0, STEP_S].map(at);
+        let mps = (after_m - before_m) / (2.0 * STEP_S);
+        let mps2 = (after_m + before_m - 2.0 * now_m) / (STEP_S * STEP_S);
+        assert!((seen.velocity_mps - mps).length() < 1e-6, "{} {mps}", seen.velocity_mps);
+        assert!((seen.acceleration_mps2 - mps2).length() < 1e-5, "{} {mps2}", seen.acceleration_mps2);
     }
 }

@@ -229,8 +229,8 @@ impl World {
     /// The plane of a facet, and how it moves.
     pub(crate) fn moving_plane(&self, facet: u32) -> MovingPlane {
         let body = self.body_of(facet).map_or(RigidMotion::REST, |body| body.motion);
-        let FacetGeometry { corners_m, .. } = self.facet(facet);
-        MovingPlane { point_m: corners_m[0], normal: self.facet(facet).normal(), body }
+        let mirror = self.facet(facet);
+        MovingPlane { point_m: mirror.corners_m[0], normal: mirror.normal(), body }
     }
 
     /// Speed of the fastest point of all bodies at most, m/s.

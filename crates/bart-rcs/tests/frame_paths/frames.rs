@@ -1,7 +1,7 @@
 //! Frames that are traced, and what their paths are compared with.
 
 use artifact::material::MaterialMap;
-use artifact::paths::{Amplitude, PathsFrame};
+use artifact::paths::{Amplitude, Path, PathsFrame};
 use artifact::radar::Polarization;
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
@@ -176,4 +176,41 @@ pub(crate) fn exact(
 
 pub(crate) fn relative(a: Complex64, b: Complex64) -> f64 {
     (a - b).norm() / b.norm()
+}
+
+/// Double bounces of a scene that moves on, against those of the scene traced as it stands at three moments
+/// of the frame.
+pub(crate) fn check_double_bounces(scene: &(SceneHeader, SceneFrame)) {
+    let double_of =
+        |scene: &_| -> Vec<Path> { trace(scene).paths.into_iter().filter(|path| path.order == 2).collect() };
+    let double = double_of(scene);
+    assert!(!double.is_empty(), "the walls see each other");
+    let centre_hz = scene.0.radar.waveform.centre_frequency_hz();
+    let view = |seconds: f64| PathView {
+        transmitter_m: DVec3::from_array(RADAR_M),
+        receiver_m: DVec3::from_array(RADAR_M),
+        origin_m: DVec3::from_array(scene.1.poses[0].position_m),
+        seconds,
+        centre_frequency_hz: centre_hz,
+    };
+    for share in [0.0, 0.5, 1.0] {
+        let seconds = share * scene.0.radar.frame_duration_s();
+        let still = double_of(&standing(scene, seconds));
+        let exact = scattering_of_paths(&still, &view(0.0), centre_hz)[0][0];
+        let moving = scattering_of_paths(&double, &view(seconds), centre_hz)[0][0];
+        println!("after {:.2} ms: {:.1} dB", 1e3 * seconds, 20.0 * relative(moving, exact).log10());
+        assert!(relative(moving, exact) < 0.1, "{moving} {exact}");
+    }
+}
+
+/// The scene as it stands at a moment.
+fn standing(scene: &(SceneHeader, SceneFrame), seconds: f64) -> (SceneHeader, SceneFrame) {
+    let still = |start: &Pose| {
+        let now = pose_after(start, seconds);
+        pose(now.position_m, [0.0; 3], now.yaw_rad)
+    };
+    let (mut header, mut frame) = scene.clone();
+    header.radar.waveform.chirps = 1;
+    frame.poses = frame.poses.iter().map(still).collect();
+    (header, frame)
 }

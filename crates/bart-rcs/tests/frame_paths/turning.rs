@@ -1,13 +1,11 @@
 //! Bodies that turn within a frame: every part has its own Doppler, and mirrors turn what they show.
 
 use crate::bodies::carts::{cart, joined, parallelogram};
-use crate::frames::{RADAR_M, anew, of_paths, pose, relative, scene, trace};
+use crate::frames::{anew, check_double_bounces, of_paths, pose, scene, trace};
 use crate::true_error;
+use artifact::paths::PathsFrame;
 use artifact::radar::Polarization;
-use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader};
-use bart_rcs::{PathView, scattering_of_paths};
-use glam::DVec3;
-use num_complex::Complex64;
+use artifact::scene::{Mesh, Pose};
 use radar::motion::pose_after;
 use std::f64::consts::FRAC_PI_2;
 
@@ -43,30 +41,35 @@ fn the_paths_of_a_body_that_turns_are_its_scattering_amplitude_all_through_the_f
     let frame = trace(&scene);
     let duration_s = scene.0.radar.frame_duration_s();
     let centre_hz = scene.0.radar.waveform.centre_frequency_hz();
+    let stiff =
+        without_its_turning(&frame, pose_after(&start, 0.5 * duration_s).velocity_mps, 0.5 * duration_s);
     let (mut error, mut power, mut still) = (0.0, 0.0, 0.0);
     for moment in 0..5 {
         let seconds = 0.25 * f64::from(moment) * duration_s;
         let exact = anew(&scene, seconds, &[centre_hz], Polarization::Vv)[0];
-        let at = |frame: &_| of_paths(&scene, frame, seconds, centre_hz)[0][0];
-        error += (at(&frame) - exact).norm_sqr();
+        let off = |frame: &_| (of_paths(&scene, frame, seconds, centre_hz)[0][0] - exact).norm_sqr();
+        error += off(&frame);
+        still += off(&stiff);
         power += exact.norm_sqr();
-        let mut stiff = frame.clone();
-        let middle = pose_after(&start, 0.5 * duration_s);
-        let now = DVec3::from_array(middle.velocity_mps);
-        for path in &mut stiff.paths {
-            let tx_m = DVec3::from_array(path.apparent_tx_m)
-                + 0.5 * duration_s * (DVec3::from_array(path.apparent_tx_mps) - now);
-            (path.apparent_tx_m, path.apparent_tx_mps) = (tx_m.to_array(), now.to_array());
-            let rx_m = DVec3::from_array(path.apparent_rx_m)
-                + 0.5 * duration_s * (DVec3::from_array(path.apparent_rx_mps) - now);
-            (path.apparent_rx_m, path.apparent_rx_mps) = (rx_m.to_array(), now.to_array());
-        }
-        still += (at(&stiff) - exact).norm_sqr();
     }
     let [got, without, told] =
         [error / power, still / power, frame.error.total().unwrap().powi(2)].map(|e| 10.0 * e.log10());
     println!("a cart in a bend: true {got:.1} dB, told {told:.1} dB, without its turning {without:.1} dB");
     assert!(got <= told + 1.0 && without > -10.0, "{got} {told} {without}");
+}
+
+/// Paths whose nodes are where they are at `middle_s` and all have the velocity of the body's origin there.
+fn without_its_turning(frame: &PathsFrame, of_origin_mps: [f64; 3], middle_s: f64) -> PathsFrame {
+    let mut stiff = frame.clone();
+    let stiffen = |at_m: &mut [f64; 3], mps: &mut [f64; 3]| {
+        *at_m = [0, 1, 2].map(|axis| at_m[axis] + middle_s * (mps[axis] - of_origin_mps[axis]));
+        *mps = of_origin_mps;
+    };
+    for path in &mut stiff.paths {
+        stiffen(&mut path.apparent_tx_m, &mut path.apparent_tx_mps);
+        stiffen(&mut path.apparent_rx_m, &mut path.apparent_rx_mps);
+    }
+    stiff
 }
 
 /// One wall of a dihedral turns, the other drives past: what the first shows of the second turns twice as
@@ -78,39 +81,7 @@ fn a_mirror_that_turns_moves_what_it_shows() {
     let bent = Pose { yaw_radps: 0.6, ..start };
     let past = Pose { velocity_mps: [1.0, -9.0, 0.0], ..start };
     let scene = scene(&[(wall(1.0), bent), (wall(-1.0), past)], &[], -40.0, 2);
-    let double: Vec<_> = trace(&scene).paths.into_iter().filter(|path| path.order == 2).collect();
-    assert!(!double.is_empty(), "the walls see each other");
-    let centre_hz = scene.0.radar.waveform.centre_frequency_hz();
-    let view = |seconds: f64| PathView {
-        transmitter_m: DVec3::from_array(RADAR_M),
-        receiver_m: DVec3::from_array(RADAR_M),
-        origin_m: DVec3::new(2.0, 20.0, 6.0),
-        seconds,
-        centre_frequency_hz: centre_hz,
-    };
-    let duration_s = scene.0.radar.frame_duration_s();
-    for seconds in [0.0, 0.5 * duration_s, duration_s] {
-        let exact = double_of(&trace(&standing(&scene, seconds)).paths, &view(0.0), centre_hz);
-        let moving = scattering_of_paths(&double, &view(seconds), centre_hz)[0][0];
-        println!("after {:.2} ms: {:.1} dB", 1e3 * seconds, 20.0 * relative(moving, exact).log10());
-        assert!(relative(moving, exact) < 0.1, "{moving} {exact}");
-    }
-}
-
-fn double_of(paths: &[artifact::paths::Path], view: &PathView, frequency_hz: f64) -> Complex64 {
-    scattering_of_paths(paths.iter().filter(|path| path.order == 2), view, frequency_hz)[0][0]
-}
-
-/// The scene as it stands at a moment.
-fn standing(scene: &(SceneHeader, SceneFrame), seconds: f64) -> (SceneHeader, SceneFrame) {
-    let still = |start: &Pose| {
-        let now = pose_after(start, seconds);
-        pose(now.position_m, [0.0; 3], now.yaw_rad)
-    };
-    let (mut header, mut frame) = scene.clone();
-    header.radar.waveform.chirps = 1;
-    frame.poses = frame.poses.iter().map(still).collect();
-    (header, frame)
+    check_double_bounces(&scene);
 }
 
 /// A panel of 1.5 m flashes as it turns: its lobe passes within the frame, which no path follows.

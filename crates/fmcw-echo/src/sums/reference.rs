@@ -6,13 +6,14 @@
 use crate::impairments::oscillator::Oscillator;
 use crate::links::multiplexing::{Transmission, row};
 use artifact::Radar;
-use artifact::paths::{Path, Rim};
+use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
 use radar::aperture::{axes, pattern_amplitude};
 use radar::beat::if_cycles;
 use radar::link::link_amplitude;
+use radar::path_kinematics::from_hub_m;
 use std::f64::consts::TAU;
 
 /// All samples of a cube, √W, row-major `[channel, chirp, sample]`.
@@ -118,14 +119,6 @@ pub fn legs_at(path: &Path, transmission: &Transmission, time_s: f64) -> Legs {
             - transmission.tx_m,
         arriving_m: arriving_m(scattering_time_s),
     }
-}
-
-/// Vector from the hub of a rolling wheel to the point on its rim, `way_m` after the frame's first
-/// sample.
-fn from_hub_m(rim: &Rim, way_m: DVec3) -> DVec3 {
-    let forward = DVec3::from_array(rim.forward);
-    let (sin, cos) = (rim.angle_rad - way_m.dot(forward) / rim.radius_m).sin_cos();
-    rim.radius_m * (cos * forward + sin * DVec3::Z)
 }
 
 /// Amplitude a + (f − f_c)·a′ in the array's polarization, metres.
