@@ -5,7 +5,7 @@ use artifact::dataset::Sample;
 use artifact::settings::Class;
 use classifier::{Evaluation, Part, Sightings, parts};
 use pipeline::chain::loaded_model::{LoadedModel, of_classifier_about};
-use pipeline::chain::loading;
+use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
@@ -33,12 +33,13 @@ pub struct Settings {
 /// A sentence that names the file where a model or a shard is damaged, or of another radar's signatures.
 pub fn run(settings: &Settings) -> Result<String, Failure> {
     let model = LoadedModel::read(&settings.model)?;
+    let datasets = DatasetFolder::open_all(&settings.datasets)?;
     if let Some(out) = &settings.out {
         files::claim(std::slice::from_ref(out))?;
     }
     let mut sightings = Sightings::default();
     let mut logits = Vec::new();
-    each_shard(&settings.datasets, |number, shard| {
+    each_shard(&datasets, |number, shard| {
         let samples: Vec<Sample> = classifier::samples_of(shard).collect::<Result<_, _>>()?;
         logits.extend(answers(&model, &samples).map_err(|failure| failure.about(shard))?);
         let added = sightings.add(number, samples.into_iter().map(Ok));
@@ -52,7 +53,7 @@ pub fn run(settings: &Settings) -> Result<String, Failure> {
 }
 
 /// Everything that the shards of these folders hold.
-pub(super) fn sightings_of(folders: &[PathBuf]) -> Result<Sightings, Failure> {
+pub(super) fn sightings_of(folders: &[DatasetFolder]) -> Result<Sightings, Failure> {
     let mut sightings = Sightings::default();
     each_shard(folders, |number, shard| {
         let added = sightings.add(number, classifier::samples_of(shard));
@@ -63,23 +64,15 @@ pub(super) fn sightings_of(folders: &[PathBuf]) -> Result<Sightings, Failure> {
 
 /// Does something with each shard of these folders, and with its folder's number.
 fn each_shard(
-    folders: &[PathBuf],
+    folders: &[DatasetFolder],
     mut visit: impl FnMut(usize, &Path) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let of_folders: Vec<Vec<PathBuf>> =
-        folders.iter().map(|folder| shards_of(folder)).collect::<Result<_, _>>()?;
-    let folders = of_folders.iter().enumerate();
-    let numbered = folders.flat_map(|(number, shards)| shards.iter().map(move |shard| (number, shard)));
-    let of = of_folders.iter().map(Vec::len).sum();
+    let of = folders.iter().map(|folder| folder.shards.len()).sum();
+    let numbered = folders
+        .iter()
+        .enumerate()
+        .flat_map(|(number, folder)| folder.shards.iter().map(move |shard| (number, shard)));
     progress::counted("shards", numbered, of).try_for_each(|(number, shard)| visit(number, shard))
-}
-
-fn shards_of(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let shards = loading::shards(folder);
-    if shards.is_empty() {
-        return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
-    }
-    Ok(shards)
 }
 
 /// Logarithms of the probabilities of the samples that have a class.

@@ -16,8 +16,10 @@ use classifier::{
     Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax,
     train_trees,
 };
+use conditions::{OfTracks, conditions};
 use pipeline::chain::loaded_model::of_classifier;
 use pipeline::chain::told_class::{ClassRule, Predicted};
+use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress::Work;
@@ -37,25 +39,33 @@ const ARRAYS: [(&str, Kept); 3] =
 /// A sentence that names file and rule where a shard is damaged, a class lacks, or what is asked means
 /// nothing to the learner.
 pub fn run(settings: &Settings) -> Result<String, Failure> {
+    if settings.learner == Learner::Trees && settings.iterations.is_some() {
+        return Err(iterations_of_trees());
+    }
+    let mut learned = DatasetFolder::open_all(&[&settings.datasets[..], &settings.test].concat())?;
+    let tests = learned.split_off(settings.datasets.len());
     if let Some(out) = &settings.out {
         files::claim(std::slice::from_ref(out))?;
     }
     let page = match settings.learner {
-        Learner::Trees if settings.iterations.is_some() => return Err(iterations_of_trees()),
-        Learner::Trees => of_trees(settings)?,
-        Learner::Paper => paper::page(settings)?,
+        Learner::Trees => of_trees(settings, &learned, &tests)?,
+        Learner::Paper => paper::page(settings, &learned)?,
     };
     settings.out.as_ref().map_or(Ok(()), |out| files::write_file(out, page.as_bytes()))?;
     Ok(page)
 }
 
-fn of_trees(settings: &Settings) -> Result<String, Failure> {
-    let learned = sightings_of(&settings.datasets)?;
-    let tests: Vec<Sightings> = settings
-        .test
-        .iter()
-        .map(|folder| sightings_of(std::slice::from_ref(folder)))
-        .collect::<Result<_, _>>()?;
+fn of_trees(
+    settings: &Settings,
+    datasets: &[DatasetFolder],
+    of_tests: &[DatasetFolder],
+) -> Result<String, Failure> {
+    let of_learned = conditions(datasets)?;
+    let of_tested: Vec<OfTracks> =
+        of_tests.iter().map(|folder| conditions(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
+    let learned = sightings_of(datasets)?;
+    let tests: Vec<Sightings> =
+        of_tests.iter().map(|folder| sightings_of(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
     let mut protocols = of_training(&learned, &settings.datasets);
     let named = |folder: &PathBuf| format!("T: {} never seen", folder.display());
     protocols.extend(settings.test.iter().zip(&tests).map(|(folder, test)| of_test(named(folder), test)));
@@ -74,10 +84,10 @@ fn of_trees(settings: &Settings) -> Result<String, Failure> {
     page += &reliability(&protocols, &trained[0]);
     page += &by_threshold(&protocols, &trained[0]);
     if let Some(held_out) = protocols.iter().find(|protocol| protocol.name == HELD_OUT) {
-        page += &by_condition(held_out, &settings.datasets, &trained[0]);
+        page += &by_condition(held_out, &of_learned, &trained[0]);
     }
-    for (folder, test) in settings.test.iter().zip(&tests) {
-        page += &by_condition(&of_test(named(folder), test), std::slice::from_ref(folder), &trained[0]);
+    for ((folder, test), known) in settings.test.iter().zip(&tests).zip(&of_tested) {
+        page += &by_condition(&of_test(named(folder), test), known, &trained[0]);
         page += &likenesses(folder, &learned, test);
     }
     if settings.curves {
@@ -202,13 +212,14 @@ fn shares(answers: &[(&Seen, Logits)], least: f32) -> String {
     counts.map(|share| format!("{share:.0}")).join(" / ")
 }
 
-/// Table of how often a protocol's vehicles are told right, by what their sightings were like; empty where
-/// the folders do not tell that.
-fn by_condition(protocol: &Protocol<'_>, folders: &[PathBuf], trained: &TrainedTrees) -> String {
-    let known = conditions::conditions(folders);
+/// Table of how often a protocol's vehicles are told right, by what their sightings were like; a row of its
+/// own has those of which no line beside their shard tells that.
+fn by_condition(protocol: &Protocol<'_>, known: &OfTracks, trained: &TrainedTrees) -> String {
+    let untold = conditions::untold();
     let mut of: BTreeMap<(usize, &str, &conditions::Bin), Protocol<'_>> = BTreeMap::new();
     for &(seen, source) in &protocol.seen {
-        for (order, (condition, value)) in known.get(&seen.track).into_iter().flatten().enumerate() {
+        let conditions = known.get(&seen.track).unwrap_or(&untold);
+        for (order, (condition, value)) in conditions.iter().enumerate() {
             let empty = || Protocol { name: String::new(), seen: vec![] };
             of.entry((order, *condition, value)).or_insert_with(empty).seen.push((seen, source));
         }

@@ -7,7 +7,7 @@ pub(crate) mod network;
 mod trees;
 
 use pipeline::chain::loaded_model::of_classifier_about;
-use pipeline::chain::loading;
+use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use std::path::PathBuf;
@@ -22,13 +22,11 @@ pub use settings::{Learner, PAPER_ITERATIONS, Settings};
 /// nothing to the learner.
 pub fn run(settings: &Settings) -> Result<(), Failure> {
     check(settings)?;
-    let datasets: Vec<Vec<PathBuf>> =
-        settings.datasets.iter().map(|folder| loading::shards(folder)).collect();
-    for (folder, shards) in settings.datasets.iter().zip(&datasets) {
-        if classifier::format_of(shards).map_err(of_classifier_about(folder))?.is_none() {
-            return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
-        }
+    let opened = DatasetFolder::open_all(&settings.datasets)?;
+    for DatasetFolder { folder, shards } in &opened {
+        classifier::format_of(shards).map_err(of_classifier_about(folder))?;
     }
+    let datasets: Vec<Vec<PathBuf>> = opened.into_iter().map(|dataset| dataset.shards).collect();
     files::claim(&classifier::MODEL_FILES.map(|name| settings.out.join(name)))?;
     match settings.learner {
         Learner::Trees => trees::train(settings, &datasets),

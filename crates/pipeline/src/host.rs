@@ -1,9 +1,10 @@
 //! Services that the chain stands on beside the stages: failures, whole files, memory, progress, places and
-//! long work's checkpoints.
+//! long work's checkpoints; and folders of datasets as inputs.
 
 pub mod failure;
 pub mod progress;
 pub mod files;
+pub mod dataset_folders;
 pub mod memory;
 pub mod processor_time;
 pub mod places;

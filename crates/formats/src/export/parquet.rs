@@ -7,7 +7,7 @@ use artifact::dataset::{Dataset, Sample};
 use artifact::points::{Point, Points, PointsFrame, PointsHeader};
 use artifact::settings::Class;
 use interchange::table::{Kind, Table, Value};
-use pipeline::chain::loading;
+use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
 use std::path::{Path, PathBuf};
@@ -101,9 +101,6 @@ const OF_SAMPLES: [(&str, Kind); 12] = [
 /// The samples of a shard, or of all shards of a folder, a row each.
 pub fn samples(asked: &Path, out: &Path) -> Result<(), Failure> {
     let shards = shards(asked)?;
-    for shard in &shards {
-        artifact::inputs::note(shard);
-    }
     let names = apart(feature_names());
     let columns: Vec<(&str, Kind)> =
         OF_SAMPLES.into_iter().chain(names.iter().map(|name| (name.as_str(), Kind::Real))).collect();
@@ -133,13 +130,10 @@ fn apart(mut names: Vec<String>) -> Vec<String> {
 /// The shards of a folder, at least one; a plain file stands for itself.
 fn shards(asked: &Path) -> Result<Vec<PathBuf>, Failure> {
     if !asked.is_dir() {
+        artifact::inputs::note(asked);
         return Ok(vec![asked.to_owned()]);
     }
-    let shards = loading::shards(asked);
-    if shards.is_empty() {
-        return Err(Failure::Refused(format!("{}: holds no shards of a dataset", asked.display())));
-    }
-    Ok(shards)
+    Ok(DatasetFolder::open(asked)?.shards)
 }
 
 fn of_sample(sample: &Sample) -> Vec<Value> {

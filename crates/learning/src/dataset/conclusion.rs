@@ -10,6 +10,7 @@ use crate::dataset::recipe::Recipe;
 use crate::dataset::resumption;
 use accuracy::ReachedAccuracy;
 use detection::DetectionTable;
+use pipeline::host::dataset_folders::CONCLUSION;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress::Work;
@@ -19,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 /// Files of the conclusion in a dataset's folder.
 pub(super) fn files_of(out: &Path) -> [PathBuf; 3] {
-    ["manifest.jsonl", "scenes.jsonl", "detection.md"].map(|name| out.join(name))
+    CONCLUSION.map(|name| out.join(name))
 }
 
 /// Shards of a recipe that are not there, `most` of them at most: first by their names, which is all that a

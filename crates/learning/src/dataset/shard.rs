@@ -30,6 +30,7 @@ pub(super) struct ShardMaking<'a> {
 /// Makes a shard and the lines of its scenes.
 pub(super) fn make(making: &ShardMaking, shard: &PlannedShard) -> Result<(), Failure> {
     let recipe = making.recipe;
+    files::claim(&[shard.samples.clone(), shard.lines.clone()])?;
     let scenes = draws::draw(recipe, shard.scenes.clone());
     let mut writer = Writer::<Dataset>::create(&shard.samples, &provenance(recipe), &dsp::PAPER_CROP)?;
     let mut text = String::new();

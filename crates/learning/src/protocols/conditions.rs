@@ -4,12 +4,13 @@
 use crate::dataset::lines::{LIMIT_BYTES, read_scene};
 use classifier::TrackKey;
 use glam::DVec2;
-use pipeline::chain::loading;
+use pipeline::host::dataset_folders::{DatasetFolder, lines_of};
+use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
-use std::path::PathBuf;
+use std::path::Path;
 
 /// Name and value of every condition of a track, in the order of the table.
 pub(super) type Conditions = Vec<(&'static str, Bin)>;
@@ -25,19 +26,40 @@ const TILT_DEG: [f64; 2] = [-8.0, -4.0];
 /// Between the vehicle's heading and the way from it to the radar.
 const ASPECT_DEG: [f64; 4] = [20.0, 70.0, 110.0, 160.0];
 
-/// Conditions of every vehicle that was found, as it was in its first frame; nothing of folders without the
-/// lines of their scenes.
-pub(super) fn conditions(folders: &[PathBuf]) -> BTreeMap<TrackKey, Conditions> {
+/// Conditions of tracks.
+pub(super) type OfTracks = BTreeMap<TrackKey, Conditions>;
+
+/// Conditions of every vehicle that was found, as it was in its first frame; nothing of shards beside which no
+/// lines are.
+///
+/// # Errors
+/// A line is damaged: file, line and rule.
+pub(super) fn conditions(folders: &[DatasetFolder]) -> Result<OfTracks, Failure> {
     let mut all = BTreeMap::new();
     for (number, folder) in folders.iter().enumerate() {
-        for shard in loading::shards(folder) {
-            let text = files::read_own(&shard.with_extension("jsonl"), LIMIT_BYTES).unwrap_or_default();
-            let lines = text.split(|byte| *byte == b'\n');
-            let scenes = lines.filter_map(read_scene);
-            scenes.for_each(|scene| of_scene(number, &scene, &mut all));
+        for lines in folder.shards.iter().map(|shard| lines_of(shard)).filter(|lines| lines.exists()) {
+            scenes_of(&lines)?.iter().for_each(|scene| of_scene(number, scene, &mut all));
         }
     }
-    all
+    Ok(all)
+}
+
+/// Condition of a vehicle of which no line tells any.
+pub(super) fn untold() -> Conditions {
+    vec![("line beside the shard", (0, "none".into()))]
+}
+
+/// Scenes of the lines beside a shard.
+fn scenes_of(lines: &Path) -> Result<Vec<Value>, Failure> {
+    let text = files::read_own(lines, LIMIT_BYTES).map_err(|error| Failure::system(lines, "read", error))?;
+    let text = text.strip_suffix(b"\n").unwrap_or(&text);
+    let of_line = |(at, line)| read_scene(line).ok_or_else(|| damaged(lines, at));
+    text.split(|byte| *byte == b'\n').enumerate().map(of_line).collect()
+}
+
+fn damaged(lines: &Path, at: usize) -> Failure {
+    let place = format!("{}:{}", lines.display(), at + 1);
+    Failure::Refused(format!("{place}: is no line of a scene; `dataset` makes its shard anew"))
 }
 
 fn of_scene(dataset: usize, scene: &Value, all: &mut BTreeMap<TrackKey, Conditions>) {

@@ -2,7 +2,7 @@
 
 use crate::protocols::settings::Settings;
 use crate::training::{PAPER_ITERATIONS, network};
-use pipeline::chain::loading;
+use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress::Work;
 use serde_json::Value;
@@ -27,14 +27,14 @@ const PAPER: &str =
 const POINTS: usize = 8;
 
 /// Trains each protocol with every seed and tables what came out.
-pub(super) fn page(settings: &Settings) -> Result<String, Failure> {
+pub(super) fn page(settings: &Settings, datasets: &[DatasetFolder]) -> Result<String, Failure> {
     if !settings.test.is_empty() || settings.curves {
         return Err(Failure::refused(
             "--test and --curves are asked of trees; the paper's protocols have neither",
         ));
     }
     let iterations = settings.iterations.unwrap_or(PAPER_ITERATIONS);
-    let shards: Vec<PathBuf> = settings.datasets.iter().flat_map(|folder| loading::shards(folder)).collect();
+    let shards: Vec<PathBuf> = datasets.iter().flat_map(|dataset| dataset.shards.clone()).collect();
     let program = network::built()?;
     let work = Work::begin("training");
     let mut rows = String::new();

@@ -36,6 +36,11 @@ impl LoadedModel {
     pub fn read(place: &Path) -> Result<Self, Failure> {
         let model = classifier::load_model(place).map(Self::of).map_err(of_classifier_about(place))?;
         model.ready().map_err(|failure| failure.about(place))?;
+        // What its folder tells of it beside the weights is an input as they are.
+        let folder = if place.is_dir() { Some(place) } else { place.parent() };
+        let beside =
+            folder.into_iter().flat_map(|folder| classifier::MODEL_FILES.map(|name| folder.join(name)));
+        beside.for_each(|file| artifact::inputs::note(&file));
         Ok(model)
     }
 

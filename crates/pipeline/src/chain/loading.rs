@@ -8,7 +8,6 @@ use crate::host::failure::Failure;
 use crate::host::progress::{self, Work};
 use artifact::Provenance;
 use artifact::scene::{Scene, SceneHeader};
-use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -147,24 +146,4 @@ pub fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, Strin
         settings: serde_json::to_string(&(&header.fidelity, &header.dsp)).unwrap_or_default(),
         seed: header.seed,
     }
-}
-
-/// The shards of a dataset folder and of its folders for a thousand shards each, in the order of their
-/// numbers; others before them, in the order of their names.
-pub fn shards(folder: &Path) -> Vec<PathBuf> {
-    let folders = entries(folder).filter(|place| name(place).starts_with("shards-") && place.is_dir());
-    let all = entries(folder).chain(folders.flat_map(|folder| entries(&folder)));
-    let mut shards: Vec<PathBuf> =
-        all.filter(|place| place.extension().is_some_and(|e| e == "dataset")).collect();
-    let number = |shard: &Path| name(shard).strip_prefix("shard-")?.split('.').next()?.parse::<u64>().ok();
-    shards.sort_by_cached_key(|shard| (number(shard), shard.clone()));
-    shards
-}
-
-fn entries(folder: &Path) -> impl Iterator<Item = PathBuf> + use<> {
-    std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path())
-}
-
-fn name(place: &Path) -> Cow<'_, str> {
-    place.file_name().unwrap_or_default().to_string_lossy()
 }

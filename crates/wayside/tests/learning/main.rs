@@ -5,6 +5,7 @@ mod common;
 
 mod calibration;
 mod datasets;
+mod folders;
 mod labels;
 mod parts;
 mod protocols;

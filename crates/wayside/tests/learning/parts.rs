@@ -218,3 +218,16 @@ fn scenes_are_drawn_a_shard_at_a_time() {
     assert!(ended.status.success(), "{}", ended.said);
     assert!(ended.printed.contains("shard-0000.jsonl: not made yet"), "{}", ended.printed);
 }
+
+#[test]
+fn a_shard_that_would_replace_the_base_scene_is_refused_before_its_scenes_are_made() {
+    let place = prepared(&RECIPE.replace("base.toml", "d/shard-0000.jsonl"));
+    std::fs::create_dir(place.path("d")).unwrap();
+    std::fs::write(place.path("d/shard-0000.jsonl"), BASE).unwrap();
+    let output = place.try_run("dataset spec.toml --out d --quiet");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("d/shard-0000.jsonl: cannot be written: it is an input of this command"), "{said}");
+    assert!(!place.path("d/shard-0000.dataset").exists(), "it was made for nothing");
+    assert_eq!(place.bytes("d/shard-0000.jsonl"), BASE.as_bytes());
+}

@@ -8,7 +8,7 @@ use artifact::dataset::{Dataset, Sample};
 use artifact::rdm::Rdm;
 use artifact::{Reader, Schema, read_preamble};
 use pipeline::chain::loaded_model::LoadedModel;
-use pipeline::chain::loading;
+use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress::{self, Work};
 use pipeline::outcome::summary::Probabilities;
@@ -20,7 +20,9 @@ const BATCH: usize = 64;
 
 pub(crate) fn run(arguments: &ClassifyArguments) -> Result<(), Failure> {
     let model = LoadedModel::read(&arguments.model)?;
-    for file in arguments.files.iter().flat_map(|f| expanded(f)) {
+    let files: Vec<Vec<PathBuf>> =
+        arguments.files.iter().map(|place| expanded(place)).collect::<Result<_, _>>()?;
+    for file in files.into_iter().flatten() {
         match read_preamble(&file)?.schema.as_str() {
             Rdm::NAME => maps(&model, &file).map_err(|failure| failure.about(&file))?,
             Dataset::NAME => samples(&model, &file)?,
@@ -31,8 +33,11 @@ pub(crate) fn run(arguments: &ClassifyArguments) -> Result<(), Failure> {
 }
 
 /// A folder stands for the datasets in it.
-fn expanded(place: &Path) -> Vec<PathBuf> {
-    if place.is_dir() { loading::shards(place) } else { vec![place.to_owned()] }
+fn expanded(place: &Path) -> Result<Vec<PathBuf>, Failure> {
+    match place.is_dir() {
+        true => Ok(DatasetFolder::open(place)?.shards),
+        false => Ok(vec![place.to_owned()]),
+    }
 }
 
 fn unfit(file: &Path, schema: &str) -> Failure {

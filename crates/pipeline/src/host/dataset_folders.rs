@@ -1,0 +1,157 @@
+//! Folders of datasets as inputs: their shards are all there, none stands for two, and no output takes the
+//! place of one of their files.
+
+use crate::host::failure::Failure;
+use crate::host::progress;
+use artifact::{bounded, inputs};
+use serde::Deserialize;
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::File;
+use std::io::{BufRead, BufReader, ErrorKind, Read};
+use std::path::{Path, PathBuf};
+
+/// Files that are made of all shards, in the order of their writing: a line a sample, a line a scene, and
+/// the errors of all vehicles.
+pub const CONCLUSION: [&str; 3] = ["manifest.jsonl", SCENES, "detection.md"];
+const SCENES: &str = "scenes.jsonl";
+
+/// A folder of a dataset whose shards are all there.
+#[derive(Debug, Clone)]
+pub struct DatasetFolder {
+    /// Name by which it was asked for.
+    pub folder: PathBuf,
+    /// Its shards, at least one, in the order of their numbers.
+    pub shards: Vec<PathBuf>,
+}
+
+impl DatasetFolder {
+    /// Looks for the shards of a folder; all of its files are inputs from here on.
+    ///
+    /// # Errors
+    /// It has no shards, or not all that its `scenes.jsonl` names. Without one the dataset was not concluded,
+    /// which is noted, and what is there is taken.
+    pub fn open(folder: &Path) -> Result<Self, Failure> {
+        let shards = shards(folder);
+        if shards.is_empty() {
+            return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
+        }
+        for shard in &shards {
+            inputs::note(shard);
+            inputs::note(&lines_of(shard));
+        }
+        CONCLUSION.iter().for_each(|name| inputs::note(&folder.join(name)));
+        all_are_there(folder, &shards)?;
+        Ok(Self { folder: folder.to_owned(), shards })
+    }
+
+    /// Looks for the shards of several folders, of which none may hold what another one holds.
+    ///
+    /// # Errors
+    /// As [`Self::open`], and where two shards have the same bytes: their samples would count twice, or train
+    /// what they test.
+    pub fn open_all(folders: &[PathBuf]) -> Result<Vec<Self>, Failure> {
+        let opened: Vec<Self> = folders.iter().map(|folder| Self::open(folder)).collect::<Result<_, _>>()?;
+        none_twice(opened.iter().flat_map(|folder| &folder.shards))?;
+        Ok(opened)
+    }
+}
+
+/// File with a line for each scene of a shard.
+pub fn lines_of(shard: &Path) -> PathBuf {
+    shard.with_extension("jsonl")
+}
+
+/// Part of a scene's line that says which shard has its samples.
+#[derive(Deserialize)]
+struct OfShard {
+    file: Option<String>,
+}
+
+/// Holds the shards of a folder against those that its `scenes.jsonl` names.
+fn all_are_there(folder: &Path, shards: &[PathBuf]) -> Result<(), Failure> {
+    let scenes = folder.join(SCENES);
+    let file = match bounded::open(&scenes) {
+        Ok(file) => file,
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            unconcluded(folder, shards.len());
+            return Ok(());
+        }
+        Err(error) => return Err(Failure::system(&scenes, "read", error)),
+    };
+    let here: BTreeSet<&Path> = shards.iter().map(PathBuf::as_path).collect();
+    let named = shards_named(file, &scenes)?;
+    let lacks = named.iter().find(|name| !here.contains(folder.join(name).as_path()));
+    lacks.map_or(Ok(()), |name| Err(lacking(folder, name)))
+}
+
+/// Bytes of the line of a scene at most: a thousand frames of sixteen vehicles.
+const LINE_LIMIT_BYTES: u64 = 1 << 26;
+
+/// Names of the shards that the lines of scenes tell of.
+fn shards_named(file: File, scenes: &Path) -> Result<BTreeSet<String>, Failure> {
+    let mut reader = BufReader::new(file);
+    let mut named = BTreeSet::new();
+    for number in 1.. {
+        let mut line = Vec::new();
+        let read = reader.by_ref().take(LINE_LIMIT_BYTES).read_until(b'\n', &mut line);
+        if read.map_err(|error| Failure::system(scenes, "read", error))? == 0 {
+            break;
+        }
+        let told: OfShard = serde_json::from_slice(&line).map_err(|error| {
+            Failure::Refused(format!("{}:{number}: is no line of a scene: {error}", scenes.display()))
+        })?;
+        named.extend(told.file);
+    }
+    Ok(named)
+}
+
+fn unconcluded(folder: &Path, shards: usize) {
+    let folder = folder.display();
+    progress::note(format!(
+        "note: {folder}: has no {SCENES}, so whether shards lack is not known; the {shards} here are taken"
+    ));
+}
+
+fn lacking(folder: &Path, shard: &str) -> Failure {
+    let rule = "is not there, and scenes.jsonl tells of its scenes; `dataset` makes it anew";
+    Failure::System(format!("{}: {rule}", folder.join(shard).display()))
+}
+
+/// Refuses two shards of the same bytes; only those of one length are read for it.
+fn none_twice<'a>(shards: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+    let mut of_length: BTreeMap<u64, Vec<&PathBuf>> = BTreeMap::new();
+    for shard in shards {
+        let about = std::fs::metadata(shard).map_err(|error| Failure::system(shard, "read", error))?;
+        of_length.entry(about.len()).or_default().push(shard);
+    }
+    let mut known: BTreeMap<String, &PathBuf> = BTreeMap::new();
+    for shard in of_length.into_values().filter(|alike| alike.len() > 1).flatten() {
+        let (_, hash) = inputs::named_hash(shard).map_err(|error| Failure::system(shard, "read", error))?;
+        if let Some(other) = known.insert(hash, shard) {
+            let (one, other) = (shard.display(), other.display());
+            return Err(Failure::System(format!("{one}: has the samples of {other}; each is taken once")));
+        }
+    }
+    Ok(())
+}
+
+/// The shards of a dataset folder and of its folders for a thousand shards each, in the order of their
+/// numbers; others before them, in the order of their names.
+fn shards(folder: &Path) -> Vec<PathBuf> {
+    let folders = entries(folder).filter(|place| name(place).starts_with("shards-") && place.is_dir());
+    let all = entries(folder).chain(folders.flat_map(|folder| entries(&folder)));
+    let mut shards: Vec<PathBuf> =
+        all.filter(|place| place.extension().is_some_and(|e| e == "dataset")).collect();
+    let number = |shard: &Path| name(shard).strip_prefix("shard-")?.split('.').next()?.parse::<u64>().ok();
+    shards.sort_by_cached_key(|shard| (number(shard), shard.clone()));
+    shards
+}
+
+fn entries(folder: &Path) -> impl Iterator<Item = PathBuf> + use<> {
+    std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path())
+}
+
+fn name(place: &Path) -> Cow<'_, str> {
+    place.file_name().unwrap_or_default().to_string_lossy()
+}

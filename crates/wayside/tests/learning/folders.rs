@@ -1,0 +1,92 @@
+//! Folders of datasets as inputs: whole or refused, each taken once, and none of their files replaced by a
+//! page.
+
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
+
+use crate::common::{Workplace, crops};
+use std::process::Output;
+
+/// The dataset `a` of four shards, each with a scene in `scenes.jsonl`, and the model `m`.
+fn prepared() -> Workplace {
+    let place = Workplace::new();
+    crops::write(&place.path("a"), 5);
+    let scene = |number| format!("{{\"file\":\"shard-000{number}.dataset\",\"scene\":{number}}}\n");
+    std::fs::write(place.path("a/scenes.jsonl"), (0..4).map(scene).collect::<String>()).unwrap();
+    std::fs::write(place.path("a/manifest.jsonl"), "{}\n").unwrap();
+    std::fs::create_dir(place.path("m")).unwrap();
+    let trees = Workplace::project_file("fixtures/classifier.model");
+    std::fs::copy(trees, place.path("m/weights.model")).unwrap();
+    std::fs::write(place.path("m/metrics.json"), "{}\n").unwrap();
+    place
+}
+
+fn refused(output: &Output, word: &str, what: &str) {
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{what}: {said}");
+    assert!(said.contains(word), "{what}: `{word}` is not in: {said}");
+}
+
+#[test]
+fn a_dataset_of_which_a_shard_lacks_is_refused_by_every_command_that_takes_one() {
+    let place = prepared();
+    std::fs::remove_file(place.path("a/shard-0002.dataset")).unwrap();
+    for words in ["train a --out new", "classify m a", "evaluate m a", "protocols a --seeds 1"] {
+        refused(&place.try_run(words), "a/shard-0002.dataset: is not there", words);
+    }
+    std::fs::remove_file(place.path("a/scenes.jsonl")).unwrap();
+    let output = place.try_run("evaluate m a");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(said.contains("a: has no scenes.jsonl") && said.contains("the 3 here are taken"), "{said}");
+    assert_eq!(output.status.code(), Some(0));
+}
+
+#[test]
+fn a_line_of_a_scene_that_is_damaged_is_named_by_its_place() {
+    let place = prepared();
+    std::fs::write(place.path("a/shard-0001.jsonl"), "{\"scene\":1,\"frames\":[]}\n{\"scene\":2,\n").unwrap();
+    let output = place.try_run("protocols a --seeds 1");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("a/shard-0001.jsonl:2: is no line of a scene"), "{said}");
+    std::fs::write(place.path("a/scenes.jsonl"), "{\"file\":\"shard-0000.dataset\"}\n[\n").unwrap();
+    let output = place.try_run("evaluate m a");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("a/scenes.jsonl:2: is no line of a scene"), "{said}");
+}
+
+#[test]
+fn samples_are_taken_once_however_their_folder_is_named_and_where_it_was_copied_to() {
+    let place = prepared();
+    std::fs::create_dir(place.path("copy")).unwrap();
+    std::fs::copy(place.path("a/shard-0003.dataset"), place.path("copy/other.dataset")).unwrap();
+    for (words, one) in [
+        ("evaluate m a a", "a/shard-0003.dataset"),
+        ("train a copy/../a --out new", "copy/../a/shard-0003.dataset"),
+        ("protocols a --seeds 1 --test copy", "copy/other.dataset"),
+    ] {
+        refused(&place.try_run(words), &format!("{one}: has the samples of a/shard-0003.dataset"), words);
+    }
+    assert!(!place.path("new").exists());
+}
+
+#[test]
+fn no_page_replaces_a_file_of_a_dataset_or_of_a_model() {
+    let place = prepared();
+    std::fs::write(place.path("a/shard-0000.jsonl"), "{\"scene\":0,\"frames\":[]}\n").unwrap();
+    for (words, input) in [
+        ("evaluate m a --out a/manifest.jsonl", "a/manifest.jsonl"),
+        ("evaluate m a --out a/shard-0003.dataset", "a/shard-0003.dataset"),
+        ("evaluate m a --out m/metrics.json", "m/metrics.json"),
+        ("evaluate m/weights.model a --out m/metrics.json", "m/metrics.json"),
+        ("protocols a --seeds 1 --out a/shard-0000.jsonl", "a/shard-0000.jsonl"),
+        ("protocols a --seeds 1 --out a/scenes.jsonl", "a/scenes.jsonl"),
+    ] {
+        let before = place.bytes(input);
+        refused(&place.try_run(words), "is an input of this command", words);
+        assert_eq!(place.bytes(input), before, "{words}");
+    }
+}
