@@ -11,6 +11,7 @@ use crate::wording::allowed::Allowed;
 use crate::wording::number::WrittenNumber;
 use artifact::bounded::ReadFault;
 use artifact::sentence::readable;
+use radar::lattice::TooManyDirections;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -76,6 +77,7 @@ impl std::error::Error for SceneError {
             Rule::Net(error) => Some(error),
             Rule::Pattern(error) => Some(error),
             Rule::Calibration(error) => Some(error),
+            Rule::Directions(error) => Some(error),
             _ => None,
         }
     }
@@ -291,6 +293,9 @@ pub enum Rule {
         /// Most values.
         limit: u64,
     },
+    /// An array of more directions than are looked at.
+    #[error("{0}")]
+    Directions(#[source] TooManyDirections),
     /// Another radar's chirps that would overlap.
     #[error("`chirp_interval_us` is {interval_us}, shorter than a chirp of {sweep_us} µs")]
     ChirpsOverlap {
