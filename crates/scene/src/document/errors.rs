@@ -42,7 +42,8 @@ impl std::error::Error for SceneErrors {}
 pub struct SceneError {
     /// The scene file.
     pub file: PathBuf,
-    /// Line and column in the file; `None` where the file could not be read at all.
+    /// Line and column in the file; `None` where the file could not be read at all, and of a change that
+    /// stands nowhere in it.
     pub position: Option<Position>,
     /// The table or target concerned.
     pub place: Place,
