@@ -1,6 +1,7 @@
 //! Errors in a cube, in a map, or in what is asked of them.
 
 use artifact::settings::FALSE_ALARM_RATES;
+use radar::lattice::TooManyDirections;
 use std::fmt;
 
 /// Reason why a cube or a map could not be processed; every field is a fact about the input.
@@ -100,6 +101,9 @@ pub enum DspError {
     /// A cube of more values than any stage holds.
     #[error("channels × chirps × samples of the radar are more than {}", artifact::cube::CUBE_LIMIT)]
     TooLarge,
+    /// An array of more directions than are looked at.
+    #[error("{0}")]
+    Directions(#[source] TooManyDirections),
     /// A property of the radar that no axis can be made from.
     #[error("{quantity} must be finite, not zero and, but for a slope, not negative; it is {value}")]
     Radar {

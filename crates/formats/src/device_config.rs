@@ -14,7 +14,7 @@ mod beside_scene; // a scene that says some of them itself
 
 pub use beside_scene::{Configured, scene_with};
 pub use chirp_program::DeviceSettings;
-pub use scene_tables::{NoBoard, scene_text};
+pub use scene_tables::{NoScene, scene_text};
 
 use crate::devices::Board;
 use artifact::bounded;

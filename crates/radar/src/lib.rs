@@ -13,6 +13,7 @@ pub mod assignment; // optimal association of rows and columns
 pub mod beat; // phase of eq. (13), range–Doppler coupling
 pub mod complex_vector; // fields with phase
 pub mod doppler_ambiguity; // velocities that look alike
+pub mod lattice; // grids of an array's directions
 pub mod link; // link budget
 pub mod motion; // of bodies
 pub mod paper; // the radar of Table 2

@@ -7,7 +7,7 @@ use crate::document::keys::fidelity::FIDELITY;
 use crate::document::keys::radar::RADAR;
 use crate::document::keys::scene::{SCENE, SEED};
 use crate::document::section::Section;
-use crate::document::text::{at_no_place, read_text};
+use crate::document::text::{at_no_place, read_text as text_of};
 use crate::materials::{read_road, read_scene_materials};
 use crate::models::library::Models;
 use crate::models::options::{Meshes, ReadOptions};
@@ -30,8 +30,16 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<SceneHeader, SceneErro
     read_changed(path, &[], options)
 }
 
+/// The scene that a text would be in `path`, where it is not written yet.
+///
+/// # Errors
+/// As [`read`], with the lines of the text.
+pub fn read_text(path: &Path, text: &str, options: &ReadOptions) -> Result<SceneHeader, SceneErrors> {
+    of_text((path, text), &[], options).map(|(header, _)| header)
+}
+
 /// The scene in `path` with some of its values changed; line and column of an error are those of what a
-/// change replaces, or of its table.
+/// change replaces, or of its table; of a table that the file leaves out there are none.
 ///
 /// # Errors
 /// As [`read`]; and a change that has no place in the file.
@@ -79,8 +87,16 @@ fn read_with_models(
     changes: &[Change],
     options: &ReadOptions,
 ) -> Result<(SceneHeader, Models), SceneErrors> {
-    let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
-    let faults = Faults::new(path, &text);
+    let text = text_of(path).map_err(|rule| at_no_place(path, rule))?;
+    of_text((path, &text), changes, options)
+}
+
+fn of_text(
+    (path, text): (&Path, &str),
+    changes: &[Change],
+    options: &ReadOptions,
+) -> Result<(SceneHeader, Models), SceneErrors> {
+    let faults = Faults::new(path, text);
     let mut document = faults.document();
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut models = Models::new(folder, options);

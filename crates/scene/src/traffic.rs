@@ -182,7 +182,11 @@ impl Recording<'_> {
     /// Frames of the recording with what is in view in each; what is wrong with it is noted.
     pub(crate) fn frames(mut self, models: &mut Models, targets: &[Target]) -> Traffic {
         self.read(models, targets).unwrap_or_else(|error| {
-            let key = if matches!(self.source, Source::Osi(_)) { OSI.name } else { FCD.name };
+            let key = match (&self.source, error.rule.as_ref()) {
+                (_, FcdRule::EndsBeforeRecording { .. }) => END.name,
+                (Source::Osi(_), _) => OSI.name,
+                (Source::Fcd(_), _) => FCD.name,
+            };
             self.section.note(key, Rule::Traffic(error));
             Traffic::default()
         })
@@ -201,7 +205,7 @@ impl Recording<'_> {
                 let kept = self.keep_frame(&mut cast, models, (&reader, &interval), time_s);
                 kept.map_err(|(line, rule)| reader.error_at(line, rule))?;
             }
-            if clock.is_done() {
+            if clock.is_complete() {
                 break;
             }
         }

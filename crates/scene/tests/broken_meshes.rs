@@ -151,6 +151,7 @@ fn stl_and_obj_cases() -> Vec<Case> {
         // STL.
         ("empty.stl", vec![], ": ", "is cut off: 0 bytes where at least 84 belong"),
         ("cut.stl", binary_stl(0.5)[..130].to_vec(), ": ", "is cut off: 130 bytes where at least 134 belong"),
+        ("long.stl", [binary_stl(0.5), vec![0; 120]].concat(), ": ", "is longer than its header says: 1 facets take 134 bytes, it has 254, which hold 3"),
         ("nan.stl", binary_stl(f32::NAN), ": facet 1: ", "vertex 0 is not finite"),
         ("word.stl", b"solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n".to_vec(), ":4: ", "expected a number, found `zero`"),
         ("line.stl", b"solid s\nfacte normal 0 0 1\n".to_vec(), ":2: ", "expected a line of STL"),

@@ -40,6 +40,8 @@ const CASES: &[Case] = &[
     (NAME, "[radar.array]\ntilt_deg = -10\n", "3:1", "unknown key `tilt_deg`; the nearest is `boresight_el_deg` of [radar]"),
     (NAME, "[radar.waveform]\nbandwidth_mhz = 600\n", "3:1", "the nearest is `slope_mhz_per_us`"),
     (POINT, "speed_mps = 3\n", "7:1", "target `p`: unknown key `speed_mps`; the nearest is `velocity_mps`"),
+    // An array of so many wavelengths that a search of its directions would not end.
+    (NAME, "[radar.array]\ntx_half_wavelengths = [[0, 0], [2000, 2000]]\nrx_half_wavelengths = [[0, 0], [1, 0], [0, 1]]\n", "3:23", "in 8192 × 8192 directions (right × up); the limit is 4194304"),
     // Hardware.
     (NAME, "[radar.array]\npreset = \"1x4\"\nrx_delays_ps = [1, 2]\n", "4:16", "`rx_delays_ps` must have 4 values, has 2"),
     (NAME, "[radar.receiver]\nadc_bits = 12\n", "3:12", "`adc_bits` needs `full_scale_dbm` beside it"),

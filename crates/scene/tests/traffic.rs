@@ -122,10 +122,15 @@ fn frames_fill_the_time_asked_for_and_no_more() {
         ("frames = 12", "begin_s = 1.0\nend_s = 2.0"),
         ("", "begin_s = -0.1"),
         ("", "end_s = 5.0"),
+        ("", "begin_s = 5.0"),
+        ("frames = 1", "begin_s = -2.0\nend_s = -1.0"),
     ] {
         let refused = frames(head, keys).unwrap_err();
-        assert!(refused.contains("the recording runs from 0 s to "), "{head} {keys}: {refused}");
+        assert!(refused.contains("the recording runs from 0 s to 4.9 s"), "{head} {keys}: {refused}");
     }
+    let told = frames("", "end_s = -1.0").unwrap_err();
+    let span = "`end_s` is -1 s, before the recording begins: the recording runs from 0 s to 4.9 s";
+    assert!(told.starts_with("scene.toml:6:9: [traffic]: t.fcd.xml") && told.contains(span), "{told}");
     assert!(frames("", "begin_s = 2.0\nend_s = 1.0").unwrap_err().contains("`end_s` is 1, before `begin_s`"));
 }
 

@@ -69,6 +69,10 @@ const RESULTS: [&str; 6] =
 /// A sentence that names file, place and rule where the study, its scene or a model refuses; runs that are
 /// made are kept.
 pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
+    let cache = Cache::of_run(settings.cache.as_ref())?;
+    if let Some(cache) = &cache {
+        cache.apart_from([settings.out.as_path(), &Kept::folder_in(&settings.out)])?;
+    }
     let study = Study::read(&settings.study, settings.seed)?;
     check_size(&study)?;
     let (designs, situations) = (designs::designs(&study), situations::situations(&study));
@@ -84,7 +88,7 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
         first_of_kinds: &first_of_kinds,
         situations: &situations,
         kept: Kept::of(&study, model.as_ref().map(LoadedModel::hash), &settings.out),
-        cache: settings.cache.as_ref().map(Cache::open).transpose()?,
+        cache,
         model,
         memory: settings.memory,
         shard: settings.shard,

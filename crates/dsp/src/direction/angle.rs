@@ -10,10 +10,11 @@ use crate::spectrum::axes::Axes;
 use crate::spectrum::code_division;
 use crate::spectrum::division::Division;
 use artifact::cube::CubeHeader;
-use artifact::radar::Multiplexing;
+use artifact::radar::{Multiplexing, Radar};
 use artifact::rdm::RdmFrame;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
+use radar::lattice::{Lattice, lattices};
 use rustfft::{Fft, FftPlanner};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -38,6 +39,7 @@ pub struct VirtualArray {
     /// |tx|² + |rx|² of each channel, m².
     squares_m2: Vec<f64>,
     lattices: [Lattice; 2],
+    filled: Filled,
     transforms: [Arc<dyn Fft<f64>>; 2],
 }
 
@@ -53,8 +55,6 @@ pub struct Direction {
 /// Values of all channels in one cell, free of the phases of time and code division.
 pub type Snapshot = Vec<Complex64>;
 
-/// Cells of the angle FFT per null-to-null half lobe: the climb starts within an eighth of the lobe's width.
-const OVERSAMPLING: usize = 4;
 /// Parabola steps of the climb: each quarters the step, so the last is 1/1000 of a lobe and its rest far
 /// below 1e-4 of u.
 const CLIMBS: usize = 5;
@@ -76,13 +76,10 @@ impl VirtualArray {
             })
             .collect();
         let wavelength_m = radar.waveform.wavelength_m();
-        let lattices = [axes[0], axes[1]].map(|axis| {
-            Lattice::new(
-                &elements.iter().map(|[t, r]| (*t + *r).dot(axis) / wavelength_m).collect::<Vec<_>>(),
-            )
-        });
+        let lattices = lattices(radar);
         let mut planner = FftPlanner::new();
         let transforms = [0, 1].map(|axis: usize| planner.plan_fft_inverse(lattices[axis].cells()));
+        let filled = Filled::of(lattices[1].places());
         let squares_m2 = elements.iter().map(|[tx, rx]| tx.length_squared() + rx.length_squared()).collect();
         Self {
             cells: Axes::of(radar),
@@ -97,6 +94,7 @@ impl VirtualArray {
             slot_s,
             squares_m2,
             lattices,
+            filled,
             transforms,
         }
     }
@@ -269,14 +267,7 @@ impl VirtualArray {
     /// Width of a beam in direction cosines along right and up, λ over the virtual extent; infinite without
     /// extent.
     pub fn beams(&self) -> [f64; 2] {
-        [0, 1].map(|axis: usize| {
-            let lattice = &self.lattices[axis];
-            if lattice.has_extent() {
-                1.0 / (lattice.spacing * (lattice.extent + 1) as f64)
-            } else {
-                f64::INFINITY
-            }
-        })
+        [0, 1].map(|axis: usize| self.lattices[axis].beam())
     }
 
     /// Wavelength at the centre of the sampled sweep.
@@ -305,34 +296,38 @@ impl VirtualArray {
         (at[axis] + offset * step).clamp(-1.0, 1.0)
     }
 
-    /// Strongest visible cell of the summed angle spectra.
+    /// Strongest visible cell of the summed angle spectra; of equal ones the first, row by row.
     fn coarse(&self, snapshots: &[Snapshot], range_m: f64) -> DVec2 {
-        let [columns, rows] = [0, 1].map(|axis: usize| self.lattices[axis].cells());
-        let mut power = vec![0.0; rows * columns];
+        let [columns, rows] = [0, 1].map(|axis: usize| self.lattices[axis].visible());
+        let mut power = vec![0.0; columns.len() * rows.len()];
         let mut work = AngleFft::default();
         for snapshot in snapshots {
-            let spectrum = self.spectrum(snapshot, range_m, &mut work);
-            power.iter_mut().zip(spectrum).for_each(|(sum, value)| *sum += value.norm_sqr());
+            self.transform_rows(snapshot, range_m, &mut work);
+            for (column, power) in columns.iter().zip(power.chunks_exact_mut(rows.len())) {
+                let spectrum = self.column(*column, &mut work);
+                power.iter_mut().zip(&rows).for_each(|(sum, row)| *sum += spectrum[*row].norm_sqr());
+            }
         }
-        let mut best = (DVec2::ZERO, -1.0);
-        for (row, power) in power.chunks_exact(columns).enumerate() {
-            let up = self.lattices[1].cosine(row);
-            for (column, power) in power.iter().enumerate() {
-                if *power > best.1 {
-                    let at = DVec2::new(self.lattices[0].cosine(column), up);
-                    best = if at.length_squared() <= 1.0 { (at, *power) } else { best };
+        let mut best = (DVec2::ZERO, -1.0, usize::MAX);
+        for (column, power) in columns.iter().zip(power.chunks_exact(rows.len())) {
+            let right = self.lattices[0].cosine(*column);
+            for (row, power) in rows.iter().zip(power) {
+                if *power > best.1 || (*power == best.1 && *row < best.2) {
+                    let at = DVec2::new(right, self.lattices[1].cosine(*row));
+                    best = if at.length_squared() <= 1.0 { (at, *power, *row) } else { best };
                 }
             }
         }
         best.0
     }
 
-    /// Angle spectrum `[up, right]` on the lattices' cells.
-    fn spectrum<'w>(&self, snapshot: &[Complex64], range_m: f64, work: &'w mut AngleFft) -> &'w [Complex64] {
-        let [columns, rows] = [0, 1].map(|axis: usize| self.lattices[axis].cells());
+    /// Angle spectrum along right of every row of the lattice that holds elements: `[filled row, column]`.
+    fn transform_rows(&self, snapshot: &[Complex64], range_m: f64, work: &mut AngleFft) {
+        let columns = self.lattices[0].cells();
         let AngleFft { grid, column, scratch } = work;
         grid.clear();
-        grid.resize(rows * columns, Complex64::ZERO);
+        grid.resize(self.filled.rows.len() * columns, Complex64::ZERO);
+        column.resize(self.lattices[1].cells(), Complex64::ZERO);
         let scratch_cells = self.transforms.iter().map(|t| t.get_inplace_scratch_len()).max().unwrap_or(0);
         scratch.resize(scratch_cells, Complex64::ZERO);
         let per_square_m2 = 1.0 / (2.0 * range_m.max(1e-3) * self.wavelength_m);
@@ -340,19 +335,42 @@ impl VirtualArray {
             // Curvature of the wavefront as for a target ahead; what is left at the side is climbed.
             let cycles = self.squares_m2[channel] * per_square_m2;
             let turn = turned_back(if cycles < FLAT { 0.0 } else { cycles });
-            grid[self.lattices[1].places[channel] * columns + self.lattices[0].places[channel]] +=
+            grid[self.filled.of_channels[channel] * columns + self.lattices[0].places()[channel]] +=
                 value * turn;
         }
         self.transforms[0].process_with_scratch(grid, scratch);
-        if rows > 1 {
-            column.resize(rows, Complex64::ZERO);
-            for first in 0..columns {
-                (0..rows).for_each(|row| column[row] = grid[row * columns + first]);
-                self.transforms[1].process_with_scratch(column, scratch);
-                (0..rows).for_each(|row| grid[row * columns + first] = column[row]);
-            }
+    }
+
+    /// Angle spectrum along up in one column of the transformed rows.
+    fn column<'w>(&self, column: usize, work: &'w mut AngleFft) -> &'w [Complex64] {
+        let columns = self.lattices[0].cells();
+        let AngleFft { grid, column: values, scratch } = work;
+        values.fill(Complex64::ZERO);
+        for (index, row) in self.filled.rows.iter().enumerate() {
+            values[*row] = grid[index * columns + column];
         }
-        grid
+        if values.len() > 1 {
+            self.transforms[1].process_with_scratch(values, scratch);
+        }
+        values
+    }
+}
+
+/// Rows of the lattice along up that hold elements: those of a sparse array are few.
+struct Filled {
+    /// Places of the rows on the lattice, rising.
+    rows: Vec<usize>,
+    /// Index among these rows, of each channel.
+    of_channels: Vec<usize>,
+}
+
+impl Filled {
+    fn of(places: &[usize]) -> Self {
+        let mut rows = places.to_vec();
+        rows.sort_unstable();
+        rows.dedup();
+        let of_channels = places.iter().map(|place| rows.partition_point(|row| row < place)).collect();
+        Self { rows, of_channels }
     }
 }
 
@@ -362,6 +380,15 @@ struct AngleFft {
     grid: Vec<Complex64>,
     column: Vec<Complex64>,
     scratch: Vec<Complex64>,
+}
+
+/// Bytes that the search of a cell's direction holds at most: the power of every direction, and the spectra
+/// of rows, of which an oversampled grid has elements in a part alone.
+pub fn search_bytes(radar: &Radar) -> u64 {
+    let [across, up] = lattices(radar);
+    let power = (across.visible().len() * up.visible().len()) * size_of::<f64>();
+    let spectra = Filled::of(up.places()).rows.len() * across.cells() * size_of::<Complex64>();
+    (power + spectra) as u64
 }
 
 /// Phase factor e^{−j2π·cycles}.
@@ -377,66 +404,4 @@ fn excess_m(point: DVec3, element: DVec3, range_m: f64) -> f64 {
     let distance = (point - element).length();
     let difference = element.length_squared() - 2.0 * point.dot(element);
     if distance + range_m > 0.0 { difference / (distance + range_m) } else { 0.0 }
-}
-
-/// Element positions along one axis as places on a regular grid, wavelengths.
-struct Lattice {
-    spacing: f64,
-    places: Vec<usize>,
-    extent: usize,
-}
-
-/// Spacing for positions that share no grid: a phase error of at most π/8 at the edge of the visible region,
-/// in the coarse search only.
-const FINE_SPACING: f64 = 0.125;
-/// Longest grid; a wider array is snapped to as many places.
-const MOST_PLACES: f64 = 4096.0;
-/// Positions within this part of a wavelength are one.
-const SAME: f64 = 1e-4;
-
-impl Lattice {
-    fn new(positions: &[f64]) -> Self {
-        let low = positions.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = positions.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let spacing = regular_spacing(positions, low).unwrap_or(FINE_SPACING).max((high - low) / MOST_PLACES);
-        let places: Vec<usize> = positions.iter().map(|p| ((p - low) / spacing).round() as usize).collect();
-        let extent = places.iter().copied().max().unwrap_or(0);
-        Self { spacing, places, extent }
-    }
-
-    fn has_extent(&self) -> bool {
-        self.extent > 0
-    }
-
-    /// Length of the FFT along this axis.
-    fn cells(&self) -> usize {
-        if self.has_extent() { (OVERSAMPLING * (self.extent + 1)).next_power_of_two() } else { 1 }
-    }
-
-    /// Direction cosine of an FFT cell.
-    fn cosine(&self, cell: usize) -> f64 {
-        let signed = if 2 * cell >= self.cells() && self.has_extent() {
-            cell as f64 - self.cells() as f64
-        } else {
-            cell as f64
-        };
-        signed * self.step()
-    }
-
-    /// Direction cosine from one FFT cell to the next.
-    fn step(&self) -> f64 {
-        1.0 / (self.cells() as f64 * self.spacing)
-    }
-}
-
-/// The smallest gap between positions, if all are multiples of it and it is no smaller than the fine grid.
-fn regular_spacing(positions: &[f64], low: f64) -> Option<f64> {
-    let mut sorted = positions.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let gap = sorted.windows(2).map(|w| w[1] - w[0]).filter(|gap| *gap > SAME).fold(f64::INFINITY, f64::min);
-    let regular = |p: &f64| {
-        let steps = (p - low) / gap;
-        (steps - steps.round()).abs() * gap < SAME
-    };
-    (gap.is_finite() && gap >= FINE_SPACING && positions.iter().all(regular)).then_some(gap)
 }

@@ -6,6 +6,7 @@ use artifact::cube::{CUBE_LIMIT, CubeHeader};
 use artifact::radar::Sampling;
 use artifact::rdm::{self, RdmFrame};
 use num_complex::Complex32;
+use radar::lattice::check_directions;
 
 /// Sizes of the cubes and the maps that a header describes, checked to have cells and axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,6 +31,7 @@ impl Shapes {
         let product =
             |shape: [usize; 3]| shape.iter().try_fold(1_u64, |product, n| product.checked_mul(*n as u64));
         product(cube).filter(|values| *values <= CUBE_LIMIT).and(product(map)).ok_or(DspError::TooLarge)?;
+        check_directions(&header.radar).map_err(DspError::Directions)?;
         Ok(Self { cube, map, sampling: header.radar.waveform.sampling })
     }
 

@@ -234,3 +234,20 @@ fn points_beyond_the_assumed_height_and_those_of_rows_say_what_their_height_stan
         assert!(!found.is_empty() && found.iter().all(|object| object.height == height));
     }
 }
+
+/// Two transmitters a diagonal apart, three receivers: 6 channels however far it goes, half wavelengths.
+fn diagonal(apart: f64) -> [Vec<[f64; 2]>; 2] {
+    [vec![[0.0, 0.0], [apart, apart]], vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]]
+}
+
+#[test]
+fn an_array_of_too_many_directions_is_refused_before_a_frame_and_a_smaller_one_is_searched() {
+    let error = Receiver::new(&header(64, 16, diagonal(2000.0))).err().unwrap();
+    let told = "8192 × 8192 directions (right × up); the limit is 4194304";
+    assert!(error.to_string().ends_with(told), "{error}");
+    let mut header = header(256, 64, diagonal(250.0));
+    header.dsp.training_cells = [4, 8];
+    assert!(dsp::angle::search_bytes(&header.radar) <= 12 << 20, "12 bytes a direction");
+    let found = objects(&header, &[target([2.0, 35.3, 3.0], [0.0, -2.0, 0.0], 10.0)]);
+    assert_eq!(found.len(), 1, "{found:?}");
+}

@@ -36,7 +36,13 @@ pub fn scene_with(
     };
     let open = entries(configured.settings).into_iter().filter(|entry| !said.says(entry.table, entry.key));
     let changes: Vec<scene::Change> = open.map(change).collect();
-    let header = loading::radar_changed(file, radar, &changes)?;
+    let header = loading::radar_changed(file, radar, &changes).map_err(|failure| {
+        // A scene that is sound by itself is not at fault.
+        match loading::radar_only(file, radar) {
+            Ok(_) => failure.named_in(configured.file),
+            Err(_) => failure,
+        }
+    })?;
     match contradiction(&header.radar, configured.settings) {
         None => Ok(header),
         Some(Contradiction { key, scenes, configs, line }) => Err(Failure::Refused(format!(

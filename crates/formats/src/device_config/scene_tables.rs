@@ -1,10 +1,11 @@
 //! Settings of a device as keys of a scene.
 
-use super::chirp_program::DeviceSettings;
+use super::chirp_program::{DeviceSettings, InLine};
 use super::statements::Profile;
 use crate::devices::Board;
 use artifact::radar::Sampling;
-use std::path::Path;
+use scene::{Meshes, Place, ReadOptions, SceneError};
+use std::path::{Path, PathBuf};
 
 /// A key of a scene with the value that a configuration gives it.
 pub(super) struct Entry {
@@ -14,51 +15,116 @@ pub(super) struct Entry {
     pub(super) value: String,
     /// Reason for the value.
     remark: String,
+    /// Command that tells the value.
+    command: Command,
 }
 
-/// No board was asked for, and the configuration names none: nothing says where the antennas are.
+/// Line and name of a command.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Command {
+    line: usize,
+    name: &'static str,
+}
+
+impl<T> From<&InLine<T>> for Command {
+    fn from(told: &InLine<T>) -> Self {
+        Self { line: told.line, name: told.name }
+    }
+}
+
+/// Reason why a configuration makes no scene; the file is named before it.
 #[derive(Debug, thiserror::Error)]
-#[error("no chip is named, and with it no antenna: --device")]
-pub struct NoBoard;
+pub enum NoScene {
+    /// No board was asked for, and the configuration names none: nothing says where the antennas are.
+    #[error("{}: no chip is named, and with it no antenna: --device", .file.display())]
+    NoBoard {
+        /// The configuration.
+        file: PathBuf,
+    },
+    /// The scene would break rules of scenes.
+    #[error("{}", .0.join("\n"))]
+    Broken(
+        /// A line for each, with the configuration, the place in it and the rule.
+        Vec<String>,
+    ),
+}
 
 /// Text of a scene file with the radar of these settings; `from` is the configuration's name.
 ///
 /// # Errors
-/// No board says where the antennas are.
-pub fn scene_text(settings: &DeviceSettings, from: &Path) -> Result<String, NoBoard> {
-    let board = settings.board.ok_or(NoBoard)?;
-    let file = from.file_name().unwrap_or_default().to_string_lossy();
-    let (stem, frame) = (name_of(from), &settings.frame);
+/// No board says where the antennas are; what of the settings no scene may have.
+pub fn scene_text(settings: &DeviceSettings, from: &Path) -> Result<String, NoScene> {
+    let board = settings.board.ok_or_else(|| NoScene::NoBoard { file: from.to_owned() })?;
+    let draft = draft(settings, board, from);
+    let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
+    match scene::read_text(from, &draft.text, &options) {
+        Ok(_) => Ok(draft.text),
+        Err(errors) => Err(NoScene::Broken(errors.0.iter().map(|error| draft.told(error, from)).collect())),
+    }
+}
+
+/// A scene that is not written yet.
+#[derive(Default)]
+struct Draft {
+    text: String,
+    /// Command that each line comes of.
+    commands: Vec<Option<Command>>,
+}
+
+impl Draft {
+    fn line(&mut self, text: &str, command: Option<Command>) {
+        self.text.push_str(text);
+        self.text.push('\n');
+        self.commands.push(command);
+    }
+
+    fn told_key(&mut self, told: &str, remark: &str, command: Option<Command>) {
+        self.line(&format!("{told:<31} # {remark}"), command);
+    }
+
+    /// A broken rule of the scene with its place in the configuration.
+    fn told(&self, error: &SceneError, from: &Path) -> String {
+        let line = error.position.map_or(0, |position| position.line as usize);
+        let command = line.checked_sub(1).and_then(|index| *self.commands.get(index)?);
+        let at = command.map_or_else(String::new, |Command { line, name }| format!("{line}: {name}:"));
+        let table = if let Place::Table(name) = error.place { format!(" [{name}]:") } else { String::new() };
+        format!("{}:{at}{table} {}", from.display(), error.rule)
+    }
+}
+
+fn draft(settings: &DeviceSettings, board: Board, from: &Path) -> Draft {
+    let mut draft = Draft::default();
+    let frame = &settings.frame;
     let asked = match frame.value.frames {
         0 => "frames without end".to_owned(),
         count => format!("{count} frames"),
     };
-    let mut text = format!(
-        "# The radar of {file} on an {} board, made by `wayside scene-from`.\n\
-         name = {}\n\
-         frames = 1                      # {} of line {} asks for {asked}\n\
-         frame_interval_s = {}\n\n\
-         [radar]\n\
-         position_m = [0.0, 0.0, 1.0]    # where the board stands: yours to say, as boresight_az_deg\n",
-        board.name(),
-        serde_json::Value::from(stem),
-        frame.name,
-        frame.line,
-        decimal(frame.value.period_ms / 1e3),
+    let file = from.file_name().unwrap_or_default().to_string_lossy().replace(char::is_control, "?");
+    draft.line(
+        &format!("# The radar of {file} on an {} board, made by `wayside scene-from`.", board.name()),
+        None,
     );
+    draft.line(&format!("name = {}", serde_json::Value::from(name_of(from))), None);
+    draft.told_key("frames = 1", &format!("{} of line {} asks for {asked}", frame.name, frame.line), None);
+    let interval_s = decimal(frame.value.period_ms / 1e3);
+    draft.line(&format!("frame_interval_s = {interval_s}"), Some(frame.into()));
+    draft.line("", None);
+    draft.line("[radar]", None);
+    let remark = "where the board stands: yours to say, as boresight_az_deg";
+    draft.told_key("position_m = [0.0, 0.0, 1.0]", remark, None);
     let mut table = "";
     for entry in entries(settings) {
         if entry.table != table {
             table = entry.table;
-            text.push_str(&format!("\n[{table}]\n"));
+            draft.line("", None);
+            draft.line(&format!("[{table}]"), None);
         }
-        let told = format!("{} = {}", entry.key, entry.value);
-        text.push_str(&format!("{told:<31} # {}\n", entry.remark));
+        draft.told_key(&format!("{} = {}", entry.key, entry.value), &entry.remark, Some(entry.command));
     }
-    text.push_str(
-        "\n[dsp]\nassumed_height_m = 1.0          # as high as the board, until you say otherwise\n",
-    );
-    Ok(text)
+    draft.line("", None);
+    draft.line("[dsp]", None);
+    draft.told_key("assumed_height_m = 1.0", "as high as the board, until you say otherwise", None);
+    draft
 }
 
 /// Name of the scene: that of the file, as far as it is one of a scene and of a folder.
@@ -80,13 +146,15 @@ pub(super) fn entries(settings: &DeviceSettings) -> Vec<Entry> {
         [lone] => ("simultaneous", format!("{lone} alone")),
         _ => ("tdm", format!("{} in turn", turns.join(", "))),
     };
-    all.push(entry("radar.array", "multiplexing", format!("\"{word}\""), remark));
+    let of_frame = Command::from(&settings.frame);
+    all.push(entry("radar.array", "multiplexing", format!("\"{word}\""), remark, of_frame));
     let (word, parts) = match settings.sampling {
         Sampling::Complex => ("complex", "I and Q"),
         Sampling::Real => ("real", "I alone"),
     };
     let remark = format!("{parts}, {} bits", settings.bits);
-    all.push(entry("radar.receiver", "sampling", format!("\"{word}\""), remark));
+    let of_profile = Command::from(&settings.profile);
+    all.push(entry("radar.receiver", "sampling", format!("\"{word}\""), remark, of_profile));
     all
 }
 
@@ -97,7 +165,8 @@ fn of_waveform(settings: &DeviceSettings) -> Vec<Entry> {
     let sampled_us = 1e3 * f64::from(samples) / rate_ksps;
     let told = decimal;
     let ramped_ghz = 1e-3 * slope_mhz_per_us * adc_start_us;
-    let of = |key, value, remark| entry("radar.waveform", key, value, remark);
+    let of =
+        |key, value, remark| entry("radar.waveform", key, value, remark, Command::from(&settings.profile));
     vec![
         of(
             "start_frequency_ghz",
@@ -121,10 +190,12 @@ fn of_waveform(settings: &DeviceSettings) -> Vec<Entry> {
                 told(sampled_us)
             ),
         ),
-        of(
+        entry(
+            "radar.waveform",
             "chirps",
             settings.chirps.to_string(),
             format!("of each transmitter: {} of line {}", settings.frame.name, settings.frame.line),
+            Command::from(&settings.frame),
         ),
     ]
 }
@@ -135,24 +206,27 @@ fn of_array(settings: &DeviceSettings, board: Board) -> [Entry; 2] {
         let pair = |i: &usize| all.get(*i).map(|[x, y]| format!("[{x:?}, {y:?}]"));
         format!("[{}]", which.iter().filter_map(pair).collect::<Vec<_>>().join(", "))
     };
+    let of_channels = Command::from(&settings.channels);
     [
         entry(
             "radar.array",
             "tx_half_wavelengths",
             list(&tx, &settings.turns),
             format!("of the {}", board.name()),
+            of_channels,
         ),
         entry(
             "radar.array",
             "rx_half_wavelengths",
             list(&rx, &settings.channels.value.receivers),
             "rightwards, seen from behind the board".to_owned(),
+            of_channels,
         ),
     ]
 }
 
-fn entry(table: &'static str, key: &'static str, value: String, remark: String) -> Entry {
-    Entry { table, key, value, remark }
+fn entry(table: &'static str, key: &'static str, value: String, remark: String, command: Command) -> Entry {
+    Entry { table, key, value, remark, command }
 }
 
 /// A number to 1e-9, which is finer than any device tells it, with a point in it.

@@ -115,3 +115,21 @@ fn the_scene_that_is_written_is_one_with_that_radar() {
         assert!(told.contains(&format!("radar.waveform.samples is 64.0; a.cfg:{line} has 128.0")), "{told}");
     }
 }
+
+#[test]
+fn a_configuration_that_no_scene_may_have_is_refused_with_its_line_and_the_rule() {
+    let at = |name: &str| 1 + SDK.lines().position(|line| line.starts_with(name)).unwrap();
+    let profile = format!("a.cfg:{}: profileCfg: [radar.waveform]: ", at("profileCfg"));
+    let frame = format!("a.cfg:{}: frameCfg: ", at("frameCfg"));
+    for (from, to, told) in [
+        (" 0 50 1 0", " 0 0 1 0", format!("{frame}`frame_interval_s` must be a number above 0")),
+        (" 0 50 1 0", " 0 -5 1 0", format!("{frame}`frame_interval_s` must be a number above 0")),
+        (" 128 2500 ", " 3 2500 ", format!("{profile}`samples` must be a number from 8")),
+        (" 0 0 60 1 ", " 0 0 60000 1 ", format!("{profile}`slope_mhz_per_us` must be a number from -10000")),
+    ] {
+        assert!(SDK.contains(from), "{from}");
+        let settings = settings(&SDK.replace(from, to), Some(Board::Xwr1843)).unwrap();
+        let error = scene_text(&settings, Path::new("a.cfg")).unwrap_err().to_string();
+        assert!(error.starts_with(&told), "{to}: {error}");
+    }
+}

@@ -28,7 +28,8 @@ pub(crate) use own_files::OwnFile;
 /// Folder of a cache and the size to which it may grow.
 #[derive(Debug, Clone)]
 pub struct CacheLocation {
-    /// `None`: `.cache` of the project's folder, or outside of it the user's cache folder (`host::places`).
+    /// `None`: `.cache` of the project's folder, or outside of it the user's cache folder, if there is one
+    /// (`host::places`).
     pub folder: Option<PathBuf>,
     /// Size of all entries beyond which the oldest go first, MiB.
     pub limit_mib: u64,
@@ -40,6 +41,9 @@ impl Default for CacheLocation {
     }
 }
 
+/// Why there is no default cache, and what to do about it.
+pub const NO_DEFAULT: &str = "neither XDG_CACHE_HOME nor HOME names a folder; --cache DIR takes one";
+
 /// An open cache.
 pub struct Cache {
     root: PathBuf,
@@ -50,10 +54,36 @@ pub struct Cache {
 
 impl Cache {
     /// Opens the folder; one that is missing is made with the first entry. Refused where it is no cache.
-    pub fn open(location: &CacheLocation) -> Result<Self, Failure> {
-        let root = location.folder.clone().unwrap_or_else(places::default_cache);
+    /// `None` where no folder is asked for and there is no default one.
+    pub fn open(location: &CacheLocation) -> Result<Option<Self>, Failure> {
+        let Some(root) = location.folder.clone().or_else(places::default_cache) else { return Ok(None) };
         marker::check(&root)?;
-        Ok(Self { root, limit_bytes: location.limit_mib << 20, marked: OnceLock::new() })
+        Ok(Some(Self { root, limit_bytes: location.limit_mib << 20, marked: OnceLock::new() }))
+    }
+
+    /// The cache of a run whose frames may be kept; where there is none, that is remarked on.
+    ///
+    /// # Errors
+    /// The folder is no cache.
+    pub fn of_run(location: Option<&CacheLocation>) -> Result<Option<Self>, Failure> {
+        let Some(location) = location else { return Ok(None) };
+        let cache = Self::open(location)?;
+        if cache.is_none() {
+            progress::note(format!("note: nothing is cached: {NO_DEFAULT}"));
+        }
+        Ok(cache)
+    }
+
+    /// Refuses to be one of the folders that results are written into: these are for good, a cache is not,
+    /// and one folder cannot be both.
+    pub fn apart_from<'a>(&self, outs: impl IntoIterator<Item = &'a Path>) -> Result<(), Failure> {
+        let root = places::resolved(&self.root);
+        match outs.into_iter().find(|out| places::resolved(out) == root) {
+            Some(out) => {
+                Err(Failure::System(format!("{}: --out and --cache have to be two folders", out.display())))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Folder of the cache.

@@ -17,7 +17,7 @@ use artifact::settings::EchoMode;
 /// Expected load of a frame on memory, by what it goes into.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Load {
-    /// Cubes, maps and paths of the ground.
+    /// Cubes, maps, paths of the ground and searches of directions.
     pub signal_mib: f64,
     /// Facets that are placed.
     pub facets: f64,
@@ -116,16 +116,24 @@ impl Chain<'_> {
         poses.iter().any(moves)
     }
 
-    /// Bytes of what follows the tracer: cubes, maps, paths of the ground.
+    /// Bytes of what follows the tracer: cubes, maps, paths of the ground, searches of directions.
     fn signal_bytes(&self) -> u64 {
         let accuracy = fmcw_echo::sum_accuracy(self.header.fidelity.accuracy);
-        fmcw_echo::memory_estimate_bytes(&self.cube_header, accuracy) + self.map_bytes() + self.ground_bytes()
+        fmcw_echo::memory_estimate_bytes(&self.cube_header, accuracy)
+            + self.map_bytes()
+            + self.ground_bytes()
+            + self.direction_bytes()
     }
 
     /// A map in both precisions: all channels are transformed at once.
     fn map_bytes(&self) -> u64 {
         let cells: usize = artifact::rdm::shape(&self.cube_header).iter().product();
         (cells * (size_of::<num_complex::Complex32>() + size_of::<num_complex::Complex64>())) as u64
+    }
+
+    /// Searches of the directions of echoes, one a thread.
+    fn direction_bytes(&self) -> u64 {
+        rayon::current_num_threads() as u64 * dsp::angle::search_bytes(&self.cube_header.radar)
     }
 
     /// Paths of the ground, once for the run and once among those of the frame.

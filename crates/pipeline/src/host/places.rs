@@ -1,6 +1,6 @@
 //! Places of data that no argument names. The rule: inside the project's folder (this folder or one above it
 //! that holds `scenes/` and `crates/wayside/`) the cache is its `.cache`; elsewhere it is the user's cache
-//! folder. The model that ships is part of the program.
+//! folder, and there is none where the system names no home. The model that ships is part of the program.
 
 use std::path::{Path, PathBuf};
 
@@ -19,14 +19,24 @@ fn project_folder_of(here: &Path) -> Option<PathBuf> {
     here.ancestors().find(is_project).map(Path::to_owned)
 }
 
-/// Folder in which frames are cached unless `--cache` says otherwise.
-pub(crate) fn default_cache() -> PathBuf {
+/// Folder in which frames are cached unless `--cache` says otherwise; `None` outside of the project for a user
+/// without a home.
+pub(crate) fn default_cache() -> Option<PathBuf> {
     let variable = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
     let of_user = || variable("XDG_CACHE_HOME").or_else(|| variable("HOME").map(|home| home.join(".cache")));
     project_folder()
         .map(|folder| folder.join(".cache"))
         .or_else(|| of_user().map(|folder| folder.join("wayside")))
-        .unwrap_or_else(|| PathBuf::from(".cache"))
+}
+
+/// The place that a path leads to, through links; its end need not exist yet.
+pub(crate) fn resolved(path: &Path) -> PathBuf {
+    let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let real = |above: &Path| {
+        let rest = whole.strip_prefix(above).ok()?;
+        Some(std::fs::canonicalize(above).ok()?.join(rest))
+    };
+    whole.ancestors().find_map(real).unwrap_or_else(|| whole.clone())
 }
 
 /// The model that ships (`fixtures/classifier.model`), as it was when the program was built.

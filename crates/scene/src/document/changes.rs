@@ -1,7 +1,7 @@
 //! Changes of a scene's values before it is read: a study tries others than the file says.
 
 use crate::document::errors::{Place, Rule};
-use crate::document::faults::Faults;
+use crate::document::faults::{Faults, NOWHERE};
 use crate::document::toml_text::{self, DEPTH_LIMIT, TooDeep};
 use crate::wording::excerpt::excerpt;
 use std::borrow::Cow;
@@ -20,7 +20,7 @@ pub struct Change {
 }
 
 /// Makes changes in their order; each stands where the value stood that it replaces, else where its table
-/// does. Noted are those for which there is no place.
+/// does, else nowhere. Noted are those for which there is no place.
 pub(crate) fn make<'d>(document: &mut DeTable<'d>, changes: &'d [Change], faults: &Faults<'_>) {
     for change in changes {
         if let Err((byte, obstacle)) = make_one(document, change) {
@@ -33,13 +33,13 @@ pub(crate) fn make<'d>(document: &mut DeTable<'d>, changes: &'d [Change], faults
 type Obstacle = (usize, String);
 
 fn make_one<'d>(document: &mut DeTable<'d>, change: &'d Change) -> Result<(), Obstacle> {
-    let value = DeValue::parse(&change.value).map_err(|error| (0, error.message().to_owned()))?;
-    toml_text::check_value(&value).map_err(|too_deep| (0, too_deep.to_string()))?;
+    let value = DeValue::parse(&change.value).map_err(|error| (NOWHERE, error.message().to_owned()))?;
+    toml_text::check_value(&value).map_err(|too_deep| (NOWHERE, too_deep.to_string()))?;
     let keys: Vec<&'d str> = change.key.split('.').collect();
     if keys.len() > DEPTH_LIMIT {
-        return Err((0, TooDeep { byte: 0 }.to_string()));
+        return Err((NOWHERE, TooDeep { byte: 0 }.to_string()));
     }
-    put_into_table(document, 0..0, &keys, value.into_inner())
+    put_into_table(document, NOWHERE..NOWHERE, &keys, value.into_inner())
 }
 
 fn put_into_table<'d>(

@@ -11,6 +11,7 @@ use crate::wording::allowed::Allowed;
 use crate::wording::number::WrittenNumber;
 use artifact::bounded::ReadFault;
 use artifact::sentence::readable;
+use radar::lattice::TooManyDirections;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -41,7 +42,8 @@ impl std::error::Error for SceneErrors {}
 pub struct SceneError {
     /// The scene file.
     pub file: PathBuf,
-    /// Line and column in the file; `None` where the file could not be read at all.
+    /// Line and column in the file; `None` where the file could not be read at all, and of a change that
+    /// stands nowhere in it.
     pub position: Option<Position>,
     /// The table or target concerned.
     pub place: Place,
@@ -76,6 +78,7 @@ impl std::error::Error for SceneError {
             Rule::Net(error) => Some(error),
             Rule::Pattern(error) => Some(error),
             Rule::Calibration(error) => Some(error),
+            Rule::Directions(error) => Some(error),
             _ => None,
         }
     }
@@ -291,6 +294,9 @@ pub enum Rule {
         /// Most values.
         limit: u64,
     },
+    /// An array of more directions than are looked at.
+    #[error("{0}")]
+    Directions(#[source] TooManyDirections),
     /// Another radar's chirps that would overlap.
     #[error("`chirp_interval_us` is {interval_us}, shorter than a chirp of {sweep_us} µs")]
     ChirpsOverlap {

@@ -12,6 +12,10 @@ use toml::de::DeTable;
 /// mistake.
 const TOLD: usize = 100;
 
+/// Byte of what stands nowhere in the file: a value that a change puts into a table which the file leaves
+/// out.
+pub(crate) const NOWHERE: usize = usize::MAX;
+
 /// Broken rules of one file. Noting one takes the same however many there are.
 pub(crate) struct Faults<'s> {
     file: &'s Path,
@@ -80,10 +84,14 @@ impl<'s> Faults<'s> {
         begins.partition_point(|begin| *begin <= byte) as u32 + 1
     }
 
-    fn position(&self, byte: usize) -> Position {
+    fn position(&self, byte: usize) -> Option<Position> {
+        if byte == NOWHERE {
+            return None;
+        }
         let before = self.text.get(..byte).unwrap_or(self.text);
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        Position { line: self.line(before.len()), column: before[line_start..].chars().count() as u32 + 1 }
+        let column = before[line_start..].chars().count() as u32 + 1;
+        Some(Position { line: self.line(before.len()), column })
     }
 
     /// Returns the noted errors in the order of the file. Where the text is not TOML, what else is said of
@@ -106,7 +114,7 @@ impl<'s> Faults<'s> {
         }
         let error = |((byte, _), (place, rule)): ((usize, u64), (Place, Rule))| SceneError {
             file: PathBuf::from(self.file),
-            position: Some(self.position(byte)),
+            position: self.position(byte),
             place,
             rule,
         };

@@ -150,6 +150,20 @@ pub enum MeshFault {
         /// Bytes needed for what its header says.
         needed: u64,
     },
+    /// The file is longer than its own header says.
+    #[error(
+        "is longer than its header says: {said} facets take {needed} bytes, it has {found}, which hold {there}"
+    )]
+    TooLong {
+        /// Facets by the header.
+        said: u64,
+        /// Bytes of as many facets and the header.
+        needed: u64,
+        /// Facets that the file has room for.
+        there: u64,
+        /// Bytes in the file.
+        found: u64,
+    },
     /// The JSON of glTF.
     #[error("is not glTF: {0}")]
     Json(#[source] serde_json::Error),

@@ -39,6 +39,11 @@ fn read_binary(bytes: &[u8]) -> Result<Vec<DVec3>, Located> {
     if found < needed {
         return Err(MeshPlace::File.fault(MeshFault::CutOff { found, needed }));
     }
+    if found > needed {
+        let facets = |bytes: u64| (bytes - HEADER_BYTES as u64) / FACET_BYTES as u64;
+        let [said, there] = [needed, found].map(facets);
+        return Err(MeshPlace::File.fault(MeshFault::TooLong { said, needed, there, found }));
+    }
     check_count((needed as usize - HEADER_BYTES) / FACET_BYTES)?;
     let facets = bytes[HEADER_BYTES..needed as usize].chunks_exact(FACET_BYTES);
     Ok(facets.flat_map(|facet| facet[12..48].chunks_exact(12).map(vector)).collect())

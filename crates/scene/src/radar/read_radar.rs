@@ -1,7 +1,7 @@
 //! `[radar]`: where the radar stands, what it sends, and its link. Its antenna array is in `array.rs`.
 
 use crate::document::errors::Rule;
-use crate::document::keys::array::ARRAY;
+use crate::document::keys::array::{ARRAY, TX};
 use crate::document::keys::radar::{
     ANTENNA_GAIN, BORESIGHT_AZ, BORESIGHT_EL, LINK, POSITION, TRANSMIT_POWER,
 };
@@ -17,6 +17,7 @@ use artifact::cube::CUBE_LIMIT;
 use artifact::radar::{Hardware, Link, Multiplexing, Radar};
 use artifact::units::watts_from_dbm;
 use radar::aperture::mounted;
+use radar::lattice::check_directions;
 
 /// The radar of a scene, defaults where it says nothing.
 pub(crate) fn read_radar(section: &Section<'_>, models: &mut Models) -> Radar {
@@ -37,6 +38,9 @@ pub(crate) fn read_radar(section: &Section<'_>, models: &mut Models) -> Radar {
     let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
     radar.hardware = read_hardware(section, &receiver, &array_section, elements);
     check_cube(&waveform_section, &radar);
+    if let Err(error) = check_directions(&radar) {
+        array_section.note(TX.name, Rule::Directions(error));
+    }
     let divided = match radar.array.multiplexing {
         Multiplexing::Ddm => Some("ddm"),
         Multiplexing::Bpm => Some("bpm"),

@@ -56,19 +56,32 @@ impl Clock {
         Ok(is_known.then_some(time_s))
     }
 
-    /// Refuses a recording that ended before all frames asked for were there.
+    /// Whether all frames asked for are there, where they are bounded.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.is_done() && self.next > 0 && self.is_within_end()
+    }
+
+    fn is_within_end(&self) -> bool {
+        let both = self.times.frames.zip(self.times.end_s);
+        both.is_none_or(|(frames, end_s)| self.at(frames - 1) <= end_s + ROUNDING_S)
+    }
+
+    /// Refuses a recording that ended before all frames asked for were there, and frames that were to end
+    /// before it begins.
     pub(crate) fn checked(&self, last: f64) -> Result<(), FcdRule> {
+        let first = self.first_s;
+        if let Some(end) = self.times.end_s.filter(|end_s| first > end_s + ROUNDING_S) {
+            return Err(FcdRule::EndsBeforeRecording { end, first, last });
+        }
         let until_s = match (self.times.frames, self.times.end_s) {
             (Some(frames), Some(end_s)) => self.at(frames - 1).max(end_s),
             (Some(frames), None) => self.at(frames - 1),
             (None, Some(end_s)) => end_s,
             (None, None) => self.begin_s,
         };
-        let is_there =
-            self.is_done() || (self.times.frames.is_none() && self.times.end_s.is_none() && self.next > 0);
-        let within_end = self.times.frames.zip(self.times.end_s);
-        let within_end = within_end.is_none_or(|(frames, end_s)| self.at(frames - 1) <= end_s + ROUNDING_S);
-        let rule = FcdRule::OutsideRecording { first: self.first_s, last, begin: self.begin_s, end: until_s };
-        if is_there && within_end { Ok(()) } else { Err(rule) }
+        let are_unbounded = self.times.frames.is_none() && self.times.end_s.is_none();
+        let is_there = self.is_complete() || (are_unbounded && self.next > 0);
+        let rule = FcdRule::OutsideRecording { first, last, begin: self.begin_s, end: until_s };
+        if is_there { Ok(()) } else { Err(rule) }
     }
 }

@@ -214,6 +214,16 @@ pub enum FcdRule {
         /// Time of the last frame.
         end: f64,
     },
+    /// Frames that were to end before the recording begins.
+    #[error("`end_s` is {end} s, before the recording begins: the recording runs from {first} s to {last} s")]
+    EndsBeforeRecording {
+        /// Time of the last frame at most.
+        end: f64,
+        /// Time of the first step.
+        first: f64,
+        /// Time of the last step.
+        last: f64,
+    },
     /// Steps, but not one.
     #[error("there is no <timestep> in it")]
     NoSteps,

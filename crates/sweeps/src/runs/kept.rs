@@ -30,12 +30,17 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
+    /// Folder of the runs in that of a study's results.
+    pub(crate) fn folder_in(out: &Path) -> PathBuf {
+        out.join("runs")
+    }
+
     /// Runs of a study by a classifier's model of this hash, in the folder of its results.
     pub(crate) fn of(study: &Study, model: Option<&str>, out: &Path) -> Self {
         let sources: Vec<&str> = Stage::ALL.iter().map(|stage| stage.sources()).collect();
         let names: Vec<&str> = study.measures.names().collect();
         let common = fingerprint(&(VERSION, sources, SOURCES_OF_EVALUATION, names, model, &study.radar));
-        Self { folder: out.join("runs"), common, hashes: Mutex::default() }
+        Self { folder: Self::folder_in(out), common, hashes: Mutex::default() }
     }
 
     /// Hash of all that a run depends on: what it changes, and what that changes in which its errors are

@@ -9,8 +9,8 @@ use pipeline::host::failure::Failure;
 use scene::{Change, Meshes, ReadOptions, SceneErrors};
 
 /// Reads the scene of every design in the first situation and of the first design in all situations of the
-/// first repeat, models unopened. A refusal names the study, the line that changes what is refused, and the
-/// scene's own sentence.
+/// first repeat, models unopened. A refusal names the study, the value that is refused with its place, and
+/// the scene's own sentence.
 pub(crate) fn check(study: &Study, designs: &[Vec<Pick>], situations: &[Situation]) -> Result<(), Failure> {
     try_scene(study, &[]).map_err(|errors| loading::of_scene(errors).named_in(&study.page.file))?;
     let (Some(first), Some(situation)) = (designs.first(), situations.first()) else { return Ok(()) };
@@ -35,12 +35,13 @@ fn try_scene(study: &Study, changes: &[Change]) -> Result<(), SceneErrors> {
 }
 
 fn refused(study: &Study, chosen: &[(&Axis, &Pick)], errors: &SceneErrors) -> Failure {
-    let line = chosen.first().map_or(1, |(axis, _)| axis.line);
+    let place = chosen.first().and_then(|(axis, pick)| axis.place_of(pick));
+    let place = place.map_or_else(String::new, |place| format!(":{place}"));
     let value = |(axis, pick): &(&Axis, &Pick)| {
         let pairs = axis.keys.iter().zip(&pick.values);
         pairs.map(|(key, value)| format!("{key} = {value}")).collect::<Vec<_>>().join(", ")
     };
     let values = chosen.iter().map(value).collect::<Vec<_>>().join(", ");
-    let text = format!("{}:{line}: with {values} the scene says:\n{errors}", study.page.file.display());
+    let text = format!("{}{place}: with {values} the scene says:\n{errors}", study.page.file.display());
     if errors.is_system() { Failure::System(text) } else { Failure::Refused(text) }
 }

@@ -2,6 +2,7 @@
 
 use crate::study::axis::{Axis, Pick, Source};
 use crate::study::fields::{Fields, Value, number};
+use crate::study::page::Position;
 use pipeline::host::failure::Failure;
 
 /// Keys of an axis in the file.
@@ -24,7 +25,14 @@ pub(crate) fn read(fields: &Fields<'_>) -> Result<Axis, Failure> {
     if fields.value("labels").is_some() && !matches!(source, Source::Listed(_)) {
         return Err(fields.refused_whole("`labels` are of listed `values`"));
     }
-    Ok(Axis { line: fields.page.line(fields.at), name, keys, source })
+    Ok(Axis { places: places(fields), name, keys, source })
+}
+
+/// Places of the listed values, or of the draw.
+fn places(fields: &Fields<'_>) -> Vec<Position> {
+    let listed = fields.value("values").and_then(|values| values.get_ref().as_array());
+    let all = listed.into_iter().flatten().chain(fields.value("draw"));
+    all.map(|value| fields.page.position(value.span().start)).collect()
 }
 
 /// One by `key`, several that change together by `keys`.

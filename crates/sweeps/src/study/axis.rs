@@ -1,10 +1,12 @@
 //! An axis of a study: keys of a scene that change together, and the values that they take.
 
+use crate::study::page::Position;
+
 /// Keys of a scene that change together, with their values.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Axis {
-    /// Line of the study's file, from 1.
-    pub(crate) line: usize,
+    /// Place in the study's file of each listed choice, or the one of what they are drawn from.
+    pub(crate) places: Vec<Position>,
     /// Name in tables and reports.
     pub(crate) name: String,
     pub(crate) keys: Vec<String>,
@@ -38,6 +40,12 @@ impl Axis {
         }
     }
 
+    /// Place in the study's file that a choice comes from.
+    pub(crate) fn place_of(&self, pick: &Pick) -> Option<Position> {
+        let index = self.listed().and_then(|picks| picks.iter().position(|listed| listed == pick));
+        self.places.get(index.unwrap_or(0)).copied()
+    }
+
     /// Choice at a share of the axis, from 0 to below 1.
     pub(crate) fn at(&self, share: f64) -> Pick {
         match &self.source {
@@ -67,7 +75,7 @@ mod tests {
     use super::*;
 
     fn axis(source: Source) -> Axis {
-        Axis { line: 1, name: "a".into(), keys: vec!["x".into(), "y".into()], source }
+        Axis { places: vec![], name: "a".into(), keys: vec!["x".into(), "y".into()], source }
     }
 
     #[test]

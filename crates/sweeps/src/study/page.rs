@@ -2,6 +2,7 @@
 
 use artifact::bounded;
 use pipeline::host::failure::Failure;
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// A study is a page of text.
@@ -13,6 +14,19 @@ pub(crate) struct Page {
     pub(crate) text: String,
 }
 
+/// Line and column, from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Position {
+    pub(crate) line: usize,
+    pub(crate) column: usize,
+}
+
+impl fmt::Display for Position {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.line, self.column)
+    }
+}
+
 impl Page {
     pub(crate) fn read(file: &Path) -> Result<Self, Failure> {
         let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
@@ -21,15 +35,15 @@ impl Page {
 
     /// Refusal of what stands at a byte: file, line, column, place and rule.
     pub(crate) fn refused(&self, byte: usize, place: &str, rule: &str) -> Failure {
-        let before = self.text.get(..byte).unwrap_or(&self.text);
-        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        let (line, column) = (self.line(byte), before[line_start..].chars().count() + 1);
         let place = if place.is_empty() { String::new() } else { format!(" {place}:") };
-        Failure::Refused(format!("{}:{line}:{column}:{place} {rule}", self.file.display()))
+        Failure::Refused(format!("{}:{}:{place} {rule}", self.file.display(), self.position(byte)))
     }
 
-    /// Line of a byte, from 1.
-    pub(crate) fn line(&self, byte: usize) -> usize {
-        self.text.bytes().take(byte).filter(|byte| *byte == b'\n').count() + 1
+    /// Line and column of a byte, from 1.
+    pub(crate) fn position(&self, byte: usize) -> Position {
+        let before = self.text.get(..byte).unwrap_or(&self.text);
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let line = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
+        Position { line, column: before[line_start..].chars().count() + 1 }
     }
 }

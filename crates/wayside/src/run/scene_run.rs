@@ -107,18 +107,20 @@ pub fn run(settings: &Settings) -> Result<Outcome, Failure> {
 }
 
 fn whole(settings: &Settings) -> Result<Outcome, Failure> {
-    let cache = settings.cache.as_ref().map(Cache::open).transpose()?;
-    if let (Some(cache), Some(out)) = (&cache, &settings.out) {
-        apart(cache, out)?;
-    }
+    let cache = Cache::of_run(settings.cache.as_ref())?;
     let model = loading::model(settings.classifier.as_deref())?;
     let runs = runs(settings)?;
+    // What the user says of folders is refused before anything is put into them; names of scenes say theirs
+    // when these are read.
+    let said = runs.iter().filter_map(|run| run.out.as_deref()).chain(settings.out.as_deref());
+    apart(cache.as_ref(), said)?;
     // All before the first is computed: what is wrong with the last radar is said at once.
     let load = |run: &Run| planning::scene(&run.scene, cache.as_ref(), settings.memory);
     let planned: Vec<PlannedScene> = runs.iter().map(load).collect::<Result<_, _>>()?;
     let outs: Vec<PathBuf> = runs.iter().zip(&planned).map(|(run, planned)| run.out_of(planned)).collect();
     let is_of_all = settings.scene.radar.is_none() && runs.iter().all(|run| run.scene.radar.is_some());
     let above = outs.first().filter(|_| is_of_all).map(|out| several_radars::above(out));
+    apart(cache.as_ref(), outs.iter().map(PathBuf::as_path).chain(above))?;
     let _writing = (!settings.dry_run).then(|| begin(&planned, &outs, above)).transpose()?;
     let mut of_radars = vec![];
     for ((run, planned), out) in runs.iter().zip(&planned).zip(&outs) {
@@ -130,6 +132,13 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     let conclude = || several_radars::conclude(&of_radars, &settings.making, settings.tell);
     let of_all = (is_of_all && !of_radars.is_empty()).then(conclude).transpose()?;
     Ok(Outcome { of_radars, of_all })
+}
+
+/// Refuses a cache that is one of these folders or of those that their pictures go into.
+fn apart<'a>(cache: Option<&Cache>, outs: impl Iterator<Item = &'a Path>) -> Result<(), Failure> {
+    let Some(cache) = cache else { return Ok(()) };
+    let folders: Vec<PathBuf> = outs.flat_map(|out| [out.to_owned(), out.join("pictures")]).collect();
+    cache.apart_from(folders.iter().map(PathBuf::as_path))
 }
 
 /// Begins to write into the folder of each radar and into the one above them, where there is one, and claims
@@ -146,16 +155,6 @@ fn begin(planned: &[PlannedScene], outs: &[PathBuf], above: Option<&Path>) -> Re
     let places: Vec<PathBuf> = planned.iter().zip(outs).flat_map(of_radar).chain(in_common).collect();
     files::claim(&places)?;
     Ok(writing)
-}
-
-/// Results are for good, a cache is not: one folder cannot be both.
-fn apart(cache: &Cache, out: &Path) -> Result<(), Failure> {
-    let is_same = out == cache.root()
-        || matches!((std::fs::canonicalize(out), std::fs::canonicalize(cache.root())), (Ok(a), Ok(b)) if a == b);
-    match is_same {
-        true => Err(Failure::System(format!("{}: --out and --cache have to be two folders", out.display()))),
-        false => Ok(()),
-    }
 }
 
 /// The scene through one radar, and where all of it goes.

@@ -189,3 +189,59 @@ fn what_dead_runs_left_in_a_cache_goes_with_the_next_run() {
     place.run("run small.toml --out a --quiet");
     left.iter().for_each(|file| assert!(!file.exists(), "{}", file.display()));
 }
+
+#[test]
+fn without_a_home_nothing_is_cached_and_that_is_said() {
+    let place = Workplace::new();
+    let without_home = |words: &str| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_wayside"));
+        command.args(words.split(' ')).current_dir(place.root());
+        for variable in ["HOME", "XDG_CACHE_HOME", "WAYSIDE_PROJECT"] {
+            command.env_remove(variable);
+        }
+        let output = command.output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let why = "neither XDG_CACHE_HOME nor HOME names a folder; --cache DIR takes one";
+    let (code, said) = without_home("run small.toml --out a");
+    assert_eq!((code, said.matches(why).count()), (Some(0), 1), "{said}");
+    assert!(!place.path(".cache").exists(), "the folder of the command is not the user's cache");
+    let (code, said) = without_home("cache");
+    assert_eq!((code, said.matches(why).count()), (Some(2), 1), "{said}");
+    let (code, said) = without_home("run small.toml --out a --cache c");
+    assert!(code == Some(0) && !said.contains(why) && place.path("c").exists(), "{said}");
+}
+
+/// A scene through two radars, and a study of the small one.
+const TWO_RADARS: &str = "name = \"two\"\n[[radars]]\nid = \"north\"\n[[radars]]\nid = \"east\"\n";
+const STUDY: &str = "scene = \"small.toml\"\n[[vary]]\nkey = \"radar.array.preset\"\nvalues = [\"1x4\"]\n\
+                     [goal]\nmetric = \"coverage\"\n";
+
+#[test]
+fn a_folder_that_results_go_into_is_no_cache_whichever_command_writes_them() {
+    let place = Workplace::new();
+    std::fs::write(place.path("two.toml"), TWO_RADARS).unwrap();
+    std::fs::write(place.path("study.toml"), STUDY).unwrap();
+    std::fs::create_dir(place.path("there")).unwrap();
+    symlink(place.path("there"), place.path("link")).unwrap();
+    for (words, cache) in [
+        ("sweep study.toml --out x", "x"),
+        ("sweep study.toml --out x", "./x"),
+        ("sweep study.toml --out x", "x/runs"),
+        ("run two.toml --out x", "x"),
+        ("run two.toml --out x", "x/north"),
+        ("run two.toml --out x", "x/east/pictures"),
+        ("run two.toml --radar east", "out/two/east"),
+        ("run small.toml --out x", "./x"),
+        ("run small.toml --out there/x", "link/x"),
+        ("run small.toml", "out/small"),
+    ] {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_wayside"));
+        command.args(words.split(' ')).args(["--cache", cache]).current_dir(place.root());
+        let output = command.output().unwrap();
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{words} --cache {cache}: {error}");
+        assert!(error.contains("--out and --cache have to be two folders"), "{words}: {error}");
+        assert!(!place.path("x").exists() && !place.path("there/x").exists(), "{words} --cache {cache}");
+    }
+}

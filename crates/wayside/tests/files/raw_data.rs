@@ -101,6 +101,7 @@ fn recordings_that_do_not_fit_are_refused_by_name_and_rule() {
 fn a_recording_is_read_by_the_boards_configuration_where_the_scene_says_nothing() {
     let place = Workplace::new();
     std::fs::write(place.path("b.cfg"), BOARD).unwrap();
+    std::fs::write(place.path("few.cfg"), BOARD.replace(" 64 ", " 3 ")).unwrap();
     std::fs::write(place.path("bare.toml"), "name = \"bare\"\n").unwrap();
     let count = 8 * 64 * 4;
     let parts = (0..count).flat_map(|i| {
@@ -132,9 +133,17 @@ fn a_recording_is_read_by_the_boards_configuration_where_the_scene_says_nothing(
     for (command, told) in [
         ("import x.bin --scene small.toml --config b.cfg --device xwr1443 --out z.cube", "b.cfg:"),
         ("import x.bin --scene bare.toml --device xwr1443 --out z.cube", "--config"),
+        (
+            "import x.bin --scene bare.toml --config few.cfg --device xwr1443 --out z.cube",
+            "few.cfg: bare.toml: [radar.waveform]: `samples` must be a number from 8",
+        ),
         ("scene-from b.cfg --out z.toml", "--device"),
         ("scene-from b.cfg --device xwr6843 --out z.toml", "b.cfg:3: profileCfg: chirps begin at 77 GHz"),
         ("scene-from small.toml --device xwr1443 --out z.toml", "small.toml: there is no frameCfg"),
+        (
+            "scene-from few.cfg --device xwr1443 --out z.toml",
+            "few.cfg:3: profileCfg: [radar.waveform]: `samples` must",
+        ),
     ] {
         let output = place.try_run(command);
         let error = String::from_utf8_lossy(&output.stderr).into_owned();

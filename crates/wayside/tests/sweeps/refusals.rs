@@ -86,12 +86,19 @@ fn what_the_scene_refuses_is_told_with_the_line_that_changes_it_and_the_scenes_o
         (
             "key = \"radar.array.preset\"\nvalues = [\"1x4\", \"3x4\"]",
             "key = \"radar.hight_m\"\nvalues = [5.0]",
-            "study.toml:2: with radar.hight_m = 5.0 the scene says:\nsmall.toml:6:2: [radar]: unknown key `hight_m`",
+            "study.toml:4:11: with radar.hight_m = 5.0 the scene says:\nsmall.toml:6:2: [radar]: unknown key `hight_m`",
         ),
         (
             "\"3x4\"",
             "\"3x5\"",
-            "study.toml:2: with radar.array.preset = \"3x5\" the scene says:\nsmall.toml:11:",
+            "study.toml:4:18: with radar.array.preset = \"3x5\" the scene says:\nsmall.toml:11:",
+        ),
+        // What stands in no table of the scene has no place there.
+        (
+            "key = \"radar.array.preset\"\nvalues = [\"1x4\", \"3x4\"]",
+            "key = \"fidelity.bounces\"\nvalues = [1,\n  99]",
+            "study.toml:5:3: with fidelity.bounces = 99 the scene says:\n\
+             small.toml: [fidelity]: `bounces` must be a number from 1 to 5",
         ),
         (
             "radar.array.preset",
@@ -124,7 +131,7 @@ fn a_study_deeper_than_any_scene_is_refused_and_does_not_end_the_program() {
     let levels = format!("{tables}1{}", " }".repeat(79));
     let values = "values = [\"1x4\", \"3x4\"]";
     for (found, instead, line) in [
-        ("radar.array.preset", names(1 << 18), "study.toml:2: with a.a."),
+        ("radar.array.preset", names(1 << 18), "study.toml:4:11: with a.a."),
         (values, format!("values = [{levels}]"), "study.toml:4:"),
         ("[goal]", format!("[goal]\ncost = {levels}"), "study.toml:6:"),
     ] {

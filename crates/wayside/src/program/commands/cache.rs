@@ -2,13 +2,14 @@
 
 use crate::program::cli::CacheCommandArguments;
 use crate::program::terminal;
-use pipeline::chain::cache::Cache;
+use pipeline::chain::cache::{Cache, NO_DEFAULT};
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::mib;
 
 pub(crate) fn run(arguments: &CacheCommandArguments) -> Result<(), Failure> {
-    let cache = Cache::open(&arguments.location.location())?;
+    let cache = Cache::open(&arguments.location.location())?
+        .ok_or_else(|| Failure::System(format!("there is no cache: {NO_DEFAULT}")))?;
     if arguments.clear {
         cache.clear()?;
     }

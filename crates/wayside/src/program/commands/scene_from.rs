@@ -8,7 +8,6 @@ use pipeline::host::files;
 pub(crate) fn run(arguments: &SceneFromArguments) -> Result<(), Failure> {
     files::claim(std::slice::from_ref(&arguments.out))?;
     let settings = device_config::read(&arguments.config, arguments.device.map(Into::into))?;
-    let text = device_config::scene_text(&settings, &arguments.config)
-        .map_err(|rule| Failure::Refused(format!("{}: {rule}", arguments.config.display())))?;
+    let text = device_config::scene_text(&settings, &arguments.config).map_err(Failure::refused)?;
     files::write_file(&arguments.out, text.as_bytes())
 }
