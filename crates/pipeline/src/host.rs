@@ -10,6 +10,7 @@ pub mod processor_time;
 pub mod places;
 pub mod checkpoint;
 pub mod call_off;
+pub mod origin;
 pub mod beside;
 pub mod toml_text;
 pub mod side_by_side;

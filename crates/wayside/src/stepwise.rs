@@ -6,6 +6,7 @@ mod recorded; // frames of an artifact, and what is told of them
 mod opened_scene; // a scene that was read and planned, and what it will cost
 mod scene_faults; // what is wrong with a scene, rule by rule
 mod scattering; // paths of a scene
+pub(crate) mod paths_of_scene; // paths beside the scene that they have to be of
 mod echoes; // radar cubes of a scene
 mod samples; // anybody's samples as a radar cube
 mod processing; // maps, points, tracks and classes of cubes

@@ -7,8 +7,8 @@ use crate::study::extent::Extent;
 use crate::study::page::{Age, FEWER, part_of, with_part};
 use crate::study::pages::{
     Part, ambiguity, calibration, continuity, deployment, estimates, estimates_of_errors, false_alarms,
-    gates, ghosts, planner, real_captures, references, same_bytes, sensitivity, super_resolution,
-    traced_ghosts, transmitters_in_turn,
+    gates, ghosts, planner, published_levels, real_captures, references, same_bytes, sensitivity,
+    super_resolution, traced_ghosts, transmitters_in_turn,
 };
 use crate::study::search;
 use crate::study::sources::{self, Places};
@@ -39,11 +39,12 @@ enum Make {
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those that are drawn.
-pub(crate) const STUDIES: [Study; 26] = [
+pub(crate) const STUDIES: [Study; 27] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
     part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
     part("second-real-car", REFERENCES, "an hour", references::SOURCES, references::second_real_car),
+    part("published-levels", LEVELS_PAGE, "half an hour", published_levels::SOURCES, published_levels::part),
     part(
         "continuity",
         "docs/validation/continuity.md",
@@ -118,6 +119,7 @@ pub(crate) const STUDIES: [Study; 26] = [
 
 // Pages of which several studies make a part, or with long names.
 const REFERENCES: &str = "docs/validation/bart-against-references.md";
+const LEVELS_PAGE: &str = "docs/validation/published-levels.md";
 const ERRORS: &str = "docs/validation/error-estimates.md";
 const ALARMS: &str = "docs/validation/false-alarms.md";
 pub(super) const SEARCH: &str = "docs/validation/random-search.md";

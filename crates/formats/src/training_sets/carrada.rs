@@ -26,7 +26,8 @@ const SEQUENCE: &str = "sequence";
 /// Writes the maps of a run as one sequence, labelled where a scene is given.
 pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
-    let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
+    let from = &reader.preamble().provenance;
+    let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar), from)).transpose()?;
     let name = truth.as_ref().map_or(SEQUENCE.to_owned(), |truth| plain_name(&truth.header().name));
     AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
     let mut set = SetFolder::begin(out)?;
@@ -39,7 +40,7 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
             let tensor = AngleSpectrum::of(&header)?.tensor(&map);
             write_maps(set, &name, (&header, &map), &tensor)?;
             if let Some(truth) = &mut truth {
-                let of_frame = of_frame(&header.radar, &truth.of_frame(map.index)?);
+                let of_frame = of_frame(&header.radar, &truth.of_frame(map.index, map.time_s)?);
                 annotations.insert(format!("{:06}", map.index), of_frame);
             }
             Ok(())

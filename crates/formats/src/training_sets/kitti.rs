@@ -39,7 +39,7 @@ pub(crate) fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(),
             set.write(&format!("training/velodyne/{name}.bin"), &cloud(&header, &axes, &frame))?;
             set.write(&format!("training/calib/{name}.txt"), calibration().as_bytes())?;
             if let Some(truth) = &mut truth {
-                let bodies = truth.of_frame(frame.index)?;
+                let bodies = truth.of_frame(frame.index, frame.time_s)?;
                 let lines: String = bodies.iter().filter_map(|body| label(&axes, body)).collect();
                 set.write(&format!("training/label_2/{name}.txt"), lines.as_bytes())?;
             }

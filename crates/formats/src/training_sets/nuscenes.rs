@@ -35,8 +35,11 @@ pub(crate) fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(),
         |set, frame| {
             let file = format!("samples/RADAR_FRONT/{:06}.pcd", frame.index);
             set.write(&file, &pcd::to_bytes(&rows(&header, &axes, &frame)))?;
-            let boxes =
-                truth.as_mut().map(|truth| truth.of_frame(frame.index)).transpose()?.unwrap_or_default();
+            let boxes = truth
+                .as_mut()
+                .map(|truth| truth.of_frame(frame.index, frame.time_s))
+                .transpose()?
+                .unwrap_or_default();
             let seen = boxes.into_iter().map(|body| Seen { points: points_in(&body, &frame.points), body });
             tables.add(frame.time_s, &file, seen.collect());
             Ok(())

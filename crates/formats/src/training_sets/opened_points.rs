@@ -7,6 +7,7 @@ use crate::training_sets::truth_boxes::TruthBoxes;
 use artifact::Reader;
 use artifact::points::{Points, PointsHeader};
 use pipeline::host::failure::Failure;
+use pipeline::host::origin;
 use std::path::Path;
 
 /// A file of points that is open, and the scene beside it where one is given.
@@ -29,7 +30,11 @@ impl OpenedPoints {
         let (reader, heights) = (Reader::<Points>::open(file)?, Heights::of(file)?);
         let header = reader.header().clone();
         let radar = header.cube.as_ref().map(|cube| &cube.radar);
-        let truth = scene.map(|file| TruthBoxes::open(file, radar)).transpose()?;
+        let from = &reader.preamble().provenance;
+        let truth = scene.map(|file| TruthBoxes::open(file, radar, from)).transpose()?;
+        if let (Some(scene), Some(truth)) = (scene, &truth) {
+            origin::has_bodies(scene, truth.header(), &header.targets)?;
+        }
         let axes = LevelledAxes::of(radar_of(&header, truth.as_ref())?);
         Ok(Self { reader, header, heights, truth, axes })
     }

@@ -28,7 +28,8 @@ const MEDIAN_POWER: f32 = 1000.0;
 /// Writes the maps of a run as one part of the set, labelled where a scene is given.
 pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
-    let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
+    let from = &reader.preamble().provenance;
+    let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar), from)).transpose()?;
     AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
     let mut set = SetFolder::begin(out)?;
     let mut scale = None;
@@ -42,7 +43,7 @@ pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Re
             tensor.by_range.iter_mut().flatten().for_each(|value| *value *= scale);
             write_tensor(set, map.index, &tensor)?;
             if let Some(truth) = &mut truth {
-                let ground_truth = ground_truth(&header.radar, &truth.of_frame(map.index)?);
+                let ground_truth = ground_truth(&header.radar, &truth.of_frame(map.index, map.time_s)?);
                 set.write(&format!("gt/part1/{:06}.pickle", map.index), &ground_truth)?;
             }
             Ok(())

@@ -4,12 +4,13 @@
 //! A box is made of every target with a class; clutter, points and bodies without one have none. The scene's
 //! snapshot alone is read: whether a body is hidden is not known of it.
 
-use artifact::Radar;
 use artifact::scene::{Mesh, Pose, Role, Scene, SceneHeader, Target, TargetKind};
 use artifact::settings::Class;
+use artifact::{Provenance, Radar};
 use glam::{DVec2, DVec3};
-use pipeline::host::beside::{Beside, check_poses};
+use pipeline::host::beside::{Beside, check_poses, check_time};
 use pipeline::host::failure::Failure;
+use pipeline::host::origin;
 use std::path::{Path, PathBuf};
 
 /// A body's box.
@@ -63,24 +64,27 @@ pub(crate) struct TruthBoxes {
     file: PathBuf,
     scene: Beside<Scene>,
     header: SceneHeader,
+    /// Whether the frames were made of the same scene file, so that their times have to agree.
+    is_same: bool,
     /// Least and greatest corner of each mesh, in body axes.
     extents_m: Vec<[DVec3; 2]>,
 }
 
 impl TruthBoxes {
-    /// Opens the scene that an artifact of `radar` is of.
+    /// Opens the scene that an artifact of `radar` and of this origin is of.
     ///
     /// # Errors
-    /// The file is no scene, or its radar is another one.
-    pub(crate) fn open(file: &Path, radar: Option<&Radar>) -> Result<Self, Failure> {
+    /// The file is no scene, its radar is another one, or it was made of other files of the same names.
+    pub(crate) fn open(file: &Path, radar: Option<&Radar>, from: &Provenance) -> Result<Self, Failure> {
         let scene = Beside::<Scene>::open(file, |frame| frame.index)?;
+        let is_same = origin::same_scene(file, scene.provenance(), from)?;
         let header = scene.header().clone();
         if radar.is_some_and(|radar| *radar != header.radar) {
             let rule = "its radar is not the one that the frames are of";
             return Err(Failure::Refused(format!("{}: {rule}", file.display())));
         }
         let extents_m = header.meshes.iter().map(extent_m).collect();
-        Ok(Self { file: file.to_owned(), scene, header, extents_m })
+        Ok(Self { file: file.to_owned(), scene, header, is_same, extents_m })
     }
 
     /// Header of the scene.
@@ -89,8 +93,11 @@ impl TruthBoxes {
     }
 
     /// Boxes of a frame at its middle, in the order of the scene's bodies; frames are asked for in order.
-    pub(crate) fn of_frame(&mut self, index: u32) -> Result<Vec<TruthBox>, Failure> {
+    pub(crate) fn of_frame(&mut self, index: u32, time_s: f64) -> Result<Vec<TruthBox>, Failure> {
         let frame = self.scene.frame(index)?;
+        if self.is_same {
+            check_time(&self.file, &frame, time_s)?;
+        }
         let view = scene::frame_view(&self.header, index);
         check_poses(&self.file, &view, &frame)?;
         let middle_s = view.in_frame(index).radar.frame_middle_s();

@@ -19,7 +19,8 @@ use std::path::Path;
 /// Writes the cubes of a run, labelled where a scene is given.
 pub(crate) fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
-    let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar))).transpose()?;
+    let from = &reader.preamble().provenance;
+    let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar), from)).transpose()?;
     let mut set = SetFolder::begin(out)?;
     let axes = LevelledAxes::of(&header.radar);
     let frames = set.each_frame(
@@ -30,8 +31,11 @@ pub(crate) fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> R
             let array = mat_file::Array { name: ARRAY, shape, values: &frame.samples };
             set.write(&format!("radar_raw_frame/{:06}.mat", frame.index), &array.to_bytes())?;
             if let Some(truth) = &mut truth {
-                let rows: String =
-                    truth.of_frame(frame.index)?.iter().filter_map(|body| row(&axes, body)).collect();
+                let rows: String = truth
+                    .of_frame(frame.index, frame.time_s)?
+                    .iter()
+                    .filter_map(|body| row(&axes, body))
+                    .collect();
                 set.write(&format!("text_labels/{:06}.csv", frame.index), rows.as_bytes())?;
             }
             Ok(())

@@ -116,9 +116,12 @@ pub fn of_scene(errors: scene::SceneErrors) -> Failure {
 
 /// Name and content hash of files.
 pub fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
-    let hash =
-        |file: &PathBuf| artifact::inputs::named_hash(file).map_err(|e| Failure::system(file, "read", e));
-    files.iter().map(hash).collect()
+    files.iter().map(|file| hashed_one(file)).collect()
+}
+
+/// Name and content hash of a file.
+pub fn hashed_one(file: &Path) -> Result<(String, String), Failure> {
+    artifact::inputs::named_hash(file).map_err(|error| Failure::system(file, "read", error))
 }
 
 /// The model that was asked for, else the one that ships with the program; `None` where that has no

@@ -2,7 +2,7 @@
 
 use crate::host::failure::Failure;
 use artifact::scene::{SceneFrame, SceneHeader};
-use artifact::{ArtifactError, Reader, Schema};
+use artifact::{ArtifactError, Provenance, Reader, Schema};
 use std::path::{Path, PathBuf};
 
 /// An artifact that is read beside the points, frame by frame.
@@ -23,6 +23,11 @@ impl<S: Schema> Beside<S> {
         self.reader.header()
     }
 
+    /// Origin of the artifact.
+    pub fn provenance(&self) -> &Provenance {
+        &self.reader.preamble().provenance
+    }
+
     /// The frame of this index; frames before it are passed over.
     pub fn frame(&mut self, index: u32) -> Result<S::Frame, Failure> {
         let index_of = self.index_of;
@@ -35,6 +40,17 @@ impl<S: Schema> Beside<S> {
             ))
         })
     }
+}
+
+/// Refuses a frame of the scene at another time than the frame that it is read beside.
+pub fn check_time(file: &Path, frame: &SceneFrame, time_s: f64) -> Result<(), Failure> {
+    const SAME_S: f64 = 1e-9;
+    let (index, of_scene_s) = (frame.index, frame.time_s);
+    if (of_scene_s - time_s).abs() <= SAME_S {
+        return Ok(());
+    }
+    let rule = format!("frame {index} begins at {of_scene_s} s, that of the frames beside it at {time_s} s");
+    Err(Failure::Refused(format!("{}: {rule}", file.display())))
 }
 
 /// Refuses a frame of the scene with more or fewer poses than there are bodies in view.

@@ -1,6 +1,7 @@
 //! Radar cubes of a scene.
 
 use crate::stepwise::opened_scene::OpenedScene;
+use crate::stepwise::paths_of_scene;
 use crate::stepwise::recorded::Recorded;
 use artifact::cube::{Cube, CubeFrame};
 use artifact::paths::Paths;
@@ -31,7 +32,7 @@ pub fn echoes(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Cube>,
 /// Makes the cubes of paths that were traced before, as `echo --paths` does.
 ///
 /// # Errors
-/// Paths of another sweep than the scene's; an echo that cannot be summed; called off between two frames.
+/// Paths of another scene ([`paths_of_scene`]); an echo that cannot be summed; called off between two frames.
 pub fn echoes_of_paths(
     scene: &OpenedScene,
     paths: &Recorded<Paths>,
@@ -39,12 +40,12 @@ pub fn echoes_of_paths(
 ) -> Result<Recorded<Cube>, Failure> {
     let scene = &scene.by_paths();
     let chain = scene.chain();
-    same_sweep(paths.header.centre_frequency_hz, scene)?;
+    paths_of_scene::check_header(&chain, scene.files(), &paths.header, &paths.from)?;
     let (work, mut frames) = (Work::begin("frames"), Vec::new());
     for (done, frame) in paths.frames.iter().enumerate() {
         call_off.check()?;
         work.at(done, paths.frames.len());
-        let snapshot = scene::snapshot(scene.header(), frame.index);
+        let snapshot = paths_of_scene::check_frame(scene.header(), frame)?;
         frames.push(chain.synthesize(&snapshot, &Scattering::Paths(frame.clone()))?);
     }
     Ok(recorded(scene, &chain, frames))
@@ -52,16 +53,4 @@ pub fn echoes_of_paths(
 
 fn recorded(scene: &OpenedScene, chain: &Chain, frames: Vec<CubeFrame>) -> Recorded<Cube> {
     Recorded { from: scene.provenance(Stage::FmcwEcho), header: chain.cube_header.clone(), frames }
-}
-
-/// Amplitudes hold for the sweep that they were traced for.
-fn same_sweep(told_hz: f64, scene: &OpenedScene) -> Result<(), Failure> {
-    let centre_hz = scene.header().radar.waveform.centre_frequency_hz();
-    match (told_hz - centre_hz).abs() > 1e-9 * centre_hz {
-        true => Err(Failure::refused(format!(
-            "f_c is {told_hz} Hz, the scene's is {centre_hz} Hz: amplitudes hold for the sweep they were traced \
-             for"
-        ))),
-        false => Ok(()),
-    }
 }

@@ -100,6 +100,11 @@ impl OpenedScene {
         Chain::of(&self.loaded.header, None, None, self.memory)
     }
 
+    /// Names and hashes of the files that it was read from, its own first.
+    pub(crate) fn files(&self) -> &[(String, String)] {
+        &self.loaded.files
+    }
+
     pub(crate) fn provenance(&self, stage: Stage) -> Provenance {
         provenance(stage, &self.loaded.header, self.loaded.files.clone())
     }

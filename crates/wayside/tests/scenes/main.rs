@@ -6,6 +6,7 @@ mod common;
 mod ghost_streets;
 mod ghosts;
 mod main_job;
+mod paths_of_scenes;
 mod report;
 mod score;
 mod several_radars;

@@ -5,7 +5,7 @@
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
-use crate::common::Workplace;
+use crate::common::{SMALL_SCENE, Workplace};
 use artifact::scene::Scene;
 use artifact::{Reader, Writer};
 use serde_json::Value;
@@ -74,4 +74,34 @@ fn a_scene_of_more_poses_than_bodies_is_refused_with_file_and_frame() {
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("more.scene: frame 0 has 3 poses of 2 bodies in view"), "{said}");
+}
+
+#[test]
+fn a_scene_of_other_bodies_than_the_points_and_one_that_was_changed_are_refused() {
+    let place = Workplace::new();
+    place.run("run small.toml --out out --quiet");
+    let renamed = SMALL_SCENE.replace("id = \"", "id = \"other-");
+    std::fs::write(place.path("renamed.toml"), renamed).unwrap();
+    place.run("run renamed.toml --out renamed --no-cache --quiet");
+    std::fs::create_dir(place.path("later")).unwrap();
+    std::fs::copy(place.path("corner.obj"), place.path("later/corner.obj")).unwrap();
+    std::fs::write(place.path("later/small.toml"), SMALL_SCENE.to_owned() + "\n# changed\n").unwrap();
+    place.run("run later/small.toml --out changed --no-cache --quiet");
+    for (words, rule) in [
+        ("score out/frames.points --scene renamed/scene.scene", "renamed/scene.scene: has no body `"),
+        (
+            "score out/frames.points --scene changed/scene.scene",
+            "scene.scene: was made of another `small.toml`",
+        ),
+        ("export out/frames.rdm --to raddet --scene changed/scene.scene --out s", "another `small.toml`"),
+        ("export out/frames.points --to kitti --scene renamed/scene.scene --out s", "has no body `"),
+    ] {
+        let output = place.try_run(words);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{words}: {said}");
+        assert!(said.contains(rule), "{words}: {said}");
+    }
+    let output = place.try_run("export out/frames.rdm --to raddet --scene renamed/scene.scene --out s");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(said.contains("was made of renamed.toml, the frames of small.toml"), "{said}");
 }

@@ -7,4 +7,5 @@ mod roads;
 pub(crate) mod continuity;
 pub(crate) mod estimates_of_errors;
 pub(crate) mod gates;
+pub(crate) mod published_levels;
 pub(crate) mod references;

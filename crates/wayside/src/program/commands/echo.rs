@@ -2,13 +2,14 @@
 
 use crate::program::cli::EchoArguments;
 use crate::program::terminal;
+use crate::stepwise::paths_of_scene;
 use artifact::cube::Cube;
 use artifact::paths::{Paths, PathsFrame};
 use artifact::scene::SceneFrame;
 use artifact::settings::EchoMode;
 use artifact::{Reader, Writer};
 use pipeline::chain::link::{Chain, Scattering};
-use pipeline::chain::loading::{LoadedScene, provenance};
+use pipeline::chain::loading::{self, LoadedScene, provenance};
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
@@ -24,7 +25,9 @@ pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Fa
         loaded.header.fidelity.echo = EchoMode::Paths;
     }
     let chain = Chain::of(&loaded.header, None, None, memory);
-    let from = provenance(Stage::FmcwEcho, &loaded.header, loaded.files.clone());
+    let traced = arguments.paths.as_deref().map(loading::hashed_one).transpose()?;
+    let files = loaded.files.iter().cloned().chain(traced).collect();
+    let from = provenance(Stage::FmcwEcho, &loaded.header, files);
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &chain.cube_header)?;
     let told = match &arguments.paths {
         Some(file) => from_paths(&chain, &loaded, file, &mut writer)?,
@@ -71,17 +74,14 @@ fn from_paths(
     writer: &mut Writer<Cube>,
 ) -> Result<Verdicts, Failure> {
     let reader = Reader::<Paths>::open(file)?;
-    let centre_hz = loaded.header.radar.waveform.centre_frequency_hz();
-    let told_hz = reader.header().centre_frequency_hz;
-    if (told_hz - centre_hz).abs() > 1e-9 * centre_hz {
-        let rule = "amplitudes hold for the sweep they were traced for";
-        let text = format!("{}: f_c is {told_hz} Hz, the scene's is {centre_hz} Hz: {rule}", file.display());
-        return Err(Failure::Refused(text));
-    }
+    let from = &reader.preamble().provenance;
+    let checked = paths_of_scene::check_header(chain, &loaded.files, reader.header(), from);
+    checked.map_err(|failure| failure.about(file))?;
     let mut told = vec![];
     for frame in progress::frames(reader) {
         let frame: PathsFrame = frame?;
-        let (index, scene) = (frame.index, scene::snapshot(&loaded.header, frame.index));
+        let scene = paths_of_scene::check_frame(&loaded.header, &frame);
+        let (index, scene) = (frame.index, scene.map_err(|failure| failure.about(file))?);
         told.push((index, write(chain, &scene, &Scattering::Paths(frame), writer)?));
     }
     Ok(told)

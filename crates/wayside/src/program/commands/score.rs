@@ -9,14 +9,17 @@ use artifact::scene::Scene;
 use artifact::tracks::{Tracks, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
 use evaluation::{FrameTruth, Score};
-use pipeline::host::beside::{Beside, check_poses};
+use pipeline::host::beside::{Beside, check_poses, check_time};
 use pipeline::host::failure::Failure;
+use pipeline::host::origin;
 use pipeline::host::progress;
 
 pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let points = Reader::<Points>::open(&arguments.points)?;
     let mut scene = Beside::<Scene>::open(&arguments.scene, |frame| frame.index)?;
+    let is_same = origin::same_scene(&arguments.scene, scene.provenance(), &points.preamble().provenance)?;
     let header = scene.header().clone();
+    origin::has_bodies(&arguments.scene, &header, &points.header().targets)?;
     let mut tracks = Followed::of(arguments, &points)?;
     let paths = arguments.paths.as_deref();
     let mut paths = paths.map(|file| Beside::<Paths>::open(file, |frame| frame.index)).transpose()?;
@@ -29,6 +32,9 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
         let paths = paths.map(|paths| counted_in_view(&bodies, paths));
         let view = scene::frame_view(&header, frame.index);
         check_poses(&arguments.scene, &view, &poses)?;
+        if is_same {
+            check_time(&arguments.scene, &poses, frame.time_s)?;
+        }
         let truth = FrameTruth::of(&view, &poses, paths.as_ref(), &frame.objects);
         score.add(&FrameTruth { bodies, ..truth }, &frame.objects, &tracks);
     }

@@ -83,7 +83,7 @@ pub(crate) fn try_road(case: u64, meshes: &[Named], empty: &SceneHeader) -> Resu
 }
 
 /// The radar and its elements at another height.
-fn lift(radar: &mut Radar, height_m: f64) {
+pub(super) fn lift(radar: &mut Radar, height_m: f64) {
     let up_m = height_m - radar.position_m[2];
     let elements = radar.array.tx_m.iter_mut().chain(&mut radar.array.rx_m);
     elements.chain([&mut radar.position_m]).for_each(|place| place[2] += up_m);

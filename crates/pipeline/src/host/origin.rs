@@ -1,0 +1,50 @@
+//! Origins of artifacts that are used together, by the files that their provenance names.
+
+use crate::host::failure::Failure;
+use crate::host::progress;
+use artifact::Provenance;
+use artifact::scene::SceneHeader;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Refuses two lists of files, names with hashes, of which one name stands for two contents.
+pub fn same_files(files: &[(String, String)], of_other: &[(String, String)]) -> Result<(), Failure> {
+    let changed = files.iter().find(|(name, _)| {
+        let hashes = |files: &[(String, String)]| -> Vec<String> {
+            files.iter().filter(|(other, _)| other == name).map(|(_, hash)| hash.clone()).collect()
+        };
+        let (own, theirs) = (hashes(files), hashes(of_other));
+        !theirs.is_empty() && !own.iter().any(|hash| theirs.contains(hash))
+    });
+    changed.map_or(Ok(()), |(name, _)| {
+        Err(Failure::refused(format!("was made of another `{name}`, or before that was changed")))
+    })
+}
+
+/// Whether the frames beside a scene were made of the very scene file that it was made of; where that is not
+/// so, it is noted that bodies may be others.
+///
+/// # Errors
+/// The scene was made of another file of the same name.
+pub fn same_scene(file: &Path, scene: &Provenance, of_frames: &Provenance) -> Result<bool, Failure> {
+    same_files(&scene.inputs, &of_frames.inputs).map_err(|failure| failure.about(file))?;
+    let Some(own) = scene.inputs.first() else { return Ok(false) };
+    let is_same = of_frames.inputs.contains(own);
+    if let (false, Some((theirs, _))) = (is_same, of_frames.inputs.first()) {
+        let (file, own) = (file.display(), &own.0);
+        progress::note(format!(
+            "note: {file}: was made of {own}, the frames of {theirs}; that bodies are the same is not known"
+        ));
+    }
+    Ok(is_same)
+}
+
+/// Refuses a scene that lacks a body which the frames beside it name.
+pub fn has_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Result<(), Failure> {
+    let vehicles = scene.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.id);
+    let own: BTreeSet<&String> = scene.targets.iter().map(|target| &target.id).chain(vehicles).collect();
+    named.iter().find(|id| !own.contains(id)).map_or(Ok(()), |id| {
+        let rule = format!("has no body `{id}`, which the frames beside it are of: it is another scene");
+        Err(Failure::Refused(format!("{}: {rule}", file.display())))
+    })
+}

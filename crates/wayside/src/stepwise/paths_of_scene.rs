@@ -1,0 +1,120 @@
+//! Paths beside the scene that an echo is made for: what they were traced through has to be that scene.
+//!
+//! Noise, gains, patterns, samples of a chirp and the elements of the array may be others, since paths hold
+//! for them. The centre frequency, the radar's place, the bodies with their files and the times of the frames
+//! may not; and no body may stand elsewhere than where its nearest lit surface was.
+
+use artifact::Provenance;
+use artifact::paths::{PathsFrame, PathsHeader};
+use artifact::scene::{Mesh, SceneFrame, SceneHeader, TargetKind};
+use glam::DVec3;
+use pipeline::chain::link::Chain;
+use pipeline::host::failure::Failure;
+use pipeline::host::origin;
+use std::path::Path;
+
+/// Times are the same if they differ by no more, s.
+const SAME_S: f64 = 1e-9;
+/// Beyond its extent a point's or body's surface is taken to be elsewhere, m: what a wheel adds to its hub.
+const BEYOND_M: f64 = 0.5;
+
+/// Refuses paths that were traced for another sweep, from another place, of other bodies or of other files;
+/// of `files`, the scene's own may be another one, with other noise.
+pub(crate) fn check_header(
+    chain: &Chain,
+    files: &[(String, String)],
+    paths: &PathsHeader,
+    from: &Provenance,
+) -> Result<(), Failure> {
+    let radar = &chain.header.radar;
+    let (told_hz, centre_hz) = (paths.centre_frequency_hz, radar.waveform.centre_frequency_hz());
+    if (told_hz - centre_hz).abs() > 1e-9 * centre_hz {
+        let rule = "amplitudes hold for the sweep that they were traced for";
+        return Err(Failure::refused(format!("f_c is {told_hz} Hz, the scene's is {centre_hz} Hz: {rule}")));
+    }
+    if paths.radar.position_m != radar.position_m {
+        let [theirs, own] = [paths.radar.position_m, radar.position_m];
+        return Err(Failure::refused(format!("traced from {theirs:?} m, the scene's radar is at {own:?} m")));
+    }
+    if paths.targets != chain.targets() {
+        let [theirs, own] = [&paths.targets, &chain.targets()].map(|ids| first_ids(ids));
+        return Err(Failure::refused(format!("traced of the bodies {theirs}, the scene has {own}")));
+    }
+    let files = files.get(1..).unwrap_or_default();
+    origin::same_files(files, &from.inputs)?;
+    let others = |of: &[(String, String)], beside: &[(String, String)]| -> Option<String> {
+        of.iter().find(|file| is_mesh(&file.0) && !beside.contains(file)).map(|(name, _)| name.clone())
+    };
+    match (others(files, &from.inputs), others(&from.inputs, files)) {
+        _ if from.inputs.is_empty() => Ok(()),
+        (None, None) => Ok(()),
+        (Some(own), _) => Err(Failure::refused(format!("not traced of the scene's mesh `{own}`"))),
+        (_, Some(theirs)) => Err(Failure::refused(format!("traced of the mesh `{theirs}`, not the scene's"))),
+    }
+}
+
+/// Whether a file of this name holds the mesh of a body.
+fn is_mesh(name: &str) -> bool {
+    let kind = Path::new(name).extension().and_then(|kind| kind.to_str()).unwrap_or_default();
+    ["glb", "gltf", "stl", "obj", "xoma"].contains(&kind.to_lowercase().as_str())
+}
+
+/// Refuses a frame of another time, or with a body that is lit where the scene has none.
+pub(crate) fn check_frame(header: &SceneHeader, frame: &PathsFrame) -> Result<SceneFrame, Failure> {
+    let index = frame.index;
+    if index >= header.frames {
+        let rule = format!("frame {index} is none of the scene's {}", header.frames);
+        return Err(Failure::refused(rule));
+    }
+    let (view, snapshot) = (scene::frame_view(header, index), scene::snapshot(header, index));
+    if (frame.time_s - snapshot.time_s).abs() > SAME_S {
+        let (theirs, own) = (frame.time_s, snapshot.time_s);
+        return Err(Failure::refused(format!("frame {index} begins at {theirs} s, the scene's at {own} s")));
+    }
+    let elsewhere = (0..view.targets.len()).find(|body| {
+        let nearest_m = frame.nearest_range_m.get(*body).copied().flatten();
+        nearest_m.is_some_and(|range_m| !may_be_lit_at(&view, &snapshot, *body, range_m))
+    });
+    let elsewhere = elsewhere.or_else(|| point_elsewhere(header, frame, &snapshot));
+    elsewhere.map_or(Ok(snapshot), |body| {
+        let id = &view.targets[body].id;
+        Err(Failure::refused(format!("frame {index}: `{id}` was lit where it is not in the scene")))
+    })
+}
+
+/// Place in the frame of a point target whose path is elsewhere than the point.
+fn point_elsewhere(header: &SceneHeader, frame: &PathsFrame, snapshot: &SceneFrame) -> Option<usize> {
+    let in_view = scene::bodies_in_view(header, frame.index);
+    let of_points = frame.paths.iter().filter(|path| path.order == 0);
+    of_points.filter_map(|path| Some((path, in_view.iter().position(|body| *body == path.target)?))).find_map(
+        |(path, body)| {
+            let place_m = DVec3::from(snapshot.poses.get(body)?.position_m);
+            (place_m.distance(DVec3::from(path.apparent_tx_m)) > BEYOND_M).then_some(body)
+        },
+    )
+}
+
+/// Whether a body's nearest lit surface may be at this range in the frame.
+fn may_be_lit_at(view: &SceneHeader, frame: &SceneFrame, body: usize, range_m: f64) -> bool {
+    let Some(pose) = frame.poses.get(body) else { return true };
+    let extent_m = match view.targets[body].kind {
+        TargetKind::Mesh { mesh, .. } => view.meshes.get(mesh as usize).map_or(f64::INFINITY, extent_m),
+        TargetKind::Point { .. } => 0.0,
+    };
+    let way_m = DVec3::from(pose.velocity_mps).length() * view.radar.frame_duration_s();
+    let origin_m = DVec3::from(pose.position_m).distance(DVec3::from(view.radar.position_m));
+    (range_m - origin_m).abs() <= extent_m + way_m + BEYOND_M
+}
+
+/// Distance of the farthest vertex from the body's origin, m.
+fn extent_m(mesh: &Mesh) -> f64 {
+    mesh.vertices_m.iter().map(|vertex| DVec3::from(*vertex).length()).fold(0.0, f64::max)
+}
+
+/// Some ids in words, the first ones of many.
+fn first_ids(ids: &[String]) -> String {
+    const TOLD: usize = 4;
+    let told: Vec<String> = ids.iter().take(TOLD).map(|id| format!("`{id}`")).collect();
+    let more = if ids.len() > TOLD { format!(" and {} more", ids.len() - TOLD) } else { String::new() };
+    if ids.is_empty() { "none".to_owned() } else { told.join(", ") + &more }
+}

@@ -1,0 +1,68 @@
+//! `echo --paths` takes the paths of its scene, whatever noise that has now, and of no other scene.
+
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
+
+use crate::common::{SMALL_SCENE, Workplace};
+use artifact::Reader;
+use artifact::cube::Cube;
+
+/// A workplace with the small scene's paths.
+fn traced() -> Workplace {
+    let place = Workplace::new();
+    place.run("paths small.toml --out f.paths --quiet");
+    place
+}
+
+#[test]
+fn paths_serve_the_scene_with_other_noise_and_are_named_among_its_inputs() {
+    let place = traced();
+    std::fs::write(place.path("loud.toml"), SMALL_SCENE.replace("12.0", "20.0")).unwrap();
+    place.run("echo loud.toml --paths f.paths --out loud.cube --quiet");
+    let reader = Reader::<Cube>::open(&place.path("loud.cube")).unwrap();
+    let names: Vec<&str> =
+        reader.preamble().provenance.inputs.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["loud.toml", "corner.obj", "f.paths"]);
+}
+
+#[test]
+fn paths_of_another_scene_are_refused_by_what_is_other() {
+    let place = traced();
+    std::fs::copy(place.path("corner.obj"), place.path("panel.obj")).unwrap();
+    let radar = "[radar]\nposition_m = [0.0, 0.0, 4.0]\n\n[radar.waveform]";
+    for (from, to, rule) in [
+        ("samples = 64", "samples = 128", "amplitudes hold for the sweep that they were traced for"),
+        ("[radar.waveform]", radar, "the scene's radar is at [0.0, 0.0, 4.0] m"),
+        (
+            "id = \"reflector\"",
+            "id = \"mirror\"",
+            "traced of the bodies `corner-1`, `reflector`, the scene has",
+        ),
+        ("frames = 2", "frames = 1", "frame 1 is none of the scene's 1"),
+        ("frames = 2", "frames = 2\nframe_interval_s = 0.3", "frame 1 begins at"),
+        ("[2.0, 30.0, 1.0]", "[2.0, 20.0, 1.0]", "frame 0: `reflector` was lit where it is not in the scene"),
+        ("[-5.75, 40.0, 0.0]", "[-5.75, 50.0, 0.0]", "frame 0: `corner-1` was lit where it is not"),
+        ("\"corner.obj\"", "\"panel.obj\"", "not traced of the scene's mesh `panel.obj`"),
+    ] {
+        let scene = SMALL_SCENE.replacen(from, to, 1);
+        assert_ne!(scene, SMALL_SCENE, "{from}");
+        std::fs::write(place.path("other.toml"), scene).unwrap();
+        let output = place.try_run("echo other.toml --paths f.paths --out other.cube --quiet");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{to}: {said}");
+        assert!(said.contains("f.paths: ") && said.contains(rule), "{to}: {said}");
+        assert!(!place.path("other.cube").exists(), "{to}");
+    }
+    let output = place.try_run("echo small.toml --paths f.paths --model panel.obj --out other.cube --quiet");
+    assert_eq!(output.status.code(), Some(1));
+    std::fs::write(
+        place.path("corner.obj"),
+        std::fs::read_to_string(place.path("corner.obj")).unwrap() + "\n#\n",
+    )
+    .unwrap();
+    let output = place.try_run("echo small.toml --paths f.paths --out other.cube --quiet");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(said.contains("f.paths: was made of another `corner.obj`, or before that was changed"), "{said}");
+}

@@ -1,0 +1,116 @@
+//! Levels of vehicles beside the published ones of 3GPP TR 38.901 (Release 19), section 7.9.2.1: sector by
+//! sector, and what a road under a car adds.
+
+mod published;
+mod levels;
+mod pictures;
+mod road;
+
+use super::bodies::{Named, all_own, real};
+use crate::study::extent::Extent;
+use crate::study::pages::part::Part;
+use crate::study::sources::{Places, SCATTERING};
+use artifact::settings::Class;
+use levels::{Levels, mean};
+use published::SECTORS;
+use wayside::host::failure::Failure;
+use wayside::host::progress::note;
+
+/// Sources that the figures hang on.
+pub(crate) const SOURCES: Places =
+    &[SCATTERING, &["xtask/src/study/pages/scattering/published_levels", file!()]];
+
+/// Cars of `../shared/vehicles`, by their number of triangles.
+const REAL_CARS: [&str; 9] = [
+    "gazebo_pickup",
+    "smarts_muscle_car",
+    "gazebo_prius",
+    "quaternius_suv",
+    "modern_hatchback",
+    "nissan_patrol_suv",
+    "uaz452_van",
+    "generic_sedan",
+    "jeep_cherokee_suv",
+];
+
+/// Triangles from which on a mesh counts as detailed, and below which as coarse.
+const DETAILED: usize = 20_000;
+const COARSE: usize = 4_000;
+
+/// Table of all vehicles, differences by detail of the mesh, what a road adds, pictures.
+pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+    let mut part = Part::default();
+    part.line("Means of dBsm over a sector, at 0° / 10° elevation; less TR 38.901 with σ, dB:\n");
+    part.head(&["vehicle", "class", "triangles", "front", "sides", "rear", "less TR, at 0°", "at 10°"]);
+    let mut all = Vec::new();
+    for (class, named) in vehicles(extent)? {
+        let levels = Levels::of(class, named)?;
+        part.row(&row(&levels));
+        all.push(levels);
+    }
+    part.line("");
+    by_detail(&mut part, &all);
+    road::added(&mut part, extent)?;
+    if extent == Extent::Full {
+        pictures::draw(&all)?;
+    }
+    Ok(part)
+}
+
+fn vehicles(extent: Extent) -> Result<Vec<(Class, Named)>, Failure> {
+    let mut own = all_own()?;
+    own.truncate(if extent == Extent::Quick { 1 } else { own.len() });
+    let class = |name: &str| scene::vehicles::class_of(name).unwrap_or(Class::Car);
+    let mut all: Vec<(Class, Named)> = own.into_iter().map(|named| (class(&named.0), named)).collect();
+    for name in REAL_CARS.iter().filter(|_| extent == Extent::Full) {
+        match real(name) {
+            Ok(mesh) => all.push((Class::Car, ((*name).to_owned(), mesh))),
+            Err(failure) => note(format!("left out: {failure}")),
+        }
+    }
+    Ok(all)
+}
+
+fn row(levels: &Levels) -> Vec<String> {
+    let both = |of: &dyn Fn(usize) -> String| format!("{} / {}", of(0), of(1)).replace('-', "−");
+    let sectors = SECTORS.map(|sector| both(&|at| format!("{:.1}", levels.of_sector(at, sector))));
+    let mut cells = vec![levels.name.clone(), levels.class.name().to_owned(), levels.triangles.to_string()];
+    cells.extend(sectors);
+    cells.extend([0, 1].map(|at| match levels.class {
+        Class::Car => apart(levels.beside_published(at)),
+        _ => "–".to_owned(),
+    }));
+    cells
+}
+
+/// A difference with its standard deviation, dB.
+fn apart([middle, deviation]: [f64; 2]) -> String {
+    format!("{middle:+.1} (σ {deviation:.1})").replace('-', "−")
+}
+
+/// Cars that a row counts.
+type Kept = fn(&Levels) -> bool;
+
+/// Means over own cars and over real ones by the detail of their meshes.
+fn by_detail(part: &mut Part, all: &[Levels]) {
+    part.head(&["cars", "number", "less TR 38.901, dB, at 0°", "at 10°"]);
+    let kinds: [(&str, Kept); 4] = [
+        ("own", |levels| levels.is_own()),
+        ("real, over 20,000 triangles", |levels| !levels.is_own() && levels.triangles > DETAILED),
+        ("real, 4,000 to 20,000", |l| !l.is_own() && (COARSE..=DETAILED).contains(&l.triangles)),
+        ("real, below 4,000", |levels| !levels.is_own() && levels.triangles < COARSE),
+    ];
+    for (name, kept) in kinds {
+        let cars: Vec<&Levels> =
+            all.iter().filter(|levels| levels.class == Class::Car && kept(levels)).collect();
+        if cars.is_empty() {
+            continue;
+        }
+        let told = [0, 1].map(|elevation: usize| {
+            let of_cars: Vec<[f64; 2]> = cars.iter().map(|car| car.beside_published(elevation)).collect();
+            apart([0, 1].map(|at: usize| mean(&of_cars.iter().map(|told| told[at]).collect::<Vec<_>>())))
+        });
+        part.row(&[&[name.to_owned(), cars.len().to_string()], &told[..]].concat());
+    }
+    part.line("");
+}
