@@ -3,7 +3,7 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
-use artifact::whole_file::{Durability, PlaceRule, WholeFile, check};
+use artifact::whole_file::{Durability, PlaceRule, WholeFile, WholeFolder, check};
 use artifact::{Fault, inputs};
 use std::io::Write;
 use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
@@ -139,4 +139,21 @@ fn a_name_as_long_as_the_system_allows_can_be_written() {
     let place = folder.path().join("é".repeat(127));
     write(&place, "new").unwrap();
     assert_eq!(std::fs::read(&place).unwrap(), b"new");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_an_empty_folder_stands_for_that_folder_and_one_that_leads_nowhere_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let [target, link, nowhere] = ["target", "link", "nowhere"].map(|name| folder.path().join(name));
+    std::fs::create_dir(&target).unwrap();
+    std::os::unix::fs::symlink(&target, &link).unwrap();
+    std::os::unix::fs::symlink(folder.path().join("none"), &nowhere).unwrap();
+    let whole = WholeFolder::create(&link).unwrap();
+    std::fs::write(whole.filled().join("a"), "new").unwrap();
+    whole.finish().unwrap();
+    assert_eq!(std::fs::read(target.join("a")).unwrap(), b"new");
+    assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
+    let refused = WholeFolder::create(&nowhere).err().unwrap().to_string();
+    assert!(refused.contains("nowhere"), "{refused}");
 }

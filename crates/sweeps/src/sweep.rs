@@ -76,11 +76,12 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     let study = Study::read(&settings.study, settings.seed)?;
     check_size(&study)?;
     let (designs, situations) = (designs::designs(&study), situations::situations(&study));
-    files::claim(&RESULTS.map(|name| settings.out.join(name)))?;
     let work = Work::begin("reading the scenes of all designs");
     acceptance::check(&study, &designs, situations.first().map_or(&[], Vec::as_slice))?;
     drop(work);
     let model = loading::model(settings.classifier.as_deref())?;
+    // All inputs are known now, and no run is made.
+    files::claim(&RESULTS.map(|name| settings.out.join(name)))?;
     let first_of_kinds = kinds::first_of_kinds(&study, &designs);
     let rounds = Rounds {
         study: &study,

@@ -165,3 +165,19 @@ fn too_many_conditions_are_refused_by_their_number_before_they_are_made() {
         ended.said
     );
 }
+
+#[test]
+fn a_study_whose_result_would_replace_its_scene_is_refused_before_a_run_is_made() {
+    let place = Workplace::new();
+    std::fs::create_dir(place.path("out")).unwrap();
+    for result in ["designs.csv", "report.md"] {
+        std::fs::copy(place.path("small.toml"), place.path("out").join(result)).unwrap();
+        std::fs::copy(place.path("corner.obj"), place.path("out/corner.obj")).unwrap();
+        let (said, code) = said_of(&place, &WHOLE.replace("small.toml", &format!("out/{result}")));
+        assert_eq!(code, Some(2), "{said}");
+        assert!(said.contains(&format!("out/{result}: cannot be written: it is an input")), "{said}");
+        assert_eq!(place.bytes(&format!("out/{result}")), place.bytes("small.toml"));
+        assert!(!place.path("out/runs").exists(), "{result}: runs were made for nothing");
+        std::fs::remove_file(place.path("out").join(result)).unwrap();
+    }
+}
