@@ -7,7 +7,7 @@ use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::progress::{self, Work};
 use artifact::Provenance;
-use artifact::scene::{Scene, SceneHeader};
+use artifact::scene::{Role, Scene, SceneHeader, Target, TargetKind};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -57,12 +57,24 @@ pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene,
         Some(header) => header,
         None => scene::read(&source.file, &options).map_err(of_scene)?,
     };
+    check_model(source, &header)?;
     if let (Some(cache), false) = (cache, cached) {
         cache.put_header::<Scene>(Stage::Scene, &key, &header);
     }
     drop(reading);
     header.seed = seed(source.seed.unwrap_or(header.seed), source.radar.as_deref());
     Ok(LoadedScene { header, cached, seconds: start.elapsed().as_secs_f64(), files })
+}
+
+/// Refuses a model in place of those of targets where no target has one.
+fn check_model(source: &SceneSource, header: &SceneHeader) -> Result<(), Failure> {
+    let is_replaced =
+        |target: &Target| target.role == Role::Target && matches!(target.kind, TargetKind::Mesh { .. });
+    if source.model.is_none() || header.targets.iter().any(is_replaced) {
+        return Ok(());
+    }
+    let rule = "--model takes the place of the models of [[target]]s, and none of them is a mesh";
+    Err(Failure::System(format!("{}: {rule}", source.file.display())))
 }
 
 /// Seed of the noise: the scene's, or one of its own for each of several radars. That has 53 bits: readers of

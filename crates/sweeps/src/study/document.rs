@@ -96,6 +96,7 @@ impl Study {
         let (vary, conditions) = (axes("vary")?, axes("condition")?);
         let sample = root.table("sample", &["count"])?.map(|sample| count(&sample)).transpose()?;
         once_each(root, &vary, &conditions)?;
+        with_effect(page, &vary, &conditions)?;
         size(root, &vary, sample)?;
         let confidence = root.number("confidence", 0.5..=0.9999)?.unwrap_or(0.95);
         let measures = Measures::of(bands(root)?);
@@ -149,6 +150,26 @@ fn once_each(root: &Fields<'_>, vary: &[Axis], conditions: &[Axis]) -> Result<()
             Err(root.refused_whole(&format!("`{key}` is changed by two of `vary` and `condition`")))
         }
         None if vary.is_empty() => Err(root.refused_whole("`vary` is missing: there is nothing to choose")),
+        None => Ok(()),
+    }
+}
+
+/// Keys of a scene that no run of a study takes from it, each with the reason.
+const WITHOUT_EFFECT: [(&str, &str); 3] = [
+    ("seed", "every situation has a seed of its own, drawn by that of the study"),
+    ("name", "a scene is computed alike by any name"),
+    ("fidelity.measured_every", "a study measures errors once in a run"),
+];
+
+/// A key that has no effect makes equal designs.
+fn with_effect(page: &Page, vary: &[Axis], conditions: &[Axis]) -> Result<(), Failure> {
+    let reason = |key: &String| WITHOUT_EFFECT.iter().find(|(idle, _)| idle == key);
+    let idle = |axis: &Axis| Some((axis.line, axis.keys.iter().find_map(reason)?));
+    match vary.iter().chain(conditions).find_map(idle) {
+        Some((line, (key, reason))) => {
+            let place = format!("{}:{line}", page.file.display());
+            Err(Failure::Refused(format!("{place}: `{key}` changes nothing: {reason}")))
+        }
         None => Ok(()),
     }
 }

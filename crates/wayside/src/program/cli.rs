@@ -205,7 +205,7 @@ pub struct RunArguments {
     #[arg(long)]
     pub(crate) explain: bool,
     /// Neither reads nor writes the cache.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["cache", "cache_limit_mib"])]
     pub(crate) no_cache: bool,
     #[command(flatten)]
     pub(crate) cache: CacheArguments,
@@ -244,9 +244,9 @@ pub struct RcsArguments {
     /// Diffraction by edges (physical theory of diffraction).
     #[arg(long, value_enum, default_value = "off")]
     pub(crate) edges: EdgesWord,
-    /// Facet on which a multiple reflection is integrated.
-    #[arg(long, value_enum, default_value = "own-edge")]
-    pub(crate) nodes: NodesWord,
+    /// Facet on which a multiple reflection is integrated [default: own-edge; of the references middle].
+    #[arg(long, value_enum)]
+    pub(crate) nodes: Option<NodesWord>,
     /// Surface that the facets stand for: themselves, or the curved skin that the vertex normals tell of.
     #[arg(long, value_enum, default_value = "flat")]
     pub(crate) surface: SurfaceWord,
@@ -287,6 +287,14 @@ impl RcsArguments {
     /// Highest bounce order.
     pub(crate) fn bounces(&self) -> u8 {
         self.bounces.unwrap_or(3)
+    }
+
+    /// Facet on which a multiple reflection is integrated.
+    pub(crate) fn nodes(&self) -> NodesWord {
+        self.nodes.unwrap_or(match self.method {
+            MethodWord::Bart => NodesWord::OwnEdge,
+            MethodWord::Po | MethodWord::Sbr => NodesWord::Middle,
+        })
     }
 
     /// Samples or rays per wavelength of the references.
@@ -365,7 +373,7 @@ pub struct SweepArguments {
     #[arg(long, value_name = "FILE.model")]
     pub(crate) classifier: Option<PathBuf>,
     /// Neither reads nor writes the cache.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["cache", "cache_limit_mib"])]
     pub(crate) no_cache: bool,
     #[command(flatten)]
     pub(crate) cache: CacheArguments,

@@ -10,11 +10,17 @@ use std::path::Path;
 /// Reads a mesh file as it is, or makes an own vehicle by its name.
 ///
 /// # Errors
-/// The file is missing, or no mesh can be made of it.
+/// The file is missing, or no mesh can be made of it; a scale of what has no file.
 pub fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
     let name = place.to_str().filter(|_| !place.exists());
     if let Some(mesh) = name.and_then(|name| scene::vehicles::mesh(name, 0)) {
-        return Ok(mesh);
+        return match unit_scale {
+            None => Ok(mesh),
+            Some(_) => {
+                let rule = "--unit-scale is for mesh files: the project's own vehicles are in metres";
+                Err(Failure::System(format!("{}: {rule}", place.display())))
+            }
+        };
     }
     scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(loading::of_mesh)
 }

@@ -91,7 +91,8 @@ impl Workplace {
     pub(crate) fn command(&self, words: &str) -> Command {
         let mut command = Command::new(PROGRAM);
         command.args(words.split_whitespace()).current_dir(self.folder.path());
-        if words.starts_with("run") || words.starts_with("cache") {
+        let has_cache = words.starts_with("run") || words.starts_with("cache");
+        if has_cache && !words.contains("--no-cache") {
             command.args(["--cache", "cache"]);
         }
         command

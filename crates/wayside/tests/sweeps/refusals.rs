@@ -57,6 +57,13 @@ fn every_broken_rule_of_a_study_is_told_with_its_place() {
             "[[condition]]\nkey = \"radar.array.preset\"\nvalues = [\"1x4\"]\n[goal]",
             "is changed by two of",
         ),
+        ("radar.array.preset", "name", "study.toml:2: `name` changes nothing"),
+        ("radar.array.preset", "fidelity.measured_every", "study.toml:2: `fidelity.measured_every` changes"),
+        (
+            "[goal]",
+            "[[condition]]\nkey = \"seed\"\nvalues = [1, 2]\n[goal]",
+            "study.toml:5: `seed` changes nothing: every situation has a seed of its own",
+        ),
         ("[goal]", "[sample]\n[goal]", "[sample]: `count` is missing"),
         ("[goal]", "[sample]\ncount = 0\n[goal]", "`count` has to be a whole number from 1 to 100000, is 0"),
         (

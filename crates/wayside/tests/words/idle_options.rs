@@ -87,3 +87,40 @@ fn an_option_that_means_nothing_to_the_method_is_refused_or_remarked_on() {
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success() && said.contains("--accuracy-db is for --method bart"), "{said}");
 }
+
+#[test]
+fn an_option_that_means_nothing_to_the_body_or_the_scene_is_refused() {
+    let place = Workplace::new();
+    let points = SMALL_SCENE.split("[[target]]\nkind = \"mesh\"").next().unwrap().to_owned()
+        + "[[target]]\nkind = \"point\"\nid = \"a\"\nrcs_m2 = 1.0\nposition_m = [2.0, 30.0, 1.0]\n";
+    std::fs::write(place.path("points.toml"), points).unwrap();
+    place.run("paths small.toml --out a.paths --quiet");
+    let rcs = "--freq-ghz 3 --az-deg 0";
+    let own_edge = format!("rcs corner.obj {rcs} --nodes own-edge --method");
+    let own_edge_rule: &[&str] = &["corner.obj", "--nodes own-edge is for --method bart"];
+    refuses(
+        &place,
+        "x",
+        &[
+            (&format!("rcs car-suv {rcs} --unit-scale 2"), &["car-suv", "--unit-scale is for mesh files"]),
+            (&format!("{own_edge} po"), own_edge_rule),
+            (&format!("{own_edge} sbr"), own_edge_rule),
+            ("run points.toml --model corner.obj", &["points.toml", "--model", "none of them is a mesh"]),
+            ("paths points.toml --model corner.obj", &["points.toml", "--model", "none of them is a mesh"]),
+        ],
+    );
+    for nodes in ["middle", "exit"] {
+        place.run(&format!("rcs corner.obj {rcs} --method po --nodes {nodes} --out {nodes}.npy --quiet"));
+    }
+}
+
+#[test]
+fn a_folder_or_a_size_of_a_cache_that_is_not_used_is_refused() {
+    let place = Workplace::new();
+    for option in ["--cache c", "--cache-limit-mib 5"] {
+        for command in ["run small.toml", "sweep study.toml"] {
+            let command = format!("{command} --no-cache {option}");
+            refuses(&place, "x", &[(&command, &["--no-cache", option.split(' ').next().unwrap()])]);
+        }
+    }
+}

@@ -90,6 +90,9 @@ fn check(arguments: &RcsArguments) -> Result<(), Failure> {
         MethodWord::Po if arguments.bounces.is_some_and(|bounces| bounces > 1) => {
             refused("--bounces is for --method bart and sbr: po has single reflections alone")
         }
+        MethodWord::Po | MethodWord::Sbr if arguments.nodes == Some(NodesWord::OwnEdge) => refused(
+            "--nodes own-edge is for --method bart: po and sbr weigh no facets, and take middle or exit",
+        ),
         MethodWord::Po | MethodWord::Sbr if arguments.accuracy_db.is_some() => {
             progress::note(
                 "note: --accuracy-db is for --method bart: --density is what a reference is exact by",
@@ -163,7 +166,7 @@ fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {
         receiver: receiver(arguments),
         polarization: polarization(arguments.pol),
         bounces: arguments.bounces(),
-        nodes: nodes(arguments.nodes),
+        nodes: nodes(arguments.nodes()),
         edges: edges(arguments.edges),
         surface: surface(arguments.surface),
         sides: sides(arguments.sides),

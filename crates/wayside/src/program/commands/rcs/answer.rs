@@ -171,7 +171,7 @@ fn decibels(ratio: f64) -> String {
 
 fn settings(arguments: &RcsArguments) -> Value {
     let lower = |word: &dyn std::fmt::Debug| format!("{word:?}").to_lowercase();
-    let nodes = arguments.nodes.to_possible_value().map(|word| word.get_name().to_owned());
+    let nodes = arguments.nodes().to_possible_value().map(|word| word.get_name().to_owned());
     let finite = |range: f64| if range.is_finite() { json!(range) } else { json!("inf") };
     // JSON is text; a path need not be.
     let materials = arguments.materials.as_ref().map(|file| file.to_string_lossy());
