@@ -9,6 +9,7 @@ use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
+use pipeline::host::shown::in_markdown;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -128,7 +129,8 @@ fn vehicles(evaluation: &Evaluation) -> String {
     for (model, told) in &evaluation.by_model {
         let _ = writeln!(
             table,
-            "| {model} | {} | {:.0} % |",
+            "| {} | {} | {:.0} % |",
+            in_markdown(model),
             told.samples,
             100.0 * told.right as f64 / told.samples.max(1) as f64
         );

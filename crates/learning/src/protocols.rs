@@ -11,7 +11,7 @@ mod settings;
 use crate::evaluation::{confusion, sightings_of};
 use crate::training::{Learner, iterations_of_trees};
 use artifact::settings::Class;
-use asked::{HELD_OUT, Kept, Protocol, answers, of_test, of_training, told};
+use asked::{HELD_OUT, Kept, Protocol, answers, name_of, of_test, of_training, told};
 use classifier::{
     Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax,
     train_trees,
@@ -23,6 +23,7 @@ use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress::Work;
+use pipeline::host::shown::in_markdown;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -67,7 +68,7 @@ fn of_trees(
     let tests: Vec<Sightings> =
         of_tests.iter().map(|folder| sightings_of(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
     let mut protocols = of_training(&learned, &settings.datasets);
-    let named = |folder: &PathBuf| format!("T: {} never seen", folder.display());
+    let named = |folder: &PathBuf| format!("T: {} never seen", name_of(folder));
     protocols.extend(settings.test.iter().zip(&tests).map(|(folder, test)| of_test(named(folder), test)));
     let work = Work::begin("training");
     let mut trained = Vec::new();
@@ -91,8 +92,8 @@ fn of_trees(
         page += &likenesses(folder, &learned, test);
     }
     if settings.curves {
-        let name = |folder: &PathBuf| folder.display().to_string();
-        let tests: Vec<(String, &Sightings)> = settings.test.iter().map(name).zip(&tests).collect();
+        let tests: Vec<(String, &Sightings)> =
+            settings.test.iter().map(|folder| name_of(folder)).zip(&tests).collect();
         page += &curves::page(&learned, &trained[0], &tests)?;
     }
     Ok(page)
@@ -234,7 +235,8 @@ fn by_condition(protocol: &Protocol<'_>, known: &OfTracks, trained: &TrainedTree
         let [right, by_track] = [&frames, &tracks].map(|told| 100.0 * told.mean_over_classes);
         let _ = writeln!(
             table,
-            "| {condition} | {value} | {} | {right:.1} % | {by_track:.1} % |",
+            "| {condition} | {} | {} | {right:.1} % | {by_track:.1} % |",
+            in_markdown(value),
             frames.answers
         );
     }
@@ -249,7 +251,7 @@ fn likenesses(folder: &Path, learned: &Sightings, test: &Sightings) -> String {
     let (learned, test): (Vec<&Seen>, Vec<&Seen>) = (learned.all.iter().collect(), test.all.iter().collect());
     let mut table = format!(
         "\nArea under the ROC between what trained and {}, 0.5 alike and 1 apart:\n\n| class | {} |\n|---|---|---|---|---|\n",
-        folder.display(),
+        name_of(folder),
         COMPARED.join(" | ")
     );
     for (number, class) in Class::ALL.iter().enumerate() {

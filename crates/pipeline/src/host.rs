@@ -1,6 +1,7 @@
 //! Services that the chain stands on beside the stages: failures, whole files, memory, progress, places and
 //! long work's checkpoints; and folders of datasets as inputs.
 
+pub mod shown;
 pub mod failure;
 pub mod progress;
 pub mod files;

@@ -263,7 +263,13 @@ fn joined(points: &[[f64; 2]]) -> String {
     points.iter().map(|[x, y]| format!("{x:.2},{y:.2}")).collect::<Vec<_>>().join(" ")
 }
 
+/// Text as XML takes it: marks by their names, and controls, which it does not take, as escapes.
 fn escaped(text: &str) -> String {
+    let sign = |sign: char| {
+        let escape = sign.is_control().then(|| sign.escape_default());
+        escape.into_iter().flatten().chain((!sign.is_control()).then_some(sign))
+    };
+    let text: String = text.chars().flat_map(sign).collect();
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
@@ -273,8 +279,8 @@ mod tests {
 
     #[test]
     fn a_picture_says_its_title_to_those_who_cannot_see_it_whatever_stands_in_it() {
-        let text = Svg::new("a \"b\" < c & d", 10.0, 10.0).inline();
-        let said = "a &quot;b&quot; &lt; c &amp; d";
+        let text = Svg::new("a \"b\" < c & d\u{1b}", 10.0, 10.0).inline();
+        let said = "a &quot;b&quot; &lt; c &amp; d\\u{1b}";
         assert!(
             text.contains(&format!("<title>{said}</title>"))
                 && text.contains(&format!("aria-label=\"{said}\""))

@@ -3,6 +3,7 @@
 use artifact::dataset::Split;
 use artifact::model::Weights;
 use classifier::{Logits, Part, Seen, Sightings, TrainedTrees, parts, tree_logits};
+use pipeline::host::shown::in_markdown;
 use std::path::{Path, PathBuf};
 
 /// Protocol that every training is asked: a name, and the sightings that belong to it with the sources of
@@ -27,6 +28,11 @@ pub(super) type Kept = fn(&Seen) -> bool;
 /// The protocol of all vehicles that were held out.
 pub(super) const HELD_OUT: &str = "V: vehicles held out in turn";
 
+/// Name of a folder on the page.
+pub(super) fn name_of(folder: &Path) -> String {
+    in_markdown(&folder.display().to_string()).into_owned()
+}
+
 pub(super) fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Vec<Protocol<'a>> {
     let those = |name: String, kept: &dyn Fn(&Seen) -> bool| {
         let all = learned.all.iter().enumerate().filter(|(_, seen)| kept(seen));
@@ -37,7 +43,7 @@ pub(super) fn of_training<'a>(learned: &'a Sightings, folders: &[PathBuf]) -> Ve
         those("S: scenes of the test split".into(), &|seen| seen.split == Split::Test),
         those(HELD_OUT.into(), &held_out),
     ];
-    let name = |folder: &Path| format!("V: of {}", folder.display());
+    let name = |folder: &Path| format!("V: of {}", name_of(folder));
     if folders.len() > 1 {
         let one =
             |(n, folder): (usize, &PathBuf)| those(name(folder), &|seen| held_out(seen) && seen.track.0 == n);

@@ -9,6 +9,7 @@ use crate::report::tables;
 use crate::report::tracks;
 use crate::report::viewer;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use pipeline::host::shown;
 use pipeline::outcome::summary::{Agreement, FrameSummary, Metrics, Summary};
 use plotting::form::Figure;
 use std::path::Path;
@@ -40,7 +41,7 @@ pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making, out: &
     )
 }
 
-/// A page of this name around its content.
+/// A page of this name around its content; what users called things has no controls on it.
 pub fn sheet(name: &str, content: Markup) -> String {
     let markup = html! {
         (DOCTYPE)
@@ -57,7 +58,7 @@ pub fn sheet(name: &str, content: Markup) -> String {
             }
         }
     };
-    markup.into_string()
+    shown::in_lines(&markup.into_string()).into_owned()
 }
 
 /// Frames that have tables in the report: a page of more opens slowly.

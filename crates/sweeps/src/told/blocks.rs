@@ -1,6 +1,7 @@
 //! Parts of a report, which stand on a page (HTML) and in a text (Markdown) alike.
 
 use maud::{Markup, html};
+use pipeline::host::shown::in_markdown;
 use reporting::report::scrolled;
 
 /// Columns of a text's lines.
@@ -21,10 +22,13 @@ pub(crate) fn markdown(blocks: &[Block]) -> String {
 
 fn block_in_text(block: &Block) -> String {
     match block {
-        Block::Heading(words) => format!("## {words}\n"),
-        Block::Words(words) => wrapped(words),
+        Block::Heading(words) => format!("## {}\n", in_markdown(words)),
+        Block::Words(words) => wrapped(&in_markdown(words)),
         Block::Table(_, head, rows) => {
-            let line = |cells: &Vec<String>| format!("| {} |\n", cells.join(" | ").replace('\n', " "));
+            let line = |cells: &Vec<String>| {
+                let cells: Vec<_> = cells.iter().map(|cell| in_markdown(cell)).collect();
+                format!("| {} |\n", cells.join(" | "))
+            };
             let rule = format!("|{}\n", "---|".repeat(head.len()));
             line(head) + &rule + &rows.iter().map(line).collect::<String>()
         }
@@ -65,6 +69,14 @@ pub(crate) fn on_page(block: &Block) -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_name_neither_ends_a_cell_of_a_text_nor_moves_a_cursor() {
+        let table = Block::Table("t".into(), vec!["a|b".into()], vec![vec!["c\u{1b}[31m\n<i>".into()]]);
+        let expected = "| a\\|b |\n|---|\n| c\\u{1b}[31m\\n&lt;i> |\n";
+        assert_eq!(markdown(&[table]), expected);
+        assert_eq!(markdown(&[Block::Heading("By \u{7}".into())]), "## By \\u{7}\n");
+    }
 
     #[test]
     fn words_are_broken_into_lines_that_fit_and_none_is_lost() {

@@ -2,6 +2,7 @@
 
 use crate::program::terminal;
 use pipeline::host::failure::Failure;
+use pipeline::host::shown;
 use std::process::ExitCode;
 
 /// Prints the sentence on standard error; exit code 1 of what was refused, 2 of what the system or the words
@@ -21,21 +22,11 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
 fn printable(text: &str) -> String {
     const SHOWN: usize = 2000;
     let line = |line: &str| {
-        let mut shown: String = line.chars().take(SHOWN).flat_map(visible).collect();
-        if line.chars().nth(SHOWN).is_some() {
-            shown.push('…');
-        }
-        shown
+        let end = line.char_indices().nth(SHOWN).map(|(end, _)| end);
+        let kept = shown::in_lines(end.map_or(line, |end| &line[..end])).into_owned();
+        if end.is_some() { kept + "…" } else { kept }
     };
     text.split('\n').map(line).collect::<Vec<_>>().join("\n")
-}
-
-/// A sign as it is, a control as its escape.
-fn visible(sign: char) -> impl Iterator<Item = char> {
-    let reorders = matches!(sign, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    let hidden = (sign.is_control() && sign != '\t') || reorders;
-    let escape = hidden.then(|| sign.escape_default());
-    escape.into_iter().flatten().chain((!hidden).then_some(sign))
 }
 
 #[cfg(test)]

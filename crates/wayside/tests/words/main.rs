@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod controls;
 mod idle_options;
 mod refusals;
 mod standard_output;

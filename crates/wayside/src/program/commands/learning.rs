@@ -37,7 +37,7 @@ fn about_first(folders: &[PathBuf]) -> impl FnOnce(Failure) -> Failure {
 
 /// A page as lines of results.
 fn tell_page(page: String) {
-    terminal::line(page.trim_end());
+    terminal::lines(page.trim_end());
 }
 
 fn tell(line: &str) {

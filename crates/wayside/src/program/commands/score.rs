@@ -38,7 +38,7 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
         let truth = FrameTruth::of(&view, &poses, paths.as_ref(), &frame.objects);
         score.add(&FrameTruth { bodies, ..truth }, &frame.objects, &tracks);
     }
-    terminal::line(serde_json::to_string_pretty(&score.metrics()).map_err(Failure::refused)?);
+    terminal::lines(&serde_json::to_string_pretty(&score.metrics()).map_err(Failure::refused)?);
     Ok(())
 }
 

@@ -1,0 +1,68 @@
+//! Texts of users as people are shown them: no sign of a name moves a cursor, begins a line or ends a table's
+//! cell.
+
+use std::borrow::Cow;
+
+/// A text in one line, every control and every sign that turns the order of writing as its escape.
+pub fn in_a_line(text: &str) -> Cow<'_, str> {
+    escaped(text, is_hidden)
+}
+
+/// A text of several lines, in each of which the same is escaped but tabs.
+pub fn in_lines(text: &str) -> Cow<'_, str> {
+    escaped(text, |sign| is_hidden(sign) && !matches!(sign, '\n' | '\t'))
+}
+
+/// A text in a line or a table's cell of Markdown: no mark of a table or of HTML either.
+pub fn in_markdown(text: &str) -> Cow<'_, str> {
+    let shown = in_a_line(text);
+    if !shown.contains(['|', '<']) {
+        return shown;
+    }
+    shown.replace('|', "\\|").replace('<', "&lt;").into()
+}
+
+/// JSON for a page, in which the same are escapes of JSON: its texts are what they were.
+pub fn in_json(json: &str) -> Cow<'_, str> {
+    match json.contains(is_hidden) {
+        true => json.chars().map(of_json).collect::<String>().into(),
+        false => json.into(),
+    }
+}
+
+fn of_json(sign: char) -> String {
+    if is_hidden(sign) { format!("\\u{:04x}", u32::from(sign)) } else { sign.into() }
+}
+
+fn is_hidden(sign: char) -> bool {
+    sign.is_control()
+        || matches!(sign, '\u{2028}' | '\u{2029}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+fn escaped(text: &str, is_escaped: impl Fn(char) -> bool) -> Cow<'_, str> {
+    if !text.contains(&is_escaped) {
+        return text.into();
+    }
+    let mut shown = String::with_capacity(text.len() + 8);
+    for sign in text.chars() {
+        match is_escaped(sign) {
+            true => shown.extend(sign.escape_default()),
+            false => shown.push(sign),
+        }
+    }
+    shown.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn controls_are_shown_as_escapes_and_all_else_as_it_is() {
+        assert_eq!(in_a_line("a\u{1b}[31mb\n\u{7}é\t\u{202e}"), "a\\u{1b}[31mb\\n\\u{7}é\\t\\u{202e}");
+        assert_eq!(in_lines("a\u{1b}\nb\tc\r"), "a\\u{1b}\nb\tc\\r");
+        assert_eq!(in_markdown("a|b\n<i>"), "a\\|b\\n&lt;i>");
+        assert_eq!(in_json("\"a\u{85}\u{202e}\""), "\"a\\u0085\\u202e\"");
+        assert!(matches!(in_markdown("a folder, 30 °"), Cow::Borrowed(_)));
+    }
+}
