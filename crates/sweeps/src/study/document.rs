@@ -164,11 +164,12 @@ const WITHOUT_EFFECT: [(&str, &str); 3] = [
 /// A key that has no effect makes equal designs.
 fn with_effect(page: &Page, vary: &[Axis], conditions: &[Axis]) -> Result<(), Failure> {
     let reason = |key: &String| WITHOUT_EFFECT.iter().find(|(idle, _)| idle == key);
-    let idle = |axis: &Axis| Some((axis.line, axis.keys.iter().find_map(reason)?));
+    let idle = |axis: &Axis| Some((axis.places.first().copied(), axis.keys.iter().find_map(reason)?));
     match vary.iter().chain(conditions).find_map(idle) {
-        Some((line, (key, reason))) => {
-            let place = format!("{}:{line}", page.file.display());
-            Err(Failure::Refused(format!("{place}: `{key}` changes nothing: {reason}")))
+        Some((place, (key, reason))) => {
+            let place = place.map_or_else(String::new, |place| format!("{place}:"));
+            let file = page.file.display();
+            Err(Failure::Refused(format!("{file}:{place} `{key}` changes nothing: {reason}")))
         }
         None => Ok(()),
     }

@@ -54,7 +54,7 @@ fn scenes_vehicles_and_other_datasets_are_rows_of_one_table_and_two_runs_say_the
 fn a_folder_s_name_neither_ends_a_cell_of_the_page_nor_moves_a_cursor() {
     let place = Workplace::new();
     crops::write(&place.path("a"), 5);
-    crops::write(&place.path("b|\u{1b}[31m"), 5);
+    crops::write(&place.path("b|\u{1b}[31m"), 6);
     let said = place.run("protocols a --test b|\u{1b}[31m --seeds 1 --quiet");
     assert!(said.contains("| T: b\\|\\u{1b}[31m never seen | all |"), "{said:?}");
     assert!(!said.contains('\u{1b}'), "{said:?}");
