@@ -8,6 +8,7 @@ use artifact::scene::{Mesh, Pose, Role, Scene, SceneHeader, Target, TargetKind};
 use artifact::settings::Class;
 use artifact::{Provenance, Radar};
 use glam::{DVec2, DVec3};
+use pipeline::chain::keys::cube_header;
 use pipeline::host::beside::{Beside, check_poses, check_time};
 use pipeline::host::failure::Failure;
 use pipeline::host::origin;
@@ -79,7 +80,8 @@ impl TruthBoxes {
         let scene = Beside::<Scene>::open(file, |frame| frame.index)?;
         let is_same = origin::same_scene(file, scene.provenance(), from)?;
         let header = scene.header().clone();
-        if radar.is_some_and(|radar| *radar != header.radar) {
+        // Frames do not know the errors of their radar.
+        if radar.is_some_and(|radar| *radar != cube_header(&header).radar) {
             let rule = "its radar is not the one that the frames are of";
             return Err(Failure::Refused(format!("{}: {rule}", file.display())));
         }

@@ -38,6 +38,21 @@ fn samples_through_a_set_of_raw_frames_are_the_same_samples() {
     assert!(labels.starts_with("0,2,-5.75") && labels.lines().count() == 1, "{labels}");
 }
 
+/// Frames do not tell the errors of their radar, the scene does.
+#[test]
+fn frames_of_a_radar_with_errors_are_of_their_own_scene() {
+    let place = Workplace::new();
+    let errors = "preset = \"1x4\"\nrx_gain_errors_db = [0.0, 0.5, -0.5, 0.2]";
+    let scene = crate::common::SMALL_SCENE.replace("preset = \"1x4\"", errors);
+    std::fs::write(place.path("small.toml"), scene).unwrap();
+    place.run("run small.toml --out run --no-cache --quiet");
+    for (artifact, set) in [("rdm", "raddet"), ("cube", "uwcr"), ("points", "kitti")] {
+        place.run(&format!(
+            "export run/frames.{artifact} --to {set} --scene run/scene.scene --out {set} --quiet"
+        ));
+    }
+}
+
 #[test]
 fn clouds_through_both_sets_are_the_same_points_and_are_scored() {
     let place = run();
