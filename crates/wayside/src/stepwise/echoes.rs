@@ -32,7 +32,8 @@ pub fn echoes(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Cube>,
 /// Makes the cubes of paths that were traced before, as `echo --paths` does.
 ///
 /// # Errors
-/// Paths of another scene ([`paths_of_scene`]); an echo that cannot be summed; called off between two frames.
+/// Paths of another sweep, radar's place, bodies or times than the scene's; an echo that cannot be summed;
+/// called off between two frames.
 pub fn echoes_of_paths(
     scene: &OpenedScene,
     paths: &Recorded<Paths>,
