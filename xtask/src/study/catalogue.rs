@@ -203,7 +203,7 @@ impl Study {
         let hash = sources::hash(self.sources)?;
         let _work = Work::begin(self.name);
         let rows = search::rows(seed, &search::searched(seed, until)?);
-        terminal::line(rows.trim());
+        terminal::lines(rows.trim());
         if arguments.quick && arguments.out.is_none() {
             return Ok(());
         }

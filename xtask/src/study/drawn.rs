@@ -125,7 +125,7 @@ impl DrawnStudy {
         let folder = folder(arguments, self.name);
         self.write_tables(&folder)?;
         write_pictures(&self.pictures, &folder)?;
-        terminal::line(&self.page);
+        terminal::lines(&self.page);
         if !arguments.docs {
             return Ok(());
         }

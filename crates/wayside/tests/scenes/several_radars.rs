@@ -53,7 +53,8 @@ fn wayside(folder: &Path, arguments: &[&str]) -> Output {
 }
 
 fn run(folder: &Path, arguments: &[&str]) {
-    let output = wayside(folder, &[&["run", "scene.toml", "--cache", "cache"], arguments].concat());
+    let cache: &[&str] = if arguments.contains(&"--no-cache") { &[] } else { &["--cache", "cache"] };
+    let output = wayside(folder, &[&["run", "scene.toml"], cache, arguments].concat());
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 

@@ -14,7 +14,7 @@ impl Part {
     /// Adds a line, or several.
     pub(super) fn line(&mut self, line: impl std::fmt::Display) {
         let line = line.to_string();
-        terminal::line(&line);
+        terminal::lines(&line);
         self.text += &line;
         self.text.push('\n');
     }
