@@ -27,7 +27,7 @@ const RING_DB: f64 = 10.0;
 impl PolarPlot {
     /// The whole diagram.
     pub fn draw(&self) -> Svg {
-        let mut sheet = Svg::new(self.title.clone(), 480.0, 0.0);
+        let mut sheet = Svg::new(self.title.clone(), 500.0, 0.0);
         let note = "0° is the body's front; azimuth grows counter-clockwise, seen from above".to_owned();
         head(&mut sheet, &self.title, &[note]);
         let levels = self.lines.iter().flat_map(|(_, points)| points.iter().map(|p| p[1]));
@@ -40,7 +40,7 @@ impl PolarPlot {
             draw_stroke(&mut sheet, n, 1.3, &places);
             legend.say(stroke_mark(n), line_colour(n), name);
         }
-        legend.draw(&mut sheet, CENTRE_PX[1] + RADIUS_PX + 46.0, [10.0, 470.0]);
+        legend.draw(&mut sheet, CENTRE_PX[1] + RADIUS_PX + 46.0, [10.0, 490.0]);
         sheet
     }
 

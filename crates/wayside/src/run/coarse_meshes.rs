@@ -25,8 +25,9 @@ pub(super) fn remarks(header: &SceneHeader) -> Vec<String> {
         .collect();
     let remark = |(model, triangles): (&String, usize)| {
         format!(
-            "note: {model}: {triangles} triangles: cars of fewer than {COARSE} lie 13 dB below the published \
-             level in the mean, 11 dB below those of over 20,000 (docs/validation/published-levels.md)"
+            "note: {model}: {triangles} triangles: seen from 10° above, cars of fewer than {COARSE} lie 13 dB \
+             below the published level in the mean, 11 dB below those of over 20,000 \
+             (docs/validation/published-levels.md)"
         )
     };
     coarse.into_iter().map(remark).collect()
