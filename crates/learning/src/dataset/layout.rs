@@ -4,6 +4,7 @@
 
 use crate::dataset::draws;
 use crate::dataset::recipe::Recipe;
+use pipeline::host::dataset_folders::lines_of;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -65,7 +66,7 @@ impl Layout {
         let (samples, name) = self.place(number);
         PlannedShard {
             scenes: first..self.scenes.min(first + self.scenes_per_shard),
-            lines: samples.with_extension("jsonl"),
+            lines: lines_of(&samples),
             samples,
             name,
         }

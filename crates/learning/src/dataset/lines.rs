@@ -6,6 +6,7 @@ use crate::dataset::seen::SeenFrame;
 use crate::dataset::staging::{Staged, ToldVehicle};
 use artifact::points::Object;
 use evaluation::Truth;
+use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::outcome::verdict::{Asking, Verdict};
 use serde_json::{Map, Value, json};
@@ -87,14 +88,22 @@ fn vehicle(id: &str, target: usize, told: &ToldVehicle, truth: &Truth, object: O
 }
 
 /// A thousand frames of sixteen vehicles for each of the usual scenes of a shard.
-pub(crate) const LIMIT_BYTES: u64 = 1 << 30;
+const LIMIT_BYTES: u64 = 1 << 30;
 
-/// The lines of a shard, which another part of the same work may have written; `None` where they cannot be
-/// read, or one of them is damaged.
-pub(super) fn read(file: &Path) -> Option<Vec<Value>> {
-    let bytes = files::read_own(file, LIMIT_BYTES).ok()?;
+/// The lines of a shard, which another part of the same work may have written.
+///
+/// # Errors
+/// They cannot be read, or one of them is damaged: file, line and rule.
+pub(crate) fn read(file: &Path) -> Result<Vec<Value>, Failure> {
+    let bytes = files::read_own(file, LIMIT_BYTES).map_err(|error| Failure::system(file, "read", error))?;
     let text = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
-    text.split(|byte| *byte == b'\n').map(read_scene).collect()
+    let of_line = |(at, line)| read_scene(line).ok_or_else(|| damaged(file, at));
+    text.split(|byte| *byte == b'\n').enumerate().map(of_line).collect()
+}
+
+fn damaged(file: &Path, at: usize) -> Failure {
+    let place = format!("{}:{}", file.display(), at + 1);
+    Failure::Refused(format!("{place}: is no line of a scene; `dataset` makes its shard anew"))
 }
 
 /// Bytes of what a scene's line says beside its frames, which every line of a sample repeats: ten times as
@@ -102,7 +111,7 @@ pub(super) fn read(file: &Path) -> Option<Vec<Value>> {
 const SCENE_LIMIT_BYTES: usize = 4096;
 
 /// The scene of a line; `None` where it is damaged, or tells of more than a recipe may ask for.
-pub(crate) fn read_scene(line: &[u8]) -> Option<Value> {
+fn read_scene(line: &[u8]) -> Option<Value> {
     let scene: Value = serde_json::from_slice(line).ok()?;
     let frames = list(&scene["frames"]);
     let is_full = |frame: &Value| list(&frame["vehicles"]).len() > VEHICLES_LIMIT as usize;

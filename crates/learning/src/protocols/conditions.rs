@@ -1,16 +1,14 @@
 //! Conditions of a sighting, from the truth beside its shard: signal-to-noise ratio, range, aspect, company,
 //! line of sight, radar.
 
-use crate::dataset::lines::{LIMIT_BYTES, read_scene};
+use crate::dataset::lines;
 use classifier::TrackKey;
 use glam::DVec2;
 use pipeline::host::dataset_folders::{DatasetFolder, lines_of};
 use pipeline::host::failure::Failure;
-use pipeline::host::files;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
-use std::path::Path;
 
 /// Name and value of every condition of a track, in the order of the table.
 pub(super) type Conditions = Vec<(&'static str, Bin)>;
@@ -37,8 +35,8 @@ pub(super) type OfTracks = BTreeMap<TrackKey, Conditions>;
 pub(super) fn conditions(folders: &[DatasetFolder]) -> Result<OfTracks, Failure> {
     let mut all = BTreeMap::new();
     for (number, folder) in folders.iter().enumerate() {
-        for lines in folder.shards.iter().map(|shard| lines_of(shard)).filter(|lines| lines.exists()) {
-            scenes_of(&lines)?.iter().for_each(|scene| of_scene(number, scene, &mut all));
+        for file in folder.shards.iter().map(|shard| lines_of(shard)).filter(|file| file.exists()) {
+            lines::read(&file)?.iter().for_each(|scene| of_scene(number, scene, &mut all));
         }
     }
     Ok(all)
@@ -47,19 +45,6 @@ pub(super) fn conditions(folders: &[DatasetFolder]) -> Result<OfTracks, Failure>
 /// Condition of a vehicle of which no line tells any.
 pub(super) fn untold() -> Conditions {
     vec![("line beside the shard", (0, "none".into()))]
-}
-
-/// Scenes of the lines beside a shard.
-fn scenes_of(lines: &Path) -> Result<Vec<Value>, Failure> {
-    let text = files::read_own(lines, LIMIT_BYTES).map_err(|error| Failure::system(lines, "read", error))?;
-    let text = text.strip_suffix(b"\n").unwrap_or(&text);
-    let of_line = |(at, line)| read_scene(line).ok_or_else(|| damaged(lines, at));
-    text.split(|byte| *byte == b'\n').enumerate().map(of_line).collect()
-}
-
-fn damaged(lines: &Path, at: usize) -> Failure {
-    let place = format!("{}:{}", lines.display(), at + 1);
-    Failure::Refused(format!("{place}: is no line of a scene; `dataset` makes its shard anew"))
 }
 
 fn of_scene(dataset: usize, scene: &Value, all: &mut BTreeMap<TrackKey, Conditions>) {

@@ -12,6 +12,7 @@ use crate::chain::stages::Stage;
 use crate::chain::told_class::ClassRule;
 use crate::host::failure::Failure;
 use crate::host::memory::{self, Allowance};
+use crate::host::origin;
 use crate::host::progress::{self, Work};
 use artifact::classes::{Classes, ClassesFrame};
 use artifact::cube::{Cube, CubeFrame, CubeHeader};
@@ -232,8 +233,7 @@ impl<'a> Chain<'a> {
 
     /// Ids of the scene's targets and of every vehicle that is in view in some frame.
     pub fn targets(&self) -> Vec<String> {
-        let vehicles = self.header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|v| v.id.clone());
-        self.header.targets.iter().map(|t| t.id.clone()).chain(vehicles).collect()
+        origin::body_ids(self.header).cloned().collect()
     }
 
     /// Classes of the same, where they are told.

@@ -42,11 +42,15 @@ impl<S: Schema> Beside<S> {
     }
 }
 
+/// Whether two frames begin at the same time but for rounding, s.
+pub fn is_same_time(one_s: f64, other_s: f64) -> bool {
+    (one_s - other_s).abs() <= 1e-9
+}
+
 /// Refuses a frame of the scene at another time than the frame that it is read beside.
 pub fn check_time(file: &Path, frame: &SceneFrame, time_s: f64) -> Result<(), Failure> {
-    const SAME_S: f64 = 1e-9;
     let (index, of_scene_s) = (frame.index, frame.time_s);
-    if (of_scene_s - time_s).abs() <= SAME_S {
+    if is_same_time(of_scene_s, time_s) {
         return Ok(());
     }
     let rule = format!("frame {index} begins at {of_scene_s} s, that of the frames beside it at {time_s} s");

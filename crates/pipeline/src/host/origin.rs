@@ -39,10 +39,15 @@ pub fn same_scene(file: &Path, scene: &Provenance, of_frames: &Provenance) -> Re
     Ok(is_same)
 }
 
+/// Ids of a scene's targets and of every vehicle that is in view in some frame.
+pub fn body_ids(scene: &SceneHeader) -> impl Iterator<Item = &String> {
+    let vehicles = scene.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.id);
+    scene.targets.iter().map(|target| &target.id).chain(vehicles)
+}
+
 /// Refuses a scene that lacks a body which the frames beside it name.
 pub fn has_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Result<(), Failure> {
-    let vehicles = scene.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.id);
-    let own: BTreeSet<&String> = scene.targets.iter().map(|target| &target.id).chain(vehicles).collect();
+    let own: BTreeSet<&String> = body_ids(scene).collect();
     named.iter().find(|id| !own.contains(id)).map_or(Ok(()), |id| {
         let rule = format!("has no body `{id}`, which the frames beside it are of: it is another scene");
         Err(Failure::Refused(format!("{}: {rule}", file.display())))

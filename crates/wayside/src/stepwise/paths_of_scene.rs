@@ -9,12 +9,11 @@ use artifact::paths::{PathsFrame, PathsHeader};
 use artifact::scene::{Mesh, SceneFrame, SceneHeader, TargetKind};
 use glam::DVec3;
 use pipeline::chain::link::Chain;
+use pipeline::host::beside::is_same_time;
 use pipeline::host::failure::Failure;
 use pipeline::host::origin;
 use std::path::Path;
 
-/// Times are the same if they differ by no more, s.
-const SAME_S: f64 = 1e-9;
 /// Beyond its extent a point's or body's surface is taken to be elsewhere, m: what a wheel adds to its hub.
 const BEYOND_M: f64 = 0.5;
 
@@ -67,7 +66,7 @@ pub(crate) fn check_frame(header: &SceneHeader, frame: &PathsFrame) -> Result<Sc
         return Err(Failure::refused(rule));
     }
     let (view, snapshot) = (scene::frame_view(header, index), scene::snapshot(header, index));
-    if (frame.time_s - snapshot.time_s).abs() > SAME_S {
+    if !is_same_time(frame.time_s, snapshot.time_s) {
         let (theirs, own) = (frame.time_s, snapshot.time_s);
         return Err(Failure::refused(format!("frame {index} begins at {theirs} s, the scene's at {own} s")));
     }

@@ -20,7 +20,6 @@ use std::path::Path;
 
 pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Failure> {
     let mut loaded = planning::scene(&arguments.scene.source(), None, memory)?.loaded;
-    arguments.paths.iter().for_each(|file| artifact::inputs::note(file));
     if arguments.paths.is_some() {
         loaded.header.fidelity.echo = EchoMode::Paths;
     }
