@@ -5,6 +5,7 @@ pub(crate) mod said; // what a file says itself of the physics
 use crate::document::errors::{MapAxis, Rule};
 use crate::document::keys::fidelity::{
     ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FOR, MEASURED_EVERY, NODES, PLAN, SIDES, SURFACE,
+    WHEELS,
 };
 use crate::document::keys::key::{Key, Or};
 use crate::document::keys::kinds::Counts;
@@ -24,7 +25,7 @@ use artifact::Accuracy;
 use artifact::goal::Goal;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
-use artifact::settings::{DspSettings, Fidelity, Lane, Lanes, Noise, Refine};
+use artifact::settings::{DspSettings, EchoMode, Fidelity, Lane, Lanes, Noise, Refine, Wheels};
 use num_complex::Complex64;
 
 /// The receiver's noise; absent without `[noise]`.
@@ -120,6 +121,7 @@ fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training:
 /// Accuracy and physics asked for, of the section `[fidelity]`.
 pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
     let (accuracy, goal) = read_accuracy(section);
+    check_wheels(section);
     // Refused where it is wrong; who chooses is asked of the file itself (`said.rs`), before the choice.
     let _ = section.or_default(&PLAN);
     Fidelity {
@@ -133,7 +135,16 @@ pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
         echo: section.or_default(&ECHO),
         detail: section.or_default(&DETAIL),
         between_bodies: section.or_default(&BETWEEN_BODIES),
+        wheels: section.or_default(&WHEELS),
         measured_every: section.or_default(&MEASURED_EVERY) as u32,
+    }
+}
+
+/// Tables hold a body that is rigid while a frame lasts.
+fn check_wheels(section: &Section<'_>) {
+    let are_turning = section.or_default(&WHEELS) == Wheels::Turning;
+    if are_turning && section.or_default(&ECHO) == EchoMode::RcsTable {
+        section.note(WHEELS.name, Rule::Contradiction { key: WHEELS.name, other: "echo = \"rcs-table\"" });
     }
 }
 

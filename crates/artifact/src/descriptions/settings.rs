@@ -97,6 +97,16 @@ pub enum BetweenBodies {
     LeftOut,
 }
 
+/// Whether wheels of meshes turn as their vehicles roll.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Wheels {
+    /// Wheels are part of the rigid body.
+    #[default]
+    Still,
+    /// Wheels turn about their hubs as vehicles roll without slipping: micro-Doppler.
+    Turning,
+}
+
 /// Rule for the facet of a multiple reflection on which the integral is taken
 /// (`docs/decisions/node-rule.md`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -132,6 +142,8 @@ pub struct Fidelity {
     pub detail: Detail,
     /// Ways that meet several bodies.
     pub between_bodies: BetweenBodies,
+    /// Wheels of meshes that tell of any.
+    pub wheels: Wheels,
     /// The error of the paths is measured in every n-th frame
     /// ([`SceneHeader::measured_in`](crate::schemas::scene::SceneHeader)).
     pub measured_every: u32,

@@ -14,7 +14,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 16;
+    const VERSION: u32 = 17;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }
@@ -251,8 +251,22 @@ pub struct Mesh {
     pub materials: Vec<String>,
     /// Materials that these names stand for.
     pub makeup: Makeup,
+    /// Road wheels that the model tells of by name; empty where it tells of none.
+    pub wheels: Vec<RoadWheel>,
     /// Findings of the reader of a mesh.
     pub statistics: MeshStatistics,
+}
+
+/// A road wheel of a mesh, its axle along the body's y axis.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct RoadWheel {
+    /// Place on the axle in the middle of the wheel, body metres.
+    pub hub_m: [f64; 3],
+    /// Rolling radius.
+    pub radius_m: f64,
+    /// Its triangles, ascending, but for those of bodies of revolution about the axle: these look the same
+    /// however far they have turned.
+    pub triangles: Vec<u32>,
 }
 
 /// Findings of the reader of a mesh.

@@ -12,12 +12,15 @@ pub(crate) struct Motion {
     pub(crate) acceleration_mps2: DVec3,
 }
 
-/// Motion of a rigid body at one instant: of its origin, and its turning about the vertical through it.
+/// Motion of a rigid body at one instant: of its origin, and its turning about an axis through it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RigidMotion {
     pub(crate) origin_m: DVec3,
     pub(crate) of_origin: Motion,
-    pub(crate) yaw_radps: f64,
+    /// Rate of turning ω: along the vertical of a vehicle, with its axle's of a wheel.
+    pub(crate) turn_radps: DVec3,
+    /// Rate of ω.
+    pub(crate) turn_radps2: DVec3,
 }
 
 /// A point of a plane and the plane's normal, on a body.
@@ -29,7 +32,12 @@ pub(crate) struct MovingPlane {
 }
 
 impl RigidMotion {
-    pub(crate) const REST: Self = Self { origin_m: DVec3::ZERO, of_origin: Motion::REST, yaw_radps: 0.0 };
+    pub(crate) const REST: Self = Self {
+        origin_m: DVec3::ZERO,
+        of_origin: Motion::REST,
+        turn_radps: DVec3::ZERO,
+        turn_radps2: DVec3::ZERO,
+    };
 
     /// Motion of a body `seconds` after its pose.
     pub(crate) fn of(pose: &Pose, seconds: f64) -> Self {
@@ -42,35 +50,62 @@ impl RigidMotion {
             let motion = Motion::from_arrays(later.velocity_mps, whole_acceleration_mps2(&later));
             (DVec3::from_array(later.position_m), motion)
         };
-        Self { origin_m, of_origin, yaw_radps: pose.yaw_radps }
+        let turn_radps = DVec3::Z * pose.yaw_radps;
+        Self { origin_m, of_origin, turn_radps, turn_radps2: DVec3::ZERO }
     }
 
-    /// Motion of the body's point at `at_m`: v + ω × r, a + ω × (ω × r).
+    /// The same body while it rolls on a wheel of some radius, whose axle is along `axle` (to the left).
+    pub(crate) fn rolling(self, axle: DVec3, radius_m: f64) -> Self {
+        let ahead = axle.cross(DVec3::Z);
+        let [radps, radps2] = [
+            self.of_origin.velocity_mps.dot(ahead) / radius_m,
+            // What a bend adds points along the axle.
+            self.of_origin.acceleration_mps2.dot(ahead) / radius_m,
+        ];
+        let turning_axle = self.turn_radps.cross(axle);
+        Self {
+            turn_radps: self.turn_radps + radps * axle,
+            turn_radps2: self.turn_radps2 + radps2 * axle + radps * turning_axle,
+            ..self
+        }
+    }
+
+    /// Motion of the body's point at `at_m`: v + ω × r, a + ω × (ω × r) + ω̇ × r.
     pub(crate) fn at(&self, at_m: DVec3) -> Motion {
-        if self.yaw_radps == 0.0 {
+        if self.turn_radps == DVec3::ZERO {
             return self.of_origin;
         }
         let from_origin_m = at_m - self.origin_m;
         let gained_mps = self.turning(from_origin_m);
         Motion {
             velocity_mps: self.of_origin.velocity_mps + gained_mps,
-            acceleration_mps2: self.of_origin.acceleration_mps2 + self.turning(gained_mps),
+            acceleration_mps2: self.of_origin.acceleration_mps2 + self.turning_on(from_origin_m, gained_mps),
         }
     }
 
     /// Rate of a vector that is fixed to the body: ω × v.
     fn turning(&self, vector: DVec3) -> DVec3 {
-        (DVec3::Z * self.yaw_radps).cross(vector)
+        self.turn_radps.cross(vector)
+    }
+
+    /// Second derivative of a vector that is fixed to the body, whose first is `turning`.
+    fn turning_on(&self, vector: DVec3, turning: DVec3) -> DVec3 {
+        if self.turn_radps2 == DVec3::ZERO {
+            return self.turning(turning);
+        }
+        self.turning(turning) + self.turn_radps2.cross(vector)
     }
 
     pub(crate) fn is_finite(&self) -> bool {
-        self.origin_m.is_finite() && self.of_origin.is_finite() && self.yaw_radps.is_finite()
+        self.origin_m.is_finite() && self.of_origin.is_finite() && self.turn_radps.is_finite()
     }
 
-    /// Motion of the image in the road's mirror: it turns as the body does.
+    /// Motion of the image in the road's mirror: about the vertical it turns as the body does, about a level
+    /// axis the other way.
     pub(crate) fn below_road(&self) -> Self {
         let (origin_m, of_origin) = (below(self.origin_m), self.of_origin.below_road());
-        Self { origin_m, of_origin, yaw_radps: self.yaw_radps }
+        let [turn_radps, turn_radps2] = [self.turn_radps, self.turn_radps2].map(|turn| -below(turn));
+        Self { origin_m, of_origin, turn_radps, turn_radps2 }
     }
 }
 
@@ -85,7 +120,7 @@ impl MovingPlane {
         let from_plane_m = at_m - self.point_m;
         let distance_m = from_plane_m.dot(n);
         let turning = self.body.turning(n);
-        let turning_on = self.body.turning(turning);
+        let turning_on = self.body.turning_on(n, turning);
         let across_mps = motion.velocity_mps - of_plane.velocity_mps;
         let away_mps = across_mps.dot(n) + from_plane_m.dot(turning);
         let away_mps2 = (motion.acceleration_mps2 - of_plane.acceleration_mps2).dot(n)
@@ -166,7 +201,7 @@ mod tests {
             let (x, p) = (place(&point, x, t), place(&plane, p, t));
             x - 2.0 * (x - p).dot(n) * n
         };
-        let body = RigidMotion { origin_m: p, of_origin: plane, yaw_radps: 0.0 };
+        let body = RigidMotion { origin_m: p, of_origin: plane, ..RigidMotion::REST };
         let (at_m, seen) = MovingPlane { point_m: p, normal: n, body }.image(x, point);
         assert!((at_m - image(0.0)).length() < 1e-14);
         for t in [-0.7, 0.3, 1.0] {

@@ -2,28 +2,28 @@
 //! own frame.
 
 use crate::bodies::deaf_side::DeafSide;
+use crate::bodies::models::{BodyMesh, Models};
 use crate::bodies::motion::{Motion, MovingPlane, RigidMotion};
+use crate::bodies::rolling::WheelsApart;
 use crate::geometry::antenna::Antenna;
-use crate::geometry::bvh::{Hierarchy, Stack};
+use crate::geometry::bvh::Stack;
 use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 use crate::geometry::sweep::BeamSweep;
-use crate::mesh::mesh_edges::{MeshEdges, Winding, exact_places};
-use crate::mesh::neighbours::Neighbours;
-use crate::mesh::patch::Patches;
-use crate::mesh::wedges::body_edges::{BodyEdges, body_edges};
+use crate::mesh::mesh_edges::Winding;
 use crate::mesh::wedges::world_edges::{BodyPlacement, WorldEdges};
 use crate::oversight::error::BartError;
 use crate::oversight::memory::MemoryLimit;
 use crate::surface::bend::Bend;
 use crate::surface::skin::Skin;
 use crate::surface::skin_triangles::SkinTriangles;
-use artifact::material::{Makeup, Material, Road, Transmission};
+use artifact::material::{Material, Road, Transmission};
 use artifact::paths::Facet;
-use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target};
 use artifact::settings::BetweenBodies;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
+use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
@@ -31,6 +31,8 @@ use std::sync::{Arc, OnceLock};
 pub struct World {
     facets: Vec<FacetGeometry>,
     bodies: Vec<Body>,
+    /// Vehicle of each target.
+    vehicles: Vec<u32>,
     /// Whether every body is a perfect conductor.
     is_conductor: bool,
     /// The road, where there is one: the second half of the bodies and facets are then images of the first.
@@ -51,10 +53,13 @@ impl World {
     ///
     /// Builds the hierarchies of all meshes: for many frames a [`crate::Tracer`] builds them once.
     pub fn at(header: &SceneHeader, frame: &SceneFrame, seconds_into_frame: f64) -> Result<Self, BartError> {
-        Self::posed(&Models::build(header)?, header, frame, seconds_into_frame)
+        let models = Models::build(header)?;
+        let apart = WheelsApart::of(&models, header, frame);
+        Self::posed(&models, &apart.view, &apart.frame, seconds_into_frame)
     }
 
-    /// Builds the world as [`World::at`] does, with models that were built before from the same header.
+    /// Builds the world as [`World::at`] does, with models that were built before from the same header, of a
+    /// scene whose wheels stand apart where they turn.
     pub(crate) fn posed(
         models: &Models,
         header: &SceneHeader,
@@ -65,10 +70,16 @@ impl World {
             let (poses, targets) = (frame.poses.len(), header.targets.len());
             return Err(BartError::PosesDoNotMatch { frame: frame.index, poses, targets });
         }
+        let vehicles = models.vehicles_of_wheels(header);
+        let own = (0..).take(header.targets.len() - vehicles.len().min(header.targets.len()));
+        let vehicles = own.chain(vehicles);
         let mut bodies = Vec::new();
-        for (index, (target, pose)) in (0..).zip(header.targets.iter().zip(&frame.poses)) {
+        for ((index, vehicle), (target, pose)) in
+            (0..).zip(vehicles).zip(header.targets.iter().zip(&frame.poses))
+        {
             if let Some(model) = models.of(target)? {
                 let body = Body::posed(index, model, pose, seconds_into_frame, &target.id)?;
+                let body = Body { vehicle, ..body };
                 if body.is_heard(header) {
                     bodies.push(body);
                 }
@@ -127,12 +138,19 @@ impl World {
 
     /// Whether ways between several bodies are left out.
     pub(crate) fn leaves_bodies_apart(&self) -> bool {
-        self.between_bodies == BetweenBodies::LeftOut && self.bodies.len() > 1
+        let is_other = |body: &Body| body.vehicle != self.bodies[0].vehicle;
+        self.between_bodies == BetweenBodies::LeftOut && self.bodies.iter().any(is_other)
     }
 
     /// Whether what one facet reflects is followed to another.
     pub(crate) fn is_followed(&self, from: &FacetGeometry, to: u32) -> bool {
-        self.between_bodies == BetweenBodies::Traced || from.id.body == self.facet(to).id.body
+        let (from, to) = (from.id.body, self.facet(to).id.body);
+        self.between_bodies == BetweenBodies::Traced || from == to || self.vehicle(from) == self.vehicle(to)
+    }
+
+    /// The vehicle that a body is a wheel of; the body itself where it is none.
+    pub(crate) fn vehicle(&self, body: u32) -> u32 {
+        self.vehicles.get(body as usize).copied().unwrap_or(body)
     }
 
     /// A facet by its index in [`World::facets`].
@@ -233,14 +251,26 @@ impl World {
         MovingPlane { point_m: mirror.corners_m[0], normal: mirror.normal(), body }
     }
 
-    /// Speed of the fastest point of all bodies at most, m/s.
+    /// Speed of the fastest point of all bodies but wheels at most, m/s.
     pub(crate) fn fastest_mps(&self) -> f64 {
-        self.bodies.iter().map(Body::fastest_mps).fold(0.0, f64::max)
+        self.bodies.iter().filter(|body| !body.is_wheel()).map(Body::fastest_mps).fold(0.0, f64::max)
     }
 
-    /// Rate of the fastest turn of all bodies, rad/s.
+    /// Rate of the fastest turn of all bodies but wheels, rad/s.
     pub(crate) fn fastest_turn_radps(&self) -> f64 {
-        self.bodies.iter().map(|body| body.motion.yaw_radps.abs()).fold(0.0, f64::max)
+        let bodies = self.bodies.iter().filter(|body| !body.is_wheel());
+        bodies.map(|body| body.motion.turn_radps.z.abs()).fold(0.0, f64::max)
+    }
+
+    /// Rate of the fastest turn of all wheels, rad/s; 0 where none turns.
+    pub(crate) fn fastest_wheel_radps(&self) -> f64 {
+        let wheels = self.bodies.iter().filter(|body| body.is_wheel());
+        wheels.map(|wheel| wheel.motion.turn_radps.length()).fold(0.0, f64::max)
+    }
+
+    /// Whether a body of this scene is a wheel that turns.
+    pub(crate) fn is_wheel(&self, body: u32) -> bool {
+        self.bodies.iter().any(|of| of.target == body && of.is_wheel())
     }
 
     /// Distances below this are rounding, m: points so near a plane count as on it.
@@ -363,9 +393,13 @@ impl World {
         facets.par_iter_mut().for_each(|facet| facet.refuse_if_thinner_than(4.0 * tolerance_m));
         let is_conductor = road.is_none() && bodies.iter().all(|body| body.mesh.materials.is_empty());
         let memory_limit = MemoryLimit::NONE;
+        let targets = bodies.iter().map(|body| body.target + 1).max().unwrap_or(0);
+        let mut vehicles: Vec<u32> = (0..targets).collect();
+        bodies.iter().for_each(|body| vehicles[body.target as usize] = body.vehicle);
         Ok(Self {
             facets,
             bodies,
+            vehicles,
             is_conductor,
             road,
             sheets: Vec::new(),
@@ -385,123 +419,6 @@ pub(crate) struct VisitBuffers {
     stack: Stack,
 }
 
-/// The meshes of a scene, each with its hierarchy, shared by all frames and poses.
-#[derive(Clone)]
-pub(crate) struct Models {
-    meshes: Vec<Arc<BodyMesh>>,
-    memory_limit: MemoryLimit,
-}
-
-impl Models {
-    /// Builds all meshes of the header, with the skin that it asks for.
-    pub(crate) fn build(header: &SceneHeader) -> Result<Self, BartError> {
-        let (fidelity, wavelength_m) = (&header.fidelity, header.radar.waveform.wavelength_m());
-        let skin = Skin::of(fidelity.surface, fidelity.accuracy, wavelength_m, fidelity.bounces);
-        let build = |mesh: &Mesh| BodyMesh::build(mesh, skin).map(Arc::new);
-        let meshes = header.meshes.par_iter().map(build).collect::<Vec<_>>();
-        let memory_limit = MemoryLimit::NONE;
-        Ok(Self { meshes: meshes.into_iter().collect::<Result<_, _>>()?, memory_limit })
-    }
-
-    /// These models with a limit of what the bodies and beams of a frame may hold.
-    pub(crate) fn within(self, limit: MemoryLimit) -> Self {
-        Self { memory_limit: limit, ..self }
-    }
-
-    /// The model of a target; `None` for a point.
-    fn of(&self, target: &Target) -> Result<Option<Arc<BodyMesh>>, BartError> {
-        let TargetKind::Mesh { mesh, .. } = target.kind else { return Ok(None) };
-        let missing =
-            || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes: self.meshes.len() };
-        self.meshes.get(mesh as usize).cloned().ok_or_else(missing).map(Some)
-    }
-}
-
-/// A mesh in its body frame.
-struct BodyMesh {
-    skin: SkinTriangles,
-    patches: Patches,
-    neighbours: Neighbours,
-    hierarchy: Hierarchy,
-    edges: OnceLock<BodyEdges>,
-    /// Materials by slot, `None` for a perfect conductor; empty where all are.
-    materials: Vec<Option<Arc<Material>>>,
-    /// Slots of the mesh's own triangles.
-    slot_of_triangle: Vec<u16>,
-}
-
-impl BodyMesh {
-    fn build(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
-        check_materials(mesh)?;
-        // obvhs panics on infinite and swallows NaN coordinates; single precision ends at 3.4e38.
-        let not_finite = |v: &[f64; 3]| v.iter().any(|x| !(*x as f32).is_finite());
-        if let Some(vertex) = mesh.vertices_m.iter().position(not_finite) {
-            return Err(BartError::VertexNotFinite { mesh: mesh.name.clone(), vertex });
-        }
-        let corners = |(index, triangle): (usize, &[u32; 3])| corners_of(mesh, index, triangle);
-        let corners_m = mesh.triangles.iter().enumerate().map(corners).collect::<Result<Vec<_>, _>>()?;
-        let skin = skin.triangles(mesh, corners_m);
-        let hierarchy = || Hierarchy::over(skin.triangles_m.iter().copied());
-        let (hierarchy, (patches, neighbours)) = rayon::join(hierarchy, || topology(&skin.triangles_m));
-        Ok(Self {
-            hierarchy,
-            patches,
-            neighbours,
-            edges: OnceLock::new(),
-            materials: lossy_materials(&mesh.makeup),
-            slot_of_triangle: mesh.material_of_triangle.clone(),
-            skin,
-        })
-    }
-
-    fn bytes(&self) -> usize {
-        self.hierarchy.bytes() + self.neighbours.bytes() + self.skin.bytes()
-    }
-
-    fn material(&self, facet: u32) -> Option<&Arc<Material>> {
-        let triangle = *self.skin.triangle_of.get(facet as usize)?;
-        let slot = self.slot_of_triangle.get(triangle as usize)?;
-        self.materials.get(usize::from(*slot))?.as_ref()
-    }
-
-    fn edges(&self) -> &BodyEdges {
-        self.edges.get_or_init(|| body_edges(&self.skin.triangles_m, &self.skin.corner_normals))
-    }
-}
-
-fn topology(triangles_m: &[[DVec3; 3]]) -> (Patches, Neighbours) {
-    let places = exact_places(triangles_m);
-    let edges = MeshEdges::of(&places);
-    rayon::join(|| Patches::of(triangles_m, &edges), || Neighbours::of(&edges, &places))
-}
-
-fn check_materials(mesh: &Mesh) -> Result<(), BartError> {
-    let wrong = |slot: usize| {
-        let material = mesh.materials.get(slot).cloned().unwrap_or_default();
-        Err(BartError::MaterialNotSound { mesh: mesh.name.clone(), material })
-    };
-    mesh.makeup.materials.iter().position(|material| !material.is_sound()).map_or(Ok(()), wrong)
-}
-
-fn lossy_materials(makeup: &Makeup) -> Vec<Option<Arc<Material>>> {
-    if makeup.conducts_all_over() {
-        return Vec::new();
-    }
-    let lossy = |m: &Material| (*m != Material::Conductor).then(|| Arc::new(m.clone()));
-    makeup.materials.iter().map(lossy).collect()
-}
-
-fn corners_of(mesh: &Mesh, index: usize, triangle: &[u32; 3]) -> Result<[DVec3; 3], BartError> {
-    let mut corners_m = [DVec3::ZERO; 3];
-    for (corner, &vertex) in corners_m.iter_mut().zip(triangle) {
-        let vertices = mesh.vertices_m.len();
-        let out_of_range =
-            || BartError::VertexOutOfRange { mesh: mesh.name.clone(), triangle: index, vertex, vertices };
-        *corner = DVec3::from_array(*mesh.vertices_m.get(vertex as usize).ok_or_else(out_of_range)?);
-    }
-    Ok(corners_m)
-}
-
 const AT_ORIGIN: Pose = Pose {
     position_m: [0.0; 3],
     yaw_rad: 0.0,
@@ -514,6 +431,8 @@ const AT_ORIGIN: Pose = Pose {
 #[derive(Clone)]
 struct Body {
     target: u32,
+    /// The target that it is a wheel of; itself where it is none.
+    vehicle: u32,
     id: Arc<str>,
     mesh: Arc<BodyMesh>,
     world_from_body: DMat3,
@@ -535,18 +454,40 @@ impl Body {
             return Err(BartError::PoseNotFinite { target: id.to_owned() });
         }
         let world_from_body = DMat3::from_rotation_z(yaw_rad);
-        Ok(Self { target, id: id.into(), mesh, world_from_body, motion, first_facet: 0 })
+        let body =
+            Self { target, vehicle: target, id: id.into(), mesh, world_from_body, motion, first_facet: 0 };
+        Ok(body.rolled(pose))
+    }
+
+    /// A wheel as far round as it has rolled from the world's origin, in a frame that begins at a pose;
+    /// other bodies as they are.
+    fn rolled(self, pose: &Pose) -> Self {
+        let Some(radius_m) = self.mesh.rolls_on_m else { return self };
+        let ahead = self.world_from_body * DVec3::X;
+        // Where it bends the way to the frame's begin is another, which no one can tell from the frame.
+        let start_m = DVec3::from_array(pose.position_m);
+        let way_m = start_m.dot(DMat3::from_rotation_z(pose.yaw_rad) * DVec3::X)
+            + (self.motion.origin_m - start_m).dot(ahead);
+        let rolled_rad = (way_m / radius_m).rem_euclid(TAU);
+        let motion = self.motion.rolling(self.world_from_body * DVec3::Y, radius_m);
+        let world_from_body = self.world_from_body * DMat3::from_rotation_y(rolled_rad);
+        Self { motion, world_from_body, ..self }
+    }
+
+    fn is_wheel(&self) -> bool {
+        self.mesh.rolls_on_m.is_some()
     }
 
     /// Speed of its fastest point at most: of its origin, and what turning adds where it reaches farthest.
     fn fastest_mps(&self) -> f64 {
         let speed_mps = self.motion.of_origin.velocity_mps.length();
-        if self.motion.yaw_radps == 0.0 {
+        if self.motion.turn_radps == DVec3::ZERO {
             return speed_mps;
         }
-        let corners = self.mesh.skin.triangles_m.iter().flatten();
-        let reach_m = corners.map(|corner| corner.truncate().length()).fold(0.0, f64::max);
-        speed_mps + self.motion.yaw_radps.abs() * reach_m
+        let reach =
+            |corner: &DVec3| if self.is_wheel() { corner.length() } else { corner.truncate().length() };
+        let reach_m = self.mesh.skin.triangles_m.iter().flatten().map(reach).fold(0.0, f64::max);
+        speed_mps + self.motion.turn_radps.length() * reach_m
     }
 
     /// Whether antennas have gain towards any of it, or of its image below the road, during a frame.
@@ -565,6 +506,7 @@ impl Body {
     fn below_road(&self) -> Self {
         Self {
             target: self.target,
+            vehicle: self.vehicle,
             id: Arc::clone(&self.id),
             mesh: Arc::clone(&self.mesh),
             world_from_body: DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0)) * self.world_from_body,

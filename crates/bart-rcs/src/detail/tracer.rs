@@ -1,6 +1,7 @@
 //! The stage of one scene: made once of a header, it takes frames to paths, tables, and what they will cost.
 
-use crate::bodies::world::Models;
+use crate::bodies::models::Models;
+use crate::bodies::rolling::WheelsApart;
 use crate::detail::level::reduced;
 use crate::frame::expected_work::{ExpectedWork, expected_work};
 use crate::frame::left_out::echo_parts::{EchoParts, echo_parts};
@@ -69,7 +70,8 @@ impl Tracer {
         frame: &SceneFrame,
         surroundings: &FrameSurroundings<'_>,
     ) -> Result<PathsFrame, BartError> {
-        trace_frame(&self.models, view, frame, surroundings)
+        let apart = WheelsApart::of(&self.models, view, frame);
+        Ok(apart.joined(trace_frame(&self.models, &apart.view, &apart.frame, surroundings)?))
     }
 
     /// Far-field tables of one frame, one per target.
@@ -99,7 +101,8 @@ impl Tracer {
     /// # Errors
     /// Those of [`Self::all_paths`].
     pub fn expected_work(&self, view: &SceneHeader, frame: &SceneFrame) -> Result<ExpectedWork, BartError> {
-        expected_work(&self.models, view, frame)
+        let apart = WheelsApart::of(&self.models, view, frame);
+        expected_work(&self.models, &apart.view, &apart.frame)
     }
 
     /// What the parts of a frame's echo are to all of it, by a coarse look: orders of reflection, ways
@@ -117,6 +120,7 @@ impl Tracer {
         frame: &SceneFrame,
         progress: &dyn Progress,
     ) -> Result<Option<EchoParts>, BartError> {
-        echo_parts(&self.models, view, frame, progress)
+        let apart = WheelsApart::of(&self.models, view, frame);
+        echo_parts(&self.models, &apart.view, &apart.frame, progress)
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::beams::beam::TraceSettings;
 use crate::beams::sampled_tree::{SampledTree, sample};
-use crate::bodies::world::{Models, World};
+use crate::bodies::models::Models;
+use crate::bodies::world::World;
 use crate::frame::cells::path_cells::cut_into_squares;
 use crate::frame::path_plan::Plan;
 use crate::frame::path_table::largest_cell_of_world_m;

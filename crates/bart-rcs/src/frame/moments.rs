@@ -17,7 +17,7 @@
 use crate::beams::body_ways::BodyWays;
 use crate::frame::band_power::{frequencies_hz, power_over_frame};
 use crate::frame::frame_error::{FrameError, MARGIN, Reference, mean_difference};
-use crate::frame::path_plan::Plan;
+use crate::frame::path_plan::{MOMENTS_MAX, Plan, WHEEL_STEPS};
 use crate::frame::path_pruning::{Kept, pruned_alike};
 use crate::frame::path_sum::element_over_band;
 use crate::frame::path_table::{PathTable, paths_along};
@@ -28,15 +28,13 @@ use artifact::paths::{Fineness, Path, Span};
 use num_complex::Complex64;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Steps of the grids that are tried.
+/// Steps of the grids that are tried, the last ones where wheels turn.
 ///
 /// Four would be enough at times, but at the moment of the check their blend errs 5 dB less than over the
 /// frame.
-const STEPS: [u32; 3] = [8, 16, 32];
+const STEPS: [u32; 5] = [8, 16, 32, WHEEL_STEPS, 2 * WHEEL_STEPS];
 /// Steps of the finest grid, in whose places all moments are counted.
-const FINEST: u32 = 32;
-/// Most moments that a frame is split into.
-pub const MOMENTS_MAX: u32 = FINEST + 1;
+const FINEST: u32 = 2 * WHEEL_STEPS;
 /// Share of the accuracy asked for that all ways together that keep one moment may miss.
 const KEPT_SHARE: f64 = 0.5;
 /// Least share of the measured error: where what one moment misses at the frame's ends, or a grid
@@ -66,7 +64,8 @@ pub(crate) fn split(
     let kept = moments.take(&whole.paths, &ways);
     let power = power_over_frame(&whole.paths, plan);
     let mut best = whole;
-    for steps in STEPS {
+    let most = if scenery.turns_wheels() { FINEST } else { MOMENTS_MAX - 1 };
+    for steps in STEPS.into_iter().filter(|steps| *steps <= most) {
         moments.fill(steps, &ways)?;
         let paths = moments.blended(&kept, steps);
         let error = FrameError::measured_on(plan, &paths, points, reference, &best.given_up);
@@ -161,7 +160,7 @@ impl<'a> Moments<'a> {
         self.bytes = self.bytes.max(snapshot.bytes());
         let paths =
             paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, self.fineness, ways, seconds)?;
-        let paths = pruned_alike(paths, plan, &self.strongest_dropped);
+        let paths = pruned_alike(paths, plan, &snapshot.world, &self.strongest_dropped);
         let held = self.at.values().map(Vec::len).sum::<usize>() + paths.len();
         snapshot.world.memory_limit().check_cells((held * size_of::<Path>()) as u64)?;
         Ok(paths)

@@ -1,8 +1,8 @@
 //! The path table of a frame: bodies frozen at the frame's middle, or traced at several moments where
 //! they change, every cell of their lit facets a path that moves.
 
+use crate::bodies::models::Models;
 use crate::bodies::road::check_road;
-use crate::bodies::world::Models;
 use crate::frame::frame_error::reference;
 use crate::frame::left_out::between_bodies::between_bodies_left_out;
 use crate::frame::left_out::road::road_left_out;
@@ -75,19 +75,20 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     let points = point_paths(header, frame);
     let (seen, table, bent, has_bodies) = {
         let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
-        let table =
-            Fit::new(&snapshot.scatterer(plan, Phase::Integrating), plan, &points, &reference).table()?;
+        let scatterer = snapshot.scatterer(plan, Phase::Integrating);
+        let fit = Fit::new(&scatterer, plan, &points, &reference);
+        let table = fit.table(&|table| split(scenery, table, &points, &reference))?;
         let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
         (FrameFindings::of(&snapshot, plan), table, bent, !snapshot.world.facets().is_empty())
     };
-    let table = split(scenery, table, &points, &reference)?;
     let measured = Measured {
         error: ErrorBudget { tessellation: bent, ..table.error.budget() },
         model_error: left_out,
         dropped_power_ratio: table.error.dropped_at_most.powi(2),
         fineness: has_bodies.then_some(table.fineness),
         origin: ErrorOrigin::Measured,
-        bytes: check_bytes.max(table.bytes),
+        // The moments are traced beside the frame's middle.
+        bytes: check_bytes.max(table.bytes + seen.bytes),
     };
     Ok(paths_frame(plan, frame, seen, table.paths, measured))
 }

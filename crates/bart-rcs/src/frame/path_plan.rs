@@ -14,6 +14,13 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
+/// Most moments that a frame of rigid bodies is split into ([`crate::frame::moments`]).
+pub const MOMENTS_MAX: u32 = 33;
+
+/// Steps from moment to moment that cells on wheels are made for; twice as many are tried, as shadows of
+/// spokes go as fast as these and their outlines turn faster than cells do.
+pub(crate) const WHEEL_STEPS: u32 = 64;
+
 /// Plan of a frame's paths, from its header.
 pub(crate) struct Plan<'a> {
     pub(crate) header: &'a SceneHeader,

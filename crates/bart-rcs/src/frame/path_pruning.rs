@@ -1,5 +1,6 @@
 //! Paths too weak to matter: a table is no larger than the accuracy asked for needs.
 
+use crate::bodies::world::World;
 use crate::frame::band_power::power_over_frame;
 use crate::frame::path_plan::Plan;
 use crate::frame::path_sum::{PathView, apparent_m};
@@ -11,7 +12,7 @@ pub(crate) struct Kept {
     /// Σ|a·R²/(L₁L₂)|² of the dropped paths in the radar's polarization: their power, as their phases are
     /// independent.
     pub(crate) dropped_power: f64,
-    /// The strongest that was dropped of each target, as power.
+    /// The strongest that was dropped of each target, its wheels among it, as power.
     pub(crate) strongest_dropped: Vec<f64>,
 }
 
@@ -19,8 +20,8 @@ pub(crate) struct Kept {
 const SHARE: f64 = 0.3;
 
 /// Drops the weakest paths of every target as long as their powers add up to less than (0.3·accuracy)² of
-/// that target's: a weak target loses no more of itself than a strong one.
-pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>) -> Kept {
+/// that target's: a weak target loses no more of itself than a strong one. Wheels are part of their vehicle.
+pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
     let view = plan.view(plan.middle_s);
     let most = (SHARE * plan.header.fidelity.accuracy.amplitude()).powi(2);
     let powers: Vec<f64> = paths.iter().map(|path| power(path, plan, &view)).collect();
@@ -28,9 +29,10 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>) -> Kept {
     let mut dropped_power = 0.0;
     let mut strongest_dropped = Vec::new();
     for target in 0..plan.header.targets.len() as u32 {
-        let own: Vec<Path> = paths.iter().filter(|path| path.target == target).copied().collect();
+        let is_own = |path: &Path| world.vehicle(path.target) == target;
+        let own: Vec<Path> = paths.iter().filter(|path| is_own(path)).copied().collect();
         let budget = most * power_over_frame(&own, plan);
-        let mut order: Vec<usize> = (0..paths.len()).filter(|&i| paths[i].target == target).collect();
+        let mut order: Vec<usize> = (0..paths.len()).filter(|&i| is_own(&paths[i])).collect();
         order.sort_by(|&a, &b| powers[a].total_cmp(&powers[b]).then(a.cmp(&b)));
         let (mut sum, mut strongest) = (0.0, 0.0);
         for i in order {
@@ -50,9 +52,15 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>) -> Kept {
 }
 
 /// Paths of another moment of the frame, without those that are no stronger than what was dropped.
-pub(crate) fn pruned_alike(paths: Vec<Path>, plan: &Plan<'_>, strongest_dropped: &[f64]) -> Vec<Path> {
+pub(crate) fn pruned_alike(
+    paths: Vec<Path>,
+    plan: &Plan<'_>,
+    world: &World,
+    strongest_dropped: &[f64],
+) -> Vec<Path> {
     let view = plan.view(plan.middle_s);
-    let limit = |path: &Path| strongest_dropped.get(path.target as usize).copied().unwrap_or(0.0);
+    let limit =
+        |path: &Path| strongest_dropped.get(world.vehicle(path.target) as usize).copied().unwrap_or(0.0);
     paths.into_iter().filter(|path| power(path, plan, &view) > limit(path)).collect()
 }
 

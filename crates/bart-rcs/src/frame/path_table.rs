@@ -7,7 +7,7 @@ use crate::frame::cells::edge_cells::{edge_cells, truncation_cells};
 use crate::frame::cells::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
 use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
 use crate::frame::integration_error::{IntegrationError, integration_error};
-use crate::frame::path_plan::{Plan, SampledBand};
+use crate::frame::path_plan::{MOMENTS_MAX, Plan, SampledBand, WHEEL_STEPS};
 use crate::frame::path_pruning::{Kept, pruned};
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
@@ -89,7 +89,8 @@ impl<'a> BodyParts<'a> {
     }
 
     fn paths(&self, cell_m: f64, accuracy_of_body: &[f64]) -> Result<Kept, BartError> {
-        Ok(pruned(self.found(cell_m, accuracy_of_body, self.plan.middle_s)?, self.plan))
+        let paths = self.found(cell_m, accuracy_of_body, self.plan.middle_s)?;
+        Ok(pruned(paths, self.plan, self.scatterer.world))
     }
 
     /// Paths of all parts, of bodies as they are some `seconds` after the frame's first sample.
@@ -101,6 +102,7 @@ impl<'a> BodyParts<'a> {
         };
         let settings = CellSettings {
             size_m: cell_m,
+            wheel_size_m: wheel_cell_m(self.plan, self.scatterer.world, cell_m),
             velocity_quantum_mps: velocity_quantum_mps(self.plan.header),
             wavenumbers_per_m: &wavenumbers,
             accuracy_of_body,
@@ -121,9 +123,12 @@ impl<'a> BodyParts<'a> {
         found.extend(edge_cells(self.scatterer, &meeting.edges, settings));
         found.extend(truncation_cells(self.scatterer, &meeting.truncations, settings));
         settings.room.check()?;
-        Ok(gathered(found, [Antenna::Point(self.plan.position_m); 2], settings))
+        Ok(gathered(found, self.scatterer.world, [Antenna::Point(self.plan.position_m); 2], settings))
     }
 }
+
+/// What blends a table from several moments of the frame, where that helps.
+pub(crate) type Split<'a> = dyn Fn(PathTable) -> Result<PathTable, BartError> + 'a;
 
 /// Start of every attempt at a table.
 pub(crate) struct Fit<'a> {
@@ -150,23 +155,58 @@ impl<'a> Fit<'a> {
 
     /// The table with the largest cells that meet the accuracy; the best found where none does within a few
     /// attempts.
-    pub(crate) fn table(&self) -> Result<PathTable, BartError> {
-        const ATTEMPTS: usize = 4;
+    ///
+    /// Smaller cells follow what turns while the frame lasts, and where they do not meet the accuracy, `split`
+    /// blends their table from several moments. Large cells are blended at once where wheels turn, which no
+    /// cells follow, and where smaller ones would be more paths than all moments have.
+    pub(crate) fn table(&self, split: &Split<'_>) -> Result<PathTable, BartError> {
         let BodyParts { scatterer, plan, .. } = self.parts;
+        let largest_m = largest_cell_of_world_m(plan, scatterer.world);
+        let split_to = |cell_m: f64| split(self.table_of(cell_m)?);
+        if scatterer.world.fastest_wheel_radps() > 0.0 {
+            return self.with_smaller_cells(split_to(largest_m)?, usize::MAX, &split_to);
+        }
+        let largest = self.table_of(largest_m)?;
+        let most = largest.paths.len().saturating_mul(MOMENTS_MAX as usize);
+        let best = self.with_smaller_cells(largest, most, &|cell_m| self.table_of(cell_m))?;
+        if self.is_met(&best) || best.paths.len() <= most {
+            return split(best);
+        }
+        let blended = split_to(largest_m)?;
+        if blended.fineness.moments == 1 {
+            return self.with_smaller_cells(best, usize::MAX, &|cell_m| self.table_of(cell_m));
+        }
+        let blended = self.with_smaller_cells(blended, usize::MAX, &split_to)?;
+        Ok(if blended.error.measured() < best.error.measured() { blended } else { best })
+    }
+
+    fn is_met(&self, table: &PathTable) -> bool {
+        table.error.measured() <= self.parts.plan.header.fidelity.accuracy.amplitude()
+    }
+
+    /// The best of a few tables of ever smaller cells, until one meets the accuracy or has more paths than
+    /// some.
+    fn with_smaller_cells(
+        &self,
+        largest: PathTable,
+        most_paths: usize,
+        table: &dyn Fn(f64) -> Result<PathTable, BartError>,
+    ) -> Result<PathTable, BartError> {
+        const ATTEMPTS: usize = 4;
+        let plan = self.parts.plan;
         let asked = plan.header.fidelity.accuracy.amplitude();
-        let smallest_m = plan.band.wavelength_m();
-        let mut size_m = largest_cell_of_world_m(plan, scatterer.world);
-        let mut best = self.table_of(size_m)?;
+        let mut size_m = largest.fineness.cell_m;
+        let mut best = largest;
         for _ in 1..ATTEMPTS {
             let error = best.error.measured();
-            if error <= asked || size_m <= smallest_m {
+            if error <= asked || size_m <= plan.band.wavelength_m() || best.paths.len() > most_paths {
                 break;
             }
             // Errors of freezing and of the straight line over frequency grow with the first to second power
             // of the size.
             size_m *= (0.7 * asked / error).sqrt().clamp(0.4, 0.8);
-            let finer = self.table_of(size_m)?;
-            if finer.error.measured() < best.error.measured() {
+            let finer = table(size_m)?;
+            if finer.error.measured() < error {
                 best = finer;
             }
         }
@@ -216,6 +256,25 @@ pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64, tu
     // Of a sweep over more than a quarter of its carrier range cells are finer than two wavelengths.
     let smallest_m = 2.0 * waveform.wavelength_m();
     by_band.min(by_motion).clamp(smallest_m, waveform.range_resolution_m().max(smallest_m))
+}
+
+/// Largest side of cells on wheels, where other cells are so large; smaller as these are.
+///
+/// While a wheel turns, a point D/2 off its node turns against it by kDω·t there and back, which no path's own
+/// motion follows. Wheels are traced at several moments where that matters, and a cubic through moments
+/// between which it turns by θ errs by 3/128·θ⁴ ([`crate::frame::moments`]): D is what a fine grid of
+/// moments follows to the accuracy asked for.
+fn wheel_cell_m(plan: &Plan<'_>, world: &World, cell_m: f64) -> f64 {
+    let wheel_radps = world.fastest_wheel_radps();
+    if wheel_radps == 0.0 {
+        return cell_m;
+    }
+    let turn = (128.0 / 3.0 * plan.header.fidelity.accuracy.amplitude()).powf(0.25);
+    let step_s = plan.header.radar.frame_duration_s() / f64::from(WHEEL_STEPS);
+    let wavelength_m = plan.band.wavelength_m();
+    let largest_m = turn * wavelength_m / (TAU * wheel_radps * step_s);
+    let finer = (cell_m / largest_cell_of_world_m(plan, world)).min(1.0);
+    (finer * largest_m).max(wavelength_m)
 }
 
 /// Largest side of cells for the bodies of a world.

@@ -2,9 +2,10 @@
 //! sweeps.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
+use crate::bodies::models::Models;
 use crate::bodies::motion::position_m;
 use crate::bodies::road::check_road;
-use crate::bodies::world::{Models, World};
+use crate::bodies::world::World;
 use crate::frame::band_power::frequencies_hz;
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;

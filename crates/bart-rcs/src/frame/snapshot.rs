@@ -3,8 +3,9 @@
 use crate::beams::beam::BeamTree;
 use crate::beams::body_ways::BodyWays;
 use crate::beams::image_tree::Received;
+use crate::bodies::models::Models;
 use crate::bodies::stand_off::check_stand;
-use crate::bodies::world::{Models, World};
+use crate::bodies::world::World;
 use crate::frame::path_plan::Plan;
 use crate::geometry::antenna::Antenna;
 use crate::joins::joint::Trees;
@@ -45,6 +46,11 @@ impl Scenery<'_> {
         check_stand(&world, antenna, plan.band.wavelength_m())?;
         let tree = BeamTree::trace_along(&world, antenna, &plan.trace, ways, plan.progress)?;
         Ok(Snapshot::of(world, tree))
+    }
+
+    /// Whether some body is a wheel that turns.
+    pub(crate) fn turns_wheels(&self) -> bool {
+        !self.models.vehicles_of_wheels(self.plan.header).is_empty()
     }
 
     fn world(&self, seconds: f64) -> Result<World, BartError> {

@@ -25,6 +25,14 @@ pub enum BartError {
         /// Name of the material.
         material: String,
     },
+    /// A wheel names a triangle that is not there.
+    #[error("mesh `{mesh}`: a wheel names a triangle beyond its {triangles}")]
+    WheelNotSound {
+        /// Name of the mesh.
+        mesh: String,
+        /// Number of triangles.
+        triangles: usize,
+    },
     /// A triangle names a vertex that is not there.
     #[error("mesh `{mesh}`: triangle {triangle} names vertex {vertex} of {vertices}")]
     VertexOutOfRange {

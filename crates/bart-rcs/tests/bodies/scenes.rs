@@ -6,7 +6,7 @@ use artifact::radar::Radar;
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
     Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise,
-    Refine, Sides, StaticEchoes, Surface, Window,
+    Refine, Sides, StaticEchoes, Surface, Wheels, Window,
 };
 use radar::aperture::Preset;
 use radar::paper;
@@ -87,6 +87,7 @@ fn fidelity() -> Fidelity {
         echo: EchoMode::Paths,
         detail: Detail::Paths,
         between_bodies: BetweenBodies::Traced,
+        wheels: Wheels::Still,
         measured_every: 1,
     }
 }

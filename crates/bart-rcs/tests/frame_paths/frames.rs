@@ -6,7 +6,7 @@ use artifact::radar::Polarization;
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
     Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise,
-    Refine, Sides, StaticEchoes, Surface, Window,
+    Refine, Sides, StaticEchoes, Surface, Wheels, Window,
 };
 use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{FrameSurroundings, PathView, RcsRequest, Standpoint, Tracer, rcs, scattering_of_paths};
@@ -67,6 +67,7 @@ pub(crate) fn scene(
             echo: EchoMode::Paths,
             detail: Detail::Paths,
             between_bodies: BetweenBodies::Traced,
+            wheels: Wheels::Still,
             measured_every: 1,
         },
         intersection: Intersection { width_m: 22.5 },

@@ -9,6 +9,7 @@
 mod bodies;
 mod frames;
 mod turning;
+mod wheels;
 
 use artifact::Accuracy;
 use artifact::paths::{ErrorOrigin, PathsFrame};

@@ -13,7 +13,7 @@ pub(crate) fn by_span(mut paths: Vec<&Path>) -> Vec<(Option<Span>, Vec<&Path>)> 
 }
 
 /// Sort key that paths of one part of the frame have in common.
-pub(crate) fn order(path: &Path) -> Option<[u64; 4]> {
+fn order(path: &Path) -> Option<[u64; 4]> {
     let of =
         |span: Span| [span.moments.into(), span.first_s.to_bits(), span.step_s.to_bits(), span.moment.into()];
     path.curve.span.map(of)

@@ -6,6 +6,7 @@ use crate::mesh::format::MeshOptions;
 use crate::mesh::part::{Part, check_count};
 use artifact::material::Makeup;
 use artifact::scene::{Mesh, MeshStatistics};
+use bodies::road_wheels;
 use glam::DVec3;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -42,6 +43,8 @@ struct Joined {
     normals: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     material_of_triangle: Vec<u16>,
+    /// Whether each triangle is of a road wheel.
+    are_of_wheels: Vec<bool>,
     materials: Vec<String>,
     /// Places of materials in the list, by name.
     known: HashMap<Rc<str>, u16>,
@@ -55,6 +58,7 @@ impl Joined {
         self.normals.extend(part.normals.unwrap_or_default());
         self.triangles.extend(part.triangles.iter().map(|corners| corners.map(|i| first + i)));
         self.material_of_triangle.resize(self.triangles.len(), material);
+        self.are_of_wheels.resize(self.triangles.len(), part.is_of_wheel);
         Ok(())
     }
 
@@ -76,6 +80,8 @@ impl Joined {
         self.triangles.retain(|_| *kept.next().unwrap_or(&true));
         let mut kept = keep.iter();
         self.material_of_triangle.retain(|_| *kept.next().unwrap_or(&true));
+        let mut kept = keep.iter();
+        self.are_of_wheels.retain(|_| *kept.next().unwrap_or(&true));
         keep.iter().filter(|keep| !**keep).count() as u64
     }
 
@@ -112,7 +118,7 @@ impl Joined {
         self.fill_empty_normals();
         // Facets that cancel exactly leave no direction; up is as good as any.
         let unit = |normal: &DVec3| normal.try_normalize().unwrap_or(DVec3::Z).as_vec3().into();
-        Mesh {
+        let mut mesh = Mesh {
             name,
             vertices_m: self.vertices.iter().map(|vertex| (*vertex).into()).collect(),
             normals: self.normals.iter().map(unit).collect(),
@@ -120,8 +126,11 @@ impl Joined {
             material_of_triangle: self.material_of_triangle,
             materials: self.materials,
             makeup: Makeup::default(),
+            wheels: vec![],
             statistics: MeshStatistics::default(),
-        }
+        };
+        mesh.wheels = road_wheels(&mesh, &self.are_of_wheels);
+        mesh
     }
 }
 

@@ -11,6 +11,9 @@ pub fn centred(mut mesh: Mesh) -> Mesh {
     for vertex in &mut mesh.vertices_m {
         *vertex = (DVec3::from(*vertex) - origin_m).into();
     }
+    for wheel in &mut mesh.wheels {
+        wheel.hub_m = (DVec3::from(wheel.hub_m) - origin_m).into();
+    }
     mesh
 }
 

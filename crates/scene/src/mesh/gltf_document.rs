@@ -8,6 +8,7 @@ use crate::mesh::gltf_buffers::{self, read_buffers};
 use crate::mesh::gltf_json::check_values;
 use crate::mesh::gltf_nodes::{Instance, instances};
 use crate::mesh::part::{Part, check_count};
+use bodies::names_a_wheel;
 use glam::{DMat3, DVec3};
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked;
@@ -96,6 +97,7 @@ fn read_mesh_instance(
         let place = MeshPlace::Primitive { mesh: instance.mesh, primitive: 0 };
         return Err(place.fault(MeshFault::Deformed("morph weights")));
     }
+    let is_of_wheel = instance.is_of_wheel || mesh.name.as_deref().is_some_and(names_a_wheel);
     for (primitive, content) in mesh.primitives.iter().enumerate() {
         let place = MeshPlace::Primitive { mesh: instance.mesh, primitive };
         shown.primitives += 1;
@@ -103,7 +105,8 @@ fn read_mesh_instance(
             return Err(MeshPlace::File.fault(MeshFault::TooManyPrimitives { limit: PRIMITIVE_LIMIT }));
         }
         let material = shown.material(root, content).map_err(|fault| place.fault(fault))?;
-        let Some(part) = read_primitive(accessors, instance, place, content, material)? else { continue };
+        let Some(mut part) = read_primitive(accessors, instance, place, content, material)? else { continue };
+        part.is_of_wheel |= is_of_wheel;
         shown.triangles += part.triangles.len();
         check_count(shown.triangles)?;
         shown.parts.push(part);

@@ -1,6 +1,7 @@
 //! The nodes of a glTF scene: which mesh stands where.
 
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use bodies::names_a_wheel;
 use glam::{DMat4, DQuat, DVec3, DVec4};
 use gltf::json::Root;
 use gltf::json::scene::Node;
@@ -11,6 +12,17 @@ pub(crate) struct Instance {
     pub mesh: usize,
     /// Transform from the mesh's own axes to the scene's.
     pub scene_from_mesh: DMat4,
+    /// Whether the name of its node, or of one above it but for a root of the scene, tells of a road wheel.
+    pub is_of_wheel: bool,
+}
+
+/// A node that waits to be looked at.
+struct Waiting {
+    index: usize,
+    scene_from_parent: DMat4,
+    /// Whether a node above it that is no root tells of a wheel.
+    is_of_wheel: bool,
+    is_root: bool,
 }
 
 /// Every mesh of the scene that the file shows (else its first; without scenes, all nodes; without nodes,
@@ -18,16 +30,21 @@ pub(crate) struct Instance {
 pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, Located> {
     if root.nodes.is_empty() {
         return Ok((0..root.meshes.len())
-            .map(|mesh| Instance { mesh, scene_from_mesh: DMat4::IDENTITY })
+            .map(|mesh| Instance { mesh, scene_from_mesh: DMat4::IDENTITY, is_of_wheel: false })
             .collect());
     }
     let mut found = vec![];
     let mut reached = vec![false; root.nodes.len()];
     // A stack of our own: a chain of 10⁶ nodes must not end ours. Reversed, so that the first is popped
     // first.
-    let mut waiting: Vec<(usize, DMat4)> =
-        roots(root)?.into_iter().rev().map(|i| (i, DMat4::IDENTITY)).collect();
-    while let Some((index, scene_from_parent)) = waiting.pop() {
+    let of_root = |index: usize| Waiting {
+        index,
+        scene_from_parent: DMat4::IDENTITY,
+        is_of_wheel: false,
+        is_root: true,
+    };
+    let mut waiting: Vec<Waiting> = roots(root)?.into_iter().rev().map(of_root).collect();
+    while let Some(Waiting { index, scene_from_parent, is_of_wheel, is_root }) = waiting.pop() {
         let place = MeshPlace::Node(index);
         let count = root.nodes.len();
         let no_such = || MeshPlace::File.fault(MeshFault::NoSuch { what: "node", index, count });
@@ -37,8 +54,15 @@ pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, Located> {
         }
         let parent_from_node = transform(node).ok_or_else(|| place.fault(MeshFault::Transform))?;
         let scene_from_node = scene_from_parent * parent_from_node;
-        found.extend(instance(root, place, node, scene_from_node)?);
-        waiting.extend(node.children.iter().flatten().rev().map(|child| (child.value(), scene_from_node)));
+        let names_wheel = node.name.as_deref().is_some_and(names_a_wheel);
+        let own = instance(root, place, node, scene_from_node)?;
+        found.extend(own.map(|own| Instance { is_of_wheel: is_of_wheel || names_wheel, ..own }));
+        waiting.extend(node.children.iter().flatten().rev().map(|child| Waiting {
+            index: child.value(),
+            scene_from_parent: scene_from_node,
+            is_of_wheel: is_of_wheel || (names_wheel && !is_root),
+            is_root: false,
+        }));
     }
     Ok(found)
 }
@@ -75,7 +99,7 @@ fn instance(
     if node.weights.iter().flatten().any(|weight| *weight != 0.0) {
         return Err(place.fault(MeshFault::Deformed("morph weights")));
     }
-    Ok(Some(Instance { mesh, scene_from_mesh }))
+    Ok(Some(Instance { mesh, scene_from_mesh, is_of_wheel: false }))
 }
 
 /// Transform of a node; `None` where it is not finite and affine.

@@ -1,6 +1,7 @@
 //! A part of a mesh: triangles of one material, checked, on vertices that they use.
 
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use bodies::names_a_wheel;
 use glam::DVec3;
 use std::rc::Rc;
 
@@ -37,11 +38,13 @@ pub(crate) struct Part {
     pub triangles: Vec<[u32; 3]>,
     /// Name of the material, shared by the parts that have it.
     pub material: Rc<str>,
+    /// Whether a name tells that this is of a road wheel.
+    pub is_of_wheel: bool,
 }
 
 impl Part {
     /// The part with the vertices that `triangles` use, in their order; everything finite, every index in
-    /// range.
+    /// range. The material's name alone tells of a wheel so far.
     pub(crate) fn new(
         place: MeshPlace,
         vertices: &[DVec3],
@@ -57,6 +60,7 @@ impl Part {
             vertices: used.iter().map(|&i| vertices[i as usize]).collect(),
             normals: normals.map(|normals| used.iter().map(|&i| normals[i as usize]).collect()),
             triangles: triangles.into_iter().map(|corners| corners.map(renumber)).collect(),
+            is_of_wheel: names_a_wheel(&material),
             material,
         })
     }
@@ -72,6 +76,7 @@ impl Part {
             normals: Some(normals),
             triangles: (0..corners.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
             material: self.material,
+            is_of_wheel: self.is_of_wheel,
         }
     }
 }

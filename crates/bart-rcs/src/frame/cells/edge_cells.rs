@@ -70,7 +70,7 @@ impl CutLine {
         let facets = facets_of(scatterer, forward, backward);
         let accuracy = settings.accuracy_of_body[scatterer.node_body(forward)];
         let [from, to] = self.span_m;
-        let count = ((to - from) / settings.size_m).ceil().max(1.0);
+        let count = ((to - from) / settings.side_m(scatterer.world, &facets)).ceil().max(1.0);
         let place = |i: u32| from + (to - from) * f64::from(i) / count;
         let mut cells = Vec::new();
         for i in 0..count as u32 {

@@ -5,6 +5,7 @@ use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::origin;
 use crate::bodies::motion::Motion;
 use crate::bodies::road::Half;
+use crate::bodies::world::World;
 use crate::frame::cells::cell_room::CellRoom;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::{bounds, left_of};
@@ -43,6 +44,8 @@ pub(crate) const BYTES_PER_CELL: usize =
 #[derive(Clone, Copy)]
 pub(crate) struct CellSettings<'a> {
     pub(crate) size_m: f64,
+    /// Size of cells on wheels that turn, and of ways that meet one.
+    pub(crate) wheel_size_m: f64,
     /// Apparent points whose velocities differ by less may share a cell.
     pub(crate) velocity_quantum_mps: f64,
     pub(crate) wavenumbers_per_m: &'a [f64],
@@ -53,6 +56,15 @@ pub(crate) struct CellSettings<'a> {
     pub(crate) room: &'a CellRoom,
 }
 
+impl CellSettings<'_> {
+    /// Largest side of the cells of a way that meets some facets.
+    pub(crate) fn side_m(&self, world: &World, facets: &[Facet]) -> f64 {
+        let is_on_wheel =
+            self.wheel_size_m < self.size_m && facets.iter().any(|facet| world.is_wheel(facet.body));
+        if is_on_wheel { self.wheel_size_m } else { self.size_m }
+    }
+}
+
 /// Cells of all joints, the reverse ones behind their own; in the order of the joints.
 pub(crate) fn cells(scatterer: &Scatterer<'_>, joints: &Joints, settings: &CellSettings<'_>) -> Vec<Cell> {
     let of_joint = |joint: &Joint| cells_of(scatterer, joint, joints.polygon(joint), settings);
@@ -61,8 +73,14 @@ pub(crate) fn cells(scatterer: &Scatterer<'_>, joints: &Joints, settings: &CellS
 }
 
 /// Cells whose apparent points lie in one cube, seen through the same bodies and as fast, become one.
-pub(crate) fn gathered(mut cells: Vec<Cell>, ends: [Antenna; 2], settings: &CellSettings<'_>) -> Vec<Cell> {
-    let key = |cell: &Cell| key(cell, ends, settings);
+pub(crate) fn gathered(
+    mut cells: Vec<Cell>,
+    world: &World,
+    ends: [Antenna; 2],
+    settings: &CellSettings<'_>,
+) -> Vec<Cell> {
+    let side_m = |cell: &Cell| settings.side_m(world, &cell.facets[..usize::from(cell.order)]);
+    let key = |cell: &Cell| key(cell, ends, side_m(cell), settings.velocity_quantum_mps);
     cells.sort_by_cached_key(key);
     cells.chunk_by(|a, b| key(a) == key(b)).map(|group| one_of(group, ends, settings)).collect()
 }
@@ -77,7 +95,7 @@ fn cells_of(
     let facets = facets_of(scatterer, joint.forward, joint.backward);
     let accuracy = settings.accuracy_of_body[scatterer.node_body(joint.forward)];
     let mut cells = Vec::new();
-    for piece in cut_into_squares(&frame, corners_m, settings.size_m) {
+    for piece in cut_into_squares(&frame, corners_m, settings.side_m(scatterer.world, &facets)) {
         if !settings.room.take() {
             break;
         }
@@ -172,10 +190,10 @@ fn cut_along(polygon: Vec<DVec2>, axis: DVec2, size_m: f64) -> Vec<Vec<DVec2>> {
 type Key = (u8, [u32; MAX_ORDER], [[i64; 3]; 4]);
 
 /// Cubes are counted from the antennas, so that a scene moved as a whole keeps its cells.
-fn key(cell: &Cell, ends: [Antenna; 2], settings: &CellSettings<'_>) -> Key {
+fn key(cell: &Cell, ends: [Antenna; 2], side_m: f64, quantum_mps: f64) -> Key {
     let cube = |v: DVec3, side: f64| (v / side).round().to_array().map(|x| x as i64);
-    let places = [0, 1].map(|end| cube(-ends[end].towards(cell.apparent_m[end]), settings.size_m));
-    let speeds = cell.motion.map(|motion| cube(motion.velocity_mps, settings.velocity_quantum_mps));
+    let places = [0, 1].map(|end| cube(-ends[end].towards(cell.apparent_m[end]), side_m));
+    let speeds = cell.motion.map(|motion| cube(motion.velocity_mps, quantum_mps));
     (cell.order, cell.facets.map(|facet| facet.body), [places[0], places[1], speeds[0], speeds[1]])
 }
 

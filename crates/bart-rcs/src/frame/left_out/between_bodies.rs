@@ -37,6 +37,7 @@ pub(crate) fn between_bodies_left_out(
 /// Whether a joint's way meets more than one body.
 pub(crate) fn meets_several_bodies(scatterer: &Scatterer<'_>, joint: &Joint) -> bool {
     let facets = sequence(scatterer, joint.forward, joint.backward);
-    let bodies: Vec<u32> = facets.into_iter().map(|facet| scatterer.world.facet(facet).id.body).collect();
+    let vehicle = |facet: u32| scatterer.world.vehicle(scatterer.world.facet(facet).id.body);
+    let bodies: Vec<u32> = facets.into_iter().map(vehicle).collect();
     bodies.windows(2).any(|pair| pair[0] != pair[1])
 }

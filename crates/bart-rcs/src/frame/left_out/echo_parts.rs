@@ -1,7 +1,8 @@
 //! Parts that a frame's echo is made of, by a coarse look: what each order of reflection, the ways between
 //! bodies and by the road, edges and sheets add. A plan of what need not be modelled stands on it.
 
-use crate::bodies::world::{Models, World};
+use crate::bodies::models::Models;
+use crate::bodies::world::World;
 use crate::frame::band_power::frequencies_hz;
 use crate::frame::frame_error::{Fineness, MARGIN, Reference, mean, mean_difference, of_meeting, total};
 use crate::frame::left_out::between_bodies::meets_several_bodies;

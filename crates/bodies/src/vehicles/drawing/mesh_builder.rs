@@ -1,6 +1,7 @@
 //! Making of the mesh that is handed on, from parts: scaled to its dimensions, smooth normals split at
 //! creases, single precision.
 
+use crate::road_wheels::road_wheels;
 use crate::vehicles::drawing::surface::{Material, Surface, Triangle};
 use artifact::scene::{Mesh, MeshStatistics};
 use glam::{DVec3, Vec3};
@@ -16,23 +17,42 @@ const SMALLEST_AREA_M2: f64 = 1e-8;
 #[derive(Debug, Default)]
 pub(crate) struct Assembly {
     parts: Vec<Surface>,
+    /// Whether each is part of a road wheel.
+    are_of_wheels: Vec<bool>,
 }
 
 impl Assembly {
     /// Adds one more part.
     pub(crate) fn add(&mut self, part: Surface) {
-        self.parts.push(part);
+        self.push(part, false);
     }
 
     /// Adds a part of the left side and its mirror image on the right.
     pub(crate) fn add_pair(&mut self, part: Surface) {
-        self.parts.push(part.clone());
-        self.parts.push(part.mirrored());
+        self.push(part.clone(), false);
+        self.push(part.mirrored(), false);
+    }
+
+    /// Adds a part of a road wheel.
+    pub(crate) fn add_of_wheel(&mut self, part: Surface) {
+        self.push(part, true);
+    }
+
+    /// Adds a part of a road wheel on the left, and its mirror image on the right.
+    pub(crate) fn add_pair_of_wheels(&mut self, part: Surface) {
+        self.push(part.clone(), true);
+        self.push(part.mirrored(), true);
     }
 
     /// Adds the parts of another assembly, each changed.
     pub(crate) fn add_all(&mut self, other: Assembly, change: impl Fn(Surface) -> Surface) {
         self.parts.extend(other.parts.into_iter().map(change));
+        self.are_of_wheels.extend(other.are_of_wheels);
+    }
+
+    fn push(&mut self, part: Surface, is_of_wheel: bool) {
+        self.parts.push(part);
+        self.are_of_wheels.push(is_of_wheel);
     }
 
     /// Parts that have been added so far.
@@ -46,8 +66,8 @@ impl Assembly {
     pub(crate) fn finish(self, name: &str, size_m: [f64; 3]) -> Mesh {
         let parts = fitted(self.parts, DVec3::from_array(size_m));
         let mut output = Output::default();
-        for part in &parts {
-            output.add(part);
+        for (part, is_of_wheel) in parts.iter().zip(self.are_of_wheels) {
+            output.add(part, is_of_wheel);
         }
         output.into_mesh(name)
     }
@@ -71,11 +91,12 @@ type Key = (Material, [u32; 3], [u32; 3]);
 
 #[derive(Default)]
 struct Output {
-    by_material: BTreeMap<Material, Vec<[Key; 3]>>,
+    /// Triangles, and whether each is of a road wheel.
+    by_material: BTreeMap<Material, Vec<([Key; 3], bool)>>,
 }
 
 impl Output {
-    fn add(&mut self, part: &Surface) {
+    fn add(&mut self, part: &Surface, is_of_wheel: bool) {
         let part = &rounded(part);
         let around = triangles_around(part);
         let unit = |t: &Triangle| part.area_vector_m2(t).try_normalize().unwrap_or(DVec3::ZERO);
@@ -85,16 +106,19 @@ impl Output {
                 let normal = corner_normal(part, &around[i as usize], &face_normals, f, i);
                 (t.material, bits(part.points_m[i as usize]), bits(normal))
             };
-            self.by_material.entry(t.material).or_default().push(t.corners.map(corner));
+            let triangle = (t.corners.map(corner), is_of_wheel);
+            self.by_material.entry(t.material).or_default().push(triangle);
         }
     }
 
     fn into_mesh(self, name: &str) -> Mesh {
         let mut mesh = Mesh { name: name.to_owned(), ..Mesh::default() };
+        let mut are_of_wheels = vec![];
         for (slot, (material, triangles)) in self.by_material.iter().enumerate() {
             mesh.materials.push(material.name().to_owned());
             let mut index_of = BTreeMap::new();
-            for corners in triangles {
+            for (corners, is_of_wheel) in triangles {
+                are_of_wheels.push(*is_of_wheel);
                 let triangle = corners.map(|key| {
                     *index_of.entry(key).or_insert_with(|| {
                         mesh.vertices_m.push(key.1.map(|b| f64::from(f32::from_bits(b))));
@@ -106,6 +130,7 @@ impl Output {
                 mesh.material_of_triangle.push(slot as u16);
             }
         }
+        mesh.wheels = road_wheels(&mesh, &are_of_wheels);
         let triangles_read = mesh.triangles.len() as u64;
         mesh.statistics = MeshStatistics { triangles_read, degenerate: 0, open_edges: open_edges(&mesh) };
         mesh

@@ -33,7 +33,7 @@ impl Wheel {
     pub(crate) fn add_pair(&self, to: &mut Assembly, axle_x: f64, outer_y: f64) {
         let at = [axle_x, outer_y - 0.5 * self.width_m, self.radius_m];
         for part in [self.tyre(), self.rim()] {
-            to.add_pair(part.moved(at[0], at[1], at[2]));
+            to.add_pair_of_wheels(part.moved(at[0], at[1], at[2]));
         }
     }
 
@@ -43,7 +43,7 @@ impl Wheel {
         let outer =
             [(self.rim_radius_m, 0.8 * half), (0.9 * self.radius_m, half), (self.radius_m, 0.6 * half)];
         let tyre = lathe(&mirrored_profile(&outer), self.sectors, Material::Rubber);
-        to.add_pair(tyre.moved(axle_x, outer_y - half, self.radius_m));
+        to.add_pair_of_wheels(tyre.moved(axle_x, outer_y - half, self.radius_m));
     }
 
     /// A closed ring: bead, side wall, shoulder, tread and back through the bore.

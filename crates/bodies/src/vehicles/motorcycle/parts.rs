@@ -21,13 +21,13 @@ impl CycleWheel {
     /// Tyre, rim, spokes, hub and brake discs.
     pub(crate) fn add(&self, to: &mut Assembly) {
         let place = |part: Surface| part.moved(self.axle_x, 0.0, self.radius_m);
-        to.add(place(self.tyre()));
-        to.add(place(self.rim()));
-        to.add(place(disc(0.045, 0.16, 14, Material::Aluminium)));
+        to.add_of_wheel(place(self.tyre()));
+        to.add_of_wheel(place(self.rim()));
+        to.add_of_wheel(place(disc(0.045, 0.16, 14, Material::Aluminium)));
         for k in 0..self.spokes {
-            to.add(place(self.spoke(TAU * f64::from(k) / f64::from(self.spokes))));
+            to.add_of_wheel(place(self.spoke(TAU * f64::from(k) / f64::from(self.spokes))));
         }
-        to.add_pair(place(self.brake().moved(0.0, 0.068, 0.0)));
+        to.add_pair_of_wheels(place(self.brake().moved(0.0, 0.068, 0.0)));
     }
 
     fn tyre(&self) -> Surface {

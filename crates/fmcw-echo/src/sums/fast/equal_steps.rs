@@ -5,6 +5,7 @@
 
 use artifact::Radar;
 use artifact::radar::Multiplexing;
+use std::ops::Range;
 
 /// Chirps `first`, `first` + `every`, … of each transmitter, or of one slot of all blocks of codes.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +50,13 @@ impl EqualSteps {
     /// Start of chirp `chirp` of these, or of a part of one more.
     pub(crate) fn start_s(&self, tx: usize, chirp: f64) -> f64 {
         self.first_s[tx] + chirp * self.step_s
+    }
+
+    /// Some of these chirps.
+    pub(crate) fn part(&self, chirps: &Range<usize>) -> Self {
+        let first_s = (0..self.first_s.len()).map(|tx| self.start_s(tx, chirps.start as f64)).collect();
+        let first = self.first + chirps.start * self.every;
+        Self { first, chirps: chirps.len(), first_s, ..*self }
     }
 
     /// Channel and chirp in the cube of row `row` of these, chirp after chirp and channel after channel.

@@ -14,7 +14,7 @@ use crate::sums::fast::kernel::CELLS_MAX;
 use crate::sums::fast::scalar::{Scalar, rounded};
 use crate::sums::fast::smooth_part::{Asked, SmoothPart, cycles_of};
 use crate::sums::fast::tone_grid::{SETS, ToneGrid};
-use crate::sums::spans::shares_of_row;
+use crate::sums::spans::{by_span, shares_of_row};
 use artifact::paths::{Path, Span};
 use artifact::radar::Multiplexing;
 use artifact::{Accuracy, Radar};
@@ -102,16 +102,21 @@ fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) 
     let heard = paths.iter().filter(|path| is_heard(radar, path));
     let (on_rims, heard): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
     let asked = Asked { error: 0.6 * error, instants_max: INSTANTS_MAX, paths_min: paths_min(error) };
-    let groups = groups(listener, &heard, &links, asked);
     let length = listener.steps.chirps * radar.waveform.samples as usize;
     let mut of_links = vec![Complex::new(T::zero(), T::zero()); links.len() * length];
     let mut alone: Vec<Path> = on_rims.into_iter().copied().collect();
-    for group in &groups {
-        match &group.smooth {
-            // Nothing is heard of a group that the antennas' pattern leaves out.
-            Some(smooth) if smooth.instants.is_empty() => {}
-            Some(smooth) => add_group(listener, group, smooth, &links, error, &mut of_links),
-            None => alone.extend(group.paths.iter().copied()),
+    for (span, paths) in by_span(heard) {
+        let part = PartOfFrame::of(listener, span);
+        if part.listener.steps.chirps == 0 {
+            continue;
+        }
+        for group in groups(&part.listener, &paths, &links, asked) {
+            match &group.smooth {
+                // Nothing is heard of a group that the antennas' pattern leaves out.
+                Some(smooth) if smooth.instants.is_empty() => {}
+                Some(smooth) => part.add_group(&group, smooth, &links, error, &mut of_links),
+                None => alone.extend(group.paths.iter().copied()),
+            }
         }
     }
     let mut cube = channels(listener, of_links, length);
@@ -136,30 +141,61 @@ fn links(radar: &Radar) -> Vec<Link> {
     (0..transmitters).flat_map(|tx| (0..receivers).map(move |rx| Link { tx, rx })).collect()
 }
 
-/// Adds a group's echo to `[link][chirp][sample]`.
-fn add_group<T: Scalar>(
-    listener: &Listener<'_>,
-    group: &Group<'_>,
-    smooth: &SmoothPart,
-    links: &[Link],
-    error: f64,
-    of_links: &mut [Complex<T>],
-) {
-    let modes = [listener.steps.chirps, listener.radar.waveform.samples as usize];
-    let tones: Vec<Tone> = group.paths.par_iter().map(|path| listener.tone(path)).collect();
-    let grid = ToneGrid::<T>::new(&tones, modes, error);
-    let ordered: Vec<&Path> = grid.order().map(|i| group.paths[i]).collect();
-    let tones: Vec<Tone> = grid.order().map(|i| tones[i]).collect();
-    let exact = DirectSum::for_moments(listener.radar, listener.centre_frequency_hz, &ordered);
-    let sets: Vec<(usize, usize)> = (0..links.len())
-        .flat_map(|link| (0..smooth.instants.len()).map(move |instant| (link, instant)))
-        .collect();
-    let length = modes[0] * modes[1];
-    let shares: Option<Vec<Vec<T>>> = group.span().map(|span| shares(listener, &span));
-    // A link's instants lie in one block.
-    let block = (SETS / smooth.instants.len()).max(1);
-    of_links.par_chunks_mut(block * length).zip(sets.par_chunks(block * smooth.instants.len())).for_each(
-        |(of_block, sets)| {
+/// The part of a frame that some paths stand for: no other chirps of theirs are summed.
+struct PartOfFrame<'a> {
+    listener: Listener<'a>,
+    /// Share of every chirp and sample of the part, by transmitter; `None` where paths stand for all of the
+    /// frame.
+    shares: Option<Vec<Vec<f64>>>,
+    /// Chirps before it, and of the whole frame.
+    before: usize,
+    chirps: usize,
+}
+
+impl<'a> PartOfFrame<'a> {
+    fn of(whole: &Listener<'a>, span: Option<Span>) -> Self {
+        let chirps = whole.steps.chirps;
+        let Some(span) = span else {
+            return Self { listener: whole.during(&(0..chirps)), shares: None, before: 0, chirps };
+        };
+        let (radar, transmitters) = (whole.radar, 0..whole.radar.array.tx_m.len());
+        let row =
+            |tx: usize, chirp: usize| shares_of_row(radar, &span, whole.steps.start_s(tx, chirp as f64));
+        let mut of_tx: Vec<Vec<Vec<f64>>> =
+            transmitters.map(|tx| (0..chirps).map(|chirp| row(tx, chirp)).collect()).collect();
+        let is_heard =
+            |chirp: &usize| of_tx.iter().any(|rows| rows[*chirp].iter().any(|share| *share != 0.0));
+        let first = (0..chirps).find(is_heard).unwrap_or(0);
+        let end = (first..chirps).rev().find(is_heard).map_or(first, |last| last + 1);
+        let shares = of_tx.iter_mut().map(|rows| rows.drain(first..end).flatten().collect()).collect();
+        Self { listener: whole.during(&(first..end)), shares: Some(shares), before: first, chirps }
+    }
+
+    /// Adds a group's echo to `[link][chirp][sample]` of the whole frame.
+    fn add_group<T: Scalar>(
+        &self,
+        group: &Group<'_>,
+        smooth: &SmoothPart,
+        links: &[Link],
+        error: f64,
+        of_links: &mut [Complex<T>],
+    ) {
+        let listener = &self.listener;
+        let modes = [listener.steps.chirps, listener.radar.waveform.samples as usize];
+        let tones: Vec<Tone> = group.paths.par_iter().map(|path| listener.tone(path)).collect();
+        let grid = ToneGrid::<T>::new(&tones, modes, error);
+        let ordered: Vec<&Path> = grid.order().map(|i| group.paths[i]).collect();
+        let tones: Vec<Tone> = grid.order().map(|i| tones[i]).collect();
+        let exact = DirectSum::for_moments(listener.radar, listener.centre_frequency_hz, &ordered);
+        let sets: Vec<(usize, usize)> = (0..links.len())
+            .flat_map(|link| (0..smooth.instants.len()).map(move |instant| (link, instant)))
+            .collect();
+        let [before, of_part, length] = [self.before, modes[0], self.chirps].map(|chirps| chirps * modes[1]);
+        // A link's instants lie in one block.
+        let block = (SETS / smooth.instants.len()).max(1);
+        let blocks =
+            of_links.par_chunks_mut(block * length).zip(sets.par_chunks(block * smooth.instants.len()));
+        blocks.for_each(|(of_block, sets)| {
             let strengths: Vec<Vec<Complex<T>>> = sets
                 .par_iter()
                 .map(|&(link, instant)| {
@@ -168,29 +204,21 @@ fn add_group<T: Scalar>(
                 .collect();
             grid.transform(&strengths, &mut |set, values| {
                 let (link, instant) = sets[set];
-                let mut shape: Vec<Complex<T>> = smooth.shape(instant, link, modes[0], modes[1]);
-                if let Some(shares) = &shares {
-                    shape
-                        .iter_mut()
-                        .zip(&shares[links[link].tx])
-                        .for_each(|(value, share)| *value = *value * *share);
-                }
-                let total = &mut of_block[(link - sets[0].0) * length..][..length];
+                let shape = self.weighted(smooth.shape(instant, link, modes[0], modes[1]), links[link].tx);
+                let total = &mut of_block[(link - sets[0].0) * length + before..][..of_part];
                 let terms = values.iter().zip(&shape).map(|(value, shape)| *value * *shape);
                 total.iter_mut().zip(terms).for_each(|(sum, term)| *sum = *sum + term);
             });
-        },
-    );
-}
+        });
+    }
 
-/// Share of every chirp and sample, by transmitter.
-fn shares<T: Scalar>(listener: &Listener<'_>, span: &Span) -> Vec<Vec<T>> {
-    let radar = listener.radar;
-    let of_chirp =
-        |tx: usize, chirp: usize| shares_of_row(radar, span, listener.steps.start_s(tx, chirp as f64));
-    let of_tx =
-        |tx: usize| (0..listener.steps.chirps).flat_map(|chirp| of_chirp(tx, chirp)).map(T::of).collect();
-    (0..radar.array.tx_m.len()).map(of_tx).collect()
+    /// A shape by the shares of a transmitter's chirps and samples.
+    fn weighted<T: Scalar>(&self, mut shape: Vec<Complex<T>>, tx: usize) -> Vec<Complex<T>> {
+        if let Some(shares) = &self.shares {
+            shape.iter_mut().zip(&shares[tx]).for_each(|(value, share)| *value = *value * T::of(*share));
+        }
+        shape
+    }
 }
 
 /// Values of all paths at an instant, less their tones there.

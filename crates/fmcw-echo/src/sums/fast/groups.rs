@@ -2,8 +2,7 @@
 
 use crate::sums::fast::instants::{Link, Listener};
 use crate::sums::fast::smooth_part::{Asked, SmoothPart};
-use crate::sums::spans;
-use artifact::paths::{Path, Span};
+use artifact::paths::Path;
 
 /// Paths and their slow part; `None` where no few instants tell them, or where they are fewer than a
 /// transform pays for.
@@ -12,26 +11,17 @@ pub(crate) struct Group<'p> {
     pub(crate) smooth: Option<SmoothPart>,
 }
 
-impl Group<'_> {
-    /// The part of the frame that all of them stand for; `None` for the whole.
-    pub(crate) fn span(&self) -> Option<Span> {
-        self.paths.first().and_then(|path| path.curve.span)
-    }
-}
-
-/// Paths of one target and one part of the frame each, halved by velocity and by range until their slow parts
-/// are told by few instants.
+/// Paths of one target each, halved by velocity and by range until their slow parts are told by few instants.
 pub(crate) fn groups<'p>(
     listener: &Listener<'_>,
     paths: &[&'p Path],
     links: &[Link],
     asked: Asked,
 ) -> Vec<Group<'p>> {
-    let key = |path: &Path| (path.target, spans::order(path));
     let mut by_target = paths.to_vec();
-    by_target.sort_by_key(|path| key(path));
+    by_target.sort_by_key(|path| path.target);
     by_target
-        .chunk_by(|a, b| key(a) == key(b))
+        .chunk_by(|a, b| a.target == b.target)
         .flat_map(|paths| split(listener, paths.to_vec(), links, asked))
         .collect()
 }

@@ -13,6 +13,7 @@ use glam::DVec3;
 use num_complex::Complex64;
 use radar::aperture::{axes, pattern_amplitude};
 use radar::link::link_amplitude;
+use std::ops::Range;
 
 /// One transmit element heard by one receive element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,6 +66,11 @@ impl<'a> Listener<'a> {
     pub(crate) fn new(radar: &'a Radar, centre_frequency_hz: f64, steps: EqualSteps) -> Self {
         let (link_amplitude, axes) = (link_amplitude(radar), axes(radar));
         Self { radar, centre_frequency_hz, steps, link_amplitude, axes }
+    }
+
+    /// The same radar at some of these chirps.
+    pub(crate) fn during(&self, chirps: &Range<usize>) -> Self {
+        Self { steps: self.steps.part(chirps), ..*self }
     }
 
     /// The middle of the frame.

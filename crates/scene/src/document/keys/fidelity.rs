@@ -6,7 +6,7 @@ use crate::wording::allowed::Allowed::{Below, Between};
 use artifact::goal::Goal;
 use artifact::material::Transmission;
 use artifact::paths::MAX_ORDER;
-use artifact::settings::{BetweenBodies, Detail, EchoMode, Edges, NodeRule, Sides, Surface};
+use artifact::settings::{BetweenBodies, Detail, EchoMode, Edges, NodeRule, Sides, Surface, Wheels};
 
 pub(crate) const FIDELITY: Table = Table {
     name: "fidelity",
@@ -24,6 +24,7 @@ pub(crate) const FIDELITY: Table = Table {
         &ECHO,
         &DETAIL,
         &BETWEEN_BODIES,
+        &WHEELS,
         &MEASURED_EVERY,
         &MATERIALS,
         &TRANSMISSION,
@@ -128,6 +129,16 @@ pub(crate) const BETWEEN_BODIES: Key<Words<BetweenBodies>, Or<BetweenBodies>> = 
      ([decisions/between-bodies.md](decisions/between-bodies.md))",
 )
 .or(BetweenBodies::Traced);
+
+pub(crate) const WHEELS: Key<Words<Wheels>, Or<Wheels>> = Key::new(
+    "wheels",
+    Words(|| vec![("still", Wheels::Still), ("turning", Wheels::Turning)]),
+    "whether wheels turn as vehicles roll (micro-Doppler). Wheels are what nodes, meshes or materials of a \
+     model name so (`Wheel_FL`, `tyre`, `rim`), apart along and across the vehicle, round and on the \
+     ground; the project's own vehicles have them. What looks the same however far it has turned, a tyre \
+     without tread, stays ([wheels.md](wheels.md))",
+)
+.or(Wheels::Still);
 
 pub(crate) const MEASURED_EVERY: Key<Whole, Or<u64>> = Key::new(
     "measured_every",

@@ -1,0 +1,111 @@
+//! Triangles that are part of a body of revolution: turned about its axis by some fraction of a turn they
+//! are others of the mesh, and together they close a ring.
+
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+/// Fewest sectors that are taken for a round body; hubs have five holes, rims seldom more than ten spokes, and
+/// neither closes a ring.
+const FEWEST_SECTORS: usize = 8;
+
+/// Triangles of one ring and one sector that may look alike.
+const MOST_ALIKE: usize = 4;
+
+/// Share of a sector that each of a ring's triangles has to cover: spokes leave gaps.
+const COVERED: f64 = 0.95;
+
+/// Lengths that differ by less than this share of the body's radius are one.
+const ALIKE: f64 = 1e-3;
+
+/// Whether each of some triangles (metres from a point of the axis, which is y) is of a body of revolution.
+pub(crate) fn are_of_revolution(triangles_m: &[[DVec3; 3]]) -> Vec<bool> {
+    let outlines: Vec<Outline> = triangles_m.iter().map(Outline::of).collect();
+    let radius_m = triangles_m.iter().flatten().map(|p| p.x.hypot(p.z)).fold(0.0, f64::max);
+    let mut is_round = vec![false; triangles_m.len()];
+    for alike in alike(&outlines, ALIKE * radius_m) {
+        if closes_a_ring(&outlines, &alike) {
+            alike.into_iter().for_each(|i| is_round[i] = true);
+        }
+    }
+    is_round
+}
+
+/// Measures of a triangle that turning about the axis leaves as they are, and where it stands about it.
+struct Outline {
+    /// Distances from the axis and places along it, mean and greatest, and the perimeter, m.
+    lengths_m: [f64; 5],
+    /// Middle of the angles that it covers: of a quadrilateral's halves the same, whichever way it is split.
+    angle_rad: f64,
+    /// Angle that it covers.
+    width_rad: f64,
+}
+
+impl Outline {
+    fn of(corners_m: &[DVec3; 3]) -> Self {
+        let [a, b, c] = *corners_m;
+        let radii_m = corners_m.map(|p| p.x.hypot(p.z));
+        let middle = (a + b + c) / 3.0;
+        let middle_rad = angle(middle);
+        let from_middle = |p: &DVec3| (angle(*p) - middle_rad + 1.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+        // A corner on the axis has no angle.
+        let off_axis =
+            corners_m.iter().zip(radii_m).filter(|(_, radius)| *radius > ALIKE * radii_m[0].max(radii_m[1]));
+        let angles = off_axis.map(|(p, _)| from_middle(p));
+        let (low, high) = angles.fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+        Self {
+            lengths_m: [
+                radii_m.iter().sum::<f64>() / 3.0,
+                radii_m.into_iter().fold(0.0, f64::max),
+                middle.y,
+                a.y.max(b.y).max(c.y),
+                a.distance(b) + b.distance(c) + c.distance(a),
+            ],
+            angle_rad: (middle_rad + 0.5 * (low + high)).rem_euclid(TAU),
+            width_rad: high - low,
+        }
+    }
+}
+
+fn angle(p: DVec3) -> f64 {
+    p.z.atan2(p.x).rem_euclid(TAU)
+}
+
+/// Groups of triangles whose lengths are alike.
+fn alike(outlines: &[Outline], tolerance_m: f64) -> Vec<Vec<usize>> {
+    let mut groups: Vec<Vec<usize>> = vec![(0..outlines.len()).collect()];
+    for k in 0..5 {
+        let of = |i: usize| outlines[i].lengths_m[k];
+        groups = groups.into_iter().flat_map(|group| parted(group, of, tolerance_m)).collect();
+    }
+    groups
+}
+
+/// A group parted where one length leaps.
+fn parted(mut group: Vec<usize>, of: impl Fn(usize) -> f64, tolerance_m: f64) -> Vec<Vec<usize>> {
+    group.sort_by(|a, b| of(*a).total_cmp(&of(*b)).then(a.cmp(b)));
+    group.chunk_by(|a, b| of(*b) - of(*a) <= tolerance_m).map(<[usize]>::to_vec).collect()
+}
+
+/// Whether triangles that look alike stand in equal steps all round and leave no gap.
+fn closes_a_ring(outlines: &[Outline], alike: &[usize]) -> bool {
+    let mut angles: Vec<f64> = alike.iter().map(|&i| outlines[i].angle_rad).collect();
+    angles.sort_by(f64::total_cmp);
+    let narrowest_rad = alike.iter().map(|&i| outlines[i].width_rad).fold(f64::INFINITY, f64::min);
+    (1..=MOST_ALIKE).any(|in_sector| {
+        let sectors = angles.len() / in_sector;
+        let step_rad = TAU / sectors as f64;
+        sectors >= FEWEST_SECTORS
+            && sectors * in_sector == angles.len()
+            && narrowest_rad >= COVERED * step_rad
+            && is_repeated(&angles, in_sector, step_rad)
+    })
+}
+
+/// Whether angles that ascend are the same again after a step.
+fn is_repeated(angles: &[f64], in_sector: usize, step_rad: f64) -> bool {
+    let count = angles.len();
+    (0..count).all(|i| {
+        let turned = (angles[(i + in_sector) % count] - angles[i]).rem_euclid(TAU);
+        (turned - step_rad).abs() < 0.05 * step_rad
+    })
+}

@@ -1,0 +1,237 @@
+//! Road wheels of a mesh: of the triangles that are named as wheels', which turn about which hub.
+//!
+//! What stands apart along the vehicle and across it is a wheel of its own where it is round about y and
+//! stands on the ground: a spare wheel and a steering wheel do not. Tyres, rings and discs that are bodies of
+//! revolution look the same however far they have turned and stay with the body; facets of theirs that turned
+//! would flash, as no tyre does.
+
+use crate::revolution::are_of_revolution;
+use artifact::scene::{Mesh, RoadWheel};
+use glam::{DMat4, DVec3, DVec4};
+
+/// Difference of a wheel's length and height at most, of its height.
+const ROUND: f64 = 0.1;
+
+/// Height of a wheel's lowest point above the mesh's at most, of its height.
+const ON_GROUND: f64 = 0.25;
+
+/// Words in names of nodes, meshes and materials that tell of a road wheel.
+const WORDS: [&str; 5] = ["wheel", "tyre", "tire", "felge", "radkappe"];
+
+/// Words beside these that tell of something else.
+const OTHERS: [&str; 9] =
+    ["steering", "arch", "well", "house", "housing", "spare", "fender", "cover", "base"];
+
+/// Whether a name tells of a road wheel: `Wheel_FL`, `tyre_rubber`, `wheel_rim`, `rim`; not of a
+/// `steering_wheel`, `WheelArch` or `wheelbase`.
+pub fn names_a_wheel(name: &str) -> bool {
+    let name = name.to_lowercase();
+    let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
+    let is_rim = name.split(|c: char| !c.is_ascii_alphabetic()).any(|word| word == "rim" || word == "rims");
+    (has(&WORDS) || is_rim) && !has(&OTHERS)
+}
+
+/// Wheels of a mesh in body axes, of whose triangles some are named as wheels'.
+pub fn road_wheels(mesh: &Mesh, is_named: &[bool]) -> Vec<RoadWheel> {
+    let ground_m = mesh.vertices_m.iter().map(|v| v[2]).fold(f64::INFINITY, f64::min);
+    let named = (0..).zip(is_named).filter(|(_, is_named)| **is_named);
+    let extents: Vec<Extent> = named.map(|(triangle, _)| Extent::of(mesh, triangle)).collect();
+    let along = apart(extents, 0);
+    let wheels = along.into_iter().flat_map(|group| apart(group, 1));
+    wheels.filter_map(|group| wheel(mesh, &group, ground_m)).collect()
+}
+
+/// A triangle and the box about it.
+struct Extent {
+    triangle: u32,
+    low_m: DVec3,
+    high_m: DVec3,
+}
+
+impl Extent {
+    fn of(mesh: &Mesh, triangle: u32) -> Self {
+        let [a, b, c] = corners_m(mesh, triangle);
+        Self { triangle, low_m: a.min(b).min(c), high_m: a.max(b).max(c) }
+    }
+}
+
+fn corners_m(mesh: &Mesh, triangle: u32) -> [DVec3; 3] {
+    mesh.triangles[triangle as usize].map(|corner| DVec3::from_array(mesh.vertices_m[corner as usize]))
+}
+
+/// Groups between which nothing stands along an axis.
+fn apart(mut extents: Vec<Extent>, axis: usize) -> Vec<Vec<Extent>> {
+    extents.sort_by(|a, b| a.low_m[axis].total_cmp(&b.low_m[axis]).then(a.triangle.cmp(&b.triangle)));
+    let mut groups: Vec<Vec<Extent>> = vec![];
+    let mut reached_m = f64::NEG_INFINITY;
+    for extent in extents {
+        if extent.low_m[axis] > reached_m {
+            groups.push(vec![]);
+        }
+        reached_m = reached_m.max(extent.high_m[axis]);
+        if let Some(group) = groups.last_mut() {
+            group.push(extent);
+        }
+    }
+    groups
+}
+
+/// The wheel that a group is; `None` where it is not round or stands too high, and where nothing of it can be
+/// seen to turn.
+fn wheel(mesh: &Mesh, group: &[Extent], ground_m: f64) -> Option<RoadWheel> {
+    let low_m = group.iter().fold(DVec3::INFINITY, |low, extent| low.min(extent.low_m));
+    let high_m = group.iter().fold(DVec3::NEG_INFINITY, |high, extent| high.max(extent.high_m));
+    let size_m = high_m - low_m;
+    let is_round = (size_m.x - size_m.z).abs() <= ROUND * size_m.z;
+    if !is_round || low_m.z - ground_m > ON_GROUND * size_m.z {
+        return None;
+    }
+    let corners: Vec<[DVec3; 3]> = group.iter().map(|extent| corners_m(mesh, extent.triangle)).collect();
+    let Outline { hub_m, height_to_length } = outline(&corners, 0.5 * (low_m + high_m), size_m.z)?;
+    let rounder = DVec3::new(height_to_length, 1.0, 1.0);
+    let from_hub: Vec<[DVec3; 3]> =
+        corners.iter().map(|triangle| triangle.map(|corner| rounder * (corner - hub_m))).collect();
+    let radius_m = from_hub.iter().flatten().map(|p| p.x.hypot(p.z)).fold(0.0, f64::max);
+    let is_round = are_of_revolution(&from_hub);
+    let turning = group.iter().zip(is_round).filter(|(_, is_round)| !is_round);
+    let mut triangles: Vec<u32> = turning.map(|(extent, _)| extent.triangle).collect();
+    triangles.sort_unstable();
+    (!triangles.is_empty()).then(|| RoadWheel { hub_m: hub_m.to_array(), radius_m, triangles })
+}
+
+/// A wheel's outline: the place on the axle in its middle, and how much higher than long it is.
+struct Outline {
+    hub_m: DVec3,
+    height_to_length: f64,
+}
+
+/// The ellipse with axes along x and z through the outermost corners by least squares: corners need not stand
+/// evenly, and a vehicle that was fitted to its size has wheels a little longer than high. Which corners are
+/// outermost, the ellipse found so far tells. `None` where there is no such ellipse.
+fn outline(corners_m: &[[DVec3; 3]], middle_m: DVec3, height_m: f64) -> Option<Outline> {
+    let places: Vec<DVec3> =
+        corners_m.iter().flatten().map(|corner| (*corner - middle_m) / (0.5 * height_m)).collect();
+    let circle = (DVec3::ZERO, 1.0);
+    let (centre, height_to_length) = (0..4).try_fold(circle, |last, _| ellipse(&places, last))?;
+    Some(Outline { hub_m: middle_m + 0.5 * height_m * centre, height_to_length })
+}
+
+/// Centre and height over length of A·x² + C·z² + D·x + E·z = 1 through what is outermost of an ellipse
+/// found before.
+fn ellipse(places: &[DVec3], (centre, height_to_length): (DVec3, f64)) -> Option<(DVec3, f64)> {
+    const OUTERMOST: f64 = 0.97;
+    let radius = |p: &DVec3| (height_to_length * (p.x - centre.x)).hypot(p.z - centre.z);
+    let largest = places.iter().map(radius).fold(0.0, f64::max);
+    let (mut normal, mut right) = (DMat4::ZERO, DVec4::ZERO);
+    for p in places.iter().filter(|p| radius(p) >= OUTERMOST * largest) {
+        let row = DVec4::new(p.x * p.x, p.z * p.z, p.x, p.z);
+        normal += DMat4::from_cols(row * row.x, row * row.y, row * row.z, row * row.w);
+        right += row;
+    }
+    let [a, c, d, e] = (normal.inverse() * right).to_array();
+    let (centre, height_to_length) = (DVec3::new(-0.5 * d / a, 0.0, -0.5 * e / c), (a / c).sqrt());
+    let is_near = centre.length() < ROUND && (height_to_length - 1.0).abs() < ROUND;
+    is_near.then_some((centre, height_to_length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    /// A tube about y at a hub, of so many sectors, open at its ends.
+    fn tube(hub_m: [f64; 3], radius_m: f64, half_m: f64, sectors: usize) -> Mesh {
+        let at = |k: usize, y: f64| {
+            let (sin, cos) = (TAU * k as f64 / sectors as f64).sin_cos();
+            [hub_m[0] + radius_m * cos, hub_m[1] + y, hub_m[2] + radius_m * sin]
+        };
+        let vertices_m = (0..sectors).flat_map(|k| [at(k, -half_m), at(k, half_m)]).collect();
+        let n = 2 * sectors as u32;
+        let quad =
+            |k: u32| [[2 * k, 2 * k + 1, (2 * k + 2) % n], [2 * k + 1, (2 * k + 3) % n, (2 * k + 2) % n]];
+        Mesh { vertices_m, triangles: (0..sectors as u32).flat_map(quad).collect(), ..Mesh::default() }
+    }
+
+    /// Flat blades from the axle outwards, a gap between each and the next.
+    fn star(hub_m: [f64; 3], radius_m: f64, blades: usize) -> Mesh {
+        let at = |radius: f64, angle: f64| {
+            [hub_m[0] + radius * angle.cos(), hub_m[1], hub_m[2] + radius * angle.sin()]
+        };
+        let step = TAU / blades as f64;
+        let blade = |k: usize| {
+            let angle = step * k as f64;
+            [at(0.1 * radius_m, angle), at(radius_m, angle - 0.2 * step), at(radius_m, angle + 0.2 * step)]
+        };
+        let triangles = (0..blades as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        Mesh { vertices_m: (0..blades).flat_map(blade).collect(), triangles, ..Mesh::default() }
+    }
+
+    fn joined(parts: &[Mesh]) -> Mesh {
+        let mut all = Mesh::default();
+        for part in parts {
+            let first = all.vertices_m.len() as u32;
+            all.vertices_m.extend(&part.vertices_m);
+            all.triangles.extend(part.triangles.iter().map(|triangle| triangle.map(|i| first + i)));
+        }
+        all
+    }
+
+    #[test]
+    fn names_tell_road_wheels_from_others() {
+        for name in ["Wheel_FL", "tyre_rubber", "wheel_rim", "rim", "Wheels3", "Front Tire.001"] {
+            assert!(names_a_wheel(name), "{name}");
+        }
+        for name in ["steering_wheel", "WheelArch", "wheelbase", "trim", "primer", "wheel well", "body", ""] {
+            assert!(!names_a_wheel(name), "{name}");
+        }
+    }
+
+    #[test]
+    fn tubes_of_any_number_of_sectors_do_not_turn() {
+        for sectors in [8, 9, 24, 31, 64] {
+            let tyre = tube([1.3, 0.7, 0.33], 0.33, 0.1, sectors);
+            assert_eq!(road_wheels(&tyre, &vec![true; tyre.triangles.len()]), [], "{sectors}");
+        }
+    }
+
+    #[test]
+    fn blades_turn_and_the_tyre_about_them_does_not() {
+        for blades in [3, 5, 10, 36] {
+            let hub_m = [1.3, 0.7, 0.33];
+            let mesh = joined(&[tube(hub_m, 0.33, 0.1, 24), star(hub_m, 0.25, blades)]);
+            let found = road_wheels(&mesh, &vec![true; mesh.triangles.len()]);
+            let [wheel] = &found[..] else { panic!("{blades} blades: {found:?}") };
+            assert_eq!(wheel.triangles, (48..48 + blades as u32).collect::<Vec<_>>());
+            assert!((DVec3::from_array(wheel.hub_m) - DVec3::from_array(hub_m)).length() < 1e-9);
+            assert!((wheel.radius_m - 0.33).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn wheels_apart_are_wheels_of_their_own_and_a_spare_one_is_none() {
+        let at = |x: f64, y: f64, z: f64| joined(&[tube([x, y, z], 0.3, 0.1, 24), star([x, y, z], 0.2, 5)]);
+        let places =
+            [[1.2, 0.7, 0.3], [1.2, -0.7, 0.3], [-1.2, 0.7, 0.3], [-1.2, -0.7, 0.3], [-2.2, 0.0, 0.9]];
+        let mesh = joined(&places.map(|[x, y, z]| at(x, y, z)));
+        let found = road_wheels(&mesh, &vec![true; mesh.triangles.len()]);
+        let mut hubs: Vec<[i64; 3]> =
+            found.iter().map(|wheel| wheel.hub_m.map(|x| (10.0 * x).round() as i64)).collect();
+        hubs.sort_unstable();
+        assert_eq!(hubs, [[-12, -7, 3], [-12, 7, 3], [12, -7, 3], [12, 7, 3]]);
+        assert!(road_wheels(&mesh, &vec![false; mesh.triangles.len()]).is_empty());
+    }
+
+    #[test]
+    fn a_tyre_that_was_stretched_a_little_does_not_turn() {
+        let mut tyre = tube([0.0, 0.0, 0.3], 0.3, 0.1, 24);
+        tyre.vertices_m.iter_mut().for_each(|v| v[0] *= 1.03);
+        assert_eq!(road_wheels(&tyre, &[true; 48]), []);
+    }
+
+    #[test]
+    fn what_is_not_round_is_no_wheel() {
+        let mut mesh = star([0.0, 0.0, 0.3], 0.3, 5);
+        mesh.vertices_m.iter_mut().for_each(|v| v[0] *= 1.5);
+        assert!(road_wheels(&mesh, &[true; 5]).is_empty());
+    }
+}
