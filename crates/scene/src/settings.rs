@@ -121,7 +121,8 @@ fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training:
 /// Accuracy and physics asked for, of the section `[fidelity]`.
 pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
     let (accuracy, goal) = read_accuracy(section);
-    check_wheels(section);
+    let (echo, wheels) = (section.or_default(&ECHO), section.or_default(&WHEELS));
+    check_wheels(section, wheels, echo);
     // Refused where it is wrong; who chooses is asked of the file itself (`said.rs`), before the choice.
     let _ = section.or_default(&PLAN);
     Fidelity {
@@ -132,18 +133,17 @@ pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
         surface: section.or_default(&SURFACE),
         sides: section.or_default(&SIDES),
         nodes: section.or_default(&NODES),
-        echo: section.or_default(&ECHO),
+        echo,
         detail: section.or_default(&DETAIL),
         between_bodies: section.or_default(&BETWEEN_BODIES),
-        wheels: section.or_default(&WHEELS),
+        wheels,
         measured_every: section.or_default(&MEASURED_EVERY) as u32,
     }
 }
 
 /// Tables hold a body that is rigid while a frame lasts.
-fn check_wheels(section: &Section<'_>) {
-    let are_turning = section.or_default(&WHEELS) == Wheels::Turning;
-    if are_turning && section.or_default(&ECHO) == EchoMode::RcsTable {
+fn check_wheels(section: &Section<'_>, wheels: Wheels, echo: EchoMode) {
+    if (wheels, echo) == (Wheels::Turning, EchoMode::RcsTable) {
         section.note(WHEELS.name, Rule::Contradiction { key: WHEELS.name, other: "echo = \"rcs-table\"" });
     }
 }

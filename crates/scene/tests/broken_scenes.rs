@@ -140,6 +140,8 @@ const CASES: &[Case] = &[
     (NAME, "[fidelity]\nedges = \"yes\"\n", "3:9", "`edges` cannot be `yes`; it can be `off`, `on`"),
     (NAME, "[fidelity]\nsides = \"both\"\n", "3:9", "it can be `two`, `one`"),
     (NAME, "[fidelity]\necho = \"table\"\n", "3:8", "it can be `paths`, `rcs-table`"),
+    (NAME, "[fidelity]\nwheels = \"round\"\n", "3:10", "`wheels` cannot be `round`; it can be `still`, `turning`"),
+    (NAME, "[fidelity]\necho = \"rcs-table\"\nwheels = \"turning\"\n", "4:10", "`wheels` and `echo = \"rcs-table\"` exclude one another"),
     (NAME, "[intersection]\nlane_centres_m = [2, 5]\n", "3:18", "lanes 1 and 2 overlap: centres 3 m apart, 3.75 m wide"),
     (NAME, "[intersection]\nlane_width_m = 0\n", "3:16", "`lane_width_m` must be a number above 0"),
     // Targets.

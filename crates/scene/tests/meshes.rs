@@ -495,3 +495,69 @@ fn vehicles_of_the_project_are_read_back_as_they_were_written() {
         assert_eq!(read.statistics, written.statistics, "{name}");
     }
 }
+
+/// A tube of 24 sectors about glTF's x axis, to the left of a body, with three spokes: wheel and names of its
+/// node, mesh and material.
+fn wheel_file(node: &str, mesh: &str, material: &str) -> GlbFile {
+    let mut file = GlbFile::tetrahedron();
+    let (radius, spokes) = (0.3_f32, 3_u16);
+    let at = |x: f32, radius: f32, angle: f32| [x, radius * angle.sin(), radius * angle.cos()];
+    let step = std::f32::consts::TAU / 24.0;
+    let mut points: Vec<[f32; 3]> = vec![];
+    (0..24).for_each(|k| points.extend([-0.1, 0.1].map(|x| at(x, radius, step * k as f32))));
+    for k in 0..spokes {
+        let angle = f32::from(k) * std::f32::consts::TAU / f32::from(spokes);
+        points.extend([at(0.0, 0.02, angle), at(0.0, 0.25, angle - 0.1), at(0.0, 0.25, angle + 0.1)]);
+    }
+    let tube = (0..24_u16).flat_map(|k| {
+        let [a, b, c, d] = [2 * k, 2 * k + 1, (2 * k + 2) % 48, (2 * k + 3) % 48];
+        [a, b, c, b, d, c]
+    });
+    let corners: Vec<u16> = tube.chain(48..48 + 3 * spokes).collect();
+    let positions = file.add_accessor(floats(&points), points.len() as u64, 5126, "VEC3");
+    let bytes = corners.iter().flat_map(|i| i.to_le_bytes()).collect();
+    let indices = file.add_accessor(bytes, corners.len() as u64, 5123, "SCALAR");
+    file.set("/materials", json!([{ "name": material }]))
+        .set(
+            "/meshes",
+            json!([{ "name": mesh, "primitives": [
+            { "attributes": { "POSITION": positions }, "indices": indices, "material": 0, "mode": 4 }] }]),
+        )
+        .set(
+            "/nodes",
+            json!([{ "children": [1] },
+            { "name": node, "children": [2] },
+            { "mesh": 0, "translation": [0.7, 0.3, 1.2] }]),
+        )
+        .set("/scenes", json!([{ "nodes": [0] }]))
+}
+
+#[test]
+fn nodes_meshes_and_materials_named_so_are_wheels_whose_spokes_turn() {
+    for names in [["Wheel_FL", "", ""], ["", "front tyre", ""], ["", "", "wheel_rim"]] {
+        let [node, mesh, material] = names;
+        let read = centred(read(&wheel_file(node, mesh, material)));
+        let [wheel] = &read.wheels[..] else { panic!("{names:?}: {:?}", read.wheels) };
+        // Its origin is under its middle then.
+        assert!((wheel.hub_m[0].hypot(wheel.hub_m[1])) < 1e-6 && (wheel.hub_m[2] - 0.3).abs() < 1e-6);
+        assert!((wheel.radius_m - 0.3).abs() < 1e-6);
+        assert_eq!(wheel.triangles, [48, 49, 50], "the tube looks the same however far it has turned");
+    }
+    for names in [["body", "", ""], ["", "steering wheel", ""], ["", "", "wheel arch"]] {
+        let [node, mesh, material] = names;
+        assert_eq!(read(&wheel_file(node, mesh, material)).wheels, [], "{names:?}");
+    }
+}
+
+#[test]
+fn own_vehicles_have_their_wheels_on_the_ground() {
+    for (name, wheels) in [("car-sedan", 4), ("motorcycle-street", 2), ("truck-box", 4)] {
+        let mesh = vehicles::mesh(name, 0).unwrap();
+        assert_eq!(mesh.wheels.len(), wheels, "{name}");
+        for wheel in &mesh.wheels {
+            assert!((wheel.hub_m[2] / wheel.radius_m - 1.0).abs() < 0.04, "{name}: {:?}", wheel.hub_m);
+            let named = wheel.triangles.iter().all(|i| (*i as usize) < mesh.triangles.len());
+            assert!(named && wheel.triangles.len() > 50);
+        }
+    }
+}

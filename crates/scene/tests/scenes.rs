@@ -5,7 +5,7 @@
 use artifact::goal::Goal;
 use artifact::radar::{Multiplexing, Pattern, Polarization};
 use artifact::scene::{Pose, Role, SceneHeader, Target, TargetKind};
-use artifact::settings::{Class, EchoMode, NodeRule, Noise, Sides, Window};
+use artifact::settings::{Class, EchoMode, NodeRule, Noise, Sides, Wheels, Window};
 use radar::motion::pose_after;
 use scene::{Meshes, ReadOptions, snapshot};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -66,7 +66,7 @@ fn a_scene_of_a_name_alone_takes_the_documented_defaults() {
     let fidelity = scene.fidelity;
     assert_close(fidelity.accuracy.amplitude(), 0.1, 0.1);
     assert_eq!((fidelity.bounces, fidelity.sides, fidelity.nodes), (3, Sides::Two, NodeRule::OwnEdge));
-    assert_eq!(fidelity.echo, EchoMode::Paths);
+    assert_eq!((fidelity.echo, fidelity.wheels), (EchoMode::Paths, Wheels::Still));
     assert!(scene.targets.is_empty() && scene.meshes.is_empty());
 }
 

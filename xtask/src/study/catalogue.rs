@@ -8,7 +8,7 @@ use crate::study::page::{Age, FEWER, part_of, with_part};
 use crate::study::pages::{
     Part, ambiguity, calibration, continuity, deployment, estimates, estimates_of_errors, false_alarms,
     gates, ghosts, planner, published_levels, real_captures, references, same_bytes, sensitivity,
-    super_resolution, traced_ghosts, transmitters_in_turn,
+    super_resolution, traced_ghosts, transmitters_in_turn, wheels,
 };
 use crate::study::search;
 use crate::study::sources::{self, Places};
@@ -39,12 +39,13 @@ enum Make {
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those that are drawn.
-pub(crate) const STUDIES: [Study; 27] = [
+pub(crate) const STUDIES: [Study; 28] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
     part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
     part("second-real-car", REFERENCES, "an hour", references::SOURCES, references::second_real_car),
     part("published-levels", LEVELS_PAGE, "half an hour", published_levels::SOURCES, published_levels::part),
+    part("wheels", "docs/validation/wheels.md", "5 minutes", wheels::SOURCES, wheels::part),
     part(
         "continuity",
         "docs/validation/continuity.md",

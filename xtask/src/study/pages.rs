@@ -12,7 +12,7 @@ pub(super) mod sensitivity;
 mod signals;
 
 pub(super) use part::Part;
-pub(super) use scattering::{continuity, estimates_of_errors, gates, published_levels, references};
+pub(super) use scattering::{continuity, estimates_of_errors, gates, published_levels, references, wheels};
 pub(super) use signals::{
     ambiguity, calibration, estimates, false_alarms, ghosts, super_resolution, traced_ghosts,
     transmitters_in_turn,

@@ -1,8 +1,9 @@
-//! Wheels that turn as bodies of their own: each behind the bodies of its scene, its hub on its vehicle, which
-//! rolls without slipping.
+//! Wheels that turn as bodies of their own: each behind the bodies of its scene, its hub on its vehicle,
+//! which rolls without slipping.
 //!
-//! A frame is traced with them apart, so that whatever lights or shades them is followed as between any bodies
-//! that move against each other ([`crate::frame::moments`]); then their paths are their vehicle's again.
+//! A frame is traced with them apart, so that whatever lights or shades them is followed as between any
+//! bodies that move against each other ([`crate::frame::moments`]); then their paths are their vehicle's
+//! again.
 
 use crate::bodies::models::Models;
 use artifact::paths::PathsFrame;

@@ -268,6 +268,13 @@ impl World {
         wheels.map(|wheel| wheel.motion.turn_radps.length()).fold(0.0, f64::max)
     }
 
+    /// Speed at which a facet of a wheel goes round its hub, m/s; 0 where it is of no wheel.
+    pub(crate) fn turning_mps(&self, facet: u32) -> f64 {
+        let Some(body) = self.body_of(facet).filter(|body| body.is_wheel()) else { return 0.0 };
+        let of_facet = body.motion.at(self.facet(facet).corners_m[0]);
+        of_facet.velocity_mps.distance(body.motion.of_origin.velocity_mps)
+    }
+
     /// Whether a body of this scene is a wheel that turns.
     pub(crate) fn is_wheel(&self, body: u32) -> bool {
         self.bodies.iter().any(|of| of.target == body && of.is_wheel())

@@ -129,13 +129,14 @@ impl ExpectedWork {
 }
 
 /// Greatest distance by which the bodies of a beam's way slide past each other during the frame, in
-/// wavelengths; 0 within one body that does not turn.
+/// wavelengths, and at which a wheel of it turns; 0 within one body that is no wheel.
 fn slide_wavelengths(sampled: &SampledTree, beam: usize, world: &World, plan: &Plan<'_>) -> f64 {
     let tree = &sampled.tree;
     let mps = |facet: u32| world.motion(facet, world.facet(facet).corners_m[0]).velocity_mps;
     let own = mps(tree.beams[beam].facet);
-    let others = tree.way_back(&tree.beams[beam]).map(|mirror| mps(mirror.facet));
-    let fastest_mps = others.map(|other| own.distance(other)).fold(0.0, f64::max);
+    let met = tree.way_back(&tree.beams[beam]).map(|mirror| mirror.facet);
+    let past_mps = |facet: u32| own.distance(mps(facet)).max(world.turning_mps(facet));
+    let fastest_mps = met.map(past_mps).fold(0.0, f64::max);
     fastest_mps * plan.header.radar.frame_duration_s() / plan.band.wavelength_m()
 }
 

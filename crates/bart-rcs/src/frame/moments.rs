@@ -8,9 +8,9 @@
 //! a straight line between two θ²/8 (docs/speed.md has what was measured). Only the ways that change are
 //! traced again: bodies seen alone keep one moment.
 //!
-//! The moments lie on a grid of equal steps h from the frame's begin to its end, halved until the measured
-//! error meets the accuracy asked for; what was traced for a coarser grid is used again. Between two moments
-//! a blend errs by u(1−u)(1+u)(2−u)·h⁴f⁗/24, u from 0 to 1, in the first and last step by
+//! The moments lie on a grid of equal steps h from the frame's begin to its end, made finer until the
+//! measured error meets the accuracy asked for; what was traced for a coarser grid is used again. Between two
+//! moments a blend errs by u(1−u)(1+u)(2−u)·h⁴f⁗/24, u from 0 to 1, in the first and last step by
 //! u(1−u)(2−u)(3−u)·h⁴f⁗/24. The moment of the check is where each of the grids errs as the frame does, to
 //! 1.4 dB (a test has it).
 
@@ -28,13 +28,13 @@ use artifact::paths::{Fineness, Path, Span};
 use num_complex::Complex64;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Steps of the grids that are tried, the last ones where wheels turn.
+/// Steps of the grids that are tried, the last where wheels turn.
 ///
 /// Four would be enough at times, but at the moment of the check their blend errs 5 dB less than over the
 /// frame.
-const STEPS: [u32; 5] = [8, 16, 32, WHEEL_STEPS, 2 * WHEEL_STEPS];
+const STEPS: [u32; 4] = [8, 16, 32, WHEEL_STEPS];
 /// Steps of the finest grid, in whose places all moments are counted.
-const FINEST: u32 = 2 * WHEEL_STEPS;
+const FINEST: u32 = WHEEL_STEPS;
 /// Share of the accuracy asked for that all ways together that keep one moment may miss.
 const KEPT_SHARE: f64 = 0.5;
 /// Least share of the measured error: where what one moment misses at the frame's ends, or a grid

@@ -17,9 +17,8 @@ use std::f64::consts::TAU;
 /// Most moments that a frame of rigid bodies is split into ([`crate::frame::moments`]).
 pub const MOMENTS_MAX: u32 = 33;
 
-/// Steps from moment to moment that cells on wheels are made for; twice as many are tried, as shadows of
-/// spokes go as fast as these and their outlines turn faster than cells do.
-pub(crate) const WHEEL_STEPS: u32 = 64;
+/// Most steps from moment to moment of a frame in which wheels turn.
+pub(crate) const WHEEL_STEPS: u32 = 96;
 
 /// Plan of a frame's paths, from its header.
 pub(crate) struct Plan<'a> {

@@ -130,6 +130,9 @@ impl<'a> BodyParts<'a> {
 /// What blends a table from several moments of the frame, where that helps.
 pub(crate) type Split<'a> = dyn Fn(PathTable) -> Result<PathTable, BartError> + 'a;
 
+/// Paths of a blended table of which no finer one is tried: minutes are spent on more.
+const BLENDED_PATHS_MAX: usize = 200_000;
+
 /// Start of every attempt at a table.
 pub(crate) struct Fit<'a> {
     parts: BodyParts<'a>,
@@ -156,27 +159,27 @@ impl<'a> Fit<'a> {
     /// The table with the largest cells that meet the accuracy; the best found where none does within a few
     /// attempts.
     ///
-    /// Smaller cells follow what turns while the frame lasts, and where they do not meet the accuracy, `split`
-    /// blends their table from several moments. Large cells are blended at once where wheels turn, which no
-    /// cells follow, and where smaller ones would be more paths than all moments have.
+    /// Smaller cells follow what turns while the frame lasts, and where they do not meet the accuracy,
+    /// `split` blends their table from several moments. Large cells are blended at once where wheels turn,
+    /// which no cells follow, and where smaller ones would be more paths than all moments have.
     pub(crate) fn table(&self, split: &Split<'_>) -> Result<PathTable, BartError> {
         let BodyParts { scatterer, plan, .. } = self.parts;
         let largest_m = largest_cell_of_world_m(plan, scatterer.world);
         let split_to = |cell_m: f64| split(self.table_of(cell_m)?);
         if scatterer.world.fastest_wheel_radps() > 0.0 {
-            return self.with_smaller_cells(split_to(largest_m)?, usize::MAX, &split_to);
+            return Ok(self.with_smaller_cells(split_to(largest_m)?, BLENDED_PATHS_MAX, &split_to)?.0);
         }
         let largest = self.table_of(largest_m)?;
         let most = largest.paths.len().saturating_mul(MOMENTS_MAX as usize);
-        let best = self.with_smaller_cells(largest, most, &|cell_m| self.table_of(cell_m))?;
-        if self.is_met(&best) || best.paths.len() <= most {
+        let (best, tried) = self.with_smaller_cells(largest, most, &|cell_m| self.table_of(cell_m))?;
+        if self.is_met(&best) || tried <= most {
             return split(best);
         }
         let blended = split_to(largest_m)?;
         if blended.fineness.moments == 1 {
-            return self.with_smaller_cells(best, usize::MAX, &|cell_m| self.table_of(cell_m));
+            return Ok(self.with_smaller_cells(best, usize::MAX, &|cell_m| self.table_of(cell_m))?.0);
         }
-        let blended = self.with_smaller_cells(blended, usize::MAX, &split_to)?;
+        let (blended, _) = self.with_smaller_cells(blended, BLENDED_PATHS_MAX, &split_to)?;
         Ok(if blended.error.measured() < best.error.measured() { blended } else { best })
     }
 
@@ -185,32 +188,33 @@ impl<'a> Fit<'a> {
     }
 
     /// The best of a few tables of ever smaller cells, until one meets the accuracy or has more paths than
-    /// some.
+    /// some; and the number of paths of the last.
     fn with_smaller_cells(
         &self,
         largest: PathTable,
         most_paths: usize,
         table: &dyn Fn(f64) -> Result<PathTable, BartError>,
-    ) -> Result<PathTable, BartError> {
+    ) -> Result<(PathTable, usize), BartError> {
         const ATTEMPTS: usize = 4;
         let plan = self.parts.plan;
         let asked = plan.header.fidelity.accuracy.amplitude();
-        let mut size_m = largest.fineness.cell_m;
+        let (mut size_m, mut tried) = (largest.fineness.cell_m, largest.paths.len());
         let mut best = largest;
         for _ in 1..ATTEMPTS {
             let error = best.error.measured();
-            if error <= asked || size_m <= plan.band.wavelength_m() || best.paths.len() > most_paths {
+            if error <= asked || size_m <= plan.band.wavelength_m() || tried > most_paths {
                 break;
             }
             // Errors of freezing and of the straight line over frequency grow with the first to second power
             // of the size.
             size_m *= (0.7 * asked / error).sqrt().clamp(0.4, 0.8);
             let finer = table(size_m)?;
+            tried = finer.paths.len();
             if finer.error.measured() < error {
                 best = finer;
             }
         }
-        Ok(best)
+        Ok((best, tried))
     }
 
     fn table_of(&self, cell_m: f64) -> Result<PathTable, BartError> {
@@ -260,17 +264,17 @@ pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64, tu
 
 /// Largest side of cells on wheels, where other cells are so large; smaller as these are.
 ///
-/// While a wheel turns, a point D/2 off its node turns against it by kDω·t there and back, which no path's own
-/// motion follows. Wheels are traced at several moments where that matters, and a cubic through moments
-/// between which it turns by θ errs by 3/128·θ⁴ ([`crate::frame::moments`]): D is what a fine grid of
-/// moments follows to the accuracy asked for.
+/// While a wheel turns, a point D/2 off its node turns against it by kDω·t there and back, which no path's
+/// own motion follows. Wheels are traced at several moments where that matters, and a cubic through moments
+/// between which it turns by θ errs by 3/128·θ⁴ ([`crate::frame::moments`]): D is what half as fine a grid
+/// as the finest follows to the accuracy asked for. Outlines of shadows turn faster than cells do.
 fn wheel_cell_m(plan: &Plan<'_>, world: &World, cell_m: f64) -> f64 {
     let wheel_radps = world.fastest_wheel_radps();
     if wheel_radps == 0.0 {
         return cell_m;
     }
     let turn = (128.0 / 3.0 * plan.header.fidelity.accuracy.amplitude()).powf(0.25);
-    let step_s = plan.header.radar.frame_duration_s() / f64::from(WHEEL_STEPS);
+    let step_s = plan.header.radar.frame_duration_s() / f64::from(WHEEL_STEPS / 2);
     let wavelength_m = plan.band.wavelength_m();
     let largest_m = turn * wavelength_m / (TAU * wheel_radps * step_s);
     let finer = (cell_m / largest_cell_of_world_m(plan, world)).min(1.0);

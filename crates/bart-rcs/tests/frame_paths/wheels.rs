@@ -72,7 +72,7 @@ fn turned(scene: &(SceneHeader, SceneFrame), seconds: f64) -> (SceneHeader, Scen
     (header, frame)
 }
 
-/// Error of a frame's paths over the band at seven times of the frame, as a share of the scattering amplitude.
+/// Error of a frame's paths over the band at seven times of the frame, as a share of what scatters.
 fn true_error(scene: &(SceneHeader, SceneFrame), frame: &PathsFrame) -> f64 {
     let duration_s = scene.0.radar.frame_duration_s();
     let frequencies: Vec<f64> = (0..6).map(|i| 77e9 + 0.625e9 * (f64::from(i) + 0.37) / 6.0).collect();

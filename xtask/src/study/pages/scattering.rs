@@ -8,4 +8,5 @@ pub(crate) mod continuity;
 pub(crate) mod estimates_of_errors;
 pub(crate) mod gates;
 pub(crate) mod published_levels;
+pub(crate) mod wheels;
 pub(crate) mod references;

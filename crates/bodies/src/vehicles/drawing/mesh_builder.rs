@@ -17,42 +17,49 @@ const SMALLEST_AREA_M2: f64 = 1e-8;
 #[derive(Debug, Default)]
 pub(crate) struct Assembly {
     parts: Vec<Surface>,
-    /// Whether each is part of a road wheel.
-    are_of_wheels: Vec<bool>,
+    /// What each is part of.
+    of: Vec<PartOf>,
+}
+
+/// Whether a part belongs to a road wheel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum PartOf {
+    Body,
+    Wheel,
 }
 
 impl Assembly {
     /// Adds one more part.
     pub(crate) fn add(&mut self, part: Surface) {
-        self.push(part, false);
+        self.push(part, PartOf::Body);
     }
 
     /// Adds a part of the left side and its mirror image on the right.
     pub(crate) fn add_pair(&mut self, part: Surface) {
-        self.push(part.clone(), false);
-        self.push(part.mirrored(), false);
+        self.push(part.clone(), PartOf::Body);
+        self.push(part.mirrored(), PartOf::Body);
     }
 
     /// Adds a part of a road wheel.
     pub(crate) fn add_of_wheel(&mut self, part: Surface) {
-        self.push(part, true);
+        self.push(part, PartOf::Wheel);
     }
 
     /// Adds a part of a road wheel on the left, and its mirror image on the right.
     pub(crate) fn add_pair_of_wheels(&mut self, part: Surface) {
-        self.push(part.clone(), true);
-        self.push(part.mirrored(), true);
+        self.push(part.clone(), PartOf::Wheel);
+        self.push(part.mirrored(), PartOf::Wheel);
     }
 
     /// Adds the parts of another assembly, each changed.
     pub(crate) fn add_all(&mut self, other: Assembly, change: impl Fn(Surface) -> Surface) {
         self.parts.extend(other.parts.into_iter().map(change));
-        self.are_of_wheels.extend(other.are_of_wheels);
+        self.of.extend(other.of);
     }
 
-    fn push(&mut self, part: Surface, is_of_wheel: bool) {
+    fn push(&mut self, part: Surface, of: PartOf) {
         self.parts.push(part);
-        self.are_of_wheels.push(is_of_wheel);
+        self.of.push(of);
     }
 
     /// Parts that have been added so far.
@@ -66,8 +73,8 @@ impl Assembly {
     pub(crate) fn finish(self, name: &str, size_m: [f64; 3]) -> Mesh {
         let parts = fitted(self.parts, DVec3::from_array(size_m));
         let mut output = Output::default();
-        for (part, is_of_wheel) in parts.iter().zip(self.are_of_wheels) {
-            output.add(part, is_of_wheel);
+        for (part, of) in parts.iter().zip(self.of) {
+            output.add(part, of);
         }
         output.into_mesh(name)
     }
@@ -91,12 +98,12 @@ type Key = (Material, [u32; 3], [u32; 3]);
 
 #[derive(Default)]
 struct Output {
-    /// Triangles, and whether each is of a road wheel.
-    by_material: BTreeMap<Material, Vec<([Key; 3], bool)>>,
+    /// Triangles, and what each is part of.
+    by_material: BTreeMap<Material, Vec<([Key; 3], PartOf)>>,
 }
 
 impl Output {
-    fn add(&mut self, part: &Surface, is_of_wheel: bool) {
+    fn add(&mut self, part: &Surface, of: PartOf) {
         let part = &rounded(part);
         let around = triangles_around(part);
         let unit = |t: &Triangle| part.area_vector_m2(t).try_normalize().unwrap_or(DVec3::ZERO);
@@ -106,7 +113,7 @@ impl Output {
                 let normal = corner_normal(part, &around[i as usize], &face_normals, f, i);
                 (t.material, bits(part.points_m[i as usize]), bits(normal))
             };
-            let triangle = (t.corners.map(corner), is_of_wheel);
+            let triangle = (t.corners.map(corner), of);
             self.by_material.entry(t.material).or_default().push(triangle);
         }
     }
@@ -117,8 +124,8 @@ impl Output {
         for (slot, (material, triangles)) in self.by_material.iter().enumerate() {
             mesh.materials.push(material.name().to_owned());
             let mut index_of = BTreeMap::new();
-            for (corners, is_of_wheel) in triangles {
-                are_of_wheels.push(*is_of_wheel);
+            for (corners, of) in triangles {
+                are_of_wheels.push(*of == PartOf::Wheel);
                 let triangle = corners.map(|key| {
                     *index_of.entry(key).or_insert_with(|| {
                         mesh.vertices_m.push(key.1.map(|b| f64::from(f32::from_bits(b))));

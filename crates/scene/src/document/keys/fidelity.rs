@@ -136,7 +136,7 @@ pub(crate) const WHEELS: Key<Words<Wheels>, Or<Wheels>> = Key::new(
     "whether wheels turn as vehicles roll (micro-Doppler). Wheels are what nodes, meshes or materials of a \
      model name so (`Wheel_FL`, `tyre`, `rim`), apart along and across the vehicle, round and on the \
      ground; the project's own vehicles have them. What looks the same however far it has turned, a tyre \
-     without tread, stays ([wheels.md](wheels.md))",
+     without tread, stays ([decisions/wheels.md](decisions/wheels.md))",
 )
 .or(Wheels::Still);
 
