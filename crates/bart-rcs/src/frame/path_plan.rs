@@ -14,7 +14,7 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Most moments that a frame of rigid bodies is split into ([`crate::frame::moments`]).
+/// Most moments that a frame of rigid bodies is split into (`frame/moments.rs`).
 pub const MOMENTS_MAX: u32 = 33;
 
 /// Most steps from moment to moment of a frame in which wheels turn.

@@ -219,7 +219,10 @@ fn draw(file: &str, title: &str, seen: &Seen) -> Result<(), Failure> {
     let ends = |values: &[f64], [from, to]: [usize; 2]| [values[from], values[to]];
     let map = HeatMap {
         title: title.to_owned(),
-        notes: vec!["A car that passes 20 m away, 27° off its side; velocity grows with range.".to_owned()],
+        notes: vec![
+            "A car that passes 20 m away, 27° off its side; velocity is positive where the range grows."
+                .to_owned(),
+        ],
         x: ("range, m".into(), ends(&seen.ranges_m, [columns[0], columns[columns.len() - 1]])),
         y: ("radial velocity, m/s".into(), ends(&seen.velocities_mps, [0, rows - 1])),
         levels_db,
