@@ -198,7 +198,7 @@ mod tests {
     use artifact::radar::{
         Adc, ElementError, ElementSpread, Interferer, Pattern, PatternTable, PhaseNoise, Schedule,
     };
-    use artifact::scene::{Backscatter, Mesh, Placed, Traffic, Vehicle, Wheel};
+    use artifact::scene::{Backscatter, Mesh, Placed, RoadWheel, Traffic, Vehicle, Wheel};
     use artifact::settings::Course;
     use num_complex::Complex64;
     use serde_json::Value;
@@ -221,6 +221,7 @@ mod tests {
             material_of_triangle: vec![0],
             materials: vec!["glass".into(), "floor".into()],
             makeup: Makeup { materials, transmission: Transmission::Ignored },
+            wheels: vec![RoadWheel { hub_m: [0.5, 0.5, 0.3], radius_m: 0.3, triangles: vec![0] }],
             ..Mesh::default()
         }]
         .into();
