@@ -18,13 +18,24 @@ const ON_GROUND: f64 = 0.25;
 /// Words in names of nodes, meshes and materials that tell of a road wheel.
 const WORDS: [&str; 5] = ["wheel", "tyre", "tire", "felge", "radkappe"];
 
+/// Most triangles that are looked at: a car's wheels have some ten thousand, and a file that names millions
+/// of triangles so is no vehicle.
+const TRIANGLES_MAX: usize = 1 << 20;
+
+/// Bytes of the longest name that is looked at.
+const NAME_BYTES_MAX: usize = 256;
+
 /// Words beside these that tell of something else.
 const OTHERS: [&str; 9] =
     ["steering", "arch", "well", "house", "housing", "spare", "fender", "cover", "base"];
 
 /// Whether a name tells of a road wheel: `Wheel_FL`, `tyre_rubber`, `wheel_rim`, `rim`; not of a
-/// `steering_wheel`, `WheelArch` or `wheelbase`.
+/// `steering_wheel`, `WheelArch` or `wheelbase`, nor a name longer than any person gives, which a file may
+/// repeat for millions of parts.
 pub fn names_a_wheel(name: &str) -> bool {
+    if name.len() > NAME_BYTES_MAX {
+        return false;
+    }
     let name = name.to_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
     let is_rim = name.split(|c: char| !c.is_ascii_alphabetic()).any(|word| word == "rim" || word == "rims");
@@ -35,6 +46,9 @@ pub fn names_a_wheel(name: &str) -> bool {
 pub fn road_wheels(mesh: &Mesh, is_named: &[bool]) -> Vec<RoadWheel> {
     let ground_m = mesh.vertices_m.iter().map(|v| v[2]).fold(f64::INFINITY, f64::min);
     let named = (0..).zip(is_named).filter(|(_, is_named)| **is_named);
+    if named.clone().count() > TRIANGLES_MAX {
+        return vec![];
+    }
     let extents: Vec<Extent> = named.map(|(triangle, _)| Extent::of(mesh, triangle)).collect();
     let along = apart(extents, 0);
     let wheels = along.into_iter().flat_map(|group| apart(group, 1));
@@ -184,6 +198,7 @@ mod tests {
         for name in ["steering_wheel", "WheelArch", "wheelbase", "trim", "primer", "wheel well", "body", ""] {
             assert!(!names_a_wheel(name), "{name}");
         }
+        assert!(!names_a_wheel(&"wheel ".repeat(100)));
     }
 
     #[test]
