@@ -176,6 +176,16 @@ pub(crate) fn position_m(pose: &Pose, seconds: f64) -> DVec3 {
     RigidMotion::of(pose, seconds).origin_m
 }
 
+/// Pose of a body that brakes in a bend.
+#[cfg(test)]
+pub(crate) const IN_A_BEND: Pose = Pose {
+    position_m: [2.0, 20.0, 0.0],
+    yaw_rad: 0.4,
+    yaw_radps: 0.8,
+    velocity_mps: [3.0, -9.0, 0.5],
+    acceleration_mps2: [1.0, -3.0, 0.2],
+};
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -215,13 +225,7 @@ mod tests {
     /// Differences of images that are made of places alone, in a mirror on a body that drives a bend.
     #[test]
     fn motion_in_a_mirror_that_turns_is_that_of_the_image() {
-        let pose = Pose {
-            position_m: [2.0, 20.0, 0.0],
-            yaw_rad: 0.4,
-            yaw_radps: 0.8,
-            velocity_mps: [3.0, -9.0, 0.5],
-            acceleration_mps2: [1.0, -3.0, 0.2],
-        };
+        let pose = IN_A_BEND;
         let of_point = Motion::from_arrays([-2.0, 4.0, 1.0], [0.4, 7.0, -1.0]);
         let at = |t: f64| {
             let (body, turn) = (RigidMotion::of(&pose, t), DMat3::from_rotation_z(pose.yaw_radps * t));

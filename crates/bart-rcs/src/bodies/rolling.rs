@@ -88,17 +88,12 @@ fn pose_at(pose: &Pose, at_m: DVec3) -> Pose {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bodies::motion::IN_A_BEND;
     use radar::motion::pose_after;
 
     #[test]
     fn a_hub_goes_where_its_vehicle_takes_it() {
-        let pose = Pose {
-            position_m: [2.0, 20.0, 0.0],
-            yaw_rad: 0.4,
-            yaw_radps: 0.8,
-            velocity_mps: [3.0, -9.0, 0.5],
-            acceleration_mps2: [1.0, -3.0, 0.2],
-        };
+        let pose = IN_A_BEND;
         let at_m = DVec3::new(1.4, 0.7, 0.3);
         let hub = pose_at(&pose, at_m);
         for seconds in [0.01, 0.3, 1.0] {

@@ -277,7 +277,7 @@ impl World {
 
     /// Whether a body of this scene is a wheel that turns.
     pub(crate) fn is_wheel(&self, body: u32) -> bool {
-        self.bodies.iter().any(|of| of.target == body && of.is_wheel())
+        self.vehicle(body) != body
     }
 
     /// Distances below this are rounding, m: points so near a plane count as on it.

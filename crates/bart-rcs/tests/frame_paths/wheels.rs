@@ -166,18 +166,15 @@ fn wheels_of_a_car_that_brakes_in_a_bend_turn_with_it() {
 
 #[test]
 fn a_wheel_that_stands_is_part_of_its_car() {
-    let start = pose([-0.4, 12.0, 0.0], [0.0; 3], 0.0);
     // As drawn: it has rolled by nothing.
-    let at_origin = pose([-HUB_M.x, 12.0, 0.0], [0.0; 3], 0.0);
-    for (start, is_as_drawn) in [(start, true), (at_origin, true)] {
-        let rigid = scene(&[(car(), start)], &[], -30.0, 2);
-        let apart = turning(rigid.clone());
-        let hz = rigid.0.radar.waveform.centre_frequency_hz();
-        let [a, b] = [&rigid, &apart].map(|scene| of_paths(scene, &trace(scene), 0.0, hz)[0][0]);
-        let miss = (a - b).norm() / a.norm();
-        println!("standing: {:.1} dB", 20.0 * miss.log10());
-        assert!(is_as_drawn && miss < 0.03, "{a} {b}");
-    }
+    let start = pose([-HUB_M.x, 12.0, 0.0], [0.0; 3], 0.0);
+    let rigid = scene(&[(car(), start)], &[], -30.0, 2);
+    let apart = turning(rigid.clone());
+    let hz = rigid.0.radar.waveform.centre_frequency_hz();
+    let [a, b] = [&rigid, &apart].map(|scene| of_paths(scene, &trace(scene), 0.0, hz)[0][0]);
+    let miss = (a - b).norm() / a.norm();
+    println!("standing: {:.1} dB", 20.0 * miss.log10());
+    assert!(miss < 0.03, "{a} {b}");
 }
 
 #[test]
