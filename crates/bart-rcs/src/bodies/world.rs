@@ -304,6 +304,11 @@ impl World {
         Bend::over(self.facet(facet), &heights_m.map(|h| up * h))
     }
 
+    /// Root mean square of the areas of the bent facets beside this one, m²; 0 on a body that has none.
+    pub(crate) fn bent_area_m2(&self, facet: u32) -> f64 {
+        self.body_of(facet).map_or(0.0, |body| body.mesh.skin.bent_area_m2)
+    }
+
     /// Bytes held, about.
     pub fn bytes(&self) -> usize {
         let models: usize = self.bodies.iter().map(|body| body.mesh.bytes()).sum();

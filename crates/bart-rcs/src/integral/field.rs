@@ -3,7 +3,7 @@
 use crate::geometry::antenna::Antenna;
 use crate::geometry::plane_frame::PlaneFrame;
 use crate::integral::node::{Leg, Node};
-use crate::materials::surface_response::steepness;
+use crate::materials::surface_response::{steepness, turning};
 use crate::surface::bend::Along;
 use glam::{DVec2, DVec3};
 
@@ -113,6 +113,18 @@ impl<'a> Field<'a> {
         node.material.is_none() && node.transmit.steps.is_perfect() && node.receive.steps.is_perfect()
     }
 
+    /// How fast the weight turns with the skin's area vector, within `turn_rad` of a point of it: 1 on a
+    /// conductor. Surfaces on the way to the node do not turn with its skin.
+    pub(crate) fn turning_with_skin(&self, at: &SurfacePoint, turn_rad: f64, wavenumber_per_m: f64) -> f64 {
+        let Some(material) = self.node.material else { return 1.0 };
+        let normal = at.area.normalize_or_zero();
+        let of = |leg: &Leg| {
+            let cosine = leg.image.travel_direction_at(at.x_m).dot(normal).abs();
+            turning(material, cosine, turn_rad, wavenumber_per_m)
+        };
+        1.0 + of(self.node.transmit).max(of(self.node.receive))
+    }
+
     /// Ratio of the turning of the weights to that of directions and fields: of derivatives one to three,
     /// in units of the turning.
     ///
@@ -123,8 +135,8 @@ impl<'a> Field<'a> {
         if self.is_perfect() {
             return [5.0, 35.0, 300.0];
         }
-        let own = self.node.material.map_or(0.0, |material| steepness(material, wavenumber_per_m));
         let ways = [self.node.transmit, self.node.receive].map(|leg| leg.steps.steepness(wavenumber_per_m));
+        let own = self.node.material.map_or(0.0, |material| steepness(material, wavenumber_per_m));
         let m = own + ways[0] + ways[1];
         [5.0 + m, 35.0 + 10.0 * m + m * m, 300.0 + 105.0 * m + 15.0 * m * m + m * m * m]
     }

@@ -158,8 +158,10 @@ impl Smoothness {
         let weight_derivatives = [turns[0] * t, turns[1] * t * t, turns[2] * t * t * t];
         // A way of ds along the plane is (1 + slope²)^½ ds along the skin, whose height follows the wave
         // along its normal; the area vector turns with the slope, and the weight w times as fast, for the
-        // reflection's coefficient turns with it.
-        let (steep, w) = (at.area.length() + along.turn, turns[0] - 4.0);
+        // coefficient of the reflection at the node turns with it.
+        let steep = at.area.length() + along.turn;
+        let w =
+            if field.is_bent() { field.turning_with_skin(&at, along.turn, wavenumber_per_m) } else { 1.0 };
         let nearness: f64 = nearness_per_m.iter().sum();
         let phase_of_height_per_m =
             wavenumber_per_m * (field.both_directions(x_m).dot(field.node.normal).abs() + nearness * reach_m);

@@ -111,7 +111,8 @@ impl<'a> Scatterer<'a> {
         accuracy: f64,
     ) -> Estimate<Vec<Amplitude>> {
         let node = self.node(joint, part);
-        let accuracy = node.accuracy(part.reference_m, wavenumbers_per_m, accuracy);
+        let accuracy =
+            self.allowed(joint.forward, &node) * node.accuracy(part.reference_m, wavenumbers_per_m, accuracy);
         let mut estimate = node_amplitudes(&node, part.reference_m, wavenumbers_per_m, accuracy);
         estimate.error *= joint.weight;
         for (amplitude, k) in estimate.value.iter_mut().zip(wavenumbers_per_m) {
@@ -159,7 +160,8 @@ impl<'a> Scatterer<'a> {
     ) {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
         let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
-        let accuracy = node.accuracy(reference_m, request.wavenumbers_per_m, request.accuracy);
+        let accuracy = self.allowed(joint.forward, &node)
+            * node.accuracy(reference_m, request.wavenumbers_per_m, request.accuracy);
         let field = Field::new(&node, reference_m, accuracy);
         let (spread, length_m) = self.way_from(origin_m, self.apparent_m(joint, reference_m));
         for_each_tile(&field, highest_per_m, &mut |tile, _| {
@@ -177,9 +179,15 @@ impl<'a> Scatterer<'a> {
     ) -> u64 {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
         let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
-        let accuracy = node.accuracy(reference_m, request.wavenumbers_per_m, request.accuracy);
+        let accuracy = self.allowed(joint.forward, &node)
+            * node.accuracy(reference_m, request.wavenumbers_per_m, request.accuracy);
         let highest_per_m = request.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
         count_tiles(&Field::new(&node, reference_m, accuracy), highest_per_m, most)
+    }
+
+    /// [`Node::allowance`] beside the bent facets of the beam's body.
+    fn allowed(&self, forward: u32, node: &Node<'_>) -> f64 {
+        node.allowance(self.world.bent_area_m2(self.trees.transmit().beams[forward as usize].facet))
     }
 
     fn node<'p>(&'p self, joint: &Joint, part: &Part<'p>) -> Node<'p> {
@@ -214,7 +222,7 @@ impl<'a> Scatterer<'a> {
             receive: leg,
             bracket,
         };
-        let accuracy = node.accuracy(reference_m, &[highest_per_m], accuracy);
+        let accuracy = self.allowed(beam, &node) * node.accuracy(reference_m, &[highest_per_m], accuracy);
         let mut count = 0;
         for_each_tile(&Field::new(&node, reference_m, accuracy), highest_per_m, &mut |_, _| count += 1);
         count

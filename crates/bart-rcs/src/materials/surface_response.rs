@@ -6,6 +6,7 @@ use artifact::material::{Layer, Material, Thickness};
 use glam::DVec3;
 use num_complex::Complex64;
 use radar::complex_vector::ComplexVector;
+use std::f64::consts::FRAC_PI_2;
 
 /// Reflection coefficients at a cosine of the angle to the normal.
 pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64) -> PolarizationPair {
@@ -114,6 +115,35 @@ pub(crate) fn steepness(material: &Material, wavenumber_per_m: f64) -> f64 {
         }),
     }
 }
+
+/// Rate at which reflected fields turn with the normal beside those of a conductor, per radian, within
+/// `turn_rad` of an angle of incidence: the local [`steepness`].
+///
+/// The fields beside a conductor's are |r − r_PEC| as large and turn with ŝ and p̂; their coefficients are
+/// sampled at three angles. Paint of 0.1 mm has 0.6 up to 45° and 10 at 83°, where TM passes its Brewster
+/// angle; for all angles together no less than 5.5 is known.
+pub(crate) fn turning(material: &Material, cosine: f64, turn_rad: f64, wavenumber_per_m: f64) -> f64 {
+    if matches!(material, Material::Conductor) {
+        return 0.0;
+    }
+    let angle_rad = cosine.clamp(0.0, 1.0).acos();
+    let step_rad = turn_rad.clamp(LEAST_STEP_RAD, 0.5);
+    let at = |steps: f64| {
+        let angle_rad = (angle_rad + steps * step_rad).abs().min(FRAC_PI_2);
+        let PolarizationPair { te, tm } = reflection(material, angle_rad.cos(), wavenumber_per_m);
+        [te, tm]
+    };
+    let [before, here, after] = [-1.0, 0.0, 1.0].map(at);
+    let of = |p: usize, conductor: Complex64| {
+        let first = (after[p] - before[p]).norm() / (2.0 * step_rad);
+        let second = (after[p] - 2.0 * here[p] + before[p]).norm().sqrt() / step_rad;
+        2.0 * (here[p] - conductor).norm() + first.max(second)
+    };
+    of(0, CONDUCTOR.te).max(of(1, CONDUCTOR.tm))
+}
+
+/// Least step between sampled angles: coefficients do not change faster but at grazing incidence.
+const LEAST_STEP_RAD: f64 = 0.02;
 
 /// Way there and back in the layers times their refractive index, m: how fast the coefficients turn with the
 /// wavenumber.

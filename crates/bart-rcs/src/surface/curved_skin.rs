@@ -11,7 +11,7 @@ use crate::surface::bend::{Bend, ControlHeights};
 use crate::surface::curved_edge::{Curve, CurvedEdge, rejected};
 use crate::surface::made_normals::{Facets, made_normals};
 use crate::surface::refinement::{BendLimits, BentSide, BentTriangle, EdgeDirection, count, refined};
-use crate::surface::skin_triangles::SkinTriangles;
+use crate::surface::skin_triangles::{SkinTriangles, bent_area_m2};
 use artifact::scene::Mesh;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -93,7 +93,7 @@ impl CurvedSkin {
                 all.heights_m.push(heights_m);
             }
         }
-        all
+        SkinTriangles { bent_area_m2: bent_area_m2(&all.triangles_m, &all.heights_m), ..all }
     }
 }
 

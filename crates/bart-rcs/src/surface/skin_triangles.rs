@@ -1,5 +1,6 @@
 //! The triangles that stand for a mesh.
 
+use crate::geometry::clip::doubled_area;
 use crate::surface::bend::ControlHeights;
 use glam::DVec3;
 
@@ -17,6 +18,16 @@ pub(crate) struct SkinTriangles {
     pub(crate) heights_m: Vec<ControlHeights>,
     /// Relative amplitude error that they were cut for; 0 where they are the surface.
     pub(crate) error: f64,
+    /// Root mean square of the areas of bent facets, m²; 0 where facets are the surface.
+    pub(crate) bent_area_m2: f64,
+}
+
+/// Root mean square of the areas of the triangles over which a skin rises, m².
+pub(crate) fn bent_area_m2(triangles_m: &[[DVec3; 3]], heights_m: &[ControlHeights]) -> f64 {
+    let bent = triangles_m.iter().zip(heights_m).filter(|(_, heights_m)| **heights_m != [0.0; 6]);
+    let squares = bent.map(|(corners_m, _)| 0.25 * doubled_area(*corners_m).length_squared());
+    let (sum, count) = squares.fold((0.0, 0), |(sum, count), square| (sum + square, count + 1));
+    (sum / f64::from(count.max(1))).sqrt()
 }
 
 impl SkinTriangles {

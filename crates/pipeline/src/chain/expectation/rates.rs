@@ -50,6 +50,7 @@ const SECONDS: [(WorkKind, f64); ITEMS] = [
     (WorkKind::RoadBeams, 8.2e-5),
     (WorkKind::EdgeBeams, 1.8e-5),
     (WorkKind::LossyTiles, 2.6e-4),
+    (WorkKind::BentTiles, 5.0e-5),
     (WorkKind::TableTiles, 1.4e-5),
     (WorkKind::Echoes, 1.1e-7),
     (WorkKind::GroundEchoes, 8.7e-6),

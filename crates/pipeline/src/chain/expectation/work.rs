@@ -49,6 +49,8 @@ pub enum WorkKind {
     EdgeBeams,
     /// Tiles of all integrals on bodies that are no conductors.
     LossyTiles,
+    /// Tiles of all integrals, finer ones too, on skins that are taken as smooth (bent facets).
+    BentTiles,
     /// Tiles of far-field tables, each of many aspects and frequencies.
     TableTiles,
     /// Paths of bodies times channels.
@@ -92,6 +94,7 @@ impl WorkKind {
         Self::RoadBeams,
         Self::EdgeBeams,
         Self::LossyTiles,
+        Self::BentTiles,
         Self::TableTiles,
         Self::Echoes,
         Self::GroundEchoes,
