@@ -105,7 +105,7 @@ impl ExpectedWork {
         for (index, each) in sample(&sizes, SAMPLE) {
             let (beam, each) = (of_order[index], each * sampled.stands_for[of_order[index]]);
             let polygon = Lit::new(scatterer, beam as u32, plan);
-            let asked = plan.header.fidelity.accuracy.amplitude();
+            let asked = plan.asked();
             let tiles = polygon.tiles(asked);
             self.tiles[place] += each * tiles;
             let fine = polygon.tiles(0.1 * asked);

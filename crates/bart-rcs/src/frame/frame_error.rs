@@ -102,7 +102,7 @@ pub(crate) struct Fineness<'a> {
 
 impl<'a> Fineness<'a> {
     fn ten_times(wavenumbers_per_m: &'a [f64], plan: &Plan<'_>) -> Self {
-        Self { wavenumbers_per_m, accuracy: 0.1 * plan.header.fidelity.accuracy.amplitude() }
+        Self { wavenumbers_per_m, accuracy: 0.1 * plan.asked() }
     }
 
     fn integration(&self, bracket: Bracket) -> Integration<'a> {

@@ -32,7 +32,7 @@ pub(crate) fn integration_error(
     plan: &Plan<'_>,
     meetings: &[OrderJoints],
 ) -> IntegrationError {
-    let asked = plan.header.fidelity.accuracy.amplitude();
+    let asked = plan.asked();
     let count = plan.header.targets.len();
     let mut bodies: Vec<OfBody> =
         (0..count).map(|body| OfBody::at(scatterer, plan, meetings, body, asked)).collect();

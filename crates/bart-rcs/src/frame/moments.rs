@@ -51,7 +51,7 @@ pub(crate) fn split(
     reference: &Reference,
 ) -> Result<PathTable, BartError> {
     let plan = scenery.plan;
-    let asked = plan.header.fidelity.accuracy.amplitude();
+    let asked = plan.asked();
     if whole.error.measured() <= asked || !whole.error.is_mostly_freezing() {
         return Ok(whole);
     }
@@ -208,7 +208,7 @@ fn bodies(path: &Path) -> Vec<u32> {
 /// together miss a half of the accuracy asked for there, as an amplitude. None where what they miss does not
 /// explain the error measured.
 fn ways_that_change(plan: &Plan<'_>, middle: &PathTable, ends: [(f64, &[Path]); 2]) -> BodyWays {
-    let asked = plan.header.fidelity.accuracy.amplitude();
+    let asked = plan.asked();
     let power = power_over_frame(&middle.paths, plan);
     let mut left = (KEPT_SHARE * asked / MARGIN).powi(2) * power;
     let of_middle = by_way(&middle.paths);

@@ -4,6 +4,7 @@ use crate::beams::beam::TraceSettings;
 use crate::frame::path_sum::PathView;
 use crate::joins::join::tree_order;
 use crate::oversight::progress::Progress;
+use crate::surface::skin::share_beside;
 use crate::table::meeting::MeetingSettings;
 use artifact::paths::Amplitude;
 use artifact::scene::SceneHeader;
@@ -53,6 +54,13 @@ impl<'a> Plan<'a> {
         let position_m = DVec3::from_array(header.radar.position_m);
         let check_m = checked_from_m(&header.radar);
         Self { header, position_m, band, trace, middle_s, check_s, check_m, progress }
+    }
+
+    /// Relative amplitude error that the frame's paths may have: what facets in place of a skin leave of the
+    /// accuracy asked for.
+    pub(crate) fn asked(&self) -> f64 {
+        let Fidelity { accuracy, surface, .. } = self.header.fidelity;
+        share_beside(surface) * accuracy.amplitude()
     }
 
     /// The element of a 2 × 2 amplitude that the radar's antennas send and receive: errors are told of it.

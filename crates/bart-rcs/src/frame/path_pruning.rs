@@ -23,7 +23,7 @@ const SHARE: f64 = 0.3;
 /// that target's: a weak target loses no more of itself than a strong one. Wheels are part of their vehicle.
 pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
     let view = plan.view(plan.middle_s);
-    let most = (SHARE * plan.header.fidelity.accuracy.amplitude()).powi(2);
+    let most = (SHARE * plan.asked()).powi(2);
     let powers: Vec<f64> = paths.iter().map(|path| power(path, plan, &view)).collect();
     let mut keep = vec![true; paths.len()];
     let mut dropped_power = 0.0;

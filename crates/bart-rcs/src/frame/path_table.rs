@@ -56,11 +56,7 @@ pub(crate) fn paths_along(
 
 /// Accuracy of each body; one that was not there yet is taken as finely as the finest.
 fn accuracy_of_body(plan: &Plan<'_>, fineness: &Fineness) -> Vec<f64> {
-    let finest = fineness
-        .integrals
-        .iter()
-        .map(|of| of.accuracy)
-        .fold(plan.header.fidelity.accuracy.amplitude(), f64::min);
+    let finest = fineness.integrals.iter().map(|of| of.accuracy).fold(plan.asked(), f64::min);
     let of_body =
         |id: &str| fineness.integrals.iter().find(|of| of.body == id).map_or(finest, |of| of.accuracy);
     plan.header.targets.iter().map(|target| of_body(&target.id)).collect()
@@ -184,7 +180,7 @@ impl<'a> Fit<'a> {
     }
 
     fn is_met(&self, table: &PathTable) -> bool {
-        table.error.measured() <= self.parts.plan.header.fidelity.accuracy.amplitude()
+        table.error.measured() <= self.parts.plan.asked()
     }
 
     /// The best of a few tables of ever smaller cells, until one meets the accuracy or has more paths than
@@ -197,7 +193,7 @@ impl<'a> Fit<'a> {
     ) -> Result<(PathTable, usize), BartError> {
         const ATTEMPTS: usize = 4;
         let plan = self.parts.plan;
-        let asked = plan.header.fidelity.accuracy.amplitude();
+        let asked = plan.asked();
         let (mut size_m, mut tried) = (largest.fineness.cell_m, largest.paths.len());
         let mut best = largest;
         for _ in 1..ATTEMPTS {
@@ -273,7 +269,7 @@ fn wheel_cell_m(plan: &Plan<'_>, world: &World, cell_m: f64) -> f64 {
     if wheel_radps == 0.0 {
         return cell_m;
     }
-    let turn = (128.0 / 3.0 * plan.header.fidelity.accuracy.amplitude()).powf(0.25);
+    let turn = (128.0 / 3.0 * plan.asked()).powf(0.25);
     let step_s = plan.header.radar.frame_duration_s() / f64::from(WHEEL_STEPS / 2);
     let wavelength_m = plan.band.wavelength_m();
     let largest_m = turn * wavelength_m / (TAU * wheel_radps * step_s);

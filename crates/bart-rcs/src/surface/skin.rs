@@ -39,9 +39,22 @@ pub enum Role {
 /// this allows, and says so.
 const FACETS_MAX: usize = 1 << 19;
 
+/// Share of the accuracy asked for that facets in place of a skin may take; the rest is left for all else.
+const SKIN_SHARE: f64 = 0.6;
+
+/// Share of the accuracy asked for that a skin of [`SKIN_SHARE`] leaves: √(1 − 0.6²). Flat facets are the
+/// surface, and leave all of it.
+pub(crate) fn share_beside(surface: Surface) -> f64 {
+    match surface {
+        Surface::Flat => 1.0,
+        Surface::Smooth => (1.0 - SKIN_SHARE * SKIN_SHARE).sqrt(),
+    }
+}
+
 impl Skin {
-    /// Skin that a run asks for.
+    /// Skin that a run asks for, with its share of the run's accuracy.
     pub fn of(surface: Surface, accuracy: Accuracy, wavelength_m: f64, bounces: u8) -> Self {
+        let accuracy = accuracy.share(SKIN_SHARE);
         let role = if bounces > 1 { Role::Mirrors } else { Role::Scatterers };
         match surface {
             Surface::Flat => Self::Flat,
