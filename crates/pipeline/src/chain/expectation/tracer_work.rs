@@ -54,7 +54,7 @@ fn add_measured(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     let fine = look.work.fine_tiles.map(|tiles| look.facets * tiles);
     work.add(WorkKind::FineTiles, fine[0]);
     work.add(WorkKind::LaterFineTiles, fine[1]);
-    add_bent(header, fine[0] + fine[1], work);
+    add_skins(header, fine[0] + fine[1], work);
     work.add(WorkKind::LongTiles, look.facets * look.work.long_tiles);
     work.add(WorkKind::MeasuredCells, look.cells * look.work.smaller_cells);
     work.add(WorkKind::Cells, look.cells * look.work.largest_cells);
@@ -84,13 +84,14 @@ fn add_tiles(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     let tiles = look.work.tiles.map(|tiles| look.facets * tiles);
     work.add(WorkKind::Tiles, tiles[0]);
     work.add(WorkKind::LaterTiles, tiles[1]);
-    add_bent(header, tiles[0] + tiles[1], work);
-    if header.meshes.iter().any(|mesh| !mesh.makeup.conducts_all_over()) {
-        work.add(WorkKind::LossyTiles, tiles[0] + tiles[1]);
-    }
+    add_skins(header, tiles[0] + tiles[1], work);
 }
 
-fn add_bent(header: &SceneHeader, tiles: f64, work: &mut WorkCounts) {
+/// Adds what tiles take more where bodies are no conductors, and where their skins are bent.
+fn add_skins(header: &SceneHeader, tiles: f64, work: &mut WorkCounts) {
+    if header.meshes.iter().any(|mesh| !mesh.makeup.conducts_all_over()) {
+        work.add(WorkKind::LossyTiles, tiles);
+    }
     if header.fidelity.surface == Surface::Smooth {
         work.add(WorkKind::BentTiles, tiles);
     }

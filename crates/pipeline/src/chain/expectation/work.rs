@@ -47,7 +47,7 @@ pub enum WorkKind {
     RoadBeams,
     /// Lit polygons whose edges diffract.
     EdgeBeams,
-    /// Tiles of all integrals on bodies that are no conductors.
+    /// Tiles of all integrals, finer ones too, on bodies that are no conductors.
     LossyTiles,
     /// Tiles of all integrals, finer ones too, on skins that are taken as smooth (bent facets).
     BentTiles,
