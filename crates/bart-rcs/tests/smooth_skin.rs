@@ -274,8 +274,8 @@ fn paint() -> (Material, Complex64) {
     let n = layer.permittivity.sqrt();
     let front = (1.0 - n) / (1.0 + n);
     let way = (Complex64::new(0.0, -2.0 * K * layer.thickness_m) * n).exp();
-    let metal = Backing::Metal;
-    let material = Material::Layers { layers: vec![layer], backing: metal, thickness: Thickness::Exact };
+    let (backing, thickness) = (Backing::Metal, Thickness::Exact);
+    let material = Material::Layers { layers: vec![layer], backing, thickness };
     (material, (front - way) / (1.0 - front * way))
 }
 

@@ -113,10 +113,11 @@ impl<'a> Field<'a> {
         node.material.is_none() && node.transmit.steps.is_perfect() && node.receive.steps.is_perfect()
     }
 
-    /// How fast the weight turns with the skin's area vector, within `turn_rad` of a point of it: 1 on a
-    /// conductor. Surfaces on the way to the node do not turn with its skin.
+    /// Rate at which the weight turns with the skin's area vector, within `turn_rad` of a point of it: 1 on a
+    /// conductor, and on a flat facet, which does not turn. Surfaces on the way to the node do not turn with
+    /// its skin.
     pub(crate) fn turning_with_skin(&self, at: &SurfacePoint, turn_rad: f64, wavenumber_per_m: f64) -> f64 {
-        let Some(material) = self.node.material else { return 1.0 };
+        let Some(material) = self.node.material.filter(|_| self.is_bent()) else { return 1.0 };
         let normal = at.area.normalize_or_zero();
         let of = |leg: &Leg| {
             let cosine = leg.image.travel_direction_at(at.x_m).dot(normal).abs();
@@ -135,8 +136,8 @@ impl<'a> Field<'a> {
         if self.is_perfect() {
             return [5.0, 35.0, 300.0];
         }
-        let ways = [self.node.transmit, self.node.receive].map(|leg| leg.steps.steepness(wavenumber_per_m));
         let own = self.node.material.map_or(0.0, |material| steepness(material, wavenumber_per_m));
+        let ways = [self.node.transmit, self.node.receive].map(|leg| leg.steps.steepness(wavenumber_per_m));
         let m = own + ways[0] + ways[1];
         [5.0 + m, 35.0 + 10.0 * m + m * m, 300.0 + 105.0 * m + 15.0 * m * m + m * m * m]
     }

@@ -85,16 +85,13 @@ impl Node<'_> {
         (accuracy / strength).min(accuracy.max(0.5))
     }
 
-    /// How much larger the relative error may be than on a bent facet of `common_m2`: of smaller ones all
-    /// may err by as much as one of those, 1 on flat facets.
+    /// Ratio of the relative error that this bent facet may have to that of one of `common_m2`: smaller ones
+    /// may err by as much, in all, as one of those.
     ///
     /// With N facets of the root mean square area a, N·a·e is added to the bound Σ Aᵢ·e of the sum, and less
     /// than the same power where errors have phases of their own. Slivers, whose skins turn within
     /// millimetres, take as many tiles as panels do otherwise.
     pub(crate) fn allowance(&self, common_m2: f64) -> f64 {
-        if self.bend.is_none() {
-            return 1.0;
-        }
         (common_m2 / (0.5 * doubled_area(self.corners_m.iter().copied()).length())).max(1.0)
     }
 }

@@ -160,8 +160,7 @@ impl Smoothness {
         // along its normal; the area vector turns with the slope, and the weight w times as fast, for the
         // coefficient of the reflection at the node turns with it.
         let steep = at.area.length() + along.turn;
-        let w =
-            if field.is_bent() { field.turning_with_skin(&at, along.turn, wavenumber_per_m) } else { 1.0 };
+        let w = field.turning_with_skin(&at, along.turn, wavenumber_per_m);
         let nearness: f64 = nearness_per_m.iter().sum();
         let phase_of_height_per_m =
             wavenumber_per_m * (field.both_directions(x_m).dot(field.node.normal).abs() + nearness * reach_m);

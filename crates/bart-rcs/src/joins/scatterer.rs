@@ -111,8 +111,7 @@ impl<'a> Scatterer<'a> {
         accuracy: f64,
     ) -> Estimate<Vec<Amplitude>> {
         let node = self.node(joint, part);
-        let accuracy =
-            self.allowed(joint.forward, &node) * node.accuracy(part.reference_m, wavenumbers_per_m, accuracy);
+        let accuracy = self.accuracy(joint.forward, &node, part.reference_m, (wavenumbers_per_m, accuracy));
         let mut estimate = node_amplitudes(&node, part.reference_m, wavenumbers_per_m, accuracy);
         estimate.error *= joint.weight;
         for (amplitude, k) in estimate.value.iter_mut().zip(wavenumbers_per_m) {
@@ -160,8 +159,8 @@ impl<'a> Scatterer<'a> {
     ) {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
         let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
-        let accuracy = self.allowed(joint.forward, &node)
-            * node.accuracy(reference_m, request.wavenumbers_per_m, request.accuracy);
+        let asked = (request.wavenumbers_per_m, request.accuracy);
+        let accuracy = self.accuracy(joint.forward, &node, reference_m, asked);
         let field = Field::new(&node, reference_m, accuracy);
         let (spread, length_m) = self.way_from(origin_m, self.apparent_m(joint, reference_m));
         for_each_tile(&field, highest_per_m, &mut |tile, _| {
@@ -179,15 +178,21 @@ impl<'a> Scatterer<'a> {
     ) -> u64 {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
         let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
-        let accuracy = self.allowed(joint.forward, &node)
-            * node.accuracy(reference_m, request.wavenumbers_per_m, request.accuracy);
+        let asked = (request.wavenumbers_per_m, request.accuracy);
+        let accuracy = self.accuracy(joint.forward, &node, reference_m, asked);
         let highest_per_m = request.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
         count_tiles(&Field::new(&node, reference_m, accuracy), highest_per_m, most)
     }
 
-    /// [`Node::allowance`] beside the bent facets of the beam's body.
-    fn allowed(&self, forward: u32, node: &Node<'_>) -> f64 {
-        node.allowance(self.world.bent_area_m2(self.trees.transmit().beams[forward as usize].facet))
+    /// [`Node::accuracy`] of a node on a beam, at wavenumbers; looser on facets smaller than the bent ones of
+    /// their body ([`Node::allowance`]).
+    fn accuracy(&self, forward: u32, node: &Node<'_>, at_m: DVec3, asked: (&[f64], f64)) -> f64 {
+        let accuracy = node.accuracy(at_m, asked.0, asked.1);
+        if node.bend.is_none() {
+            return accuracy;
+        }
+        let facet = self.trees.transmit().beams[forward as usize].facet;
+        node.allowance(self.world.bent_area_m2(facet)) * accuracy
     }
 
     fn node<'p>(&'p self, joint: &Joint, part: &Part<'p>) -> Node<'p> {
@@ -222,7 +227,7 @@ impl<'a> Scatterer<'a> {
             receive: leg,
             bracket,
         };
-        let accuracy = self.allowed(beam, &node) * node.accuracy(reference_m, &[highest_per_m], accuracy);
+        let accuracy = self.accuracy(beam, &node, reference_m, (&[highest_per_m], accuracy));
         let mut count = 0;
         for_each_tile(&Field::new(&node, reference_m, accuracy), highest_per_m, &mut |_, _| count += 1);
         count
