@@ -126,8 +126,9 @@ impl<'a> BodyParts<'a> {
 /// What blends a table from several moments of the frame, where that helps.
 pub(crate) type Split<'a> = dyn Fn(PathTable) -> Result<PathTable, BartError> + 'a;
 
-/// Paths of a blended table of which no finer one is tried: minutes are spent on more.
-const BLENDED_PATHS_MAX: usize = 200_000;
+/// Paths of a table of which no finer one is tried where that is not all that is left: minutes are spent on
+/// more, and gigabytes.
+const REFINED_PATHS_MAX: usize = 200_000;
 
 /// Start of every attempt at a table.
 pub(crate) struct Fit<'a> {
@@ -163,7 +164,7 @@ impl<'a> Fit<'a> {
         let largest_m = largest_cell_of_world_m(plan, scatterer.world);
         let split_to = |cell_m: f64| split(self.table_of(cell_m)?);
         if scatterer.world.fastest_wheel_radps() > 0.0 {
-            return Ok(self.with_smaller_cells(split_to(largest_m)?, BLENDED_PATHS_MAX, &split_to)?.0);
+            return Ok(self.with_smaller_cells(split_to(largest_m)?, REFINED_PATHS_MAX, &split_to)?.0);
         }
         let largest = self.table_of(largest_m)?;
         let most = largest.paths.len().saturating_mul(MOMENTS_MAX as usize);
@@ -173,9 +174,9 @@ impl<'a> Fit<'a> {
         }
         let blended = split_to(largest_m)?;
         if blended.fineness.moments == 1 {
-            return Ok(self.with_smaller_cells(best, usize::MAX, &|cell_m| self.table_of(cell_m))?.0);
+            return Ok(self.with_smaller_cells(best, REFINED_PATHS_MAX, &|cell_m| self.table_of(cell_m))?.0);
         }
-        let (blended, _) = self.with_smaller_cells(blended, BLENDED_PATHS_MAX, &split_to)?;
+        let (blended, _) = self.with_smaller_cells(blended, REFINED_PATHS_MAX, &split_to)?;
         Ok(if blended.error.measured() < best.error.measured() { blended } else { best })
     }
 
@@ -183,8 +184,8 @@ impl<'a> Fit<'a> {
         table.error.measured() <= self.parts.plan.asked()
     }
 
-    /// The best of a few tables of ever smaller cells, until one meets the accuracy or has more paths than
-    /// some; and the number of paths of the last.
+    /// The best of a few tables of ever smaller cells, until one meets the accuracy, has more paths than some,
+    /// or promises nothing of smaller ones; and the number of paths of the last.
     fn with_smaller_cells(
         &self,
         largest: PathTable,
@@ -194,7 +195,8 @@ impl<'a> Fit<'a> {
         const ATTEMPTS: usize = 4;
         let plan = self.parts.plan;
         let asked = plan.asked();
-        let (mut size_m, mut tried) = (largest.fineness.cell_m, largest.paths.len());
+        let (first_m, first) = (largest.fineness.cell_m, largest.error.measured());
+        let (mut size_m, mut tried) = (first_m, largest.paths.len());
         let mut best = largest;
         for _ in 1..ATTEMPTS {
             let error = best.error.measured();
@@ -208,6 +210,10 @@ impl<'a> Fit<'a> {
             tried = finer.paths.len();
             if finer.error.measured() < error {
                 best = finer;
+            }
+            let left = left_without_cells(first, best.error.measured(), size_m / first_m);
+            if size_m < TELLING * first_m && left > asked && best.error.measured() < WORTH_TRYING * left {
+                break;
             }
         }
         Ok((best, tried))
@@ -232,6 +238,20 @@ impl<'a> Fit<'a> {
         let fineness = Fineness { cell_m, integrals, moments: 1, ways: vec![] };
         Ok(PathTable { paths, fineness, error, given_up, strongest_dropped, bytes: 0 })
     }
+}
+
+/// Smaller cells are not tried where none of any size would make the error less than so many times smaller
+/// and meet the accuracy: 1 dB.
+const WORTH_TRYING: f64 = 1.12;
+/// Cells larger than so many times the first ones tell nothing of smaller ones: a few paths meet or miss the
+/// check's moment by chance, and what moments leave of large cells is not known before it is tried.
+const TELLING: f64 = 0.35;
+
+/// What cells of no size would leave of an error `coarse` that cells `factor` times as large have made
+/// `fine`: their part of the power falls with the square of their size at least.
+fn left_without_cells(coarse: f64, fine: f64, factor: f64) -> f64 {
+    let by_cells = (coarse.powi(2) - fine.powi(2)) / (1.0 - factor.powi(2));
+    (coarse.powi(2) - by_cells.max(0.0)).max(0.0).sqrt()
 }
 
 /// Largest side of the cells that one node, one amplitude and its slope may stand for; smaller ones are tried
@@ -317,5 +337,23 @@ fn path_of(cell: &Cell, band: &SampledBand, seconds: f64) -> Path {
         slope_m_per_hz,
         facets: cell.facets,
         curve: Curve { apparent_tx_mps2: tx_mps2, apparent_rx_mps2: rx_mps2, ..Curve::default() },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn smaller_cells_leave_what_cells_do_not_make() {
+        // Cells make all of it, in proportion to their size.
+        assert!(left_without_cells(0.3, 0.15, 0.5) < 1e-9);
+        // 3 of 5 are of cells, as amplitudes: √(0.3² + 0.4²), and √(0.15² + 0.4²) with cells of half the size.
+        assert!(
+            (left_without_cells(0.5, (0.15_f64.powi(2) + 0.4_f64.powi(2)).sqrt(), 0.5) - 0.4).abs() < 1e-12
+        );
+        // Nothing of it: what is left is what there was, also where chance made it a little more.
+        assert_eq!(left_without_cells(0.7, 0.7, 0.4), 0.7);
+        assert!((left_without_cells(0.7, 0.71, 0.4) - 0.7).abs() < 1e-12);
     }
 }

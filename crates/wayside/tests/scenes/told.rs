@@ -96,6 +96,30 @@ fn an_accuracy_that_was_not_reached_is_said_with_what_limits_it_and_what_would_h
     assert!(!advice.as_str().unwrap_or_default().contains("Limited by"), "{advice}");
 }
 
+/// A van catches up with a bus: what three bounces send between them ends at outlines that slide by about two
+/// cycles while the frame lasts, so at both of its ends little seems to change. No cells are small enough.
+#[test]
+fn ways_between_bodies_whose_outlines_slide_by_whole_cycles_are_followed() {
+    let place = Workplace::new();
+    let vehicle = |id: &str, model: &str, seed: u64, [x, y]: [f64; 2], yaw: f64, [vx, vy]: [f64; 2]| {
+        format!(
+            "[[target]]\nkind = \"mesh\"\nid = \"{id}\"\nmodel = \"{model}\"\nvehicle_seed = {seed}\n\
+             position_m = [{x}, {y}, 0.0]\nyaw_deg = {yaw}\nvelocity_mps = [{vx}, {vy}, 0.0]\n"
+        )
+    };
+    let scene = [
+        "name = \"pair\"\nframes = 1\n[radar]\nposition_m = [0.0, 0.0, 5.141145842819826]\n[noise]\n\
+         noise_figure_db = 12.0\n[fidelity]\nbounces = 3\naccuracy_db = -10\n"
+            .to_string(),
+        vehicle("truck-1", "truck-van", 420, [1.900757, 49.225254], -89.963248, [0.007104, -11.0745]),
+        vehicle("bus-1", "bus-school", 776, [5.969147, 38.898523], -87.24693, [0.139205, -2.894853]),
+    ];
+    write(&place, "pair.toml", &scene.concat());
+    let told = place.run("paths pair.toml --out a.paths --quiet --memory-limit 1024");
+    println!("{told}");
+    assert!(told.contains("−10.0 dB asked: reached"), "{told}");
+}
+
 #[test]
 fn a_part_that_is_no_error_is_null_and_is_said_nowhere() {
     let place = Workplace::new();
