@@ -174,7 +174,8 @@ impl<'a> Fit<'a> {
         }
         let blended = split_to(largest_m)?;
         if blended.fineness.moments == 1 {
-            return Ok(self.with_smaller_cells(best, REFINED_PATHS_MAX, &|cell_m| self.table_of(cell_m))?.0);
+            let table = |cell_m: f64| self.table_of(cell_m);
+            return Ok(self.with_smaller_cells(best, REFINED_PATHS_MAX, &table)?.0);
         }
         let (blended, _) = self.with_smaller_cells(blended, REFINED_PATHS_MAX, &split_to)?;
         Ok(if blended.error.measured() < best.error.measured() { blended } else { best })
@@ -184,8 +185,8 @@ impl<'a> Fit<'a> {
         table.error.measured() <= self.parts.plan.asked()
     }
 
-    /// The best of a few tables of ever smaller cells, until one meets the accuracy, has more paths than some,
-    /// or promises nothing of smaller ones; and the number of paths of the last.
+    /// The best of a few tables of ever smaller cells, until one meets the accuracy, has more paths than
+    /// some, or promises nothing of smaller ones; and the number of paths of the last.
     fn with_smaller_cells(
         &self,
         largest: PathTable,
@@ -348,7 +349,7 @@ mod tests {
     fn smaller_cells_leave_what_cells_do_not_make() {
         // Cells make all of it, in proportion to their size.
         assert!(left_without_cells(0.3, 0.15, 0.5) < 1e-9);
-        // 3 of 5 are of cells, as amplitudes: √(0.3² + 0.4²), and √(0.15² + 0.4²) with cells of half the size.
+        // 0.3 of √(0.3² + 0.4²) = 0.5 are of cells; √(0.15² + 0.4²) with cells of half the size.
         assert!(
             (left_without_cells(0.5, (0.15_f64.powi(2) + 0.4_f64.powi(2)).sqrt(), 0.5) - 0.4).abs() < 1e-12
         );
