@@ -6,7 +6,7 @@ mod runs;
 
 use crate::cli::BytesArguments;
 use crate::house::folders::files_below;
-use crate::project::project_root;
+use crate::project::{project_root, this_program};
 use runs::CommandRun;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -32,8 +32,7 @@ type Sums = BTreeMap<String, String>;
 
 pub(crate) fn run(arguments: &BytesArguments) -> Result<(), Failure> {
     files::claim(std::slice::from_ref(&arguments.out))?;
-    let program = arguments.program.clone().map_or_else(std::env::current_exe, Ok);
-    let program = program.map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let program = arguments.program.clone().map_or_else(this_program, Ok)?;
     let mut sums = Sums::new();
     let runs: Vec<CommandRun> =
         runs::all(&project_root())?.into_iter().filter(|run| asked(arguments, run)).collect();

@@ -143,6 +143,12 @@ pub(crate) struct BenchArguments {
     /// Number of random scenes.
     #[arg(long, default_value_t = 100, requires = "predictions")]
     pub(crate) scenes: u64,
+    /// Scene files that are run beside the random ones; each counts six times where rates are fitted.
+    #[arg(long, value_name = "SCENE.toml", requires = "predictions")]
+    pub(crate) with: Vec<PathBuf>,
+    /// Tables of other seeds that the rates are fitted to as well, with the counts that stand in them.
+    #[arg(long, value_name = "F.csv", requires = "predictions")]
+    pub(crate) fit_with: Vec<PathBuf>,
     /// Result.
     #[arg(long, value_name = "F.json")]
     pub(crate) out: Option<PathBuf>,

@@ -1,10 +1,43 @@
 //! Places of the project's source.
 
 use std::path::{Path, PathBuf};
+use wayside::host::failure::Failure;
 
 /// The root of the workspace that this program was built from, as long as it is still there, else this
 /// folder.
 pub(crate) fn project_root() -> PathBuf {
     let built_in = Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_owned);
     built_in.filter(|p| p.join("Cargo.toml").is_file()).unwrap_or_else(|| PathBuf::from("."))
+}
+
+/// What Linux puts behind the place of a program that was removed while it runs.
+const REMOVED: &str = " (deleted)";
+
+/// This program, which carries out the commands of `wayside` too; where it was built anew while it runs, the
+/// one that stands in its place now.
+pub(crate) fn this_program() -> Result<PathBuf, Failure> {
+    let place = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    Ok(in_its_place(place))
+}
+
+fn in_its_place(place: PathBuf) -> PathBuf {
+    let built_anew = place.to_str().and_then(|place| place.strip_suffix(REMOVED)).map(PathBuf::from);
+    built_anew.filter(|anew| !place.exists() && anew.is_file()).unwrap_or(place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_built_anew_is_found_in_its_place() {
+        let folder = tempfile::tempdir().unwrap();
+        let [program, removed] = ["xtask", "xtask (deleted)"].map(|name| folder.path().join(name));
+        assert_eq!(in_its_place(removed.clone()), removed, "nothing was built in its place");
+        std::fs::write(&program, "anew").unwrap();
+        assert_eq!(in_its_place(removed.clone()), program);
+        assert_eq!(in_its_place(program.clone()), program);
+        std::fs::write(&removed, "a name of its own").unwrap();
+        assert_eq!(in_its_place(removed.clone()), removed);
+    }
 }

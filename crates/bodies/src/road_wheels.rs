@@ -45,14 +45,29 @@ pub fn names_a_wheel(name: &str) -> bool {
 /// Wheels of a mesh in body axes, of whose triangles some are named as wheels'.
 pub fn road_wheels(mesh: &Mesh, is_named: &[bool]) -> Vec<RoadWheel> {
     let ground_m = mesh.vertices_m.iter().map(|v| v[2]).fold(f64::INFINITY, f64::min);
+    groups(mesh, is_named).iter().filter_map(|group| wheel(mesh, group, ground_m)).collect()
+}
+
+/// Triangles of each wheel of a mesh in body axes, ascending, those of bodies of revolution among them; from
+/// the front to the rear, from the left to the right.
+pub(crate) fn triangles_of_wheels(mesh: &Mesh, is_named: &[bool]) -> Vec<Vec<u32>> {
+    let triangles = |group: Vec<Extent>| {
+        let mut triangles: Vec<u32> = group.into_iter().map(|extent| extent.triangle).collect();
+        triangles.sort_unstable();
+        triangles
+    };
+    groups(mesh, is_named).into_iter().rev().map(triangles).collect()
+}
+
+/// Named triangles, in groups that stand apart along the vehicle or across it; none of too many.
+fn groups(mesh: &Mesh, is_named: &[bool]) -> Vec<Vec<Extent>> {
     let named = (0..).zip(is_named).filter(|(_, is_named)| **is_named);
     if named.clone().count() > TRIANGLES_MAX {
         return vec![];
     }
     let extents: Vec<Extent> = named.map(|(triangle, _)| Extent::of(mesh, triangle)).collect();
     let along = apart(extents, 0);
-    let wheels = along.into_iter().flat_map(|group| apart(group, 1));
-    wheels.filter_map(|group| wheel(mesh, &group, ground_m)).collect()
+    along.into_iter().flat_map(|group| apart(group, 1)).collect()
 }
 
 /// A triangle and the box about it.

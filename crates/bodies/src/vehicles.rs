@@ -17,8 +17,8 @@
 //! below ρ ≈ 5 m): the stored normals are there for whoever rebuilds the curved skin first.
 //!
 //! ```
-//! let suv = bodies::vehicles::mesh("car-suv", 0).ok_or("unknown name")?;
-//! let front = suv.vertices_m.iter().map(|v| v[0]).fold(0.0, f64::max);
+//! let suv = bodies::vehicles::vehicle("car-suv", 0).ok_or("unknown name")?;
+//! let front = suv.mesh.vertices_m.iter().map(|v| v[0]).fold(0.0, f64::max);
 //! assert!((front - 2.5).abs() < 1e-6);
 //! let bytes = bodies::vehicles::glb(&suv);
 //! assert_eq!(&bytes[..4], b"glTF");
@@ -43,5 +43,6 @@ mod tests;
 #[cfg(test)]
 mod family_tests;
 
-pub use catalogue::{NAMES, class_of, crosses_of, families_of, mesh, names, ranges_m};
+pub use catalogue::{NAMES, class_of, crosses_of, families_of, mesh, names, ranges_m, vehicle};
+pub use drawing::mesh_builder::Vehicle;
 pub use glb::glb;

@@ -4,7 +4,7 @@
 
 mod glb_file;
 
-use artifact::scene::Mesh;
+use artifact::scene::{Mesh, RoadWheel};
 use glb_file::{GlbFile, floats};
 use scene::mesh::{Format, mesh_from_bytes};
 use scene::{MeshOptions, centred, read_mesh, vehicles};
@@ -421,15 +421,14 @@ fn obj_normals_and_polygons_are_read() {
 #[test]
 fn the_projects_vehicles_come_back_from_their_files() {
     for name in scene::vehicles::NAMES {
-        let made = scene::vehicles::mesh(name, 0).unwrap();
-        let bytes = scene::vehicles::glb(&made);
+        let vehicle = scene::vehicles::vehicle(name, 0).unwrap();
+        let (made, bytes) = (&vehicle.mesh, scene::vehicles::glb(&vehicle));
         let back = mesh_from_bytes(&bytes, Format::Glb, Path::new(name), &METRES).unwrap();
         assert_eq!((back.triangles.len(), back.statistics.degenerate), (made.triangles.len(), 0), "{name}");
         let names = |mesh: &Mesh| mesh.materials.iter().cloned().collect::<BTreeSet<_>>();
-        assert_eq!(names(&back), names(&made), "{name}");
+        assert_eq!(names(&back), names(made), "{name}");
         let extents = |mesh: &Mesh| [0, 1, 2].map(|axis| extent(mesh, axis));
-        for (read, written) in extents(&back).into_iter().flatten().zip(extents(&made).into_iter().flatten())
-        {
+        for (read, written) in extents(&back).into_iter().flatten().zip(extents(made).into_iter().flatten()) {
             // Files hold 32-bit floats.
             assert!(
                 (read - written).abs() <= f64::from(f32::EPSILON) * written.abs(),
@@ -479,21 +478,50 @@ fn the_shared_vehicles_read_with_the_sizes_of_their_manifest() {
 #[test]
 fn vehicles_of_the_project_are_read_back_as_they_were_written() {
     let folder = tempfile::tempdir().unwrap();
-    for name in vehicles::NAMES {
-        let written = vehicles::mesh(name, 0).unwrap();
-        let file = folder.path().join(format!("{name}.glb"));
-        std::fs::write(&file, vehicles::glb(&written)).unwrap();
+    for name in vehicles::names() {
+        let vehicle = vehicles::vehicle(name, 0).unwrap();
+        let (file, written) = (folder.path().join(format!("{name}.glb")), &vehicle.mesh);
+        std::fs::write(&file, vehicles::glb(&vehicle)).unwrap();
         let read = read_mesh(&file, &METRES).unwrap();
-        assert_eq!(read.materials, written.materials, "{name}");
-        assert_eq!(read.triangles, written.triangles, "{name}");
-        assert_eq!(read.vertices_m, written.vertices_m, "{name}");
-        for (got, asked) in read.normals.iter().zip(&written.normals) {
+        let (got, asked) = (triangles(&read), triangles(written));
+        assert_eq!(got.len(), asked.len(), "{name}");
+        for (got, asked) in got.iter().zip(&asked) {
+            assert_eq!((&got.0, got.1), (&asked.0, asked.1), "{name}");
             // The reader makes them unit vectors again: an ulp or two of single precision.
-            assert!((0..3).all(|k| (got[k] - asked[k]).abs() <= 2.4e-7), "{name}: {got:?} for {asked:?}");
+            let are_as_written = got.2.iter().zip(&asked.2).all(|(g, a)| (g - a).abs() <= 2.4e-7);
+            assert!(are_as_written, "{name}: {:?} for {:?}", got.2, asked.2);
         }
-        assert_eq!(read.material_of_triangle, written.material_of_triangle, "{name}");
         assert_eq!(read.statistics, written.statistics, "{name}");
+        check_wheels(name, &read, written);
     }
+}
+
+/// The wheels of a mesh with their triangles' places, against those of another.
+fn check_wheels(name: &str, read: &Mesh, written: &Mesh) {
+    let places = |mesh: &Mesh, wheel: &RoadWheel| {
+        let triangle =
+            |t: &u32| mesh.triangles[*t as usize].map(|c| mesh.vertices_m[c as usize].map(f64::to_bits));
+        wheel.triangles.iter().map(triangle).collect::<BTreeSet<_>>()
+    };
+    assert_eq!(read.wheels.len(), written.wheels.len(), "{name}");
+    for (got, asked) in read.wheels.iter().zip(&written.wheels) {
+        let off = got.hub_m.iter().zip(&asked.hub_m).map(|(g, a)| (g - a).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-9 && (got.radius_m - asked.radius_m).abs() < 1e-9, "{name}: {got:?} for {asked:?}");
+        assert_eq!(places(read, got), places(written, asked), "{name}");
+    }
+}
+
+/// Material, corners' bits and normals of every triangle, in the order of the first two: a file has the body
+/// first, then its wheels.
+fn triangles(mesh: &Mesh) -> Vec<(String, [[u64; 3]; 3], Vec<f32>)> {
+    let of = |(t, material): (&[u32; 3], &u16)| {
+        let places = t.map(|corner| mesh.vertices_m[corner as usize].map(f64::to_bits));
+        let normals = t.iter().flat_map(|corner| mesh.normals[*corner as usize]).collect();
+        (mesh.materials[usize::from(*material)].clone(), places, normals)
+    };
+    let mut all: Vec<_> = mesh.triangles.iter().zip(&mesh.material_of_triangle).map(of).collect();
+    all.sort_by(|a, b| (&a.0, a.1).cmp(&(&b.0, b.1)));
+    all
 }
 
 /// A tube of 24 sectors about glTF's x axis, to the left of a body, with three spokes: wheel and names of its

@@ -9,7 +9,7 @@ mod table;
 use crate::cli::BenchArguments;
 use crate::project::project_root;
 use child::Taken;
-use random_scenes::RandomScene;
+use random_scenes::{Text, TimedScene};
 use row::PredictionRow;
 use std::path::Path;
 use wayside::chain::expectation::Expectation;
@@ -29,8 +29,9 @@ use wayside::{Allowance, SceneSource};
 pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
     let known = arguments.out.as_deref().map(table::taken).transpose()?.unwrap_or_default();
-    let scenes =
+    let drawn =
         (0..arguments.scenes).map(|number| random_scenes::scene(arguments.seed, number, &project_root()));
+    let scenes = drawn.chain(arguments.with.iter().map(|file| random_scenes::of_file(file)));
     let (old, new): (Vec<_>, Vec<_>) = scenes.partition(|scene| known.contains_key(&scene.name));
     let mut rows = Vec::new();
     for scene in old.into_iter().chain(new) {
@@ -54,17 +55,26 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
         table::write(file, &rows)?;
     }
     quantiles(&rows).into_iter().for_each(terminal::line);
-    let runs: Vec<fit::TimedRun> = rows.iter().map(PredictionRow::at_reference_speed).collect();
-    terminal::line("rates that would have told these scenes best:");
+    let mut runs: Vec<fit::TimedRun> = rows.iter().flat_map(PredictionRow::at_reference_speed).collect();
+    for file in &arguments.fit_with {
+        runs.extend(table::timed_runs(file)?);
+    }
+    terminal::line(format!("rates that would have told {} runs best:", runs.len()));
     for (item, rate) in WorkKind::ALL.iter().zip(fit::rates(&runs, Expectation::rates())) {
         terminal::line(format!("    (WorkKind::{item:?}, {rate:.2e}),"));
     }
     Ok(())
 }
 
+/// So many times a scene that is named counts where rates are fitted: it is what people run.
+const NAMED: usize = 6;
+
 impl PredictionRow {
-    fn at_reference_speed(&self) -> fit::TimedRun {
-        fit::TimedRun { work: self.expected.work, seconds: self.taken.processor_s * self.taken.machine_speed }
+    /// The run on the machine of the rates, as often as it counts.
+    fn at_reference_speed(&self) -> Vec<fit::TimedRun> {
+        let seconds = self.taken.processor_s * self.taken.machine_speed;
+        let times = if matches!(self.scene.text, Text::File(_)) { NAMED } else { 1 };
+        vec![fit::TimedRun { work: self.expected.work, seconds }; times]
     }
 }
 
@@ -92,10 +102,16 @@ fn quantiles(rows: &[PredictionRow]) -> Vec<String> {
     ]
 }
 
-fn row(scene: RandomScene, folder: &Path, known: Option<&Taken>) -> Result<Option<PredictionRow>, Failure> {
-    // A file each: what was read is an input, and no input is written to.
-    let file = folder.join(format!("{}.toml", scene.name));
-    files::write_file(&file, scene.text.as_bytes())?;
+fn row(scene: TimedScene, folder: &Path, known: Option<&Taken>) -> Result<Option<PredictionRow>, Failure> {
+    let file = match &scene.text {
+        // A file each: what was read is an input, and no input is written to.
+        Text::Drawn(text) => {
+            let file = folder.join(format!("{}.toml", scene.name));
+            files::write_file(&file, text.as_bytes())?;
+            file
+        }
+        Text::File(file) => file.clone(),
+    };
     let taken = match known {
         Some(taken) => Some(*taken),
         None => child::run(&file, &folder.join("out"), scene.threads)?,

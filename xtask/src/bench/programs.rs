@@ -1,7 +1,7 @@
 //! Rivals that are programs of their own: a script that asks for NumPy, SciPy, FINUFFT or Embree, an example
 //! of ours that holds a crate. What is not installed is no failure: the row says how to get it.
 
-use crate::project::project_root;
+use crate::project::{project_root, this_program};
 use num_complex::Complex64;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -118,9 +118,8 @@ impl Language {
 
 /// Beside this program, else where the project builds.
 fn built(example: &str) -> PathBuf {
-    let beside = std::env::current_exe()
-        .ok()
-        .and_then(|program| Some(program.parent()?.join("examples").join(example)));
+    let beside =
+        this_program().ok().and_then(|program| Some(program.parent()?.join("examples").join(example)));
     let name = PathBuf::from("target/release/examples").join(example);
     beside.filter(|program| program.is_file()).unwrap_or_else(|| project_root().join(name))
 }

@@ -1,7 +1,7 @@
 //! Catalogue of all vehicles by their names: the twelve models and the families, drawn by their class.
 
 use crate::vehicles::dimensions::{Draw, SizeRange};
-use crate::vehicles::drawing::mesh_builder::Assembly;
+use crate::vehicles::drawing::mesh_builder::{Assembly, Vehicle};
 use crate::vehicles::family::{self, Family};
 use crate::vehicles::{bus, car, cycle, heavy, loft, motorcycle, truck};
 use artifact::scene::Mesh;
@@ -52,6 +52,11 @@ pub fn class_of(name: &str) -> Option<Class> {
 /// of the nominal dimensions for seed 0 and of dimensions drawn from [`ranges_m`] for any other; `None` for
 /// any other name.
 pub fn mesh(name: &str, seed: u64) -> Option<Mesh> {
+    vehicle(name, seed).map(|vehicle| vehicle.mesh)
+}
+
+/// [`mesh`], and which of its triangles are of road wheels.
+pub fn vehicle(name: &str, seed: u64) -> Option<Vehicle> {
     let (parts, size_m) = drawing(name, seed)?;
     Some(parts.finish(name, size_m))
 }

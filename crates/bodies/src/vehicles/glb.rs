@@ -1,26 +1,34 @@
 //! A vehicle as binary glTF 2.0.
 
 use crate::glb::{Buffer, container, extent, gltf_axes};
+use crate::road_wheels::triangles_of_wheels;
+use crate::vehicles::drawing::mesh_builder::Vehicle;
 use artifact::scene::Mesh;
 use serde_json::{Value, json};
 
-/// Binary glTF: one node, one mesh, one primitive per material, POSITION, NORMAL and 32-bit indices, in
-/// glTF's axes (+Z forward, +X left, +Y up; (x, y, z) of the body is (z, x, y) there). Equal meshes give
-/// equal bytes.
-///
-/// Needs what [`mesh`](crate::vehicles::catalogue::mesh) gives: vertices ordered by material and not
-/// shared between materials, a normal each.
-pub fn glb(mesh: &Mesh) -> Vec<u8> {
+/// A node and its mesh: the body, or a wheel.
+struct Node {
+    name: String,
+    /// Ascending.
+    triangles: Vec<u32>,
+}
+
+/// Binary glTF: a node of the body and below it one of every road wheel, `Wheel_1` the left one in front and
+/// so on to the rear; a mesh each in the vehicle's axes, one primitive per material, POSITION, NORMAL and
+/// 32-bit indices, in glTF's axes (+Z forward, +X left, +Y up; (x, y, z) of the body is (z, x, y) there).
+/// Equal vehicles give equal bytes, and the reader finds the wheels again.
+pub fn glb(vehicle: &Vehicle) -> Vec<u8> {
+    let mesh = &vehicle.mesh;
     let mut buffer = Buffer::default();
-    let primitives: Vec<Value> =
-        (0..mesh.materials.len()).map(|slot| primitive(&mut buffer, mesh, slot)).collect();
+    let nodes = nodes(vehicle);
+    let meshes: Vec<Value> = nodes.iter().map(|node| mesh_of(&mut buffer, mesh, node)).collect();
     let materials: Vec<Value> = mesh.materials.iter().map(|name| material(name)).collect();
     let document = json!({
         "asset": { "version": "2.0", "generator": "wayside" },
         "scene": 0,
         "scenes": [{ "nodes": [0] }],
-        "nodes": [{ "mesh": 0, "name": mesh.name }],
-        "meshes": [{ "name": mesh.name, "primitives": primitives }],
+        "nodes": described(&nodes),
+        "meshes": meshes,
         "materials": materials,
         "accessors": buffer.accessors,
         "bufferViews": buffer.views,
@@ -29,19 +37,55 @@ pub fn glb(mesh: &Mesh) -> Vec<u8> {
     container(document.to_string().into_bytes(), buffer.bytes)
 }
 
-fn primitive(buffer: &mut Buffer, mesh: &Mesh, slot: usize) -> Value {
-    let of_slot = mesh.triangles.iter().zip(&mesh.material_of_triangle).filter(|(_, m)| **m as usize == slot);
-    let corners: Vec<u32> = of_slot.flat_map(|(t, _)| *t).collect();
-    let first = corners.iter().copied().min().unwrap_or(0);
-    let end = corners.iter().copied().max().map_or(0, |last| last + 1);
-    let used = first as usize..end as usize;
+/// The body's, then the wheels'.
+fn nodes(vehicle: &Vehicle) -> Vec<Node> {
+    let Vehicle { mesh, is_of_wheel } = vehicle;
+    let wheels = triangles_of_wheels(mesh, is_of_wheel);
+    let mut is_of_body = vec![true; mesh.triangles.len()];
+    wheels.iter().flatten().for_each(|triangle| is_of_body[*triangle as usize] = false);
+    let triangles = (0..).zip(is_of_body).filter(|(_, is_of_body)| *is_of_body).map(|(t, _)| t).collect();
+    let body = Node { name: mesh.name.clone(), triangles };
+    let wheels =
+        (1..).zip(wheels).map(|(number, triangles)| Node { name: format!("Wheel_{number}"), triangles });
+    std::iter::once(body).chain(wheels).collect()
+}
+
+/// The first node above all others.
+fn described(nodes: &[Node]) -> Vec<Value> {
+    let mut all: Vec<Value> =
+        nodes.iter().enumerate().map(|(number, node)| json!({ "mesh": number, "name": node.name })).collect();
+    if nodes.len() > 1 {
+        all[0]["children"] = (1..nodes.len()).collect();
+    }
+    all
+}
+
+fn mesh_of(buffer: &mut Buffer, mesh: &Mesh, node: &Node) -> Value {
+    let primitives: Vec<Value> =
+        (0..mesh.materials.len()).filter_map(|slot| primitive(buffer, mesh, node, slot)).collect();
+    json!({ "name": node.name, "primitives": primitives })
+}
+
+/// Triangles of a node that are of a material; `None` where there are none, for accessors may not be empty.
+fn primitive(buffer: &mut Buffer, mesh: &Mesh, node: &Node, slot: usize) -> Option<Value> {
+    let is_of_slot = |t: &&u32| usize::from(mesh.material_of_triangle[**t as usize]) == slot;
+    let corners: Vec<u32> =
+        node.triangles.iter().filter(is_of_slot).flat_map(|t| mesh.triangles[*t as usize]).collect();
+    let mut used = corners.clone();
+    used.sort_unstable();
+    used.dedup();
     let positions: Vec<[f32; 3]> =
-        mesh.vertices_m[used.clone()].iter().map(|p| gltf_axes(p.map(|v| v as f32))).collect();
-    let normals: Vec<[f32; 3]> = mesh.normals[used].iter().map(|n| gltf_axes(*n)).collect();
+        used.iter().map(|i| gltf_axes(mesh.vertices_m[*i as usize].map(|v| v as f32))).collect();
+    let normals: Vec<[f32; 3]> = used.iter().map(|i| gltf_axes(mesh.normals[*i as usize])).collect();
+    if corners.is_empty() {
+        return None;
+    }
     let position = buffer.vectors(&positions, Some(extent(&positions)));
     let normal = buffer.vectors(&normals, None);
-    let indices = buffer.indices(corners.iter().map(|i| i - first));
-    json!({ "attributes": { "POSITION": position, "NORMAL": normal }, "indices": indices, "material": slot, "mode": 4 })
+    let indices = buffer.indices(corners.iter().map(|i| used.partition_point(|u| u < i) as u32));
+    Some(
+        json!({ "attributes": { "POSITION": position, "NORMAL": normal }, "indices": indices, "material": slot, "mode": 4 }),
+    )
 }
 
 /// A name and a colour to look at; nothing physical is read from either but the name.

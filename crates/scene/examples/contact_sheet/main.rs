@@ -38,8 +38,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn write_meshes(folder: &str, seeds: u64, names: &[String]) -> Result<(), Box<dyn Error>> {
     for name in names {
         for seed in 0..seeds {
-            let mesh = scene::vehicles::mesh(name, seed).ok_or(format!("no vehicle `{name}`"))?;
-            std::fs::write(format!("{folder}{name}-{seed}.glb"), scene::vehicles::glb(&mesh))?;
+            let vehicle = scene::vehicles::vehicle(name, seed).ok_or(format!("no vehicle `{name}`"))?;
+            std::fs::write(format!("{folder}{name}-{seed}.glb"), scene::vehicles::glb(&vehicle))?;
         }
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! One run of the program as a process of its own: its processor time and its largest size are that run's
 //! alone.
 
+use crate::project::this_program;
 use artifact::Reader;
 use artifact::paths::{Paths, PathsFrame};
 use std::path::Path;
@@ -31,7 +32,7 @@ pub(super) struct Taken {
 /// `run` of a scene without a cache; `None` where the system does not tell what a process took.
 pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Option<Taken>, Failure> {
     let machine_speed = machine_speed::measured()?;
-    let program = std::env::current_exe().map_err(|e| Failure::System(format!("no program to run: {e}")))?;
+    let program = this_program()?;
     let mut command = Command::new(program);
     command.arg("run").arg(scene).arg("--out").arg(out).args(["--no-cache", "--quiet"]);
     command.args(threads.iter().flat_map(|n| ["--threads".to_owned(), n.to_string()]));

@@ -6,6 +6,7 @@
 use wayside::chain::expectation::work::{ITEMS, WorkCounts};
 
 /// Work that a run was expected to do, and the processor seconds that it took on the machine of the rates.
+#[derive(Debug, Clone)]
 pub(super) struct TimedRun {
     pub(super) work: WorkCounts,
     pub(super) seconds: f64,

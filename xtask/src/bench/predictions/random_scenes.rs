@@ -4,14 +4,28 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// A scene file and the threads that it is run on.
-pub(super) struct RandomScene {
+/// A scene and the threads that it is run on.
+pub(super) struct TimedScene {
     pub(super) name: String,
-    pub(super) text: String,
+    pub(super) text: Text,
     /// `None`: as many as there are.
     pub(super) threads: Option<u16>,
+}
+
+/// Where a scene's text is.
+pub(super) enum Text {
+    /// Drawn.
+    Drawn(String),
+    /// A file, beside which stands what it names.
+    File(PathBuf),
+}
+
+/// A scene of anybody's, on all threads.
+pub(super) fn of_file(file: &Path) -> TimedScene {
+    let name = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    TimedScene { name, text: Text::File(file.to_owned()), threads: None }
 }
 
 const VEHICLES: [(&str, &str); 12] = [
@@ -30,7 +44,7 @@ const VEHICLES: [(&str, &str); 12] = [
 ];
 
 /// Scene `number` of a seed; `root` holds `scenes` and `fixtures`.
-pub(super) fn scene(seed: u64, number: u64, root: &Path) -> RandomScene {
+pub(super) fn scene(seed: u64, number: u64, root: &Path) -> TimedScene {
     let mut draw = Draw(ChaCha8Rng::from_seed(artifact::seed::key(seed, "xtask/predictions", &[number])));
     let name = format!("random-{seed}-{number:03}");
     let mut text = format!("name = \"{name}\"\nseed = {}\n", number + 1);
@@ -40,7 +54,7 @@ pub(super) fn scene(seed: u64, number: u64, root: &Path) -> RandomScene {
         bodies(&mut draw, root, &mut text);
     }
     let threads = draw.chance(0.5).then_some(1);
-    RandomScene { name, text, threads }
+    TimedScene { name, text: Text::Drawn(text), threads }
 }
 
 /// The tables that every scene has. What costs little is drawn more often, here and below.
@@ -196,10 +210,10 @@ mod tests {
         for number in 0..60 {
             let drawn = scene(9, number, root);
             let file = folder.path().join("random.toml");
-            std::fs::write(&file, &drawn.text).unwrap();
+            let Text::Drawn(text) = &drawn.text else { panic!("{} is no file", drawn.name) };
+            std::fs::write(&file, text).unwrap();
             let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
-            let read = scene::read(&file, &options)
-                .unwrap_or_else(|e| panic!("{}: {e}\n{}", drawn.name, drawn.text));
+            let read = scene::read(&file, &options).unwrap_or_else(|e| panic!("{}: {e}\n{text}", drawn.name));
             assert_eq!(read.name, drawn.name);
         }
     }

@@ -1,13 +1,13 @@
 //! Seconds and memory expected of a scene beside those that it took.
 
 use crate::bench::predictions::child::Taken;
-use crate::bench::predictions::random_scenes::RandomScene;
+use crate::bench::predictions::random_scenes::TimedScene;
 use wayside::chain::expectation::Expectation;
 use wayside::chain::memory_estimate::Load;
 
 /// One scene.
 pub(super) struct PredictionRow {
-    pub(super) scene: RandomScene,
+    pub(super) scene: TimedScene,
     pub(super) expected: Expectation,
     /// Processor seconds that it took to expect it.
     pub(super) look_s: f64,

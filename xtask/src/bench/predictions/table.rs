@@ -1,10 +1,11 @@
 //! The rows of a comparison as a file: one line for each scene, and what has been run is read from it again.
 
 use crate::bench::predictions::child::Taken;
+use crate::bench::predictions::fit::TimedRun;
 use crate::bench::predictions::row::PredictionRow;
 use std::collections::BTreeMap;
 use std::path::Path;
-use wayside::chain::expectation::work::WorkKind;
+use wayside::chain::expectation::work::{ITEMS, WorkCounts, WorkKind};
 use wayside::chain::memory_estimate::Load;
 use wayside::host::failure::Failure;
 use wayside::host::files;
@@ -33,6 +34,33 @@ pub(super) fn taken(file: &Path) -> Result<BTreeMap<String, Taken>, Failure> {
     };
     known(&text)
         .ok_or_else(|| Failure::refused(format!("{}: it is no table of this command", file.display())))
+}
+
+/// Reads what a table's scenes were counted to do and what they took, on the machine of the rates.
+pub(super) fn timed_runs(file: &Path) -> Result<Vec<TimedRun>, Failure> {
+    let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
+    runs(&text).ok_or_else(|| {
+        let rule = "it is no table of this command with a column of every kind of work that is counted today";
+        Failure::refused(format!("{}: {rule}; run with --out it is written anew", file.display()))
+    })
+}
+
+fn runs(text: &str) -> Option<Vec<TimedRun>> {
+    let mut lines = text.lines();
+    let head: Vec<&str> = lines.next()?.split(',').collect();
+    let place = |name: &str| head.iter().position(|column| *column == name);
+    let [taken_s, machine_speed] = [place("taken_s")?, place("machine_speed")?];
+    let kinds = WorkKind::ALL.map(|kind| place(&format!("{kind:?}")));
+    let run = |line: &str| {
+        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
+        let at = |column: usize| cells.get(column).copied().filter(|number| number.is_finite());
+        let mut work = WorkCounts([0.0; ITEMS]);
+        for (count, column) in work.0.iter_mut().zip(kinds) {
+            *count = at(column?)?;
+        }
+        Some(TimedRun { work, seconds: at(taken_s)? * at(machine_speed)? })
+    };
+    lines.map(run).collect()
 }
 
 fn known(text: &str) -> Option<BTreeMap<String, Taken>> {
@@ -97,5 +125,18 @@ mod tests {
         let taken = known(text).unwrap()["random-1-000"];
         assert_eq!(numbers(&taken), [1.5, 80.5, 0.75, 3.0, 4.0, 9.0, 5.0, 0.5, 0.25, 0.125]);
         assert!(known("scene,taken_s\na,1\n").is_none() && known("").is_none());
+    }
+
+    #[test]
+    fn counts_are_read_by_their_names_and_a_table_that_lacks_one_is_refused() {
+        let kinds: Vec<String> = WorkKind::ALL.iter().rev().map(|kind| format!("{kind:?}")).collect();
+        let counts: Vec<String> = (0..ITEMS).map(|count| format!("{count}.5")).collect();
+        let head = format!("machine_speed,{},scene,taken_s", kinds.join(","));
+        let runs_of = |head: &str| runs(&format!("{head}\n0.5,{},x,3.0\n", counts.join(",")));
+        let found = runs_of(&head).unwrap();
+        assert_eq!((found.len(), found[0].seconds), (1, 1.5));
+        let backwards: Vec<f64> = (0..ITEMS).rev().map(|count| count as f64 + 0.5).collect();
+        assert_eq!(found[0].work.0.to_vec(), backwards);
+        assert!(runs_of(&head.replacen(&kinds[2], "Other", 1)).is_none());
     }
 }

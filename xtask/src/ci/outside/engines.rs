@@ -3,7 +3,7 @@
 
 use crate::ci::commands::{Tally, counted};
 use crate::ci::outside::interpreter::{Interpreter, Needs};
-use crate::project::project_root;
+use crate::project::{project_root, this_program};
 use std::process::Command;
 use wayside::host::failure::Failure;
 use wayside::program::terminal;
@@ -17,7 +17,7 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let needs = Needs::of_scripts(&requirements);
     let Some(python) = Interpreter::of(&needs, &folder, tally)? else { return Ok(()) };
     let work = folder.join("work");
-    let program = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let program = this_program()?;
     let mut check = || {
         let _ = std::fs::remove_dir_all(&work);
         let mut command = Command::new(python.program());

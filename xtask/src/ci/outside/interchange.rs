@@ -5,7 +5,7 @@
 
 use crate::ci::commands::{Tally, counted, finished};
 use crate::ci::outside::interpreter::{Interpreter, Needs};
-use crate::project::project_root;
+use crate::project::{project_root, this_program};
 use std::path::Path;
 use std::process::Command;
 use wayside::host::failure::Failure;
@@ -32,7 +32,7 @@ pub(super) fn by_scripts(scripts: &str, tally: &mut Tally) -> Result<(), Failure
     let needs = Needs::of_scripts(&requirements);
     let Some(python) = Interpreter::of(&needs, &folder, tally)? else { return Ok(()) };
     finished(Command::new("cargo").arg("build").args(PROGRAM))?;
-    let this = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let this = this_program()?;
     let work = folder.join("work");
     let _ = std::fs::remove_dir_all(&work);
     let mut command = Command::new(python.program());

@@ -4,7 +4,7 @@
 
 use crate::ci::commands::{Tally, counted, finished};
 use crate::ci::outside::interpreter::{Interpreter, Needs};
-use crate::project::project_root;
+use crate::project::{project_root, this_program};
 use std::process::Command;
 use wayside::host::failure::Failure;
 
@@ -26,7 +26,7 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     finished(python.pip("install").args(install).arg(format!("./{PACKAGE}")))?;
     let lints = ["clippy", "--release", "--package", "wayside-python", "--", "-D", "warnings"];
     finished(Command::new("cargo").args(lints).env("PYO3_PYTHON", python.program()))?;
-    let program = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let program = this_program()?;
     let run = |words: &[&str]| {
         let mut command = Command::new(python.program());
         // It carries out the commands of `wayside`.

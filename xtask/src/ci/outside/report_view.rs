@@ -2,7 +2,7 @@
 //! script. The check stands on Node and Chromium; where one of them is not there it says so and is skipped.
 
 use crate::ci::commands::{Tally, counted, finished, skipped};
-use crate::project::project_root;
+use crate::project::{project_root, this_program};
 use std::ffi::{OsStr, OsString};
 use std::process::{Command, Stdio};
 use wayside::host::failure::Failure;
@@ -93,7 +93,7 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     std::fs::create_dir_all(&folder).map_err(write)?;
     std::fs::write(folder.join("scene.toml"), SCENE).map_err(write)?;
     // This program carries out the commands of `wayside`.
-    let program = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let program = this_program()?;
     let mut run = Command::new(program);
     run.arg("run").arg(folder.join("scene.toml")).arg("--out").arg(folder.join("out"));
     finished(run.arg("--cache").arg(folder.join("cache")).arg("--quiet"))?;

@@ -4,7 +4,7 @@
 
 use crate::ci::commands::{Tally, counted};
 use crate::ci::outside::interpreter::{Interpreter, Needs};
-use crate::project::project_root;
+use crate::project::{project_root, this_program};
 use std::process::Command;
 use wayside::host::failure::Failure;
 
@@ -29,6 +29,6 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     };
     counted(script("build.py").arg(folder.join("site")), tally)?;
     // This program carries out the commands of `wayside`.
-    let program = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let program = this_program()?;
     counted(script("check.py").arg(program), tally)
 }

@@ -13,6 +13,16 @@ const CREASE_COSINE: f64 = 0.766; // cos 40°
 /// Facets under a hundredth of a square millimetre are what rounding to single precision leaves of a point.
 const SMALLEST_AREA_M2: f64 = 1e-8;
 
+/// A vehicle, and what of it its road wheels are.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Vehicle {
+    /// In body axes.
+    pub mesh: Mesh,
+    /// Whether each triangle is of a road wheel, its tyre or what is in it; what of these can be seen to turn
+    /// `mesh.wheels` tells.
+    pub is_of_wheel: Vec<bool>,
+}
+
 /// A vehicle as a list of parts; parts may intersect, each has its own normals.
 #[derive(Debug, Default)]
 pub(crate) struct Assembly {
@@ -68,15 +78,15 @@ impl Assembly {
         &self.parts
     }
 
-    /// The mesh, its bounding box exactly `size_m` (length, width, height), its origin in the middle of that
-    /// box on the ground.
-    pub(crate) fn finish(self, name: &str, size_m: [f64; 3]) -> Mesh {
+    /// The vehicle, the bounding box of its mesh exactly `size_m` (length, width, height), its origin in the
+    /// middle of that box on the ground.
+    pub(crate) fn finish(self, name: &str, size_m: [f64; 3]) -> Vehicle {
         let parts = fitted(self.parts, DVec3::from_array(size_m));
         let mut output = Output::default();
         for (part, of) in parts.iter().zip(self.of) {
             output.add(part, of);
         }
-        output.into_mesh(name)
+        output.into_vehicle(name)
     }
 }
 
@@ -118,14 +128,14 @@ impl Output {
         }
     }
 
-    fn into_mesh(self, name: &str) -> Mesh {
+    fn into_vehicle(self, name: &str) -> Vehicle {
         let mut mesh = Mesh { name: name.to_owned(), ..Mesh::default() };
-        let mut are_of_wheels = vec![];
+        let mut is_of_wheel = vec![];
         for (slot, (material, triangles)) in self.by_material.iter().enumerate() {
             mesh.materials.push(material.name().to_owned());
             let mut index_of = BTreeMap::new();
             for (corners, of) in triangles {
-                are_of_wheels.push(*of == PartOf::Wheel);
+                is_of_wheel.push(*of == PartOf::Wheel);
                 let triangle = corners.map(|key| {
                     *index_of.entry(key).or_insert_with(|| {
                         mesh.vertices_m.push(key.1.map(|b| f64::from(f32::from_bits(b))));
@@ -137,10 +147,10 @@ impl Output {
                 mesh.material_of_triangle.push(slot as u16);
             }
         }
-        mesh.wheels = road_wheels(&mesh, &are_of_wheels);
+        mesh.wheels = road_wheels(&mesh, &is_of_wheel);
         let triangles_read = mesh.triangles.len() as u64;
         mesh.statistics = MeshStatistics { triangles_read, degenerate: 0, open_edges: open_edges(&mesh) };
-        mesh
+        Vehicle { mesh, is_of_wheel }
     }
 }
 

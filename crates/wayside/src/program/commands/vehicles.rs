@@ -31,9 +31,9 @@ pub(crate) fn run(arguments: &VehiclesArguments) -> Result<(), Failure> {
     let mut manifest = Vec::new();
     for vehicle in &planned {
         work.at(manifest.len(), planned.len());
-        let Some(mesh) = scene::vehicles::mesh(vehicle.name, vehicle.seed) else { continue };
-        files::write_file(&arguments.out.join(&vehicle.file), &scene::vehicles::glb(&mesh))?;
-        manifest.push(entry(vehicle, &mesh));
+        let Some(drawn) = scene::vehicles::vehicle(vehicle.name, vehicle.seed) else { continue };
+        files::write_file(&arguments.out.join(&vehicle.file), &scene::vehicles::glb(&drawn))?;
+        manifest.push(entry(vehicle, &drawn.mesh));
     }
     let text = serde_json::to_string_pretty(&manifest).map_err(Failure::refused)?;
     files::write_file(&manifest_place, text.as_bytes())?;

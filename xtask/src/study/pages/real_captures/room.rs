@@ -1,5 +1,6 @@
 //! A frame of the room: where its echoes are, and what this project makes of it.
 
+use crate::project::this_program;
 use artifact::Reader;
 use artifact::cube::{Cube, CubeFrame, CubeHeader, SampleUnit};
 use artifact::points::{Point, PointsFrame};
@@ -14,7 +15,7 @@ use wayside::host::failure::Failure;
 pub(super) fn made(words: &[&Path]) -> Result<(CubeHeader, CubeFrame), Failure> {
     let place = tempfile::tempdir().map_err(|e| Failure::System(format!("a folder for the cube: {e}")))?;
     let cube = place.path().join("room.cube");
-    let this = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let this = this_program()?;
     let mut command = Command::new(this);
     command.args(words).arg("--out").arg(&cube).arg("--quiet").stdin(Stdio::null()).stdout(Stdio::null());
     let status = command.status().map_err(|e| Failure::System(format!("{words:?}: {e}")))?;

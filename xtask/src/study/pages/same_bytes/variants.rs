@@ -1,6 +1,6 @@
 //! Programs of the same source, and how they are begun.
 
-use crate::project::project_root;
+use crate::project::{project_root, this_program};
 use crate::study::extent::Extent;
 use crate::study::pages::same_bytes::differences::Differences;
 use std::ffi::OsString;
@@ -57,7 +57,7 @@ impl Variant {
 /// This program on 1, 2, 3 and 8 threads; one without optimisation, and this one on a processor without AVX
 /// and FMA, which only the whole study takes the time for.
 pub(super) fn all(extent: Extent) -> Result<Vec<Variant>, Failure> {
-    let this = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
+    let this = this_program()?;
     let by_threads = [("1 thread", "1"), ("2 threads", "2"), ("3 threads", "3"), ("8 threads", "8")];
     let mut variants: Vec<Variant> = by_threads
         .into_iter()

@@ -1,5 +1,6 @@
 //! Marks of waves between two bodies on traced streets, through the whole chain.
 
+use crate::project::this_program;
 use crate::study::extent::Extent;
 use crate::study::pages::measures::signals::ghost_streets::{Counts, SCENE, counts};
 use crate::study::pages::part::Part;
@@ -54,7 +55,7 @@ fn table_of(files: &[(String, String)]) -> Result<String, Failure> {
 
 fn run(folder: &Path, words: &[&str]) -> Result<(), Failure> {
     let refused = |e: &dyn std::fmt::Display| Failure::Refused(format!("`{}`: {e}", words.join(" ")));
-    let program = std::env::current_exe().map_err(|e| refused(&e))?;
+    let program = this_program()?;
     let output = Command::new(program).args(words).current_dir(folder).output().map_err(|e| refused(&e))?;
     let said = String::from_utf8_lossy(&output.stderr);
     if output.status.success() { Ok(()) } else { Err(refused(&said)) }
