@@ -10,7 +10,7 @@ pub(crate) fn project_root() -> PathBuf {
     built_in.filter(|p| p.join("Cargo.toml").is_file()).unwrap_or_else(|| PathBuf::from("."))
 }
 
-/// What Linux puts behind the place of a program that was removed while it runs.
+/// Ending that Linux puts behind the place of a program that was removed while it runs.
 const REMOVED: &str = " (deleted)";
 
 /// This program, which carries out the commands of `wayside` too; where it was built anew while it runs, the

@@ -5,13 +5,15 @@ mod child;
 mod fit;
 mod random_scenes;
 mod table;
+mod timed_scene;
 
 use crate::cli::BenchArguments;
 use crate::project::project_root;
 use child::Taken;
-use random_scenes::{Text, TimedScene};
+
 use row::PredictionRow;
 use std::path::Path;
+use timed_scene::{Text, TimedScene};
 use wayside::chain::expectation::Expectation;
 use wayside::chain::expectation::work::WorkKind;
 use wayside::chain::link::Chain;
@@ -19,7 +21,6 @@ use wayside::chain::loading;
 use wayside::chain::memory_estimate::Load;
 use wayside::chain::plan::FramePlan;
 use wayside::host::failure::Failure;
-use wayside::host::files;
 use wayside::host::processor_time;
 use wayside::program::terminal;
 use wayside::{Allowance, SceneSource};
@@ -31,7 +32,7 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
     let known = arguments.out.as_deref().map(table::taken).transpose()?.unwrap_or_default();
     let drawn =
         (0..arguments.scenes).map(|number| random_scenes::scene(arguments.seed, number, &project_root()));
-    let scenes = drawn.chain(arguments.with.iter().map(|file| random_scenes::of_file(file)));
+    let scenes = drawn.chain(arguments.with.iter().map(|file| TimedScene::of_file(file)));
     let (old, new): (Vec<_>, Vec<_>) = scenes.partition(|scene| known.contains_key(&scene.name));
     let mut rows = Vec::new();
     for scene in old.into_iter().chain(new) {
@@ -72,9 +73,8 @@ const NAMED: usize = 6;
 impl PredictionRow {
     /// The run on the machine of the rates, as often as it counts.
     fn at_reference_speed(&self) -> Vec<fit::TimedRun> {
-        let seconds = self.taken.processor_s * self.taken.machine_speed;
         let times = if matches!(self.scene.text, Text::File(_)) { NAMED } else { 1 };
-        vec![fit::TimedRun { work: self.expected.work, seconds }; times]
+        vec![fit::TimedRun::of(self.expected.work, self.taken.processor_s, self.taken.machine_speed); times]
     }
 }
 
@@ -103,15 +103,7 @@ fn quantiles(rows: &[PredictionRow]) -> Vec<String> {
 }
 
 fn row(scene: TimedScene, folder: &Path, known: Option<&Taken>) -> Result<Option<PredictionRow>, Failure> {
-    let file = match &scene.text {
-        // A file each: what was read is an input, and no input is written to.
-        Text::Drawn(text) => {
-            let file = folder.join(format!("{}.toml", scene.name));
-            files::write_file(&file, text.as_bytes())?;
-            file
-        }
-        Text::File(file) => file.clone(),
-    };
+    let file = scene.file(folder)?;
     let taken = match known {
         Some(taken) => Some(*taken),
         None => child::run(&file, &folder.join("out"), scene.threads)?,

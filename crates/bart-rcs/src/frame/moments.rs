@@ -37,11 +37,11 @@ const STEPS: [u32; 4] = [8, 16, 32, WHEEL_STEPS];
 const FINEST: u32 = WHEEL_STEPS;
 /// Places of every grid where ways show whether they change, 3/8 of a frame before its middle and 1/4 after.
 ///
-/// What errs in proportion to the time from the middle has within 1 dB of its mean square over the frame
+/// Errors in proportion to the time from the middle have within 1 dB of their mean square over the frame
 /// there. An outline that slides at an even pace turns what ends at it at an even pace as well: whole cycles
-/// after the middle nothing seems to be missed. No pace has whole cycles at both of these, unless it has one
-/// within every eighth of the frame; at both ends of the frame half of all have (van and bus three bounces
-/// apart: 4 dB less were missed there than on the whole, and no way seemed to change).
+/// from the middle nothing seems to be missed. That is so at both of these for 8, 16 … cycles a frame, and at
+/// both ends of the frame for 2, 4, 6 … (of a van behind a bus, three bounces, 4 dB less were missed there
+/// than over the frame, and no way seemed to change).
 const LOOKED_AT: [u32; 2] = [FINEST / 8, 3 * FINEST / 4];
 /// Share of the accuracy asked for that all ways together that keep one moment may miss.
 const KEPT_SHARE: f64 = 0.5;
@@ -65,7 +65,7 @@ pub(crate) fn split(
     }
     let fineness = whole.fineness.clone();
     let mut moments = Moments::new(scenery, &fineness, whole.strongest_dropped.clone());
-    let ways = moments.ways_that_change(&whole)?;
+    let ways = moments.looked_at(&whole)?;
     if ways.is_empty() {
         return Ok(whole);
     }
@@ -130,7 +130,7 @@ impl<'a> Moments<'a> {
     }
 
     /// Traces two other moments and tells which ways have changed there from what they are in `middle`.
-    fn ways_that_change(&mut self, middle: &PathTable) -> Result<BodyWays, BartError> {
+    fn looked_at(&mut self, middle: &PathTable) -> Result<BodyWays, BartError> {
         for place in LOOKED_AT {
             let paths = self.traced(place, None)?;
             self.at.insert(place, paths);
@@ -289,7 +289,7 @@ mod tests {
     use crate::frame::path_plan::check_offset_s;
     use std::f64::consts::TAU;
 
-    /// What turns at an even pace misses |1 − e^{iφ}|² = 2 − 2·cos φ of its power: over the frame, at both of
+    /// An amplitude that turns at an even pace misses |1 − e^{iφ}|² = 2 − 2·cos φ of its power: over the frame, at both of
     /// its ends, and where it is looked at, from nearly still to four cycles a frame.
     #[test]
     fn what_turns_at_any_pace_is_seen_to_change_where_it_is_looked_at() {

@@ -126,9 +126,15 @@ impl<'a> BodyParts<'a> {
 /// What blends a table from several moments of the frame, where that helps.
 pub(crate) type Split<'a> = dyn Fn(PathTable) -> Result<PathTable, BartError> + 'a;
 
-/// Paths of a table of which no finer one is tried where that is not all that is left: minutes are spent on
-/// more, and gigabytes.
+/// Paths of a table from which on no finer one is tried once moments were: minutes and gigabytes are spent on
+/// more.
 const REFINED_PATHS_MAX: usize = 200_000;
+/// Smaller cells are not tried where none of any size would make the error less than so many times smaller
+/// and meet the accuracy: 1 dB.
+const WORTH_TRYING: f64 = 1.12;
+/// Cells larger than so many times the first ones tell nothing of smaller ones: a few paths meet or miss the
+/// check's moment by chance, and what moments leave of large cells is not known before it is tried.
+const TELLING: f64 = 0.35;
 
 /// Start of every attempt at a table.
 pub(crate) struct Fit<'a> {
@@ -241,14 +247,7 @@ impl<'a> Fit<'a> {
     }
 }
 
-/// Smaller cells are not tried where none of any size would make the error less than so many times smaller
-/// and meet the accuracy: 1 dB.
-const WORTH_TRYING: f64 = 1.12;
-/// Cells larger than so many times the first ones tell nothing of smaller ones: a few paths meet or miss the
-/// check's moment by chance, and what moments leave of large cells is not known before it is tried.
-const TELLING: f64 = 0.35;
-
-/// What cells of no size would leave of an error `coarse` that cells `factor` times as large have made
+/// Error that cells of no size would leave of an error `coarse` that cells `factor` times as large have made
 /// `fine`: their part of the power falls with the square of their size at least.
 fn left_without_cells(coarse: f64, fine: f64, factor: f64) -> f64 {
     let by_cells = (coarse.powi(2) - fine.powi(2)) / (1.0 - factor.powi(2));

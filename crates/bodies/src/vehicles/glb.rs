@@ -71,21 +71,22 @@ fn primitive(buffer: &mut Buffer, mesh: &Mesh, node: &Node, slot: usize) -> Opti
     let is_of_slot = |t: &&u32| usize::from(mesh.material_of_triangle[**t as usize]) == slot;
     let corners: Vec<u32> =
         node.triangles.iter().filter(is_of_slot).flat_map(|t| mesh.triangles[*t as usize]).collect();
+    if corners.is_empty() {
+        return None;
+    }
     let mut used = corners.clone();
     used.sort_unstable();
     used.dedup();
     let positions: Vec<[f32; 3]> =
         used.iter().map(|i| gltf_axes(mesh.vertices_m[*i as usize].map(|v| v as f32))).collect();
     let normals: Vec<[f32; 3]> = used.iter().map(|i| gltf_axes(mesh.normals[*i as usize])).collect();
-    if corners.is_empty() {
-        return None;
-    }
     let position = buffer.vectors(&positions, Some(extent(&positions)));
     let normal = buffer.vectors(&normals, None);
     let indices = buffer.indices(corners.iter().map(|i| used.partition_point(|u| u < i) as u32));
-    Some(
-        json!({ "attributes": { "POSITION": position, "NORMAL": normal }, "indices": indices, "material": slot, "mode": 4 }),
-    )
+    Some(json!({
+        "attributes": { "POSITION": position, "NORMAL": normal },
+        "indices": indices, "material": slot, "mode": 4,
+    }))
 }
 
 /// A name and a colour to look at; nothing physical is read from either but the name.

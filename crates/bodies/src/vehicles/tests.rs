@@ -128,6 +128,10 @@ fn the_same_seed_gives_the_same_bytes_and_another_seed_others() {
         assert_eq!(glb(&again), glb(&vehicle(name, *seed).unwrap()), "{name}");
         assert_ne!(glb(&again), glb(&vehicle(name, *seed + 1).unwrap()), "{name}");
     }
+    for pair in EVERY.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        let [one, other] = [&pair[0].2, &pair[1].2].map(|mesh| &mesh.vertices_m);
+        assert_ne!(one, other, "{} {} and {}", pair[0].0, pair[0].1, pair[1].1);
+    }
 }
 
 #[test]

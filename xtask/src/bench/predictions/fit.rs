@@ -12,6 +12,13 @@ pub(super) struct TimedRun {
     pub(super) seconds: f64,
 }
 
+impl TimedRun {
+    /// Work that took so many processor seconds on a machine so many times as fast.
+    pub(super) fn of(work: WorkCounts, processor_s: f64, machine_speed: f64) -> Self {
+        Self { work, seconds: processor_s * machine_speed }
+    }
+}
+
 /// A rate that differs by e from what it was counts as this many runs that are wrong by e.
 const HELD: f64 = 0.02;
 /// Errors of a logarithm beyond this count by their size: half as much again.

@@ -1,32 +1,11 @@
 //! Scenes drawn from a seed: what a radar at a junction may be asked, from one car at rest to a queue under
 //! the mast.
 
+use crate::bench::predictions::timed_scene::{Text, TimedScene};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-
-/// A scene and the threads that it is run on.
-pub(super) struct TimedScene {
-    pub(super) name: String,
-    pub(super) text: Text,
-    /// `None`: as many as there are.
-    pub(super) threads: Option<u16>,
-}
-
-/// Where a scene's text is.
-pub(super) enum Text {
-    /// Drawn.
-    Drawn(String),
-    /// A file, beside which stands what it names.
-    File(PathBuf),
-}
-
-/// A scene of anybody's, on all threads.
-pub(super) fn of_file(file: &Path) -> TimedScene {
-    let name = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    TimedScene { name, text: Text::File(file.to_owned()), threads: None }
-}
+use std::path::Path;
 
 const VEHICLES: [(&str, &str); 12] = [
     ("car-suv", "car"),

@@ -1,7 +1,7 @@
 //! Seconds and memory expected of a scene beside those that it took.
 
 use crate::bench::predictions::child::Taken;
-use crate::bench::predictions::random_scenes::TimedScene;
+use crate::bench::predictions::timed_scene::TimedScene;
 use wayside::chain::expectation::Expectation;
 use wayside::chain::memory_estimate::Load;
 

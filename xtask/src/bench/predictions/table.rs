@@ -46,37 +46,37 @@ pub(super) fn timed_runs(file: &Path) -> Result<Vec<TimedRun>, Failure> {
 }
 
 fn runs(text: &str) -> Option<Vec<TimedRun>> {
-    let mut lines = text.lines();
-    let head: Vec<&str> = lines.next()?.split(',').collect();
-    let place = |name: &str| head.iter().position(|column| *column == name);
-    let [taken_s, machine_speed] = [place("taken_s")?, place("machine_speed")?];
-    let kinds = WorkKind::ALL.map(|kind| place(&format!("{kind:?}")));
-    let run = |line: &str| {
-        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
-        let at = |column: usize| cells.get(column).copied().filter(|number| number.is_finite());
-        let mut work = WorkCounts([0.0; ITEMS]);
-        for (count, column) in work.0.iter_mut().zip(kinds) {
-            *count = at(column?)?;
-        }
-        Some(TimedRun { work, seconds: at(taken_s)? * at(machine_speed)? })
+    let took = columns(text, ["taken_s", "machine_speed"])?;
+    let counts = columns(text, WorkKind::ALL.map(|kind| format!("{kind:?}")))?;
+    let run = |([processor_s, machine_speed], counts): ([f64; 2], [f64; ITEMS])| {
+        let run = TimedRun::of(WorkCounts(counts), processor_s, machine_speed);
+        let are_numbers = run.work.0.iter().chain([&run.seconds]).all(|number| number.is_finite());
+        are_numbers.then_some(run)
     };
-    lines.map(run).collect()
+    took.into_iter().zip(counts).map(run).collect()
 }
 
 fn known(text: &str) -> Option<BTreeMap<String, Taken>> {
+    let taken = columns(text, TAKEN)?.into_iter().map(of_numbers);
+    let place = text.lines().next()?.split(',').position(|column| column == "scene")?;
+    let name = |line: &str| line.split(',').nth(place).map(str::to_owned);
+    text.lines().skip(1).zip(taken).map(|(line, taken)| Some((name(line)?, taken))).collect()
+}
+
+/// Numbers of some columns, row by row; `None` where one is missing or no number.
+fn columns<const N: usize>(text: &str, names: [impl AsRef<str>; N]) -> Option<Vec<[f64; N]>> {
     let mut lines = text.lines();
     let head: Vec<&str> = lines.next()?.split(',').collect();
-    let place = |name: &str| head.iter().position(|column| *column == name);
-    let (name, columns) = (place("scene")?, TAKEN.map(place));
-    let scene = |line: &str| {
+    let places = names.map(|name| head.iter().position(|column| *column == name.as_ref()));
+    let row = |line: &str| {
         let cells: Vec<&str> = line.split(',').collect();
-        let mut numbers = [0.0; TAKEN.len()];
-        for (number, column) in numbers.iter_mut().zip(columns) {
-            *number = cells.get(column?)?.parse().ok()?;
+        let mut numbers = [0.0; N];
+        for (number, place) in numbers.iter_mut().zip(places) {
+            *number = cells.get(place?)?.parse().ok()?;
         }
-        Some(((*cells.get(name)?).to_owned(), of_numbers(numbers)))
+        Some(numbers)
     };
-    lines.map(scene).collect()
+    lines.map(row).collect()
 }
 
 fn of_numbers(numbers: [f64; TAKEN.len()]) -> Taken {
