@@ -4,6 +4,7 @@ use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 use wayside::program::cli::General;
 use wayside::program::terminal::Results;
+use wayside::program::values::{Shard, shard};
 
 /// From a 3D model to a vehicle class: scattering at 77 GHz, FMCW echoes, detection, classification.
 #[derive(Debug, Parser)]
@@ -94,6 +95,9 @@ pub(crate) struct PageArguments {
     /// File of the page in place of docs/; of `chart`, `atlas` and `levels` a folder.
     #[arg(long, value_name = "F", requires = "name")]
     pub(crate) out: Option<PathBuf>,
+    /// Makes every Nth row from the Kth on, keeps it in out/, and writes no page (`planner`).
+    #[arg(long, value_name = "K/N", value_parser = shard, requires = "name", conflicts_with = "out")]
+    pub(crate) shard: Option<Shard>,
     /// Processor minutes of `search` [default: 2].
     #[arg(long, value_name = "M", requires = "name")]
     pub(crate) minutes: Option<f64>,

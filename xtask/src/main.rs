@@ -3,6 +3,7 @@
 
 mod cli;
 mod project;
+mod random_scenes;
 mod house;
 mod bytes;
 mod scene_keys;

@@ -10,6 +10,11 @@ pub(crate) fn project_root() -> PathBuf {
     built_in.filter(|p| p.join("Cargo.toml").is_file()).unwrap_or_else(|| PathBuf::from("."))
 }
 
+/// Files of third parties, beside the project.
+pub(crate) fn shared() -> PathBuf {
+    std::env::var_os("WAYSIDE_SHARED").map_or_else(|| project_root().join("../shared"), PathBuf::from)
+}
+
 /// Ending that Linux puts behind the place of a program that was removed while it runs.
 const REMOVED: &str = " (deleted)";
 

@@ -60,7 +60,7 @@ pub use bodies::world::World;
 pub use detail::level::reduced;
 pub use detail::tracer::Tracer;
 pub use frame::expected_work::ExpectedWork;
-pub use frame::left_out::echo_parts::{EchoParts, ORDERS as ORDERS_OF_PARTS};
+pub use frame::left_out::echo_parts::{EchoParts, ORDERS as ORDERS_OF_PARTS, RoadParts};
 pub use frame::path::FrameSurroundings;
 pub use frame::path_plan::MOMENTS_MAX;
 pub use frame::path_sum::{PathView, scattering_of_paths};

@@ -5,8 +5,9 @@
 use artifact::Accuracy;
 use artifact::material::{Material, Road};
 use artifact::paths::{Amplitude, Path, PathsFrame};
+use artifact::radar::Polarization;
 use artifact::scene::{Mesh, SceneFrame, SceneHeader};
-use artifact::settings::{NodeRule, Sides};
+use artifact::settings::{Edges, NodeRule, Sides};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::{FrameSurroundings, PathView, Standpoint, Tracer, scattering_of_paths};
 use glam::DVec3;
@@ -189,6 +190,42 @@ fn without_a_road_its_cost_is_added_up_and_with_one_it_is_not() {
     assert_eq!(traced(Some(road)).model_error.road, None);
     // Above by the margin 1.85 of the measurement, 5.3 dB; a quarter of every integral may miss.
     assert!(printed > true_error && printed < 1.85 * 1.25 * true_error);
+}
+
+#[test]
+fn edges_over_a_road_are_those_of_the_ways_that_do_not_meet_it() {
+    // Two walls off their specular, so that own edges take over from polygons.
+    let wall = |y: f64| [[-0.3, 0.0, 0.2], [0.0, 0.3 * y, 0.2], [0.0, 0.3 * y, 0.7], [-0.3, 0.0, 0.7]];
+    let mesh = Mesh {
+        name: "corner".into(),
+        vertices_m: [wall(1.0), wall(-1.0)].concat(),
+        triangles: vec![[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]],
+        ..Mesh::default()
+    };
+    let of = |nodes: NodeRule, polarization: Polarization, edges: Edges, road: Option<Road>| {
+        let yaw = -std::f64::consts::FRAC_PI_2 + 0.1;
+        let (mut header, frame) = bodies::scenes::scene(&mesh, &[([0.0, 25.0, 0.0], yaw, [0.0; 3])]);
+        (header.fidelity.edges, header.fidelity.bounces) = (edges, 3);
+        header.radar.array.polarization = polarization;
+        (header.road, header.fidelity.nodes, header.fidelity.accuracy) =
+            (road, nodes, Accuracy::from_db(-50.0));
+        let traced = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE);
+        let (p, q) = polarization.indices();
+        sum(&traced.unwrap().paths)[p][q]
+    };
+    for (nodes, polarization) in [(NodeRule::Middle, Polarization::Hh), (NodeRule::OwnEdge, Polarization::Vv)]
+    {
+        let asphalt = || smooth(Material::HalfSpace { permittivity: ASPHALT });
+        let [with, without] = [Edges::FirstOrder, Edges::Ignored]
+            .map(|edges| [None, asphalt()].map(|road| of(nodes, polarization, edges, road)));
+        let [alone, over] = [0, 1].map(|road| with[road] - without[road]);
+        println!("{nodes:?}, {polarization:?}: edges alone {alone:.5}, over the road {over:.5}");
+        // Each of four frames errs by its accuracy of its own level.
+        let allowed = Accuracy::from_db(-50.0).amplitude()
+            * (with.iter().chain(&without)).map(|s| s.norm()).sum::<f64>();
+        assert!((alone - over).norm() < allowed, "{nodes:?}, {polarization:?}: {allowed}");
+        assert!(alone.norm() > 5.0 * allowed, "edges are told from nothing");
+    }
 }
 
 #[test]

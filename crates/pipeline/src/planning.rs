@@ -65,7 +65,7 @@ fn planned(
     }
     let _under_way = Work::begin("looking at what the echo consists of");
     let tracer = look::tracer(header, memory)?;
-    let Some(shares) = look::shares(header, &tracer)? else { return Ok(None) };
+    let Some(shares) = look::shares(header, said, &tracer)? else { return Ok(None) };
     let asked = header.fidelity.accuracy;
     let fixed = fixed(header, said, &shares);
     let budget = Budget::of(asked.amplitude(), &shares);

@@ -11,7 +11,7 @@ mod interrupt;
 #[cfg(feature = "classifier")]
 mod learning_cli;
 mod suggestion;
-mod values;
+pub mod values;
 mod words;
 
 use cli::General;

@@ -16,6 +16,7 @@ use wayside::host::failure::Failure;
 use wayside::host::files;
 use wayside::host::progress::Work;
 use wayside::program::terminal;
+use wayside::program::values::Shard;
 
 /// A study, which makes figures of a page.
 pub(crate) struct Study {
@@ -31,7 +32,9 @@ pub(crate) struct Study {
 
 enum Make {
     /// A part of its page.
-    Part(fn(Extent) -> Result<Part, Failure>),
+    Part(MakePart),
+    /// A part of its page, whose rows are kept and can be made in shares.
+    Rows(MakePart, MakeRows),
     /// A page, with a table and pictures.
     Whole(fn(&StudyArguments) -> Result<(), Failure>),
     /// A row of a ledger that stands on its page.
@@ -70,7 +73,13 @@ pub(crate) const STUDIES: [Study; 28] = [
         sensitivity::SOURCES,
         sensitivity::part,
     ),
-    part("planner", "docs/validation/planner.md", "two hours", planner::SOURCES, planner::part),
+    Study {
+        name: "planner",
+        page: "docs/validation/planner.md",
+        takes: "a day",
+        sources: planner::SOURCES,
+        make: Make::Rows(planner::part, planner::rows),
+    },
     part("false-alarms", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_complex_samples),
     part("false-alarms-real", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_real_samples),
     part("estimates", "docs/validation/estimates.md", "10 minutes", estimates::SOURCES, estimates::part),
@@ -126,6 +135,7 @@ const ALARMS: &str = "docs/validation/false-alarms.md";
 pub(super) const SEARCH: &str = "docs/validation/random-search.md";
 const IN_TURN: &str = "docs/validation/transmitters-in-turn.md";
 
+type MakeRows = fn(Extent, Shard) -> Result<(), Failure>;
 type MakePart = fn(Extent) -> Result<Part, Failure>;
 type MakeWhole = fn(&StudyArguments) -> Result<(), Failure>;
 
@@ -165,16 +175,15 @@ pub(crate) fn run(arguments: &PageArguments) -> Result<(), Failure> {
     let unknown =
         || Failure::Refused(format!("there is no study `{name}`; `cargo xtask study` tells of all"));
     let study = by_name(name).ok_or_else(unknown)?;
-    match study.make {
-        Make::Ledger => study.enter_search(arguments),
-        Make::Part(make) => study.make_part(make, arguments),
-        Make::Whole(make) => make(&StudyArguments {
-            quick: arguments.quick,
-            out: arguments.out.clone(),
-            docs: !arguments.quick && arguments.out.is_none(),
-            table: None,
-        }),
+    match (&study.make, arguments.shard) {
+        (Make::Rows(_, rows), Some(shard)) => rows(extent(arguments), shard),
+        (_, Some(_)) => Err(Failure::Refused(format!("--shard: `{name}` keeps no rows; `planner` does"))),
+        (make, None) => study.make(make, arguments),
     }
+}
+
+fn extent(arguments: &PageArguments) -> Extent {
+    if arguments.quick { Extent::Quick } else { Extent::Full }
 }
 
 fn list() -> Result<(), Failure> {
@@ -191,6 +200,20 @@ impl Study {
     pub(crate) fn age(&self) -> Result<Age, Failure> {
         let page = std::fs::read_to_string(project_root().join(self.page)).unwrap_or_default();
         Ok(Age::of(&page, self.name, &sources::hash(self.sources)?))
+    }
+
+    /// Makes what the study makes.
+    fn make(&self, make: &Make, arguments: &PageArguments) -> Result<(), Failure> {
+        match make {
+            Make::Ledger => self.enter_search(arguments),
+            Make::Part(make) | Make::Rows(make, _) => self.make_part(*make, arguments),
+            Make::Whole(make) => make(&StudyArguments {
+                quick: arguments.quick,
+                out: arguments.out.clone(),
+                docs: !arguments.quick && arguments.out.is_none(),
+                table: None,
+            }),
+        }
     }
 
     /// Searches, and puts what was found behind what earlier searches found.
@@ -220,7 +243,7 @@ impl Study {
     /// Puts the part into its page; of fewer cases only where another place than `docs/` is given.
     fn make_part(&self, make: MakePart, arguments: &PageArguments) -> Result<(), Failure> {
         let place = project_root().join(self.page);
-        let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
+        let extent = extent(arguments);
         // Before the work, so that it says of which sources it is even if they change meanwhile.
         let hash = if arguments.quick { FEWER.to_owned() } else { sources::hash(self.sources)? };
         let _work = Work::begin(self.name);
@@ -239,6 +262,15 @@ impl Study {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn shares_of_rows_are_refused_by_name_where_none_are_kept() {
+        let shard = Some(Shard { number: 1, of: 2 });
+        let name = Some("wheels".to_owned());
+        let asked = PageArguments { name, quick: true, out: None, shard, minutes: None, seed: None };
+        let refused = run(&asked).unwrap_err().to_string();
+        assert!(refused.contains("`wheels` keeps no rows"), "{refused}");
+    }
 
     #[test]
     fn every_study_has_a_name_of_its_own_and_sources_that_are_there() {

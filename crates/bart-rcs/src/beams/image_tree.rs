@@ -62,6 +62,12 @@ fn below_road(world: &World, direct: &BeamTree, beam: &Beam, tree: &mut BeamTree
     }
 }
 
+/// Whether a leg of the way to a beam meets the road: its image sent it, or a facet on it is an image.
+pub(crate) fn goes_by_road(world: &World, tree: &BeamTree, beam: &Beam) -> bool {
+    world.road().is_some()
+        && (origin(tree, beam) != Half::Above || tree.way_back(beam).any(|met| world.is_image(met.facet)))
+}
+
 /// Antenna, the real one or its image, that a beam came from.
 pub(crate) fn origin(tree: &BeamTree, beam: &Beam) -> Half {
     let is_direct = tree.way_back(beam).last().is_none_or(|first| first.image == tree.antenna);

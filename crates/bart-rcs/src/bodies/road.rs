@@ -17,7 +17,7 @@ use crate::oversight::error::BartError;
 use artifact::material::{Material, Road};
 use artifact::permittivity::substance;
 use artifact::scene::SceneHeader;
-use artifact::settings::{EchoMode, Edges, Sides};
+use artifact::settings::{EchoMode, Sides};
 
 /// Factors of a field, seen unfolded, where it crosses z = 0: r_TE and −r_TM, weakened by e^{−g²/2}, g
 /// = 2kσ sinψ (Ament 1953).
@@ -51,7 +51,6 @@ pub(crate) fn check_road(header: &SceneHeader) -> Result<(), BartError> {
         Some(_) if header.radar.position_m[2] <= 0.0 => {
             Err(BartError::AntennaBelowRoad { height_m: header.radar.position_m[2] })
         }
-        Some(_) if fidelity.edges == Edges::FirstOrder => refused("[road] with edges = \"on\""),
         Some(_) if fidelity.sides == Sides::One => refused("[road] with sides = \"one\""),
         Some(_) if fidelity.echo == EchoMode::RcsTable => refused("[road] with echo = \"rcs-table\""),
         Some(_) => Ok(()),

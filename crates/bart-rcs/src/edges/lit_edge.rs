@@ -5,6 +5,7 @@
 //! edge-on to the antenna to rounding) have no polygon.
 
 use crate::beams::beam::{Beam, BeamTree};
+use crate::beams::image_tree::goes_by_road;
 use crate::bodies::world::World;
 use crate::joins::joint::{Reverse, Trees};
 use crate::mesh::wedges::world_edges::{EdgeGeometry, FacetSide, WorldEdges};
@@ -46,10 +47,12 @@ pub(crate) fn edge_joints(world: &World, edges: &WorldEdges, trees: Trees<'_>, o
     }
 }
 
-/// Parts of edges that a tree's beams up to `max_order` reach; by edge, order, mirror and place.
+/// Parts of edges that a tree's beams up to `max_order` reach; by edge, order, mirror and place. What comes
+/// by the road is not followed to edges.
 pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_order: u8) -> Vec<LitEdge> {
     let mut found = Vec::new();
-    for (index, beam) in (0..).zip(&tree.beams).take_while(|(_, beam)| beam.order <= max_order) {
+    let beams = (0..).zip(&tree.beams).take_while(|(_, beam)| beam.order <= max_order);
+    for (index, beam) in beams.filter(|(_, beam)| !goes_by_road(world, tree, beam)) {
         for side in edges.sides_of(beam.facet) {
             let edge = &edges.edges[side.edge as usize];
             let reached = reached_m(world, tree, beam, side, edge);

@@ -1,9 +1,10 @@
 //! Double reflections off their specular: how far their polygons are parted from it, and the own edges that
 //! take over.
 //!
-//! For sequences of two flat conducting patches of a square wavelength or more, without road, sheets and
-//! bent skin, from which no third facet rises and whose sight nothing else is in: the lit polygons, seen
-//! from the mirror's image in the mirror's plane, are as large as the overlap of both patches there.
+//! For sequences of two flat conducting patches of a square wavelength or more, that do not go by the road,
+//! without sheets and bent skin, from which no third facet rises and whose sight nothing else is in: the lit
+//! polygons, seen from the mirror's image in the mirror's plane, are as large as the overlap of both patches
+//! there.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
@@ -29,7 +30,7 @@ pub(crate) fn part_sequences(
     highest_per_m: f64,
 ) -> Vec<Truncation> {
     let world = scatterer.world;
-    if world.road().is_some() || world.has_sheets() || world.skin_error() > 0.0 {
+    if world.has_sheets() || world.skin_error() > 0.0 {
         return Vec::new();
     }
     let mut patches = FlatPatches::of(world, std::f64::consts::TAU / highest_per_m);
@@ -71,13 +72,14 @@ struct Member {
 /// sequence is its own way back.
 fn sequences(scatterer: &Scatterer<'_>, joints: &Joints) -> BTreeMap<[LitPatch; 2], Vec<Member>> {
     let mut all: BTreeMap<[LitPatch; 2], Vec<Member>> = BTreeMap::new();
-    for (index, joint) in joints.list.iter().enumerate() {
+    let direct = joints.list.iter().enumerate().filter(|(_, joint)| !scatterer.goes_by_road(joint));
+    for (index, joint) in direct {
         let (mirror, _) = mirror_of(scatterer, joint);
         let node = lit_patch(scatterer.world, scatterer.forward(joint));
         let mirror = lit_patch(scatterer.world, mirror);
         let is_first = match scatterer.trees {
-            Trees::Apart(..) | Trees::ByRoad(..) => scatterer.forward(joint).order == 1,
-            Trees::Shared(_) => node < mirror,
+            Trees::Apart(..) => scatterer.forward(joint).order == 1,
+            Trees::Shared(_) | Trees::ByRoad(..) => node < mirror,
         };
         let (sequence, node) = if is_first { ([node, mirror], 0) } else { ([mirror, node], 1) };
         all.entry(sequence).or_default().push(Member { joint: index, node });

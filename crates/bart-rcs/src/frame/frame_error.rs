@@ -139,11 +139,6 @@ pub(crate) fn mean(values: &[Complex64]) -> f64 {
 }
 
 impl Reference {
-    /// Reference that is known by its orders alone, from 1.
-    pub(crate) fn of_orders(frequencies_hz: Vec<f64>, by_order_m: Vec<Vec<Complex64>>) -> Self {
-        Self { frequencies_hz, by_order_m, other_m: vec![], left_out_m: None }
-    }
-
     /// Spread between the node rules where both are known, and the first order that is missing; both relative
     /// to all orders.
     pub(crate) fn model_error(&self) -> ModelError {

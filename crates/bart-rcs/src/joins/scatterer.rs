@@ -1,7 +1,7 @@
 //! Joints with their legs: what one trace gives to every frequency and polarization.
 
 use crate::beams::beam::{Beam, BeamTree};
-use crate::beams::image_tree::origin;
+use crate::beams::image_tree::{goes_by_road, origin};
 use crate::bodies::road::{Half, half_of};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
@@ -90,6 +90,13 @@ impl<'a> Scatterer<'a> {
 
     pub(crate) fn forward(&self, joint: &Joint) -> &'a Beam {
         &self.trees.transmit().beams[joint.forward as usize]
+    }
+
+    /// Whether a leg of the joint's way meets the road.
+    pub(crate) fn goes_by_road(&self, joint: &Joint) -> bool {
+        let backward = &self.trees.receive().beams[joint.backward as usize];
+        goes_by_road(self.world, self.trees.transmit(), self.forward(joint))
+            || goes_by_road(self.world, self.trees.receive(), backward)
     }
 
     pub(crate) fn transmit_leg(&self, joint: &Joint) -> &Leg {

@@ -76,9 +76,8 @@ const LEFT_OUT_POWER: f64 = 0.7;
 const ONE_NODE_RULE: f64 = 0.25;
 
 impl Choice {
-    /// Choices that keep the budget and leave out as much as they can, and before them the one with least
-    /// left out, which is all there is where none keeps it: what is left of the budget is the integrals'.
-    /// Which of them is cheapest is a matter of their costs.
+    /// All of the physics, and behind it the choices that keep the budget and leave out as much as they can:
+    /// what is left of the budget is the integrals'. Which of them is cheapest is a matter of their costs.
     ///
     /// Leaving out is judged by power: parts of an echo have phases of their own.
     pub(crate) fn all(budget: &Budget, shares: &Shares, fixed: &Fixed) -> Vec<Self> {
@@ -89,22 +88,16 @@ impl Choice {
         let keeps = |physics: &Physics| chosen(physics) <= room;
         let any_node_rule = shares.nodes <= ONE_NODE_RULE * budget.whole;
         let leaves_most = |physics: &Physics| !physics.one_less(fixed).iter().any(keeps);
-        let (built, every) = (Physics::is_built, whole.every_less(fixed));
-        let least = every.iter().filter(|physics| built(physics) && keeps(physics) && leaves_most(physics));
-        // Of equals the one with most orders and parts, which is the last.
-        let fullest = every
-            .iter()
-            .rev()
-            .filter(|physics| built(physics))
-            .min_by(|a, b| a.left_out_power(shares).total_cmp(&b.left_out_power(shares)));
+        let every = whole.every_less(fixed);
+        let least = every.iter().filter(|physics| keeps(physics) && leaves_most(physics));
         let of = |physics: &Physics| Self {
             left_out: chosen(physics).sqrt(),
-            numerical: (budget.whole.powi(2) - chosen(physics).min(room)).sqrt(),
+            numerical: (budget.whole.powi(2) - chosen(physics)).sqrt(),
             bounces: physics.bounces,
             modelled: physics.modelled.clone(),
             any_node_rule,
         };
-        fullest.into_iter().chain(least).map(of).collect()
+        [&whole].into_iter().chain(least.filter(|physics| **physics != whole)).map(of).collect()
     }
 }
 
@@ -138,11 +131,6 @@ impl Physics {
         fewer.into_iter().chain(Part::ALL.into_iter().filter(open).map(without)).collect()
     }
 
-    /// Whether the tracer has all of it at once: edges are not followed by the road.
-    fn is_built(&self) -> bool {
-        ![Part::Road, Part::Edges].iter().all(|part| self.modelled.contains(part))
-    }
-
     /// All that leaves out more than this or nothing more, in the order of orders and parts.
     fn every_less(&self, fixed: &Fixed) -> BTreeSet<Self> {
         let mut every = BTreeSet::from([self.clone()]);
@@ -159,13 +147,14 @@ impl Physics {
         let orders = (1..).zip(shares.within.iter().zip(&shares.between));
         let of_order = |(order, (within, between)): (u8, (&f64, &f64))| {
             let is_beyond = order > self.bounces;
-            let between = if is_beyond || is_out(Part::BetweenBodies) { between.powi(2) } else { 0.0 };
-            between + if is_beyond { within.powi(2) } else { 0.0 }
+            let left_out = |is_out: bool, share: f64| if is_beyond || is_out { share.powi(2) } else { 0.0 };
+            left_out(false, *within)
+                + left_out(is_out(Part::BetweenBodies), *between)
+                + left_out(is_out(Part::Road), shares.by_road(order))
+                + left_out(is_out(Part::Edges), shares.by_edges(order))
         };
         orders.map(of_order).sum::<f64>()
             + if self.bounces < MOST_BOUNCES { beyond(shares) } else { 0.0 }
-            + of_part(Part::Road, shares.road.unwrap_or(0.0))
-            + of_part(Part::Edges, shares.edges)
             + of_part(Part::Sheets, shares.sheets)
     }
 }
@@ -173,7 +162,11 @@ impl Physics {
 /// Power of the orders that no look reaches: as the last falls from the one before it, so they go on, and
 /// they are no more than the last.
 fn beyond(shares: &Shares) -> f64 {
-    let power = |order: usize| shares.within[order].powi(2) + shares.between[order].powi(2);
+    let power = |at: usize| {
+        let order = at as u8 + 1;
+        let all = [shares.within[at], shares.between[at], shares.by_road(order), shares.by_edges(order)];
+        all.iter().map(|share| share.powi(2)).sum::<f64>()
+    };
     let count = shares.within.len().min(shares.between.len());
     match count {
         0 | 1 => 0.0,
@@ -193,8 +186,9 @@ mod tests {
             within: vec![1.0, 0.3, 0.03, 0.003],
             between: vec![0.0, 0.02, 0.002, 0.0002],
             nodes: 0.0,
-            road: Some(0.2),
-            edges: 0.01,
+            road: Some(vec![0.2, 0.02, 0.0, 0.0]),
+            whole_with_road: 1.0,
+            edges: vec![0.01, 0.0, 0.0, 0.0],
             sheets: 0.0,
             noise: 0.0,
         }
@@ -207,8 +201,7 @@ mod tests {
     #[test]
     fn choices_leave_out_all_that_the_budget_spares_and_the_rest_is_the_integrals() {
         let all = all(0.1, &shares(), &Fixed::default());
-        assert_eq!((all[0].bounces, all[0].modelled.len()), (5, 3), "everything on that goes together");
-        assert!((all[0].left_out - 0.01).abs() < 1e-12, "edges are weaker than the road");
+        assert_eq!((all[0].bounces, all[0].modelled.len(), all[0].left_out), (5, 4, 0.0), "everything on");
         let [least] = &all[1..] else { panic!("{all:?}") };
         assert_eq!((least.bounces, &least.modelled), (2, &BTreeSet::from([Part::Road])));
         let left =
@@ -222,7 +215,7 @@ mod tests {
 
     #[test]
     fn where_one_part_or_the_other_can_be_spared_both_are_choices() {
-        let either = Shares { within: vec![1.0, 0.5, 0.08, 0.0], road: Some(0.08), ..shares() };
+        let either = Shares { within: vec![1.0, 0.5, 0.08, 0.0], road: Some(vec![0.08]), ..shares() };
         let modelled: Vec<(u8, bool)> = all(0.1, &either, &Fixed::default())[1..]
             .iter()
             .map(|choice| (choice.bounces, choice.modelled.contains(&Part::Road)))
@@ -251,11 +244,10 @@ mod tests {
     }
 
     #[test]
-    fn a_budget_that_no_choice_keeps_takes_what_leaves_out_least() {
-        let both = Shares { edges: 0.15, ..shares() };
-        let [only] = &all(0.05, &both, &Fixed::default())[..] else { panic!("one choice") };
-        assert!(only.modelled.contains(&Part::Road) && !only.modelled.contains(&Part::Edges));
-        assert!(only.left_out > 0.05 && only.numerical > 0.0);
+    fn edges_of_an_order_that_cannot_be_spared_are_modelled_with_the_road_up_to_it() {
+        let both = Shares { edges: vec![0.01, 0.0, 0.15, 0.0], ..shares() };
+        let least = all(0.1, &both, &Fixed::default()).pop().unwrap();
+        assert_eq!((least.bounces, least.modelled), (3, BTreeSet::from([Part::Road, Part::Edges])));
     }
 
     #[test]

@@ -8,6 +8,7 @@ use artifact::settings::Noise;
 use artifact::units::{BOLTZMANN_J_PER_K, power_from_db};
 use bart_rcs::{EchoParts, Tracer, Unheard};
 use num_complex::Complex64;
+use scene::SaidPhysics;
 
 /// Shares of the echo as relative amplitudes, each the largest of the frames looked at.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -18,10 +19,12 @@ pub(crate) struct Shares {
     pub(crate) between: Vec<f64>,
     /// Spread between the node rules of double and triple reflections.
     pub(crate) nodes: f64,
-    /// Ways by a road of dry asphalt; `None` where these cannot be followed.
-    pub(crate) road: Option<f64>,
-    /// Diffraction by edges.
-    pub(crate) edges: f64,
+    /// Ways by a road of dry asphalt, by order from 1; `None` where these cannot be followed.
+    pub(crate) road: Option<Vec<f64>>,
+    /// The whole echo with the road.
+    pub(crate) whole_with_road: f64,
+    /// Diffraction by edges, by order from 1.
+    pub(crate) edges: Vec<f64>,
     /// Change by waves through sheets.
     pub(crate) sheets: f64,
     /// Whole echo of which all of it, in one cell of the map, would be as strong as the noise.
@@ -29,12 +32,20 @@ pub(crate) struct Shares {
 }
 
 /// Looks at three frames of a scene at most; `None` where nothing scatters in them.
-pub(crate) fn shares(header: &SceneHeader, tracer: &Tracer) -> Result<Option<Shares>, Failure> {
+///
+/// What a scene leaves out of its echo by its own word, a road, is no part of the whole.
+pub(crate) fn shares(
+    header: &SceneHeader,
+    said: &SaidPhysics,
+    tracer: &Tracer,
+) -> Result<Option<Shares>, Failure> {
+    let has_no_road = said.road && header.road.is_none();
     let mut all: Option<Shares> = None;
     for index in frames_looked_at(header.frames) {
         let Some(parts) = parts(tracer, header, index)? else { continue };
         let noise = noise(header, index, &parts.amplitude_m);
         let of_frame = Shares { noise, ..of_parts(parts) };
+        let of_frame = if has_no_road { of_frame } else { of_frame.over_road() };
         all = Some(match all {
             Some(before) => before.larger(of_frame),
             None => of_frame,
@@ -55,7 +66,9 @@ fn parts(tracer: &Tracer, header: &SceneHeader, index: u32) -> Result<Option<Ech
 
 fn of_parts(parts: EchoParts) -> Shares {
     let EchoParts { within, between, nodes, road, edges, transmission, .. } = parts;
-    Shares { within, between, nodes, road, edges, sheets: transmission, noise: 0.0 }
+    let whole_with_road = road.as_ref().map_or(1.0, |road| road.whole);
+    let road = road.map(|road| road.by_order);
+    Shares { within, between, nodes, road, whole_with_road, edges, sheets: transmission, noise: 0.0 }
 }
 
 /// Relative amplitude of an echo that, all of it in one cell and all channels added in phase, is as strong
@@ -85,15 +98,55 @@ impl Shares {
     /// The larger of each share.
     fn larger(self, other: Self) -> Self {
         let each = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| a.max(b)).collect();
-        let either = |a: Option<f64>, b: Option<f64>| a.into_iter().chain(b).reduce(f64::max);
+        let either = |a: Option<Vec<f64>>, b: Option<Vec<f64>>| match (a, b) {
+            (Some(a), Some(b)) => Some(each(a, b)),
+            (a, b) => a.or(b),
+        };
         Self {
             within: each(self.within, other.within),
             between: each(self.between, other.between),
             nodes: self.nodes.max(other.nodes),
             road: either(self.road, other.road),
-            edges: self.edges.max(other.edges),
+            whole_with_road: self.whole_with_road.min(other.whole_with_road),
+            edges: each(self.edges, other.edges),
             sheets: self.sheets.max(other.sheets),
             noise: self.noise.min(other.noise),
         }
     }
+
+    /// The shares of the whole echo with the road. Node rules and sheets change what goes by the road as much
+    /// as what does not.
+    pub(crate) fn over_road(&self) -> Self {
+        let whole = self.whole_with_road.max(f64::MIN_POSITIVE);
+        let of = |share: &f64| share / whole;
+        Self {
+            within: self.within.iter().map(of).collect(),
+            between: self.between.iter().map(of).collect(),
+            nodes: self.nodes,
+            road: self.road.as_ref().map(|road| road.iter().map(of).collect()),
+            whole_with_road: 1.0,
+            edges: self.edges.iter().map(of).collect(),
+            sheets: self.sheets,
+            noise: of(&self.noise),
+        }
+    }
+
+    /// Ways of this order by the road; 0 where they cannot be followed.
+    pub(crate) fn by_road(&self, order: u8) -> f64 {
+        of_order(self.road.as_deref().unwrap_or_default(), order)
+    }
+
+    /// Ways of this order to edges; 0 beyond the orders looked at.
+    pub(crate) fn by_edges(&self, order: u8) -> f64 {
+        of_order(&self.edges, order)
+    }
+}
+
+fn of_order(shares: &[f64], order: u8) -> f64 {
+    usize::from(order).checked_sub(1).and_then(|at| shares.get(at)).copied().unwrap_or(0.0)
+}
+
+/// Amplitude of shares whose powers add up.
+pub(crate) fn together(shares: &[f64]) -> f64 {
+    shares.iter().map(|share| share.powi(2)).sum::<f64>().sqrt()
 }

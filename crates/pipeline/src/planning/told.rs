@@ -2,7 +2,7 @@
 
 use crate::planning::choice::{Budget, Choice, Fixed, Limit};
 use crate::planning::costs::Seconds;
-use crate::planning::look::Shares;
+use crate::planning::look::{Shares, together};
 use crate::planning::part::Part;
 use artifact::Accuracy;
 use artifact::scene::SceneHeader;
@@ -83,9 +83,6 @@ impl PlanFigures {
     pub fn lines(&self) -> Vec<String> {
         let mut lines = vec![self.first_line()];
         lines.extend(self.parts.iter().map(PartFigures::line));
-        if !self.is_kept() {
-            lines.push(format!("  no choice keeps that: {} are left out", level(Some(self.left_out_db))));
-        }
         lines.push(format!(
             "plan: {} bounces, integrals and cells to {}, errors measured in every {}; about {} of processor \
              time, {} as the scene stands",
@@ -96,12 +93,6 @@ impl PlanFigures {
             spent(self.as_said_processor_s),
         ));
         lines
-    }
-
-    /// Whether what is left out stays within what may be spent; not where the scene's own keys, or parts that
-    /// do not go together, leave no choice that does.
-    pub fn is_kept(&self) -> bool {
-        self.left_out_db <= self.spent_db
     }
 
     fn first_line(&self) -> String {
@@ -168,9 +159,9 @@ fn part_figures(
 
 fn share(part: Part, shares: &Shares) -> Option<f64> {
     match part {
-        Part::BetweenBodies => Some(shares.between.iter().map(|share| share.powi(2)).sum::<f64>().sqrt()),
-        Part::Road => shares.road,
-        Part::Edges => Some(shares.edges),
+        Part::BetweenBodies => Some(together(&shares.between)),
+        Part::Road => shares.road.as_deref().map(together),
+        Part::Edges => Some(together(&shares.edges)),
         Part::Sheets => Some(shares.sheets),
     }
 }

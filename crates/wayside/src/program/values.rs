@@ -125,12 +125,19 @@ pub(crate) fn place(text: &str) -> Result<Place, String> {
 
 /// Part `number` of `of`, from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Shard {
-    pub(crate) number: u32,
-    pub(crate) of: u32,
+pub struct Shard {
+    /// Number of the part, from 1.
+    pub number: u32,
+    /// Number of parts.
+    pub of: u32,
 }
 
-pub(crate) fn shard(text: &str) -> Result<Shard, String> {
+/// Shard of an option `K/N`.
+///
+/// # Errors
+///
+/// Not of this form, or K not from 1 to N.
+pub fn shard(text: &str) -> Result<Shard, String> {
     let parsed =
         text.split_once('/').and_then(|(k, n)| Some(Shard { number: k.parse().ok()?, of: n.parse().ok()? }));
     match parsed {

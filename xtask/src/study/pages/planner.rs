@@ -12,22 +12,24 @@ use kept::Kept;
 use trial::{Searched, Trial};
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
+use wayside::program::values::Shard;
 
 /// Sources that the figures hang on.
 pub(crate) const SOURCES: Places = &[
     CHAIN,
     &["crates/pipeline/src/planning", "xtask/src/study/pages/planner", "xtask/src/study/pages/planner.rs"],
+    &["xtask/src/random_scenes.rs"],
 ];
 
 /// Accuracies asked, dB, in turn; the finest of one vehicle alone.
-const ASKED_DB: [f64; 4] = [-10.0, -15.0, -20.0, -30.0];
+const ASKED_DB: [f64; 5] = [-10.0, -15.0, -20.0, -30.0, -40.0];
 const SCENES: u64 = 200;
-/// Every so manieth scene is searched for the cheapest setting too.
-const SEARCHED_EVERY: u64 = 20;
+/// Accuracies asked of scenes that are searched for the cheapest setting too, and their number.
+const SEARCHED_DB: [f64; 3] = [-10.0, -15.0, -20.0];
+const SEARCHED: u64 = 10;
 
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    let (mut part, count) = (Part::default(), extent.of(SCENES));
-    let kept = Kept::of(&sources::hash(SOURCES)?);
+    let (mut part, rows) = (Part::default(), Rows::of(extent)?);
     let columns = [
         "scene",
         "asked",
@@ -42,17 +44,60 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     part.head(&columns);
     let work = Work::begin("scenes");
     let mut trials = vec![];
-    for number in 0..count {
-        work.at(number as usize, count as usize);
-        let asked_db = ASKED_DB[(number % 4) as usize];
-        let scene = drawn::scene(1, number, if asked_db < -25.0 { 1 } else { 3 });
-        let trial = kept.or_made(&format!("planned-{number:03}"), || Trial::of(&scene, asked_db))?;
+    for number in 0..rows.scenes {
+        work.at(number as usize, rows.scenes as usize);
+        let Some(trial) = rows.trial(number)? else { continue };
         part.row(&trial.cells());
         trials.push(trial);
     }
     told(&mut part, &trials);
-    searched(&mut part, count, &kept)?;
+    searched(&mut part, &rows)?;
     Ok(part)
+}
+
+/// Makes every `of`th row from `number` on, and keeps it: so much of the page is there when it is made.
+pub(crate) fn rows(extent: Extent, shard: Shard) -> Result<(), Failure> {
+    let rows = Rows::of(extent)?;
+    let is_ours = |index: &u64| index % u64::from(shard.of) == u64::from(shard.number - 1);
+    let work = Work::begin("rows");
+    let count = rows.scenes + rows.searched;
+    for index in (0..count).filter(is_ours) {
+        work.at(index as usize, count as usize);
+        match index.checked_sub(rows.scenes) {
+            None => drop(rows.trial(index)?),
+            Some(number) => drop(rows.search(number)?),
+        }
+    }
+    Ok(())
+}
+
+/// Rows of both tables: made, or read where they are kept.
+struct Rows {
+    kept: Kept,
+    scenes: u64,
+    searched: u64,
+}
+
+impl Rows {
+    fn of(extent: Extent) -> Result<Self, Failure> {
+        let kept = Kept::of(&sources::hash(SOURCES)?);
+        Ok(Self { kept, scenes: extent.of(SCENES), searched: extent.of(SEARCHED) })
+    }
+
+    /// `None` where nothing scatters, or a real vehicle is not here.
+    fn trial(&self, number: u64) -> Result<Option<Trial>, Failure> {
+        let Some(scene) = drawn::scene(1, number, in_turn(&ASKED_DB, number)) else { return Ok(None) };
+        self.kept.or_made(&scene.name, || Trial::of(&scene))
+    }
+
+    fn search(&self, number: u64) -> Result<Option<Searched>, Failure> {
+        let Some(scene) = drawn::scene(2, number, in_turn(&SEARCHED_DB, number)) else { return Ok(None) };
+        self.kept.or_made(&scene.name, || Searched::of(&scene))
+    }
+}
+
+fn in_turn(all_db: &[f64], number: u64) -> f64 {
+    all_db[number as usize % all_db.len()]
 }
 
 /// Shares of the scenes that are as good as was promised.
@@ -78,9 +123,10 @@ fn told(part: &mut Part, trials: &[Trial]) {
 }
 
 /// Plans beside the cheapest of all settings that err by no more than the plan spends.
-fn searched(part: &mut Part, count: u64, kept: &Kept) -> Result<(), Failure> {
+fn searched(part: &mut Part, rows: &Rows) -> Result<(), Failure> {
     part.head(&[
         "scene",
+        "channels",
         "spent",
         "s planned",
         "the look among them",
@@ -89,12 +135,11 @@ fn searched(part: &mut Part, count: u64, kept: &Kept) -> Result<(), Failure> {
         "ratio",
     ]);
     let work = Work::begin("scenes searched");
-    for number in (0..count).step_by(SEARCHED_EVERY as usize) {
-        work.at(number as usize, count as usize);
-        let asked_db = ASKED_DB[((number / SEARCHED_EVERY) % 3) as usize];
-        let scene = drawn::scene(2, number, 1);
-        let searched = kept.or_made(&format!("searched-{number:03}"), || Searched::of(&scene, asked_db))?;
-        part.row(&searched.cells());
+    for number in 0..rows.searched {
+        work.at(number as usize, rows.searched as usize);
+        if let Some(searched) = rows.search(number)? {
+            part.row(&searched.cells());
+        }
     }
     Ok(())
 }

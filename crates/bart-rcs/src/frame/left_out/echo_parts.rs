@@ -4,9 +4,9 @@
 use crate::bodies::models::Models;
 use crate::bodies::world::World;
 use crate::frame::band_power::frequencies_hz;
-use crate::frame::frame_error::{Fineness, MARGIN, Reference, mean, mean_difference, of_meeting, total};
+use crate::frame::frame_error::{Fineness, MARGIN, mean, mean_difference, of_meeting, total};
 use crate::frame::left_out::between_bodies::meets_several_bodies;
-use crate::frame::left_out::road::road_left_out;
+use crate::frame::left_out::road::ways_by_road;
 use crate::frame::left_out::ways::{ACCURACY, LeftOutWays, sum_of_ways};
 use crate::frame::path_plan::Plan;
 use crate::frame::snapshot::Snapshot;
@@ -37,12 +37,22 @@ pub struct EchoParts {
     /// Spread between the node rules of double and triple reflections, without the margin, as
     /// [`artifact::ModelError::nodes`] tells that of a run.
     pub nodes: f64,
-    /// Ways by the road; `None` where these cannot be followed.
-    pub road: Option<f64>,
-    /// Diffraction by edges, of ways of up to three bounces.
-    pub edges: f64,
+    /// Ways by a road of dry asphalt, by order from 1, and the whole with them; `None` where these cannot be
+    /// followed.
+    pub road: Option<RoadParts>,
+    /// Diffraction by edges of ways that do not meet the road, by order from 1.
+    pub edges: Vec<f64>,
     /// Change by following waves through sheets; 0 where there are none.
     pub transmission: f64,
+}
+
+/// Parts of the echo by a road, relative as all [`EchoParts`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct RoadParts {
+    /// Ways that meet the road, by the number of bounces on bodies from 1.
+    pub by_order: Vec<f64>,
+    /// The whole echo with them, without the margin.
+    pub whole: f64,
 }
 
 /// Highest order that is looked at.
@@ -54,9 +64,10 @@ const FREQUENCIES: usize = 12;
 /// Ways of the look. Mirrors below a wavelength are not followed; those of five alone tell the fourth order of
 /// own cars 10 dB too weak.
 const WAYS: LeftOutWays = LeftOutWays { bounces: ORDERS, mirror_wavelengths: 1.0 };
-/// Highest order by which node rules are compared and edges are told: trees of the fourth by the middle rule
-/// hold its nodes.
+/// Highest order by which node rules are compared: trees of the fourth by the middle rule hold its nodes.
 const COMPARED_ORDERS: u8 = 3;
+/// Order whose polygons are parted where own edges take over.
+const PARTED_ORDER: u8 = 2;
 
 /// [`crate::Tracer::parts`] of these models.
 pub(crate) fn echo_parts(
@@ -95,7 +106,6 @@ fn looked_at(header: &SceneHeader) -> SceneHeader {
 struct Look<'a> {
     scatterer: Scatterer<'a>,
     plan: &'a Plan<'a>,
-    frequencies_hz: Vec<f64>,
     wavenumbers_per_m: Vec<f64>,
 }
 
@@ -103,7 +113,7 @@ impl<'a> Look<'a> {
     fn of(scatterer: Scatterer<'a>, plan: &'a Plan<'a>) -> Self {
         let frequencies_hz = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
         let wavenumbers_per_m = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
-        Self { scatterer, plan, frequencies_hz, wavenumbers_per_m }
+        Self { scatterer, plan, wavenumbers_per_m }
     }
 
     fn parts(&self, through: Option<Vec<Complex64>>) -> Result<Option<EchoParts>, BartError> {
@@ -117,16 +127,20 @@ impl<'a> Look<'a> {
         if power == 0.0 {
             return Ok(None);
         }
+        let by_road = ways_by_road(self.scatterer.world, self.plan, ORDERS, &self.wavenumbers_per_m)?;
         let share = |part: &Vec<Complex64>| MARGIN * (mean(part) / power).sqrt();
         let first_orders = total(by_order.iter().take(usize::from(TRANSMITTED_ORDERS)).cloned(), FREQUENCIES);
         let changed = through.map_or(0.0, |through| mean_difference(&first_orders, &through));
-        let reference = Reference::of_orders(self.frequencies_hz.clone(), by_order);
+        let road = by_road.map(|ways| RoadParts {
+            by_order: ways.iter().map(share).collect(),
+            whole: (mean(&total(ways.into_iter().chain([whole.clone()]), FREQUENCIES)) / power).sqrt(),
+        });
         Ok(Some(EchoParts {
             within: within.iter().map(share).collect(),
             between: between.iter().map(share).collect(),
             nodes: (self.node_spread() / power).sqrt(),
-            road: road_left_out(self.scatterer.world, self.plan, &reference)?,
-            edges: share(&self.edges()),
+            road,
+            edges: (1..=ORDERS).map(|order| share(&self.edges(order))).collect(),
             transmission: MARGIN * (changed / power).sqrt(),
             amplitude_m: whole,
         }))
@@ -152,14 +166,19 @@ impl<'a> Look<'a> {
         (2..=COMPARED_ORDERS).map(spread).sum()
     }
 
-    /// S of edges, as ways of the first orders end and begin on them.
-    fn edges(&self) -> Vec<Complex64> {
-        let settings = MeetingSettings { edges: Edges::FirstOrder, ..self.plan.meetings() };
-        let of_order = |order: u8| {
-            let edges = OrderJoints::of(&self.scatterer, order, &settings).without_facets();
-            of_meeting(&self.scatterer, self.plan, &edges, bracket_of(settings.nodes), &self.fineness())
+    /// S of edges, as ways of an order end and begin on them: of the last one those that the look's beams
+    /// reach. With what double reflections change by where own edges take over from their polygons.
+    fn edges(&self, order: u8) -> Vec<Complex64> {
+        let settings =
+            |edges: Edges| MeetingSettings { edges, nodes: NodeRule::OwnEdge, ..self.plan.meetings() };
+        let sum = |meeting: &OrderJoints| {
+            of_meeting(&self.scatterer, self.plan, meeting, bracket_of(NodeRule::OwnEdge), &self.fineness())
         };
-        total((1..=COMPARED_ORDERS).map(of_order), FREQUENCIES)
+        if order != PARTED_ORDER {
+            return sum(&settings(Edges::FirstOrder).on_edges(&self.scatterer, order));
+        }
+        let of = |edges: Edges| sum(&OrderJoints::of(&self.scatterer, order, &settings(edges)));
+        of(Edges::FirstOrder).iter().zip(of(Edges::Ignored)).map(|(with, without)| with - without).collect()
     }
 
     fn fineness(&self) -> Fineness<'_> {

@@ -1,15 +1,16 @@
 //! Error of leaving the road out: the ways by a road, added up beside what was traced without.
 
-use crate::beams::image_tree::{Received, origin};
-use crate::bodies::road::{Half, half_of, usual_road};
+use crate::beams::image_tree::Received;
+use crate::bodies::road::usual_road;
 use crate::bodies::world::World;
 use crate::frame::frame_error::Reference;
-use crate::frame::left_out::ways::LeftOutWays;
+use crate::frame::left_out::ways::{LeftOutWays, sum_of_ways};
 use crate::frame::path_plan::Plan;
-use crate::joins::joint::{Joint, Trees};
+use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
 use crate::oversight::error::BartError;
 use artifact::settings::Sides;
+use num_complex::Complex64;
 
 /// Ratio ‖S by the road‖ over ‖S without‖ for the usual road, at the moment and the place of the check,
 /// with the margin of the measurement.
@@ -22,22 +23,47 @@ pub(crate) fn road_left_out(
     plan: &Plan<'_>,
     reference: &Reference,
 ) -> Result<Option<f64>, BartError> {
+    let bounces = plan.header.fidelity.bounces.min(BOUNCES);
+    let of = |scatterer: &Scatterer<'_>, ways: &LeftOutWays| {
+        ways.relative(scatterer, plan, reference, |joint| scatterer.goes_by_road(joint))
+    };
+    Ok(over_usual_road(world, plan, bounces, of)?.flatten())
+}
+
+/// S of the ways by the usual road over the wavenumbers, by order from 1; `None` as of [`road_left_out`].
+pub(crate) fn ways_by_road(
+    world: &World,
+    plan: &Plan<'_>,
+    bounces: u8,
+    wavenumbers_per_m: &[f64],
+) -> Result<Option<Vec<Vec<Complex64>>>, BartError> {
+    over_usual_road(world, plan, bounces, |scatterer, _| {
+        let of_order = |order| {
+            sum_of_ways(scatterer, plan, order, wavenumbers_per_m, |joint| scatterer.goes_by_road(joint))
+        };
+        (1..=bounces).map(of_order).collect()
+    })
+}
+
+/// What `of` makes of the beams over the usual road.
+fn over_usual_road<T>(
+    world: &World,
+    plan: &Plan<'_>,
+    bounces: u8,
+    of: impl Fn(&Scatterer<'_>, &LeftOutWays) -> T,
+) -> Result<Option<T>, BartError> {
     let Some(road) = usual_road() else { return Ok(None) };
     let can_be_followed = plan.check_m.z > 0.0 && plan.header.fidelity.sides == Sides::Two;
     if plan.header.road.is_some() || world.facets().is_empty() || !can_be_followed {
         return Ok(None);
     }
     let world = world.over(&road)?;
-    let ways = LeftOutWays {
-        bounces: plan.header.fidelity.bounces.min(BOUNCES),
-        mirror_wavelengths: MIRROR_WAVELENGTHS,
-    };
+    let ways = LeftOutWays { bounces, mirror_wavelengths: MIRROR_WAVELENGTHS };
     let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
     let received = Received::with_image(&world, &tree);
     let h = plan.zenith_h();
-    let scatterer =
-        Scatterer::new(&world, Trees::ByRoad(&tree, &received), ZenithH { transmit: h, receive: h });
-    Ok(ways.relative(&scatterer, plan, reference, |joint| goes_by_road(&scatterer, joint)))
+    let trees = Trees::ByRoad(&tree, &received);
+    Ok(Some(of(&Scatterer::new(&world, trees, ZenithH { transmit: h, receive: h }), &ways)))
 }
 
 /// Orders that are added up.
@@ -45,12 +71,3 @@ const BOUNCES: u8 = 2;
 /// Smaller mirrors are not followed: geometrical optics between bounces ends there (`docs/bart.md` §11), and
 /// a sedan's frame takes 42 % longer for this figure instead of 56 %, which moves by 0.3 dB.
 const MIRROR_WAVELENGTHS: f64 = 5.0;
-
-/// Whether a leg of the joint's way meets the road.
-fn goes_by_road(scatterer: &Scatterer<'_>, joint: &Joint) -> bool {
-    let (transmit, receive) = (scatterer.trees.transmit(), scatterer.trees.receive());
-    let is_below = |facet: u32| half_of(scatterer.world, facet) != Half::Above;
-    let (forward, backward) = (scatterer.forward(joint), &receive.beams[joint.backward as usize]);
-    origin(receive, backward) != Half::Above
-        || transmit.way_back(forward).chain(receive.way_back(backward)).any(|beam| is_below(beam.facet))
-}

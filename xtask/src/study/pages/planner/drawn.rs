@@ -1,40 +1,70 @@
-//! Scenes of a seed: one to three own vehicles in three lanes, 12 to 80 m away.
+//! Scenes of a seed: one to three vehicles, the project's own and real ones, in three lanes, on three arrays,
+//! some with clutter; and frames of recorded traffic.
 
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha12Rng;
+use crate::project::{project_root, shared};
+use crate::random_scenes::{Draw, Model, OWN_VEHICLES, clutter, radar, traffic};
 use std::fmt::Write as _;
 
-const VEHICLES: [&str; 8] = [
-    "car-suv",
-    "car-sedan",
-    "car-hatchback",
-    "bus-mini",
-    "truck-box",
-    "motorcycle-street",
-    "motorcycle-scooter",
-    "motorcycle-touring",
+/// Real vehicles of `../shared/vehicles`, of all classes and of 300 to 80,000 triangles.
+const REAL_VEHICLES: [Model<'static>; 12] = [
+    ("gazebo_prius", "car"),
+    ("modern_hatchback", "car"),
+    ("jeep_cherokee_suv", "car"),
+    ("smarts_minibus", "bus"),
+    ("paz_bus", "bus"),
+    ("town_bus", "bus"),
+    ("smarts_moving_truck", "truck"),
+    ("chrono_box_truck_6x4", "truck"),
+    ("man_kat1_5t", "truck"),
+    ("smarts_motorcycle", "motorcycle"),
+    ("vespa", "motorcycle"),
+    ("harley_72", "motorcycle"),
 ];
 
-/// Text of scene `number` with so many vehicles at most.
-pub(super) fn scene(seed: u64, number: u64, most: usize) -> String {
-    let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(seed, "validation/planner", &[number]));
-    let preset = ["1x1", "3x4"][rng.random_range(0..2)];
-    let mut text = format!(
-        "name = \"planned-{seed}-{number:03}\"\n[radar]\nboresight_el_deg = -8.0\n[radar.waveform]\n\
-         chirps = 64\n\
-         [radar.array]\npreset = \"{preset}\"\n[noise]\nnoise_figure_db = 12.0\n"
-    );
-    let count = [1, 1, 2, 2, 3][rng.random_range(0..5)].min(most);
-    for lane in 1..=count {
-        let model = VEHICLES[rng.random_range(0..VEHICLES.len())];
-        let (y_m, mps) = (rng.random_range(12.0..80.0), rng.random_range(-12.0..0.0));
-        let yaw_deg = -90.0 + rng.random_range(-15.0..15.0);
-        let _ = write!(
-            text,
-            "[[target]]\nkind = \"mesh\"\nid = \"body-{lane}\"\nclass = \"car\"\nmodel = \"{model}\"\n\
-             lane = {lane}\n\
-             y_m = {y_m:.2}\nvelocity_mps = [0.0, {mps:.2}, 0.0]\nyaw_deg = {yaw_deg:.1}\n"
-        );
+/// Share of scenes that are frames of traffic, and of those with clutter.
+const OF_TRAFFIC: f64 = 0.1;
+const WITH_CLUTTER: f64 = 0.2;
+
+/// A scene and what is asked of it.
+pub(super) struct Drawn {
+    pub(super) name: String,
+    pub(super) text: String,
+    pub(super) asked_db: f64,
+}
+
+/// Scene `number` of a seed, of which this is asked; `None` where its vehicle is a real one that is not here.
+pub(super) fn scene(seed: u64, number: u64, asked_db: f64) -> Option<Drawn> {
+    let mut draw = Draw::of(seed, "validation/planner", number);
+    let name = format!("planned-{seed}-{number:03}");
+    let mut text = format!("name = \"{name}\"\n");
+    if draw.chance(OF_TRAFFIC) {
+        traffic(&mut draw, &project_root(), "", &mut text);
+        return Some(Drawn { name, text, asked_db: asked_db.max(-15.0) });
     }
-    text
+    radar(&mut draw, &mut text);
+    // The finest accuracies are asked of one vehicle alone: their truth of three takes hours.
+    let count = if asked_db < -25.0 { 1 } else { draw.one_of(&[1, 1, 2, 2, 3]) };
+    for lane in 1..=count {
+        vehicle(&mut draw, lane, &mut text)?;
+    }
+    if draw.chance(WITH_CLUTTER) {
+        clutter(&mut draw, &mut text);
+    }
+    Some(Drawn { name, text, asked_db })
+}
+
+/// Adds a vehicle that approaches within 15° of its lane, a quarter of them at rest.
+fn vehicle(draw: &mut Draw, lane: u32, text: &mut String) -> Option<()> {
+    let (own, (real, of_real)) = (draw.one_of(&OWN_VEHICLES), draw.one_of(&REAL_VEHICLES));
+    let file = shared().join(format!("vehicles/{real}.glb"));
+    let is_real = draw.chance(0.4);
+    let (model, class) = if is_real { (file.to_str()?, of_real) } else { own };
+    let (y_m, yaw_deg) = (draw.between(12.0, 80.0), draw.between(-105.0, -75.0));
+    let mps = if draw.chance(0.25) { 0.0 } else { draw.between(-12.0, 0.0) };
+    let _ = write!(
+        text,
+        "[[target]]\nkind = \"mesh\"\nid = \"body-{lane}\"\nclass = \"{class}\"\nmodel = {model:?}\nlane = {lane}\n\
+         y_m = {y_m:.2}\nvelocity_mps = [0.0, {mps:.2}, 0.0]\nyaw_deg = {yaw_deg:.1}\n"
+    );
+    (!is_real || file.exists()).then_some(())
 }

@@ -1,6 +1,7 @@
 //! A plan of one scene, its truth, and the same scene at other settings.
 
-use crate::study::looks;
+use super::drawn::Drawn;
+use crate::study::{looks, scenes};
 use artifact::Accuracy;
 use artifact::paths::PathsFrame;
 use artifact::scene::SceneHeader;
@@ -23,32 +24,29 @@ pub(super) struct Trial {
     name: String,
     plan: PlanFigures,
     true_db: f64,
-    /// Processor seconds of the plan and its paths.
+    /// Processor seconds of the plan, its paths and their echo.
     pub(super) planned_s: f64,
-    /// Processor seconds of the paths with default keys at the accuracy asked.
+    /// Processor seconds of paths and echo with default keys at the accuracy asked.
     pub(super) as_said_s: f64,
 }
 
-/// Decibels by which the truth is finer than what is asked.
+/// Decibels by which the truth is finer than what a plan spends.
 const FINER_DB: f64 = -10.0;
 /// Order of the truth at least: what is beyond is told by no look either.
 const BOUNCES: u8 = 4;
-/// Highest order that edges are told of.
-const EDGE_BOUNCES: u8 = 3;
 
 impl Trial {
-    pub(super) fn of(scene: &str, asked_db: f64) -> Result<Self, Failure> {
-        let source = written(scene, asked_db)?;
+    /// `None` where nothing scatters.
+    pub(super) fn of(scene: &Drawn) -> Result<Option<Self>, Failure> {
+        let source = written(scene)?;
         let (planned, look_s) = timed(|| planned(&source))?;
-        let (header, plan) = planned;
-        let (paths, paths_s) = timed(|| paths(&header))?;
-        let as_said = with_default_keys(&source, asked_db)?;
-        let (_, as_said_s) = timed(|| self::paths(&as_said))?;
-        let true_db = db_from_amplitude(looks::relative_error(
-            &Looks::of(&header, &paths),
-            &truth(&as_said, &header, asked_db)?,
-        ));
-        Ok(Self { name: header.name, plan, true_db, planned_s: look_s + paths_s, as_said_s })
+        let Some((header, plan)) = planned else { return Ok(None) };
+        let (paths, planned_s) = timed(|| echo(&header))?;
+        let as_said = with_default_keys(&source, scene.asked_db)?;
+        let (_, as_said_s) = timed(|| echo(&as_said))?;
+        let truth = truth(&as_said, &header, plan.spent_db)?;
+        let true_db = db_from_amplitude(looks::relative_error(&Looks::of(&header, &paths), &truth));
+        Ok(Some(Self { name: header.name, plan, true_db, planned_s: look_s + planned_s, as_said_s }))
     }
 
     /// Decibels by which the true error is beyond what the plan spends.
@@ -77,6 +75,7 @@ impl Trial {
 #[derive(Serialize, Deserialize)]
 pub(super) struct Searched {
     name: String,
+    channels: usize,
     spent_db: f64,
     planned_s: f64,
     look_s: f64,
@@ -84,29 +83,33 @@ pub(super) struct Searched {
 }
 
 impl Searched {
-    pub(super) fn of(scene: &str, asked_db: f64) -> Result<Self, Failure> {
-        let source = written(scene, asked_db)?;
-        let ((header, plan), look_s) = timed(|| planned(&source))?;
-        let (_, paths_s) = timed(|| paths(&header))?;
-        let as_said = with_default_keys(&source, asked_db)?;
-        let exact = truth(&as_said, &header, asked_db)?;
+    /// `None` where nothing scatters.
+    pub(super) fn of(scene: &Drawn) -> Result<Option<Self>, Failure> {
+        let source = written(scene)?;
+        let (planned, look_s) = timed(|| planned(&source))?;
+        let Some((header, plan)) = planned else { return Ok(None) };
+        let (_, planned_s) = timed(|| echo(&header))?;
+        let as_said = with_default_keys(&source, scene.asked_db)?;
+        let exact = truth(&as_said, &header, plan.spent_db)?;
         let mut by_seconds: BTreeMap<u64, String> = BTreeMap::new();
         for (name, setting) in settings(&header, plan.spent_db) {
-            let (paths, seconds) = timed(|| paths(&setting))?;
+            let (paths, seconds) = timed(|| echo(&setting))?;
             if db_from_amplitude(looks::relative_error(&Looks::of(&setting, &paths), &exact)) <= plan.spent_db
             {
                 by_seconds.insert((1e3 * seconds) as u64, name);
             }
         }
         let cheapest = by_seconds.pop_first().map(|(ms, name)| (name, ms as f64 / 1e3));
-        let (name, spent_db) = (header.name, plan.spent_db);
-        Ok(Self { name, spent_db, planned_s: look_s + paths_s, look_s, cheapest })
+        let channels = header.radar.virtual_channels();
+        let (name, spent_db, planned_s) = (header.name, plan.spent_db, look_s + planned_s);
+        Ok(Some(Self { name, channels, spent_db, planned_s, look_s, cheapest }))
     }
 
-    pub(super) fn cells(&self) -> [String; 7] {
+    pub(super) fn cells(&self) -> [String; 8] {
         let (name, seconds) = self.cheapest.clone().unwrap_or_else(|| ("none does".into(), f64::NAN));
         [
             self.name.clone(),
+            self.channels.to_string(),
             format!("{:.1}", self.spent_db).replace('-', "−"),
             format!("{:.2}", self.planned_s),
             format!("{:.2}", self.look_s),
@@ -117,20 +120,21 @@ impl Searched {
     }
 }
 
-/// Orders, road and accuracies of the integrals, all of them together.
+/// Orders, road, edges and accuracies of the integrals, all of them together.
 fn settings(header: &SceneHeader, spent_db: f64) -> Vec<(String, SceneHeader)> {
     let mut all = vec![];
     for bounces in 1..=BOUNCES {
-        for road in [None, usual_road()] {
-            for finer_db in [0.0, -2.0, -5.0, -10.0] {
+        for (road, edges) in [(false, false), (true, false), (false, true), (true, true)] {
+            for finer_db in [0.0, -3.0, -10.0] {
                 let mut setting = header.clone();
                 setting.fidelity.bounces = bounces;
-                setting.fidelity.edges = Edges::Ignored;
+                setting.fidelity.edges = if edges { Edges::FirstOrder } else { Edges::Ignored };
                 setting.fidelity.accuracy = Accuracy::from_db(spent_db + finer_db);
-                let on = if road.is_some() { ", road" } else { "" };
-                let name = format!("{bounces} bounces{on}, {:.0} dB", spent_db + finer_db).replace('-', "−");
-                setting.road.clone_from(&road);
-                all.push((name, setting));
+                setting.road = usual_road().filter(|_| road);
+                let on = |is_on: bool, name: &'static str| if is_on { name } else { "" };
+                let (road, edges) = (on(road, ", road"), on(edges, ", edges"));
+                let name = format!("{bounces} bounces{road}{edges}, {:.0} dB", spent_db + finer_db);
+                all.push((name.replace('-', "−"), setting));
             }
         }
     }
@@ -138,18 +142,17 @@ fn settings(header: &SceneHeader, spent_db: f64) -> Vec<(String, SceneHeader)> {
 }
 
 /// The scene in a file of its own, with an accuracy that plans it.
-fn written(scene: &str, asked_db: f64) -> Result<SceneSource, Failure> {
+fn written(scene: &Drawn) -> Result<SceneSource, Failure> {
     // A file of its own for each: what was read is never written.
-    let name = scene.split('"').nth(1).unwrap_or("scene");
-    let file = crate::project::project_root().join(format!("out/study-planner/{name}.toml"));
-    files::write_file(&file, scene.as_bytes())?;
-    Ok(SceneSource { file, accuracy_db: Some(asked_db), ..SceneSource::default() })
+    let file = crate::project::project_root().join(format!("out/study-planner/{}.toml", scene.name));
+    files::write_file(&file, scene.text.as_bytes())?;
+    Ok(SceneSource { file, accuracy_db: Some(scene.asked_db), ..SceneSource::default() })
 }
 
-fn planned(source: &SceneSource) -> Result<(SceneHeader, PlanFigures), Failure> {
+/// `None` where nothing scatters.
+fn planned(source: &SceneSource) -> Result<Option<(SceneHeader, PlanFigures)>, Failure> {
     let planned = wayside::planning::scene(source, None, Allowance::of(None))?;
-    let none = || Failure::refused("nothing scatters in the scene");
-    Ok((planned.loaded.header, planned.plan.ok_or_else(none)?))
+    Ok(planned.plan.map(|plan| (planned.loaded.header, plan)))
 }
 
 fn with_default_keys(source: &SceneSource, asked_db: f64) -> Result<SceneHeader, Failure> {
@@ -165,22 +168,23 @@ fn paths(header: &SceneHeader) -> Result<PathsFrame, Failure> {
     tracer.all_paths(&view, &frame, &FrameSurroundings::ALONE).map_err(Failure::refused)
 }
 
-/// Echo with everything on that goes together, by the node rule of the plan, and what edges add to it, which
-/// do not go with the road.
-fn truth(as_said: &SceneHeader, planned: &SceneHeader, asked_db: f64) -> Result<Vec<Complex64>, Failure> {
+/// Paths of the first frame, from which its echo is made too.
+fn echo(header: &SceneHeader) -> Result<PathsFrame, Failure> {
+    let paths = paths(header)?;
+    scenes::cube_of(&scene::frame_view(header, 0), &paths)?;
+    Ok(paths)
+}
+
+/// Echo with everything on, by the node rule of the plan.
+fn truth(as_said: &SceneHeader, planned: &SceneHeader, spent_db: f64) -> Result<Vec<Complex64>, Failure> {
     let mut whole = as_said.clone();
-    whole.fidelity.accuracy = Accuracy::from_db(asked_db + FINER_DB);
+    whole.fidelity.accuracy = Accuracy::from_db(spent_db + FINER_DB);
     whole.fidelity.bounces = BOUNCES.max(planned.fidelity.bounces);
     whole.fidelity.nodes = planned.fidelity.nodes;
     whole.fidelity.between_bodies = BetweenBodies::Traced;
     whole.road = usual_road();
-    let mut first = whole.clone();
-    (first.fidelity.bounces, first.road) = (EDGE_BOUNCES, None);
-    let mut with_edges = first.clone();
-    with_edges.fidelity.edges = Edges::FirstOrder;
-    let of = |header: &SceneHeader| Ok::<_, Failure>(Looks::of(header, &paths(header)?));
-    let (whole, first, with_edges) = (of(&whole)?, of(&first)?, of(&with_edges)?);
-    Ok((0..whole.len()).map(|i| whole[i] + with_edges[i] - first[i]).collect())
+    whole.fidelity.edges = Edges::FirstOrder;
+    Ok(Looks::of(&whole, &paths(&whole)?))
 }
 
 /// S of a frame's paths at frequencies over the band, at three moments, between three pairs of elements.

@@ -1,6 +1,6 @@
 //! Vehicles that studies look at: the project's own, and real ones where they are there.
 
-use crate::project::project_root;
+use crate::project::{project_root, shared};
 use artifact::scene::{Mesh, SceneHeader};
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
@@ -43,11 +43,6 @@ pub(super) fn real(name: &str) -> Result<Mesh, Failure> {
 
 fn read(file: &Path) -> Result<Mesh, Failure> {
     scene::read_mesh(file, &scene::MeshOptions { unit_scale: None }).map_err(Failure::refused)
-}
-
-/// Files of third parties, beside the project.
-pub(super) fn shared() -> PathBuf {
-    std::env::var_os("WAYSIDE_SHARED").map_or_else(|| project_root().join("../shared"), PathBuf::from)
 }
 
 /// The header that random frames fill with one vehicle.

@@ -1,6 +1,6 @@
 //! Figures beside the gates of reference data that no code of the project made.
 
-use super::bodies::shared;
+use crate::project::shared;
 use crate::study::extent::Extent;
 use crate::study::pages::measures::gates::{CHECKS, Row};
 use crate::study::pages::part::Part;

@@ -1,6 +1,6 @@
 //! Wheels that turn beside wheels of the rigid body: what they add to maps, and what that costs.
 
-use crate::project::project_root;
+use crate::project::{project_root, shared};
 use crate::study::extent::Extent;
 use crate::study::pages::part::Part;
 use crate::study::sources::{CHAIN, Places};
@@ -75,7 +75,7 @@ fn models(extent: Extent) -> Vec<(String, String)> {
         return all;
     }
     for name in REAL {
-        let file: PathBuf = super::bodies::shared().join("vehicles").join(format!("{name}.glb"));
+        let file: PathBuf = shared().join("vehicles").join(format!("{name}.glb"));
         match file.is_file() {
             true => all.push((name.to_owned(), file.display().to_string())),
             false => note(format!("{} is not here: {name} is left out", file.display())),

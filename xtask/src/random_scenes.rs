@@ -1,0 +1,105 @@
+//! Scenes of random radars, vehicles, clutter and traffic, drawn from a seed: what studies and benchmarks ask
+//! of many scenes.
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// A vehicle's model as a scene names it, and its class.
+pub(crate) type Model<'a> = (&'a str, &'a str);
+
+/// The project's own vehicles.
+pub(crate) const OWN_VEHICLES: [Model<'static>; 12] = [
+    ("car-suv", "car"),
+    ("car-sedan", "car"),
+    ("car-hatchback", "car"),
+    ("bus-city", "bus"),
+    ("bus-coach", "bus"),
+    ("bus-mini", "bus"),
+    ("truck-box", "truck"),
+    ("truck-tanker", "truck"),
+    ("truck-semi", "truck"),
+    ("motorcycle-street", "motorcycle"),
+    ("motorcycle-scooter", "motorcycle"),
+    ("motorcycle-touring", "motorcycle"),
+];
+
+/// The tables that every scene has. What costs little is drawn more often, here and below.
+pub(crate) fn radar(draw: &mut Draw, text: &mut String) {
+    let preset = draw.one_of(&["1x1", "1x1", "3x4", "3x4", "3x4", "3x4", "12x16"]);
+    let chirps = draw.one_of(&[32, 64, 128, 128]);
+    let samples =
+        if preset == "12x16" { draw.one_of(&[128, 256]) } else { draw.one_of(&[128, 256, 256, 512]) };
+    let multiplexing = draw.one_of(&["simultaneous", "simultaneous", "tdm"]);
+    // Twelve transmitters in turn take longer than from one frame to the next.
+    let multiplexing = if preset == "12x16" { "simultaneous" } else { multiplexing };
+    let _ = write!(
+        text,
+        "[radar]\nboresight_el_deg = -8.0\n[radar.waveform]\nchirps = {chirps}\nsamples = {samples}\n[radar.array]\n\
+         preset = \"{preset}\"\nmultiplexing = \"{multiplexing}\"\n[noise]\nnoise_figure_db = 12.0\n"
+    );
+    let detector = draw.one_of(&["ca-cfar", "ca-cfar", "os-cfar"]);
+    let angle = draw.one_of(&["fft", "fft", "fft", "max-likelihood"]);
+    let _ = write!(text, "[dsp]\ndetector = \"{detector}\"\nangle = \"{angle}\"\n");
+}
+
+/// Adds a kerb, a guard rail, a pole or a sign.
+pub(crate) fn clutter(draw: &mut Draw, text: &mut String) {
+    let y_m = draw.between(15.0, 50.0);
+    let kind = draw.one_of(&["kerb", "guard-rail", "pole", "sign"]);
+    let size = match kind {
+        "kerb" => format!("length_m = {:.1}\n", draw.between(3.0, 15.0)),
+        "guard-rail" => format!("length_m = {:.1}\n", draw.between(2.0, 8.0)),
+        _ => String::new(),
+    };
+    let _ = write!(
+        text,
+        "[[clutter]]\nid = \"piece\"\nmodel = \"{kind}\"\nposition_m = [13.0, {y_m:.2}, 0.0]\n{size}"
+    );
+}
+
+/// Some tenths of a second of the project's own junction, with these lines of `[fidelity]`.
+pub(crate) fn traffic(draw: &mut Draw, root: &Path, fidelity: &str, text: &mut String) {
+    let begin_s = f64::from(draw.below(580)) / 10.0;
+    let frames = draw.one_of(&[1, 1, 1, 2]);
+    radar(draw, text);
+    let view_range_m = draw.between(28.0, 40.0);
+    let _ = write!(
+        text,
+        "[fidelity]\n{fidelity}measured_every = {}\n[traffic]\nfcd = {:?}\nbegin_s = {begin_s:.1}\n\
+         end_s = {:.1}\nview_nearest_m = 12.0\nview_range_m = {view_range_m:.1}\nview_half_angle_deg = 30.0\n\
+         models = {{ car = [\"car-sedan\", \"car-hatchback\"], bus = \"bus-city\", truck = \"truck-box\", motorcycle = \
+         \"motorcycle-street\" }}\n",
+        draw.one_of(&[1, 10]),
+        root.join("fixtures/junction.fcd.xml.gz"),
+        begin_s + 0.1 * f64::from(frames - 1),
+    );
+}
+
+/// Numbers of a seed.
+pub(crate) struct Draw(ChaCha8Rng);
+
+impl Draw {
+    /// Numbers of a purpose and a case of a seed.
+    pub(crate) fn of(seed: u64, purpose: &str, number: u64) -> Self {
+        Self(ChaCha8Rng::from_seed(artifact::seed::key(seed, purpose, &[number])))
+    }
+
+    pub(crate) fn chance(&mut self, share: f64) -> bool {
+        self.0.random_bool(share)
+    }
+
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0.random_range(low..high)
+    }
+
+    /// A whole number from 0 to `end` − 1.
+    pub(crate) fn below(&mut self, end: u32) -> u32 {
+        self.0.random_range(0..end)
+    }
+
+    pub(crate) fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[self.0.random_range(0..choices.len())]
+    }
+}
