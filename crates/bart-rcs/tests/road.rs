@@ -33,6 +33,17 @@ fn plate() -> Mesh {
     }
 }
 
+/// Two upright walls between two heights that open at 90° towards the radar, each `side_m`·√2 wide.
+fn corner(side_m: f64, [low, high]: [f64; 2]) -> Mesh {
+    let wall = |y: f64| [[-side_m, 0.0, low], [0.0, y, low], [0.0, y, high], [-side_m, 0.0, high]];
+    Mesh {
+        name: "corner".into(),
+        vertices_m: [wall(side_m), wall(-side_m)].concat(),
+        triangles: vec![[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]],
+        ..Mesh::default()
+    }
+}
+
 fn scene(road: Option<Road>) -> (SceneHeader, SceneFrame) {
     let yaw = -std::f64::consts::FRAC_PI_2;
     let (mut header, frame) = bodies::scenes::scene(&plate(), &[(PLATE_M.to_array(), yaw, [0.0; 3])]);
@@ -194,14 +205,8 @@ fn without_a_road_its_cost_is_added_up_and_with_one_it_is_not() {
 
 #[test]
 fn edges_over_a_road_are_those_of_the_ways_that_do_not_meet_it() {
-    // Two walls off their specular, so that own edges take over from polygons.
-    let wall = |y: f64| [[-0.3, 0.0, 0.2], [0.0, 0.3 * y, 0.2], [0.0, 0.3 * y, 0.7], [-0.3, 0.0, 0.7]];
-    let mesh = Mesh {
-        name: "corner".into(),
-        vertices_m: [wall(1.0), wall(-1.0)].concat(),
-        triangles: vec![[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]],
-        ..Mesh::default()
-    };
+    // Walls off their specular, so that own edges take over from polygons.
+    let mesh = corner(0.3, [0.2, 0.7]);
     let of = |nodes: NodeRule, polarization: Polarization, edges: Edges, road: Option<Road>| {
         let yaw = -std::f64::consts::FRAC_PI_2 + 0.1;
         let (mut header, frame) = bodies::scenes::scene(&mesh, &[([0.0, 25.0, 0.0], yaw, [0.0; 3])]);
@@ -230,15 +235,8 @@ fn edges_over_a_road_are_those_of_the_ways_that_do_not_meet_it() {
 
 #[test]
 fn corners_over_a_road_have_one_level_by_every_node_rule() {
-    // Upright walls of 10 cm that open at 90° towards the radar: their planes are exact, so that any node
-    // serves.
-    let wall = |y: f64| [[-0.07, 0.0, 0.4], [0.0, 0.07 * y, 0.4], [0.0, 0.07 * y, 0.6], [-0.07, 0.0, 0.6]];
-    let mesh = Mesh {
-        name: "corner".into(),
-        vertices_m: [wall(1.0), wall(-1.0)].concat(),
-        triangles: vec![[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]],
-        ..Mesh::default()
-    };
+    // The planes of walls of 10 cm are exact, so that any node serves.
+    let mesh = corner(0.07, [0.4, 0.6]);
     let of = |nodes: NodeRule, road: Option<Road>| {
         let yaw = -std::f64::consts::FRAC_PI_2;
         let (mut header, frame) = bodies::scenes::scene(&mesh, &[([0.0, 25.0, 0.0], yaw, [0.0; 3])]);

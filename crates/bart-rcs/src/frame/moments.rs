@@ -289,8 +289,8 @@ mod tests {
     use crate::frame::path_plan::check_offset_s;
     use std::f64::consts::TAU;
 
-    /// An amplitude that turns at an even pace misses |1 − e^{iφ}|² = 2 − 2·cos φ of its power: over the frame, at both of
-    /// its ends, and where it is looked at, from nearly still to four cycles a frame.
+    /// An amplitude that turns at an even pace misses |1 − e^{iφ}|² = 2 − 2·cos φ of its power: over the
+    /// frame, at both of its ends, and where it is looked at, from nearly still to four cycles a frame.
     #[test]
     fn what_turns_at_any_pace_is_seen_to_change_where_it_is_looked_at() {
         let missed = |cycles: f64, offset: f64| 2.0 - 2.0 * (TAU * cycles * offset).cos();

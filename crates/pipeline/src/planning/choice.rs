@@ -143,19 +143,21 @@ impl Physics {
 
     fn left_out_power(&self, shares: &Shares) -> f64 {
         let is_out = |part: Part| !self.modelled.contains(&part);
-        let of_part = |part: Part, share: f64| if is_out(part) { share.powi(2) } else { 0.0 };
+        let sheets = if is_out(Part::Sheets) { shares.sheets.powi(2) } else { 0.0 };
         let orders = (1..).zip(shares.within.iter().zip(&shares.between));
         let of_order = |(order, (within, between)): (u8, (&f64, &f64))| {
             let is_beyond = order > self.bounces;
-            let left_out = |is_out: bool, share: f64| if is_beyond || is_out { share.powi(2) } else { 0.0 };
-            left_out(false, *within)
-                + left_out(is_out(Part::BetweenBodies), *between)
-                + left_out(is_out(Part::Road), shares.by_road(order))
-                + left_out(is_out(Part::Edges), shares.by_edges(order))
+            let of_part =
+                |part: Part, share: f64| if is_beyond || is_out(part) { share.powi(2) } else { 0.0 };
+            let within = if is_beyond { within.powi(2) } else { 0.0 };
+            within
+                + of_part(Part::BetweenBodies, *between)
+                + of_part(Part::Road, shares.by_road(order))
+                + of_part(Part::Edges, shares.by_edges(order))
         };
         orders.map(of_order).sum::<f64>()
             + if self.bounces < MOST_BOUNCES { beyond(shares) } else { 0.0 }
-            + of_part(Part::Sheets, shares.sheets)
+            + sheets
     }
 }
 

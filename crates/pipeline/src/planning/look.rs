@@ -33,7 +33,7 @@ pub(crate) struct Shares {
 
 /// Looks at three frames of a scene at most; `None` where nothing scatters in them.
 ///
-/// What a scene leaves out of its echo by its own word, a road, is no part of the whole.
+/// A road that the scene leaves out by its own word is no part of the whole.
 pub(crate) fn shares(
     header: &SceneHeader,
     said: &SaidPhysics,

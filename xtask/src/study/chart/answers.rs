@@ -1,7 +1,7 @@
 //! The whole chain by the accuracy that is asked: what a run takes, what it finds, how far its answers are
 //! from the truth, and how probable it takes the true class to be.
 
-use crate::project::project_root;
+use crate::project::shared;
 use crate::study::chart::work::{Measured, measured};
 use crate::study::extent::Extent;
 use std::fmt::Write as _;
@@ -120,7 +120,7 @@ impl Scene {
 fn place_of(model: &str, folder: &Path) -> Option<String> {
     let file = match Path::new(model).extension().and_then(|kind| kind.to_str()) {
         None => return Some(model.to_owned()),
-        Some("glb") => project_root().join("../shared/vehicles").join(model),
+        Some("glb") => shared().join("vehicles").join(model),
         Some(_) => folder.join(model),
     };
     file.exists().then(|| file.display().to_string())

@@ -45,7 +45,7 @@ pub(crate) fn ways_by_road(
     })
 }
 
-/// What `of` makes of the beams over the usual road.
+/// Applies `of` to the beams over the usual road; `None` as of [`road_left_out`].
 fn over_usual_road<T>(
     world: &World,
     plan: &Plan<'_>,

@@ -38,9 +38,7 @@ const BOUNCES: u8 = 4;
 impl Trial {
     /// `None` where nothing scatters.
     pub(super) fn of(scene: &Drawn) -> Result<Option<Self>, Failure> {
-        let source = written(scene)?;
-        let (planned, look_s) = timed(|| planned(&source))?;
-        let Some((header, plan)) = planned else { return Ok(None) };
+        let Some(Planned { source, header, plan, look_s }) = Planned::of(scene)? else { return Ok(None) };
         let (paths, planned_s) = timed(|| echo(&header))?;
         let as_said = with_default_keys(&source, scene.asked_db)?;
         let (_, as_said_s) = timed(|| echo(&as_said))?;
@@ -85,9 +83,7 @@ pub(super) struct Searched {
 impl Searched {
     /// `None` where nothing scatters.
     pub(super) fn of(scene: &Drawn) -> Result<Option<Self>, Failure> {
-        let source = written(scene)?;
-        let (planned, look_s) = timed(|| planned(&source))?;
-        let Some((header, plan)) = planned else { return Ok(None) };
+        let Some(Planned { source, header, plan, look_s }) = Planned::of(scene)? else { return Ok(None) };
         let (_, planned_s) = timed(|| echo(&header))?;
         let as_said = with_default_keys(&source, scene.asked_db)?;
         let exact = truth(&as_said, &header, plan.spent_db)?;
@@ -149,10 +145,23 @@ fn written(scene: &Drawn) -> Result<SceneSource, Failure> {
     Ok(SceneSource { file, accuracy_db: Some(scene.asked_db), ..SceneSource::default() })
 }
 
-/// `None` where nothing scatters.
-fn planned(source: &SceneSource) -> Result<Option<(SceneHeader, PlanFigures)>, Failure> {
-    let planned = wayside::planning::scene(source, None, Allowance::of(None))?;
-    Ok(planned.plan.map(|plan| (planned.loaded.header, plan)))
+/// A scene with its plan.
+struct Planned {
+    source: SceneSource,
+    header: SceneHeader,
+    plan: PlanFigures,
+    /// Processor seconds of reading and planning.
+    look_s: f64,
+}
+
+impl Planned {
+    /// `None` where nothing scatters.
+    fn of(scene: &Drawn) -> Result<Option<Self>, Failure> {
+        let source = written(scene)?;
+        let (planned, look_s) = timed(|| wayside::planning::scene(&source, None, Allowance::of(None)))?;
+        let header = planned.loaded.header;
+        Ok(planned.plan.map(|plan| Self { source, header, plan, look_s }))
+    }
 }
 
 fn with_default_keys(source: &SceneSource, asked_db: f64) -> Result<SceneHeader, Failure> {
