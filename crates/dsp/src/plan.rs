@@ -85,6 +85,11 @@ impl Plan {
         Ok(own.into_iter().zip(transforms).map(plan).collect())
     }
 
+    /// Lane that holds a place. An array without extent along the row tells no azimuth, and no lane.
+    pub(crate) fn lane_at(&self, position_m: [f64; 3]) -> Option<u8> {
+        self.array.tells_azimuth().then(|| self.settings.road.at(position_m)).flatten()
+    }
+
     /// Powers of a map of this sub-frame.
     ///
     /// # Errors

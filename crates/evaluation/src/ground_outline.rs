@@ -34,10 +34,16 @@ impl GroundOutline {
         }
     }
 
+    /// Least and greatest distance of its parts from a place.
+    pub fn ranges_m(&self, place_m: DVec2) -> [f64; 2] {
+        let in_body = DVec2::from_angle(-self.yaw_rad).rotate(place_m - self.origin_m);
+        let farthest_m = (in_body - self.low_m).abs().max((in_body - self.high_m).abs());
+        [in_body.distance(in_body.clamp(self.low_m, self.high_m)), farthest_m.length()]
+    }
+
     /// Distance from a place to the nearest part of the outline; 0 inside.
     pub fn distance_m(&self, place_m: DVec2) -> f64 {
-        let in_body = DVec2::from_angle(-self.yaw_rad).rotate(place_m - self.origin_m);
-        in_body.distance(in_body.clamp(self.low_m, self.high_m))
+        self.ranges_m(place_m)[0]
     }
 }
 
@@ -72,6 +78,8 @@ mod tests {
             // A rotation of numbers below 100 rounds by 100 ε at most.
             assert!((got_m - asked_m).abs() < 1e-12, "{place:?}: {got_m}, {asked_m}");
         }
+        let [near_m, far_m] = bus.ranges_m(DVec2::new(2.0, 4.0));
+        assert!((near_m - 40.0).abs() < 1e-12 && (far_m - 52.0_f64.hypot(1.25)).abs() < 1e-12);
         let point = GroundOutline::of_point(&pose(1.0, 2.0, 0.0));
         assert_eq!(point.distance_m(DVec2::new(4.0, 6.0)), 5.0);
     }

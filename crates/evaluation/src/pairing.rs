@@ -18,6 +18,7 @@ use artifact::tracks::Track;
 use glam::{DVec2, DVec3};
 use ndarray::{Array2, Axis};
 use radar::doppler_ambiguity::folded_mps;
+use radar::lattice::tells_azimuth;
 
 /// An object further than this from a body's outline is not that body's: what stands in the middle of the
 /// next lane, 3.75 m on, is 2.9 m from the side of a car.
@@ -37,6 +38,8 @@ pub struct Reach {
     pub range_max_m: f64,
     /// Velocities that differ by it look alike.
     pub velocity_span_mps: f64,
+    /// Whether the array tells azimuths. One that does not tells a body by its range alone.
+    pub tells_azimuth: bool,
     /// Echoes no faster than this, as the map folds them, may have been removed; `None` where none are.
     pub removed_to_mps: Option<f64>,
 }
@@ -51,15 +54,32 @@ impl Reach {
             position_m: DVec3::from(radar.position_m),
             range_max_m: radar.waveform.range_max_m(),
             velocity_span_mps: 2.0 * radar.velocity_max_mps(),
+            tells_azimuth: tells_azimuth(radar),
         }
     }
 
     /// Squared distance from the outline to an object that moves as the body does; infinite of any other.
     fn square_m2(&self, truth: &Truth, object: &Object) -> f64 {
-        let sight = (DVec3::from(object.position_m) - self.position_m).normalize_or_zero();
-        let apart_mps = object.radial_velocity_mps - truth.velocity_mps.dot(sight);
+        let apart_mps = object.radial_velocity_mps - self.radial_velocity_mps(truth, object);
         let moves_alike = self.folded_mps(apart_mps).abs() <= VELOCITY_GATE_MPS;
-        if moves_alike { truth.outline.distance_m(place(object)).powi(2) } else { f64::INFINITY }
+        if moves_alike { self.distance_m(truth, object).powi(2) } else { f64::INFINITY }
+    }
+
+    /// Radial velocity of a body seen at the object's place, or, where that is not known, at its own.
+    fn radial_velocity_mps(&self, truth: &Truth, object: &Object) -> f64 {
+        let sight = (DVec3::from(object.position_m) - self.position_m).normalize_or_zero();
+        if self.tells_azimuth { truth.velocity_mps.dot(sight) } else { truth.radial_velocity_mps }
+    }
+
+    /// Distance of an object from a body's outline, or, without azimuths, that of their ranges.
+    fn distance_m(&self, truth: &Truth, object: &Object) -> f64 {
+        let radar_m = self.position_m.truncate();
+        if self.tells_azimuth {
+            return truth.outline.distance_m(place(object));
+        }
+        let range_m = place(object).distance(radar_m);
+        let [near_m, far_m] = truth.outline.ranges_m(radar_m);
+        range_m.clamp(near_m, far_m) - range_m
     }
 
     fn folded_mps(&self, velocity_mps: f64) -> f64 {
@@ -189,8 +209,28 @@ mod tests {
         Pairing::of(truths, objects, &REACH).object_of
     }
 
-    const REACH: Reach =
-        Reach { position_m: DVec3::ZERO, range_max_m: 100.0, velocity_span_mps: 20.0, removed_to_mps: None };
+    const REACH: Reach = Reach {
+        position_m: DVec3::ZERO,
+        range_max_m: 100.0,
+        velocity_span_mps: 20.0,
+        tells_azimuth: true,
+        removed_to_mps: None,
+    };
+
+    #[test]
+    fn an_array_that_tells_no_azimuth_finds_a_body_by_its_range() {
+        // Of the body, 8 m beside the boresight, ranges are 40.6 to 44.9 m.
+        let truths = [body(4.0, [8.0, 42.0])];
+        let by_range = Reach { tells_azimuth: false, ..REACH };
+        let paired = |range_m, reach: &Reach| {
+            Pairing::of(&truths, &[object_at([0.0, range_m])], reach).object_of == [Some(0)]
+        };
+        assert_eq!(
+            [37.0, 42.0, 47.0, 48.5].map(|range_m| paired(range_m, &by_range)),
+            [false, true, true, false]
+        );
+        assert!(!paired(42.0, &REACH), "8 m beside it, where azimuths are told");
+    }
 
     #[test]
     fn objects_at_rest_that_are_nobodys_are_told_apart_from_false_ones() {

@@ -40,6 +40,11 @@ pub fn lattices(radar: &Radar) -> [Lattice; 2] {
     })
 }
 
+/// Whether the array tells azimuths: its virtual elements stand in more than one place along the row.
+pub fn tells_azimuth(radar: &Radar) -> bool {
+    lattices(radar)[0].has_extent()
+}
+
 /// Refuses an array whose directions are more than [`DIRECTIONS_LIMIT`].
 ///
 /// # Errors

@@ -153,6 +153,14 @@ fn crosses_are_finite_meshes_within_the_ranges_of_both() {
 }
 
 #[test]
+fn a_cross_whose_second_family_alone_has_flaps_is_a_finite_mesh_with_them() {
+    for seed in [813, 28] {
+        let mesh = mesh("truck-ambulance+courier", seed).unwrap();
+        assert!(mesh.vertices_m.iter().flatten().all(|v| v.is_finite()), "{seed}");
+    }
+}
+
+#[test]
 fn a_cross_has_its_class_and_one_with_itself_or_with_one_of_another_build_is_none() {
     assert_eq!(class_of("car-kei+pickup"), Some(Class::Car));
     assert!(crosses().len() > 25, "{}", crosses().len());

@@ -23,6 +23,7 @@ use artifact::tracks::{Track, TrackState, TracksFrame};
 use glam::{DMat2, DVec2};
 use ndarray::Array2;
 use radar::assignment::assignment;
+use radar::lattice::tells_azimuth;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// An object of an equal velocity this near to a believed track's box is a piece of it: cars in a queue leave
@@ -39,6 +40,8 @@ const COVERED: f64 = 0.2;
 pub struct Tracker {
     header: CubeHeader,
     settings: TrackerSettings,
+    /// Whether the array tells azimuths, without which no lane is known.
+    tells_azimuth: bool,
     /// Sites of the cycle's sub-frames.
     sites: Vec<Site>,
     followed: Vec<Followed>,
@@ -67,7 +70,15 @@ impl Tracker {
         Shapes::of(header)?;
         let sub_frames = 0..header.radar.schedule.sub_frames();
         let sites = sub_frames.map(|index| Site::new(&header.radar.in_frame(index))).collect();
-        Ok(Self { header: header.clone(), settings, sites, followed: vec![], next_id: 0, last_time_s: None })
+        Ok(Self {
+            header: header.clone(),
+            settings,
+            tells_azimuth: tells_azimuth(&header.radar),
+            sites,
+            followed: vec![],
+            next_id: 0,
+            last_time_s: None,
+        })
     }
 
     /// Takes in the next frame's objects (truth that a report may have joined to its points is not read).
@@ -286,10 +297,14 @@ impl Tracker {
             velocity_mps: [state.mean.z, state.mean.w],
             covariance: state.covariance.transpose().to_cols_array_2d(),
             velocity_resolved: followed.bank.is_resolved(),
-            lane: self.header.dsp.road.at([footprint.centre_m[0], footprint.centre_m[1], 0.0]),
+            lane: self.lane_at(footprint.centre_m),
             footprint,
             objects: followed.objects.clone(),
         }
+    }
+
+    fn lane_at(&self, [x_m, y_m]: [f64; 2]) -> Option<u8> {
+        self.tells_azimuth.then(|| self.header.dsp.road.at([x_m, y_m, 0.0])).flatten()
     }
 }
 

@@ -42,7 +42,7 @@ pub fn lines(summary: &Summary) -> Vec<String> {
     let frames = &summary.frames[..];
     if frames.len() <= FRAMES_IN_FULL {
         let in_full = frames.iter().enumerate().flat_map(|(number, frame)| in_full(number, frame));
-        return in_full.chain(of_clutter(summary)).chain(of_heights(frames)).collect();
+        return in_full.chain(of_clutter(summary)).chain(of_directions(summary)).collect();
     }
     let mut lines: Vec<String> =
         frames.iter().take(FRAMES_TOLD).enumerate().map(|(number, frame)| in_a_line(number, frame)).collect();
@@ -51,9 +51,12 @@ pub fn lines(summary: &Summary) -> Vec<String> {
     }
     lines.extend(together(frames));
     lines.extend(of_clutter(summary));
-    lines.extend(of_heights(frames));
+    lines.extend(of_directions(summary));
     lines
 }
+
+/// What is said of directions where the array tells no azimuth.
+pub const WITHOUT_AZIMUTH: &str = "the array has no two elements side by side and tells no azimuth: directions are the boresight's, objects are in no lane and are a target's by range and velocity alone";
 
 /// What points tell that no place on the ground has the range of; `None` where there are none.
 pub fn without_height([points, of]: [usize; 2]) -> Option<String> {
@@ -62,9 +65,12 @@ pub fn without_height([points, of]: [usize; 2]) -> Option<String> {
     })
 }
 
-fn of_heights(frames: &[FrameSummary]) -> Option<String> {
-    let sum = |count: fn(&FrameSummary) -> usize| frames.iter().map(count).sum();
-    without_height([sum(|frame| frame.points_without_height), sum(|frame| frame.points)])
+/// What directions lack: azimuths, or heights.
+fn of_directions(summary: &Summary) -> impl Iterator<Item = String> {
+    let sum = |count: fn(&FrameSummary) -> usize| summary.frames.iter().map(count).sum();
+    let heights = without_height([sum(|frame| frame.points_without_height), sum(|frame| frame.points)]);
+    let azimuths = (!summary.radar.tells_azimuth).then(|| WITHOUT_AZIMUTH.to_owned());
+    azimuths.into_iter().chain(heights)
 }
 
 /// Advice that would take clutter out of the false objects, where some of them are that and nobody asked for

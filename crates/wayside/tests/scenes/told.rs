@@ -310,3 +310,21 @@ fn seconds_of_a_table_are_processor_seconds_with_their_total() {
         _ => assert!(seconds["counted"] == "clock" && seconds["processor_total"].is_null(), "{seconds}"),
     }
 }
+
+#[test]
+fn an_array_that_tells_no_azimuth_finds_by_range_and_velocity_and_says_so() {
+    let place = Workplace::new();
+    let target = "[[target]]\nkind = \"point\"\nid = \"reflector\"\nrcs_m2 = 50.0\n\
+                  position_m = [6.0, 30.0, 0.5]\nvelocity_mps = [0.0, -3.0, 0.0]\n\
+                  [intersection]\nlane_centres_m = [0.0, 6.0]\n";
+    for (array, lane) in [("1x1", None), ("3x4", Some(2))] {
+        write(&place, "one.toml", &format!("{}{target}", head(array, "bounces = 1")));
+        let said = place.run("run one.toml --out out");
+        assert_eq!(said.contains("tells no azimuth"), array == "1x1", "{said}");
+        let summary = wayside::Summary::read(&place.path("out/summary.json")).unwrap();
+        let target = &summary.frames[0].targets[0];
+        assert_eq!((target.found, target.truth.lane), (Some(true), Some(2)), "{array}");
+        assert_eq!(target.estimate.unwrap().lane, lane, "{array}");
+        assert!(summary.frames[0].false_objects.is_empty(), "{array}");
+    }
+}

@@ -9,6 +9,8 @@ pub(crate) const SIGN: char = '+';
 
 /// Solids of a family, in the metres of its own drawing: they are not crossed.
 const SOLIDS: &str = "part";
+/// Depths of what a family may have by chance (`flaps`): they come with the chance, from whichever has them.
+const OF_CHANCES: [&str; 1] = ["flap_depth_m"];
 /// A family with solids is crossed with others whose length, width and height are by at most this share other
 /// ones, so that its solids stay where they belong.
 const NEAR: f64 = 0.25;
@@ -47,7 +49,9 @@ fn crossed(first: &Table, second: &Table) -> Table {
     let one = |(key, value): (&String, &Value)| {
         (key.clone(), other(key).map_or_else(|| value.clone(), |other| between(value, other)))
     };
-    first.iter().map(one).collect()
+    let brought = OF_CHANCES.into_iter().filter(|key| !first.contains_key(*key));
+    let brought = brought.filter_map(|key| Some((key.to_owned(), second.get(key)?.clone())));
+    first.iter().map(one).chain(brought).collect()
 }
 
 fn between(first: &Value, second: &Value) -> Value {
@@ -88,5 +92,13 @@ mod tests {
                     own = 7\nthere = true";
         let table = |text: &str| text.parse::<Table>().unwrap();
         assert_eq!(crossed(&table(first), &table(second)), table(half));
+    }
+
+    #[test]
+    fn what_only_the_second_may_have_brings_its_depth() {
+        let table = |text: &str| text.parse::<Table>().unwrap();
+        let first = table("flaps = 0");
+        let second = table("flaps = 0.4\nflap_depth_m = [0.005, 0.03]\npane_pitch_m = 1");
+        assert_eq!(crossed(&first, &second), table("flaps = 0.2\nflap_depth_m = [0.005, 0.03]"));
     }
 }

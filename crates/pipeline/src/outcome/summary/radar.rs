@@ -3,6 +3,7 @@
 use crate::outcome::summary::words::SamplingWord;
 use artifact::radar::{ElementError, Sampling};
 use artifact::scene::SceneHeader;
+use radar::lattice::tells_azimuth;
 use serde::{Deserialize, Serialize};
 
 /// The radar in the words of the field.
@@ -23,6 +24,9 @@ pub struct RadarSummary {
     pub chirps: u32,
     /// Number of virtual channels: transmitters times receivers.
     pub channels: usize,
+    /// Whether the array tells azimuths: it has elements in more than one place along the row.
+    #[serde(default = "by_older_summaries")]
+    pub tells_azimuth: bool,
     /// Errors of the array's elements; `None` of an ideal array.
     pub element_errors: Option<ElementErrors>,
     /// Range resolution of the sampled sweep, m.
@@ -68,6 +72,11 @@ pub struct LaneSummary {
     pub width_m: f64,
 }
 
+/// Arrays whose summaries did not tell had azimuths, or were taken to have them.
+fn by_older_summaries() -> bool {
+    true
+}
+
 impl RadarSummary {
     /// Tells the radar of a scene.
     pub fn of(header: &SceneHeader) -> Self {
@@ -80,6 +89,7 @@ impl RadarSummary {
             sampling: waveform.sampling,
             chirps: waveform.chirps,
             channels: radar.virtual_channels(),
+            tells_azimuth: tells_azimuth(radar),
             element_errors: ElementErrors::of(header),
             range_resolution_m: waveform.range_resolution_m(),
             range_max_m: waveform.range_max_m(),

@@ -12,7 +12,8 @@ use pipeline::chain::loading;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use pipeline::outcome::told::without_height;
+use pipeline::outcome::told::{WITHOUT_AZIMUTH, without_height};
+use radar::lattice::tells_azimuth;
 use reporting::pictures;
 use std::path::{Path, PathBuf};
 
@@ -47,6 +48,9 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     }
     // A recording may end within a cycle.
     products.write(cycle)?;
+    if !tells_azimuth(&header.radar) {
+        terminal::line(WITHOUT_AZIMUTH);
+    }
     products.finish()
 }
 

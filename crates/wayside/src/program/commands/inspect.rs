@@ -17,7 +17,8 @@ use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use pipeline::outcome::told::without_height;
+use pipeline::outcome::told::{WITHOUT_AZIMUTH, without_height};
+use radar::lattice::tells_azimuth;
 use std::path::Path;
 
 /// Words for content that is not as it should be, and for content that is.
@@ -59,6 +60,12 @@ fn provenance(preamble: &Preamble) {
     }
     if !provenance.settings.is_empty() {
         line(format!("settings     {}", provenance.settings));
+    }
+}
+
+fn directions(radar: &Radar) {
+    if !tells_azimuth(radar) {
+        line(format!("directions   {WITHOUT_AZIMUTH}"));
     }
 }
 
@@ -219,6 +226,7 @@ fn mean_power(values: &[Complex32]) -> f64 {
 fn points(reader: Reader<Points>) -> Result<(), Failure> {
     if let Some(cube) = &reader.header().cube {
         radar(&cube.radar);
+        directions(&cube.radar);
     }
     line("units        m, m/s, rad, dB; world axes");
     for frame in progress::frames(reader) {
@@ -241,6 +249,7 @@ fn points(reader: Reader<Points>) -> Result<(), Failure> {
 fn tracks(reader: Reader<Tracks>) -> Result<(), Failure> {
     if let Some(cube) = &reader.header().cube {
         radar(&cube.radar);
+        directions(&cube.radar);
     }
     line("units        m, m/s, rad; world axes");
     for frame in progress::frames(reader) {
