@@ -10,6 +10,7 @@ pub(crate) mod amplitude_ratio; // of two powers
 pub(crate) mod rcs_request; // what is asked for
 pub(crate) mod keeper; // what is done of a table, for another run
 pub(crate) mod finer_mirrors; // where more was dropped than was asked for
+pub(crate) mod measured_aspects; // of a table, and the error of its integrals
 pub(crate) mod far_field_error; // what a far-field table misses near by
 pub(crate) mod rcs_table; // S over frequency and aspect
 pub(crate) mod antennas; // where no method says anything

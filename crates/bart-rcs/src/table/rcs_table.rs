@@ -14,6 +14,7 @@ use crate::table::aspect::{AspectSettings, Check, Checks, Company, Scattering, s
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
 use crate::table::keeper::{Keeper, NothingKept, Piece};
+use crate::table::measured_aspects::{ALL_UP_TO, Drawn, measured_error};
 use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
 use crate::table::work_meter::WorkMeter;
 use artifact::material::{Makeup, Material, Transmission};
@@ -84,8 +85,8 @@ pub struct RcsSeconds {
 /// One tree (two with a receiver apart) serves all frequencies of an aspect. `progress` hears (aspects done,
 /// aspects). The same request gives the same bytes on any number of threads, but for `seconds`.
 ///
-/// At finite range, and with edges, the error of the integrals is measured at three aspects of the table
-/// against integrals ten times finer; if it exceeds the accuracy asked, everything is integrated finer. If
+/// At finite range, and with edges, the error of the integrals is measured against integrals ten times finer:
+/// at every aspect of a table of up to eight, at up to six of a larger one, the strongest among them; if it exceeds the accuracy asked, everything is integrated finer. If
 /// what was dropped does, the aspects that drop too much are traced again with smaller mirrors, at most three
 /// times and as far as memory lets them. The node rule is compared with the other one at every n-th aspect of
 /// a table of more than 64.
@@ -156,6 +157,7 @@ pub fn rcs_within(
     let sweep = SharedByAspects {
         world: &world,
         aspects: &aspects,
+        edges: request.edges,
         received: received.as_ref(),
         surroundings,
         meter,
@@ -271,11 +273,15 @@ pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64
 /// 32 aspects of independent phases know it to 1/√32, 0.8 dB.
 const COMPARED_ASPECTS: usize = 64;
 
+/// Passes that measure are counted from here, behind those that make.
+const MEASURING: u32 = 1 << 16;
+
 /// Things that all aspects of a table share: bodies, hierarchy, patches, edges and skin are the
 /// world's, built once.
 struct SharedByAspects<'a> {
     world: &'a World,
     aspects: &'a [Aspect],
+    edges: Edges,
     /// Tree of a receiver that stands still: it does not depend on the aspect.
     received: Option<&'a BeamTree>,
     surroundings: &'a Surroundings<'a>,
@@ -316,8 +322,10 @@ impl SharedByAspects<'_> {
     fn fine_table(&self, mut settings: AspectSettings, asked: f64) -> Result<FineTable, BartError> {
         let all: Vec<usize> = (0..self.aspects.len()).collect();
         let mut mirrors = FinerMirrors::of_none(all.len());
-        let mut table = self.made(&all, &settings, &mirrors, 0).into_iter().collect::<Result<Vec<_>, _>>()?;
+        let first = self.made(&all, self.every_check(), &settings, &mirrors, 0);
+        let mut table = first.into_iter().collect::<Result<Vec<_>, _>>()?;
         for pass in 1.. {
+            self.measure(&mut table, &settings, &mut mirrors, MEASURING + pass)?;
             let is_coarse = measured_error(&table) > asked
                 && settings.accuracy >= 1e-4 * asked
                 && !(settings.most_tiles == MOST_TILES && is_bounded(&table, &settings));
@@ -330,16 +338,39 @@ impl SharedByAspects<'_> {
                 // A little more than 10^⅔, by which tiles become more.
                 settings.most_tiles = (5 * settings.most_tiles).min(MOST_TILES);
             }
-            let found = self.made(&again, &settings, &mirrors, pass);
+            let found = self.made(&again, self.every_check(), &settings, &mirrors, pass);
             again.iter().zip(found).try_for_each(|(&index, found)| mirrors.take(index, found, &mut table))?;
         }
         Ok(FineTable { table, settings, mirrors })
+    }
+
+    /// Checks of the integrals as aspects are made: all of them, or none before it is known which are strong.
+    fn every_check(&self) -> Check {
+        if self.aspects.len() <= ALL_UP_TO { Check::Measured } else { Check::Skipped }
+    }
+
+    /// Measures the integrals at the aspects that are drawn and have not been measured.
+    fn measure(
+        &self,
+        table: &mut [Scattering],
+        settings: &AspectSettings,
+        mirrors: &mut FinerMirrors,
+        pass: u32,
+    ) -> Result<(), BartError> {
+        if table.len() <= ALL_UP_TO {
+            return Ok(());
+        }
+        let unmeasured = |index: &usize| table[*index].error_power.is_none() && !self.is_exact(*index);
+        let drawn: Vec<usize> = Drawn::of(table).all().filter(unmeasured).collect();
+        let found = self.made(&drawn, Check::Measured, settings, mirrors, pass);
+        drawn.iter().zip(found).try_for_each(|(&index, found)| mirrors.take(index, found, table))
     }
 
     /// Scattering of some aspects, in their order.
     fn made(
         &self,
         which: &[usize],
+        integrals: Check,
         settings: &AspectSettings,
         mirrors: &FinerMirrors,
         pass: u32,
@@ -347,7 +378,8 @@ impl SharedByAspects<'_> {
         let done = AtomicUsize::new(0);
         let one = |&index: &usize| {
             let received = self.received.filter(|_| mirrors.is_first(index));
-            let found = self.aspect(index, received, &mirrors.settings(index, settings), pass);
+            let checks = self.checks(index, integrals);
+            let found = self.aspect(index, received, &mirrors.settings(index, settings), checks, pass);
             self.surroundings.progress.at(
                 Phase::Aspects,
                 done.fetch_add(1, Ordering::Relaxed) + 1,
@@ -364,11 +396,12 @@ impl SharedByAspects<'_> {
         index: usize,
         received: Option<&BeamTree>,
         settings: &AspectSettings,
+        checks: Checks,
         pass: u32,
     ) -> Result<Scattering, BartError> {
         let keeper = self.surroundings.keeper;
         let piece = Piece { pass, aspect: index as u32 };
-        let (aspect, checks) = (&self.aspects[index], self.checks(index, settings));
+        let aspect = &self.aspects[index];
         let kept = keeper.kept(piece).and_then(Scattering::from_bytes);
         if let Some(kept) = kept.filter(|kept| kept.is_of(settings, checks)) {
             return Ok(kept);
@@ -378,37 +411,25 @@ impl SharedByAspects<'_> {
             .inspect(|done| keeper.keep(piece, &done.to_bytes()))
     }
 
-    fn checks(&self, index: usize, settings: &AspectSettings) -> Checks {
-        let count = self.aspects.len();
-        let is_checked = [0, count / 2, count - 1].contains(&index);
-        let is_compared = index.is_multiple_of(count.div_ceil(COMPARED_ASPECTS));
-        // Far away the polygons' closed form is exact; bent facets and currents that end on a face are
-        // integrated by pieces.
-        let is_near = self.aspects[index].is_near();
-        let is_exact = !is_near && settings.edges == Edges::Ignored && self.world.skin_error() == 0.0;
-        let measured = |is_measured| if is_measured { Check::Measured } else { Check::Skipped };
-        Checks { integrals: measured(is_checked && !is_exact), model: measured(is_compared) }
+    fn checks(&self, index: usize, integrals: Check) -> Checks {
+        let is_compared = index.is_multiple_of(self.aspects.len().div_ceil(COMPARED_ASPECTS));
+        Checks {
+            integrals: if self.is_exact(index) { Check::Skipped } else { integrals },
+            model: if is_compared { Check::Measured } else { Check::Skipped },
+        }
+    }
+
+    /// Whether the polygons' closed form is exact, as it is far away; bent facets and currents that end on a
+    /// face are integrated by pieces.
+    fn is_exact(&self, index: usize) -> bool {
+        let is_in_closed_form = self.edges == Edges::Ignored && self.world.skin_error() == 0.0;
+        is_in_closed_form && !self.aspects[index].is_near()
     }
 }
 
 /// Whether some integrals had to be coarser than the settings ask for.
 fn is_bounded(table: &[Scattering], settings: &AspectSettings) -> bool {
     table.iter().any(|aspect| aspect.accuracy > settings.accuracy)
-}
-
-/// Ratio of ‖S − S(ten times finer)‖ per value to the table's root mean square |S|; rounding in the far
-/// field, where the closed form is exact to 1e-12.
-fn measured_error(table: &[Scattering]) -> f64 {
-    const ROUNDING: f64 = 1e-12;
-    if table.iter().all(|s| s.error_power.is_none()) {
-        return ROUNDING;
-    }
-    let mean_power = table.iter().map(Scattering::mean_power).sum::<f64>() / table.len() as f64;
-    let measured: Vec<f64> = table.iter().filter_map(|s| s.error_power).collect();
-    // The finer integrals have a tenth of the error themselves: the true one is at most measured/(1 − 0.1).
-    const OWN_ERROR: f64 = 0.1;
-    let difference = ratio(measured.iter().sum::<f64>() / measured.len().max(1) as f64, mean_power);
-    (difference / (1.0 - OWN_ERROR)).max(ROUNDING)
 }
 
 fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
