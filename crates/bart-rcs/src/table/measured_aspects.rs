@@ -5,7 +5,7 @@
 //! to [`ALL_UP_TO`] aspects is measured whole. Of a larger one the strong are drawn systematically with
 //! probabilities proportional to their powers (Hansen and Hurwitz, Ann. Math. Statist. 14 (1943) 333): those
 //! in which the middles of equal parts of the table's power lie. Two of the others are measured beside them.
-//! What all others err by is taken to be the larger of two: as much of their power as the strong ones err by
+//! The error of all others is taken to be the larger of two: as much of their power as the strong ones err by
 //! of theirs, and as much as those two do.
 
 use crate::table::amplitude_ratio::ratio;
@@ -18,7 +18,7 @@ const PARTS: usize = 4;
 /// Aspects drawn of the others.
 const OTHERS: usize = 2;
 
-/// Numbers of the aspects that are measured, ascending.
+/// Numbers of the aspects that are measured, ascending; of a small table all are strong.
 pub(crate) struct Drawn {
     strong: Vec<usize>,
     others: Vec<usize>,
@@ -26,6 +26,9 @@ pub(crate) struct Drawn {
 
 impl Drawn {
     fn by(powers: &[f64]) -> Self {
+        if powers.len() <= ALL_UP_TO {
+            return Self { strong: (0..powers.len()).collect(), others: vec![] };
+        }
         let total: f64 = powers.iter().sum();
         let holder = |part: usize| {
             let mut left = total * (part as f64 + 0.5) / PARTS as f64;
@@ -74,10 +77,7 @@ pub(crate) fn measured_error(table: &[Scattering]) -> f64 {
     const ROUNDING: f64 = 1e-12;
     // The finer integrals have a tenth of the error themselves: the true one is at most measured/(1 − 0.1).
     const OWN_ERROR: f64 = 0.1;
-    let error_power = match table.len() {
-        0..=ALL_UP_TO => table.iter().filter_map(|s| s.error_power).sum(),
-        _ => Drawn::of(table).error_power(table),
-    };
+    let error_power = Drawn::of(table).error_power(table);
     let difference = ratio(error_power, table.iter().map(Scattering::mean_power).sum());
     (difference / (1.0 - OWN_ERROR)).max(ROUNDING)
 }
@@ -100,6 +100,7 @@ mod tests {
         flash[5] = 15.0;
         // Parts of 30/4: their middles lie at 3.75, 11.25, 18.75 and 26.25 of 0 … 5 | 5 … 20 | 20 … 30.
         assert_eq!(drawn(&flash), [vec![3, 5, 12], vec![6, 10]]);
+        assert_eq!(drawn(&[1.0, 1000.0, 0.0]), [vec![0, 1, 2], vec![]]);
         for dark in [0.0, f64::NAN] {
             assert_eq!(drawn(&[dark; 16]), [vec![], vec![5, 10]]);
         }

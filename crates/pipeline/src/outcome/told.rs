@@ -55,8 +55,10 @@ pub fn lines(summary: &Summary) -> Vec<String> {
     lines
 }
 
-/// What is said of directions where the array tells no azimuth.
-pub const WITHOUT_AZIMUTH: &str = "the array has no two elements side by side and tells no azimuth: directions are the boresight's, objects are in no lane and are a target's by range and velocity alone";
+/// Sentence about directions where the array tells no azimuth.
+pub const WITHOUT_AZIMUTH: &str = "the array has no two elements side by side and tells no azimuth: directions \
+                                   are the boresight's, objects are in no lane and are a target's by range and \
+                                   velocity alone";
 
 /// What points tell that no place on the ground has the range of; `None` where there are none.
 pub fn without_height([points, of]: [usize; 2]) -> Option<String> {
@@ -65,7 +67,7 @@ pub fn without_height([points, of]: [usize; 2]) -> Option<String> {
     })
 }
 
-/// What directions lack: azimuths, or heights.
+/// Lines about what directions lack: azimuths, or heights.
 fn of_directions(summary: &Summary) -> impl Iterator<Item = String> {
     let sum = |count: fn(&FrameSummary) -> usize| summary.frames.iter().map(count).sum();
     let heights = without_height([sum(|frame| frame.points_without_height), sum(|frame| frame.points)]);
