@@ -86,10 +86,10 @@ pub struct RcsSeconds {
 /// aspects). The same request gives the same bytes on any number of threads, but for `seconds`.
 ///
 /// At finite range, and with edges, the error of the integrals is measured against integrals ten times finer:
-/// at every aspect of a table of up to eight, at up to six of a larger one, the strongest among them; if it
-/// exceeds the accuracy asked, everything is integrated finer. If what was dropped does, the aspects that drop
-/// too much are traced again with smaller mirrors, at most three times and as far as memory lets them. The
-/// node rule is compared with the other one at every n-th aspect of a table of more than 64.
+/// at every aspect of a table of up to eight, at up to six of a larger one, the strongest among them.
+/// Where it exceeds the accuracy asked, everything is integrated finer. Where what was dropped does, the
+/// aspects that drop too much are traced again with smaller mirrors, at most three times and as far as memory
+/// lets them. The node rule is compared with the other one at every n-th aspect of a table of more than 64.
 pub fn rcs(
     mesh: &Mesh,
     request: &RcsRequest,
