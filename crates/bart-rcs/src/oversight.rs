@@ -4,3 +4,4 @@
 pub(crate) mod error; // what can be wrong with a body or an antenna
 pub(crate) mod memory; // expected, watched, refused
 pub(crate) mod progress; // who hears how far work is
+pub(crate) mod work_meter; // whose work the processors' time was

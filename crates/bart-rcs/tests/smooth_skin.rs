@@ -40,7 +40,12 @@ fn request(azimuth_deg: f64, elevation_deg: f64, accuracy_db: f64) -> RcsRequest
 }
 
 fn skin(accuracy_db: f64) -> Skin {
-    Skin::Smooth { accuracy: Accuracy::from_db(accuracy_db), wavelength_m: WAVELENGTH_M, role: Role::Mirrors }
+    Skin::Smooth {
+        accuracy: Accuracy::from_db(accuracy_db),
+        wavelength_m: WAVELENGTH_M,
+        role: Role::Mirrors,
+        doublings: 0,
+    }
 }
 
 fn s(mesh: &Mesh, request: &RcsRequest) -> Complex64 {

@@ -181,8 +181,27 @@ fn small_mirrors_before_a_wall() -> Mesh {
     mesh
 }
 
-/// The plates are all below the least mirror area for −10 dB, λ²·accuracy, and nearly all of S goes
-/// over them.
+/// The plates are all below the least mirror area for −10 dB, λ²·accuracy, and nearly all of S goes over
+/// them. One reflection of a conductor back to where the wave came from keeps its polarization: nothing is
+/// left that an error could be relative to. Edges and second reflections change it.
+#[test]
+fn what_vanishes_by_symmetry_is_said_to_and_has_no_error() {
+    let mesh = car(6).mesh();
+    let asked = RcsRequest { polarization: Polarization::Vh, bounces: 1, ..request(3, -20.0) };
+    for range_m in [f64::INFINITY, 30.0] {
+        let found = rcs(&mesh, &RcsRequest { range_m, ..asked.clone() }, &|_, _| {}).unwrap();
+        assert!(found.vanishes && found.error.total().is_none(), "{range_m}: {:?}", found.error);
+        assert_eq!(found.mirrors.traced_again, 0);
+    }
+    let edges = RcsRequest { edges: Edges::FirstOrder, ..asked.clone() };
+    for other in [edges, RcsRequest { bounces: 2, ..asked.clone() }] {
+        let found = rcs(&mesh, &other, &|_, _| {}).unwrap();
+        assert!(!found.vanishes && found.error.total().is_some());
+    }
+    let co_polarized = RcsRequest { polarization: Polarization::Hh, ..asked };
+    assert!(!rcs(&mesh, &co_polarized, &|_, _| {}).unwrap().vanishes);
+}
+
 #[test]
 fn what_drops_more_than_was_asked_is_traced_again_with_smaller_mirrors() {
     let mesh = small_mirrors_before_a_wall();

@@ -42,7 +42,7 @@ enum Make {
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those that are drawn.
-pub(crate) const STUDIES: [Study; 28] = [
+pub(crate) const STUDIES: [Study; 29] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
     part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
@@ -61,8 +61,9 @@ pub(crate) const STUDIES: [Study; 28] = [
         ERRORS,
         "half an hour",
         estimates_of_errors::SOURCES,
-        estimates_of_errors::of_tables,
+        estimates_of_errors::of_aspects,
     ),
+    part("random-tables", ERRORS, "an hour", estimates_of_errors::SOURCES, estimates_of_errors::of_tables),
     part("random-frames", ERRORS, "an hour", estimates_of_errors::SOURCES, estimates_of_errors::of_frames),
     part("random-roads", ERRORS, "half an hour", estimates_of_errors::SOURCES, estimates_of_errors::of_roads),
     whole("levels", "docs/validation/levels-of-detail.md", "10 minutes", LEVELS, drawn::levels),

@@ -17,6 +17,11 @@ pub fn db_from_amplitude(ratio: f64) -> f64 {
     (20.0 * ratio.log10()).max(LOWEST_DB)
 }
 
+/// Amplitude ratio of two powers; 0 of nothing.
+pub fn amplitude_ratio(part: f64, whole: f64) -> f64 {
+    if whole > 0.0 { (part / whole).sqrt() } else { 0.0 }
+}
+
 /// Power ratio of a decibel value.
 pub fn power_from_db(db: f64) -> f64 {
     10.0_f64.powf(db / 10.0)

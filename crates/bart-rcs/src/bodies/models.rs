@@ -31,8 +31,16 @@ pub(crate) struct Models {
 impl Models {
     /// Builds all meshes of the header, with the skin that it asks for.
     pub(crate) fn build(header: &SceneHeader) -> Result<Self, BartError> {
-        let (fidelity, wavelength_m) = (&header.fidelity, header.radar.waveform.wavelength_m());
-        let skin = Skin::of(fidelity.surface, fidelity.accuracy, wavelength_m, fidelity.bounces);
+        Self::build_with(header, skin(header))
+    }
+
+    /// Builds them with a skin that is cut for this relative amplitude error.
+    pub(crate) fn build_coarser(header: &SceneHeader, error: f64) -> Result<Self, BartError> {
+        Self::build_with(header, skin(header).coarser(error))
+    }
+
+    fn build_with(header: &SceneHeader, skin: Skin) -> Result<Self, BartError> {
+        let fidelity = &header.fidelity;
         let turning = |mesh: &Mesh| fidelity.wheels == Wheels::Turning && !mesh.wheels.is_empty();
         let build = |mesh: &Mesh| match turning(mesh) {
             true => BodyMesh::without_wheels(mesh, skin),
@@ -73,6 +81,12 @@ impl Models {
             || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes: self.meshes.len() };
         self.meshes.get(mesh as usize).cloned().ok_or_else(missing).map(Some)
     }
+}
+
+/// Skin that a scene asks for.
+fn skin(header: &SceneHeader) -> Skin {
+    let (fidelity, wavelength_m) = (&header.fidelity, header.radar.waveform.wavelength_m());
+    Skin::of(fidelity.surface, fidelity.accuracy, wavelength_m, fidelity.bounces)
 }
 
 /// A mesh in its body frame.

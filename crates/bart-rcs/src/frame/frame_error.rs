@@ -16,7 +16,7 @@ use crate::table::meeting::{MeetingSettings, OrderJoints};
 use crate::table::small_mirrors::SmallMirrors;
 use artifact::paths::Path;
 use artifact::settings::{Edges, NodeRule};
-use artifact::units::SPEED_OF_LIGHT_MPS;
+use artifact::units::{SPEED_OF_LIGHT_MPS, amplitude_ratio};
 use artifact::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -69,13 +69,10 @@ pub(crate) struct GivenUp {
 /// Bodies of another moment, traced and integrated ten times finer than the paths.
 pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference {
     let fidelity = &plan.header.fidelity;
-    let frequencies_hz = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, CHECKED_FREQUENCIES);
-    let wavenumbers: Vec<f64> = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
+    let frequencies_hz = checked_frequencies_hz(plan);
+    let wavenumbers = wavenumbers_per_m(&frequencies_hz);
     let fineness = Fineness::ten_times(&wavenumbers, plan);
-    let by_rule = |order: u8, rule: NodeRule| {
-        let meeting = OrderJoints::of(scatterer, order, &MeetingSettings { nodes: rule, ..plan.meetings() });
-        of_meeting(scatterer, plan, &meeting, bracket_of(rule), &fineness)
-    };
+    let by_rule = |order: u8, rule: NodeRule| of_order(scatterer, plan, (order, rule), &fineness);
     let by_order_m = (1..=fidelity.bounces).map(|order| by_rule(order, fidelity.nodes)).collect();
     let other = other(fidelity.nodes);
     let reaches = |order: u8| order > 1 && tree_order(order, other) <= plan.trace.max_order;
@@ -91,6 +88,34 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
         )
     });
     Reference { by_order_m, other_m, left_out_m, frequencies_hz }
+}
+
+/// Scattering amplitude of all orders over the frequencies of a [`Reference`], by the rule asked for.
+pub(crate) fn over_checked_band(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Vec<Complex64> {
+    let wavenumbers = wavenumbers_per_m(&checked_frequencies_hz(plan));
+    let fineness = Fineness::ten_times(&wavenumbers, plan);
+    let rule = plan.header.fidelity.nodes;
+    let orders = 1..=plan.header.fidelity.bounces;
+    total(orders.map(|order| of_order(scatterer, plan, (order, rule), &fineness)), wavenumbers.len())
+}
+
+fn checked_frequencies_hz(plan: &Plan<'_>) -> Vec<f64> {
+    frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, CHECKED_FREQUENCIES)
+}
+
+fn wavenumbers_per_m(frequencies_hz: &[f64]) -> Vec<f64> {
+    frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect()
+}
+
+/// S of one order by a rule.
+fn of_order(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    (order, rule): (u8, NodeRule),
+    fineness: &Fineness<'_>,
+) -> Vec<Complex64> {
+    let meeting = OrderJoints::of(scatterer, order, &MeetingSettings { nodes: rule, ..plan.meetings() });
+    of_meeting(scatterer, plan, &meeting, bracket_of(rule), fineness)
 }
 
 /// Fineness of the integrals of a comparison.
@@ -161,14 +186,19 @@ impl Reference {
         orders: u8,
         of: impl Fn(u8, &[f64]) -> Vec<Complex64>,
     ) -> Option<f64> {
-        let wavenumbers: Vec<f64> =
-            self.frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
+        let wavenumbers = wavenumbers_per_m(&self.frequencies_hz);
         let added = total((1..=orders).map(|order| of(order, &wavenumbers)), wavenumbers.len());
         let power = |orders: &[Vec<Complex64>]| orders.iter().map(|order| mean(order)).sum::<f64>();
         let (first, all) = (power(&self.by_order_m[..usize::from(orders)]), power(&self.by_order_m));
         let gained = with_later_orders(mean(&added), [first, all - first]);
         let whole = mean(&self.total_m());
         (whole > 0.0).then(|| MARGIN * (gained / whole).sqrt())
+    }
+
+    /// Ratio ‖S − S(other)‖ over ‖S‖ of all orders together; `other_m` as of [`over_checked_band`].
+    pub(crate) fn difference(&self, other_m: &[Complex64]) -> f64 {
+        let total_m = self.total_m();
+        amplitude_ratio(mean_difference(&total_m, other_m), mean(&total_m))
     }
 
     /// Scattering amplitude of all orders together, over frequency.

@@ -3,7 +3,7 @@
 
 use crate::bodies::models::Models;
 use crate::bodies::road::check_road;
-use crate::frame::frame_error::reference;
+use crate::frame::frame_error::{Reference, over_checked_band, reference};
 use crate::frame::left_out::between_bodies::between_bodies_left_out;
 use crate::frame::left_out::road::road_left_out;
 use crate::frame::moments::{split, split_alike};
@@ -14,6 +14,7 @@ use crate::frame::snapshot::{Scenery, Snapshot};
 use crate::joins::scatterer::check_order;
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
+use crate::surface::skin::{COARSER, told_error};
 use artifact::paths::{
     Amplitude, Curve, ErrorOrigin, Facet, Fineness, MAX_ORDER, Path, PathsFrame, Rim, TraceStatistics,
 };
@@ -62,7 +63,7 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     let (plan, frame) = (scenery.plan, scenery.frame);
     let header = plan.header;
     // One moment's bodies and beams at a time.
-    let (reference, left_out, check_bytes) = {
+    let (reference, left_out, skin_error, check_bytes) = {
         let check = scenery.at(plan.check_s, plan.check_m)?;
         let reference = reference(&check.scatterer(plan, Phase::Checking), plan);
         let left_out = ModelError {
@@ -70,19 +71,19 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
             between_bodies: between_bodies_left_out(&check.world, plan, &reference)?,
             ..reference.model_error()
         };
-        (reference, left_out, check.bytes())
+        (reference, left_out, check.world.skin_error(), check.bytes())
     };
+    let tessellation = tessellation(scenery, &reference, skin_error)?;
     let points = point_paths(header, frame);
-    let (seen, table, bent, has_bodies) = {
+    let (seen, table, has_bodies) = {
         let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
         let scatterer = snapshot.scatterer(plan, Phase::Integrating);
         let fit = Fit::new(&scatterer, plan, &points, &reference);
         let table = fit.table(&|table| split(scenery, table, &points, &reference))?;
-        let bent = (header.fidelity.surface == Surface::Smooth).then(|| snapshot.world.skin_error());
-        (FrameFindings::of(&snapshot, plan), table, bent, !snapshot.world.facets().is_empty())
+        (FrameFindings::of(&snapshot, plan), table, !snapshot.world.facets().is_empty())
     };
     let measured = Measured {
-        error: ErrorBudget { tessellation: bent, ..table.error.budget() },
+        error: ErrorBudget { tessellation, ..table.error.budget() },
         model_error: left_out,
         dropped_power_ratio: table.error.dropped_at_most.powi(2),
         fineness: has_bodies.then_some(table.fineness),
@@ -91,6 +92,24 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
         bytes: check_bytes.max(table.bytes + seen.bytes),
     };
     Ok(paths_frame(plan, frame, seen, table.paths, measured))
+}
+
+/// Ratio ‖S(of facets cut for [`COARSER`] times the error) − S‖ over ‖S‖ at the moment of the check, where
+/// `reference` was made of bodies whose facets were cut for `skin_error`; `None` where facets are the surface.
+fn tessellation(
+    scenery: &Scenery<'_>,
+    reference: &Reference,
+    skin_error: f64,
+) -> Result<Option<f64>, BartError> {
+    let plan = scenery.plan;
+    if plan.header.fidelity.surface == Surface::Flat {
+        return Ok(None);
+    }
+    let models =
+        Models::build_coarser(plan.header, COARSER * skin_error)?.within(scenery.models.memory_limit);
+    let coarser = Scenery { models: &models, ..*scenery }.at(plan.check_s, plan.check_m)?;
+    let found_m = over_checked_band(&coarser.scatterer(plan, Phase::Checking), plan);
+    Ok(Some(told_error(reference.difference(&found_m), skin_error)))
 }
 
 fn traced_like(

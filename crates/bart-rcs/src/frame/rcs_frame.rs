@@ -14,13 +14,12 @@ use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
-use crate::table::amplitude_ratio::ratio;
 use crate::table::far_field_error::Compared;
 use crate::table::meeting::{MeetingSettings, OrderJoints};
 use crate::table::rcs_table::next_order;
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, TargetKind};
-use artifact::units::SPEED_OF_LIGHT_MPS;
+use artifact::units::{SPEED_OF_LIGHT_MPS, amplitude_ratio};
 use artifact::{ErrorBudget, ModelError};
 use glam::{DMat3, DVec3};
 use num_complex::Complex64;
@@ -278,7 +277,7 @@ impl Powers {
     }
 
     fn relative(&self, part: f64) -> f64 {
-        ratio(part, self.total)
+        amplitude_ratio(part, self.total)
     }
 
     /// Far-field integrals are exact to rounding; shadows are as they were at the middle.
@@ -296,7 +295,7 @@ impl Powers {
             .collect();
         ModelError {
             bounces: next_order(&by_order),
-            far_field: Some(ratio(self.far_field, self.spherical)),
+            far_field: Some(amplitude_ratio(self.far_field, self.spherical)),
             ..ModelError::default()
         }
     }

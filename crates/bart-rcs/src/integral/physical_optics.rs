@@ -65,7 +65,12 @@ impl Field<'_> {
         let SurfacePoint { x_m, area: normal, .. } = *at;
         let (d1, d2) = (transmit.image.travel_direction_at(x_m), receive.image.travel_direction_at(x_m));
         let sent = transmit.mirrors.fields_at_node(d1, transmit.zenith_h);
-        let received = receive.mirrors.fields_at_node(d2, receive.zenith_h);
+        // One and the same way there and back has the same fields.
+        let received = if std::ptr::eq(transmit, receive) {
+            sent
+        } else {
+            receive.mirrors.fields_at_node(d2, receive.zenith_h)
+        };
         let spread = self.spread(transmit.image, x_m) * self.spread(receive.image, x_m);
         let plain =
             |d: DVec3, e: DVec3, other: DVec3| other.dot(d) * normal.dot(e) - other.dot(e) * normal.dot(d);

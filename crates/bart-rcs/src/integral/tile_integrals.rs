@@ -2,7 +2,7 @@
 
 use crate::integral::field::{Field, SurfacePoint};
 use crate::integral::polygon_phase::{linear_phase_integrals, six_point_weights};
-use crate::integral::turns::{TOGETHER, Turns, turns};
+use crate::integral::turns::{TOGETHER, Turning, turns};
 use glam::DVec2;
 use num_complex::Complex64;
 
@@ -50,15 +50,15 @@ impl SixPoints {
         give: &mut dyn FnMut(usize, [Complex64; 6]),
     ) {
         for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
-            let at_corners = [0, 1, 2].map(|i| turns(self.linear_m[i], some));
+            let at_corners = [0, 1, 2].map(|i| Turning::of(self.linear_m[i], some));
             // The linear part is in the weights; what the length does beyond it turns the sampled value.
-            let beyond: [Turns; 6] =
-                std::array::from_fn(|i| turns(self.lengths_m[i] - self.linear_m[i], some));
+            let beyond: [Turning; 6] =
+                std::array::from_fn(|i| Turning::of(self.lengths_m[i] - self.linear_m[i], some));
             for (i, k) in some.iter().enumerate() {
                 let phases = [0, 1, 2].map(|corner| -k * self.linear_m[corner]);
-                let under_phase = six_point_weights(phases, at_corners.map(|turns| turns[i]));
+                let under_phase = six_point_weights(phases, at_corners.map(|turning| turning.at(*k)));
                 let integrals_m2 =
-                    std::array::from_fn(|point| under_phase[point] * beyond[point][i] * self.area_m2);
+                    std::array::from_fn(|point| under_phase[point] * beyond[point].at(*k) * self.area_m2);
                 give(chunk * TOGETHER + i, integrals_m2);
             }
         }

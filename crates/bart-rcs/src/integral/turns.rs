@@ -13,20 +13,43 @@ pub(crate) const TOGETHER: usize = 16;
 /// Turns of up to [`TOGETHER`] wavenumbers.
 pub(crate) type Turns = [Complex64; TOGETHER];
 
-/// Turns e^{−jkℓ} at the first [`TOGETHER`] of some wavenumbers; error: 2 ε beside that of k·ℓ.
-pub(crate) fn turns(length_m: f64, wavenumbers_per_m: &[f64]) -> Turns {
-    let mut turns = [Complex64::ZERO; TOGETHER];
-    let Some(&middle_per_m) = wavenumbers_per_m.get(wavenumbers_per_m.len() / 2) else { return turns };
-    let at_middle = Complex64::cis(-middle_per_m * length_m);
-    for (turn, k) in turns.iter_mut().zip(wavenumbers_per_m) {
-        let further = (middle_per_m - k) * length_m;
-        *turn = if further.abs() <= SHORT {
-            at_middle * short_turn(further)
-        } else {
-            Complex64::cis(-k * length_m)
-        };
+/// Turns of one length about a middle wavenumber.
+#[derive(Clone, Copy)]
+pub(crate) struct Turning {
+    length_m: f64,
+    middle_per_m: f64,
+    at_middle: Complex64,
+}
+
+impl Turning {
+    /// Turns of a length about the middle one of some wavenumbers.
+    pub(crate) fn of(length_m: f64, wavenumbers_per_m: &[f64]) -> Self {
+        let middle_per_m = wavenumbers_per_m.get(wavenumbers_per_m.len() / 2).copied().unwrap_or(0.0);
+        Self { length_m, middle_per_m, at_middle: turn(-middle_per_m * length_m) }
     }
+
+    /// Turn e^{−jkℓ}; error: 2 ε beside that of k·ℓ.
+    pub(crate) fn at(&self, wavenumber_per_m: f64) -> Complex64 {
+        let further = (self.middle_per_m - wavenumber_per_m) * self.length_m;
+        if further.abs() <= SHORT {
+            self.at_middle * short_turn(further)
+        } else {
+            Complex64::cis(-wavenumber_per_m * self.length_m)
+        }
+    }
+}
+
+/// Turns e^{−jkℓ} at the first [`TOGETHER`] of some wavenumbers.
+pub(crate) fn turns(length_m: f64, wavenumbers_per_m: &[f64]) -> Turns {
+    let turning = Turning::of(length_m, wavenumbers_per_m);
+    let mut turns = [Complex64::ZERO; TOGETHER];
+    turns.iter_mut().zip(wavenumbers_per_m).for_each(|(turn, k)| *turn = turning.at(*k));
     turns
+}
+
+/// Phasor e^{jx} of any x.
+fn turn(x: f64) -> Complex64 {
+    if x.abs() <= SHORT { short_turn(x) } else { Complex64::cis(x) }
 }
 
 /// Turns that [`short_turn`] takes, rad.

@@ -11,6 +11,7 @@ use crate::integral::physical_optics::{count_tiles, for_each_tile, node_amplitud
 use crate::integral::polarization::Mirrors;
 use crate::integral::steps::{Step, Steps};
 use crate::integral::tiling::Tile;
+use crate::integral::turns::Turning;
 use crate::joins::group::Group;
 use crate::joins::join::joints;
 use crate::joins::joint::{Joint, Joints, Reverse, Trees};
@@ -307,10 +308,10 @@ impl JointTile<'_> {
 
     /// Adds the tile's share of S, its reverse included.
     pub(crate) fn add_to(&self, group: &mut Group<'_>) {
-        let length_m = self.length_m - group.length_m;
+        let turning = Turning::of(self.length_m - group.length_m, group.wavenumbers_per_m);
         self.field.for_each_amplitude(self.tile, group.wavenumbers_per_m, &mut |index, amplitude| {
             let k = group.wavenumbers_per_m[index];
-            let factor = Complex64::from_polar(self.spread * self.joint.weight_at(k), -k * length_m);
+            let factor = self.spread * self.joint.weight_at(k) * turning.at(k);
             let total = &mut group.sums[index];
             *total = sum(total, &scaled(&with_reverse(self.joint.reverse, amplitude), factor));
         });

@@ -22,6 +22,8 @@ pub enum Skin {
         wavelength_m: f64,
         /// Whether facets reflect onto others, as they do from the second order on.
         role: Role,
+        /// Number of times that all limits are doubled.
+        doublings: u32,
     },
 }
 
@@ -51,6 +53,22 @@ pub(crate) fn share_beside(surface: Surface) -> f64 {
     }
 }
 
+/// How much coarser the facets are that a skin's error is measured with, as a factor of the error that they
+/// are cut for.
+///
+/// Where a mesh tells its skin, the error falls with that of the cut, and the difference to coarser facets is
+/// three times the error. Where triangles are so long, or turn so far, that their corners' normals do not
+/// tell what is between them to a part of the wavelength, each cut is another skin, and both err by 1/√2 of
+/// the difference.
+pub(crate) const COARSER: f64 = 4.0;
+
+/// Error told of facets cut for `cut_for`, by the relative difference to [`COARSER`] ones. Of a mesh that is
+/// finer than both cuts there is none, and at few frequencies and aspects it may vanish by chance: no less
+/// than half of what they are cut for is told.
+pub(crate) fn told_error(difference: f64, cut_for: f64) -> f64 {
+    difference.hypot(0.5 * cut_for)
+}
+
 impl Skin {
     /// Skin that a run asks for, with its share of the run's accuracy.
     pub fn of(surface: Surface, accuracy: Accuracy, wavelength_m: f64, bounces: u8) -> Self {
@@ -58,23 +76,45 @@ impl Skin {
         let role = if bounces > 1 { Role::Mirrors } else { Role::Scatterers };
         match surface {
             Surface::Flat => Self::Flat,
-            Surface::Smooth => Self::Smooth { accuracy, wavelength_m, role },
+            Surface::Smooth => Self::Smooth { accuracy, wavelength_m, role, doublings: 0 },
+        }
+    }
+
+    /// The skin cut by limits that are as much coarser as this relative amplitude error is than its own.
+    pub(crate) fn coarser(self, error: f64) -> Self {
+        match self {
+            Self::Flat => Self::Flat,
+            Self::Smooth { accuracy, wavelength_m, role, .. } => {
+                let doublings = (error / least_error(accuracy)).log2().round().max(0.0) as u32;
+                Self::Smooth { accuracy, wavelength_m, role, doublings }
+            }
         }
     }
 
     /// Triangles for a mesh whose own have these corners.
     pub(crate) fn triangles(self, mesh: &Mesh, corners_m: Vec<[DVec3; 3]>) -> SkinTriangles {
-        let Self::Smooth { accuracy, wavelength_m, role } = self else { return flat(mesh, corners_m) };
+        let Self::Smooth { accuracy, wavelength_m, role, doublings } = self else {
+            return flat(mesh, corners_m);
+        };
         let skin = CurvedSkin::of(mesh, &corners_m);
         let most = FACETS_MAX.max(2 * corners_m.len());
-        let mut error = accuracy.amplitude().max(1e-6);
+        let mut error = least_error(accuracy);
         let mut limits = limits(error, wavelength_m, role);
+        for _ in 0..doublings {
+            error *= 2.0;
+            limits = limits_coarser(limits);
+        }
         while skin.count(&limits) > most {
             error *= 2.0;
             limits = limits_coarser(limits);
         }
         SkinTriangles { error, ..skin.facets(&corners_m, &limits) }
     }
+}
+
+/// Relative amplitude error that facets are cut for.
+fn least_error(accuracy: Accuracy) -> f64 {
+    accuracy.amplitude().max(1e-6)
 }
 
 /// Limits of facets for a relative amplitude error: how fine they must be.

@@ -1,50 +1,25 @@
 //! Scattering at one aspect: trees, joins and integrals of every order, by the rule asked for and by the
 //! other one.
 
-use crate::beams::beam::{BeamTree, TraceSettings};
-use crate::bodies::stand_off::{check_stand, distance_and_diagonal_m};
+use crate::beams::beam::BeamTree;
+use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
-use crate::joins::afforded::afforded;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
-use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of};
+use crate::joins::scatterer::{Scatterer, ZenithH};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
+use crate::oversight::work_meter::WorkMeter;
+use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
 use crate::table::end_tree::EndTree;
-use crate::table::meeting::{MeetingSettings, OrderJoints};
+use crate::table::meeting::OrderJoints;
 use crate::table::rcs_request::Aspect;
 use crate::table::small_mirrors::SmallMirrors;
-use crate::table::work_meter::WorkMeter;
-use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
-
-/// Settings that are the same at every aspect.
-#[derive(Debug, Clone)]
-pub(crate) struct AspectSettings {
-    pub(crate) trace: TraceSettings,
-    pub(crate) wavenumbers_per_m: Vec<f64>,
-    pub(crate) bounces: u8,
-    pub(crate) nodes: NodeRule,
-    pub(crate) edges: Edges,
-    pub(crate) polarization: Polarization,
-    /// Accuracy of every node integral.
-    pub(crate) accuracy: f64,
-    /// An aspect whose integrals would be cut into more tiles has coarser ones: what they err by is measured,
-    /// and what is more than was asked for is integrated finer, with more tiles.
-    pub(crate) most_tiles: u64,
-}
-
-impl AspectSettings {
-    /// Settings with which an aspect is traced: along a sheet no sliver is dropped.
-    pub(crate) fn seen_from(&self, aspect: &Aspect) -> Self {
-        let least_area_m2 = if aspect.is_along_sheet { 0.0 } else { self.trace.least_area_m2 };
-        Self { trace: TraceSettings { least_area_m2, ..self.trace }, ..self.clone() }
-    }
-}
 
 /// S of one aspect.
 #[derive(Debug, Clone)]
@@ -53,12 +28,14 @@ pub(crate) struct Scattering {
     pub(crate) chosen_m: Vec<Vec<Complex64>>,
     /// Scattering by the other rule, where it was measured.
     pub(crate) other_m: Option<Vec<Vec<Complex64>>>,
-    /// Power |S − S(ten times finer)|² over frequency, where it was measured.
+    /// Power over frequency of the error of the integrals, where it was measured.
     pub(crate) error_power: Option<f64>,
     /// Power |S|² over frequency of the first order that is left out, where it was measured.
     pub(crate) left_out_power: Option<f64>,
     /// Power |S of the edges that are left out|² at the middle frequency.
     pub(crate) edges_power: Option<f64>,
+    /// Power over frequency of the whole scattering matrix, all polarizations, order by order, m².
+    pub(crate) whole_power: f64,
     pub(crate) beams: Vec<u64>,
     /// Accuracy that the integrals were asked for: as the settings have it, or coarser.
     pub(crate) accuracy: f64,
@@ -69,22 +46,6 @@ pub(crate) struct Scattering {
     pub(crate) trace_seconds: f64,
     pub(crate) integrate_seconds: f64,
     pub(crate) check_seconds: f64,
-}
-
-/// Measurements at an aspect beside S.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Checks {
-    /// The integrals against ones ten times finer.
-    pub(crate) integrals: Check,
-    /// The node rule against the other one, and what the order after the last would add.
-    pub(crate) model: Check,
-}
-
-/// Whether a measurement is made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Check {
-    Measured,
-    Skipped,
 }
 
 /// Traces and integrates; polarization vectors have z as up, phases are referred to the world's origin.
@@ -129,20 +90,32 @@ pub(crate) fn scattering_with(
     let integrate_seconds = metered.lap_s();
     let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), &chosen, &mirrors, settings);
     ends.phase = Phase::Checking;
-    let is_measured = checks.integrals == Check::Measured;
-    let error_power = is_measured.then(|| ends.error_power(&chosen, aspect, settings)).transpose()?;
+    let is_measured = checks.integrals != IntegralsCheck::Skipped;
+    let finer_m = is_measured.then(|| ends.finer(&chosen, aspect, settings)).transpose()?;
     let edges_power = (checks.model == Check::Measured).then(|| ends.edges_power(settings)).flatten();
     let (other_m, left_out_power) = match checks.model {
         Check::Measured => (Some(ends.by_other_rule(&chosen, settings)?), ends.left_out_power(settings)),
         Check::Skipped => (None, None),
     };
+    let whole_power = chosen.iter().map(|order| order.whole_power).sum();
     let chosen_m: Vec<Vec<Complex64>> = chosen.into_iter().map(|order| order.s_m).collect();
+    let error_power = finer_m.as_ref().map(|finer_m| {
+        let difference = power_between(&chosen_m, finer_m);
+        checks.integrals.error_power(difference, (accuracy, settings.edges), power_of(finer_m))
+    });
+    let taken = finer_m.filter(|_| checks.integrals == IntegralsCheck::Taken);
+    // Both node rules are compared by integrals that are as fine as each other.
+    let other_m = other_m.map(|other_m| match &taken {
+        Some(finer_m) => moved(other_m, &chosen_m, finer_m),
+        None => other_m,
+    });
     Ok(Scattering {
-        chosen_m,
+        chosen_m: taken.unwrap_or(chosen_m),
         other_m,
         error_power,
         left_out_power,
         edges_power,
+        whole_power,
         beams: ends.beams(),
         accuracy,
         dropped_m,
@@ -253,25 +226,26 @@ impl<'a> Ends<'a> {
         Scatterer::new(self.world, trees, self.zenith_h).heard_by(self.phase, self.progress)
     }
 
-    /// Power |S − S(ten times finer)|² over frequency; of the edges alone where facets are exact.
-    fn error_power(
+    /// S by order, then frequency, by integrals ten times finer; by finer edges alone where facets are exact.
+    fn finer(
         &self,
         chosen: &[OfOrder],
         aspect: &Aspect,
         settings: &AspectSettings,
-    ) -> Result<f64, BartError> {
+    ) -> Result<Vec<Vec<Complex64>>, BartError> {
         // 10^⅔ times as many tiles, or some more where they were few: never coarser again.
         let (accuracy, most_tiles) = (0.1 * settings.accuracy, settings.most_tiles.saturating_mul(100));
         let finer = AspectSettings { accuracy, most_tiles, ..settings.clone() };
-        let of = |part: fn(&OfOrder) -> &Vec<Complex64>| {
-            chosen.iter().map(|order| part(order).clone()).collect::<Vec<_>>()
-        };
         if aspect.is_near() || self.world.skin_error() > 0.0 {
-            return Ok(power_between(&of(|order| &order.s_m), &self.orders(1, settings.nodes, &finer)?));
+            return self.orders(1, settings.nodes, &finer);
         }
         let scatterer = self.scatterer();
-        let edges = |order: u8| edges_of_order(&scatterer, order, &finer);
-        Ok(power_between(&of(|order| &order.edges_m), &(1..=settings.bounces).map(edges).collect::<Vec<_>>()))
+        let with_edges = |(order, of_order): (u8, &OfOrder)| {
+            let edges_m = edges_of_order(&scatterer, order, &finer);
+            let both = of_order.s_m.iter().zip(of_order.edges_m.iter().zip(&edges_m));
+            both.map(|(s, (coarse, fine))| s + (fine - coarse)).collect()
+        };
+        Ok((1..=settings.bounces).zip(chosen).map(with_edges).collect())
     }
 
     /// Edges are no mirrors: what they add is the same by any rule.
@@ -357,9 +331,11 @@ fn of_meeting(
 ) -> OfOrder {
     let (p, q) = settings.polarization.indices();
     let sums = meeting.sums(scatterer, DVec3::ZERO, &settings.integration(rule));
+    let whole_power = sums.iter().flatten().flatten().flatten().map(Complex64::norm_sqr).sum::<f64>();
+    let whole_power = whole_power / sums[0].len().max(1) as f64;
     let [mut s_m, edges_m] = sums.map(|sum| sum.iter().map(|s| s[p][q]).collect::<Vec<_>>());
     s_m.iter_mut().zip(&edges_m).for_each(|(s, edges)| *s += edges);
-    OfOrder { s_m, edges_m, given_up: meeting.facets.given_up }
+    OfOrder { s_m, edges_m, whole_power, given_up: meeting.facets.given_up }
 }
 
 /// Scattering amplitude of the edges in one order.
@@ -370,67 +346,14 @@ fn edges_of_order(scatterer: &Scatterer<'_>, order: u8, settings: &AspectSetting
     sum.iter().map(|s| s[p][q]).collect()
 }
 
-impl AspectSettings {
-    /// The wavelength at the lowest frequency.
-    pub(crate) fn longest_wave_m(&self) -> f64 {
-        std::f64::consts::TAU / self.wavenumbers_per_m.iter().copied().fold(f64::INFINITY, f64::min)
-    }
-
-    fn meeting(&self, nodes: NodeRule) -> MeetingSettings {
-        let wavenumber_per_m = self.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
-        let least_area_m2 = self.trace.least_area_m2;
-        MeetingSettings { nodes, edges: self.edges, least_area_m2, wavenumber_per_m }
-    }
-
-    /// Settings with coarser integrals where these would be cut into too many tiles.
-    fn afforded(
-        &self,
-        scatterer: &Scatterer<'_>,
-        meetings: &[OrderJoints],
-        rule: NodeRule,
-    ) -> Result<Self, BartError> {
-        // A plane wave over a flat polygon is integrated as one.
-        let is_flat = scatterer.world.skin_error() == 0.0;
-        if is_flat && (scatterer.is_far() || self.is_cheap(scatterer)) {
-            return Ok(self.clone());
-        }
-        let joints = meetings.iter().map(|meeting| &meeting.facets);
-        let accuracy = afforded(scatterer, joints, &self.integration(rule), self.most_tiles)?;
-        Ok(Self { accuracy, ..self.clone() })
-    }
-
-    /// Whether antennas stand so far off that flat facets are never cut into too many tiles, which need not
-    /// be counted then: tiles are about as many as Fresnel zones, kD²/r, and a hundred at most for each at
-    /// this accuracy.
-    fn is_cheap(&self, scatterer: &Scatterer<'_>) -> bool {
-        const FRESNEL_ZONES: f64 = 2e4;
-        const ACCURACY: f64 = 1e-3;
-        const DIAGONALS: f64 = 2.0;
-        let highest_per_m = self.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
-        let ends = [scatterer.trees.transmit().antenna, scatterer.trees.receive().antenna];
-        self.accuracy >= ACCURACY
-            && ends.into_iter().all(|antenna| {
-                let (distance_m, diagonal_m) = distance_and_diagonal_m(scatterer.world, antenna);
-                let zones = highest_per_m * diagonal_m * (diagonal_m / distance_m);
-                distance_m >= DIAGONALS * diagonal_m && zones <= FRESNEL_ZONES
-            })
-    }
-
-    fn integration(&self, nodes: NodeRule) -> Integration<'_> {
-        Integration {
-            wavenumbers_per_m: &self.wavenumbers_per_m,
-            accuracy: self.accuracy,
-            bracket: bracket_of(nodes),
-        }
-    }
-}
-
 /// Contribution of one order.
 struct OfOrder {
     /// S over frequency.
     s_m: Vec<Complex64>,
     /// Part of it that is due to edges.
     edges_m: Vec<Complex64>,
+    /// Power over frequency of the whole matrix, of facets and of edges, m².
+    whole_power: f64,
     /// Area of overlaps given up, as in [`Joints::given_up`](crate::joins::joint::Joints).
     given_up: [f64; 2],
 }
@@ -462,7 +385,12 @@ impl Scattering {
 
     /// Mean power |S|² over frequency.
     pub(crate) fn mean_power(&self) -> f64 {
-        mean_over_frequencies(self.frequencies(), |f| self.total_m(f))
+        power_of(&self.chosen_m)
+    }
+
+    /// Power |S − S(other)|² over frequency.
+    pub(crate) fn difference(&self, other: &Self) -> f64 {
+        power_between(&self.chosen_m, &other.chosen_m)
     }
 
     /// Power |S − S(other)|² over frequency, first order.
@@ -487,6 +415,18 @@ impl Scattering {
     }
 }
 
+/// Mean over frequency of the power of a sum over orders.
+fn power_of(orders: &[Vec<Complex64>]) -> f64 {
+    mean_over_frequencies(orders.first().map_or(0, Vec::len), |f| orders.iter().map(|order| order[f]).sum())
+}
+
+/// Values moved by what `to` differs from `from`, order by order.
+fn moved(mut of: Vec<Vec<Complex64>>, from: &[Vec<Complex64>], to: &[Vec<Complex64>]) -> Vec<Vec<Complex64>> {
+    let all = of.iter_mut().flatten().zip(from.iter().flatten().zip(to.iter().flatten()));
+    all.for_each(|(value, (from, to))| *value += to - from);
+    of
+}
+
 /// Mean over frequency of the power of a difference of sums over orders.
 fn power_between(a: &[Vec<Complex64>], b: &[Vec<Complex64>]) -> f64 {
     let total = |orders: &[Vec<Complex64>], f: usize| orders.iter().map(|order| order[f]).sum::<Complex64>();
@@ -500,7 +440,10 @@ fn mean_over_frequencies(count: usize, of: impl Fn(usize) -> Complex64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::beams::beam::TraceSettings;
+    use crate::joins::scatterer::{Integration, bracket_of};
     use crate::table::joint_sum::sum_of_joints;
+    use artifact::radar::Polarization;
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
 
@@ -541,7 +484,7 @@ mod tests {
                     receive: Some((receiver, DVec3::Y)),
                     is_along_sheet: false,
                 };
-                let checks = Checks { integrals: Check::Measured, model };
+                let checks = Checks { integrals: IntegralsCheck::Compared, model };
                 let [own, shared] = [None, Some(&tree)].map(|received| {
                     let meter = &WorkMeter::new(&|| 0.0);
                     let company = Company { received, progress: &Unheard, meter };

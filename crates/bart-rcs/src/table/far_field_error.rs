@@ -7,10 +7,10 @@
 
 use crate::bodies::world::World;
 use crate::oversight::error::BartError;
-use crate::table::amplitude_ratio::ratio;
-use crate::table::aspect::{AspectSettings, Check, Checks, Scattering, scattering};
+use crate::table::aspect::{Scattering, scattering};
+use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
 use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
-use artifact::units::db_from_power;
+use artifact::units::{amplitude_ratio, db_from_power};
 use num_complex::Complex64;
 use rayon::prelude::*;
 
@@ -81,7 +81,7 @@ pub(crate) fn far_field_error(
         .flat_map(|there| chosen.iter().map(move |&index| (index, there[index])))
         .collect();
     let compare = |&(index, aspect): &(usize, Aspect)| {
-        let checks = Checks { integrals: Check::Skipped, model: Check::Skipped };
+        let checks = Checks { integrals: IntegralsCheck::Skipped, model: Check::Skipped };
         let spherical = scattering(world, &aspect, &settings, checks)?;
         let near: Vec<Complex64> = (0..frequencies.len()).map(|f| spherical.total_m(f)).collect();
         let far: Vec<Complex64> = frequencies.iter().map(|&f| table[index].total_m(f)).collect();
@@ -156,7 +156,7 @@ impl Compared {
         if self.difference > 0.0 && self.spherical == 0.0 {
             f64::INFINITY
         } else {
-            ratio(self.difference, self.spherical)
+            amplitude_ratio(self.difference, self.spherical)
         }
     }
 

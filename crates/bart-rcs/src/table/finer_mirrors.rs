@@ -6,8 +6,9 @@
 //! itself. The second is slower, and asked for.
 
 use crate::oversight::error::BartError;
-use crate::table::amplitude_ratio::ratio;
-use crate::table::aspect::{AspectSettings, Scattering};
+use crate::table::aspect::Scattering;
+use crate::table::aspect_settings::AspectSettings;
+use artifact::units::amplitude_ratio;
 
 /// Least areas of the aspects of a table.
 pub(crate) struct FinerMirrors {
@@ -51,7 +52,7 @@ pub(crate) fn dropped_error(table: &[Scattering]) -> f64 {
     if kept_m2 == 0.0 && dropped_m2 > 0.0 {
         return f64::INFINITY;
     }
-    RAYLEIGH_95 * ratio(dropped_m2, kept_m2)
+    RAYLEIGH_95 * amplitude_ratio(dropped_m2, kept_m2)
 }
 
 impl FinerMirrors {

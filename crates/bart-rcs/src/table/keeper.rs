@@ -1,6 +1,7 @@
 //! Results that a table made in several runs leaves from one run to the next.
 
-use crate::table::aspect::{AspectSettings, Check, Checks, Scattering};
+use crate::table::aspect::Scattering;
+use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
 use num_complex::Complex64;
 
 /// Keeps the aspects of a table as they are done, for a run that goes on where another one ended.
@@ -45,7 +46,9 @@ impl Scattering {
         }
         words.count(self.beams.len());
         self.beams.iter().for_each(|n| words.0.push(*n));
-        [self.accuracy, self.dropped_m, self.dropped_at_most_m].iter().for_each(|m| words.number(*m));
+        [self.whole_power, self.accuracy, self.dropped_m, self.dropped_at_most_m]
+            .iter()
+            .for_each(|number| words.number(*number));
         [self.trace_seconds, self.integrate_seconds, self.check_seconds]
             .iter()
             .for_each(|s| words.number(*s));
@@ -62,6 +65,7 @@ impl Scattering {
             left_out_power: words.option(Reading::number)?,
             edges_power: words.option(Reading::number)?,
             beams: words.list(Reading::word)?,
+            whole_power: words.number()?,
             accuracy: words.number()?,
             dropped_m: words.number()?,
             dropped_at_most_m: words.number()?,
@@ -78,10 +82,9 @@ impl Scattering {
         let is_whole = |all: &Vec<Vec<Complex64>>| {
             all.len() == orders && all.iter().all(|order| order.len() == frequencies)
         };
-        let is_measured = |check: Check| check == Check::Measured;
         is_whole(&self.chosen_m)
-            && self.other_m.as_ref().map(is_whole) == is_measured(checks.model).then_some(true)
-            && self.error_power.is_some() == is_measured(checks.integrals)
+            && self.other_m.as_ref().map(is_whole) == (checks.model == Check::Measured).then_some(true)
+            && self.error_power.is_some() == (checks.integrals != IntegralsCheck::Skipped)
     }
 }
 
@@ -164,6 +167,7 @@ mod tests {
             left_out_power: Some(1e-300),
             edges_power: Some(0.0),
             beams: vec![7, u64::MAX],
+            whole_power: 2.0,
             accuracy: 1e-2,
             dropped_m: 1e-9,
             dropped_at_most_m: 2e-9,

@@ -8,8 +8,8 @@
 //! The error of all others is taken to be the larger of two: as much of their power as the strong ones err by
 //! of theirs, and as much as those two do.
 
-use crate::table::amplitude_ratio::ratio;
 use crate::table::aspect::Scattering;
+use artifact::units::amplitude_ratio;
 
 /// In a table of so many aspects each is measured.
 pub(crate) const ALL_UP_TO: usize = 8;
@@ -17,6 +17,9 @@ pub(crate) const ALL_UP_TO: usize = 8;
 const PARTS: usize = 4;
 /// Aspects drawn of the others.
 const OTHERS: usize = 2;
+/// Factor on the mean of their error powers: of exponentially distributed ones the mean of two is below a
+/// third of the true one in one of seven cases.
+const OF_TWO: f64 = 3.0;
 
 /// Numbers of the aspects that are measured, ascending; of a small table all are strong.
 pub(crate) struct Drawn {
@@ -64,22 +67,28 @@ impl Drawn {
         let error = |s: &Scattering| s.error_power.unwrap_or(0.0);
         let [strong, strong_power] = [sum(&self.strong, &error), sum(&self.strong, &Scattering::mean_power)];
         let rest_power = table.iter().map(Scattering::mean_power).sum::<f64>() - strong_power;
-        let as_strong = ratio(strong, strong_power).powi(2) * rest_power.max(0.0);
+        let as_strong = amplitude_ratio(strong, strong_power).powi(2) * rest_power.max(0.0);
         let rest = (table.len() - self.strong.len()) as f64;
-        let as_others = rest * sum(&self.others, &error) / self.others.len().max(1) as f64;
+        let as_others = rest * OF_TWO * sum(&self.others, &error) / self.others.len().max(1) as f64;
         strong + as_strong.max(as_others)
     }
 }
 
-/// Ratio of ‖S − S(ten times finer)‖ to ‖S‖ of a table; rounding in the far field, where the closed form is
-/// exact to 1e-12.
+/// Numbers of the strongest aspects of a table, `most` at most, ascending.
+pub(crate) fn strongest(table: &[Scattering], most: usize) -> Vec<usize> {
+    let mut numbers: Vec<usize> = (0..table.len()).collect();
+    numbers.sort_by(|a, b| table[*b].mean_power().total_cmp(&table[*a].mean_power()));
+    numbers.truncate(most);
+    numbers.sort_unstable();
+    numbers
+}
+
+/// Error of the integrals of a table over ‖S‖; rounding in the far field, where the closed form is exact to
+/// 1e-12.
 pub(crate) fn measured_error(table: &[Scattering]) -> f64 {
     const ROUNDING: f64 = 1e-12;
-    // The finer integrals have a tenth of the error themselves: the true one is at most measured/(1 − 0.1).
-    const OWN_ERROR: f64 = 0.1;
     let error_power = Drawn::of(table).error_power(table);
-    let difference = ratio(error_power, table.iter().map(Scattering::mean_power).sum());
-    (difference / (1.0 - OWN_ERROR)).max(ROUNDING)
+    amplitude_ratio(error_power, table.iter().map(Scattering::mean_power).sum()).max(ROUNDING)
 }
 
 #[cfg(test)]

@@ -8,19 +8,18 @@ use crate::joins::scatterer::check_order;
 use crate::oversight::error::BartError;
 use crate::oversight::memory::{MemoryLimit, memory_estimate_bytes};
 use crate::oversight::progress::{Phase, Progress};
-use crate::surface::skin::Skin;
-use crate::table::amplitude_ratio::ratio;
-use crate::table::aspect::{AspectSettings, Check, Checks, Company, Scattering, scattering, scattering_with};
+use crate::oversight::work_meter::WorkMeter;
+use crate::table::aspect::{Company, Scattering, scattering_with};
+use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
 use crate::table::keeper::{Keeper, NothingKept, Piece};
 use crate::table::measured_aspects::{ALL_UP_TO, Drawn, measured_error};
+use crate::table::other_skins::{OtherSkins, skin};
 use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
-use crate::table::work_meter::WorkMeter;
-use artifact::material::{Makeup, Material, Transmission};
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Surface};
-use artifact::units::SPEED_OF_LIGHT_MPS;
+use artifact::settings::{Edges, NodeRule};
+use artifact::units::amplitude_ratio;
 use artifact::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -29,7 +28,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 /// S in metres and what is known of it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct RcsResult {
     /// Scattering amplitude S, row-major `[frequency, elevation, azimuth]`, phase at the body's origin.
     pub amplitude_m: Vec<Complex64>,
@@ -41,6 +40,10 @@ pub struct RcsResult {
     /// Work by phase, as [`Surroundings::clock_s`] tells it: of all threads, and of all runs that aspects
     /// were kept from.
     pub seconds: RcsSeconds,
+    /// Whether S is nothing but rounding beside the other polarizations, as the cross-polarized one of a
+    /// single reflection back to a conductor is by symmetry: no error can be relative to it, and none is
+    /// told.
+    pub vanishes: bool,
     /// Numerical error over the table.
     pub error: ErrorBudget,
     /// Errors of the physical model, over the table.
@@ -86,7 +89,8 @@ pub struct RcsSeconds {
 /// aspects). The same request gives the same bytes on any number of threads, but for `seconds`.
 ///
 /// At finite range, and with edges, the error of the integrals is measured against integrals ten times finer:
-/// at every aspect of a table of up to eight, at up to six of a larger one, the strongest among them.
+/// at every aspect of a table of up to eight, whose result they are, at up to six of a larger one, the
+/// strongest among them.
 /// Where it exceeds the accuracy asked, everything is integrated finer. Where what was dropped does, the
 /// aspects that drop too much are traced again with smaller mirrors, at most three times and as far as memory
 /// lets them. The node rule is compared with the other one at every n-th aspect of a table of more than 64.
@@ -146,9 +150,7 @@ pub fn rcs_within(
     let aspects = traced_aspects(request, &world);
     let build = meter.total_s() - start_s;
     let asked = request.accuracy.amplitude().max(1e-8);
-    // Bounds of bent facets are far above their errors, which cancel from facet to facet: spheres asked for
-    // -20 dB have -64 dB.
-    let accuracy = if world.skin_error() > 0.0 { 10.0 * asked } else { asked };
+    let accuracy = first_bound(asked, &world, request.edges, aspects.len());
     let start_s = meter.total_s();
     let first = aspect_settings(request, &world, accuracy);
     let received = tree_of_receiver(&world, &aspects, &first, surroundings.progress)?;
@@ -166,57 +168,18 @@ pub fn rcs_within(
     let mut result = result(request, &table, build);
     let (traced_again, share) = mirrors.reached();
     result.mirrors = Followed { least_area_m2: share * settings.trace.least_mirror_area_m2, traced_again };
-    result.error.tessellation = tessellation(request, &world);
+    if result.vanishes {
+        return Ok(result);
+    }
     let start_s = meter.total_s();
     surroundings.progress.at(Phase::Checking, 0, 0);
-    result.model_error.transmission = transmission_left_out(mesh, request, &aspects, &settings, &table)?;
+    let other = OtherSkins { mesh, request, aspects: &aspects, settings: &settings, table: &table };
+    result.error.tessellation = other.tessellation(&world)?;
+    result.model_error.transmission = other.transmission_left_out()?;
     result.far_field = far_field_error(&world, request, &settings, &table)?;
     result.seconds.trace += trace;
     result.seconds.check += meter.total_s() - start_s;
     Ok(result)
-}
-
-/// Ratio ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last
-/// aspect; `None` where there is no sheet or waves are followed.
-fn transmission_left_out(
-    mesh: &Mesh,
-    request: &RcsRequest,
-    aspects: &[Aspect],
-    settings: &AspectSettings,
-    table: &[Scattering],
-) -> Result<Option<f64>, BartError> {
-    let makeup = &mesh.makeup;
-    if makeup.transmission == Transmission::Followed || !makeup.materials.iter().any(Material::is_sheet) {
-        return Ok(None);
-    }
-    let makeup = Makeup { transmission: Transmission::Followed, ..makeup.clone() };
-    let world = World::of_skin(&Mesh { makeup, ..mesh.clone() }, skin(request))?;
-    let mut checked = vec![0, aspects.len() / 2, aspects.len().saturating_sub(1)];
-    checked.dedup();
-    checked.retain(|&i| i < aspects.len());
-    let first = AspectSettings { bounces: 1, ..settings.clone() };
-    let (mut missing, mut whole) = (0.0, 0.0);
-    for i in checked {
-        let checks = Checks { integrals: Check::Skipped, model: Check::Skipped };
-        let through = scattering(&world, &aspects[i], &first, checks)?;
-        missing += through.first_order_difference(&table[i]);
-        whole += through.mean_power();
-    }
-    Ok(Some(ratio(missing, whole)))
-}
-
-/// Skin fine enough at the highest frequency.
-pub(crate) fn skin(request: &RcsRequest) -> Skin {
-    let highest_hz = request.frequency_hz.iter().copied().fold(0.0, f64::max);
-    Skin::of(request.surface, request.accuracy, SPEED_OF_LIGHT_MPS / highest_hz, request.bounces)
-}
-
-/// A bound where facets stand for a skin; facets that are the surface itself have no such error.
-fn tessellation(request: &RcsRequest, world: &World) -> Option<f64> {
-    match request.surface {
-        Surface::Flat => None,
-        Surface::Smooth => Some(world.skin_error()),
-    }
 }
 
 pub(crate) fn check(request: &RcsRequest) -> Result<(), BartError> {
@@ -236,6 +199,28 @@ fn mean_facet_m2(world: &World) -> f64 {
     facets.iter().map(|facet| facet.area_m2).sum::<f64>() / facets.len().max(1) as f64
 }
 
+/// Bound of every tile's error that integrals begin with, relative as `asked` is; what errs by more than was
+/// asked for is integrated finer.
+///
+/// Bounds are far above their errors, which cancel from tile to tile: of cars and lorries 30 m away with
+/// bounds of −40 dB the integrals err by −56 to −65 dB, of spheres with −20 dB by −64 dB. Above −10 dB of a
+/// flat facet nothing is cut that should be: the side of a bus errs by −8 dB with bounds of 0 and of −6 dB,
+/// by −17 dB with −12 dB.
+///
+/// With edges, aspects differ by more: of a large table, in which some are measured, bounds begin with what
+/// was asked for.
+fn first_bound(asked: f64, world: &World, edges: Edges, aspects: usize) -> f64 {
+    const BOUND_OVER_ERROR: f64 = 7.0;
+    const LARGEST_ON_FLAT: f64 = 0.25;
+    if edges == Edges::FirstOrder && aspects > ALL_UP_TO {
+        return asked;
+    }
+    let largest = if world.skin_error() > 0.0 { f64::INFINITY } else { LARGEST_ON_FLAT };
+    (BOUND_OVER_ERROR * asked).min(largest)
+}
+
+/// Part of the error asked for that finer integrals aim at, by what the coarser ones err by.
+const ERROR_AIMED_AT: f64 = 0.7;
 /// An aspect's integrals begin with so many tiles at most: some seconds of one processor.
 const FEW_TILES: u64 = 2_000_000;
 /// Most tiles of an aspect's integrals in the end, if errors are still larger than was asked for: they
@@ -325,8 +310,12 @@ impl SharedByAspects<'_> {
         let first = self.made(&all, self.every_check(), &settings, &mirrors, 0);
         let mut table = first.into_iter().collect::<Result<Vec<_>, _>>()?;
         for pass in 1.. {
+            if vanishes(&table) {
+                break;
+            }
             self.measure(&mut table, &settings, &mut mirrors, MEASURING + pass)?;
-            let is_coarse = measured_error(&table) > asked
+            let error = measured_error(&table);
+            let is_coarse = error > asked
                 && settings.accuracy >= 1e-4 * asked
                 && !(settings.most_tiles == MOST_TILES && is_bounded(&table, &settings));
             let again = if is_coarse { all.clone() } else { mirrors.asked_for(&table, asked) };
@@ -334,8 +323,8 @@ impl SharedByAspects<'_> {
                 break;
             }
             if is_coarse {
-                settings.accuracy *= 0.1;
-                // A little more than 10^⅔, by which tiles become more.
+                settings.accuracy *= (ERROR_AIMED_AT * asked / error).clamp(0.1, 0.3);
+                // A little more than 10^⅔, by which tiles become more at most.
                 settings.most_tiles = (5 * settings.most_tiles).min(MOST_TILES);
             }
             let found = self.made(&again, self.every_check(), &settings, &mirrors, pass);
@@ -344,9 +333,10 @@ impl SharedByAspects<'_> {
         Ok(FineTable { table, settings, mirrors })
     }
 
-    /// Checks of the integrals as aspects are made: all of them, or none before it is known which are strong.
-    fn every_check(&self) -> Check {
-        if self.aspects.len() <= ALL_UP_TO { Check::Measured } else { Check::Skipped }
+    /// Checks of the integrals as aspects are made: of few aspects all are made ten times finer, and these
+    /// are the result; of many none before it is known which are strong.
+    fn every_check(&self) -> IntegralsCheck {
+        if self.aspects.len() <= ALL_UP_TO { IntegralsCheck::Taken } else { IntegralsCheck::Skipped }
     }
 
     /// Measures the integrals at the aspects that are drawn and have not been measured.
@@ -359,7 +349,7 @@ impl SharedByAspects<'_> {
     ) -> Result<(), BartError> {
         let unmeasured = |index: &usize| table[*index].error_power.is_none() && !self.is_exact(*index);
         let drawn: Vec<usize> = Drawn::of(table).all().filter(unmeasured).collect();
-        let found = self.made(&drawn, Check::Measured, settings, mirrors, pass);
+        let found = self.made(&drawn, IntegralsCheck::Compared, settings, mirrors, pass);
         drawn.iter().zip(found).try_for_each(|(&index, found)| mirrors.take(index, found, table))
     }
 
@@ -367,7 +357,7 @@ impl SharedByAspects<'_> {
     fn made(
         &self,
         which: &[usize],
-        integrals: Check,
+        integrals: IntegralsCheck,
         settings: &AspectSettings,
         mirrors: &FinerMirrors,
         pass: u32,
@@ -408,10 +398,10 @@ impl SharedByAspects<'_> {
             .inspect(|done| keeper.keep(piece, &done.to_bytes()))
     }
 
-    fn checks(&self, index: usize, integrals: Check) -> Checks {
+    fn checks(&self, index: usize, integrals: IntegralsCheck) -> Checks {
         let is_compared = index.is_multiple_of(self.aspects.len().div_ceil(COMPARED_ASPECTS));
         Checks {
-            integrals: if self.is_exact(index) { Check::Skipped } else { integrals },
+            integrals: if self.is_exact(index) { IntegralsCheck::Skipped } else { integrals },
             model: if is_compared { Check::Measured } else { Check::Skipped },
         }
     }
@@ -429,6 +419,14 @@ fn is_bounded(table: &[Scattering], settings: &AspectSettings) -> bool {
     table.iter().any(|aspect| aspect.accuracy > settings.accuracy)
 }
 
+/// Whether a table is nothing but rounding in its polarization: sums of 10⁶ polygons are rounded by 10⁻¹³ of
+/// what they are sums of, and these may cancel to a thousandth.
+fn vanishes(table: &[Scattering]) -> bool {
+    const ROUNDING: f64 = 1e-10;
+    let whole = table.iter().map(|s| s.whole_power).sum::<f64>();
+    whole > 0.0 && amplitude_ratio(table.iter().map(Scattering::mean_power).sum(), whole) < ROUNDING
+}
+
 fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
     let values = request.frequency_hz.len();
     let orders = usize::from(request.bounces);
@@ -439,10 +437,10 @@ fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
     let compared = || table.iter().filter(|s| s.node_spread_power().is_some());
     let compared_power = compared().map(Scattering::mean_power).sum::<f64>();
     let spread = |of: &dyn Fn(&Scattering) -> Option<f64>| {
-        ratio(compared().filter_map(of).sum::<f64>(), compared_power)
+        amplitude_ratio(compared().filter_map(of).sum::<f64>(), compared_power)
     };
     let most_m = table.iter().map(|s| s.dropped_at_most_m).fold(0.0, f64::max);
-    RcsResult {
+    let without_error = RcsResult {
         amplitude_m: transposed(&|s, f| s.total_m(f)),
         by_order_m: (0..orders).map(|order| transposed(&|s, f| s.chosen_m[order][f])).collect(),
         beams: sums(table.iter().map(|s| s.beams.as_slice())),
@@ -452,6 +450,13 @@ fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
             integrate: table.iter().map(|s| s.integrate_seconds).sum(),
             check: table.iter().map(|s| s.check_seconds).sum(),
         },
+        vanishes: vanishes(table),
+        ..RcsResult::default()
+    };
+    if without_error.vanishes {
+        return without_error;
+    }
+    RcsResult {
         error: ErrorBudget {
             integration: Some(measured_error(table)),
             dropped: Some(dropped_error(table)),
@@ -464,9 +469,8 @@ fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
             ..ModelError::default()
         },
         node_spread: (0..orders).map(|order| spread(&|s| s.order_spread_power(order))).collect(),
-        dropped_at_most: ratio(most_m * most_m, power / table.len() as f64),
-        mirrors: Followed::default(),
-        far_field: None,
+        dropped_at_most: amplitude_ratio(most_m * most_m, power / table.len() as f64),
+        ..without_error
     }
 }
 
@@ -474,7 +478,7 @@ fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
 fn left_out(table: &[Scattering], power: impl Fn(&Scattering) -> Option<f64>) -> Option<f64> {
     let measured = || table.iter().filter_map(|s| power(s).map(|power| (power, s.mean_power())));
     let (left_out, all) = measured().fold((0.0, 0.0), |sum, (left_out, all)| (sum.0 + left_out, sum.1 + all));
-    measured().next().map(|_| ratio(left_out, all))
+    measured().next().map(|_| amplitude_ratio(left_out, all))
 }
 
 /// Power that the first order left out would carry if orders went on to decay as the last two did, and

@@ -223,7 +223,7 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
     let is_scene = asking == Asking::Scene;
     match share {
         "tessellation" => (
-            "a bound of what facets in place of the curved skin err by",
+            "facets in place of the curved skin err by what coarser ones differ, for normals far apart do not tell the skin between them",
             "a mesh with more triangles, or surface = \"flat\" where the facets are what is meant",
         ),
         "integration" if is_scene => (

@@ -17,6 +17,7 @@ mod continuity;
 #[path = "../../../bart-rcs/examples/profile/processor_time.rs"]
 mod processor_time;
 mod random_cases;
+mod random_tables;
 
 use artifact::scene::Mesh;
 use bart_rcs::Standpoint;
@@ -89,6 +90,22 @@ fn the_printed_error_of_random_cases_covers_the_true_one() {
     let meshes = [("boxes on a plate", boxes_on_a_plate())];
     let found: Vec<_> = (0..20).map(|case| random_cases::try_case(case, &meshes, [9.0e9, 11.0e9])).collect();
     let outside: Vec<_> = found.iter().filter(|case| case.true_db > case.printed_db).collect();
+    found.iter().for_each(|case| println!("{case}"));
+    // 95 of 100 are asked.
+    assert!(outside.len() <= 1, "{outside:?}");
+}
+
+#[test]
+fn the_printed_error_of_random_tables_covers_the_true_one() {
+    let meshes = [("boxes on a plate", boxes_on_a_plate())];
+    let found: Vec<_> = (0..20).map(|case| random_tables::try_table(case, &meshes, &[10e9])).collect();
+    // Of tables of more than eight aspects some are measured: what is a third of what was asked for, or less,
+    // may be told too low.
+    let is_outside = |case: &&random_tables::Found| {
+        let is_measured_whole = case.request.azimuth_rad.len() <= 8;
+        case.true_db > case.printed_db && (is_measured_whole || case.true_db > case.asked_db - 10.0)
+    };
+    let outside: Vec<_> = found.iter().filter(is_outside).collect();
     found.iter().for_each(|case| println!("{case}"));
     // 95 of 100 are asked.
     assert!(outside.len() <= 1, "{outside:?}");

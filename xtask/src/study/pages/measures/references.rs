@@ -8,3 +8,5 @@ pub(crate) mod methods;
 mod processor_time;
 #[path = "../../../../../crates/wayside/tests/bart_against_references/random_cases.rs"]
 pub(crate) mod random_cases;
+#[path = "../../../../../crates/wayside/tests/bart_against_references/random_tables.rs"]
+pub(crate) mod random_tables;

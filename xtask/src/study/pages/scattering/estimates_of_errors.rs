@@ -5,6 +5,7 @@ use super::frames::try_frame;
 use super::roads::try_road;
 use crate::study::extent::Extent;
 use crate::study::pages::measures::references::random_cases::try_case;
+use crate::study::pages::measures::references::random_tables::try_table;
 use crate::study::pages::part::Part;
 use crate::study::sources::{Places, SCATTERING};
 use artifact::scene::Mesh;
@@ -17,14 +18,15 @@ pub(crate) const SOURCES: Places = &[
     &[
         "crates/wayside/tests/bart_against_references/methods.rs",
         "crates/wayside/tests/bart_against_references/random_cases.rs",
+        "crates/wayside/tests/bart_against_references/random_tables.rs",
         "xtask/src/study/pages/scattering/frames.rs",
         "xtask/src/study/pages/scattering/roads.rs",
         file!(),
     ],
 ];
 
-/// Printed and true errors of S, the complex scattering amplitude.
-pub(crate) fn of_tables(extent: Extent) -> Result<Part, Failure> {
+/// Printed and true errors of S, the complex scattering amplitude, at one aspect.
+pub(crate) fn of_aspects(extent: Extent) -> Result<Part, Failure> {
     let meshes = all()?;
     let meshes: Vec<(&str, Mesh)> = meshes.iter().map(|(name, mesh)| (name.as_str(), mesh.clone())).collect();
     let columns = [
@@ -39,6 +41,30 @@ pub(crate) fn of_tables(extent: Extent) -> Result<Part, Failure> {
     ];
     let table = tried(&columns, extent.of(100), &|case| {
         let found = try_case(case, &meshes, [76e9, 81e9]);
+        Ok((found.to_string(), [found.printed_db, found.true_db]))
+    })?;
+    Ok(judged(table))
+}
+
+/// Printed and true errors of tables of several aspects, at every choice that `rcs` has.
+pub(crate) fn of_tables(extent: Extent) -> Result<Part, Failure> {
+    let meshes = all()?;
+    let meshes: Vec<(&str, Mesh)> = meshes.iter().map(|(name, mesh)| (name.as_str(), mesh.clone())).collect();
+    let columns = [
+        "vehicle",
+        "GHz",
+        "azimuths, °",
+        "elevation, °",
+        "range, m",
+        "receiver: az, el, range",
+        "choices",
+        "bounces",
+        "asked, dB",
+        "printed, dB",
+        "true, dB",
+    ];
+    let table = tried(&columns, extent.of(50), &|case| {
+        let found = try_table(case, &meshes, &[24e9, 60e9, 77e9]);
         Ok((found.to_string(), [found.printed_db, found.true_db]))
     })?;
     Ok(judged(table))

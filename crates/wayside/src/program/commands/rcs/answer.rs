@@ -33,6 +33,7 @@ pub(super) struct Answer {
     pub(super) build_seconds: f64,
     pub(super) trace_seconds: f64,
     pub(super) integrate_seconds: f64,
+    pub(super) vanishes: bool,
     pub(super) error: ErrorBudget,
     pub(super) model_error: ModelError,
     pub(super) node_spread: Vec<f64>,
@@ -52,6 +53,7 @@ impl Answer {
             build_seconds: result.seconds.build,
             trace_seconds: result.seconds.trace,
             integrate_seconds: result.seconds.integrate,
+            vanishes: result.vanishes,
             error: result.error,
             model_error: result.model_error,
             node_spread: result.node_spread,
@@ -80,6 +82,7 @@ impl Answer {
             "cached": self.cached,
             "beams": self.beams,
             "peak_memory_mib": pipeline::host::memory::peak_mib(),
+            "vanishes": self.vanishes,
             "accuracy": self.verdict(arguments).told(Asking::Options),
             "error_db": ErrorFigures::of(&self.error),
             "model_error_db": ModelErrorFigures::of(&self.model_error),
@@ -102,6 +105,9 @@ impl Answer {
         let mean = powers().sum::<f64>() / self.amplitude_m.len().max(1) as f64;
         let (mean, peak) = (db_from_power(mean), db_from_power(powers().fold(0.0, f64::max)));
         terminal::line(format!("{}: mean {mean:.2} dBsm, peak {peak:.2} dBsm", out.display()));
+        if self.vanishes {
+            return terminal::line(VANISHES);
+        }
         let told = |e: Option<f64>| e.map_or("not estimated".into(), decibels);
         let (nodes, bounces) = (told(self.model_error.nodes), told(self.model_error.bounces));
         let by_order = self.node_spread.iter().enumerate().skip(1);
@@ -151,6 +157,10 @@ impl Answer {
         )
     }
 }
+
+/// What is said of an S that is zero by symmetry.
+const VANISHES: &str = "S vanishes in this polarization: it is nothing but rounding beside the other ones, and no error can \
+                        be relative to it";
 
 fn far_field_error(error: &FarFieldError) -> Value {
     let complex =

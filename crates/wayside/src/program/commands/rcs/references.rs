@@ -56,6 +56,7 @@ pub(super) fn answer(
         build_seconds: 0.0,
         trace_seconds: clock.seconds() - start_s,
         integrate_seconds: 0.0,
+        vanishes: false,
         error: ErrorBudget::default(),
         model_error: ModelError::default(),
         node_spread: vec![],
