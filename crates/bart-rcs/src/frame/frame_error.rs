@@ -168,7 +168,7 @@ impl Reference {
     /// to all orders.
     pub(crate) fn model_error(&self) -> ModelError {
         let power = mean(&self.total_m());
-        let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
+        let relative = |part: f64| amplitude_ratio(part, power);
         let both = self.by_order_m.iter().zip(&self.other_m);
         let spreads: Vec<f64> = both.filter_map(|(m, e)| e.as_ref().map(|e| mean_difference(m, e))).collect();
         ModelError {
@@ -225,7 +225,7 @@ impl FrameError {
         given_up: &GivenUp,
     ) -> Self {
         let power = power_over_frame(paths, plan);
-        let relative = |part: f64| if power > 0.0 { (part / power).sqrt() } else { 0.0 };
+        let relative = |part: f64| amplitude_ratio(part, power);
         let view = plan.check_view();
         let element = plan.header.radar.array.polarization.indices();
         let sum_of = |paths: &[Path]| element_over_band(paths, &view, element, &reference.frequencies_hz);

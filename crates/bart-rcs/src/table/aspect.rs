@@ -380,7 +380,7 @@ fn dropped(
 impl Scattering {
     /// Scattering amplitude of all orders at one frequency.
     pub(crate) fn total_m(&self, frequency: usize) -> Complex64 {
-        self.chosen_m.iter().map(|order| order[frequency]).sum()
+        total(&self.chosen_m, frequency)
     }
 
     /// Mean power |S|² over frequency.
@@ -417,7 +417,12 @@ impl Scattering {
 
 /// Mean over frequency of the power of a sum over orders.
 fn power_of(orders: &[Vec<Complex64>]) -> f64 {
-    mean_over_frequencies(orders.first().map_or(0, Vec::len), |f| orders.iter().map(|order| order[f]).sum())
+    mean_over_frequencies(orders.first().map_or(0, Vec::len), |f| total(orders, f))
+}
+
+/// Sum over orders at one frequency.
+fn total(orders: &[Vec<Complex64>], frequency: usize) -> Complex64 {
+    orders.iter().map(|order| order[frequency]).sum()
 }
 
 /// Values moved by what `to` differs from `from`, order by order.
@@ -429,7 +434,6 @@ fn moved(mut of: Vec<Vec<Complex64>>, from: &[Vec<Complex64>], to: &[Vec<Complex
 
 /// Mean over frequency of the power of a difference of sums over orders.
 fn power_between(a: &[Vec<Complex64>], b: &[Vec<Complex64>]) -> f64 {
-    let total = |orders: &[Vec<Complex64>], f: usize| orders.iter().map(|order| order[f]).sum::<Complex64>();
     mean_over_frequencies(a.first().map_or(0, Vec::len), |f| total(a, f) - total(b, f))
 }
 

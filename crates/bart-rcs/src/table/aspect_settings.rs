@@ -64,7 +64,7 @@ impl AspectSettings {
     /// Whether antennas stand so far off that flat facets are never cut into too many tiles, which need not
     /// be counted then: tiles are about as many as Fresnel zones, kD²/r, and a hundred at most for each at
     /// this accuracy.
-    pub(crate) fn is_cheap(&self, scatterer: &Scatterer<'_>) -> bool {
+    fn is_cheap(&self, scatterer: &Scatterer<'_>) -> bool {
         const FRESNEL_ZONES: f64 = 2e4;
         const ACCURACY: f64 = 1e-3;
         const DIAGONALS: f64 = 2.0;
@@ -96,7 +96,7 @@ pub(crate) struct Checks {
     pub(crate) model: Check,
 }
 
-/// What is done with integrals ten times finer.
+/// Use of integrals that are ten times finer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum IntegralsCheck {
     /// They are not made.

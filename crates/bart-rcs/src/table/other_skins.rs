@@ -34,7 +34,6 @@ const COMPARED: usize = 3;
 impl OtherSkins<'_> {
     /// Error by facets in place of a skin: ‖S(of coarser ones) − S‖ over ‖S‖ at the strongest aspects; `None`
     /// where facets are the surface itself.
-    ///
     pub(crate) fn tessellation(&self, world: &World) -> Result<Option<f64>, BartError> {
         if self.request.surface == Surface::Flat {
             return Ok(None);

@@ -223,7 +223,8 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
     let is_scene = asking == Asking::Scene;
     match share {
         "tessellation" => (
-            "facets in place of the curved skin err by what coarser ones differ, for normals far apart do not tell the skin between them",
+            "facets in place of the curved skin err by what coarser ones differ, for normals far apart do \
+             not tell the skin between them",
             "a mesh with more triangles, or surface = \"flat\" where the facets are what is meant",
         ),
         "integration" if is_scene => (

@@ -23,7 +23,7 @@ pub(crate) struct Found {
 
 /// Case number `case`: S at the accuracy asked against S asked 15 dB finer: where both are just met, the
 /// reference's own error is 18 % of what is measured, and blurs it by 1.5 dB at most.
-pub(crate) fn try_case(case: u64, meshes: &[(&str, Mesh)], band_hz: [f64; 2]) -> Found {
+pub(crate) fn try_case(case: u64, meshes: &[(impl AsRef<str>, Mesh)], band_hz: [f64; 2]) -> Found {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(7, "validation/random-cases", &[case]));
     let (name, mesh) = &meshes[rng.random_range(0..meshes.len())];
     let place = Standpoint {
@@ -39,7 +39,7 @@ pub(crate) fn try_case(case: u64, meshes: &[(&str, Mesh)], band_hz: [f64; 2]) ->
     };
     let (got, truth) = (at(asked_db), at(asked_db - 15.0));
     Found {
-        name: (*name).to_owned(),
+        name: name.as_ref().to_owned(),
         place,
         bounces,
         asked_db,

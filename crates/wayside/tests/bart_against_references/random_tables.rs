@@ -27,7 +27,7 @@ const REFERENCE_DB: f64 = 20.0;
 
 /// Table number `case` at the accuracy asked against the same one [`REFERENCE_DB`] finer; `band_hz` are
 /// frequencies in whose middle tables of 1 % bandwidth lie.
-pub(crate) fn try_table(case: u64, meshes: &[(&str, Mesh)], bands_hz: &[f64]) -> Found {
+pub(crate) fn try_table(case: u64, meshes: &[(impl AsRef<str>, Mesh)], bands_hz: &[f64]) -> Found {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(7, "validation/random-tables", &[case]));
     let (name, mesh) = &meshes[rng.random_range(0..meshes.len())];
     let asked_db = rng.random_range(-30.0..-10.0);
@@ -35,7 +35,7 @@ pub(crate) fn try_table(case: u64, meshes: &[(&str, Mesh)], bands_hz: &[f64]) ->
     let finer = RcsRequest { accuracy: Accuracy::from_db(asked_db - REFERENCE_DB), ..request.clone() };
     let [got, truth] = [&request, &finer].map(|request| rcs(mesh, request, &|_, _| {}).unwrap());
     Found {
-        name: (*name).to_owned(),
+        name: name.as_ref().to_owned(),
         request,
         asked_db,
         printed_db: decibels(got.error.total().unwrap_or(0.0)),

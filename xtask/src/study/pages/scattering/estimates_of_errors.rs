@@ -8,7 +8,6 @@ use crate::study::pages::measures::references::random_cases::try_case;
 use crate::study::pages::measures::references::random_tables::try_table;
 use crate::study::pages::part::Part;
 use crate::study::sources::{Places, SCATTERING};
-use artifact::scene::Mesh;
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 
@@ -28,7 +27,6 @@ pub(crate) const SOURCES: Places = &[
 /// Printed and true errors of S, the complex scattering amplitude, at one aspect.
 pub(crate) fn of_aspects(extent: Extent) -> Result<Part, Failure> {
     let meshes = all()?;
-    let meshes: Vec<(&str, Mesh)> = meshes.iter().map(|(name, mesh)| (name.as_str(), mesh.clone())).collect();
     let columns = [
         "vehicle",
         "azimuth, °",
@@ -49,7 +47,6 @@ pub(crate) fn of_aspects(extent: Extent) -> Result<Part, Failure> {
 /// Printed and true errors of tables of several aspects, at every choice that `rcs` has.
 pub(crate) fn of_tables(extent: Extent) -> Result<Part, Failure> {
     let meshes = all()?;
-    let meshes: Vec<(&str, Mesh)> = meshes.iter().map(|(name, mesh)| (name.as_str(), mesh.clone())).collect();
     let columns = [
         "vehicle",
         "GHz",

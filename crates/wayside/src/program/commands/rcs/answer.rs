@@ -158,9 +158,9 @@ impl Answer {
     }
 }
 
-/// What is said of an S that is zero by symmetry.
-const VANISHES: &str = "S vanishes in this polarization: it is nothing but rounding beside the other ones, and no error can \
-                        be relative to it";
+/// Sentence about an S that is zero by symmetry.
+const VANISHES: &str = "S vanishes in this polarization: it is nothing but rounding beside the other ones, \
+                        and no error can be relative to it";
 
 fn far_field_error(error: &FarFieldError) -> Value {
     let complex =
