@@ -4,10 +4,10 @@ pub(crate) mod cells; // lit polygons and edges as cells with one node each
 pub(crate) mod nearest_surface; // nearest lit point of a body
 pub(crate) mod path_sum; // S from path records, by definition
 pub(crate) mod path_plan; // what a frame is traced with
-pub(crate) mod band_power; // of paths over the band
+pub(crate) mod band_power; // sums and mean powers over the band
 pub(crate) mod path_pruning; // paths too weak to matter
-pub(crate) mod frame_error; // what a frame's paths miss, measured
 pub(crate) mod integration_error; // how finely integrals are taken
+pub(crate) mod frame_error; // what a frame's paths miss, measured
 pub(crate) mod snapshot; // bodies and beams of one moment
 pub(crate) mod left_out; // ways added up beside what was traced
 pub(crate) mod path_table; // the largest cells that meet the accuracy

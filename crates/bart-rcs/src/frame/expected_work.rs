@@ -5,6 +5,7 @@ use crate::beams::sampled_tree::{SampledTree, sample};
 use crate::bodies::models::Models;
 use crate::bodies::world::World;
 use crate::frame::cells::path_cells::cut_into_squares;
+use crate::frame::integration_error::{FINER, first_accuracy};
 use crate::frame::path_plan::Plan;
 use crate::frame::path_table::largest_cell_of_world_m;
 use crate::geometry::antenna::Antenna;
@@ -28,9 +29,9 @@ pub struct ExpectedWork {
     pub beams: [f64; 2],
     /// Mirrors that are looked into.
     pub mirrors: f64,
-    /// Tiles of the integrals of the first and of later orders, as fine as the scene asks.
+    /// Tiles of the integrals of the first and of later orders, as fine as is tried first.
     pub tiles: [f64; 2],
-    /// Tiles of the integrals ten times finer, with which they are compared.
+    /// Tiles of the integrals four times as fine, which are taken where those err by too much.
     pub fine_tiles: [f64; 2],
     /// Share of these tiles on polygons longer than 2 m: where large parts cancel, integrals are taken
     /// again and finer.
@@ -105,10 +106,10 @@ impl ExpectedWork {
         for (index, each) in sample(&sizes, SAMPLE) {
             let (beam, each) = (of_order[index], each * sampled.stands_for[of_order[index]]);
             let polygon = Lit::new(scatterer, beam as u32, plan);
-            let asked = plan.asked();
-            let tiles = polygon.tiles(asked);
+            let accuracy = first_accuracy(plan.asked());
+            let tiles = polygon.tiles(accuracy);
             self.tiles[place] += each * tiles;
-            let fine = polygon.tiles(0.1 * asked);
+            let fine = polygon.tiles(FINER * accuracy);
             self.fine_tiles[place] += each * fine;
             if polygon.extent_m.max_element() > LONG_M {
                 self.long_tiles += each * fine;

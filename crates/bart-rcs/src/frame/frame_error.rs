@@ -5,10 +5,10 @@
 //! Visibility, amplitudes and apparent velocities err in proportion to the time from the frame's middle; the
 //! moment T/√12 after it has the mean square of the whole frame.
 
-use crate::frame::band_power::{frequencies_hz, power_over_frame};
+use crate::frame::band_power::{MARGIN, frequencies_hz, mean, mean_difference, power_over_frame, total};
+use crate::frame::integration_error::{IntegrationError, integration_error, of_bodies};
 use crate::frame::path_plan::Plan;
 use crate::frame::path_sum::element_over_band;
-use crate::integral::node::Bracket;
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::table::aspect::{left_out_order, other};
@@ -25,11 +25,6 @@ use std::f64::consts::TAU;
 /// c/(2·5 m) = 30 MHz of the 625 MHz of the narrowest band of Table 2.
 const CHECKED_FREQUENCIES: usize = 12;
 
-/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n)
-/// degrees of freedom. Scatterers of one vehicle that lie in a few range cells leave about 4 of the 12
-/// frequencies independent: 95 of 100 ratios stay below F(0.95; 8, 8) = 3.44, as an amplitude 1.85.
-pub(crate) const MARGIN: f64 = 1.85;
-
 /// The frame's bodies at the moment of the check.
 pub(crate) struct Reference {
     frequencies_hz: Vec<f64>,
@@ -41,14 +36,16 @@ pub(crate) struct Reference {
     /// Scattering amplitude of the order after the last by the middle rule, facets alone, where the tree
     /// reaches that far.
     left_out_m: Option<Vec<Complex64>>,
+    /// Fineness of its integrals, and of those of the paths that are compared with it.
+    pub(crate) integration: IntegrationError,
 }
 
 /// Measured errors of one table of paths, as amplitudes relative to the frame's.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FrameError {
-    /// Error against the reference, at the moment of the check.
+    /// Error against the reference, with the reference's own, at the moment of the check.
     total: f64,
-    /// Error of the integrals alone, at the frame's middle.
+    /// Error of the integrals alone, at the same moment.
     integration: f64,
     /// Paths and beams given up, with independent phases.
     dropped: f64,
@@ -60,43 +57,30 @@ pub(crate) struct FrameError {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GivenUp {
     pub(crate) paths_power: f64,
-    pub(crate) integration_power: f64,
     /// Area across the wave of beams over L₁L₂ of the nearest facet, as S is over that of [`Plan::view`]:
     /// with independent phases, with equal ones.
     pub(crate) beams: [f64; 2],
 }
 
-/// Bodies of another moment, traced and integrated ten times finer than the paths.
+/// Bodies of another moment, traced and integrated anew.
 pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference {
     let fidelity = &plan.header.fidelity;
     let frequencies_hz = checked_frequencies_hz(plan);
     let wavenumbers = wavenumbers_per_m(&frequencies_hz);
-    let fineness = Fineness::ten_times(&wavenumbers, plan);
-    let by_rule = |order: u8, rule: NodeRule| of_order(scatterer, plan, (order, rule), &fineness);
-    let by_order_m = (1..=fidelity.bounces).map(|order| by_rule(order, fidelity.nodes)).collect();
-    let other = other(fidelity.nodes);
-    let reaches = |order: u8| order > 1 && tree_order(order, other) <= plan.trace.max_order;
-    let other_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| by_rule(o, other))).collect();
-    let left_out_m = left_out_order(fidelity.bounces, plan.trace.max_order).map(|order| {
-        let alone = MeetingSettings { nodes: NodeRule::Middle, edges: Edges::Ignored, ..plan.meetings() };
-        of_meeting(
-            scatterer,
-            plan,
-            &OrderJoints::of(scatterer, order, &alone),
-            bracket_of(alone.nodes),
-            &fineness,
-        )
-    });
-    Reference { by_order_m, other_m, left_out_m, frequencies_hz }
-}
-
-/// Scattering amplitude of all orders over the frequencies of a [`Reference`], by the rule asked for.
-pub(crate) fn over_checked_band(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Vec<Complex64> {
-    let wavenumbers = wavenumbers_per_m(&checked_frequencies_hz(plan));
-    let fineness = Fineness::ten_times(&wavenumbers, plan);
-    let rule = plan.header.fidelity.nodes;
-    let orders = 1..=plan.header.fidelity.bounces;
-    total(orders.map(|order| of_order(scatterer, plan, (order, rule), &fineness)), wavenumbers.len())
+    let meetings: Vec<OrderJoints> =
+        (1..=fidelity.bounces).map(|order| OrderJoints::of(scatterer, order, &plan.meetings())).collect();
+    let (integration, by_order_m) = integration_error(scatterer, plan, &meetings, &wavenumbers);
+    let accuracies = &integration.accuracy_of_body;
+    let of = |order: u8, settings: &MeetingSettings| {
+        let meeting = OrderJoints::of(scatterer, order, settings);
+        of_bodies(scatterer, plan, (&meeting, bracket_of(settings.nodes)), &wavenumbers, accuracies)
+    };
+    let other = MeetingSettings { nodes: other(fidelity.nodes), ..plan.meetings() };
+    let reaches = |order: u8| order > 1 && tree_order(order, other.nodes) <= plan.trace.max_order;
+    let other_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| of(o, &other))).collect();
+    let alone = MeetingSettings { nodes: NodeRule::Middle, edges: Edges::Ignored, ..plan.meetings() };
+    let left_out_m = left_out_order(fidelity.bounces, plan.trace.max_order).map(|order| of(order, &alone));
+    Reference { by_order_m, other_m, left_out_m, frequencies_hz, integration }
 }
 
 fn checked_frequencies_hz(plan: &Plan<'_>) -> Vec<f64> {
@@ -105,62 +89,6 @@ fn checked_frequencies_hz(plan: &Plan<'_>) -> Vec<f64> {
 
 fn wavenumbers_per_m(frequencies_hz: &[f64]) -> Vec<f64> {
     frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect()
-}
-
-/// S of one order by a rule.
-fn of_order(
-    scatterer: &Scatterer<'_>,
-    plan: &Plan<'_>,
-    (order, rule): (u8, NodeRule),
-    fineness: &Fineness<'_>,
-) -> Vec<Complex64> {
-    let meeting = OrderJoints::of(scatterer, order, &MeetingSettings { nodes: rule, ..plan.meetings() });
-    of_meeting(scatterer, plan, &meeting, bracket_of(rule), fineness)
-}
-
-/// Fineness of the integrals of a comparison.
-#[derive(Clone, Copy)]
-pub(crate) struct Fineness<'a> {
-    pub(crate) wavenumbers_per_m: &'a [f64],
-    pub(crate) accuracy: f64,
-}
-
-impl<'a> Fineness<'a> {
-    fn ten_times(wavenumbers_per_m: &'a [f64], plan: &Plan<'_>) -> Self {
-        Self { wavenumbers_per_m, accuracy: 0.1 * plan.asked() }
-    }
-
-    fn integration(&self, bracket: Bracket) -> Integration<'a> {
-        Integration { wavenumbers_per_m: self.wavenumbers_per_m, accuracy: self.accuracy, bracket }
-    }
-}
-
-/// S of one order over frequency, as the radar sees it.
-pub(crate) fn of_meeting(
-    scatterer: &Scatterer<'_>,
-    plan: &Plan<'_>,
-    meeting: &OrderJoints,
-    bracket: Bracket,
-    fineness: &Fineness<'_>,
-) -> Vec<Complex64> {
-    let amplitudes = meeting.sum(scatterer, plan.view(0.0).origin_m, &fineness.integration(bracket));
-    amplitudes.iter().map(|s| plan.seen(s)).collect()
-}
-
-/// Sum over orders, at each of `count` frequencies.
-pub(crate) fn total(orders: impl Iterator<Item = Vec<Complex64>>, count: usize) -> Vec<Complex64> {
-    orders
-        .fold(vec![Complex64::ZERO; count], |all, order| all.iter().zip(&order).map(|(a, b)| a + b).collect())
-}
-
-/// Mean of |a − b|².
-pub(crate) fn mean_difference(a: &[Complex64], b: &[Complex64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).norm_sqr()).sum::<f64>() / a.len().max(1) as f64
-}
-
-/// Mean of |S|².
-pub(crate) fn mean(values: &[Complex64]) -> f64 {
-    values.iter().map(|s| s.norm_sqr()).sum::<f64>() / values.len().max(1) as f64
 }
 
 impl Reference {
@@ -195,10 +123,17 @@ impl Reference {
         (whole > 0.0).then(|| MARGIN * (gained / whole).sqrt())
     }
 
-    /// Ratio ‖S − S(other)‖ over ‖S‖ of all orders together; `other_m` as of [`over_checked_band`].
-    pub(crate) fn difference(&self, other_m: &[Complex64]) -> f64 {
+    /// Ratio ‖S − S(of other beams)‖ over ‖S‖ of all orders together, by the rule asked for.
+    pub(crate) fn difference(&self, other: &Scatterer<'_>, plan: &Plan<'_>) -> f64 {
+        let wavenumbers = wavenumbers_per_m(&self.frequencies_hz);
+        let (settings, accuracies) = (plan.meetings(), &self.integration.accuracy_of_body);
+        let of_order = |order: u8| {
+            let meeting = OrderJoints::of(other, order, &settings);
+            of_bodies(other, plan, (&meeting, bracket_of(settings.nodes)), &wavenumbers, accuracies)
+        };
+        let other_m = total((1..=plan.header.fidelity.bounces).map(of_order), wavenumbers.len());
         let total_m = self.total_m();
-        amplitude_ratio(mean_difference(&total_m, other_m), mean(&total_m))
+        amplitude_ratio(mean_difference(&total_m, &other_m), mean(&total_m))
     }
 
     /// Scattering amplitude of all orders together, over frequency.
@@ -232,12 +167,14 @@ impl FrameError {
         let bodies = reference.total_m();
         let exact: Vec<Complex64> =
             bodies.iter().zip(sum_of(points)).map(|(s, of_points)| s + of_points).collect();
-        let error_power = mean_difference(&exact, &sum_of(paths));
+        // The reference is integrated as finely as the paths: what both err by is added.
+        let integration_power = reference.integration.power;
+        let error_power = mean_difference(&exact, &sum_of(paths)) + integration_power;
         let [beams, beams_at_most] = given_up.beams;
         let scale = (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
         Self {
             total: relative(error_power),
-            integration: relative(given_up.integration_power),
+            integration: relative(integration_power),
             dropped: relative(given_up.paths_power + scale * beams.powi(2)),
             dropped_at_most: relative(given_up.paths_power + scale * beams_at_most.powi(2)),
         }
@@ -283,8 +220,7 @@ pub(crate) fn dropped_sections(
     let mut mirrors = SmallMirrors::of(scatterer.trees, needed, plan.trace.least_mirror_area_m2);
     let wavenumbers = plan.band.wavenumbers_per_m();
     let bracket = bracket_of(plan.header.fidelity.nodes);
-    let fineness = Fineness::ten_times(&wavenumbers, plan);
-    let integration = fineness.integration(bracket);
+    let integration = Integration { wavenumbers_per_m: &wavenumbers, accuracy: plan.asked(), bracket };
     for meeting in meetings {
         mirrors.add(mirrors.hits(
             scatterer,

@@ -4,10 +4,12 @@
 //! what is left of its sum is known to less. What a body errs by counts against what the frame as a whole
 //! scatters: a kerb of −48 dBsm, long and smooth, need not be known as well as the car beside it.
 
-use crate::frame::frame_error::{Fineness, MARGIN, mean, mean_difference, of_meeting, total};
+use crate::frame::band_power::{MARGIN, mean, mean_difference, total};
 use crate::frame::path_plan::Plan;
-use crate::joins::scatterer::{Scatterer, bracket_of};
+use crate::integral::node::Bracket;
+use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::table::meeting::OrderJoints;
+use artifact::settings::Edges;
 use num_complex::Complex64;
 
 /// Accuracies that were found, with the error that they leave.
@@ -15,79 +17,160 @@ use num_complex::Complex64;
 pub(crate) struct IntegrationError {
     /// Accuracy of every node integral on a body, in the order of the targets.
     pub(crate) accuracy_of_body: Vec<f64>,
-    /// Mean over the band's three points of |S − S(ten times finer)|².
+    /// Mean over the checked frequencies of the square of what these integrals err by.
     pub(crate) power: f64,
 }
 
+/// Bounds of integrals over those of the coarser ones that they are compared with.
+pub(crate) const FINER: f64 = 0.25;
+/// Error of the finer integrals over their difference from the coarser: a third, where errors go with bounds,
+/// FINER/(1 − FINER), and more is taken, as in tables ([`crate::table::aspect_settings`]).
+const OVER_DIFFERENCE: f64 = 0.5;
+const OVER_DIFFERENCE_WITH_EDGES: f64 = 0.75;
+/// Bounds of the coarser integrals that are tried first, over the accuracy asked for: tiles err by a tenth of
+/// their bounds and less, and mostly cancel. Beyond [`COARSEST`] bounds tell little of errors.
+const FIRST: f64 = 2.0;
+const COARSEST: f64 = 0.25;
 /// Share of the accuracy asked for that integrals may take; freezing and what is dropped have the rest,
 /// √(1 − 0.7²) = 0.71.
 const INTEGRATION_SHARE: f64 = 0.7;
-/// Steps by which integrals are made finer where they err by too much, and how many are tried.
-const FINER: f64 = 0.25;
-const FINER_MOST: usize = 3;
+/// Steps by which integrals that err by too much are made finer.
+const FINER_MOST: usize = 4;
 
-/// Every body as fine as the accuracy asked for; where that leaves too much, those finer that leave most.
+/// Every body as fine as is tried first; where that leaves too much, those finer that leave most. With S by
+/// order from 1, over `wavenumbers_per_m`.
 pub(crate) fn integration_error(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
     meetings: &[OrderJoints],
-) -> IntegrationError {
+    wavenumbers_per_m: &[f64],
+) -> (IntegrationError, Vec<Vec<Complex64>>) {
     let asked = plan.asked();
     let count = plan.header.targets.len();
-    let mut bodies: Vec<OfBody> =
-        (0..count).map(|body| OfBody::at(scatterer, plan, meetings, body, asked)).collect();
+    let look = Look { scatterer, plan, meetings, wavenumbers_per_m };
+    let first = first_accuracy(asked);
+    let mut bodies: Vec<OfBody> = (0..count).map(|body| OfBody::at(&look, body, first)).collect();
     for _ in 0..FINER_MOST {
-        let allowed = (INTEGRATION_SHARE * asked / MARGIN).powi(2) * mean(&sum(&bodies, |body| &body.fine));
-        if power(&bodies) <= allowed {
+        let power = mean(&total(look.by_order(&bodies).into_iter(), wavenumbers_per_m.len()));
+        let allowed = (INTEGRATION_SHARE * asked / MARGIN).powi(2) * power;
+        if look.error_power(&bodies) <= allowed {
             break;
         }
-        let largest = bodies.iter().map(OfBody::power).fold(0.0, f64::max);
-        let least = (allowed / count as f64).min(largest);
-        for (index, body) in bodies.iter_mut().enumerate().filter(|(_, body)| body.power() >= least) {
-            *body = OfBody::at(scatterer, plan, meetings, index, FINER * body.accuracy);
+        let alone: Vec<f64> =
+            bodies.iter().map(|body| look.error_power(std::slice::from_ref(body))).collect();
+        let least = alone.iter().copied().fold(0.0, f64::max).min(allowed / count as f64);
+        for (index, body) in bodies.iter_mut().enumerate().filter(|(index, _)| alone[*index] >= least) {
+            *body = body.finer(&look, index);
         }
     }
     let accuracy_of_body = bodies.iter().map(|body| body.accuracy).collect();
-    IntegrationError { accuracy_of_body, power: power(&bodies) }
+    (IntegrationError { accuracy_of_body, power: look.error_power(&bodies) }, look.by_order(&bodies))
+}
+
+/// Accuracy of the integrals that are tried first where so much is asked for.
+pub(crate) fn first_accuracy(asked: f64) -> f64 {
+    FINER * (FIRST * asked).min(COARSEST.max(asked))
+}
+
+/// S of one order over frequency, as the radar sees it, the integrals on each body as fine as is said.
+pub(crate) fn of_bodies(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    (meeting, bracket): (&OrderJoints, Bracket),
+    wavenumbers_per_m: &[f64],
+    accuracy_of_body: &[f64],
+) -> Vec<Complex64> {
+    let of_body = |(body, accuracy): (usize, &f64)| {
+        let fineness = Fineness { wavenumbers_per_m, accuracy: *accuracy };
+        of_meeting(scatterer, plan, &meeting.on_body(scatterer, body), bracket, &fineness)
+    };
+    total(accuracy_of_body.iter().enumerate().map(of_body), wavenumbers_per_m.len())
+}
+
+/// Fineness of the integrals of a comparison.
+#[derive(Clone, Copy)]
+pub(crate) struct Fineness<'a> {
+    pub(crate) wavenumbers_per_m: &'a [f64],
+    pub(crate) accuracy: f64,
+}
+
+impl<'a> Fineness<'a> {
+    fn integration(&self, bracket: Bracket) -> Integration<'a> {
+        Integration { wavenumbers_per_m: self.wavenumbers_per_m, accuracy: self.accuracy, bracket }
+    }
+}
+
+/// S of one order over frequency, as the radar sees it.
+pub(crate) fn of_meeting(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    meeting: &OrderJoints,
+    bracket: Bracket,
+    fineness: &Fineness<'_>,
+) -> Vec<Complex64> {
+    let amplitudes = meeting.sum(scatterer, plan.view(0.0).origin_m, &fineness.integration(bracket));
+    amplitudes.iter().map(|s| plan.seen(s)).collect()
+}
+
+/// Meetings that integrals are measured on.
+struct Look<'a> {
+    scatterer: &'a Scatterer<'a>,
+    plan: &'a Plan<'a>,
+    meetings: &'a [OrderJoints],
+    wavenumbers_per_m: &'a [f64],
+}
+
+impl Look<'_> {
+    /// S of the nodes on one body, by order and over frequency.
+    fn of_body(&self, body: usize, accuracy: f64) -> Vec<Vec<Complex64>> {
+        let bracket = bracket_of(self.plan.header.fidelity.nodes);
+        let fineness = Fineness { wavenumbers_per_m: self.wavenumbers_per_m, accuracy };
+        let of_order = |meeting: &OrderJoints| {
+            of_meeting(self.scatterer, self.plan, &meeting.on_body(self.scatterer, body), bracket, &fineness)
+        };
+        self.meetings.iter().map(of_order).collect()
+    }
+
+    /// S of all bodies by order.
+    fn by_order(&self, bodies: &[OfBody]) -> Vec<Vec<Complex64>> {
+        let count = self.wavenumbers_per_m.len();
+        let of_order = |order: usize| total(bodies.iter().map(|body| body.by_order[order].clone()), count);
+        (0..self.meetings.len()).map(of_order).collect()
+    }
+
+    /// Mean square of the error of all these bodies together, by what the coarser integrals differ.
+    fn error_power(&self, bodies: &[OfBody]) -> f64 {
+        let count = self.wavenumbers_per_m.len();
+        let coarser = total(bodies.iter().map(|body| body.coarser.clone()), count);
+        let over_difference = match self.plan.header.fidelity.edges {
+            Edges::Ignored => OVER_DIFFERENCE,
+            Edges::FirstOrder => OVER_DIFFERENCE_WITH_EDGES,
+        };
+        let difference = mean_difference(&total(self.by_order(bodies).into_iter(), count), &coarser);
+        over_difference * over_difference * difference
+    }
 }
 
 /// Scattering amplitude of the nodes on one body, over frequency.
 struct OfBody {
     accuracy: f64,
-    coarse: Vec<Complex64>,
-    /// Amplitude of integrals ten times finer.
-    fine: Vec<Complex64>,
+    /// S by order.
+    by_order: Vec<Vec<Complex64>>,
+    /// S of integrals with bounds 1/[`FINER`] times as large, all orders together.
+    coarser: Vec<Complex64>,
 }
 
 impl OfBody {
-    fn at(
-        scatterer: &Scatterer<'_>,
-        plan: &Plan<'_>,
-        meetings: &[OrderJoints],
-        body: usize,
-        accuracy: f64,
-    ) -> Self {
-        let wavenumbers_per_m = &plan.band.wavenumbers_per_m();
-        let bracket = bracket_of(plan.header.fidelity.nodes);
-        let own: Vec<OrderJoints> = meetings.iter().map(|meeting| meeting.on_body(scatterer, body)).collect();
-        let of = |accuracy: f64| {
-            let fineness = Fineness { wavenumbers_per_m, accuracy };
-            let orders = own.iter().map(|meeting| of_meeting(scatterer, plan, meeting, bracket, &fineness));
-            total(orders, wavenumbers_per_m.len())
-        };
-        Self { accuracy, coarse: of(accuracy), fine: of(0.1 * accuracy) }
+    fn at(look: &Look<'_>, body: usize, accuracy: f64) -> Self {
+        let coarser = look.of_body(body, accuracy / FINER);
+        let coarser = total(coarser.into_iter(), look.wavenumbers_per_m.len());
+        Self { accuracy, by_order: look.of_body(body, accuracy), coarser }
     }
 
-    fn power(&self) -> f64 {
-        mean_difference(&self.fine, &self.coarse)
+    /// Finer integrals, compared with these.
+    fn finer(&self, look: &Look<'_>, body: usize) -> Self {
+        let accuracy = FINER * self.accuracy;
+        let coarser = total(self.by_order.iter().cloned(), self.coarser.len());
+        Self { accuracy, by_order: look.of_body(body, accuracy), coarser }
     }
-}
-
-/// Power of the differences of all bodies together.
-fn power(bodies: &[OfBody]) -> f64 {
-    mean_difference(&sum(bodies, |body| &body.fine), &sum(bodies, |body| &body.coarse))
-}
-
-fn sum(bodies: &[OfBody], of: impl Fn(&OfBody) -> &Vec<Complex64>) -> Vec<Complex64> {
-    total(bodies.iter().map(|body| of(body).clone()), bodies.first().map_or(0, |body| of(body).len()))
 }

@@ -15,8 +15,8 @@
 //! 1.4 dB (a test has it).
 
 use crate::beams::body_ways::BodyWays;
-use crate::frame::band_power::{frequencies_hz, power_over_frame};
-use crate::frame::frame_error::{FrameError, MARGIN, Reference, mean_difference};
+use crate::frame::band_power::{MARGIN, frequencies_hz, mean_difference, power_over_frame};
+use crate::frame::frame_error::{FrameError, Reference};
 use crate::frame::path_plan::{MOMENTS_MAX, Plan, WHEEL_STEPS};
 use crate::frame::path_pruning::{Kept, pruned_alike};
 use crate::frame::path_sum::element_over_band;

@@ -3,7 +3,7 @@
 
 use crate::bodies::models::Models;
 use crate::bodies::road::check_road;
-use crate::frame::frame_error::{Reference, over_checked_band, reference};
+use crate::frame::frame_error::{Reference, reference};
 use crate::frame::left_out::between_bodies::between_bodies_left_out;
 use crate::frame::left_out::road::road_left_out;
 use crate::frame::moments::{split, split_alike};
@@ -108,8 +108,8 @@ fn tessellation(
     let models =
         Models::build_coarser(plan.header, COARSER * skin_error)?.within(scenery.models.memory_limit);
     let coarser = Scenery { models: &models, ..*scenery }.at(plan.check_s, plan.check_m)?;
-    let found_m = over_checked_band(&coarser.scatterer(plan, Phase::Checking), plan);
-    Ok(Some(told_error(reference.difference(&found_m), skin_error)))
+    let difference = reference.difference(&coarser.scatterer(plan, Phase::Checking), plan);
+    Ok(Some(told_error(difference, skin_error)))
 }
 
 fn traced_like(

@@ -6,7 +6,6 @@ use crate::frame::cells::cell_room::CellRoom;
 use crate::frame::cells::edge_cells::{edge_cells, truncation_cells};
 use crate::frame::cells::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
 use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
-use crate::frame::integration_error::{IntegrationError, integration_error};
 use crate::frame::path_plan::{MOMENTS_MAX, Plan, SampledBand, WHEEL_STEPS};
 use crate::frame::path_pruning::{Kept, pruned};
 use crate::geometry::antenna::Antenna;
@@ -142,7 +141,6 @@ pub(crate) struct Fit<'a> {
     /// Paths of point targets: exact, and part of the frame.
     points: &'a [Path],
     reference: &'a Reference,
-    integration: IntegrationError,
     beams_given_up: [f64; 2],
 }
 
@@ -154,9 +152,8 @@ impl<'a> Fit<'a> {
         reference: &'a Reference,
     ) -> Self {
         let parts = BodyParts::of(scatterer, plan);
-        let integration = integration_error(scatterer, plan, &parts.meetings);
         let beams_given_up = dropped_sections(scatterer, plan, &parts.meetings);
-        Self { parts, points, reference, integration, beams_given_up }
+        Self { parts, points, reference, beams_given_up }
     }
 
     /// The table with the largest cells that meet the accuracy; the best found where none does within a few
@@ -227,21 +224,18 @@ impl<'a> Fit<'a> {
     }
 
     fn table_of(&self, cell_m: f64) -> Result<PathTable, BartError> {
+        let integration = &self.reference.integration;
         let Kept { mut paths, dropped_power, strongest_dropped } =
-            self.parts.paths(cell_m, &self.integration.accuracy_of_body)?;
+            self.parts.paths(cell_m, &integration.accuracy_of_body)?;
         paths.extend_from_slice(self.points);
-        let given_up = GivenUp {
-            paths_power: dropped_power,
-            integration_power: self.integration.power,
-            beams: self.beams_given_up,
-        };
+        let given_up = GivenUp { paths_power: dropped_power, beams: self.beams_given_up };
         let error = FrameError::measured_on(self.parts.plan, &paths, self.points, self.reference, &given_up);
         let of = |(target, accuracy): (&Target, &f64)| IntegralFineness {
             body: target.id.clone(),
             accuracy: *accuracy,
         };
         let integrals =
-            self.parts.plan.header.targets.iter().zip(&self.integration.accuracy_of_body).map(of).collect();
+            self.parts.plan.header.targets.iter().zip(&integration.accuracy_of_body).map(of).collect();
         let fineness = Fineness { cell_m, integrals, moments: 1, ways: vec![] };
         Ok(PathTable { paths, fineness, error, given_up, strongest_dropped, bytes: 0 })
     }

@@ -17,21 +17,17 @@ pub(crate) struct Chebyshev {
     weights: Vec<f64>,
 }
 
-/// Limit of the search: more points than any band has frequencies.
-const POINTS_MAX: u32 = 1 << 16;
-
-/// Points that meet a turn of θ over half the band to an error relative to the amplitude, by an ellipse with
-/// ρ ≤ `most`.
-pub(crate) fn points(turn_rad: f64, most: f64, error: f64) -> usize {
-    let enough = |count: &u32| in_ellipse(*count, turn_rad, most) <= error;
-    (2..POINTS_MAX).find(enough).unwrap_or(POINTS_MAX) as usize
+/// Points, fewer than `limit`, that meet a turn of θ over half the band to an error relative to the
+/// amplitude, by an ellipse with ρ ≤ `most`; `None` where so few do not.
+pub(crate) fn points(turn_rad: f64, most: f64, error: f64, limit: usize) -> Option<usize> {
+    (2..limit).find(|count| in_ellipse(*count as u32, turn_rad, most) <= error)
 }
 
 /// Error of `count` points of the second kind for a turn of θ over half the band, by an ellipse with ρ ≤
 /// `most`.
 fn in_ellipse(count: u32, turn_rad: f64, most: f64) -> f64 {
-    // Without the limit ρ = 2n/θ is best; the logarithm does not overflow.
-    let rho = most.min(2.0 * f64::from(count) / turn_rad);
+    // Without the limit ρ = 2n/θ is best; the logarithm does not overflow. No turn at all is 0 or −0.
+    let rho = most.min(2.0 * f64::from(count) / turn_rad.abs());
     let power = 0.5 * turn_rad * (rho - 1.0 / rho) - f64::from(count - 1) * rho.ln();
     if rho > 1.0 { (power + (4.0 / (rho - 1.0)).ln()).exp() } else { f64::INFINITY }
 }
@@ -114,6 +110,16 @@ mod tests {
         };
         let steps = || (-20..=20).map(|i| f64::from(i) / 20.0);
         steps().flat_map(|t| steps().map(move |x| error(t * turn_rad, x))).fold(0.0, f64::max)
+    }
+
+    /// The sum of no layers is −0.
+    #[test]
+    fn what_does_not_turn_takes_two_points_and_what_turns_too_far_none() {
+        for no_turn in [0.0, -0.0, std::iter::empty::<f64>().sum()] {
+            assert_eq!(points(no_turn, 250.0, 1e-3, 64), Some(2));
+        }
+        assert_eq!(points(1e3, 250.0, 1e-3, 64), None);
+        assert_eq!(points(0.0, 250.0, 1e-3, 2), None);
     }
 
     #[test]

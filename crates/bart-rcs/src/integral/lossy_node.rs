@@ -71,8 +71,9 @@ impl Field<'_> {
         let of = |k: &f64| points.map(|at| self.lossy_weight(&at, *k));
         let few = middle_and_half(wavenumbers_per_m).and_then(|(middle, half)| {
             let error = (WEIGHTS_ERROR * self.accuracy).max(f64::EPSILON);
-            let count = chebyshev::points(half * self.turning_length_m(), middle / half, error);
-            (count < wavenumbers_per_m.len()).then(|| Chebyshev::over(middle, half, count))
+            let turn_rad = half * self.turning_length_m();
+            let count = chebyshev::points(turn_rad, middle / half, error, wavenumbers_per_m.len());
+            count.map(|count| Chebyshev::over(middle, half, count))
         });
         let wavenumbers_per_m = few.as_ref().map_or(wavenumbers_per_m, |few| &few.nodes_per_m);
         OverBand { samples: wavenumbers_per_m.iter().map(of).collect(), few }
@@ -96,13 +97,19 @@ impl Field<'_> {
         let [transmit, receive] = [self.node.transmit, self.node.receive];
         let (d1, d2) = (transmit.image.travel_direction_at(x_m), receive.image.travel_direction_at(x_m));
         let sent = transmit.arriving_fields(d1, wavenumber_per_m);
-        let received = receive.arriving_fields(d2, wavenumber_per_m);
+        // One and the same way there and back has the same fields and brackets.
+        let is_one_way = std::ptr::eq(transmit, receive);
+        let received = if is_one_way { sent } else { receive.arriving_fields(d2, wavenumber_per_m) };
         let spread = size * self.spread(transmit.image, x_m) * self.spread(receive.image, x_m);
         let forth = self.bracket(normal, (d1, sent), (d2, received), wavenumber_per_m);
         match self.node.bracket {
             Bracket::Plain => forth.map(|weight| spread * weight),
             Bracket::Symmetrised => {
-                let [vv, vh, hv, hh] = self.bracket(normal, (d2, received), (d1, sent), wavenumber_per_m);
+                let [vv, vh, hv, hh] = if is_one_way {
+                    forth
+                } else {
+                    self.bracket(normal, (d2, received), (d1, sent), wavenumber_per_m)
+                };
                 let back = [vv, hv, vh, hh];
                 [0, 1, 2, 3].map(|i| 0.5 * spread * (forth[i] + back[i]))
             }

@@ -41,13 +41,27 @@ pub(crate) fn coherent(layers: &[Layer], backing: Backing, cosine: f64, wavenumb
 /// For one layer exactly ⟨|·|²⟩ of [`coherent`] over a period of its thickness (the geometric series of its
 /// passages, term by term); for several the usual recursion of powers.
 pub(crate) fn averaged(layers: &[Layer], backing: Backing, cosine: f64, wavenumber_per_m: f64) -> Passed {
-    let of = |choose: &dyn Fn(PolarizationPair) -> Complex64| {
-        powers(layers, backing, cosine, wavenumber_per_m, choose)
+    let (mut te, mut tm) = (MeanPowers::of(backing, CONDUCTOR.te), MeanPowers::of(backing, CONDUCTOR.tm));
+    for (i, layer) in layers.iter().enumerate().rev() {
+        let medium = Medium::entered(layer.permittivity, cosine);
+        if i + 1 == layers.len() && backing == Backing::Air {
+            let last = medium.reflection_at(&Medium::air(cosine));
+            (te, tm) = (MeanPowers::of_boundary(last.te), MeanPowers::of_boundary(last.tm));
+        }
+        let way = (Complex64::new(0.0, -wavenumber_per_m * layer.thickness_m) * medium.s).exp();
+        let first = medium_before(layers, i, cosine).reflection_at(&medium);
+        (te, tm) = (te.after_layer(first.te, way), tm.after_layer(first.tm, way));
+    }
+    let is_metal = backing == Backing::Metal;
+    let reflected = |of: MeanPowers, conductor: Complex64| {
+        with_phase_of(of.reflected, if is_metal { conductor } else { of.first })
     };
-    let (te, tm) = (of(&|pair| pair.te), of(&|pair| pair.tm));
     Passed {
-        reflected: PolarizationPair { te: te.0, tm: tm.0 },
-        transmitted: PolarizationPair { te: te.1, tm: tm.1 },
+        reflected: PolarizationPair { te: reflected(te, CONDUCTOR.te), tm: reflected(tm, CONDUCTOR.tm) },
+        transmitted: PolarizationPair {
+            te: with_phase_of(te.transmitted, te.passage),
+            tm: with_phase_of(tm.transmitted, tm.passage),
+        },
     }
 }
 
@@ -99,39 +113,50 @@ impl Behind {
     }
 }
 
-/// Reflected and transmitted amplitude of one polarization from mean powers.
-///
-/// Between two boundaries the passages add as powers: R = |r|² + |1 − r²|²a²R′/(1 − |r|²a²R′) and
-/// T = |1 + r|²a·T′/(1 − |r|²a²R′), a = |e^{−jkds}|² the power left after one way.
-fn powers(
-    layers: &[Layer],
-    backing: Backing,
-    cosine: f64,
-    wavenumber_per_m: f64,
-    choose: &dyn Fn(PolarizationPair) -> Complex64,
-) -> (Complex64, Complex64) {
-    let mut first = Complex64::ZERO;
-    let (mut reflected, mut transmitted) = if backing == Backing::Metal { (1.0, 0.0) } else { (0.0, 1.0) };
-    let mut phase = 0.0;
-    for (i, layer) in layers.iter().enumerate().rev() {
-        let medium = Medium::entered(layer.permittivity, cosine);
-        if i + 1 == layers.len() && backing == Backing::Air {
-            let last = choose(medium.reflection_at(&Medium::air(cosine)));
-            (reflected, transmitted, phase) = (last.norm_sqr(), (1.0 + last).norm_sqr(), (1.0 + last).arg());
-        }
-        let way = (Complex64::new(0.0, -wavenumber_per_m * layer.thickness_m) * medium.s).exp();
-        first = choose(medium_before(layers, i, cosine).reflection_at(&medium));
-        let (a, r) = (way.norm_sqr(), first.norm_sqr());
-        let echoes = 1.0 - r * a * a * reflected;
-        transmitted *= (1.0 + first).norm_sqr() * a / echoes;
-        reflected = r + (1.0 - first * first).norm_sqr() * a * a * reflected / echoes;
-        phase += way.arg() + (1.0 + first).arg();
+/// Mean powers of one polarization that everything behind a plane sends back and lets through.
+#[derive(Clone, Copy)]
+struct MeanPowers {
+    reflected: f64,
+    transmitted: f64,
+    /// Reflection by the first boundary.
+    first: Complex64,
+    /// The straight passage, of which the phase is told.
+    passage: Complex64,
+}
+
+impl MeanPowers {
+    /// Backing as seen from inside the last layer, before a boundary to the air is counted.
+    fn of(backing: Backing, conductor: Complex64) -> Self {
+        let (reflected, transmitted) = if backing == Backing::Metal { (1.0, 0.0) } else { (0.0, 1.0) };
+        Self { reflected, transmitted, first: conductor, passage: Complex64::ONE }
     }
-    let reflected_phase = if backing == Backing::Metal { choose(CONDUCTOR).arg() } else { first.arg() };
-    (
-        Complex64::from_polar(reflected.sqrt(), reflected_phase),
-        Complex64::from_polar(transmitted.sqrt(), phase),
-    )
+
+    /// One boundary that reflects r, nothing behind it.
+    fn of_boundary(r: Complex64) -> Self {
+        let passage = 1.0 + r;
+        Self { reflected: r.norm_sqr(), transmitted: passage.norm_sqr(), first: r, passage }
+    }
+
+    /// With a layer before it, e^{−jkds} of which is left after one `way`, and the boundary before that.
+    ///
+    /// Between two boundaries the passages add as powers: R = |r|² + |1 − r²|²a²R′/(1 − |r|²a²R′) and
+    /// T = |1 + r|²a·T′/(1 − |r|²a²R′), a = |e^{−jkds}|² the power left after one way.
+    fn after_layer(self, first: Complex64, way: Complex64) -> Self {
+        let (a, r) = (way.norm_sqr(), first.norm_sqr());
+        let echoes = 1.0 - r * a * a * self.reflected;
+        Self {
+            reflected: r + (1.0 - first * first).norm_sqr() * a * a * self.reflected / echoes,
+            transmitted: self.transmitted * (1.0 + first).norm_sqr() * a / echoes,
+            first,
+            passage: self.passage * way * (1.0 + first),
+        }
+    }
+}
+
+/// Amplitude of a power, with the phase of `like`; 0 has the phase 0.
+fn with_phase_of(power: f64, like: Complex64) -> Complex64 {
+    let size = like.norm_sqr().sqrt();
+    if size > 0.0 { like * (power.sqrt() / size) } else { Complex64::from(power.sqrt()) }
 }
 
 #[cfg(test)]

@@ -3,8 +3,8 @@
 
 use crate::bodies::models::Models;
 use crate::bodies::world::World;
-use crate::frame::band_power::frequencies_hz;
-use crate::frame::frame_error::{Fineness, MARGIN, mean, mean_difference, of_meeting, total};
+use crate::frame::band_power::{MARGIN, frequencies_hz, mean, mean_difference, total};
+use crate::frame::integration_error::{Fineness, of_meeting};
 use crate::frame::left_out::between_bodies::meets_several_bodies;
 use crate::frame::left_out::road::ways_by_road;
 use crate::frame::left_out::ways::{ACCURACY, LeftOutWays, sum_of_ways};
