@@ -89,3 +89,16 @@ fn the_page_of_versions_tells_those_of_today() {
         assert!(row.iter().any(|row| page.contains(row.as_str())), "{name}: version {version} is not told");
     }
 }
+
+/// Found by fuzzing (seed 132): `export --to nuscenes` asked for 34 GB of a header with 2³² − 1 samples.
+#[test]
+fn points_of_a_radar_of_more_values_than_a_cube_has_are_refused() {
+    let reader = Reader::<Points>::open(&kept::<Points>()).unwrap();
+    let mut header = reader.header().clone();
+    let mut frames = Vec::new();
+    reader.for_each(|frame| frames.push(frame.unwrap()));
+    assert_eq!(Points::contradiction(&header, &frames[0]), None);
+    header.cube.as_mut().unwrap().radar.waveform.samples = u32::MAX;
+    let refusal = Points::contradiction(&header, &frames[0]).unwrap();
+    assert!(refusal.contains("values a frame"), "{refusal}");
+}

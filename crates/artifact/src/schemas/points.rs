@@ -2,7 +2,7 @@
 
 use crate::descriptions::settings::Class;
 use crate::files::envelope::Schema;
-use crate::schemas::cube::CubeHeader;
+use crate::schemas::cube::{CUBE_LIMIT, CubeHeader, least_bytes};
 use serde::{Deserialize, Serialize};
 
 /// The `.points` artifact.
@@ -13,6 +13,13 @@ impl Schema for Points {
     const VERSION: u32 = 12;
     type Header = PointsHeader;
     type Frame = PointsFrame;
+
+    /// A radar of more values than any cube has: the noise of a point is that of windows over its samples and
+    /// chirps.
+    fn contradiction(header: &PointsHeader, _frame: &PointsFrame) -> Option<String> {
+        let values = least_bytes(header.cube.as_ref()?.shape(), 1);
+        (values > CUBE_LIMIT).then(|| format!("its radar has {values} values a frame, {CUBE_LIMIT} at most"))
+    }
 }
 
 /// Header of the artifact, the same for all frames.
