@@ -6,7 +6,7 @@
 //! moment T/√12 after it has the mean square of the whole frame.
 
 use crate::frame::band_power::{MARGIN, frequencies_hz, mean, mean_difference, power_over_frame, total};
-use crate::frame::integration_error::{IntegrationError, integration_error, of_bodies};
+use crate::frame::integration_error::{IntegrationError, integration_error, of_order};
 use crate::frame::path_plan::Plan;
 use crate::frame::path_sum::element_over_band;
 use crate::joins::join::tree_order;
@@ -72,8 +72,7 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
     let (integration, by_order_m) = integration_error(scatterer, plan, &meetings, &wavenumbers);
     let accuracies = &integration.accuracy_of_body;
     let of = |order: u8, settings: &MeetingSettings| {
-        let meeting = OrderJoints::of(scatterer, order, settings);
-        of_bodies(scatterer, plan, (&meeting, bracket_of(settings.nodes)), &wavenumbers, accuracies)
+        of_order(scatterer, plan, (order, settings), &wavenumbers, accuracies)
     };
     let other = MeetingSettings { nodes: other(fidelity.nodes), ..plan.meetings() };
     let reaches = |order: u8| order > 1 && tree_order(order, other.nodes) <= plan.trace.max_order;
@@ -127,11 +126,8 @@ impl Reference {
     pub(crate) fn difference(&self, other: &Scatterer<'_>, plan: &Plan<'_>) -> f64 {
         let wavenumbers = wavenumbers_per_m(&self.frequencies_hz);
         let (settings, accuracies) = (plan.meetings(), &self.integration.accuracy_of_body);
-        let of_order = |order: u8| {
-            let meeting = OrderJoints::of(other, order, &settings);
-            of_bodies(other, plan, (&meeting, bracket_of(settings.nodes)), &wavenumbers, accuracies)
-        };
-        let other_m = total((1..=plan.header.fidelity.bounces).map(of_order), wavenumbers.len());
+        let of = |order: u8| of_order(other, plan, (order, &settings), &wavenumbers, accuracies);
+        let other_m = total((1..=plan.header.fidelity.bounces).map(of), wavenumbers.len());
         let total_m = self.total_m();
         amplitude_ratio(mean_difference(&total_m, &other_m), mean(&total_m))
     }

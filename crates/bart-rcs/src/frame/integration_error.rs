@@ -6,9 +6,8 @@
 
 use crate::frame::band_power::{MARGIN, mean, mean_difference, total};
 use crate::frame::path_plan::Plan;
-use crate::integral::node::Bracket;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
-use crate::table::meeting::OrderJoints;
+use crate::table::meeting::{MeetingSettings, OrderJoints};
 use artifact::settings::Edges;
 use num_complex::Complex64;
 
@@ -73,31 +72,19 @@ pub(crate) fn first_accuracy(asked: f64) -> f64 {
 }
 
 /// S of one order over frequency, as the radar sees it, the integrals on each body as fine as is said.
-pub(crate) fn of_bodies(
+pub(crate) fn of_order(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
-    (meeting, bracket): (&OrderJoints, Bracket),
+    (order, settings): (u8, &MeetingSettings),
     wavenumbers_per_m: &[f64],
     accuracy_of_body: &[f64],
 ) -> Vec<Complex64> {
+    let (meeting, bracket) = (OrderJoints::of(scatterer, order, settings), bracket_of(settings.nodes));
     let of_body = |(body, accuracy): (usize, &f64)| {
-        let fineness = Fineness { wavenumbers_per_m, accuracy: *accuracy };
-        of_meeting(scatterer, plan, &meeting.on_body(scatterer, body), bracket, &fineness)
+        let integration = Integration { wavenumbers_per_m, accuracy: *accuracy, bracket };
+        of_meeting(scatterer, plan, &meeting.on_body(scatterer, body), &integration)
     };
     total(accuracy_of_body.iter().enumerate().map(of_body), wavenumbers_per_m.len())
-}
-
-/// Fineness of the integrals of a comparison.
-#[derive(Clone, Copy)]
-pub(crate) struct Fineness<'a> {
-    pub(crate) wavenumbers_per_m: &'a [f64],
-    pub(crate) accuracy: f64,
-}
-
-impl<'a> Fineness<'a> {
-    fn integration(&self, bracket: Bracket) -> Integration<'a> {
-        Integration { wavenumbers_per_m: self.wavenumbers_per_m, accuracy: self.accuracy, bracket }
-    }
 }
 
 /// S of one order over frequency, as the radar sees it.
@@ -105,10 +92,9 @@ pub(crate) fn of_meeting(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
     meeting: &OrderJoints,
-    bracket: Bracket,
-    fineness: &Fineness<'_>,
+    integration: &Integration<'_>,
 ) -> Vec<Complex64> {
-    let amplitudes = meeting.sum(scatterer, plan.view(0.0).origin_m, &fineness.integration(bracket));
+    let amplitudes = meeting.sum(scatterer, plan.view(0.0).origin_m, integration);
     amplitudes.iter().map(|s| plan.seen(s)).collect()
 }
 
@@ -124,9 +110,9 @@ impl Look<'_> {
     /// S of the nodes on one body, by order and over frequency.
     fn of_body(&self, body: usize, accuracy: f64) -> Vec<Vec<Complex64>> {
         let bracket = bracket_of(self.plan.header.fidelity.nodes);
-        let fineness = Fineness { wavenumbers_per_m: self.wavenumbers_per_m, accuracy };
+        let integration = Integration { wavenumbers_per_m: self.wavenumbers_per_m, accuracy, bracket };
         let of_order = |meeting: &OrderJoints| {
-            of_meeting(self.scatterer, self.plan, &meeting.on_body(self.scatterer, body), bracket, &fineness)
+            of_meeting(self.scatterer, self.plan, &meeting.on_body(self.scatterer, body), &integration)
         };
         self.meetings.iter().map(of_order).collect()
     }

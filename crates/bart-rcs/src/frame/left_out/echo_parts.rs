@@ -4,13 +4,13 @@
 use crate::bodies::models::Models;
 use crate::bodies::world::World;
 use crate::frame::band_power::{MARGIN, frequencies_hz, mean, mean_difference, total};
-use crate::frame::integration_error::{Fineness, of_meeting};
+use crate::frame::integration_error::of_meeting;
 use crate::frame::left_out::between_bodies::meets_several_bodies;
 use crate::frame::left_out::road::ways_by_road;
 use crate::frame::left_out::ways::{ACCURACY, LeftOutWays, sum_of_ways};
 use crate::frame::path_plan::Plan;
 use crate::frame::snapshot::Snapshot;
-use crate::joins::scatterer::{Scatterer, bracket_of};
+use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress};
 use crate::table::aspect::other;
@@ -159,7 +159,7 @@ impl<'a> Look<'a> {
         let by_rule = |order: u8, nodes: NodeRule| {
             let settings = MeetingSettings { nodes, ..self.plan.meetings() };
             let meeting = OrderJoints::of(&self.scatterer, order, &settings);
-            of_meeting(&self.scatterer, self.plan, &meeting, bracket_of(nodes), &self.fineness())
+            of_meeting(&self.scatterer, self.plan, &meeting, &self.integration(nodes))
         };
         let rule = NodeRule::OwnEdge;
         let spread = |order: u8| mean_difference(&by_rule(order, rule), &by_rule(order, other(rule)));
@@ -172,7 +172,7 @@ impl<'a> Look<'a> {
         let settings =
             |edges: Edges| MeetingSettings { edges, nodes: NodeRule::OwnEdge, ..self.plan.meetings() };
         let sum = |meeting: &OrderJoints| {
-            of_meeting(&self.scatterer, self.plan, meeting, bracket_of(NodeRule::OwnEdge), &self.fineness())
+            of_meeting(&self.scatterer, self.plan, meeting, &self.integration(NodeRule::OwnEdge))
         };
         if order != PARTED_ORDER {
             return sum(&settings(Edges::FirstOrder).on_edges(&self.scatterer, order));
@@ -181,8 +181,9 @@ impl<'a> Look<'a> {
         of(Edges::FirstOrder).iter().zip(of(Edges::Ignored)).map(|(with, without)| with - without).collect()
     }
 
-    fn fineness(&self) -> Fineness<'_> {
-        Fineness { wavenumbers_per_m: &self.wavenumbers_per_m, accuracy: ACCURACY }
+    fn integration(&self, nodes: NodeRule) -> Integration<'_> {
+        let bracket = bracket_of(nodes);
+        Integration { wavenumbers_per_m: &self.wavenumbers_per_m, accuracy: ACCURACY, bracket }
     }
 }
 
