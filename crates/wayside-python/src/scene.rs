@@ -153,8 +153,8 @@ impl Scene {
     }
 
     /// Cost that a run of all frames is expected to have, before anything runs: frames, processor_s,
-    /// processor_from_s, processor_to_s (nine of ten runs lie between), wall_s, threads, memory_mib (no more
-    /// is held).
+    /// processor_from_s, processor_to_s (nine of ten runs lie between), wall_s, threads, expected_memory_mib
+    /// (held when most is), memory_mib (no more is held).
     fn cost<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let cost = self.with_opened(py, None, |opened, _| opened.cost())?;
         let [from, to] = cost.processor_between_s;
@@ -165,6 +165,7 @@ impl Scene {
         told.set_item("processor_to_s", to)?;
         told.set_item("wall_s", cost.wall_s)?;
         told.set_item("threads", cost.threads)?;
+        told.set_item("expected_memory_mib", cost.expected_memory_mib)?;
         told.set_item("memory_mib", cost.memory_mib)?;
         Ok(told)
     }

@@ -10,12 +10,13 @@ mod timed_scene;
 use crate::cli::BenchArguments;
 use crate::project::project_root;
 use child::Taken;
-
+use fit::CountedRun;
 use row::PredictionRow;
 use std::path::Path;
 use timed_scene::{Text, TimedScene};
 use wayside::chain::expectation::Expectation;
-use wayside::chain::expectation::work::WorkKind;
+use wayside::chain::expectation::rates::HELD_KINDS;
+use wayside::chain::expectation::work::{ITEMS, WorkKind};
 use wayside::chain::link::Chain;
 use wayside::chain::loading;
 use wayside::chain::memory_estimate::Load;
@@ -56,15 +57,27 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
         table::write(file, &rows)?;
     }
     quantiles(&rows).into_iter().for_each(terminal::line);
-    let mut runs: Vec<fit::TimedRun> = rows.iter().flat_map(PredictionRow::at_reference_speed).collect();
+    let mut timed: Vec<_> = rows.iter().flat_map(PredictionRow::timed).collect();
+    let mut held: Vec<_> = rows.iter().flat_map(PredictionRow::held).collect();
     for file in &arguments.fit_with {
-        runs.extend(table::timed_runs(file)?);
+        let (more_timed, more_held) = table::runs(file)?;
+        timed.extend(more_timed);
+        held.extend(more_held);
     }
-    terminal::line(format!("rates that would have told {} runs best:", runs.len()));
-    for (item, rate) in WorkKind::ALL.iter().zip(fit::rates(&runs, Expectation::rates())) {
+    tell_fitted(&timed, &held);
+    Ok(())
+}
+
+fn tell_fitted(timed: &[CountedRun<ITEMS>], held: &[CountedRun<HELD_KINDS>]) {
+    terminal::line(format!("rates that would have told {} runs best:", timed.len()));
+    for (item, rate) in WorkKind::ALL.iter().zip(fit::rates(timed, Expectation::rates())) {
         terminal::line(format!("    (WorkKind::{item:?}, {rate:.2e}),"));
     }
-    Ok(())
+    let names = Expectation::held_rates().map(|(name, _)| name);
+    let fitted = fit::rates(held, Expectation::held_rates().map(|(_, mib)| mib));
+    for (name, mib) in names.iter().zip(fitted) {
+        terminal::line(format!("    (\"{name}\", {mib:.2e}),"));
+    }
 }
 
 /// So many times a scene that is named counts where rates are fitted: it is what people run.
@@ -72,9 +85,18 @@ const NAMED: usize = 6;
 
 impl PredictionRow {
     /// The run on the machine of the rates, as often as it counts.
-    fn at_reference_speed(&self) -> Vec<fit::TimedRun> {
-        let times = if matches!(self.scene.text, Text::File(_)) { NAMED } else { 1 };
-        vec![fit::TimedRun::of(self.expected.work, self.taken.processor_s, self.taken.machine_speed); times]
+    fn timed(&self) -> Vec<CountedRun<ITEMS>> {
+        let taken = self.taken.processor_s * self.taken.machine_speed;
+        vec![CountedRun { counts: self.expected.work.0, taken }; self.times()]
+    }
+
+    /// What the run held, as often as it counts.
+    fn held(&self) -> Vec<CountedRun<HELD_KINDS>> {
+        vec![CountedRun { counts: self.expected.held, taken: self.taken.peak_mib }; self.times()]
+    }
+
+    fn times(&self) -> usize {
+        if matches!(self.scene.text, Text::File(_)) { NAMED } else { 1 }
     }
 }
 
@@ -98,7 +120,8 @@ fn quantiles(rows: &[PredictionRow]) -> Vec<String> {
     };
     vec![
         told("seconds", &|row| row.expected.seconds / row.taken.processor_s),
-        told("memory", &|row| row.expected.memory_mib / row.taken.peak_mib),
+        told("memory", &|row| row.expected.expected_memory_mib / row.taken.peak_mib),
+        told("memory at most", &|row| row.expected.memory_mib / row.taken.peak_mib),
     ]
 }
 
@@ -110,10 +133,16 @@ fn row(scene: TimedScene, folder: &Path, known: Option<&Taken>) -> Result<Option
     };
     let Some(taken) = taken else { return Ok(None) };
     let before_s = processor_time::of_process();
-    let (expected, load, at_once) = expected(&file, taken.machine_speed)?;
+    let (expected, load, at_once) = on_threads(scene.threads, || expected(&file, taken.machine_speed))??;
     let look_s =
         processor_time::of_process().zip(before_s).map_or(f64::NAN, |(after, before)| after - before);
     Ok(Some(PredictionRow { scene, expected, look_s, load, at_once, taken }))
+}
+
+/// Does what is asked on as many threads as a run has; `None`: on all.
+fn on_threads<T: Send>(threads: Option<u16>, does: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0).into()).build();
+    Ok(pool.map_err(|e| Failure::System(format!("threads cannot be started: {e}")))?.install(does))
 }
 
 /// Expects seconds and memory of a scene as `run --dry-run` does, on a machine of this speed.
@@ -129,11 +158,12 @@ fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, Load, usize
 
 fn line(row: &PredictionRow) -> String {
     let Taken { processor_s, peak_mib, .. } = row.taken;
-    let Expectation { seconds, memory_mib, .. } = row.expected;
+    let Expectation { seconds, expected_memory_mib: expected_mib, memory_mib, .. } = row.expected;
     format!(
-        "{}: {seconds:.1} s said, {processor_s:.1} s taken, × {:.2}; {memory_mib:.0} MiB said, {peak_mib:.0} held, × {:.2}",
+        "{}: {seconds:.1} s said, {processor_s:.1} s taken, × {:.2}; {expected_mib:.0} MiB said, at most \
+         {memory_mib:.0}, {peak_mib:.0} held, × {:.2}",
         row.scene.name,
         seconds / processor_s,
-        memory_mib / peak_mib
+        expected_mib / peak_mib
     )
 }

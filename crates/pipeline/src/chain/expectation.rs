@@ -21,6 +21,10 @@ pub struct Expectation {
     pub seconds: f64,
     /// Part of these seconds that the program's start takes, once for however many scenes.
     pub start_seconds: f64,
+    /// Counts of what is expected to be held ([`Load::held`](crate::chain::memory_estimate::Load::held)).
+    pub held: [f64; rates::HELD_KINDS],
+    /// Memory that is expected to be held when most is, MiB.
+    pub expected_memory_mib: f64,
     /// Memory held at most, MiB, frames that are computed side by side together.
     pub memory_mib: f64,
 }
@@ -41,7 +45,9 @@ impl Expectation {
         let work = counting::of_run(chain, cache, plans)?;
         let seconds = rates::reference_seconds(&work) / machine_speed;
         let start_seconds = Self::rates()[work::WorkKind::Run as usize] / machine_speed;
-        Ok(Self { work, seconds, start_seconds, memory_mib: chain.memory_of_run_mib(plans)? })
+        let (memory_mib, held) = chain.memory_of_run(plans)?;
+        let expected_memory_mib = rates::expected_mib(&held).min(memory_mib);
+        Ok(Self { work, seconds, start_seconds, held, expected_memory_mib, memory_mib })
     }
 }
 
@@ -49,6 +55,11 @@ impl Expectation {
     /// Processor seconds of each kind of work on the machine of the rates.
     pub fn rates() -> [f64; work::ITEMS] {
         rates::by_item()
+    }
+
+    /// Names of what is counted in [`Self::held`] and the memory that is expected of each, MiB.
+    pub fn held_rates() -> [(&'static str, f64); rates::HELD_KINDS] {
+        rates::HELD_MIB
     }
 }
 
@@ -64,12 +75,14 @@ pub fn lines(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) -> Resul
     let expected = Expectation::of(chain, cache, plans)?;
     let threads = rayon::current_num_threads();
     lines.push(format!(
-        "{} frames: {} s, {} to {} s of processor time; about {} s on {threads} threads; at most {:.0} MiB",
+        "{} frames: {} s, {} to {} s of processor time; about {} s on {threads} threads; about {:.0} \
+         MiB, at most {:.0} MiB",
         plans.len(),
         told(expected.seconds),
         told(expected.seconds / rates::SPREAD),
         told(expected.seconds * rates::SPREAD),
         told(rates::wall_seconds(expected.seconds, threads)),
+        expected.expected_memory_mib,
         expected.memory_mib,
     ));
     Ok(lines)

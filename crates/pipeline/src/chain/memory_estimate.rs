@@ -1,8 +1,8 @@
-//! Expected memory of a run at most: what is known of its arrays, and bounds of what the tracer finds.
+//! Memory of a run, expected and at most: what is known of its arrays, and what the tracer may find.
 
 use crate::chain::expectation::rates::{
     BYTES_PER_BEAM, BYTES_PER_CELL, BYTES_PER_CHANGING_CELL, BYTES_PER_FACET, BYTES_PER_MOVING_CELL,
-    BYTES_PER_SLIDING_TILE, PROGRAM_MIB,
+    BYTES_PER_SLIDING_TILE, HELD_KINDS, PROGRAM_MIB,
 };
 use crate::chain::link::Chain;
 use crate::chain::looks::Look;
@@ -49,6 +49,15 @@ impl Load {
             + self.moving_cells * BYTES_PER_MOVING_CELL;
         self.least_mib() + mib(bytes as u64)
     }
+
+    /// Counts of what a run is expected to hold whose frames are like this one, so many of them side by side:
+    /// the program, triangles as they are read, MiB of signals, facets, lit polygons, cells, and cells of ways
+    /// between bodies that slide past each other.
+    pub fn held(&self, triangles: f64, at_once: f64) -> [f64; HELD_KINDS] {
+        let of_frames = [self.signal_mib, self.facets, self.beams, self.cells, self.moving_cells];
+        let [signals, facets, beams, cells, moving_cells] = of_frames.map(|count| count * at_once);
+        [1.0, triangles, signals, facets, beams, cells, moving_cells]
+    }
 }
 
 impl Chain<'_> {
@@ -63,10 +72,12 @@ impl Chain<'_> {
     }
 
     /// Memory held at most in a run of these plans, MiB: the program, and the largest frame as often as
-    /// frames are computed side by side.
-    pub(crate) fn memory_of_run_mib(&self, plans: &[FramePlan]) -> Result<f64, Failure> {
+    /// frames are computed side by side; and counts of what is expected to be held ([`Load::held`]).
+    pub(crate) fn memory_of_run(&self, plans: &[FramePlan]) -> Result<(f64, [f64; HELD_KINDS]), Failure> {
         let at_once = self.side_by_side(plans)? as f64;
-        Ok(PROGRAM_MIB + self.largest_load(plans)?.mib() * at_once)
+        let largest = self.largest_load(plans)?;
+        let triangles: usize = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
+        Ok((PROGRAM_MIB + largest.mib() * at_once, largest.held(triangles as f64, at_once)))
     }
 
     /// Number of frames that are computed at a time: one a thread, as many as are expected to fit into the

@@ -141,17 +141,31 @@ fn count(sample: &Fields<'_>) -> Result<u32, Failure> {
     Ok(required(sample, "count", sample.whole("count", 1..=DESIGNS_LIMIT)?)? as u32)
 }
 
-/// A key that two axes change has the value of neither.
+/// A key that two axes change has the value of neither; so has one of a list or table that another replaces.
 fn once_each(root: &Fields<'_>, vary: &[Axis], conditions: &[Axis]) -> Result<(), Failure> {
-    let all: Vec<&String> = vary.iter().chain(conditions).flat_map(|axis| &axis.keys).collect();
-    let twice = all.iter().enumerate().find(|(number, key)| all[..*number].contains(key));
-    match twice {
-        Some((_, key)) => {
+    let all: Vec<&str> =
+        vary.iter().chain(conditions).flat_map(|axis| &axis.keys).map(String::as_str).collect();
+    let mut pairs =
+        all.iter().enumerate().flat_map(|(number, key)| all[..number].iter().map(move |of| (*key, *of)));
+    match pairs.find(|(key, other)| overlap(key, other)) {
+        Some((key, other)) if key == other => {
             Err(root.refused_whole(&format!("`{key}` is changed by two of `vary` and `condition`")))
         }
+        Some((key, other)) => Err(root.refused_whole(&format!(
+            "`{key}` and `{other}`, of which one holds the other, are changed by two of `vary` and `condition`"
+        ))),
         None if vary.is_empty() => Err(root.refused_whole("`vary` is missing: there is nothing to choose")),
         None => Ok(()),
     }
+}
+
+/// Whether two keys are one, or one is that of a list or table that the other stands in. Places in lists are
+/// numbers: 0 and 00 are one.
+fn overlap(key: &str, other: &str) -> bool {
+    let is_same = |(a, b): (&str, &str)| {
+        a == b || a.parse::<u32>().ok().zip(b.parse().ok()).is_some_and(|(a, b)| a == b)
+    };
+    key.split('.').zip(other.split('.')).all(is_same)
 }
 
 /// Keys of a scene that no run of a study takes from it, each with the reason.

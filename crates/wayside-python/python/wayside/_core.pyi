@@ -115,7 +115,7 @@ class Scene:
         """What a run of all frames is expected to take, before anything runs.
 
         frames, processor_s, processor_from_s, processor_to_s (nine of ten runs lie between), wall_s, threads,
-        memory_mib (no more is held).
+        expected_memory_mib (held when most is), memory_mib (no more is held).
         """
     def trace(self, *, progress: _Progress | None = None) -> Paths:
         """Scattering paths of every frame, as `wayside paths` traces them."""

@@ -39,6 +39,8 @@ pub struct Cost {
     pub wall_s: f64,
     /// Number of threads that work.
     pub threads: usize,
+    /// Memory that is expected to be held when most is, MiB.
+    pub expected_memory_mib: f64,
     /// Memory held at most, MiB.
     pub memory_mib: f64,
 }
@@ -84,6 +86,7 @@ impl OpenedScene {
             processor_between_s: [expected.seconds / rates::SPREAD, expected.seconds * rates::SPREAD],
             wall_s: rates::wall_seconds(expected.seconds, threads),
             threads,
+            expected_memory_mib: expected.expected_memory_mib,
             memory_mib: expected.memory_mib,
         })
     }

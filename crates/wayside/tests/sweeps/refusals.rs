@@ -57,6 +57,17 @@ fn every_broken_rule_of_a_study_is_told_with_its_place() {
             "[[condition]]\nkey = \"radar.array.preset\"\nvalues = [\"1x4\"]\n[goal]",
             "is changed by two of",
         ),
+        (
+            "[goal]",
+            "[[condition]]\nkey = \"radar.array\"\nvalues = [{ preset = \"1x4\" }]\n[goal]",
+            "`radar.array` and `radar.array.preset`, of which one holds the other,",
+        ),
+        (
+            "[goal]",
+            "[[condition]]\nkey = \"target.0.id\"\nvalues = [\"a\"]\n[[condition]]\nkey = \"target.00.id\"\n\
+             values = [\"b\"]\n[goal]",
+            "`target.00.id` and `target.0.id`",
+        ),
         ("radar.array.preset", "name", "study.toml:4:11: `name` changes nothing"),
         (
             "radar.array.preset",

@@ -3,19 +3,17 @@
 //! (Charbonnier's loss), so that no single run decides; and held to the rates that are, so that work which
 //! few scenes have keeps its own.
 
-use wayside::chain::expectation::work::{ITEMS, WorkCounts};
-
-/// Work that a run was expected to do, and the processor seconds that it took on the machine of the rates.
+/// Counts of a run by kind and what they came to: processor seconds on the machine of the rates, or MiB.
 #[derive(Debug, Clone)]
-pub(super) struct TimedRun {
-    pub(super) work: WorkCounts,
-    pub(super) seconds: f64,
+pub(super) struct CountedRun<const N: usize> {
+    pub(super) counts: [f64; N],
+    pub(super) taken: f64,
 }
 
-impl TimedRun {
-    /// Work that took so many processor seconds on a machine so many times as fast.
-    pub(super) fn of(work: WorkCounts, processor_s: f64, machine_speed: f64) -> Self {
-        Self { work, seconds: processor_s * machine_speed }
+impl<const N: usize> CountedRun<N> {
+    /// Whether all its numbers are finite.
+    pub(super) fn is_finite(&self) -> bool {
+        self.counts.iter().chain([&self.taken]).all(|number| number.is_finite())
     }
 }
 
@@ -27,12 +25,12 @@ const LARGE: f64 = 0.4;
 const ROUNDS: usize = 400;
 
 /// Fits the rates to the runs, beginning with the rates `before`, to which they are held.
-pub(super) fn rates(runs: &[TimedRun], before: [f64; ITEMS]) -> [f64; ITEMS] {
+pub(super) fn rates<const N: usize>(runs: &[CountedRun<N>], before: [f64; N]) -> [f64; N] {
     let (mut rates, mut step) = (before, 1.0);
     let mut best = misfit(runs, &before, &rates);
     for _ in 0..ROUNDS {
         let begun = best;
-        for item in 0..ITEMS {
+        for item in 0..N {
             for factor in [f64::exp(step), f64::exp(-step)] {
                 let mut tried = rates;
                 tried[item] *= factor;
@@ -49,10 +47,10 @@ pub(super) fn rates(runs: &[TimedRun], before: [f64; ITEMS]) -> [f64; ITEMS] {
     rates
 }
 
-fn misfit(runs: &[TimedRun], before: &[f64; ITEMS], rates: &[f64; ITEMS]) -> f64 {
-    let missed = |run: &TimedRun| {
-        let told: f64 = rates.iter().zip(&run.work.0).map(|(rate, count)| rate * count).sum();
-        let error = (told / run.seconds).ln() / LARGE;
+fn misfit<const N: usize>(runs: &[CountedRun<N>], before: &[f64; N], rates: &[f64; N]) -> f64 {
+    let missed = |run: &CountedRun<N>| {
+        let told: f64 = rates.iter().zip(&run.counts).map(|(rate, count)| rate * count).sum();
+        let error = (told / run.taken).ln() / LARGE;
         2.0 * LARGE * LARGE * ((1.0 + error * error).sqrt() - 1.0)
     };
     let moved = rates.iter().zip(before).map(|(rate, before)| HELD * (rate / before).ln().powi(2));
@@ -65,19 +63,20 @@ mod tests {
 
     #[test]
     fn rates_that_made_the_seconds_are_found_again() {
+        const ITEMS: usize = 31;
         let truth: [f64; ITEMS] = std::array::from_fn(|item| 1e-6 * (1.0 + item as f64));
-        let runs: Vec<TimedRun> = (0..200_usize)
+        let runs: Vec<CountedRun<ITEMS>> = (0..200_usize)
             .map(|run| {
                 let count = |item: usize| (((run + 1) * (item + 3) * 7919) % 1000) as f64;
-                let work = WorkCounts(std::array::from_fn(count));
-                let seconds = truth.iter().zip(&work.0).map(|(rate, count)| rate * count).sum();
-                TimedRun { work, seconds }
+                let counts: [f64; ITEMS] = std::array::from_fn(count);
+                let taken = truth.iter().zip(&counts).map(|(rate, count)| rate * count).sum();
+                CountedRun { counts, taken }
             })
             .collect();
         let found = rates(&runs, truth.map(|rate| 3.0 * rate));
         for run in &runs {
-            let told: f64 = found.iter().zip(&run.work.0).map(|(rate, count)| rate * count).sum();
-            assert!((told / run.seconds).ln().abs() < 0.2, "{told} of {}", run.seconds);
+            let told: f64 = found.iter().zip(&run.counts).map(|(rate, count)| rate * count).sum();
+            assert!((told / run.taken).ln().abs() < 0.2, "{told} of {}", run.taken);
         }
     }
 }

@@ -1,11 +1,12 @@
 //! The rows of a comparison as a file: one line for each scene, and what has been run is read from it again.
 
 use crate::bench::predictions::child::Taken;
-use crate::bench::predictions::fit::TimedRun;
+use crate::bench::predictions::fit::CountedRun;
 use crate::bench::predictions::row::PredictionRow;
 use std::collections::BTreeMap;
 use std::path::Path;
-use wayside::chain::expectation::work::{ITEMS, WorkCounts, WorkKind};
+use wayside::chain::expectation::rates::HELD_KINDS;
+use wayside::chain::expectation::work::{ITEMS, WorkKind};
 use wayside::chain::memory_estimate::Load;
 use wayside::host::failure::Failure;
 use wayside::host::files;
@@ -23,7 +24,8 @@ const TAKEN: [&str; 10] = [
     "fmcw_echo_s",
     "dsp_s",
 ];
-const SAID: &str = "said_s,said_mib,look_s,at_once,signal_mib,facets,polygons,cells,changing,sliding,moving";
+const SAID: &str =
+    "said_s,said_mib,most_mib,look_s,at_once,signal_mib,facets,polygons,cells,changing,sliding,moving";
 
 /// Reads what scenes took, by their names; a file that is not there yet gives none.
 pub(super) fn taken(file: &Path) -> Result<BTreeMap<String, Taken>, Failure> {
@@ -36,24 +38,34 @@ pub(super) fn taken(file: &Path) -> Result<BTreeMap<String, Taken>, Failure> {
         .ok_or_else(|| Failure::refused(format!("{}: it is no table of this command", file.display())))
 }
 
-/// Reads what a table's scenes were counted to do and what they took, on the machine of the rates.
-pub(super) fn timed_runs(file: &Path) -> Result<Vec<TimedRun>, Failure> {
+/// Reads what a table's scenes were counted to do and what they took: seconds on the machine of the rates,
+/// and MiB.
+pub(super) fn runs(file: &Path) -> Result<(Vec<CountedRun<ITEMS>>, Vec<CountedRun<HELD_KINDS>>), Failure> {
     let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
-    runs(&text).ok_or_else(|| {
+    timed_runs(&text).zip(held_runs(&text)).ok_or_else(|| {
         let rule = "it is no table of this command with a column of every kind of work that is counted today";
         Failure::refused(format!("{}: {rule}; run with --out it is written anew", file.display()))
     })
 }
 
-fn runs(text: &str) -> Option<Vec<TimedRun>> {
+fn timed_runs(text: &str) -> Option<Vec<CountedRun<ITEMS>>> {
     let took = columns(text, ["taken_s", "machine_speed"])?;
     let counts = columns(text, WorkKind::ALL.map(|kind| format!("{kind:?}")))?;
     let run = |([processor_s, machine_speed], counts): ([f64; 2], [f64; ITEMS])| {
-        let run = TimedRun::of(WorkCounts(counts), processor_s, machine_speed);
-        let are_numbers = run.work.0.iter().chain([&run.seconds]).all(|number| number.is_finite());
-        are_numbers.then_some(run)
+        let run = CountedRun { counts, taken: processor_s * machine_speed };
+        run.is_finite().then_some(run)
     };
     took.into_iter().zip(counts).map(run).collect()
+}
+
+fn held_runs(text: &str) -> Option<Vec<CountedRun<HELD_KINDS>>> {
+    let names = ["taken_mib", "Triangles", "at_once", "signal_mib", "facets", "polygons", "cells", "moving"];
+    let run = |[taken, triangles, at_once, signal_mib, facets, beams, cells, moving_cells]: [f64; 8]| {
+        let load = Load { signal_mib, facets, beams, cells, moving_cells, ..Load::default() };
+        let run = CountedRun { counts: load.held(triangles, at_once), taken };
+        run.is_finite().then_some(run)
+    };
+    columns(text, names)?.into_iter().map(run).collect()
 }
 
 fn known(text: &str) -> Option<BTreeMap<String, Taken>> {
@@ -105,10 +117,11 @@ fn line(row: &PredictionRow) -> String {
     let taken = numbers(taken).map(|number| format!("{number:.3}")).join(",");
     let counts: Vec<String> = expected.work.0.iter().map(|count| format!("{count:.1}")).collect();
     format!(
-        "{},{threads},{taken},{:.3},{:.1},{look_s:.2},{at_once},{signal_mib:.2},{facets:.0},{beams:.0},{cells:.0},\
+        "{},{threads},{taken},{:.3},{:.1},{:.1},{look_s:.2},{at_once},{signal_mib:.2},{facets:.0},{beams:.0},{cells:.0},\
          {changing_cells:.0},{sliding_tiles:.1},{moving_cells:.0},{}\n",
         scene.name,
         expected.seconds,
+        expected.expected_memory_mib,
         expected.memory_mib,
         counts.join(",")
     )
@@ -132,11 +145,11 @@ mod tests {
         let kinds: Vec<String> = WorkKind::ALL.iter().rev().map(|kind| format!("{kind:?}")).collect();
         let counts: Vec<String> = (0..ITEMS).map(|count| format!("{count}.5")).collect();
         let head = format!("machine_speed,{},scene,taken_s", kinds.join(","));
-        let runs_of = |head: &str| runs(&format!("{head}\n0.5,{},x,3.0\n", counts.join(",")));
+        let runs_of = |head: &str| timed_runs(&format!("{head}\n0.5,{},x,3.0\n", counts.join(",")));
         let found = runs_of(&head).unwrap();
-        assert_eq!((found.len(), found[0].seconds), (1, 1.5));
+        assert_eq!((found.len(), found[0].taken), (1, 1.5));
         let backwards: Vec<f64> = (0..ITEMS).rev().map(|count| count as f64 + 0.5).collect();
-        assert_eq!(found[0].work.0.to_vec(), backwards);
+        assert_eq!(found[0].counts.to_vec(), backwards);
         assert!(runs_of(&head.replacen(&kinds[2], "Other", 1)).is_none());
     }
 }

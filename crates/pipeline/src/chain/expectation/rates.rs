@@ -20,6 +20,21 @@ pub(crate) const BYTES_PER_CHANGING_CELL: f64 = 7500.0;
 pub(crate) const BYTES_PER_SLIDING_TILE: f64 = 2500.0;
 pub(crate) const BYTES_PER_MOVING_CELL: f64 = 0.0;
 
+/// Kinds of what a run is expected to hold.
+pub const HELD_KINDS: usize = 7;
+/// Memory that is expected of each of them, MiB: the program, a triangle as it is read, and in each frame that
+/// is computed side by side with others a MiB of signals, a facet, a lit polygon, a cell, and a cell of ways
+/// between bodies that slide past each other. Fitted to the same scenes as the seconds below are.
+pub(crate) const HELD_MIB: [(&str, f64); HELD_KINDS] = [
+    ("program", 39.0),
+    ("triangles", 5.1e-4),
+    ("signals", 0.12),
+    ("facets", 6.3e-4),
+    ("lit polygons", 1.9e-3),
+    ("cells", 4.9e-4),
+    ("moving cells", 6.4e-4),
+];
+
 /// Nine of ten runs are meant to take between the expected time over this and times this
 /// (docs/validation/predictions.md).
 pub const SPREAD: f64 = 2.0;
@@ -66,6 +81,11 @@ pub(super) fn by_item() -> [f64; ITEMS] {
     let mut rates = [0.0; ITEMS];
     SECONDS.iter().for_each(|(item, rate)| rates[*item as usize] = *rate);
     rates
+}
+
+/// Memory that is expected to be held, MiB, of counts in the order of [`HELD_MIB`].
+pub(super) fn expected_mib(held: &[f64; HELD_KINDS]) -> f64 {
+    HELD_MIB.iter().zip(held).map(|((_, mib), count)| mib * count).sum()
 }
 
 /// Processor seconds of the work on the machine of the rates.
