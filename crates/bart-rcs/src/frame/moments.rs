@@ -17,10 +17,10 @@
 use crate::beams::body_ways::BodyWays;
 use crate::frame::band_power::{MARGIN, frequencies_hz, mean_difference, power_over_frame};
 use crate::frame::frame_error::{FrameError, Reference};
-use crate::frame::path_plan::{MOMENTS_MAX, Plan, WHEEL_STEPS};
+use crate::frame::path_plan::{MOMENTS_LEAST, MOMENTS_MAX, PATHS_MAX, Plan, WHEEL_STEPS};
 use crate::frame::path_pruning::{Kept, pruned_alike};
 use crate::frame::path_sum::element_over_band;
-use crate::frame::path_table::{PathTable, paths_along};
+use crate::frame::path_table::{Moment, PathTable, paths_along};
 use crate::frame::snapshot::Scenery;
 use crate::oversight::error::BartError;
 use crate::oversight::progress::Phase;
@@ -32,7 +32,7 @@ use std::collections::{BTreeMap, BTreeSet};
 ///
 /// Four would be enough at times, but at the moment of the check their blend errs 5 dB less than over the
 /// frame.
-const STEPS: [u32; 4] = [8, 16, 32, WHEEL_STEPS];
+const STEPS: [u32; 4] = [MOMENTS_LEAST - 1, 16, MOMENTS_MAX - 1, WHEEL_STEPS];
 /// Steps of the finest grid, in whose places all moments are counted.
 const FINEST: u32 = WHEEL_STEPS;
 /// Places of every grid where ways show whether they change, 3/8 of a frame before its middle and 1/4 after.
@@ -73,7 +73,9 @@ pub(crate) fn split(
     let power = power_over_frame(&whole.paths, plan);
     let mut best = whole;
     let most = if scenery.turns_wheels() { FINEST } else { MOMENTS_MAX - 1 };
-    for steps in STEPS.into_iter().filter(|steps| *steps <= most) {
+    let fits = |steps: u32| kept.len() + moments.of_middle() * (steps as usize + 1) <= PATHS_MAX;
+    let grids: Vec<u32> = STEPS.into_iter().filter(|steps| *steps <= most && fits(*steps)).collect();
+    for steps in grids {
         moments.fill(steps, &ways)?;
         let paths = moments.blended(&kept, steps);
         let error = FrameError::measured_on(plan, &paths, points, reference, &best.given_up);
@@ -166,32 +168,57 @@ impl<'a> Moments<'a> {
             None => self.scenery.at(seconds, plan.position_m)?,
         };
         self.bytes = self.bytes.max(snapshot.bytes());
-        let paths =
-            paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, self.fineness, ways, seconds)?;
-        let paths = pruned_alike(paths, plan, &snapshot.world, &self.strongest_dropped);
-        let held = self.at.values().map(Vec::len).sum::<usize>() + paths.len();
-        snapshot.world.memory_limit().check_cells((held * size_of::<Path>()) as u64)?;
-        Ok(paths)
+        let moment = Moment { ways, seconds, held_bytes: self.held_bytes() };
+        let paths = paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, self.fineness, &moment)?;
+        Ok(pruned_alike(paths, plan, &snapshot.world, &self.strongest_dropped))
+    }
+
+    /// Bytes of all moments' paths with the blends that are made of them, two of which are compared.
+    fn held_bytes(&self) -> usize {
+        3 * size_of::<Path>() * self.at.values().map(Vec::len).sum::<usize>()
+    }
+
+    /// Number of paths of the frame's middle.
+    fn of_middle(&self) -> usize {
+        self.at.get(&(FINEST / 2)).map_or(0, Vec::len)
     }
 
     /// Mean power of what the blend of a grid misses halfway between its moments, where all are traced.
     fn missed_halfway(&self, steps: u32) -> f64 {
-        let (plan, blended) = (self.scenery.plan, self.blended(&[], steps));
-        let places = (0..steps).map(|i| (2 * i + 1) * (FINEST / (2 * steps)));
+        let plan = self.scenery.plan;
         let missed = |place: u32| {
             let seconds = self.seconds(place);
-            mean_difference(&field(self.at.get(&place), plan, seconds), &field(Some(&blended), plan, seconds))
+            let blended = self.blended_field(steps, seconds);
+            mean_difference(&field(self.at.get(&place), plan, seconds), &blended)
         };
+        let places = (0..steps).map(|i| (2 * i + 1) * (FINEST / (2 * steps)));
         places.map(missed).sum::<f64>() / f64::from(steps)
+    }
+
+    /// S of the blend of a grid over the band, of the moments that have a share in it then.
+    fn blended_field(&self, steps: u32, seconds: f64) -> Vec<Complex64> {
+        let mut total = vec![Complex64::ZERO; FIELD_FREQUENCIES];
+        for moment in 0..=steps {
+            let share = self.span(moment, steps).share(seconds);
+            if share != 0.0 {
+                let of = field(self.at.get(&(moment * (FINEST / steps))), self.scenery.plan, seconds);
+                total.iter_mut().zip(of).for_each(|(total, of)| *total += share * of);
+            }
+        }
+        total
+    }
+
+    /// Share of a frame that one moment of a grid stands for.
+    fn span(&self, moment: u32, steps: u32) -> Span {
+        let duration_s = self.scenery.plan.header.radar.frame_duration_s();
+        Span { first_s: 0.0, step_s: duration_s / f64::from(steps), moments: steps + 1, moment }
     }
 
     /// Paths that keep one moment, and behind them those of a grid's moments, one after the other.
     fn blended(&self, kept: &[Path], steps: u32) -> Vec<Path> {
-        let duration_s = self.scenery.plan.header.radar.frame_duration_s();
         let mut all = kept.to_vec();
         for moment in 0..=steps {
-            let span =
-                Span { first_s: 0.0, step_s: duration_s / f64::from(steps), moments: steps + 1, moment };
+            let span = self.span(moment, steps);
             let paths = self.at.get(&(moment * (FINEST / steps))).into_iter().flatten();
             all.extend(paths.map(|path| {
                 let mut part = *path;
@@ -256,10 +283,12 @@ fn by_way(paths: &[Path]) -> BTreeMap<Vec<u32>, Vec<Path>> {
     ways
 }
 
+/// Frequencies that the fields of moments are compared at.
+const FIELD_FREQUENCIES: usize = 12;
+
 /// S of paths over the band, as the radar sees it.
 fn field(paths: Option<&Vec<Path>>, plan: &Plan<'_>, seconds: f64) -> Vec<Complex64> {
-    const FREQUENCIES: usize = 12;
-    let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
+    let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FIELD_FREQUENCIES);
     let element = plan.header.radar.array.polarization.indices();
     element_over_band(paths.map_or(&[], Vec::as_slice), &plan.view(seconds), element, &frequencies)
 }

@@ -18,6 +18,13 @@ use std::f64::consts::TAU;
 /// Most moments that a frame of rigid bodies is split into (`frame/moments.rs`).
 pub const MOMENTS_MAX: u32 = 33;
 
+/// Fewest moments that a frame is split into.
+pub(crate) const MOMENTS_LEAST: u32 = 9;
+
+/// Paths of a frame from which on no finer table is tried, of cells or of moments: 0.9 GB of them, in three
+/// or four copies while they are measured.
+pub(crate) const PATHS_MAX: usize = 2_000_000;
+
 /// Most steps from moment to moment of a frame in which wheels turn.
 pub(crate) const WHEEL_STEPS: u32 = 96;
 

@@ -6,7 +6,7 @@ use crate::frame::cells::cell_room::CellRoom;
 use crate::frame::cells::edge_cells::{edge_cells, truncation_cells};
 use crate::frame::cells::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
 use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
-use crate::frame::path_plan::{MOMENTS_MAX, Plan, SampledBand, WHEEL_STEPS};
+use crate::frame::path_plan::{MOMENTS_LEAST, MOMENTS_MAX, PATHS_MAX, Plan, SampledBand, WHEEL_STEPS};
 use crate::frame::path_pruning::{Kept, pruned};
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
@@ -41,16 +41,26 @@ pub(crate) fn paths_as_fine(
     BodyParts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness))
 }
 
-/// Paths of some ways as they are at another moment of the frame, nothing dropped.
+/// Another moment of the frame, some seconds after its first sample.
+pub(crate) struct Moment<'a> {
+    /// Ways that are traced; all of them where none are named.
+    pub(crate) ways: Option<&'a BodyWays>,
+    pub(crate) seconds: f64,
+    /// Bytes that are held of other moments beside it.
+    pub(crate) held_bytes: usize,
+}
+
+/// Paths as they are at another moment of the frame, nothing dropped.
 pub(crate) fn paths_along(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
     fineness: &Fineness,
-    ways: Option<&BodyWays>,
-    seconds: f64,
+    moment: &Moment<'_>,
 ) -> Result<Vec<Path>, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
-    BodyParts::along(scatterer, plan, ways).found(cell_m, &accuracy_of_body(plan, fineness), seconds)
+    let parts = BodyParts::along(scatterer, plan, moment.ways);
+    let room = parts.room_beside(moment.held_bytes);
+    parts.found(cell_m, &accuracy_of_body(plan, fineness), moment.seconds, &room)
 }
 
 /// Accuracy of each body; one that was not there yet is taken as finely as the finest.
@@ -84,17 +94,25 @@ impl<'a> BodyParts<'a> {
     }
 
     fn paths(&self, cell_m: f64, accuracy_of_body: &[f64]) -> Result<Kept, BartError> {
-        let paths = self.found(cell_m, accuracy_of_body, self.plan.middle_s)?;
+        let paths = self.found(cell_m, accuracy_of_body, self.plan.middle_s, &self.room_beside(0))?;
         Ok(pruned(paths, self.plan, self.scatterer.world))
     }
 
+    /// Room for cells beside the beams and what else is held.
+    fn room_beside(&self, held_bytes: usize) -> CellRoom {
+        let (tree, limit) = (self.scatterer.trees.transmit(), self.scatterer.world.memory_limit());
+        CellRoom::beside(tree.bytes() + held_bytes, limit, BYTES_PER_CELL)
+    }
+
     /// Paths of all parts, of bodies as they are some `seconds` after the frame's first sample.
-    fn found(&self, cell_m: f64, accuracy_of_body: &[f64], seconds: f64) -> Result<Vec<Path>, BartError> {
+    fn found(
+        &self,
+        cell_m: f64,
+        accuracy_of_body: &[f64],
+        seconds: f64,
+        room: &CellRoom,
+    ) -> Result<Vec<Path>, BartError> {
         let wavenumbers = self.plan.band.wavenumbers_per_m();
-        let room = {
-            let (tree, limit) = (self.scatterer.trees.transmit(), self.scatterer.world.memory_limit());
-            CellRoom::beside(tree.bytes(), limit, BYTES_PER_CELL)
-        };
         let settings = CellSettings {
             size_m: cell_m,
             wheel_size_m: wheel_cell_m(self.plan, self.scatterer.world, cell_m),
@@ -102,7 +120,7 @@ impl<'a> BodyParts<'a> {
             wavenumbers_per_m: &wavenumbers,
             accuracy_of_body,
             bracket: bracket_of(self.plan.header.fidelity.nodes),
-            room: &room,
+            room,
         };
         let mut paths = Vec::new();
         for meeting in &self.meetings {
@@ -161,7 +179,8 @@ impl<'a> Fit<'a> {
     ///
     /// Smaller cells follow what turns while the frame lasts, and where they do not meet the accuracy,
     /// `split` blends their table from several moments. Large cells are blended at once where wheels turn,
-    /// which no cells follow, and where smaller ones would be more paths than all moments have.
+    /// which no cells follow, and where smaller ones would be more paths than all moments have, or too many
+    /// to be blended.
     pub(crate) fn table(&self, split: &Split<'_>) -> Result<PathTable, BartError> {
         let BodyParts { scatterer, plan, .. } = self.parts;
         let largest_m = largest_cell_of_world_m(plan, scatterer.world);
@@ -172,7 +191,7 @@ impl<'a> Fit<'a> {
         let largest = self.table_of(largest_m)?;
         let most = largest.paths.len().saturating_mul(MOMENTS_MAX as usize);
         let (best, tried) = self.with_smaller_cells(largest, most, &|cell_m| self.table_of(cell_m))?;
-        if self.is_met(&best) || tried <= most {
+        if self.is_met(&best) || tried <= most.min(PATHS_MAX / MOMENTS_LEAST as usize) {
             return split(best);
         }
         let blended = split_to(largest_m)?;
@@ -209,7 +228,11 @@ impl<'a> Fit<'a> {
             }
             // Errors of freezing and of the straight line over frequency grow with the first to second power
             // of the size.
-            size_m *= (0.7 * asked / error).sqrt().clamp(0.4, 0.8);
+            let factor = (0.7 * asked / error).sqrt().clamp(0.4, 0.8);
+            if tried as f64 > PATHS_MAX as f64 * factor * factor {
+                break;
+            }
+            size_m *= factor;
             let finer = table(size_m)?;
             tried = finer.paths.len();
             if finer.error.measured() < error {

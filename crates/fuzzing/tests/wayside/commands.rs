@@ -82,6 +82,8 @@ pub(crate) fn noted_of_content(folder: &Path) -> Result<(), String> {
         let sentence = failure.to_string();
         match failure {
             Failure::Refused(_) => sentence,
+            // A shard that was left as it is, beside the sound one.
+            Failure::System(_) if sentence.ends_with("each is taken once") => sentence,
             Failure::System(_) if sentence.contains(&*out(folder).to_string_lossy()) => sentence,
             // An artifact of another kind than the words are for: they name no file.
             Failure::System(_) if sentence.starts_with("--axes on") => folder.display().to_string(),

@@ -162,9 +162,8 @@ fn once_each(root: &Fields<'_>, vary: &[Axis], conditions: &[Axis]) -> Result<()
 /// Whether two keys are one, or one is that of a list or table that the other stands in. Places in lists are
 /// numbers: 0 and 00 are one.
 fn overlap(key: &str, other: &str) -> bool {
-    let is_same = |(a, b): (&str, &str)| {
-        a == b || a.parse::<u32>().ok().zip(b.parse().ok()).is_some_and(|(a, b)| a == b)
-    };
+    let place = |text: &str| text.parse::<u32>().ok();
+    let is_same = |(a, b): (&str, &str)| a == b || place(a).is_some_and(|a| place(b) == Some(a));
     key.split('.').zip(other.split('.')).all(is_same)
 }
 
