@@ -73,3 +73,21 @@ fn memory_is_not_told_too_low_of_a_body_under_the_mast() {
     );
     assert!((frame["memory_estimate_mib"].as_f64().unwrap() - told_mib).abs() < 1.0, "{line}");
 }
+
+/// A motorcycle 5 m in front of the mast, whose frame is blended from nine moments of 98,000 paths each: they
+/// were counted once where three copies were held, 1 GB under a limit of 400 MiB.
+#[test]
+fn moments_of_a_frame_count_against_the_memory_limit() {
+    let place = Workplace::new();
+    let scene = "name = \"near\"\n[radar.waveform]\nchirps = 128\nsamples = 256\n[radar.array]\npreset = \"3x4\"\n\
+                 multiplexing = \"tdm\"\n[noise]\nnoise_figure_db = 12.0\n[fidelity]\naccuracy_db = -28\nbounces = 1\n\
+                 [[target]]\nkind = \"mesh\"\nid = \"m\"\nmodel = \"motorcycle-scooter\"\n\
+                 position_m = [1.0, 5.0, 0.0]\nvelocity_mps = [0.0, -11.0, 0.0]\nyaw_deg = -90.0\n";
+    std::fs::write(place.path("near.toml"), scene).unwrap();
+    let refused = place.try_run("paths near.toml --out a.paths --quiet --memory-limit 400");
+    let said = String::from_utf8(refused.stderr).unwrap();
+    assert_eq!(refused.status.code(), Some(1), "{said}");
+    assert!(said.contains("cells and paths take") && said.contains("they may take 39"), "{said}");
+    let told = place.run("paths near.toml --out a.paths --quiet --memory-limit 2000");
+    assert!(told.contains("−28.0 dB asked: reached"), "{told}");
+}

@@ -59,7 +59,7 @@ pub(crate) fn paths_along(
 ) -> Result<Vec<Path>, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
     let parts = BodyParts::along(scatterer, plan, moment.ways);
-    let room = parts.room_beside(moment.held_bytes);
+    let room = parts.room().holding(moment.held_bytes);
     parts.found(cell_m, &accuracy_of_body(plan, fineness), moment.seconds, &room)
 }
 
@@ -94,14 +94,14 @@ impl<'a> BodyParts<'a> {
     }
 
     fn paths(&self, cell_m: f64, accuracy_of_body: &[f64]) -> Result<Kept, BartError> {
-        let paths = self.found(cell_m, accuracy_of_body, self.plan.middle_s, &self.room_beside(0))?;
+        let paths = self.found(cell_m, accuracy_of_body, self.plan.middle_s, &self.room())?;
         Ok(pruned(paths, self.plan, self.scatterer.world))
     }
 
-    /// Room for cells beside the beams and what else is held.
-    fn room_beside(&self, held_bytes: usize) -> CellRoom {
+    /// Room for cells beside the beams.
+    fn room(&self) -> CellRoom {
         let (tree, limit) = (self.scatterer.trees.transmit(), self.scatterer.world.memory_limit());
-        CellRoom::beside(tree.bytes() + held_bytes, limit, BYTES_PER_CELL)
+        CellRoom::beside(tree.bytes(), limit, BYTES_PER_CELL)
     }
 
     /// Paths of all parts, of bodies as they are some `seconds` after the frame's first sample.

@@ -108,7 +108,7 @@ pub enum BartError {
     },
     /// The pieces that a frame's polygons are cut into have grown beyond the memory that they may take.
     #[error(
-        "cells of paths take {} MiB and more; they may take {} MiB here: fewer bounces, a coarser mesh, a looser accuracy, \
+        "cells and paths take {} MiB and more; they may take {} MiB here: fewer bounces, a coarser mesh, a looser accuracy, \
          fewer threads or a higher limit help",
         bytes >> 20,
         limit_bytes >> 20

@@ -42,9 +42,9 @@ pub struct Verdict {
     goal: Option<Goal>,
     error: ErrorBudget,
     model: ModelError,
-    /// Number of moments of the frame at which ways between bodies were traced; `None` where that means
-    /// nothing.
-    moments: Option<u32>,
+    /// Number of moments of the frame at which ways between bodies were traced, and of all paths; `None` where
+    /// that means nothing.
+    moments: Option<(u32, u64)>,
 }
 
 /// Place in which a person asks for an accuracy, for the words of advice.
@@ -82,8 +82,10 @@ impl Verdict {
 
     /// Makes the verdict of a frame; its paths, where they are known, tell the number of moments.
     pub fn of_paths(asked: &Fidelity, error: &ErrorBudget, paths: Option<&PathsFrame>) -> Self {
-        let fineness = paths.and_then(|paths| paths.trace.fineness.as_ref());
-        let moments = fineness.map(|fineness| fineness.moments);
+        let moments = |paths: &PathsFrame| {
+            paths.trace.fineness.as_ref().map(|fineness| (fineness.moments, paths.paths.len() as u64))
+        };
+        let moments = paths.and_then(moments);
         Self { goal: asked.goal, moments, ..Self::of(asked.accuracy, error) }
     }
 
@@ -152,7 +154,7 @@ impl Verdict {
     fn advice_on_limit(&self, asking: Asking) -> Option<String> {
         let limited_by = self.limited_by().filter(|_| self.is_met() == Some(false))?;
         let (what, help) = match (limited_by, self.moments) {
-            ("freezing", Some(moments)) => of_moments(moments),
+            ("freezing", Some((moments, paths))) => of_moments(moments, paths),
             _ => cause_and_help(limited_by, asking),
         };
         let help = help.replace("{finer}", &format!("{:.0}", self.finer_db()));
@@ -256,9 +258,14 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
 }
 
 /// Explains freezing in a frame whose ways between bodies were looked at, at several moments: it keeps one
-/// where more did not help.
-fn of_moments(moments: u32) -> (&'static str, &'static str) {
-    if moments >= bart_rcs::MOMENTS_MAX {
+/// where more did not help, or would have been too many paths.
+fn of_moments(moments: u32, paths: u64) -> (&'static str, &'static str) {
+    if bart_rcs::is_full(moments, paths) {
+        (
+            "moving bodies are so near that more moments of the frame would be more paths than are held",
+            "a shorter frame (fewer chirps, shorter intervals), or a looser accuracy, which larger cells meet",
+        )
+    } else if moments >= bart_rcs::MOMENTS_MAX {
         (
             "ways between moving bodies change faster than the moments follow at which they are traced",
             "a shorter frame (fewer chirps, shorter intervals), or slower bodies",
@@ -370,14 +377,21 @@ mod tests {
     /// well.
     #[test]
     fn what_helps_against_freezing_depends_on_the_moments_at_which_the_frame_was_traced() {
-        let advice = |moments| Verdict { moments, ..of(0.02, 0.24) }.advice(Asking::Scene).unwrap();
+        let of_paths = |moments, paths| {
+            let moments = Some((moments, paths));
+            Verdict { moments, ..of(0.02, 0.24) }.advice(Asking::Scene).unwrap()
+        };
+        let advice = |moments| of_paths(moments, 1000);
         let most = bart_rcs::MOMENTS_MAX;
-        assert!(advice(None).contains("shorter frame"), "nothing is known of moments: {}", advice(None));
-        assert!(advice(Some(1)).contains("smaller array"), "more were no help: {}", advice(Some(1)));
-        assert!(advice(Some(most)).contains("slower bodies"), "{}", advice(Some(most)));
-        let fewer = advice(Some(most / 2 + 1));
+        let unknown = of(0.02, 0.24).advice(Asking::Scene).unwrap();
+        assert!(unknown.contains("shorter frame"), "nothing is known of moments: {unknown}");
+        assert!(advice(1).contains("smaller array"), "more were no help: {}", advice(1));
+        assert!(advice(most).contains("slower bodies"), "{}", advice(most));
+        let full = of_paths(1, 400_000);
+        assert!(full.contains("more paths than are held"), "nine times as many would be too many: {full}");
+        let fewer = advice(most / 2 + 1);
         assert!(fewer.contains("smaller array") && !fewer.contains("shorter frame"), "{fewer}");
-        let other = Verdict { moments: Some(most), ..of(0.24, 0.02) }.advice(Asking::Scene).unwrap();
+        let other = Verdict { moments: Some((most, 1000)), ..of(0.24, 0.02) }.advice(Asking::Scene).unwrap();
         assert!(
             other.contains("integration") && !other.contains("slower bodies"),
             "freezing is not what limits: {other}"

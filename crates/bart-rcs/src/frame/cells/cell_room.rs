@@ -9,15 +9,22 @@ use std::sync::atomic::{AtomicU64, Ordering};
 #[derive(Debug)]
 pub(crate) struct CellRoom {
     limit: MemoryLimit,
+    /// Bytes of cells and paths that are there before the first one is taken.
+    held_bytes: u64,
     bytes_per_cell: u64,
     taken: AtomicU64,
 }
 
 impl CellRoom {
-    /// Room that a limit leaves beside `held_bytes`.
-    pub(crate) fn beside(held_bytes: usize, limit: MemoryLimit, bytes_per_cell: usize) -> Self {
-        let limit = limit.shared(held_bytes as u64, 1);
-        Self { limit, bytes_per_cell: bytes_per_cell as u64, taken: AtomicU64::new(0) }
+    /// Room that a limit leaves beside beams of so many bytes.
+    pub(crate) fn beside(beams_bytes: usize, limit: MemoryLimit, bytes_per_cell: usize) -> Self {
+        let limit = limit.shared(beams_bytes as u64, 1);
+        Self { limit, held_bytes: 0, bytes_per_cell: bytes_per_cell as u64, taken: AtomicU64::new(0) }
+    }
+
+    /// The same room, in which cells and paths of so many bytes are already.
+    pub(crate) fn holding(self, held_bytes: usize) -> Self {
+        Self { held_bytes: held_bytes as u64, ..self }
     }
 
     /// Room for one more; false where there is none, and then [`CellRoom::check`] says so.
@@ -32,7 +39,7 @@ impl CellRoom {
     }
 
     fn bytes_of(&self, cells: u64) -> u64 {
-        cells.saturating_mul(self.bytes_per_cell)
+        self.held_bytes.saturating_add(cells.saturating_mul(self.bytes_per_cell))
     }
 }
 
@@ -47,5 +54,8 @@ mod tests {
         room.check().unwrap();
         assert!(!room.take());
         assert_eq!(room.check(), Err(BartError::CellsTakeTooMuchMemory { bytes: 2800, limit_bytes: 2100 }));
+        let room = CellRoom::beside(1000, MemoryLimit::of_bytes(1000 + 3 * 700), 700).holding(1500);
+        assert!(!room.take());
+        assert_eq!(room.check(), Err(BartError::CellsTakeTooMuchMemory { bytes: 2200, limit_bytes: 2100 }));
     }
 }
