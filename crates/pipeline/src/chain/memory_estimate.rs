@@ -50,9 +50,9 @@ impl Load {
         self.least_mib() + mib(bytes as u64)
     }
 
-    /// Counts of what a run is expected to hold whose frames are like this one, so many of them side by side:
-    /// the program, triangles as they are read, MiB of signals, facets, lit polygons, cells, and cells of ways
-    /// between bodies that slide past each other.
+    /// Counts of what a run is expected to hold whose frames are like this one, so many of them side by
+    /// side: the program, triangles as they are read, MiB of signals, facets, lit polygons, cells, and cells
+    /// of ways between bodies that slide past each other.
     pub fn held(&self, triangles: f64, at_once: f64) -> [f64; HELD_KINDS] {
         let of_frames = [self.signal_mib, self.facets, self.beams, self.cells, self.moving_cells];
         let [signals, facets, beams, cells, moving_cells] = of_frames.map(|count| count * at_once);

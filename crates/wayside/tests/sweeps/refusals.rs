@@ -57,17 +57,6 @@ fn every_broken_rule_of_a_study_is_told_with_its_place() {
             "[[condition]]\nkey = \"radar.array.preset\"\nvalues = [\"1x4\"]\n[goal]",
             "is changed by two of",
         ),
-        (
-            "[goal]",
-            "[[condition]]\nkey = \"radar.array\"\nvalues = [{ preset = \"1x4\" }]\n[goal]",
-            "`radar.array` and `radar.array.preset`, of which one holds the other,",
-        ),
-        (
-            "[goal]",
-            "[[condition]]\nkey = \"target.0.id\"\nvalues = [\"a\"]\n[[condition]]\nkey = \"target.00.id\"\n\
-             values = [\"b\"]\n[goal]",
-            "`target.00.id` and `target.0.id`",
-        ),
         ("radar.array.preset", "name", "study.toml:4:11: `name` changes nothing"),
         (
             "radar.array.preset",
@@ -99,6 +88,21 @@ fn every_broken_rule_of_a_study_is_told_with_its_place() {
     let unvaried = "scene = \"small.toml\"\n[goal]\nmetric = \"coverage\"\n";
     assert!(said_of(&place, unvaried).0.contains("`vary` is missing"));
     assert!(!place.path("out").join("runs").exists(), "nothing is computed before all is read");
+}
+
+#[test]
+fn keys_of_which_one_holds_the_other_are_refused() {
+    let place = Workplace::new();
+    let condition = |key: &str, value: &str| format!("[[condition]]\nkey = \"{key}\"\nvalues = [{value}]\n");
+    let whole = condition("radar.array", "{ preset = \"1x4\" }");
+    let one_place = condition("target.0.id", "\"a\"") + &condition("target.00.id", "\"b\"");
+    for (conditions, expected) in [
+        (whole, "`radar.array` and `radar.array.preset`, of which one holds the other,"),
+        (one_place, "`target.00.id` and `target.0.id`"),
+    ] {
+        let (said, code) = said_of(&place, &WHOLE.replace("[goal]", &format!("{conditions}[goal]")));
+        assert!(said.contains(expected) && code == Some(1), "{said}");
+    }
 }
 
 #[test]

@@ -22,58 +22,57 @@ pub(crate) const BYTES_PER_MOVING_CELL: f64 = 0.0;
 
 /// Kinds of what a run is expected to hold.
 pub const HELD_KINDS: usize = 7;
-/// Memory that is expected of each of them, MiB: the program, a triangle as it is read, and in each frame that
-/// is computed side by side with others a MiB of signals, a facet, a lit polygon, a cell, and a cell of ways
-/// between bodies that slide past each other. Fitted to the same scenes as the seconds below are.
+/// Memory that is expected of each of them, MiB: the program, a triangle as it is read, and in each frame
+/// that is computed side by side with others a MiB of signals, a facet, a lit polygon, a cell, and a cell of
+/// ways between bodies that slide past each other. Fitted to the same scenes as the seconds below are.
 pub(crate) const HELD_MIB: [(&str, f64); HELD_KINDS] = [
-    ("program", 39.0),
-    ("triangles", 5.1e-4),
-    ("signals", 0.12),
-    ("facets", 6.3e-4),
-    ("lit polygons", 1.9e-3),
-    ("cells", 4.9e-4),
-    ("moving cells", 6.4e-4),
+    ("program", 37.0),
+    ("triangles", 3.3e-4),
+    ("signals", 0.27),
+    ("facets", 8.2e-4),
+    ("lit polygons", 1.4e-3),
+    ("cells", 6.7e-4),
+    ("moving cells", 1.1e-3),
 ];
 
 /// Nine of ten runs are meant to take between the expected time over this and times this
 /// (docs/validation/predictions.md).
 pub const SPREAD: f64 = 2.0;
 
-/// Fitted to 138 scenes of `cargo xtask bench --predictions` (seeds 7 and 9) and three of `scenes/`, held to
-/// the rates before, which work keeps that these scenes have little of; those of tiles, since integrals take
-/// less, to the first 35 of seed 9 and the same three (docs/validation/predictions.md).
+/// Fitted to 175 scenes of `cargo xtask bench --predictions` (seeds 8, 9 and 10) and three of `scenes/`, held
+/// to the rates before, which work keeps that these scenes have little of (docs/validation/predictions.md).
 const SECONDS: [(WorkKind, f64); ITEMS] = [
-    (WorkKind::Run, 0.084),
-    (WorkKind::Triangles, 3.9e-5),
-    (WorkKind::Facets, 9.6e-7),
-    (WorkKind::InSight, 1.7e-5),
-    (WorkKind::Beams, 2.5e-6),
-    (WorkKind::Mirrors, 3.0e-5),
-    (WorkKind::Tiles, 1.7e-6),
-    (WorkKind::LaterTiles, 2.0e-6),
-    (WorkKind::FineTiles, 1.1e-5),
-    (WorkKind::LaterFineTiles, 2.8e-5),
-    (WorkKind::LongTiles, 5.8e-6),
-    (WorkKind::MeasuredCells, 1.1e-5),
-    (WorkKind::Cells, 2.1e-6),
-    (WorkKind::WideCells, 3.2e-5),
-    (WorkKind::SlidingBeams, 6.3e-6),
-    (WorkKind::SlidingTiles, 2.2e-6),
-    (WorkKind::MovingBeams, 9.4e-6),
-    (WorkKind::MovingTiles, 1.0e-6),
-    (WorkKind::MovingCells, 4.6e-4),
-    (WorkKind::RoadBeams, 8.2e-6),
-    (WorkKind::EdgeBeams, 4.9e-5),
-    (WorkKind::LossyTiles, 2.5e-5),
-    (WorkKind::BentTiles, 1.1e-5),
-    (WorkKind::TableTiles, 1.7e-5),
-    (WorkKind::Echoes, 4.7e-8),
-    (WorkKind::GroundEchoes, 1.3e-6),
-    (WorkKind::Samples, 2.3e-7),
-    (WorkKind::MapCells, 2.3e-7),
-    (WorkKind::Bodies, 9.4e-3),
-    (WorkKind::SeparatedBodies, 8.5e-3),
-    (WorkKind::Frames, 0.19),
+    (WorkKind::Run, 0.17),
+    (WorkKind::Triangles, 8.1e-6),
+    (WorkKind::Facets, 7.5e-6),
+    (WorkKind::InSight, 1.6e-5),
+    (WorkKind::Beams, 1.4e-6),
+    (WorkKind::Mirrors, 5.9e-5),
+    (WorkKind::Tiles, 9.0e-7),
+    (WorkKind::LaterTiles, 1.3e-6),
+    (WorkKind::FineTiles, 2.2e-5),
+    (WorkKind::LaterFineTiles, 8.7e-6),
+    (WorkKind::LongTiles, 9.4e-6),
+    (WorkKind::MeasuredCells, 5.3e-6),
+    (WorkKind::Cells, 2.5e-5),
+    (WorkKind::WideCells, 1.4e-4),
+    (WorkKind::SlidingBeams, 2.7e-6),
+    (WorkKind::SlidingTiles, 1.5e-6),
+    (WorkKind::MovingBeams, 9.2e-6),
+    (WorkKind::MovingTiles, 9.9e-7),
+    (WorkKind::MovingCells, 2.8e-4),
+    (WorkKind::RoadBeams, 4.2e-6),
+    (WorkKind::EdgeBeams, 5.2e-5),
+    (WorkKind::LossyTiles, 1.6e-5),
+    (WorkKind::BentTiles, 7.6e-6),
+    (WorkKind::TableTiles, 2.1e-5),
+    (WorkKind::Echoes, 7.5e-8),
+    (WorkKind::GroundEchoes, 1.7e-6),
+    (WorkKind::Samples, 2.0e-7),
+    (WorkKind::MapCells, 2.0e-7),
+    (WorkKind::Bodies, 7.2e-3),
+    (WorkKind::SeparatedBodies, 8.7e-3),
+    (WorkKind::Frames, 0.15),
 ];
 
 /// Processor seconds of each kind of work, in the order of [`WorkKind`].
