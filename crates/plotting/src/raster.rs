@@ -36,7 +36,8 @@ pub fn png(picture: &Svg) -> Result<Vec<u8>, PlottingError> {
             Layer::Image { corner, size, png } => lay(sheet, *corner, *size, png)?,
         }
     }
-    Ok(pixels.encode_png()?)
+    let size = [pixels.width() as usize, pixels.height() as usize];
+    encode(Pixels::Rgba, size, &pixels.take_demultiplied())
 }
 
 /// Stretches a PNG over a rectangle of the drawing.
@@ -69,6 +70,10 @@ pub enum Pixels {
     Rgba,
 }
 
+/// Effort of deflate, of 9: a run of many frames spent an eighth of its time on the usual 6, for pictures a
+/// little smaller.
+const DEFLATE_LEVEL: u8 = 1;
+
 /// Bytes of pixels, row by row from the top, as PNG.
 pub fn encode(pixels: Pixels, [width, height]: [usize; 2], values: &[u8]) -> Result<Vec<u8>, PlottingError> {
     let mut bytes = Vec::new();
@@ -79,6 +84,7 @@ pub fn encode(pixels: Pixels, [width, height]: [usize; 2], values: &[u8]) -> Res
         Pixels::Rgb => png::ColorType::Rgb,
         Pixels::Rgba => png::ColorType::Rgba,
     });
+    encoder.set_deflate_compression(png::DeflateCompression::Level(DEFLATE_LEVEL));
     let mut writer = encoder.write_header()?;
     writer.write_image_data(values)?;
     writer.finish()?;
