@@ -215,7 +215,7 @@ impl<'a> Fit<'a> {
         most_paths: usize,
         table: &dyn Fn(f64) -> Result<PathTable, BartError>,
     ) -> Result<(PathTable, usize), BartError> {
-        const ATTEMPTS: usize = 4;
+        const ATTEMPTS: usize = 6;
         let plan = self.parts.plan;
         let asked = plan.asked();
         let (first_m, first) = (largest.fineness.cell_m, largest.error.measured());
