@@ -90,7 +90,7 @@ impl PredictionRow {
         vec![CountedRun { counts: self.expected.work.0, taken }; self.times()]
     }
 
-    /// What the run held, as often as it counts.
+    /// Memory that the run held, as often as it counts.
     fn held(&self) -> Vec<CountedRun<HELD_KINDS>> {
         vec![CountedRun { counts: self.expected.held, taken: self.taken.peak_mib }; self.times()]
     }

@@ -70,12 +70,12 @@ pub(crate) fn split(
         return Ok(whole);
     }
     let kept = moments.take(&whole.paths, &ways);
+    let changing = whole.paths.len() - kept.len();
     let power = power_over_frame(&whole.paths, plan);
     let mut best = whole;
     let most = if scenery.turns_wheels() { FINEST } else { MOMENTS_MAX - 1 };
-    let fits = |steps: u32| kept.len() + moments.of_middle() * (steps as usize + 1) <= PATHS_MAX;
-    let grids: Vec<u32> = STEPS.into_iter().filter(|steps| *steps <= most && fits(*steps)).collect();
-    for steps in grids {
+    let fits = |steps: u32| kept.len() + changing * (steps as usize + 1) <= PATHS_MAX;
+    for steps in STEPS.into_iter().filter(|steps| *steps <= most && fits(*steps)) {
         moments.fill(steps, &ways)?;
         let paths = moments.blended(&kept, steps);
         let error = FrameError::measured_on(plan, &paths, points, reference, &best.given_up);
@@ -176,11 +176,6 @@ impl<'a> Moments<'a> {
     /// Bytes of all moments' paths with the blends that are made of them, two of which are compared.
     fn held_bytes(&self) -> usize {
         3 * size_of::<Path>() * self.at.values().map(Vec::len).sum::<usize>()
-    }
-
-    /// Number of paths of the frame's middle.
-    fn of_middle(&self) -> usize {
-        self.at.get(&(FINEST / 2)).map_or(0, Vec::len)
     }
 
     /// Mean power of what the blend of a grid misses halfway between its moments, where all are traced.
