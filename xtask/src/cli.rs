@@ -98,6 +98,9 @@ pub(crate) struct PageArguments {
     /// Makes every Nth row from the Kth on, keeps it in out/, and writes no page (`planner`).
     #[arg(long, value_name = "K/N", value_parser = shard, requires = "name", conflicts_with = "out")]
     pub(crate) shard: Option<Shard>,
+    /// Makes no row; the page is of those that are kept in out/, and tells how many are not (`planner`).
+    #[arg(long, requires = "name", conflicts_with_all = ["quick", "shard"])]
+    pub(crate) kept: bool,
     /// Processor minutes of `search` [default: 2].
     #[arg(long, value_name = "M", requires = "name")]
     pub(crate) minutes: Option<f64>,

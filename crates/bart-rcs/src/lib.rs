@@ -62,7 +62,7 @@ pub use detail::tracer::Tracer;
 pub use frame::expected_work::ExpectedWork;
 pub use frame::left_out::echo_parts::{EchoParts, ORDERS as ORDERS_OF_PARTS, RoadParts};
 pub use frame::path::FrameSurroundings;
-pub use frame::path_plan::{MOMENTS_MAX, is_full};
+pub use frame::path_plan::{MOMENTS_MAX, paths_are_at_limit};
 pub use frame::path_sum::{PathView, scattering_of_paths};
 pub use frame::path_table::{element_offset_m, largest_cell_m};
 pub use geometry::antenna::Antenna;

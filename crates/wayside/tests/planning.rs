@@ -30,6 +30,21 @@ fn a_plan_tells_each_part_with_its_share_and_what_it_leaves_out_keeps_the_budget
     assert!(of("bounces") >= 2.0, "a corner reflector needs its second and third order: {plan}");
 }
 
+/// The number before ` s` that follows a mark.
+fn seconds_behind(told: &str, mark: &str) -> f64 {
+    let behind = told.split_once(mark).unwrap().1;
+    behind.split_once(" s").unwrap().0.trim().parse().unwrap()
+}
+
+#[test]
+fn seconds_of_a_plan_are_those_of_this_machine_as_the_dry_run_tells_them() {
+    let place = Workplace::new();
+    let told = place.run("run small.toml --accuracy-db -30 --dry-run --no-cache");
+    let (of_plan, of_run) = (seconds_behind(&told, "; about "), seconds_behind(&told, "frames: "));
+    // Both are rounded, to a tenth and to two digits.
+    assert!((of_plan - of_run).abs() <= 0.06 + 0.06 * of_run, "{of_plan} and {of_run}: {told}");
+}
+
 #[test]
 fn a_planned_run_is_the_run_of_a_scene_that_says_the_same_to_the_byte() {
     let place = Workplace::new();

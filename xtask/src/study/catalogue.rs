@@ -33,8 +33,8 @@ pub(crate) struct Study {
 enum Make {
     /// A part of its page.
     Part(MakePart),
-    /// A part of its page, whose rows are kept and can be made in shares.
-    Rows(MakePart, MakeRows),
+    /// A part of its page, whose rows are kept: all of them, those that are kept, and a share of them.
+    Rows { all: MakePart, kept: MakePart, share: MakeRows },
     /// A page, with a table and pictures.
     Whole(fn(&StudyArguments) -> Result<(), Failure>),
     /// A row of a ledger that stands on its page.
@@ -79,7 +79,7 @@ pub(crate) const STUDIES: [Study; 29] = [
         page: "docs/validation/planner.md",
         takes: "a day",
         sources: planner::SOURCES,
-        make: Make::Rows(planner::part, planner::rows),
+        make: Make::Rows { all: planner::part, kept: planner::part_of_kept, share: planner::rows },
     },
     part("false-alarms", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_complex_samples),
     part("false-alarms-real", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_real_samples),
@@ -176,9 +176,13 @@ pub(crate) fn run(arguments: &PageArguments) -> Result<(), Failure> {
     let unknown =
         || Failure::Refused(format!("there is no study `{name}`; `cargo xtask study` tells of all"));
     let study = by_name(name).ok_or_else(unknown)?;
+    let keeps_none =
+        |word: &str| Err(Failure::Refused(format!("{word}: `{name}` keeps no rows; `planner` does")));
     match (&study.make, arguments.shard) {
-        (Make::Rows(_, rows), Some(shard)) => rows(extent(arguments), shard),
-        (_, Some(_)) => Err(Failure::Refused(format!("--shard: `{name}` keeps no rows; `planner` does"))),
+        (Make::Rows { share, .. }, Some(shard)) => share(extent(arguments), shard),
+        (Make::Rows { kept, .. }, None) if arguments.kept => study.make_part(*kept, arguments),
+        (_, Some(_)) => keeps_none("--shard"),
+        (_, None) if arguments.kept => keeps_none("--kept"),
         (make, None) => study.make(make, arguments),
     }
 }
@@ -207,7 +211,7 @@ impl Study {
     fn make(&self, make: &Make, arguments: &PageArguments) -> Result<(), Failure> {
         match make {
             Make::Ledger => self.enter_search(arguments),
-            Make::Part(make) | Make::Rows(make, _) => self.make_part(*make, arguments),
+            Make::Part(make) | Make::Rows { all: make, .. } => self.make_part(*make, arguments),
             Make::Whole(make) => make(&StudyArguments {
                 quick: arguments.quick,
                 out: arguments.out.clone(),
@@ -267,10 +271,12 @@ mod tests {
     #[test]
     fn shares_of_rows_are_refused_by_name_where_none_are_kept() {
         let shard = Some(Shard { number: 1, of: 2 });
-        let name = Some("wheels".to_owned());
-        let asked = PageArguments { name, quick: true, out: None, shard, minutes: None, seed: None };
-        let refused = run(&asked).unwrap_err().to_string();
-        assert!(refused.contains("`wheels` keeps no rows"), "{refused}");
+        for (word, quick, shard, kept) in [("--shard", true, shard, false), ("--kept", false, None, true)] {
+            let name = Some("wheels".to_owned());
+            let asked = PageArguments { name, quick, out: None, shard, kept, minutes: None, seed: None };
+            let refused = run(&asked).unwrap_err().to_string();
+            assert!(refused.contains(word) && refused.contains("`wheels` keeps no rows"), "{refused}");
+        }
     }
 
     #[test]

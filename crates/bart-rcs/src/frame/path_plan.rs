@@ -27,7 +27,7 @@ pub(crate) const PATHS_MAX: usize = 2_000_000;
 
 /// Whether a frame of so many moments and paths may have so many paths that no finer grid of moments was
 /// tried: were all of them on ways that change, they would be more than a frame may have.
-pub fn is_full(moments: u32, paths: u64) -> bool {
+pub fn paths_are_at_limit(moments: u32, paths: u64) -> bool {
     let finer = if moments == 1 { MOMENTS_LEAST } else { 2 * moments - 1 };
     moments < MOMENTS_MAX && paths / u64::from(moments) * u64::from(finer) > PATHS_MAX as u64
 }

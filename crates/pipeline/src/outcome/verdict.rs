@@ -260,7 +260,7 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
 /// Explains freezing in a frame whose ways between bodies were looked at, at several moments: it keeps one
 /// where more did not help, or would have been too many paths.
 fn of_moments(moments: u32, paths: u64) -> (&'static str, &'static str) {
-    if bart_rcs::is_full(moments, paths) {
+    if bart_rcs::paths_are_at_limit(moments, paths) {
         (
             "moving bodies are so near that more moments of the frame would be more paths than are held",
             "a shorter frame (fewer chirps, shorter intervals), or a looser accuracy, which larger cells meet",

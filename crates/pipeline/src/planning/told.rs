@@ -79,6 +79,18 @@ impl PlanFigures {
         }
     }
 
+    /// The same plan with the seconds of a machine so many times as fast as that of the rates
+    /// ([`machine_speed`](crate::chain::expectation::machine_speed)).
+    pub fn at_speed(&self, machine_speed: f64) -> Self {
+        let mut here = self.clone();
+        here.processor_s /= machine_speed;
+        here.as_said_processor_s /= machine_speed;
+        for seconds in here.parts.iter_mut().filter_map(|part| part.processor_s.as_mut()) {
+            *seconds /= machine_speed;
+        }
+        here
+    }
+
     /// Lines of the plan: what is spent, and each part with its share and its cost.
     pub fn lines(&self) -> Vec<String> {
         let mut lines = vec![self.first_line()];

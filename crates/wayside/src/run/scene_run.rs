@@ -21,7 +21,6 @@ use pipeline::outcome::frame_truth::frame_truth;
 use pipeline::outcome::summary::{FrameSummary, Metrics, RadarsSummary, Summary};
 use pipeline::outcome::told;
 use pipeline::outcome::tracking::Tracking;
-use pipeline::planning::told::PlanFigures;
 use pipeline::planning::{self, PlannedScene};
 use reporting::report::figures::Figures;
 use reporting::report::{self, Making};
@@ -202,8 +201,9 @@ fn one_radar(
     let loaded = &planned.loaded;
     let chain = Chain::of(&loaded.header, cache, model, settings.memory);
     let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|i| chain.plan(i)).collect();
-    if settings.explain || settings.dry_run {
-        planned.plan.iter().flat_map(PlanFigures::lines).for_each(|line| (settings.tell)(&line));
+    if let Some(plan) = planned.plan.as_ref().filter(|_| settings.explain || settings.dry_run) {
+        let machine_speed = expectation::machine_speed::of_this_machine(cache)?;
+        plan.at_speed(machine_speed).lines().iter().for_each(|line| (settings.tell)(line));
     }
     if settings.explain {
         let verdict = if loaded.cached { "cached" } else { "runs: a file it reads is new or changed" };

@@ -8,7 +8,10 @@ mod trial; // a plan, its truth, and other settings
 use crate::study::extent::Extent;
 use crate::study::pages::part::Part;
 use crate::study::sources::{self, CHAIN, Places};
+use drawn::Drawn;
 use kept::Kept;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use trial::{Searched, Trial};
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
@@ -28,8 +31,18 @@ const SCENES: u64 = 200;
 const SEARCHED_DB: [f64; 3] = [-10.0, -15.0, -20.0];
 const SEARCHED: u64 = 10;
 
+/// All rows, which are made where they are not kept.
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    let (mut part, rows) = (Part::default(), Rows::of(extent)?);
+    part_of(&Rows::of(extent, Missing::IsMade)?)
+}
+
+/// The rows that are kept, and how many are not.
+pub(crate) fn part_of_kept(extent: Extent) -> Result<Part, Failure> {
+    part_of(&Rows::of(extent, Missing::IsLeftOut)?)
+}
+
+fn part_of(rows: &Rows) -> Result<Part, Failure> {
+    let mut part = Part::default();
     let columns = [
         "scene",
         "asked",
@@ -50,14 +63,19 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
         part.row(&trial.cells());
         trials.push(trial);
     }
-    told(&mut part, &trials);
-    searched(&mut part, &rows)?;
+    if !trials.is_empty() {
+        told(&mut part, &trials);
+    }
+    searched(&mut part, rows)?;
+    if let Some(line) = rows.told_missing() {
+        part.line(line);
+    }
     Ok(part)
 }
 
 /// Makes every `of`th row from `number` on, and keeps it: so much of the page is there when it is made.
 pub(crate) fn rows(extent: Extent, shard: Shard) -> Result<(), Failure> {
-    let rows = Rows::of(extent)?;
+    let rows = Rows::of(extent, Missing::IsMade)?;
     let is_ours = |index: &u64| index % u64::from(shard.of) == u64::from(shard.number - 1);
     let work = Work::begin("rows");
     let count = rows.scenes + rows.searched;
@@ -71,29 +89,67 @@ pub(crate) fn rows(extent: Extent, shard: Shard) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Rows that are not kept.
+#[derive(Clone, Copy, PartialEq)]
+enum Missing {
+    IsMade,
+    IsLeftOut,
+}
+
 /// Rows of both tables: made, or read where they are kept.
 struct Rows {
     kept: Kept,
+    missing: Missing,
     scenes: u64,
     searched: u64,
 }
 
 impl Rows {
-    fn of(extent: Extent) -> Result<Self, Failure> {
+    fn of(extent: Extent, missing: Missing) -> Result<Self, Failure> {
         let kept = Kept::of(&sources::hash(SOURCES)?);
-        Ok(Self { kept, scenes: extent.of(SCENES), searched: extent.of(SEARCHED) })
+        Ok(Self { kept, missing, scenes: extent.of(SCENES), searched: extent.of(SEARCHED) })
     }
 
-    /// `None` where nothing scatters, or a real vehicle is not here.
+    /// `None` where nothing scatters, where a real vehicle is not here, or the row is not kept and none is
+    /// made.
     fn trial(&self, number: u64) -> Result<Option<Trial>, Failure> {
-        let Some(scene) = drawn::scene(1, number, in_turn(&ASKED_DB, number)) else { return Ok(None) };
-        self.kept.or_made(&scene.name, || Trial::of(&scene))
+        self.row(trial_scene(number), Trial::of)
     }
 
+    /// As [`Self::trial`].
     fn search(&self, number: u64) -> Result<Option<Searched>, Failure> {
-        let Some(scene) = drawn::scene(2, number, in_turn(&SEARCHED_DB, number)) else { return Ok(None) };
-        self.kept.or_made(&scene.name, || Searched::of(&scene))
+        self.row(searched_scene(number), Searched::of)
     }
+
+    fn row<R: Serialize + DeserializeOwned>(
+        &self,
+        scene: Option<Drawn>,
+        make: impl FnOnce(&Drawn) -> Result<Option<R>, Failure>,
+    ) -> Result<Option<R>, Failure> {
+        let Some(scene) = scene else { return Ok(None) };
+        if self.missing == Missing::IsLeftOut {
+            return Ok(self.kept.row::<Option<R>>(&scene.name).flatten());
+        }
+        self.kept.or_made(&scene.name, || make(&scene))
+    }
+
+    /// Sentence on the rows that are not there; `None` where all are.
+    fn told_missing(&self) -> Option<String> {
+        let is_missing = |scene: &Drawn| self.kept.row::<serde_json::Value>(&scene.name).is_none();
+        let trials = (0..self.scenes).filter_map(trial_scene).filter(is_missing).count();
+        let searched = (0..self.searched).filter_map(searched_scene).filter(is_missing).count();
+        let all = format!("Of {} scenes {trials} are not in the first table", self.scenes);
+        (trials + searched > 0)
+            .then(|| format!("\n{all}, of {} {searched} not in the second.", self.searched))
+    }
+}
+
+fn trial_scene(number: u64) -> Option<Drawn> {
+    drawn::scene(1, number, in_turn(&ASKED_DB, number))
+}
+
+fn searched_scene(number: u64) -> Option<Drawn> {
+    drawn::scene(2, number, in_turn(&SEARCHED_DB, number))
 }
 
 fn in_turn(all_db: &[f64], number: u64) -> f64 {

@@ -30,7 +30,7 @@ const MEASURED_S: f64 = 0.5;
 
 /// 1 for the machine of the rates, 2 for one twice as fast; 1 where the system does not tell what a process
 /// took.
-pub(super) fn of_this_machine(cache: Option<&Cache>) -> Result<f64, Failure> {
+pub fn of_this_machine(cache: Option<&Cache>) -> Result<f64, Failure> {
     let key = key();
     if let Some(known) = cache.and_then(|c| c.get::<MachineSpeed>(Stage::BartRcs, &key)).filter(is_sound) {
         return Ok(known);

@@ -16,20 +16,27 @@ impl Kept {
         Self { folder: crate::project::project_root().join("out/study-planner").join(sources) }
     }
 
+    /// The row of this name, where it was made.
+    pub(super) fn row<R: DeserializeOwned>(&self, name: &str) -> Option<R> {
+        serde_json::from_slice(&std::fs::read(self.file(name)).ok()?).ok()
+    }
+
     /// The row of this name, or the one that is made now, which is kept.
     pub(super) fn or_made<R: Serialize + DeserializeOwned>(
         &self,
         name: &str,
         make: impl FnOnce() -> Result<R, Failure>,
     ) -> Result<R, Failure> {
-        let file = self.folder.join(format!("{name}.json"));
-        let read = std::fs::read(&file).ok();
-        if let Some(row) = read.and_then(|bytes| serde_json::from_slice(&bytes).ok()) {
+        if let Some(row) = self.row(name) {
             return Ok(row);
         }
         let row = make()?;
         let text = serde_json::to_vec(&row).map_err(|error| Failure::System(error.to_string()))?;
-        files::write_again(&file, &text)?;
+        files::write_again(&self.file(name), &text)?;
         Ok(row)
+    }
+
+    fn file(&self, name: &str) -> PathBuf {
+        self.folder.join(format!("{name}.json"))
     }
 }

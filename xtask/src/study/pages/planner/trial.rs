@@ -6,7 +6,7 @@ use artifact::Accuracy;
 use artifact::paths::PathsFrame;
 use artifact::scene::SceneHeader;
 use artifact::settings::{BetweenBodies, Edges};
-use artifact::units::db_from_amplitude;
+use artifact::units::{LOWEST_DB, db_from_amplitude};
 use bart_rcs::{FrameSurroundings, PathView, Tracer, scattering_of_paths, usual_road};
 use glam::DVec3;
 use num_complex::Complex64;
@@ -61,7 +61,10 @@ impl Trial {
             db(self.plan.spent_db),
             self.plan.limited_by.clone(),
             self.plan.bounces.to_string(),
-            db(self.plan.left_out_db),
+            match self.plan.left_out_db {
+                left_out_db if left_out_db <= LOWEST_DB => "nothing".into(),
+                left_out_db => db(left_out_db),
+            },
             db(self.true_db),
             seconds(self.planned_s),
             seconds(self.as_said_s),
