@@ -269,7 +269,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn shares_of_rows_are_refused_by_name_where_none_are_kept() {
+    fn kept_rows_and_shares_of_rows_are_refused_by_name_where_none_are_kept() {
         let shard = Some(Shard { number: 1, of: 2 });
         for (word, quick, shard, kept) in [("--shard", true, shard, false), ("--kept", false, None, true)] {
             let name = Some("wheels".to_owned());

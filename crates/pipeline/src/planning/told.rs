@@ -79,9 +79,8 @@ impl PlanFigures {
         }
     }
 
-    /// The same plan with the seconds of a machine so many times as fast as that of the rates
-    /// ([`machine_speed`](crate::chain::expectation::machine_speed)).
-    pub fn at_speed(&self, machine_speed: f64) -> Self {
+    /// The same plan with the seconds of a machine so many times as fast as that of the rates.
+    fn at_speed(&self, machine_speed: f64) -> Self {
         let mut here = self.clone();
         here.processor_s /= machine_speed;
         here.as_said_processor_s /= machine_speed;
@@ -91,18 +90,21 @@ impl PlanFigures {
         here
     }
 
-    /// Lines of the plan: what is spent, and each part with its share and its cost.
-    pub fn lines(&self) -> Vec<String> {
+    /// Lines of the plan: what is spent, and each part with its share and its cost, in seconds of a machine
+    /// so many times as fast as that of the rates
+    /// ([`machine_speed`](crate::chain::expectation::machine_speed)).
+    pub fn lines(&self, machine_speed: f64) -> Vec<String> {
+        let here = self.at_speed(machine_speed);
         let mut lines = vec![self.first_line()];
-        lines.extend(self.parts.iter().map(PartFigures::line));
+        lines.extend(here.parts.iter().map(PartFigures::line));
         lines.push(format!(
             "plan: {} bounces, integrals and cells to {}, errors measured in every {}; about {} of processor \
              time, {} as the scene stands",
             self.bounces,
             level(Some(self.numerical_db)),
             frames(self.measured_every),
-            spent(self.processor_s),
-            spent(self.as_said_processor_s),
+            spent(here.processor_s),
+            spent(here.as_said_processor_s),
         ));
         lines
     }

@@ -203,7 +203,7 @@ fn one_radar(
     let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|i| chain.plan(i)).collect();
     if let Some(plan) = planned.plan.as_ref().filter(|_| settings.explain || settings.dry_run) {
         let machine_speed = expectation::machine_speed::of_this_machine(cache)?;
-        plan.at_speed(machine_speed).lines().iter().for_each(|line| (settings.tell)(line));
+        plan.lines(machine_speed).iter().for_each(|line| (settings.tell)(line));
     }
     if settings.explain {
         let verdict = if loaded.cached { "cached" } else { "runs: a file it reads is new or changed" };

@@ -116,7 +116,7 @@ impl Rows {
         self.row(trial_scene(number), Trial::of)
     }
 
-    /// As [`Self::trial`].
+    /// The same of the second table.
     fn search(&self, number: u64) -> Result<Option<Searched>, Failure> {
         self.row(searched_scene(number), Searched::of)
     }
@@ -135,9 +135,8 @@ impl Rows {
 
     /// Sentence on the rows that are not there; `None` where all are.
     fn told_missing(&self) -> Option<String> {
-        let is_missing = |scene: &Drawn| self.kept.row::<serde_json::Value>(&scene.name).is_none();
-        let trials = (0..self.scenes).filter_map(trial_scene).filter(is_missing).count();
-        let searched = (0..self.searched).filter_map(searched_scene).filter(is_missing).count();
+        let trials = self.kept.missing::<Option<Trial>>((0..self.scenes).filter_map(trial_scene));
+        let searched = self.kept.missing::<Option<Searched>>((0..self.searched).filter_map(searched_scene));
         let all = format!("Of {} scenes {trials} are not in the first table", self.scenes);
         (trials + searched > 0)
             .then(|| format!("\n{all}, of {} {searched} not in the second.", self.searched))

@@ -1,5 +1,6 @@
 //! Rows that an earlier run of the same sources has made: a study that is ended goes on where it was.
 
+use super::drawn::Drawn;
 use serde::{Serialize, de::DeserializeOwned};
 use std::path::PathBuf;
 use wayside::host::failure::Failure;
@@ -19,6 +20,11 @@ impl Kept {
     /// The row of this name, where it was made.
     pub(super) fn row<R: DeserializeOwned>(&self, name: &str) -> Option<R> {
         serde_json::from_slice(&std::fs::read(self.file(name)).ok()?).ok()
+    }
+
+    /// Number of the scenes whose row was not made.
+    pub(super) fn missing<R: DeserializeOwned>(&self, scenes: impl Iterator<Item = Drawn>) -> usize {
+        scenes.filter(|scene| self.row::<R>(&scene.name).is_none()).count()
     }
 
     /// The row of this name, or the one that is made now, which is kept.

@@ -53,7 +53,10 @@ impl Trial {
     }
 
     pub(super) fn cells(&self) -> [String; 9] {
-        let db = |db: f64| format!("{db:.1}").replace('-', "−");
+        let db = |db: f64| match db <= LOWEST_DB {
+            true => "nothing".into(),
+            false => format!("{db:.1}").replace('-', "−"),
+        };
         let seconds = |s: f64| format!("{s:.1}");
         [
             self.name.clone(),
@@ -61,10 +64,7 @@ impl Trial {
             db(self.plan.spent_db),
             self.plan.limited_by.clone(),
             self.plan.bounces.to_string(),
-            match self.plan.left_out_db {
-                left_out_db if left_out_db <= LOWEST_DB => "nothing".into(),
-                left_out_db => db(left_out_db),
-            },
+            db(self.plan.left_out_db),
             db(self.true_db),
             seconds(self.planned_s),
             seconds(self.as_said_s),
