@@ -13,6 +13,6 @@ pub mod looks;
 pub mod measured_frames;
 pub mod frame_result;
 pub mod link;
-pub mod cycles;
+pub mod frames;
 pub mod memory_estimate;
 pub mod expectation;

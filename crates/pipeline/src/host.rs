@@ -15,3 +15,4 @@ pub mod origin;
 pub mod beside;
 pub mod toml_text;
 pub mod side_by_side;
+pub mod in_order;

@@ -37,7 +37,10 @@ pub fn png(picture: &Svg) -> Result<Vec<u8>, PlottingError> {
         }
     }
     let size = [pixels.width() as usize, pixels.height() as usize];
-    encode(Pixels::Rgba, size, &pixels.take_demultiplied())
+    // On white paper every pixel is opaque.
+    let colours: Vec<u8> =
+        pixels.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+    encode(Pixels::Rgb, size, &colours)
 }
 
 /// Stretches a PNG over a rectangle of the drawing.

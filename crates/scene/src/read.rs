@@ -13,7 +13,9 @@ use crate::models::library::Models;
 use crate::models::options::{Meshes, ReadOptions};
 use crate::radar::radars::{self, read_name};
 use crate::radar::read_radar::{read_frames, read_radar};
-use crate::settings::{read_dsp, read_fidelity, read_intersection, read_noise, read_own_road};
+use crate::settings::{
+    check_beside_road, read_dsp, read_fidelity, read_intersection, read_noise, read_own_road,
+};
 use crate::targets::target::read_targets;
 use crate::traffic::read_traffic;
 use artifact::scene::SceneHeader;
@@ -132,6 +134,9 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let frames = traffic.as_ref().map_or(frames, |traffic| (traffic.frames.len() as u32).max(1) * sub_frames);
     let fidelity = read_fidelity(&fidelity_section);
     let (road, backscatter) = read_road(root, &radar, fidelity.echo, models);
+    if road.is_some() {
+        check_beside_road(&fidelity_section, &fidelity);
+    }
     SceneHeader {
         name: String::new(),
         seed: root.or_default(&SEED),

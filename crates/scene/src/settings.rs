@@ -25,7 +25,7 @@ use artifact::Accuracy;
 use artifact::goal::Goal;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
-use artifact::settings::{DspSettings, EchoMode, Fidelity, Lane, Lanes, Noise, Refine, Wheels};
+use artifact::settings::{DspSettings, EchoMode, Fidelity, Lane, Lanes, Noise, Refine, Sides, Wheels};
 use num_complex::Complex64;
 
 /// The receiver's noise; absent without `[noise]`.
@@ -145,6 +145,18 @@ pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
 fn check_wheels(section: &Section<'_>, wheels: Wheels, echo: EchoMode) {
     if (wheels, echo) == (Wheels::Turning, EchoMode::RcsTable) {
         section.note(WHEELS.name, Rule::Contradiction { key: WHEELS.name, other: "echo = \"rcs-table\"" });
+    }
+}
+
+/// What mirrors of the road cannot go with: their images are lit on both sides of facets, and tables are those
+/// of bodies alone.
+pub(crate) fn check_beside_road(section: &Section<'_>, fidelity: &Fidelity) {
+    let excluded = |key: &'static str| section.note(key, Rule::Contradiction { key, other: "[road]" });
+    if fidelity.sides == Sides::One {
+        excluded(SIDES.name);
+    }
+    if fidelity.echo == EchoMode::RcsTable {
+        excluded(ECHO.name);
     }
 }
 

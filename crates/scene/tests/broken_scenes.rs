@@ -142,6 +142,8 @@ const CASES: &[Case] = &[
     (NAME, "[fidelity]\necho = \"table\"\n", "3:8", "it can be `paths`, `rcs-table`"),
     (NAME, "[fidelity]\nwheels = \"round\"\n", "3:10", "`wheels` cannot be `round`; it can be `still`, `turning`"),
     (NAME, "[fidelity]\necho = \"rcs-table\"\nwheels = \"turning\"\n", "4:10", "`wheels` and `echo = \"rcs-table\"` exclude one another"),
+    (NAME, "[fidelity]\nsides = \"one\"\n[road]\n", "3:9", "`sides` and `[road]` exclude one another"),
+    (NAME, "[road]\n[fidelity]\necho = \"rcs-table\"\n", "4:8", "`echo` and `[road]` exclude one another"),
     (NAME, "[intersection]\nlane_centres_m = [2, 5]\n", "3:18", "lanes 1 and 2 overlap: centres 3 m apart, 3.75 m wide"),
     (NAME, "[intersection]\nlane_width_m = 0\n", "3:16", "`lane_width_m` must be a number above 0"),
     // Targets.
@@ -180,7 +182,7 @@ const CASES: &[Case] = &[
     (NAME, "[road]\nbackscatter_gamma_db = -20\n", "3:24", "`backscatter_gamma_db` needs `backscatter = \"floor\"` beside it"),
     (NAME, "[road]\nbackscatter = \"floor\"\nbackscatter_gamma_db = 40\n", "4:24", "`backscatter_gamma_db` must be a number from -100 to 30, is 40"),
     (NAME, "[road]\nbackscatter = \"floor\"\n[radar.array]\npolarization = \"vh\"\n", "3:15", "`backscatter` and `a cross polarization` exclude one another"),
-    (NAME, "[road]\nbackscatter = \"floor\"\n[fidelity]\necho = \"rcs-table\"\n", "3:15", "`backscatter` and `echo = \"rcs-table\"` exclude one another"),
+    (NAME, "[road]\nmirror = \"off\"\nbackscatter = \"floor\"\n[fidelity]\necho = \"rcs-table\"\n", "4:15", "`backscatter` and `echo = \"rcs-table\"` exclude one another"),
     (NAME, "[road]\nbackscatter = \"floor\"\n[radar]\nposition_m = [0, 0, 0]\n", "3:15", "`backscatter` and `a radar that is not above the road` exclude one another"),
     // Clutter.
     (NAME, "[[clutter]]\nmodel = \"pole\"\nposition_m = [0, 9, 0]\n", "2:1", "clutter `#1`: key `id` is missing"),

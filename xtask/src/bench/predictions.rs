@@ -153,7 +153,7 @@ fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, Load, usize
     let chain = Chain::of(&loaded.header, None, model.as_ref(), Allowance::of(None));
     let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|index| chain.plan(index)).collect();
     let expected = Expectation::at_speed(&chain, None, &plans, machine_speed)?;
-    Ok((expected, chain.largest_load(&plans)?, chain.side_by_side(&plans)?))
+    Ok((expected, chain.largest_load(&plans)?, chain.frames_at_once(&plans)?.workers))
 }
 
 fn line(row: &PredictionRow) -> String {

@@ -46,7 +46,7 @@ pub(super) fn scene(
 /// One frame with all of its vehicles.
 pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &SeenFrame) -> Value {
     let result = &seen.products.result;
-    let paths = result.paths.as_ref();
+    let paths = result.scattering.paths();
     let verdict =
         Verdict::of_paths(&staged.header.fidelity, &result.error, paths).beside(&result.model_error);
     let told = staged.vehicles.iter().zip(&seen.truths).zip(&seen.object_of).enumerate();

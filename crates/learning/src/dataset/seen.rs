@@ -15,7 +15,7 @@ pub(super) struct SeenFrame {
 /// Pairs the vehicles of a frame with its objects.
 pub(super) fn seen(staged: &Staged, products: FrameProducts) -> SeenFrame {
     let result = &products.result;
-    let truths = truths(&staged.header, &result.scene, result.paths.as_ref());
+    let truths = truths(&staged.header, &result.scene, result.scattering.paths());
     let object_of = Pairing::of(&truths, &result.points.objects, &Reach::of(&staged.header)).object_of;
     SeenFrame { products, truths, object_of }
 }

@@ -5,14 +5,41 @@ use crate::chain::told_class::ClassRule;
 use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::paths::PathsFrame;
 use artifact::points::PointsFrame;
+use artifact::rcs::RcsFrame;
 use artifact::scene::SceneFrame;
+
+/// Scattering of one frame, which the tracer hands to the echo: paths, or tables of bodies.
+pub enum Scattering {
+    /// Paths from the transmitter over the bodies to the receiver.
+    Paths(PathsFrame),
+    /// Far-field tables of the bodies.
+    Tables(RcsFrame),
+}
+
+impl Scattering {
+    /// Numerical errors, and what the model leaves out.
+    pub fn error(&self) -> (ErrorBudget, ModelError) {
+        match self {
+            Self::Paths(frame) => (frame.error, frame.model_error),
+            Self::Tables(frame) => (frame.error, frame.model_error),
+        }
+    }
+
+    /// Paths of the frame; `None` of tables.
+    pub fn paths(&self) -> Option<&PathsFrame> {
+        match self {
+            Self::Paths(frame) => Some(frame),
+            Self::Tables(_) => None,
+        }
+    }
+}
 
 /// Result of one frame: points, classes, errors, time and memory, beside the scene and its paths.
 pub struct FrameResult {
     /// Poses of the bodies in this frame.
     pub scene: SceneFrame,
-    /// Paths that the echo is made of; `None` of tables.
-    pub paths: Option<PathsFrame>,
+    /// Paths or tables that the echo is made of, as the tracer made them.
+    pub scattering: Scattering,
     /// Points and objects.
     pub points: PointsFrame,
     /// Probabilities of each object, in the order of [`Class::ALL`]; empty without a classifier.

@@ -8,7 +8,7 @@ use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::{Detail, EchoMode, Fidelity, Noise};
 
 /// Everything that one frame of one stage depends on.
-#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub struct Key {
     /// Name and fingerprint of each part.
     pub(crate) parts: Vec<(String, String)>,

@@ -2,7 +2,7 @@
 //! where it is there. What goes into a stage is what its artifact holds, nothing else.
 
 use crate::chain::cache::Cache;
-use crate::chain::frame_result::FrameResult;
+use crate::chain::frame_result::{FrameResult, Scattering};
 use crate::chain::keys::{FrameKeys, SceneParts, cube_header, echo_header};
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::looks::{Look, Looks};
@@ -14,6 +14,7 @@ use crate::host::failure::Failure;
 use crate::host::memory::{self, Allowance};
 use crate::host::origin;
 use crate::host::progress::{self, Work};
+use artifact::Schema;
 use artifact::classes::{Classes, ClassesFrame};
 use artifact::cube::{Cube, CubeFrame, CubeHeader};
 use artifact::paths::{Paths, PathsFrame, PathsHeader};
@@ -22,44 +23,15 @@ use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::{Class, EchoMode};
-use artifact::{ErrorBudget, ModelError, Schema};
 use bart_rcs::FrameSurroundings;
 use fmcw_echo::EchoError;
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
-/// Scattering of one frame, which the tracer hands to the echo: paths, or tables of bodies.
-pub enum Scattering {
-    /// Paths from the transmitter over the bodies to the receiver.
-    Paths(PathsFrame),
-    /// Far-field tables of the bodies.
-    Tables(RcsFrame),
-}
-
-impl Scattering {
-    /// Numerical errors, and what the model leaves out.
-    pub fn error(&self) -> (ErrorBudget, ModelError) {
-        match self {
-            Self::Paths(frame) => (frame.error, frame.model_error),
-            Self::Tables(frame) => (frame.error, frame.model_error),
-        }
-    }
-
-    /// Paths of the frame; `None` of tables.
-    pub fn paths(&self) -> Option<&PathsFrame> {
-        match self {
-            Self::Paths(frame) => Some(frame),
-            Self::Tables(_) => None,
-        }
-    }
-}
-
 /// All artifacts of one frame.
 pub struct FrameProducts {
     /// The scene as this frame has it: vehicles in view are targets.
     pub view: SceneHeader,
-    /// Paths or tables, as the tracer made them.
-    pub scattering: Scattering,
     /// IF samples, √W.
     pub cube: CubeFrame,
     /// Range-Doppler maps with the cells that were found.
@@ -153,25 +125,26 @@ impl<'a> Chain<'a> {
         FramePlan::of(self.cache, self.header, index, keys)
     }
 
+    /// Plans of all frames.
+    pub fn plans(&self) -> Vec<FramePlan> {
+        (0..self.header.frames).map(|index| self.plan(index)).collect()
+    }
+
     /// Computes what the plan lacks.
     pub fn frame(&self, plan: &FramePlan) -> Result<FrameProducts, Failure> {
         let scene = scene::snapshot(self.header, plan.index);
         let mut log = Log::default();
-        let scattering = log.time(Stage::BartRcs, || self.scattering(plan, &scene))?;
+        let scattering = log.time(Stage::BartRcs, || self.scattering_step(plan, &scene))?;
         let cube = log.time(Stage::FmcwEcho, || self.cube(plan, &scene, &scattering))?;
         let (rdm, points) = log.time(Stage::Dsp, || self.maps(plan, &cube))?;
         let classes = log.time(Stage::Classifier, || self.classes(plan, &rdm, &points))?;
         let (error, model_error) = scattering.error();
-        let paths = match &scattering {
-            Scattering::Paths(frame) => Some(frame.clone()),
-            Scattering::Tables(_) => None,
-        };
         let error = error.joined(cube.error);
         let memory_estimate_mib = self.memory_estimate_mib(plan)?;
         let (Log { seconds, cached }, rule) = (log, self.class_rule());
         let result = FrameResult {
             scene,
-            paths,
+            scattering,
             points,
             classes,
             rule,
@@ -181,7 +154,7 @@ impl<'a> Chain<'a> {
             cached,
             memory_estimate_mib,
         };
-        Ok(FrameProducts { view: scene::frame_view(self.header, plan.index), scattering, cube, rdm, result })
+        Ok(FrameProducts { view: scene::frame_view(self.header, plan.index), cube, rdm, result })
     }
 
     /// Triangles of all bodies in view of a frame, points counting as one.
@@ -267,7 +240,11 @@ impl<'a> Chain<'a> {
 
     /// Paths or tables of one frame; a frame whose bodies stand and move as in another one has that one's,
     /// found in the cache.
-    pub fn scattering(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<Step<Scattering>, Failure> {
+    pub fn scattering(&self, plan: &FramePlan) -> Result<Scattering, Failure> {
+        Ok(self.scattering_step(plan, &scene::snapshot(self.header, plan.index))?.value)
+    }
+
+    fn scattering_step(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<Step<Scattering>, Failure> {
         let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
         match self.header.fidelity.echo {
             EchoMode::Paths => {
@@ -290,19 +267,24 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Measured, or like the frame that was.
+    /// Measured, or like the frame that was. Where nothing moved in between it is that one, as in the cache.
     fn paths(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
         let (view, tracer) = (scene::frame_view(self.header, scene.index), self.tracer(plan)?);
         let measured_in = self.header.measured_in(scene.index);
-        let in_this_scene =
-            || (measured_in != scene.index).then(|| self.measured_frame(measured_in)).transpose();
-        let measured = match self.measured.taken_over(measured_in) {
-            Some(known) => Some(known),
-            None => in_this_scene()?,
+        let of_another_scene = self.measured.taken_over(measured_in);
+        let in_this_scene = match &of_another_scene {
+            None if measured_in != scene.index => Some(self.measured_frame(measured_in)?),
+            _ => None,
         };
+        let measured = of_another_scene.as_ref().or(in_this_scene.as_ref());
         let progress = &Work::begin(format!("frame {}, paths", scene.index));
-        let surroundings = FrameSurroundings { like: measured.as_deref(), progress };
-        tracer.paths(&view, scene, &surroundings).map_err(Failure::refused)
+        let surroundings = FrameSurroundings { like: measured.map(Arc::as_ref), progress };
+        let frame = tracer.paths(&view, scene, &surroundings).map_err(Failure::refused)?;
+        let stands = |_: &&Arc<PathsFrame>| self.plan(measured_in).keys.bart_rcs == plan.keys.bart_rcs;
+        Ok(match in_this_scene.as_ref().filter(stands) {
+            Some(same) => PathsFrame { trace: same.trace.clone(), ..frame },
+            None => frame,
+        })
     }
 
     /// Paths frame, without its paths, in which errors were measured; computed where no earlier frame of this
@@ -311,7 +293,7 @@ impl<'a> Chain<'a> {
         if let Some(known) = self.measured.get(index) {
             return Ok(known);
         }
-        self.scattering(&self.plan(index), &scene::snapshot(self.header, index))?;
+        self.scattering(&self.plan(index))?;
         self.measured.get(index).ok_or_else(|| Failure::refused(format!("frame {index} has no paths")))
     }
 
@@ -454,9 +436,8 @@ impl<'a> Chain<'a> {
 }
 
 /// A stage's value and whether it came from the cache.
-pub struct Step<T> {
-    /// Artifact that the stage made or the cache kept.
-    pub value: T,
+struct Step<T> {
+    value: T,
     cached: bool,
 }
 

@@ -9,6 +9,7 @@ use crate::chain::looks::Look;
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
+use crate::host::in_order::AtOnce;
 use crate::host::memory::mib;
 use artifact::paths::Path;
 use artifact::scene::Pose;
@@ -72,22 +73,25 @@ impl Chain<'_> {
     }
 
     /// Memory held at most in a run of these plans, MiB: the program, and the largest frame as often as
-    /// frames are computed side by side; and counts of what is expected to be held ([`Load::held`]).
+    /// frames are held; and counts of what is expected to be held ([`Load::held`]).
     pub(crate) fn memory_of_run(&self, plans: &[FramePlan]) -> Result<(f64, [f64; HELD_KINDS]), Failure> {
-        let at_once = self.side_by_side(plans)? as f64;
+        let AtOnce { workers, held } = self.frames_at_once(plans)?;
         let largest = self.largest_load(plans)?;
         let triangles: usize = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
-        Ok((PROGRAM_MIB + largest.mib() * at_once, largest.held(triangles as f64, at_once)))
+        let most_mib = PROGRAM_MIB + largest.mib() * held as f64;
+        Ok((most_mib, largest.held(triangles as f64, workers as f64)))
     }
 
-    /// Number of frames that are computed at a time: one a thread, as many as are expected to fit into the
-    /// memory that they may take. A frame's own work is in parallel too; what of it is not, is done beside
-    /// another frame.
-    pub fn side_by_side(&self, plans: &[FramePlan]) -> Result<usize, Failure> {
-        let most = rayon::current_num_threads().min(plans.len()).max(1);
-        let Some(limit_mib) = self.memory().mib().filter(|_| most > 1) else { return Ok(most) };
+    /// Number of frames that are computed at a time, one a thread, and that are held, one more: it is written
+    /// while others are computed. As many as are expected to fit into the memory that they may take. A
+    /// frame's own work is in parallel too; what of it is not, is done beside another frame.
+    pub fn frames_at_once(&self, plans: &[FramePlan]) -> Result<AtOnce, Failure> {
+        let threads = rayon::current_num_threads().min(plans.len()).max(1);
+        let most = if threads > 1 { threads + 1 } else { 1 };
+        let of_held = |held: usize| AtOnce { workers: threads.min(held), held };
+        let Some(limit_mib) = self.memory().mib().filter(|_| threads > 1) else { return Ok(of_held(most)) };
         let fitting = (limit_mib / (PROGRAM_MIB + self.largest_load(plans)?.mib())) as usize;
-        Ok(most.min(fitting).max(1))
+        Ok(of_held(most.min(fitting).max(1)))
     }
 
     /// Load of the frame that is expected to hold most.

@@ -7,13 +7,13 @@ use evaluation::{FrameTruth, Origin, origins};
 /// Everything that is true of a frame, its points' origins too.
 pub fn frame_truth(chain: &Chain, frame: &FrameProducts) -> Result<FrameTruth, Failure> {
     let result = &frame.result;
-    let truth = FrameTruth::of(&frame.view, &result.scene, result.paths.as_ref(), &result.points.objects);
+    let truth = FrameTruth::of(&frame.view, &result.scene, result.scattering.paths(), &result.points.objects);
     let bodies = scene::bodies_in_view(chain.header, result.scene.index);
     Ok(FrameTruth { origins: origins_of_points(chain, frame)?, bodies, ..truth })
 }
 
 fn origins_of_points(chain: &Chain, frame: &FrameProducts) -> Result<Vec<Origin>, Failure> {
-    let Some(paths) = &frame.result.paths else { return Ok(vec![]) };
+    let Some(paths) = frame.result.scattering.paths() else { return Ok(vec![]) };
     let header = chain.cube_header.in_frame(frame.result.scene.index);
     let noise = dsp::noise_power(&header, &frame.rdm).map_err(Failure::refused)?;
     let paths = &chain.synthesizer()?.with_ground(paths);

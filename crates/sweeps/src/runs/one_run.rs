@@ -7,7 +7,7 @@ use artifact::envelope::fingerprint;
 use artifact::scene::SceneHeader;
 use artifact::settings::Fidelity;
 use pipeline::chain::cache::Cache;
-use pipeline::chain::cycles::resolved;
+use pipeline::chain::frames::resolved;
 use pipeline::chain::link::Chain;
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::chain::loading;
@@ -59,7 +59,7 @@ pub(crate) fn measured(header: &SceneHeader, means: &Means) -> Result<Measured, 
     let mut keys = vec![];
     for index in 0..header.radar.schedule.sub_frames().min(header.frames) {
         let plan = chain.plan(index);
-        chain.scattering(&plan, &scene::snapshot(header, index))?;
+        chain.scattering(&plan)?;
         keys.push(plan.keys.bart_rcs.id());
     }
     Ok(Measured { known: chain.measured(), hash: fingerprint(&keys) })

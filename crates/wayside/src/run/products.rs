@@ -10,7 +10,8 @@ use artifact::settings::EchoMode;
 use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Writer};
 use evaluation::FrameTruth;
-use pipeline::chain::link::{Chain, FrameProducts, Scattering};
+use pipeline::chain::frame_result::Scattering;
+use pipeline::chain::link::{Chain, FrameProducts};
 use pipeline::chain::loading::provenance;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
@@ -102,7 +103,7 @@ impl Products {
             let (scene, points) = (frame.result.scene.clone(), frame.result.points.clone());
             self.figures.seen.push(Seen { view: frame.view.clone(), scene, points });
         }
-        self.scattering.write(chain.counted_through(frame.scattering))
+        self.scattering.write(chain.counted_through(frame.result.scattering))
     }
 
     /// Puts every artifact in its place and hands out the figures.

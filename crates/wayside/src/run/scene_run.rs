@@ -4,8 +4,8 @@ use crate::run::coarse_meshes;
 use crate::run::products::{self, Products};
 use crate::run::several_radars::{self, Told};
 use pipeline::chain::cache::{Cache, CacheLocation};
-use pipeline::chain::cycles::resolved;
 use pipeline::chain::expectation;
+use pipeline::chain::frames::{each_frame, resolved};
 use pipeline::chain::link::{Chain, FrameProducts};
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::chain::loading::{self, LoadedScene, SceneSource};
@@ -200,7 +200,7 @@ fn one_radar(
 ) -> Result<Option<Told>, Failure> {
     let loaded = &planned.loaded;
     let chain = Chain::of(&loaded.header, cache, model, settings.memory);
-    let plans: Vec<FramePlan> = (0..loaded.header.frames).map(|i| chain.plan(i)).collect();
+    let plans = chain.plans();
     if let Some(plan) = planned.plan.as_ref().filter(|_| settings.explain || settings.dry_run) {
         let machine_speed = expectation::machine_speed::of_this_machine(cache)?;
         plan.lines(machine_speed).iter().for_each(|line| (settings.tell)(line));
@@ -239,7 +239,8 @@ struct Computed {
     metrics: Metrics,
 }
 
-/// A few frames at a time, so that memory does not grow with their number; written in their order.
+/// A few frames at a time, so that memory does not grow with their number; followed and written in their
+/// order while later ones are computed.
 fn compute(
     chain: &Chain,
     loaded: &LoadedScene,
@@ -250,63 +251,34 @@ fn compute(
     let mut products = Products::create(chain, out, &loaded.files)?;
     let mut tracking = Tracking::of(chain)?;
     let (mut frames, mut cycle) = (Vec::new(), Vec::new());
-    let work = Work::begin("frames");
-    let at_once = chain.side_by_side(plans)?;
-    chain.share_memory(at_once);
-    for plans_at_once in plans.chunks(at_once) {
-        settings.call_off.check()?;
-        let first = plans_at_once.first().map_or(0, |plan| plan.index as usize);
-        work.at(first, plans.len());
-        progress::note(format!("frame {} of {}", first + 1, plans.len()));
-        for mut frame in side_by_side(chain, plans_at_once)? {
-            let is_first = frame.result.scene.index == 0;
-            frame.result.seconds.insert(0, (Stage::Scene, if is_first { loaded.seconds } else { 0.0 }));
-            if loaded.cached {
-                frame.result.cached.insert(0, Stage::Scene);
-            }
-            cycle.push(frame);
-            if cycle.len() == chain.header.radar.schedule.sub_frames() as usize {
-                for frame in resolved(chain, std::mem::take(&mut cycle))? {
-                    let truth = frame_truth(chain, &frame)?;
-                    let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
-                    frames.push(FrameSummary::of(&frame.view, &frame.result, &truth, told_of_tracks));
-                    progress::during("artifacts and pictures", || {
-                        products.write(chain, frame, &truth, &tracks)
-                    })?;
-                }
-            }
+    let frame_of = |plan: &FramePlan| {
+        progress::note(format!("frame {} of {}", plan.index + 1, plans.len()));
+        chain.frame(plan)
+    };
+    let write = |frame: FrameProducts| {
+        cycle.push(with_scene(frame, loaded));
+        if cycle.len() < chain.header.radar.schedule.sub_frames() as usize {
+            return Ok(());
         }
-    }
+        resolved(chain, std::mem::take(&mut cycle))?.into_iter().try_for_each(|frame| {
+            let truth = frame_truth(chain, &frame)?;
+            let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
+            frames.push(FrameSummary::of(&frame.view, &frame.result, &truth, told_of_tracks));
+            progress::during("artifacts and pictures", || products.write(chain, frame, &truth, &tracks))
+        })
+    };
+    each_frame(chain, plans, &settings.call_off, frame_of, write)?;
     Ok((Computed { frames, metrics: tracking.metrics() }, products.finish()?))
 }
 
-/// Frames computed at the same time, in their order. Where bodies stand as in another of them, a frame waits
-/// for that one's paths and finds them in the cache; so does one that takes over what is measured in another.
-fn side_by_side(chain: &Chain, plans: &[FramePlan]) -> Result<Vec<FrameProducts>, Failure> {
-    let waits_for = |i: usize, earlier: &FramePlan| {
-        earlier.keys.bart_rcs == plans[i].keys.bart_rcs
-            || earlier.index == chain.header.measured_in(plans[i].index)
-    };
-    let is_new = |i: usize| plans[..i].iter().all(|earlier| !waits_for(i, earlier));
-    let (new, known): (Vec<usize>, Vec<usize>) = (0..plans.len()).partition(|i| is_new(*i));
-    let mut frames = at_once(chain, new.into_iter().map(|i| &plans[i]))?;
-    frames.extend(at_once(chain, known.into_iter().map(|i| &plans[i]))?);
-    frames.sort_by_key(|frame| frame.result.scene.index);
-    Ok(frames)
-}
-
-/// Each frame on a thread of its own: threads of the pool would take up a further frame while they wait for a
-/// part of one, and hold more than was allowed.
-fn at_once<'a>(
-    chain: &Chain,
-    plans: impl Iterator<Item = &'a FramePlan>,
-) -> Result<Vec<FrameProducts>, Failure> {
-    std::thread::scope(|scope| {
-        let threads: Vec<_> = plans.map(|plan| scope.spawn(|| chain.frame(plan))).collect();
-        let joined =
-            threads.into_iter().map(|thread| thread.join().unwrap_or_else(|p| std::panic::resume_unwind(p)));
-        joined.collect()
-    })
+/// A frame with the time that the scene took, which the first one has, and whether it was known.
+fn with_scene(mut frame: FrameProducts, loaded: &LoadedScene) -> FrameProducts {
+    let is_first = frame.result.scene.index == 0;
+    frame.result.seconds.insert(0, (Stage::Scene, if is_first { loaded.seconds } else { 0.0 }));
+    if loaded.cached {
+        frame.result.cached.insert(0, Stage::Scene);
+    }
+    frame
 }
 
 fn conclude(

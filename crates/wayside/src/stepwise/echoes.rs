@@ -5,7 +5,10 @@ use crate::stepwise::paths_of_scene;
 use crate::stepwise::recorded::Recorded;
 use artifact::cube::{Cube, CubeFrame};
 use artifact::paths::Paths;
-use pipeline::chain::link::{Chain, Scattering};
+use pipeline::chain::frame_result::Scattering;
+use pipeline::chain::frames::each_frame;
+use pipeline::chain::link::Chain;
+use pipeline::chain::plan::FramePlan;
 use pipeline::chain::stages::Stage;
 use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
@@ -17,15 +20,16 @@ use pipeline::host::progress::Work;
 /// # Errors
 /// Those of tracing; an echo that cannot be summed; called off between two frames.
 pub fn echoes(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Cube>, Failure> {
-    let (chain, count) = (scene.chain(), scene.header().frames);
-    let (work, mut frames) = (Work::begin("frames"), Vec::new());
-    for index in 0..count {
-        call_off.check()?;
-        work.at(index as usize, count as usize);
-        let snapshot = scene::snapshot(scene.header(), index);
-        let scattering = chain.scattering(&chain.plan(index), &snapshot)?.value;
-        frames.push(chain.synthesize(&snapshot, &scattering)?);
-    }
+    let (chain, mut frames) = (scene.chain(), Vec::new());
+    let echo = |plan: &FramePlan| {
+        let scattering = chain.scattering(plan)?;
+        chain.synthesize(&scene::snapshot(scene.header(), plan.index), &scattering)
+    };
+    let keep = |frame| {
+        frames.push(frame);
+        Ok(())
+    };
+    each_frame(&chain, &chain.plans(), call_off, echo, keep)?;
     Ok(recorded(scene, &chain, frames))
 }
 

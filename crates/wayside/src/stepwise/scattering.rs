@@ -3,11 +3,11 @@
 use crate::stepwise::opened_scene::OpenedScene;
 use crate::stepwise::recorded::Recorded;
 use artifact::paths::Paths;
-use pipeline::chain::link::Scattering;
+use pipeline::chain::frame_result::Scattering;
+use pipeline::chain::frames::each_frame;
 use pipeline::chain::stages::Stage;
 use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
-use pipeline::host::progress::Work;
 
 /// Traces the paths of every frame, as the command `paths` does.
 ///
@@ -15,16 +15,13 @@ use pipeline::host::progress::Work;
 /// A body that cannot be traced, memory that does not suffice; called off between two frames.
 pub fn paths(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Paths>, Failure> {
     let scene = &scene.by_paths();
-    let (chain, count) = (scene.chain(), scene.header().frames);
-    let (work, mut frames) = (Work::begin("frames"), Vec::new());
-    for index in 0..count {
-        call_off.check()?;
-        work.at(index as usize, count as usize);
-        let snapshot = scene::snapshot(scene.header(), index);
-        let scattering = chain.scattering(&chain.plan(index), &snapshot)?.value;
+    let (chain, mut frames) = (scene.chain(), Vec::new());
+    let keep = |scattering| {
         if let Scattering::Paths(frame) = chain.counted_through(scattering) {
             frames.push(frame);
         }
-    }
+        Ok(())
+    };
+    each_frame(&chain, &chain.plans(), call_off, |plan| chain.scattering(plan), keep)?;
     Ok(Recorded { from: scene.provenance(Stage::BartRcs), header: chain.paths_header(), frames })
 }

@@ -111,6 +111,28 @@ fn frames_side_by_side_have_the_bytes_of_frames_one_by_one() {
     assert_eq!(ids.collect::<Vec<_>>(), ["a", "b"]);
 }
 
+/// Where nothing moves, a frame between measured ones is the measured one, found in a cache or not.
+#[test]
+fn frames_of_bodies_at_rest_are_the_measured_one_with_a_cache_and_without() {
+    let place = Workplace::new();
+    let vehicles = [("a", "motorcycle", 2.0, 30.0), ("b", "motorcycle", 5.75, 33.0)];
+    write(&place, "queue", &recording(&vehicles, 0.0, 4));
+    let every_other = scene("queue").replace("bounces = 1", "bounces = 1\nmeasured_every = 2");
+    std::fs::write(place.path("queue.toml"), every_other).unwrap();
+    place.run("run queue.toml --out without --no-cache --quiet");
+    place.run("run queue.toml --out with --quiet");
+    place.run("paths queue.toml --out alone.paths --quiet");
+    for other in ["with/frames.paths", "alone.paths"] {
+        assert_eq!(place.bytes("without/frames.paths"), place.bytes(other), "{other}");
+    }
+    for out in ["with", "without"] {
+        let summary = place.summary(&format!("{out}/summary.json"));
+        let frames = summary["frames"].as_array().unwrap();
+        let measured_in: Vec<_> = frames.iter().map(|f| f["error_measured_in"].as_u64().unwrap()).collect();
+        assert_eq!(measured_in, [0, 1, 2, 3], "{out}");
+    }
+}
+
 /// Frames between those measured with `measured_every = 3` take over their errors, and whatever was computed
 /// first, with a cache, without one, or one frame alone, they are the same.
 #[test]

@@ -100,7 +100,7 @@ impl FrameSummary {
         truth: &FrameTruth,
         tracks: Vec<TrackSummary>,
     ) -> Self {
-        let (paths, points) = (result.paths.as_ref(), &result.points);
+        let (paths, points) = (result.scattering.paths(), &result.points);
         let error_measured_in = paths.map(|paths| errors_of_frame(header, result.scene.index, paths));
         let header = &header.in_frame(result.scene.index);
         let of_role = |role: Role| (0..truth.truths.len()).filter(move |i| header.targets[*i].role == role);

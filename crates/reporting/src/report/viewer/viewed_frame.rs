@@ -150,7 +150,7 @@ impl ViewedFrame {
         let header = chain.cube_header.in_frame(scene.index);
         let radar = &header.radar;
         let folding = Folding::of(view, scene, radar);
-        let traced = frame.result.paths.as_ref();
+        let traced = frame.result.scattering.paths();
         let strongest =
             |paths: &PathsFrame| StrongestPaths::of(radar, paths, &folding, view.targets.len(), budget.paths);
         let heard =

@@ -3,17 +3,21 @@
 use crate::program::cli::EchoArguments;
 use crate::program::terminal;
 use crate::stepwise::paths_of_scene;
-use artifact::cube::Cube;
+use artifact::cube::{Cube, CubeFrame};
 use artifact::paths::{Paths, PathsFrame};
 use artifact::scene::SceneFrame;
 use artifact::settings::EchoMode;
 use artifact::{Reader, Writer};
-use pipeline::chain::link::{Chain, Scattering};
+use pipeline::chain::frame_result::Scattering;
+use pipeline::chain::frames::each_frame;
+use pipeline::chain::link::Chain;
 use pipeline::chain::loading::{self, LoadedScene, provenance};
+use pipeline::chain::plan::FramePlan;
 use pipeline::chain::stages::Stage;
+use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
-use pipeline::host::progress::{self, Work};
+use pipeline::host::progress;
 use pipeline::outcome::verdict::{self, Verdict};
 use pipeline::planning;
 use std::path::Path;
@@ -41,29 +45,33 @@ pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Fa
 type Verdicts = Vec<(u32, Verdict)>;
 
 fn from_scene(chain: &Chain, writer: &mut Writer<Cube>) -> Result<Verdicts, Failure> {
-    let work = Work::begin("frames");
     let mut told = vec![];
-    for index in 0..chain.header.frames {
-        work.at(index as usize, chain.header.frames as usize);
-        let scene = scene::snapshot(chain.header, index);
-        let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
-        told.push((index, write(chain, &scene, &scattering, writer)?));
-    }
+    let echo = |plan: &FramePlan| {
+        let scattering = chain.scattering(plan)?;
+        Echo::of(chain, &scene::snapshot(chain.header, plan.index), &scattering)
+    };
+    let write = |echo: Echo| {
+        told.push((echo.cube.index, echo.verdict));
+        Ok(writer.write(&echo.cube)?)
+    };
+    each_frame(chain, &chain.plans(), &CallOff::default(), echo, write)?;
     Ok(told)
 }
 
-/// Writes the echo; its error joins that of what scatters.
-fn write(
-    chain: &Chain,
-    scene: &SceneFrame,
-    scattering: &Scattering,
-    writer: &mut Writer<Cube>,
-) -> Result<Verdict, Failure> {
-    let cube = chain.synthesize(scene, scattering)?;
-    writer.write(&cube)?;
-    let (error, model_error) = scattering.error();
-    let error = error.joined(cube.error);
-    Ok(Verdict::of_paths(&chain.header.fidelity, &error, scattering.paths()).beside(&model_error))
+/// Echo of a frame; its error joins that of what scatters.
+struct Echo {
+    cube: CubeFrame,
+    verdict: Verdict,
+}
+
+impl Echo {
+    fn of(chain: &Chain, scene: &SceneFrame, scattering: &Scattering) -> Result<Self, Failure> {
+        let cube = chain.synthesize(scene, scattering)?;
+        let (error, model_error) = scattering.error();
+        let error = error.joined(cube.error);
+        let verdict = Verdict::of_paths(&chain.header.fidelity, &error, scattering.paths());
+        Ok(Self { cube, verdict: verdict.beside(&model_error) })
+    }
 }
 
 fn from_paths(
@@ -81,7 +89,9 @@ fn from_paths(
         let frame: PathsFrame = frame?;
         let scene = paths_of_scene::check_frame(&loaded.header, &frame);
         let (index, scene) = (frame.index, scene.map_err(|failure| failure.about(file))?);
-        told.push((index, write(chain, &scene, &Scattering::Paths(frame), writer)?));
+        let echo = Echo::of(chain, &scene, &Scattering::Paths(frame))?;
+        writer.write(&echo.cube)?;
+        told.push((index, echo.verdict));
     }
     Ok(told)
 }

@@ -5,12 +5,15 @@ use crate::program::terminal;
 use artifact::Writer;
 use artifact::paths::Paths;
 use artifact::settings::EchoMode;
-use pipeline::chain::link::{Chain, Scattering};
+use pipeline::chain::frame_result::Scattering;
+use pipeline::chain::frames::each_frame;
+use pipeline::chain::link::Chain;
 use pipeline::chain::loading::provenance;
+use pipeline::chain::plan::FramePlan;
 use pipeline::chain::stages::Stage;
+use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
-use pipeline::host::progress::Work;
 use pipeline::outcome::verdict::{self, Verdict};
 use pipeline::planning;
 
@@ -20,19 +23,17 @@ pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), F
     let chain = Chain::of(&loaded.header, None, None, memory);
     let from = provenance(Stage::BartRcs, &loaded.header, loaded.files.clone());
     let mut writer = Writer::<Paths>::create(&arguments.out, &from, &chain.paths_header())?;
-    let work = Work::begin("frames");
     let mut told = vec![];
-    for index in 0..loaded.header.frames {
-        work.at(index as usize, loaded.header.frames as usize);
-        let scene = scene::snapshot(&loaded.header, index);
-        let scattering = chain.scattering(&chain.plan(index), &scene)?.value;
+    let traced = |plan: &FramePlan| Ok((plan.index, chain.scattering(plan)?));
+    let write = |(index, scattering)| {
         if let Scattering::Paths(frame) = chain.counted_through(scattering) {
             writer.write(&frame)?;
             let verdict = Verdict::of_paths(&loaded.header.fidelity, &frame.error, Some(&frame));
             told.push((index, verdict.beside(&frame.model_error)));
         }
-    }
-    drop(work);
+        Ok(())
+    };
+    each_frame(&chain, &chain.plans(), &CallOff::default(), traced, write)?;
     writer.finish()?;
     verdict::of_frames(&told).into_iter().for_each(terminal::line);
     Ok(())

@@ -1,0 +1,61 @@
+//! Frames of a scene: made side by side and handed on in their order, sub-frames of a cycle brought together.
+
+use crate::chain::keys::Key;
+use crate::chain::link::{Chain, FrameProducts};
+use crate::chain::plan::FramePlan;
+use crate::host::call_off::CallOff;
+use crate::host::failure::Failure;
+use crate::host::in_order::in_order;
+use crate::host::progress::Work;
+use std::collections::HashMap;
+
+/// Hands on what is made of each of these frames, in their order and on this thread, while later ones are
+/// made: as many at a time as there are threads and memory.
+///
+/// # Errors
+/// The first of `make` or `take`; called off between two frames.
+pub fn each_frame<T: Send>(
+    chain: &Chain,
+    plans: &[FramePlan],
+    call_off: &CallOff,
+    make: impl Fn(&FramePlan) -> Result<T, Failure> + Sync,
+    mut take: impl FnMut(T) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let work = Work::begin("frames");
+    work.at(0, plans.len());
+    let at_once = chain.frames_at_once(plans)?;
+    chain.share_memory(at_once.workers);
+    let make = |i: usize| call_off.check().and_then(|()| make(&plans[i]));
+    let mut taken = 0;
+    let take = |of_frame: T| {
+        taken += 1;
+        work.at(taken, plans.len());
+        take(of_frame)
+    };
+    let needed = needed_frames(chain, plans);
+    in_order(plans.len(), at_once, |i| needed[i].clone(), make, take)
+}
+
+/// Frames before each frame that it waits for: where bodies stand as in another one, it finds that one's paths
+/// in the cache; and what is measured in another one it takes over.
+fn needed_frames<'a>(chain: &Chain, plans: &'a [FramePlan]) -> Vec<Vec<usize>> {
+    let mut last_of_paths: HashMap<&'a Key, usize> = HashMap::new();
+    let of_frame = |(i, plan): (usize, &'a FramePlan)| {
+        let same = last_of_paths.insert(&plan.keys.bart_rcs, i);
+        let measured_in = chain.header.measured_in(plan.index) as usize;
+        same.into_iter().chain((measured_in < i).then_some(measured_in)).collect()
+    };
+    plans.iter().enumerate().map(of_frame).collect()
+}
+
+/// The sub-frames of a cycle, which tell each other's velocities; of a lone one there is nothing to tell, and
+/// no receiver is needed where all is in the cache.
+pub fn resolved(chain: &Chain, mut cycle: Vec<FrameProducts>) -> Result<Vec<FrameProducts>, Failure> {
+    if cycle.len() < 2 {
+        return Ok(cycle);
+    }
+    let points = cycle.iter().map(|frame| frame.result.points.clone()).collect();
+    let points = chain.receiver()?.resolved(points);
+    cycle.iter_mut().zip(points).for_each(|(frame, points)| frame.result.points = points);
+    Ok(cycle)
+}

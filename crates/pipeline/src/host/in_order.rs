@@ -1,0 +1,261 @@
+//! Pieces of work at once, whose results are handed on in their order while later pieces are at work.
+
+use crate::host::failure::Failure;
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::Result as Joined;
+
+/// Limits of what is done at a time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AtOnce {
+    /// Jobs that are at work, each on a thread of its own: threads of the pool would take up a further job
+    /// while they wait for a part of one, and hold more than was allowed.
+    pub workers: usize,
+    /// Jobs that are at work, wait to be handed on, or are handed on; no fewer than one.
+    pub held: usize,
+}
+
+/// Hands the results of jobs 0 to `jobs` − 1 to `take`, in their order and on this thread.
+///
+/// A job is begun once all of those before it are, and those that it `waits_for` are done; a later job never
+/// is waited for.
+///
+/// # Errors
+/// The first failure, in the order of the jobs, of `work` or of `take`: what came before it was taken, and no
+/// further job is begun.
+pub fn in_order<T: Send>(
+    jobs: usize,
+    at_once: AtOnce,
+    waits_for: impl Fn(usize) -> Vec<usize> + Sync,
+    work: impl Fn(usize) -> Result<T, Failure> + Sync,
+    mut take: impl FnMut(T) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let queue =
+        Queue { state: Mutex::new(State::of(jobs)), changed: Condvar::new(), held: at_once.held.max(1) };
+    let worker = || {
+        while let Some(job) = queue.begin(&waits_for) {
+            queue.end(job, catch_unwind(AssertUnwindSafe(|| work(job))));
+        }
+    };
+    std::thread::scope(|scope| {
+        (0..at_once.workers.clamp(1, jobs.max(1))).for_each(|_| drop(scope.spawn(worker)));
+        let closing = Closing(&queue);
+        for job in 0..jobs {
+            take(queue.result(job).unwrap_or_else(|panic| resume_unwind(panic))?)?;
+            queue.taken(job);
+        }
+        drop(closing);
+        Ok(())
+    })
+}
+
+/// Jobs with what is known of them, shared by the threads.
+struct Queue<T> {
+    state: Mutex<State<T>>,
+    changed: Condvar,
+    held: usize,
+}
+
+struct State<T> {
+    /// Number of jobs that may be begun.
+    jobs: usize,
+    /// Jobs that are begun: all before this one.
+    begun: usize,
+    /// Jobs that are handed on: all before this one.
+    taken: usize,
+    /// Jobs that are done; their results until these are handed on.
+    done: BTreeMap<usize, Option<Joined<Result<T, Failure>>>>,
+}
+
+impl<T> State<T> {
+    fn of(jobs: usize) -> Self {
+        Self { jobs, begun: 0, taken: 0, done: BTreeMap::new() }
+    }
+
+    fn is_done(&self, job: usize) -> bool {
+        job < self.taken || self.done.contains_key(&job)
+    }
+}
+
+impl<T> Queue<T> {
+    /// The next job, once it may be begun; `None` where there is none any more.
+    fn begin(&self, waits_for: &impl Fn(usize) -> Vec<usize>) -> Option<usize> {
+        let mut state = self.lock();
+        loop {
+            let job = state.begun;
+            if job >= state.jobs {
+                return None;
+            }
+            let has_room = job < state.taken + self.held;
+            if has_room && waits_for(job).into_iter().all(|earlier| earlier >= job || state.is_done(earlier))
+            {
+                state.begun += 1;
+                return Some(job);
+            }
+            state = self.wait(state);
+        }
+    }
+
+    /// Keeps the result of a job; after a failure no further one is begun.
+    fn end(&self, job: usize, result: Joined<Result<T, Failure>>) {
+        let mut state = self.lock();
+        if !matches!(result, Ok(Ok(_))) {
+            state.jobs = state.begun;
+        }
+        state.done.insert(job, Some(result));
+        self.changed.notify_all();
+    }
+
+    /// Result of a job, once it is done.
+    fn result(&self, job: usize) -> Joined<Result<T, Failure>> {
+        let mut state = self.lock();
+        loop {
+            match state.done.get_mut(&job).and_then(Option::take) {
+                Some(result) => return result,
+                None => state = self.wait(state),
+            }
+        }
+    }
+
+    fn taken(&self, job: usize) {
+        let mut state = self.lock();
+        state.done.remove(&job);
+        state.taken = job + 1;
+        self.changed.notify_all();
+    }
+
+    fn lock(&self) -> MutexGuard<'_, State<T>> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn wait<'a>(&self, state: MutexGuard<'a, State<T>>) -> MutexGuard<'a, State<T>> {
+        self.changed.wait(state).unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Lets no further job be begun once it goes, by a failure or a panic of who takes as well.
+struct Closing<'a, T>(&'a Queue<T>);
+
+impl<T> Drop for Closing<'_, T> {
+    fn drop(&mut self) {
+        let mut state = self.0.lock();
+        state.jobs = state.begun;
+        self.0.changed.notify_all();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::Duration;
+
+    const AT_ONCE: AtOnce = AtOnce { workers: 3, held: 4 };
+
+    /// Work that takes longer the earlier it is among its neighbours.
+    fn slow_first(job: usize) -> usize {
+        std::thread::sleep(Duration::from_millis(3 - job as u64 % 3));
+        job
+    }
+
+    #[test]
+    fn results_come_in_their_order_and_no_more_are_held_than_may_be() {
+        let (begun, most) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let mut taken = vec![];
+        let work = |job| {
+            begun.fetch_add(1, Ordering::SeqCst);
+            Ok(slow_first(job))
+        };
+        let take = |job| {
+            most.fetch_max(begun.load(Ordering::SeqCst) - taken.len(), Ordering::SeqCst);
+            taken.push(job);
+            Ok(())
+        };
+        in_order(40, AT_ONCE, |_| vec![], work, take).expect("no job fails");
+        assert_eq!(taken, (0..40).collect::<Vec<_>>());
+        let most = most.into_inner();
+        assert!((2..=AT_ONCE.held).contains(&most), "{most}");
+    }
+
+    #[test]
+    fn a_job_waits_for_those_that_it_needs_and_for_no_later_one() {
+        let done: Vec<AtomicUsize> = (0..20).map(|_| AtomicUsize::new(0)).collect();
+        let needs = |job: usize| vec![job - job % 5, 19];
+        let work = |job: usize| {
+            let is_ready = job.is_multiple_of(5) || done[job - job % 5].load(Ordering::SeqCst) == 1;
+            slow_first(job);
+            done[job].store(1, Ordering::SeqCst);
+            Ok(is_ready)
+        };
+        let mut ready = 0;
+        let take = |is_ready| {
+            ready += usize::from(is_ready);
+            Ok(())
+        };
+        in_order(20, AT_ONCE, needs, work, take).expect("no job fails");
+        assert_eq!(ready, 20);
+    }
+
+    #[test]
+    fn the_first_failure_is_told_behind_what_came_before_it_and_nothing_more_is_begun() {
+        for failing in [0, 7] {
+            let begun = AtomicUsize::new(0);
+            let mut taken = 0;
+            let work = |job| {
+                begun.fetch_add(1, Ordering::SeqCst);
+                slow_first(job);
+                if job >= failing { Err(Failure::refused(format!("job {job}"))) } else { Ok(()) }
+            };
+            let take = |()| {
+                taken += 1;
+                Ok(())
+            };
+            let failure = in_order(1000, AT_ONCE, |_| vec![], work, take).expect_err("a job fails");
+            assert_eq!(failure.to_string(), format!("job {failing}"));
+            assert_eq!(taken, failing);
+            assert!(begun.into_inner() <= failing + AT_ONCE.held);
+        }
+    }
+
+    #[test]
+    fn who_takes_may_refuse_and_a_panic_of_work_is_one_here() {
+        let refused = in_order(
+            50,
+            AT_ONCE,
+            |_| vec![],
+            Ok,
+            |job| match job {
+                5 => Err(Failure::refused("full")),
+                _ => Ok(()),
+            },
+        );
+        assert_eq!(refused.expect_err("it is full").to_string(), "full");
+        let work = |job| {
+            assert_ne!(job, 4, "four");
+            Ok(())
+        };
+        let panics = AssertUnwindSafe(|| in_order(50, AT_ONCE, |_| vec![], work, Ok));
+        assert!(catch_unwind(panics).is_err());
+    }
+
+    #[test]
+    fn no_jobs_are_no_work_and_one_thread_does_them_one_by_one() {
+        in_order(0, AT_ONCE, |_| vec![], Ok, |_: usize| Ok(())).expect("there is nothing to fail");
+        let running = AtomicUsize::new(0);
+        let work = |_| {
+            let beside = running.fetch_add(1, Ordering::SeqCst);
+            slow_first(0);
+            running.fetch_sub(1, Ordering::SeqCst);
+            Ok(beside)
+        };
+        let alone = AtOnce { workers: 1, held: 1 };
+        let mut beside = 0;
+        let take = |others| {
+            beside += others;
+            Ok(())
+        };
+        in_order(5, alone, |_| vec![], work, take).expect("no job fails");
+        assert_eq!(beside, 0);
+    }
+}
