@@ -1,16 +1,17 @@
 //! Paths too weak to matter: a table is no larger than the accuracy asked for needs.
 
 use crate::bodies::world::World;
-use crate::frame::band_power::power_over_frame;
+use crate::frame::band_power::{frequencies_hz, mean, power_over_frame, total};
 use crate::frame::path_plan::Plan;
-use crate::frame::path_sum::{PathView, apparent_m};
+use crate::frame::path_sum::{PathView, apparent_m, element_over_band};
 use artifact::paths::Path;
+use num_complex::Complex64;
 
 /// Paths kept, in their order, and the power of the others.
 pub(crate) struct Kept {
     pub(crate) paths: Vec<Path>,
-    /// Σ|a·R²/(L₁L₂)|² of the dropped paths in the radar's polarization: their power, as their phases are
-    /// independent.
+    /// Power of the dropped paths in the radar's polarization: the larger of Σ|a·R²/(L₁L₂)|², as if their
+    /// phases were independent, and of their sum over the band.
     pub(crate) dropped_power: f64,
     /// The strongest that was dropped of each target, its wheels among it, as power.
     pub(crate) strongest_dropped: Vec<f64>,
@@ -18,9 +19,19 @@ pub(crate) struct Kept {
 
 /// Share of the accuracy asked for that may be dropped, as an amplitude.
 const SHARE: f64 = 0.3;
+/// Frequencies that the sum of dropped paths is looked at.
+const FREQUENCIES: usize = 12;
+/// Times the power of independent phases that their sum may have: over twelve frequencies, four of them
+/// independent, the mean power of such a sum exceeds this in one of twenty (χ² of 8 degrees of freedom).
+const BY_CHANCE: f64 = 1.94;
+/// Parts in which paths are dropped, after each of which their sum is looked at.
+const RUNS: usize = 64;
 
-/// Drops the weakest paths of every target as long as their powers add up to less than (0.3·accuracy)² of
-/// that target's: a weak target loses no more of itself than a strong one. Wheels are part of their vehicle.
+/// Drops the weakest paths of every target as long as their power is less than (0.3·accuracy)² of that
+/// target's: a weak target loses no more of itself than a strong one. Wheels are part of their vehicle.
+///
+/// It is their power alone and that of their sum: cells of one smooth face, a kerb's or a rail's, are weak
+/// each and in phase with their neighbours.
 pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
     let view = plan.view(plan.middle_s);
     let most = (SHARE * plan.asked()).powi(2);
@@ -29,26 +40,44 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
     let mut dropped_power = 0.0;
     let mut strongest_dropped = Vec::new();
     for target in 0..plan.header.targets.len() as u32 {
-        let is_own = |path: &Path| world.vehicle(path.target) == target;
-        let own: Vec<Path> = paths.iter().filter(|path| is_own(path)).copied().collect();
+        let mut order: Vec<usize> =
+            (0..paths.len()).filter(|&i| world.vehicle(paths[i].target) == target).collect();
+        let own: Vec<Path> = order.iter().map(|&i| paths[i]).collect();
         let budget = most * power_over_frame(&own, plan);
-        let mut order: Vec<usize> = (0..paths.len()).filter(|&i| is_own(&paths[i])).collect();
         order.sort_by(|&a, &b| powers[a].total_cmp(&powers[b]).then(a.cmp(&b)));
-        let (mut sum, mut strongest) = (0.0, 0.0);
-        for i in order {
-            sum += powers[i];
-            if sum > budget {
-                sum -= powers[i];
-                break;
-            }
-            keep[i] = false;
-            strongest = powers[i];
-        }
-        dropped_power += sum;
-        strongest_dropped.push(strongest);
+        let mut alone = 0.0;
+        let weak = order.iter().take_while(|&&i| {
+            alone += powers[i];
+            alone <= budget
+        });
+        let weak: Vec<usize> = weak.copied().collect();
+        let (count, together) = negligible_together(&weak, &paths, plan, BY_CHANCE * budget);
+        let dropped = &weak[..count];
+        dropped.iter().for_each(|&i| keep[i] = false);
+        dropped_power += together.max(dropped.iter().map(|&i| powers[i]).sum());
+        strongest_dropped.push(dropped.last().map_or(0.0, |&i| powers[i]));
     }
     let paths = paths.into_iter().zip(keep).filter_map(|(path, keep)| keep.then_some(path)).collect();
     Kept { paths, dropped_power, strongest_dropped }
+}
+
+/// Most of the first of these paths whose sum over the band has no more than a power, and that of the sum.
+///
+/// Sums of fewer may have more: cells of a face whose borders tell all of its echo cancel only together.
+fn negligible_together(weak: &[usize], paths: &[Path], plan: &Plan<'_>, budget: f64) -> (usize, f64) {
+    let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
+    let (view, element) = (plan.view(plan.middle_s), plan.header.radar.array.polarization.indices());
+    let (mut seen, mut most) = (0, (0, 0.0));
+    let mut sum = vec![Complex64::ZERO; FREQUENCIES];
+    for run in weak.chunks(weak.len().div_ceil(RUNS).max(1)) {
+        let of_run: Vec<Path> = run.iter().map(|&i| paths[i]).collect();
+        sum = total([sum, element_over_band(&of_run, &view, element, &frequencies)].into_iter(), FREQUENCIES);
+        seen += run.len();
+        if mean(&sum) <= budget {
+            most = (seen, mean(&sum));
+        }
+    }
+    most
 }
 
 /// Paths of another moment of the frame, without those that are no stronger than what was dropped.
