@@ -148,8 +148,8 @@ fn check_wheels(section: &Section<'_>, wheels: Wheels, echo: EchoMode) {
     }
 }
 
-/// What mirrors of the road cannot go with: their images are lit on both sides of facets, and tables are those
-/// of bodies alone.
+/// Refuses what mirrors of the road cannot go with: their images are lit on both sides of facets, and tables
+/// are those of bodies alone.
 pub(crate) fn check_beside_road(section: &Section<'_>, fidelity: &Fidelity) {
     let excluded = |key: &'static str| section.note(key, Rule::Contradiction { key, other: "[road]" });
     if fidelity.sides == Sides::One {

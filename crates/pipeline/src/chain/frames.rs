@@ -36,8 +36,8 @@ pub fn each_frame<T: Send>(
     in_order(plans.len(), at_once, |i| needed[i].clone(), make, take)
 }
 
-/// Frames before each frame that it waits for: where bodies stand as in another one, it finds that one's paths
-/// in the cache; and what is measured in another one it takes over.
+/// Frames before each frame that it waits for: where bodies stand as in another one, it finds that one's
+/// paths in the cache; and what is measured in another one it takes over.
 fn needed_frames<'a>(chain: &Chain, plans: &'a [FramePlan]) -> Vec<Vec<usize>> {
     let mut last_of_paths: HashMap<&'a Key, usize> = HashMap::new();
     let of_frame = |(i, plan): (usize, &'a FramePlan)| {

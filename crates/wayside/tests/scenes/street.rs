@@ -177,7 +177,8 @@ fn what_was_removed_as_an_echo_at_rest_is_told_so_and_is_not_missed() {
 }
 
 /// A guard rail's cells are weak each and in phase with their neighbours: 18 of 1,900 were kept, as if phases
-/// were independent, and −9.4 dB reached of the −10.5 asked for, however small the cells were. 27 leave −13.5.
+/// were independent, and −9.4 dB reached of the −10.5 asked for, however small the cells were. 27 leave
+/// −13.5.
 #[test]
 fn weak_cells_of_a_rail_are_dropped_by_what_they_are_together() {
     let place = Workplace::new();
