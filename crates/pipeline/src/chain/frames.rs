@@ -32,8 +32,7 @@ pub fn each_frame<T: Send>(
         work.at(taken, plans.len());
         take(of_frame)
     };
-    let needed = needed_frames(chain, plans);
-    in_order(plans.len(), at_once, |i| needed[i].clone(), make, take)
+    in_order(&needed_frames(chain, plans), at_once, make, take)
 }
 
 /// Frames before each frame that it waits for: where bodies stand as in another one, it finds that one's

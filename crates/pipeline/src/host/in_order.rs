@@ -16,25 +16,25 @@ pub struct AtOnce {
     pub held: usize,
 }
 
-/// Hands the results of jobs 0 to `jobs` − 1 to `take`, in their order and on this thread.
+/// Hands the results of jobs to `take`, in their order and on this thread; `needed` has for each job those
+/// that it needs.
 ///
-/// A job is begun once all of those before it are, and those that it `waits_for` are done; a later job never
-/// is waited for.
+/// A job is begun once all of those before it are, and those that it needs are done; a later job never is
+/// waited for.
 ///
 /// # Errors
 /// The first failure, in the order of the jobs, of `work` or of `take`: what came before it was taken, and no
 /// further job is begun.
 pub fn in_order<T: Send>(
-    jobs: usize,
+    needed: &[Vec<usize>],
     at_once: AtOnce,
-    waits_for: impl Fn(usize) -> Vec<usize> + Sync,
     work: impl Fn(usize) -> Result<T, Failure> + Sync,
     mut take: impl FnMut(T) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let queue =
-        Queue { state: Mutex::new(State::of(jobs)), changed: Condvar::new(), held: at_once.held.max(1) };
+    let (jobs, held) = (needed.len(), at_once.held.max(1));
+    let queue = Queue { needed, held, state: Mutex::new(State::of(jobs)), changed: Condvar::new() };
     let worker = || {
-        while let Some(job) = queue.begin(&waits_for) {
+        while let Some(job) = queue.begin() {
             queue.end(job, catch_unwind(AssertUnwindSafe(|| work(job))));
         }
     };
@@ -51,10 +51,12 @@ pub fn in_order<T: Send>(
 }
 
 /// Jobs with what is known of them, shared by the threads.
-struct Queue<T> {
+struct Queue<'a, T> {
+    /// Jobs that each job needs.
+    needed: &'a [Vec<usize>],
+    held: usize,
     state: Mutex<State<T>>,
     changed: Condvar,
-    held: usize,
 }
 
 struct State<T> {
@@ -78,9 +80,9 @@ impl<T> State<T> {
     }
 }
 
-impl<T> Queue<T> {
+impl<T> Queue<'_, T> {
     /// The next job, once it may be begun; `None` where there is none any more.
-    fn begin(&self, waits_for: &impl Fn(usize) -> Vec<usize>) -> Option<usize> {
+    fn begin(&self) -> Option<usize> {
         let mut state = self.lock();
         loop {
             let job = state.begun;
@@ -88,8 +90,8 @@ impl<T> Queue<T> {
                 return None;
             }
             let has_room = job < state.taken + self.held;
-            if has_room && waits_for(job).into_iter().all(|earlier| earlier >= job || state.is_done(earlier))
-            {
+            let is_ready = |earlier: &usize| *earlier >= job || state.is_done(*earlier);
+            if has_room && self.needed[job].iter().all(is_ready) {
                 state.begun += 1;
                 return Some(job);
             }
@@ -135,7 +137,7 @@ impl<T> Queue<T> {
 }
 
 /// Lets no further job be begun once it goes, by a failure or a panic of who takes as well.
-struct Closing<'a, T>(&'a Queue<T>);
+struct Closing<'a, T>(&'a Queue<'a, T>);
 
 impl<T> Drop for Closing<'_, T> {
     fn drop(&mut self) {
@@ -152,6 +154,11 @@ mod tests {
     use std::time::Duration;
 
     const AT_ONCE: AtOnce = AtOnce { workers: 3, held: 4 };
+
+    /// Jobs of which none needs another.
+    fn independent(jobs: usize) -> Vec<Vec<usize>> {
+        vec![vec![]; jobs]
+    }
 
     /// Work that takes longer the earlier it is among its neighbours.
     fn slow_first(job: usize) -> usize {
@@ -172,7 +179,7 @@ mod tests {
             taken.push(job);
             Ok(())
         };
-        in_order(40, AT_ONCE, |_| vec![], work, take).expect("no job fails");
+        in_order(&independent(40), AT_ONCE, work, take).expect("no job fails");
         assert_eq!(taken, (0..40).collect::<Vec<_>>());
         let most = most.into_inner();
         assert!((2..=AT_ONCE.held).contains(&most), "{most}");
@@ -181,7 +188,7 @@ mod tests {
     #[test]
     fn a_job_waits_for_those_that_it_needs_and_for_no_later_one() {
         let done: Vec<AtomicUsize> = (0..20).map(|_| AtomicUsize::new(0)).collect();
-        let needs = |job: usize| vec![job - job % 5, 19];
+        let needed: Vec<Vec<usize>> = (0..20).map(|job| vec![job - job % 5, 19]).collect();
         let work = |job: usize| {
             let is_ready = job.is_multiple_of(5) || done[job - job % 5].load(Ordering::SeqCst) == 1;
             slow_first(job);
@@ -193,7 +200,7 @@ mod tests {
             ready += usize::from(is_ready);
             Ok(())
         };
-        in_order(20, AT_ONCE, needs, work, take).expect("no job fails");
+        in_order(&needed, AT_ONCE, work, take).expect("no job fails");
         assert_eq!(ready, 20);
     }
 
@@ -211,7 +218,7 @@ mod tests {
                 taken += 1;
                 Ok(())
             };
-            let failure = in_order(1000, AT_ONCE, |_| vec![], work, take).expect_err("a job fails");
+            let failure = in_order(&independent(1000), AT_ONCE, work, take).expect_err("a job fails");
             assert_eq!(failure.to_string(), format!("job {failing}"));
             assert_eq!(taken, failing);
             assert!(begun.into_inner() <= failing + AT_ONCE.held);
@@ -220,28 +227,22 @@ mod tests {
 
     #[test]
     fn who_takes_may_refuse_and_a_panic_of_work_is_one_here() {
-        let refused = in_order(
-            50,
-            AT_ONCE,
-            |_| vec![],
-            Ok,
-            |job| match job {
-                5 => Err(Failure::refused("full")),
-                _ => Ok(()),
-            },
-        );
+        let refused = in_order(&independent(50), AT_ONCE, Ok, |job| match job {
+            5 => Err(Failure::refused("full")),
+            _ => Ok(()),
+        });
         assert_eq!(refused.expect_err("it is full").to_string(), "full");
         let work = |job| {
             assert_ne!(job, 4, "four");
             Ok(())
         };
-        let panics = AssertUnwindSafe(|| in_order(50, AT_ONCE, |_| vec![], work, Ok));
+        let panics = AssertUnwindSafe(|| in_order(&independent(50), AT_ONCE, work, Ok));
         assert!(catch_unwind(panics).is_err());
     }
 
     #[test]
     fn no_jobs_are_no_work_and_one_thread_does_them_one_by_one() {
-        in_order(0, AT_ONCE, |_| vec![], Ok, |_: usize| Ok(())).expect("there is nothing to fail");
+        in_order(&[], AT_ONCE, Ok, |_: usize| Ok(())).expect("there is nothing to fail");
         let running = AtomicUsize::new(0);
         let work = |_| {
             let beside = running.fetch_add(1, Ordering::SeqCst);
@@ -255,7 +256,7 @@ mod tests {
             beside += others;
             Ok(())
         };
-        in_order(5, alone, |_| vec![], work, take).expect("no job fails");
+        in_order(&independent(5), alone, work, take).expect("no job fails");
         assert_eq!(beside, 0);
     }
 }

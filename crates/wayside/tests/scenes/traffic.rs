@@ -6,6 +6,7 @@
 )]
 
 use crate::common::Workplace;
+use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -37,6 +38,23 @@ fn recording(vehicles: &[(&str, &str, f64, f64)], speed_mps: f64, steps: u32) ->
 fn write(place: &Workplace, name: &str, recording: &str) {
     std::fs::write(place.path(&format!("{name}.toml")), scene(name)).unwrap();
     std::fs::write(place.path(&format!("{name}.fcd.xml")), recording).unwrap();
+}
+
+/// Two motorcycles abreast.
+const TWO_RIDERS: [(&str, &str, f64, f64); 2] =
+    [("a", "motorcycle", 2.0, 30.0), ("b", "motorcycle", 5.75, 33.0)];
+
+/// [`write`] of a scene whose errors are measured in every so many frames.
+fn write_measured_every(place: &Workplace, name: &str, every: u32, recording: &str) {
+    write(place, name, recording);
+    let scene = scene(name).replace("bounces = 1", &format!("bounces = 1\nmeasured_every = {every}"));
+    std::fs::write(place.path(&format!("{name}.toml")), scene).unwrap();
+}
+
+/// Frame in which the errors of each frame were measured.
+fn measured_in(summary: &Value) -> Vec<u64> {
+    let frames = summary["frames"].as_array().unwrap();
+    frames.iter().map(|frame| frame["error_measured_in"].as_u64().unwrap()).collect()
 }
 
 /// Power of the paths of each vehicle over both ways, Σ |a|²/(range)⁴, by id; in the order of ids.
@@ -93,8 +111,7 @@ fn in_a_queue_of_three_lanes_a_bus_hides_the_car_behind_it_and_a_car_only_a_part
 #[test]
 fn frames_side_by_side_have_the_bytes_of_frames_one_by_one() {
     let place = Workplace::new();
-    let vehicles = [("a", "motorcycle", 2.0, 30.0), ("b", "motorcycle", 5.75, 33.0)];
-    write(&place, "drive", &recording(&vehicles, 8.0, 5));
+    write(&place, "drive", &recording(&TWO_RIDERS, 8.0, 5));
     for threads in [1, 3] {
         place.run(&format!("run drive.toml --out t{threads} --threads {threads} --no-cache --quiet"));
     }
@@ -111,14 +128,11 @@ fn frames_side_by_side_have_the_bytes_of_frames_one_by_one() {
     assert_eq!(ids.collect::<Vec<_>>(), ["a", "b"]);
 }
 
-/// Where nothing moves, a frame between measured ones is the measured one, found in a cache or not.
+/// A frame between measured ones is the measured one where nothing moves, found in a cache or not.
 #[test]
 fn frames_of_bodies_at_rest_are_the_measured_one_with_a_cache_and_without() {
     let place = Workplace::new();
-    let vehicles = [("a", "motorcycle", 2.0, 30.0), ("b", "motorcycle", 5.75, 33.0)];
-    write(&place, "queue", &recording(&vehicles, 0.0, 4));
-    let every_other = scene("queue").replace("bounces = 1", "bounces = 1\nmeasured_every = 2");
-    std::fs::write(place.path("queue.toml"), every_other).unwrap();
+    write_measured_every(&place, "queue", 2, &recording(&TWO_RIDERS, 0.0, 4));
     place.run("run queue.toml --out without --no-cache --quiet");
     place.run("run queue.toml --out with --quiet");
     place.run("paths queue.toml --out alone.paths --quiet");
@@ -127,9 +141,7 @@ fn frames_of_bodies_at_rest_are_the_measured_one_with_a_cache_and_without() {
     }
     for out in ["with", "without"] {
         let summary = place.summary(&format!("{out}/summary.json"));
-        let frames = summary["frames"].as_array().unwrap();
-        let measured_in: Vec<_> = frames.iter().map(|f| f["error_measured_in"].as_u64().unwrap()).collect();
-        assert_eq!(measured_in, [0, 1, 2, 3], "{out}");
+        assert_eq!(measured_in(&summary), [0, 1, 2, 3], "{out}");
     }
 }
 
@@ -138,10 +150,7 @@ fn frames_of_bodies_at_rest_are_the_measured_one_with_a_cache_and_without() {
 #[test]
 fn frames_between_measured_ones_tell_whose_error_they_have_and_have_the_same_bytes_in_any_order() {
     let place = Workplace::new();
-    let vehicles = [("a", "motorcycle", 2.0, 30.0), ("b", "motorcycle", 5.75, 33.0)];
-    write(&place, "drive", &recording(&vehicles, 8.0, 5));
-    let every_third = scene("drive").replace("bounces = 1", "bounces = 1\nmeasured_every = 3");
-    std::fs::write(place.path("drive.toml"), every_third).unwrap();
+    write_measured_every(&place, "drive", 3, &recording(&TWO_RIDERS, 8.0, 5));
     place.run("run drive.toml --out together --threads 3 --no-cache --quiet");
     place.run("paths drive.toml --out alone.paths --quiet");
     place.run("run drive.toml --out cached --threads 1 --quiet");
@@ -151,7 +160,7 @@ fn frames_between_measured_ones_tell_whose_error_they_have_and_have_the_same_byt
     }
     let summary = place.summary("together/summary.json");
     let frames = summary["frames"].as_array().unwrap();
-    let measured_in: Vec<_> = frames.iter().map(|f| f["error_measured_in"].as_u64().unwrap()).collect();
+    let measured_in = measured_in(&summary);
     assert_eq!(measured_in, [0, 0, 0, 3, 3]);
     for (frame, measured_in) in frames.iter().zip(&measured_in) {
         assert_eq!(frame["error_db"]["freezing"], frames[*measured_in as usize]["error_db"]["freezing"]);
