@@ -1,5 +1,7 @@
 //! Detection of the cells of a map that hold echoes, and of the places of their peaks between cells.
 
+pub(crate) mod summed_bands; // how cells correlate along an axis, with the bands of Doppler division
+pub(crate) mod cell_power; // the noise of one cell
 pub(crate) mod correlated_cells; // what windows do to the noise of a region
 pub(crate) mod images; // of cells, in maps of real samples
 pub(crate) mod cfar_threshold; // the factor of cell averaging

@@ -42,7 +42,7 @@ enum Make {
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those that are drawn.
-pub(crate) const STUDIES: [Study; 29] = [
+pub(crate) const STUDIES: [Study; 30] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
     part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
@@ -83,6 +83,7 @@ pub(crate) const STUDIES: [Study; 29] = [
     },
     part("false-alarms", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_complex_samples),
     part("false-alarms-real", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_real_samples),
+    part("false-alarms-bands", ALARMS, "a minute", false_alarms::SOURCES, false_alarms::of_narrow_bands),
     part("estimates", "docs/validation/estimates.md", "10 minutes", estimates::SOURCES, estimates::part),
     part(
         "calibration",
@@ -94,7 +95,7 @@ pub(crate) const STUDIES: [Study; 29] = [
     part(
         "super-resolution",
         "docs/validation/super-resolution.md",
-        "5 minutes",
+        "a minute",
         super_resolution::SOURCES,
         super_resolution::part,
     ),

@@ -348,14 +348,15 @@ fn threshold(
     let rank = ((OS_RANK * cells as f64).round() as usize).clamp(1, cells);
     let mean = |region: &Region| correlation.mean_power(region, channels);
     let half = |region: &Region| correlation.rectangle_power(region, channels);
+    let cell = &correlation.cell_power(channels);
     let is_white = correlation.is_white() && regions.iter().all(|region| region.image.is_none());
     let independent = match (settings.detector, regions) {
-        (Detector::OsCfar, [ring, ..]) if is_white => ordered_factor(ring.cells(), rank, channels, rate),
-        (Detector::OsCfar, [ring, ..]) => correlated_ordered_factor(correlation, ring, rank, channels, rate),
-        (Detector::GoCfar, [a, b]) => greatest_of_factor([&half(a), &half(b)], channels, rate),
-        (Detector::SoCfar, [a, b]) => smallest_of_factor([&half(a), &half(b)], channels, rate),
+        (Detector::OsCfar, [ring, ..]) if is_white => ordered_factor(ring.cells(), rank, cell, rate),
+        (Detector::OsCfar, [ring, ..]) => correlated_ordered_factor(correlation, ring, rank, cell, rate),
+        (Detector::GoCfar, [a, b]) => greatest_of_factor([&half(a), &half(b)], cell, rate),
+        (Detector::SoCfar, [a, b]) => smallest_of_factor([&half(a), &half(b)], cell, rate),
         _ if is_white => threshold_factor(cells as f64, channels, rate),
-        _ => averaged_factor(&regions.iter().flat_map(mean).collect::<Vec<_>>(), channels, rate),
+        _ => averaged_factor(&regions.iter().flat_map(mean).collect::<Vec<_>>(), cell, rate),
     };
     let leak: f64 =
         regions.iter().map(|r| correlation.leak(r) * r.cells() as f64).sum::<f64>() / cells as f64;

@@ -5,22 +5,24 @@
 //! apart, and as the product of both axes. All regions of the detectors are rectangles, or one without
 //! another, so every sum over pairs and triples of cells is made of products of sums along the axes.
 //!
+//! With Doppler division a cell sums a band of every transmitter, which are rows of one spectrum
+//! (`summed_bands.rs`): bands of different cells may meet, and those of one cell where they are narrow.
+//!
 //! Of real samples the cell at (−m, −k) of the whole spectrum is the conjugate of that at (m, k). A region's
 //! noise then is half of what it and its image hold together, as 2N real variables instead of N complex ones,
 //! and the cells of both correlate by their distance as any others do: near range 0 and half the sample rate,
 //! on the rows about zero velocity and about the fastest, where a region meets its image. (Column 0 of a
 //! rectangular window has each of its powers twice, 2N variables of which N are 0.)
 
+use crate::detection::cell_power::CellPower;
+use crate::detection::summed_bands::SummedBands;
 use crate::error::DspError;
 use crate::numerics::gauss_quadrature::gauss_nodes;
 use crate::numerics::saddle_point_inversion::WeightedGamma;
 use crate::numerics::symmetric_qr::eigenvalues;
 use crate::spectrum::division::Division;
-use crate::spectrum::doppler_bands::band_cycles;
-use crate::spectrum::window::{noise_correlation, taper};
+use crate::spectrum::window::taper;
 use artifact::cube::CubeHeader;
-use artifact::radar::Multiplexing;
-use std::f64::consts::TAU;
 
 /// A rectangle of cells around the cell under test: first and last offset, [doppler, range].
 pub(crate) type Rectangle = [[i64; 2]; 2];
@@ -68,9 +70,10 @@ fn cells(rectangle: &Rectangle) -> usize {
 
 /// Correlation of noise cells over their distance, [doppler, range].
 pub(crate) struct Correlation {
-    /// Correlation ρ less the phase that no closed chain of cells keeps (windows are symmetric about N/2).
-    amplitude: [Vec<f64>; 2],
-    /// |ρ|².
+    /// Correlation ρ less the phase that no closed chain of cells keeps (windows are symmetric about N/2), of
+    /// the bands that cells sum: one in range.
+    bands: [SummedBands; 2],
+    /// |ρ|², mean over the bands of a cell of the sum over those of the other.
     power: [Vec<f64>; 2],
 }
 
@@ -91,26 +94,20 @@ impl Correlation {
         let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
         let range = taper(header.dsp.range_window, waveform.samples as usize)?;
         let division = Division::of(&header.radar);
-        let lags = |axis: usize| (0..=4 * outer[axis] + FAR_CELLS).map(|lag| lag as f64);
-        let power = [
-            lags(0).map(|lag| doppler_correlation(&division, &doppler, lag)).collect::<Vec<f64>>(),
-            lags(1).map(|lag| noise_correlation(&range, lag)).collect(),
-        ];
-        let signed = |power: &[f64], taper: &[f64]| -> Vec<f64> {
-            let sign = |lag: usize| amplitude_sign(taper, lag as f64);
-            power
-                .iter()
-                .enumerate()
-                .map(|(lag, k)| negligible_is_none(k.max(0.0).sqrt() * sign(lag)))
-                .collect()
-        };
-        let amplitude = [signed(&power[0], &doppler), signed(&power[1], &range)];
-        Ok(Self { amplitude, power })
+        let lags = |axis: usize| 4 * outer[axis] + FAR_CELLS;
+        let bands = [SummedBands::of(&division, &doppler, lags(0)), SummedBands::alone(&range, lags(1))];
+        let power = [0, 1].map(|axis: usize| (0..=lags(axis)).map(|lag| bands[axis].power(lag)).collect());
+        Ok(Self { bands, power })
     }
 
     /// Whether no cell correlates with another.
     pub(crate) fn is_white(&self) -> bool {
-        self.amplitude.iter().flat_map(|axis| &axis[1..]).all(|rho| *rho == 0.0)
+        self.bands.iter().all(SummedBands::are_white)
+    }
+
+    /// Power of the cell under test, over M channels.
+    pub(crate) fn cell_power(&self, channels: usize) -> CellPower {
+        CellPower::of(&self.bands[0].of_a_cell(), channels)
     }
 
     /// Whether a region's noise has something in common with that of its image.
@@ -134,7 +131,8 @@ impl Correlation {
     ///
     /// The power of N correlated cells is Σλ_i·E_i over the eigenvalues of their correlation matrix. All that
     /// enters a probability is Σ ln(1 + sλ_i); Gauss's rule of two nodes over the eigenvalues keeps their
-    /// number and their first three powers: N, Σρ_ii = N, Σκ_ij and Σρ_ij·ρ_jk·ρ_ki.
+    /// number and their first three powers: N, Σρ_ii = N, Σκ_ij and Σρ_ij·ρ_jk·ρ_ki. Of cells that sum bands
+    /// one group keeps two of them: triples of bands are many, and such sums nearly normal.
     pub(crate) fn mean_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
         let count = region.cells() as f64;
         let group = |eigenvalue: f64, share: f64| WeightedGamma {
@@ -142,6 +140,10 @@ impl Correlation {
             shape: share * count * channels as f64,
         };
         let spread = self.among(region, 1) / count;
+        if self.bands[0].count() > 1 {
+            let eigenvalue = self.bands[0].with_itself() * (1.0 + spread);
+            return vec![group(eigenvalue, 1.0 / eigenvalue)];
+        }
         if spread < NEGLIGIBLE {
             return vec![group(1.0, 1.0)];
         }
@@ -176,8 +178,7 @@ impl Correlation {
     fn of_rectangle(&self, rectangle: &Rectangle) -> Vec<f64> {
         let side = |axis: usize| {
             let length = (rectangle[axis][1] - rectangle[axis][0] + 1) as usize;
-            let row = |i: usize| (0..length).map(|j| self.rho(axis, i as i64 - j as i64)).collect();
-            eigenvalues((0..length).map(row).collect())
+            eigenvalues(self.bands[axis].matrix(length))
         };
         let (doppler, range) = (side(0), side(1));
         doppler.iter().flat_map(|a| range.iter().map(move |b| (a * b).max(NO_POWER))).collect()
@@ -200,14 +201,18 @@ impl Correlation {
         [1.0, -1.0].into_iter().flat_map(part).map(|value| value.max(NO_POWER)).collect()
     }
 
+    /// Correlation of cells of one band.
     fn rho(&self, axis: usize, lag: i64) -> f64 {
-        at_lag(&self.amplitude[axis], lag)
+        self.bands[axis].rho(lag, 0)
     }
 
-    /// Σκ^n between the cells of a region, its image's among them, and those of a rectangle.
+    /// Σκ^n between the cells of a region, its image's among them, and those of a rectangle; a cell's κ with
+    /// itself is 1.
     fn pairs(&self, region: &Region, with: &Rectangle, exponent: i32) -> f64 {
-        let kappa =
-            [0, 1].map(|axis: usize| self.power[axis].iter().map(|k| k.powi(exponent)).collect::<Vec<f64>>());
+        let kappa = [0, 1].map(|axis: usize| {
+            let with_itself = self.bands[axis].with_itself();
+            self.power[axis].iter().map(|k| (k / with_itself).powi(exponent)).collect::<Vec<f64>>()
+        });
         let sum = |axis: usize, a: [i64; 2], b: [i64; 2]| -> f64 {
             (a[0]..=a[1]).map(|i| (b[0]..=b[1]).map(|j| at_lag(&kappa[axis], i - j)).sum::<f64>()).sum()
         };
@@ -219,7 +224,8 @@ impl Correlation {
         for (sign_a, a) in region.parts() {
             for (sign_b, b) in region.all_parts() {
                 for (sign_c, c) in region.all_parts() {
-                    let along = |axis: usize| triple_sum(&self.amplitude[axis], [a[axis], b[axis], c[axis]]);
+                    let along =
+                        |axis: usize| triple_sum(self.bands[axis].within(), [a[axis], b[axis], c[axis]]);
                     total += sign_a * sign_b * sign_c * along(0) * along(1);
                 }
             }
@@ -237,17 +243,6 @@ fn at_lag(of_lag: &[f64], lag: i64) -> f64 {
 
 const CENTRE: Rectangle = [[0, 0], [0, 0]];
 
-fn negligible_is_none(rho: f64) -> f64 {
-    if rho.abs() < NEGLIGIBLE { 0.0 } else { rho }
-}
-
-/// Sign of Σw²cos(2π·lag·(n − N/2)/N).
-fn amplitude_sign(taper: &[f64], lag: f64) -> f64 {
-    let length = taper.len() as f64;
-    let angle = |n: usize| TAU * lag * (n as f64 / length - 0.5);
-    taper.iter().enumerate().map(|(n, w)| w * w * angle(n).cos()).sum::<f64>().signum()
-}
-
 /// Σρ(i − j)·ρ(j − k)·ρ(k − i) over three intervals, without the lags at which ρ is none.
 fn triple_sum(rho: &[f64], [a, b, c]: [[i64; 2]; 3]) -> f64 {
     let reach = rho.iter().rposition(|r| *r != 0.0).unwrap_or(0) as i64;
@@ -255,21 +250,6 @@ fn triple_sum(rho: &[f64], [a, b, c]: [[i64; 2]; 3]) -> f64 {
     let at = |i: i64, j: i64| at_lag(rho, i - j);
     let closed = |i: i64, j: i64| -> f64 { near(i, c).map(|k| at(j, k) * at(k, i)).sum() };
     (a[0]..=a[1]).map(|i| near(i, b).map(|j| at(i, j) * closed(i, j)).sum::<f64>()).sum()
-}
-
-/// Correlation |ρ|² of noise between rows `lag` apart. With Doppler division a summed cell holds bands of one
-/// receiver, i/M apart: cells correlate where bands meet.
-fn doppler_correlation(division: &Division, taper: &[f64], lag: f64) -> f64 {
-    if division.multiplexing != Multiplexing::Ddm {
-        return noise_correlation(taper, lag);
-    }
-    let transmitters = division.transmitters as i64;
-    let band_rows = band_cycles(division, 1) * taper.len() as f64;
-    let weighted = |shift: i64| {
-        let pairs = (transmitters - shift.abs()) as f64 / transmitters as f64;
-        pairs * noise_correlation(taper, lag + shift as f64 * band_rows)
-    };
-    (1 - transmitters..transmitters).map(weighted).sum()
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Threshold factors of every noise estimate: P_fa = P(y > α·T), y the cell under test, T the estimate.
 //!
-//! y is a sum of M unit exponentials (square law, M channels), independent of T. Where T is one sum of Gamma
+//! y is a sum of M unit exponentials (square law, M channels; weighted ones where bands of Doppler division
+//! meet, `cell_power.rs`), independent of T. Where T is one sum of Gamma
 //! variables (cell averaging), y > αT is a statement about such a sum too. Else P_fa = ∫ P(y > αt) dG(t) over
 //! the distribution G of T, which is known in closed form:
 //!
@@ -9,30 +10,29 @@
 //! - ordered statistic (Rohling, IEEE T-AES 19 (1983) 608): G(t) = I_u(k, N − k + 1), u = P(one cell < t).
 //!   One channel returns Rohling's product P_fa = Π_{i<k} (N − i)/(N − i + α).
 
+use crate::detection::cell_power::CellPower;
 use crate::detection::correlated_cells::{Correlation, Region};
 use crate::numerics::incomplete_beta::beta_below;
-use crate::numerics::incomplete_gamma::{gamma_below, gamma_tail};
 use crate::numerics::regula_falsi::falling_root;
 use crate::numerics::saddle_point_inversion::{WeightedGamma, probability_below};
 
 /// Threshold factor α over the mean of a region's cells.
-pub(crate) fn averaged_factor(mean: &[WeightedGamma], channels: usize, rate: f64) -> f64 {
-    let cell = WeightedGamma { weight: -1.0, shape: channels as f64 };
+pub(crate) fn averaged_factor(mean: &[WeightedGamma], cell: &CellPower, rate: f64) -> f64 {
     falling_root(rate, |factor| {
-        let scaled = |g: &WeightedGamma| WeightedGamma { weight: g.weight * factor * channels as f64, ..*g };
-        let form: Vec<_> = mean.iter().map(scaled).chain([cell]).collect();
+        let scaled = |g: &WeightedGamma| WeightedGamma { weight: g.weight * factor * cell.mean(), ..*g };
+        let form: Vec<_> = mean.iter().map(scaled).chain(cell.negated()).collect();
         probability_below(&form, 0.0)
     })
 }
 
 /// Threshold factor α over the greater mean of two regions whose noise is independent.
-pub(crate) fn greatest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize, rate: f64) -> f64 {
-    factor(channels, rate, |t| halves.map(|half| probability_below(half, t)).iter().product())
+pub(crate) fn greatest_of_factor(halves: [&[WeightedGamma]; 2], cell: &CellPower, rate: f64) -> f64 {
+    factor(cell, rate, |t| halves.map(|half| probability_below(half, t)).iter().product())
 }
 
 /// Threshold factor α over the smaller mean of two regions whose noise is independent.
-pub(crate) fn smallest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize, rate: f64) -> f64 {
-    factor(channels, rate, |t| {
+pub(crate) fn smallest_of_factor(halves: [&[WeightedGamma]; 2], cell: &CellPower, rate: f64) -> f64 {
+    factor(cell, rate, |t| {
         let [a, b] = halves.map(|half| probability_below(half, t));
         // 1 − (1 − a)(1 − b) without the loss of small a and b.
         a + b - a * b
@@ -40,9 +40,9 @@ pub(crate) fn smallest_of_factor(halves: [&[WeightedGamma]; 2], channels: usize,
 }
 
 /// Threshold factor α over the cell of this rank, counted from 1 at the weakest, of independent cells.
-pub(crate) fn ordered_factor(cells: usize, rank: usize, channels: usize, rate: f64) -> f64 {
-    let (mean, below, above) = (channels as f64, rank as f64, (cells - rank + 1) as f64);
-    factor(channels, rate, |t| beta_below(below, above, gamma_below(channels, mean * t)))
+pub(crate) fn ordered_factor(cells: usize, rank: usize, cell: &CellPower, rate: f64) -> f64 {
+    let (below, above) = (rank as f64, (cells - rank + 1) as f64);
+    factor(cell, rate, |t| beta_below(below, above, cell.below(cell.mean() * t)))
 }
 
 /// Threshold factor α over the cell of this rank of a region whose cells correlate.
@@ -56,16 +56,17 @@ pub(crate) fn correlated_ordered_factor(
     correlation: &Correlation,
     region: &Region,
     rank: usize,
-    channels: usize,
+    cell: &CellPower,
     rate: f64,
 ) -> f64 {
     let (cells, asked) = (region.cells() as f64, rank as f64 - 0.5);
+    let channels = cell.independent_channels();
     let among: Vec<f64> = (1..=TERMS as i32).map(|n| correlation.among(region, n)).collect();
-    factor(channels, rate, |t| {
-        let level = channels as f64 * t;
-        let u = gamma_below(channels, level);
+    factor(cell, rate, |t| {
+        let u = cell.below(cell.mean() * t);
         let independent = cells * u * (1.0 - u);
-        let shared: f64 = step_coefficients(channels, level).zip(&among).map(|(c, sum)| c * c * sum).sum();
+        let coefficients = step_coefficients(channels, channels as f64 * t);
+        let shared: f64 = coefficients.zip(&among).map(|(c, sum)| c * c * sum).sum();
         let fewer = if independent > 0.0 { independent / (independent + shared) } else { 1.0 };
         let below = asked * fewer + 0.5;
         beta_below(below, cells * fewer + 1.0 - below, u)
@@ -94,9 +95,9 @@ fn step_coefficients(channels: usize, t: f64) -> impl Iterator<Item = f64> {
 }
 
 /// Threshold factor α at which ∫ P(y > αt) dG(t) is the rate, T in units of one cell's mean.
-fn factor(channels: usize, rate: f64, below: impl Fn(f64) -> f64) -> f64 {
+fn factor(cell: &CellPower, rate: f64, below: impl Fn(f64) -> f64) -> f64 {
     let grid = Steps::new(rate, below);
-    falling_root(rate, |factor| grid.false_alarm_rate(factor * channels as f64, channels))
+    falling_root(rate, |factor| grid.false_alarm_rate(factor * cell.mean(), cell))
 }
 
 /// A distribution in steps: (t in the middle of a step, probability in it).
@@ -128,8 +129,8 @@ impl Steps {
         Self { steps: (0..=STEPS).map(step).collect() }
     }
 
-    fn false_alarm_rate(&self, factor: f64, channels: usize) -> f64 {
-        self.steps.iter().map(|(t, share)| gamma_tail(channels, factor * t) * share).sum()
+    fn false_alarm_rate(&self, factor: f64, cell: &CellPower) -> f64 {
+        self.steps.iter().map(|(t, share)| cell.above(factor * t) * share).sum()
     }
 }
 
@@ -139,6 +140,7 @@ const STEPS: i32 = 256;
 mod tests {
     use super::*;
     use crate::detection::cfar_threshold::threshold_factor;
+    use crate::numerics::incomplete_gamma::gamma_below;
 
     /// Quantile of the sum of M unit exponentials at this probability.
     fn quantile(channels: usize, probability: f64) -> f64 {
@@ -165,7 +167,7 @@ mod tests {
         {
             let (asked, got) = (
                 threshold_factor(cells, channels, rate),
-                averaged_factor(&independent(cells, channels), channels, rate),
+                averaged_factor(&independent(cells, channels), &CellPower::of_channels(channels), rate),
             );
             assert!((got / asked - 1.0).abs() < 1e-8, "{cells} × {channels}: {got} against {asked}");
         }
@@ -173,13 +175,14 @@ mod tests {
 
     #[test]
     fn ordered_statistics_of_one_channel_have_rohlings_factors() {
+        let one = CellPower::of_channels(1);
         // physics.md §8, k = ¾N, Pfa 1e-4 and 1e-6; printed to four decimals, the midpoint rule keeps three
         // digits more of the rate than of the factor.
         for (cells, at_1e4, at_1e6) in
             [(16, 11.0802, 20.9542), (32, 8.5801, 14.3985), (64, 7.5536, 11.9802), (128, 7.0855, 10.9292)]
         {
             for (rate, asked) in [(1e-4, at_1e4), (1e-6, at_1e6)] {
-                let got = ordered_factor(cells, cells * 3 / 4, 1, rate);
+                let got = ordered_factor(cells, cells * 3 / 4, &one, rate);
                 println!("{cells} cells at {rate:e}: {got:.5} against {asked}");
                 assert!((got / asked - 1.0).abs() < 2e-4, "{cells} cells at {rate:e}: {got} against {asked}");
             }
@@ -190,11 +193,11 @@ mod tests {
     fn one_channel_of_two_halves_has_its_closed_form() {
         // Halves of one cell each: P(y > α·min) = 2/(2 + α)·…: min of two unit exponentials is exponential of
         // mean ½, so 1/(1 + α/2); and max = both less min: 2/(1 + α) − 1/(1 + α/2).
-        let half = independent(1.0, 1);
+        let (half, one) = (independent(1.0, 1), CellPower::of_channels(1));
         for rate in [1e-2, 1e-4] {
-            let smallest = smallest_of_factor([&half, &half], 1, rate);
+            let smallest = smallest_of_factor([&half, &half], &one, rate);
             assert!((1.0 / (1.0 + 0.5 * smallest) / rate - 1.0).abs() < 1e-2, "{rate}: {smallest}");
-            let greatest = greatest_of_factor([&half, &half], 1, rate);
+            let greatest = greatest_of_factor([&half, &half], &one, rate);
             let got = 2.0 / (1.0 + greatest) - 1.0 / (1.0 + 0.5 * greatest);
             assert!((got / rate - 1.0).abs() < 1e-2, "{rate}: {greatest} gives {got}");
         }

@@ -5,7 +5,7 @@
 
 use super::common::*;
 use artifact::cube::CubeHeader;
-use artifact::radar::Sampling;
+use artifact::radar::{Multiplexing, Sampling};
 use artifact::settings::{Detector, Window};
 use dsp::RangeDoppler;
 use dsp::cfar::{Cfar, DETECTED, UNTESTED};
@@ -177,6 +177,50 @@ pub fn counted(header: &CubeHeader, rate: f64, maps: u64) -> Vec<Vec<(u64, u64)>
     let with_cells =
         |found: Vec<u64>| found.into_iter().zip(&zones.sizes).map(|(n, size)| (n, size * maps)).collect();
     all.into_iter().map(with_cells).collect()
+}
+
+/// Maps of as many rows as chirps, 64 range cells, four receivers, Hann windows, guard [2, 2], training
+/// [4, 8], of transmitters that Doppler division tells apart.
+pub fn header_of_bands(transmitters: u32, chirps: u32) -> CubeHeader {
+    let tx = (0..transmitters).map(|i| [4.0 * f64::from(i), 0.0]).collect();
+    let mut header = header(64, chirps, [tx, (0..4).map(|i| [f64::from(i), 0.0]).collect()]);
+    header.noise = NOISE_12_DB;
+    header.radar.array.multiplexing = Multiplexing::Ddm;
+    (header.dsp.guard_cells, header.dsp.training_cells) = ([2, 2], [4, 8]);
+    header
+}
+
+/// Noise under Doppler division, summed over the bands of all transmitters and over the receivers.
+fn power_of_bands(header: &CubeHeader, seed: u64) -> Vec<f64> {
+    let transform = RangeDoppler::<f64>::new(header).unwrap();
+    let [receivers, chirps, samples] = header.shape();
+    let (noise, cells) = (cube(header, &[], seed).samples, chirps * samples);
+    let transmitters = header.radar.array.tx_m.len();
+    let mut power = vec![0.0; cells];
+    for (receiver, transmitter) in (0..receivers).flat_map(|rx| (0..transmitters).map(move |tx| (rx, tx))) {
+        let turns = transmitter as f64 / (transmitters + 1) as f64;
+        let map = transform.channel(&noise[receiver * cells..][..cells], turns);
+        power.iter_mut().zip(map).for_each(|(sum, value)| *sum += value.norm_sqr());
+    }
+    power
+}
+
+/// Alarms counted in noise under Doppler division before its folds are told, per detector: alarms, and cells
+/// tested in about so many rows.
+pub fn counted_in_bands(header: &CubeHeader, rate: f64, rows: u64) -> Vec<(u64, u64)> {
+    let detectors = DETECTORS.map(|(_, detector)| cfar(header, detector, rate));
+    let [_, chirps, samples] = header.shape();
+    let maps = rows / chirps as u64;
+    let of_map = |seed: u64| {
+        let power = power_of_bands(header, seed);
+        detectors
+            .each_ref()
+            .map(|cfar| cfar.mask(&power, 0.0).iter().filter(|state| **state == DETECTED).count() as u64)
+    };
+    let added = |a: [u64; 4], b: [u64; 4]| std::array::from_fn(|i| a[i] + b[i]);
+    let drawn: Vec<[u64; 4]> = (0..maps).into_par_iter().map(of_map).collect();
+    let found = drawn.into_iter().fold([0; 4], added);
+    found.map(|alarms| (alarms, maps * (chirps * samples) as u64)).to_vec()
 }
 
 /// A failure names the setting; tolerance: a tenth, and twice the scatter of these maps.

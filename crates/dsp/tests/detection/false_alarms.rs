@@ -1,7 +1,7 @@
 //! S2: noise alone passes the detector at the rate asked for, in every zone of the map.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::alarm_rates::{self, DETECTORS, assert_weighed, noise_power_map};
+use crate::alarm_rates::{self, DETECTORS, assert_weighed, counted_in_bands, noise_power_map};
 use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
@@ -148,6 +148,20 @@ fn masks_are_those_of_estimates_made_cell_by_cell() {
                 }
                 assert!(floor > 0.0 || found > 0, "{name} finds nothing to compare");
             }
+        }
+    }
+}
+
+#[test]
+fn s2_narrow_bands_of_doppler_division_keep_the_rate() {
+    // 2,048 alarms expected of each, which come in lumps of as many as there are bands: 8 % of scatter.
+    for (transmitters, chirps) in [(3, 16), (6, 32), (6, 16), (12, 64), (12, 16)] {
+        let header = alarm_rates::header_of_bands(transmitters, chirps);
+        for ((name, _), found) in DETECTORS.iter().zip(counted_in_bands(&header, RATE, 32_000)) {
+            let (alarms, cells) = found;
+            let got = alarms as f64 / (RATE * cells as f64);
+            println!("{name}, {transmitters} transmitters, {chirps} chirps: {got:.3} of the rate asked for");
+            assert!((0.75..1.25).contains(&got), "{name}, {transmitters}, {chirps}: {got}");
         }
     }
 }

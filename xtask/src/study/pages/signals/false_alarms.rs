@@ -1,7 +1,10 @@
-//! False alarms of all detectors, by zone of the map: counted, and weighed down to 1e-6.
+//! False alarms of all detectors, by zone of the map: counted, and weighed down to 1e-6; and under Doppler
+//! division.
 
 use crate::study::extent::Extent;
-use crate::study::pages::measures::signals::alarm_rates::{self, DETECTORS, Zones, counted, weighed};
+use crate::study::pages::measures::signals::alarm_rates::{
+    self, DETECTORS, Zones, counted, counted_in_bands, weighed,
+};
 use crate::study::pages::part::Part;
 use crate::study::sources::{Places, SIGNALS};
 use artifact::cube::CubeHeader;
@@ -43,6 +46,29 @@ pub(crate) fn of_complex_samples(extent: Extent) -> Result<Part, Failure> {
 /// False alarms of real samples.
 pub(crate) fn of_real_samples(extent: Extent) -> Result<Part, Failure> {
     Ok(table_of(Sampling::Real, &REAL, extent))
+}
+
+/// Transmitters and chirps under Doppler division: bands of 16, 4, 4.6, 2.3, 4.9 and 1.2 rows.
+const BANDS: [(u32, u32); 6] = [(3, 64), (3, 16), (6, 32), (6, 16), (12, 64), (12, 16)];
+/// Rows that alarms are counted in.
+const ROWS: u64 = 200_000;
+
+/// False alarms under Doppler division.
+pub(crate) fn of_narrow_bands(extent: Extent) -> Result<Part, Failure> {
+    let mut part = Part::default();
+    part.head(&["transmitters", "chirps", "asked", "ca-cfar", "go-cfar", "so-cfar", "os-cfar"]);
+    for (transmitters, chirps) in BANDS {
+        let header = alarm_rates::header_of_bands(transmitters, chirps);
+        for rate in [1e-2, 1e-3] {
+            let show = |(alarms, cells): (u64, u64)| {
+                format!("{:.3} ({alarms})", alarms as f64 / (cells as f64 * rate))
+            };
+            let found = counted_in_bands(&header, rate, extent.of(ROWS)).into_iter().map(show);
+            let found = found.collect::<Vec<_>>().join(" | ");
+            part.line(format!("| {transmitters} | {chirps} | {rate:e} | {found} |"));
+        }
+    }
+    Ok(part)
 }
 
 fn table_of(sampling: Sampling, settings: &[Setting], extent: Extent) -> Part {
