@@ -12,4 +12,5 @@ pub(crate) mod empty_band; // folds under Doppler division
 pub(crate) mod range_doppler; // the map of a frame with its detections
 pub(crate) mod censored; // cells that stronger echoes hid
 pub(crate) mod interpolation; // offsets from a cell
+pub(crate) mod leakage; // sidelobes of echoes
 pub(crate) mod peaks; // local maxima without sidelobes

@@ -6,7 +6,6 @@ use crate::detection::cfar_threshold::threshold_factor;
 use crate::detection::peaks::PeakFinder;
 use crate::direction::angle::VirtualArray;
 use crate::error::DspError;
-use crate::spectrum::map_cells::MapCells;
 use crate::spectrum::map_transform::RangeDoppler;
 use crate::spectrum::noncoherent::Levels;
 use crate::spectrum::window::{noise_bandwidth_bins, taper};
@@ -40,7 +39,7 @@ impl Thresholds {
         Ok(Self {
             detector,
             censoring: Censoring::new(header, bandwidth_cells),
-            finder: PeakFinder::new(MapCells::of(&header.radar), &doppler, &range),
+            finder: PeakFinder::new(&header.radar, &doppler, &range),
             bandwidth_cells,
             // At 1e9 cells the factor is within 1e-8 of its limit.
             of_known_noise: threshold_factor(1e9, header.radar.map_channels(), settings.false_alarm_rate),

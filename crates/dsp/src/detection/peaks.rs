@@ -8,8 +8,9 @@
 
 use crate::detection::cfar::DETECTED;
 use crate::detection::interpolation::{Interpolator, Trio};
+use crate::detection::leakage::Leakage;
 use crate::spectrum::map_cells::MapCells;
-use crate::spectrum::window::response;
+use artifact::Radar;
 use ndarray::ArrayView2;
 use num_complex::{Complex32, Complex64};
 
@@ -55,25 +56,23 @@ impl Peak {
 pub(crate) struct PeakFinder {
     cells: MapCells,
     interpolators: [Interpolator; 2],
-    leakage: [Vec<f64>; 2],
+    leakage: Leakage,
 }
 
 /// A peak this little above the leakage of stronger ones is taken for leakage: two leaks in phase double
 /// their power.
 pub(crate) const LEAKAGE_MARGIN: f64 = 2.0;
-/// Windows and transforms are rounded: nothing is told apart farther below a peak than single precision
-/// carries (2⁻²⁴ of the amplitude, −144 dB).
-const LEAKAGE_FLOOR: f64 = 3.6e-15;
-/// Offsets tried between two cells for the worst leakage.
-const OFFSETS: i32 = 8;
+/// Leakage near the noise's level passes with what noise adds to it: it has to be passed by as much as noise
+/// alone hardly passes, from this part of that on; below, noise is what the detector judged it by.
+const LEAKAGE_IN_NOISE: f64 = 0.05;
 
 impl PeakFinder {
     /// Prepares for maps that were made with these windows.
-    pub(crate) fn new(cells: MapCells, doppler: &[f64], range: &[f64]) -> Self {
+    pub(crate) fn new(radar: &Radar, doppler: &[f64], range: &[f64]) -> Self {
         Self {
-            cells,
+            cells: MapCells::of(radar),
             interpolators: [Interpolator::new(doppler), Interpolator::new(range)],
-            leakage: [leakage(doppler), leakage(range)],
+            leakage: Leakage::new(radar, doppler, range),
         }
     }
 
@@ -95,7 +94,7 @@ impl PeakFinder {
             .map(|cell| self.place(power, values, mask, cell))
             .collect();
         peaks.sort_by(|a, b| b.power.total_cmp(&a.power).then((a.row, a.column).cmp(&(b.row, b.column))));
-        self.without_sidelobes(peaks)
+        self.without_sidelobes(peaks, noise_threshold)
     }
 
     /// Detected cells and the peak whose slope each stands on, in row-major order; those that climb to a
@@ -153,12 +152,13 @@ impl PeakFinder {
     }
 
     /// Drops peaks that the leakage of stronger kept ones explains.
-    fn without_sidelobes(&self, peaks: Vec<Peak>) -> Vec<Peak> {
+    fn without_sidelobes(&self, peaks: Vec<Peak>, noise_threshold: f64) -> Vec<Peak> {
         let mut kept: Vec<Peak> = Vec::new();
         for peak in peaks {
             let leaked: f64 =
                 kept.iter().map(|strong| strong.power * self.leak(strong, [peak.row, peak.column])).sum();
-            if peak.power > LEAKAGE_MARGIN * leaked {
+            let with_noise = noise_threshold.min(leaked / LEAKAGE_IN_NOISE);
+            if peak.power > LEAKAGE_MARGIN * leaked + with_noise {
                 kept.push(peak);
             }
         }
@@ -166,8 +166,8 @@ impl PeakFinder {
     }
 
     /// Largest share of a peak's power in a cell.
-    pub(crate) fn leak(&self, from: &Peak, [row, column]: [usize; 2]) -> f64 {
-        self.leakage[0][from.row.abs_diff(row)] * self.leakage[1][from.column.abs_diff(column)]
+    pub(crate) fn leak(&self, from: &Peak, cell: [usize; 2]) -> f64 {
+        self.leakage.share([from.row, from.column], cell)
     }
 
     /// Whether a cell is a peak among its neighbours: of equal ones the first in row-major order is.
@@ -196,35 +196,6 @@ impl PeakFinder {
 
 fn trio(channel: &[Complex32], cells: [usize; 3]) -> Trio {
     cells.map(|cell| Complex64::new(f64::from(channel[cell].re), f64::from(channel[cell].im)))
-}
-
-/// Largest share of a peak's power that its window leaves in a cell this many cells away, over all offsets of
-/// the tone.
-fn leakage(taper: &[f64]) -> Vec<f64> {
-    let length = taper.len();
-    let fine = fine_response(taper);
-    let per_cell = OFFSETS as usize;
-    let at = |steps: i64| fine[steps.rem_euclid((length * per_cell) as i64) as usize];
-    let worst = |lag: usize| {
-        let offsets = -OFFSETS / 2..=OFFSETS / 2;
-        let share = |offset: i32| {
-            let offset = i64::from(offset);
-            at((lag * per_cell) as i64 - offset) / at(offset).max(f64::MIN_POSITIVE)
-        };
-        offsets.map(share).fold(LEAKAGE_FLOOR, f64::max).min(1.0)
-    };
-    (0..length).map(worst).collect()
-}
-
-/// Response at every eighth of a cell.
-fn fine_response(taper: &[f64]) -> Vec<f64> {
-    let length = taper.len() * OFFSETS as usize;
-    let mut spectrum: Vec<num_complex::Complex64> = taper.iter().map(|w| (*w).into()).collect();
-    spectrum.resize(length, num_complex::Complex64::ZERO);
-    rustfft::FftPlanner::new().plan_fft_forward(length).process(&mut spectrum);
-    let scale = (taper.len() as f64).powi(-2);
-    debug_assert!((spectrum[0].norm_sqr() * scale - response(taper, 0.0)).abs() < 1e-9);
-    spectrum.iter().map(|v| v.norm_sqr() * scale).collect()
 }
 
 fn exceeds(power: ArrayView2<f64>, a: [usize; 2], b: [usize; 2]) -> bool {

@@ -4,6 +4,7 @@
 use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
+use artifact::radar::{Multiplexing, Sampling};
 use artifact::settings::Window;
 use dsp::Receiver;
 
@@ -119,6 +120,50 @@ fn sidelobes_of_a_very_strong_target_become_no_objects() {
         // 50 dBsm: 90 dB over the noise, far above every window's sidelobes. Off the bins' centres.
         let points = seen(&header, &[target([2.03, 31.37, 0.75], [0.0, -6.1, 0.0], 1e5)], 2);
         assert_eq!(points.objects.len(), 1, "{window:?}: {} points", points.points.len());
+    }
+}
+
+/// Objects that are not the strong target's, whose place is off the bins' centres, over some of its levels.
+fn false_objects(header: &CubeHeader, position_m: [f64; 3], levels_m2: &[f64]) -> usize {
+    let of = |(seed, rcs_m2): (u64, &f64)| {
+        let mut cube = cube(header, &[target(position_m, [0.0, -6.1, 0.0], *rcs_m2)], seed);
+        if header.radar.waveform.sampling == Sampling::Real {
+            cube.samples.iter_mut().for_each(|sample| sample.im = 0.0);
+        }
+        let (_, points) = Receiver::new(header).unwrap().process(&cube).unwrap();
+        points.objects.len().saturating_sub(1)
+    };
+    (0..).zip(levels_m2).map(of).sum()
+}
+
+#[test]
+fn sidelobes_of_the_conjugate_of_real_samples_become_no_objects() {
+    for window in [Window::Rect, Window::Hann, Window::Hamming, Window::Chebyshev(60.0)] {
+        let mut header = noisy(512);
+        header.radar.waveform.sampling = Sampling::Real;
+        (header.dsp.range_window, header.dsp.doppler_window) = (window, Window::Hann);
+        assert_eq!(false_objects(&header, [2.03, 31.37, 0.75], &[1e4, 1e5, 1e6]), 0, "{window:?}");
+    }
+}
+
+#[test]
+fn sidelobes_of_transmitters_in_other_bands_become_no_objects() {
+    let mut header = header(128, 256, elements_3x4());
+    header.noise = NOISE_12_DB;
+    header.radar.array.multiplexing = Multiplexing::Ddm;
+    (header.dsp.range_window, header.dsp.doppler_window) = (Window::Blackman, Window::Chebyshev(60.0));
+    // Straight ahead all transmitters are in phase.
+    assert_eq!(false_objects(&header, [0.0, 26.37, 0.75], &[1e4, 1e5, 1e6]), 0);
+}
+
+#[test]
+fn level_sidelobes_in_the_noise_become_no_objects() {
+    let mut header = noisy(256);
+    for sidelobes_db in [40.0, 60.0] {
+        header.dsp.range_window = Window::Chebyshev(sidelobes_db);
+        let at_noise_m2 = 10_f64.powf((sidelobes_db - 28.0) / 10.0);
+        let levels = [-4, -2, 0, 2, 4, 6].map(|db| at_noise_m2 * 10_f64.powf(f64::from(db) / 10.0));
+        assert_eq!(false_objects(&header, [2.03, 20.0, 0.75], &levels), 0, "{sidelobes_db} dB");
     }
 }
 
