@@ -1,7 +1,7 @@
 //! Sidelobes: the largest share of an echo's power that its windows leave in other cells of the map.
 //!
-//! A tone between cells leaves in a cell d away W(d − δ)/W(δ) of what its own cell holds, over all offsets δ up
-//! to half a cell. Two more things leave power far from it:
+//! A tone between cells leaves in a cell d away W(d − δ)/W(δ) of what its own cell holds, over all offsets δ
+//! up to half a cell. Two more things leave power far from it:
 //!
 //! - with Doppler division a cell sums a band of every transmitter, and the sidelobes of all transmitters add
 //!   up in each of them, in phase at worst. Their main lobes are the folds of the echo, which the empty band
