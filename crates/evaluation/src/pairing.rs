@@ -3,13 +3,15 @@
 //! An object belongs to a body by its distance, seen from above, to the nearest part of the body's outline:
 //! radar sees what faces it, and of a bus seen from the front that is 6 m before its middle. It has to move
 //! as the body does there: a ghost of two others that shows within the outline is not the body. Bodies and
-//! objects are paired one to one so that the sum of squares is least, as GOSPA pairs them.
+//! objects are paired one to one so that the sum of squares is least, as GOSPA pairs them, with two
+//! differences: half a metre counts as none, so that of a body's parts the strongest is taken, and velocities
+//! that the map folds onto the body's have a price, so that one in the right fold is taken before.
 //!
 //! What the settings ask of echoes at rest decides what is left over: an object that the radar itself tells
 //! to be at rest claims no vehicle, and is no false one where it is nobody's; a body whose echoes were
 //! removed with the rest is not missed.
 
-use crate::metrics::gospa::{Gospa, gospa};
+use crate::metrics::gospa::{Gospa, gospa_at_prices};
 use crate::truth::Truth;
 use artifact::points::Object;
 use artifact::scene::SceneHeader;
@@ -28,6 +30,13 @@ pub const GATE_M: f64 = 3.0;
 /// map folds it, is not that body's. Off by the gate at 30 m, a body that crosses at 14 m/s differs by 1.4
 /// m/s; parts of one object by a metre a second (`cluster_velocity_mps`).
 pub const VELOCITY_GATE_MPS: f64 = 2.0;
+
+/// An object no further from a body's outline is on it, as good as any within: two range cells of Table 2's
+/// narrowest band, and what directions err by at 30 m.
+pub const ON_OUTLINE_M: f64 = 0.5;
+
+/// Distance that an object in another fold than the body's counts as farther.
+pub const OTHER_FOLD_M: f64 = 2.0;
 
 /// Limits of what a radar tells of places and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,6 +72,18 @@ impl Reach {
         let apart_mps = object.radial_velocity_mps - self.radial_velocity_mps(truth, object);
         let moves_alike = self.folded_mps(apart_mps).abs() <= VELOCITY_GATE_MPS;
         if moves_alike { self.distance_m(truth, object).powi(2) } else { f64::INFINITY }
+    }
+
+    /// What speaks against a pair beside its squared distance, m²: a velocity that only the map's folds make
+    /// the body's, so that of a ghost within the outline and an echo in the right fold the latter is taken.
+    /// And, taken off, what is no distance: a strong echo of a front, told a hand's breadth before it, is the
+    /// body's rather than a weak one of its load, within the outline.
+    fn price_m2(&self, truth: &Truth, object: &Object) -> f64 {
+        let apart_mps = object.radial_velocity_mps - self.radial_velocity_mps(truth, object);
+        let of_fold_m2 = if apart_mps.abs() > VELOCITY_GATE_MPS { OTHER_FOLD_M.powi(2) } else { 0.0 };
+        let distance_m = self.distance_m(truth, object).abs();
+        let beyond_m = (distance_m - ON_OUTLINE_M).max(0.0);
+        of_fold_m2 + beyond_m.powi(2) - distance_m.powi(2)
     }
 
     /// Radial velocity of a body seen at the object's place, or, where that is not known, at its own.
@@ -117,10 +138,12 @@ impl Pairing {
     pub fn of(truths: &[Truth], objects: &[Object], reach: &Reach) -> Self {
         let asked: Vec<usize> =
             (0..truths.len()).filter(|t| truths[*t].is_to_be_found(reach.range_max_m)).collect();
-        let squares_m2 = Array2::from_shape_fn((asked.len(), objects.len()), |(row, o)| {
-            reach.square_m2(&truths[asked[row]], &objects[o])
-        });
-        let all = gospa(squares_m2.view(), GATE_M);
+        let of_pairs = |of: fn(&Reach, &Truth, &Object) -> f64| {
+            let pair = |(row, o): (usize, usize)| of(reach, &truths[asked[row]], &objects[o]);
+            Array2::from_shape_fn((asked.len(), objects.len()), pair)
+        };
+        let squares_m2 = of_pairs(Reach::square_m2);
+        let all = gospa_at_prices(squares_m2.view(), of_pairs(Reach::price_m2).view(), GATE_M);
         let mut object_of = vec![None; truths.len()];
         asked.iter().zip(&all.chosen).for_each(|(truth, object)| object_of[*truth] = *object);
         let is_removed = |row: &usize| all.chosen[*row].is_none() && reach.removes(&truths[asked[*row]]);
@@ -289,6 +312,24 @@ mod tests {
         assert_eq!(objects_of(&truths, &[ghost, object_at([2.0, 29.5])]), [Some(1)]);
         // A span away.
         assert_eq!(objects_of(&truths, &[ghost, moving(object_at([2.0, 29.5]), 20.4)]), [Some(1)]);
+    }
+
+    #[test]
+    fn an_echo_in_the_right_fold_is_taken_before_a_ghost_within_the_outline() {
+        // At rest, its front at 30 m; the map folds 20 m/s onto rest.
+        let truths = [body(8.0, [2.0, 34.0])];
+        let ghost = Object { radial_velocity_mps: -19.5, ..object_at([2.0, 36.0]) };
+        assert_eq!(objects_of(&truths, &[ghost, object_at([2.0, 29.5])]), [Some(1)]);
+        assert_eq!(objects_of(&truths, &[ghost]), [Some(0)], "alone it is what is seen of the body");
+    }
+
+    #[test]
+    fn of_a_bodys_parts_the_strongest_is_taken_though_it_is_told_before_the_front() {
+        let truths = [body(8.0, [2.0, 34.0])];
+        let [front, load] = [object_at([2.0, 29.6]), object_at([2.0, 36.0])];
+        assert_eq!(objects_of(&truths, &[front, load]), [Some(0)], "strongest first");
+        assert_eq!(objects_of(&truths, &[load, front]), [Some(0)]);
+        assert_eq!(objects_of(&truths, &[object_at([2.0, 29.0]), load]), [Some(1)], "a metre is a distance");
     }
 
     #[test]
