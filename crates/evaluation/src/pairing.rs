@@ -33,10 +33,10 @@ pub const VELOCITY_GATE_MPS: f64 = 2.0;
 
 /// An object no further from a body's outline is on it, as good as any within: two range cells of Table 2's
 /// narrowest band, and what directions err by at 30 m.
-pub const ON_OUTLINE_M: f64 = 0.5;
+const ON_OUTLINE_M: f64 = 0.5;
 
 /// Distance that an object in another fold than the body's counts as farther.
-pub const OTHER_FOLD_M: f64 = 2.0;
+const OTHER_FOLD_M: f64 = 2.0;
 
 /// Limits of what a radar tells of places and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
