@@ -150,8 +150,9 @@ fn a_run_that_is_killed_leaves_nothing_half_written_and_the_next_goes_on() {
     child.wait().unwrap();
     assert!(!place.path("a/frames.cube").exists() && !place.path("a/summary.json").exists());
     let explained = place.run("run small.toml --out a --explain --quiet");
+    // Frames are computed side by side, so that any of the first may not have been done.
     assert!(
-        explained.contains("frame 0 fmcw_echo: cached") && explained.contains("frame 39 fmcw_echo: runs"),
+        explained.contains(" fmcw_echo: cached") && explained.contains("frame 39 fmcw_echo: runs"),
         "{explained}"
     );
     assert_eq!(place.summary("a/summary.json")["frames"].as_array().unwrap().len(), 40);
