@@ -30,6 +30,11 @@ impl CellPower {
         Self { channels, groups: groups.filter(|g| g.shape > 1e-9 && g.weight > 1e-9).collect() }
     }
 
+    /// Number of channels.
+    pub(crate) fn channels(&self) -> usize {
+        self.channels
+    }
+
     /// Mean: the number of channels.
     pub(crate) fn mean(&self) -> f64 {
         self.channels as f64

@@ -22,6 +22,7 @@
 //!   > α(1−c)/(1−αc)·(noise): solved for α, it is α′/(1 − c + α′c) with α′ of the independent case.
 
 use crate::detection::cell_means::LookUp;
+use crate::detection::cell_power::CellPower;
 use crate::detection::cfar_threshold::threshold_factor;
 use crate::detection::correlated_cells::{Correlation, Rectangle, Region};
 use crate::detection::images::Images;
@@ -283,12 +284,13 @@ fn zones(header: &CubeHeader) -> Result<Zones, DspError> {
     let mut different = places.concat();
     different.sort_unstable();
     different.dedup();
+    let cell = correlation.cell_power(channels);
     let zones: Vec<(Vec<Region>, f64, usize)> = different
         .par_iter()
         .map(|(reach, image)| {
             let mut regions = training_regions(settings, [guard, outer], *reach, *image);
             regions.iter_mut().for_each(|r| r.image = r.image.filter(|_| correlation.meets_image(r)));
-            let (factor, rank) = threshold(settings, &correlation, &regions, channels);
+            let (factor, rank) = threshold(settings, &correlation, &regions, &cell);
             (regions, factor, rank)
         })
         .collect();
@@ -341,14 +343,13 @@ fn threshold(
     settings: &DspSettings,
     correlation: &Correlation,
     regions: &[Region],
-    channels: usize,
+    cell: &CellPower,
 ) -> (f64, usize) {
-    let rate = settings.false_alarm_rate;
+    let (rate, channels) = (settings.false_alarm_rate, cell.channels());
     let cells: usize = regions.iter().map(Region::cells).sum();
     let rank = ((OS_RANK * cells as f64).round() as usize).clamp(1, cells);
     let mean = |region: &Region| correlation.mean_power(region, channels);
     let half = |region: &Region| correlation.rectangle_power(region, channels);
-    let cell = &correlation.cell_power(channels);
     let is_white = correlation.is_white() && regions.iter().all(|region| region.image.is_none());
     let independent = match (settings.detector, regions) {
         (Detector::OsCfar, [ring, ..]) if is_white => ordered_factor(ring.cells(), rank, cell, rate),

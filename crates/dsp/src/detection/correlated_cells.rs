@@ -82,6 +82,8 @@ const NEGLIGIBLE: f64 = 1e-6;
 /// Noise farther apart than this beyond a region and its image is independent: twice the main lobe of a
 /// window of −100 dB.
 pub(crate) const FAR_CELLS: usize = 8;
+/// Bands of the rows of a region whose eigenvalues are looked for: those of more take seconds.
+const MOST_BANDS: usize = 300;
 /// A region that shares less than this part of its power with its image does not meet it: with α = 15, N =
 /// 100 the rate changes by α²/2N of it.
 const MEETS: f64 = 1e-4;
@@ -158,8 +160,13 @@ impl Correlation {
 
     /// The mean power of a rectangle's noise: as [`Self::mean_power`] with Gauss's rule of eight nodes.
     ///
-    /// The smaller of two means lives in the lower tail of a thin half, where the small eigenvalues decide.
+    /// The smaller of two means lives in the lower tail of a thin half, where the small eigenvalues decide; of
+    /// so many bands as make long work there is no thin half.
     pub(crate) fn rectangle_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
+        let [rows, _] = region.whole.map(|[first, last]| (last - first + 1) as usize);
+        if self.bands[0].count() > 1 && rows * self.bands[0].count() > MOST_BANDS {
+            return self.mean_power(region, channels);
+        }
         let eigenvalues = match region.image {
             None => self.of_rectangle(&region.whole),
             Some(image) => self.of_rectangle_and_image(&region.whole, image),

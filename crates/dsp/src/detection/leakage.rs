@@ -48,7 +48,11 @@ impl Leakage {
     /// Largest share of the power of a cell, [doppler, range], in another.
     pub(crate) fn share(&self, from: [usize; 2], at: [usize; 2]) -> f64 {
         let direct = self.doppler[from[0].abs_diff(at[0])] * self.range[from[1].abs_diff(at[1])];
-        if self.has_images { in_phase([direct, self.of_image(from, at)]) } else { direct }
+        if !self.has_images {
+            return direct;
+        }
+        // In phase at worst.
+        (direct.sqrt() + self.of_image(from, at).sqrt()).powi(2)
     }
 
     /// Share that the conjugate leaves, which lies as far on the other side of zero velocity and of range 0.
@@ -98,14 +102,20 @@ impl Sidelobes<'_> {
         if bands == 1 {
             return self.at(steps);
         }
-        let of_band = |band: i64| {
-            let from = |transmitter: i64| {
-                let steps = steps + (band - transmitter) * self.band_steps;
-                if band == transmitter || self.is_sidelobe(steps) { self.at(steps) } else { 0.0 }
-            };
-            in_phase((0..bands as i64).map(from))
+        let most = bands as i64 - 1;
+        let amplitude = |apart: i64| {
+            let steps = steps + apart * self.band_steps;
+            if apart == 0 || self.is_sidelobe(steps) { self.at(steps).sqrt() } else { 0.0 }
         };
-        (0..bands as i64).map(of_band).sum::<f64>() / bands as f64
+        // Amplitudes added up from the farthest transmitter on; a band sees as many of them as there are bands.
+        let added: Vec<f64> = std::iter::once(0.0)
+            .chain((-most..=most).scan(0.0, |sum, apart| {
+                *sum += amplitude(apart);
+                Some(*sum)
+            }))
+            .collect();
+        let of_bands = added.iter().zip(&added[bands..]).map(|(before, to)| (to - before).powi(2));
+        of_bands.sum::<f64>() / bands as f64
     }
 
     fn is_sidelobe(&self, steps: i64) -> bool {
@@ -113,11 +123,6 @@ impl Sidelobes<'_> {
         let around = steps.rem_euclid(circle);
         around.min(circle - around) > self.lobe
     }
-}
-
-/// Power of echoes of these powers that are in phase.
-fn in_phase(powers: impl IntoIterator<Item = f64>) -> f64 {
-    powers.into_iter().map(f64::sqrt).sum::<f64>().powi(2)
 }
 
 /// Steps from the middle of a response to its first null.
