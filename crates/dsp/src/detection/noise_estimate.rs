@@ -1,8 +1,8 @@
 //! Threshold factors of every noise estimate: P_fa = P(y > α·T), y the cell under test, T the estimate.
 //!
 //! y is a sum of M unit exponentials (square law, M channels; weighted ones where bands of Doppler division
-//! meet, `cell_power.rs`), independent of T. Where T is one sum of Gamma variables (cell averaging), y > αT is
-//! a statement about such a sum too. Else P_fa = ∫ P(y > αt) dG(t) over the distribution G of T, which is
+//! meet, `cell_power.rs`), independent of T. Where T is one sum of Gamma variables (cell averaging), y > αT
+//! is a statement about such a sum too. Else P_fa = ∫ P(y > αt) dG(t) over the distribution G of T, which is
 //! known in closed form:
 //!
 //! - greatest and smallest of two halves (Hansen, Sawyers, IEEE T-AES 16 (1980) 115; Trunk, T-AES 14 (1978)
