@@ -11,7 +11,7 @@
 //! to be at rest claims no vehicle, and is no false one where it is nobody's; a body whose echoes were
 //! removed with the rest is not missed.
 
-use crate::metrics::gospa::{Gospa, gospa_at_prices};
+use crate::metrics::gospa::{Gospa, gospa_by_costs};
 use crate::truth::Truth;
 use artifact::points::Object;
 use artifact::scene::SceneHeader;
@@ -53,6 +53,23 @@ pub struct Reach {
     pub removed_to_mps: Option<f64>,
 }
 
+/// Distance and difference of radial velocity of an object from a body.
+struct Apart {
+    distance_m: f64,
+    velocity_mps: f64,
+}
+
+impl Apart {
+    /// Squared distance by which a body's object is chosen, m². What lies on the outline is as near as what
+    /// lies within: a strong echo of a front, told a hand's breadth before it, is the body's rather than a
+    /// weak one of its load. And of a ghost within the outline that only the map's folds make move alike, and
+    /// an echo in the right fold, the latter is taken.
+    fn cost_m2(&self) -> f64 {
+        let of_fold_m2 = if self.velocity_mps.abs() > VELOCITY_GATE_MPS { OTHER_FOLD_M.powi(2) } else { 0.0 };
+        (self.distance_m - ON_OUTLINE_M).max(0.0).powi(2) + of_fold_m2
+    }
+}
+
 impl Reach {
     /// The reach of a scene's radar with its settings.
     pub fn of(header: &SceneHeader) -> Self {
@@ -67,23 +84,17 @@ impl Reach {
         }
     }
 
-    /// Squared distance from the outline to an object that moves as the body does; infinite of any other.
-    fn square_m2(&self, truth: &Truth, object: &Object) -> f64 {
-        let apart_mps = object.radial_velocity_mps - self.radial_velocity_mps(truth, object);
-        let moves_alike = self.folded_mps(apart_mps).abs() <= VELOCITY_GATE_MPS;
-        if moves_alike { self.distance_m(truth, object).powi(2) } else { f64::INFINITY }
+    fn apart(&self, truth: &Truth, object: &Object) -> Apart {
+        Apart {
+            distance_m: self.distance_m(truth, object).abs(),
+            velocity_mps: object.radial_velocity_mps - self.radial_velocity_mps(truth, object),
+        }
     }
 
-    /// What speaks against a pair beside its squared distance, m²: a velocity that only the map's folds make
-    /// the body's, so that of a ghost within the outline and an echo in the right fold the latter is taken.
-    /// And, taken off, what is no distance: a strong echo of a front, told a hand's breadth before it, is the
-    /// body's rather than a weak one of its load, within the outline.
-    fn price_m2(&self, truth: &Truth, object: &Object) -> f64 {
-        let apart_mps = object.radial_velocity_mps - self.radial_velocity_mps(truth, object);
-        let of_fold_m2 = if apart_mps.abs() > VELOCITY_GATE_MPS { OTHER_FOLD_M.powi(2) } else { 0.0 };
-        let distance_m = self.distance_m(truth, object).abs();
-        let beyond_m = (distance_m - ON_OUTLINE_M).max(0.0);
-        of_fold_m2 + beyond_m.powi(2) - distance_m.powi(2)
+    /// Squared distance from the outline to an object that moves as the body does; infinite of any other.
+    fn square_m2(&self, apart: &Apart) -> f64 {
+        let moves_alike = self.folded_mps(apart.velocity_mps).abs() <= VELOCITY_GATE_MPS;
+        if moves_alike { apart.distance_m.powi(2) } else { f64::INFINITY }
     }
 
     /// Radial velocity of a body seen at the object's place, or, where that is not known, at its own.
@@ -138,12 +149,11 @@ impl Pairing {
     pub fn of(truths: &[Truth], objects: &[Object], reach: &Reach) -> Self {
         let asked: Vec<usize> =
             (0..truths.len()).filter(|t| truths[*t].is_to_be_found(reach.range_max_m)).collect();
-        let of_pairs = |of: fn(&Reach, &Truth, &Object) -> f64| {
-            let pair = |(row, o): (usize, usize)| of(reach, &truths[asked[row]], &objects[o]);
-            Array2::from_shape_fn((asked.len(), objects.len()), pair)
-        };
-        let squares_m2 = of_pairs(Reach::square_m2);
-        let all = gospa_at_prices(squares_m2.view(), of_pairs(Reach::price_m2).view(), GATE_M);
+        let apart = Array2::from_shape_fn((asked.len(), objects.len()), |(row, o)| {
+            reach.apart(&truths[asked[row]], &objects[o])
+        });
+        let squares_m2 = apart.map(|apart| reach.square_m2(apart));
+        let all = gospa_by_costs(squares_m2.view(), apart.map(Apart::cost_m2).view(), GATE_M);
         let mut object_of = vec![None; truths.len()];
         asked.iter().zip(&all.chosen).for_each(|(truth, object)| object_of[*truth] = *object);
         let is_removed = |row: &usize| all.chosen[*row].is_none() && reach.removes(&truths[asked[*row]]);

@@ -73,8 +73,6 @@ pub(crate) struct Correlation {
     /// Correlation ρ less the phase that no closed chain of cells keeps (windows are symmetric about N/2), of
     /// the bands that cells sum: one in range.
     bands: [SummedBands; 2],
-    /// |ρ|², mean over the bands of a cell of the sum over those of the other.
-    power: [Vec<f64>; 2],
 }
 
 /// Correlations below this are none: a region of 10⁴ cells gains less than 1e-8 by them.
@@ -98,8 +96,7 @@ impl Correlation {
         let division = Division::of(&header.radar);
         let lags = |axis: usize| 4 * outer[axis] + FAR_CELLS;
         let bands = [SummedBands::of(&division, &doppler, lags(0)), SummedBands::alone(&range, lags(1))];
-        let power = [0, 1].map(|axis: usize| (0..=lags(axis)).map(|lag| bands[axis].power(lag)).collect());
-        Ok(Self { bands, power })
+        Ok(Self { bands })
     }
 
     /// Whether no cell correlates with another.
@@ -216,9 +213,9 @@ impl Correlation {
     /// Σκ^n between the cells of a region, its image's among them, and those of a rectangle; a cell's κ with
     /// itself is 1.
     fn pairs(&self, region: &Region, with: &Rectangle, exponent: i32) -> f64 {
-        let kappa = [0, 1].map(|axis: usize| {
-            let with_itself = self.bands[axis].with_itself();
-            self.power[axis].iter().map(|k| (k / with_itself).powi(exponent)).collect::<Vec<f64>>()
+        let kappa = self.bands.each_ref().map(|bands| {
+            let with_itself = bands.with_itself();
+            bands.power().iter().map(|k| (k / with_itself).powi(exponent)).collect::<Vec<f64>>()
         });
         let sum = |axis: usize, a: [i64; 2], b: [i64; 2]| -> f64 {
             (a[0]..=a[1]).map(|i| (b[0]..=b[1]).map(|j| at_lag(&kappa[axis], i - j)).sum::<f64>()).sum()

@@ -28,7 +28,8 @@ impl Images {
         let has = waveform.sampling == Sampling::Real && header.radar.array.multiplexing != Multiplexing::Ddm;
         let [far_rows, far] = outer.map(|half| (2 * half + FAR_CELLS) as i64);
         // Regions are alike above and below a row, so that the side on which the image lies does not matter.
-        let row_image = |row: usize| nearest(2 * (row as i64 - chirps as i64 / 2), chirps as i64).abs();
+        let row_image =
+            |row: usize| nearest(row as i64 - conjugate_row(row, chirps) as i64, chirps as i64).abs();
         let of_row = |row: usize| Some(row_image(row)).filter(|image| has && *image <= far_rows);
         let mut kinds: Vec<Option<i64>> = std::iter::once(None).chain((0..chirps).map(of_row)).collect();
         kinds.sort_unstable();
@@ -42,6 +43,11 @@ impl Images {
         let image = || nearest(-2 * column as i64, self.samples);
         (self.samples > 0).then(image).filter(|image| image.abs() <= self.far)
     }
+}
+
+/// Row of the conjugate of a row's cells, as far on the other side of zero velocity.
+pub(crate) fn conjugate_row(row: usize, rows: usize) -> usize {
+    (2 * (rows / 2) + rows - row) % rows
 }
 
 /// The smallest of an offset's values on a circle.

@@ -9,6 +9,7 @@
 //! - of real samples the echo has its conjugate at the opposite Doppler and the opposite range, off the map,
 //!   whose sidelobes are on it.
 
+use crate::detection::images::conjugate_row;
 use crate::spectrum::division::Division;
 use crate::spectrum::doppler_bands::band_cycles;
 use crate::spectrum::window::response;
@@ -47,19 +48,18 @@ impl Leakage {
 
     /// Largest share of the power of a cell, [doppler, range], in another.
     pub(crate) fn share(&self, from: [usize; 2], at: [usize; 2]) -> f64 {
-        let direct = self.doppler[from[0].abs_diff(at[0])] * self.range[from[1].abs_diff(at[1])];
+        let direct = self.between(from, at);
         if !self.has_images {
             return direct;
         }
+        let (rows, columns) = (self.doppler.len(), self.range.len());
+        let conjugate = [conjugate_row(from[0], rows), (columns - from[1]) % columns];
         // In phase at worst.
-        (direct.sqrt() + self.of_image(from, at).sqrt()).powi(2)
+        (direct.sqrt() + self.between(conjugate, at).sqrt()).powi(2)
     }
 
-    /// Share that the conjugate leaves, which lies as far on the other side of zero velocity and of range 0.
-    fn of_image(&self, from: [usize; 2], at: [usize; 2]) -> f64 {
-        let (rows, columns) = (self.doppler.len(), self.range.len());
-        let zero = rows / 2;
-        self.doppler[(from[0] + at[0] + 2 * (rows - zero)) % rows] * self.range[(from[1] + at[1]) % columns]
+    fn between(&self, from: [usize; 2], at: [usize; 2]) -> f64 {
+        self.doppler[from[0].abs_diff(at[0])] * self.range[from[1].abs_diff(at[1])]
     }
 }
 

@@ -16,8 +16,8 @@ use std::f64::consts::TAU;
 pub(crate) struct SummedBands {
     /// ρ by bands from one to the other, from −(bands − 1) on, then by cells.
     rho: Vec<Vec<f64>>,
-    /// |ρ|² likewise.
-    power: Vec<Vec<f64>>,
+    /// |ρ|² by cells: the mean over the bands of one of the sum over those of the other.
+    power: Vec<f64>,
 }
 
 /// Correlations below this are none: a region of 10⁴ cells gains less than 1e-8 by them.
@@ -39,18 +39,21 @@ impl SummedBands {
     }
 
     fn apart(taper: &[f64], most_cells: usize, count: usize, band_cells: f64) -> Self {
-        let bands = 1 - count as i64..count as i64;
-        let power = |band: i64| {
-            let lag = |cells: usize| cells as f64 + band as f64 * band_cells;
-            (0..=most_cells).map(|cells| noise_correlation(taper, lag(cells))).collect()
+        let bands = || 1 - count as i64..count as i64;
+        let lag = |band: i64, cells: usize| cells as f64 + band as f64 * band_cells;
+        let of_band = |band: i64| -> Vec<f64> {
+            (0..=most_cells).map(|cells| noise_correlation(taper, lag(band, cells))).collect()
         };
-        let power: Vec<Vec<f64>> = bands.clone().map(power).collect();
-        let signed = |(band, power): (i64, &Vec<f64>)| {
-            let lag = |cells: usize| cells as f64 + band as f64 * band_cells;
-            let rho = |(cells, k): (usize, &f64)| k.max(0.0).sqrt() * amplitude_sign(taper, lag(cells));
-            power.iter().enumerate().map(rho).map(negligible_is_none).collect()
+        let power: Vec<Vec<f64>> = bands().map(of_band).collect();
+        let rho = |(band, of_cells): (i64, &Vec<f64>)| {
+            let signed =
+                |(cells, k): (usize, &f64)| k.max(0.0).sqrt() * amplitude_sign(taper, lag(band, cells));
+            of_cells.iter().enumerate().map(signed).map(negligible_is_none).collect()
         };
-        Self { rho: bands.zip(&power).map(signed).collect(), power }
+        let share = |band: i64| (count as i64 - band.abs()) as f64 / count as f64;
+        let mean =
+            |cells: usize| bands().zip(&power).map(|(band, of_cells)| share(band) * of_cells[cells]).sum();
+        Self { rho: bands().zip(&power).map(rho).collect(), power: (0..=most_cells).map(mean).collect() }
     }
 
     /// Number of bands of a cell.
@@ -68,19 +71,14 @@ impl SummedBands {
         &self.rho[self.count() - 1]
     }
 
-    /// |ρ|² of cells so far apart: the mean over the bands of one of the sum over those of the other.
-    pub(crate) fn power(&self, cells: usize) -> f64 {
-        let count = self.count();
-        if count == 1 {
-            return self.power[0][cells];
-        }
-        let share = |band: usize| (count - band.abs_diff(count - 1)) as f64 / count as f64;
-        self.power.iter().enumerate().map(|(band, of_cells)| share(band) * of_cells[cells]).sum()
+    /// |ρ|² of cells by their distance: the mean over the bands of one of the sum over those of the other.
+    pub(crate) fn power(&self) -> &[f64] {
+        &self.power
     }
 
     /// [`Self::power`] of a cell with itself: more than 1 where its own bands meet.
     pub(crate) fn with_itself(&self) -> f64 {
-        if self.count() == 1 { 1.0 } else { self.power(0) }
+        if self.count() == 1 { 1.0 } else { self.power[0] }
     }
 
     /// Correlation of all bands of so many cells in a row.
@@ -144,7 +142,7 @@ mod tests {
             for cells in 0..4 {
                 let block = |i: usize| matrix[i][6 * cells..6 * cells + 6].iter().map(|rho| rho * rho);
                 let asked: f64 = (0..6).flat_map(block).sum::<f64>() / 6.0;
-                let got = bands.power(cells);
+                let got = bands.power()[cells];
                 assert!((got - asked).abs() < 1e-9, "{chirps} chirps, {cells} cells: {got} for {asked}");
             }
         }

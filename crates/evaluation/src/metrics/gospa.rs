@@ -50,24 +50,21 @@ const RANK_M2: f64 = 1e-12;
 
 /// GOSPA of squared distances, m², `[truth, estimate]`; pairs further apart than the cut-off c are none.
 pub fn gospa(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> Gospa {
-    gospa_at_prices(squares_m2, Array2::zeros(squares_m2.dim()).view(), cutoff_m)
+    gospa_by_costs(squares_m2, squares_m2, cutoff_m)
 }
 
-/// GOSPA of the pairs whose squared distances and prices, m², are least together: what else speaks against a
-/// pair, or for it, has a price, and is no part of the metric.
-pub(crate) fn gospa_at_prices(
-    squares_m2: ArrayView2<f64>,
-    prices_m2: ArrayView2<f64>,
-    cutoff_m: f64,
-) -> Gospa {
+/// GOSPA of the pairs whose costs, m², are least together, of those within the cut-off: what else speaks for
+/// a pair or against it is no part of the metric.
+pub(crate) fn gospa_by_costs(squares_m2: ArrayView2<f64>, costs_m2: ArrayView2<f64>, cutoff_m: f64) -> Gospa {
     let (truths, estimates) = squares_m2.dim();
     // A truth left over costs c²/2, and leaves an estimate over for another c²/2.
     let left_over_m2 = cutoff_m.powi(2);
-    let ranked = Array2::from_shape_fn((truths, estimates), |at| match squares_m2[at] {
-        square_m2 if square_m2 < left_over_m2 => square_m2 + RANK_M2 * at.1 as f64 + prices_m2[at],
-        _ => f64::INFINITY,
+    let is_pair = |at: (usize, usize)| squares_m2[at] < left_over_m2;
+    let ranked = Array2::from_shape_fn((truths, estimates), |at| {
+        if is_pair(at) { costs_m2[at] + RANK_M2 * at.1 as f64 } else { f64::INFINITY }
     });
-    let dearest_m2 = prices_m2.iter().copied().fold(0.0, f64::max);
+    let pairs = squares_m2.indexed_iter().filter(|(at, _)| is_pair(*at));
+    let dearest_m2 = pairs.map(|(at, square_m2)| costs_m2[at] - square_m2).fold(0.0, f64::max);
     let chosen = assignment(ranked.view(), left_over_m2 + dearest_m2);
     let pairs = chosen.iter().enumerate().filter_map(|(t, e)| Some((t, (*e)?)));
     let (count, sum) = pairs.fold((0, 0.0), |(count, sum), pair| (count + 1, sum + squares_m2[pair]));
