@@ -1,5 +1,7 @@
 //! Errors of the echo, told as facts.
 
+use artifact::paths::ArraySpan;
+
 /// Reason why no echo is made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum EchoError {
@@ -128,6 +130,19 @@ pub enum EchoError {
         /// Interval from one moment to the next.
         step_s: f64,
     },
+    /// A path that stands for a place of the array that is none of its frame's.
+    #[error(
+        "path {path} of frame {frame} stands for place {} of {} from {} m on every {} m of the array: there is none",
+        span.place, span.places, span.first_m, span.step_m
+    )]
+    NoSuchPlace {
+        /// Frame.
+        frame: u32,
+        /// Index in the frame's list.
+        path: usize,
+        /// The part of the array.
+        span: ArraySpan,
+    },
     /// A path's apparent point comes closer to an element than a wavelength, where 1/(L₁L₂) means nothing.
     #[error(
         "path {path} of frame {frame} passes {distance_m} m from {element} element {index}: less than a wavelength"
@@ -219,6 +234,8 @@ impl EchoError {
     pub fn path(&self) -> Option<usize> {
         match self {
             Self::NonFinitePath { path, .. }
+            | Self::NoSuchMoment { path, .. }
+            | Self::NoSuchPlace { path, .. }
             | Self::PathThroughAntenna { path, .. }
             | Self::TooFast { path, .. } => Some(*path),
             _ => None,

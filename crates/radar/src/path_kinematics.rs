@@ -58,12 +58,19 @@ fn on_rim(rim: &Rim, way_m: DVec3, (hub_m, hub_mps): (DVec3, DVec3)) -> (DVec3, 
     (hub_m + from_hub_m, hub_mps + turn_radps.cross(from_hub_m))
 }
 
-/// Mean over the frame of a path's share of the echo: 1 where it stands for all of it.
+/// Mean of a path's share of the echo over the frame and over pairs of elements: 1 where it stands for all.
 pub fn mean_share(radar: &Radar, path: &Path) -> f64 {
-    const INSTANTS: u32 = 128;
-    let Some(span) = path.curve.span else { return 1.0 };
-    let seconds = |i: u32| (f64::from(i) + 0.5) / f64::from(INSTANTS) * radar.frame_duration_s();
-    (0..INSTANTS).map(|i| span.share(seconds(i))).sum::<f64>() / f64::from(INSTANTS)
+    const SAMPLES: usize = 128;
+    if path.curve.span.is_none() && path.curve.array_span.is_none() {
+        return 1.0;
+    }
+    let (tx, rx) = (&radar.array.tx_m, &radar.array.rx_m);
+    let share = |i: usize| {
+        let fraction = (i as f64 + 0.5) / SAMPLES as f64;
+        let pair = (fraction * (tx.len() * rx.len()) as f64) as usize;
+        path.curve.share(fraction * radar.frame_duration_s(), [tx[pair / rx.len()], rx[pair % rx.len()]])
+    };
+    (0..SAMPLES).map(share).sum::<f64>() / SAMPLES as f64
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 10;
+    const VERSION: u32 = 11;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 
@@ -43,7 +43,7 @@ pub struct PathsFrame {
     /// Time of the frame's first sample.
     pub time_s: f64,
     /// Paths in the tracer's order: body, facet sequence, cell, and behind them what was traced at several
-    /// moments, one after the other; where detail was taken from them, target by target.
+    /// nodes, one after the other; where detail was taken from them, target by target.
     pub paths: Vec<Path>,
     /// Nearest lit surface of each body from the radar's position at the frame's middle, m, in the order of
     /// the scene frame's poses; `None` if all is hidden.
@@ -126,6 +126,8 @@ pub struct Curve {
     pub rim: Option<Rim>,
     /// The part of the frame that the path stands for; `None` for all of it.
     pub span: Option<Span>,
+    /// The part of the array that the path stands for; `None` for all of it.
+    pub array_span: Option<ArraySpan>,
 }
 
 /// The part of a frame that a path stands for, where some ways were traced at several moments of it: at any
@@ -142,36 +144,74 @@ pub struct Span {
     pub moment: u32,
 }
 
-/// Moments that a blend is made of, where there are as many: a cubic.
+/// The part of an array that a path stands for, where some ways were traced from several places along its
+/// row: for any pair of elements the paths of the nearest places are blended, each with its
+/// [`ArraySpan::share`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ArraySpan {
+    /// Vector d_t: a pair of elements is at d_t·p_t + d_r·p_r along the row, world metres.
+    pub transmit: [f64; 3],
+    /// Vector d_r.
+    pub receive: [f64; 3],
+    /// Coordinate of the first place.
+    pub first_m: f64,
+    /// Step from one place to the next.
+    pub step_m: f64,
+    /// Number of places.
+    pub places: u32,
+    /// Index of the place from which the path was traced, from 0.
+    pub place: u32,
+}
+
+/// Nodes that a blend is made of, where there are as many: a cubic.
 const BLENDED: u32 = 4;
+
+/// Lagrange's polynomial of a node through the four of `count` nodes at 0, 1, 2 … about `place`: 1 at its own
+/// node and 0 at the others.
+fn lagrange(node: u32, count: u32, place: f64) -> f64 {
+    let blended = blended_at(count, place);
+    if !blended.contains(&node) {
+        return 0.0;
+    }
+    let own = f64::from(node);
+    blended.filter(|n| *n != node).map(|n| (place - f64::from(n)) / (own - f64::from(n))).product()
+}
+
+/// The nodes that are blended at a place: two before and two behind it, but at the ends.
+fn blended_at(count: u32, place: f64) -> Range<u32> {
+    let blended = BLENDED.min(count);
+    let first = ((place.floor() - 1.0).max(0.0) as u32).min(count - blended);
+    first..first + blended
+}
 
 impl Span {
     /// Factor of the path's amplitude: Lagrange's polynomial through the four moments about `seconds`, 1 at
     /// its own moment and 0 at the others. The shares of all moments add up to 1.
     pub fn share(&self, seconds: f64) -> f64 {
-        let nodes = self.blended_at(seconds);
-        if !nodes.contains(&self.moment) {
-            return 0.0;
-        }
-        let place = (seconds - self.first_s) / self.step_s;
-        let own = f64::from(self.moment);
-        nodes
-            .filter(|node| *node != self.moment)
-            .map(|node| (place - f64::from(node)) / (own - f64::from(node)))
-            .product()
+        lagrange(self.moment, self.moments, (seconds - self.first_s) / self.step_s)
     }
 
     /// Time at which the path was traced, from the frame's first sample.
     pub fn traced_at_s(&self) -> f64 {
         self.first_s + f64::from(self.moment) * self.step_s
     }
+}
 
-    /// The moments that are blended at a time: two before and two behind it, but at the ends.
-    fn blended_at(&self, seconds: f64) -> Range<u32> {
-        let count = BLENDED.min(self.moments);
-        let before = ((seconds - self.first_s) / self.step_s).floor() - 1.0;
-        let first = (before.max(0.0) as u32).min(self.moments - count);
-        first..first + count
+impl ArraySpan {
+    /// Factor of the path's amplitude from a transmit element to a receive element: Lagrange's polynomial
+    /// through the four places about where the pair is. The shares of all places add up to 1.
+    pub fn share(&self, [tx_m, rx_m]: [[f64; 3]; 2]) -> f64 {
+        let along_m: f64 = (0..3).map(|i| self.transmit[i] * tx_m[i] + self.receive[i] * rx_m[i]).sum();
+        lagrange(self.place, self.places, (along_m - self.first_m) / self.step_m)
+    }
+}
+
+impl Curve {
+    /// Factor of the path's amplitude some `seconds` after the frame's first sample, from a transmit element
+    /// to a receive element at these places: 1 where the path stands for all of the frame and the array.
+    pub fn share(&self, seconds: f64, ends_m: [[f64; 3]; 2]) -> f64 {
+        let over_time = self.span.map_or(1.0, |span| span.share(seconds));
+        over_time * self.array_span.map_or(1.0, |span| span.share(ends_m))
     }
 }
 
@@ -232,6 +272,10 @@ pub struct Fineness {
     /// Ways that were traced at all moments: ids of the bodies in the order of travel, ways back among
     /// them.
     pub ways: Vec<Vec<String>>,
+    /// Number of places of the array from which `ways_of_places` were traced; 1 where its middle is enough.
+    pub places: u32,
+    /// Ways that were traced from all places.
+    pub ways_of_places: Vec<Vec<String>>,
 }
 
 /// Fineness of the integrals on one body.

@@ -1,7 +1,7 @@
 //! Path tables as some samples of a cube see them: pairs of elements, moments of the frame, instants of the
 //! sweep.
 
-use crate::frame::path_sum::{apparent_m, share};
+use crate::frame::path_sum::apparent_m;
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -30,6 +30,12 @@ impl Look {
     pub(crate) fn legs_m(&self, path: &Path) -> [DVec3; 2] {
         let [from_tx_m, from_rx_m] = apparent_m(path, self.seconds);
         [from_tx_m - self.tx_m, from_rx_m - self.rx_m]
+    }
+
+    /// Factor of a path that stands for a part of the frame.
+    fn share(&self, path: &Path) -> f64 {
+        let ends_m = [self.tx_m.to_array(), self.rx_m.to_array()];
+        path.curve.share(self.seconds, ends_m)
     }
 }
 
@@ -134,7 +140,7 @@ impl<'a> Looks<'a> {
         let behind_hz = waveform.slope_hz_per_s * delay_s;
         Tone {
             value: Complex64::from_polar(
-                share(path, look.seconds) * strength(self.radar, legs_m),
+                look.share(path) * strength(self.radar, legs_m),
                 -TAU * cycles.fract(),
             ),
             turn: Complex64::cis(-TAU * step_hz * delay_s),

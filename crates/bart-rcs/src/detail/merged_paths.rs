@@ -77,14 +77,11 @@ pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path
     let key = |path: &Path| {
         let turns = extents.turns(path);
         let cell = |value: f64, size: f64| (value / size).floor() as i64;
-        let moment = path.curve.span.map(|span| (span.moments, span.moment));
-        (
-            path.target,
-            path.order,
-            moment,
-            cell(turns.length_m, length_m),
-            turns.cycles.map(|c| cell(c, cycles)),
-        )
+        let part = [
+            path.curve.span.map(|span| (span.moments, span.moment)),
+            path.curve.array_span.map(|span| (span.places, span.place)),
+        ];
+        (path.target, path.order, part, cell(turns.length_m, length_m), turns.cycles.map(|c| cell(c, cycles)))
     };
     let mut keyed: Vec<_> = paths.iter().map(|path| (key(path), path)).collect();
     keyed.sort_by_key(|(key, _)| *key);

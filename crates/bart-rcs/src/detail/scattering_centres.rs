@@ -68,9 +68,10 @@ fn looks<'a>(radar: &'a Radar, paths: &[(PathTurns, &Path)]) -> Looks<'a> {
         high - low
     };
     let cells = extent(&|t| t.length_m) * radar.waveform.bandwidth_hz().abs() / SPEED_OF_LIGHT_MPS;
-    // From one moment to the next a blend turns by half a cycle at most.
+    // From one node to the next a blend turns by half a cycle at most.
     let moments = paths.iter().filter_map(|(_, path)| path.curve.span).map(|span| span.moments).max();
-    let blended = 0.5 * f64::from(moments.unwrap_or(0));
+    let places = paths.iter().filter_map(|(_, path)| path.curve.array_span).map(|span| span.places).max();
+    let blended = 0.5 * f64::from(moments.unwrap_or(0) + places.unwrap_or(0));
     let across: f64 = (0..5).map(|axis| extent(&|t| t.cycles[axis])).sum::<f64>() + blended;
     Looks::new(radar, (10.0 + 4.0 * across).min(64.0) as usize, (8.0 + 2.0 * cells).ceil() as usize, 0.5)
 }

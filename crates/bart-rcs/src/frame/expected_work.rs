@@ -70,7 +70,7 @@ pub(crate) fn expected_work(
     frame: &SceneFrame,
 ) -> Result<ExpectedWork, BartError> {
     let header = &header.in_frame(frame.index);
-    let plan = Plan::of(header, &Unheard);
+    let plan = Plan::of(header, frame, &Unheard);
     let world = World::posed(models, header, frame, plan.middle_s)?;
     let trace = TraceSettings { max_order: plan.trace.max_order.min(header.fidelity.bounces), ..plan.trace };
     let sampled = SampledTree::trace(&world, Antenna::Point(plan.position_m), &trace, SAMPLE)?;

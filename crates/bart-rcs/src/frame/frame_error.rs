@@ -8,7 +8,7 @@
 use crate::frame::band_power::{MARGIN, frequencies_hz, mean, mean_difference, power_over_frame, total};
 use crate::frame::integration_error::{IntegrationError, integration_error, of_order};
 use crate::frame::path_plan::Plan;
-use crate::frame::path_sum::element_over_band;
+use crate::frame::path_sum::{PathView, element_over_band};
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::table::aspect::{left_out_order, other};
@@ -38,6 +38,8 @@ pub(crate) struct Reference {
     left_out_m: Option<Vec<Complex64>>,
     /// Fineness of its integrals, and of those of the paths that are compared with it.
     pub(crate) integration: IntegrationError,
+    /// All orders together as a second pair of elements sees them.
+    second: Option<(PathView, Vec<Complex64>)>,
 }
 
 /// Measured errors of one table of paths, as amplitudes relative to the frame's.
@@ -79,7 +81,7 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
     let other_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| of(o, &other))).collect();
     let alone = MeetingSettings { nodes: NodeRule::Middle, edges: Edges::Ignored, ..plan.meetings() };
     let left_out_m = left_out_order(fidelity.bounces, plan.trace.max_order).map(|order| of(order, &alone));
-    Reference { by_order_m, other_m, left_out_m, frequencies_hz, integration }
+    Reference { by_order_m, other_m, left_out_m, frequencies_hz, integration, second: None }
 }
 
 fn checked_frequencies_hz(plan: &Plan<'_>) -> Vec<f64> {
@@ -91,6 +93,20 @@ fn wavenumbers_per_m(frequencies_hz: &[f64]) -> Vec<f64> {
 }
 
 impl Reference {
+    /// The same, and what a second pair of elements sees from a place and at a moment.
+    pub(crate) fn with_second(self, scatterer: &Scatterer<'_>, plan: &Plan<'_>, view: PathView) -> Self {
+        let seen_m = self.of_other_beams(scatterer, plan);
+        Self { second: Some((view, seen_m)), ..self }
+    }
+
+    /// Scattering amplitude by other beams, all orders together, by the rule asked for and as fine.
+    fn of_other_beams(&self, other: &Scatterer<'_>, plan: &Plan<'_>) -> Vec<Complex64> {
+        let wavenumbers = wavenumbers_per_m(&self.frequencies_hz);
+        let (settings, accuracies) = (plan.meetings(), &self.integration.accuracy_of_body);
+        let of = |order: u8| of_order(other, plan, (order, &settings), &wavenumbers, accuracies);
+        total((1..=plan.header.fidelity.bounces).map(of), wavenumbers.len())
+    }
+
     /// Spread between the node rules where both are known, and the first order that is missing; both relative
     /// to all orders.
     pub(crate) fn model_error(&self) -> ModelError {
@@ -124,10 +140,7 @@ impl Reference {
 
     /// Ratio ‖S − S(of other beams)‖ over ‖S‖ of all orders together, by the rule asked for.
     pub(crate) fn difference(&self, other: &Scatterer<'_>, plan: &Plan<'_>) -> f64 {
-        let wavenumbers = wavenumbers_per_m(&self.frequencies_hz);
-        let (settings, accuracies) = (plan.meetings(), &self.integration.accuracy_of_body);
-        let of = |order: u8| of_order(other, plan, (order, &settings), &wavenumbers, accuracies);
-        let other_m = total((1..=plan.header.fidelity.bounces).map(of), wavenumbers.len());
+        let other_m = self.of_other_beams(other, plan);
         let total_m = self.total_m();
         amplitude_ratio(mean_difference(&total_m, &other_m), mean(&total_m))
     }
@@ -157,15 +170,18 @@ impl FrameError {
     ) -> Self {
         let power = power_over_frame(paths, plan);
         let relative = |part: f64| amplitude_ratio(part, power);
-        let view = plan.check_view();
         let element = plan.header.radar.array.polarization.indices();
-        let sum_of = |paths: &[Path]| element_over_band(paths, &view, element, &reference.frequencies_hz);
-        let bodies = reference.total_m();
-        let exact: Vec<Complex64> =
-            bodies.iter().zip(sum_of(points)).map(|(s, of_points)| s + of_points).collect();
+        let missed = |view: &PathView, bodies: &[Complex64]| {
+            let sum_of = |paths: &[Path]| element_over_band(paths, view, element, &reference.frequencies_hz);
+            let exact: Vec<Complex64> =
+                bodies.iter().zip(sum_of(points)).map(|(s, of_points)| s + of_points).collect();
+            mean_difference(&exact, &sum_of(paths))
+        };
+        let first = missed(&plan.check_view(), &reference.total_m());
+        let second = reference.second.as_ref().map(|(view, bodies)| missed(view, bodies));
         // The reference is integrated as finely as the paths: what both err by is added.
         let integration_power = reference.integration.power;
-        let error_power = mean_difference(&exact, &sum_of(paths)) + integration_power;
+        let error_power = second.map_or(first, |second| 0.5 * (first + second)) + integration_power;
         let [beams, beams_at_most] = given_up.beams;
         let scale = (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
         Self {

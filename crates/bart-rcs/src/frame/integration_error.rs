@@ -4,7 +4,7 @@
 //! what is left of its sum is known to less. What a body errs by counts against what the frame as a whole
 //! scatters: a kerb of −48 dBsm, long and smooth, need not be known as well as the car beside it.
 
-use crate::frame::band_power::{MARGIN, mean, mean_difference, total};
+use crate::frame::band_power::{MARGIN, mean, total};
 use crate::frame::path_plan::Plan;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::table::meeting::{MeetingSettings, OrderJoints};
@@ -30,6 +30,12 @@ const OVER_DIFFERENCE_WITH_EDGES: f64 = 0.75;
 /// their bounds and less, and mostly cancel. Beyond [`COARSEST`] bounds tell little of errors.
 const FIRST: f64 = 2.0;
 const COARSEST: f64 = 0.25;
+/// Most meetings on a body whose integrals are compared with far finer ones instead: many polygons err by
+/// what they differ by, but a few may be whole tiles of both, and differ by nothing. A plate's sidelobe is as
+/// small as what its tile leaves out.
+const FEW: usize = 64;
+/// Bounds of those far finer integrals over their own.
+const FAR_FINER: f64 = 1.0 / 512.0;
 /// Share of the accuracy asked for that integrals may take; freezing and what is dropped have the rest,
 /// √(1 − 0.7²) = 0.71.
 const INTEGRATION_SHARE: f64 = 0.7;
@@ -124,16 +130,41 @@ impl Look<'_> {
         (0..self.meetings.len()).map(of_order).collect()
     }
 
-    /// Mean square of the error of all these bodies together, by what the coarser integrals differ.
+    /// Mean square of the error of all these bodies together.
     fn error_power(&self, bodies: &[OfBody]) -> f64 {
-        let count = self.wavenumbers_per_m.len();
-        let coarser = total(bodies.iter().map(|body| body.coarser.clone()), count);
-        let over_difference = match self.plan.header.fidelity.edges {
+        mean(&total(bodies.iter().map(|body| body.error.clone()), self.wavenumbers_per_m.len()))
+    }
+
+    /// Error of S of the nodes on one body over frequency, all orders together: by what far finer integrals
+    /// differ where its meetings are few, else by what coarser ones do.
+    fn error(
+        &self,
+        (body, accuracy): (usize, f64),
+        own: &[Complex64],
+        coarser: impl FnOnce() -> Vec<Complex64>,
+    ) -> Vec<Complex64> {
+        let (other, over_difference) = if self.meetings_on(body) <= FEW {
+            (self.of_all_orders(body, FAR_FINER * accuracy), 1.0)
+        } else {
+            (coarser(), self.over_difference())
+        };
+        own.iter().zip(other).map(|(own, other)| over_difference * (own - other)).collect()
+    }
+
+    fn over_difference(&self) -> f64 {
+        match self.plan.header.fidelity.edges {
             Edges::Ignored => OVER_DIFFERENCE,
             Edges::FirstOrder => OVER_DIFFERENCE_WITH_EDGES,
-        };
-        let difference = mean_difference(&total(self.by_order(bodies).into_iter(), count), &coarser);
-        over_difference * over_difference * difference
+        }
+    }
+
+    fn of_all_orders(&self, body: usize, accuracy: f64) -> Vec<Complex64> {
+        total(self.of_body(body, accuracy).into_iter(), self.wavenumbers_per_m.len())
+    }
+
+    /// Number of the meetings on a body, of all orders.
+    fn meetings_on(&self, body: usize) -> usize {
+        self.meetings.iter().map(|meeting| meeting.on_body(self.scatterer, body).count()).sum()
     }
 }
 
@@ -142,21 +173,29 @@ struct OfBody {
     accuracy: f64,
     /// S by order.
     by_order: Vec<Vec<Complex64>>,
-    /// S of integrals with bounds 1/[`FINER`] times as large, all orders together.
-    coarser: Vec<Complex64>,
+    /// Error of all orders together.
+    error: Vec<Complex64>,
 }
 
 impl OfBody {
     fn at(look: &Look<'_>, body: usize, accuracy: f64) -> Self {
-        let coarser = look.of_body(body, accuracy / FINER);
-        let coarser = total(coarser.into_iter(), look.wavenumbers_per_m.len());
-        Self { accuracy, by_order: look.of_body(body, accuracy), coarser }
+        Self::beside(look, (body, accuracy), || look.of_all_orders(body, accuracy / FINER))
     }
 
     /// Finer integrals, compared with these.
     fn finer(&self, look: &Look<'_>, body: usize) -> Self {
-        let accuracy = FINER * self.accuracy;
-        let coarser = total(self.by_order.iter().cloned(), self.coarser.len());
-        Self { accuracy, by_order: look.of_body(body, accuracy), coarser }
+        let count = look.wavenumbers_per_m.len();
+        Self::beside(look, (body, FINER * self.accuracy), || total(self.by_order.iter().cloned(), count))
+    }
+
+    fn beside(
+        look: &Look<'_>,
+        (body, accuracy): (usize, f64),
+        coarser: impl FnOnce() -> Vec<Complex64>,
+    ) -> Self {
+        let by_order = look.of_body(body, accuracy);
+        let own = total(by_order.iter().cloned(), look.wavenumbers_per_m.len());
+        let error = look.error((body, accuracy), &own, coarser);
+        Self { accuracy, by_order, error }
     }
 }

@@ -3,13 +3,13 @@
 
 use crate::bodies::models::Models;
 use crate::bodies::road::check_road;
+use crate::frame::blends::blending::{split, split_alike};
 use crate::frame::frame_error::{Reference, reference};
 use crate::frame::left_out::between_bodies::between_bodies_left_out;
 use crate::frame::left_out::road::road_left_out;
-use crate::frame::moments::{split, split_alike};
-use crate::frame::nearest_surface::nearest_range_m;
 use crate::frame::path_plan::Plan;
 use crate::frame::path_table::{Fit, paths_as_fine};
+use crate::frame::snapshot::nearest_surface::nearest_range_m;
 use crate::frame::snapshot::{Scenery, Snapshot};
 use crate::joins::scatterer::check_order;
 use crate::oversight::error::BartError;
@@ -51,7 +51,7 @@ pub(crate) fn trace_frame(
     let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
-    let plan = Plan::of(header, surroundings.progress);
+    let plan = Plan::of(header, frame, surroundings.progress);
     let scenery = Scenery { models, frame, plan: &plan };
     match surroundings.like.and_then(|measured| Some((measured, measured.trace.fineness.as_ref()?))) {
         Some((measured, fineness)) => traced_like(&scenery, measured, fineness),
@@ -64,7 +64,7 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     let header = plan.header;
     // One moment's bodies and beams at a time.
     let (reference, left_out, skin_error, check_bytes) = {
-        let check = scenery.at(plan.check_s, plan.check_m)?;
+        let check = scenery.at(plan.check_s, plan.check_ends_m)?;
         let reference = reference(&check.scatterer(plan, Phase::Checking), plan);
         let left_out = ModelError {
             road: road_left_out(&check.world, plan, &reference)?,
@@ -73,10 +73,11 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
         };
         (reference, left_out, check.world.skin_error(), check.bytes())
     };
+    let (reference, second_bytes) = with_second(scenery, reference)?;
     let tessellation = tessellation(scenery, &reference, skin_error)?;
     let points = point_paths(header, frame);
     let (seen, table, has_bodies) = {
-        let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
+        let snapshot = scenery.at(plan.middle_s, [plan.position_m; 2])?;
         let scatterer = snapshot.scatterer(plan, Phase::Integrating);
         let fit = Fit::new(&scatterer, plan, &points, &reference);
         let table = fit.table(&|table| split(scenery, table, &points, &reference))?;
@@ -89,9 +90,18 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
         fineness: has_bodies.then_some(table.fineness),
         origin: ErrorOrigin::Measured,
         // The moments are traced beside the frame's middle.
-        bytes: check_bytes.max(table.bytes + seen.bytes),
+        bytes: check_bytes.max(second_bytes).max(table.bytes + seen.bytes),
     };
     Ok(paths_frame(plan, frame, seen, table.paths, measured))
+}
+
+/// The reference with a second pair of elements, where the array is wide; and the bytes that took.
+fn with_second(scenery: &Scenery<'_>, reference: Reference) -> Result<(Reference, u64), BartError> {
+    let plan = scenery.plan;
+    let Some((ends_m, seconds)) = plan.second_check else { return Ok((reference, 0)) };
+    let second = scenery.at(seconds, ends_m)?;
+    let view = plan.view_from(ends_m, seconds);
+    Ok((reference.with_second(&second.scatterer(plan, Phase::Checking), plan, view), second.bytes()))
 }
 
 /// Ratio ‖S(of facets cut for [`COARSER`] times the error) − S‖ over ‖S‖ at the moment of the check, where
@@ -107,7 +117,7 @@ fn tessellation(
     }
     let models =
         Models::build_coarser(plan.header, COARSER * skin_error)?.within(scenery.models.memory_limit);
-    let coarser = Scenery { models: &models, ..*scenery }.at(plan.check_s, plan.check_m)?;
+    let coarser = Scenery { models: &models, ..*scenery }.at(plan.check_s, plan.check_ends_m)?;
     let difference = reference.difference(&coarser.scatterer(plan, Phase::Checking), plan);
     Ok(Some(told_error(difference, skin_error)))
 }
@@ -119,7 +129,7 @@ fn traced_like(
 ) -> Result<PathsFrame, BartError> {
     let (plan, frame) = (scenery.plan, scenery.frame);
     let (seen, kept) = {
-        let snapshot = scenery.at(plan.middle_s, plan.position_m)?;
+        let snapshot = scenery.at(plan.middle_s, [plan.position_m; 2])?;
         (
             FrameFindings::of(&snapshot, plan),
             paths_as_fine(&snapshot.scatterer(plan, Phase::Integrating), plan, fineness)?,
@@ -216,6 +226,7 @@ fn point_paths(header: &SceneHeader, frame: &SceneFrame) -> Vec<Path> {
                 apparent_rx_mps2: pose.acceleration_mps2,
                 rim: wheel.map(|wheel| rim(&wheel, &kind.start, pose)),
                 span: None,
+                array_span: None,
             },
         })
     };

@@ -1,21 +1,22 @@
 //! Plan of a frame's paths: what they are traced with, fixed by the scene's header.
 
 use crate::beams::beam::TraceSettings;
+use crate::frame::array_places::{ArrayRow, checked_from_m};
 use crate::frame::path_sum::PathView;
 use crate::joins::join::tree_order;
 use crate::oversight::progress::Progress;
 use crate::surface::skin::share_beside;
 use crate::table::meeting::MeetingSettings;
+use artifact::Waveform;
 use artifact::paths::Amplitude;
-use artifact::scene::SceneHeader;
+use artifact::scene::{SceneFrame, SceneHeader};
 use artifact::settings::Fidelity;
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use artifact::{Radar, Waveform};
 use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Most moments that a frame of rigid bodies is split into (`frame/moments.rs`).
+/// Most nodes that a frame of rigid bodies is blended from along one axis (`frame/blends.rs`).
 pub const MOMENTS_MAX: u32 = 33;
 
 /// Fewest moments that a frame is split into.
@@ -44,14 +45,19 @@ pub(crate) struct Plan<'a> {
     /// Times after the frame's first sample at which paths are traced, and at which they are checked.
     pub(crate) middle_s: f64,
     pub(crate) check_s: f64,
-    /// Place that they are checked from.
+    /// Places of the transmitter and the receiver that they are checked with, and their middle.
+    pub(crate) check_ends_m: [DVec3; 2],
+    /// Those of a second pair, of a wide array, and their time.
+    pub(crate) second_check: Option<([DVec3; 2], f64)>,
     pub(crate) check_m: DVec3,
+    /// Row that the array's pairs of elements stand along.
+    pub(crate) row: ArrayRow,
     /// Hears how far the frame is.
     pub(crate) progress: &'a dyn Progress,
 }
 
 impl<'a> Plan<'a> {
-    pub(crate) fn of(header: &'a SceneHeader, progress: &'a dyn Progress) -> Self {
+    pub(crate) fn of(header: &'a SceneHeader, frame: &SceneFrame, progress: &'a dyn Progress) -> Self {
         let band = SampledBand::of(&header.radar.waveform);
         let middle_s = header.radar.frame_middle_s();
         let fidelity = &header.fidelity;
@@ -64,10 +70,27 @@ impl<'a> Plan<'a> {
             least_area_m2,
             least_mirror_area_m2: 100.0 * least_area_m2,
         };
-        let check_s = middle_s + check_offset_s(header.radar.frame_duration_s());
+        let check_offset_s = check_offset_s(header.radar.frame_duration_s());
+        let check_s = middle_s + check_offset_s;
         let position_m = DVec3::from_array(header.radar.position_m);
-        let check_m = checked_from_m(&header.radar);
-        Self { header, position_m, band, trace, middle_s, check_s, check_m, progress }
+        let (check_ends_m, second) =
+            checked_from_m(&header.radar, header.road.as_ref(), &frame.poses, [middle_s, check_s]);
+        let second_check = second.map(|ends_m| (ends_m, middle_s - check_offset_s));
+        let check_m = 0.5 * (check_ends_m[0] + check_ends_m[1]);
+        let row = ArrayRow::of(&header.radar, header.road.as_ref());
+        Self {
+            header,
+            position_m,
+            band,
+            trace,
+            middle_s,
+            check_s,
+            check_ends_m,
+            second_check,
+            check_m,
+            row,
+            progress,
+        }
     }
 
     /// Relative amplitude error that the frame's paths may have: what facets in place of a skin leave of the
@@ -98,38 +121,24 @@ impl<'a> Plan<'a> {
 
     /// Place and time at which paths are summed; R_t and R_r are about 1 m, as only ratios are looked at.
     pub(crate) fn view(&self, seconds: f64) -> PathView {
-        self.view_from(self.position_m, seconds)
+        self.view_from([self.position_m; 2], seconds)
     }
 
     /// The moment and the place of the check.
     pub(crate) fn check_view(&self) -> PathView {
-        self.view_from(self.check_m, self.check_s)
+        self.view_from(self.check_ends_m, self.check_s)
     }
 
-    fn view_from(&self, place_m: DVec3, seconds: f64) -> PathView {
+    /// Places of the transmitter and the receiver, and a moment.
+    pub(crate) fn view_from(&self, [transmitter_m, receiver_m]: [DVec3; 2], seconds: f64) -> PathView {
         PathView {
-            transmitter_m: place_m,
-            receiver_m: place_m,
+            transmitter_m,
+            receiver_m,
             origin_m: self.position_m + DVec3::Y,
             seconds,
             centre_frequency_hz: self.band.centre_hz,
         }
     }
-}
-
-/// The middle of a transmitter and a receiver whose distance from the radar's position is about the root mean
-/// square of all pairs': as with time, what errs in proportion to the distance errs there as the whole array
-/// does.
-fn checked_from_m(radar: &Radar) -> DVec3 {
-    let place = |m: &[f64; 3]| DVec3::from_array(*m);
-    let centre = place(&radar.position_m);
-    let of_tx =
-        |tx: &[f64; 3]| radar.array.rx_m.iter().map(|rx| 0.5 * (place(tx) + place(rx))).collect::<Vec<_>>();
-    let pairs: Vec<DVec3> = radar.array.tx_m.iter().flat_map(of_tx).collect();
-    let mean_square =
-        pairs.iter().map(|p| p.distance_squared(centre)).sum::<f64>() / pairs.len().max(1) as f64;
-    let miss = |p: &DVec3| (p.distance(centre) - mean_square.sqrt()).abs();
-    pairs.into_iter().min_by(|a, b| miss(a).total_cmp(&miss(b))).unwrap_or(centre)
 }
 
 /// Sampled sweep: amplitudes are taken at the Chebyshev points of its band, where a straight line errs least.

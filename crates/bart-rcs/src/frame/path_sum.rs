@@ -81,11 +81,6 @@ fn wavenumber_per_m(frequency_hz: f64) -> f64 {
     TAU * frequency_hz / SPEED_OF_LIGHT_MPS
 }
 
-/// Share of a path's echo some seconds after the frame's first sample.
-pub(crate) fn share(path: &Path, seconds: f64) -> f64 {
-    path.curve.span.map_or(1.0, |span| span.share(seconds))
-}
-
 /// Apparent points x_a and x_b some seconds after the frame's first sample; of a wheel those of its
 /// hub.
 pub(crate) fn apparent_m(path: &Path, seconds: f64) -> [DVec3; 2] {
@@ -110,13 +105,19 @@ impl PathView {
         Complex64::from_polar(spread, -wavenumber_per_m(frequency_hz) * length_m)
     }
 
+    /// Places of both ends.
+    pub(crate) fn ends_m(&self) -> [[f64; 3]; 2] {
+        [self.transmitter_m.to_array(), self.receiver_m.to_array()]
+    }
+
     /// R_tR_r/(L₁L₂) times the path's share then, and L₁ + L₂ − R_t − R_r.
     fn spread_and_length_m(&self, path: &Path) -> (f64, f64) {
         let [from_tx_m, from_rx_m] = apparent_m(path, self.seconds);
         let (l1, l2) = (from_tx_m.distance(self.transmitter_m), from_rx_m.distance(self.receiver_m));
         let (r_t, r_r) =
             (self.origin_m.distance(self.transmitter_m), self.origin_m.distance(self.receiver_m));
-        (share(path, self.seconds) * (r_t * r_r / (l1 * l2)), l1 + l2 - r_t - r_r)
+        let share = path.curve.share(self.seconds, self.ends_m());
+        (share * (r_t * r_r / (l1 * l2)), l1 + l2 - r_t - r_r)
     }
 }
 

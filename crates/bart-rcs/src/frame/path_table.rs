@@ -41,26 +41,29 @@ pub(crate) fn paths_as_fine(
     BodyParts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness))
 }
 
-/// Another moment of the frame, some seconds after its first sample.
-pub(crate) struct Moment<'a> {
+/// Another moment of the frame, or another place of the array.
+pub(crate) struct Node<'a> {
     /// Ways that are traced; all of them where none are named.
     pub(crate) ways: Option<&'a BodyWays>,
+    /// Seconds after the frame's first sample.
     pub(crate) seconds: f64,
-    /// Bytes that are held of other moments beside it.
+    /// Places of the transmitter and the receiver.
+    pub(crate) ends_m: [DVec3; 2],
+    /// Bytes that are held of other nodes beside it.
     pub(crate) held_bytes: usize,
 }
 
-/// Paths as they are at another moment of the frame, nothing dropped.
+/// Paths as they are at another node, nothing dropped.
 pub(crate) fn paths_along(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
     fineness: &Fineness,
-    moment: &Moment<'_>,
+    node: &Node<'_>,
 ) -> Result<Vec<Path>, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
-    let parts = BodyParts::along(scatterer, plan, moment.ways);
-    let room = parts.room().holding(moment.held_bytes);
-    parts.found(cell_m, &accuracy_of_body(plan, fineness), moment.seconds, &room)
+    let parts = BodyParts::along(scatterer, plan, node.ways);
+    let room = parts.room().holding(node.held_bytes);
+    parts.found(cell_m, &accuracy_of_body(plan, fineness), (node.seconds, node.ends_m), &room)
 }
 
 /// Accuracy of each body; one that was not there yet is taken as finely as the finest.
@@ -94,7 +97,8 @@ impl<'a> BodyParts<'a> {
     }
 
     fn paths(&self, cell_m: f64, accuracy_of_body: &[f64]) -> Result<Kept, BartError> {
-        let paths = self.found(cell_m, accuracy_of_body, self.plan.middle_s, &self.room())?;
+        let at = (self.plan.middle_s, [self.plan.position_m; 2]);
+        let paths = self.found(cell_m, accuracy_of_body, at, &self.room())?;
         Ok(pruned(paths, self.plan, self.scatterer.world))
     }
 
@@ -104,12 +108,13 @@ impl<'a> BodyParts<'a> {
         CellRoom::beside(tree.bytes(), limit, BYTES_PER_CELL)
     }
 
-    /// Paths of all parts, of bodies as they are some `seconds` after the frame's first sample.
+    /// Paths of all parts, of bodies as they are some `seconds` after the frame's first sample, from a
+    /// transmitter to a receiver.
     fn found(
         &self,
         cell_m: f64,
         accuracy_of_body: &[f64],
-        seconds: f64,
+        (seconds, ends_m): (f64, [DVec3; 2]),
         room: &CellRoom,
     ) -> Result<Vec<Path>, BartError> {
         let wavenumbers = self.plan.band.wavenumbers_per_m();
@@ -125,22 +130,29 @@ impl<'a> BodyParts<'a> {
         let mut paths = Vec::new();
         for meeting in &self.meetings {
             paths.extend(
-                self.of_order(meeting, &settings)?.iter().map(|cell| path_of(cell, &self.plan.band, seconds)),
+                self.of_order(meeting, ends_m, &settings)?
+                    .iter()
+                    .map(|cell| path_of(cell, &self.plan.band, seconds)),
             );
         }
         Ok(paths)
     }
 
-    fn of_order(&self, meeting: &OrderJoints, settings: &CellSettings<'_>) -> Result<Vec<Cell>, BartError> {
+    fn of_order(
+        &self,
+        meeting: &OrderJoints,
+        ends_m: [DVec3; 2],
+        settings: &CellSettings<'_>,
+    ) -> Result<Vec<Cell>, BartError> {
         let mut found = cells(self.scatterer, &meeting.facets, settings);
         found.extend(edge_cells(self.scatterer, &meeting.edges, settings));
         found.extend(truncation_cells(self.scatterer, &meeting.truncations, settings));
         settings.room.check()?;
-        Ok(gathered(found, self.scatterer.world, [Antenna::Point(self.plan.position_m); 2], settings))
+        Ok(gathered(found, self.scatterer.world, ends_m.map(Antenna::Point), settings))
     }
 }
 
-/// What blends a table from several moments of the frame, where that helps.
+/// What blends a table from several nodes, where that helps.
 pub(crate) type Split<'a> = dyn Fn(PathTable) -> Result<PathTable, BartError> + 'a;
 
 /// Paths of a table from which on no finer one is tried once moments were: minutes and gigabytes are spent on
@@ -195,7 +207,7 @@ impl<'a> Fit<'a> {
             return split(best);
         }
         let blended = split_to(largest_m)?;
-        if blended.fineness.moments == 1 {
+        if blended.fineness.moments.max(blended.fineness.places) == 1 {
             let table = |cell_m: f64| self.table_of(cell_m);
             return Ok(self.with_smaller_cells(best, REFINED_PATHS_MAX, &table)?.0);
         }
@@ -259,7 +271,8 @@ impl<'a> Fit<'a> {
         };
         let integrals =
             self.parts.plan.header.targets.iter().zip(&integration.accuracy_of_body).map(of).collect();
-        let fineness = Fineness { cell_m, integrals, moments: 1, ways: vec![] };
+        let fineness =
+            Fineness { cell_m, integrals, moments: 1, ways: vec![], places: 1, ways_of_places: vec![] };
         Ok(PathTable { paths, fineness, error, given_up, strongest_dropped, bytes: 0 })
     }
 }
@@ -299,7 +312,7 @@ pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64, tu
 ///
 /// While a wheel turns, a point D/2 off its node turns against it by kDω·t there and back, which no path's
 /// own motion follows. Wheels are traced at several moments where that matters, and a cubic through moments
-/// between which it turns by θ errs by 3/128·θ⁴ ([`crate::frame::moments`]): D is what half as fine a grid
+/// between which it turns by θ errs by 3/128·θ⁴ ([`crate::frame::blends`]): D is what half as fine a grid
 /// as the finest follows to the accuracy asked for. Outlines of shadows turn faster than cells do.
 fn wheel_cell_m(plan: &Plan<'_>, world: &World, cell_m: f64) -> f64 {
     let wheel_radps = world.fastest_wheel_radps();

@@ -1,18 +1,21 @@
 //! Bodies and beams of one moment of a frame.
 
+pub(crate) mod nearest_surface; // nearest lit point of a body
+
 use crate::beams::beam::BeamTree;
 use crate::beams::body_ways::BodyWays;
 use crate::beams::image_tree::Received;
 use crate::bodies::models::Models;
 use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
+use crate::frame::blends::axis::BlendAxis;
 use crate::frame::path_plan::Plan;
 use crate::geometry::antenna::Antenna;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::Phase;
-use artifact::scene::SceneFrame;
+use artifact::scene::{Pose, SceneFrame};
 use glam::DVec3;
 
 /// Scene that a frame is traced from.
@@ -28,29 +31,51 @@ pub(crate) struct Snapshot {
     pub(crate) tree: BeamTree,
     /// Beams of the antenna with those of its image, where there is a road.
     received: Option<Received>,
+    /// Beams of the receiver, where it is not where the transmitter is.
+    apart: Option<BeamTree>,
 }
 
 impl Scenery<'_> {
-    /// Everything, some `seconds` after the frame's first sample.
-    pub(crate) fn at(&self, seconds: f64, place_m: DVec3) -> Result<Snapshot, BartError> {
+    /// Everything, some `seconds` after the frame's first sample, from a transmitter to a receiver.
+    pub(crate) fn at(&self, seconds: f64, ends_m: [DVec3; 2]) -> Result<Snapshot, BartError> {
         let (world, plan) = (self.world(seconds)?, self.plan);
-        let (antenna, wavelength_m) = (Antenna::Point(place_m), plan.band.wavelength_m());
-        let tree = BeamTree::trace_from_outside(&world, antenna, wavelength_m, &plan.trace, plan.progress)?;
-        Ok(Snapshot::of(world, tree))
+        let wavelength_m = plan.band.wavelength_m();
+        let traced = |place_m: DVec3| {
+            let antenna = Antenna::Point(place_m);
+            BeamTree::trace_from_outside(&world, antenna, wavelength_m, &plan.trace, plan.progress)
+        };
+        let (tree, apart) = of_ends(ends_m, traced)?;
+        Ok(Snapshot { apart, ..Snapshot::of(world, tree) })
     }
 
     /// Bodies and beams of some ways alone, some `seconds` after the frame's first sample.
-    pub(crate) fn along(&self, ways: &BodyWays, seconds: f64, place_m: DVec3) -> Result<Snapshot, BartError> {
+    pub(crate) fn along(
+        &self,
+        ways: &BodyWays,
+        seconds: f64,
+        ends_m: [DVec3; 2],
+    ) -> Result<Snapshot, BartError> {
         let (world, plan) = (self.world(seconds)?, self.plan);
-        let antenna = Antenna::Point(place_m);
-        check_stand(&world, antenna, plan.band.wavelength_m())?;
-        let tree = BeamTree::trace_along(&world, antenna, &plan.trace, ways, plan.progress)?;
-        Ok(Snapshot::of(world, tree))
+        let traced = |place_m: DVec3| {
+            let antenna = Antenna::Point(place_m);
+            check_stand(&world, antenna, plan.band.wavelength_m())?;
+            BeamTree::trace_along(&world, antenna, &plan.trace, ways, plan.progress)
+        };
+        let (tree, apart) = of_ends(ends_m, traced)?;
+        Ok(Snapshot { apart, ..Snapshot::of(world, tree) })
     }
 
     /// Whether some body is a wheel that turns.
     pub(crate) fn turns_wheels(&self) -> bool {
         !self.models.vehicles_of_wheels(self.plan.header).is_empty()
+    }
+
+    /// Whether anything of the frame changes along an axis.
+    pub(crate) fn changes_along(&self, axis: BlendAxis) -> bool {
+        match axis {
+            BlendAxis::Time => self.turns_wheels() || self.frame.poses.iter().any(moves),
+            BlendAxis::Array => self.plan.row.half_m > 0.0,
+        }
     }
 
     fn world(&self, seconds: f64) -> Result<World, BartError> {
@@ -59,23 +84,40 @@ impl Scenery<'_> {
     }
 }
 
+/// Beams of the transmitter, and those of the receiver where it is elsewhere.
+fn of_ends(
+    [tx_m, rx_m]: [DVec3; 2],
+    traced: impl Fn(DVec3) -> Result<BeamTree, BartError>,
+) -> Result<(BeamTree, Option<BeamTree>), BartError> {
+    let apart = if tx_m == rx_m { None } else { Some(traced(rx_m)?) };
+    Ok((traced(tx_m)?, apart))
+}
+
+fn moves(pose: &Pose) -> bool {
+    let still = [0.0; 3];
+    pose.velocity_mps != still || pose.acceleration_mps2 != still || pose.yaw_radps != 0.0
+}
+
 impl Snapshot {
     /// Beams of a world.
     pub(crate) fn of(world: World, tree: BeamTree) -> Self {
         let received = world.road().map(|_| Received::with_image(&world, &tree));
-        Self { world, tree, received }
+        Self { world, tree, received, apart: None }
     }
 
     pub(crate) fn scatterer<'s>(&'s self, plan: &Plan<'s>, phase: Phase) -> Scatterer<'s> {
         let h = plan.zenith_h();
-        let trees = self
-            .received
-            .as_ref()
-            .map_or(Trees::Shared(&self.tree), |received| Trees::ByRoad(&self.tree, received));
+        let trees = match (&self.received, &self.apart) {
+            (Some(received), _) => Trees::ByRoad(&self.tree, received),
+            (None, Some(apart)) => Trees::Apart(&self.tree, apart),
+            (None, None) => Trees::Shared(&self.tree),
+        };
         Scatterer::new(&self.world, trees, ZenithH { transmit: h, receive: h }).heard_by(phase, plan.progress)
     }
 
     pub(crate) fn bytes(&self) -> u64 {
-        (self.world.bytes() + self.tree.bytes() + self.received.as_ref().map_or(0, Received::bytes)) as u64
+        let received = self.received.as_ref().map_or(0, Received::bytes);
+        let apart = self.apart.as_ref().map_or(0, BeamTree::bytes);
+        (self.world.bytes() + self.tree.bytes() + received + apart) as u64
     }
 }

@@ -58,6 +58,11 @@ impl OrderJoints {
         }
     }
 
+    /// Number of polygons, edges and ends that scatter.
+    pub(crate) fn count(&self) -> usize {
+        self.facets.list.len() + self.edges.len() + self.truncations.len()
+    }
+
     /// Part of the meeting that is among some ways.
     pub(crate) fn along(&self, scatterer: &Scatterer<'_>, ways: &BodyWays) -> Self {
         let body = |facet: u32| scatterer.world.facet(facet).id.body;

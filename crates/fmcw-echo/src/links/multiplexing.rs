@@ -58,6 +58,11 @@ impl Transmission {
         Self { start_s, ..Self::new(radar, tx, rx, 0, Complex64::ONE) }
     }
 
+    /// Places of both elements, world metres.
+    pub(crate) fn ends_m(&self) -> [[f64; 3]; 2] {
+        [self.tx_m, self.rx_m].map(|end| end.to_array())
+    }
+
     fn new(radar: &Radar, tx: usize, rx: usize, chirp: usize, turn: Complex64) -> Self {
         Self {
             tx_m: DVec3::from_array(radar.array.tx_m[tx]),

@@ -18,9 +18,9 @@ use crate::links::multiplexing::{Transmission, row};
 use crate::sums::chirp_segments::samples_per_segment;
 use crate::sums::lanes::{Complex, MAX_LANES, Real, Vector};
 use crate::sums::reference::if_sample;
-use crate::sums::spans::{by_span, shares_of_row};
+use crate::sums::spans::{Part, by_part};
 use artifact::Radar;
-use artifact::paths::{Path, Span};
+use artifact::paths::Path;
 use artifact::radar::Pattern;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
@@ -40,8 +40,8 @@ pub struct DirectSum<'a> {
     columns: Columns,
     /// Points on rims are few, and no parabola is theirs: each of their samples is written from the formulas.
     on_rims: Vec<Path>,
-    /// Paths that stand for a part of the frame, one sum for each.
-    parts: Vec<(Span, Self)>,
+    /// Paths that stand for a part of the frame or of the array, one sum for each.
+    parts: Vec<(Part, Self)>,
 }
 
 impl<'a> DirectSum<'a> {
@@ -50,12 +50,11 @@ impl<'a> DirectSum<'a> {
     pub fn new(radar: &'a Radar, centre_frequency_hz: f64, paths: &[Path]) -> Self {
         let heard = paths.iter().filter(|path| is_heard(radar, path));
         let (on_rims, steady): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
-        let (spanning, steady): (Vec<&Path>, Vec<&Path>) =
-            steady.into_iter().partition(|p| p.curve.span.is_some());
-        let part = |(span, paths): (Option<Span>, Vec<&Path>)| {
-            span.map(|span| (span, Self::of_steady(radar, centre_frequency_hz, &paths)))
-        };
-        let parts = by_span(spanning).into_iter().filter_map(part).collect();
+        let (steady, spanning): (Vec<&Path>, Vec<&Path>) =
+            steady.into_iter().partition(|path| Part::of(path).is_whole());
+        let of_part =
+            |(part, paths): (Part, Vec<&Path>)| (part, Self::of_steady(radar, centre_frequency_hz, &paths));
+        let parts = by_part(spanning).into_iter().map(of_part).collect();
         let on_rims = on_rims.into_iter().copied().collect();
         Self { on_rims, parts, ..Self::of_steady(radar, centre_frequency_hz, &steady) }
     }
@@ -92,12 +91,12 @@ impl<'a> DirectSum<'a> {
                     * if_sample(self.radar, self.centre_frequency_hz, path, transmission, n);
             }
         }
-        // All transmissions of a row start at one time.
-        let start_s = transmissions[0].start_s;
-        for (span, part) in &self.parts {
-            let shares = shares_of_row(self.radar, span, start_s);
+        let parts = self.parts.iter();
+        let parts = parts.flat_map(|(part, sum)| part.alike(&transmissions).map(move |t| (part, sum, t)));
+        for (part, sum, transmissions) in parts {
+            let shares = part.shares_of_row(self.radar, &transmissions[0]);
             if shares.iter().any(|share| *share != 0.0) {
-                let values = part.row(channel, chirp);
+                let values = Arch::new().dispatch(RowSum { sum, transmissions });
                 samples
                     .iter_mut()
                     .zip(shares)

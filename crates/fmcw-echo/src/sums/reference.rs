@@ -67,7 +67,7 @@ pub fn if_sample(
     let tau = legs.delay_s() + transmission.line_delay_s;
     let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau);
     let amplitude = amplitude_m(radar, path, frequency_hz - centre_frequency_hz).conj();
-    let share = path.curve.span.map_or(1.0, |span| span.share(transmission.start_s + t));
+    let share = path.curve.share(transmission.start_s + t, transmission.ends_m());
     let gain = share * link_amplitude(radar) * legs.gain(radar);
     gain * amplitude * Complex64::cis(TAU * if_cycles(waveform, t, tau).fract())
 }

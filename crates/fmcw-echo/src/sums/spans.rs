@@ -1,26 +1,59 @@
-//! Paths that stand for a part of a frame: which belong together, and their share of the echo at every
-//! sample.
+//! Paths that stand for a part of a frame or of the array: which belong together, and their share of the echo
+//! at every sample.
 
+use crate::links::multiplexing::Transmission;
 use artifact::Radar;
-use artifact::paths::{Path, Span};
+use artifact::paths::{ArraySpan, Path, Span};
 
-/// Paths by the part of the frame that they stand for, in their order within each; those that stand for all
-/// of it come first.
-pub(crate) fn by_span(mut paths: Vec<&Path>) -> Vec<(Option<Span>, Vec<&Path>)> {
-    paths.sort_by_key(|path| order(path));
-    let groups = paths.chunk_by(|a, b| order(a) == order(b));
-    groups.map(|group| (group[0].curve.span, group.to_vec())).collect()
+/// The part of a frame and of the array that paths stand for; `None` for all of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Part {
+    pub(crate) of_time: Option<Span>,
+    pub(crate) of_array: Option<ArraySpan>,
 }
 
-/// Sort key that paths of one part of the frame have in common.
-fn order(path: &Path) -> Option<[u64; 4]> {
-    let of =
-        |span: Span| [span.moments.into(), span.first_s.to_bits(), span.step_s.to_bits(), span.moment.into()];
-    path.curve.span.map(of)
+impl Part {
+    pub(crate) fn of(path: &Path) -> Self {
+        Self { of_time: path.curve.span, of_array: path.curve.array_span }
+    }
+
+    /// Whether it is all of the frame and of the array.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.of_time.is_none() && self.of_array.is_none()
+    }
+
+    /// Sort key that the paths of one part have in common.
+    fn key(&self) -> (Option<[u64; 4]>, Option<[u64; 10]>) {
+        let of_time = |span: Span| {
+            [span.moments.into(), span.first_s.to_bits(), span.step_s.to_bits(), span.moment.into()]
+        };
+        let of_array = |span: ArraySpan| {
+            let ([a, b, c], [d, e, f]) = (span.transmit, span.receive);
+            let [a, b, c, d, e, f, first, step] =
+                [a, b, c, d, e, f, span.first_m, span.step_m].map(f64::to_bits);
+            [span.places.into(), a, b, c, d, e, f, first, step, span.place.into()]
+        };
+        (self.of_time.map(of_time), self.of_array.map(of_array))
+    }
+
+    /// Share of every sample of a chirp from one element to another.
+    pub(crate) fn shares_of_row(&self, radar: &Radar, transmission: &Transmission) -> Vec<f64> {
+        let time_s = |sample: u32| transmission.start_s + f64::from(sample) / radar.waveform.sample_rate_hz;
+        let over_time = |sample: u32| self.of_time.map_or(1.0, |span| span.share(time_s(sample)));
+        let over_array = self.of_array.map_or(1.0, |span| span.share(transmission.ends_m()));
+        (0..radar.waveform.samples).map(|sample| over_array * over_time(sample)).collect()
+    }
+
+    /// Transmissions of one row that have the same share: all, which start at one time, or one pair of
+    /// elements at a time.
+    pub(crate) fn alike<'t>(&self, row: &'t [Transmission]) -> std::slice::Chunks<'t, Transmission> {
+        row.chunks(if self.of_array.is_some() { 1 } else { row.len().max(1) })
+    }
 }
 
-/// Share of every sample of a chirp whose first is taken at `start_s`.
-pub(crate) fn shares_of_row(radar: &Radar, span: &Span, start_s: f64) -> Vec<f64> {
-    let time_s = |sample: u32| start_s + f64::from(sample) / radar.waveform.sample_rate_hz;
-    (0..radar.waveform.samples).map(|sample| span.share(time_s(sample))).collect()
+/// Paths by the part that they stand for, in their order within each; those that stand for all come first.
+pub(crate) fn by_part(mut paths: Vec<&Path>) -> Vec<(Part, Vec<&Path>)> {
+    paths.sort_by_key(|path| Part::of(path).key());
+    let groups = paths.chunk_by(|a, b| Part::of(a).key() == Part::of(b).key());
+    groups.map(|group| (Part::of(group[0]), group.to_vec())).collect()
 }

@@ -4,7 +4,7 @@ use crate::error::EchoError;
 use crate::impairments::oscillator;
 use crate::sums::closest_approach::MovingLeg;
 use artifact::cube::{Cube, CubeHeader};
-use artifact::paths::{Path, Rim, Span};
+use artifact::paths::{ArraySpan, Path, Rim, Span};
 use artifact::radar::{Pattern, PhaseNoise};
 use artifact::{Radar, Schema};
 use glam::DVec3;
@@ -224,22 +224,33 @@ impl Place {
         }
     }
 
-    /// A part of the frame is about one of several moments that follow each other.
+    /// A part of the frame is about one of several moments that follow each other, a part of the array about
+    /// one of several places.
     fn check_span(&self, path: &Path) -> Result<(), EchoError> {
-        let is_part = |span: &Span| {
+        let is_moment = |span: &Span| {
             let grows = span.first_s.is_finite() && span.step_s.is_finite() && span.step_s > 0.0;
             grows && span.moment < span.moments
         };
-        match path.curve.span.filter(|span| !is_part(span)) {
-            None => Ok(()),
-            Some(Span { first_s, step_s, moments, moment }) => Err(EchoError::NoSuchMoment {
-                frame: self.frame,
-                path: self.path,
+        let is_place = |span: &ArraySpan| {
+            let mut cosines = span.transmit.iter().chain(&span.receive);
+            let grows = span.first_m.is_finite() && span.step_m.is_finite() && span.step_m > 0.0;
+            cosines.all(|cosine| cosine.abs() <= 1.0 + 1e-9) && grows && span.place < span.places
+        };
+        let (frame, path_index) = (self.frame, self.path);
+        if let Some(span) = path.curve.span.filter(|span| !is_moment(span)) {
+            let Span { first_s, step_s, moments, moment } = span;
+            return Err(EchoError::NoSuchMoment {
+                frame,
+                path: path_index,
                 moment,
                 moments,
                 first_s,
                 step_s,
-            }),
+            });
+        }
+        match path.curve.array_span.filter(|span| !is_place(span)) {
+            None => Ok(()),
+            Some(span) => Err(EchoError::NoSuchPlace { frame, path: path_index, span }),
         }
     }
 

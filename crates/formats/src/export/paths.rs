@@ -5,7 +5,7 @@ use crate::export::delays::delay_at_middle;
 use crate::sidecar;
 use crate::writing::fail;
 use artifact::Reader;
-use artifact::paths::{Path as Record, Paths, PathsHeader, Span};
+use artifact::paths::{ArraySpan, Path as Record, Paths, PathsHeader, Span};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
@@ -15,7 +15,8 @@ use std::path::Path;
 
 const COLUMNS: &str = "frame,target,order,pol,re_m,im_m,dre_m_per_ghz,dim_m_per_ghz,ax_m,ay_m,az_m,bx_m,by_m,bz_m,\
 avx_mps,avy_mps,avz_mps,bvx_mps,bvy_mps,bvz_mps,delay_s,delay_rate,facets,\
-span_first_s,span_step_s,span_moments,span_moment";
+span_first_s,span_step_s,span_moments,span_moment,\
+array_span_tx,array_span_rx,array_span_first_m,array_span_step_m,array_span_places,array_span_place";
 const POLARIZATIONS: [(&str, usize, usize); 4] = [("vv", 0, 0), ("hh", 1, 1), ("vh", 0, 1), ("hv", 1, 0)];
 
 /// Writes a row for each path of each frame.
@@ -60,8 +61,14 @@ fn rows(sink: &mut dyn Write, header: &PathsHeader, frame: u32, path: &Record) -
     Ok(())
 }
 
-/// The part of the frame that a path stands for; empty where it is all of it.
+/// The part of the frame and of the array that a path stands for; empty where it is all of them.
 fn span(path: &Record) -> String {
-    let told = |span: Span| format!("{},{},{},{}", span.first_s, span.step_s, span.moments, span.moment);
-    path.curve.span.map_or(",,,".into(), told)
+    let of_time = |span: Span| format!("{},{},{},{}", span.first_s, span.step_s, span.moments, span.moment);
+    let vector = |[x, y, z]: [f64; 3]| format!("{x} {y} {z}");
+    let of_array = |span: ArraySpan| {
+        let ArraySpan { transmit, receive, first_m, step_m, places, place } = span;
+        format!("{},{},{first_m},{step_m},{places},{place}", vector(transmit), vector(receive))
+    };
+    let told = path.curve.span.map_or(",,,".into(), of_time);
+    format!("{told},{}", path.curve.array_span.map_or(",,,,,".into(), of_array))
 }

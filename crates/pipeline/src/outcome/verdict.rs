@@ -42,9 +42,9 @@ pub struct Verdict {
     goal: Option<Goal>,
     error: ErrorBudget,
     model: ModelError,
-    /// Number of moments of the frame at which ways between bodies were traced, and of all paths; `None` where
-    /// that means nothing.
-    moments: Option<(u32, u64)>,
+    /// Most nodes of an axis, moments of the frame or places of the array, at which ways were traced, and the
+    /// number of all paths; `None` where that is not known.
+    nodes: Option<(u32, u64)>,
 }
 
 /// Place in which a person asks for an accuracy, for the words of advice.
@@ -77,16 +77,20 @@ impl AccuracyVerdict {
 impl Verdict {
     /// Compares a frame's numerical errors with the accuracy asked for; what the model leaves out is zero.
     pub fn of(asked: Accuracy, error: &ErrorBudget) -> Self {
-        Self { asked, goal: None, error: *error, model: ModelError::default(), moments: None }
+        Self { asked, goal: None, error: *error, model: ModelError::default(), nodes: None }
     }
 
-    /// Makes the verdict of a frame; its paths, where they are known, tell the number of moments.
+    /// Makes the verdict of a frame; its paths, where they are known, tell the number of nodes.
     pub fn of_paths(asked: &Fidelity, error: &ErrorBudget, paths: Option<&PathsFrame>) -> Self {
-        let moments = |paths: &PathsFrame| {
-            paths.trace.fineness.as_ref().map(|fineness| (fineness.moments, paths.paths.len() as u64))
+        let nodes = |paths: &PathsFrame| {
+            paths
+                .trace
+                .fineness
+                .as_ref()
+                .map(|fineness| (fineness.moments.max(fineness.places), paths.paths.len() as u64))
         };
-        let moments = paths.and_then(moments);
-        Self { goal: asked.goal, moments, ..Self::of(asked.accuracy, error) }
+        let nodes = paths.and_then(nodes);
+        Self { goal: asked.goal, nodes, ..Self::of(asked.accuracy, error) }
     }
 
     /// Makes the same verdict that knows what the model leaves out, and so which accuracy is of use.
@@ -153,8 +157,8 @@ impl Verdict {
     /// known.
     fn advice_on_limit(&self, asking: Asking) -> Option<String> {
         let limited_by = self.limited_by().filter(|_| self.is_met() == Some(false))?;
-        let (what, help) = match (limited_by, self.moments) {
-            ("freezing", Some((moments, paths))) => of_moments(moments, paths),
+        let (what, help) = match (limited_by, self.nodes) {
+            ("freezing", Some((nodes, paths))) => of_nodes(nodes, paths),
             _ => cause_and_help(limited_by, asking),
         };
         let help = help.replace("{finer}", &format!("{:.0}", self.finer_db()));
@@ -257,23 +261,23 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
     }
 }
 
-/// Explains freezing in a frame whose ways between bodies were looked at, at several moments: it keeps one
-/// where more did not help, or would have been too many paths.
-fn of_moments(moments: u32, paths: u64) -> (&'static str, &'static str) {
-    if bart_rcs::paths_are_at_limit(moments, paths) {
+/// Explains freezing in a frame whose ways were looked at from several nodes, moments of the frame or places
+/// of the array: it keeps the middle's where more did not help, or would have been too many paths.
+fn of_nodes(nodes: u32, paths: u64) -> (&'static str, &'static str) {
+    if bart_rcs::paths_are_at_limit(nodes, paths) {
         (
-            "moving bodies are so near that more moments of the frame would be more paths than are held",
-            "a shorter frame (fewer chirps, shorter intervals), or a looser accuracy, which larger cells meet",
+            "bodies are so near that more moments of the frame, or places of the array, would be more paths than are held",
+            "a shorter frame (fewer chirps, shorter intervals), a smaller array, or a looser accuracy, which larger cells meet",
         )
-    } else if moments >= bart_rcs::MOMENTS_MAX {
+    } else if nodes >= bart_rcs::MOMENTS_MAX {
         (
-            "ways between moving bodies change faster than the moments follow at which they are traced",
-            "a shorter frame (fewer chirps, shorter intervals), or slower bodies",
+            "ways change faster over the frame or the array than the moments and places follow at which they are traced",
+            "a shorter frame (fewer chirps, shorter intervals), slower bodies, or a smaller array",
         )
     } else {
         (
-            "more moments of the frame did not help, so what is left is not motion but the width of the array and of the sweep",
-            "a smaller array or a narrower sweep",
+            "more moments of the frame or places of the array did not help, so what is left changes over both together, over the sweep, or with the distance from transmitter to receiver",
+            "a smaller array, a shorter frame or a narrower sweep",
         )
     }
 }
@@ -373,25 +377,25 @@ mod tests {
         assert_eq!(serde_json::from_value::<AccuracyVerdict>(json).unwrap(), told);
     }
 
-    /// More moments are no help where all that there are were used, and none where fewer were found to do as
+    /// More nodes are no help where all that there are were used, and none where fewer were found to do as
     /// well.
     #[test]
-    fn what_helps_against_freezing_depends_on_the_moments_at_which_the_frame_was_traced() {
-        let of_paths = |moments, paths| {
-            let moments = Some((moments, paths));
-            Verdict { moments, ..of(0.02, 0.24) }.advice(Asking::Scene).unwrap()
+    fn what_helps_against_freezing_depends_on_the_nodes_at_which_the_frame_was_traced() {
+        let of_paths = |nodes, paths| {
+            let nodes = Some((nodes, paths));
+            Verdict { nodes, ..of(0.02, 0.24) }.advice(Asking::Scene).unwrap()
         };
-        let advice = |moments| of_paths(moments, 1000);
+        let advice = |nodes| of_paths(nodes, 1000);
         let most = bart_rcs::MOMENTS_MAX;
         let unknown = of(0.02, 0.24).advice(Asking::Scene).unwrap();
-        assert!(unknown.contains("shorter frame"), "nothing is known of moments: {unknown}");
+        assert!(unknown.contains("shorter frame"), "nothing is known of nodes: {unknown}");
         assert!(advice(1).contains("smaller array"), "more were no help: {}", advice(1));
         assert!(advice(most).contains("slower bodies"), "{}", advice(most));
         let full = of_paths(1, 400_000);
         assert!(full.contains("more paths than are held"), "nine times as many would be too many: {full}");
         let fewer = advice(most / 2 + 1);
-        assert!(fewer.contains("smaller array") && !fewer.contains("shorter frame"), "{fewer}");
-        let other = Verdict { moments: Some((most, 1000)), ..of(0.24, 0.02) }.advice(Asking::Scene).unwrap();
+        assert!(fewer.contains("over both together") && !fewer.contains("slower bodies"), "{fewer}");
+        let other = Verdict { nodes: Some((most, 1000)), ..of(0.24, 0.02) }.advice(Asking::Scene).unwrap();
         assert!(
             other.contains("integration") && !other.contains("slower bodies"),
             "freezing is not what limits: {other}"

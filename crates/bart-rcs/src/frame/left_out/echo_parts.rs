@@ -77,7 +77,7 @@ pub(crate) fn echo_parts(
     progress: &dyn Progress,
 ) -> Result<Option<EchoParts>, BartError> {
     let header = &looked_at(&header.in_frame(frame.index));
-    let plan = Plan::of(header, progress);
+    let plan = Plan::of(header, frame, progress);
     let world = World::posed(models, header, frame, plan.check_s)?;
     if world.facets().is_empty() {
         return Ok(None);
@@ -202,7 +202,7 @@ fn through_sheets(
 ) -> Result<Option<Vec<Complex64>>, BartError> {
     let mut header = plan.header.clone();
     header.materials.transmission = Transmission::Followed;
-    let plan = &Plan::of(&header, plan.progress);
+    let plan = &Plan::of(&header, frame, plan.progress);
     let world = World::posed(models, &header, frame, plan.check_s)?;
     if world.sheets().is_empty() {
         return Ok(None);

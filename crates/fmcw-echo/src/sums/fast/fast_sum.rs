@@ -5,7 +5,7 @@
 //! for the outer sum, `tone_grid.rs` for the inner. Values are exact at their instants, for every pair of
 //! elements. Links are taken in fixed blocks, one thread each: any number of threads gives the same bytes.
 
-use crate::links::multiplexing::{Transmission, element_factor, row};
+use crate::links::multiplexing::{element_factor, row};
 use crate::sums::direct_sum::{DirectSum, is_heard};
 use crate::sums::fast::equal_steps::EqualSteps;
 use crate::sums::fast::groups::{Group, groups, paths_min};
@@ -14,8 +14,8 @@ use crate::sums::fast::kernel::CELLS_MAX;
 use crate::sums::fast::scalar::{Scalar, rounded};
 use crate::sums::fast::smooth_part::{Asked, SmoothPart, cycles_of};
 use crate::sums::fast::tone_grid::{SETS, ToneGrid};
-use crate::sums::spans::{by_span, shares_of_row};
-use artifact::paths::{Path, Span};
+use crate::sums::spans::{Part, by_part};
+use artifact::paths::Path;
 use artifact::radar::Multiplexing;
 use artifact::{Accuracy, Radar};
 use num_complex::{Complex, Complex32, Complex64};
@@ -105,8 +105,8 @@ fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) 
     let length = listener.steps.chirps * radar.waveform.samples as usize;
     let mut of_links = vec![Complex::new(T::zero(), T::zero()); links.len() * length];
     let mut alone: Vec<Path> = on_rims.into_iter().copied().collect();
-    for (span, paths) in by_span(heard) {
-        let part = PartOfFrame::of(listener, span);
+    for (part, paths) in by_part(heard) {
+        let part = PartOfFrame::of(listener, &links, part);
         if part.listener.steps.chirps == 0 {
             continue;
         }
@@ -141,26 +141,38 @@ fn links(radar: &Radar) -> Vec<Link> {
     (0..transmitters).flat_map(|tx| (0..receivers).map(move |rx| Link { tx, rx })).collect()
 }
 
-/// The part of a frame that some paths stand for: no other chirps of theirs are summed.
+/// The part of a frame that some paths stand for: no other chirps and links of theirs are summed.
 struct PartOfFrame<'a> {
     listener: Listener<'a>,
     /// Share of every chirp and sample of the part, by transmitter; `None` where paths stand for all of the
     /// frame.
-    shares: Option<Vec<Vec<f64>>>,
+    over_time: Option<Vec<Vec<f64>>>,
+    /// Share of every link; `None` where paths stand for all of the array.
+    over_links: Option<Vec<f64>>,
     /// Chirps before it, and of the whole frame.
     before: usize,
     chirps: usize,
 }
 
 impl<'a> PartOfFrame<'a> {
-    fn of(whole: &Listener<'a>, span: Option<Span>) -> Self {
+    fn of(whole: &Listener<'a>, links: &[Link], part: Part) -> Self {
+        let of_array = part.of_array;
+        let over_links = of_array.map(|span| {
+            links.iter().map(|link| span.share(whole.transmission(*link, 0.0).ends_m())).collect()
+        });
+        Self { over_links, ..Self::of_time(whole, Part { of_array: None, ..part }) }
+    }
+
+    fn of_time(whole: &Listener<'a>, part: Part) -> Self {
         let chirps = whole.steps.chirps;
-        let Some(span) = span else {
-            return Self { listener: whole.during(&(0..chirps)), shares: None, before: 0, chirps };
-        };
+        if part.is_whole() {
+            let listener = whole.during(&(0..chirps));
+            return Self { listener, over_time: None, over_links: None, before: 0, chirps };
+        }
         let (radar, transmitters) = (whole.radar, 0..whole.radar.array.tx_m.len());
-        let row =
-            |tx: usize, chirp: usize| shares_of_row(radar, &span, whole.steps.start_s(tx, chirp as f64));
+        let row = |tx: usize, chirp: usize| {
+            part.shares_of_row(radar, &whole.transmission(Link { tx, rx: 0 }, chirp as f64))
+        };
         let mut of_tx: Vec<Vec<Vec<f64>>> =
             transmitters.map(|tx| (0..chirps).map(|chirp| row(tx, chirp)).collect()).collect();
         let is_heard =
@@ -168,7 +180,13 @@ impl<'a> PartOfFrame<'a> {
         let first = (0..chirps).find(is_heard).unwrap_or(0);
         let end = (first..chirps).rev().find(is_heard).map_or(first, |last| last + 1);
         let shares = of_tx.iter_mut().map(|rows| rows.drain(first..end).flatten().collect()).collect();
-        Self { listener: whole.during(&(first..end)), shares: Some(shares), before: first, chirps }
+        let listener = whole.during(&(first..end));
+        Self { listener, over_time: Some(shares), over_links: None, before: first, chirps }
+    }
+
+    /// Whether a link hears anything of the part.
+    fn is_heard_by(&self, link: usize) -> bool {
+        self.over_links.as_ref().is_none_or(|shares| shares[link] != 0.0)
     }
 
     /// Adds a group's echo to `[link][chirp][sample]` of the whole frame.
@@ -196,6 +214,9 @@ impl<'a> PartOfFrame<'a> {
         let blocks =
             of_links.par_chunks_mut(block * length).zip(sets.par_chunks(block * smooth.instants.len()));
         blocks.for_each(|(of_block, sets)| {
+            let first_link = sets[0].0;
+            let heard = sets.iter().copied().filter(|(link, _)| self.is_heard_by(*link));
+            let sets: Vec<(usize, usize)> = heard.collect();
             let strengths: Vec<Vec<Complex<T>>> = sets
                 .par_iter()
                 .map(|&(link, instant)| {
@@ -204,18 +225,27 @@ impl<'a> PartOfFrame<'a> {
                 .collect();
             grid.transform(&strengths, &mut |set, values| {
                 let (link, instant) = sets[set];
-                let shape = self.weighted(smooth.shape(instant, link, modes[0], modes[1]), links[link].tx);
-                let total = &mut of_block[(link - sets[0].0) * length + before..][..of_part];
+                let shape = self.weighted(smooth.shape(instant, link, modes[0], modes[1]), links, link);
+                let total = &mut of_block[(link - first_link) * length + before..][..of_part];
                 let terms = values.iter().zip(&shape).map(|(value, shape)| *value * *shape);
                 total.iter_mut().zip(terms).for_each(|(sum, term)| *sum = *sum + term);
             });
         });
     }
 
-    /// A shape by the shares of a transmitter's chirps and samples.
-    fn weighted<T: Scalar>(&self, mut shape: Vec<Complex<T>>, tx: usize) -> Vec<Complex<T>> {
-        if let Some(shares) = &self.shares {
-            shape.iter_mut().zip(&shares[tx]).for_each(|(value, share)| *value = *value * T::of(*share));
+    /// A shape by a link's shares.
+    fn weighted<T: Scalar>(
+        &self,
+        mut shape: Vec<Complex<T>>,
+        links: &[Link],
+        link: usize,
+    ) -> Vec<Complex<T>> {
+        if let Some(of_tx) = &self.over_time {
+            let shares = &of_tx[links[link].tx];
+            shape.iter_mut().zip(shares).for_each(|(value, share)| *value = *value * T::of(*share));
+        }
+        if let Some(shares) = &self.over_links {
+            shape.iter_mut().for_each(|value| *value = *value * T::of(shares[link]));
         }
         shape
     }
@@ -231,8 +261,7 @@ fn strengths<T: Scalar>(
 ) -> Vec<Complex<T>> {
     let middle = listener.middle();
     let cycles: Vec<f64> = tones.iter().map(|tone| cycles_of(*tone, at, middle)).collect();
-    let start_s = listener.steps.start_s(link.tx, at.chirp);
-    let transmission = Transmission::starting_at(listener.radar, link.tx, link.rx, start_s);
+    let transmission = listener.transmission(link, at.chirp);
     exact.values(&transmission, at.sample, &cycles).into_iter().map(rounded).collect()
 }
 

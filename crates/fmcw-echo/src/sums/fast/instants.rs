@@ -4,7 +4,7 @@
 //! be whole. What does not change from pair to pair is taken once per element: a leg's length, its gain, its
 //! rate.
 
-use crate::links::multiplexing::line_delay_s;
+use crate::links::multiplexing::{Transmission, line_delay_s};
 use crate::sums::fast::equal_steps::EqualSteps;
 use artifact::Radar;
 use artifact::paths::Path;
@@ -71,6 +71,11 @@ impl<'a> Listener<'a> {
     /// The same radar at some of these chirps.
     pub(crate) fn during(&self, chirps: &Range<usize>) -> Self {
         Self { steps: self.steps.part(chirps), ..*self }
+    }
+
+    /// A link's chirp, whole or between two.
+    pub(crate) fn transmission(&self, link: Link, chirp: f64) -> Transmission {
+        Transmission::starting_at(self.radar, link.tx, link.rx, self.steps.start_s(link.tx, chirp))
     }
 
     /// The middle of the frame.

@@ -252,6 +252,7 @@ fn middle_of(paths: &[&Path]) -> Option<Path> {
             apparent_rx_mps2: mean(|p| p.curve.apparent_rx_mps2),
             rim: None,
             span: None,
+            array_span: None,
         },
         ..*first
     })

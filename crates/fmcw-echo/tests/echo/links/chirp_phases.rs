@@ -40,7 +40,7 @@ fn rolling(t: f64) -> DVec3 {
 fn rolling_path(angle_rad: f64) -> Path {
     let rim = Some(Rim { radius_m: 0.33, forward: [0.0, -1.0, 0.0], angle_rad });
     let bend = [0.0, 8.0, 0.0];
-    let curve = Curve { apparent_tx_mps2: bend, apparent_rx_mps2: bend, rim, span: None };
+    let curve = Curve { apparent_tx_mps2: bend, apparent_rx_mps2: bend, rim, ..Curve::default() };
     Path { curve, ..point([2.0, 25.0, 0.33], [0.0, -20.0, 0.0], 1.0) }
 }
 

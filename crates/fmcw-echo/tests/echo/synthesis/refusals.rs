@@ -2,7 +2,7 @@
 
 use crate::setting::*;
 use artifact::cube::CubeHeader;
-use artifact::paths::{Path, Span};
+use artifact::paths::{ArraySpan, Path, Span};
 use artifact::settings::Noise;
 use fmcw_echo::EchoError;
 use num_complex::Complex64;
@@ -51,6 +51,24 @@ fn a_path_that_stands_for_no_moment_of_its_frame_is_refused() {
     for span in broken {
         let refused = refusal_of_path(|p| p.curve.span = Some(span));
         assert!(matches!(refused, EchoError::NoSuchMoment { frame: 0, path: 1, .. }), "{refused}");
+    }
+}
+
+#[test]
+fn a_path_that_stands_for_no_place_of_the_array_is_refused() {
+    let (x, none) = ([1.0, 0.0, 0.0], [0.0; 3]);
+    let sound = ArraySpan { transmit: x, receive: none, first_m: -0.1, step_m: 0.02, places: 9, place: 8 };
+    let broken = [
+        ArraySpan { place: 9, ..sound },
+        ArraySpan { places: 0, place: 0, ..sound },
+        ArraySpan { step_m: 0.0, ..sound },
+        ArraySpan { first_m: f64::NAN, ..sound },
+        ArraySpan { transmit: [f64::NAN, 0.0, 0.0], ..sound },
+        ArraySpan { receive: [0.0, 1e300, 0.0], ..sound },
+    ];
+    for span in broken {
+        let refused = refusal_of_path(|p| p.curve.array_span = Some(span));
+        assert!(matches!(refused, EchoError::NoSuchPlace { frame: 0, path: 1, .. }), "{refused}");
     }
 }
 

@@ -1,0 +1,226 @@
+//! Places of the array: the row that ways are traced along, and the pair that a frame's paths are checked
+//! with.
+
+use crate::bodies::motion::RigidMotion;
+use artifact::Radar;
+use artifact::material::Road;
+use artifact::paths::ArraySpan;
+use artifact::scene::Pose;
+use glam::{DMat3, DVec3};
+use radar::aperture::axes;
+
+/// Row of elements that an array is widest along, about the radar's position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ArrayRow {
+    /// Unit vector along the row, world.
+    pub(crate) axis: DVec3,
+    /// Greatest distance of the row's elements, or of the middles of their pairs, from the radar's position
+    /// along it.
+    pub(crate) half_m: f64,
+    pub(crate) ends: RowEnds,
+}
+
+/// Elements that stand along a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum RowEnds {
+    /// The transmitters; receivers are all near the radar's position.
+    Transmitters,
+    /// The receivers.
+    Receivers,
+    /// Both: the middle of a transmitter and a receiver is what counts.
+    Both,
+}
+
+/// A row so many times wider than the other's is traced along alone.
+const WIDER: f64 = 2.0;
+
+impl RowEnds {
+    /// Part of a place along the row by which transmitter and receiver are moved.
+    pub(crate) fn moves(self) -> [f64; 2] {
+        match self {
+            Self::Transmitters => [1.0, 0.0],
+            Self::Receivers => [0.0, 1.0],
+            Self::Both => [1.0, 1.0],
+        }
+    }
+
+    /// Parts of the transmitter's and the receiver's place that a place along the row is made of.
+    pub(crate) fn weights(self) -> [f64; 2] {
+        match self {
+            Self::Both => [0.5, 0.5],
+            _ => self.moves(),
+        }
+    }
+}
+
+impl ArrayRow {
+    /// The row of a scene's array. Over a road both ends are traced at one place.
+    pub(crate) fn of(radar: &Radar, road: Option<&Road>) -> Self {
+        let [right, up, _] = axes(radar);
+        let [across, upright] = [right, up].map(|axis| Self::along(axis, radar, road));
+        if upright.half_m > across.half_m { upright } else { across }
+    }
+
+    fn along(axis: DVec3, radar: &Radar, road: Option<&Road>) -> Self {
+        let centre = DVec3::from_array(radar.position_m);
+        let half = |elements: &[[f64; 3]]| {
+            let away = elements.iter().map(|m| axis.dot(DVec3::from_array(*m) - centre).abs());
+            away.fold(0.0, f64::max)
+        };
+        let [tx, rx] = [half(&radar.array.tx_m), half(&radar.array.rx_m)];
+        let (half_m, ends) = match (tx, rx) {
+            _ if road.is_some() => (0.5 * (tx + rx), RowEnds::Both),
+            _ if tx > WIDER * rx => (tx, RowEnds::Transmitters),
+            _ if rx > WIDER * tx => (rx, RowEnds::Receivers),
+            _ => (0.5 * (tx + rx), RowEnds::Both),
+        };
+        Self { axis, half_m, ends }
+    }
+
+    /// The part of the array that one place of a grid stands for, about the radar's position.
+    pub(super) fn span(&self, position_m: DVec3, (place, steps): (u32, u32)) -> ArraySpan {
+        let [transmit, receive] = self.ends.weights().map(|weight| (weight * self.axis).to_array());
+        let step_m = 2.0 * self.half_m / f64::from(steps);
+        let first_m = position_m.dot(self.axis) - self.half_m;
+        ArraySpan { transmit, receive, first_m, step_m, places: steps + 1, place }
+    }
+}
+
+/// Distances from the radar's position that differ by less than this part of their root mean square are
+/// alike.
+const ALIKE: f64 = 0.1;
+/// Least part by which a pair has to show more of what changes to be taken for the first one.
+const MORE: f64 = 1.01;
+/// Elements nearer to one another see the same of a body, which is then traced from their middle alone: half
+/// the work.
+const TOGETHER_M: f64 = 0.05;
+
+/// The transmitter and the receiver of the array that a frame's paths are checked with: of those whose middle
+/// is about as far from the radar's position as the root mean square of all pairs', and which are as far from
+/// each other. As with time, what errs in proportion to a distance errs there as the whole array does.
+///
+/// Of such pairs the one is taken to which bodies, at the moment of the check, show most of another side than
+/// they do to the middle at the frame's middle: from an element that a body drives past at its pace nothing
+/// would seem to change. Over a road, and where they are near each other, both stand in their middle.
+///
+/// Of a wide array a second pair is told, on the other side: what its ends see differs by more than one pair
+/// tells.
+pub(super) fn checked_from_m(
+    radar: &Radar,
+    road: Option<&Road>,
+    poses: &[Pose],
+    [middle_s, check_s]: [f64; 2],
+) -> ([DVec3; 2], Option<[DVec3; 2]>) {
+    let centre_m = DVec3::from_array(radar.position_m);
+    let pairs_m = pairs_m(radar);
+    let rms = |of: &dyn Fn(&[DVec3; 2]) -> f64| {
+        (pairs_m.iter().map(|pair| of(pair).powi(2)).sum::<f64>() / pairs_m.len().max(1) as f64).sqrt()
+    };
+    let away_m = |pair: &[DVec3; 2]| middle_m(pair).distance(centre_m);
+    let apart_m = |pair: &[DVec3; 2]| pair[0].distance(pair[1]);
+    let [away_rms_m, apart_rms_m] = [rms(&away_m), rms(&apart_m)];
+    let is_wide = road.is_none() && apart_rms_m > TOGETHER_M;
+    let miss = |pair: &[DVec3; 2]| {
+        let of_distance = if is_wide { (apart_m(pair) - apart_rms_m).abs() } else { 0.0 };
+        (away_m(pair) - away_rms_m).abs() + of_distance
+    };
+    let least = pairs_m.iter().map(miss).fold(f64::INFINITY, f64::min);
+    let alike = pairs_m.iter().copied().filter(|pair| miss(pair) <= least + ALIKE * away_rms_m);
+    let turned = |pair: &[DVec3; 2]| -> f64 {
+        poses.iter().map(|pose| turned(pose, [(centre_m, middle_s), (middle_m(pair), check_s)])).sum()
+    };
+    let more =
+        |best: [DVec3; 2], pair: [DVec3; 2]| if turned(&pair) > MORE * turned(&best) { pair } else { best };
+    let pair = alike.reduce(more).unwrap_or([centre_m; 2]);
+    if !is_wide {
+        return ([middle_m(&pair); 2], None);
+    }
+    let opposite_m = 2.0 * centre_m - middle_m(&pair);
+    let away = |pair: &[DVec3; 2]| middle_m(pair).distance(opposite_m) + miss(pair);
+    (pair, pairs_m.iter().copied().min_by(|a, b| away(a).total_cmp(&away(b))))
+}
+
+fn middle_m([tx_m, rx_m]: &[DVec3; 2]) -> DVec3 {
+    0.5 * (*tx_m + *rx_m)
+}
+
+fn pairs_m(radar: &Radar) -> Vec<[DVec3; 2]> {
+    let of_tx = |tx: &[f64; 3]| {
+        let pair = |rx: &[f64; 3]| [DVec3::from_array(*tx), DVec3::from_array(*rx)];
+        radar.array.rx_m.iter().map(pair).collect::<Vec<_>>()
+    };
+    radar.array.tx_m.iter().flat_map(of_tx).collect()
+}
+
+/// Square of the angle between what a body shows from two places at two moments, over that of its distance:
+/// what is near is most of the echo.
+fn turned(pose: &Pose, views: [(DVec3, f64); 2]) -> f64 {
+    let [(from, near_m), (to, _)] = views.map(|(place_m, seconds)| {
+        let away_m = place_m - RigidMotion::of(pose, seconds).origin_m;
+        let body_from_world = DMat3::from_rotation_z(-(pose.yaw_rad + pose.yaw_radps * seconds));
+        (body_from_world * away_m.normalize_or_zero(), away_m.length())
+    });
+    from.distance_squared(to) / near_m.max(f64::MIN_POSITIVE).powi(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bodies::road::usual_road;
+    use radar::aperture::Preset;
+    use radar::paper;
+
+    fn pose(vx_mps: f64) -> Pose {
+        Pose {
+            position_m: [0.0, 20.0, 0.0],
+            yaw_rad: 0.0,
+            yaw_radps: 0.0,
+            velocity_mps: [vx_mps, 0.0, 0.0],
+            acceleration_mps2: [0.0; 3],
+        }
+    }
+
+    fn radar(array: Preset) -> Radar {
+        paper::radar([0.0, 0.0, 6.0], paper::waveform(256, 128), array.elements())
+    }
+
+    fn checked_m(array: Preset, poses: &[Pose]) -> [DVec3; 2] {
+        checked_from_m(&radar(array), None, poses, [5e-3, 8e-3]).0
+    }
+
+    /// A body that drives to the right shows its left: from an element to the left of the middle more of it,
+    /// from one to the right, which it passes at its pace, what it showed before.
+    #[test]
+    fn a_frame_is_checked_from_the_side_that_its_bodies_leave() {
+        for array in [Preset::ThreeByFour, Preset::TwelveBySixteen] {
+            for vx_mps in [3.0, -3.0] {
+                let place_m = middle_m(&checked_m(array, &[pose(vx_mps)]));
+                assert!(place_m.x * vx_mps < 0.0, "{vx_mps} m/s: {place_m}");
+            }
+            assert_eq!(checked_m(array, &[pose(0.0)]), checked_m(array, &[]), "the first of those alike");
+        }
+    }
+
+    #[test]
+    fn a_wide_array_is_checked_with_a_pair_that_is_as_far_apart_as_most() {
+        let [tx_m, rx_m] = checked_m(Preset::ThreeByFour, &[]);
+        assert_eq!(tx_m, rx_m, "elements of 23 mm stand together");
+        let [tx_m, rx_m] = checked_m(Preset::TwelveBySixteen, &[]);
+        // Transmitters 16 half wavelengths apart: 12 of them are 101 mm rms from receivers about the middle.
+        assert!((0.08..0.13).contains(&tx_m.distance(rx_m)), "{}", tx_m.distance(rx_m));
+        let (first, second) = checked_from_m(&radar(Preset::TwelveBySixteen), None, &[], [5e-3, 8e-3]);
+        let [first, second] = [first, second.unwrap()].map(|pair| middle_m(&pair).x);
+        assert!(first * second < 0.0 && (first + second).abs() < 0.02, "{first} and {second} m");
+    }
+
+    #[test]
+    fn ways_are_traced_along_the_wider_row_and_over_a_road_along_the_middles() {
+        let half_wavelength_m = 1.93e-3;
+        let row = ArrayRow::of(&radar(Preset::TwelveBySixteen), None);
+        assert_eq!(row.ends, RowEnds::Transmitters);
+        assert!((row.half_m / half_wavelength_m - 88.0).abs() < 1.0 && row.axis.x.abs() > 0.999);
+        let over_road = ArrayRow::of(&radar(Preset::TwelveBySixteen), usual_road().as_ref());
+        assert_eq!(over_road.ends, RowEnds::Both);
+        assert!((over_road.half_m / half_wavelength_m - 0.5 * (88.0 + 7.5)).abs() < 1.0);
+    }
+}

@@ -1,0 +1,147 @@
+//! The table of a frame that is blended along time, the array's row, or both, of as few nodes as meet the
+//! accuracy.
+
+use crate::frame::band_power::power_over_frame;
+use crate::frame::blends::axis::{BlendAxis, FINEST, STEPS};
+use crate::frame::blends::changing_ways::{bodies, found, least_missed, named};
+use crate::frame::blends::nodes::{Nodes, Surroundings};
+use crate::frame::frame_error::{FrameError, Reference};
+use crate::frame::path_plan::{MOMENTS_MAX, PATHS_MAX, Plan};
+use crate::frame::path_pruning::Kept;
+use crate::frame::path_table::PathTable;
+use crate::frame::snapshot::Scenery;
+use crate::oversight::error::BartError;
+use artifact::paths::{Amplitude, Fineness, Path};
+
+/// The table where its freezing is within the accuracy asked for; else one whose ways that change most are
+/// blended from as few nodes as meet it, or the best that was found.
+pub(crate) fn split(
+    scenery: &Scenery<'_>,
+    whole: PathTable,
+    points: &[Path],
+    reference: &Reference,
+) -> Result<PathTable, BartError> {
+    let (fineness, strongest_dropped) = (whole.fineness.clone(), whole.strongest_dropped.clone());
+    let surroundings = Surroundings { scenery, fineness: &fineness, strongest_dropped: &strongest_dropped };
+    let middle = whole.paths.clone();
+    let mut blending =
+        Blending { plan: scenery.plan, middle: &middle, points, reference, best: whole, along: vec![] };
+    for axis in BlendAxis::ALL.into_iter().filter(|axis| scenery.changes_along(*axis)) {
+        if blending.needs_nodes() {
+            blending.add(axis, &surroundings)?;
+        }
+    }
+    Ok(blending.best)
+}
+
+/// Paths of the frame's middle, of which those ways that were blended in another frame are blended from as
+/// many nodes.
+pub(crate) fn split_alike(
+    scenery: &Scenery<'_>,
+    kept: Kept,
+    fineness: &Fineness,
+) -> Result<Vec<Path>, BartError> {
+    let surroundings = Surroundings { scenery, fineness, strongest_dropped: &kept.strongest_dropped };
+    let mut along: Vec<Nodes<'_>> = Vec::new();
+    for axis in BlendAxis::ALL {
+        let (nodes, ways) = match axis {
+            BlendAxis::Time => (fineness.moments, &fineness.ways),
+            BlendAxis::Array => (fineness.places, &fineness.ways_of_places),
+        };
+        let ways = found(ways, scenery.plan);
+        let steps = nodes.checked_sub(1).filter(|steps| STEPS.contains(steps) && !ways.is_empty());
+        if let Some(steps) = steps {
+            let mut nodes = Nodes::of(&surroundings, axis, ways, &kept.paths);
+            nodes.fill(steps, along.iter().map(Nodes::paths).sum())?;
+            along.push(nodes);
+        }
+    }
+    Ok(blended(&kept.paths, &along.iter().collect::<Vec<_>>()))
+}
+
+/// A frame that is blended along one axis after the other.
+struct Blending<'a> {
+    plan: &'a Plan<'a>,
+    /// Paths of the frame's middle.
+    middle: &'a [Path],
+    points: &'a [Path],
+    reference: &'a Reference,
+    best: PathTable,
+    /// Nodes of the best table, by axis.
+    along: Vec<Nodes<'a>>,
+}
+
+impl<'a> Blending<'a> {
+    fn needs_nodes(&self) -> bool {
+        self.best.error.measured() > self.plan.asked() && self.best.error.is_mostly_freezing()
+    }
+
+    /// Blends the ways that change along an axis from as few nodes as meet the accuracy, where that helps.
+    fn add(&mut self, axis: BlendAxis, surroundings: &'a Surroundings<'a>) -> Result<(), BartError> {
+        let mut nodes = Nodes::looked_at(surroundings, axis, self.middle, self.best.error.measured())?;
+        if nodes.ways.is_empty() {
+            return Ok(());
+        }
+        let power = power_over_frame(self.middle, self.plan);
+        let (before, others) = (self.best.paths.len(), self.along.iter().map(Nodes::paths).sum());
+        let most = if surroundings.scenery.turns_wheels() { FINEST } else { MOMENTS_MAX - 1 };
+        let mut best_steps = None;
+        for steps in STEPS.into_iter().filter(|steps| *steps <= most) {
+            if before + nodes.of_middle() * steps as usize > PATHS_MAX {
+                break;
+            }
+            nodes.fill(steps, others)?;
+            let (measured, is_best) = self.measure(&nodes);
+            if is_best {
+                best_steps = Some(steps);
+            }
+            let missed = nodes.missed_halfway(steps / 2);
+            if measured <= self.plan.asked() || missed < least_missed(measured, power) {
+                break;
+            }
+        }
+        if let Some(steps) = best_steps {
+            nodes.steps = steps;
+            self.along.push(nodes);
+        }
+        Ok(())
+    }
+
+    /// Error of the table that has these nodes too, and whether it is the best so far, which is kept then.
+    fn measure(&mut self, nodes: &Nodes<'a>) -> (f64, bool) {
+        let along: Vec<&Nodes<'_>> = self.along.iter().chain([nodes]).collect();
+        let paths = blended(self.middle, &along);
+        let given_up = self.best.given_up;
+        let error = FrameError::measured_on(self.plan, &paths, self.points, self.reference, &given_up);
+        let is_best = error.measured() < self.best.error.measured();
+        if is_best {
+            let (fineness, ways) = (&mut self.best.fineness, named(&nodes.ways, self.plan));
+            match nodes.axis {
+                BlendAxis::Time => (fineness.moments, fineness.ways) = (nodes.steps + 1, ways),
+                BlendAxis::Array => (fineness.places, fineness.ways_of_places) = (nodes.steps + 1, ways),
+            }
+            let bytes = self.best.bytes.max(nodes.bytes);
+            (self.best.paths, self.best.error, self.best.bytes) = (paths, error, bytes);
+        }
+        (error.measured(), is_best)
+    }
+}
+
+/// Paths of the frame's middle without those that are blended, each less itself once for every axis beyond the
+/// first that it is blended along, and behind them those of the nodes.
+fn blended(middle: &[Path], along: &[&Nodes<'_>]) -> Vec<Path> {
+    let own = middle.iter().filter_map(|path| {
+        let way = bodies(path);
+        match along.iter().filter(|nodes| nodes.ways.contain(&way)).count() {
+            0 => Some(*path),
+            1 => None,
+            axes => Some(times(path, 1.0 - axes as f64)),
+        }
+    });
+    own.chain(along.iter().flat_map(|nodes| nodes.blended())).collect()
+}
+
+fn times(path: &Path, factor: f64) -> Path {
+    let of = |amplitude: Amplitude| amplitude.map(|row| row.map(|value| factor * value));
+    Path { amplitude_m: of(path.amplitude_m), slope_m_per_hz: of(path.slope_m_per_hz), ..*path }
+}

@@ -1,0 +1,158 @@
+//! Paths of some ways, traced at the nodes of one axis.
+//!
+//! The nodes lie on a grid of equal steps h from the axis's begin to its end, made finer until the measured
+//! error meets the accuracy asked for; what was traced for a coarser grid is used again. Between two nodes a
+//! blend errs by u(1−u)(1+u)(2−u)·h⁴f⁗/24, u from 0 to 1, in the first and last step by
+//! u(1−u)(2−u)(3−u)·h⁴f⁗/24. The moment of the check is where each of the grids errs as the frame does, to
+//! 1.4 dB (a test has it).
+
+use crate::beams::body_ways::BodyWays;
+use crate::frame::band_power::mean_difference;
+use crate::frame::blends::axis::{BlendAxis, FINEST, LOOKED_AT};
+use crate::frame::blends::changing_ways::{FIELD_FREQUENCIES, bodies, field, ways_that_change};
+use crate::frame::path_pruning::pruned_alike;
+use crate::frame::path_sum::PathView;
+use crate::frame::path_table::{Node, paths_along};
+use crate::frame::snapshot::Scenery;
+use crate::oversight::error::BartError;
+use crate::oversight::progress::Phase;
+use artifact::paths::{Fineness, Path};
+use num_complex::Complex64;
+use std::collections::BTreeMap;
+
+/// What all nodes of a frame have in common.
+pub(super) struct Surroundings<'a> {
+    pub(super) scenery: &'a Scenery<'a>,
+    pub(super) fineness: &'a Fineness,
+    pub(super) strongest_dropped: &'a [f64],
+}
+
+/// Paths of some ways at the nodes of one axis.
+pub(super) struct Nodes<'a> {
+    surroundings: &'a Surroundings<'a>,
+    pub(super) axis: BlendAxis,
+    /// Ways that are traced at all nodes.
+    pub(super) ways: BodyWays,
+    /// Steps of the grid that is blended.
+    pub(super) steps: u32,
+    /// Paths by place, in parts of the axis of which there are [`FINEST`].
+    at: BTreeMap<u32, Vec<Path>>,
+    /// Most bytes held by what was traced.
+    pub(super) bytes: u64,
+}
+
+impl<'a> Nodes<'a> {
+    /// The middle's paths of some ways, before any other node.
+    pub(super) fn of(
+        surroundings: &'a Surroundings<'a>,
+        axis: BlendAxis,
+        ways: BodyWays,
+        middle: &[Path],
+    ) -> Self {
+        let own = middle.iter().filter(|path| ways.contain(&bodies(path))).copied().collect();
+        Self { surroundings, axis, ways, steps: 0, at: BTreeMap::from([(FINEST / 2, own)]), bytes: 0 }
+    }
+
+    /// Traces two other nodes of an axis for the ways that have changed there from what they are in `middle`.
+    pub(super) fn looked_at(
+        surroundings: &'a Surroundings<'a>,
+        axis: BlendAxis,
+        middle: &[Path],
+        measured: f64,
+    ) -> Result<Self, BartError> {
+        let mut looks = Self::of(surroundings, axis, BodyWays::default(), &[]);
+        for place in LOOKED_AT {
+            let paths = looks.traced(place, None)?;
+            looks.at.insert(place, paths);
+        }
+        let others = LOOKED_AT.map(|place| (looks.view(place), looks.at[&place].as_slice()));
+        let ways = ways_that_change(surroundings.scenery.plan, middle, measured, others);
+        let mut nodes = Self { bytes: looks.bytes, ..Self::of(surroundings, axis, ways, middle) };
+        for place in LOOKED_AT {
+            let mut paths = looks.at.remove(&place).unwrap_or_default();
+            paths.retain(|path| nodes.ways.contain(&bodies(path)));
+            nodes.at.insert(place, paths);
+        }
+        Ok(nodes)
+    }
+
+    /// Traces what is missing of a grid, beside so many paths of other nodes.
+    pub(super) fn fill(&mut self, steps: u32, others: usize) -> Result<(), BartError> {
+        for place in (0..=steps).map(|i| i * (FINEST / steps)) {
+            if !self.at.contains_key(&place) {
+                let paths = self.traced(place, Some(others))?;
+                self.at.insert(place, paths);
+            }
+        }
+        self.steps = steps;
+        Ok(())
+    }
+
+    /// Paths of a place: of the ways alone beside so many paths of others, or of all.
+    fn traced(&mut self, place: u32, along: Option<usize>) -> Result<Vec<Path>, BartError> {
+        let Surroundings { scenery, fineness, strongest_dropped } = self.surroundings;
+        let plan = scenery.plan;
+        let (seconds, ends_m) = self.axis.at(plan, place);
+        let ways = along.map(|_| &self.ways);
+        let snapshot = match ways {
+            Some(ways) => scenery.along(ways, seconds, ends_m)?,
+            None => scenery.at(seconds, ends_m)?,
+        };
+        self.bytes = self.bytes.max(snapshot.bytes());
+        // With the blends that are made of them, two of which are compared.
+        let held_bytes = 3 * size_of::<Path>() * (self.paths() + along.unwrap_or(0));
+        let node = Node { ways, seconds, ends_m, held_bytes };
+        let paths = paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, fineness, &node)?;
+        Ok(pruned_alike(paths, plan, &snapshot.world, strongest_dropped))
+    }
+
+    /// Number of paths of all nodes.
+    pub(super) fn paths(&self) -> usize {
+        self.at.values().map(Vec::len).sum()
+    }
+
+    /// Number of the middle's paths.
+    pub(super) fn of_middle(&self) -> usize {
+        self.at.get(&(FINEST / 2)).map_or(0, Vec::len)
+    }
+
+    /// Mean power of what the blend of a grid misses halfway between its nodes, where all are traced.
+    pub(super) fn missed_halfway(&self, steps: u32) -> f64 {
+        let missed = |place: u32| {
+            let view = self.view(place);
+            let exact = field(self.at.get(&place), self.surroundings.scenery.plan, &view);
+            mean_difference(&exact, &self.blended_field(steps, &view))
+        };
+        let places = (0..steps).map(|i| (2 * i + 1) * (FINEST / (2 * steps)));
+        places.map(missed).sum::<f64>() / f64::from(steps)
+    }
+
+    /// S of the blend of a grid over the band, of the nodes that have a share in it there.
+    fn blended_field(&self, steps: u32, view: &PathView) -> Vec<Complex64> {
+        let plan = self.surroundings.scenery.plan;
+        let mut total = vec![Complex64::ZERO; FIELD_FREQUENCIES];
+        for node in 0..=steps {
+            let share = self.axis.share(plan, view, (node, steps));
+            if share != 0.0 {
+                let of = field(self.at.get(&(node * (FINEST / steps))), plan, view);
+                total.iter_mut().zip(of).for_each(|(total, of)| *total += share * of);
+            }
+        }
+        total
+    }
+
+    /// Paths of the grid's nodes, one node after the other.
+    pub(super) fn blended(&self) -> impl Iterator<Item = Path> {
+        let plan = self.surroundings.scenery.plan;
+        (0..=self.steps).flat_map(move |node| {
+            let paths = self.at.get(&(node * (FINEST / self.steps))).into_iter().flatten();
+            paths.map(move |path| self.axis.part(plan, *path, (node, self.steps)))
+        })
+    }
+
+    fn view(&self, place: u32) -> PathView {
+        let plan = self.surroundings.scenery.plan;
+        let (seconds, ends_m) = self.axis.at(plan, place);
+        plan.view_from(ends_m, seconds)
+    }
+}
