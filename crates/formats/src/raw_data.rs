@@ -5,6 +5,7 @@
 //! cube are `[turn·N_rx + rx][chirp][sample]`.
 
 mod lanes; // bytes of a capture card
+mod told_waveform; // waveforms that descriptions tell
 pub mod dca1000;
 pub mod npy;
 pub mod sigmf;
@@ -147,21 +148,29 @@ pub enum IntegerStep {
     Asked(f32),
     /// √W, as that file says.
     Told(f32, PathBuf),
+    /// Steps of the converter that samples came of, as that file says, which need not be those of the file.
+    Counted {
+        /// The converter's steps in one of the file's.
+        step: f32,
+        /// Its full scale, in its steps.
+        full_scale: Option<f64>,
+        /// File that says it.
+        place: PathBuf,
+    },
     /// Nobody says it.
     Unknown,
 }
 
 impl IntegerStep {
     /// The command's word goes before the file's.
-    fn of(asked: Option<f32>, told: impl FnOnce() -> Option<(f32, PathBuf)>) -> Self {
-        let told = || told().map_or(Self::Unknown, |(step, place)| Self::Told(step, place));
-        asked.map_or_else(told, Self::Asked)
+    fn of(asked: Option<f32>, told: impl FnOnce() -> Option<Self>) -> Self {
+        asked.map_or_else(|| told().unwrap_or(Self::Unknown), Self::Asked)
     }
 
-    /// √W of a step; 1 where nobody says it.
-    pub(crate) fn sqrt_w(&self) -> f32 {
+    /// Factor of integer samples: √W of a step, or steps of the converter; 1 where nobody says it.
+    pub(crate) fn factor(&self) -> f32 {
         match self {
-            Self::Asked(step) | Self::Told(step, _) => *step,
+            Self::Asked(step) | Self::Told(step, _) | Self::Counted { step, .. } => *step,
             Self::Floats | Self::Unknown => 1.0,
         }
     }

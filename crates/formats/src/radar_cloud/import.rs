@@ -45,16 +45,19 @@ fn description_of(file: &Path) -> Option<PathBuf> {
     file.ancestors().nth(3).map(|set| set.join("set.json")).filter(|place| place.is_file())
 }
 
-/// Source of the heights of a set, where its description says that they are not measured.
+/// Source of the heights of a set, where its description says one.
 fn height_told(description: &Path) -> Result<Option<Height>, Failure> {
     let text = bounded::read_text(description, LIMIT_BYTES);
     let text = text.map_err(|fault| Failure::unread(description, &fault))?;
     let told: Value = serde_json::from_str(&text).unwrap_or_default();
-    let is_assumed = told["heights"].as_str().is_some_and(|heights| heights != Heights::Measured.words());
-    Ok(is_assumed.then_some(Height::Assumed))
+    let of_words = |words: &str| {
+        if words == Heights::Measured.words() { Height::Measured } else { Height::Assumed }
+    };
+    Ok(told["heights"].as_str().map(of_words))
 }
 
-/// Detections of a file, and what their height stands on: radars of `.pcd` tell none.
+/// Detections of a file, and what their height stands on where no description tells it: `.pcd` has no room
+/// for it.
 fn read(file: &Path) -> Result<(Vec<Detection>, Height), Failure> {
     let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     let (found, height) = match ending(file) {

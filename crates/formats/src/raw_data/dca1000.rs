@@ -2,6 +2,7 @@
 
 pub use crate::raw_data::lanes::Layout;
 use crate::raw_data::lanes::TWO_LANES;
+use crate::raw_data::told_waveform::WaveformKeys;
 use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording};
 use crate::sidecar;
 use crate::writing::fail;
@@ -17,20 +18,20 @@ use serde_json::{Value, json};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// Writes a cube; the strongest sample takes most of the converter's range, the `.json` beside it says what
-/// one step is and of which samples, by their BLAKE3: whatever else is recorded under this name later has
-/// steps of its own.
+/// Writes a cube; samples that were steps stay what they were where they fit, of all others the strongest
+/// takes most of the converter's range. The `.json` beside it says what one step is and of which samples, by
+/// their BLAKE3: whatever else is recorded under this name later has steps of its own.
 pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
     let recording = Recording::of_complex(file, &header)?;
     TWO_LANES.check(file, &recording, Sampling::Complex)?;
     sidecar::claim(out)?;
-    let mut peak = 0.0_f32;
+    let mut parts = Parts::NONE;
     for frame in progress::frames(reader) {
-        peak = frame?.samples.iter().fold(peak, |peak, x| peak.max(x.re.abs()).max(x.im.abs()));
+        parts = frame?.samples.iter().flat_map(|x| [x.re, x.im]).fold(parts, Parts::with);
     }
-    let step = step_of(header.unit, peak);
+    let step = step_of(header.unit, parts);
     let (mut failed, mut hasher) = (None, blake3::Hasher::new());
     let mut reader = Reader::<Cube>::open(file)?;
     let frames = reader.frames();
@@ -49,7 +50,7 @@ pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
 }
 
 /// Reads frames; a step is `step`, √W, else what the `.json` beside the file says of these very samples, else
-/// the unit of what is read.
+/// the unit of what is read. What that `.json` says of the waveform has to be the radar's.
 pub fn read(
     file: &Path,
     header: &CubeHeader,
@@ -69,8 +70,18 @@ pub fn read(
         return Err(Failure::Refused(format!("{}: {text}", file.display())));
     }
     recording.frames(file, bytes.len() / layout.value_bytes(sampling))?;
-    let step = IntegerStep::of(step, || step_beside(file, &bytes));
-    let values = layout.by_slot(&bytes, &recording, sampling, step.sqrt_w());
+    let beside = description_of(file, &bytes);
+    if let Some((told, place)) = &beside {
+        WAVEFORM.check(told, place, &header.radar.waveform)?;
+    }
+    let step = IntegerStep::of(step, || match beside {
+        Some((told, place)) => step_told(&told, place),
+        None => {
+            note_of_others(file);
+            None
+        }
+    });
+    let values = layout.by_slot(&bytes, &recording, sampling, step.factor());
     let frames =
         values.chunks_exact(recording.values()).map(|frame| recording.cube_of_slots(frame)).collect();
     Ok(Imported { frames, step })
@@ -79,10 +90,35 @@ pub fn read(
 /// Steps, of 32,767, that the strongest sample takes: some are left for a reader's noise.
 const FULL_SCALE: f32 = 32_000.0;
 
+/// Numbers of which samples consist, as far as a step hangs on them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Parts {
+    least: f32,
+    most: f32,
+    are_whole: bool,
+}
+
+impl Parts {
+    const NONE: Self = Self { least: 0.0, most: 0.0, are_whole: true };
+
+    fn with(self, part: f32) -> Self {
+        Self {
+            least: self.least.min(part),
+            most: self.most.max(part),
+            are_whole: self.are_whole && part.fract() == 0.0,
+        }
+    }
+
+    fn are_integers_of_16_bits(self) -> bool {
+        self.are_whole && self.least >= f32::from(i16::MIN) && self.most <= f32::from(i16::MAX)
+    }
+}
+
 /// Samples that were steps stay what they were, where they fit.
-fn step_of(unit: SampleUnit, peak: f32) -> f32 {
+fn step_of(unit: SampleUnit, parts: Parts) -> f32 {
+    let peak = parts.most.max(-parts.least);
     match unit {
-        SampleUnit::FullScale(_) | SampleUnit::Steps if peak <= f32::from(i16::MAX) => 1.0,
+        SampleUnit::FullScale(_) | SampleUnit::Steps if parts.are_integers_of_16_bits() => 1.0,
         _ if peak > 0.0 => peak / FULL_SCALE,
         _ => 1.0,
     }
@@ -100,7 +136,9 @@ fn told(header: &CubeHeader, recording: &Recording, frames: u64, step: f32) -> V
         "shape": SHAPE,
         "sizes": [frames, recording.slots(), recording.receivers, recording.samples],
         STEP: (unit == SampleUnit::RootWatts).then_some(step),
+        COUNT: (unit != SampleUnit::RootWatts).then_some(step),
         "unit": unit.name(),
+        FULL_SCALE_KEY: unit.full_scale(),
         "sample_rate_hz": waveform.sample_rate_hz,
         "start_frequency_hz": waveform.start_frequency_hz,
         "slope_hz_per_s": waveform.slope_hz_per_s,
@@ -111,20 +149,41 @@ fn told(header: &CubeHeader, recording: &Recording, frames: u64, step: f32) -> V
 const HASH: &str = "blake3";
 const SHAPE: [&str; 4] = ["frame", "chirp of any transmitter", "receiver", "sample"];
 
-/// The step told beside the file and where; what belongs to other samples is not believed.
-fn step_beside(file: &Path, samples: &[u8]) -> Option<(f32, PathBuf)> {
-    let places = [sidecar::beside(file), file.with_extension("json")];
-    let told = places.into_iter().filter_map(|place| Some((sidecar::read(&place)?, place)));
-    let (told, place) = told.into_iter().find(|(told, place)| {
-        let is_of_these = is_of(told, samples);
-        if !is_of_these && told.get(STEP).is_some() {
+/// Places of the description of a file: today's, and that of earlier versions.
+fn places(file: &Path) -> [PathBuf; 2] {
+    [sidecar::beside(file), file.with_extension("json")]
+}
+
+/// The description beside the file and where; what belongs to other samples is not believed.
+fn description_of(file: &Path, samples: &[u8]) -> Option<(Value, PathBuf)> {
+    let told = places(file).into_iter().filter_map(|place| Some((sidecar::read(&place)?, place)));
+    told.into_iter().find(|(told, _)| is_of(told, samples))
+}
+
+/// Remarks on steps that are told beside the file, of other samples.
+fn note_of_others(file: &Path) {
+    for place in places(file) {
+        if sidecar::read(&place).is_some_and(|told| told.get(STEP).is_some()) {
             let why = format!("its step is not that of {}: it belongs to other samples", file.display());
             progress::note(format!("note: {}: {why}", place.display()));
         }
-        is_of_these
-    })?;
-    let step = told[STEP].as_f64()?;
-    (step.is_finite() && step > 0.0).then_some((step as f32, place))
+    }
+}
+
+/// The step that a description tells, √W or in steps of the converter that it came of.
+fn step_told(told: &Value, place: PathBuf) -> Option<IntegerStep> {
+    let number = |key: &str| {
+        let number = told[key].as_f64()?;
+        (number.is_finite() && number > 0.0).then_some(number)
+    };
+    match number(STEP) {
+        Some(step) => Some(IntegerStep::Told(step as f32, place)),
+        None => number(COUNT).map(|step| IntegerStep::Counted {
+            step: step as f32,
+            full_scale: number(FULL_SCALE_KEY),
+            place,
+        }),
+    }
 }
 
 /// Whether a sidecar tells of these samples: by their hash, in earlier versions by shape and length.
@@ -139,8 +198,19 @@ fn is_of(told: &Value, samples: &[u8]) -> bool {
     }
 }
 
-/// Key of the step.
+/// Key of the step, √W.
 const STEP: &str = "sqrt_w_per_step";
+/// Key of the step of samples that are no √W: steps of the converter that they came of.
+const COUNT: &str = "adc_steps_per_step";
+/// Key of the full scale of that converter.
+const FULL_SCALE_KEY: &str = "full_scale";
+
+/// Keys of the waveform in a description.
+const WAVEFORM: WaveformKeys = WaveformKeys {
+    sample_rate: "sample_rate_hz",
+    start_frequency: "start_frequency_hz",
+    slope: "slope_hz_per_s",
+};
 
 #[cfg(test)]
 mod tests {
@@ -158,6 +228,19 @@ mod tests {
         assert!(!of(json!({ "shape": SHAPE, "sizes": [1, 2, 2, 3] })));
         assert!(!of(json!({ "shape": ["frame", "channel", "chirp", "sample"], "sizes": [1, 2, 2, 2] })));
         assert!(!of(json!({ STEP: 1.0 })) && !of(json!([])));
+    }
+
+    #[test]
+    fn steps_that_fit_stay_and_whatever_else_takes_most_of_the_range() {
+        let step = |unit, parts: &[f32]| step_of(unit, parts.iter().copied().fold(Parts::NONE, Parts::with));
+        let full = SampleUnit::FullScale(1.0);
+        assert_eq!(step(SampleUnit::Steps, &[-32768.0, 32767.0]), 1.0, "the least integer of 16 bits fits");
+        assert_eq!(step(SampleUnit::FullScale(32_768.0), &[-32768.0]), 1.0);
+        assert_eq!(step(SampleUnit::Steps, &[32768.0]), 32768.0 / FULL_SCALE);
+        assert_eq!(step(full, &[-0.5, 0.25]), 0.5 / FULL_SCALE);
+        assert_eq!(step(full, &[1.0, 0.0, -1.0]), 1.0);
+        assert_eq!(step(SampleUnit::RootWatts, &[1.0]), 1.0 / FULL_SCALE);
+        assert_eq!(step(SampleUnit::RootWatts, &[]), 1.0);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! SigMF recordings (sigmf.org, version 1.0): `.sigmf-data`, receivers interleaved, and `.sigmf-meta` beside
 //! it.
 
+use crate::raw_data::told_waveform::{WaveformKeys, same};
 use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording};
 use crate::writing::fail;
 use artifact::Reader;
@@ -53,26 +54,21 @@ fn is_own(meta: &[u8]) -> bool {
     serde_json::from_slice::<Value>(meta).is_ok_and(|told| told["global"]["core:recorder"] == RECORDER)
 }
 
-/// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit.
+/// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit. What the
+/// description says of the waveform has to be the radar's.
 pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
     let recording = Recording::of_complex(file, header)?;
     let (meta, data) = (file.with_extension(META), file.with_extension(DATA));
     let text = bounded::read_text(&meta, META_LIMIT_BYTES).map_err(|fault| Failure::unread(&meta, &fault))?;
     let told: Value = serde_json::from_str(&text).map_err(|e| refused(&meta, e.to_string()))?;
-    let channels = told["global"]["core:num_channels"].as_u64().unwrap_or(1);
-    if channels != recording.receivers as u64 {
-        let text = format!(
-            "core:num_channels is {channels}, the scene's radar has {} receivers",
-            recording.receivers
-        );
-        return Err(refused(&meta, text));
-    }
+    check_layout(&told, &meta)?;
+    check_radar(&told["global"], &meta, header, &recording)?;
     let bytes = bounded::read(&data, LIMIT_BYTES).map_err(|fault| Failure::unread(&data, &fault))?;
     let (values, step) = match told["global"]["core:datatype"].as_str() {
         Some("cf32_le") => (of_floats(&bytes), IntegerStep::Floats),
         Some("ci16_le") => {
             let step = IntegerStep::of(step, || None);
-            (of_integers(&bytes, step.sqrt_w()), step)
+            (of_integers(&bytes, step.factor()), step)
         }
         other => {
             let found = other.unwrap_or("nothing");
@@ -84,6 +80,58 @@ pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Impor
     let cube = |frame: &[Complex32]| recording.cube_of_slots(&recording.apart(frame));
     Ok(Imported { frames: values.chunks_exact(recording.values()).map(cube).collect(), step })
 }
+
+/// Refuses samples that are not there, or not alone there.
+fn check_layout(told: &Value, meta: &Path) -> Result<(), Failure> {
+    let global = &told["global"];
+    if global["core:metadata_only"] == true {
+        return Err(refused(meta, "core:metadata_only is true: there are no samples".to_owned()));
+    }
+    if let Some(name) = global.get("core:dataset") {
+        let text = format!("core:dataset is {name}: samples are read of the .sigmf-data beside it alone");
+        return Err(refused(meta, text));
+    }
+    let captures = told["captures"].as_array().into_iter().flatten();
+    let heads = captures.map(|capture| ("core:header_bytes", &capture["core:header_bytes"]));
+    let ends = std::iter::once(("core:trailing_bytes", &global["core:trailing_bytes"]));
+    match heads.chain(ends).find(|(_, bytes)| !bytes.is_null() && **bytes != 0) {
+        Some((key, bytes)) => {
+            Err(refused(meta, format!("{key} is {bytes}: files of samples alone are read")))
+        }
+        None => Ok(()),
+    }
+}
+
+/// Refuses samples of another radar than the scene's.
+fn check_radar(
+    global: &Value,
+    meta: &Path,
+    header: &CubeHeader,
+    recording: &Recording,
+) -> Result<(), Failure> {
+    let channels = global["core:num_channels"].as_u64().unwrap_or(1);
+    if channels != recording.receivers as u64 {
+        let text = format!(
+            "core:num_channels is {channels}, the scene's radar has {} receivers",
+            recording.receivers
+        );
+        return Err(refused(meta, text));
+    }
+    WAVEFORM.check(global, meta, &header.radar.waveform)?;
+    same(global, meta, CHIRPS, recording.slots() as f64)?;
+    same(global, meta, SAMPLES, recording.samples as f64)
+}
+
+/// Keys of the waveform; the rate is SigMF's own.
+const WAVEFORM: WaveformKeys = WaveformKeys {
+    sample_rate: "core:sample_rate",
+    start_frequency: "wayside:start_frequency_hz",
+    slope: "wayside:slope_hz_per_s",
+};
+/// Key of the chirps of all transmitters in a frame.
+const CHIRPS: &str = "wayside:chirps";
+/// Key of the samples of a chirp.
+const SAMPLES: &str = "wayside:samples";
 
 const DATA: &str = "sigmf-data";
 const META: &str = "sigmf-meta";
@@ -117,14 +165,14 @@ fn meta(header: &CubeHeader, recording: &Recording, times_s: &[f64]) -> Value {
             "core:version": "1.0.0",
             "core:datatype": "cf32_le",
             "core:num_channels": recording.receivers,
-            "core:sample_rate": waveform.sample_rate_hz,
+            WAVEFORM.sample_rate: waveform.sample_rate_hz,
             "core:description": format!("IF samples of an FMCW radar, {}: frame, chirp of any transmitter, sample, receiver", header.unit.name()),
             "core:recorder": RECORDER,
             "core:extensions": [{ "name": "wayside", "version": "1.0.0", "optional": true }],
-            "wayside:chirps": recording.slots(),
-            "wayside:samples": recording.samples,
-            "wayside:start_frequency_hz": waveform.start_frequency_hz,
-            "wayside:slope_hz_per_s": waveform.slope_hz_per_s,
+            CHIRPS: recording.slots(),
+            SAMPLES: recording.samples,
+            WAVEFORM.start_frequency: waveform.start_frequency_hz,
+            WAVEFORM.slope: waveform.slope_hz_per_s,
         },
         "captures": times_s.iter().enumerate().map(capture).collect::<Vec<_>>(),
         "annotations": [],

@@ -47,16 +47,19 @@ fn sets_whose_clouds_have_no_room_for_it_tell_it_in_their_description() {
 }
 
 #[test]
-fn a_set_whose_heights_are_assumed_is_read_as_one() {
+fn heights_of_a_set_are_read_as_its_description_tells_them() {
     for (array, measured, _) in ARRAYS {
         let place = points_of(array);
-        place.run("export a.points --to kitti --out set --quiet");
-        place.run("import set/training/velodyne --scene small.toml --out b.points --quiet");
-        place.run("export b.points --to csv --out b.csv --quiet");
-        let table = String::from_utf8(place.bytes("b.csv")).unwrap();
-        let height = if measured == "1" { "measured" } else { "assumed" };
-        let mut rows = table.lines().skip(1).peekable();
-        assert!(rows.peek().is_some() && rows.all(|row| row.rsplit(',').next() == Some(height)), "{table}");
+        for (set, clouds) in [("kitti", "training/velodyne"), ("nuscenes", "samples/RADAR_FRONT")] {
+            place.run(&format!("export a.points --to {set} --out {set} --quiet"));
+            place.run(&format!("import {set}/{clouds} --scene small.toml --out {set}.points --quiet"));
+            place.run(&format!("export {set}.points --to csv --out {set}.csv --quiet"));
+            let table = String::from_utf8(place.bytes(&format!("{set}.csv"))).unwrap();
+            let height = if measured == "1" { "measured" } else { "assumed" };
+            let mut rows = table.lines().skip(1).peekable();
+            let is_told = |row: &str| row.rsplit(',').next() == Some(height);
+            assert!(rows.peek().is_some() && rows.all(is_told), "{set}: {table}");
+        }
     }
 }
 

@@ -11,5 +11,6 @@ mod full_disk;
 mod heights;
 mod outputs;
 mod raw_data;
+mod recordings;
 mod resumed_tables;
 mod training_sets;

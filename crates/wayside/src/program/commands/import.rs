@@ -47,7 +47,8 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
         Kind::Uwcr => uwcr::read(file, &header)?,
         Kind::Array => Imported { frames: of_array(file, header.shape())?, step: IntegerStep::Floats },
     };
-    options::check_samples(arguments, header.radar.waveform.sampling, &step)?;
+    let sampling = header.radar.waveform.sampling;
+    options::check_samples(arguments, sampling, &step)?;
     let told = Told { full_scale: arguments.full_scale, bits: settings.as_ref().map(DeviceSettings::bits) };
     header.unit = unit_of(&step, &frames, told);
     let from = provenance_of(arguments, &scene, &step)?;
@@ -55,7 +56,8 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let of = frames.len();
     for (index, samples) in progress::counted("frames", frames, of).enumerate() {
         let time_s = scene.frame_time_s(index as u32);
-        stepwise::finite(index, &samples, header.shape()).map_err(|failure| failure.about(file))?;
+        let sound = stepwise::sound(index, &samples, header.shape(), sampling);
+        sound.map_err(|failure| failure.about(file))?;
         writer.write(&CubeFrame { index: index as u32, time_s, samples, error: ErrorBudget::default() })?;
     }
     Ok(writer.finish()?)
@@ -68,14 +70,19 @@ struct Told {
 }
 
 /// Unit of samples: √W where a step is told, and of floats; of a converter's integers its steps. Floats that
-/// are whole numbers are such steps too, of a converter that nobody tells of.
+/// are whole numbers are such steps too, of a converter that nobody tells of. A full scale is what the
+/// command says, else what the file of the step does, else what the configuration's bits make it.
 fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> SampleUnit {
     let is_whole = |x: f32| x.fract() == 0.0;
     let mut values = frames.iter().flatten();
+    let of_bits = |bits: u32| f64::from(1 << (bits - 1));
     match (step, told.full_scale) {
         (IntegerStep::Asked(_) | IntegerStep::Told(..), _) => SampleUnit::RootWatts,
         (_, Some(steps)) => SampleUnit::FullScale(steps),
-        (IntegerStep::Unknown, None) => SampleUnit::FullScale(f64::from(1 << (told.bits.unwrap_or(16) - 1))),
+        (IntegerStep::Unknown, None) => SampleUnit::FullScale(of_bits(told.bits.unwrap_or(16))),
+        (IntegerStep::Counted { full_scale, .. }, None) => {
+            full_scale.or(told.bits.map(of_bits)).map_or(SampleUnit::Steps, SampleUnit::FullScale)
+        }
         (IntegerStep::Floats, None) => {
             let are_steps = values.all(|v| is_whole(v.re) && is_whole(v.im)) && peak(frames) > 0.0;
             if are_steps { SampleUnit::Steps } else { SampleUnit::RootWatts }
@@ -119,7 +126,7 @@ fn provenance_of(
     let mut files = frames_of(&arguments.array, &uwcr::ENDINGS)?;
     files.extend(radar_files(arguments));
     match step {
-        IntegerStep::Told(_, place) => files.push(place.clone()),
+        IntegerStep::Told(_, place) | IntegerStep::Counted { place, .. } => files.push(place.clone()),
         IntegerStep::Unknown => progress::note(format!(
             "note: {}: no step is told (--step): samples are counted in steps of the converter, and levels are no powers",
             arguments.array.display()
@@ -129,10 +136,11 @@ fn provenance_of(
     let from = provenance(Stage::FmcwEcho, scene, loading::hashed(&files)?);
     let told = match step {
         IntegerStep::Floats => return Ok(from),
-        IntegerStep::Unknown => "not told: samples are steps".to_owned(),
-        IntegerStep::Asked(step) | IntegerStep::Told(step, _) => step.to_string(),
+        IntegerStep::Unknown => "sqrt_w_per_step not told: samples are steps".to_owned(),
+        IntegerStep::Asked(step) | IntegerStep::Told(step, _) => format!("sqrt_w_per_step {step}"),
+        IntegerStep::Counted { step, .. } => format!("adc_steps_per_step {step}"),
     };
-    Ok(Provenance { settings: format!("{}, sqrt_w_per_step {told}", from.settings), ..from })
+    Ok(Provenance { settings: format!("{}, {told}", from.settings), ..from })
 }
 
 fn of_array(file: &Path, shape: [usize; 3]) -> Result<Vec<Vec<Complex32>>, Failure> {

@@ -97,6 +97,10 @@ pub(super) fn check_samples(
             let rule = format!("is for samples in steps: {} tells what a step is, √W", place.display());
             Err(off(arguments, "--full-scale", &rule))
         }
+        IntegerStep::Counted { full_scale: Some(steps), place, .. } if arguments.full_scale.is_some() => {
+            let rule = format!("is told already: {} has a full scale of {steps} steps", place.display());
+            Err(off(arguments, "--full-scale", &rule))
+        }
         _ if sampling == Sampling::Real && arguments.iq_order.is_some() => {
             Err(off(arguments, "--iq-order", "is for complex samples: the scene's radar has real ones"))
         }

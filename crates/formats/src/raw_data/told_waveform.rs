@@ -1,0 +1,56 @@
+//! Waveforms that descriptions beside recordings tell, held against the radar that the samples are read as.
+
+use artifact::radar::Waveform;
+use pipeline::host::failure::Failure;
+use serde_json::Value;
+use std::path::Path;
+
+/// Keys under which a description tells numbers of the waveform, in Hz and Hz/s.
+pub(crate) struct WaveformKeys {
+    pub(crate) sample_rate: &'static str,
+    pub(crate) start_frequency: &'static str,
+    pub(crate) slope: &'static str,
+}
+
+impl WaveformKeys {
+    /// Refuses numbers of `told`, the content of `place`, that are others than the radar's.
+    pub(crate) fn check(&self, told: &Value, place: &Path, waveform: &Waveform) -> Result<(), Failure> {
+        let numbers = [
+            (self.sample_rate, waveform.sample_rate_hz),
+            (self.start_frequency, waveform.start_frequency_hz),
+            (self.slope, waveform.slope_hz_per_s),
+        ];
+        numbers.into_iter().try_for_each(|(key, radars)| same(told, place, key, radars))
+    }
+}
+
+/// Refuses a number under a key that is another than the radar's; numbers agree within a millionth: a person
+/// rounds what a device has in steps.
+pub(crate) fn same(told: &Value, place: &Path, key: &str, radars: f64) -> Result<(), Failure> {
+    match told[key].as_f64() {
+        Some(number) if (number - radars).abs() > 1e-6 * radars.abs() => Err(Failure::Refused(format!(
+            "{}: {key} is {number:?}, the scene's radar has {radars:?}",
+            place.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn numbers_that_contradict_are_refused_by_key_with_both_values() {
+        let told = |number: Value| {
+            let same = same(&json!({ "rate": number }), Path::new("x.json"), "rate", 5e6);
+            same.err().map(|failure| failure.to_string())
+        };
+        assert_eq!(told(json!(5e6)), None);
+        assert_eq!(told(json!(5_000_001)), None);
+        assert_eq!(told(json!(null)), None);
+        let text = told(json!(2.5e6));
+        assert_eq!(text.as_deref(), Some("x.json: rate is 2500000.0, the scene's radar has 5000000.0"));
+    }
+}
