@@ -7,6 +7,7 @@
 mod boards; // antennas, lanes and bands of evaluation boards
 mod statements; // commands as both kinds of files have them
 mod sdk_cfg; // `.cfg` of the mmWave SDK
+mod lua_calls; // calls of a script
 mod studio_log; // logs and scripts of mmWave Studio
 mod chirp_program; // who sends in which chirp
 mod scene_tables; // keys of a scene
@@ -18,7 +19,9 @@ pub use scene_tables::{NoScene, scene_text};
 
 use crate::devices::Board;
 use artifact::bounded;
+use chirp_program::Remark;
 use pipeline::host::failure::Failure;
+use pipeline::host::progress;
 use statements::Fault;
 use std::path::Path;
 
@@ -28,19 +31,35 @@ const LIMIT_BYTES: u64 = 16 << 20;
 /// Settings that a configuration tells, for the board that was asked for, else the one that it names.
 pub fn read(file: &Path, board: Option<Board>) -> Result<DeviceSettings, Failure> {
     let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-    settings(&text, board).map_err(|Fault { line, rule }| {
+    let settings = settings(&text, board).map_err(|Fault { line, rule }| {
         let place = line.map_or_else(String::new, |line| format!(":{line}"));
         Failure::Refused(format!("{}{place}: {rule}", file.display()))
-    })
+    })?;
+    for Remark { line, text } in &settings.remarks {
+        progress::note(format!("note: {}:{line}: {text}", file.display()));
+    }
+    Ok(settings)
 }
 
 fn settings(text: &str, board: Option<Board>) -> Result<DeviceSettings, Fault> {
-    let statements = if studio_log::is_one(text) {
-        studio_log::statements(text, board)?
-    } else {
-        sdk_cfg::statements(text)?
+    if !studio_log::is_one(text) {
+        return chirp_program::settings(&sdk_cfg::statements(text)?, board);
+    }
+    let (statements, in_branches) = studio_log::statements(text, board)?;
+    let mut settings = chirp_program::settings(&statements, board)?;
+    settings.remarks.extend(of_branches(&in_branches));
+    Ok(settings)
+}
+
+/// The remark that commands of these lines are taken to run.
+fn of_branches(lines: &[usize]) -> Option<Remark> {
+    let line = *lines.first()?;
+    let more = match lines.len() - 1 {
+        0 => String::new(),
+        more => format!(", as {more} more do"),
     };
-    chirp_program::settings(&statements, board)
+    let text = format!("it stands in a branch of `if`{more}: all are taken to run");
+    Some(Remark { line, text })
 }
 
 #[cfg(test)]

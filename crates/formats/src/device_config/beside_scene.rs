@@ -1,11 +1,11 @@
 //! A scene whose radar is that of a configuration: what the scene does not say, the configuration does; what
 //! both say has to agree.
 
-use super::chirp_program::DeviceSettings;
-use super::scene_tables::entries;
+use super::chirp_program::{DeviceSettings, sampling_word};
+use super::scene_tables::{Entry, decimal, entries, frame_interval};
 use artifact::Radar;
 use artifact::bounded;
-use artifact::radar::{Multiplexing, Sampling};
+use artifact::radar::Multiplexing;
 use artifact::scene::SceneHeader;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
@@ -30,12 +30,12 @@ pub fn scene_with(
     configured: &Configured<'_>,
 ) -> Result<SceneHeader, Failure> {
     let said = Said::of(file, radar)?;
-    let change = |entry: super::scene_tables::Entry| scene::Change {
-        key: format!("{}.{}", entry.table, entry.key),
-        value: entry.value,
+    let change = |Entry { table, key, value, .. }: Entry| {
+        let key = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
+        scene::Change { key, value }
     };
-    let open = entries(configured.settings).into_iter().filter(|entry| !said.says(entry.table, entry.key));
-    let changes: Vec<scene::Change> = open.map(change).collect();
+    let all = std::iter::once(frame_interval(configured.settings)).chain(entries(configured.settings));
+    let changes = all.filter(|entry| !said.says(entry.table, entry.key)).map(change).collect::<Vec<_>>();
     let header = loading::radar_changed(file, radar, &changes).map_err(|failure| {
         // A scene that is sound by itself is not at fault.
         match loading::radar_only(file, radar) {
@@ -43,7 +43,7 @@ pub fn scene_with(
             Err(_) => failure,
         }
     })?;
-    match contradiction(&header.radar, configured.settings) {
+    match contradiction(&header, configured.settings) {
         None => Ok(header),
         Some(Contradiction { key, scenes, configs, line }) => Err(Failure::Refused(format!(
             "{}: {key} is {scenes}; {}:{line} has {configs}",
@@ -53,8 +53,13 @@ pub fn scene_with(
     }
 }
 
-/// Tables of the radar that a scene file has.
-struct Said(Vec<toml::Table>);
+/// Keys that a scene file has.
+struct Said {
+    /// Tables of the radar.
+    radar: Vec<toml::Table>,
+    /// Names of what stands in no table.
+    keys: Vec<String>,
+}
 
 /// The scene's own reader tells a longer file.
 const LIMIT_BYTES: u64 = 4 << 20;
@@ -68,11 +73,15 @@ impl Said {
         let is_asked =
             |entry: &&toml::Value| radar.is_some() && entry.get("id").and_then(toml::Value::as_str) == radar;
         let tables = document.get("radar").into_iter().chain(own.filter(is_asked));
-        Ok(Self(tables.filter_map(toml::Value::as_table).cloned().collect()))
+        let radar = tables.filter_map(toml::Value::as_table).cloned().collect();
+        Ok(Self { radar, keys: document.keys().cloned().collect() })
     }
 
     /// Whether a key, or another in whose place it would stand, is there.
     fn says(&self, table: &str, key: &str) -> bool {
+        if table.is_empty() {
+            return self.keys.iter().any(|said| said == key);
+        }
         let table = table.strip_prefix("radar.").unwrap_or(table);
         let keys: &[&str] = match key {
             "idle_us" => &["idle_us", "sub_frame_idle_us"],
@@ -83,7 +92,7 @@ impl Said {
         };
         let has =
             |radar: &toml::Table, key: &str| radar.get(table).is_some_and(|table| table.get(key).is_some());
-        self.0.iter().any(|radar| keys.iter().any(|key| has(radar, key)))
+        self.radar.iter().any(|radar| keys.iter().any(|key| has(radar, key)))
     }
 }
 
@@ -95,22 +104,43 @@ struct Contradiction {
     line: usize,
 }
 
-fn contradiction(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction> {
-    of_numbers(radar, settings).or_else(|| of_array(radar, settings)).or_else(|| {
-        let word = |sampling| if sampling == Sampling::Real { "real" } else { "complex" };
-        let (scenes, configs) = (radar.waveform.sampling, settings.sampling);
-        (scenes != configs).then(|| Contradiction {
-            key: "radar.receiver.sampling",
-            scenes: word(scenes).into(),
-            configs: word(configs).into(),
-            line: settings.profile.line,
-        })
+fn contradiction(header: &SceneHeader, settings: &DeviceSettings) -> Option<Contradiction> {
+    let radar = &header.radar;
+    of_schedule(radar, settings)
+        .or_else(|| of_numbers(header, settings))
+        .or_else(|| of_array(radar, settings))
+        .or_else(|| of_sampling(radar, settings))
+}
+
+/// Frames of a configuration have one interval between chirps.
+fn of_schedule(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction> {
+    let us = |all: &[f64]| format!("{:?}", all.iter().map(|s| (s * 1e9).round() / 1e3).collect::<Vec<_>>());
+    let said = |key, scenes| {
+        let configs = "frames whose chirps follow each other at one interval".to_owned();
+        Some(Contradiction { key, scenes, configs, line: settings.frame.line })
+    };
+    let schedule = &radar.schedule;
+    if schedule.sub_frames() > 1 {
+        let intervals = us(&schedule.sub_frame_intervals_s);
+        return said("radar.waveform.sub_frame_idle_us", format!("one of chirp intervals of {intervals} µs"));
+    }
+    let key = "radar.waveform.stagger_us";
+    if schedule.is_uniform() { None } else { said(key, "not 0 throughout".to_owned()) }
+}
+
+fn of_sampling(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction> {
+    let (scenes, configs) = (radar.waveform.sampling, settings.sampling);
+    (scenes != configs).then(|| Contradiction {
+        key: "radar.receiver.sampling",
+        scenes: sampling_word(scenes).into(),
+        configs: sampling_word(configs).into(),
+        line: settings.profile.line,
     })
 }
 
 /// Numbers agree within a millionth: a person rounds what a device has in steps.
-fn of_numbers(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction> {
-    let (w, p) = (&radar.waveform, &settings.profile.value);
+fn of_numbers(header: &SceneHeader, settings: &DeviceSettings) -> Option<Contradiction> {
+    let (w, p) = (&header.radar.waveform, &settings.profile.value);
     let start_ghz = p.start_ghz + 1e-3 * p.slope_mhz_per_us * p.adc_start_us;
     let interval_us = p.idle_us + p.ramp_end_us;
     let (profile, frame) = (settings.profile.line, settings.frame.line);
@@ -121,15 +151,12 @@ fn of_numbers(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction>
         ("radar.waveform.samples", f64::from(w.samples), f64::from(p.samples), profile),
         ("the chirp interval in µs", w.chirp_interval_s * 1e6, interval_us, profile),
         ("radar.waveform.chirps", f64::from(w.chirps), f64::from(settings.chirps), frame),
+        ("frame_interval_s", header.frame_interval_s, settings.frame.value.period_ms / 1e3, frame),
     ];
-    numbers.into_iter().find(|(_, a, b, _)| (a - b).abs() > 1e-6 * b.abs()).map(|(key, a, b, line)| {
-        Contradiction {
-            key,
-            scenes: super::scene_tables::decimal(a),
-            configs: super::scene_tables::decimal(b),
-            line,
-        }
-    })
+    numbers
+        .into_iter()
+        .find(|(_, a, b, _)| (a - b).abs() > 1e-6 * b.abs())
+        .map(|(key, a, b, line)| Contradiction { key, scenes: decimal(a), configs: decimal(b), line })
 }
 
 /// Elements are compared about the mean of their row, as a scene places them.

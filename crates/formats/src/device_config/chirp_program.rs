@@ -22,6 +22,15 @@ pub struct DeviceSettings {
     lanes: Option<Lanes>,
     /// The part of a sample that comes first; `None` where the file says nothing.
     pub iq_order: Option<IqOrder>,
+    /// Remarks on what was read, each with its line where it has one.
+    pub(super) remarks: Vec<Remark>,
+}
+
+/// A sentence on a configuration that is no error.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Remark {
+    pub(super) line: usize,
+    pub(super) text: String,
 }
 
 /// Something with the command that told it.
@@ -67,10 +76,14 @@ pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result
     })?;
     let profile = program.profile(&frame)?;
     let turns = program.turns(&frame, &channels)?;
-    let (bits, sampling) = program.converter();
+    let (bits, sampling) = program.converter()?;
+    if profile.value.shifts_phases && turns.len() > 1 {
+        return Err(profile.fault("phases of several transmitters are not read: 0 alone"));
+    }
     let named = program.find(|told| if let Told::Board(board) = told { Some(*board) } else { None });
     let settings = DeviceSettings {
-        board: asked.or(named.map(|named| named.value)),
+        board: asked.or(named.as_ref().map(|named| named.value)),
+        remarks: named.and_then(|named| of_another_chip(&named, asked?)).into_iter().collect(),
         chirps: frame.value.loops * (frame.value.last + 1 - frame.value.first) / turns.len() as u32,
         turns,
         lanes: program
@@ -87,6 +100,21 @@ pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result
     };
     check_board(&settings)?;
     Ok(settings)
+}
+
+/// Word of a scene for samples.
+pub(super) fn sampling_word(sampling: Sampling) -> &'static str {
+    match sampling {
+        Sampling::Complex => "complex",
+        Sampling::Real => "real",
+    }
+}
+
+/// The remark that a board was asked for which is not that of the chip named in the file.
+fn of_another_chip(named: &InLine<Board>, asked: Board) -> Option<Remark> {
+    let (name, chip, asked_name) = (named.name, named.value.name(), asked.name());
+    let text = || format!("{name}: it names the chip of the {chip}; --device {asked_name} is taken");
+    (named.value != asked).then(|| Remark { line: named.line, text: text() })
 }
 
 /// Numbers of the bits that are set.
@@ -108,12 +136,21 @@ impl Program<'_> {
         self.find(told).ok_or_else(|| Fault { line: None, rule: format!("there is no {names}") })
     }
 
-    fn converter(&self) -> (u32, Sampling) {
+    /// Bits and samples of the converter; refused where a buffer passes on other ones.
+    fn converter(&self) -> Result<(u32, Sampling), Fault> {
         let told = self.find(|told| match told {
             Told::Converter { bits, sampling } => Some((*bits, *sampling)),
             _ => None,
         });
-        told.map_or((16, Sampling::Complex), |told| told.value)
+        let buffer = self.find(|told| if let Told::Buffer(sampling) = told { Some(*sampling) } else { None });
+        match (&told, buffer) {
+            (Some(told), Some(buffer)) if told.value.1 != buffer.value => {
+                let [passed, made] = [buffer.value, told.value.1].map(sampling_word);
+                let InLine { line, name, .. } = told;
+                Err(buffer.fault(format!("its samples are {passed}, those of {name} of line {line} {made}")))
+            }
+            _ => Ok(told.map_or((16, Sampling::Complex), |told| told.value)),
+        }
     }
 
     /// Definition of a chirp: the last that has it.
@@ -202,17 +239,19 @@ fn check_board(settings: &DeviceSettings) -> Result<(), Fault> {
         let text = format!("TX{} sends; the {name} has {} transmitters", tx + 1, transmitters.len());
         return Err(settings.channels.fault(text));
     }
-    let (band, start_ghz) = (board.band().ghz, settings.profile.value.start_ghz);
+    let (band, profile) = (board.band().ghz, &settings.profile.value);
+    let ends = [("chirps begin", profile.start_ghz), ("the last sample is taken", profile.last_sample_ghz())];
     // A code names a frequency to 54 Hz.
-    if start_ghz < band.start() - 1e-6 || start_ghz > band.end() + 1e-6 {
-        let text = format!(
-            "chirps begin at {start_ghz} GHz; the {name} sends from {} to {}",
+    let is_off = |(_, ghz): &(&str, f64)| *ghz < band.start() - 1e-6 || *ghz > band.end() + 1e-6;
+    match ends.into_iter().find(is_off) {
+        Some((place, ghz)) => Err(settings.profile.fault(format!(
+            "{place} at {} GHz; the {name} sends from {} to {}",
+            (ghz * 1e6).round() / 1e6,
             band.start(),
             band.end()
-        );
-        return Err(settings.profile.fault(text));
+        ))),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 impl<T> InLine<T> {

@@ -1,6 +1,6 @@
 //! Settings of a device as keys of a scene.
 
-use super::chirp_program::{DeviceSettings, InLine};
+use super::chirp_program::{DeviceSettings, InLine, sampling_word};
 use super::statements::Profile;
 use crate::devices::Board;
 use artifact::radar::Sampling;
@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// A key of a scene with the value that a configuration gives it.
 pub(super) struct Entry {
+    /// Table that it stands in; empty: the scene itself.
     pub(super) table: &'static str,
     pub(super) key: &'static str,
     /// Text of the value in TOML.
@@ -106,8 +107,8 @@ fn draft(settings: &DeviceSettings, board: Board, from: &Path) -> Draft {
     );
     draft.line(&format!("name = {}", serde_json::Value::from(name_of(from))), None);
     draft.told_key("frames = 1", &format!("{} of line {} asks for {asked}", frame.name, frame.line), None);
-    let interval_s = decimal(frame.value.period_ms / 1e3);
-    draft.line(&format!("frame_interval_s = {interval_s}"), Some(frame.into()));
+    let interval = frame_interval(settings);
+    draft.line(&format!("{} = {}", interval.key, interval.value), Some(interval.command));
     draft.line("", None);
     draft.line("[radar]", None);
     let remark = "where the board stands: yours to say, as boresight_az_deg";
@@ -135,6 +136,12 @@ fn name_of(file: &Path) -> String {
     if name.is_empty() { "radar".to_owned() } else { name }
 }
 
+/// Key of the time from a frame to the next, which stands in no table.
+pub(super) fn frame_interval(settings: &DeviceSettings) -> Entry {
+    let frame = &settings.frame;
+    entry("", "frame_interval_s", decimal(frame.value.period_ms / 1e3), String::new(), frame.into())
+}
+
 /// Keys of the radar, table by table; those of the antennas where a board is known.
 pub(super) fn entries(settings: &DeviceSettings) -> Vec<Entry> {
     let mut all = of_waveform(settings);
@@ -148,9 +155,10 @@ pub(super) fn entries(settings: &DeviceSettings) -> Vec<Entry> {
     };
     let of_frame = Command::from(&settings.frame);
     all.push(entry("radar.array", "multiplexing", format!("\"{word}\""), remark, of_frame));
-    let (word, parts) = match settings.sampling {
-        Sampling::Complex => ("complex", "I and Q"),
-        Sampling::Real => ("real", "I alone"),
+    let word = sampling_word(settings.sampling);
+    let parts = match settings.sampling {
+        Sampling::Complex => "I and Q",
+        Sampling::Real => "I alone",
     };
     let remark = format!("{parts}, {} bits", settings.bits);
     let of_profile = Command::from(&settings.profile);

@@ -4,6 +4,7 @@
 
 use super::statements::{Arguments, CHIRPS_MAX, Chirps, Fault, Frame, ProfileColumns, Statement, Told};
 use crate::devices::IqOrder;
+use artifact::radar::Sampling;
 
 /// Commands of a file in their order.
 pub(super) fn statements(text: &str) -> Result<Vec<Statement>, Fault> {
@@ -12,22 +13,20 @@ pub(super) fn statements(text: &str) -> Result<Vec<Statement>, Fault> {
         let mut words = line.split('%').next().unwrap_or_default().split_whitespace();
         let Some((name, read)) = words.next().and_then(command) else { continue };
         let arguments = Arguments { line: index + 1, name, words: words.collect() };
-        if let Some(told) = read(&arguments)? {
-            all.push(arguments.statement(told));
-        }
+        all.extend(read(&arguments)?.into_iter().map(|told| arguments.statement(told)));
     }
     Ok(all)
 }
 
-/// Meaning of a command's words; none of what says nothing.
-type Reads = fn(&Arguments<'_>) -> Result<Option<Told>, Fault>;
+/// Meanings of a command's words; none of what says nothing.
+type Reads = fn(&Arguments<'_>) -> Result<Vec<Told>, Fault>;
 
 fn command(name: &str) -> Option<(&'static str, Reads)> {
     const COMMANDS: [(&str, Reads); 13] = [
-        ("flushCfg", |_| Ok(Some(Told::Flush))),
+        ("flushCfg", |_| Ok(vec![Told::Flush])),
         ("dfeDataOutputMode", mode),
         ("channelCfg", channels),
-        ("adcCfg", |a| a.converter([0, 1]).map(Some)),
+        ("adcCfg", converter),
         ("adcbufCfg", buffer),
         ("profileCfg", profile),
         ("chirpCfg", chirps),
@@ -41,15 +40,15 @@ fn command(name: &str) -> Option<(&'static str, Reads)> {
     COMMANDS.into_iter().find(|(known, _)| *known == name)
 }
 
-fn mode(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+fn mode(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     match arguments.whole(0, "the mode", 4)? {
-        1 => Ok(None),
+        1 => Ok(vec![]),
         3 => Err(arguments.fault("mode 3, advanced frames, is not read: frameCfg alone")),
         other => Err(arguments.fault(format!("mode {other} is not read: 1, frames of chirps, alone"))),
     }
 }
 
-fn channels(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+fn channels(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(2)?;
     let (receivers, transmitters) = (
         arguments.whole(0, "the mask of receivers", 15)?,
@@ -58,60 +57,70 @@ fn channels(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
     if arguments.words.len() > 2 && arguments.number(2, "the cascade")? != 0.0 {
         return Err(arguments.fault("cascades of devices are not read"));
     }
-    Ok(Some(Told::Channels { transmitters, receivers }))
+    Ok(vec![Told::Channels { transmitters, receivers }])
+}
+
+fn converter(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
+    Ok(vec![arguments.converter(0, arguments.whole(1, "the format of samples", u32::MAX)?)?])
 }
 
 /// Sub-frame, format (0 complex, 1 real), order (1: Q in the low half, so that it comes first).
-fn buffer(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+fn buffer(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     // Releases before 2.0 have no sub-frame.
-    let order = if arguments.words.len() >= 5 { 2 } else { 1 };
-    Ok(Some(Told::Order(match arguments.whole(order, "the order of I and Q", 1)? {
+    let format = if arguments.words.len() >= 5 { 1 } else { 0 };
+    let sampling = match arguments.whole(format, "the format of samples", 1)? {
+        0 => Sampling::Complex,
+        _ => Sampling::Real,
+    };
+    let order = match arguments.whole(format + 1, "the order of I and Q", 1)? {
         0 => IqOrder::InPhaseFirst,
         _ => IqOrder::QuadratureFirst,
-    })))
+    };
+    Ok(vec![Told::Buffer(sampling), Told::Order(order)])
 }
 
-fn profile(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+fn profile(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(14)?;
-    arguments.profile(ProfileColumns { slope: 7, samples: 9, rate: 10 }).map(Some)
+    let columns = ProfileColumns { phases: [6, 7], slope: 7, samples: 9, rate: 10 };
+    Ok(vec![arguments.profile(columns)?])
 }
 
-fn chirps(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+fn chirps(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(8)?;
     for (index, what) in [(3, "the start frequency's"), (4, "the slope's"), (5, "the idle time's")] {
         arguments.none(index, &format!("{what} change"))?;
     }
     arguments.none(6, "the first sample's change")?;
-    Ok(Some(Told::Chirps(Chirps {
+    Ok(vec![Told::Chirps(Chirps {
         first: arguments.whole(0, "the first chirp", CHIRPS_MAX - 1)?,
         last: arguments.whole(1, "the last chirp", CHIRPS_MAX - 1)?,
         profile: arguments.whole(2, "the profile's number", 3)?,
         transmitters: arguments.whole(7, "the mask of transmitters", 15)?,
-    })))
+    })])
 }
 
-fn frame(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+fn frame(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(5)?;
-    Ok(Some(Told::Frame(Frame {
+    Ok(vec![Told::Frame(Frame {
         first: arguments.whole(0, "the first chirp", CHIRPS_MAX - 1)?,
         last: arguments.whole(1, "the last chirp", CHIRPS_MAX - 1)?,
         loops: arguments.whole(2, "the number of loops", u32::from(u16::MAX))?,
         frames: arguments.whole(3, "the number of frames", u32::from(u16::MAX))?,
         period_ms: arguments.number(4, "the frame's period")?,
-    })))
+    })])
 }
 
-fn bpm(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+fn bpm(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     match arguments.whole(1, "the switch", 1)? {
-        0 => Ok(None),
+        0 => Ok(vec![]),
         _ => Err(arguments.fault("transmitters told apart by binary phases are not read: in turn alone")),
     }
 }
 
-fn advanced(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+fn advanced(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     Err(arguments.fault("advanced frames of sub-frames are not read: frameCfg alone"))
 }
 
-fn low_power(arguments: &Arguments<'_>) -> Result<Option<Told>, Fault> {
+fn low_power(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     Err(arguments.fault("the commands of xWRL devices are not read: profileCfg, chirpCfg and frameCfg alone"))
 }

@@ -35,6 +35,8 @@ pub(super) enum Told {
         sampling: Sampling,
     },
     Order(IqOrder),
+    /// Samples that are passed on, of the converter's.
+    Buffer(Sampling),
     Lanes(Lanes),
     Profile(Profile),
     Chirps(Chirps),
@@ -55,11 +57,27 @@ pub(super) struct Profile {
     pub(super) slope_mhz_per_us: f64,
     pub(super) samples: u32,
     pub(super) rate_ksps: f64,
+    /// Whether a transmitter sends in another phase than the others.
+    pub(super) shifts_phases: bool,
+}
+
+impl Profile {
+    /// Time from the ramp's begin to the end of the last sample.
+    pub(super) fn sampled_until_us(&self) -> f64 {
+        self.adc_start_us + 1e3 * f64::from(self.samples) / self.rate_ksps
+    }
+
+    /// Frequency at that end.
+    pub(super) fn last_sample_ghz(&self) -> f64 {
+        self.start_ghz + 1e-3 * self.slope_mhz_per_us * self.sampled_until_us()
+    }
 }
 
 /// Indices, from 0, of the words of a profile that do not stand in the same place everywhere.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ProfileColumns {
+    /// First of the transmitters' phases, and the one behind the last.
+    pub(super) phases: [usize; 2],
     pub(super) slope: usize,
     pub(super) samples: usize,
     pub(super) rate: usize,
@@ -147,14 +165,26 @@ impl Arguments<'_> {
         }
     }
 
-    /// Meaning of a converter's two codes: bits, and real, complex, or complex with its image band.
-    pub(super) fn converter(&self, [bits, format]: [usize; 2]) -> Result<Told, Fault> {
+    /// Meaning of the code of a converter's bits at an index, and of that of its format: real, complex, or
+    /// complex with its image band.
+    pub(super) fn converter(&self, bits: usize, format: u32) -> Result<Told, Fault> {
         let bits = [12, 14, 16][self.whole(bits, "the converter's bits", 2)? as usize];
-        let sampling = match self.whole(format, "the format of samples", 3)? {
+        let sampling = match format {
             0 => Sampling::Real,
-            _ => Sampling::Complex,
+            1 | 2 => Sampling::Complex,
+            3 => return Err(self.fault("format 3, pseudo real, is not read: 0, real, and 1 and 2, complex")),
+            other => return Err(self.fault(format!("the format of samples is {other}, not from 0 to 2"))),
         };
         Ok(Told::Converter { bits, sampling })
+    }
+
+    /// Whether any of these words, phases of transmitters, is not 0.
+    pub(super) fn shifts_phases(&self, words: std::ops::Range<usize>) -> Result<bool, Fault> {
+        let mut shifts = false;
+        for index in words {
+            shifts |= self.number(index, "the phase of a transmitter")? != 0.0;
+        }
+        Ok(shifts)
     }
 
     /// A profile as people write it, in GHz, µs, MHz/µs and ksps.
@@ -169,6 +199,7 @@ impl Arguments<'_> {
             slope_mhz_per_us: number(columns.slope, "the slope")?,
             samples: self.whole(columns.samples, "the number of samples", u32::from(u16::MAX))?,
             rate_ksps: number(columns.rate, "the sample rate")?,
+            shifts_phases: self.shifts_phases(columns.phases[0]..columns.phases[1])?,
         })
     }
 
@@ -182,7 +213,7 @@ impl Arguments<'_> {
         if idle_us < 0.0 || adc_start_us < 0.0 {
             return Err(self.fault("times must not be negative"));
         }
-        let end_us = adc_start_us + 1e3 * f64::from(samples) / rate_ksps;
+        let end_us = profile.sampled_until_us();
         // Times are told to 10 ns.
         if end_us > ramp_end_us + 0.01 {
             return Err(self.fault(format!(

@@ -4,43 +4,47 @@
 //!
 //! A log has every attempt; what counts is what was told last before the last start of the sensor.
 
+use super::lua_calls::{self, LuaCall};
 use super::statements::{
     Arguments, CHIRPS_MAX, Chirps, Fault, Frame, Profile, ProfileColumns, Statement, Told,
 };
 use crate::devices::{Board, IqOrder, Lanes};
+use std::collections::BTreeMap;
+use std::ops::Range;
 
-/// Whether a text is a log or a script, not a `.cfg`.
+/// Whether a text is a log or a script, not a `.cfg`, whose remarks begin with `%`.
 pub(super) fn is_one(text: &str) -> bool {
-    text.lines().any(|line| line.contains("API:") || line.contains("ar1."))
+    let mut code = text.lines().map(|line| line.split('%').next().unwrap_or_default());
+    code.any(|code| code.contains("API:") || code.contains("ar1."))
 }
 
-/// Commands in their order, up to the last start of the sensor; `board` is the one that was asked for.
-pub(super) fn statements(text: &str, board: Option<Board>) -> Result<Vec<Statement>, Fault> {
-    let lines: Vec<&str> = text.lines().collect();
-    let starts = |line: &&str| call(line).is_some_and(|(name, ..)| STARTS.contains(&name));
-    let end = lines.iter().rposition(starts).unwrap_or(lines.len());
+/// Commands in their order, up to the last start of the sensor, with the lines of those that stand in
+/// branches of a script; `board` is the one that was asked for.
+pub(super) fn statements(text: &str, board: Option<Board>) -> Result<(Vec<Statement>, Vec<usize>), Fault> {
+    let code = lua_calls::code_of(text);
+    let mut calls = calls(text, &code);
+    let end = calls.iter().rposition(Call::starts_the_sensor).unwrap_or(calls.len());
+    calls.truncate(end);
     let mut reader = LogReader { board, asked: board.is_some() };
-    let mut all = Vec::new();
-    for (index, line) in lines[..end].iter().enumerate() {
-        let Some((name, form, words)) = call(line) else { continue };
-        let Some(name) = COMMANDS.into_iter().find(|known| known.eq_ignore_ascii_case(name)) else {
-            refuse_cascade(name, index + 1)?;
+    check_branches(&calls, &reader)?;
+    let (mut all, mut in_branches) = (Vec::new(), Vec::new());
+    for call in &calls {
+        let Some(name) = call.command() else {
+            refuse_unread(call, &calls)?;
             continue;
         };
-        let words = words.ok_or_else(|| Fault {
-            line: Some(index + 1),
-            rule: format!("{name}: the call does not end in its line"),
-        })?;
-        let arguments = Arguments { line: index + 1, name, words };
-        all.extend(reader.read(form, &arguments)?.into_iter().map(|told| arguments.statement(told)));
+        let arguments = Arguments { line: call.line, name, words: call.words()? };
+        all.extend(reader.read(call.form, &arguments)?.into_iter().map(|told| arguments.statement(told)));
+        in_branches.extend((call.branch > 0).then_some(call.line));
     }
-    Ok(all)
+    in_branches.dedup();
+    Ok((all, in_branches))
 }
 
 /// Calls after which samples are recorded.
 const STARTS: [&str; 2] = ["SensorStart", "StartFrame"];
 
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 13] = [
     "select_chip_version",
     "SelectChipVersion",
     "deviceVariantSelection",
@@ -49,12 +53,21 @@ const COMMANDS: [&str; 14] = [
     "AdcOutConfig",
     "DataFmtConfig",
     "LaneConfig",
+    "LVDSLaneConfig",
     "ProfileConfig",
     "ChirpConfig",
     "FrameConfig",
     "AdvancedFrameConfig",
-    "BpmChirpConfig",
-    "DynChirpConfig",
+];
+
+/// Parts of the names of calls that change chirps in ways that are not read, in small letters.
+const UNREAD: [(&str, &str); 6] = [
+    ("advanceframe", "advanced frames of sub-frames are not read: FrameConfig alone"),
+    ("advchirp", "tables of chirps' parameters are not read: ChirpConfig alone"),
+    ("perchirpphaseshift", "phases of transmitters are not read"),
+    ("dynchirp", "chirps that are changed on the way are not read"),
+    ("dynperchirp", "chirps that are changed on the way are not read"),
+    ("bpmchirp", "binary phases are not read: transmitters in turn alone"),
 ];
 
 /// A line of the log, or a call of a script.
@@ -64,16 +77,60 @@ enum Form {
     Script,
 }
 
-/// Name and words of the call in a line; words are `None` where it does not end there.
-fn call(line: &str) -> Option<(&str, Form, Option<Vec<&str>>)> {
-    if let Some((_, call)) = line.split_once("API:") {
+/// A call of either form.
+struct Call<'a> {
+    line: usize,
+    form: Form,
+    name: &'a str,
+    /// Branch of a script that it stands in, 0 outside of all.
+    branch: usize,
+    words: Words<'a>,
+}
+
+enum Words<'a> {
+    OfLog(&'a str),
+    OfScript(LuaCall<'a>),
+}
+
+fn calls<'a>(text: &'a str, code: &'a str) -> Vec<Call<'a>> {
+    let of_log = |(index, (line, code)): (usize, (&'a str, &str))| {
+        let (_, call) = line.split_at(code.find("API:")? + "API:".len());
         let (name, words) = call.split_once(',').unwrap_or((call, ""));
-        return Some((name.trim(), Form::Log, Some(words_of(words))));
+        let words = Words::OfLog(words);
+        Some(Call { line: index + 1, form: Form::Log, name: name.trim(), branch: 0, words })
+    };
+    let of_script = |call: LuaCall<'a>| {
+        let LuaCall { line, name, branch, .. } = call;
+        Call { line, form: Form::Script, name, branch, words: Words::OfScript(call) }
+    };
+    let mut all: Vec<Call<'_>> = text.lines().zip(code.lines()).enumerate().filter_map(of_log).collect();
+    all.extend(lua_calls::calls(text, code).into_iter().map(of_script));
+    all.sort_by_key(|call| call.line);
+    all
+}
+
+impl<'a> Call<'a> {
+    /// A start that a function holds is one where the function is called, which nobody knows here.
+    fn starts_the_sensor(&self) -> bool {
+        let is_in_function = matches!(&self.words, Words::OfScript(call) if call.is_in_function);
+        STARTS.contains(&self.name) && !is_in_function
     }
-    let code = line.split("--").next().unwrap_or_default();
-    let (_, call) = code.split_once("ar1.")?;
-    let (name, behind) = call.split_once('(')?;
-    Some((name.trim(), Form::Script, behind.split_once(')').map(|(words, _)| words_of(words))))
+
+    /// Name of the command that it is, as it is written here.
+    fn command(&self) -> Option<&'static str> {
+        COMMANDS.into_iter().find(|known| known.eq_ignore_ascii_case(self.name))
+    }
+
+    fn words(&self) -> Result<Vec<&'a str>, Fault> {
+        match &self.words {
+            Words::OfLog(list) => Ok(words_of(list)),
+            Words::OfScript(call) => call.words().ok_or_else(|| self.fault("the call does not end")),
+        }
+    }
+
+    fn fault(&self, rule: impl std::fmt::Display) -> Fault {
+        Fault { line: Some(self.line), rule: format!("{}: {rule}", self.name) }
+    }
 }
 
 fn words_of(list: &str) -> Vec<&str> {
@@ -81,12 +138,62 @@ fn words_of(list: &str) -> Vec<&str> {
     words.filter(|word| !word.is_empty()).collect()
 }
 
-fn refuse_cascade(name: &str, line: usize) -> Result<(), Fault> {
-    if COMMANDS.iter().any(|known| name.strip_suffix("_mult") == Some(known)) {
-        return Err(Fault { line: Some(line), rule: format!("{name}: cascades of devices are not read") });
+/// Refuses commands of a script that stand there twice with other words, one of them in another branch of
+/// `if`: which of them runs is not known.
+fn check_branches(calls: &[Call<'_>], reader: &LogReader) -> Result<(), Fault> {
+    let mut told: BTreeMap<(&str, Vec<&str>), &Call<'_>> = BTreeMap::new();
+    for call in calls.iter().filter(|call| call.form == Form::Script) {
+        let Some(name) = call.command().filter(|name| !(reader.asked && CHIPS.contains(name))) else {
+            continue;
+        };
+        let words = call.words()?;
+        let of = words.iter().copied().take(slots(name)).collect();
+        let other = told.insert((name, of), call).filter(|other| other.branch != call.branch);
+        let Some(other) = other else { continue };
+        if other.words()? != words {
+            return Err(call.fault(format!(
+                "line {} has it with other numbers, and one of the two stands in a branch of `if`: {FLOW}",
+                other.line
+            )));
+        }
     }
     Ok(())
 }
+
+/// Words that tell apart what a command configures: of several profiles and chirps each.
+fn slots(name: &str) -> usize {
+    match name {
+        "ProfileConfig" => 1,
+        "ChirpConfig" => 2,
+        _ => 0,
+    }
+}
+
+/// Refuses a call that is no command read here where it changes chirps all the same.
+fn refuse_unread(call: &Call<'_>, calls: &[Call<'_>]) -> Result<(), Fault> {
+    let name = call.name.to_ascii_lowercase();
+    if name.ends_with("_mult") {
+        return Err(call.fault("cascades of devices are not read"));
+    }
+    let Some((part, rule)) = UNREAD.into_iter().find(|(part, _)| name.contains(part)) else {
+        return Ok(());
+    };
+    let is_idle = part == "perchirpphaseshift" && call.words()?.iter().skip(2).all(|phase| *phase == "0");
+    if is_idle {
+        return Ok(());
+    }
+    let plain = calls.iter().find(|other| other.command() == Some("FrameConfig"));
+    match plain.filter(|_| part == "advanceframe") {
+        Some(plain) => Err(call.fault(format!("{rule}; FrameConfig stands in line {}: {FLOW}", plain.line))),
+        None => Err(call.fault(rule)),
+    }
+}
+
+/// Advice where a script has two of which one alone can run.
+const FLOW: &str = "control flow is not followed, leave out the branch that does not run";
+
+/// Commands that name the chip.
+const CHIPS: [&str; 3] = ["select_chip_version", "SelectChipVersion", "deviceVariantSelection"];
 
 /// Reader of calls that knows the board whose codes they are.
 struct LogReader {
@@ -104,9 +211,10 @@ impl LogReader {
             }
             "ChanNAdcConfig" => return channels_and_converter(arguments).map(Vec::from),
             "ChannelConfig" => channels(arguments)?,
-            "AdcOutConfig" => arguments.converter([0, 1])?,
+            "AdcOutConfig" => arguments.converter(0, arguments.whole(1, FORMAT, u32::MAX)?)?,
             "DataFmtConfig" if log => order(arguments)?,
-            "LaneConfig" if log => lanes(arguments)?,
+            "LaneConfig" if log => lanes(arguments, arguments.whole(0, "the mask of lanes", 15)?)?,
+            "LVDSLaneConfig" if !log => lanes(arguments, mask(arguments, 1..5, "the switch of a lane")?)?,
             "ProfileConfig" if log => self.profile_of_codes(arguments)?,
             "ProfileConfig" => profile(arguments)?,
             "ChirpConfig" => chirps(arguments, form)?,
@@ -114,12 +222,6 @@ impl LogReader {
             // The log repeats every frame as an advanced one of one sub-frame.
             "AdvancedFrameConfig" if arguments.words.first() != Some(&"1") => {
                 return Err(arguments.fault("frames of several sub-frames are not read"));
-            }
-            "BpmChirpConfig" => {
-                return Err(arguments.fault("binary phases are not read: transmitters in turn alone"));
-            }
-            "DynChirpConfig" => {
-                return Err(arguments.fault("chirps that are changed on the way are not read"));
             }
             _ => return Ok(vec![]),
         };
@@ -150,24 +252,40 @@ impl LogReader {
             slope_mhz_per_us: number(7, "the code of the slope")? * band.slope_step_mhz_per_us,
             samples: arguments.whole(9, "the number of samples", u32::from(u16::MAX))?,
             rate_ksps: number(10, "the sample rate")?,
+            shifts_phases: arguments.shifts_phases(6..7)?,
         })
     }
 }
 
-/// TX0 … TX2, RX0 … RX3, bits, format.
+/// TX0 … TX2, RX0 … RX3, bits, format, modes; the upper 16 bits of RX3, of the format and of the modes tell
+/// what else there is: pins of a cascade, the reduction of the full scale, and whether there is a cascade.
 fn channels_and_converter(arguments: &Arguments<'_>) -> Result<[Told; 2], Fault> {
     arguments.at_least(9)?;
-    let mask = |from: usize, count: usize| -> Result<u32, Fault> {
-        (0..count).try_fold(0, |mask, bit| {
-            Ok(mask | u32::from(arguments.number(from + bit, "the switch of a channel")? != 0.0) << bit)
-        })
+    let what = "the switch of a channel";
+    let channels = Told::Channels {
+        transmitters: mask(arguments, 0..3, what)?,
+        receivers: mask(arguments, 3..7, what)?,
     };
-    let channels = Told::Channels { transmitters: mask(0, 3)?, receivers: mask(3, 4)? };
-    Ok([channels, arguments.converter([7, 8])?])
+    if arguments.words.len() > 9 && arguments.whole(9, "the modes", u32::MAX)? >> 16 != 0 {
+        return Err(arguments.fault("cascades of devices are not read"));
+    }
+    Ok([channels, arguments.converter(7, arguments.whole(8, FORMAT, u32::MAX)? & 0xffff)?])
+}
+
+const FORMAT: &str = "the format of samples";
+
+/// Bits of which each is switched by a word, in its lower 16 bits.
+fn mask(arguments: &Arguments<'_>, words: Range<usize>, what: &str) -> Result<u32, Fault> {
+    (0..).zip(words).try_fold(0, |mask, (bit, index)| {
+        Ok(mask | u32::from(arguments.whole(index, what, u32::MAX)? & 0xffff != 0) << bit)
+    })
 }
 
 fn channels(arguments: &Arguments<'_>) -> Result<Told, Fault> {
     arguments.at_least(2)?;
+    if arguments.words.len() > 2 && arguments.number(2, "the cascade")? != 0.0 {
+        return Err(arguments.fault("cascades of devices are not read"));
+    }
     Ok(Told::Channels {
         transmitters: arguments.whole(0, "the mask of transmitters", 15)?,
         receivers: arguments.whole(1, "the mask of receivers", 15)?,
@@ -182,8 +300,8 @@ fn order(arguments: &Arguments<'_>) -> Result<Told, Fault> {
     }))
 }
 
-fn lanes(arguments: &Arguments<'_>) -> Result<Told, Fault> {
-    match arguments.whole(0, "the mask of lanes", 15)? {
+fn lanes(arguments: &Arguments<'_>, mask: u32) -> Result<Told, Fault> {
+    match mask {
         3 => Ok(Told::Lanes(Lanes::Two)),
         15 => Ok(Told::Lanes(Lanes::Four)),
         other => Err(arguments.fault(format!("lanes {other:#b} are not read: two (3) and four (15) alone"))),
@@ -193,7 +311,7 @@ fn lanes(arguments: &Arguments<'_>) -> Result<Told, Fault> {
 /// Three transmitters have their power and three their phase each before the slope.
 fn profile(arguments: &Arguments<'_>) -> Result<Told, Fault> {
     arguments.at_least(15)?;
-    arguments.profile(ProfileColumns { slope: 11, samples: 13, rate: 14 })
+    arguments.profile(ProfileColumns { phases: [8, 11], slope: 11, samples: 13, rate: 14 })
 }
 
 /// Transmitters are a mask in the log, switches in a script.

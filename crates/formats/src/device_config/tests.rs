@@ -1,6 +1,7 @@
 //! Configurations that are read, and those that are refused with their line.
 
 use super::*;
+use crate::devices::Lanes;
 
 const SDK: &str = include_str!("../../../../fixtures/devices/xwr1843.cfg");
 const LOG: &str = include_str!("../../../../fixtures/devices/studio-log.txt");
@@ -76,7 +77,13 @@ fn what_is_not_read_is_refused_by_name_with_its_line() {
         (with("channelCfg 15 5 0", "channelCfg 15 5 1"), at("channelCfg"), "cascades"),
         (with(" 128 2500 ", " 128 nan "), at("profileCfg"), "the sample rate is `nan`"),
         (with(" 128 2500 ", " 200 2500 "), at("profileCfg"), "the ramp, which ends after 62"),
-        (with("profileCfg 0 77", "profileCfg 0 60"), at("profileCfg"), "sends from 76 to 81"),
+        (with("profileCfg 0 77", "profileCfg 0 60"), at("profileCfg"), "chirps begin at 60 GHz"),
+        (with(" 0 0 60 1 ", " 0 0 75 1 "), at("profileCfg"), "the last sample is taken at 81.365 GHz"),
+        (with(" 0 0 60 1 ", " 0 0 -60 1 "), at("profileCfg"), "sends from 76 to 81"),
+        (with(" 0 0 60 1 ", " 0 8 60 1 "), at("profileCfg"), "phases of several transmitters"),
+        (with("adcCfg 2 1", "adcCfg 2 3"), at("adcCfg"), "format 3, pseudo real, is not read"),
+        (with("adcCfg 2 1", "adcCfg 2 4"), at("adcCfg"), "the format of samples is 4"),
+        (with("adcCfg 2 1", "adcCfg 2 0"), at("adcbufCfg"), "its samples are complex, those of adcCfg"),
     ] {
         assert!(text.starts_with(&format!("{line}: ")) && text.contains(told), "{line} {told}: {text}");
     }
@@ -84,7 +91,7 @@ fn what_is_not_read_is_refused_by_name_with_its_line() {
     assert!(refused("channelCfg 15 5 0", None).contains("there is no frameCfg"));
     let nameless = LOG.replace("API:select_chip_version,AR1843", "API:other,0");
     assert!(refused(&nameless, None).contains("--device"));
-    assert!(refused("ar1.ProfileConfig(0, 77,", None).contains("does not end in its line"));
+    assert!(refused("ar1.ProfileConfig(0, 77,", None).contains("the call does not end"));
     assert!(refused("ar1.ChirpConfig_mult(1, 0)", None).contains("cascades"));
     assert!(
         refused("ar1.ProfileConfig(0, START, 1, 1, 1, 0,0,0,0,0,0, 1, 0, 64, 2000)", None)
@@ -125,11 +132,149 @@ fn a_configuration_that_no_scene_may_have_is_refused_with_its_line_and_the_rule(
         (" 0 50 1 0", " 0 0 1 0", format!("{frame}`frame_interval_s` must be a number above 0")),
         (" 0 50 1 0", " 0 -5 1 0", format!("{frame}`frame_interval_s` must be a number above 0")),
         (" 128 2500 ", " 3 2500 ", format!("{profile}`samples` must be a number from 8")),
-        (" 0 0 60 1 ", " 0 0 60000 1 ", format!("{profile}`slope_mhz_per_us` must be a number from -10000")),
     ] {
         assert!(SDK.contains(from), "{from}");
         let settings = settings(&SDK.replace(from, to), Some(Board::Xwr1843)).unwrap();
         let error = scene_text(&settings, Path::new("a.cfg")).unwrap_err().to_string();
         assert!(error.starts_with(&told), "{to}: {error}");
+    }
+}
+
+/// The script with other text in the place of some.
+fn script(from: &str, to: &str) -> String {
+    assert!(SCRIPT.contains(from), "{from}");
+    SCRIPT.replace(from, to)
+}
+
+const FRAME: &str = "ar1.FrameConfig(0, 1, 8, 128, 50, 0, 1)";
+
+#[test]
+fn calls_of_a_script_that_change_chirps_in_other_ways_are_refused_by_name_and_line() {
+    let frame = 1 + SCRIPT.lines().position(|line| line.starts_with("ar1.FrameConfig")).unwrap();
+    for (call, told) in [
+        ("ar1.AdvChirpConfig(2, 0, 0, 1, 100)", "AdvChirpConfig: tables of chirps' parameters"),
+        ("ar1.AdvChirpLUTLoad(\"a.txt\")", "AdvChirpLUTLoad: tables"),
+        ("ar1.SetTxEnAdvChirpConfigLUT(32, 4, 3, 7, 3, 7)", "SetTxEnAdvChirpConfigLUT: tables"),
+        ("ar1.SetPerChirpPhaseShifterConfig(1, 1, 0, 0, 32)", "SetPerChirpPhaseShifterConfig: phases"),
+        ("ar1.DynChirpConfig(0, 0, 0)", "DynChirpConfig: chirps that are changed"),
+        ("ar1.BpmChirpConfig(0, 0, 1)", "BpmChirpConfig: binary phases"),
+        ("ar1.SetPerChirpPhaseShifterConfig_mult(1, 1, 1, 0, 0, 0)", "cascades"),
+        ("ar1.LVDSLaneConfig(0, 1, 0, 0, 0, 1, 0, 0)", "lanes 0b1 are not read"),
+        ("ar1.ChanNAdcConfig(1, 0, 1, 1, 1, 1, 1, 2, 3, 0)", "format 3, pseudo real"),
+        ("ar1.ChanNAdcConfig(1, 0, 1, 1, 1, 1, 1, 2, 1, 65536)", "ChanNAdcConfig: cascades"),
+    ] {
+        let text = refused(&script(FRAME, &format!("x() {call} {FRAME}")), None);
+        assert!(text.starts_with(&format!("{frame}: ")) && text.contains(told), "{call}: {text}");
+    }
+    let idle = script(FRAME, &format!("ar1.SetPerChirpPhaseShifterConfig(1, 1, 0, 0, 0)\n{FRAME}"));
+    assert!(settings(&idle, None).is_ok(), "phases of 0 change nothing");
+    let reduced = script("1, 2, 1, 0)", "1, 2, 131073, 1)");
+    assert_eq!(
+        settings(&reduced, None).unwrap(),
+        settings(SCRIPT, None).unwrap(),
+        "upper bits of the format"
+    );
+    let phases = script("62, 0, 0, 0, 0, 0, 0, 60", "62, 0, 0, 0, 0, 32, 0, 60");
+    assert!(refused(&phases, None).contains("ProfileConfig: phases of several transmitters"));
+    let cascade = LOG.replace("ChannelConfig,5,15,0,", "ChannelConfig,5,15,1,");
+    assert!(refused(&cascade, None).contains("ChannelConfig: cascades"));
+}
+
+#[test]
+fn advanced_frames_of_a_script_are_refused_and_beside_a_plain_one_the_way_out_is_told() {
+    let advanced = "ar1.AdvanceFrameConfig(2, 1536, 0, 0, 1, 64)";
+    let text = refused(&script(FRAME, advanced), None);
+    assert!(text.contains("AdvanceFrameConfig: advanced frames of sub-frames are not read"), "{text}");
+    let both = script(FRAME, &format!("if x then\n{FRAME}\nelse\n{advanced}\nend"));
+    let line = 1 + both.lines().position(|line| line == advanced).unwrap();
+    let text = refused(&both, None);
+    let told = format!("FrameConfig stands in line {}: control flow is not followed, leave out", line - 2);
+    assert!(text.starts_with(&format!("{line}: AdvanceFrameConfig")) && text.contains(&told), "{text}");
+}
+
+#[test]
+fn remarks_texts_and_the_layout_of_a_script_change_nothing() {
+    let told = settings(SCRIPT, None).unwrap();
+    let other = "ar1.FrameConfig(0, 1, 8, 64, 20, 0, 1)";
+    for to in [
+        format!("--[[ {other} ]] {FRAME}"),
+        format!("--[[\n{other}\n]]\n{FRAME}"),
+        format!("--[==[\nar1.StartFrame()\n]] ]==]\n{FRAME}"),
+        format!("WriteToLog(\"--- frame\", \"red\") {FRAME}"),
+        format!("{other} {FRAME}"),
+        format!("{FRAME} -- {other}"),
+        FRAME.replace(", 8", ",\n  8"),
+    ] {
+        let found = settings(&script(FRAME, &to), None).unwrap();
+        assert_eq!(scene_tables::entries(&found).len(), scene_tables::entries(&told).len(), "{to}");
+        assert_eq!((found.frame.value, found.profile.value), (told.frame.value, told.profile.value), "{to}");
+    }
+    let helper = format!("function go() ar1.StartFrame() end\n{}", script("ar1.StartFrame()", "go()"));
+    assert_eq!(settings(&helper, None).unwrap().frame.value, told.frame.value, "a start within a function");
+    let remarked = SDK.replace("sensorStop", "% exported beside ar1.lua\nsensorStop");
+    assert!(settings(&remarked, Some(Board::Xwr1843)).is_ok(), "a .cfg whose remark names ar1.");
+}
+
+#[test]
+fn commands_in_branches_are_remarked_on_and_refused_where_they_differ() {
+    let other = "ar1.FrameConfig(0, 1, 8, 64, 20, 0, 1)";
+    let line = 1 + SCRIPT.lines().position(|line| line == FRAME).unwrap();
+    for to in [
+        format!("if x then {FRAME} else {other} end"),
+        format!("{FRAME} if x then {other} end"),
+        format!("if x then {other} end {FRAME}"),
+    ] {
+        let text = refused(&script(FRAME, &to), None);
+        let told = format!("{line}: FrameConfig: line {line} has it with other numbers");
+        assert!(text.starts_with(&told) && text.contains("control flow is not followed"), "{to}: {text}");
+    }
+    let same = settings(&script(FRAME, &format!("if x then\n{FRAME}\nelse\n{FRAME}\nend")), None).unwrap();
+    let [remark] = &same.remarks[..] else { panic!("{:?}", same.remarks) };
+    assert_eq!(remark.line, line + 1);
+    assert_eq!(remark.text, "it stands in a branch of `if`, as 1 more do: all are taken to run");
+    assert_eq!(settings(SCRIPT, None).unwrap().remarks, [], "a condition is no branch");
+}
+
+#[test]
+fn lanes_of_a_script_are_read_and_another_chip_than_the_one_asked_for_is_remarked_on() {
+    for (lanes, told) in [("1, 1, 0, 0", Lanes::Two), ("1, 1, 1, 1", Lanes::Four)] {
+        let call = format!("ar1.LVDSLaneConfig(0, {lanes}, 1, 0, 0)\n{FRAME}");
+        assert_eq!(settings(&script(FRAME, &call), None).unwrap().lanes(), Some(told));
+    }
+    let remarks = |board| settings(LOG, board).unwrap().remarks;
+    let [remark] = &remarks(Some(Board::Xwr1443))[..] else { panic!("no remark") };
+    let text = "select_chip_version: it names the chip of the xwr1843; --device xwr1443 is taken";
+    assert_eq!((remark.line, remark.text.as_str()), (2, text));
+    assert_eq!((remarks(Some(Board::Xwr1843)), remarks(None)), (vec![], vec![]));
+}
+
+#[test]
+fn the_frames_of_scene_and_configuration_have_to_be_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("s.toml");
+    let settings = settings(SDK, Some(Board::Xwr1843)).unwrap();
+    let configured = Configured { file: Path::new("a.cfg"), settings: &settings };
+    let with = |text: &str| {
+        std::fs::write(&file, format!("name = \"a\"\n{text}\n")).unwrap();
+        scene_with(&file, None, &configured).map_err(|failure| failure.to_string())
+    };
+    assert_eq!(with("").unwrap().frame_interval_s, 0.05);
+    assert_eq!(with("frame_interval_s = 0.05").unwrap().frame_interval_s, 0.05);
+    let line = settings.frame.line;
+    for (text, told) in [
+        ("frame_interval_s = 0.1", format!("frame_interval_s is 0.1; a.cfg:{line} has 0.05")),
+        (
+            "[radar.waveform]\nsub_frame_idle_us = [40.8, 45.0]",
+            format!(
+                "radar.waveform.sub_frame_idle_us is one of chirp intervals of [92.0, 96.2] µs; a.cfg:{line}"
+            ),
+        ),
+        (
+            "[radar.waveform]\nstagger_us = [0.0, 3.0]",
+            format!("radar.waveform.stagger_us is not 0 throughout; a.cfg:{line}"),
+        ),
+    ] {
+        let error = with(text).unwrap_err();
+        assert!(error.contains(&told), "{text}: {error}");
     }
 }
