@@ -157,6 +157,95 @@ def test_a_mesh_stands_where_its_file_says(tmp_path: Path) -> None:
     assert np.argmax(spectrum) == pytest.approx(24 / (C_MPS / 2e9), abs=1)
 
 
+def noisy_radar(**changes: Any) -> Radar:
+    """A radar with strong phase noise, whose two transmitters send 60 µs apart."""
+    place = (0, 0, 0)
+    tx = Transmitter(
+        f=[76.5e9, 77.5e9],
+        t=50e-6,
+        tx_power=10,
+        prp=120e-6,
+        pulses=4,
+        pn_f=[1e6, 1e3, 1e4, 1e5],
+        pn_power=[-90, -65, -70, -75],
+        channels=[{"location": place}, {"location": place, "delay": 60e-6}],
+    )
+    return Radar(transmitter=tx, receiver=Receiver(fs=4e6), **changes)
+
+
+def test_phase_noise_is_drawn_anew_for_every_frame_and_delay() -> None:
+    target = {"location": (60, 0, 0), "rcs": 10}
+    drawn = sim_radar(noisy_radar(seed=1, frame_time=[0, 0.5]), [target])["baseband"]
+    again = sim_radar(noisy_radar(seed=1, frame_time=[0, 0.5]), [target])["baseband"]
+    assert np.array_equal(drawn, again)
+    apart = [np.linalg.norm(drawn[i] - drawn[j]) for i in range(4) for j in range(i)]
+    # Each is 11 % beside the echo without noise; two that are independent are more than half of that apart.
+    assert min(apart) > 0.05 * np.linalg.norm(drawn[0])
+
+
+def test_without_a_seed_noise_is_another_each_time() -> None:
+    first, second = (sim_radar(noisy_radar(), [{"location": (60, 0, 0), "rcs": 10}]) for _ in range(2))
+    assert not np.array_equal(first["baseband"], second["baseband"])
+    assert not np.array_equal(first["noise"], second["noise"])
+
+
+def test_a_radar_of_few_samples_is_taken() -> None:
+    tx = Transmitter(f=[76.5e9, 77.5e9], t=8 / 4e6)
+    radar = Radar(tx, Receiver(fs=4e6, bb_type="real"))
+    assert sim_radar(radar, [TARGETS[2]])["baseband"].shape == (1, 1, 8)
+
+
+@pytest.mark.parametrize(
+    ("target", "name"),
+    [
+        ({"location": (np.nan, 3, 0), "rcs": 10}, "location"),
+        ({"location": (10, np.nan, 0), "rcs": 10}, "location"),
+        ({"location": (-30, 3, 0), "rcs": 10, "foo": 3}, "foo"),
+        ({"location": (-30, 3, 0), "rcs": 10, "phase": 40}, "phase"),
+        ({"location": (-30, 3, 0)}, "rcs"),
+        ({"location": (-30, 3, 0), "rcs": 10, "speed": (np.inf, 0, 0)}, "speed"),
+        ({"location": (0, 0, 0), "rcs": 10}, "target-0"),
+    ],
+)
+def test_targets_are_checked_wherever_they_are(target: dict[str, Any], name: str) -> None:
+    with pytest.raises(Exception, match=name):
+        sim_radar(fmcw_radar(), [target])
+
+
+def chirps(**changes: Any) -> Transmitter:
+    return Transmitter(**({"f": [76e9, 77e9], "t": 20e-6} | changes))
+
+
+@pytest.mark.parametrize(
+    ("call", "name"),
+    [
+        (lambda: chirps(pulses=0), "pulses: must be a whole number of 1 or more, is 0"),
+        (lambda: chirps(pulses=1.5), "pulses"),
+        (lambda: chirps(t=0), "t: must be above 0"),
+        (lambda: chirps(f=[76e9, np.nan]), "f: must be finite"),
+        (lambda: chirps(tx_power=np.nan), "tx_power"),
+        (lambda: chirps(channels=[]), "tx channel: at least one is needed"),
+        (lambda: chirps(channels=[{"location": (0, 0, 0), "delay": np.nan}]), "delay"),
+        (lambda: chirps(channels=[{"location": (0, np.nan, 0)}]), "location"),
+        (lambda: chirps(pn_f=[1e3, 1e4], pn_power=[-80]), "different lengths, 2 and 1"),
+        (lambda: Receiver(fs=0), "fs: must be above 0"),
+        (lambda: Receiver(fs=4e6, load_resistor=-1), "load_resistor: must be above 0, is -1"),
+        (lambda: Receiver(fs=4e6, channels=[]), "rx channel: at least one"),
+        (lambda: fmcw_radar(frame_time=np.nan), "frame_time: must be finite"),
+        (lambda: fmcw_radar(frame_time=[]), "frame_time"),
+        (lambda: fmcw_radar(frame_time=[0], time=[0]), "frame_time and time"),
+        (lambda: fmcw_radar(location=(np.nan, 0, 0)), "location"),
+        (lambda: fmcw_radar(rotation=(np.nan, 0, 0)), "rotation"),
+        (lambda: fmcw_radar(seed=-1), "seed: must be 0 or more, is -1"),
+        (lambda: sim_radar(fmcw_radar(), [], level="nonsense"), "level"),
+        (lambda: sim_radar(fmcw_radar(), [], frame_time=np.inf), "frame_time"),
+    ],
+)
+def test_a_value_that_is_none_is_refused_by_its_name(call: Any, name: str) -> None:
+    with pytest.raises(ValueError, match=name):
+        call()
+
+
 @pytest.mark.parametrize(
     ("call", "name"),
     [

@@ -19,6 +19,7 @@ _KEYS = {
     "elevation_pattern",
 }
 _FRONT = np.array([-90.0, 90.0])
+_NOTHING_DB = -10_000.0
 
 
 class Antennas:
@@ -27,6 +28,8 @@ class Antennas:
     def __init__(self, channels: Sequence[dict[str, Any]] | None, where: str, more: set[str]) -> None:
         alone: list[dict[str, Any]] = [{"location": (0, 0, 0)}]
         self.channels = alone if channels is None else list(channels)
+        if not self.channels:
+            raise ValueError(f"{where}: at least one is needed")
         for channel in self.channels:
             refuse_keys(channel, _KEYS | more, where)
         self.where = where
@@ -64,8 +67,17 @@ def _letter(polarization: Any, where: str) -> str:
 
 
 def _cut(channel: dict[str, Any], axis: str, where: str) -> tuple[NDArray[Any], NDArray[Any]]:
+    """A cut by growing angles; of no gain at all, −∞ dB, it has RadarSimPy's −10000 dB."""
     angles = np.asarray(channel.get(f"{axis}_angle", _FRONT), dtype=float)
     gains = np.asarray(channel.get(f"{axis}_pattern", np.zeros(len(angles))), dtype=float)
-    if angles.shape != gains.shape:
+    if angles.shape != gains.shape or angles.ndim != 1:
         raise ValueError(f"{where}: {axis}_angle and {axis}_pattern have different lengths")
+    if len(angles) < 2:
+        raise ValueError(f"{where}: {axis}_angle has {len(angles)} values; two are needed at least")
+    if np.any(~np.isfinite(angles)) or np.any(np.isnan(gains) | np.isposinf(gains)):
+        raise ValueError(f"{where}: {axis}_angle and {axis}_pattern have values that are no numbers")
+    order = np.argsort(angles, kind="stable")
+    angles, gains = angles[order], np.maximum(gains[order], _NOTHING_DB)
+    if np.any(np.diff(angles) == 0):
+        raise ValueError(f"{where}: {axis}_angle has the same angle twice")
     return angles, gains

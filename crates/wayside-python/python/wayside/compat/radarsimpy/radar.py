@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .receiver import Receiver
-from .refusal import nothing, refuse, vector
+from .refusal import finite, nothing, refuse, vector
 from .transmitter import Transmitter
 
 _BOLTZMANN_J_PER_K = 1.380649e-23
@@ -20,14 +20,15 @@ class Radar:
     """Radar by RadarSimPy's names and units.
 
     ``location`` in m, ``speed`` in m/s, ``rotation`` [yaw, pitch, roll] in degrees, of which wayside takes
-    yaw; ``frame_time`` (earlier ``time``) when each frame begins, s.
+    yaw; ``frame_time`` (earlier ``time``) when each frame begins, s, 0 where it is left out. ``seed`` draws
+    noise; None draws anew each time.
     """
 
     def __init__(
         self,
         transmitter: Transmitter,
         receiver: Receiver,
-        frame_time: Any = 0,
+        frame_time: Any = None,
         location: Sequence[float] = (0, 0, 0),
         speed: Sequence[float] = (0, 0, 0),
         rotation: Sequence[float] = (0, 0, 0),
@@ -36,6 +37,7 @@ class Radar:
         *,
         time: Any = None,
     ) -> None:
+        starts = _starts(frame_time, time)
         turned = vector(rotation, "rotation")
         nothing(turned[1:], "rotation", "pitch and roll; yaw is taken")
         nothing(vector(rotation_rate, "rotation_rate"), "rotation_rate", "the radar does not turn in a frame")
@@ -43,8 +45,7 @@ class Radar:
         if samples < 8:
             raise refuse("Receiver(fs)", f"{samples} samples a pulse; 8 are needed")
         size = len(transmitter.antennas) * len(receiver.antennas)
-        starts = np.atleast_1d(np.asarray(frame_time if time is None else time, dtype=float))
-        self.seed = seed
+        self.seed = _seed(seed)
         self.radar_prop: dict[str, Any] = {
             "transmitter": transmitter,
             "receiver": receiver,
@@ -90,6 +91,27 @@ class Radar:
         receiver = self.radar_prop["receiver"]
         power_w = _BOLTZMANN_J_PER_K * _TEMPERATURE_K * receiver.bb_prop["noise_bandwidth"]
         return float(receiver.volts() * (power_w * 10 ** (receiver.rf_prop["noise_figure"] / 10)) ** 0.5)
+
+
+def times(told: Any) -> NDArray[np.float64]:
+    """Times at which frames begin, s."""
+    starts = np.atleast_1d(np.asarray(told, dtype=float))
+    if starts.ndim != 1 or not len(starts):
+        raise ValueError("frame_time: one number, or a list of them, is needed")
+    return finite(starts, "frame_time")
+
+
+def _starts(frame_time: Any, time: Any) -> NDArray[np.float64]:
+    if frame_time is not None and time is not None:
+        raise ValueError("frame_time and time are one argument by two names; one of them is needed")
+    told = frame_time if time is None else time
+    return times(0 if told is None else told)
+
+
+def _seed(seed: int | None) -> int | None:
+    if seed is not None and int(seed) < 0:
+        raise ValueError(f"seed: must be 0 or more, is {seed}")
+    return seed if seed is None else int(seed)
 
 
 def _virtual(transmit: NDArray[np.float64], receive: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from .antenna import Antennas
+from .refusal import above_zero, finite
 
 
 class Receiver:
@@ -27,6 +30,11 @@ class Receiver:
     ) -> None:
         if bb_type not in ("complex", "real"):
             raise ValueError(f"bb_type must be complex or real, is {bb_type!r}")
+        above_zero(fs, "fs")
+        above_zero(load_resistor, "load_resistor")
+        gains = {"noise_figure": noise_figure, "rf_gain": rf_gain, "baseband_gain": baseband_gain}
+        for name, value in gains.items():
+            finite(np.asarray(value, dtype=float), name)
         self.antennas = Antennas(channels, "rx channel", set())
         self.rf_prop = {"rf_gain": rf_gain, "noise_figure": noise_figure}
         self.bb_prop: dict[str, Any] = {

@@ -29,7 +29,22 @@ def vector(value: Any, name: str) -> NDArray[np.float64]:
     parts = [np.asarray(part, dtype=float) for part in value]
     if len(parts) != 3 or any(part.ndim for part in parts):
         raise refuse(name, "three numbers are needed, and none that changes from sample to sample")
-    return np.array([float(part) for part in parts])
+    return finite(np.array(parts), name)
+
+
+def finite(values: NDArray[np.float64], name: str) -> NDArray[np.float64]:
+    """The same values, all of them finite numbers."""
+    if not np.all(np.isfinite(values)):
+        raise ValueError(f"{name}: must be finite, is {values.tolist()}")
+    return values
+
+
+def above_zero(value: Any, name: str) -> float:
+    """A number above 0."""
+    number = float(finite(np.asarray(value, dtype=float), name))
+    if number <= 0:
+        raise ValueError(f"{name}: must be above 0, is {number:g}")
+    return number
 
 
 def nothing(value: Any, name: str, why: str) -> None:

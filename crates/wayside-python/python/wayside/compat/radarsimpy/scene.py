@@ -7,6 +7,7 @@ from the radar, which stands still at the origin of the scene.
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -31,16 +32,30 @@ _MESH = {
 _UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
 
 
+@dataclass(frozen=True)
+class Look:
+    """A scene's part of a simulation: one frame, seen by the transmitters that begin together."""
+
+    transmitters: list[int]
+    """Indices of the transmitters."""
+    time_s: float
+    """Time of their first sample."""
+    seed: int
+    """Seed of the phase noise."""
+
+
 def scene_of(
-    radar: Radar, targets: list[dict[str, Any]], transmitters: list[int], time_s: float, folder: str
+    radar: Radar, targets: list[dict[str, Any]], look: Look, pattern: dict[str, Any]
 ) -> dict[str, Any]:
-    """The scene of one frame at a time, seen by some of the transmitters; files go into ``folder``."""
+    """The scene of a look; ``pattern`` has the keys of the array's pattern."""
     return {
         "name": "radarsimpy",
-        "seed": 0 if radar.seed is None else int(radar.seed),
-        "radar": _radar(radar, transmitters, folder),
+        "seed": look.seed,
+        "radar": _radar(radar, look.transmitters, pattern),
+        # Nothing is detected, and the defaults leave short chirps without cells for it.
+        "dsp": {"guard_cells": [0, 0]},
         "fidelity": {"accuracy_db": -20.0},
-        "target": [_target(radar, target, index, time_s) for index, target in enumerate(targets)],
+        "target": [_target(radar, target, index, look.time_s) for index, target in enumerate(targets)],
     }
 
 
@@ -51,12 +66,7 @@ def channels_of(radar: Radar, transmitters: list[int]) -> NDArray[np.int64]:
     return np.array([i * row + j for i in range(len(transmitters)) for j in range(len(receive))])
 
 
-def in_front(radar: Radar, target: dict[str, Any], time_s: float) -> bool:
-    """Whether a point target is before the antennas, whose patterns end at ±90°."""
-    return "model" in target or bool(_seen(radar, target, time_s)[0][0] > 0)
-
-
-def _radar(radar: Radar, transmitters: list[int], folder: str) -> dict[str, Any]:
+def _radar(radar: Radar, transmitters: list[int], pattern: dict[str, Any]) -> dict[str, Any]:
     transmitter, receiver = radar.radar_prop["transmitter"], radar.radar_prop["receiver"]
     waveform, rate = transmitter.waveform_prop, receiver.bb_prop["fs"]
     samples = radar.sample_prop["samples_per_pulse"]
@@ -80,7 +90,7 @@ def _radar(radar: Radar, transmitters: list[int], folder: str) -> dict[str, Any]
             "tx_half_wavelengths": transmit,
             "rx_half_wavelengths": receive,
             "polarization": polarization,
-            **_pattern(radar, folder),
+            **pattern,
         },
         "link": {"transmit_power_dbm": float(transmitter.rf_prop["tx_power"]), "antenna_gain_dbi": 0.0},
         "receiver": {"sampling": receiver.bb_prop["bb_type"]},
@@ -101,35 +111,6 @@ def _centred(places: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _half_waves(places: NDArray[np.float64], half_wave: float) -> list[list[float]]:
     return [[-y / half_wave, z / half_wave] for _, y, z in places]
-
-
-def _pattern(radar: Radar, folder: str) -> dict[str, Any]:
-    """Pattern of an element: the mean of both rows' in dB, which is what an echo of one point is
-    weighed by."""
-    rows = [radar.radar_prop[name].antennas.pattern() for name in ("transmitter", "receiver")]
-    if all(not np.any(gains) for row in rows for _, gains in row):
-        return {"pattern": "isotropic"}
-    lines = ["az_deg,el_deg,gain_db"]
-    azimuth, elevation = (_mean_cut([row[axis] for row in rows]) for axis in (0, 1))
-    level = max(float(gain) for gain in elevation.values())
-    ahead = [_at(cut) for cut in (azimuth, elevation)]
-    lines += [f"{-angle},0,{gain + ahead[1] - level}" for angle, gain in azimuth.items()]
-    lines += [f"0,{angle},{gain + ahead[0] - level}" for angle, gain in elevation.items() if angle != 0]
-    place = os.path.join(folder, "pattern.csv")
-    with open(place, "w", encoding="utf-8") as file:
-        file.write("\n".join(lines) + "\n")
-    return {"pattern": "table", "pattern_file": place}
-
-
-def _mean_cut(cuts: list[tuple[NDArray[Any], NDArray[Any]]]) -> dict[float, float]:
-    """Mean of the cuts of both rows at the angles of either, and ahead."""
-    angles = np.unique(np.concatenate([angle for angle, _ in cuts] + [np.zeros(1)]))
-    gains = [np.interp(angles, angle, gain) for angle, gain in cuts]
-    return dict(zip(angles.tolist(), np.mean(gains, axis=0).tolist()))
-
-
-def _at(cut: dict[float, float]) -> float:
-    return cut[0.0]
 
 
 def _seen(

@@ -9,14 +9,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .radar import Radar
+from .pattern import pattern_of
+from .radar import Radar, times
 from .refusal import refuse
-from .scene import channels_of, in_front, scale_of, scene_of, yaw_of
+from .scene import Look, channels_of, scale_of, scene_of, yaw_of
 
 _UPRIGHT = (0, 0, 1)
 # Of a sine's root mean square: the samples that RadarSimPy's own tests expect are peaks
 # (tests/test_module_sim_radar_ideal.py, 15.3.0).
 _PEAK = 2**0.5
+_LEVELS = (None, "frame", "pulse", "sample")
+# Seeds of scenes have 63 bits.
+_SEED_BITS_LESS = 1
 
 
 def sim_radar(
@@ -41,7 +45,9 @@ def sim_radar(
     have no meaning. ``frame_time`` is where a frame begins, as before 15.1.0; the radar's own where it is
     left out.
     """
-    del density, level, debug
+    del density, debug
+    if level not in _LEVELS:
+        raise ValueError(f"level: must be None, 'frame', 'pulse' or 'sample', is {level!r}")
     for name, value in (("interf", interf), ("ray_filter", ray_filter), ("log_path", log_path)):
         if value is not None:
             raise refuse(name, "[[interferer]] of a scene" if name == "interf" else "no rays are shot here")
@@ -49,45 +55,55 @@ def sim_radar(
         raise refuse("back_propagating", "ways back are always among the paths")
     del interf_frame_time
     if frame_time is not None:
-        starts = np.atleast_1d(np.asarray(frame_time, dtype=float))
+        starts = times(frame_time)
         timestamp = np.concatenate([radar.time_prop["origin_timestamp"] + start for start in starts])
     else:
         starts, timestamp = radar.time_prop["frame_start_time"], radar.time_prop["timestamp"]
-    frames = [_frame(radar, targets, float(start)) for start in starts]
-    baseband = np.concatenate(frames)
     return {
-        "baseband": baseband,
+        "baseband": _baseband(radar, targets, starts),
         "noise": _noise(radar, timestamp.shape),
         "timestamp": timestamp,
         "interference": None,
     }
 
 
-def _frame(radar: Radar, targets: list[dict[str, Any]], start_s: float) -> NDArray[Any]:
+def _baseband(radar: Radar, targets: list[dict[str, Any]], starts: NDArray[np.float64]) -> NDArray[Any]:
+    """Baseband of all frames; each look draws phase noise of its own."""
+    seeds = np.random.SeedSequence(radar.seed)
+    with tempfile.TemporaryDirectory(prefix="wayside-") as folder:
+        pattern = pattern_of(radar, folder)
+        frames = [_frame(radar, targets, float(start), pattern, seeds.spawn(1)[0]) for start in starts]
+    baseband = np.concatenate(frames)
+    return baseband if radar.radar_prop["receiver"].bb_prop["bb_type"] == "complex" else baseband.real
+
+
+def _frame(
+    radar: Radar,
+    targets: list[dict[str, Any]],
+    start_s: float,
+    pattern: dict[str, Any] | None,
+    seeds: np.random.SeedSequence,
+) -> NDArray[Any]:
     """Baseband of one frame, [tx·rx, pulses, samples]: transmitters that begin together are one scene."""
-    transmitter, receiver = radar.radar_prop["transmitter"], radar.radar_prop["receiver"]
-    receivers, delays = len(receiver.antennas), transmitter.txchannel_prop["delay"]
-    shape = radar.time_prop["origin_timestamp_shape"]
-    whole = np.zeros(shape, dtype=np.complex128)
-    for delay in np.unique(delays):
-        together = [int(i) for i in np.flatnonzero(delays == delay)]
-        samples = _samples(radar, targets, together, start_s + float(delay))
-        for at, transmit in enumerate(together):
-            part = samples[at * receivers : (at + 1) * receivers]
-            whole[transmit * receivers : (transmit + 1) * receivers] = _PEAK * receiver.volts() * part
-    return whole if receiver.bb_prop["bb_type"] == "complex" else whole.real
+    receiver, delays = radar.radar_prop["receiver"], radar.radar_prop["transmitter"].txchannel_prop["delay"]
+    whole = np.zeros(radar.time_prop["origin_timestamp_shape"], dtype=np.complex128)
+    groups, of_transmitter = np.unique(delays, return_inverse=True)
+    for group, seed in enumerate(seeds.generate_state(len(groups), np.uint64).tolist()):
+        together = np.flatnonzero(of_transmitter == group).tolist()
+        look = Look(together, start_s + float(groups[group]), seed >> _SEED_BITS_LESS)
+        channels = [i * len(receiver.antennas) + j for i in together for j in range(len(receiver.antennas))]
+        whole[channels] = _PEAK * receiver.volts() * _samples(radar, targets, look, pattern)
+    return whole
 
 
 def _samples(
-    radar: Radar, targets: list[dict[str, Any]], transmitters: list[int], time_s: float
+    radar: Radar, targets: list[dict[str, Any]], look: Look, pattern: dict[str, Any] | None
 ) -> NDArray[np.complex64]:
     from wayside import Scene
 
-    seen = [target for target in targets if in_front(radar, target, time_s)]
-    with tempfile.TemporaryDirectory(prefix="wayside-") as folder:
-        scene = Scene(scene_of(radar, seen, transmitters, time_s, folder))
-        samples: NDArray[np.complex64] = scene.echo().samples[0]
-    return samples[channels_of(radar, transmitters)]
+    scene = Scene(scene_of(radar, targets, look, pattern or {"pattern": "isotropic"}))
+    samples: NDArray[np.complex64] = scene.echo().samples[0][channels_of(radar, look.transmitters)]
+    return np.zeros_like(samples) if pattern is None else samples
 
 
 def _noise(radar: Radar, shape: tuple[int, ...]) -> NDArray[Any]:

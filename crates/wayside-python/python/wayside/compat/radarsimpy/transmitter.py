@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .antenna import Antennas
-from .refusal import nothing, refuse
+from .refusal import above_zero, finite, nothing, refuse
 
 _MODULATION = ("pulse_amp", "pulse_phs", "mod_t", "phs", "amp")
 
@@ -34,20 +35,16 @@ class Transmitter:
     ) -> None:
         sweep, length = _sweep(f), _length(t)
         nothing(f_offset, "f_offset", "all chirps have one sweep")
-        if (pn_f is None) != (pn_power is None):
-            raise ValueError("pn_f and pn_power belong together")
+        finite(np.asarray(tx_power, dtype=float), "tx_power")
+        if int(pulses) != pulses or pulses < 1:
+            raise ValueError(f"pulses: must be a whole number of 1 or more, is {pulses}")
         self.antennas = Antennas(channels, "tx channel", {"delay", "grid", *_MODULATION})
         for channel in self.antennas.channels:
             for key in _MODULATION:
                 if channel.get(key) is not None:
                     raise refuse(f"tx channel[{key!r}]", 'use multiplexing = "ddm" or "bpm" of a scene')
-        intervals = (
-            np.full(pulses, length) if prp is None else np.broadcast_to(np.asarray(prp, float), (pulses,))
-        )
-        if np.any(intervals < length):
-            raise ValueError("prp must not be less than the length of a pulse")
-        if not np.allclose(intervals, intervals[0], rtol=1e-12, atol=0):
-            raise refuse("prp", "intervals that change: use stagger_us of a scene")
+        intervals = _intervals(prp, length, int(pulses))
+        pn_f, pn_power = _phase_noise(pn_f, pn_power)
         self.rf_prop = {"tx_power": tx_power, "pn_f": pn_f, "pn_power": pn_power}
         self.waveform_prop: dict[str, Any] = {
             "f": sweep,
@@ -55,19 +52,47 @@ class Transmitter:
             "bandwidth": float(np.ptp(sweep)),
             "pulse_length": length,
             "pulses": int(pulses),
-            "f_offset": np.zeros(pulses),
+            "f_offset": np.zeros(int(pulses)),
             "prp": np.array(intervals),
             "pulse_start_time": np.cumsum(intervals) - intervals[0],
         }
         self.txchannel_prop: dict[str, Any] = {
             "size": len(self.antennas),
             "locations": self.antennas.locations,
-            "delay": np.array([float(c.get("delay", 0)) for c in self.antennas.channels]),
+            "delay": np.array([_delay(channel) for channel in self.antennas.channels]),
         }
 
 
+def _intervals(prp: Any, length: float, pulses: int) -> NDArray[np.float64]:
+    """Time from each pulse to the next, s."""
+    told = finite(np.asarray(length if prp is None else prp, dtype=float), "prp")
+    intervals = np.broadcast_to(told, (pulses,))
+    if np.any(intervals < length):
+        raise ValueError("prp must not be less than the length of a pulse")
+    if not np.allclose(intervals, intervals[0], rtol=1e-12, atol=0):
+        raise refuse("prp", "intervals that change: use stagger_us of a scene")
+    return intervals
+
+
+def _phase_noise(pn_f: Any, pn_power: Any) -> tuple[Any, Any]:
+    """Offsets in Hz, growing, and their levels; None and None of no phase noise."""
+    if (pn_f is None) != (pn_power is None):
+        raise ValueError("pn_f and pn_power belong together")
+    if pn_f is None:
+        return None, None
+    offsets, levels = (np.atleast_1d(np.asarray(told, dtype=float)) for told in (pn_f, pn_power))
+    if offsets.shape != levels.shape:
+        raise ValueError(f"pn_f and pn_power have different lengths, {len(offsets)} and {len(levels)}")
+    order = np.argsort(finite(offsets, "pn_f"), kind="stable")
+    return offsets[order], finite(levels, "pn_power")[order]
+
+
+def _delay(channel: dict[str, Any]) -> float:
+    return float(finite(np.asarray(channel.get("delay", 0), dtype=float), "tx channel['delay']"))
+
+
 def _sweep(f: Any) -> Any:
-    sweep = np.atleast_1d(np.asarray(f, dtype=float))
+    sweep = finite(np.atleast_1d(np.asarray(f, dtype=float)), "f")
     if len(sweep) != 2:
         raise refuse("f", "a linear chirp [start, stop] is needed, no single tone and no other waveform")
     if sweep[0] == sweep[1]:
@@ -79,4 +104,4 @@ def _length(t: Any) -> float:
     times = np.atleast_1d(np.asarray(t, dtype=float))
     if len(times) > 2:
         raise refuse("t", "a linear chirp has one length, or [begin, end]")
-    return float(times[-1] - times[0]) if len(times) == 2 else float(times[0])
+    return above_zero(times[-1] - times[0] if len(times) == 2 else times[0], "t")
