@@ -32,7 +32,8 @@ impl Cube {
 /// Samples as complex64 `[frame, channel, chirp, sample]`; the very array where it is that already.
 fn four_axes<'py>(samples: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray4<Complex32>>> {
     let numpy = samples.py().import("numpy")?;
-    let array = numpy.call_method1("ascontiguousarray", (samples, numpy.getattr("complex64")?))?;
+    let as_they_are_read = ["C_CONTIGUOUS", "ALIGNED", "ENSUREARRAY"];
+    let array = numpy.call_method1("require", (samples, numpy.getattr("complex64")?, as_they_are_read))?;
     let axes: usize = array.getattr("ndim")?.extract()?;
     let whole = if axes == 3 { array.get_item(numpy.getattr("newaxis")?)? } else { array };
     let rule = "complex values [frame, channel, chirp, sample], or of one frame [channel, chirp, sample]";
@@ -52,7 +53,7 @@ impl Cube {
         let made = cubes_of_samples(&opened, shape, readonly.as_slice()?);
         let recorded = made.map_err(|failure| failure::raised(py, &failure, read.shown()))?;
         drop(readonly);
-        Ok(Self { samples: Arc::new(Samples::in_array(recorded, array.unbind())) })
+        Ok(Self { samples: Arc::new(Samples::in_array(recorded, &array)) })
     }
 
     /// Reads a `.cube` artifact.
@@ -73,8 +74,8 @@ impl Cube {
 
     /// IF samples in √W, complex64 [frame, channel, chirp, sample]; channel = tx·N_rx + rx.
     #[getter]
-    fn samples<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray4<Complex32>> {
-        self.samples.array.bind(py).clone()
+    fn samples<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<Complex32>>> {
+        self.samples.array.view(py)
     }
 
     /// Times of the frames' first samples, s, float64 [frame].

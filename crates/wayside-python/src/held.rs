@@ -1,5 +1,6 @@
 //! Scenes, samples and maps, which several classes hold.
 
 pub(crate) mod handle; // a scene that was read
+pub(crate) mod values; // in memory that Python has too
 pub(crate) mod samples; // of a cube, which Python holds
 pub(crate) mod maps; // of a cube, which Python holds

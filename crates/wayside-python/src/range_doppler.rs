@@ -35,14 +35,14 @@ impl RangeDoppler {
 impl RangeDoppler {
     /// Map values in √W, complex64 [frame, channel, doppler, range]; zero velocity at N/2.
     #[getter]
-    fn values<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray4<Complex32>> {
-        self.maps.values.bind(py).clone()
+    fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<Complex32>>> {
+        self.maps.values.view(py)
     }
 
     /// State of each cell, uint8 [frame, doppler, range]: 0 untested, 1 tested, 2 detected.
     #[getter]
-    fn mask<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray3<u8>> {
-        self.maps.mask.bind(py).clone()
+    fn mask<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<u8>>> {
+        self.maps.mask.view(py)
     }
 
     /// Ranges of the columns, m, float64 [range].

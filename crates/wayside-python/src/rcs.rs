@@ -3,15 +3,16 @@
 use crate::arrays;
 use crate::document;
 use crate::failure;
+use crate::held::values::Values;
 use crate::told;
 use crate::work::carry_out;
 use artifact::Accuracy;
 use artifact::material::MaterialMap;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
-use ndarray::Array3;
+use ndarray::{Array3, Ix3};
 use num_complex::Complex64;
-use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
@@ -23,13 +24,13 @@ use wayside::stepwise::{self, RcsRequest, RcsTable, Standpoint};
 pub(crate) struct Rcs {
     table: RcsTable,
     request: RcsRequest,
-    amplitude: Py<PyArray3<Complex64>>,
+    amplitude: Values<Complex64, Ix3>,
 }
 
 impl Rcs {
     fn of(py: Python<'_>, mut table: RcsTable, request: RcsRequest) -> PyResult<Self> {
         let values = std::mem::take(&mut table.amplitude_m);
-        let amplitude = arrays::shaped(py, values, table.shape)?.unbind();
+        let amplitude = Values::of("s_m", &arrays::shaped(py, values, table.shape)?);
         Ok(Self { table, request, amplitude })
     }
 }
@@ -43,14 +44,14 @@ impl Rcs {
     /// Scattering amplitude S in metres, complex128 [freq, el, az], phase at the mesh's origin; |S|² is the
     /// RCS.
     #[getter]
-    fn s_m<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray3<Complex64>> {
-        self.amplitude.bind(py).clone()
+    fn s_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<Complex64>>> {
+        self.amplitude.view(py)
     }
 
     /// Radar cross section in dBsm, float64 [freq, el, az].
     #[getter]
     fn rcs_dbsm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
-        let amplitude = self.amplitude.bind(py).try_readonly()?;
+        let amplitude = self.amplitude.read(py)?;
         let levels: Array3<f64> = amplitude.as_array().mapv(|s| 10.0 * s.norm_sqr().log10());
         Ok(PyArray3::from_owned_array(py, levels))
     }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import filecmp
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -50,6 +51,67 @@ def test_a_cube_is_handed_over_without_a_copy(scene: wayside.Scene) -> None:
     maps = cube.range_doppler()
     assert np.shares_memory(maps.values, maps.values)
     assert np.shares_memory(maps.mask, maps.mask)
+
+
+def change_in_every_way(array: Any) -> None:
+    """Gives an array and the one that its memory is of another type, another shape and other strides."""
+    for own in (array, array.base):
+        if isinstance(own, np.ndarray):
+            own.dtype = np.dtype(f"V{own.dtype.itemsize // 4 or 1}")
+            own.shape = (-1,)
+            own.strides = (0,)
+
+
+def test_arrays_that_were_handed_out_may_be_changed_in_type_and_shape(scene: wayside.Scene) -> None:
+    cube, maps = scene.echo(), scene.range_doppler()
+    cube.samples.dtype = np.complex128
+    maps.values.dtype = np.float32
+    maps.mask.shape = (-1,)
+    assert (cube.samples.shape, cube.samples.dtype) == ((2, 4, 32, 64), np.complex64)
+    assert len(cube.range_doppler()) == 2
+    assert maps.detect().points.tobytes() == scene.points().tobytes()
+
+
+# NumPy deprecates that strides are assigned; as long as it lets one do so it must not end in a crash.
+@pytest.mark.filterwarnings("ignore:Setting the")
+def test_what_is_no_longer_what_it_was_is_refused(scene: wayside.Scene, tmp_path: Path) -> None:
+    cube, maps = scene.echo(), scene.range_doppler()
+    change_in_every_way(cube.samples)
+    for use in (cube.range_doppler, lambda: cube.samples, lambda: cube.write(tmp_path / "a.cube")):
+        with pytest.raises(ValueError, match=r"samples: the array has no longer its type"):
+            use()
+    change_in_every_way(maps.mask)
+    for of_mask in (maps.detect, lambda: maps.mask):
+        with pytest.raises(ValueError, match=r"mask: the array has no longer its type"):
+            of_mask()
+    table = wayside.rcs("car-suv", 1.0, az_deg=[0, 1])
+    change_in_every_way(table.s_m)
+    for of_table in (lambda: table.rcs_dbsm, lambda: table.s_m):
+        with pytest.raises(ValueError, match=r"s_m: the array has no longer its type"):
+            of_table()
+
+
+def test_an_array_of_others_may_change_under_a_cube(scene: wayside.Scene) -> None:
+    samples = scene.echo().samples.copy()
+    cube = wayside.Cube(samples, scene)
+    samples.dtype = np.float32
+    with pytest.raises(ValueError, match="samples: the array has no longer its type"):
+        cube.range_doppler()
+    samples.dtype = np.complex64
+    samples.resize((1, 4, 32, 64), refcheck=False)
+    with pytest.raises(ValueError, match=r"its shape \[2, 4, 32, 64\]"):
+        cube.range_doppler()
+
+
+def test_samples_out_of_their_place_in_memory_are_copied(scene: wayside.Scene) -> None:
+    samples = scene.echo().samples
+    memory = np.zeros(samples.nbytes + 1, np.uint8)
+    aside = memory[1:].view(np.complex64).reshape(samples.shape)
+    aside[:] = samples
+    assert not aside.flags.aligned
+    assert np.array_equal(wayside.Cube(aside, scene).samples, samples)
+    swapped = samples.astype(samples.dtype.newbyteorder())
+    assert np.array_equal(wayside.Cube(swapped, scene).samples, samples)
 
 
 def test_the_echo_of_paths_is_the_echo_of_the_scene(scene: wayside.Scene) -> None:

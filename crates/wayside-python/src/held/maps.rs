@@ -2,9 +2,10 @@
 
 use crate::arrays;
 use crate::held::samples::Samples;
+use crate::held::values::Values;
 use artifact::rdm::RdmFrame;
+use ndarray::{Ix3, Ix4};
 use num_complex::Complex32;
-use numpy::{PyArray3, PyArray4, PyArrayMethods};
 use pyo3::prelude::*;
 use std::sync::Arc;
 use wayside::stepwise::Processing;
@@ -16,9 +17,9 @@ pub(crate) struct Maps {
     /// Receiver of the samples' radar.
     pub(crate) processing: Arc<Processing>,
     /// Values `[frame, channel, doppler, range]`.
-    pub(crate) values: Py<PyArray4<Complex32>>,
+    pub(crate) values: Values<Complex32, Ix4>,
     /// State of each cell `[frame, doppler, range]`.
-    pub(crate) mask: Py<PyArray3<u8>>,
+    pub(crate) mask: Values<u8, Ix3>,
     /// Maps without values and masks.
     pub(crate) frames: Vec<RdmFrame>,
 }
@@ -35,14 +36,15 @@ impl Maps {
         let count = frames.len();
         let values = joined(&mut frames, |frame| &mut frame.values);
         let masks = joined(&mut frames, |frame| &mut frame.mask);
-        let values = arrays::shaped(py, values, [count, channels, doppler, range])?.unbind();
-        let mask = arrays::shaped(py, masks, [count, doppler, range])?.unbind();
+        let values = arrays::shaped(py, values, [count, channels, doppler, range])?;
+        let mask = arrays::shaped(py, masks, [count, doppler, range])?;
+        let (values, mask) = (Values::of("values", &values), Values::of("mask", &mask));
         Ok(Self { samples, processing: Arc::new(processing), values, mask, frames })
     }
 
     /// Maps as the library takes them.
     pub(crate) fn frames(&self, py: Python<'_>) -> PyResult<Vec<RdmFrame>> {
-        let (values, masks) = (self.values.bind(py).try_readonly()?, self.mask.bind(py).try_readonly()?);
+        let (values, masks) = (self.values.read(py)?, self.mask.read(py)?);
         let (values, masks) = (values.as_slice()?, masks.as_slice()?);
         let count = self.frames.len().max(1);
         let parts =

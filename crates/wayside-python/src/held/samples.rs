@@ -1,10 +1,12 @@
 //! Samples of the frames of a cube, which Python holds and the library reads.
 
 use crate::arrays;
+use crate::held::values::Values;
 use artifact::cube::{Cube as Schema, CubeFrame, CubeHeader};
 use artifact::{ErrorBudget, Provenance};
+use ndarray::Ix4;
 use num_complex::Complex32;
-use numpy::{PyArray4, PyArrayMethods};
+use numpy::PyArray4;
 use pyo3::prelude::*;
 use wayside::stepwise::Recorded;
 
@@ -15,7 +17,7 @@ pub(crate) struct Samples {
     /// The radar and the settings of its processing.
     pub(crate) header: CubeHeader,
     /// Values `[frame, channel, chirp, sample]`.
-    pub(crate) array: Py<PyArray4<Complex32>>,
+    pub(crate) array: Values<Complex32, Ix4>,
     frames: Vec<About>,
 }
 
@@ -36,13 +38,13 @@ impl Samples {
             [only] => std::mem::take(&mut only.samples),
             several => several.iter_mut().flat_map(|frame| std::mem::take(&mut frame.samples)).collect(),
         };
-        let array = arrays::shaped(py, values, shape)?.unbind();
-        Ok(Self { from, header, frames: frames.iter().map(about).collect(), array })
+        let array = arrays::shaped(py, values, shape)?;
+        Ok(Self::in_array(Recorded { from, header, frames }, &array))
     }
 
     /// Frames as the library takes them.
     pub(crate) fn frames(&self, py: Python<'_>) -> PyResult<Vec<CubeFrame>> {
-        let array = self.array.bind(py).try_readonly()?;
+        let array = self.array.read(py)?;
         let length = self.header.shape().iter().product::<usize>().max(1);
         let frame = |(about, samples): (&About, &[Complex32])| CubeFrame {
             index: about.index,
@@ -54,8 +56,9 @@ impl Samples {
     }
 
     /// Samples that lie in an array of Python already.
-    pub(crate) fn in_array(recorded: Recorded<Schema>, array: Py<PyArray4<Complex32>>) -> Self {
+    pub(crate) fn in_array(recorded: Recorded<Schema>, array: &Bound<'_, PyArray4<Complex32>>) -> Self {
         let Recorded { from, header, frames } = recorded;
+        let array = Values::of("samples", array);
         Self { from, header, frames: frames.iter().map(about).collect(), array }
     }
 
