@@ -92,6 +92,40 @@ def test_files_of_a_dictionary_are_seen_from_its_folder(tmp_path: Path) -> None:
     assert wayside.Scene(own, folder=tmp_path).targets == ["sign"]
 
 
+SIGN = "v 0 0 1\nv 0 1 1\nv 0 1 2\nv 0 0 2\nf 1 2 3 4\n"
+
+
+def test_files_beside_a_dictionary_are_no_own_vehicles(tmp_path: Path) -> None:
+    (tmp_path / "car-suv").mkdir()
+    target = {"kind": "mesh", "id": "car", "model": "car-suv", "position_m": [0.0, 20.0, 0.0]}
+    assert wayside.Scene(small_scene(target=[target]), folder=tmp_path).targets == ["car"]
+
+
+FCD = """<fcd-export>
+<timestep time="0.00"><vehicle id="a" x="3.0" y="40.0" angle="180" type="sign" speed="8"/></timestep>
+<timestep time="0.10"><vehicle id="a" x="3.0" y="39.2" angle="180" type="sign" speed="8"/></timestep>
+<timestep time="0.20"><vehicle id="a" x="3.0" y="38.4" angle="180" type="sign" speed="8"/></timestep>
+</fcd-export>
+"""
+
+
+@pytest.mark.parametrize("models", ["sign.obj", ["sign.obj"], {"model": ["sign.obj"]}, {"model": "sign.obj"}])
+def test_models_of_traffic_are_seen_from_the_dictionarys_folder(models: object, tmp_path: Path) -> None:
+    (tmp_path / "sign.obj").write_text(SIGN)
+    (tmp_path / "fcd.xml").write_text(FCD)
+    traffic = {"fcd": "fcd.xml", "models": {"sign": models}}
+    scene = small_scene(target=[], traffic=traffic)
+    assert len(wayside.Scene(scene, folder=tmp_path).trace()[0]) > 0
+    with pytest.raises(wayside.WaysideError, match=r"elsewhere/sign\.obj"):
+        wayside.Scene(scene, folder=tmp_path / "elsewhere")
+
+
+def test_a_name_that_is_no_unicode_is_refused_with_its_key() -> None:
+    target = {"kind": "mesh", "id": "x", "model": "caf\udce9.obj", "position_m": [0.0, 30.0, 0.0]}
+    with pytest.raises(ValueError, match=r"target\.model: a scene holds Unicode"):
+        wayside.Scene(small_scene(target=[target]))
+
+
 def test_what_a_run_will_take_is_told_before_anything_runs(scene: wayside.Scene) -> None:
     cost = scene.cost()
     assert cost["frames"] == 2
