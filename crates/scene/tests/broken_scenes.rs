@@ -79,6 +79,7 @@ const CASES: &[Case] = &[
     ("", "name = \"\"\n", "1:8", "`name` must be 1 to 64 letters"),
     ("", "name = \"..\"\n", "1:8", "`name` must be 1 to 64 letters"),
     (NAME, "seed = -1\n", "2:8", "`seed` must be a number from 0"),
+    (NAME, "seed = 9223372036854775808\n", "2:8", "`seed` must be a whole number up to 9223372036854775807"),
     (NAME, "frames = 0\n", "2:10", "`frames` must be a number from 1 to 1000000, is 0"),
     (NAME, "frame_interval_s = 0\n", "2:20", "`frame_interval_s` must be a number above 0"),
     (NAME, "frames = 2\nframe_interval_s = 1e-3\n", "3:20", "shorter than a frame of 0.00768 s"),

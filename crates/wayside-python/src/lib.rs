@@ -2,13 +2,13 @@
 //!
 //! Each class has a file. What is computed is computed by the crate `wayside` (`stepwise`, `run`); here stand
 //! the ways from and to Python: [`failure`] makes exceptions, [`work`] lets the interpreter go while the
-//! library works, [`arrays`] hands vectors over without a copy, [`document`] takes what names a scene.
+//! library works, [`arrays`] hands vectors over without a copy, [`given`] takes what names a scene.
 
 mod failure; // exceptions with file, place and rule
+mod given; // numbers and scenes, as Python gives them
 mod work; // beside the interpreter, with progress and Ctrl-C
 mod arrays; // vectors and records as NumPy arrays
 mod told; // figures as dictionaries
-mod document; // a scene as a path or a dictionary
 mod held; // scenes, samples and maps, as classes share them
 mod paths_frame;
 mod paths;
@@ -30,7 +30,7 @@ mod _core {
     #[pymodule_export]
     use crate::detections::Detections;
     #[pymodule_export]
-    use crate::document::file_keys;
+    use crate::given::document::file_keys;
     #[pymodule_export]
     use crate::paths::Paths;
     #[pymodule_export]

@@ -1,8 +1,9 @@
 //! Class `Rcs` and the function that makes it: S of a mesh over frequency and aspect.
 
 use crate::arrays;
-use crate::document;
 use crate::failure;
+use crate::given::document;
+use crate::given::numbers;
 use crate::held::values::Values;
 use crate::told;
 use crate::work::carry_out;
@@ -15,8 +16,10 @@ use num_complex::Complex64;
 use numpy::{PyArray1, PyArray2, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use wayside::host::memory::Allowance;
+use wayside::stepwise::bounds::{AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, UNIT_SCALES};
 use wayside::stepwise::{self, RcsRequest, RcsTable, Standpoint};
 
 /// Scattering amplitude S of a mesh over frequency, elevation and azimuth.
@@ -123,7 +126,7 @@ pub(crate) fn rcs(
     el_deg: Option<&Bound<'_, PyAny>>,
     range_m: f64,
     pol: &str,
-    bounces: u8,
+    bounces: i64,
     edges: &str,
     nodes: &str,
     surface: &str,
@@ -133,14 +136,12 @@ pub(crate) fn rcs(
     rx_el_deg: Option<f64>,
     rx_range_m: Option<f64>,
     unit_scale: Option<f64>,
-    memory_limit_mib: Option<u64>,
+    memory_limit_mib: Option<&Bound<'_, PyAny>>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Rcs> {
-    let receiver = rx_az_deg.zip(rx_el_deg).map(|(azimuth, elevation)| Standpoint {
-        azimuth_rad: azimuth.to_radians(),
-        elevation_rad: elevation.to_radians(),
-        range_m: rx_range_m.unwrap_or(range_m),
-    });
+    let range_m = numbers::distance_m("range_m", range_m)?;
+    let receiver = receiver(rx_az_deg, rx_el_deg, rx_range_m, range_m)?;
+    let unit_scale = scale(unit_scale)?;
     let request = RcsRequest {
         frequency_hz: scaled(values("freq_ghz", Some(freq_ghz), FREQUENCIES_GHZ)?, 1e9),
         elevation_rad: scaled(values("el_deg", el_deg, ELEVATIONS_DEG)?, 1.0_f64.to_radians()),
@@ -148,7 +149,7 @@ pub(crate) fn rcs(
         range_m,
         receiver,
         polarization: polarization(pol)?,
-        bounces,
+        bounces: numbers::within("bounces", bounces, &BOUNCES)? as u8,
         nodes: node_rule(nodes)?,
         sides: word("sides", sides, &[("two", Sides::Two), ("one", Sides::One)])?,
         edges: word("edges", edges, &[("off", Edges::Ignored), ("on", Edges::FirstOrder)])?,
@@ -156,7 +157,7 @@ pub(crate) fn rcs(
         accuracy: Accuracy::from_db(document::accuracy_db(accuracy_db)?),
     };
     let (asked, place) = (request.clone(), mesh.clone());
-    let memory = Allowance::of(memory_limit_mib);
+    let memory = Allowance::of(numbers::memory_mib(memory_limit_mib)?);
     let table = carry_out(py, Some(&mesh), progress, move |_| {
         let mesh = stepwise::mesh(&place, unit_scale)?;
         let mesh = stepwise::dressed(mesh, &place, &MaterialMap::default(), &asked.frequency_hz)?;
@@ -173,6 +174,7 @@ pub(crate) fn mesh_bounds_m(
     mesh: PathBuf,
     unit_scale: Option<f64>,
 ) -> PyResult<Bound<'_, PyArray2<f64>>> {
+    let unit_scale = scale(unit_scale)?;
     let read = py.detach(|| stepwise::mesh(&mesh, unit_scale));
     let read = read.map_err(|failure| failure::raised(py, &failure, Some(&mesh)))?;
     let along = |axis: usize| read.vertices_m.iter().map(move |vertex| vertex[axis]);
@@ -181,21 +183,40 @@ pub(crate) fn mesh_bounds_m(
     arrays::shaped(py, low.chain(high).collect(), [2, 3])
 }
 
-/// Bounds of the command line.
-const FREQUENCIES_GHZ: [f64; 2] = [1e-3, 1e4];
-const AZIMUTHS_DEG: [f64; 2] = [-1e6, 1e6];
-const ELEVATIONS_DEG: [f64; 2] = [-90.0, 90.0];
+/// A fixed receiver, told by two angles; its distance is that of the transmitter where none is told.
+fn receiver(
+    az_deg: Option<f64>,
+    el_deg: Option<f64>,
+    range_m: Option<f64>,
+    of_transmitter_m: f64,
+) -> PyResult<Option<Standpoint>> {
+    let lacks = |lacking: &str, name: &str| Err(failure::of_argument(lacking, format!("{name} needs it")));
+    match (az_deg, el_deg) {
+        (Some(azimuth), Some(elevation)) => Ok(Some(Standpoint {
+            azimuth_rad: numbers::number("rx_az_deg", azimuth, &AZIMUTHS_DEG)?.to_radians(),
+            elevation_rad: numbers::number("rx_el_deg", elevation, &ELEVATIONS_DEG)?.to_radians(),
+            range_m: numbers::distance_m("rx_range_m", range_m.unwrap_or(of_transmitter_m))?,
+        })),
+        (Some(_), None) => lacks("rx_el_deg", "rx_az_deg"),
+        (None, Some(_)) => lacks("rx_az_deg", "rx_el_deg"),
+        (None, None) if range_m.is_some() => lacks("rx_az_deg", "rx_range_m"),
+        (None, None) => Ok(None),
+    }
+}
+
+fn scale(given: Option<f64>) -> PyResult<Option<f64>> {
+    given.map(|scale| numbers::number("unit_scale", scale, &UNIT_SCALES)).transpose()
+}
 
 /// One number or an array of them; 0 where nothing is said.
-fn values(name: &str, given: Option<&Bound<'_, PyAny>>, [low, high]: [f64; 2]) -> PyResult<Vec<f64>> {
+fn values(name: &str, given: Option<&Bound<'_, PyAny>>, allowed: RangeInclusive<f64>) -> PyResult<Vec<f64>> {
     let Some(given) = given else { return Ok(vec![0.0]) };
     let one = given.extract::<f64>().map(|value| vec![value]);
     let several = one.or_else(|_| given.extract::<Vec<f64>>())?;
-    match several.iter().find(|value| !(low..=high).contains(*value)) {
-        Some(value) => Err(failure::of_argument(name, format!("from {low} to {high}, is {value}"))),
-        None if several.is_empty() => Err(failure::of_argument(name, "at least one value is needed")),
-        None => Ok(several),
+    if several.is_empty() {
+        return Err(failure::of_argument(name, "at least one value is needed"));
     }
+    several.into_iter().map(|value| numbers::number(name, value, &allowed)).collect()
 }
 
 fn scaled(values: Vec<f64>, unit: f64) -> Vec<f64> {

@@ -2,9 +2,10 @@
 
 use crate::cube::Cube;
 use crate::detections::Detections;
-use crate::document;
-use crate::document::Document;
 use crate::failure;
+use crate::given::document;
+use crate::given::document::Document;
+use crate::given::numbers;
 use crate::held::handle::{Handle, opened_by, raised};
 use crate::paths::Paths;
 use crate::range_doppler::RangeDoppler;
@@ -83,15 +84,16 @@ impl Scene {
         folder: Option<PathBuf>,
         radar: Option<String>,
         model: Option<PathBuf>,
-        seed: Option<u64>,
+        seed: Option<&Bound<'_, PyAny>>,
         accuracy_db: Option<f64>,
-        memory_limit_mib: Option<u64>,
+        memory_limit_mib: Option<&Bound<'_, PyAny>>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let accuracy_db = accuracy_db.map(document::accuracy_db).transpose()?;
+        let seed = seed.map(|seed| numbers::whole("seed", seed, &numbers::SEEDS)).transpose()?;
+        let memory = Allowance::of(numbers::memory_mib(memory_limit_mib)?);
         let document = Arc::new(Document::of(source, folder)?);
         let source = SceneSource { file: document.file.clone(), model, radar, seed, accuracy_db };
-        let memory = Allowance::of(memory_limit_mib);
         let asked = source.clone();
         let opened = carry_out(py, document.shown(), progress, move |_| {
             let has_several = asked.radar.is_none() && radars(&asked).is_ok_and(|ids| !ids.is_empty());

@@ -2,6 +2,7 @@
 //! progress is told, while other threads of Python go on.
 
 use crate::failure;
+use crate::given::numbers;
 use pyo3::prelude::*;
 use std::path::Path;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
@@ -81,7 +82,8 @@ pub(crate) fn listen() {
 /// Limits the threads that the library works with; once, before the first work.
 #[pyfunction]
 #[pyo3(signature = (threads))]
-pub(crate) fn set_threads(threads: usize) -> PyResult<()> {
+pub(crate) fn set_threads(threads: &Bound<'_, PyAny>) -> PyResult<()> {
+    let threads = numbers::whole("threads", threads, &numbers::THREADS)? as usize;
     let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     built.map_err(|error| failure::of_argument("threads", error))
 }

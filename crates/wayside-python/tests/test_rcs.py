@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -49,15 +50,40 @@ def test_a_word_that_is_none_is_refused_with_those_that_are(plate: Path) -> None
 @pytest.mark.parametrize(
     ("changes", "name"),
     [
-        ({"el_deg": 120}, "el_deg: from -90 to 90, is 120"),
+        ({"el_deg": 120}, "el_deg: it must be from -90 to 90, is 120"),
         ({"freq_ghz": []}, "freq_ghz: at least one value"),
-        ({"freq_ghz": float("nan")}, "freq_ghz: from 0.001 to 10000, is NaN"),
+        ({"freq_ghz": float("nan")}, "freq_ghz: it must be from 0.001 to 10000, is NaN"),
+        ({"bounces": 0}, r"bounces: 0 is not in 1\.\.=5"),
+        ({"bounces": -1}, r"bounces: -1 is not in 1\.\.=5"),
+        ({"unit_scale": -1}, "unit_scale: it must be from 1e-9 to 1000000, is -1"),
+        ({"range_m": 0}, "range_m: it must be from 0.001 to 1e9, is 0, or inf"),
+        ({"rx_az_deg": 10}, "rx_el_deg: rx_az_deg needs it"),
+        ({"rx_el_deg": 10}, "rx_az_deg: rx_el_deg needs it"),
+        ({"rx_range_m": 10}, "rx_az_deg: rx_range_m needs it"),
+        ({"rx_az_deg": 10, "rx_el_deg": 200}, "rx_el_deg: it must be from -90 to 90, is 200"),
+        ({"rx_az_deg": 10, "rx_el_deg": 0, "rx_range_m": -5}, "rx_range_m: it must be from 0.001"),
+        ({"memory_limit_mib": -1}, "memory_limit_mib: -1 is not in"),
         ({"accuracy_db": 0}, "accuracy_db"),
     ],
 )
 def test_numbers_are_bounded_as_on_the_command_line(plate: Path, changes: dict[str, Any], name: str) -> None:
     with pytest.raises(ValueError, match=name):
         wayside.rcs(plate, **({"freq_ghz": 77.0} | changes))
+
+
+def test_bounds_of_a_mesh_have_a_scale_above_0(plate: Path) -> None:
+    with pytest.raises(ValueError, match="unit_scale: it must be from 1e-9"):
+        wayside.mesh_bounds_m(plate, unit_scale=-1)
+
+
+def test_the_words_of_a_refusal_are_the_command_lines(program: list[str], plate: Path) -> None:
+    words = [*program, "rcs", str(plate), "--freq-ghz", "77", "--out", str(plate.with_suffix(".npy"))]
+    for option, argument in (("--unit-scale=-1", {"unit_scale": -1}), ("--bounces=0", {"bounces": 0})):
+        said = subprocess.run([*words, option], capture_output=True, text=True, timeout=60)
+        with pytest.raises(ValueError) as refused:
+            wayside.rcs(plate, 77.0, **argument)
+        assert said.returncode == 2
+        assert str(refused.value).split(": ", 1)[1] in said.stderr
 
 
 def test_a_mesh_that_is_missing_is_named() -> None:

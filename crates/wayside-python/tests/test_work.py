@@ -63,6 +63,12 @@ def test_other_threads_go_on_while_the_library_works() -> None:
     assert len(ticks) > 0.1 * took / 0.01
 
 
+@pytest.mark.parametrize("threads", [-1, 0, 2**70])
+def test_a_number_of_threads_that_is_none_is_refused(threads: int) -> None:
+    with pytest.raises(ValueError, match=rf"threads: {threads} is not in 1\.\.=1024"):
+        wayside.set_threads(threads)
+
+
 SCRIPT = """
 import sys, time, wayside
 sys.path.insert(0, {tests!r})

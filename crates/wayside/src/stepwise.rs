@@ -11,6 +11,7 @@ mod echoes; // radar cubes of a scene
 mod samples; // anybody's samples as a radar cube
 mod processing; // maps, points, tracks and classes of cubes
 mod meshes; // files and own vehicles
+pub mod bounds; // of numbers that a table is asked with
 mod tables; // S of a mesh
 
 pub use bart_rcs::{RcsRequest, Standpoint};

@@ -213,6 +213,12 @@ pub enum Rule {
         /// Numbers that the key takes.
         allowed: Allowed,
     },
+    /// A whole number of more than 63 bits.
+    #[error("`{key}` must be a whole number up to {}", i64::MAX)]
+    BeyondWholeNumbers {
+        /// Name of the key.
+        key: &'static str,
+    },
     /// A word that is not one of a list.
     #[error("`{key}` cannot be `{found}`; it can be {}", quoted(.known))]
     UnknownWord {

@@ -59,6 +59,11 @@ impl<'d> Section<'d> {
         // Beyond i128 the sign is all that matters: the range refuses it.
         let beyond = if integer.as_str().starts_with('-') { f64::NEG_INFINITY } else { f64::INFINITY };
         self.in_range(key, exact.map_or(beyond, |exact| exact as f64), allowed, value)?;
+        // Of f64, which the range is in, 2⁶³ is no larger than the whole number before it.
+        if exact.is_some_and(|exact| exact > i64::MAX.into()) {
+            self.note_at(value.span(), Rule::BeyondWholeNumbers { key });
+            return None;
+        }
         exact.and_then(|exact| u64::try_from(exact).ok())
     }
 

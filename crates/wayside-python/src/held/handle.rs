@@ -1,7 +1,7 @@
 //! A scene that was read, as classes hand it to each other.
 
-use crate::document::Document;
 use crate::failure;
+use crate::given::document::Document;
 use pyo3::prelude::*;
 use std::path::Path;
 use std::sync::Arc;

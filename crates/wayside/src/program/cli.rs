@@ -15,6 +15,7 @@ pub(crate) use crate::program::words::{
     AxesWord, BoardWord, EdgesWord, FormatWord, IqOrderWord, LanesWord, MethodWord, NodesWord,
     PolarizationWord, SidesWord, SurfaceWord, TransmissionWord,
 };
+use crate::stepwise::bounds::BOUNCES;
 use clap::{Args, Parser, Subcommand};
 use pipeline::chain::cache::CacheLocation;
 use pipeline::chain::loading::SceneSource;
@@ -154,7 +155,7 @@ pub(crate) struct SceneArguments {
     #[arg(long, value_name = "ID")]
     pub(crate) radar: Option<String>,
     /// Replaces the scene's seed.
-    #[arg(long)]
+    #[arg(long, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
     pub(crate) seed: Option<u64>,
     /// Replaces the scene's accuracy, dB; what the scene does not say itself of the physics is chosen by it.
     #[arg(long, value_name = "DB", value_parser = accuracy_db)]
@@ -233,7 +234,7 @@ pub struct RcsArguments {
     #[arg(long, value_enum, default_value = "vv")]
     pub(crate) pol: PolarizationWord,
     /// Highest bounce order [default: 3].
-    #[arg(long, value_parser = clap::value_parser!(u8).range(1..=5))]
+    #[arg(long, value_parser = clap::value_parser!(u8).range(BOUNCES))]
     pub(crate) bounces: Option<u8>,
     /// Beam tracing, or one of the slow references.
     #[arg(long, value_enum, default_value = "bart")]

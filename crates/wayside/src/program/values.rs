@@ -1,6 +1,9 @@
 //! Values that a user types behind options: each has a range within which the work ends, and a sentence for
 //! what lies outside.
 
+use crate::stepwise::bounds::{
+    AZIMUTHS_DEG, ELEVATIONS_DEG, FREQUENCIES_GHZ, RANGES_M, UNIT_SCALES, or_infinite, outside,
+};
 use std::ops::RangeInclusive;
 
 /// Values of an axis and the text they were given as.
@@ -12,12 +15,11 @@ pub(crate) struct Axis {
 /// Longest axis: a table of 10⁶ values per axis is a mistake of typing.
 const AXIS_LIMIT: usize = 1_000_000;
 
-/// Reads an axis of frequencies in GHz: from radio waves that bend around a vehicle to where heat begins.
+/// Reads an axis of frequencies in GHz.
 pub(crate) fn frequencies(text: &str) -> Result<Axis, String> {
-    axis(text, 1e-3..=1e4)
+    axis(text, FREQUENCIES_GHZ)
 }
 
-/// Turns as many as one likes.
 pub(crate) fn azimuths(text: &str) -> Result<Axis, String> {
     axis(text, AZIMUTHS_DEG)
 }
@@ -25,10 +27,6 @@ pub(crate) fn azimuths(text: &str) -> Result<Axis, String> {
 pub(crate) fn elevations(text: &str) -> Result<Axis, String> {
     axis(text, ELEVATIONS_DEG)
 }
-
-const AZIMUTHS_DEG: RangeInclusive<f64> = -1e6..=1e6;
-/// Straight down to straight up: beyond lies the other side, which has an azimuth of its own.
-const ELEVATIONS_DEG: RangeInclusive<f64> = -90.0..=90.0;
 
 fn axis(text: &str, allowed: RangeInclusive<f64>) -> Result<Axis, String> {
     let parts: Vec<&str> = text.split(':').collect();
@@ -63,11 +61,11 @@ pub(crate) fn elevation_deg(text: &str) -> Result<f64, String> {
     within(text, &ELEVATIONS_DEG)
 }
 
-/// Metres, or infinitely far. Squares of it and of its inverse stay numbers.
+/// Metres, or infinitely far.
 pub(crate) fn range(text: &str) -> Result<f64, String> {
     match text {
         "inf" | "infinite" => Ok(f64::INFINITY),
-        text => within(text, &(1e-3..=1e9)).map_err(|error| format!("{error}, or inf")),
+        text => within(text, &RANGES_M).map_err(or_infinite),
     }
 }
 
@@ -86,7 +84,7 @@ pub(crate) fn density(text: &str) -> Result<f64, String> {
 
 /// Metres per unit of a mesh file.
 pub(crate) fn scale(text: &str) -> Result<f64, String> {
-    within(text, &(1e-9..=1e6))
+    within(text, &UNIT_SCALES)
 }
 
 /// √W of one step of integer samples.
@@ -101,16 +99,7 @@ pub(crate) fn full_scale(text: &str) -> Result<f64, String> {
 
 fn within(text: &str, allowed: &RangeInclusive<f64>) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
-    if allowed.contains(&value) {
-        return Ok(value);
-    }
-    Err(format!("it must be from {} to {}, is {text}", plain(*allowed.start()), plain(*allowed.end())))
-}
-
-/// Writes a number, with an exponent where the digits would only be zeros.
-fn plain(number: f64) -> String {
-    let is_plain = number == 0.0 || (1e-3..1e7).contains(&number.abs());
-    if is_plain { number.to_string() } else { format!("{number:e}") }
+    if allowed.contains(&value) { Ok(value) } else { Err(outside(allowed, text)) }
 }
 
 /// World metres.
