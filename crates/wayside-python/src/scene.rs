@@ -7,6 +7,7 @@ use crate::given::document;
 use crate::given::document::Document;
 use crate::given::numbers;
 use crate::held::handle::{Handle, opened_by, raised};
+use crate::held::reading::Reading;
 use crate::paths::Paths;
 use crate::range_doppler::RangeDoppler;
 use crate::told;
@@ -64,6 +65,13 @@ impl Scene {
     }
 }
 
+/// Opens a scene; nothing is opened of one that has several radars of which none was asked for.
+fn opened(source: &SceneSource, memory: Allowance) -> Result<(Reading, Option<Arc<OpenedScene>>), Failure> {
+    let has_several = source.radar.is_none() && radars(source).is_ok_and(|ids| !ids.is_empty());
+    let scene = if has_several { None } else { Some(opened_by(source, memory)?) };
+    Ok((Reading::of(source, scene.as_deref())?, scene))
+}
+
 /// The cache that was asked for: `True` is the default one, `False` none, a path that folder.
 fn cache(asked: &Bound<'_, PyAny>) -> PyResult<Option<CacheLocation>> {
     if let Ok(is_used) = asked.extract::<bool>() {
@@ -95,13 +103,10 @@ impl Scene {
         let document = Arc::new(Document::of(source, folder)?);
         let source = SceneSource { file: document.file.clone(), model, radar, seed, accuracy_db };
         let asked = source.clone();
-        let opened = carry_out(py, document.shown(), progress, move |_| {
-            let has_several = asked.radar.is_none() && radars(&asked).is_ok_and(|ids| !ids.is_empty());
-            let open = || opened_by(&asked, memory).map(Some);
-            Ok(if has_several { Ok(None) } else { open() })
-        })?;
-        let opened = opened.map_err(|failure| raised(py, &document.told(failure), &document, &source))?;
-        Ok(Self { handle: Py::new(py, Handle { document, source, memory, scene: opened })? })
+        let opened = carry_out(py, document.shown(), progress, move |_| Ok(opened(&asked, memory)))?;
+        let refused = |failure| raised(py, &document.told(failure), &document, &source);
+        let (reading, scene) = opened.map_err(refused)?;
+        Ok(Self { handle: Py::new(py, Handle { document, source, memory, reading, scene })? })
     }
 
     /// Scene as other classes take it.
@@ -112,8 +117,8 @@ impl Scene {
 
     /// Text of the scene as TOML, which `wayside run` takes.
     #[getter]
-    fn toml(&self) -> PyResult<String> {
-        Ok(std::fs::read_to_string(&self.read().document.file)?)
+    fn toml(&self) -> &str {
+        &self.read().reading.text
     }
 
     /// Name of the scene.
@@ -142,8 +147,8 @@ impl Scene {
 
     /// Ids of several radars; empty where the scene has one.
     #[getter]
-    fn radars(&self, py: Python<'_>) -> PyResult<Vec<String>> {
-        radars(&self.read().source).map_err(|failure| self.read().raised(py, &failure))
+    fn radars(&self) -> Vec<String> {
+        self.read().reading.radars.clone()
     }
 
     /// The radar in the words of the field, as `radar` of summary.json: carrier_hz, bandwidth_hz,
@@ -260,19 +265,14 @@ impl Scene {
         classifier: Option<PathBuf>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let Handle { document, source, memory, .. } = self.read();
-        let (scene, memory, folder) = (source.clone(), *memory, out.clone());
+        let Handle { document, memory, .. } = self.read();
+        let (scene, memory, folder) = (self.read().source_again(py)?, *memory, out.clone());
         let document = Arc::clone(document);
         let cache = cache.map(self::cache).transpose()?.flatten();
         let ended = carry_out(py, self.read().shown(), progress, move |call_off| {
-            let settings = Settings {
-                scene,
-                cache,
-                classifier,
-                memory,
-                call_off: call_off.clone(),
-                ..Settings::of(&document.file, folder)
-            };
+            let of_file = Settings::of(&scene.file, folder);
+            let call_off = call_off.clone();
+            let settings = Settings { scene, cache, classifier, memory, call_off, ..of_file };
             wayside::run(&settings).map(drop).map_err(|failure| document.told(failure))
         });
         ended?;

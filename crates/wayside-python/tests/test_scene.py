@@ -134,6 +134,48 @@ def test_a_seed_beyond_the_whole_numbers_of_toml_is_refused(seed: int) -> None:
         wayside.Scene(small_scene(seed=seed))
 
 
+def written(file: Path, **changes: object) -> Path:
+    file.write_text(wayside.Scene(small_scene(**changes)).toml)
+    return file
+
+
+def test_a_scene_that_has_changed_since_is_not_run(tmp_path: Path) -> None:
+    scene = wayside.Scene(written(tmp_path / "scene.toml", seed=1))
+    text = scene.toml
+    written(tmp_path / "scene.toml", seed=99, frames=3)
+    assert (scene.toml, scene.seed, scene.radars) == (text, 1, [])
+    with pytest.raises(wayside.WaysideError, match=r"scene\.toml: it has changed since the scene was read"):
+        scene.run(tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+    written(tmp_path / "scene.toml", seed=1)
+    assert scene.run(tmp_path / "out")["seed"] == 1
+
+
+def test_a_model_that_has_changed_since_is_not_run(tmp_path: Path) -> None:
+    (tmp_path / "sign.obj").write_text(SIGN)
+    target = {"kind": "mesh", "id": "sign", "model": "sign.obj", "position_m": [0.0, 20.0, 0.0]}
+    scene = wayside.Scene(small_scene(target=[target]), folder=tmp_path)
+    (tmp_path / "sign.obj").write_text(SIGN.replace("2", "3", 1))
+    with pytest.raises(wayside.WaysideError, match=r"sign\.obj: it has changed since the scene was read"):
+        scene.run(tmp_path / "out")
+    (tmp_path / "sign.obj").unlink()
+    with pytest.raises(wayside.WaysideError, match=r"^target `sign`: ") as refused:
+        scene.run(tmp_path / "out")
+    assert refused.value.place == "target `sign`"
+
+
+def test_a_relative_name_is_seen_from_where_the_scene_was_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written(tmp_path / "scene.toml", frames=1)
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path)
+    scene = wayside.Scene("scene.toml")
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    assert scene.run("out")["frames"]
+    assert (tmp_path / "elsewhere/out/summary.json").exists()
+
+
 def test_what_a_run_will_take_is_told_before_anything_runs(scene: wayside.Scene) -> None:
     cost = scene.cost()
     assert cost["frames"] == 2

@@ -2,6 +2,7 @@
 
 use crate::failure;
 use crate::given::document::Document;
+use crate::held::reading::Reading;
 use pyo3::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
@@ -18,6 +19,8 @@ pub(crate) struct Handle {
     pub(crate) source: SceneSource,
     /// Memory that tracing may take.
     pub(crate) memory: Allowance,
+    /// Files that it was read from.
+    pub(crate) reading: Reading,
     /// The scene through its radar; `None` where it has several and none was asked for.
     pub(crate) scene: Option<Arc<OpenedScene>>,
 }
@@ -39,14 +42,20 @@ impl Handle {
     pub(crate) fn opened(&self, py: Python<'_>) -> PyResult<Arc<OpenedScene>> {
         match &self.scene {
             Some(scene) => Ok(Arc::clone(scene)),
-            None => opened_by(&self.source, self.memory)
-                .map_err(|failure| self.raised(py, &self.document.told(failure))),
+            None => {
+                let source = self.source_again(py)?;
+                let refused = |failure| raised(py, &self.document.told(failure), &self.document, &source);
+                opened_by(&source, self.memory).map_err(refused)
+            }
         }
     }
 
-    /// Exception of a failure about the scene.
-    pub(crate) fn raised(&self, py: Python<'_>, failure: &Failure) -> PyErr {
-        raised(py, failure, &self.document, &self.source)
+    /// The source, whose files are still those that the scene was read from.
+    pub(crate) fn source_again(&self, py: Python<'_>) -> PyResult<SceneSource> {
+        let source = self.reading.seen_from_here(&self.source);
+        let checked = py.detach(|| self.reading.check(&source));
+        checked.map_err(|failure| raised(py, &self.document.told(failure), &self.document, &source))?;
+        Ok(source)
     }
 }
 

@@ -21,6 +21,16 @@ pub fn radars(source: &SceneSource) -> Result<Vec<String>, Failure> {
     scene::radars(&source.file).map_err(loading::of_scene)
 }
 
+/// Names and hashes of all files that a scene is read from, its own first.
+///
+/// # Errors
+/// A file cannot be read.
+pub fn inputs(source: &SceneSource) -> Result<Vec<(String, String)>, Failure> {
+    let (model, radar) = (source.model.clone(), source.radar.clone());
+    let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
+    loading::hashed(&scene::inputs(&source.file, &options).map_err(loading::of_scene)?)
+}
+
 /// A scene in memory, with its meshes.
 pub struct OpenedScene {
     loaded: LoadedScene,
@@ -104,7 +114,7 @@ impl OpenedScene {
     }
 
     /// Names and hashes of the files that it was read from, its own first.
-    pub(crate) fn files(&self) -> &[(String, String)] {
+    pub fn files(&self) -> &[(String, String)] {
         &self.loaded.files
     }
 
