@@ -27,6 +27,8 @@ pub struct PlannedScene {
     pub loaded: LoadedScene,
     /// Figures of the plan; `None` where the scene says all itself.
     pub plan: Option<PlanFigures>,
+    /// Whether a plan was asked for, and the scene looked at.
+    pub is_looked_at: bool,
 }
 
 /// Loads a scene as [`loading::scene`] does, and chooses its physics where its file, or an accuracy of the
@@ -45,10 +47,10 @@ pub fn scene(
         loaded.header.fidelity.accuracy = Accuracy::from_db(db);
         loaded.header.fidelity.goal = None;
     } else if said.planning == Planning::AsSaid {
-        return Ok(PlannedScene { loaded, plan: None });
+        return Ok(PlannedScene { loaded, plan: None, is_looked_at: false });
     }
     let plan = planned(&mut loaded.header, &said, memory)?;
-    Ok(PlannedScene { loaded, plan })
+    Ok(PlannedScene { loaded, plan, is_looked_at: true })
 }
 
 /// Chooses the physics of a scene; `None`, and nothing chosen, where nothing scatters in the frames looked

@@ -12,7 +12,7 @@ use crate::paths::Paths;
 use crate::range_doppler::RangeDoppler;
 use crate::told;
 use crate::tracks::Tracks;
-use crate::work::carry_out;
+use crate::work::{carry_out, claim_threads, read};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
@@ -103,9 +103,12 @@ impl Scene {
         let document = Arc::new(Document::of(source, folder)?);
         let source = SceneSource { file: document.file.clone(), model, radar, seed, accuracy_db };
         let asked = source.clone();
-        let opened = carry_out(py, document.shown(), progress, move |_| Ok(opened(&asked, memory)))?;
+        let opened = read(py, document.shown(), progress, move |_| Ok(opened(&asked, memory)))?;
         let refused = |failure| raised(py, &document.told(failure), &document, &source);
         let (reading, scene) = opened.map_err(refused)?;
+        if scene.as_ref().is_some_and(|scene| scene.is_looked_at()) {
+            claim_threads()?;
+        }
         Ok(Self { handle: Py::new(py, Handle { document, source, memory, reading, scene })? })
     }
 

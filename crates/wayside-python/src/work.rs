@@ -5,9 +5,10 @@ use crate::failure;
 use crate::given::numbers;
 use pyo3::prelude::*;
 use std::path::Path;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
-use wayside::host::progress;
+use wayside::host::progress::{self, Caller};
 use wayside::{CallOff, Failure};
 
 /// Steps in which the work is looked at: Ctrl-C is heard within one.
@@ -15,26 +16,65 @@ const LOOK: Duration = Duration::from_millis(50);
 /// Time that work which was called off has to end; a frame under way goes on behind it and is thrown away.
 const ENDING: Duration = Duration::from_millis(500);
 
-/// Carries work out while the interpreter does something else. `hears` is called with what is under way and
-/// its share, about twenty times a second.
+/// Process whose threads the library works with; 0 where it has none yet.
+static WORKS_IN: AtomicU32 = AtomicU32::new(0);
+
+/// Claims the threads that the library works with for this process.
 ///
 /// # Errors
-/// Exceptions of failures, of Ctrl-C, and of what hears of the progress.
+/// They were left in the process that this one was forked from: work would wait for them for ever.
+pub(crate) fn claim_threads() -> PyResult<()> {
+    let here = std::process::id();
+    let _ = WORKS_IN.compare_exchange(0, here, Ordering::Relaxed, Ordering::Relaxed);
+    has_threads()
+}
+
+fn has_threads() -> PyResult<()> {
+    let works_in = WORKS_IN.load(Ordering::Relaxed);
+    if works_in == 0 || works_in == std::process::id() {
+        return Ok(());
+    }
+    let rule = "this process was forked from one in which wayside had worked, and has none of its threads: \
+                begin processes by \"spawn\" or \"forkserver\", multiprocessing.get_context(\"spawn\"), or \
+                before the first work";
+    Err(pyo3::exceptions::PyRuntimeError::new_err(rule))
+}
+
+/// Carries work out, by all threads, while the interpreter does something else. `hears` is called with what
+/// is under way and its share, about twenty times a second.
+///
+/// # Errors
+/// Exceptions of failures, of Ctrl-C, and of what hears of the progress; a process without threads.
 pub(crate) fn carry_out<T: Send + 'static>(
     py: Python<'_>,
     file: Option<&Path>,
     hears: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&CallOff) -> Result<T, Failure> + Send + 'static,
 ) -> PyResult<T> {
+    claim_threads()?;
+    read(py, file, hears, work)
+}
+
+/// Carries work out that needs no other threads, as [`carry_out`] does: a process may be forked after it.
+///
+/// # Errors
+/// Those of [`carry_out`].
+pub(crate) fn read<T: Send + 'static>(
+    py: Python<'_>,
+    file: Option<&Path>,
+    hears: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&CallOff) -> Result<T, Failure> + Send + 'static,
+) -> PyResult<T> {
+    has_threads()?;
     let call_off = CallOff::default();
     let (sender, mut results) = channel();
-    let (asked, begin) = (call_off.clone(), Instant::now());
-    let thread = std::thread::spawn(move || sender.send(work(&asked)).is_ok());
+    let (asked, caller) = (call_off.clone(), Caller::another());
+    let thread = std::thread::spawn(move || sender.send(caller.during(|| work(&asked))).is_ok());
     let result = loop {
         match within(py, &mut results, LOOK) {
             Ok(result) => break result,
             Err(RecvTimeoutError::Disconnected) => return Err(broken(thread)),
-            Err(RecvTimeoutError::Timeout) => look(py, hears, begin).inspect_err(|_| {
+            Err(RecvTimeoutError::Timeout) => look(py, hears, caller).inspect_err(|_| {
                 call_off.call_off();
                 let _ = within(py, &mut results, ENDING);
             })?,
@@ -59,10 +99,10 @@ fn broken(thread: std::thread::JoinHandle<bool>) -> PyErr {
     pyo3::exceptions::PyRuntimeError::new_err(format!("a bug of wayside: {said}"))
 }
 
-fn look(py: Python<'_>, hears: Option<&Bound<'_, PyAny>>, begin: Instant) -> PyResult<()> {
+fn look(py: Python<'_>, hears: Option<&Bound<'_, PyAny>>, caller: Caller) -> PyResult<()> {
     py.check_signals()?;
     let Some(hears) = hears else { return Ok(()) };
-    match progress::shown(begin + begin.elapsed(), Duration::ZERO) {
+    match progress::shown_to(caller, Instant::now(), Duration::ZERO) {
         Some(shown) => hears.call1((shown.text, shown.share)).map(drop),
         None => Ok(()),
     }
@@ -84,6 +124,7 @@ pub(crate) fn listen() {
 #[pyo3(signature = (threads))]
 pub(crate) fn set_threads(threads: &Bound<'_, PyAny>) -> PyResult<()> {
     let threads = numbers::whole("threads", threads, &numbers::THREADS)? as usize;
+    claim_threads()?;
     let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     built.map_err(|error| failure::of_argument("threads", error))
 }

@@ -63,6 +63,51 @@ def test_other_threads_go_on_while_the_library_works() -> None:
     assert len(ticks) > 0.1 * took / 0.01
 
 
+def test_progress_of_one_thread_is_of_its_own_work() -> None:
+    noise = {"waveform": {"samples": 512, "chirps": 256}}
+    scenes = {frames: wayside.Scene(small_scene(frames=frames, radar=noise)) for frames in (40, 37)}
+    heard: dict[int, list[str]] = {40: [], 37: []}
+
+    def echo(frames: int) -> None:
+        scenes[frames].echo(progress=lambda text, share: heard[frames].append(text))
+
+    threads = [threading.Thread(target=echo, args=(frames,)) for frames in scenes]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert any("of 40" in text for text in heard[40])
+    assert any("of 37" in text for text in heard[37])
+    assert not any("of 37" in text for text in heard[40])
+    assert not any("of 40" in text for text in heard[37])
+
+
+FORKED = """
+import multiprocessing, sys, wayside
+sys.path.insert(0, {tests!r})
+from conftest import small_scene
+def points(seed):
+    return len(wayside.Scene(small_scene(seed=seed)).detect().points)
+scene = wayside.Scene(small_scene())
+if {worked!r}:
+    scene.detect()
+with multiprocessing.get_context("fork").Pool(1) as pool:
+    print(pool.map(points, [1]))
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="fork of POSIX")
+@pytest.mark.parametrize("worked", [False, True])
+def test_a_process_forked_after_work_says_that_it_has_no_threads(worked: bool) -> None:
+    script = FORKED.format(tests=os.path.dirname(__file__), worked=worked)
+    ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+    if worked:
+        assert 'RuntimeError: this process was forked' in ended.stderr
+        assert '"spawn" or "forkserver"' in ended.stderr
+    else:
+        assert ended.returncode == 0, ended.stderr
+
+
 @pytest.mark.parametrize("threads", [-1, 0, 2**70])
 def test_a_number_of_threads_that_is_none_is_refused(threads: int) -> None:
     with pytest.raises(ValueError, match=rf"threads: {threads} is not in 1\.\.=1024"):

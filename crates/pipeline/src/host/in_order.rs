@@ -1,6 +1,7 @@
 //! Pieces of work at once, whose results are handed on in their order while later pieces are at work.
 
 use crate::host::failure::Failure;
+use crate::host::progress::Caller;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
@@ -33,9 +34,10 @@ pub fn in_order<T: Send>(
 ) -> Result<(), Failure> {
     let (jobs, held) = (needed.len(), at_once.held.max(1));
     let queue = Queue { needed, held, state: Mutex::new(State::of(jobs)), changed: Condvar::new() };
+    let caller = Caller::here();
     let worker = || {
         while let Some(job) = queue.begin() {
-            queue.end(job, catch_unwind(AssertUnwindSafe(|| work(job))));
+            queue.end(job, catch_unwind(AssertUnwindSafe(|| caller.during(|| work(job)))));
         }
     };
     std::thread::scope(|scope| {

@@ -3,6 +3,7 @@
 //! nothing of it depends on what is computed.
 
 mod under_way;
+mod caller;
 
 use artifact::dataset::Dataset;
 use artifact::{ArtifactError, Reader, Schema};
@@ -10,6 +11,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 use under_way::{Item, UnderWay};
 
+pub use caller::Caller;
 pub use under_way::Shown;
 
 static UNDER_WAY: Mutex<UnderWay> = Mutex::new(UnderWay::NOTHING);
@@ -34,7 +36,12 @@ pub fn line(now: Instant) -> Option<String> {
 
 /// State of the work for a progress bar; `None` until the outermost work has been under way for `after`.
 pub fn shown(now: Instant, after: Duration) -> Option<Shown> {
-    locked(&UNDER_WAY).shown(now, after)
+    locked(&UNDER_WAY).shown(now, after, |_| true)
+}
+
+/// State of the work for one caller, as [`shown`] tells that for all.
+pub fn shown_to(caller: Caller, now: Instant, after: Duration) -> Option<Shown> {
+    locked(&UNDER_WAY).shown(now, after, |other| other == caller)
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -109,5 +116,29 @@ fn part_name(phase: bart_rcs::Phase) -> &'static str {
 impl Drop for Work {
     fn drop(&mut self) {
         locked(&UNDER_WAY).end(&self.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_caller_hears_of_its_own_work_alone() {
+        let [one, other] = [Caller::another(), Caller::another()];
+        let text = |caller| shown_to(caller, Instant::now(), Duration::ZERO).map(|shown| shown.text);
+        let at_the_same_time = || {
+            let _work = Work::begin("the other's");
+            assert_eq!(text(one).as_deref(), Some("the one's, for 0 s"));
+            assert_eq!(text(other).as_deref(), Some("the other's, for 0 s"));
+        };
+        one.during(|| {
+            let _work = Work::begin("the one's");
+            std::thread::scope(|scope| {
+                scope.spawn(|| other.during(at_the_same_time));
+            });
+            assert_eq!(Caller::here(), one);
+        });
+        assert_eq!([text(one), text(other)], [None, None]);
     }
 }

@@ -1,6 +1,7 @@
 //! Several pieces of work at once, each of which is in parallel too.
 
 use crate::host::failure::Failure;
+use crate::host::progress::Caller;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Results of all jobs, in any order, each done on one of so many threads: threads of the pool would take up
@@ -11,9 +12,10 @@ pub fn side_by_side<J: Sync, T: Send>(
     work: impl Fn(&J) -> Result<T, Failure> + Sync,
 ) -> Result<Vec<T>, Failure> {
     let next = AtomicUsize::new(0);
+    let caller = Caller::here();
     let worker = || {
         let taken = std::iter::from_fn(|| jobs.get(next.fetch_add(1, Ordering::Relaxed)));
-        taken.map(&work).collect::<Result<Vec<T>, Failure>>()
+        taken.map(|job| caller.during(|| work(job))).collect::<Result<Vec<T>, Failure>>()
     };
     std::thread::scope(|scope| {
         let workers: Vec<_> = (0..at_once.min(jobs.len())).map(|_| scope.spawn(worker)).collect();

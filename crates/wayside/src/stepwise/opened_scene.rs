@@ -35,6 +35,7 @@ pub fn inputs(source: &SceneSource) -> Result<Vec<(String, String)>, Failure> {
 pub struct OpenedScene {
     loaded: LoadedScene,
     memory: Allowance,
+    is_looked_at: bool,
 }
 
 /// Expected time and memory of all frames of a scene, as `run --dry-run` tells them.
@@ -62,12 +63,17 @@ impl OpenedScene {
     /// Every broken rule, with file and place.
     pub fn of(source: &SceneSource, memory: Allowance) -> Result<Self, Failure> {
         let planned = planning::scene(source, None, memory)?;
-        Ok(Self { loaded: planned.loaded, memory })
+        Ok(Self { loaded: planned.loaded, memory, is_looked_at: planned.is_looked_at })
     }
 
     /// The scene as every stage reads it.
     pub fn header(&self) -> &SceneHeader {
         &self.loaded.header
+    }
+
+    /// Whether its echo was looked at for a plan, by all threads.
+    pub fn is_looked_at(&self) -> bool {
+        self.is_looked_at
     }
 
     /// Header of the scene's cubes.
@@ -106,7 +112,7 @@ impl OpenedScene {
         let mut header = self.loaded.header.clone();
         header.fidelity.echo = EchoMode::Paths;
         let LoadedScene { cached, seconds, ref files, .. } = self.loaded;
-        Self { loaded: LoadedScene { header, cached, seconds, files: files.clone() }, memory: self.memory }
+        Self { loaded: LoadedScene { header, cached, seconds, files: files.clone() }, ..*self }
     }
 
     pub(crate) fn chain(&self) -> Chain<'_> {

@@ -1,5 +1,6 @@
 //! Work that is under way, outermost first, and when a line about it is due.
 
+use super::caller::Caller;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -25,6 +26,7 @@ const BETWEEN_LINES: Duration = Duration::from_secs(10);
 /// A piece of work.
 pub(super) struct Item {
     name: String,
+    caller: Caller,
     began: Instant,
     /// Steps that an earlier run has done.
     found: usize,
@@ -58,7 +60,7 @@ impl UnderWay {
 
     pub(super) fn begin(&mut self, name: String, found: usize, now: Instant) -> Arc<Item> {
         let (done, of, part) = (AtomicUsize::new(found), AtomicUsize::new(0), Mutex::new(None));
-        let item = Arc::new(Item { name, began: now, found, done, of, part });
+        let item = Arc::new(Item { name, caller: Caller::here(), began: now, found, done, of, part });
         self.items.push(Arc::clone(&item));
         item
     }
@@ -86,26 +88,32 @@ impl UnderWay {
         }
         self.told.insert(kind);
         self.last_line = Some(now);
-        Some(self.text(now))
+        Some(text(&self.items, now))
     }
 
-    /// State of the work for a progress bar; `None` until the outermost work has been under way for `after`.
-    pub(super) fn shown(&self, now: Instant, after: Duration) -> Option<Shown> {
-        let first = self.items.first()?;
-        let is_long = now.saturating_duration_since(first.began) >= after;
-        let share = self.items.iter().find_map(|item| item.share()).unwrap_or(0.0);
-        is_long.then(|| Shown { text: self.text(now), share })
+    /// State of the work of some callers for a progress bar; `None` until the outermost work has been under
+    /// way for `after`.
+    pub(super) fn shown(
+        &self,
+        now: Instant,
+        after: Duration,
+        is_told: impl Fn(Caller) -> bool,
+    ) -> Option<Shown> {
+        let items: Vec<_> = self.items.iter().filter(|item| is_told(item.caller)).cloned().collect();
+        let is_long = now.saturating_duration_since(items.first()?.began) >= after;
+        let share = items.iter().find_map(|item| item.share()).unwrap_or(0.0);
+        is_long.then(|| Shown { text: text(&items, now), share })
     }
+}
 
-    /// The outermost work, the one that counts, and the last begun.
-    fn text(&self, now: Instant) -> String {
-        let last = self.items.len().saturating_sub(1);
-        let counting = self.items.iter().position(|item| item.share().is_some()).unwrap_or(last);
-        let mut told = [0, counting, last].to_vec();
-        told.dedup();
-        let of = |index: usize| self.items.get(index).map(|item| item.text(now));
-        told.into_iter().filter_map(of).collect::<Vec<_>>().join("; ")
-    }
+/// The outermost work, the one that counts, and the last begun.
+fn text(items: &[Arc<Item>], now: Instant) -> String {
+    let last = items.len().saturating_sub(1);
+    let counting = items.iter().position(|item| item.share().is_some()).unwrap_or(last);
+    let mut told = [0, counting, last].to_vec();
+    told.dedup();
+    let of = |index: usize| items.get(index).map(|item| item.text(now));
+    told.into_iter().filter_map(of).collect::<Vec<_>>().join("; ")
 }
 
 impl Item {
@@ -232,7 +240,7 @@ mod tests {
         let (mut under_way, start) = (UnderWay::NOTHING, Instant::now());
         let item = under_way.begin("rcs".into(), 300, start);
         item.at(310, 360);
-        assert_eq!(under_way.text(start + 5 * SECOND), "rcs: 310 of 360, about 25 s left");
+        assert_eq!(text(&under_way.items, start + 5 * SECOND), "rcs: 310 of 360, about 25 s left");
         under_way.end(&item);
         assert!(under_way.line(start + 60 * SECOND).is_none(), "nothing is under way");
     }
