@@ -14,7 +14,7 @@ use crate::error::DspError;
 use crate::spectrum::shapes::Shapes;
 use crate::tracking::body::Body;
 use crate::tracking::kalman::Estimate;
-use crate::tracking::measurement::{Measurement, Site};
+use crate::tracking::measurement::{Measurement, Site, turned};
 use crate::tracking::tracker_settings::TrackerSettings;
 use crate::tracking::velocity_bank::VelocityBank;
 use artifact::cube::CubeHeader;
@@ -24,7 +24,7 @@ use glam::{DMat2, DVec2};
 use ndarray::Array2;
 use radar::assignment::assignment;
 use radar::lattice::tells_azimuth;
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// An object of an equal velocity this near to a believed track's box is a piece of it: cars in a queue leave
 /// 2 m between them.
@@ -183,7 +183,7 @@ impl Tracker {
     fn give_birth(&mut self, frame: &PointsFrame, measurements: &[Measurement], owner: &mut [Option<usize>]) {
         for object in (0..measurements.len()).filter(|o| owner[*o].is_none()) {
             let bank = VelocityBank::new(&measurements[object], &self.settings);
-            let body = Body::new(self.first_heading_rad(bank.best().mean.w));
+            let body = Body::new(self.first_heading_rad(bank.best()));
             let mut followed = Followed {
                 id: self.next_id,
                 age_frames: 0,
@@ -203,9 +203,10 @@ impl Tracker {
     }
 
     /// Heading of a new body along the road, towards the radar unless it moves away.
-    fn first_heading_rad(&self, along_mps: f64) -> f64 {
+    fn first_heading_rad(&self, state: &Estimate) -> f64 {
         let away_rad = FRAC_PI_2 - self.header.dsp.road.azimuth_rad;
-        if along_mps > 0.0 { away_rad } else { away_rad - 0.5 * TAU }
+        let away_mps = DVec2::from_angle(away_rad).dot(DVec2::new(state.mean.z, state.mean.w));
+        turned(if away_mps > 0.0 { away_rad } else { away_rad - PI })
     }
 
     fn age(&mut self, interval_s: f64, frame: &PointsFrame, measurements: &[Measurement]) {

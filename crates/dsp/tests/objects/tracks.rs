@@ -379,6 +379,28 @@ fn the_box_lies_along_the_way_and_reaches_over_the_points() {
     assert_eq!(track.lane, Some(2));
 }
 
+/// A body too slow to have a heading of its own has the road's: ψ = 90° − azimuth away from the radar, the
+/// opposite towards it, within half a turn of +x.
+#[test]
+fn a_new_tracks_heading_is_the_roads_whichever_way_the_road_runs() {
+    for (azimuth_deg, along_mps) in [0.0, 45.0, 90.0, 135.0, 180.0, -45.0, -90.0, -135.0]
+        .into_iter()
+        .flat_map(|azimuth_deg| [(azimuth_deg, 0.8), (azimuth_deg, -0.8)])
+    {
+        let mut header = radar();
+        header.radar.boresight_az_rad = f64::to_radians(azimuth_deg);
+        header.dsp.road.azimuth_rad = f64::to_radians(azimuth_deg);
+        let away = DVec2::new(f64::to_radians(azimuth_deg).sin(), f64::to_radians(azimuth_deg).cos());
+        let receding = Body { place_m: 30.0 * away, velocity_mps: along_mps * away };
+        let mut random = ChaCha8Rng::from_seed(key(1, "dsp/test-heading", &[]));
+        let seen = frame(0, vec![object(&header, receding, &mut random)]);
+        let heading_rad = tracker(&header).step(&seen).unwrap().tracks[0].footprint.heading_rad;
+        let told = DVec2::from_angle(heading_rad);
+        assert!(told.distance(away * along_mps.signum()) < 1e-12, "road {azimuth_deg}°: {told}");
+        assert!(heading_rad.abs() <= std::f64::consts::PI, "road {azimuth_deg}°: {heading_rad}");
+    }
+}
+
 /// One point of a car that comes along the line of sight: it is the front, and the car is behind it.
 #[test]
 fn what_of_a_car_is_not_seen_lies_behind_what_is() {
