@@ -308,6 +308,34 @@ fn a_lane_change_ends_in_its_lane_and_a_teleport_leaves_a_gap() {
     assert_eq!(interval.bumper(vehicle, 6.0).unwrap().front_m.y, -300.0);
 }
 
+/// Steps of a second and more: x(t) = 2 m + 3.75 m·(3s² − 2s³), s = (t − t₀)/4 s, from the step before the
+/// jump on, whichever step the moment lies in.
+#[test]
+fn a_lane_change_takes_its_time_however_long_the_steps_are() {
+    for (step_s, before_s) in [(1.0, 1.0), (1.5, 1.5), (2.0, 2.0), (3.0, 0.0)] {
+        let steps = (0..=8).map(|i| {
+            let time_s = step_s * f64::from(i);
+            let x = if time_s <= before_s { 2.0 } else { 5.75 };
+            let (id, kind) = ("a".to_owned(), "car".to_owned());
+            let front_m = [x, 50.0 - 5.0 * time_s, 0.0];
+            let vehicle = FcdVehicle { id, kind, front_m, angle_deg: 180.0, speed_mps: 5.0, line: 1 };
+            FcdStep { time_s, line: 1, vehicles: vec![vehicle] }
+        });
+        let mut interval = Interval::default();
+        for (i, step) in steps.enumerate() {
+            interval.advance(step.clone());
+            for time_s in (1..=10).map(|k| step.time_s - step_s * (1.0 - 0.1 * f64::from(k))) {
+                let bumper = interval.bumper(&step.vehicles[0], time_s);
+                let Some(bumper) = bumper.filter(|_| i > 0) else { continue };
+                let s = ((time_s - before_s) / LANE_CHANGE_S).clamp(0.0, 1.0);
+                let x_m = 2.0 + 3.75 * (3.0 - 2.0 * s) * s * s;
+                let error_m = (bumper.front_m.x - x_m).abs();
+                assert!(error_m < 1e-9, "steps of {step_s} s, {time_s} s: {} of {x_m} m", bumper.front_m.x);
+            }
+        }
+    }
+}
+
 #[test]
 fn rounded_positions_leave_the_told_speed() {
     let recording = fcd(&[(0.0, &[("a", 2.0, 40.0, 180.0, 9.46)]), (0.1, &[("a", 2.0, 39.06, 180.0, 9.46)])]);

@@ -125,7 +125,7 @@ impl Interval {
         for vehicle in &self.after.vehicles {
             let Some(earlier) = self.known.get(&vehicle.id).map(|i| &before.vehicles[*i]) else { continue };
             let mut own = slides.remove(&vehicle.id).unwrap_or_default();
-            own.retain(|slide| self.after.time_s < slide.start_s + LANE_CHANGE_S);
+            own.retain(|slide| before.time_s < slide.start_s + LANE_CHANGE_S);
             let jump_m = sideways_jump(earlier, vehicle);
             own.extend(jump_m.map(|jump_m| Slide { start_s: before.time_s, jump_m }));
             // Of more than there can be the first are done.
