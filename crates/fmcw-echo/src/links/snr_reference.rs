@@ -1,10 +1,12 @@
 //! Reference of a scene's `snr_db`: the peak cell of one channel's noise-free range-Doppler map.
 
+use artifact::Radar;
 use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
 use num_complex::{Complex32, Complex64};
 use radar::window::{noise_bandwidth_bins, taper};
-use rustfft::FftPlanner;
+use rustfft::{Fft, FftPlanner};
+use std::f64::consts::TAU;
 
 /// Power of the peak cell of channel 0 over what white noise of unit power per sample makes of a cell; `None`
 /// where the channel is silent. With codes that of the mean over transmitters, as the first receiver hears
@@ -42,7 +44,7 @@ pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Optio
     (peak > 0.0).then_some(peak / noise)
 }
 
-/// Powers of one channel's cells; of a real mixer's samples an echo is told by one of two lines.
+/// Powers of one channel's cells, by the chirps' own times; of a real mixer's samples an echo is told by one of two lines.
 fn power_of_channel(header: &CubeHeader, samples: &[Complex32], [range, doppler]: [&[f64]; 2]) -> Vec<f64> {
     let real: Vec<Complex32>;
     let samples = match header.radar.waveform.sampling {
@@ -52,11 +54,12 @@ fn power_of_channel(header: &CubeHeader, samples: &[Complex32], [range, doppler]
             &real
         }
     };
-    range_doppler(samples, range, doppler).iter().map(|cell| cell.norm_sqr()).collect()
+    range_doppler(&header.radar, samples, [range, doppler]).iter().map(|cell| cell.norm_sqr()).collect()
 }
 
-/// Windowed two-dimensional FFT of `[chirp, sample]`, left as `[range, doppler]`.
-fn range_doppler(samples: &[Complex32], range_weights: &[f64], doppler_weights: &[f64]) -> Vec<Complex64> {
+/// Windowed two-dimensional transform of `[chirp, sample]`, left as `[range, doppler]`.
+fn range_doppler(radar: &Radar, samples: &[Complex32], windows: [&[f64]; 2]) -> Vec<Complex64> {
+    let [range_weights, doppler_weights] = windows;
     let (length, chirps) = (range_weights.len(), doppler_weights.len());
     let mut rows: Vec<Complex64> = samples
         .iter()
@@ -67,10 +70,40 @@ fn range_doppler(samples: &[Complex32], range_weights: &[f64], doppler_weights: 
         .collect();
     let mut planner = FftPlanner::new();
     planner.plan_fft_forward(length).process(&mut rows);
-    let mut columns: Vec<Complex64> = (0..length)
+    let columns: Vec<Complex64> = (0..length)
         .flat_map(|n| (0..chirps).map(move |m| (m, n)))
         .map(|(m, n)| rows[m * length + n])
         .collect();
-    planner.plan_fft_forward(chirps).process(&mut columns);
-    columns
+    doppler(radar, columns, &*planner.plan_fft_forward(chirps))
+}
+
+/// Rows of columns of chirps. Where chirp m starts δ_m after m·T, row k is Σ_m x_m·e^{−j2πk(mT + δ_m)/NT}: of
+/// the chirps that start equally late an FFT, turned row by row, as the map has it.
+fn doppler(radar: &Radar, mut columns: Vec<Complex64>, fft: &dyn Fft<f64>) -> Vec<Complex64> {
+    if radar.schedule.is_uniform() {
+        fft.process(&mut columns);
+        return columns;
+    }
+    let chirps = fft.len();
+    let delays = radar.schedule.stagger_s.len().min(chirps);
+    let mut sums = vec![Complex64::ZERO; columns.len()];
+    for first in 0..delays {
+        let is_own = |i: usize| i % chirps % delays == first;
+        let own = columns.iter().enumerate().map(|(i, x)| if is_own(i) { *x } else { Complex64::ZERO });
+        let mut own: Vec<Complex64> = own.collect();
+        fft.process(&mut own);
+        let turns = turns(radar, first);
+        own.iter().zip(turns.iter().cycle()).zip(&mut sums).for_each(|((x, turn), sum)| *sum += x * turn);
+    }
+    sums
+}
+
+/// Factors of the first transmitter's rows for the time that a chirp starts late; rows count from −N/2, for a
+/// turn by a part of an interval is not periodic in them.
+fn turns(radar: &Radar, chirp: usize) -> Vec<Complex64> {
+    let rows = radar.waveform.chirps as usize;
+    let late_s = radar.chirp_start_s(0, chirp) - radar.chirp_start_s(0, 0);
+    let late_cycles = (late_s / radar.repetition_interval_s() - chirp as f64) / rows as f64;
+    let signed = |row: usize| if row < rows.div_ceil(2) { row as f64 } else { row as f64 - rows as f64 };
+    (0..rows).map(|row| Complex64::cis(-TAU * late_cycles * signed(row))).collect()
 }

@@ -126,6 +126,33 @@ fn noise_differs_between_frames_channels_and_seeds_and_not_with_the_echo() {
     assert!(error_db(&difference, &widened(&base)) < -138.0);
 }
 
+/// A tone of a whole number of turns over the frame fills its row with the window's sum, whenever the chirps
+/// start: staggered, it is as strong as it is at equal steps.
+#[test]
+fn snr_db_of_staggered_chirps_is_that_of_the_map_by_their_own_times() {
+    let of = |stagger_s: Vec<f64>, row: f64| {
+        let waveform = artifact::Waveform { chirps: 64, ..experiment(1) };
+        let mut header = header(single_channel(waveform), Noise::Absent);
+        header.radar.schedule.stagger_s = stagger_s;
+        let radar = &header.radar;
+        let frame_s = radar.repetition_interval_s() * 64.0;
+        let tone = |i: usize| {
+            let start_s = radar.chirp_start_s(0, i / 256) - radar.chirp_start_s(0, 0);
+            let turns = row * start_s / frame_s + 40.0 * (i % 256) as f64 / 256.0;
+            let value = Complex64::cis(2.0 * std::f64::consts::PI * turns);
+            Complex32::new(value.re as f32, value.im as f32)
+        };
+        let samples: Vec<Complex32> = (0..64 * 256).map(tone).collect();
+        10.0 * fmcw_echo::snr_reference::peak_cell_over_noise(&header, &samples).unwrap().log10()
+    };
+    for row in [0.0, 7.0, -20.0, 31.0] {
+        let (even, staggered) = (of(vec![], row), of(vec![0.0, 9e-6, 4e-6, 0.0, 7e-6], row));
+        println!("row {row}: {even:.4} dB at equal steps, {staggered:.4} dB staggered");
+        // Samples are single precision.
+        assert!((staggered - even).abs() < 1e-5, "row {row}: {staggered} of {even} dB");
+    }
+}
+
 /// Transmitters in phase straight ahead: the sum of the slots' powers is M·N_tx times one transmitter's, the
 /// noise of a slot one.
 #[test]
