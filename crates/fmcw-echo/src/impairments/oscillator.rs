@@ -10,6 +10,7 @@
 use crate::impairments::noise::NoiseStream;
 use artifact::Radar;
 use artifact::radar::PhaseNoise;
+use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::Complex64;
 use rustfft::FftPlanner;
 use std::f64::consts::TAU;
@@ -26,19 +27,24 @@ pub struct Oscillator {
 const STEPS: usize = 4;
 /// Values around a moment that its phase is told from.
 const NEIGHBOURS: usize = 8;
-/// Time before the frame's first sample that is held: the way to 1.5 km and back.
+/// Time before the frame's first sample that is held: the way to 1.5 km and back. Where echoes take longer,
+/// it is twice what they take.
 const BEFORE_S: f64 = 1e-5;
+/// Longest delays that the phase goes on for before it comes back: of a phase that walks at random, L ∝
+/// 1/f², φ(T) − φ(T − τ) has the variance of (1 − τ/P)·τ where it comes back after P, here 3 % or 0.14 dB
+/// too little.
+const DELAYS: f64 = 32.0;
 /// Samples of the longest frame: half a second at 5.12 MHz, whose phase takes 70 MB.
 pub(crate) const SAMPLES_MAX: usize = 1 << 21;
 
 impl Oscillator {
-    /// Oscillator of one frame; `None` where the radar's is ideal.
-    pub fn of(radar: &Radar, seed: u64, frame: u32) -> Option<Self> {
+    /// Oscillator of one frame whose echoes take so long at most; `None` where the radar's is ideal.
+    pub fn of(radar: &Radar, seed: u64, frame: u32, longest_delay_s: f64) -> Option<Self> {
         let noise = &radar.hardware.phase_noise;
         if noise.is_empty() {
             return None;
         }
-        let (count, rate_hz) = (samples_of(radar), radar.waveform.sample_rate_hz);
+        let (count, rate_hz) = (samples_of(radar, longest_delay_s), radar.waveform.sample_rate_hz);
         let step_hz = rate_hz / count as f64;
         let powers = powers(noise, step_hz, count);
         let rate = |(k, power): (usize, &f64)| 2.0 * power * (TAU * (k + 1) as f64 * step_hz).powi(2);
@@ -84,16 +90,19 @@ impl Oscillator {
     }
 }
 
-/// Bytes of the phase and of the transform it comes from.
+/// Bytes of the phase and of the transform it comes from, of echoes from within the waveform's range.
 pub(crate) fn memory_estimate_bytes(radar: &Radar) -> u64 {
-    let needed = if radar.hardware.phase_noise.is_empty() { 0 } else { samples_of(radar) * STEPS };
+    let delay_s = 2.0 * radar.waveform.range_max_m() / SPEED_OF_LIGHT_MPS;
+    let needed = if radar.hardware.phase_noise.is_empty() { 0 } else { samples_of(radar, delay_s) * STEPS };
     (needed * (size_of::<f64>() + 2 * size_of::<Complex64>())) as u64
 }
 
 /// Sample intervals of a frame and what is before it, rounded up to a length that transforms are fast for.
-pub(crate) fn samples_of(radar: &Radar) -> usize {
-    let needed = (radar.frame_duration_s() + BEFORE_S) * radar.waveform.sample_rate_hz;
-    (needed.ceil() as usize).next_power_of_two()
+pub(crate) fn samples_of(radar: &Radar, longest_delay_s: f64) -> usize {
+    let before_s = if longest_delay_s <= BEFORE_S { BEFORE_S } else { 2.0 * longest_delay_s };
+    let needed_s = (radar.frame_duration_s() + before_s).max(DELAYS * longest_delay_s);
+    let needed = (needed_s * radar.waveform.sample_rate_hz).ceil();
+    (needed as usize).min(1 << (usize::BITS - 2)).next_power_of_two()
 }
 
 /// Powers of φ's Fourier coefficients at 1, 2, … over the time, below half the sample rate: what lies beyond

@@ -1,8 +1,8 @@
 //! Echoes with the oscillator's phase noise, by a few sums without it.
 //!
-//! A path's value is turned by e^{j[φ(T) − φ(T − τ)]}. Over the delays of a frame's paths (a microsecond at
-//! most) the second part is smooth, of band f_s/2: it is told by its values at a few delays τ_k, which are
-//! Chebyshev's and as many as the accuracy asks for. So Σ_p x_p·e^{j[φ(T) − φ(T − τ_p)]} = Σ_k e^{j[φ(T) −
+//! A path's value is turned by e^{j[φ(T) − φ(T − τ)]}. Over the delays of a frame's paths (mostly within a
+//! microsecond) the second part is smooth, of band f_s/2: it is told by its values at a few delays τ_k, which
+//! are Chebyshev's and as many as the accuracy asks for. So Σ_p x_p·e^{j[φ(T) − φ(T − τ_p)]} = Σ_k e^{j[φ(T) −
 //! φ(T − τ_k)]}·Σ_p ℓ_k(τ_p)·x_p, and the inner sums are fast ones of weighted paths. The delays τ_k move
 //! with the paths' middle one, from pair to pair of elements and from chirp to chirp; what paths move against
 //! it is bounded. Where either error is too large, paths are halved by delay; a path alone is written from
@@ -158,6 +158,14 @@ impl Sum<'_> {
             }
         });
     }
+}
+
+/// Longest time that an echo takes at the frame's begin or end, by the array's first pair of elements.
+pub(crate) fn longest_delay_s(radar: &Radar, paths: &[Path]) -> f64 {
+    let first = row(radar, 0, 0)[0];
+    let ends_s = [0.0, radar.frame_duration_s()];
+    let delays_s = paths.iter().flat_map(|path| ends_s.map(|time_s| delay_s(path, &first, time_s)));
+    delays_s.fold(0.0, f64::max)
 }
 
 fn delay_s(path: &Path, transmission: &Transmission, time_s: f64) -> f64 {

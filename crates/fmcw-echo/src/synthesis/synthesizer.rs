@@ -16,7 +16,7 @@ use artifact::paths::{Path, PathsFrame};
 use artifact::radar::Sampling;
 use artifact::rcs::RcsFrame;
 use artifact::scene::Pose;
-use artifact::{Accuracy, ErrorBudget};
+use artifact::{Accuracy, ErrorBudget, Radar};
 use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -82,7 +82,7 @@ impl Synthesizer {
         let (radar, paths) = (&header.radar, &frame.paths);
         check_paths(radar, frame.index, paths)?;
         let (centre_hz, accuracy) = (radar.waveform.centre_frequency_hz(), self.accuracy);
-        let oscillator = Oscillator::of(radar, self.seed, frame.index);
+        let oscillator = self.oscillator(radar, frame.index, paths)?;
         let samples = match &oscillator {
             None => fast_sum::single_cube(radar, centre_hz, paths, accuracy),
             Some(oscillator) => phase_noise::single_cube(radar, centre_hz, paths, accuracy, oscillator),
@@ -109,13 +109,27 @@ impl Synthesizer {
     ) -> Result<CubeFrame, EchoError> {
         let header = self.header(frame.index);
         let radar = &header.radar;
-        check_paths(radar, frame.index, &rcs_table::origins(poses, frame))?;
-        let oscillator = Oscillator::of(radar, self.seed, frame.index);
+        let origins = rcs_table::origins(poses, frame);
+        check_paths(radar, frame.index, &origins)?;
+        let oscillator = self.oscillator(radar, frame.index, &origins)?;
         let sum = TableSum::new(radar, poses, frame, oscillator.as_ref())?;
         let samples = rows(header, progress, |channel, chirp| sum.row(channel, chirp))?;
         check_samples(header, frame.index, &samples)?;
         let error = synthesis_error::of_tables(radar, poses, frame, &samples, oscillator.as_ref())?;
         self.received((frame.index, frame.time_s), samples, frame.error, error)
+    }
+
+    /// The oscillator of a frame of these paths; `None` where the radar's is ideal.
+    fn oscillator(&self, radar: &Radar, frame: u32, paths: &[Path]) -> Result<Option<Oscillator>, EchoError> {
+        if radar.hardware.phase_noise.is_empty() {
+            return Ok(None);
+        }
+        let longest_delay_s = phase_noise::longest_delay_s(radar, paths);
+        let (needed, limit) = (oscillator::samples_of(radar, longest_delay_s), oscillator::SAMPLES_MAX);
+        if needed > limit {
+            return Err(EchoError::OscillatorTooLong { samples: needed as f64, limit });
+        }
+        Ok(Oscillator::of(radar, self.seed, frame, longest_delay_s))
     }
 
     /// A cube of echoes as it comes out of the receiver; `synthesis` is what they err by.

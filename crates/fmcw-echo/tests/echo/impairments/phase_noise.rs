@@ -66,7 +66,7 @@ fn beside_a_target_stands_4_l_sin_squared_pi_f_tau_and_near_targets_keep_little_
         let delay_s = 2.0 * range_m / 299_792_458.0;
         let mut power = vec![0.0; samples];
         for seed in 0..seeds {
-            let oscillator = Oscillator::of(&radar, seed, 0).unwrap();
+            let oscillator = Oscillator::of(&radar, seed, 0, 1e-6).unwrap();
             for chirp in 0..128 {
                 let turn = |n: usize| {
                     oscillator.turn(radar.chirp_start_s(0, chirp) + n as f64 / 5.12e6, delay_s).arg()
@@ -98,7 +98,7 @@ fn beside_a_target_stands_4_l_sin_squared_pi_f_tau_and_near_targets_keep_little_
 fn the_fast_sum_gets_the_accuracy_asked_for_against_every_path_with_its_own_delay() {
     for (multiplexing, layout) in [(Multiplexing::Tdm, 2), (Multiplexing::Ddm, 2), (Multiplexing::Bpm, 2)] {
         let radar = noisy(multiplexing, layout, 4);
-        let oscillator = Oscillator::of(&radar, 5, 0).unwrap();
+        let oscillator = Oscillator::of(&radar, 5, 0, 1e-6).unwrap();
         let mut paths = body(91, 40, [5.75, 40.0, 0.7], [0.0, -10.0, 0.0]);
         paths.extend(body(92, 30, [2.0, 18.0, 0.7], [0.0, -15.0, 0.0]));
         let slow = exact(&radar, &paths, &oscillator);
@@ -118,7 +118,7 @@ fn the_fast_sum_gets_the_accuracy_asked_for_against_every_path_with_its_own_dela
 fn what_the_phase_is_told_from_neighbours_is_its_fourier_series() {
     let mut radar = noisy(Multiplexing::Simultaneous, 0, 1);
     radar.hardware.phase_noise = vec![PhaseNoise { offset_hz: 1e6, dbc_per_hz: -80.0 }];
-    let oscillator = Oscillator::of(&radar, 3, 0).unwrap();
+    let oscillator = Oscillator::of(&radar, 3, 0, 1e-6).unwrap();
     // 70 µs are rounded up to 512 samples of 5.12 MHz: the series from the values at the samples, told
     // between them.
     let (count, rate_hz) = (512, 5.12e6);
@@ -141,6 +141,39 @@ fn what_the_phase_is_told_from_neighbours_is_its_fourier_series() {
     // √17th of it over all.
     println!("between neighbours: {missed_db:.1} dB");
     assert!(missed_db < -80.0);
+}
+
+/// The phase comes back after a while: an echo that takes so long, or twice, would have no noise.
+#[test]
+fn an_echo_from_far_beyond_a_short_frame_has_the_noise_of_its_delay() {
+    let waveform = Waveform { chirps: 1, sample_rate_hz: 10e6, samples: 64, ..experiment(1) };
+    let mut plain = header(single_channel(waveform), Noise::Absent);
+    // What comes back to a frame of 6.4 µs after 25.6 µs, and after half of that.
+    for delay_s in [25.6e-6, 12.8e-6] {
+        let range_m = 0.5 * delay_s * 299_792_458.0;
+        plain.radar.hardware.phase_noise.clear();
+        let still = || frame(vec![point([0.0, range_m, plain.radar.position_m[2]], [0.0; 3], 10.0)]);
+        let ideal = widened(&synthesized(&plain, 0, &still()).unwrap().samples);
+        let mut noisy = plain.clone();
+        noisy.radar.hardware.phase_noise = [(1e4, -90.0), (1e6, -100.0)]
+            .map(|(offset_hz, dbc_per_hz)| PhaseNoise { offset_hz, dbc_per_hz })
+            .into();
+        let seeds = 400;
+        let turn = |seed: u64| {
+            let heard = widened(&synthesized(&noisy, seed, &still()).unwrap().samples);
+            (heard[32] * ideal[32].conj()).arg()
+        };
+        let variance = (0..seeds).map(|seed| turn(seed).powi(2)).sum::<f64>() / seeds as f64;
+        let (parts, step_hz) = (100_000, 50.0);
+        let part = |i: i32| {
+            let f = (f64::from(i) + 0.5) * step_hz;
+            8.0 * density(&noisy.radar.hardware.phase_noise, f) * (PI * f * delay_s).sin().powi(2) * step_hz
+        };
+        let expected: f64 = (0..parts).map(part).sum();
+        println!("{delay_s:e} s: {:.4} rad of {:.4}", variance.sqrt(), expected.sqrt());
+        // Squares of 400 Gaussians: 7 % to one standard deviation, five of them.
+        assert!((variance / expected - 1.0).abs() < 5.0 * (2.0 / seeds as f64).sqrt());
+    }
 }
 
 #[test]
