@@ -16,6 +16,7 @@ use num_complex::{Complex32, Complex64};
 use radar::aperture::{axes, pattern_amplitude};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 
 /// Adds what all interferers make of a cube whose first sample is `time_s` after the scene's.
 pub(crate) fn add(radar: &Radar, time_s: f64, samples: &mut [Complex32]) {
@@ -43,6 +44,12 @@ pub fn row(radar: &Radar, time_s: f64, channel: usize, chirp: usize) -> Vec<Comp
     samples
 }
 
+/// Samples of a chirp between two places. Casts hold at both ends: what is negative is 0.
+fn span([from, to]: [f64; 2], samples: usize) -> Range<usize> {
+    let (from, to) = (from.floor() as usize, to.ceil().max(-1.0) as usize);
+    from.min(samples)..to.saturating_add(1).min(samples)
+}
+
 /// A receive element during one chirp.
 struct Receiver<'a> {
     radar: &'a Radar,
@@ -66,11 +73,19 @@ impl Receiver<'_> {
             (number(start_s - delay_s - interferer.sweep_s), number(start_s - delay_s + duration_s) + 1.0);
         let mut chirp = first;
         while chirp <= last {
-            // Since its beginning, at our first sample.
-            let since_s = start_s - (interferer.offset_s + chirp * interferer.chirp_interval_s);
-            self.cross(interferer, since_s, samples);
+            self.cross(interferer, self.since_s(interferer, chirp), samples);
             chirp += 1.0;
         }
+    }
+
+    /// Time from the beginning of a chirp of the interferer to our first sample.
+    ///
+    /// Hours after the scene's first sample, times have steps of 2 ps, a seventh of a turn at 77 GHz: the two
+    /// long ones are subtracted first, the product with what its rounding left.
+    fn since_s(&self, interferer: &Interferer, chirp: f64) -> f64 {
+        let begin_s = chirp * interferer.chirp_interval_s;
+        let left_s = chirp.mul_add(interferer.chirp_interval_s, -begin_s);
+        (self.time_s - begin_s) - left_s - interferer.offset_s + self.transmission.start_s
     }
 
     /// Adds one chirp that began `since_s` before our first sample.
@@ -96,25 +111,28 @@ impl Receiver<'_> {
         }
     }
 
-    /// Samples that can lie in the band, with two to spare on either side for what the interferer moves
-    /// within a chirp.
-    fn near_crossing(&self, interferer: &Interferer, since_s: f64, samples: usize) -> std::ops::Range<usize> {
+    /// Samples that can lie in the band and within the interferer's chirp, with two to spare on either side,
+    /// and as many as the way that the interferer moves within ours shifts the crossing by.
+    fn near_crossing(&self, interferer: &Interferer, since_s: f64, samples: usize) -> Range<usize> {
         let waveform = &self.radar.waveform;
-        let start_s = self.time_s + self.transmission.start_s;
-        let delay_s = self.way_m(interferer, start_s).length() / SPEED_OF_LIGHT_MPS
-            + self.transmission.receiver_delay_s;
+        let (f_s, start_s) = (waveform.sample_rate_hz, self.time_s + self.transmission.start_s);
+        let line_s = self.transmission.receiver_delay_s;
+        let delay_s = self.way_m(interferer, start_s).length() / SPEED_OF_LIGHT_MPS + line_s;
+        let begin = (delay_s - since_s) * f_s;
+        let arriving = span([begin - 2.0, begin + interferer.sweep_s * f_s + 2.0], samples);
+        let slope = waveform.slope_hz_per_s - interferer.slope_hz_per_s;
+        if slope == 0.0 {
+            return arriving;
+        }
         let first_hz = waveform.start_frequency_hz
             - interferer.start_frequency_hz
             - interferer.slope_hz_per_s * (since_s - delay_s);
-        let slope = waveform.slope_hz_per_s - interferer.slope_hz_per_s;
-        if slope == 0.0 {
-            return 0..samples;
-        }
-        let middle = -first_hz / slope * waveform.sample_rate_hz;
-        let half = 0.5 * waveform.sample_rate_hz.powi(2) / slope.abs() + 2.0;
-        // Casts hold at both ends: what is negative is 0.
-        let (from, to) = ((middle - half).floor() as usize, (middle + half).ceil().max(-1.0) as usize);
-        from.min(samples)..(to + 1).min(samples)
+        let speed_mps = DVec3::from_array(interferer.velocity_mps).length();
+        let moved_s = speed_mps / SPEED_OF_LIGHT_MPS * (samples as f64 / f_s + line_s);
+        let half_hz = 0.5 * f_s + interferer.slope_hz_per_s.abs() * moved_s;
+        let (middle, half) = (-first_hz / slope * f_s, half_hz / slope.abs() * f_s + 2.0);
+        let crossing = span([middle - half, middle + half], samples);
+        crossing.start.max(arriving.start)..crossing.end.min(arriving.end)
     }
 
     /// Link amplitude √(EIRP·G_r)·λ/4π, √W·m, at boresight.

@@ -71,6 +71,63 @@ fn an_equal_slope_is_a_target_at_half_the_way_and_half_the_lateness() {
     assert!(interference::row(&beyond, 0.0, 0, 1).iter().all(|x| *x == Complex64::ZERO));
 }
 
+/// At 340 m/s and slopes that differ by 3e-4, what the interferer moves within a chirp shifts the end of the
+/// crossing by half a hundred samples: all that lie within the band are heard.
+#[test]
+fn a_crossing_of_nearly_equal_slopes_is_whole_though_the_interferer_moves() {
+    let (own_slope, slope_hz_per_s, speed_mps) = (0.244_140_625e12, 0.244_213_867_187_5e12, 340.0);
+    let moving = Interferer {
+        position_m: [0.0, 300.0, 6.0],
+        velocity_mps: [0.0, speed_mps, 0.0],
+        slope_hz_per_s,
+        start_frequency_hz: 76.999_340_392_635_74e9,
+        sweep_s: 24_576e-6,
+        chirp_interval_s: 26_214.4e-6,
+        offset_s: -1.000_692_285_594_456e-6,
+        ..interferer()
+    };
+    let mut radar = disturbed(0, vec![moving]);
+    radar.waveform = Waveform {
+        start_frequency_hz: 77e9,
+        slope_hz_per_s: own_slope,
+        sample_rate_hz: 1e6,
+        samples: 16_384,
+        chirps: 1,
+        ..radar.waveform
+    };
+    let row = interference::row(&radar, 0.0, 0, 0);
+    let is_heard = |n: &usize| {
+        let t = *n as f64 * 1e-6;
+        // The way of the wave that arrives at t: R(t − τ) = cτ.
+        let delay_s = (300.0 + speed_mps * t) / (SPEED_OF_LIGHT_MPS + speed_mps);
+        let s = t - moving.offset_s - delay_s;
+        let apart_hz = (77e9 - moving.start_frequency_hz) + own_slope * t - slope_hz_per_s * s;
+        (0.0..moving.sweep_s).contains(&s) && apart_hz.abs() < 0.5e6
+    };
+    let (heard, expected) =
+        (row.iter().filter(|x| x.norm() > 0.0).count(), (0..16_384).filter(is_heard).count());
+    println!("{heard} samples of {expected}");
+    assert!(heard.abs_diff(expected) <= 2, "{heard} of {expected}");
+}
+
+/// An interferer of our slope whose chirps follow each other at our chirps' interval is a still target: its
+/// phase is the same from chirp to chirp, also hours after the scene's first sample, where times are told to
+/// 2 ps, a seventh of a turn at 77 GHz.
+#[test]
+fn an_interferer_keeps_its_phase_from_chirp_to_chirp_after_hours() {
+    let radar =
+        disturbed(0, vec![Interferer { offset_s: 60e-9, position_m: [0.0, 20.0, 6.0], ..interferer() }]);
+    let interval_s = radar.waveform.chirp_interval_s;
+    for time_s in [0.0, 150_000_000.0 * interval_s] {
+        let rows: Vec<Vec<Complex64>> =
+            (0..4).map(|chirp| interference::row(&radar, time_s, 0, chirp)).collect();
+        for pair in rows.windows(2) {
+            let turn = (pair[1][100] * pair[0][100].conj()).arg();
+            assert!(turn.abs() < 1e-4, "{turn} rad from chirp to chirp at {time_s} s");
+        }
+    }
+}
+
 #[test]
 fn interferers_add_and_come_from_their_direction() {
     let sine: f64 = 0.3;
