@@ -1,9 +1,11 @@
 //! Truth of each target of a frame. Only reports come here: nothing behind the radar cube reads it.
 
 use crate::ground_outline::GroundOutline;
+use artifact::Radar;
 use artifact::paths::{Path, PathsFrame};
 use artifact::scene::{Pose, Role, SceneFrame, SceneHeader, TargetKind};
 use glam::DVec3;
+use radar::aperture::{axes, pattern_amplitude};
 use radar::path_kinematics::{legs, mean_share, nodes};
 
 /// Truth of one target at the frame's middle, seen from the radar's position.
@@ -27,7 +29,8 @@ pub struct Truth {
     pub echo: Option<MeanEcho>,
     /// Clutter is what results are not compared with.
     pub role: Role,
-    /// Whether it has an echo of its own; echoes of tables are not traced, and taken for granted.
+    /// Whether it has an echo of its own that the array hears; echoes of tables are not traced, and taken for
+    /// granted where the array has gain towards the body's origin.
     pub sends_back: bool,
 }
 
@@ -73,8 +76,13 @@ fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFr
         lane: header.dsp.road.at(pose.position_m),
         nearest_range_m: paths.and_then(|p| p.nearest_range_m.get(index).copied().flatten()),
         echo,
-        sends_back: paths.is_none() || echo.is_some(),
+        sends_back: paths.map_or_else(|| is_seen(&header.radar, away), |_| echo.is_some()),
     }
+}
+
+/// Whether the elements have any gain towards what is so far away.
+fn is_seen(radar: &Radar, away_m: DVec3) -> bool {
+    pattern_amplitude(radar, &axes(radar), away_m.normalize_or_zero()) != 0.0
 }
 
 /// Place and velocity of a point that is on the rim of a wheel; its pose is that of the hub.
@@ -94,7 +102,7 @@ fn outline(header: &SceneHeader, index: usize, pose: &Pose) -> GroundOutline {
 
 fn echo(header: &SceneHeader, target: usize, paths: &[Path]) -> Option<MeanEcho> {
     let (mut weight, mut range, mut velocity) = (0.0, 0.0, 0.0);
-    for path in paths.iter().filter(|p| is_wholly_on(target, p)) {
+    for path in paths.iter().filter(|p| is_wholly_on(target, p) && is_heard(&header.radar, p)) {
         let (power, echo) = received(header, path);
         weight += power;
         range += power * echo.range_m;
@@ -108,6 +116,11 @@ fn is_wholly_on(target: usize, path: &Path) -> bool {
     path.target as usize == target && path.sequence().iter().all(|facet| facet.body as usize == target)
 }
 
+/// Whether the elements have any gain along both ends of a path.
+fn is_heard(radar: &Radar, path: &Path) -> bool {
+    legs(radar, path).iter().all(|leg| is_seen(radar, leg.direction))
+}
+
 /// Power of a path up to a common factor, |a|²/(L₁L₂)² times its mean share over the frame (the shares of
 /// what is traced at several moments add up to 1), and half its length and rate at the frame's middle.
 fn received(header: &SceneHeader, path: &Path) -> (f64, MeanEcho) {
@@ -118,4 +131,34 @@ fn received(header: &SceneHeader, path: &Path) -> (f64, MeanEcho) {
     let range_m = 0.5 * (there.length_m + back.length_m);
     let echo = MeanEcho { range_m, radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps) };
     (power, echo)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::paths::{Curve, Facet, MAX_ORDER};
+    use artifact::pattern::Pattern;
+    use radar::aperture::Preset;
+    use radar::paper;
+
+    #[test]
+    fn a_path_from_behind_a_cosine_pattern_is_not_heard() {
+        let mut radar = paper::radar([0.0; 3], paper::waveform(64, 16), Preset::OneByFour.elements());
+        let from = |y_m: f64| Path {
+            target: 0,
+            order: 0,
+            apparent_tx_m: [1.0, y_m, 0.0],
+            apparent_tx_mps: [0.0; 3],
+            apparent_rx_m: [1.0, y_m, 0.0],
+            apparent_rx_mps: [0.0; 3],
+            amplitude_m: Default::default(),
+            slope_m_per_hz: Default::default(),
+            facets: [Facet::default(); MAX_ORDER],
+            curve: Curve::default(),
+        };
+        assert!(is_heard(&radar, &from(-15.0)), "an isotropic element hears all around");
+        radar.array.pattern = Pattern::Cosine { exponent: 1.0 };
+        assert_eq!([30.0, -15.0].map(|y_m| is_heard(&radar, &from(y_m))), [true, false]);
+        assert_eq!([30.0, -15.0].map(|y_m| is_seen(&radar, DVec3::new(1.0, y_m, 0.0))), [true, false]);
+    }
 }
