@@ -4,7 +4,8 @@
 //! the labels of points, and the powers of the channels are added. A few channels, spread over the array,
 //! stand for all of them.
 
-use crate::labels::{Group, MapResponse, PathOnMap, REACH_CELLS, at};
+use crate::doppler_response::{at, reached};
+use crate::labels::{Group, MapResponse, PathOnMap};
 use artifact::cube::CubeHeader;
 use artifact::paths::PathsFrame;
 use artifact::radar::Radar;
@@ -124,24 +125,19 @@ impl<'a> CellMap<'a> {
     /// there is left out).
     fn lay(&self, echo: &PathOnMap, value: Complex64, sums: &mut [Complex64]) {
         let [velocity_cell_mps, range_cell_m] = self.response.cells;
-        let row = echo.shown.radial_velocity_mps / velocity_cell_mps + (self.rows / 2) as f64;
+        let tone = echo.shown.radial_velocity_mps / velocity_cell_mps;
         let column = echo.shown.range_m / range_cell_m;
-        for r in reached(row) {
-            let of_row = value * at(&self.response.along[0], r as f64 - row);
-            let begin = r.rem_euclid(self.rows as i64) as usize * self.columns;
+        for (row, left) in self.response.doppler.reached(tone, self.rows) {
+            let of_row = value * left;
+            let begin = (row + (self.rows / 2) as i64).rem_euclid(self.rows as i64) as usize * self.columns;
             for c in reached(column) {
                 let shown = c.rem_euclid(i64::from(self.radar.waveform.samples)) as usize;
                 if shown < self.columns {
-                    sums[begin + shown] += of_row * at(&self.response.along[1], c as f64 - column);
+                    sums[begin + shown] += of_row * at(&self.response.range, c as f64 - column);
                 }
             }
         }
     }
-}
-
-/// Cells within reach of a fractional one.
-fn reached(cell: f64) -> std::ops::Range<i64> {
-    (cell - REACH_CELLS).ceil() as i64..(cell + REACH_CELLS).ceil() as i64
 }
 
 /// Elements of some channels, evenly taken of all.
@@ -166,11 +162,5 @@ mod tests {
         cell.meet(1, 1.0);
         cell.meet(2, 3.0);
         assert_eq!(cell.told(), (2, 75));
-    }
-
-    #[test]
-    fn an_echo_reaches_four_cells_on_both_sides() {
-        assert_eq!(reached(10.0).collect::<Vec<_>>(), (6..14).collect::<Vec<_>>());
-        assert_eq!(reached(10.5).collect::<Vec<_>>(), (7..15).collect::<Vec<_>>());
     }
 }

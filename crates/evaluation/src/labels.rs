@@ -8,6 +8,7 @@
 //! each: cells of one surface cancel away from its mirror direction, and powers of single paths would say
 //! nothing of it. A point whose paths all together stay below the noise is a false alarm and has no label.
 
+use crate::doppler_response::{DopplerResponse, REACH_CELLS, at, folded, response};
 use artifact::Waveform;
 use artifact::cube::CubeHeader;
 use artifact::paths::{Path, PathsFrame};
@@ -170,19 +171,15 @@ impl Shown {
     }
 }
 
-/// Response of the map, by its two windows, to a tone near a cell.
+/// Response of the map, by its two windows and the chirps' times, to a tone near a cell.
 pub(crate) struct MapResponse {
-    /// Doppler, range: at steps of [`STEP`] cells from the centre on.
-    pub(crate) along: [Vec<f64>; 2],
+    pub(crate) doppler: DopplerResponse,
+    /// Amplitudes along the range axis from the centre on.
+    pub(crate) range: Vec<f64>,
     pub(crate) cells: [f64; 2],
     /// Value of a cell over the amplitude of a tone in its centre.
     pub(crate) gain: f64,
 }
-
-/// Cells from the peak within which a tone counts: the main lobe of all windows here and a sidelobe.
-pub(crate) const REACH_CELLS: f64 = 4.0;
-/// Finer than what a point is placed to.
-const STEP: f64 = 1.0 / 64.0;
 
 /// Share of a tone's amplitude in the line that maps show: 1, or ½ of real samples, which have another line
 /// at the image.
@@ -199,7 +196,8 @@ impl MapResponse {
         let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
         let range = taper(header.dsp.range_window, waveform.samples as usize)?;
         Ok(Self {
-            along: [response(&doppler), response(&range)],
+            doppler: DopplerResponse::of(&header.radar, &doppler),
+            range: response(&range),
             cells: [header.radar.velocity_resolution_mps(), waveform.range_resolution_m()],
             gain: line_share(header) * (doppler.len() * range.len()) as f64,
         })
@@ -222,17 +220,20 @@ impl MapResponse {
         shares
     }
 
-    /// Part of the amplitude; `None` beyond the reach of the windows. Tones are the same a sample rate apart,
+    /// Part of the amplitude; `None` beyond the reach of the windows, of staggered chirps of the range window
+    /// alone. Tones are the same a sample rate apart,
     /// and rows a turn per chirp: echoes from beyond the map fold into it, of real samples also the image.
     fn left_of(&self, w: &Waveform, echo: &PathOnMap, point: Shown) -> Option<Left> {
         let left = |is_image: bool| {
             let sign = if is_image { -1.0 } else { 1.0 };
-            let rows = (sign * echo.shown.radial_velocity_mps - point.radial_velocity_mps) / self.cells[0];
+            let place = |shown: Shown| shown.radial_velocity_mps / self.cells[0];
             let columns = (sign * echo.shown.range_m - point.range_m) / self.cells[1];
-            let (rows, columns) = (folded(rows, w.chirps), folded(columns, w.samples));
-            let is_near = rows.abs() < REACH_CELLS && columns.abs() < REACH_CELLS;
-            let share = || at(&self.along[0], rows) * at(&self.along[1], columns);
-            is_near.then(|| Left { share: share(), is_image })
+            let columns = folded(columns, w.samples);
+            if columns.abs() >= REACH_CELLS {
+                return None;
+            }
+            let of_row = self.doppler.at(sign * place(echo.shown), place(point), w.chirps)?;
+            Some(Left { share: of_row * at(&self.range, columns), is_image })
         };
         left(false).or_else(|| (w.sampling == Sampling::Real).then(|| left(true)).flatten())
     }
@@ -240,7 +241,7 @@ impl MapResponse {
 
 /// Part of a tone's amplitude that a cell has.
 struct Left {
-    share: f64,
+    share: Complex64,
     /// Whether it is that of the negative frequency, which real tones have.
     is_image: bool,
 }
@@ -249,29 +250,6 @@ impl Left {
     fn of(&self, value: Complex64) -> Complex64 {
         self.share * if self.is_image { value.conj() } else { value }
     }
-}
-
-/// Cells to the nearest of places that are a period apart.
-fn folded(cells: f64, period: u32) -> f64 {
-    let period = f64::from(period);
-    cells - period * (cells / period).round()
-}
-
-pub(crate) fn at(response: &[f64], cells: f64) -> f64 {
-    response.get((cells.abs() / STEP).round() as usize).copied().unwrap_or(0.0)
-}
-
-/// Amplitude that a tone so far from a cell's centre leaves in it, about the window's middle, where it is
-/// real.
-fn response(taper: &[f64]) -> Vec<f64> {
-    let length = taper.len() as f64;
-    let steps = (REACH_CELLS / STEP) as usize;
-    let of = |step: usize| {
-        let turn = TAU * STEP * step as f64 / length;
-        taper.iter().enumerate().map(|(n, w)| w * (turn * (n as f64 - 0.5 * length)).cos()).sum::<f64>()
-            / length
-    };
-    (0..=steps).map(of).collect()
 }
 
 /// Unit vector from the array to a point.

@@ -34,6 +34,7 @@ mod ground_outline; // the ground that a body covers
 mod truth; // what is true of each body
 mod metrics; // distances of sets of places
 mod pairing; // whose an object is
+mod doppler_response; // what rows have of a tone
 mod labels; // what made a point
 mod cell_labels; // what made a cell of the map
 mod frame_truth; // all that is true of a frame

@@ -1,0 +1,169 @@
+//! Response of a map's rows to a tone: what the Doppler window and the chirps' own times leave of it.
+//!
+//! Where chirps follow each other at equal steps that is the window's transform, of which the main lobe and a
+//! sidelobe count. Where chirp m starts δ_m later than m·T, a tone d rows beside a row leaves there Σ_m
+//! w_m·e^{j2πd(m/N + δ_m/NT − ½)}/N, which is small nowhere: all rows count, and tones a whole turn per chirp
+//! apart are told apart. Of chirps r, r + P, … that start equally late the sum comes back after N rows and is
+//! tabulated.
+
+use artifact::Radar;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Cells from the peak within which a tone counts: the main lobe of all windows here and a sidelobe.
+pub(crate) const REACH_CELLS: f64 = 4.0;
+/// Tabulated places of a cell: finer than what a point is placed to.
+const STEPS: usize = 64;
+
+/// Response along the rows of a radar's map.
+pub(crate) enum DopplerResponse {
+    /// Chirps at equal steps: amplitudes at steps from the centre on.
+    Even(Vec<f64>),
+    /// Chirps that start late by turns.
+    Staggered(Staggered),
+}
+
+/// Chirps that start late by turns: P sums over N rows, and the times by which each is turned.
+pub(crate) struct Staggered {
+    parts: Vec<Vec<Complex64>>,
+    /// Of each transmitter's sums: which, and how much later than at equal steps, frames.
+    late: Vec<(usize, f64)>,
+    transmitters: f64,
+}
+
+impl DopplerResponse {
+    /// Response by a window of as many weights as a transmitter has chirps.
+    pub(crate) fn of(radar: &Radar, taper: &[f64]) -> Self {
+        if radar.schedule.is_uniform() {
+            Self::Even(response(taper))
+        } else {
+            Self::Staggered(Staggered::of(radar, taper))
+        }
+    }
+
+    /// Amplitude in a row, counted from that of rest, of a tone in another place that is not folded.
+    pub(crate) fn at(&self, tone: f64, row: f64, rows: u32) -> Option<Complex64> {
+        match self {
+            Self::Even(along) => {
+                let apart = folded(tone - row, rows);
+                (apart.abs() < REACH_CELLS).then(|| at(along, apart).into())
+            }
+            Self::Staggered(staggered) => Some(staggered.at(tone - signed(row, f64::from(rows)))),
+        }
+    }
+
+    /// Rows that a tone counts in, which may lie beyond the map's, and its amplitudes there.
+    pub(crate) fn reached(&self, tone: f64, rows: usize) -> Vec<(i64, Complex64)> {
+        match self {
+            Self::Even(along) => {
+                reached(tone).map(|row| (row, at(along, row as f64 - tone).into())).collect()
+            }
+            Self::Staggered(staggered) => {
+                let first = -((rows / 2) as i64);
+                (first..first + rows as i64).map(|row| (row, staggered.at(tone - row as f64))).collect()
+            }
+        }
+    }
+}
+
+impl Staggered {
+    fn of(radar: &Radar, taper: &[f64]) -> Self {
+        let (rows, transmitters) = (taper.len(), radar.array.tx_m.len().max(1));
+        let delays = radar.schedule.stagger_s.len().min(rows);
+        let frame_s = radar.repetition_interval_s() * rows as f64;
+        let late = |tx: usize, first: usize| {
+            let start_s = radar.chirp_start_s(tx, first) - radar.chirp_start_s(tx, 0);
+            (first, start_s / frame_s - first as f64 / rows as f64)
+        };
+        let late = (0..transmitters).flat_map(|tx| (0..delays).map(move |first| late(tx, first)));
+        let late = late.collect();
+        let parts = (0..delays).map(|first| part(taper, first, delays)).collect();
+        Self { parts, late, transmitters: transmitters as f64 }
+    }
+
+    /// Amplitude so many rows beside a tone, about the frame's middle.
+    fn at(&self, rows: f64) -> Complex64 {
+        let step = (rows * STEPS as f64).round();
+        let turns = step / STEPS as f64;
+        let value = |(first, late): &(usize, f64)| {
+            let part = &self.parts[*first];
+            part[step.rem_euclid(part.len() as f64) as usize] * Complex64::cis(TAU * turns * (late - 0.5))
+        };
+        self.late.iter().map(value).sum::<Complex64>() / self.transmitters
+    }
+}
+
+/// Σ over chirps first, first + P, … of w_m·e^{j2πdm/N}/N, d at steps from 0 to N.
+fn part(taper: &[f64], first: usize, delays: usize) -> Vec<Complex64> {
+    let (rows, length) = (taper.len(), taper.len() * STEPS);
+    let turns: Vec<Complex64> = (0..length).map(|i| Complex64::cis(TAU * i as f64 / length as f64)).collect();
+    let own = || taper.iter().enumerate().skip(first).step_by(delays);
+    let sum = |step: usize| own().map(|(m, w)| turns[step * m % length] * w).sum::<Complex64>();
+    (0..length).map(|step| sum(step) / rows as f64).collect()
+}
+
+/// Cells to the nearest of places that are a period apart.
+pub(crate) fn folded(cells: f64, period: u32) -> f64 {
+    let period = f64::from(period);
+    cells - period * (cells / period).round()
+}
+
+/// The row of a map, which begins at −N/2, that shows a place; rounding of the place is no turn.
+fn signed(row: f64, rows: f64) -> f64 {
+    row - rows * (row / rows + 0.5 + 1e-9).floor()
+}
+
+/// Cells within reach of a fractional one.
+pub(crate) fn reached(cell: f64) -> std::ops::Range<i64> {
+    (cell - REACH_CELLS).ceil() as i64..(cell + REACH_CELLS).ceil() as i64
+}
+
+/// Amplitude of a tabulated response so many cells from its centre.
+pub(crate) fn at(response: &[f64], cells: f64) -> f64 {
+    response.get((cells.abs() * STEPS as f64).round() as usize).copied().unwrap_or(0.0)
+}
+
+/// Amplitude that a tone so far from a cell's centre leaves in it, about the window's middle, where it is
+/// real.
+pub(crate) fn response(taper: &[f64]) -> Vec<f64> {
+    let length = taper.len() as f64;
+    let steps = REACH_CELLS as usize * STEPS;
+    let of = |step: usize| {
+        let turn = TAU / STEPS as f64 * step as f64 / length;
+        taper.iter().enumerate().map(|(n, w)| w * (turn * (n as f64 - 0.5 * length)).cos()).sum::<f64>()
+            / length
+    };
+    (0..=steps).map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use radar::aperture::Preset;
+    use radar::paper;
+
+    #[test]
+    fn an_echo_reaches_four_cells_on_both_sides() {
+        assert_eq!(reached(10.0).collect::<Vec<_>>(), (6..14).collect::<Vec<_>>());
+        assert_eq!(reached(10.5).collect::<Vec<_>>(), (7..15).collect::<Vec<_>>());
+    }
+
+    /// Every row of a tone that is 1.3 spans fast, from the sum over the chirps' own times.
+    #[test]
+    fn staggered_rows_are_the_sum_over_the_chirps_own_times() {
+        let mut radar = paper::radar([0.0; 3], paper::waveform(64, 32), Preset::OneByFour.elements());
+        radar.schedule.stagger_s = vec![0.0, 20e-6, 5e-6];
+        let taper: Vec<f64> = (0..32).map(|m| (TAU * (f64::from(m) + 0.5) / 64.0).sin()).collect();
+        let response = DopplerResponse::of(&radar, &taper);
+        let frame_s = 32.0 * radar.repetition_interval_s();
+        let tone = 41.25;
+        let rows = response.reached(tone, 32);
+        assert_eq!(rows.iter().map(|(row, _)| *row).collect::<Vec<_>>(), (-16..16).collect::<Vec<_>>());
+        for (row, told) in rows {
+            let turns = |m: usize| (tone - row as f64) * (radar.chirp_start_s(0, m) / frame_s - 0.5);
+            let sum: Complex64 = (0..32).map(|m| Complex64::cis(TAU * turns(m)) * taper[m] / 32.0).sum();
+            assert!((told - sum).norm() < 1e-12, "row {row}: {told} of {sum}");
+            assert_eq!(response.at(tone, row as f64, 32), Some(told));
+        }
+    }
+}
