@@ -42,9 +42,12 @@ impl<S: Schema> Beside<S> {
     }
 }
 
+/// Two frames that begin within this time begin together but for rounding.
+pub const SAME_TIME_S: f64 = 1e-9;
+
 /// Whether two frames begin at the same time but for rounding, s.
 pub fn is_same_time(one_s: f64, other_s: f64) -> bool {
-    (one_s - other_s).abs() <= 1e-9
+    (one_s - other_s).abs() <= SAME_TIME_S
 }
 
 /// Refuses a frame of the scene at another time than the frame that it is read beside.
@@ -54,6 +57,25 @@ pub fn check_time(file: &Path, frame: &SceneFrame, time_s: f64) -> Result<(), Fa
         return Ok(());
     }
     let rule = format!("frame {index} begins at {of_scene_s} s, that of the frames beside it at {time_s} s");
+    Err(Failure::Refused(format!("{}: {rule}", file.display())))
+}
+
+/// Other programs tell times in whole milliseconds: what is read of them may err by half of one.
+pub const ROUNDED_TIME_S: f64 = 0.5e-3 + SAME_TIME_S;
+
+/// Refuses a frame of a file that begins more than `within_s` from that of the scene beside it.
+pub fn check_begin(
+    file: &Path,
+    (index, time_s): (u32, f64),
+    of_scene: &SceneFrame,
+    within_s: f64,
+) -> Result<(), Failure> {
+    let of_scene_s = of_scene.time_s;
+    if (time_s - of_scene_s).abs() <= within_s {
+        return Ok(());
+    }
+    let rule = "is of another run, or of another scene";
+    let rule = format!("frame {index} begins at {time_s} s, that of the scene at {of_scene_s} s: it {rule}");
     Err(Failure::Refused(format!("{}: {rule}", file.display())))
 }
 

@@ -53,3 +53,15 @@ pub fn has_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Result<
         Err(Failure::Refused(format!("{}: {rule}", file.display())))
     })
 }
+
+/// Refuses paths that were traced of other bodies than a scene's, or of the same in another order.
+pub fn are_of_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Result<(), Failure> {
+    let own: Vec<&String> = body_ids(scene).collect();
+    let other = (0..own.len().max(named.len())).find(|i| own.get(*i).copied() != named.get(*i));
+    other.map_or(Ok(()), |i| {
+        let told = |id: Option<&String>| id.map_or("none".to_owned(), |id| format!("`{id}`"));
+        let (theirs, own) = (told(named.get(i)), told(own.get(i).copied()));
+        let rule = format!("its body {i} is {theirs}, the scene's is {own}: it is of another scene");
+        Err(Failure::Refused(format!("{}: {rule}", file.display())))
+    })
+}

@@ -105,3 +105,31 @@ fn a_scene_of_other_bodies_than_the_points_and_one_that_was_changed_are_refused(
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(said.contains("was made of renamed.toml, the frames of small.toml"), "{said}");
 }
+
+/// Frames are joined by index: those of another time are of another truth.
+#[test]
+fn points_paths_and_tracks_of_other_times_or_bodies_than_the_scenes_are_refused_with_file_and_frame() {
+    let place = Workplace::new();
+    let (slower, other) =
+        (SMALL_SCENE.replace("frames = 2", "frames = 2\nframe_interval_s = 0.2"), SMALL_SCENE);
+    let one_body = other.split("\n[[target]]\nkind = \"point\"").next().unwrap();
+    for (name, text) in [("slower", &*slower), ("alone", one_body)] {
+        std::fs::write(place.path(&format!("{name}.toml")), text).unwrap();
+    }
+    for name in ["small", "slower", "alone"] {
+        place.run(&format!("run {name}.toml --out {name} --quiet"));
+    }
+    let times = "frame 1 begins at 0.2 s, that of the scene at 0.1 s";
+    let own = "score small/frames.points --scene small/scene.scene";
+    for (words, file, rule) in [
+        ("score slower/frames.points --scene small/scene.scene", "slower/frames.points", times),
+        (&format!("{own} --paths slower/frames.paths"), "slower/frames.paths", times),
+        (&format!("{own} --tracks slower/frames.tracks"), "slower/frames.tracks", times),
+        (&format!("{own} --paths alone/frames.paths"), "alone/frames.paths", "its body 1 is none"),
+    ] {
+        let output = place.try_run(words);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{words}: {said}");
+        assert!(said.contains(&format!("{file}: {rule}")), "{words}: {said}");
+    }
+}

@@ -5,14 +5,15 @@ use crate::program::terminal;
 use artifact::Reader;
 use artifact::paths::{GROUND, Paths, PathsFrame};
 use artifact::points::{Points, PointsFrame};
-use artifact::scene::Scene;
+use artifact::scene::{Scene, SceneFrame, SceneHeader};
 use artifact::tracks::{Tracks, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
 use evaluation::{FrameTruth, Score};
-use pipeline::host::beside::{Beside, check_poses, check_time};
+use pipeline::host::beside::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_begin, check_poses};
 use pipeline::host::failure::Failure;
 use pipeline::host::origin;
 use pipeline::host::progress;
+use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let points = Reader::<Points>::open(&arguments.points)?;
@@ -21,20 +22,19 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let header = scene.header().clone();
     origin::has_bodies(&arguments.scene, &header, &points.header().targets)?;
     let mut tracks = Followed::of(arguments, &points)?;
-    let paths = arguments.paths.as_deref();
-    let mut paths = paths.map(|file| Beside::<Paths>::open(file, |frame| frame.index)).transpose()?;
+    let mut paths = arguments.paths.as_deref().map(|file| paths_of(file, &header)).transpose()?;
+    let within_s = if is_same { SAME_TIME_S } else { ROUNDED_TIME_S };
     let mut score = Score::default();
     for frame in progress::frames(points) {
         let frame = frame?;
-        let (poses, tracks) = (scene.frame(frame.index)?, tracks.frame(&frame)?);
+        let poses = scene.frame(frame.index)?;
+        check_begin(&arguments.points, (frame.index, frame.time_s), &poses, within_s)?;
+        let tracks = tracks.frame(&frame, &poses)?;
         let bodies = scene::bodies_in_view(&header, frame.index);
-        let paths = paths.as_mut().map(|paths| paths.frame(frame.index)).transpose()?;
+        let paths = paths.as_mut().map(|paths| paths.frame(&poses)).transpose()?;
         let paths = paths.map(|paths| counted_in_view(&bodies, paths));
         let view = scene::frame_view(&header, frame.index);
         check_poses(&arguments.scene, &view, &poses)?;
-        if is_same {
-            check_time(&arguments.scene, &poses, frame.time_s)?;
-        }
         let truth = FrameTruth::of(&view, &poses, paths.as_ref(), &frame.objects);
         score.add(&FrameTruth { bodies, ..truth }, &frame.objects, &tracks);
     }
@@ -42,9 +42,30 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Paths of a scene, refused where they are of another one's bodies.
+struct OfScene {
+    file: PathBuf,
+    paths: Beside<Paths>,
+}
+
+fn paths_of(file: &Path, scene: &SceneHeader) -> Result<OfScene, Failure> {
+    let paths = Beside::<Paths>::open(file, |frame| frame.index)?;
+    origin::are_of_bodies(file, scene, &paths.header().targets)?;
+    Ok(OfScene { file: file.to_owned(), paths })
+}
+
+impl OfScene {
+    /// Paths of the scene's frame.
+    fn frame(&mut self, of_scene: &SceneFrame) -> Result<PathsFrame, Failure> {
+        let frame = self.paths.frame(of_scene.index)?;
+        check_begin(&self.file, (frame.index, frame.time_s), of_scene, SAME_TIME_S)?;
+        Ok(frame)
+    }
+}
+
 /// Source of tracks: a file, or a tracker that runs here.
 enum Followed {
-    Given(Box<Beside<Tracks>>),
+    Given(PathBuf, Box<Beside<Tracks>>),
     Here(Box<Tracker>),
 }
 
@@ -52,7 +73,8 @@ impl Followed {
     /// The tracks of a file, or those that the points' own radar and settings give.
     fn of(arguments: &ScoreArguments, points: &Reader<Points>) -> Result<Self, Failure> {
         if let Some(file) = &arguments.tracks {
-            return Ok(Self::Given(Box::new(Beside::<Tracks>::open(file, |frame| frame.index)?)));
+            let tracks = Beside::<Tracks>::open(file, |frame| frame.index)?;
+            return Ok(Self::Given(file.clone(), Box::new(tracks)));
         }
         let Some(cube) = &points.header().cube else {
             let file = arguments.points.display();
@@ -62,10 +84,14 @@ impl Followed {
         Ok(Self::Here(Box::new(Tracker::new(cube, ROAD_TRAFFIC).map_err(Failure::refused)?)))
     }
 
-    /// Tracks of the frame that these points are of.
-    fn frame(&mut self, points: &PointsFrame) -> Result<TracksFrame, Failure> {
+    /// Tracks of the frame that these points are of, of which the scene has the time.
+    fn frame(&mut self, points: &PointsFrame, of_scene: &SceneFrame) -> Result<TracksFrame, Failure> {
         match self {
-            Self::Given(tracks) => tracks.frame(points.index),
+            Self::Given(file, tracks) => {
+                let frame = tracks.frame(points.index)?;
+                check_begin(file, (frame.index, frame.time_s), of_scene, ROUNDED_TIME_S)?;
+                Ok(frame)
+            }
             Self::Here(tracker) => tracker.step(points).map_err(Failure::refused),
         }
     }
