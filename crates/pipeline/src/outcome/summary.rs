@@ -20,6 +20,6 @@ pub use evaluation::{Agreement, IdentityMetrics, Metrics};
 pub use frame::{FrameSummary, MapState, TargetDetail};
 pub use one_radar::Summary;
 pub use radar::{ElementErrorSummary, ElementErrors, LaneSummary, RadarSummary};
-pub use several_radars::{CommonFrame, CommonTarget, OneOfRadars, RadarsSummary};
+pub use several_radars::{CommonFrame, CommonTarget, OneOfRadars, RadarsSummary, common_times_s};
 pub use targets::{ClutterSummary, Estimate, TargetSummary, TruthSummary};
 pub use tracks::{TrackBox, TrackSummary};

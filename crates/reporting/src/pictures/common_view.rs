@@ -15,14 +15,13 @@ use plotting::svg::Svg;
 /// Around what is to be seen.
 const MARGIN_M: f64 = 10.0;
 
-/// One frame: what there was, and the points and objects of each radar in a colour of its own. `radars` are
-/// names and what they saw, at least one.
-pub fn common_view(radars: &[(&str, &Seen)]) -> Figure {
-    Figure::of(|form| draw(radars, form))
+/// One frame of this number: what there was, and the points and objects of each radar in a colour of its own.
+/// `radars` are names and what they saw, at least one.
+pub fn common_view(number: usize, radars: &[(&str, &Seen)]) -> Figure {
+    Figure::of(|form| draw(number, radars, form))
 }
 
-fn draw(radars: &[(&str, &Seen)], form: Form) -> Svg {
-    let number = radars.first().map_or(0, |(_, seen)| seen.scene.index);
+fn draw(number: usize, radars: &[(&str, &Seen)], form: Form) -> Svg {
     let title = format!("Scene from above as all radars have it, frame {number}");
     let bodies = all_bodies(radars);
     let mut ground = Ground::new(&title, &[], form, region(radars, &bodies), &Lanes::default());

@@ -7,7 +7,7 @@ use crate::report::page::{figure, sheet};
 use crate::report::tables::{rounded, scrolled};
 use artifact::settings::Class;
 use maud::{Markup, html};
-use pipeline::outcome::summary::{CommonFrame, OneOfRadars, RadarsSummary, Summary};
+use pipeline::outcome::summary::{CommonFrame, FrameSummary, OneOfRadars, RadarsSummary, Summary};
 use plotting::form::Figure;
 use std::path::Path;
 
@@ -36,7 +36,7 @@ pub(super) fn page(
             }
             @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
                 (targets(number, frame))
-                (nobodys(number, own))
+                (nobodys(number, summary, own))
             }
             footer { "Each radar's noise is its own, drawn from the scene's seed and its name." }
         },
@@ -90,12 +90,19 @@ fn accuracies(radars: &[OneOfRadars]) -> Markup {
     }
 }
 
-/// Objects of a frame that are nobody's, radar by radar, and what made them.
-fn nobodys(number: usize, own: &[(&str, &Summary)]) -> Markup {
-    let frames = own.iter().filter_map(|(id, summary)| Some((id, summary.frames.get(number)?)));
+/// Objects of a common frame that are nobody's, radar by radar and sub-frame by sub-frame, and what made
+/// them.
+fn nobodys(number: usize, summary: &RadarsSummary, own: &[(&str, &Summary)]) -> Markup {
+    let of = |id: &str, frame: &FrameSummary, frames: usize| match frames {
+        1 => format!(" of {id}"),
+        _ => format!(" of {id} at {} s", rounded(frame.time_s, 5)),
+    };
     html! {
-        @for (id, frame) in frames {
-            (false_objects::section(&format!(" of {id}"), &frame.false_objects, &frame.stationary_objects))
+        @for (id, frames) in own.iter().map(|(id, own)| (id, summary.frames_of(number, own))) {
+            @for frame in frames {
+                @let of = of(id, frame, frames.len());
+                (false_objects::section(&of, &frame.false_objects, &frame.stationary_objects))
+            }
         }
     }
 }

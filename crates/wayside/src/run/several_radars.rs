@@ -1,9 +1,10 @@
 //! Run of a scene through several radars, side by side: `summary.json` and `report.html` above the folders of
 //! each.
 
+use pipeline::host::beside::is_same_time;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
-use pipeline::outcome::summary::{RadarsSummary, Summary};
+use pipeline::outcome::summary::{RadarsSummary, Summary, common_times_s};
 use pipeline::outcome::told;
 use plotting::form::Figure;
 use reporting::pictures;
@@ -25,6 +26,11 @@ pub(crate) struct Told {
 impl Told {
     fn id(&self) -> &str {
         self.out.file_name().and_then(|name| name.to_str()).unwrap_or_default()
+    }
+
+    /// Frame that begins at a time.
+    fn seen_at(&self, time_s: f64) -> Option<&Seen> {
+        self.seen.iter().find(|seen| is_same_time(seen.scene.time_s, time_s))
     }
 }
 
@@ -64,10 +70,14 @@ pub(crate) fn conclude(
     Ok(summary)
 }
 
-/// The first frames from above, as long as every radar has one: their frames are cut alike.
+/// The first common frames from above, as long as every radar has one that begins with it.
 fn views(radars: &[Told]) -> Vec<Figure> {
-    let frames = radars.iter().map(|radar| radar.seen.len()).min().unwrap_or(0);
-    let view =
-        |i: usize| common_view(&radars.iter().map(|radar| (radar.id(), &radar.seen[i])).collect::<Vec<_>>());
-    (0..frames).map(view).collect()
+    let times_s = |radar: &Told| radar.seen.iter().map(|seen| seen.scene.time_s).collect();
+    let times_s: Vec<Vec<f64>> = radars.iter().map(times_s).collect();
+    let view = |(number, time_s): (usize, f64)| {
+        let all: Vec<_> =
+            radars.iter().filter_map(|radar| Some((radar.id(), radar.seen_at(time_s)?))).collect();
+        common_view(number, &all)
+    };
+    common_times_s(&times_s).into_iter().enumerate().map(view).collect()
 }

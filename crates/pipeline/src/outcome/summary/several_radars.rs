@@ -1,5 +1,6 @@
 //! Summary of several radars of one scene, side by side.
 
+use crate::host::beside::{SAME_TIME_S, is_same_time};
 use crate::host::failure::Failure;
 use crate::outcome::summary::frame::FrameSummary;
 use crate::outcome::summary::one_radar::{self, Summary};
@@ -15,7 +16,7 @@ pub struct RadarsSummary {
     pub scene: String,
     /// Totals of each radar, in the scene's order.
     pub radars: Vec<OneOfRadars>,
-    /// Frames in order, to the last that any radar has.
+    /// Common frames in order, one for each time at which frames of all radars begin ([`common_times_s`]).
     pub frames: Vec<CommonFrame>,
 }
 
@@ -53,10 +54,11 @@ pub struct OneOfRadars {
     pub frames_seconds: f64,
 }
 
-/// One frame as all radars have it.
+/// Frames that all radars have in common: those that begin together, and of each radar those that begin
+/// before the next that do, the later sub-frames of a cycle.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CommonFrame {
-    /// Time of the frame's first sample, s.
+    /// Time of the first sample, s.
     pub time_s: f64,
     /// Every target that some radar has in view.
     pub targets: Vec<CommonTarget>,
@@ -69,9 +71,9 @@ pub struct CommonTarget {
     pub id: String,
     /// True class; `None` of a point target, or where the scene does not tell.
     pub class: Option<Class>,
-    /// Ids of the radars that found the target.
+    /// Ids of the radars that found the target in some of their frames.
     pub found_by: Vec<String>,
-    /// Ids of the radars that missed the target.
+    /// Ids of the radars that missed the target and found it in none of their frames.
     pub missed_by: Vec<String>,
 }
 
@@ -79,12 +81,19 @@ impl RadarsSummary {
     /// Joins the summaries of radars, each given with the radar's id.
     pub fn of(radars: &[(&str, &Summary)]) -> Self {
         let scene = radars.first().map_or("", |(_, summary)| &summary.scene);
-        let frames = radars.iter().map(|(_, summary)| summary.frames.len()).max().unwrap_or(0);
+        let frames: Vec<(&str, &[FrameSummary])> =
+            radars.iter().map(|(id, summary)| (*id, &summary.frames[..])).collect();
         Self {
             scene: scene.rsplit_once('/').map_or(scene, |(scene, _)| scene).to_owned(),
             radars: radars.iter().map(|(id, summary)| OneOfRadars::of(id, summary)).collect(),
-            frames: (0..frames).map(|i| CommonFrame::of(radars, i)).collect(),
+            frames: common_frames(&frames),
         }
+    }
+
+    /// Frames of one radar that belong to the common frame of this number.
+    pub fn frames_of<'s>(&self, number: usize, summary: &'s Summary) -> &'s [FrameSummary] {
+        let begin_s = |number: usize| self.frames.get(number).map_or(f64::INFINITY, |frame| frame.time_s);
+        within(&summary.frames, [begin_s(number), begin_s(number + 1)])
     }
 
     /// The text of `summary.json`.
@@ -124,23 +133,113 @@ impl OneOfRadars {
     }
 }
 
+/// Times at which frames of all radars begin together, in order; each radar's own are ascending.
+///
+/// Cycles of all radars begin together, so that a later sub-frame alone falls between two of these times.
+pub fn common_times_s(radars: &[Vec<f64>]) -> Vec<f64> {
+    let [first, others @ ..] = radars else { return vec![] };
+    let has = |own: &[f64], time_s: f64| {
+        let place = own.partition_point(|own_s| *own_s < time_s - SAME_TIME_S);
+        own.get(place).is_some_and(|own_s| is_same_time(*own_s, time_s))
+    };
+    first.iter().copied().filter(|time_s| others.iter().all(|own| has(own, *time_s))).collect()
+}
+
+fn common_frames(radars: &[(&str, &[FrameSummary])]) -> Vec<CommonFrame> {
+    let times_s = |frames: &[FrameSummary]| frames.iter().map(|frame| frame.time_s).collect();
+    let times_s: Vec<Vec<f64>> = radars.iter().map(|(_, frames)| times_s(frames)).collect();
+    let begins_s = common_times_s(&times_s);
+    let ends_s = begins_s.iter().copied().skip(1).chain([f64::INFINITY]);
+    let frame = |(begin_s, end_s)| CommonFrame::of(radars, [begin_s, end_s]);
+    begins_s.iter().copied().zip(ends_s).map(frame).collect()
+}
+
+/// Frames that begin from one time on and before another one.
+fn within(frames: &[FrameSummary], span_s: [f64; 2]) -> &[FrameSummary] {
+    let [first, end] =
+        span_s.map(|time_s| frames.partition_point(|frame| frame.time_s < time_s - SAME_TIME_S));
+    &frames[first..end]
+}
+
 impl CommonFrame {
-    fn of(radars: &[(&str, &Summary)], index: usize) -> Self {
-        let frames = || radars.iter().filter_map(|(id, summary)| Some((*id, summary.frames.get(index)?)));
-        let mut targets: Vec<CommonTarget> = vec![];
-        for (radar, target) in frames().flat_map(|(id, frame)| frame.targets.iter().map(move |t| (id, t))) {
-            let known = targets.iter().position(|known| known.id == target.id);
-            let place = known.unwrap_or_else(|| {
-                let (id, class) = (target.id.clone(), target.class);
-                targets.push(CommonTarget { id, class, ..CommonTarget::default() });
-                targets.len() - 1
-            });
-            match target.found {
-                Some(true) => targets[place].found_by.push(radar.to_owned()),
-                Some(false) => targets[place].missed_by.push(radar.to_owned()),
-                None => {}
+    /// Joins what each radar's frames within a span say of targets.
+    fn of(radars: &[(&str, &[FrameSummary])], span_s: [f64; 2]) -> Self {
+        let mut joined = Self { time_s: span_s[0], targets: vec![] };
+        for (radar, frames) in radars {
+            for target in within(frames, span_s).iter().flat_map(|frame| &frame.targets) {
+                joined.target(target).take(radar, target.found);
             }
         }
-        Self { time_s: frames().next().map_or(0.0, |(_, frame)| frame.time_s), targets }
+        joined
+    }
+
+    /// The target as it is held, made where it is not known yet.
+    fn target(&mut self, target: &TargetSummary) -> &mut CommonTarget {
+        let known = self.targets.iter().position(|known| known.id == target.id);
+        let place = known.unwrap_or_else(|| {
+            let (id, class) = (target.id.clone(), target.class);
+            self.targets.push(CommonTarget { id, class, ..CommonTarget::default() });
+            self.targets.len() - 1
+        });
+        &mut self.targets[place]
+    }
+}
+
+impl CommonTarget {
+    /// Takes in whether a frame of a radar found the target.
+    fn take(&mut self, radar: &str, found: Option<bool>) {
+        let among = |radars: &[String]| radars.iter().any(|known| known == radar);
+        let is_found = among(&self.found_by);
+        match found {
+            Some(true) if !is_found => {
+                self.missed_by.retain(|known| known != radar);
+                self.found_by.push(radar.to_owned());
+            }
+            Some(false) if !is_found && !among(&self.missed_by) => self.missed_by.push(radar.to_owned()),
+            _ => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Frames of one target, found or not at each of these times.
+    fn frames(found: &[(f64, Option<bool>)]) -> Vec<FrameSummary> {
+        let frame = |(time_s, found): &(f64, Option<bool>)| {
+            let target = TargetSummary { id: "p".to_owned(), found: *found, ..TargetSummary::default() };
+            FrameSummary { time_s: *time_s, targets: vec![target], ..FrameSummary::default() }
+        };
+        found.iter().map(frame).collect()
+    }
+
+    fn words(frame: &CommonFrame) -> (f64, String, String) {
+        let target = &frame.targets[0];
+        (frame.time_s, target.found_by.join(" "), target.missed_by.join(" "))
+    }
+
+    #[test]
+    fn radars_of_which_one_has_sub_frames_are_joined_by_time() {
+        let cycles = [0.0, 0.1, 0.2].map(|time_s| [(time_s, Some(false)), (time_s + 0.00056, Some(true))]);
+        let (two, one) = (frames(&cycles.concat()), frames(&[0.0, 0.1, 0.2].map(|t| (t, Some(t < 0.15)))));
+        for radars in [[("a", &two[..]), ("b", &one[..])], [("b", &one[..]), ("a", &two[..])]] {
+            let joined = common_frames(&radars);
+            let both = [radars[0].0, radars[1].0].join(" ");
+            let told: Vec<_> = joined.iter().map(words).collect();
+            let none = String::new;
+            let last = (0.2, "a".to_owned(), "b".to_owned());
+            assert_eq!(told, [(0.0, both.clone(), none()), (0.1, both, none()), last]);
+        }
+    }
+
+    #[test]
+    fn sub_frames_that_all_radars_have_at_the_same_times_are_told_apart() {
+        let own = frames(&[(0.0, Some(true)), (0.001, Some(false)), (0.1, None), (0.101, Some(true))]);
+        let joined = common_frames(&[("a", &own), ("b", &own)]);
+        let told: Vec<_> = joined.iter().map(words).collect();
+        let (none, both) = (String::new, || "a b".to_owned());
+        assert_eq!(told[..2], [(0.0, both(), none()), (0.001, none(), both())]);
+        assert_eq!(told[2..], [(0.1, none(), none()), (0.101, both(), none())]);
     }
 }
