@@ -46,10 +46,17 @@ pub(crate) fn channel_errors(
     Ok(normalized(snapshot.iter().zip(steering).map(|(value, turn)| value * turn).collect()))
 }
 
-/// The mean of several frames' errors.
+/// The mean of several frames' errors, of which each is known but for a factor of all: a frame is turned to
+/// the first by Σ e·conj e₁, which is as large as both are, whatever the errors add up to.
 pub fn mean_errors(frames: &[Vec<Complex64>]) -> Vec<Complex64> {
-    let channels = frames.first().map_or(0, Vec::len);
-    normalized((0..channels).map(|channel| frames.iter().map(|errors| errors[channel]).sum()).collect())
+    let Some(first) = frames.first() else { return vec![] };
+    let mut sums = vec![Complex64::ZERO; first.len()];
+    for errors in frames {
+        let apart: Complex64 = errors.iter().zip(first).map(|(own, first)| own * first.conj()).sum();
+        let turn = Complex64::cis(-apart.arg());
+        sums.iter_mut().zip(errors).for_each(|(sum, error)| *sum += error * turn);
+    }
+    normalized(sums)
 }
 
 /// Row and column, at zero velocity near a range.

@@ -5,6 +5,7 @@ use crate::common::*;
 use crate::erring_elements::{calibrated, compared, errors, map, radar};
 use dsp::{DspError, Receiver};
 use num_complex::Complex64;
+use std::f64::consts::TAU;
 
 #[test]
 fn a_calibrated_array_of_erring_elements_is_as_good_as_an_ideal_one() {
@@ -17,6 +18,27 @@ fn a_calibrated_array_of_erring_elements_is_as_good_as_an_ideal_one() {
         // a fifteenth of what was.
         assert!(calibrated[0] < 0.2 * erring[0] && (calibrated[1] - ideal[1]).abs() < 0.7, "{name}");
         assert!(erring[1] > ideal[1] + 2.0, "{name}: errors raise sidelobes");
+    }
+}
+
+/// Frames know their errors but for a common phase. Errors that add up to nothing, or nearly so, have no
+/// phase of their sum to be turned by: two channels in opposition, and a ring.
+#[test]
+fn the_mean_of_frames_is_true_where_errors_add_up_to_nothing() {
+    let ring = (0..12).map(|i| Complex64::cis(TAU * f64::from(i) / 12.0)).collect();
+    for errors in [vec![Complex64::ONE, -Complex64::ONE], ring] {
+        let frame = |index: u32| -> Vec<Complex64> {
+            let noise = Complex64::from_polar(1e-3, 2.4 * f64::from(index));
+            let common = Complex64::cis(1.7 * f64::from(index));
+            let noisy = |(i, error): (usize, &Complex64)| common * (error + noise * ((i % 2) as f64 - 0.3));
+            errors.iter().enumerate().map(noisy).collect()
+        };
+        let mean = dsp::mean_errors(&(0..5).map(frame).collect::<Vec<_>>());
+        let turn = (mean[0] / errors[0]).arg();
+        for (mean, error) in mean.iter().zip(&errors) {
+            let apart = (mean / Complex64::cis(turn) - error).norm();
+            assert!(apart < 3e-3, "{mean} of {error}, noise of 1e-3");
+        }
     }
 }
 
