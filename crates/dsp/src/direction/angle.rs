@@ -52,6 +52,17 @@ pub struct Direction {
     pub up: Option<f64>,
 }
 
+impl Direction {
+    /// Direction cosines along right, up and ahead, squares of which add up to 1: a direction beyond the rim
+    /// of what is before the array, as the top of a beam may be told, is the nearest on the rim.
+    pub(crate) fn cosines(self) -> [f64; 3] {
+        let (right, up) = (self.right, self.up.unwrap_or(0.0));
+        let beyond = (right * right + up * up).sqrt().max(1.0);
+        let (right, up) = (right / beyond, up / beyond);
+        [right, up, (1.0 - right * right - up * up).max(0.0).sqrt()]
+    }
+}
+
 /// Values of all channels in one cell, free of the phases of time and code division.
 pub type Snapshot = Vec<Complex64>;
 
@@ -234,8 +245,7 @@ impl VirtualArray {
     /// Place of a point in world axes, from the array's centre, m.
     fn point(&self, direction: Direction, range_m: f64) -> DVec3 {
         let [right, up, ahead] = self.axes;
-        let (u, w) = (direction.right, direction.up.unwrap_or(0.0));
-        let out_of_plane = (1.0 - u * u - w * w).max(0.0).sqrt();
+        let [u, w, out_of_plane] = direction.cosines();
         range_m * (u * right + w * up + out_of_plane * ahead)
     }
 

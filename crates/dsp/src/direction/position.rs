@@ -26,12 +26,9 @@ pub(crate) struct Place {
 /// asin u.
 pub(crate) fn place(array: &VirtualArray, direction: Direction, range_m: f64) -> Place {
     let [right, up, ahead] = array.axes();
-    let u = direction.right;
+    let [u, w, out_of_plane] = direction.cosines();
     let (from_radar, height) = match direction.up {
-        Some(w) => {
-            let out_of_plane = (1.0 - u * u - w * w).max(0.0).sqrt();
-            (range_m * (u * right + w * up + out_of_plane * ahead), Height::Measured)
-        }
+        Some(_) => (range_m * (u * right + w * up + out_of_plane * ahead), Height::Measured),
         None => match at_height(range_m, u, array.assumed_height_m() - array.position_m().z) {
             Some(in_row) => (of_row(right, in_row), Height::Assumed),
             None => (of_row(right, [range_m * u, range_m * across(u), 0.0]), Height::None),
