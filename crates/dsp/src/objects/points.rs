@@ -70,7 +70,8 @@ pub(crate) fn located(
         .par_iter()
         .map(|(cell, peak)| view.points(&sighted, &groups, (power[[cell[0], cell[1]]], *cell), &peaks[*peak]))
         .collect();
-    let points = on_slopes.concat();
+    let mut points = on_slopes.concat();
+    points.retain(|point| point.range_m >= plan.settings.nearest_m);
     let objects = groups.iter().enumerate().map(|(index, group)| {
         let members: Vec<&Sighting> =
             group.iter().map(|i| &sighted[*i]).filter(|s| s.peak.detected).collect();

@@ -18,6 +18,21 @@ fn noisy(samples: u32) -> CubeHeader {
     header
 }
 
+/// Points of a moving body stand nearer than their cells by what a moving echo is shown farther: none is told
+/// nearer than asked, wherever the bound lies among the cells.
+#[test]
+fn no_point_is_nearer_than_the_scene_asks() {
+    let mut header = header(64, 128, elements_3x4());
+    let cell_m = header.radar.waveform.range_resolution_m();
+    let target = target([0.0, 24.0, 0.75], [0.0, 25.0, 0.0], 10.0);
+    for tenth in -25..5 {
+        header.dsp.nearest_m = 24.4 + 0.1 * f64::from(tenth) * cell_m;
+        let points = seen(&header, std::slice::from_ref(&target), 1).points;
+        let nearest_m = points.iter().map(|p| p.range_m).fold(f64::INFINITY, f64::min);
+        assert!(nearest_m >= header.dsp.nearest_m, "{nearest_m} m, asked {} m", header.dsp.nearest_m);
+    }
+}
+
 #[test]
 fn two_targets_in_neighbouring_lanes_are_two_objects_in_their_lanes() {
     let header = noisy(256);
