@@ -48,10 +48,12 @@ const CASES: &[Case] = &[
     (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[0, -80], [1e5, -90]]\n", "3:22", "`phase_noise_dbc_hz` must be a number above 0, up to 1e12, is 0"),
     (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, 3]]\n", "3:22", "`phase_noise_dbc_hz` must be a number from -300 to 0, is 3"),
     (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, -80], [1e4, -90]]\n", "3:22", "the first numbers of the pairs of `phase_noise_dbc_hz` must grow"),
+    (NAME, "[radar.receiver]\nphase_noise_dbc_hz = [[1e5, -90]]\n[radar.waveform]\nchirps = 128\nidle_us = 2000\n", "3:22", "with phase noise a frame lasts at most 1048576 sample intervals, this one 1343488"),
     (NAME, "[radar.receiver]\nsampling = \"i\"\n", "3:12", "`sampling` cannot be `i`; it can be `complex`, `real`"),
     (NAME, "[radar.receiver]\nsampling = \"real\"\n[dsp]\nrefine = \"on\"\n", "5:10", "`refine` and `sampling = \"real\"` exclude one another"),
     (NAME, "[radar.waveform]\nsamples = 32\n[radar.receiver]\nsampling = \"real\"\n[dsp]\ntraining_cells = [4, 8]\n", "7:18", "guard and training cells need 21 cells of range, the map has 16"),
     // Other radars.
+    (NAME, "[[radar.interferer]]\nposition_m = [0, 0.5, 6]\neirp_dbm = 30\n", "3:14", "it is 0.5 m from the radar, nearer than 1 m"),
     (NAME, "[[radar.interferer]]\nposition_m = [0, 80, 1]\n", "2:1", "[radar.interferer]: key `eirp_dbm` is missing"),
     (NAME, "[[radar.interferer]]\nposition_m = [0, 80, 1]\neirp_dbm = 30\nchirp_interval_us = 40\n", "5:21", "`chirp_interval_us` is 40, shorter than a chirp of 50 µs"),
     (NAME, "[[radar.interferer]]\nposition_m = [0, 80, 1]\neirp_dbm = 30\nslope = 40\n", "5:1", "[radar.interferer]: unknown key `slope`; the nearest is `slope_mhz_per_us`"),

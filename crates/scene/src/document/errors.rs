@@ -311,6 +311,22 @@ pub enum Rule {
         /// Time from the start of one chirp to that of the next, µs.
         interval_us: f64,
     },
+    /// Another radar in the place of this one.
+    #[error("it is {away_m} m from the radar, nearer than {limit_m} m")]
+    InterfererNear {
+        /// Distance from the radar, m.
+        away_m: f64,
+        /// Least distance, m.
+        limit_m: f64,
+    },
+    /// Phase noise over a longer frame than it is drawn for.
+    #[error("with phase noise a frame lasts at most {limit} sample intervals, this one {samples:.0}")]
+    OscillatorTooLong {
+        /// Sample intervals in the frame, pauses included.
+        samples: f64,
+        /// Most of them.
+        limit: f64,
+    },
     /// Frames that would overlap.
     #[error("`frame_interval_s` is {interval_s}, shorter than a frame of {duration_s} s")]
     FramesOverlap {

@@ -10,16 +10,20 @@ use crate::document::keys::receiver::{
     START_FREQUENCY, SWEEP, VELOCITY,
 };
 use crate::document::section::Section;
-use artifact::radar::{Adc, ElementError, ElementSpread, Hardware, Interferer, PhaseNoise};
+use artifact::radar::{Adc, ElementError, ElementSpread, Hardware, Interferer, PhaseNoise, Radar};
 use artifact::units::watts_from_dbm;
+use glam::DVec3;
 
-/// Errors of `transmitters` and `receivers` elements and the converter; ideal where the scene says nothing.
+/// Errors of the elements of a mounted radar, its converter, oscillator and neighbours; ideal where the scene
+/// says nothing.
 pub(crate) fn read_hardware(
     radar: &Section<'_>,
     receiver: &Section<'_>,
     elements: &Section<'_>,
-    [tx, rx]: [usize; 2],
+    mounted: &Radar,
 ) -> Hardware {
+    let [tx, rx] = [mounted.array.tx_m.len(), mounted.array.rx_m.len()];
+    let interferer = |section: &Section<'_>| read_interferer(section, mounted.position_m);
     Hardware {
         tx: read_elements(elements, [array::TX_GAIN_ERRORS, array::TX_PHASE_ERRORS, array::TX_DELAYS], tx),
         rx: read_elements(elements, [array::RX_GAIN_ERRORS, array::RX_PHASE_ERRORS, array::RX_DELAYS], rx),
@@ -28,8 +32,8 @@ pub(crate) fn read_hardware(
             phase_rad: elements.or_default(&array::PHASE_SPREAD).to_radians(),
         },
         adc: read_adc(receiver),
-        phase_noise: read_phase_noise(receiver),
-        interferers: radar.sections(&INTERFERER).iter().map(read_interferer).collect(),
+        phase_noise: read_phase_noise(receiver, mounted),
+        interferers: radar.sections(&INTERFERER).iter().map(interferer).collect(),
     }
 }
 
@@ -59,7 +63,10 @@ fn read_adc(section: &Section<'_>) -> Option<Adc> {
         .map(|(bits, dbm)| Adc { bits: bits as u8, full_scale: watts_from_dbm(dbm).sqrt() })
 }
 
-fn read_phase_noise(section: &Section<'_>) -> Vec<PhaseNoise> {
+/// Samples of the longest frame of which an oscillator's phase is drawn at once, pauses included.
+const OSCILLATOR_SAMPLES: f64 = (1_u32 << 20) as f64;
+
+fn read_phase_noise(section: &Section<'_>, radar: &Radar) -> Vec<PhaseNoise> {
     let (key, each) = (PHASE_NOISE.name, PHASE_NOISE.takes.pair.each);
     let told = section.read(&PHASE_NOISE).unwrap_or_default();
     for (found, allowed) in told.iter().flat_map(|pair| pair.iter().copied().zip(each)) {
@@ -70,11 +77,20 @@ fn read_phase_noise(section: &Section<'_>) -> Vec<PhaseNoise> {
     if !told.windows(2).all(|pair| pair[0][0] < pair[1][0]) {
         section.note(key, Rule::NotGrowing { key });
     }
+    let duration_s = |index: u32| radar.in_frame(index).frame_duration_s();
+    let longest_s = (0..radar.schedule.sub_frames()).map(duration_s).fold(0.0, f64::max);
+    let samples = longest_s * radar.waveform.sample_rate_hz;
+    if section.has(key) && samples > OSCILLATOR_SAMPLES {
+        section.note(key, Rule::OscillatorTooLong { samples, limit: OSCILLATOR_SAMPLES });
+    }
     told.into_iter().map(|[offset_hz, dbc_per_hz]| PhaseNoise { offset_hz, dbc_per_hz }).collect()
 }
 
+/// Nearer than this another radar's wave is no far field.
+const NEAREST_M: f64 = 1.0;
+
 /// Another radar; its waveform is by default like ours.
-fn read_interferer(section: &Section<'_>) -> Interferer {
+fn read_interferer(section: &Section<'_>, radar_m: [f64; 3]) -> Interferer {
     for key in [POSITION.name, EIRP.name] {
         section.require(key);
     }
@@ -82,8 +98,13 @@ fn read_interferer(section: &Section<'_>) -> Interferer {
     if interval_us < sweep_us {
         section.note(CHIRP_INTERVAL.name, Rule::ChirpsOverlap { sweep_us, interval_us });
     }
+    let position_m = section.read(&POSITION);
+    let away_m = position_m.map(|place_m| DVec3::from(place_m).distance(radar_m.into()));
+    if let Some(away_m) = away_m.filter(|away_m| *away_m < NEAREST_M) {
+        section.note(POSITION.name, Rule::InterfererNear { away_m, limit_m: NEAREST_M });
+    }
     Interferer {
-        position_m: section.read(&POSITION).unwrap_or_default(),
+        position_m: position_m.unwrap_or_default(),
         velocity_mps: section.or_default(&VELOCITY),
         eirp_w: watts_from_dbm(section.read(&EIRP).unwrap_or_default()),
         start_frequency_hz: 1e9 * section.or_default(&START_FREQUENCY),

@@ -35,8 +35,7 @@ pub(crate) fn read_radar(section: &Section<'_>, models: &mut Models) -> Radar {
         link: read_link(&section.section(&LINK)),
         hardware: Hardware::default(),
     });
-    let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
-    radar.hardware = read_hardware(section, &receiver, &array_section, elements);
+    radar.hardware = read_hardware(section, &receiver, &array_section, &radar);
     check_cube(&waveform_section, &radar);
     if let Err(error) = check_directions(&radar) {
         array_section.note(TX.name, Rule::Directions(error));
