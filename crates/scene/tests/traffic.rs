@@ -131,6 +131,8 @@ fn frames_fill_the_time_asked_for_and_no_more() {
     let told = frames("", "end_s = -1.0").unwrap_err();
     let span = "`end_s` is -1 s, before the recording begins: the recording runs from 0 s to 4.9 s";
     assert!(told.starts_with("scene.toml:6:9: [traffic]: t.fcd.xml") && told.contains(span), "{told}");
+    let told = frames("frames = 12", "begin_s = 1.0\nend_s = 2.0").unwrap_err();
+    assert!(told.contains("12 frames from 1 s on reach to 2.100000 s, beyond `end_s`, 2 s"), "{told}");
     assert!(frames("", "begin_s = 2.0\nend_s = 1.0").unwrap_err().contains("`end_s` is 1, before `begin_s`"));
 }
 

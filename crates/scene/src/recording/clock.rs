@@ -73,6 +73,11 @@ impl Clock {
         if let Some(end) = self.times.end_s.filter(|end_s| first > end_s + ROUNDING_S) {
             return Err(FcdRule::EndsBeforeRecording { end, first, last });
         }
+        if let Some((frames, end)) = self.times.frames.zip(self.times.end_s).filter(|_| !self.is_within_end())
+        {
+            let (begin, found) = (self.begin_s, self.at(frames - 1));
+            return Err(FcdRule::FramesBeyondEnd { frames, begin, found, end, first, last });
+        }
         let until_s = match (self.times.frames, self.times.end_s) {
             (Some(frames), Some(end_s)) => self.at(frames - 1).max(end_s),
             (Some(frames), None) => self.at(frames - 1),

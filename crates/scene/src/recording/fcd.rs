@@ -224,6 +224,25 @@ pub enum FcdRule {
         /// Time of the last step.
         last: f64,
     },
+    /// Frames of which the last is later than they were to end.
+    #[error(
+        "{frames} frames from {begin} s on reach to {found:.6} s, beyond `end_s`, {end} s: the recording runs from \
+         {first} s to {last} s"
+    )]
+    FramesBeyondEnd {
+        /// Number of frames asked for.
+        frames: u32,
+        /// Time of the first frame.
+        begin: f64,
+        /// Time of the last frame.
+        found: f64,
+        /// Time of the last frame at most.
+        end: f64,
+        /// Time of the first step.
+        first: f64,
+        /// Time of the last step read.
+        last: f64,
+    },
     /// Steps, but not one.
     #[error("there is no <timestep> in it")]
     NoSteps,
