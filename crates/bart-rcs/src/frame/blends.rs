@@ -3,10 +3,10 @@
 //!
 //! Where bodies that move against each other light or shade one another, the outlines of what is lit slide
 //! over both; and so do outlines on bodies at rest, seen from element after element of a wide array. Paths
-//! keep what was lit at their node: once outlines have slid by δ along a phase gradient w, what ends there has
-//! turned by θ = wδ, and is missed whole from half a cycle on. A cubic through nodes between which it turns by
-//! θ follows it to 3/128·θ⁴ at most, where the nearest node alone leaves θ/2 and a straight line between two
-//! θ²/8 (docs/speed.md has what was measured). Only the ways that change are traced again.
+//! keep what was lit at their node: once outlines have slid by δ along a phase gradient w, what ends there
+//! has turned by θ = wδ, and is missed whole from half a cycle on. A cubic through nodes between which it
+//! turns by θ follows it to 3/128·θ⁴ at most, where the nearest node alone leaves θ/2 and a straight line
+//! between two θ²/8 (docs/speed.md has what was measured). Only the ways that change are traced again.
 //!
 //! Along both axes at once S(t, u) is taken as S(t, u₀) + S(t₀, u) − S(t₀, u₀), t₀ and u₀ the frame's middle
 //! and the array's: what is left out changes with both in product.

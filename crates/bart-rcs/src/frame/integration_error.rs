@@ -6,6 +6,7 @@
 
 use crate::frame::band_power::{MARGIN, mean, total};
 use crate::frame::path_plan::Plan;
+use crate::joins::afforded::fits;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::table::meeting::{MeetingSettings, OrderJoints};
 use artifact::settings::Edges;
@@ -36,6 +37,8 @@ const COARSEST: f64 = 0.25;
 const FEW: usize = 64;
 /// Bounds of those far finer integrals over their own.
 const FAR_FINER: f64 = 1.0 / 512.0;
+/// Most tiles of those: polygons that are cut into more of them are of many tiles as it is.
+const TILES_MOST: u64 = 4096;
 /// Share of the accuracy asked for that integrals may take; freezing and what is dropped have the rest,
 /// √(1 − 0.7²) = 0.71.
 const INTEGRATION_SHARE: f64 = 0.7;
@@ -143,7 +146,7 @@ impl Look<'_> {
         own: &[Complex64],
         coarser: impl FnOnce() -> Vec<Complex64>,
     ) -> Vec<Complex64> {
-        let (other, over_difference) = if self.meetings_on(body) <= FEW {
+        let (other, over_difference) = if self.has_few_tiles(body, FAR_FINER * accuracy) {
             (self.of_all_orders(body, FAR_FINER * accuracy), 1.0)
         } else {
             (coarser(), self.over_difference())
@@ -162,9 +165,14 @@ impl Look<'_> {
         total(self.of_body(body, accuracy).into_iter(), self.wavenumbers_per_m.len())
     }
 
-    /// Number of the meetings on a body, of all orders.
-    fn meetings_on(&self, body: usize) -> usize {
-        self.meetings.iter().map(|meeting| meeting.on_body(self.scatterer, body).count()).sum()
+    /// Whether the meetings on a body are few, and of few tiles.
+    fn has_few_tiles(&self, body: usize, accuracy: f64) -> bool {
+        let on_body: Vec<OrderJoints> =
+            self.meetings.iter().map(|meeting| meeting.on_body(self.scatterer, body)).collect();
+        let bracket = bracket_of(self.plan.header.fidelity.nodes);
+        let integration = Integration { wavenumbers_per_m: self.wavenumbers_per_m, accuracy, bracket };
+        on_body.iter().map(OrderJoints::count).sum::<usize>() <= FEW
+            && fits(self.scatterer, on_body.iter().map(|meeting| &meeting.facets), &integration, TILES_MOST)
     }
 }
 

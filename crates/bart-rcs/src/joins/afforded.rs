@@ -35,7 +35,7 @@ pub(crate) fn afforded<'j>(
 
 /// Whether there are no more tiles than that. Counting ends once there are more: which ones were counted by
 /// then depends on the threads, the answer does not.
-fn fits<'j>(
+pub(crate) fn fits<'j>(
     scatterer: &Scatterer<'_>,
     joints: impl Iterator<Item = &'j Joints>,
     integration: &Integration<'_>,

@@ -8,8 +8,10 @@
 #[path = "../bodies/mod.rs"]
 mod bodies;
 mod frames;
+mod sidelobes;
 mod turning;
 mod wheels;
+mod wide_arrays;
 
 use artifact::Accuracy;
 use artifact::paths::{ErrorOrigin, PathsFrame};

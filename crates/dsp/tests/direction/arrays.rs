@@ -50,22 +50,21 @@ fn s5_a_target_above_the_boresight_reads_plus_in_elevation() {
     }
 }
 
-/// The top of a beam may lie beyond the rim of what is before an array with rows, as far as noise and the
-/// beam's width take it: no point is farther away than its range.
+/// The top of a beam may lie beyond the rim of what is before an array with rows, as that of noise does in
+/// the corners of the square of cosines: no point is farther away than its range.
 #[test]
 fn points_at_the_rim_of_the_view_are_as_far_away_as_their_range() {
-    let header = header(128, 64, elements_6x8());
+    let mut header = header(128, 64, elements_6x8());
+    (header.noise, header.dsp.false_alarm_rate) = (NOISE_12_DB, 1e-3);
     let radar_m = DVec3::from(header.radar.position_m);
-    for azimuth_deg in [75.0, 80.0, 85.0, 88.0, 89.5, -86.0] {
-        for z in [0.75, 6.0, 12.0] {
-            let (sin, cos) = f64::to_radians(azimuth_deg).sin_cos();
-            let target = target([20.0 * sin, 20.0 * cos, z], [0.0; 3], 100.0);
-            let found = Receiver::new(&header).unwrap().process(&cube(&header, &[target], 1)).unwrap().1;
-            let points = found.points.iter().map(|p| (p.position_m, p.range_m));
-            for (place_m, range_m) in points.chain(found.objects.iter().map(|o| (o.position_m, o.range_m))) {
-                let away_m = (DVec3::from(place_m) - radar_m).length();
-                assert!((away_m / range_m - 1.0).abs() < 1e-12, "{azimuth_deg}°: {away_m} of {range_m} m");
-            }
+    for azimuth_deg in [75.0, 88.0, 89.5, -86.0] {
+        let (sin, cos) = f64::to_radians(azimuth_deg).sin_cos();
+        let target = target([20.0 * sin, 20.0 * cos, 12.0], [0.0; 3], 100.0);
+        let found = Receiver::new(&header).unwrap().process(&cube(&header, &[target], 1)).unwrap().1;
+        let points = found.points.iter().map(|p| (p.position_m, p.range_m));
+        for (place_m, range_m) in points.chain(found.objects.iter().map(|o| (o.position_m, o.range_m))) {
+            let away_m = (DVec3::from(place_m) - radar_m).length();
+            assert!((away_m / range_m - 1.0).abs() < 1e-12, "{azimuth_deg}°: {away_m} of {range_m} m");
         }
     }
 }

@@ -9,7 +9,7 @@ use artifact::settings::Class;
 use artifact::{Provenance, Radar};
 use glam::{DVec2, DVec3};
 use pipeline::chain::keys::cube_header;
-use pipeline::host::beside::{Beside, check_poses, check_time};
+use pipeline::host::beside::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_poses, check_time};
 use pipeline::host::failure::Failure;
 use pipeline::host::origin;
 use std::path::{Path, PathBuf};
@@ -97,9 +97,8 @@ impl TruthBoxes {
     /// Boxes of a frame at its middle, in the order of the scene's bodies; frames are asked for in order.
     pub(crate) fn of_frame(&mut self, index: u32, time_s: f64) -> Result<Vec<TruthBox>, Failure> {
         let frame = self.scene.frame(index)?;
-        if self.is_same {
-            check_time(&self.file, &frame, time_s)?;
-        }
+        let within_s = if self.is_same { SAME_TIME_S } else { ROUNDED_TIME_S };
+        check_time(&self.file, &frame, (time_s, within_s))?;
         let view = scene::frame_view(&self.header, index);
         check_poses(&self.file, &view, &frame)?;
         let middle_s = view.in_frame(index).radar.frame_middle_s();

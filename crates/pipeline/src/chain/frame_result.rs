@@ -9,6 +9,7 @@ use artifact::rcs::RcsFrame;
 use artifact::scene::SceneFrame;
 
 /// Scattering of one frame, which the tracer hands to the echo: paths, or tables of bodies.
+#[expect(clippy::large_enum_variant, reason = "one is made a frame, and never one of many")]
 pub enum Scattering {
     /// Paths from the transmitter over the bodies to the receiver.
     Paths(PathsFrame),

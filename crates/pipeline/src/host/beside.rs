@@ -50,10 +50,10 @@ pub fn is_same_time(one_s: f64, other_s: f64) -> bool {
     (one_s - other_s).abs() <= SAME_TIME_S
 }
 
-/// Refuses a frame of the scene at another time than the frame that it is read beside.
-pub fn check_time(file: &Path, frame: &SceneFrame, time_s: f64) -> Result<(), Failure> {
+/// Refuses a frame of the scene that begins more than `within_s` from the frame that it is read beside.
+pub fn check_time(file: &Path, frame: &SceneFrame, (time_s, within_s): (f64, f64)) -> Result<(), Failure> {
     let (index, of_scene_s) = (frame.index, frame.time_s);
-    if is_same_time(of_scene_s, time_s) {
+    if (of_scene_s - time_s).abs() <= within_s {
         return Ok(());
     }
     let rule = format!("frame {index} begins at {of_scene_s} s, that of the frames beside it at {time_s} s");

@@ -126,6 +126,11 @@ fn points_paths_and_tracks_of_other_times_or_bodies_than_the_scenes_are_refused_
         (&format!("{own} --paths slower/frames.paths"), "slower/frames.paths", times),
         (&format!("{own} --tracks slower/frames.tracks"), "slower/frames.tracks", times),
         (&format!("{own} --paths alone/frames.paths"), "alone/frames.paths", "its body 1 is none"),
+        (
+            "export slower/frames.points --to kitti --scene small/scene.scene --out k",
+            "small/scene.scene",
+            "frame 1 begins at 0.1 s, that of the frames beside it at 0.2 s",
+        ),
     ] {
         let output = place.try_run(words);
         let said = String::from_utf8_lossy(&output.stderr).into_owned();

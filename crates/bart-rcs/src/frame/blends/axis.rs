@@ -35,8 +35,8 @@ impl BlendAxis {
     /// Both, in the order in which they are tried.
     pub(crate) const ALL: [Self; 2] = [Self::Time, Self::Array];
 
-    /// Seconds after the frame's first sample, and where transmitter and receiver are, of a place of the finest
-    /// grid.
+    /// Seconds after the frame's first sample, and where transmitter and receiver are, of a place of the
+    /// finest grid.
     pub(crate) fn at(self, plan: &Plan<'_>, place: u32) -> (f64, [DVec3; 2]) {
         let fraction = f64::from(place) / f64::from(FINEST);
         match self {

@@ -127,8 +127,8 @@ impl<'a> Blending<'a> {
     }
 }
 
-/// Paths of the frame's middle without those that are blended, each less itself once for every axis beyond the
-/// first that it is blended along, and behind them those of the nodes.
+/// Paths of the frame's middle without those that are blended, each less itself once for every axis beyond
+/// the first that it is blended along, and behind them those of the nodes.
 fn blended(middle: &[Path], along: &[&Nodes<'_>]) -> Vec<Path> {
     let own = middle.iter().filter_map(|path| {
         let way = bodies(path);
