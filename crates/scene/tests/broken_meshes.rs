@@ -154,6 +154,7 @@ fn stl_and_obj_cases() -> Vec<Case> {
         ("long.stl", [binary_stl(0.5), vec![0; 120]].concat(), ": ", "is longer than its header says: 1 facets take 134 bytes, it has 254, which hold 3"),
         ("nan.stl", binary_stl(f32::NAN), ": facet 1: ", "vertex 0 is not finite"),
         ("word.stl", b"solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n".to_vec(), ":4: ", "expected a number, found `zero`"),
+        ("half.stl", b"solid s\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0.0".to_vec(), ": ", "is cut off: it ends without `endsolid`"),
         ("line.stl", b"solid s\nfacte normal 0 0 1\n".to_vec(), ":2: ", "expected a line of STL"),
         ("two.stl", b"solid s\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n".to_vec(), ":5: ", "2 corners are no whole triangles"),
         ("nothing.stl", b"solid s\nendsolid s\n".to_vec(), ": ", "has no triangle with area"),

@@ -396,7 +396,9 @@ fn binary_and_text_stl_and_obj_hold_the_same_cube_corner() {
     let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1 1.0\no c\ng c\ns off\nusemtl  bare metal # why\nf 1 2 3\nf -4/1 -2/2 \\\n-1/3\n";
     let read = |bytes: &[u8], format| mesh_from_bytes(bytes, format, Path::new("c"), &METRES).unwrap();
     let from_binary = read(&binary, Format::Stl);
-    assert_eq!(surface(&from_binary), surface(&read(text.as_bytes(), Format::Stl)));
+    for text in [&text, &text.to_uppercase()] {
+        assert_eq!(surface(&from_binary), surface(&read(text.as_bytes(), Format::Stl)));
+    }
     let from_obj = read(obj.as_bytes(), Format::Obj);
     assert_eq!(surface(&from_binary), surface(&from_obj));
     assert_eq!(from_obj.materials, ["bare metal"]);

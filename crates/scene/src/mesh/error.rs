@@ -150,6 +150,9 @@ pub enum MeshFault {
         /// Bytes needed for what its header says.
         needed: u64,
     },
+    /// The text ends within a solid.
+    #[error("is cut off: it ends without `endsolid`")]
+    Unfinished,
     /// The file is longer than its own header says.
     #[error(
         "is longer than its header says: {said} facets take {needed} bytes, it has {found}, which hold {there}"

@@ -23,7 +23,8 @@ pub(crate) fn read_stl(bytes: &[u8]) -> Result<Vec<Part>, Located> {
 
 /// Binary files may begin with `solid` too; their length tells.
 fn is_text(bytes: &[u8]) -> bool {
-    bytes.trim_ascii_start().starts_with(b"solid") && bytes.len() as u64 != binary_bytes(bytes)
+    let begins = |word: &[u8]| word.eq_ignore_ascii_case(b"solid");
+    bytes.trim_ascii_start().get(..5).is_some_and(begins) && bytes.len() as u64 != binary_bytes(bytes)
 }
 
 /// Bytes that the header of a binary file claims.
@@ -58,11 +59,14 @@ fn vector(bytes: &[u8]) -> DVec3 {
 fn read_text(bytes: &[u8]) -> Result<Vec<DVec3>, Located> {
     let text = std::str::from_utf8(bytes).map_err(|_| MeshPlace::File.fault(MeshFault::NotText))?;
     let mut corners = vec![];
+    let mut is_within = true;
     for (line, number) in text.lines().zip(1_u64..) {
         let place = MeshPlace::Line(number);
         let mut words = line.split_ascii_whitespace();
         let whole_facets = corners.len() % 3 == 0;
-        match words.next() {
+        let word = words.next().map(str::to_ascii_lowercase);
+        is_within = word.as_ref().map_or(is_within, |word| word != "endsolid");
+        match word.as_deref() {
             Some("vertex") => {
                 check_count(corners.len() / 3)?;
                 corners.push(three_numbers(words).map_err(|fault| place.fault(fault))?);
@@ -78,6 +82,7 @@ fn read_text(bytes: &[u8]) -> Result<Vec<DVec3>, Located> {
         }
     }
     match corners.len() % 3 {
+        0 if is_within => Err(MeshPlace::File.fault(MeshFault::Unfinished)),
         0 => Ok(corners),
         left_over => Err(MeshPlace::File.fault(MeshFault::Corners(left_over))),
     }
