@@ -60,7 +60,25 @@ fn add_measured(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     work.add(WorkKind::Cells, look.cells * look.work.largest_cells);
     work.add(WorkKind::WideCells, look.cells * look.work.smaller_cells * bart_rcs::element_offset_m(header));
     add_sliding(look, work);
+    add_places(header, look, work);
 }
+
+/// Adds the second check of a frame before a wide array, and the places of its row from which ways are traced,
+/// a transmitter's and a receiver's beams each.
+fn add_places(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
+    if bart_rcs::element_offset_m(header) < WIDE_M || header.fidelity.accuracy.db() > MET_WITHOUT_DB {
+        return;
+    }
+    add_beams(header, look, PLACES, work);
+    work.add(WorkKind::Cells, look.cells * look.work.smaller_cells);
+}
+
+/// Arrays whose elements are all nearer to the radar's position are traced from there alone, nearly always.
+const WIDE_M: f64 = 0.1;
+/// Accuracy up to which the array's middle is enough, nearly always, dB.
+const MET_WITHOUT_DB: f64 = -12.0;
+/// Moments' beams that nine places and a second check are worth: the ways that change are a part of all.
+const PLACES: f64 = 12.0;
 
 /// Adds the tracing of a frame that takes errors over: one moment and its paths.
 fn add_like(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
