@@ -221,8 +221,8 @@ impl MapResponse {
     }
 
     /// Part of the amplitude; `None` beyond the reach of the windows, of staggered chirps of the range window
-    /// alone. Tones are the same a sample rate apart, and rows a turn per chirp: echoes from beyond the map fold
-    /// into it, of real samples also the image.
+    /// alone. Tones are the same a sample rate apart, and rows a turn per chirp: echoes from beyond the map
+    /// fold into it, of real samples also the image.
     fn left_of(&self, w: &Waveform, echo: &PathOnMap, point: Shown) -> Option<Left> {
         let left = |is_image: bool| {
             let sign = if is_image { -1.0 } else { 1.0 };

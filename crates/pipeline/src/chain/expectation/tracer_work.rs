@@ -63,8 +63,8 @@ fn add_measured(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     add_places(header, look, work);
 }
 
-/// Adds the second check of a frame before a wide array, and the places of its row from which ways are traced,
-/// a transmitter's and a receiver's beams each.
+/// Adds the second check of a frame before a wide array, and the places of its row from which ways are
+/// traced, a transmitter's and a receiver's beams each.
 fn add_places(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     if bart_rcs::element_offset_m(header) < WIDE_M || header.fidelity.accuracy.db() > MET_WITHOUT_DB {
         return;
