@@ -217,6 +217,9 @@ impl<'a> PartOfFrame<'a> {
             let first_link = sets[0].0;
             let heard = sets.iter().copied().filter(|(link, _)| self.is_heard_by(*link));
             let sets: Vec<(usize, usize)> = heard.collect();
+            if sets.is_empty() {
+                return;
+            }
             let strengths: Vec<Vec<Complex<T>>> = sets
                 .par_iter()
                 .map(|&(link, instant)| {

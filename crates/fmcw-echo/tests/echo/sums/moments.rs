@@ -2,6 +2,7 @@
 //! at all nodes is one list of paths.
 
 use crate::setting::*;
+use ::radar::aperture::Preset;
 use artifact::Accuracy;
 use artifact::paths::{ArraySpan, Path, Span};
 use artifact::radar::{Multiplexing, Radar};
@@ -82,6 +83,35 @@ fn the_fast_sum_of_paths_of_moments_has_the_error_asked_for() {
             }
         }
     }
+}
+
+/// Of nine places along a row of 192 channels whole blocks of links hear nothing.
+#[test]
+fn links_far_from_a_place_hear_nothing_of_it() {
+    let short = artifact::Waveform { chirps: 8, samples: 64, ..experiment(1) };
+    let [tx, rx] = Preset::TwelveBySixteen.elements();
+    let radar = radar(short, &Layout { name: "12x16", tx, rx }, Multiplexing::Simultaneous);
+    let span = ArraySpan {
+        transmit: [1.0, 0.0, 0.0],
+        receive: [0.0; 3],
+        first_m: radar.position_m[0] - 0.17,
+        step_m: 0.34 / 8.0,
+        places: 9,
+        place: 0,
+    };
+    let of_place = |place: u32| {
+        let paths = body(5 + u64::from(place), 250, [5.75, 38.0, 0.7], [0.0, -10.0, 0.0]).into_iter();
+        paths.map(move |mut path| {
+            path.curve.array_span = Some(ArraySpan { place, ..span });
+            path
+        })
+    };
+    let paths: Vec<Path> = [0, 4, 8].into_iter().flat_map(of_place).collect();
+    let f_c = radar.waveform.centre_frequency_hz();
+    let exact = DirectSum::new(&radar, f_c, &paths).cube();
+    let db = error_db(&fast_sum::cube(&radar, f_c, &paths, Accuracy::from_db(-40.0)), &exact);
+    println!("{db:.1} dB");
+    assert!(db <= -40.0, "{db}");
 }
 
 #[test]
