@@ -26,7 +26,7 @@ pub(crate) enum DopplerResponse {
 /// Chirps that start late by turns: P sums over N rows, and the times by which each is turned.
 pub(crate) struct Staggered {
     parts: Vec<Vec<Complex64>>,
-    /// Of each transmitter's sums: which, and how much later than at equal steps, frames.
+    /// Index of each transmitter's sums, and by how much they start later than at equal steps, frames.
     late: Vec<(usize, f64)>,
     transmitters: f64,
 }

@@ -152,7 +152,7 @@ impl<'a> BodyParts<'a> {
     }
 }
 
-/// What blends a table from several nodes, where that helps.
+/// Function that blends a table from several nodes, where that helps.
 pub(crate) type Split<'a> = dyn Fn(PathTable) -> Result<PathTable, BartError> + 'a;
 
 /// Paths of a table from which on no finer one is tried once moments were: minutes and gigabytes are spent on

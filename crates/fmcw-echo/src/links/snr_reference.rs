@@ -44,7 +44,8 @@ pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Optio
     (peak > 0.0).then_some(peak / noise)
 }
 
-/// Powers of one channel's cells, by the chirps' own times; of a real mixer's samples an echo is told by one of two lines.
+/// Powers of one channel's cells, by the chirps' own times; of a real mixer's samples an echo is told by one
+/// of two lines.
 fn power_of_channel(header: &CubeHeader, samples: &[Complex32], [range, doppler]: [&[f64]; 2]) -> Vec<f64> {
     let real: Vec<Complex32>;
     let samples = match header.radar.waveform.sampling {

@@ -12,7 +12,7 @@ pub(super) struct LuaCall<'a> {
     pub(super) branch: usize,
     /// Whether a function holds it, which may be called elsewhere.
     pub(super) is_in_function: bool,
-    /// What stands behind its opening bracket, with and without remarks and texts.
+    /// Text behind its opening bracket, with and without remarks and texts.
     behind: [&'a str; 2],
 }
 

@@ -25,9 +25,9 @@ pub(crate) const LOOKED_AT: [u32; 2] = [FINEST / 8, 3 * FINEST / 4];
 /// Axis that some ways are traced along.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BlendAxis {
-    /// From the frame's begin to its end, as the array's middle sees it.
+    /// Moments from the frame's begin to its end, as the array's middle sees it.
     Time,
-    /// From one end of the array's row to the other, at the frame's middle.
+    /// Places from one end of the array's row to the other, at the frame's middle.
     Array,
 }
 

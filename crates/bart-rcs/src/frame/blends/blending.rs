@@ -21,13 +21,16 @@ pub(crate) fn split(
     points: &[Path],
     reference: &Reference,
 ) -> Result<PathTable, BartError> {
+    if !needs_nodes(scenery.plan, &whole) {
+        return Ok(whole);
+    }
     let (fineness, strongest_dropped) = (whole.fineness.clone(), whole.strongest_dropped.clone());
     let surroundings = Surroundings { scenery, fineness: &fineness, strongest_dropped: &strongest_dropped };
     let middle = whole.paths.clone();
     let mut blending =
         Blending { plan: scenery.plan, middle: &middle, points, reference, best: whole, along: vec![] };
     for axis in BlendAxis::ALL.into_iter().filter(|axis| scenery.changes_along(*axis)) {
-        if blending.needs_nodes() {
+        if needs_nodes(scenery.plan, &blending.best) {
             blending.add(axis, &surroundings)?;
         }
     }
@@ -41,7 +44,8 @@ pub(crate) fn split_alike(
     kept: Kept,
     fineness: &Fineness,
 ) -> Result<Vec<Path>, BartError> {
-    let surroundings = Surroundings { scenery, fineness, strongest_dropped: &kept.strongest_dropped };
+    let Kept { paths: middle, strongest_dropped, .. } = kept;
+    let surroundings = Surroundings { scenery, fineness, strongest_dropped: &strongest_dropped };
     let mut along: Vec<Nodes<'_>> = Vec::new();
     for axis in BlendAxis::ALL {
         let (nodes, ways) = match axis {
@@ -51,12 +55,20 @@ pub(crate) fn split_alike(
         let ways = found(ways, scenery.plan);
         let steps = nodes.checked_sub(1).filter(|steps| STEPS.contains(steps) && !ways.is_empty());
         if let Some(steps) = steps {
-            let mut nodes = Nodes::of(&surroundings, axis, ways, &kept.paths);
+            let mut nodes = Nodes::of(&surroundings, axis, ways, &middle);
             nodes.fill(steps, along.iter().map(Nodes::paths).sum())?;
             along.push(nodes);
         }
     }
-    Ok(blended(&kept.paths, &along.iter().collect::<Vec<_>>()))
+    if along.is_empty() {
+        return Ok(middle);
+    }
+    Ok(blended(&middle, &along.iter().collect::<Vec<_>>()))
+}
+
+/// Whether a table misses the accuracy asked for, and mostly by what changes over the frame and the array.
+fn needs_nodes(plan: &Plan<'_>, table: &PathTable) -> bool {
+    table.error.measured() > plan.asked() && table.error.is_mostly_freezing()
 }
 
 /// A frame that is blended along one axis after the other.
@@ -72,10 +84,6 @@ struct Blending<'a> {
 }
 
 impl<'a> Blending<'a> {
-    fn needs_nodes(&self) -> bool {
-        self.best.error.measured() > self.plan.asked() && self.best.error.is_mostly_freezing()
-    }
-
     /// Blends the ways that change along an axis from as few nodes as meet the accuracy, where that helps.
     fn add(&mut self, axis: BlendAxis, surroundings: &'a Surroundings<'a>) -> Result<(), BartError> {
         let mut nodes = Nodes::looked_at(surroundings, axis, self.middle, self.best.error.measured())?;

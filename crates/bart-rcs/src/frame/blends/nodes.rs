@@ -20,7 +20,7 @@ use artifact::paths::{Fineness, Path};
 use num_complex::Complex64;
 use std::collections::BTreeMap;
 
-/// What all nodes of a frame have in common.
+/// Scene, fineness and dropped powers that all nodes of a frame have in common.
 pub(super) struct Surroundings<'a> {
     pub(super) scenery: &'a Scenery<'a>,
     pub(super) fineness: &'a Fineness,
