@@ -152,6 +152,32 @@ fn a_distant_antenna_sees_the_edges_as_one_infinitely_far_away() {
     assert!(error < 3e-4);
 }
 
+/// Waves over a plate leave it by other edges from some place of the first edge on; before an antenna near by
+/// that place is not where parallel rays have it.
+#[test]
+fn near_by_a_turn_of_a_millionth_of_a_degree_changes_next_to_nothing() {
+    // Width and height in wavelengths; azimuth, elevation, range.
+    let looks = [
+        (1.432, 2.689, -13.234, 46.143, 49.3, Polarization::Vv),
+        (4.1, 2.2, 117.543, 52.233, 59.7, Polarization::Hh),
+        (5.3, 6.1, 95.9, -31.94, 80.0, Polarization::Hh),
+        (3.7, 2.9, 62.888, 8.468, 103.0, Polarization::Hh),
+    ];
+    for (width, height, az_deg, el_deg, range, pol) in looks {
+        let mesh = strip(width * WAVELENGTH_M, height * WAVELENGTH_M, 0.0);
+        let of = |turn_deg: f64| {
+            let sent = standpoint(az_deg + turn_deg, el_deg, range * WAVELENGTH_M);
+            amplitude(&mesh, sent, None, pol, Edges::FirstOrder)
+        };
+        let here = of(0.0);
+        for turns in 1..=4 {
+            let error = (of(1e-6 * f64::from(turns)) - here).norm() / here.norm();
+            println!("{width} x {height}, turned by {turns}e-6: {error:.1e}");
+            assert!(error < 1e-5, "{width} x {height}: {error:e}");
+        }
+    }
+}
+
 #[test]
 fn an_edge_cut_into_pieces_scatters_as_one() {
     let whole = strip(0.03, 0.02, 0.0);

@@ -73,7 +73,8 @@ impl Following<'_, '_> {
     /// Gives the ends of the waves over the last face, then those of the waves that they give rise to.
     fn follow(&mut self, crossed: &mut Vec<Crossed>, sense: Sense, span_m: [f64; 2]) {
         let Self { node, reference_m, .. } = *self;
-        for piece_m in (FaceWaves { node, reference_m, crossed, sense }).pieces(span_m) {
+        for Run { span_m: piece_m, exit } in (FaceWaves { node, reference_m, crossed, sense }).runs(span_m) {
+            crossed.iter_mut().last().into_iter().for_each(|last| last.exit = Some(exit));
             let waves = FaceWaves { node, reference_m, crossed, sense };
             let give = &mut *self.give;
             let accuracy =
@@ -90,6 +91,7 @@ impl Following<'_, '_> {
                 crossed.pop();
             }
         }
+        crossed.iter_mut().last().into_iter().for_each(|last| last.exit = None);
     }
 
     /// The edge at which the waves end, and the share by which those that it sends count: 0 to 1. A face with
@@ -112,7 +114,22 @@ struct Crossed {
     share: f64,
     /// Whether it ends at edges alone and no wall rises on it.
     is_free: bool,
+    /// The end that all rays over it meet; `None` while each meets its own nearest.
+    exit: Option<usize>,
 }
+
+/// A part of the first edge from which all rays over the last face meet the same end of it.
+#[derive(Debug, Clone, Copy)]
+struct Run {
+    span_m: [f64; 2],
+    exit: usize,
+}
+
+/// Share of a span that its ends are looked at from within, so that rounding does not tell where a ray meets
+/// a corner.
+const INSET: f64 = 1e-11;
+/// Halvings that find where rays change from one end to the next, to 2⁻⁴⁰ of a span.
+const CHANGE_HALVINGS: u32 = 40;
 
 impl Crossed {
     /// Faces of an edge, on which waves count by a share. Both sides of a sheet have the same fringe current:
@@ -133,7 +150,7 @@ impl Crossed {
         let looks = |end: u32| edges.edges[end as usize].wedge.has_face(normal[face]);
         let is_free = of_face.iter().all(|end| end.edge.is_some_and(looks));
         let ends = FaceEnds::seen_from(edge.from_m, along, inward[face], of_face);
-        Self { edge: edge.clone(), face, ends, share, is_free }
+        Self { edge: edge.clone(), face, ends, share, is_free, exit: None }
     }
 
     /// Direction of a wave along the face in the coordinates of its ends.
@@ -143,6 +160,15 @@ impl Crossed {
 
     fn place_of(&self, x_m: DVec3) -> f64 {
         (x_m - self.edge.from_m).dot(self.edge.wedge.along)
+    }
+
+    /// Meeting of a wave from a place of the edge with the end of the face.
+    fn met_from(&self, at_m: f64, view: &FaceView) -> Option<Met> {
+        let direction = self.direction(view);
+        match self.exit {
+            Some(end) => Some(self.ends.on_line(end, at_m, direction)),
+            None => self.ends.nearest(at_m, direction),
+        }
     }
 }
 
@@ -241,7 +267,7 @@ impl FaceWaves<'_> {
         let view = crossed.edge.wedge.faces(travel, -back)?[crossed.face];
         let sent = from.mirrors.fields_at_node(travel, from.zenith_h);
         let received = to.mirrors.fields_at_node(back, to.zenith_h);
-        let met = crossed.ends.nearest(at_m, crossed.direction(&view))?;
+        let met = crossed.met_from(at_m, &view)?;
         Some(Wave {
             view,
             met,
@@ -271,7 +297,7 @@ impl FaceWaves<'_> {
         let Arrival { faces, travel, field, received, width, .. } =
             self.arrival(wave, &crossed.edge.wedge)?;
         let view = faces[crossed.face];
-        let met = crossed.ends.nearest(crossed.place_of(wave.end_m), crossed.direction(&view))?;
+        let met = crossed.met_from(crossed.place_of(wave.end_m), &view)?;
         Some(Wave {
             view,
             met,
@@ -293,17 +319,52 @@ impl FaceWaves<'_> {
         [0, 1].map(|p| at.width * (one[p][0] + other[p][0]))
     }
 
-    /// A span cut where rays along the last face change from one end to the next.
-    fn pieces(&self, span_m: [f64; 2]) -> Vec<[f64; 2]> {
+    /// A span cut where rays along the last face change from one end to the next; what meets none is left out.
+    fn runs(&self, span_m: [f64; 2]) -> Vec<Run> {
+        let inset_m = INSET * (span_m[1] - span_m[0]);
         let mut cuts = vec![span_m[0]];
         cuts.extend(self.changes_m(span_m));
         cuts.push(span_m[1]);
-        cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+        let wide = cuts.windows(2).filter(|pair| pair[1] - pair[0] > 4.0 * inset_m);
+        wide.flat_map(|pair| self.runs_between(pair[0], pair[1], inset_m)).collect()
+    }
+
+    /// Runs of a part of the span: cut anew where near antennas make rays change beside the place expected.
+    fn runs_between(&self, from_m: f64, to_m: f64, inset_m: f64) -> Vec<Run> {
+        let looks = [from_m + inset_m, 0.5 * (from_m + to_m), to_m - inset_m];
+        let exits = looks.map(|at_m| self.exit_from(at_m));
+        let mut runs = Vec::new();
+        let mut start_m = from_m;
+        for i in [0, 1].into_iter().filter(|i| exits[*i] != exits[*i + 1]) {
+            let change_m = self.change_between(looks[i], looks[i + 1], exits[i]);
+            runs.push(([start_m, change_m], exits[i]));
+            start_m = change_m;
+        }
+        runs.push(([start_m, to_m], exits[2]));
+        runs.into_iter().filter_map(|(span_m, exit)| Some(Run { span_m, exit: exit? })).collect()
+    }
+
+    /// The place up to which rays meet one end of the last face.
+    fn change_between(&self, from_m: f64, to_m: f64, exit: Option<usize>) -> f64 {
+        let (mut from_m, mut to_m) = (from_m, to_m);
+        for _ in 0..CHANGE_HALVINGS {
+            let middle_m = 0.5 * (from_m + to_m);
+            if self.exit_from(middle_m) == exit {
+                from_m = middle_m;
+            } else {
+                to_m = middle_m;
+            }
+        }
+        0.5 * (from_m + to_m)
+    }
+
+    fn exit_from(&self, at_m: f64) -> Option<usize> {
+        self.wave_from(at_m).map(|wave| wave.met.end)
     }
 
     /// Places on the first edge from which rays over all faces meet a corner of the last one's ends. A ray's
     /// place on a later edge is a linear function of that on the first for an antenna far away, and nearly
-    /// so near by, where a jump that is left is cut by halving.
+    /// so near by.
     fn changes_m(&self, span_m: [f64; 2]) -> Vec<f64> {
         let Some(last) = self.crossed.last() else { return Vec::new() };
         let [from, middle, to] = [0.01, 0.5, 0.99].map(|share| span_m[0] + share * (span_m[1] - span_m[0]));

@@ -16,6 +16,8 @@ pub(crate) struct Met {
     pub(crate) way_m: f64,
     /// The edge there; `None` at a wall.
     pub(crate) edge: Option<u32>,
+    /// Index of the end.
+    pub(crate) end: usize,
 }
 
 impl FaceEnds {
@@ -32,16 +34,23 @@ impl FaceEnds {
     /// The nearest end from (0, `at_m`) along the unit vector `direction` (x > 0).
     pub(crate) fn nearest(&self, at_m: f64, direction: DVec2) -> Option<Met> {
         let start = DVec2::new(0.0, at_m);
-        let meets = |&([p, q], edge): &([DVec2; 2], Option<u32>)| {
-            let [across_p, across_q] = [p, q].map(|x| direction.perp_dot(x - start));
-            if (across_p < 0.0) == (across_q < 0.0) {
-                return None;
-            }
-            let way_m = direction.dot(p.lerp(q, across_p / (across_p - across_q)) - start);
-            (way_m > 0.0).then_some(Met { way_m, edge })
+        let is_met = |(corners, _): &([DVec2; 2], Option<u32>)| {
+            let [p, q] = corners.map(|x| direction.perp_dot(x - start) < 0.0);
+            p != q
         };
-        let nearer = |a: Met, b: Met| if b.way_m < a.way_m { b } else { a };
-        self.ends.iter().filter_map(meets).reduce(nearer)
+        let met = (0..self.ends.len()).filter(|end| is_met(&self.ends[*end]));
+        let ahead = met.map(|end| self.on_line(end, at_m, direction)).filter(|met| met.way_m > 0.0);
+        ahead.reduce(|a, b| if b.way_m < a.way_m { b } else { a })
+    }
+
+    /// The point where a ray from (0, `at_m`) meets the line of one end, be it beyond its corners; the start
+    /// itself where the line lies behind it.
+    pub(crate) fn on_line(&self, end: usize, at_m: f64, direction: DVec2) -> Met {
+        let start = DVec2::new(0.0, at_m);
+        let ([p, q], edge) = self.ends[end];
+        let [across_p, across_q] = [p, q].map(|x| direction.perp_dot(x - start));
+        let way_m = direction.dot(p.lerp(q, across_p / (across_p - across_q)) - start);
+        Met { way_m: way_m.max(0.0), edge, end }
     }
 
     /// Places along the edge where rays in `direction` change from one end to another: the ends' corners,
@@ -68,10 +77,13 @@ mod tests {
         let end = |i: usize| PatchEnd { ends_m: [square[i], square[(i + 1) % 4]], edge: Some(i as u32) };
         let ends: Vec<PatchEnd> = (0..4).map(end).collect();
         let seen = FaceEnds::seen_from(DVec3::ZERO, DVec3::Y, DVec3::X, &ends);
-        assert_eq!(seen.nearest(0.5, DVec2::X), Some(Met { way_m: 3.0, edge: Some(2) }));
+        assert_eq!(seen.nearest(0.5, DVec2::X), Some(Met { way_m: 3.0, edge: Some(2), end: 1 }));
         let slant = DVec2::new(0.6, 0.8);
         assert!((seen.nearest(0.4, slant).unwrap().way_m - 2.0).abs() < 1e-14, "to the upper side");
         assert!((seen.nearest(-3.9, slant).unwrap().way_m - 4.875).abs() < 1e-14, "through the lower side");
+        let past = seen.on_line(1, 1.9, slant);
+        assert!((past.way_m - 5.0).abs() < 1e-14, "beyond the corner, on the far side's line");
+        assert_eq!(seen.on_line(0, 1.9, slant).way_m, 0.0, "the lower side lies behind");
         let changes = seen.changes_m(DVec2::new(0.8, 0.6), [0.0, 2.0]);
         assert!(changes.is_empty() || changes.iter().all(|c| *c > 0.0));
         assert_eq!(FaceEnds { ends: Vec::new() }.nearest(0.0, DVec2::X), None);
