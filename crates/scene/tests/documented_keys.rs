@@ -54,3 +54,36 @@ fn every_substance_is_documented_with_its_permittivity() {
         assert!(page.contains(&row), "{row}");
     }
 }
+
+/// The scene that docs/interface.md shows, as a user copies it.
+fn shown_scene(page: &str) -> &str {
+    let (_, behind) = page.split_once("```toml\nname = \"example\"\n").unwrap();
+    behind.split_once("```").unwrap().0
+}
+
+/// Lines of a scene but for those whose values have defaults.
+fn without_defaults(scene: &str) -> String {
+    let mut table = "";
+    let mut kept = vec![];
+    for line in scene.lines() {
+        if line.starts_with('[') {
+            table = line.split_whitespace().next().unwrap();
+        }
+        if ["[noise]", "[[target]]"].contains(&table) && !line.starts_with("yaw_") {
+            kept.push(line);
+        }
+    }
+    kept.join("\n")
+}
+
+#[test]
+fn the_scene_of_the_interface_is_read_and_shows_the_defaults() {
+    let Some(page) = page("interface.md") else { return };
+    let read = |keys: &str| {
+        let text = format!("name = \"example\"\n{keys}");
+        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        scene::read_text(Path::new("interface.md"), &text, &options).unwrap()
+    };
+    let shown = shown_scene(&page);
+    assert_eq!(read(shown), read(&without_defaults(shown)));
+}
