@@ -52,7 +52,7 @@ pub(super) fn conclude(layout: &Layout, out: &Path, tell: &dyn Fn(&str)) -> Resu
         each_line(layout, |line| lines::samples(&line).try_for_each(|sample| writeln!(stream, "{sample}")))
     })?;
     let mut reached = ReachedAccuracy::default();
-    let mut detected = DetectionTable::new();
+    let mut detected = DetectionTable::default();
     files::write_with(&scenes, |stream| {
         each_line(layout, |line| {
             reached.add(&line);

@@ -1,25 +1,35 @@
 //! Estimate against truth over all vehicles of a dataset, as a table.
 
+use artifact::settings::Class;
 use serde_json::Value;
+use std::collections::BTreeMap;
 
 /// Median and 90 % point say more than a mean here: an object that took a ghost along is far off.
 const HEAD: &str = "| vehicles | number | detected | range error, m: bias, median, 90 % \
 | velocity error, m/s: median, 90 % | lateral error, m: median, 90 % | lane right |\n|---|---|---|---|---|---|---|\n";
 
-/// A row for each class, lane and range, and one for all; vehicles are taken in one after the other.
-pub(super) struct DetectionTable(Vec<VehicleRow>);
+/// Bounds of the rows by range, m; what is nearer than the first or beyond the last has a row too.
+const BOUNDS_M: [f64; 5] = [25.0, 35.0, 45.0, 60.0, 100.0];
 
-/// Vehicles that a row counts.
+/// A row for each class, lane and range of which there is a vehicle, and one for all; vehicles are taken in
+/// one after the other.
+#[derive(Default)]
+pub(super) struct DetectionTable(BTreeMap<Counted, VehicleRow>);
+
+/// Vehicles that a row counts, in the order of the rows.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Counted {
-    OfClass(&'static str),
+    /// Of the class of this index in [`Class::ALL`].
+    OfClass(usize),
     InLane(u64),
-    WithinM([f64; 2]),
+    /// From this many of [`BOUNDS_M`] on.
+    Beyond(usize),
     All,
 }
 
 /// Vehicles of a row, and the errors of those that were found.
+#[derive(Default)]
 struct VehicleRow {
-    counted: Counted,
     vehicles: usize,
     found: usize,
     lane_right: usize,
@@ -29,59 +39,49 @@ struct VehicleRow {
 }
 
 impl DetectionTable {
-    pub(super) fn new() -> Self {
-        let classes = ["car", "bus", "truck", "motorcycle"].map(Counted::OfClass);
-        let lanes = [1, 2, 3].map(Counted::InLane);
-        let ranges = [[25.0, 35.0], [35.0, 45.0], [45.0, 60.0]].map(Counted::WithinM);
-        let rows = classes.into_iter().chain(lanes).chain(ranges).chain([Counted::All]);
-        Self(rows.map(VehicleRow::of).collect())
-    }
-
     /// Takes a vehicle in.
     pub(super) fn add(&mut self, vehicle: &Value) {
-        self.0.iter_mut().filter(|row| row.counted.has(vehicle)).for_each(|row| row.add(vehicle));
+        Counted::those_with(vehicle).for_each(|counted| self.0.entry(counted).or_default().add(vehicle));
     }
 
     /// Number of vehicles that were found, and of all.
     pub(super) fn found_of_all(&self) -> (usize, usize) {
-        self.0.last().map_or((0, 0), |all| (all.found, all.vehicles))
+        self.0.get(&Counted::All).map_or((0, 0), |all| (all.found, all.vehicles))
     }
 
     /// The table as Markdown.
     pub(super) fn markdown(&self) -> String {
-        let rows: Vec<String> = self.0.iter().map(VehicleRow::markdown).collect();
-        format!("{HEAD}{}", rows.concat())
+        let rows = self.0.iter().map(|(counted, row)| row.markdown(&counted.name()));
+        format!("{HEAD}{}", rows.collect::<String>())
     }
 }
 
 impl Counted {
-    fn has(&self, vehicle: &Value) -> bool {
-        match self {
-            Self::OfClass(class) => vehicle["class"] == *class,
-            Self::InLane(lane) => vehicle["lane"] == *lane,
-            Self::WithinM([near, far]) => {
-                vehicle["range_m"].as_f64().is_some_and(|range| (*near..*far).contains(&range))
-            }
-            Self::All => true,
-        }
+    /// Rows that count a vehicle.
+    fn those_with(vehicle: &Value) -> impl Iterator<Item = Self> {
+        let class = Class::ALL.iter().position(|class| vehicle["class"] == class.name());
+        let range_m = vehicle["range_m"].as_f64();
+        let bound = range_m.map(|range_m| BOUNDS_M.iter().filter(|bound_m| **bound_m <= range_m).count());
+        let lane = vehicle["lane"].as_u64();
+        let rows = [class.map(Self::OfClass), lane.map(Self::InLane), bound.map(Self::Beyond)];
+        rows.into_iter().flatten().chain([Self::All])
     }
 
-    fn name(&self) -> String {
+    fn name(self) -> String {
         match self {
-            Self::OfClass(class) => (*class).to_owned(),
+            Self::OfClass(class) => Class::ALL[class].name().to_owned(),
             Self::InLane(lane) => format!("lane {lane}"),
-            Self::WithinM([near, far]) => format!("{near}–{far} m"),
+            Self::Beyond(0) => format!("under {} m", BOUNDS_M[0]),
+            Self::Beyond(bounds) => BOUNDS_M.get(bounds).map_or_else(
+                || format!("from {} m", BOUNDS_M[bounds - 1]),
+                |far_m| format!("{}–{far_m} m", BOUNDS_M[bounds - 1]),
+            ),
             Self::All => "all".to_owned(),
         }
     }
 }
 
 impl VehicleRow {
-    fn of(counted: Counted) -> Self {
-        let (range, velocity, lateral) = (vec![], vec![], vec![]);
-        Self { counted, vehicles: 0, found: 0, lane_right: 0, range, velocity, lateral }
-    }
-
     fn add(&mut self, vehicle: &Value) {
         self.vehicles += 1;
         let estimate = &vehicle["estimate"];
@@ -95,19 +95,30 @@ impl VehicleRow {
         self.lateral.extend(error(&estimate["x_m"], &vehicle["x_m"]));
     }
 
-    fn markdown(&self) -> String {
-        let bias = self.range.iter().sum::<f64>() / self.range.len().max(1) as f64;
-        let share = |part: usize, of: usize| format!("{:.1} %", 100.0 * part as f64 / of.max(1) as f64);
+    fn markdown(&self, name: &str) -> String {
         format!(
-            "| {} | {} | {} | {bias:+.2}, {} | {} | {} | {} |\n",
-            self.counted.name(),
+            "| {name} | {} | {} | {}, {} | {} | {} | {} |\n",
             self.vehicles,
             share(self.found, self.vehicles),
+            bias(&self.range),
             spread(&self.range),
             spread(&self.velocity),
             spread(&self.lateral),
             share(self.lane_right, self.found),
         )
+    }
+}
+
+/// A share in per cent; of nothing there is none.
+fn share(part: usize, of: usize) -> String {
+    if of == 0 { "–".to_owned() } else { format!("{:.1} %", 100.0 * part as f64 / of as f64) }
+}
+
+/// Mean of errors; of none there is no mean.
+fn bias(errors: &[f64]) -> String {
+    match errors.len() {
+        0 => "–".to_owned(),
+        count => format!("{:+.2}", errors.iter().sum::<f64>() / count as f64),
     }
 }
 
@@ -133,7 +144,7 @@ mod tests {
         let found = r#"{"class":"car","lane":2,"range_m":40.0,"x_m":5.75,"echo_range_m":38.0,
             "echo_velocity_mps":-3.0,"estimate":{"range_m":38.5,"velocity_mps":-3.1,"x_m":5.25,"lane":2}}"#;
         let missed = r#"{"class":"car","lane":2,"range_m":41.0,"x_m":5.75,"estimate":null}"#;
-        let mut detected = DetectionTable::new();
+        let mut detected = DetectionTable::default();
         [found, missed].iter().for_each(|line| detected.add(&serde_json::from_str(line).unwrap()));
         let table = detected.markdown();
         assert!(
@@ -141,5 +152,18 @@ mod tests {
             "{table}"
         );
         assert_eq!(detected.found_of_all(), (1, 2));
+    }
+
+    #[test]
+    fn every_vehicle_has_its_rows_and_rows_of_nobody_are_not_there() {
+        let far = r#"{"class":"truck","lane":4,"range_m":120.0,"x_m":13.25,"estimate":null}"#;
+        let near = r#"{"class":"truck","lane":4,"range_m":12.0,"x_m":13.25,"estimate":null}"#;
+        let mut detected = DetectionTable::default();
+        [far, near].iter().for_each(|line| detected.add(&serde_json::from_str(line).unwrap()));
+        let nothing = "–, –, – | –, – | –, – | – |";
+        let row = |name: &str, count: usize| format!("| {name} | {count} | 0.0 % | {nothing}\n");
+        let rows =
+            [row("truck", 2), row("lane 4", 2), row("under 25 m", 1), row("from 100 m", 1), row("all", 2)];
+        assert_eq!(detected.markdown(), format!("{HEAD}{}", rows.concat()));
     }
 }
