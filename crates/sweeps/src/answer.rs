@@ -39,7 +39,11 @@ impl Answer {
         let best = contest::best(&scores, &ledger.open);
         let jointly = contest::jointly(study.confidence, ledger.designs().saturating_sub(1));
         let standing = |design: usize| Standing {
-            mean: Mean::of_known(&ledger.metric(design, study.goal.metric), study.confidence),
+            mean: study.measures.mean(
+                study.goal.metric,
+                &ledger.metric(design, study.goal.metric),
+                study.confidence,
+            ),
             cost: Mean::of_known(&ledger.metric(design, study.goal.cost), study.confidence).map(|m| m.value),
             behind: best.and_then(|best| Mean::of_pairs(&scores[best], &scores[design], jointly)),
         };

@@ -6,8 +6,8 @@
 //!
 //! Reading order is that of the rooms below; each uses only those that stand before it.
 
-mod metrics; // what is measured of a run
 mod statistics; // how sure a mean is, and which designs are worse for sure
+mod metrics; // what is measured of a run
 mod study; // the file, its designs and its situations
 mod runs; // a design in a situation, and what of it is kept
 mod answer; // which design to take

@@ -1,6 +1,7 @@
 //! Measures of a run in a study: shares, errors and costs, each a number or nothing where nothing could be
 //! asked.
 
+use crate::statistics::interval::{Mean, known};
 use artifact::settings::Class;
 use pipeline::outcome::summary::{Cause, Estimate, Predicted, Summary, TargetSummary};
 
@@ -32,7 +33,16 @@ pub(crate) struct Measures {
 struct Measure {
     name: String,
     better: Better,
+    scale: Scale,
     of: Box<OfRun>,
+}
+
+/// Values that a metric may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Scale {
+    /// From 0 to 1.
+    Share,
+    Any,
 }
 
 /// Value of a metric in a run.
@@ -55,6 +65,14 @@ impl Measures {
         self.all[metric].better
     }
 
+    /// Mean of a metric's values that are known, with its interval.
+    pub(crate) fn mean(&self, metric: usize, values: &[Option<f64>], confidence: f64) -> Option<Mean> {
+        match self.all[metric].scale {
+            Scale::Share => Mean::of_shares(&known(values), confidence),
+            Scale::Any => Mean::of(&known(values), confidence),
+        }
+    }
+
     /// All values of a run.
     pub(crate) fn values(&self, summary: &Summary) -> Vec<Option<f64>> {
         self.all.iter().map(|measure| (measure.of)(summary).filter(|value| value.is_finite())).collect()
@@ -66,16 +84,21 @@ fn measure(
     better: Better,
     of: impl Fn(&Summary) -> Option<f64> + Send + Sync + 'static,
 ) -> Measure {
-    Measure { name: name.into(), better, of: Box::new(of) }
+    Measure { name: name.into(), better, scale: Scale::Any, of: Box::new(of) }
+}
+
+/// A share, of which more is better.
+fn rate(name: impl Into<String>, of: impl Fn(&Summary) -> Option<f64> + Send + Sync + 'static) -> Measure {
+    Measure { scale: Scale::Share, ..measure(name, Better::Higher, of) }
 }
 
 fn found() -> impl Iterator<Item = Measure> {
     let is_found = |target: &TargetSummary| target.estimate.is_some();
     [
-        measure("coverage", Better::Higher, move |s| share(s, |_| true, is_found)),
-        measure("lane_coverage", Better::Higher, |s| share(s, |t| t.truth.lane.is_some(), lane_is_right)),
-        measure("class_coverage", Better::Higher, |s| share(s, |t| t.class.is_some(), class_is_right)),
-        measure("detection_rate", Better::Higher, move |s| share(s, |t| t.found.is_some(), is_found)),
+        rate("coverage", move |s| share(s, |_| true, is_found)),
+        rate("lane_coverage", |s| share(s, |t| t.truth.lane.is_some(), lane_is_right)),
+        rate("class_coverage", |s| share(s, |t| t.class.is_some(), class_is_right)),
+        rate("detection_rate", move |s| share(s, |t| t.found.is_some(), is_found)),
     ]
     .into_iter()
 }
@@ -84,7 +107,7 @@ fn of_classes() -> impl Iterator<Item = Measure> {
     Class::ALL.into_iter().map(|class| {
         let asked = move |target: &TargetSummary| target.found.is_some() && target.class == Some(class);
         let name = format!("detection_rate_{}", class.name());
-        measure(name, Better::Higher, move |s| share(s, asked, |t| t.estimate.is_some()))
+        rate(name, move |s| share(s, asked, |t| t.estimate.is_some()))
     })
 }
 
@@ -97,7 +120,7 @@ fn of_bands(bounds_m: Vec<f64>) -> impl Iterator<Item = Measure> {
             move |t: &TargetSummary| t.found.is_some() && (near..far).contains(&t.truth.compared_range_m());
         let to = if far.is_finite() { far.to_string() } else { "beyond".into() };
         let name = format!("detection_rate_{near}_{to}_m");
-        measure(name, Better::Higher, move |s| share(s, asked, |t| t.estimate.is_some()))
+        rate(name, move |s| share(s, asked, |t| t.estimate.is_some()))
     })
 }
 
@@ -106,10 +129,8 @@ fn estimated() -> impl Iterator<Item = Measure> {
     let velocity =
         |t: &TargetSummary, e: &Estimate| e.radial_velocity_mps - t.truth.compared_radial_velocity_mps();
     [
-        measure("lane_rate", Better::Higher, |s| s.metrics.objects.lane_rate),
-        measure("class_accuracy", Better::Higher, |s| {
-            share(s, |t| t.class.is_some() && t.estimate.is_some(), class_is_right)
-        }),
+        rate("lane_rate", |s| s.metrics.objects.lane_rate),
+        rate("class_accuracy", |s| share(s, |t| t.class.is_some() && t.estimate.is_some(), class_is_right)),
         measure("range_error_m", Better::Lower, move |s| rms(s, range)),
         measure("velocity_error_mps", Better::Lower, move |s| rms(s, velocity)),
         measure("gospa_m", Better::Lower, |s| s.metrics.objects.gospa_m),

@@ -37,8 +37,7 @@ fn place(standing: &Standing) -> Option<[f64; 2]> {
 fn axes(answer: &Answer, form: Form, top: f64) -> Axes {
     let places: Vec<[f64; 2]> = answer.standings.iter().filter_map(place).collect();
     let on_front = answer.front.iter().filter_map(|design| answer.standings[*design].mean);
-    let ends =
-        on_front.flat_map(|mean| [-1.0, 1.0].map(|sign| mean.value + sign * mean.half_width.unwrap_or(0.0)));
+    let ends = on_front.flat_map(|mean| mean.ends.unwrap_or([mean.value; 2]));
     let [left, right] = form.sides_px();
     let x = span(places.iter().map(|p| p[0]));
     let y = span(places.iter().map(|p| p[1]).chain(ends));
@@ -100,10 +99,9 @@ fn marks(sheet: &mut Svg, answer: &Answer, axes: &Axes) -> Legend {
 fn bars(sheet: &mut Svg, answer: &Answer, axes: &Axes) {
     for design in &answer.front {
         let standing = &answer.standings[*design];
-        let half = standing.mean.and_then(|mean| mean.half_width);
-        if let (Some([x, y]), Some(half)) = (place(standing), half) {
-            let end = |sign: f64| [axes.x.at(x), axes.y.at(y + sign * half)];
-            sheet.polyline("c0", 1.2, &[end(-1.0), end(1.0)]);
+        let ends = standing.mean.and_then(|mean| mean.ends);
+        if let (Some([x, _]), Some(ends)) = (place(standing), ends) {
+            sheet.polyline("c0", 1.2, &ends.map(|end| [axes.x.at(x), axes.y.at(end)]));
         }
     }
 }

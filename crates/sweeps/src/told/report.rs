@@ -130,7 +130,7 @@ impl Done<'_> {
         let titles = ["the answer", "the best mean"].map(str::to_owned);
         let head = ["metric".to_owned()].into_iter().chain(titles.into_iter().take(shown.len())).collect();
         let mean = |design: usize, metric: usize| {
-            text(Mean::of_known(&self.ledger.metric(design, metric), self.study.confidence))
+            text(self.study.measures.mean(metric, &self.ledger.metric(design, metric), self.study.confidence))
         };
         let row = |(metric, name): (usize, &str)| {
             let means = shown.iter().map(|design| mean(*design, metric));
@@ -149,7 +149,7 @@ impl Done<'_> {
         };
         format!(
             "{} designs in up to {most} situations, {runs} runs, seed {}; all designs see the same situations. Intervals \
-             are Student's at {} % over situations; those behind the best are of paired differences, each at {} %, so \
+             are Student's at {} % over situations, those of shares that are all 1 or all 0 Clopper's and Pearson's; those behind the best are of paired differences, each at {} %, so \
              that all hold together.{stopped} Means by value are over the {} situations that every design has seen.",
             self.ledger.designs(),
             self.study.seed,

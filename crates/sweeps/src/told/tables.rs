@@ -46,8 +46,8 @@ pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, ans
     for (number, design) in designs.iter().enumerate() {
         let seen = ledger.runs(number).len();
         let values = design.iter().flat_map(|pick| pick.values.iter().map(|value| plain(value)));
-        let means = (0..study.measures.names().count())
-            .flat_map(|metric| interval(Mean::of_known(&ledger.metric(number, metric), study.confidence)));
+        let mean = |metric| study.measures.mean(metric, &ledger.metric(number, metric), study.confidence);
+        let means = (0..study.measures.names().count()).flat_map(|metric| interval(mean(metric)));
         let behind = interval(answer.standings[number].behind);
         let is_in = |designs: &[usize]| if designs.contains(&number) { "yes" } else { "no" }.to_owned();
         let missed = accuracy::missed(ledger, number).to_string();
@@ -78,8 +78,9 @@ fn plain(value: &str) -> String {
 
 /// Mean and both ends of its interval, which are empty where no spread is known.
 fn interval(mean: Option<Mean>) -> [String; 3] {
-    let end = |sign: f64| mean.and_then(|mean| Some(mean.value + sign * mean.half_width?));
-    [cell(mean.map(|mean| mean.value)), cell(end(-1.0)), cell(end(1.0))]
+    let ends = mean.and_then(|mean| mean.ends);
+    let end = |at: usize| ends.map(|ends| ends[at]);
+    [cell(mean.map(|mean| mean.value)), cell(end(0)), cell(end(1))]
 }
 
 fn cell(value: Option<f64>) -> String {

@@ -2,7 +2,6 @@
 
 use crate::metrics::Better;
 use crate::runs::one_run;
-use crate::statistics::interval::Mean;
 use crate::study::axis::{Axis, Pick};
 use crate::study::situations::Situation;
 use crate::told::report::Done;
@@ -77,7 +76,7 @@ fn design(
 ) -> Result<Design, Failure> {
     let Done { study, designs, ledger, answer } = done;
     let mean = |metric| {
-        let mean = Mean::of_known(&ledger.metric(number, metric), study.confidence);
+        let mean = study.measures.mean(metric, &ledger.metric(number, metric), study.confidence);
         mean.map(|mean| (mean.value, mean.half_width))
     };
     let mut goal_by_situation = ledger.metric(number, study.goal.metric);
