@@ -1,6 +1,7 @@
 //! Evaluation of a model (`evaluate`): how often it is right on datasets, by frame and by track, with its
 //! spread over vehicles, as a page.
 
+use crate::training::told_interval;
 use artifact::dataset::Sample;
 use artifact::settings::Class;
 use classifier::{Evaluation, Part, Sightings, parts};
@@ -104,11 +105,11 @@ fn page([frames, tracks]: &[Part; 2]) -> String {
 
 fn row(name: &str, part: &Part) -> String {
     let (told, evaluation) = (&part.by_vehicle, &part.evaluation);
-    let [low, high] = told.interval.map(|share| 100.0 * share);
     format!(
-        "| {name} | {} | {:.1} % | {low:.1} … {high:.1} % over {} | {:.3} | {:.1} % |",
+        "| {name} | {} | {:.1} % | {} over {} | {:.3} | {:.1} % |",
         told.answers,
         100.0 * told.mean_over_classes,
+        told_interval(told.interval),
         told.vehicles,
         evaluation.log_loss,
         100.0 * evaluation.calibration.expected_error,

@@ -131,8 +131,11 @@ fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
         let of = |one: &[Part; 2]| one[at].by_vehicle.mean_over_classes;
         let middle = mean(&of);
         let spread = mean(&|one| (100.0 * of(one) - middle).powi(2) / 100.0);
-        let [low, high] = [0, 1].map(|end| mean(&|one| one[at].by_vehicle.interval[end]));
-        format!("{middle:.1} % ({low:.0} … {high:.0}; ± {:.1})", spread.sqrt())
+        let end =
+            |one: &[Part; 2], end: usize| one[at].by_vehicle.interval.map_or(f64::NAN, |ends| ends[end]);
+        let [low, high] = [0, 1].map(|at_end| mean(&|one| end(one, at_end)));
+        let over_vehicles = if low.is_nan() { "–".to_owned() } else { format!("{low:.0} … {high:.0}") };
+        format!("{middle:.1} % ({over_vehicles}; ± {:.1})", spread.sqrt())
     };
     let error = |at: usize| mean(&|one| one[at].evaluation.calibration.expected_error);
     let vehicles = told[0][0].by_vehicle.vehicles;

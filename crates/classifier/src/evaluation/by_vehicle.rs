@@ -30,8 +30,9 @@ pub struct ByVehicle {
     pub answers: usize,
     /// Mean of the share of right answers over the classes, of these answers.
     pub mean_over_classes: f64,
-    /// 95 % interval over vehicles: they are drawn anew, with replacement, in each class.
-    pub interval: [f64; 2],
+    /// 95 % interval over vehicles: they are drawn anew, with replacement, in each class. `None` where no
+    /// class has two of them: every draw is then the same, which tells of no spread.
+    pub interval: Option<[f64; 2]>,
 }
 
 /// Right answers and answers of each vehicle, by class.
@@ -47,14 +48,19 @@ pub fn by_vehicle<'a>(answers: impl Iterator<Item = Told<'a>>) -> ByVehicle {
     }
     let own = |class: usize| of_vehicle.iter().filter(|((c, _), _)| *c == class).map(|(_, n)| *n).collect();
     let counts: Counts = (0..4).map(own).filter(|own: &Vec<_>| !own.is_empty()).collect();
-    let mut drawn: Vec<f64> = (0..DRAWS).map(|draw| mean(&drawn_anew(&counts, draw))).collect();
-    drawn.sort_by(f64::total_cmp);
     ByVehicle {
         vehicles: of_vehicle.len(),
         answers: of_vehicle.values().map(|[_, all]| *all as usize).sum(),
         mean_over_classes: mean(&counts),
-        interval: [0.025, 0.975].map(|share| drawn[(share * (DRAWS - 1) as f64).round() as usize]),
+        interval: counts.iter().any(|own| own.len() > 1).then(|| interval(&counts)),
     }
+}
+
+/// Percentiles of the mean over classes, of vehicles drawn anew.
+fn interval(counts: &Counts) -> [f64; 2] {
+    let mut drawn: Vec<f64> = (0..DRAWS).map(|draw| mean(&drawn_anew(counts, draw))).collect();
+    drawn.sort_by(f64::total_cmp);
+    [0.025, 0.975].map(|share| drawn[(share * (DRAWS - 1) as f64).round() as usize])
 }
 
 /// Mean over classes; 0 without any.
@@ -86,13 +92,13 @@ mod tests {
         let many = (0..100).flat_map(|_| [answer(0, "a", 0), answer(0, "b", 1)]);
         let found = by_vehicle(many);
         assert_eq!((found.vehicles, found.answers, found.mean_over_classes), (2, 200, 0.5));
-        assert_eq!(found.interval, [0.0, 1.0]);
+        assert_eq!(found.interval, Some([0.0, 1.0]));
     }
 
     #[test]
-    fn classes_count_alike_however_many_answers_they_have() {
+    fn classes_count_alike_however_many_answers_they_have_and_lone_vehicles_tell_of_no_spread() {
         let answers = (0..90).map(|_| Told { truth: 0, model: "a", told: 0 });
         let found = by_vehicle(answers.chain((0..10).map(|_| Told { truth: 1, model: "b", told: 0 })));
-        assert_eq!((found.mean_over_classes, found.interval), (0.5, [0.5, 0.5]));
+        assert_eq!((found.mean_over_classes, found.interval), (0.5, None));
     }
 }

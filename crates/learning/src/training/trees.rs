@@ -1,6 +1,7 @@
 //! Boosted trees from datasets: `weights.model`, `metrics.json`, `curves.csv`.
 
 use crate::training::settings::Settings;
+use crate::training::told_interval;
 use artifact::model::Model;
 use artifact::{Provenance, Writer, bounded};
 use classifier::{
@@ -77,12 +78,12 @@ fn save(settings: &Settings, trained: &TrainedTrees, provenance: &Provenance) ->
 fn told(trained: &TrainedTrees) -> Vec<String> {
     let m = &trained.metrics;
     let line = |name: &str, part: &Part| {
-        let [low, high] = part.by_vehicle.interval.map(|share| 100.0 * share);
+        let interval = told_interval(part.by_vehicle.interval);
         let (right, ece) =
             (100.0 * part.by_vehicle.mean_over_classes, 100.0 * part.evaluation.calibration.expected_error);
         let (of, vehicles) = (part.by_vehicle.answers, part.by_vehicle.vehicles);
         format!(
-            "{name:<32} {right:.1} % right, mean over classes ({low:.1} … {high:.1} % over {vehicles} vehicles), {of} answers, calibration error {ece:.1} %"
+            "{name:<32} {right:.1} % right, mean over classes ({interval} over {vehicles} vehicles), {of} answers, calibration error {ece:.1} %"
         )
     };
     let mut lines = vec![
