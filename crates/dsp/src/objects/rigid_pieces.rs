@@ -67,8 +67,9 @@ pub(crate) fn drive_as_one(
     let adjoins = width_m <= settings.cluster_cross_m
         && nearest_m(&a, &b) <= settings.cluster_range_m
         && drives_across(&all, fit.velocity_mps);
-    let lines_up =
-        width_m <= SIDE_WIDTH * settings.cluster_cross_m && gap_m <= LANE_M && fit.is_known_to_cross(&all);
+    let lines_up = width_m <= SIDE_WIDTH * settings.cluster_cross_m
+        && gap_m <= LANE_M.min(reach_m)
+        && fit.is_known_to_cross(&all);
     length(extent(&all, |place_m| along.dot(place_m))) <= LONGEST_M && (continues || adjoins || lines_up)
 }
 
@@ -202,6 +203,23 @@ mod tests {
         // In the next lane, and at the same radial velocities.
         let beside = [side[0], member(-10.6, 19.9, across)];
         assert!(!are_one(&beside, [&[0], &[1]]));
+    }
+
+    /// Two people in a room, one who walks away and one who comes, with the reaches that a scene gives people.
+    #[test]
+    fn parts_line_up_no_farther_than_the_reach_that_a_scene_asks_for() {
+        let [recedes, comes] = [0.586, -0.469];
+        let person =
+            |x_m, y_m, radial_velocity_mps| Member { radial_velocity_mps, ..member(x_m, y_m, DVec2::ZERO) };
+        let pair = [person(-0.34, 2.92, recedes), person(0.82, 2.88, comes)];
+        let people = DspSettings {
+            cluster_range_m: 0.6,
+            cluster_cross_m: 0.8,
+            cluster_velocity_mps: 1.0,
+            ..settings()
+        };
+        let within = |reach_m| drive_as_one(&pair, &people, SPAN_MPS, [&[0], &[1]], reach_m);
+        assert!(within(4.4) && !within(1.75 * people.cluster_range_m));
     }
 
     #[test]
