@@ -18,6 +18,7 @@
 //!
 //! Reading order is that of the rooms below; each uses only those that stand before it.
 
+mod remarks; // what is perhaps not meant so
 pub mod run; // a scene to everything
 pub mod stepwise; // a scene stage by stage in memory
 pub mod program; // command line, a file per command

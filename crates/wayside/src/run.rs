@@ -1,6 +1,5 @@
 //! A scene to everything that can be known of it: artifacts, `summary.json`, report and pictures.
 
-mod coarse_meshes;
 mod products;
 mod several_radars;
 mod scene_run;

@@ -102,6 +102,15 @@ impl Material {
         matches!(self, Self::Layers { backing: Backing::Air, .. })
     }
 
+    /// Permittivities of what the material consists of; none of a conductor.
+    pub fn permittivities(&self) -> Vec<Complex64> {
+        match self {
+            Self::Conductor => vec![],
+            Self::HalfSpace { permittivity } => vec![*permittivity],
+            Self::Layers { layers, .. } => layers.iter().map(|layer| layer.permittivity).collect(),
+        }
+    }
+
     /// Whether the material is possible: no permittivity below that of air or with a gain, and layers with
     /// a thickness.
     pub fn is_sound(&self) -> bool {

@@ -19,6 +19,9 @@ pub struct Substance {
     pub source: &'static str,
 }
 
+/// Lowest and highest frequency that the table's values are told for, Hz.
+pub const BAND_HZ: [f64; 2] = [76e9, 81e9];
+
 /// All substances of the table, by name.
 pub const SUBSTANCES: [Substance; 17] = [
     dielectric("abs", [2.7, 0.03], "acrylonitrile-butadiene-styrene: grilles, mirror caps", RIDDLE),

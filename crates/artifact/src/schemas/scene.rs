@@ -257,6 +257,16 @@ pub struct Mesh {
     pub statistics: MeshStatistics,
 }
 
+impl Mesh {
+    /// Length, width and height of the bounding box, body metres.
+    pub fn size_m(&self) -> [f64; 3] {
+        std::array::from_fn(|axis| {
+            let along = self.vertices_m.iter().map(|vertex| vertex[axis]);
+            along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
+        })
+    }
+}
+
 /// A road wheel of a mesh, its axle along the body's y axis.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct RoadWheel {

@@ -1,6 +1,6 @@
 //! `run`: a scene to everything that can be known of it.
 
-use crate::run::coarse_meshes;
+use crate::remarks;
 use crate::run::products::{self, Products};
 use crate::run::several_radars::{self, Told};
 use pipeline::chain::cache::{Cache, CacheLocation};
@@ -122,7 +122,7 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     let above = outs.first().filter(|_| is_of_all).map(|out| several_radars::above(out));
     apart(cache.as_ref(), outs.iter().map(PathBuf::as_path).chain(above))?;
     let _writing = (!settings.dry_run).then(|| begin(&planned, &outs, above)).transpose()?;
-    let first = planned.first().map(|planned| coarse_meshes::remarks(&planned.loaded.header));
+    let first = planned.first().map(|planned| remarks::of_scene(&planned.loaded.header));
     first.into_iter().flatten().for_each(progress::note);
     let mut of_radars = vec![];
     for ((run, planned), out) in runs.iter().zip(&planned).zip(&outs) {

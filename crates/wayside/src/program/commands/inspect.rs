@@ -109,8 +109,10 @@ fn scene(reader: Reader<Scene>) -> Result<(), Failure> {
     for mesh in meshes.iter() {
         let s = mesh.statistics;
         let (kept, dropped, open) = (mesh.triangles.len(), s.degenerate, s.open_edges);
+        let [length_m, width_m, height_m] = mesh.size_m();
         line(format!(
-            "mesh         {}: {kept} triangles, {dropped} degenerate dropped, {open} open edges",
+            "mesh         {}: {kept} triangles, {dropped} degenerate dropped, {open} open edges, {length_m:.3} m \
+             long, {width_m:.3} m wide, {height_m:.3} m high",
             mesh.name
         ));
     }

@@ -12,6 +12,7 @@ use crate::program::terminal;
 use crate::program::words::{
     EdgesWord, MethodWord, NodesWord, PolarizationWord, SidesWord, SurfaceWord, TransmissionWord,
 };
+use crate::remarks;
 use crate::stepwise;
 use answer::{Answer, CommandTook};
 use artifact::Accuracy;
@@ -46,6 +47,7 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     let mesh = progress::during(format!("reading {}", arguments.mesh.display()), || {
         dressed(stepwise::mesh(&arguments.mesh, arguments.unit_scale)?, arguments, &request)
     })?;
+    remark(&mesh, &request);
     claim(arguments)?;
     let load = clock.seconds();
     let checkpoint =
@@ -137,6 +139,16 @@ fn traced(
     )
     .map(Answer::of_bart)
     .map_err(Failure::refused)
+}
+
+/// Remarks on materials whose permittivities are those of other frequencies.
+fn remark(mesh: &Mesh, request: &RcsRequest) {
+    let ends = [f64::min, f64::max].map(|end| request.frequency_hz.iter().copied().reduce(end));
+    if let [Some(lowest_hz), Some(highest_hz)] = ends {
+        remarks::of_materials(mesh.makeup.materials.iter(), [lowest_hz, highest_hz])
+            .into_iter()
+            .for_each(progress::note);
+    }
 }
 
 /// The mesh in the materials asked for and those of its asset.

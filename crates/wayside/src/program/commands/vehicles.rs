@@ -59,17 +59,10 @@ fn is_manifest(text: &[u8]) -> bool {
 
 fn entry(vehicle: &Planned, mesh: &Mesh) -> Value {
     let Planned { name, seed, file } = vehicle;
-    let [length_m, width_m, height_m] = extent_m(mesh);
+    let [length_m, width_m, height_m] = mesh.size_m();
     json!({
         "name": name, "class": scene::vehicles::class_of(name).map(|c| c.name()), "file": file, "seed": seed,
         "length_m": length_m, "width_m": width_m, "height_m": height_m,
         "triangles": mesh.triangles.len(), "materials": mesh.materials,
-    })
-}
-
-fn extent_m(mesh: &Mesh) -> [f64; 3] {
-    std::array::from_fn(|axis| {
-        let along = mesh.vertices_m.iter().map(|v| v[axis]);
-        along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
     })
 }

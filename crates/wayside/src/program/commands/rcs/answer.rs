@@ -75,7 +75,7 @@ impl Answer {
             "unit": "m",
             "settings": settings(arguments),
             "mesh": { "triangles_read": s.triangles_read, "degenerate": s.degenerate, "open_edges": s.open_edges,
-                "triangles_traced": mesh.triangles.len() },
+                "triangles_traced": mesh.triangles.len(), "size_m": mesh.size_m() },
             "seconds": { "load": took.load, "build": self.build_seconds, "trace": self.trace_seconds,
                 "integrate": self.integrate_seconds, "check": self.check_seconds, "total": took.total,
                 "processor_total": took.processor_total, "counted": took.counted.name() },
@@ -191,6 +191,6 @@ fn settings(arguments: &RcsArguments) -> Value {
         "nodes": nodes, "surface": lower(&arguments.surface), "sides": lower(&arguments.sides),
         "materials": materials, "transmission": lower(&arguments.transmission),
         "accuracy_db": arguments.accuracy_db(), "rx_az_deg": arguments.rx_az_deg, "rx_el_deg": arguments.rx_el_deg,
-        "rx_range_m": arguments.rx_range_m.map(finite), "density_per_wavelength": arguments.density(),
+        "rx_range_m": arguments.rx_range_m.map(finite), "density_per_wavelength": arguments.density(), "unit_scale": arguments.unit_scale,
     })
 }

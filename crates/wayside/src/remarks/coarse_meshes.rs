@@ -34,8 +34,7 @@ pub(super) fn remarks(header: &SceneHeader) -> Vec<String> {
 }
 
 fn is_coarse(model: &str, mesh: &Mesh) -> bool {
-    let along = || mesh.vertices_m.iter().map(|vertex| vertex[0]);
-    let length_m = along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min);
+    let [length_m, ..] = mesh.size_m();
     mesh.triangles.len() < COARSE && length_m >= SHORTEST_M && scene::vehicles::class_of(model).is_none()
 }
 
