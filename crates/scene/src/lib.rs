@@ -70,6 +70,7 @@ pub use materials::read_materials;
 pub use measured::calibration::{CalibrationFileError, CalibrationRule};
 pub use measured::pattern_table::{PatternFileError, PatternRule};
 pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
+pub use models::library::unknown_vehicle;
 pub use models::options::{Meshes, ReadOptions};
 pub use motion::{bodies_in_view, frame_view, snapshot, vehicles_in_view};
 pub use openmaterial::{OpenMaterialError, OpenMaterialFault, asset_materials};

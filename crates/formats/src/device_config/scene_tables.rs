@@ -37,7 +37,7 @@ impl<T> From<&InLine<T>> for Command {
 #[derive(Debug, thiserror::Error)]
 pub enum NoScene {
     /// No board was asked for, and the configuration names none: nothing says where the antennas are.
-    #[error("{}: no chip is named, and with it no antenna: --device", .file.display())]
+    #[error("{}: no chip is named, and with it no antenna: --device xwr1243, xwr1443, xwr1642, xwr1843, xwr6843 or awr2243 names the board", .file.display())]
     NoBoard {
         /// The configuration.
         file: PathBuf,

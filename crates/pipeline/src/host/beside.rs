@@ -15,7 +15,8 @@ pub struct Beside<S: Schema> {
 impl<S: Schema> Beside<S> {
     /// Opens the artifact; `index_of` tells the number of a frame.
     pub fn open(file: &Path, index_of: fn(&S::Frame) -> u32) -> Result<Self, Failure> {
-        Ok(Self { file: file.to_owned(), reader: Reader::open(file)?, index_of })
+        let reader = Reader::open(file).map_err(|error| unopened(file, error))?;
+        Ok(Self { file: file.to_owned(), reader, index_of })
     }
 
     /// Header of the artifact.
@@ -40,6 +41,15 @@ impl<S: Schema> Beside<S> {
             ))
         })
     }
+}
+
+/// Refusal of what is no artifact; a scene file is told which one is meant.
+fn unopened(file: &Path, error: ArtifactError) -> Failure {
+    if file.is_file() && file.extension().is_some_and(|ending| ending == "toml") {
+        let rule = "is a scene file; needed is the artifact `scene.scene`, which a run of it leaves";
+        return Failure::Refused(format!("{}: {rule}", file.display()));
+    }
+    Failure::from(error)
 }
 
 /// Two frames that begin within this time begin together but for rounding.

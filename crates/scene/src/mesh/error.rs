@@ -315,7 +315,7 @@ pub enum MeshFault {
     #[error("has more than 65535 materials")]
     TooManyMaterials,
     /// The model's size is not one in metres.
-    #[error("is {} m large, not {} to {} m: say its unit by a scale", WrittenNumber(*.size_m), WrittenNumber(*.least_m), WrittenNumber(*.most_m))]
+    #[error("is {} m large, not {} to {} m: say how many metres a unit is, by `unit_scale` (of `rcs` by --unit-scale)", WrittenNumber(*.size_m), WrittenNumber(*.least_m), WrittenNumber(*.most_m))]
     Size {
         /// Longest side of the bounding box.
         size_m: f64,

@@ -258,12 +258,16 @@ fn named_model(
             Some(Model::File { path: folder.join(written), unit_scale })
         }
         (None, None) => {
-            let nearest = nearest(written, &vehicles::names());
-            target
-                .note(MODEL.name, Rule::UnknownModel { found: written.to_owned(), own: "vehicles", nearest });
+            target.note(MODEL.name, unknown_vehicle(written));
             None
         }
     }
+}
+
+/// The rule that a word breaks which is neither a file of a known format nor one of the project's vehicles.
+pub fn unknown_vehicle(written: &str) -> Rule {
+    let nearest = nearest(written, &vehicles::names());
+    Rule::UnknownModel { found: written.to_owned(), own: "vehicles", nearest }
 }
 
 /// The mesh with its origin on the ground under its middle; an empty one where it was refused, and that is

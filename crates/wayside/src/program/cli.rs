@@ -116,7 +116,7 @@ pub enum Command {
     Paths(PathsArguments),
     /// A scene file, and paths if given, to radar cubes.
     Echo(EchoArguments),
-    /// Radar cubes to range-Doppler maps and points.
+    /// Radar cubes to range-Doppler maps, points and tracks.
     Dsp(DspArguments),
     /// Datasets, training, classes.
     #[cfg(feature = "classifier")]
@@ -126,7 +126,8 @@ pub enum Command {
     Sweep(SweepArguments),
     /// Points and tracks of any program, and a scene, to what was found, missed and false (JSON).
     Score(ScoreArguments),
-    /// Samples from anywhere (.npy, DCA1000 .bin, SigMF) to a radar cube.
+    /// Samples from anywhere (.npy, DCA1000 .bin, SigMF, .mat) to a radar cube; clouds of other programs to
+    /// points.
     Import(Box<ImportArguments>),
     /// A board's configuration (mmWave SDK .cfg, mmWave Studio log or script) to a scene file with its radar.
     SceneFrom(SceneFromArguments),
@@ -461,7 +462,8 @@ pub struct ExportArguments {
     /// Whether a map's .png has axes in metres and m/s and a scale in dB, or is the paper's grey picture.
     #[arg(long, value_enum, default_value = "off")]
     pub(crate) axes: AxesWord,
-    /// Scene of these frames, of which a training set's boxes are made [default: no labels].
+    /// Scene of these frames, the scene.scene of their run, of which a training set's boxes are made
+    /// [default: no labels].
     #[arg(long, value_name = "F.scene")]
     pub(crate) scene: Option<PathBuf>,
     /// Result.
@@ -475,7 +477,7 @@ pub struct ScoreArguments {
     /// Points with their objects.
     #[arg(value_name = "F.points")]
     pub(crate) points: PathBuf,
-    /// Ground truth: the scene of these points.
+    /// Ground truth: the scene of these points, the scene.scene of its run.
     #[arg(long, value_name = "F.scene")]
     pub(crate) scene: PathBuf,
     /// The paths of their echoes; without them every body in range is to be found, also one that is hidden.

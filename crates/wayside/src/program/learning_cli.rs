@@ -8,7 +8,8 @@ use std::path::PathBuf;
 /// Commands that need the classifier.
 #[derive(Debug, Subcommand)]
 pub enum LearningCommand {
-    /// A dataset recipe to labelled crops of range-Doppler maps; resumes where it stopped.
+    /// A dataset recipe to labelled signatures of vehicles and crops of range-Doppler maps; resumes where it
+    /// stopped.
     Dataset(DatasetArguments),
     /// A dataset to a trained model with its curves and its evaluation.
     Train(TrainArguments),

@@ -58,13 +58,21 @@ pub(crate) enum AxesWord {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FormatWord {
+    /// An array of NumPy, its axes in a .json beside it; of a dataset its crops.
     Npy,
+    /// Maps as floats, a layer a frame.
     Exr,
+    /// Maps or crops as pictures.
     Png,
+    /// A table, a row a path, point, track or sample.
     Csv,
+    /// Points as a cloud of PCL.
     Pcd,
+    /// Points as a cloud of Stanford's format.
     Ply,
+    /// All of it as JSON.
     Json,
+    /// Weights of a network.
     Safetensors,
     /// The .bin of a DCA1000EVM.
     Dca1000,

@@ -22,6 +22,10 @@ pub fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
             }
         };
     }
+    // A word without an ending that no file has was meant for a vehicle.
+    if let Some(name) = name.filter(|_| place.extension().is_none() && place.components().count() == 1) {
+        return Err(Failure::Refused(scene::unknown_vehicle(name).to_string()));
+    }
     scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(loading::of_mesh)
 }
 

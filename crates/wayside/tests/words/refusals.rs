@@ -179,6 +179,28 @@ fn an_artifact_of_another_kind_is_refused_by_name() {
 }
 
 #[test]
+fn what_was_meant_is_told_where_a_word_or_a_file_is_another() {
+    let place = Workplace::new();
+    let misspelt = place.try_run("rcs car-suvv --freq-ghz 77 --out s.npy");
+    refused(&misspelt, 1, &["`car-suvv`", "the nearest is `car-suv`"], "a vehicle's name");
+    place.run("echo small.toml --out a.cube --quiet");
+    place.run("dsp a.cube --out d --quiet");
+    for words in
+        ["export d/a.points --to kitti --scene small.toml --out k", "score d/a.points --scene small.toml"]
+    {
+        refused(&place.try_run(words), 1, &["small.toml", "`scene.scene`"], words);
+    }
+    let board = [
+        "channelCfg 15 1 0",
+        "profileCfg 0 77 7 7 58 0 0 60 1 128 5000 0 0 30",
+        "chirpCfg 0 0 0 0 0 0 0 1",
+        "frameCfg 0 0 16 0 100 1 0",
+    ];
+    std::fs::write(place.path("board.cfg"), board.join("\n")).unwrap();
+    refused(&place.try_run("scene-from board.cfg --out b.toml"), 1, &["board.cfg", "xwr6843"], "no board");
+}
+
+#[test]
 fn an_array_of_another_shape_or_with_nan_is_refused() {
     use ndarray_npy::WriteNpyExt;
     let place = Workplace::new();
