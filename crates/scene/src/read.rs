@@ -121,7 +121,8 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let fidelity_section = root.section(&FIDELITY);
     let materials = read_scene_materials(root, &fidelity_section, &radar, models);
     models.dress_in(&materials, radar.waveform.centre_frequency_hz());
-    let targets = read_targets(root, &radar, &lanes, models);
+    let fidelity = read_fidelity(&fidelity_section);
+    let targets = read_targets(root, &radar, (&lanes, fidelity.echo), models);
     let recording = read_traffic(root, &radar, frame_interval_s, models);
     let courses = recording
         .as_ref()
@@ -132,7 +133,6 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let traffic = recording.map(|recording| recording.frames(models, &targets));
     let sub_frames = radar.schedule.sub_frames();
     let frames = traffic.as_ref().map_or(frames, |traffic| (traffic.frames.len() as u32).max(1) * sub_frames);
-    let fidelity = read_fidelity(&fidelity_section);
     let (road, backscatter) = read_road(root, &radar, fidelity.echo, models);
     if road.is_some() {
         check_beside_road(&fidelity_section, &fidelity);

@@ -152,6 +152,7 @@ const CASES: &[Case] = &[
     // Targets.
     (NAME, "[[target]]\nid = \"p\"\nposition_m = [0, 0, 0]\n", "2:1", "target `p`: key `kind` is missing"),
     (NAME, "[[target]]\nkind = \"point\"\nrcs_m2 = 1\nposition_m = [0, 9, 0]\n", "2:1", "target `#1`: key `id` is missing"),
+    (POINT, "wheel_radius_m = 0.3\n[fidelity]\necho = \"rcs-table\"\n", "7:18", "target `p`: `wheel_radius_m` and `echo = \"rcs-table\"` exclude one another"),
     (NAME, "[[target]]\nkind = \"sphere\"\nid = \"p\"\nposition_m = [0, 9, 0]\n", "3:8", "`kind` cannot be `sphere`; it can be `mesh`, `point`"),
     (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1\n", "2:1", "target `p`: key `position_m` is missing"),
     (NAME, "[[target]]\nkind = \"point\"\nid = \"p\"\nposition_m = [0, 9, 0]\n", "2:1", "target `p`: key `rcs_m2` is missing"),

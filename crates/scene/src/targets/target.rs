@@ -11,14 +11,14 @@ use crate::models::library::Models;
 use crate::targets::clutter::read_clutter;
 use artifact::radar::Radar;
 use artifact::scene::{Pose, Role, Target, TargetKind, Wheel};
-use artifact::settings::Lanes;
+use artifact::settings::{EchoMode, Lanes};
 use glam::DVec3;
 
 /// The scene's targets, then its clutter; those that break a rule are noted and left out.
 pub(crate) fn read_targets(
     root: &Section<'_>,
     radar: &Radar,
-    road: &Lanes,
+    (road, echo): (&Lanes, EchoMode),
     models: &mut Models,
 ) -> Vec<Target> {
     let (sections, clutter) = (root.sections(&TARGET), root.sections(&CLUTTER));
@@ -27,6 +27,7 @@ pub(crate) fn read_targets(
     let targets = sections.iter().zip(ids).filter_map(|(section, id)| {
         let target = read_target(section, *id, road, models)?;
         check_distance(section, radar, &target);
+        check_wheel(section, echo);
         Some(target)
     });
     let mut targets: Vec<Target> = targets.collect();
@@ -58,6 +59,14 @@ fn check_distance(section: &Section<'_>, radar: &Radar, target: &Target) {
     if distance_m < wavelength_m {
         let key = if section.has(POSITION.name) { POSITION.name } else { Y.name };
         section.note(key, Rule::AtTheAntenna { distance_m, wavelength_m });
+    }
+}
+
+/// A table answers from the place that a body's pose tells, the hub of a wheel: nothing in it goes round.
+fn check_wheel(section: &Section<'_>, echo: EchoMode) {
+    if section.has(WHEEL_RADIUS.name) && echo == EchoMode::RcsTable {
+        let (key, other) = (WHEEL_RADIUS.name, "echo = \"rcs-table\"");
+        section.note(key, Rule::Contradiction { key, other });
     }
 }
 

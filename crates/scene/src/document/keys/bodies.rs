@@ -98,7 +98,8 @@ pub(crate) const WHEEL_RADIUS: Key<Number> = Key::new(
     "wheel_radius_m",
     Number(Between(0.01, 10.0)),
     "point only: the point is on the rim of a wheel of this radius, whose hub is at `position_m` and \
-     which rolls along `yaw_deg` (left out: along the velocity) without slipping",
+     which rolls along `yaw_deg` (left out: along the velocity) without slipping; not with `echo = \
+     \"rcs-table\"`",
 );
 
 pub(crate) const WHEEL_ANGLE: Key<Number, Or<f64>> = Key::new(
