@@ -50,6 +50,11 @@ fn span([from, to]: [f64; 2], samples: usize) -> Range<usize> {
     from.min(samples)..to.saturating_add(1).min(samples)
 }
 
+/// Number of an interferer's chirp that is the latest to have begun `time_s` after the scene's first sample.
+fn begun(interferer: &Interferer, time_s: f64) -> f64 {
+    ((time_s - interferer.offset_s) / interferer.chirp_interval_s).floor()
+}
+
 /// A receive element during one chirp.
 struct Receiver<'a> {
     radar: &'a Radar,
@@ -62,20 +67,45 @@ struct Receiver<'a> {
 
 impl Receiver<'_> {
     fn hear(&self, interferer: &Interferer, samples: &mut [Complex64]) {
+        let link = self.link_amplitude(interferer);
         let start_s = self.time_s + self.transmission.start_s;
         let duration_s = samples.len() as f64 / self.radar.waveform.sample_rate_hz;
         let delay_s = self.way_m(interferer, start_s).length() / SPEED_OF_LIGHT_MPS;
         // Its chirps that can arrive within ours: one that began a sweep before the first sample's departure
         // to the last.
-        let number =
-            |departure_s: f64| ((departure_s - interferer.offset_s) / interferer.chirp_interval_s).floor();
-        let (first, last) =
-            (number(start_s - delay_s - interferer.sweep_s), number(start_s - delay_s + duration_s) + 1.0);
+        let first = begun(interferer, start_s - delay_s - interferer.sweep_s);
+        let last = begun(interferer, start_s - delay_s + duration_s) + 1.0;
+        if last - first > samples.len() as f64 {
+            return self.hear_each((interferer, link), samples);
+        }
         let mut chirp = first;
         while chirp <= last {
-            self.cross(interferer, self.since_s(interferer, chirp), samples);
+            let since_s = self.since_s(interferer, chirp);
+            for n in self.near_crossing(interferer, since_s, samples.len()) {
+                samples[n] += self.heard((interferer, link), since_s, n);
+            }
             chirp += 1.0;
         }
+    }
+
+    /// [`Self::hear`] of chirps so short that more of them than samples arrive within ours: each sample hears
+    /// at most one, whose number its departure tells but for rounding.
+    fn hear_each(&self, (interferer, link): (&Interferer, f64), samples: &mut [Complex64]) {
+        for (n, sample) in samples.iter_mut().enumerate() {
+            let time_s = self.arrival_s(n);
+            let delay_s = self.way_m(interferer, time_s).length() / SPEED_OF_LIGHT_MPS;
+            let number = begun(interferer, time_s - delay_s);
+            for chirp in [number - 1.0, number, number + 1.0] {
+                *sample += self.heard((interferer, link), self.since_s(interferer, chirp), n);
+            }
+        }
+    }
+
+    /// Moment at which the element receives what sample `n` of our chirp is of, after the scene's first
+    /// sample.
+    fn arrival_s(&self, n: usize) -> f64 {
+        let t = n as f64 / self.radar.waveform.sample_rate_hz;
+        self.time_s + self.transmission.start_s + t - self.transmission.receiver_delay_s
     }
 
     /// Time from the beginning of a chirp of the interferer to our first sample.
@@ -88,27 +118,24 @@ impl Receiver<'_> {
         (self.time_s - begin_s) - left_s - interferer.offset_s + self.transmission.start_s
     }
 
-    /// Adds one chirp that began `since_s` before our first sample.
-    fn cross(&self, interferer: &Interferer, since_s: f64, samples: &mut [Complex64]) {
+    /// Value that sample `n` has of one chirp, which began `since_s` before our first sample.
+    fn heard(&self, (interferer, link): (&Interferer, f64), since_s: f64, n: usize) -> Complex64 {
         let waveform = &self.radar.waveform;
-        let (f_s, half_band_hz) = (waveform.sample_rate_hz, 0.5 * waveform.sample_rate_hz);
-        let (link, line_s) = (self.link_amplitude(interferer), self.transmission.receiver_delay_s);
-        for n in self.near_crossing(interferer, since_s, samples.len()) {
-            let t = n as f64 / f_s;
-            let way_m = self.way_m(interferer, self.time_s + self.transmission.start_s + t - line_s);
-            let length_m = way_m.length();
-            let s = since_s + t - line_s - length_m / SPEED_OF_LIGHT_MPS;
-            let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * t
-                - interferer.start_frequency_hz
-                - interferer.slope_hz_per_s * s;
-            if !(0.0..interferer.sweep_s).contains(&s) || frequency_hz.abs() >= half_band_hz {
-                continue;
-            }
-            let own = (waveform.start_frequency_hz + 0.5 * waveform.slope_hz_per_s * t) * t;
-            let other = (interferer.start_frequency_hz + 0.5 * interferer.slope_hz_per_s * s) * s;
-            let gain = link * pattern_amplitude(self.radar, &self.axes, way_m / length_m) / length_m;
-            samples[n] += self.element * gain * Complex64::cis(TAU * (own.fract() - other.fract()));
+        let t = n as f64 / waveform.sample_rate_hz;
+        let way_m = self.way_m(interferer, self.arrival_s(n));
+        let length_m = way_m.length();
+        let s = since_s + t - self.transmission.receiver_delay_s - length_m / SPEED_OF_LIGHT_MPS;
+        let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * t
+            - interferer.start_frequency_hz
+            - interferer.slope_hz_per_s * s;
+        let half_band_hz = 0.5 * waveform.sample_rate_hz;
+        if !(0.0..interferer.sweep_s).contains(&s) || frequency_hz.abs() >= half_band_hz {
+            return Complex64::ZERO;
         }
+        let own = (waveform.start_frequency_hz + 0.5 * waveform.slope_hz_per_s * t) * t;
+        let other = (interferer.start_frequency_hz + 0.5 * interferer.slope_hz_per_s * s) * s;
+        let gain = link * pattern_amplitude(self.radar, &self.axes, way_m / length_m) / length_m;
+        self.element * gain * Complex64::cis(TAU * (own.fract() - other.fract()))
     }
 
     /// Samples that can lie in the band and within the interferer's chirp, with two to spare on either side,

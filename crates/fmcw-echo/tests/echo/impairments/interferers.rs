@@ -110,6 +110,44 @@ fn a_crossing_of_nearly_equal_slopes_is_whole_though_the_interferer_moves() {
     assert!(heard.abs_diff(expected) <= 2, "{heard} of {expected}");
 }
 
+/// A chirp of 65 s against chirps of a tenth of a microsecond: 655 million of them arrive, and each of our
+/// 65,536 samples hears one at most.
+#[test]
+fn of_chirps_far_shorter_than_a_sample_each_sample_hears_its_own() {
+    let short = Interferer {
+        velocity_mps: [0.0, -1.0, 0.0],
+        slope_hz_per_s: 1e9,
+        sweep_s: 0.08e-6,
+        chirp_interval_s: 0.1e-6,
+        ..interferer()
+    };
+    let mut radar = disturbed(0, vec![short]);
+    radar.waveform =
+        Waveform { slope_hz_per_s: 10.0, sample_rate_hz: 1e3, samples: 65_536, chirps: 1, ..radar.waveform };
+    let start = std::time::Instant::now();
+    let row = interference::row(&radar, 0.0, 0, 0);
+    assert!(start.elapsed().as_secs() < 5, "{:?}", start.elapsed());
+    let (mut heard, mut sum) = (0, 0.0);
+    for (n, sample) in row.iter().enumerate() {
+        let t = n as f64 * 1e-3;
+        // The way of the wave that arrives at t: R(t − τ) = cτ.
+        let delay_s = (80.0 - t) / (SPEED_OF_LIGHT_MPS - 1.0);
+        let s = (t - delay_s).rem_euclid(0.1e-6);
+        let edge = [0.0, 0.08e-6, 0.1e-6].iter().any(|edge| (s - edge).abs() < 1e-12);
+        let apart_hz = 10.0 * t - 1e9 * s;
+        if edge || (apart_hz.abs() - 500.0).abs() < 1.0 {
+            continue;
+        }
+        let is_heard = s < 0.08e-6 && apart_hz.abs() < 500.0;
+        assert_eq!(*sample != Complex64::ZERO, is_heard, "sample {n}, {s} s into a chirp");
+        heard += usize::from(is_heard);
+        let way = radar.waveform.wavelength_m() / (4.0 * PI * (80.0 - (t - delay_s)));
+        sum += if is_heard { sample.norm_sqr() / (watts_from_dbm(30.0) * 10.0 * way * way) } else { 0.0 };
+    }
+    println!("{heard} samples heard of 65536");
+    assert!(heard > 10_000 && (sum / heard as f64 - 1.0).abs() < 1e-9, "{heard} heard, {sum}");
+}
+
 /// An interferer of our slope whose chirps follow each other at our chirps' interval is a still target: its
 /// phase is the same from chirp to chirp, also hours after the scene's first sample, where times are told to
 /// 2 ps, a seventh of a turn at 77 GHz.
