@@ -59,8 +59,7 @@ pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &
     if waveform.sampling == Sampling::Real && refine == Refine::Isolated {
         section.note(REFINE.name, Rule::Contradiction { key: REFINE.name, other: "sampling = \"real\"" });
     }
-    let guard_cells = read_cells(&section, &GUARD_CELLS, map, [0, 0]);
-    let training_cells = read_cells(&section, &TRAINING_CELLS, map, guard_cells);
+    let [guard_cells, training_cells] = read_window(&section, map);
     check_window(&section, map, guard_cells, training_cells);
     DspSettings {
         range_window: section.or_default(&RANGE_WINDOW),
@@ -90,18 +89,20 @@ fn read_factors(section: &Section<'_>, radar: &Radar, models: &mut Models) -> Op
         .ok()
 }
 
-/// [doppler, range]; defaults as far as the map holds them beside `inner` cells on each side: a map of few
-/// chirps is no error.
-fn read_cells(
-    section: &Section<'_>,
-    key: &Key<Counts<2>, Or<[u64; 2]>>,
-    map: [u32; 2],
-    inner: [u32; 2],
-) -> [u32; 2] {
-    let room = |axis: usize| ((map[axis].saturating_sub(1)) / 2).saturating_sub(inner[axis]);
-    let [doppler, range] = key.absent.0.map(|count| count as u32);
-    let fitting = [doppler.min(room(0)), range.min(room(1))];
-    section.read(key).map_or(fitting, |cells| cells.map(|count| count as u32))
+/// Guard and training cells, each [doppler, range]; defaults as far as the map holds them: a map of few
+/// chirps is no error, and one that holds no more than the guard gives a cell of it to the noise.
+fn read_window(section: &Section<'_>, map: [u32; 2]) -> [[u32; 2]; 2] {
+    let read = |key: &Key<Counts<2>, Or<[u64; 2]>>| section.read(key).map(|cells| cells.map(|n| n as u32));
+    let (guard, training) = (read(&GUARD_CELLS), read(&TRAINING_CELLS));
+    let fitting = |default: [u64; 2], inner: [u32; 2]| -> [u32; 2] {
+        let room = |axis: usize| (map[axis].saturating_sub(1) / 2).saturating_sub(inner[axis]);
+        std::array::from_fn(|axis| room(axis).min(default[axis] as u32))
+    };
+    let beyond = |guard: [u32; 2]| training.unwrap_or(fitting(TRAINING_CELLS.absent.0, guard));
+    let [doppler, range] = fitting(GUARD_CELLS.absent.0, [0, 0]);
+    let is_all = beyond([doppler, range]) == [0, 0];
+    let guard = guard.unwrap_or([doppler, if is_all { range.saturating_sub(1) } else { range }]);
+    [guard, beyond(guard)]
 }
 
 fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training: [u32; 2]) {

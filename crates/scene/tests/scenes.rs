@@ -186,6 +186,17 @@ fn default_cfar_windows_shrink_to_a_small_map_and_given_ones_stay() {
     assert_eq!((given.dsp.guard_cells, given.dsp.training_cells), ([0, 1], [1, 6]));
     let least = read_text("[radar.waveform]\nsamples = 8\nchirps = 1\n");
     assert_eq!((least.dsp.guard_cells, least.dsp.training_cells), ([0, 2], [0, 1]));
+    // Maps that hold the guard alone give one of its cells to the noise.
+    let real = "[radar.receiver]\nsampling = \"real\"\n[radar.waveform]\n";
+    for (samples, chirps, window) in [
+        (8, 1, ([0, 0], [0, 1])),
+        (9, 2, ([0, 1], [0, 1])),
+        (12, 5, ([2, 1], [0, 1])),
+        (13, 4, ([1, 2], [0, 1])),
+    ] {
+        let small = read_text(&format!("{real}samples = {samples}\nchirps = {chirps}\n")).dsp;
+        assert_eq!((small.guard_cells, small.training_cells), window, "{samples} samples, {chirps} chirps");
+    }
 }
 
 /// Every sum of a transmit and a receive offset, in half wavelengths.
