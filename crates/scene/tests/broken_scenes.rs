@@ -125,6 +125,7 @@ const CASES: &[Case] = &[
     (NAME, "[dsp]\nrange_window = \"kaiser\"\n", "3:16", "`range_window` cannot be `kaiser`"),
     (NAME, "[dsp]\ndoppler_window = \"chebyshev\"\n", "3:18", "it can be `rect`, `hann`, `hamming`, `blackman`, `chebyshev-80`"),
     (NAME, "[dsp]\ndoppler_window = \"chebyshev-nan\"\n", "3:18", "cannot be `chebyshev-nan`"),
+    (NAME, "[dsp]\nrange_window = \"chebyshev-19\"\n", "3:16", "it can be `rect`, `hann`, `hamming`, `blackman`, `chebyshev-80` or another level from 20 to 200 dB"),
     (NAME, "[dsp]\nnearest_m = -1\n", "3:13", "`nearest_m` must be a number from 0 to"),
     (NAME, "[dsp]\nfalse_alarm_rate = 1\n", "3:20", "`false_alarm_rate` must be a number from 1e-30 to 0.5, is 1"),
     (NAME, "[dsp]\nfalse_alarm_rate = 0\n", "3:20", "`false_alarm_rate` must be a number from 1e-30 to 0.5, is 0"),

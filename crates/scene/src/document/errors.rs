@@ -220,7 +220,7 @@ pub enum Rule {
         key: &'static str,
     },
     /// A word that is not one of a list.
-    #[error("`{key}` cannot be `{found}`; it can be {}", quoted(.known))]
+    #[error("`{key}` cannot be `{found}`; it can be {}{others}", quoted(.known))]
     UnknownWord {
         /// Name of the key.
         key: &'static str,
@@ -228,6 +228,8 @@ pub enum Rule {
         found: String,
         /// Words that the key takes.
         known: Vec<&'static str>,
+        /// End of the sentence: which others it takes.
+        others: &'static str,
     },
     /// Two keys that exclude one another.
     #[error("`{key}` and `{other}` exclude one another")]

@@ -167,7 +167,7 @@ impl<'d, T: Copy + PartialEq> Reads<'d> for Words<T> {
     type Read = T;
 
     fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<T> {
-        Like { words: *self, built: |_| None, pattern: "" }.from(section, key, value)
+        Like { words: *self, built: |_| None, others: "", pattern: "" }.from(section, key, value)
     }
 }
 
@@ -181,7 +181,8 @@ impl<'d, T: Copy + PartialEq> Reads<'d> for Like<T> {
         let meaning = told.or_else(|| (self.built)(found));
         if meaning.is_none() {
             let known = known.iter().map(|(word, _)| *word).collect();
-            section.note_at(value.span(), Rule::UnknownWord { key, found: found.to_owned(), known });
+            let (found, others) = (found.to_owned(), self.others);
+            section.note_at(value.span(), Rule::UnknownWord { key, found, known, others });
         }
         meaning
     }

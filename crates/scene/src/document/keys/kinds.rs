@@ -44,6 +44,8 @@ pub(crate) struct Like<T: 'static> {
     pub(crate) words: Words<T>,
     /// Value that any other word stands for.
     pub(crate) built: fn(&str) -> Option<T>,
+    /// End of a sentence that tells the words: which others there are.
+    pub(crate) others: &'static str,
     /// A regular expression that all others match.
     pub(crate) pattern: &'static str,
 }
@@ -211,7 +213,7 @@ impl<T: Copy + PartialEq> Kind for Words<T> {
 
 impl<T: Copy + PartialEq> Kind for Like<T> {
     fn allowed(&self) -> String {
-        self.words.allowed()
+        self.words.allowed() + self.others
     }
 
     fn schema(&self) -> Value {

@@ -18,6 +18,7 @@ const WINDOWS: Like<Window> = Like {
         ]
     }),
     built: chebyshev,
+    others: " or another level from 20 to 200 dB",
     pattern: "^chebyshev-",
 };
 
@@ -73,9 +74,7 @@ pub(crate) const DSP: Table = Table {
 };
 
 pub(crate) const RANGE_WINDOW: Key<Like<Window>, Or<Window>> =
-    Key::new("range_window", WINDOWS, "taper over the samples of a chirp")
-        .or(Window::Hann)
-        .allowed("{} or another level from 20 to 200 dB");
+    Key::new("range_window", WINDOWS, "taper over the samples of a chirp").or(Window::Hann);
 
 pub(crate) const DOPPLER_WINDOW: Key<Like<Window>, Or<Window>> =
     Key::new("doppler_window", WINDOWS, "taper over chirps").or(Window::Hann).allowed("the same");
