@@ -101,7 +101,8 @@ pub(crate) const ECHO: Key<Words<EchoMode>, Or<EchoMode>> = Key::new(
     "echo",
     Words(|| vec![("paths", EchoMode::Paths), ("rcs-table", EchoMode::RcsTable)]),
     "path by path with spherical waves, or the paper's far-field table (wrong at these ranges: \
-     [rcs-tables.md](rcs-tables.md))",
+     [rcs-tables.md](rcs-tables.md)), one of each body alone: bodies neither hide nor light each other then, \
+     and `detail`, `between_bodies` and `measured_every` mean nothing",
 )
 .or(EchoMode::Paths);
 
