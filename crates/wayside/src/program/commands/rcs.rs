@@ -1,6 +1,7 @@
 //! `rcs`: scattering amplitude of a mesh over frequency, elevation and azimuth.
 
 mod answer;
+mod look;
 mod sampling;
 mod silhouette;
 mod isar;

@@ -1,8 +1,9 @@
 //! Pictures of a table: level over azimuth and frequency, range profile, ISAR image, and the facets that make
 //! the level.
 
-use crate::program::commands::rcs::isar::{self, Sum};
-use crate::program::commands::rcs::sampling::{Samplings, middle_m};
+use crate::program::commands::rcs::isar::{self, Square, Sum};
+use crate::program::commands::rcs::look::{Extent, Look};
+use crate::program::commands::rcs::sampling::Samplings;
 use crate::program::commands::rcs::silhouette;
 use artifact::scene::Mesh;
 use artifact::units::db_from_power;
@@ -18,6 +19,7 @@ use plotting::lines::{Line, LinePlot, Scale};
 use plotting::marks::{Legend, Mark};
 use plotting::polar::PolarPlot;
 use plotting::svg::Svg;
+use rayon::prelude::*;
 use reporting::pictures::write_png;
 use reporting::report::rcs_view::{self, RcsView};
 use scene::{Painted, PaintedLine, painted_glb};
@@ -117,6 +119,21 @@ fn half_width_m(mesh: &Mesh) -> f64 {
     1.1 * mesh.vertices_m.iter().map(|v| v[0].hypot(v[1])).fold(0.1, f64::max)
 }
 
+/// Height over the origin of the middle between a body's lowest and highest place.
+fn middle_height_m(mesh: &Mesh) -> f64 {
+    let heights_m = || mesh.vertices_m.iter().map(|v| v[2]);
+    0.5 * (heights_m().fold(f64::INFINITY, f64::min) + heights_m().fold(f64::NEG_INFINITY, f64::max))
+}
+
+/// Every azimuth, with the body's extent there.
+fn looks(mesh: &Mesh, request: &RcsRequest) -> Vec<(Look, Extent)> {
+    let of = |azimuth_rad: &f64| {
+        let look = Look::of(request, *azimuth_rad);
+        (look, look.extent(mesh))
+    };
+    request.azimuth_rad.par_iter().map(of).collect()
+}
+
 /// Rays drawn: more would hide the body.
 const LINES: usize = 200;
 /// Levels shown below the strongest sequence.
@@ -211,8 +228,8 @@ fn profile(
 ) -> LinePlot {
     let line = |a: usize| {
         let samples: Vec<Complex64> = table.slice(s![.., 0, a]).to_vec();
-        let middle_m = middle_m(mesh, request, request.azimuth_rad[a]);
-        let profile = isar::range_profile(&request.frequency_hz, &samples, middle_m);
+        let [low_m, high_m] = Look::of(request, request.azimuth_rad[a]).extent(mesh).range_m;
+        let profile = isar::range_profile(&request.frequency_hz, &samples, 0.5 * (low_m + high_m));
         let points = profile.iter().map(|(range_m, s)| [*range_m, dbsm(s)]).collect();
         Line { name: azimuth_name(request, a), points, marked: false }
     };
@@ -244,8 +261,8 @@ fn image(
     cut: &ArrayView2<Complex64>,
 ) -> Result<Svg, Failure> {
     let half_width_m = half_width_m(mesh);
-    let width_m = samplings.cross_range.map_or(0.0, |cross| cross.body_m);
-    let image = isar::image(&request.frequency_hz, &request.azimuth_rad, cut, [half_width_m, width_m]);
+    let square = Square { half_width_m, height_m: middle_height_m(mesh), samplings };
+    let image = isar::image(&request.frequency_hz, &looks(mesh, request), cut, square);
     // Seen from above with the front up, the body's left is on the left.
     let levels_db: Array2<f64> = image.power_m2.slice(s![.., ..;-1]).mapv(db_from_power);
     let how = match image.sum {

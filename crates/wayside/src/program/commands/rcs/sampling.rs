@@ -1,12 +1,12 @@
 //! Numbers of frequencies and azimuths that a range profile and an image need, so that they show a body once.
 //!
-//! Frequencies Δf apart repeat every c/2Δf in range, azimuths Δφ apart every λ/2Δφ across it: a body that is
-//! longer or wider lies upon itself.
+//! Frequencies Δf apart repeat every c/2Δf in range, azimuths Δφ apart every λ/2Δφ across it (λ/Δφ where the
+//! receiver stands still): a body that is longer or wider lies upon itself.
 
+use crate::program::commands::rcs::look::Look;
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use bart_rcs::{RcsRequest, Standpoint};
-use glam::DVec3;
+use bart_rcs::RcsRequest;
 use serde_json::{Value, json};
 
 /// One axis of a table against the body.
@@ -44,7 +44,11 @@ impl Samplings {
         };
         Self {
             range: sampling(request.frequency_hz.len(), SPEED_OF_LIGHT_MPS / (2.0 * band_hz), range_m),
-            cross_range: sampling(request.azimuth_rad.len(), wavelength_m / (2.0 * span_rad), cross_m),
+            cross_range: sampling(
+                request.azimuth_rad.len(),
+                wavelength_m / (Look::of(request, 0.0).moving() * span_rad),
+                cross_m,
+            ),
         }
     }
 
@@ -89,31 +93,11 @@ const LOOKS: usize = 181;
 fn extents(mesh: &Mesh, request: &RcsRequest) -> [f64; 2] {
     let every = request.azimuth_rad.len().div_ceil(LOOKS).max(1);
     let looks = request.azimuth_rad.iter().step_by(every).chain(request.azimuth_rad.last());
-    let axes: Vec<[DVec3; 2]> = looks.map(|azimuth_rad| look(request, *azimuth_rad)).collect();
-    [0, 1].map(|axis: usize| {
-        let of_look = |axes: &[DVec3; 2]| extent(mesh, axes[axis]);
-        axes.iter().map(of_look).map(|[low, high]| high - low).fold(0.0, f64::max)
+    let extents = looks.map(|azimuth_rad| Look::of(request, *azimuth_rad).extent(mesh));
+    let wider = |widest: f64, [low, high]: [f64; 2]| widest.max(high - low);
+    extents.fold([0.0; 2], |[range_m, across_m], extent| {
+        [wider(range_m, extent.range_m), wider(across_m, extent.across_m)]
     })
-}
-
-/// Range of the body's middle beyond the origin.
-pub(super) fn middle_m(mesh: &Mesh, request: &RcsRequest, azimuth_rad: f64) -> f64 {
-    let [low, high] = extent(mesh, look(request, azimuth_rad)[0]);
-    0.5 * (low + high)
-}
-
-/// Unit vectors of growing range (half the way there and back) and across it, at the first elevation.
-fn look(request: &RcsRequest, azimuth_rad: f64) -> [DVec3; 2] {
-    let elevation_rad = request.elevation_rad.first().copied().unwrap_or(0.0);
-    let from = Standpoint { azimuth_rad, elevation_rad, range_m: f64::INFINITY };
-    let towards = [from, request.receiver.unwrap_or(from)].map(|s| s.direction());
-    let (sin, cos) = azimuth_rad.sin_cos();
-    [-0.5 * (towards[0] + towards[1]), elevation_rad.cos() * DVec3::new(-sin, cos, 0.0)]
-}
-
-fn extent(mesh: &Mesh, axis: DVec3) -> [f64; 2] {
-    let places = mesh.vertices_m.iter().map(|v| axis.dot(DVec3::from(*v)));
-    places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }
 
 fn span(axis: &[f64]) -> f64 {
@@ -131,6 +115,7 @@ mod tests {
     use artifact::Accuracy;
     use artifact::radar::Polarization;
     use artifact::settings::{Edges, NodeRule, Sides, Surface};
+    use bart_rcs::Standpoint;
 
     /// A box of 4 m × 2 m × 1 m that stands 10 m ahead of its origin.
     fn body() -> Mesh {
@@ -158,8 +143,20 @@ mod tests {
     }
 
     #[test]
+    fn a_receiver_that_stands_still_halves_the_azimuths_that_show_a_body_once() {
+        let request = request_of(&[77e9], &[0.0, 0.005, 0.01]);
+        let receiver = Some(Standpoint { azimuth_rad: 1.0, elevation_rad: 0.0, range_m: f64::INFINITY });
+        let [together, apart] = [request.clone(), RcsRequest { receiver, ..request }]
+            .map(|request| Samplings::of(&body(), &request).cross_range.unwrap());
+        println!("{together:?} {apart:?}");
+        assert_eq!((together.needed, apart.needed), (12, 7));
+        assert!((apart.body_m - together.body_m).abs() < 1e-12);
+    }
+
+    #[test]
     fn a_body_ahead_of_its_origin_is_nearer() {
-        assert!((middle_m(&body(), &request_of(&[77e9], &[0.0]), 0.0) + 10.0).abs() < 1e-12);
+        let extent = Look::of(&request_of(&[77e9], &[0.0]), 0.0).extent(&body());
+        assert!((extent.range_m[0] + 12.0).abs() < 1e-12 && (extent.range_m[1] + 8.0).abs() < 1e-12);
     }
 
     /// A plain request over frequencies and azimuths, far away.
