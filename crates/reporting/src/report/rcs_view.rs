@@ -20,6 +20,8 @@ pub struct RcsView<'a> {
     pub parts: &'a [Contribution],
     /// Direction from the body to the radar, a unit vector in body axes.
     pub direction: [f64; 3],
+    /// Direction from the body to the receiver: the same, where it is the radar's own.
+    pub receiver_direction: [f64; 3],
     /// The aspect and its frequency, in words.
     pub aspect: String,
     /// Azimuth of the aspect, degrees.
@@ -138,13 +140,16 @@ impl RcsView<'_> {
         }
     }
 
-    /// Way of the ray: from the radar's side over the touched points and back to it.
+    /// Way of the ray: from the radar's side over the touched points and out to the receiver's.
     fn way(&self, place: &Placing, part: &Contribution) -> Vec<[f64; 3]> {
         let points: Vec<[f64; 3]> =
             part.points_m.iter().take(250).map(|p| place.of_m(p.to_array())).collect();
-        let out = |from: &[f64; 3]| [0, 1, 2].map(|i| from[i] + LEG * self.direction[i]);
+        let out = |from: &[f64; 3], along: [f64; 3]| [0, 1, 2].map(|i| from[i] + LEG * along[i]);
         match (points.first(), points.last()) {
-            (Some(first), Some(last)) => [vec![out(first)], points.clone(), vec![out(last)]].concat(),
+            (Some(first), Some(last)) => {
+                let ends = [out(first, self.direction), out(last, self.receiver_direction)];
+                [vec![ends[0]], points.clone(), vec![ends[1]]].concat()
+            }
             _ => vec![],
         }
     }
@@ -293,19 +298,31 @@ mod tests {
         assert_eq!(place.bounds(), [[0.0, -5.0, -2.5], [0.0, 5.0, 2.5]]);
     }
 
-    #[test]
-    fn the_page_tells_all_sequences_and_no_name_ends_its_script() {
-        let (mesh, parts) = (plate(), [part(1, 2.0), part(0, 1.0)]);
-        let view = RcsView {
-            mesh: &mesh,
+    fn view<'a>(mesh: &'a Mesh, parts: &'a [Contribution]) -> RcsView<'a> {
+        RcsView {
+            mesh,
             name: "</script>.npy".into(),
-            parts: &parts,
+            parts,
             direction: [1.0, 0.0, 0.0],
+            receiver_direction: [0.0, 0.0, 1.0],
             aspect: "77.000 GHz".into(),
             azimuth_deg: 0.0,
             level_dbsm: 6.0,
             cut: vec![[0.0, f64::NEG_INFINITY]],
-        };
+        }
+    }
+
+    #[test]
+    fn a_ray_comes_from_the_radar_and_goes_to_the_receiver() {
+        let (mesh, parts) = (plate(), [part(0, 1.0)]);
+        let way = view(&mesh, &parts).way(&Placing::of(&mesh), &parts[0]);
+        assert_eq!(way, [[LEG, 0.0, 0.0], [0.0; 3], [0.0, 0.0, LEG]]);
+    }
+
+    #[test]
+    fn the_page_tells_all_sequences_and_no_name_ends_its_script() {
+        let (mesh, parts) = (plate(), [part(1, 2.0), part(0, 1.0)]);
+        let view = view(&mesh, &parts);
         let numbers = view.numbers();
         assert_eq!((numbers.all_sequences, numbers.all_power), (2, 1.25));
         assert_eq!(numbers.cut.levels_dbsm, [-200.0]);

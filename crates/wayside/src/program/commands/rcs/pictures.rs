@@ -89,6 +89,7 @@ fn view<'a>(
         name: out.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         parts,
         direction: radar.direction().to_array(),
+        receiver_direction: request.receiver.unwrap_or(radar).direction().to_array(),
         aspect: aspect_name(request, &radar),
         azimuth_deg: radar.azimuth_rad.to_degrees(),
         level_dbsm: amplitude_m.get(aspect).map_or(f64::NAN, dbsm),
