@@ -12,7 +12,7 @@ use artifact::material::{Backing, Layer, Material, Thickness};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
-use bart_rcs::{RcsRequest, Role, Skin, World, rcs};
+use bart_rcs::{RcsRequest, Role, Skin, Standpoint, World, rcs};
 use bodies::{Triangles, sphere};
 use glam::DVec3;
 use num_complex::Complex64;
@@ -269,6 +269,55 @@ fn the_accuracy_asked_of_a_coarse_sphere_is_got_from_minus_20_to_minus_50_db() {
             );
             assert!(got_db <= asked_db && error <= printed);
         }
+    }
+}
+
+/// S in vv of a sphere between two directions: the bracket of both ends' waves, symmetrised, summed over 800 × 800
+/// equal areas of what both light.
+fn sphere_between(radius_m: f64, [transmit, receive]: [DVec3; 2]) -> Complex64 {
+    const STEPS: u32 = 800;
+    let v = |r: DVec3| r.cross(DVec3::Z.cross(r).normalize());
+    let (e_q, e_p) = (v(transmit), v(receive));
+    let middle = (transmit + receive).normalize();
+    let (a, b) = middle.any_orthonormal_pair();
+    let share = |i: u32| (f64::from(i) + 0.5) / f64::from(STEPS);
+    let mut sum = Complex64::ZERO;
+    for (i, j) in (0..STEPS).flat_map(|i| (0..STEPS).map(move |j| (i, j))) {
+        let (z, turn) = (2.0 * share(i) - 1.0, TAU * share(j));
+        let n = z * middle + (1.0 - z * z).sqrt() * (turn.cos() * a + turn.sin() * b);
+        if n.dot(transmit) > 0.0 && n.dot(receive) > 0.0 {
+            let forth = e_p.dot(e_q) * n.dot(transmit) - e_p.dot(transmit) * e_q.dot(n);
+            let back = e_p.dot(e_q) * n.dot(receive) - e_q.dot(receive) * e_p.dot(n);
+            sum += 0.5 * (forth + back) * Complex64::cis(K * radius_m * n.dot(transmit + receive));
+        }
+    }
+    let area_m2 = 4.0 * PI * radius_m * radius_m / f64::from(STEPS * STEPS);
+    Complex64::I * (4.0 * PI).sqrt() / WAVELENGTH_M * sum * area_m2
+}
+
+/// Between two directions what is lit ends with a weight, and facets at its rim count as a whole: the error
+/// told was up to 7 dB below the true one, for coarser facets are cut alike there.
+#[test]
+fn no_less_is_told_than_a_sphere_errs_by_between_two_directions() {
+    const RADIUS_M: f64 = 0.02;
+    let mesh = with_normals(&sphere(RADIUS_M, 2), |x| x / RADIUS_M);
+    for (elevation_deg, apart_deg, accuracy_db) in
+        [(5.0, 60.0, -20.0), (35.0, 85.0, -20.0), (35.0, 85.0, -30.0)]
+    {
+        let plain = request(10.0, elevation_deg, accuracy_db);
+        let at = |azimuth_deg: f64| Standpoint {
+            azimuth_rad: azimuth_deg.to_radians(),
+            elevation_rad: elevation_deg.to_radians(),
+            range_m: f64::INFINITY,
+        };
+        let [transmitter, receiver] = [at(10.0), at(10.0 + apart_deg)];
+        let exact = sphere_between(RADIUS_M, [transmitter, receiver].map(|at| at.direction()));
+        let got = rcs(&mesh, &RcsRequest { receiver: Some(receiver), ..plain }, &|_, _| ()).unwrap();
+        let error_db = 20.0 * ((got.amplitude_m[0] - exact).norm() / exact.norm()).log10();
+        let told_db = 20.0 * got.error.tessellation.unwrap().log10();
+        println!("{apart_deg}° apart, {accuracy_db} dB asked: told {told_db:.1} dB, true {error_db:.1} dB");
+        // One value at one frequency: the bound is one of the mean power.
+        assert!(told_db > error_db - 2.0);
     }
 }
 

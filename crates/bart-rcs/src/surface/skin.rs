@@ -7,7 +7,7 @@ use artifact::Accuracy;
 use artifact::scene::Mesh;
 use artifact::settings::Surface;
 use glam::{DVec3, Vec3};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Way in which a mesh becomes facets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,6 +67,16 @@ pub(crate) const COARSER: f64 = 4.0;
 /// than half of what they are cut for is told.
 pub(crate) fn told_error(difference: f64, cut_for: f64) -> f64 {
     difference.hypot(0.5 * cut_for)
+}
+
+/// Error that facets cut for `cut_for` may have where both antennas are this angle apart, seen from the body.
+///
+/// A facet at the terminator is lit or not as a whole ([`limits`]). From one place the weight of what is lit
+/// falls to nothing there, and half of a facet's turn θ is left; from two it falls to half of sin β, so that
+/// the error is (θ + sin β)/θ times as large.
+pub(crate) fn cut_for_apart(cut_for: f64, apart_rad: f64) -> f64 {
+    let turn_rad = turn_rad(cut_for);
+    if turn_rad > 0.0 { cut_for * (1.0 + apart_rad.min(FRAC_PI_2).sin() / turn_rad) } else { cut_for }
 }
 
 impl Skin {
@@ -131,8 +141,12 @@ fn limits(error: f64, wavelength_m: f64, role: Role) -> BendLimits {
         Role::Scatterers => f64::INFINITY,
         Role::Mirrors => wavelength_m / 32.0,
     };
-    let turn_rad = (2.5 * error).powf(2.0 / 3.0);
-    BendLimits { sagitta_m, turn_rad, offset_m: wavelength_m * error / (4.0 * PI) }
+    BendLimits { sagitta_m, turn_rad: turn_rad(error), offset_m: wavelength_m * error / (4.0 * PI) }
+}
+
+/// Turn of facets whose rim errs by this part of the amplitude.
+fn turn_rad(error: f64) -> f64 {
+    (2.5 * error).powf(2.0 / 3.0)
 }
 
 /// Limits for twice the error.

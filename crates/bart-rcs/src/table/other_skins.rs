@@ -3,7 +3,7 @@
 
 use crate::bodies::world::World;
 use crate::oversight::error::BartError;
-use crate::surface::skin::{COARSER, Skin, told_error};
+use crate::surface::skin::{COARSER, Skin, cut_for_apart, told_error};
 use crate::table::aspect::{Scattering, scattering};
 use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
 use crate::table::measured_aspects::strongest;
@@ -40,13 +40,15 @@ impl OtherSkins<'_> {
         }
         let coarser = World::of_skin(self.mesh, skin(self.request).coarser(COARSER * world.skin_error()))?;
         let settings = AspectSettings { accuracy: 0.1 * self.settings.accuracy, ..self.settings.clone() };
-        let (mut differing, mut whole) = (0.0, 0.0);
+        let (mut differing, mut whole, mut apart_rad) = (0.0, 0.0, 0.0_f64);
         for index in strongest(self.table, COMPARED) {
+            apart_rad = apart_rad.max(self.aspects[index].apart_rad());
             let found = scattering(&coarser, &self.aspects[index], &settings, UNCHECKED)?;
             differing += found.difference(&self.table[index]);
             whole += self.table[index].mean_power();
         }
-        Ok(Some(told_error(amplitude_ratio(differing, whole), world.skin_error())))
+        let cut_for = cut_for_apart(world.skin_error(), apart_rad);
+        Ok(Some(told_error(amplitude_ratio(differing, whole), cut_for)))
     }
 
     /// Ratio ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last

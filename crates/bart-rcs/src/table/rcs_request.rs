@@ -81,6 +81,12 @@ impl Aspect {
         let near = |antenna: Antenna| matches!(antenna, Antenna::Point(_));
         near(self.transmit.0) || self.receive.is_some_and(|(antenna, _)| near(antenna))
     }
+
+    /// Angle between the directions to both antennas, seen from the origin.
+    pub(crate) fn apart_rad(&self) -> f64 {
+        let towards = |antenna: Antenna| antenna.towards(DVec3::ZERO);
+        self.receive.map_or(0.0, |(receive, _)| towards(self.transmit.0).angle_between(towards(receive)))
+    }
 }
 
 /// Elevation by elevation, azimuth by azimuth.
