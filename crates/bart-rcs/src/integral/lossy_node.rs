@@ -12,7 +12,7 @@ use crate::integral::chebyshev::{self, Chebyshev, middle_and_half};
 use crate::integral::field::{Field, SurfacePoint};
 use crate::integral::node::{Bracket, Leg};
 use crate::integral::tiling::Tile;
-use crate::materials::surface_response::{phase_length_m, reflected_fields, reflection};
+use crate::materials::surface_response::{reflected_fields, reflection, turning_length_m};
 use artifact::material::Material;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
@@ -79,13 +79,12 @@ impl Field<'_> {
         OverBand { samples: wavenumbers_per_m.iter().map(of).collect(), few }
     }
 
-    /// Length by which the layers on the way make the phase turn more with frequency than the way does, m:
-    /// their own length back and forth, twice, as the echoes inside of one that has gone round once more
-    /// are still seen and of two hardly.
+    /// Length by which the layers on the way make the phase turn more with frequency than the way does, m,
+    /// with the echoes inside of them that are still seen.
     pub(crate) fn turning_length_m(&self) -> f64 {
-        let own = self.node.material.map_or(0.0, phase_length_m);
-        let of = |leg: &Leg| leg.steps.phase_length_m();
-        2.0 * (own + of(self.node.transmit) + of(self.node.receive))
+        let own = self.node.material.map_or(0.0, turning_length_m);
+        let of = |leg: &Leg| leg.steps.turning_length_m();
+        own + of(self.node.transmit) + of(self.node.receive)
     }
 
     /// Bracket times 1/(L₁L₂), relative to 1/(L₁L₂) at the reference point.

@@ -6,7 +6,7 @@ use crate::bodies::road_mirror::below;
 use crate::bodies::world::World;
 use crate::materials::reflection_coefficients::PolarizationPair;
 use crate::materials::surface_response::{
-    phase_length_m, reflected_fields, reflection, steepness, transmission, transmitted_fields,
+    reflected_fields, reflection, steepness, transmission, transmitted_fields, turning_length_m,
 };
 use artifact::material::{Material, Road};
 use glam::{DMat3, DVec3};
@@ -87,8 +87,8 @@ impl Steps {
     }
 
     /// Sum of d(phase)/dk of the layers, m.
-    pub(crate) fn phase_length_m(&self) -> f64 {
-        self.steps().iter().map(|step| phase_length_m(&step.material)).sum()
+    pub(crate) fn turning_length_m(&self) -> f64 {
+        self.steps().iter().map(|step| turning_length_m(&step.material)).sum()
     }
 
     fn steps(&self) -> &[Step] {

@@ -2,11 +2,11 @@
 
 use crate::materials::layers::{Passed, averaged, coherent};
 use crate::materials::reflection_coefficients::{CONDUCTOR, PolarizationPair, half_space};
-use artifact::material::{Layer, Material, Thickness};
+use artifact::material::{Backing, Layer, Material, Thickness};
 use glam::DVec3;
 use num_complex::Complex64;
 use radar::complex_vector::ComplexVector;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, LN_10};
 
 /// Reflection coefficients at a cosine of the angle to the normal.
 pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64) -> PolarizationPair {
@@ -145,8 +145,61 @@ pub(crate) fn turning(material: &Material, cosine: f64, turn_rad: f64, wavenumbe
 /// Least step between sampled angles: coefficients do not change faster but at grazing incidence.
 const LEAST_STEP_RAD: f64 = 0.02;
 
-/// Way there and back in the layers times their refractive index, m: how fast the coefficients turn with the
-/// wavenumber.
-pub(crate) fn phase_length_m(material: &Material) -> f64 {
-    layers_of(material).iter().map(|layer| 2.0 * layer.thickness_m * layer.permittivity.norm().sqrt()).sum()
+/// Length by which layers make the phase turn with the wavenumber, m: the way there and back in them times
+/// their refractive index, as often as a wave goes round before its echoes are too faint to be seen.
+pub(crate) fn turning_length_m(material: &Material) -> f64 {
+    let Material::Layers { layers, backing, .. } = material else { return 0.0 };
+    let once_m: f64 =
+        layers.iter().map(|layer| 2.0 * layer.thickness_m * layer.permittivity.norm().sqrt()).sum();
+    once_m * rounds(strongest_echo(layers, *backing))
+}
+
+/// Rounds of a wave of which this share of the amplitude is left after each.
+///
+/// Two are counted of panes in air, a fifth of whose echo is left: points that are enough for a turn are
+/// enough for a larger one of faint echoes. From there on as many more as it takes to fall to 10⁻⁴.
+fn rounds(kept: f64) -> f64 {
+    const LEAST: f64 = 2.0;
+    const OF_PANES: f64 = 0.19;
+    let to_fall = |kept: f64| -4.0 * LN_10 / kept.min(1.0 - 1e-9).ln();
+    LEAST + (to_fall(kept) - to_fall(OF_PANES)).max(0.0)
+}
+
+/// Product of the two largest reflections upright, among those of all boundaries and the metal behind: the
+/// most that is left of a wave after a round, but for what the layers swallow.
+fn strongest_echo(layers: &[Layer], backing: Backing) -> f64 {
+    let index_before = |i: usize| match i.checked_sub(1) {
+        Some(before) => layers[before].permittivity.sqrt(),
+        None => Complex64::ONE,
+    };
+    let index_behind = |i: usize| layers.get(i).map_or(Complex64::ONE, |layer| layer.permittivity.sqrt());
+    let reflection = |i: usize| match backing {
+        Backing::Metal if i == layers.len() => 1.0,
+        _ => ((index_before(i) - index_behind(i)) / (index_before(i) + index_behind(i))).norm(),
+    };
+    let [first, second] =
+        (0..=layers.len()).map(reflection).fold([0.0; 2], |[first, second]: [f64; 2], r| {
+            if r > first { [r, first] } else { [first, second.max(r)] }
+        });
+    first * second
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn echoes_of_panes_count_twice_and_those_of_a_resonant_coat_until_they_are_gone() {
+        let layer = |real: f64| Layer { thickness_m: 1e-3, permittivity: Complex64::from(real) };
+        let pane = strongest_echo(&[layer(6.5)], Backing::Air);
+        // ((√6.5 − 1)/(√6.5 + 1))², and (√81 − 1)/(√81 + 1) before metal.
+        assert!(
+            (pane - 0.1906).abs() < 1e-4
+                && (strongest_echo(&[layer(81.0)], Backing::Metal) - 0.8).abs() < 1e-12
+        );
+        assert!((rounds(pane) - 2.0).abs() < 0.02 && rounds(0.0) == 2.0);
+        let many = rounds(0.8);
+        assert!(0.8_f64.powf(many) < 3e-4, "{many}");
+        assert!(rounds(1.0).is_finite());
+    }
 }
