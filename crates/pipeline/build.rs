@@ -1,9 +1,10 @@
 //! Hashes the sources of each stage, and of the evaluation, together with those of the leaves that it sees,
 //! for keys of what is kept: a hand-kept version number is forgotten, a hash is not.
 
+mod dependencies;
 mod sources;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 const HASHED: [&str; 6] = ["scene", "bart-rcs", "fmcw-echo", "dsp", "classifier", "evaluation"];
 
@@ -15,16 +16,19 @@ fn main() {
         ["crates/artifact", "crates/bodies", "crates/radar", "Cargo.lock"].map(|place| root.join(place));
     for stage in HASHED {
         let own = root.join("crates").join(stage);
+        let seen = dependencies::of(&root, stage).unwrap_or_else(|error| fail(&format!("{stage}: {error}")));
+        let others = seen.into_iter().filter(|leaf| !common.contains(leaf));
         let reference = (stage == "bart-rcs").then(|| root.join("crates/po-sbr")); // tables of both are kept alike
-        let places = || common.iter().chain([&own]).chain(&reference);
-        places().for_each(|place| println!("cargo::rerun-if-changed={}", place.display()));
-        let hash = sources::hash_of(places()).unwrap_or_else(|error| fail(&error));
+        let places: Vec<PathBuf> =
+            common.iter().cloned().chain([own]).chain(others).chain(reference).collect();
+        places.iter().for_each(|place| println!("cargo::rerun-if-changed={}", place.display()));
+        let hash = sources::hash_of(&places).unwrap_or_else(|error| fail(&error));
         println!("cargo::rustc-env=SOURCES_OF_{}={hash}", stage.replace('-', "_").to_uppercase());
     }
 }
 
 /// Ends the build with the sentence of an error.
-fn fail(error: &sources::SourceError) -> ! {
+fn fail(error: &dyn std::fmt::Display) -> ! {
     println!("cargo::error={error}");
     std::process::exit(1);
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod codec; // bytes of a record
 pub mod inputs; // what no output may replace
+pub mod unchanged; // inputs that work began with
 pub mod bounded; // files of users, of bounded length
 pub(crate) mod place_rule; // where no file may be put
 pub mod sentence; // about a file, short enough for a reader

@@ -12,6 +12,6 @@ fn a_program_that_is_told_to_stop_leaves_no_file_and_no_folder() {
     std::fs::create_dir(set.filled().join("below")).unwrap();
     std::fs::write(set.filled().join("below/file"), "x").unwrap();
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2);
-    abandon_all();
+    drop(abandon_all());
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }

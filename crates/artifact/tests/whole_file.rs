@@ -18,7 +18,7 @@ fn an_abandoned_file_leaves_its_place_as_it_was_and_nothing_else() {
     write("old").finish(Durability::InCache).unwrap();
     drop(write("new"));
     let interrupted = write("newer");
-    abandon_all();
+    drop(abandon_all());
     let left = std::fs::read_dir(place.parent().unwrap()).unwrap().count();
     assert_eq!((std::fs::read_to_string(&place).unwrap().as_str(), left), ("old", 1));
     assert!(interrupted.finish(Durability::OnDisk).is_err_and(|e| e.is_system()));

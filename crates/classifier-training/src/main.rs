@@ -111,7 +111,7 @@ fn told(trained: &Trained) {
 /// A training that nobody hears of any more is given up: whoever began it was ended.
 fn say(line: &Value) {
     if writeln!(std::io::stdout(), "{line}").is_err() {
-        artifact::whole_file::abandon_all();
+        let _nothing_new = artifact::whole_file::abandon_all();
         std::process::exit(2);
     }
 }

@@ -35,7 +35,7 @@ pub fn is_in_strip(index: u32, frames: u32) -> bool {
 
 /// Writes the report of a run from its summary and its figures.
 pub fn write(summary: &Summary, figures: &Figures, making: &Making, out: &Path) -> Result<(), Failure> {
-    files::write_file(&out.join("report.html"), page::page(summary, figures, making, out).as_bytes())
+    files::write_file(&out.join("report.html"), page::page(summary, figures, making).as_bytes())
 }
 
 /// Writes the report of several radars, each with its id and its own summary, over theirs.
@@ -46,5 +46,5 @@ pub fn write_several(
     making: &Making,
     out: &Path,
 ) -> Result<(), Failure> {
-    files::write_file(&out.join("report.html"), radars::page(summary, radars, views, making, out).as_bytes())
+    files::write_file(&out.join("report.html"), radars::page(summary, radars, views, making).as_bytes())
 }

@@ -176,6 +176,7 @@ impl Rounds<'_> {
         let make = |job: &Job| {
             self.call_off.check()?;
             let summary = self.summary(job, situations, &measured, &means)?;
+            self.kept.check_unchanged()?;
             let (values, accuracy) = (self.study.measures.values(&summary), Reached::of(&summary));
             self.kept.put(self.study, &job.key, &Run { values, accuracy })?;
             self.put.fetch_add(1, Ordering::Relaxed);

@@ -132,5 +132,5 @@ pub(crate) fn set_threads(threads: &Bound<'_, PyAny>) -> PyResult<()> {
 /// Removes the temporary files of work that was called off and is still under way.
 #[pyfunction]
 pub(crate) fn withdraw() {
-    artifact::whole_file::abandon_all();
+    drop(artifact::whole_file::abandon_all()); // the interpreter may still end other work
 }

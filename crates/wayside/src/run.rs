@@ -1,6 +1,7 @@
 //! A scene to everything that can be known of it: artifacts, `summary.json`, report and pictures.
 
 mod products;
+mod leftovers;
 mod several_radars;
 mod scene_run;
 

@@ -10,7 +10,7 @@ mod temporary;
 mod whole_folder;
 
 pub use crate::files::place_rule::PlaceRule;
-pub use temporary::{abandon_all, is_temporary, sweep};
+pub use temporary::{Abandoned, abandon_all, is_temporary, sweep};
 pub use whole_folder::WholeFolder;
 
 use crate::files::fault::{ArtifactError, Fault};

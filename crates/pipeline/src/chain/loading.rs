@@ -8,6 +8,7 @@ use crate::host::failure::Failure;
 use crate::host::progress::{self, Work};
 use artifact::Provenance;
 use artifact::scene::{Role, Scene, SceneHeader, Target, TargetKind};
+use artifact::unchanged::SeenFile;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -44,9 +45,10 @@ pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene,
     let (model, radar) = (source.model.clone(), source.radar.clone());
     let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
     let name = source.file.display();
-    let files = progress::during(format!("looking for changes of {name} and of what it names"), || {
-        hashed(&scene::inputs(&source.file, &options).map_err(of_scene)?)
+    let mut seen = progress::during(format!("looking for changes of {name} and of what it names"), || {
+        seen(&scene::inputs(&source.file, &options).map_err(of_scene)?)
     })?;
+    let files: Vec<(String, String)> = seen.iter().map(|file| file.named().clone()).collect();
     // Of a path that is no text the key has what can be shown; what is in the file is among the hashes.
     let model = source.model.as_ref().map(|file| file.to_string_lossy());
     let key = keys::scene(&files, &(model, &source.radar));
@@ -57,6 +59,9 @@ pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene,
         Some(header) => header,
         None => scene::read(&source.file, &options).map_err(of_scene)?,
     };
+    if !cached {
+        check_unchanged(&mut seen)?; // else the cache would keep what was read under the hashes of other files
+    }
     check_model(source, &header)?;
     if let (Some(cache), false) = (cache, cached) {
         cache.put_header::<Scene>(Stage::Scene, &key, &header);
@@ -126,6 +131,29 @@ pub fn of_scene(errors: scene::SceneErrors) -> Failure {
     }
 }
 
+/// Files as they are now, each with its hash.
+pub fn seen(files: &[PathBuf]) -> Result<Vec<SeenFile>, Failure> {
+    files
+        .iter()
+        .map(|file| SeenFile::of(file).map_err(|error| Failure::system(file, "read", error)))
+        .collect()
+}
+
+/// Refuses what was made of files that were changed since their hashes were taken.
+///
+/// # Errors
+/// A file has another content now, or is gone.
+pub fn check_unchanged<'a>(files: impl IntoIterator<Item = &'a mut SeenFile>) -> Result<(), Failure> {
+    files.into_iter().try_for_each(|seen| match seen.is_unchanged() {
+        Ok(true) => Ok(()),
+        Ok(false) => {
+            let rule = "was changed while this command read it; the same command takes it as it is now";
+            Err(Failure::System(format!("{}: {rule}", seen.file().display())))
+        }
+        Err(error) => Err(Failure::system(seen.file(), "read", error)),
+    })
+}
+
 /// Name and content hash of files.
 pub fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
     files.iter().map(|file| hashed_one(file)).collect()
@@ -160,5 +188,25 @@ pub fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, Strin
         inputs,
         settings: serde_json::to_string(&(&header.fidelity, &header.dsp)).unwrap_or_default(),
         seed: header.seed,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_read_of_a_file_that_changed_meanwhile_is_refused_by_its_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let [one, other] = ["one.obj", "other.obj"].map(|name| folder.path().join(name));
+        [&one, &other].iter().for_each(|file| std::fs::write(file, "v 0 0 0").unwrap());
+        let mut seen = seen(&[one, other.clone()]).unwrap();
+        check_unchanged(&mut seen).unwrap();
+        std::fs::write(&other, "v 0 0 1").unwrap();
+        let refused = check_unchanged(&mut seen).unwrap_err();
+        assert!(matches!(refused, Failure::System(_)), "{refused}");
+        assert!(refused.to_string().contains("other.obj: was changed while"), "{refused}");
+        std::fs::remove_file(&other).unwrap();
+        assert!(check_unchanged(&mut seen).unwrap_err().to_string().contains("other.obj: cannot read"));
     }
 }

@@ -81,6 +81,15 @@ fn all_are_there(folder: &Path, shards: &[PathBuf]) -> Result<(), Failure> {
     };
     let here: BTreeSet<&Path> = shards.iter().map(PathBuf::as_path).collect();
     let named = shards_named(file, &scenes)?;
+    let places: BTreeSet<PathBuf> = named.iter().map(|name| folder.join(name)).collect();
+    let others: Vec<&PathBuf> = shards.iter().filter(|shard| !places.contains(*shard)).collect();
+    if let (Some(first), false) = (others.first(), named.is_empty()) {
+        let (first, others, all) = (first.display(), others.len(), shards.len());
+        progress::note(format!(
+            "note: {first}: {SCENES} does not tell of it; so it is of {others} of the {all} shards here, which \
+             a recipe of more scenes has left, and which are taken too"
+        ));
+    }
     let lacks = named.iter().find(|name| !here.contains(folder.join(name).as_path()));
     lacks.map_or(Ok(()), |name| Err(lacking(folder, name)))
 }

@@ -102,8 +102,7 @@ impl Writing {
     /// # Errors
     /// Another run of this process is writing there.
     pub fn into_folder(folder: &Path) -> Result<Self, Failure> {
-        let here = std::env::current_dir().map_err(|e| Failure::system(folder, "write", e))?;
-        let folder = here.join(folder);
+        let folder = std::path::absolute(folder).map_err(|e| Failure::system(folder, "write", e))?;
         if !taken().folders.insert(one_name(&folder)) {
             let rule = "is being written by another run of this program";
             return Err(Failure::System(format!("{}: {rule}", folder.display())));

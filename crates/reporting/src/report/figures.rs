@@ -1,4 +1,4 @@
-//! The pictures of a run that its report shows.
+//! The pictures of a run that its report shows, and the artifacts that it names.
 
 use crate::pictures::FrameFigures;
 use crate::pictures::seen::Seen;
@@ -8,6 +8,8 @@ use plotting::form::Figure;
 /// Pictures for the report.
 #[derive(Default)]
 pub struct Figures {
+    /// Names of the artifacts that the run writes beside its report.
+    pub artifacts: Vec<&'static str>,
     /// Pictures of the first frames, in order.
     pub frames: Vec<FrameFigures>,
     /// Number and view from above of every n-th frame of a long scene.

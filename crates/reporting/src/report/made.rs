@@ -1,10 +1,9 @@
 //! Paragraph about the command that made a report, and the files beside it.
 
 use maud::{Markup, html};
-use std::path::Path;
 
-/// Artifacts and tables that a run leaves, in the order of the chain, with what they hold.
-const FILES: [(&str, &str); 8] = [
+/// Files that a run leaves, in the order of the chain, with what they hold.
+const FILES: [(&str, &str); 9] = [
     ("scene.scene", "scene"),
     ("frames.paths", "paths"),
     ("frames.rcs", "scattering tables"),
@@ -13,7 +12,11 @@ const FILES: [(&str, &str); 8] = [
     ("frames.points", "points and objects"),
     ("frames.tracks", "tracks"),
     ("summary.json", "all figures of this page and more"),
+    (PICTURES, "of the frames"),
 ];
+
+/// Folder of pictures, as a page links to it.
+pub(super) const PICTURES: &str = "pictures/";
 
 /// Command and program that made a report.
 #[derive(Debug, Clone)]
@@ -37,10 +40,9 @@ impl Default for Making {
     }
 }
 
-/// The command and links to the files of `out` that are there.
-pub(super) fn made(making: &Making, out: &Path) -> Markup {
-    let files: Vec<_> = FILES.iter().filter(|(name, _)| out.join(name).exists()).collect();
-    let pictures = out.join("pictures").exists();
+/// The command and links to the files that it wrote: an earlier one may have left others in the same folder.
+pub(super) fn made(making: &Making, written: &[&str]) -> Markup {
+    let files: Vec<_> = FILES.iter().filter(|(name, _)| written.contains(name)).collect();
     html! {
         p.made {
             "Made by " code { (making.command) } ". "
@@ -49,7 +51,6 @@ pub(super) fn made(making: &Making, out: &Path) -> Markup {
                 @if number > 0 { ", " }
                 a href=(name) { (name) } " (" (what) ")"
             }
-            @if pictures { ", " a href="pictures/" { "pictures/" } }
             ". Artifacts are read by " code { (making.program) " inspect" } " and " code { (making.program) " export" } "."
         }
     }
@@ -68,6 +69,13 @@ fn command(program: &str, words: impl Iterator<Item = String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_page_links_to_what_the_command_wrote() {
+        let page = made(&Making::default(), &["frames.paths", "summary.json", PICTURES]).into_string();
+        assert_eq!(page.matches("href").count(), 3, "{page}");
+        assert!(page.contains("href=\"frames.paths\"") && !page.contains("frames.rcs"), "{page}");
+    }
 
     #[test]
     fn a_command_can_be_typed_again_whatever_its_words_hold() {

@@ -4,7 +4,7 @@ use crate::pictures::FrameFigures;
 use crate::report::accuracy;
 use crate::report::false_objects;
 use crate::report::figures::Figures;
-use crate::report::made::{Making, made};
+use crate::report::made::{Making, PICTURES, made};
 use crate::report::tables;
 use crate::report::tracks;
 use crate::report::viewer;
@@ -12,18 +12,18 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use pipeline::host::shown;
 use pipeline::outcome::summary::{Agreement, FrameSummary, Metrics, Summary};
 use plotting::form::Figure;
-use std::path::Path;
 
 const STYLE: &str = include_str!("style.css");
 
-/// The whole page; `out` is the folder in which it will lie.
-pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making, out: &Path) -> String {
+/// The whole page.
+pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making) -> String {
     let (frames, metrics) = (&summary.frames[..], &summary.metrics);
+    let written: Vec<&str> = figures.artifacts.iter().copied().chain(["summary.json", PICTURES]).collect();
     sheet(
         &summary.scene,
         html! {
             p.lead { (lead(frames, metrics)) }
-            (made(making, out))
+            (made(making, &written))
             (viewer::section(&figures.viewed, summary))
             (tables::radar(&summary.radar, frames))
             @if frames.len() > 1 { (tracks::section(metrics)) }

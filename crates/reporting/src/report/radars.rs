@@ -2,32 +2,32 @@
 
 use crate::report::accuracy;
 use crate::report::false_objects;
-use crate::report::made::{Making, made};
+use crate::report::made::{Making, PICTURES, made};
 use crate::report::page::{figure, sheet};
 use crate::report::tables::{rounded, scrolled};
 use artifact::settings::Class;
 use maud::{Markup, html};
 use pipeline::outcome::summary::{CommonFrame, FrameSummary, OneOfRadars, RadarsSummary, Summary};
 use plotting::form::Figure;
-use std::path::Path;
 
 /// Frames whose targets are listed: a page of more opens slowly.
 const FRAMES_TOLD: usize = 24;
 
-/// The whole page of radars, each with its id and its own summary; `out` is the folder in which it will lie.
+/// The whole page of radars, each with its id and its own summary.
 pub(super) fn page(
     summary: &RadarsSummary,
     own: &[(&str, &Summary)],
     views: &[Figure],
     making: &Making,
-    out: &Path,
 ) -> String {
     let frames = &summary.frames;
+    let written: Vec<&str> =
+        std::iter::once("summary.json").chain((!views.is_empty()).then_some(PICTURES)).collect();
     sheet(
         &summary.scene,
         html! {
             p.lead { (lead(frames)) }
-            (made(making, out))
+            (made(making, &written))
             (radars(&summary.radars))
             (accuracies(&summary.radars))
             @for (number, view) in views.iter().enumerate() {

@@ -6,6 +6,7 @@ use crate::runs::ledger::Run;
 use crate::runs::reached::Reached;
 use crate::study::document::Study;
 use artifact::envelope::fingerprint;
+use artifact::unchanged::SeenFile;
 use pipeline::chain::loading;
 use pipeline::chain::stages::{SOURCES_OF_EVALUATION, Stage};
 use pipeline::host::failure::Failure;
@@ -25,8 +26,8 @@ pub(crate) struct Kept {
     folder: PathBuf,
     /// Hash of what every run of this study depends on.
     common: String,
-    /// Hashes of the files that were read so far.
-    hashes: Mutex<BTreeMap<PathBuf, String>>,
+    /// Files that keys were made of so far, as they were then.
+    seen: Mutex<BTreeMap<PathBuf, SeenFile>>,
 }
 
 impl Kept {
@@ -40,7 +41,7 @@ impl Kept {
         let sources: Vec<&str> = Stage::ALL.iter().map(|stage| stage.sources()).collect();
         let names: Vec<&str> = study.measures.names().collect();
         let common = fingerprint(&(VERSION, sources, SOURCES_OF_EVALUATION, names, model, &study.radar));
-        Self { folder: Self::folder_in(out), common, hashes: Mutex::default() }
+        Self { folder: Self::folder_in(out), common, seen: Mutex::default() }
     }
 
     /// Hash of all that a run depends on: what it changes, and what that changes in which its errors are
@@ -61,14 +62,24 @@ impl Kept {
     }
 
     fn hash(&self, file: &Path) -> Result<String, Failure> {
-        let mut known = self.hashes.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(hash) = known.get(file) {
-            return Ok(hash.clone());
+        let mut known = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(seen) = known.get(file) {
+            return Ok(seen.named().1.clone());
         }
-        let hashed = loading::hashed(&[file.to_owned()])?;
-        let hash = hashed.into_iter().map(|(_, hash)| hash).collect::<String>();
-        known.insert(file.to_owned(), hash.clone());
+        let seen = SeenFile::of(file).map_err(|error| Failure::system(file, "read", error))?;
+        let hash = seen.named().1.clone();
+        known.insert(file.to_owned(), seen);
         Ok(hash)
+    }
+
+    /// Refuses to go on where a file that keys were made of was changed since: a run may be of another scene
+    /// than its key says.
+    ///
+    /// # Errors
+    /// A file is another one now.
+    pub(crate) fn check_unchanged(&self) -> Result<(), Failure> {
+        let mut seen = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
+        loading::check_unchanged(seen.values_mut())
     }
 
     /// A run that was made before; `None` where its file is not there or is not whole.

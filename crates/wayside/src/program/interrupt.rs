@@ -6,7 +6,7 @@ use crate::program::terminal;
 /// program.
 pub(crate) fn install() {
     let handler = || {
-        artifact::whole_file::abandon_all();
+        let _nothing_new = artifact::whole_file::abandon_all();
         terminal::end_progress();
         terminal::say("interrupted; whole frames and aspects are kept, the next run goes on from there");
         std::process::exit(130);

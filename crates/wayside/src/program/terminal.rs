@@ -155,7 +155,7 @@ fn give_up(error: &std::io::Error) {
         IS_UNHEARD.store(true, Ordering::Relaxed);
         return;
     }
-    whole_file::abandon_all();
+    let _nothing_new = whole_file::abandon_all();
     if error.kind() == ErrorKind::BrokenPipe {
         std::process::exit(0);
     }

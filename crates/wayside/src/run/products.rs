@@ -27,19 +27,23 @@ const RDM: &str = "frames.rdm";
 const POINTS: &str = "frames.points";
 const TRACKS: &str = "frames.tracks";
 
-fn scattering_name(echo: EchoMode) -> &'static str {
+pub(super) fn scattering_name(echo: EchoMode) -> &'static str {
     match echo {
         EchoMode::Paths => "frames.paths",
         EchoMode::RcsTable => "frames.rcs",
     }
 }
 
+/// Names of the artifacts of a run.
+pub(crate) fn artifacts(header: &SceneHeader) -> [&'static str; 6] {
+    [SCENE, scattering_name(header.fidelity.echo), CUBE, RDM, POINTS, TRACKS]
+}
+
 /// Files of a run beside its summary and its report: every artifact, and the pictures of the first frame for
 /// those of all.
 pub(crate) fn places(header: &SceneHeader, out: &Path) -> Vec<PathBuf> {
-    let artifacts = [SCENE, scattering_name(header.fidelity.echo), CUBE, RDM, POINTS, TRACKS];
     let pictures = pictures::places_of_frame(0, &out.join("pictures"));
-    artifacts.into_iter().map(|name| out.join(name)).chain(pictures).collect()
+    artifacts(header).into_iter().map(|name| out.join(name)).chain(pictures).collect()
 }
 
 /// Open writers of all artifacts of a run.
@@ -73,7 +77,7 @@ impl Products {
             rdm: Writer::create(&out.join(RDM), &from(Stage::Dsp), &chain.cube_header)?,
             points: Writer::create(&out.join(POINTS), &from(Stage::Dsp), &with_truth)?,
             tracks: Writer::create(&out.join(TRACKS), &from(Stage::Dsp), &followed)?,
-            figures: Figures::default(),
+            figures: Figures { artifacts: artifacts(chain.header).to_vec(), ..Figures::default() },
         })
     }
 

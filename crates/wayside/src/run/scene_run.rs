@@ -1,6 +1,7 @@
 //! `run`: a scene to everything that can be known of it.
 
 use crate::remarks;
+use crate::run::leftovers;
 use crate::run::products::{self, Products};
 use crate::run::several_radars::{self, Told};
 use pipeline::chain::cache::{Cache, CacheLocation};
@@ -298,6 +299,8 @@ fn conclude(
     };
     files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
     report::write(&summary, figures, &settings.making, out)?;
+    let frames = planned.loaded.header.frames;
+    leftovers::remark(out, &figures.artifacts, |_, number| number < frames);
     told::lines(&summary).iter().for_each(|line| (settings.tell)(line));
     (settings.tell)(&format!("report: {}", out.join("report.html").display()));
     Ok(summary)

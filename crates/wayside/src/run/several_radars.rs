@@ -1,6 +1,7 @@
 //! Run of a scene through several radars, side by side: `summary.json` and `report.html` above the folders of
 //! each.
 
+use crate::run::leftovers;
 use pipeline::host::beside::is_same_time;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
@@ -65,6 +66,7 @@ pub(crate) fn conclude(
     }
     files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
     report::write_several(&summary, &by_id, &views, making, out)?;
+    leftovers::remark(out, &[], |kind, number| kind == "scene" && (number as usize) < views.len());
     told::lines_of_radars(&summary).iter().for_each(|line| tell(line));
     tell(&format!("report of all radars: {}", out.join("report.html").display()));
     Ok(summary)

@@ -245,3 +245,33 @@ fn a_folder_that_results_go_into_is_no_cache_whichever_command_writes_them() {
         assert!(!place.path("x").exists() && !place.path("there/x").exists(), "{words} --cache {cache}");
     }
 }
+
+/// A mesh whose reading takes a good part of a run: the corner, and triangles without area.
+fn slow_mesh() -> String {
+    crate::common::CORNER.to_owned() + &"f 1 1 2\n".repeat(400_000)
+}
+
+#[test]
+fn a_mesh_that_is_replaced_while_the_scene_is_read_spoils_no_cache() {
+    let place = Workplace::new();
+    std::fs::write(place.path("slow.obj"), slow_mesh()).unwrap();
+    let second = "[[target]]\nkind = \"mesh\"\nid = \"corner-2\"\nclass = \"car\"\nmodel = \"corner.obj\"\n\
+                  position_m = [-5.75, 45.0, 0.0]\nvelocity_mps = [0.0, -3.0, 0.0]\n";
+    let scene = crate::common::SMALL_SCENE.replace("model = \"corner.obj\"", "model = \"slow.obj\"") + second;
+    std::fs::write(place.path("small.toml"), scene).unwrap();
+    let begun = std::time::Instant::now();
+    place.run("run small.toml --out whole --no-cache --quiet");
+    let whole = begun.elapsed();
+    for tenths in 1..8 {
+        let mut run = place.command("run small.toml --out a --quiet").spawn().unwrap();
+        std::thread::sleep(whole * tenths / 10);
+        let larger = crate::common::CORNER.replace("0.5", "0.9");
+        std::fs::write(place.path("larger.obj"), larger).unwrap();
+        std::fs::rename(place.path("larger.obj"), place.path("corner.obj")).unwrap();
+        assert!(matches!(run.wait().unwrap().code(), Some(0 | 2)));
+        std::fs::write(place.path("corner.obj"), crate::common::CORNER).unwrap();
+        place.run("run small.toml --out b --quiet");
+        assert!(place.bytes("b/frames.cube") == place.bytes("whole/frames.cube"), "after {tenths} tenths");
+        std::fs::remove_dir_all(place.path("cache")).unwrap();
+    }
+}

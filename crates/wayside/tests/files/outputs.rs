@@ -325,3 +325,24 @@ fn vehicles_are_not_written_where_a_manifest_of_another_program_lies() {
     place.run("vehicles --quiet --out v");
     assert_eq!(place.bytes("v/manifest.json"), manifest, "its own is replaced");
 }
+
+#[test]
+fn results_that_an_earlier_run_left_stay_and_are_told() {
+    let place = Workplace::new();
+    let said = |words: &str| String::from_utf8(place.try_run(words).stderr).unwrap();
+    let run = "run small.toml --out a --no-cache";
+    assert!(!said(run).contains("earlier run"));
+    let scene = SMALL_SCENE.replace("frames = 2", "frames = 1") + "[fidelity]\necho = \"rcs-table\"\n";
+    std::fs::write(place.path("small.toml"), scene).unwrap();
+    let told = said(run);
+    assert!(told.contains("a: frames.paths to pictures/scene-0001.png (5 in all) were left"), "{told}");
+    let page = String::from_utf8(place.bytes("a/report.html")).unwrap();
+    assert!(page.contains("href=\"frames.rcs\"") && !page.contains("href=\"frames.paths\""));
+    assert!(place.path("a/frames.paths").exists() && place.path("a/pictures/rdm-0001.png").exists());
+    let table = "rcs corner.obj --az-deg 0:90:3 --out t/s.npy";
+    said(&format!("{table} --pictures --freq-ghz 76:77:3"));
+    let told = said(&format!("{table} --pictures --freq-ghz 77"));
+    let [frequency, profile, isar] = ["frequency", "profile", "isar"].map(|name| format!("t/s-{name}.png"));
+    assert!(told.contains(&format!("{frequency}, {profile}, {isar}: left by an earlier run")), "{told}");
+    assert!(said(&format!("{table} --freq-ghz 77")).contains("t/s-polar.png"));
+}

@@ -87,7 +87,12 @@ fn files_folders_and_manifests_are_models_beside_the_own_vehicles() {
     assert_eq!(hashed.iter().map(String::as_str).collect::<BTreeSet<_>>(), {
         files.into_iter().chain(["motorcycle-street.glb"]).collect()
     });
-    // Another file under the same name is another dataset.
+    // The same file under another name is another model, and another file under the same name is one too.
+    std::fs::rename(place.path("cars/my-car-suv.glb"), place.path("cars/my-car-suw.glb")).unwrap();
+    let refused = place.try_run("dataset spec.toml --out d --quiet");
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("another recipe"));
+    std::fs::rename(place.path("cars/my-car-suw.glb"), place.path("cars/my-car-suv.glb")).unwrap();
+    place.run("dataset spec.toml --out d --quiet");
     std::fs::copy(place.path("v/car-hatchback.glb"), place.path("cars/my-car-suv.glb")).unwrap();
     let refused = place.try_run("dataset spec.toml --out d --quiet");
     assert!(String::from_utf8_lossy(&refused.stderr).contains("another recipe"));

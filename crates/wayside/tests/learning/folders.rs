@@ -44,6 +44,19 @@ fn a_dataset_of_which_a_shard_lacks_is_refused_by_every_command_that_takes_one()
 }
 
 #[test]
+fn shards_that_a_recipe_of_more_scenes_has_left_are_told() {
+    let place = prepared();
+    let told =
+        "{\"file\":\"shard-0000.dataset\",\"scene\":0}\n{\"file\":\"shard-0001.dataset\",\"scene\":1}\n";
+    let said = || String::from_utf8(place.try_run("evaluate m a").stderr).unwrap();
+    assert!(!said().contains("does not tell"), "{}", said());
+    std::fs::write(place.path("a/scenes.jsonl"), told).unwrap();
+    let said = said();
+    assert!(said.contains("a/shard-0002.dataset: scenes.jsonl does not tell of it"), "{said}");
+    assert!(said.contains("2 of the 4 shards"), "{said}");
+}
+
+#[test]
 fn a_line_of_a_scene_that_is_damaged_is_named_by_its_place() {
     let place = prepared();
     std::fs::write(place.path("a/shard-0001.jsonl"), "{\"scene\":1,\"frames\":[]}\n{\"scene\":2,\n").unwrap();

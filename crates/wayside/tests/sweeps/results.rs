@@ -309,3 +309,21 @@ fn of_runs_that_earlier_versions_kept_it_is_said_that_their_accuracy_is_not_know
         assert_eq!(column(&runs, name).iter().filter(|cell| cell.is_empty()).count(), 3, "{name}");
     }
 }
+
+#[test]
+fn a_scene_that_is_changed_while_its_study_runs_ends_it_and_no_run_of_the_other_scene_is_kept() {
+    let place = prepared(&STUDY.replace("repeats = 6", "repeats = 12"));
+    sweep(&place, "--out whole");
+    let mut study = place.command("sweep study.toml --no-cache --quiet --threads 2 --out a").spawn().unwrap();
+    let begun = Instant::now();
+    while files(&place.path("a/runs")).is_empty() && begun.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    std::fs::write(place.path("scene.toml"), SCENE.replace("rcs_m2 = 0.02", "rcs_m2 = 2000.0")).unwrap();
+    assert_eq!(study.wait().unwrap().code(), Some(2));
+    let refused = place.try_run("sweep study.toml --no-cache --quiet --out a --conclude");
+    assert_eq!(refused.status.code(), Some(2), "no run of the scene as it is now is there");
+    std::fs::write(place.path("scene.toml"), SCENE).unwrap();
+    sweep(&place, "--out a");
+    same_results(&place, "whole", "a");
+}

@@ -39,15 +39,17 @@ pub(super) struct Temporary(Option<TempPath>);
 impl Temporary {
     /// Makes a temporary file in the folder of `target`, which is made where it is missing.
     pub(super) fn beside(target: &Path) -> Result<(File, Self), Fault> {
+        let mut open = open_files(); // before it is made: what is there is listed
         let (handle, path) = locked(folder_of(target)?, &prefix(target)).map_err(Fault::system("create"))?;
-        open_files().insert(path.to_path_buf());
+        open.insert(path.to_path_buf());
         Ok((handle, Self(Some(path))))
     }
 
     pub(super) fn persist(mut self, target: &Path) -> std::io::Result<()> {
         match self.0.take() {
             Some(path) => {
-                open_files().remove::<Path>(&path);
+                let mut open = open_files();
+                open.remove::<Path>(&path);
                 path.persist(target).map_err(|e| e.error)
             }
             None => Ok(()),
@@ -56,9 +58,12 @@ impl Temporary {
 }
 
 impl Drop for Temporary {
+    /// The file goes while it is held, as in [`Temporary::persist`].
     fn drop(&mut self) {
-        if let Some(path) = &self.0 {
-            open_files().remove::<Path>(path);
+        if let Some(path) = self.0.take() {
+            let mut open = open_files();
+            open.remove::<Path>(&path);
+            drop(path);
         }
     }
 }
@@ -73,9 +78,10 @@ pub(super) struct TemporaryFolder {
 impl TemporaryFolder {
     /// Makes a temporary folder beside `target`; folders above it are made where they are missing.
     pub(super) fn beside(target: &Path) -> Result<Self, Fault> {
+        let mut open = open_files();
         let above = folder_of(target)?;
         let (lock, folder) = locked_folder(above, &prefix(target)).map_err(Fault::system("create"))?;
-        open_files().insert(folder.path().to_path_buf());
+        open.insert(folder.path().to_path_buf());
         Ok(Self { _lock: lock, folder: Some(folder) })
     }
 
@@ -86,19 +92,23 @@ impl TemporaryFolder {
 
     /// Gives the folder its name, which nothing may bear but an empty folder.
     pub(super) fn persist(mut self, target: &Path) -> std::io::Result<()> {
+        let mut open = open_files();
         let _ = std::fs::remove_dir(target); // an empty one; of anything else it takes nothing
         std::fs::rename(self.path(), target)?;
         if let Some(folder) = self.folder.take() {
-            open_files().remove(&folder.keep());
+            open.remove(&folder.keep());
         }
         Ok(())
     }
 }
 
 impl Drop for TemporaryFolder {
+    /// The folder goes while it is held, with all in it.
     fn drop(&mut self) {
-        if let Some(folder) = &self.folder {
-            open_files().remove(folder.path());
+        if let Some(folder) = self.folder.take() {
+            let mut open = open_files();
+            open.remove(folder.path());
+            drop(folder);
         }
     }
 }
@@ -125,11 +135,20 @@ pub fn is_temporary(file: &Path) -> bool {
 }
 
 /// Removes the temporary files and folders of all that is being written: the last act of a program that is
-/// told to stop.
-pub fn abandon_all() {
-    for place in open_files().iter() {
+/// told to stop. As long as what it hands out is held, other threads make no new ones and put none in place:
+/// hold it until the program has ended.
+pub fn abandon_all() -> Abandoned {
+    let open = open_files();
+    for place in open.iter() {
         let _ = remove(place);
     }
+    Abandoned { _open: open }
+}
+
+/// Hold on everything that writes files: whoever wants to begin or to finish one waits until it is dropped.
+#[must_use = "what other threads make before the program ends would be left behind"]
+pub struct Abandoned {
+    _open: MutexGuard<'static, BTreeSet<PathBuf>>,
 }
 
 /// Removes a file, or a folder with all it holds; a link is not followed.

@@ -78,6 +78,8 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
         pictures::write(&arguments.out, &mesh, &request, samplings, &answer.amplitude_m)?;
         pictures::write_facets(&arguments.out, &mesh, &request, &answer.amplitude_m)?;
     }
+    let written = samplings.as_ref().map(|_| pictures::written(&request));
+    pictures::remark_on_others(&arguments.out, &written.unwrap_or_default());
     answer.tell(arguments, &mesh);
     for warning in samplings.iter().flat_map(Samplings::warnings) {
         terminal::line(format!("pictures: {warning}"));

@@ -12,6 +12,7 @@ use ndarray::{Array2, ArrayView2, ArrayView3, s};
 use num_complex::Complex64;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
+use pipeline::host::progress;
 use plotting::colours::heat;
 use plotting::form::Form;
 use plotting::heat_map::HeatMap;
@@ -37,19 +38,46 @@ pub(super) fn write(
 ) -> Result<(), Failure> {
     let shape = (request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len());
     let table = ArrayView3::from_shape(shape, amplitude_m).map_err(Failure::refused)?;
-    if shape.2 > 1 {
-        write_png(&beside(out, "polar.png"), &polar(request, &table).draw())?;
-        write_png(&beside(out, "azimuth.png"), &over_azimuth(request, &table).draw(Form::Wide))?;
-    }
-    if shape.0 > 1 {
-        write_png(&beside(out, "frequency.png"), &over_frequency(request, &table).draw(Form::Wide))?;
-        write_png(&beside(out, "profile.png"), &profile(mesh, request, samplings, &table).draw(Form::Wide))?;
-    }
-    if shape.0 > 1 && shape.2 > 1 {
-        let cut = table.slice(s![.., 0, ..]);
-        write_png(&beside(out, "isar.png"), &image(mesh, request, samplings, &cut)?)?;
+    for name in drawn(request) {
+        let drawing = match name {
+            POLAR => polar(request, &table).draw(),
+            AZIMUTH => over_azimuth(request, &table).draw(Form::Wide),
+            FREQUENCY => over_frequency(request, &table).draw(Form::Wide),
+            PROFILE => profile(mesh, request, samplings, &table).draw(Form::Wide),
+            _ => image(mesh, request, samplings, &table.slice(s![.., 0, ..]))?,
+        };
+        write_png(&beside(out, name), &drawing)?;
     }
     Ok(())
+}
+
+/// Names of the pictures for which the axes of a table have values enough.
+fn drawn(request: &RcsRequest) -> Vec<&'static str> {
+    let (frequencies, azimuths) = (request.frequency_hz.len() > 1, request.azimuth_rad.len() > 1);
+    let all = [
+        (POLAR, azimuths),
+        (AZIMUTH, azimuths),
+        (FREQUENCY, frequencies),
+        (PROFILE, frequencies),
+        (ISAR, frequencies && azimuths),
+    ];
+    all.into_iter().filter_map(|(name, has_values)| has_values.then_some(name)).collect()
+}
+
+/// All that is written beside a table with its pictures.
+pub(super) fn written(request: &RcsRequest) -> Vec<&'static str> {
+    drawn(request).into_iter().chain([FACETS, VIEW]).collect()
+}
+
+/// Remarks on pictures that an earlier run has left beside the table, where this one wrote none of that name.
+pub(super) fn remark_on_others(out: &Path, written: &[&str]) {
+    let others = PICTURES.iter().chain([&FACETS, &VIEW]).filter(|name| !written.contains(name));
+    let names = others.map(|name| beside(out, name)).filter(|place| place.is_file());
+    let names: Vec<String> = names.map(|place| place.display().to_string()).collect();
+    if !names.is_empty() {
+        let names = names.join(", ");
+        progress::note(format!("note: {names}: left by an earlier run, and not of this table"));
+    }
 }
 
 /// Writes what makes the level at the middle aspect and the first frequency: `S-facets.glb`, triangles
@@ -145,7 +173,12 @@ pub(super) fn places(out: &Path) -> Vec<PathBuf> {
     PICTURES.iter().chain([&FACETS, &VIEW]).map(|name| beside(out, name)).collect()
 }
 
-const PICTURES: [&str; 5] = ["polar.png", "azimuth.png", "frequency.png", "profile.png", "isar.png"];
+const POLAR: &str = "polar.png";
+const AZIMUTH: &str = "azimuth.png";
+const FREQUENCY: &str = "frequency.png";
+const PROFILE: &str = "profile.png";
+const ISAR: &str = "isar.png";
+const PICTURES: [&str; 5] = [POLAR, AZIMUTH, FREQUENCY, PROFILE, ISAR];
 const FACETS: &str = "facets.glb";
 const VIEW: &str = "view.html";
 

@@ -1,0 +1,156 @@
+//! Files that work began with: the hash that names each in provenance and keys, and whether it still is the
+//! file that was hashed. What is read of a file after its hash was taken may be of another one: an editor or
+//! an exporter has put it there meanwhile.
+
+use crate::files::inputs::named_hash;
+use std::fs::Metadata;
+use std::io::Result;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+/// A file as it was when it was hashed.
+#[derive(Debug, Clone)]
+pub struct SeenFile {
+    file: PathBuf,
+    stamp: Stamp,
+    named: (String, String),
+}
+
+impl SeenFile {
+    /// Hashes a file.
+    ///
+    /// # Errors
+    /// It is unreadable or no plain file.
+    pub fn of(file: &Path) -> Result<Self> {
+        let stamp = Stamp::of(file)?; // before the hash: what changes while it is taken is seen later
+        Ok(Self { file: file.to_owned(), stamp, named: named_hash(file)? })
+    }
+
+    /// Place of the file.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// Name and hash, as [`named_hash`] tells them.
+    pub fn named(&self) -> &(String, String) {
+        &self.named
+    }
+
+    /// Whether it has the same content still; it is read again where the system does not vouch for that, and
+    /// then known by the times that it has now.
+    ///
+    /// # Errors
+    /// As [`SeenFile::of`].
+    pub fn is_unchanged(&mut self) -> Result<bool> {
+        let now = Stamp::of(&self.file)?;
+        if self.stamp.is_settled && now.told == self.stamp.told {
+            return Ok(true);
+        }
+        let is_same = named_hash(&self.file)?.1 == self.named.1;
+        if is_same {
+            self.stamp = now;
+        }
+        Ok(is_same)
+    }
+}
+
+/// Times are coarse on some file systems: what was written so shortly before may be written again at the same
+/// time.
+const SETTLED: Duration = Duration::from_secs(3);
+
+/// What the system says of a file's content.
+#[derive(Debug, Clone)]
+struct Stamp {
+    told: Told,
+    /// Whether it was last written so long ago that its times would tell another writing.
+    is_settled: bool,
+}
+
+impl Stamp {
+    fn of(file: &Path) -> Result<Self> {
+        let about = std::fs::metadata(file)?;
+        let age = about.modified().ok().and_then(|written| SystemTime::now().duration_since(written).ok());
+        Ok(Self { told: told(&about), is_settled: age.is_some_and(|age| age > SETTLED) })
+    }
+}
+
+/// Device and number, length, and when content and entry were last changed.
+#[cfg(unix)]
+type Told = [i128; 7];
+
+#[cfg(unix)]
+fn told(about: &Metadata) -> Told {
+    use std::os::unix::fs::MetadataExt;
+    let [mtime, ctime] = [[about.mtime(), about.mtime_nsec()], [about.ctime(), about.ctime_nsec()]];
+    [
+        about.dev().into(),
+        about.ino().into(),
+        about.len().into(),
+        mtime[0].into(),
+        mtime[1].into(),
+        ctime[0].into(),
+        ctime[1].into(),
+    ]
+}
+
+/// Length, and when it was last written.
+#[cfg(not(unix))]
+type Told = (u64, Option<SystemTime>);
+
+#[cfg(not(unix))]
+fn told(about: &Metadata) -> Told {
+    (about.len(), about.modified().ok())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Writes a file that was last written an hour ago, as far as its times tell.
+    fn write(file: &Path, text: &str) {
+        std::fs::write(file, text).unwrap();
+        let hour_ago = SystemTime::now() - Duration::from_secs(3600);
+        std::fs::File::options().write(true).open(file).unwrap().set_modified(hour_ago).unwrap();
+    }
+
+    #[test]
+    fn a_file_of_the_same_content_is_unchanged_whoever_wrote_it_last() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("m.obj");
+        write(&file, "one");
+        let mut seen = SeenFile::of(&file).unwrap();
+        assert!(seen.is_unchanged().unwrap() && seen.stamp.is_settled);
+        std::fs::write(&file, "one").unwrap();
+        assert!(seen.is_unchanged().unwrap(), "its time is another");
+        write(&file, "one");
+        assert!(seen.is_unchanged().unwrap() && seen.stamp.is_settled);
+        std::fs::write(&file, "two").unwrap();
+        assert!(!seen.is_unchanged().unwrap(), "its length is the same");
+        std::fs::remove_file(&file).unwrap();
+        assert!(seen.is_unchanged().is_err());
+    }
+
+    #[test]
+    fn a_file_written_just_before_is_read_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("m.obj");
+        std::fs::write(&file, "one").unwrap();
+        let mut seen = SeenFile::of(&file).unwrap();
+        std::fs::write(&file, "two").unwrap(); // perhaps at the same time, as the system tells it
+        assert!(!seen.is_unchanged().unwrap() && !seen.stamp.is_settled);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn another_file_of_the_same_length_and_time_is_seen() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, other) = (folder.path().join("m.obj"), folder.path().join("other"));
+        write(&file, "one");
+        let mut seen = SeenFile::of(&file).unwrap();
+        let written = std::fs::metadata(&file).unwrap().modified().unwrap();
+        write(&other, "two");
+        std::fs::File::options().write(true).open(&other).unwrap().set_modified(written).unwrap();
+        std::fs::rename(&other, &file).unwrap();
+        assert!(!seen.is_unchanged().unwrap());
+    }
+}
