@@ -31,6 +31,10 @@ pub(crate) struct Standing {
     pub(crate) cost: Option<f64>,
     /// Distance behind the best, by paired differences; all such intervals hold together.
     pub(crate) behind: Option<Mean>,
+    /// The goal's metric, more is better, as far as it is comparable with that of the others: the mean over
+    /// the situations that the best has seen; of a design that was left before, whose situations may be
+    /// harder or easier than the rest, the best's less the distance behind it.
+    pub(crate) worth: Option<f64>,
 }
 
 impl Answer {
@@ -38,19 +42,28 @@ impl Answer {
         let scores = scores(study, ledger);
         let best = contest::best(&scores, &ledger.open);
         let jointly = contest::jointly(study.confidence, ledger.designs().saturating_sub(1));
-        let standing = |design: usize| Standing {
-            mean: study.measures.mean(
-                study.goal.metric,
-                &ledger.metric(design, study.goal.metric),
-                study.confidence,
-            ),
-            cost: Mean::of_known(&ledger.metric(design, study.goal.cost), study.confidence).map(|m| m.value),
-            behind: best.and_then(|best| Mean::of_pairs(&scores[best], &scores[design], jointly)),
+        let rising = |design: usize| Mean::of_known(&scores[design], study.confidence).map(|mean| mean.value);
+        let of_best = best.and_then(rising);
+        let standing = |design: usize| {
+            let behind = best.and_then(|best| Mean::of_pairs(&scores[best], &scores[design], jointly));
+            let less_behind = || Some(of_best? - behind?.value);
+            let has_seen_less = best.is_some_and(|best| ledger.has_seen_less(design, best));
+            Standing {
+                mean: study.measures.mean(
+                    study.goal.metric,
+                    &ledger.metric(design, study.goal.metric),
+                    study.confidence,
+                ),
+                cost: Mean::of_known(&ledger.metric(design, study.goal.cost), study.confidence)
+                    .map(|m| m.value),
+                behind,
+                worth: if has_seen_less { less_behind() } else { rising(design) },
+            }
         };
         let standings: Vec<Standing> = (0..ledger.designs()).map(standing).collect();
         let candidates = candidates(study, ledger, &standings, best);
-        let chosen = cheapest(study, &standings, &candidates);
-        let front = front(study, &standings);
+        let chosen = cheapest(&standings, &candidates);
+        let front = front(&standings);
         Self { standings, best, candidates, chosen, front, jointly }
     }
 }
@@ -75,24 +88,24 @@ fn candidates(study: &Study, ledger: &Ledger, standings: &[Standing], best: Opti
 }
 
 /// The cheapest, of equally dear ones the best, of equally good ones the first.
-fn cheapest(study: &Study, standings: &[Standing], candidates: &[usize]) -> Option<usize> {
-    let order = |a: &usize, b: &usize| by_cost(study, &standings[*a], &standings[*b]);
+fn cheapest(standings: &[Standing], candidates: &[usize]) -> Option<usize> {
+    let order = |a: &usize, b: &usize| by_cost(&standings[*a], &standings[*b]);
     candidates.iter().copied().filter(|d| standings[*d].cost.is_some()).min_by(order)
 }
 
 /// The cheaper first, of equally dear ones the better.
-fn by_cost(study: &Study, a: &Standing, b: &Standing) -> std::cmp::Ordering {
-    let worth = |s: &Standing| s.mean.map_or(f64::NEG_INFINITY, |mean| study.goal.better.rising(mean.value));
+fn by_cost(a: &Standing, b: &Standing) -> std::cmp::Ordering {
+    let worth = |s: &Standing| s.worth.unwrap_or(f64::NEG_INFINITY);
     let cost = |s: &Standing| s.cost.unwrap_or(f64::INFINITY);
     cost(a).total_cmp(&cost(b)).then(worth(b).total_cmp(&worth(a)))
 }
 
-fn front(study: &Study, standings: &[Standing]) -> Vec<usize> {
+fn front(standings: &[Standing]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..standings.len()).filter(|d| standings[*d].cost.is_some()).collect();
-    order.sort_by(|a, b| by_cost(study, &standings[*a], &standings[*b]));
+    order.sort_by(|a, b| by_cost(&standings[*a], &standings[*b]));
     let mut reached = f64::NEG_INFINITY;
     order.retain(|design| {
-        let worth = standings[*design].mean.map(|mean| study.goal.better.rising(mean.value));
+        let worth = standings[*design].worth;
         let is_better = worth.is_some_and(|worth| worth > reached);
         reached = worth.filter(|_| is_better).unwrap_or(reached);
         is_better
@@ -112,9 +125,15 @@ pub(crate) struct Effect {
 }
 
 /// Effects of the listed values of an axis, in their order; none of an axis that is drawn.
-pub(crate) fn effects(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, axis: usize) -> Vec<Effect> {
+pub(crate) fn effects(
+    study: &Study,
+    designs: &[Vec<Pick>],
+    ledger: &Ledger,
+    answer: &Answer,
+    axis: usize,
+) -> Vec<Effect> {
     let picks = study.vary[axis].listed().unwrap_or_default();
-    let scores = scores(study, ledger);
+    let worth: Vec<Vec<Option<f64>>> = answer.standings.iter().map(|s| vec![s.worth]).collect();
     let with = |pick: &Pick| (0..designs.len()).filter(|d| designs[*d][axis] == *pick).collect::<Vec<_>>();
     let effect = |pick: &Pick| {
         let with = with(pick);
@@ -124,7 +143,7 @@ pub(crate) fn effects(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, axi
         };
         let means: Vec<f64> = with.iter().filter_map(values).collect();
         let mean = Mean::of(&means, 0.5).map(|mean| mean.value);
-        Effect { label: pick.label.clone(), designs: with.len(), mean, best: contest::best(&scores, &with) }
+        Effect { label: pick.label.clone(), designs: with.len(), mean, best: contest::best(&worth, &with) }
     };
     picks.iter().map(effect).collect()
 }

@@ -7,6 +7,7 @@ use crate::runs::ledger::{Ledger, Run};
 use crate::runs::one_run::{self, Means, Measured};
 use crate::runs::reached::Reached;
 use crate::statistics::contest::{self, Rule};
+use crate::study::acceptance;
 use crate::study::axis::Pick;
 use crate::study::document::Study;
 use crate::study::situations::{Situation, changes_in};
@@ -130,7 +131,9 @@ impl Rounds<'_> {
         let mut keys = vec![];
         let mut jobs = vec![];
         for number in &numbers {
-            let key = self.key(*number, situations)?;
+            let key = self
+                .key(*number, situations)
+                .map_err(|failure| self.explained(failure, *number, situations))?;
             if is_mine(number) && self.kept.get(self.study, &key).is_none() {
                 jobs.push(Job { number: *number, key: key.clone() });
             }
@@ -145,6 +148,13 @@ impl Rounds<'_> {
         let measured_in = self.measured_in(number, situations);
         let changes = [number, measured_in].map(|number| self.changes(number, situations));
         self.kept.key(self.study, [&changes[0], &changes[1]], situation.seed)
+    }
+
+    /// The refusal of a run's scene, which only designs and situations together may ask for: with the values
+    /// of the study that it comes from.
+    fn explained(&self, failure: Failure, number: usize, situations: &[Situation]) -> Failure {
+        let (design, situation) = self.at(number, situations);
+        acceptance::check_one(self.study, design, situation).err().unwrap_or(failure)
     }
 
     /// The run in which the errors of a run are measured: that of the first design of its kind in the same

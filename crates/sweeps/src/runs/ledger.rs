@@ -44,6 +44,11 @@ impl Ledger {
         self.runs[design].iter().map(|run| run.values[metric]).collect()
     }
 
+    /// Whether a design has seen fewer situations than another one.
+    pub(crate) fn has_seen_less(&self, design: usize, other: usize) -> bool {
+        self.runs[design].len() < self.runs[other].len()
+    }
+
     /// Situations that every design has seen.
     pub(crate) fn common(&self) -> usize {
         self.runs.iter().map(Vec::len).min().unwrap_or(0)

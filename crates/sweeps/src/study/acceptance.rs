@@ -4,44 +4,109 @@ use crate::study::axis::{Axis, Pick};
 use crate::study::designs::changes;
 use crate::study::document::Study;
 use crate::study::situations::Situation;
+use artifact::envelope::fingerprint;
+use artifact::scene::SceneHeader;
+use artifact::settings::Fidelity;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
 use scene::{Change, Meshes, ReadOptions, SceneErrors};
+use std::collections::BTreeMap;
 
 /// Reads the scene of every design in the first situation and of the first design in all situations of the
 /// first repeat, models unopened. A refusal names the study, the value that is refused with its place, and
 /// the scene's own sentence.
 pub(crate) fn check(study: &Study, designs: &[Vec<Pick>], situations: &[Situation]) -> Result<(), Failure> {
-    try_scene(study, &[]).map_err(|errors| loading::of_scene(errors).named_in(&study.page.file))?;
+    try_scene(study, &[], Meshes::NamesOnly)
+        .map_err(|errors| loading::of_scene(errors).named_in(&study.page.file))?;
     let (Some(first), Some(situation)) = (designs.first(), situations.first()) else { return Ok(()) };
     designs.iter().try_for_each(|design| check_one(study, design, situation))?;
-    situations.iter().try_for_each(|situation| check_one(study, first, situation))
+    situations.iter().try_for_each(|situation| check_one(study, first, situation))?;
+    // A drawn sample may draw a listed value twice.
+    if study.sample.is_some() { Ok(()) } else { differ(study, designs, situation) }
 }
 
-fn check_one(study: &Study, design: &[Pick], situation: &Situation) -> Result<(), Failure> {
+/// Refuses two designs of one scene: a value that is listed twice, or a key that the radar does not take.
+/// Models are opened only of designs that nothing else tells apart.
+fn differ(study: &Study, designs: &[Vec<Pick>], situation: &Situation) -> Result<(), Failure> {
+    let mut known: BTreeMap<String, usize> = BTreeMap::new();
+    let mut with_models: BTreeMap<String, usize> = BTreeMap::new();
+    for (number, design) in designs.iter().enumerate() {
+        let scene = |design: &[Pick], meshes| scene_of(study, design, situation, meshes);
+        let first = *known.entry(scene(design, Meshes::NamesOnly)?).or_insert(number);
+        if first == number {
+            continue;
+        }
+        with_models.entry(scene(&designs[first], Meshes::Whole)?).or_insert(first);
+        if let Some(first) = with_models.insert(scene(design, Meshes::Whole)?, number) {
+            return Err(alike(study, designs, [first, number]));
+        }
+    }
+    Ok(())
+}
+
+/// Hash of a design's scene as every run of a study has it.
+fn scene_of(
+    study: &Study,
+    design: &[Pick],
+    situation: &Situation,
+    meshes: Meshes,
+) -> Result<String, Failure> {
+    let chosen = study.vary.iter().zip(design).chain(study.conditions.iter().zip(&situation.picks));
+    let header = try_scene(study, &changes(chosen), meshes).map_err(loading::of_scene)?;
+    let fidelity = Fidelity { measured_every: 1, ..header.fidelity };
+    Ok(fingerprint(&SceneHeader { fidelity, ..header }))
+}
+
+fn alike(study: &Study, designs: &[Vec<Pick>], [first, second]: [usize; 2]) -> Failure {
+    let [a, b] = [first, second].map(|number| &designs[number]);
+    let other = |((axis, a), b): ((&Axis, &Pick), &Pick)| if a == b { None } else { axis.place_of(b) };
+    let twice = |axis: &Axis| {
+        let picks = axis.listed().unwrap_or_default();
+        let number = (1..picks.len()).find(|number| picks[..*number].contains(&picks[*number]))?;
+        axis.places.get(number).copied()
+    };
+    let place = study.vary.iter().zip(a).zip(b).find_map(other);
+    let place = place.or_else(|| study.vary.iter().find_map(twice));
+    let place = place.map_or_else(String::new, |place| format!(":{place}"));
+    let values = |design: &[Pick]| values(&study.vary.iter().zip(design).collect::<Vec<_>>());
+    Failure::Refused(format!(
+        "{}{place}: designs {first} and {second} are one scene: with {} it is what it is with {}",
+        study.page.file.display(),
+        values(b),
+        values(a),
+    ))
+}
+
+/// Reads the scene of a design in a situation; a refusal is as that of [`check`].
+pub(crate) fn check_one(study: &Study, design: &[Pick], situation: &Situation) -> Result<(), Failure> {
     let all = || study.vary.iter().zip(design).chain(study.conditions.iter().zip(&situation.picks));
-    let Err(errors) = try_scene(study, &changes(all())) else { return Ok(()) };
-    let alone =
-        |chosen: &(_, _)| Some((*chosen, try_scene(study, &changes(std::iter::once(*chosen))).err()?));
+    let refusal = |changes: &[Change]| try_scene(study, changes, Meshes::NamesOnly).err();
+    let Some(errors) = refusal(&changes(all())) else { return Ok(()) };
+    let alone = |chosen: &(_, _)| Some((*chosen, refusal(&changes(std::iter::once(*chosen)))?));
     Err(match all().find_map(|chosen| alone(&chosen)) {
         Some((chosen, errors)) => refused(study, &[chosen], &errors),
         None => refused(study, &all().collect::<Vec<_>>(), &errors),
     })
 }
 
-fn try_scene(study: &Study, changes: &[Change]) -> Result<(), SceneErrors> {
-    let options = ReadOptions { model: None, radar: study.radar.clone(), meshes: Meshes::NamesOnly };
-    scene::read_changed(&study.scene, changes, &options).map(drop)
+fn try_scene(study: &Study, changes: &[Change], meshes: Meshes) -> Result<SceneHeader, SceneErrors> {
+    let options = ReadOptions { model: None, radar: study.radar.clone(), meshes };
+    scene::read_changed(&study.scene, changes, &options)
 }
 
 fn refused(study: &Study, chosen: &[(&Axis, &Pick)], errors: &SceneErrors) -> Failure {
     let place = chosen.first().and_then(|(axis, pick)| axis.place_of(pick));
     let place = place.map_or_else(String::new, |place| format!(":{place}"));
+    let values = values(chosen);
+    let text = format!("{}{place}: with {values} the scene says:\n{errors}", study.page.file.display());
+    if errors.is_system() { Failure::System(text) } else { Failure::Refused(text) }
+}
+
+/// Keys with the values that they are given.
+fn values(chosen: &[(&Axis, &Pick)]) -> String {
     let value = |(axis, pick): &(&Axis, &Pick)| {
         let pairs = axis.keys.iter().zip(&pick.values);
         pairs.map(|(key, value)| format!("{key} = {value}")).collect::<Vec<_>>().join(", ")
     };
-    let values = chosen.iter().map(value).collect::<Vec<_>>().join(", ");
-    let text = format!("{}{place}: with {values} the scene says:\n{errors}", study.page.file.display());
-    if errors.is_system() { Failure::System(text) } else { Failure::Refused(text) }
+    chosen.iter().map(value).collect::<Vec<_>>().join(", ")
 }

@@ -168,10 +168,11 @@ fn overlap(key: &str, other: &str) -> bool {
 }
 
 /// Keys of a scene that no run of a study takes from it, each with the reason.
-const WITHOUT_EFFECT: [(&str, &str); 3] = [
+const WITHOUT_EFFECT: [(&str, &str); 4] = [
     ("seed", "every situation has a seed of its own, drawn by that of the study"),
     ("name", "a scene is computed alike by any name"),
     ("fidelity.measured_every", "a study measures errors once in a run"),
+    ("fidelity.plan", "a study takes the scene's keys as they are said"),
 ];
 
 /// A key that has no effect makes equal designs.

@@ -89,9 +89,13 @@ impl<'d> Fields<'d> {
         self.list(key)?.unwrap_or_default().into_iter().map(entry).collect()
     }
 
-    /// Text of a value as the file writes it.
+    /// Text of a value as the file writes it; a text has the same quotes whichever it is written with.
     pub(crate) fn written(&self, value: &Value<'_>) -> String {
-        self.page.text.get(value.span()).unwrap_or_default().to_owned()
+        match value.get_ref().as_str().map(|text| format!("\"{text}\"")) {
+            // What has to be escaped stays as it is written.
+            Some(quoted) if !quoted[1..quoted.len() - 1].contains(['"', '\\', '\n', '\r']) => quoted,
+            _ => self.page.text.get(value.span()).unwrap_or_default().to_owned(),
+        }
     }
 
     fn typed<T>(

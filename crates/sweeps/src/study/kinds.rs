@@ -5,9 +5,17 @@ use crate::study::axis::{Axis, Pick};
 use crate::study::document::Study;
 use std::collections::BTreeMap;
 
-/// Beginnings of keys that leave bodies, waveform and fidelity as they are.
-const LIKE: [&str; 6] =
-    ["radar.position_m", "radar.boresight_", "radar.array.preset", "dsp.", "noise.", "intersection."];
+/// Beginnings of keys that leave bodies, waveform and fidelity as they are. Where lanes lie is none of them:
+/// targets that are placed by their lane move with it.
+const LIKE: [&str; 7] = [
+    "radar.position_m",
+    "radar.boresight_",
+    "radar.array.preset",
+    "dsp.",
+    "noise.",
+    "intersection.lane_width_m",
+    "intersection.crossing_width_m",
+];
 
 /// First design of each design's kind, in which errors are measured.
 pub(crate) fn first_of_kinds(study: &Study, designs: &[Vec<Pick>]) -> Vec<usize> {
@@ -22,4 +30,23 @@ pub(crate) fn first_of_kinds(study: &Study, designs: &[Vec<Pick>]) -> Vec<usize>
 
 fn is_like(axis: &Axis) -> bool {
     axis.keys.iter().all(|key| LIKE.iter().any(|like| key.starts_with(like)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::axis::Source;
+
+    #[test]
+    fn what_moves_bodies_makes_another_kind() {
+        let is_like = |key: &str| {
+            let (keys, source) = (vec![key.to_owned()], Source::Whole([0, 1]));
+            is_like(&Axis { places: vec![], name: key.to_owned(), keys, source })
+        };
+        assert!(
+            ["radar.position_m.2", "noise.snr_db", "intersection.lane_width_m"].map(is_like) == [true; 3]
+        );
+        let moving = ["intersection.lane_centres_m.0", "intersection.lane_azimuth_deg", "target.0.lane"];
+        assert!(moving.map(is_like) == [false; 3]);
+    }
 }

@@ -29,13 +29,23 @@ pub(crate) fn draw(study: &Study, answer: &Answer, form: Form) -> Svg {
     sheet
 }
 
-/// Logarithm of the cost, and the mean.
-fn place(standing: &Standing) -> Option<[f64; 2]> {
-    Some([standing.cost.filter(|cost| *cost > 0.0)?.log10(), standing.mean?.value])
+/// The way from a cost to its place on its axis.
+type Scale = fn(f64) -> f64;
+
+/// Logarithm of the cost; the cost itself where some design costs nothing.
+fn scale(answer: &Answer) -> Scale {
+    let costs = || answer.standings.iter().filter_map(|standing| standing.cost);
+    if costs().all(|cost| cost > 0.0) { f64::log10 } else { |cost| cost }
+}
+
+/// Cost on its scale, and the mean.
+fn place(standing: &Standing, scale: Scale) -> Option<[f64; 2]> {
+    Some([scale(standing.cost?), standing.mean?.value])
 }
 
 fn axes(answer: &Answer, form: Form, top: f64) -> Axes {
-    let places: Vec<[f64; 2]> = answer.standings.iter().filter_map(place).collect();
+    let scale = scale(answer);
+    let places: Vec<[f64; 2]> = answer.standings.iter().filter_map(|s| place(s, scale)).collect();
     let on_front = answer.front.iter().filter_map(|design| answer.standings[*design].mean);
     let ends = on_front.flat_map(|mean| mean.ends.unwrap_or([mean.value; 2]));
     let [left, right] = form.sides_px();
@@ -62,9 +72,10 @@ fn span(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
 fn costs(answer: &Answer, axes: &Axes) -> Vec<Tick> {
     let mut values: Vec<f64> = answer.standings.iter().filter_map(|standing| standing.cost).collect();
     values.sort_by(f64::total_cmp);
+    let scale = scale(answer);
     let mut ticks: Vec<Tick> = vec![];
-    for cost in values.into_iter().filter(|cost| *cost > 0.0) {
-        let at = cost.log10();
+    for cost in values {
+        let at = scale(cost);
         if ticks.last().is_none_or(|(last, _)| axes.x.at(at) - axes.x.at(*last) >= 34.0) {
             ticks.push((at, tick_text(cost)));
         }
@@ -78,7 +89,9 @@ fn numbers(axes: &Axes) -> Vec<Tick> {
 
 fn marks(sheet: &mut Svg, answer: &Answer, axes: &Axes) -> Legend {
     let mut legend = Legend::default();
-    let at = |design: usize| place(&answer.standings[design]).map(|[x, y]| [axes.x.at(x), axes.y.at(y)]);
+    let scale = scale(answer);
+    let at =
+        |design: usize| place(&answer.standings[design], scale).map(|[x, y]| [axes.x.at(x), axes.y.at(y)]);
     let others = (0..answer.standings.len()).filter(|design| !answer.front.contains(design));
     others.filter_map(at).for_each(|place| Mark::Circle.draw(sheet, "plain", place));
     legend.say(Mark::Circle, "plain", "a design");
@@ -97,10 +110,11 @@ fn marks(sheet: &mut Svg, answer: &Answer, axes: &Axes) -> Legend {
 
 /// Intervals of the front's means.
 fn bars(sheet: &mut Svg, answer: &Answer, axes: &Axes) {
+    let scale = scale(answer);
     for design in &answer.front {
         let standing = &answer.standings[*design];
         let ends = standing.mean.and_then(|mean| mean.ends);
-        if let (Some([x, _]), Some(ends)) = (place(standing), ends) {
+        if let (Some([x, _]), Some(ends)) = (place(standing, scale), ends) {
             sheet.polyline("c0", 1.2, &ends.map(|end| [axes.x.at(x), axes.y.at(end)]));
         }
     }

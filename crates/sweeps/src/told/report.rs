@@ -29,7 +29,9 @@ pub(crate) fn details(done: &Done) -> Vec<Block> {
     let mut blocks = vec![Block::Heading("The front".into()), front];
     for (number, axis) in done.study.vary.iter().enumerate().filter(|(_, axis)| axis.listed().is_some()) {
         blocks.push(Block::Heading(format!("By {}", axis.name)));
-        blocks.push(done.by_axis(&axis.name, &effects(done.study, done.designs, done.ledger, number)));
+        blocks.push(
+            done.by_axis(&axis.name, &effects(done.study, done.designs, done.ledger, done.answer, number)),
+        );
     }
     blocks.push(Block::Heading("All metrics".into()));
     blocks.push(done.metrics());
@@ -166,16 +168,44 @@ fn percent(share: f64) -> String {
 }
 
 fn number(value: Option<f64>) -> String {
-    value.map_or("–".to_owned(), tick_text)
+    value.map_or("–".to_owned(), figure)
 }
+
+/// A figure to three places behind the point; one that would be 0 there, and is not, to two digits.
+fn figure(value: f64) -> String {
+    match tick_text(value) {
+        text if text == "0" && value != 0.0 => format!("{value:.1e}").replace('-', "−"),
+        text => text,
+    }
+}
+
+/// A width beyond this part of its mean is one; less is rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// A mean with half the width of its interval.
 fn text(mean: Option<Mean>) -> String {
     match mean {
         None => "–".into(),
-        Some(Mean { value, half_width: None, .. }) => tick_text(value),
+        Some(Mean { value, half_width: None, .. }) => figure(value),
         Some(Mean { value, half_width: Some(half), .. }) => {
-            format!("{} ± {}", tick_text(value), tick_text(half))
+            let half = if half > ROUNDING * value.abs() { half } else { 0.0 };
+            format!("{} ± {}", figure(value), figure(half))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_figure_that_is_not_zero_is_not_told_as_zero() {
+        assert_eq!(
+            [0.0, 0.0004, -0.00012, 0.0006, 2.5].map(figure),
+            ["0", "4.0e−4", "−1.2e−4", "0.001", "2.5"]
+        );
+        let mean = |value, half| Mean { value, standard_error: Some(half), half_width: Some(half), count: 3 };
+        assert_eq!(text(Some(mean(0.00037, 0.00002))), "3.7e−4 ± 2.0e−5");
+        assert_eq!(text(Some(mean(0.625, 1e-17))), "0.625 ± 0", "rounding is no width");
     }
 }

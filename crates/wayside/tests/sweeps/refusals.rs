@@ -68,6 +68,18 @@ fn every_broken_rule_of_a_study_is_told_with_its_place() {
             "[[condition]]\nkey = \"seed\"\nvalues = [1, 2]\n[goal]",
             "study.toml:7:11: `seed` changes nothing: every situation has a seed of its own",
         ),
+        ("radar.array.preset", "fidelity.plan", "study.toml:4:11: `fidelity.plan` changes nothing"),
+        (
+            "\"3x4\"",
+            "'1x4'",
+            "study.toml:4:18: designs 0 and 1 are one scene: with radar.array.preset = \"1x4\" it is",
+        ),
+        (
+            "key = \"radar.array.preset\"\nvalues = [\"1x4\", \"3x4\"]",
+            "key = \"frame_interval_s\"\nvalues = [0.1, 0.10]",
+            "study.toml:4:16: designs 0 and 1 are one scene: with frame_interval_s = 0.10 it is what it is with \
+             frame_interval_s = 0.1",
+        ),
         ("[goal]", "[sample]\n[goal]", "[sample]: `count` is missing"),
         ("[goal]", "[sample]\ncount = 0\n[goal]", "`count` has to be a whole number from 1 to 100000, is 0"),
         (
@@ -147,6 +159,19 @@ fn what_the_scene_refuses_is_told_with_the_line_that_changes_it_and_the_scenes_o
         let (said, code) = said_of(&place, &WHOLE.replace("small.toml", gone));
         assert!(said.contains(&format!("study.toml: {gone}: ")) && code == Some(2), "{code:?} {said}");
     }
+}
+
+#[test]
+fn what_a_design_and_a_situation_ask_for_together_is_told_with_both() {
+    let place = Workplace::new();
+    let study = WHOLE
+        .replace("radar.array.preset", "radar.waveform.chirps")
+        .replace("[\"1x4\", \"3x4\"]", "[16, 65536]")
+        .replace("[goal]", "[[condition]]\nkey = \"radar.waveform.samples\"\nvalues = [64, 65536]\n[goal]");
+    let (said, code) = said_of(&place, &study);
+    let expected = "study.toml:4:15: with radar.waveform.chirps = 65536, radar.waveform.samples = 65536 the scene \
+                    says:\nsmall.toml:";
+    assert!(said.contains(expected) && code == Some(1), "{said}");
 }
 
 #[test]
