@@ -56,6 +56,9 @@ pub enum ClassifierError {
     /// A sample came twice.
     #[error("sample `{0}` is there twice")]
     SampleTwice(String),
+    /// A sample is in two datasets: one of them has grown, or was made of the same recipe.
+    #[error("sample `{0}` is in another of the folders too; each is taken once")]
+    SampleInTwoDatasets(String),
     /// An image is in two splits: a scene was made twice, or a file was copied.
     #[error("samples `{first}` and `{second}` show the same pixels in different splits")]
     CropInTwoSplits {

@@ -32,7 +32,8 @@ pub struct Settings {
 /// Evaluates a model; gives the page (Markdown).
 ///
 /// # Errors
-/// A sentence that names the file where a model or a shard is damaged, or of another radar's signatures.
+/// A sentence that names the file where a model or a shard is damaged, or of another radar's signatures, and
+/// the first folder where no sample tells its class.
 pub fn run(settings: &Settings) -> Result<String, Failure> {
     let model = LoadedModel::read(&settings.model)?;
     let datasets = DatasetFolder::open_all(&settings.datasets)?;
@@ -47,6 +48,14 @@ pub fn run(settings: &Settings) -> Result<String, Failure> {
         let added = sightings.add(number, samples.into_iter().map(Ok));
         added.map_err(of_classifier_about(shard))
     })?;
+    if sightings.all.is_empty() {
+        let rule = "no sample that tells its class: there is nothing to be right about";
+        return Err(settings
+            .datasets
+            .iter()
+            .take(1)
+            .fold(Failure::refused(rule), |f, folder| f.about(folder)));
+    }
     let seen: Vec<_> = sightings.all.iter().collect();
     let told = parts(&seen, &logits, f64::from(model.rule().frame_correlation));
     let page = page(&told);

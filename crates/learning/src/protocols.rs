@@ -9,7 +9,7 @@ mod paper;
 mod settings;
 
 use crate::evaluation::{confusion, sightings_of};
-use crate::training::{Learner, iterations_of_trees};
+use crate::training::{Learner, iterations_of_trees, note_lone_vehicles};
 use artifact::settings::Class;
 use asked::{HELD_OUT, Kept, Protocol, answers, name_of, of_test, of_training, told};
 use classifier::{
@@ -17,7 +17,7 @@ use classifier::{
     train_trees,
 };
 use conditions::{OfTracks, conditions};
-use pipeline::chain::loaded_model::of_classifier;
+use pipeline::chain::loaded_model::{of_classifier, of_classifier_about};
 use pipeline::chain::told_class::{ClassRule, Predicted};
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
@@ -67,6 +67,9 @@ fn of_trees(
     let learned = sightings_of(datasets)?;
     let tests: Vec<Sightings> =
         of_tests.iter().map(|folder| sightings_of(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
+    for (folder, test) in settings.test.iter().zip(&tests) {
+        learned.check_apart(test).map_err(of_classifier_about(folder))?;
+    }
     let mut protocols = of_training(&learned, &settings.datasets);
     let named = |folder: &PathBuf| format!("T: {} never seen", name_of(folder));
     protocols.extend(settings.test.iter().zip(&tests).map(|(folder, test)| of_test(named(folder), test)));
@@ -81,6 +84,7 @@ fn of_trees(
         trained.push(one.map_err(of_classifier)?);
     }
     drop(work);
+    note_lone_vehicles(&learned);
     let mut page = page(&protocols, &trained);
     page += &reliability(&protocols, &trained[0]);
     page += &by_threshold(&protocols, &trained[0]);

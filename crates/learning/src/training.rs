@@ -3,6 +3,7 @@
 //! Trees learn here, the paper's network in a program of its own.
 
 mod settings;
+mod lone_vehicles;
 pub(crate) mod network;
 mod trees;
 
@@ -12,6 +13,7 @@ use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use std::path::PathBuf;
 
+pub(crate) use lone_vehicles::note_lone_vehicles;
 pub use network::{PROGRAM, target_folder};
 pub use settings::{Learner, PAPER_ITERATIONS, Settings};
 

@@ -6,6 +6,7 @@ use crate::error::ClassifierError;
 use crate::signatures::features::features;
 use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
+use artifact::envelope::fingerprint;
 use artifact::seed;
 use artifact::settings::Class;
 use bodies::vehicles::families_of;
@@ -41,10 +42,13 @@ pub struct Sightings {
     /// Samples without a class, left out.
     pub unlabelled: u64,
     ids: BTreeSet<(usize, String)>,
+    /// Fingerprint of every sample's signature and truth, with its dataset.
+    prints: BTreeMap<String, usize>,
 }
 
 impl Sightings {
-    /// Adds the samples of dataset number `dataset`; refuses one that comes twice.
+    /// Adds the samples of dataset number `dataset`; refuses one that comes twice, also where another dataset
+    /// has it, whatever the rest of its shard is.
     pub fn add(
         &mut self,
         dataset: usize,
@@ -54,6 +58,9 @@ impl Sightings {
             let sample = sample?;
             if !self.ids.insert((dataset, sample.id.clone())) {
                 return Err(ClassifierError::SampleTwice(sample.id));
+            }
+            if *self.prints.entry(fingerprint_of(&sample)).or_insert(dataset) != dataset {
+                return Err(ClassifierError::SampleInTwoDatasets(sample.id));
             }
             let Some(class) = sample.class.and_then(|class| Class::ALL.iter().position(|c| *c == class))
             else {
@@ -70,6 +77,15 @@ impl Sightings {
             });
         }
         Ok(())
+    }
+
+    /// Refuses others that have a sample of these.
+    pub fn check_apart(&self, others: &Self) -> Result<(), ClassifierError> {
+        let shared = others.prints.keys().find(|print| self.prints.contains_key(*print));
+        shared.map_or(Ok(()), |print| {
+            let name = print.split_once(' ').map_or("", |(_, id)| id);
+            Err(ClassifierError::SampleInTwoDatasets(name.to_owned()))
+        })
     }
 
     /// Numbers of the sightings of some splits.
@@ -117,6 +133,16 @@ impl Sightings {
         }
         numbers.iter().map(|i| kin(i).map(|model| fold_of[&model])).collect()
     }
+
+    /// Classes of which a single vehicle is learned from, with its name: none is left where it is held out.
+    pub fn lone_vehicles(&self) -> Vec<(Class, &str)> {
+        let of_class = |class: usize| {
+            let learned = self.all.iter().filter(|seen| seen.class == class && seen.split != Split::Test);
+            let models: BTreeSet<&str> = learned.map(|seen| seen.model.as_str()).collect();
+            models.first().filter(|_| models.len() == 1).map(|model| (Class::ALL[class], *model))
+        };
+        (0..Class::ALL.len()).filter_map(of_class).collect()
+    }
 }
 
 impl Seen {
@@ -124,6 +150,14 @@ impl Seen {
     pub fn is_cross(&self) -> bool {
         families_of(&self.model).is_some()
     }
+}
+
+/// Fingerprint of what a sample shows and of its truth, and its name behind a blank: the image is drawn from
+/// the same map, and the split goes by the scene.
+fn fingerprint_of(sample: &Sample) -> String {
+    let truth = (sample.class, &sample.model, sample.variant, sample.range_m, sample.radial_velocity_mps);
+    let place = (sample.seed, sample.scene, sample.target, sample.frame);
+    format!("{} {}", fingerprint(&(&sample.signature, truth, place)), sample.id)
 }
 
 /// The two families of a cross; of any other vehicle twice itself.
@@ -134,10 +168,44 @@ fn kin(model: &str) -> [&str; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use artifact::signature::Signature;
 
     fn seen(model: &str) -> Seen {
         let model = model.to_owned();
         Seen { features: vec![], class: 0, model, track: (0, 0, 0), split: Split::Train, has_rows: false }
+    }
+
+    #[test]
+    fn a_sample_of_another_dataset_is_refused_whatever_its_split_and_one_of_another_scene_is_not() {
+        let sample = |scene: u64| Sample {
+            id: format!("scene-{scene}"),
+            signature: Signature::default(),
+            crop: None,
+            class: Some(Class::Car),
+            model: "car-kei".into(),
+            variant: 0,
+            scene,
+            target: 0,
+            frame: 0,
+            split: if scene == 1 { Split::Test } else { Split::Train },
+            range_m: 40.0,
+            radial_velocity_mps: 0.0,
+            lane: None,
+            seed: 1,
+        };
+        let mut first = Sightings::default();
+        first.add(0, [sample(0), sample(1)].map(Ok).into_iter()).unwrap();
+        let again = Sample { split: Split::Validation, lane: Some(1), ..sample(1) };
+        let refused = first.clone().add(1, [Ok(again.clone())].into_iter()).unwrap_err();
+        assert_eq!(
+            refused.to_string(),
+            "sample `scene-1` is in another of the folders too; each is taken once"
+        );
+        let (mut same, mut other) = (Sightings::default(), Sightings::default());
+        same.add(0, [Ok(again)].into_iter()).unwrap();
+        other.add(0, [Ok(sample(2))].into_iter()).unwrap();
+        assert!(first.check_apart(&same).is_err() && first.check_apart(&other).is_ok());
+        assert!(first.add(1, [Ok(sample(2))].into_iter()).is_ok());
     }
 
     #[test]
@@ -151,5 +219,15 @@ mod tests {
         assert!([0, 1, 2, 3, 6].iter().all(|i| folds[*i][0] == folds[*i][1]), "{folds:?}");
         assert_eq!(folds.iter().map(|f| f[0]).collect::<BTreeSet<_>>().len(), 5);
         assert!(sightings.all[4].is_cross() && !sightings.all[6].is_cross());
+    }
+
+    #[test]
+    fn a_vehicle_that_is_alone_in_its_class_is_told() {
+        let mut all = ["car-kei", "car-van", "car-kei", "bus-city"].map(seen).to_vec();
+        all[3].class = 1;
+        let mut sightings = Sightings { all, ..Sightings::default() };
+        assert_eq!(sightings.lone_vehicles(), [(Class::Bus, "bus-city")]);
+        sightings.all[1].split = Split::Test;
+        assert_eq!(sightings.lone_vehicles(), [(Class::Car, "car-kei"), (Class::Bus, "bus-city")]);
     }
 }

@@ -12,6 +12,7 @@ use crate::direction::position::{Place, place};
 use crate::error::DspError;
 use crate::plan::Plan;
 use artifact::points::{Object, PointsFrame};
+use artifact::radar::Sampling;
 use artifact::rdm::RdmFrame;
 use artifact::signature::{Signature, SignatureCell};
 use artifact::units::{db_from_power, power_from_db};
@@ -210,11 +211,16 @@ impl<'a> Signatures<'a> {
     }
 
     /// Noise level as an RCS in dBsm, σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) of a beam over N channels, P the
-    /// noise of one; the windows' coherent gain is 1.
+    /// noise of one; the windows' coherent gain is 1. Of real samples half of an echo's amplitude is in the
+    /// half of the map that is kept.
     fn noise_dbsm(&self, object: &Object, direction: Direction) -> f64 {
         let (radar, waveform) = (&self.plan.radar, &self.plan.radar.waveform);
         let gain = power_from_db(radar.link.antenna_gain_db);
-        let transform = f64::from(waveform.samples) * f64::from(waveform.chirps);
+        let kept = match waveform.sampling {
+            Sampling::Complex => 1.0,
+            Sampling::Real => 0.5,
+        };
+        let transform = kept * f64::from(waveform.samples) * f64::from(waveform.chirps);
         let up = direction.up.unwrap_or_else(|| self.assumed_up(object));
         let ahead = (1.0 - direction.right.powi(2) - up.powi(2)).max(0.0).sqrt();
         let pattern = radar.array.pattern.amplitude([direction.right, ahead, up]).abs().max(LEAST_PATTERN);

@@ -3,7 +3,7 @@
 
 use crate::common::*;
 use artifact::cube::CubeHeader;
-use artifact::radar::Multiplexing;
+use artifact::radar::{Multiplexing, Sampling};
 use artifact::signature::{Signature, SignatureCell};
 use dsp::{DspError, Receiver};
 
@@ -16,7 +16,11 @@ fn noisy(elements: [Vec<[f64; 2]>; 2]) -> CubeHeader {
 /// Signature of the one object that these targets are.
 fn signature(header: &CubeHeader, targets: &[Target]) -> Signature {
     let receiver = Receiver::new(header).unwrap();
-    let map = receiver.range_doppler(&cube(header, targets, 1)).unwrap();
+    let mut cube = cube(header, targets, 1);
+    if header.radar.waveform.sampling == Sampling::Real {
+        cube.samples.iter_mut().for_each(|sample| sample.im = 0.0);
+    }
+    let map = receiver.range_doppler(&cube).unwrap();
     let points = receiver.detect(&map).unwrap();
     assert_eq!(points.objects.len(), 1, "{:?}", points.objects);
     receiver.signatures(&map).unwrap().of(&points, 0).unwrap()
@@ -31,10 +35,13 @@ fn strongest(signature: &Signature) -> (usize, SignatureCell) {
 #[test]
 fn a_point_stands_in_its_cell_with_its_own_cross_section_at_any_range_and_by_any_multiplexing() {
     use Multiplexing::{Bpm, Ddm, Simultaneous, Tdm};
-    for multiplexing in [Simultaneous, Tdm, Ddm, Bpm] {
+    let complex = [Simultaneous, Tdm, Ddm, Bpm].map(|multiplexing| (multiplexing, Sampling::Complex));
+    let real = [Simultaneous, Tdm].map(|multiplexing| (multiplexing, Sampling::Real));
+    for (multiplexing, sampling) in complex.into_iter().chain(real) {
         for (range_m, rcs_m2) in [(25.0, 1.0), (40.0, 10.0), (60.0, 100.0)] {
             let mut header = noisy(elements_3x4());
             header.radar.array.multiplexing = multiplexing;
+            header.radar.waveform.sampling = sampling;
             // On the centre of a velocity cell of every multiplexing, and of a range cell: windows take
             // nothing off there.
             let cell_m = header.radar.waveform.range_resolution_m();
@@ -46,7 +53,7 @@ fn a_point_stands_in_its_cell_with_its_own_cross_section_at_any_range_and_by_any
             // Noise 25 dB below the echo or more turns it by 0.5 dB at most.
             assert!(
                 (dbsm - expected).abs() < 0.6,
-                "{multiplexing:?}, {range_m} m: {dbsm:.2} dBsm for {expected}"
+                "{multiplexing:?}, {sampling:?}, {range_m} m: {dbsm:.2} dBsm for {expected}"
             );
             let place_m = found.first_range_m + at as f64 * found.cell_m;
             assert!((place_m - ahead_m).abs() < 0.5 * cell_m, "{place_m} {ahead_m}");

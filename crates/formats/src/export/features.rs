@@ -1,6 +1,6 @@
 //! Features of signatures as CSV, a row for each sample of a dataset.
 
-use crate::writing::fail;
+use crate::writing::{cell, fail};
 use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
 use pipeline::host::failure::Failure;
@@ -12,11 +12,8 @@ use std::path::Path;
 pub fn csv(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
     let mut failed = None;
     let written = pipeline::host::files::write_with(out, |stream| {
-        writeln!(
-            stream,
-            "id,class,model,variant,scene,target,frame,split,{}",
-            classifier::feature_names().join(",")
-        )?;
+        let columns = column_names().join(",");
+        writeln!(stream, "id,class,model,variant,scene,target,frame,split,{columns}")?;
         for sample in progress::frames(reader) {
             let sample = sample.map_err(|e| fail(&mut failed, e))?;
             writeln!(stream, "{}", row(&sample))?;
@@ -26,11 +23,39 @@ pub fn csv(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
     failed.map_or(written, |error| Err(error.into()))
 }
 
+/// Names of the features, a later one of those that are alike with its number behind it: two features of
+/// heights have one name, and of columns of one name readers take one.
+pub(crate) fn column_names() -> Vec<String> {
+    let names = classifier::feature_names();
+    let apart = |(at, name): (usize, &&str)| match names[..at].iter().filter(|before| *before == name).count()
+    {
+        0 => (*name).to_owned(),
+        before => format!("{name}_{}", before + 1),
+    };
+    names.iter().enumerate().map(apart).collect()
+}
+
 fn row(sample: &Sample) -> String {
-    let Sample { id, model, variant, scene, target, frame, split, .. } = sample;
+    let Sample { id, variant, scene, target, frame, split, .. } = sample;
+    let [id, model] = [id, &sample.model].map(|text| cell(text));
     let class = sample.class.map_or("", |class| class.name());
     let values: Vec<String> =
         classifier::features(&sample.signature).iter().map(|(_, v)| format!("{v:.6}")).collect();
     let split = format!("{split:?}").to_lowercase();
     format!("{id},{class},{model},{variant},{scene},{target},{frame},{split},{}", values.join(","))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_feature_has_a_column_of_a_name_of_its_own() {
+        let names = column_names();
+        assert_eq!(names.iter().collect::<BTreeSet<_>>().len(), names.len());
+        assert_eq!(names.len(), classifier::feature_names().len());
+        assert!(names.contains(&"height_of_front_m".to_owned()));
+        assert!(names.contains(&"height_of_front_m_2".to_owned()));
+    }
 }

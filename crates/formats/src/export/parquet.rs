@@ -101,7 +101,7 @@ const OF_SAMPLES: [(&str, Kind); 12] = [
 /// The samples of a shard, or of all shards of a folder, a row each.
 pub fn samples(asked: &Path, out: &Path) -> Result<(), Failure> {
     let shards = shards(asked)?;
-    let names = apart(feature_names());
+    let names = feature_names();
     let columns: Vec<(&str, Kind)> =
         OF_SAMPLES.into_iter().chain(names.iter().map(|name| (name.as_str(), Kind::Real))).collect();
     streamed(out, |stream, failed| {
@@ -113,18 +113,6 @@ pub fn samples(asked: &Path, out: &Path) -> Result<(), Failure> {
         }
         table.finish()
     })
-}
-
-/// Names, a later one of those that are alike with its number behind it: two features of heights have one
-/// name, and columns of one name are not read.
-fn apart(mut names: Vec<String>) -> Vec<String> {
-    for at in 0..names.len() {
-        let before = names[..at].iter().filter(|name| **name == names[at]).count();
-        if before > 0 {
-            names[at] = format!("{}_{}", names[at], before + 1);
-        }
-    }
-    names
 }
 
 /// The shards of a folder, at least one; a plain file stands for itself.
@@ -158,7 +146,7 @@ fn of_sample(sample: &Sample) -> Vec<Value> {
 
 #[cfg(feature = "classifier")]
 fn feature_names() -> Vec<String> {
-    classifier::feature_names().iter().map(ToString::to_string).collect()
+    crate::export::features::column_names()
 }
 
 #[cfg(feature = "classifier")]

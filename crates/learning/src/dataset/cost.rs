@@ -29,7 +29,7 @@ const SHARD_HEAD_BYTES: f64 = 1_500.0;
 /// Bytes of a scene's line: of itself, for each frame, and for each vehicle in a frame.
 const LINE_BYTES: [f64; 3] = [190.0, 360.0, 430.0];
 /// Bytes of a sample's line in the manifest.
-const MANIFEST_BYTES: f64 = 640.0;
+const MANIFEST_BYTES: f64 = 720.0;
 
 const MIB: f64 = 1024.0 * 1024.0;
 

@@ -5,6 +5,7 @@ use crate::dataset::recipe::{FRAMES_LIMIT, Recipe, VEHICLES_LIMIT};
 use crate::dataset::seen::SeenFrame;
 use crate::dataset::staging::{Staged, ToldVehicle};
 use artifact::points::Object;
+use artifact::settings::Lanes;
 use evaluation::Truth;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
@@ -33,8 +34,11 @@ pub(super) fn scene(
         "base": recipe.bases[drawn.base].name,
         "seed": recipe.seed,
         "split": classifier::split_of_scene(drawn.number, recipe.seed),
+        "radar_x_m": radar.position_m[0],
+        "radar_y_m": radar.position_m[1],
         "radar_height_m": radar.position_m[2],
         "tilt_deg": radar.boresight_el_rad.to_degrees(),
+        "lanes_azimuth_deg": staged.header.dsp.road.azimuth_rad.to_degrees(),
         "extra_noise_db": drawn.extra_noise_db,
         "is_queue": drawn.queue_mps.is_some(),
         "left_out": drawn.vehicles.len() - staged.vehicles.len(),
@@ -49,10 +53,11 @@ pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &SeenFrame) -> Value {
     let paths = result.scattering.paths();
     let verdict =
         Verdict::of_paths(&staged.header.fidelity, &result.error, paths).beside(&result.model_error);
+    let road = &staged.header.dsp.road;
     let told = staged.vehicles.iter().zip(&seen.truths).zip(&seen.object_of).enumerate();
     let vehicles = told.map(|(target, ((told, truth), object))| {
         let id = id(drawn.number, target, result.points.index);
-        vehicle(&id, target, told, truth, object.map(|o| &result.points.objects[o]))
+        vehicle(&id, target, told, truth, object.map(|o| &result.points.objects[o]), road)
     });
     json!({
         "frame": result.points.index,
@@ -64,8 +69,16 @@ pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &SeenFrame) -> Value {
     })
 }
 
-fn vehicle(id: &str, target: usize, told: &ToldVehicle, truth: &Truth, object: Option<&Object>) -> Value {
+fn vehicle(
+    id: &str,
+    target: usize,
+    told: &ToldVehicle,
+    truth: &Truth,
+    object: Option<&Object>,
+    road: &Lanes,
+) -> Value {
     let echo = truth.echo;
+    let across_m = |position_m: [f64; 3]| road.across_along_m(position_m)[0];
     json!({
         "id": id,
         "target": target,
@@ -78,11 +91,12 @@ fn vehicle(id: &str, target: usize, told: &ToldVehicle, truth: &Truth, object: O
         "yaw_deg": told.yaw_rad.to_degrees(),
         "x_m": truth.position_m.x,
         "y_m": truth.position_m.y,
+        "across_m": across_m(truth.position_m.into()),
         "echo_range_m": echo.map(|e| e.range_m),
         "echo_velocity_mps": echo.map(|e| e.radial_velocity_mps),
         "estimate": object.map(|o| json!({
-            "range_m": o.range_m, "velocity_mps": o.radial_velocity_mps, "x_m": o.position_m[0], "lane": o.lane,
-            "snr_db": o.snr_db, "points": o.points,
+            "range_m": o.range_m, "velocity_mps": o.radial_velocity_mps, "x_m": o.position_m[0],
+            "across_m": across_m(o.position_m), "lane": o.lane, "snr_db": o.snr_db, "points": o.points,
         })),
     })
 }
@@ -117,6 +131,11 @@ fn read_scene(line: &[u8]) -> Option<Value> {
     let is_full = |frame: &Value| list(&frame["vehicles"]).len() > VEHICLES_LIMIT as usize;
     let is_bounded = frames.len() <= FRAMES_LIMIT as usize && !frames.iter().any(is_full);
     (is_bounded && of_all(&scene).to_string().len() <= SCENE_LIMIT_BYTES).then_some(scene)
+}
+
+/// Direction along the lanes, from world +y towards +x, rad; 0 where a line of earlier versions has none.
+pub(crate) fn lanes_azimuth_rad(scene: &Value) -> f64 {
+    scene["lanes_azimuth_deg"].as_f64().unwrap_or(0.0).to_radians()
 }
 
 /// Every vehicle of every frame of a scene, with the frame.

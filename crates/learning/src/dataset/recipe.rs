@@ -7,7 +7,7 @@ mod rules;
 
 pub(super) use document::Base;
 pub(super) use models::Model;
-pub(super) use rules::{FRAMES_LIMIT, VEHICLES_LIMIT};
+pub(super) use rules::{FRAMES_LIMIT, NEAREST_ALONG_M, VEHICLES_LIMIT};
 
 use artifact::bounded;
 use artifact::scene::SceneHeader;

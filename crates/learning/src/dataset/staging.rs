@@ -2,7 +2,7 @@
 
 use crate::dataset::draws::{self, Drawn, Drive, Vehicle};
 use crate::dataset::places::BodyOnRoad;
-use crate::dataset::recipe::{Base, Model, Recipe};
+use crate::dataset::recipe::{Base, Model, NEAREST_ALONG_M, Recipe};
 use artifact::scene::{Mesh, Role, SceneHeader, Target, TargetKind};
 use artifact::settings::{Class, Fidelity, Noise};
 use rand::RngExt;
@@ -161,12 +161,13 @@ impl Road<'_> {
     }
 
     /// Position along the road, m, at which the slant range of the body's origin is `range_m`; `across_m` is
-    /// its position across the road.
+    /// its position across the road. Where the lane is farther from the radar than that, the body stands as
+    /// near as it can.
     fn along_m(&self, across_m: f64, range_m: f64) -> f64 {
         let radar_m = self.base.radar.position_m;
         let [radar_across_m, radar_along_m] = self.base.dsp.road.across_along_m(radar_m);
         let sideways_m2 = radar_m[2].powi(2) + (across_m - radar_across_m).powi(2);
-        radar_along_m + (range_m.powi(2) - sideways_m2).max(1.0).sqrt()
+        radar_along_m + (range_m.powi(2) - sideways_m2).max(NEAREST_ALONG_M.powi(2)).sqrt()
     }
 
     /// Time from the first frame's begin to the last one's end, s.

@@ -49,13 +49,14 @@ pub(super) fn untold() -> Conditions {
 
 fn of_scene(dataset: usize, scene: &Value, all: &mut BTreeMap<TrackKey, Conditions>) {
     let Some(number) = scene["scene"].as_u64() else { return };
+    let stand = Standpoint::of(scene);
     for vehicles in
         scene["frames"].as_array().into_iter().flatten().flat_map(|frame| frame["vehicles"].as_array())
     {
         let company = vehicles.len();
         for vehicle in vehicles.iter().filter(|vehicle| !vehicle["estimate"].is_null()) {
             let target = vehicle["target"].as_u64().unwrap_or_default() as u32;
-            let is_behind = vehicles.iter().any(|other| stands_before(other, vehicle));
+            let is_behind = vehicles.iter().any(|other| stand.stands_before(other, vehicle));
             let sight = if is_behind { (1, "behind another".into()) } else { (0, "free".into()) };
             all.entry((dataset, number, target))
                 .or_insert_with(|| of_vehicle(scene, company, sight, vehicle));
@@ -63,12 +64,39 @@ fn of_scene(dataset: usize, scene: &Value, all: &mut BTreeMap<TrackKey, Conditio
     }
 }
 
-/// Another one's middle is nearer, and less than a body's width off the way from the radar to this one's.
-fn stands_before(other: &Value, vehicle: &Value) -> bool {
-    const WIDTH_M: f64 = 2.0;
-    let [own, its] = [vehicle, other].map(|of| DVec2::new(number(&of["x_m"]), number(&of["y_m"])));
-    let direction = own.normalize_or_zero();
-    its.length() < own.length() && its.dot(direction) > 0.0 && its.perp_dot(direction).abs() < WIDTH_M
+/// Place of a scene's radar on the ground, and the way along its lanes, which vehicles' angles are told by;
+/// the origin and +y where lines of earlier versions tell neither.
+struct Standpoint {
+    radar_m: DVec2,
+    lanes_azimuth_rad: f64,
+}
+
+impl Standpoint {
+    fn of(scene: &Value) -> Self {
+        let [x_m, y_m] = ["radar_x_m", "radar_y_m"].map(|key| scene[key].as_f64().unwrap_or(0.0));
+        Self { radar_m: DVec2::new(x_m, y_m), lanes_azimuth_rad: lines::lanes_azimuth_rad(scene) }
+    }
+
+    /// Way from the radar to a vehicle's middle.
+    fn way_m(&self, vehicle: &Value) -> DVec2 {
+        DVec2::new(number(&vehicle["x_m"]), number(&vehicle["y_m"])) - self.radar_m
+    }
+
+    /// Another one's middle is nearer, and less than a body's width off the way from the radar to this one's.
+    fn stands_before(&self, other: &Value, vehicle: &Value) -> bool {
+        const WIDTH_M: f64 = 2.0;
+        let [own, its] = [vehicle, other].map(|of| self.way_m(of));
+        let direction = own.normalize_or_zero();
+        its.length() < own.length() && its.dot(direction) > 0.0 && its.perp_dot(direction).abs() < WIDTH_M
+    }
+
+    /// 0 shows the front, 180 the rear.
+    fn aspect_deg(&self, vehicle: &Value) -> f64 {
+        let yaw_rad = number(&vehicle["yaw_deg"]).to_radians() - self.lanes_azimuth_rad - FRAC_PI_2;
+        let way_m = self.way_m(vehicle);
+        let cosine = -way_m.dot(DVec2::from_angle(yaw_rad)) / way_m.length();
+        cosine.clamp(-1.0, 1.0).acos().to_degrees()
+    }
 }
 
 fn number(value: &Value) -> f64 {
@@ -81,7 +109,7 @@ fn of_vehicle(scene: &Value, company: usize, sight: Bin, vehicle: &Value) -> Con
         ("SNR, dB", bin(number(&vehicle["estimate"]["snr_db"]), &SNR_DB)),
         ("noise added, dB", bin(number(&scene["extra_noise_db"]), &NOISE_DB)),
         ("range, m", bin(number(&vehicle["range_m"]), &RANGE_M)),
-        ("aspect, °", bin(aspect_deg(vehicle), &ASPECT_DEG)),
+        ("aspect, °", bin(Standpoint::of(scene).aspect_deg(vehicle), &ASPECT_DEG)),
         ("vehicles of the scene", (company, company.to_string())),
         ("line of sight", sight),
         ("traffic", (0, queue.into())),
@@ -89,14 +117,6 @@ fn of_vehicle(scene: &Value, company: usize, sight: Bin, vehicle: &Value) -> Con
         ("tilt, °", bin(number(&scene["tilt_deg"]), &TILT_DEG)),
         ("radar", (0, scene["base"].as_str().unwrap_or("–").trim_end_matches(".toml").into())),
     ]
-}
-
-/// 0 shows the front, 180 the rear; the radar stands at (0, 0).
-fn aspect_deg(vehicle: &Value) -> f64 {
-    let [x, y, yaw_deg] = ["x_m", "y_m", "yaw_deg"].map(|key| vehicle[key].as_f64().unwrap_or(f64::NAN));
-    let heading = yaw_deg.to_radians() - FRAC_PI_2;
-    let cosine = -(x * heading.cos() + y * heading.sin()) / x.hypot(y);
-    cosine.clamp(-1.0, 1.0).acos().to_degrees()
 }
 
 /// Ends belong to the bin below, so that no noise at all is a bin of its own.
@@ -118,6 +138,7 @@ mod tests {
 
     #[test]
     fn a_vehicle_that_comes_shows_its_front_and_one_that_leaves_its_rear() {
+        let aspect_deg = |vehicle: &Value| Standpoint::of(&Value::Null).aspect_deg(vehicle);
         let at = |yaw_deg: f64| aspect_deg(&json!({"x_m": 0.0, "y_m": 40.0, "yaw_deg": yaw_deg}));
         assert!(at(0.0) < 1e-6 && (at(180.0) - 180.0).abs() < 1e-5 && (at(-90.0) - 90.0).abs() < 1e-9);
         let beside = json!({"x_m": 40.0, "y_m": 40.0, "yaw_deg": 0.0});
@@ -125,7 +146,24 @@ mod tests {
     }
 
     #[test]
+    fn aspects_and_lines_of_sight_are_those_from_the_radar_by_the_way_along_its_lanes() {
+        // Lanes towards +x, the radar 20 m along one of them: its vehicles drive towards −x.
+        let scene = json!({"radar_x_m": 20.0, "radar_y_m": 10.0, "lanes_azimuth_deg": 90.0});
+        let stand = Standpoint::of(&scene);
+        let at = |x: f64, yaw_deg: f64| json!({"x_m": x, "y_m": 10.0, "yaw_deg": yaw_deg});
+        let aspects = [at(50.0, 0.0), at(50.0, 180.0), at(0.0, 0.0), at(50.0, 90.0)];
+        let expected = [0.0, 180.0, 180.0, 90.0];
+        for (vehicle, expected) in aspects.iter().zip(expected) {
+            // The arc cosine of a rounded one is off by 1e-6°.
+            assert!((stand.aspect_deg(vehicle) - expected).abs() < 1e-5, "{vehicle}");
+        }
+        assert!(stand.stands_before(&at(30.0, 0.0), &at(50.0, 0.0)));
+        assert!(!stand.stands_before(&at(0.0, 0.0), &at(50.0, 0.0)), "on the radar's other side");
+    }
+
+    #[test]
     fn a_nearer_vehicle_less_than_a_width_off_the_line_of_sight_stands_before_another() {
+        let stands_before = |a: &Value, b: &Value| Standpoint::of(&Value::Null).stands_before(a, b);
         let at = |x: f64, y: f64| json!({"x_m": x, "y_m": y});
         assert!(
             stands_before(&at(2.0, 30.0), &at(2.0, 40.0)) && !stands_before(&at(2.0, 40.0), &at(2.0, 30.0))

@@ -1,5 +1,6 @@
 //! Boosted trees from datasets: `weights.model`, `metrics.json`, `curves.csv`.
 
+use crate::training::lone_vehicles::note_lone_vehicles;
 use crate::training::settings::Settings;
 use crate::training::told_interval;
 use artifact::model::Model;
@@ -33,6 +34,7 @@ pub(super) fn train(settings: &Settings, datasets: &[Vec<PathBuf>]) -> Result<()
     let trained = train_trees(&sightings, &of_trees, settings.seed, &mut |at, of| work.at(at, of));
     let mut trained = trained.map_err(of_classifier)?;
     drop(work);
+    note_lone_vehicles(&sightings);
     trained.header.attributions = attributions;
     save(settings, &trained, &provenance(settings, datasets, &of_trees)?)?;
     told(&trained).iter().for_each(|line| (settings.tell)(line));

@@ -3,7 +3,8 @@
 
 use crate::host::failure::Failure;
 use crate::host::progress;
-use artifact::{bounded, inputs};
+use artifact::dataset::Dataset;
+use artifact::{Reader, bounded, inputs};
 use serde::Deserialize;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -127,7 +128,8 @@ fn lacking(folder: &Path, shard: &str) -> Failure {
     Failure::System(format!("{}: {rule}", folder.join(shard).display()))
 }
 
-/// Refuses two shards of the same bytes; only those of one length are read for it.
+/// Refuses two shards of the same bytes; only those of one length are read for it. Those without samples, of
+/// whose scenes nothing was found, are all alike.
 fn none_twice<'a>(shards: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failure> {
     let mut of_length: BTreeMap<u64, Vec<&PathBuf>> = BTreeMap::new();
     for shard in shards {
@@ -137,7 +139,9 @@ fn none_twice<'a>(shards: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failu
     let mut known: BTreeMap<String, &PathBuf> = BTreeMap::new();
     for shard in of_length.into_values().filter(|alike| alike.len() > 1).flatten() {
         let (_, hash) = inputs::named_hash(shard).map_err(|error| Failure::system(shard, "read", error))?;
-        if let Some(other) = known.insert(hash, shard) {
+        if let Some(other) = known.insert(hash, shard)
+            && Reader::<Dataset>::open(shard)?.frames() > 0
+        {
             let (one, other) = (shard.display(), other.display());
             return Err(Failure::System(format!("{one}: has the samples of {other}; each is taken once")));
         }

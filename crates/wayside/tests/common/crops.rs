@@ -6,6 +6,7 @@ use artifact::signature::{Signature, SignatureCell};
 use artifact::{Provenance, Writer};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use std::ops::Range;
 use std::path::Path;
 
 /// Rows and columns of a crop: as many as the network's input has, which is the least that it takes.
@@ -16,6 +17,11 @@ const EXTENTS: [[usize; 2]; 4] = [[8, 25], [10, 70], [28, 50], [5, 8]];
 /// Writes a dataset of so many crops of each class, a shard for each class; every fourth scene validates,
 /// every fifth tests.
 pub(crate) fn write(folder: &Path, of_each_class: u64) {
+    write_some(folder, 0..of_each_class);
+}
+
+/// The same of scenes of these numbers.
+pub(crate) fn write_some(folder: &Path, numbers: Range<u64>) {
     let format = CropFormat {
         side: SIDE as u32,
         range_span_m: 24.0,
@@ -27,7 +33,7 @@ pub(crate) fn write(folder: &Path, of_each_class: u64) {
     for class in 0..Class::ALL.len() {
         let file = folder.join(format!("shard-{class:04}.dataset"));
         let mut writer = Writer::<Dataset>::create(&file, &Provenance::default(), &format).unwrap();
-        for number in 0..of_each_class {
+        for number in numbers.clone() {
             writer.write(&sample(class, number)).unwrap();
         }
         writer.finish().unwrap();

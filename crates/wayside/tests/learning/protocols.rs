@@ -6,7 +6,7 @@ use crate::common::{Workplace, crops};
 fn scenes_vehicles_and_other_datasets_are_rows_of_one_table_and_two_runs_say_the_same() {
     let place = Workplace::new();
     crops::write(&place.path("a"), 20);
-    crops::write(&place.path("b"), 10);
+    crops::write_some(&place.path("b"), 20..30);
     let vehicle =
         r#"{"target":0,"estimate":{"snr_db":12.0},"range_m":40.0,"x_m":0.0,"y_m":40.0,"yaw_deg":0.0}"#;
     let scene = format!(r#"{{"scene":0,"is_queue":false,"frames":[{{"vehicles":[{vehicle}]}}]}}"#);
@@ -54,7 +54,7 @@ fn scenes_vehicles_and_other_datasets_are_rows_of_one_table_and_two_runs_say_the
 fn a_folder_s_name_neither_ends_a_cell_of_the_page_nor_moves_a_cursor() {
     let place = Workplace::new();
     crops::write(&place.path("a"), 5);
-    crops::write(&place.path("b|\u{1b}[31m"), 6);
+    crops::write_some(&place.path("b|\u{1b}[31m"), 5..11);
     let said = place.run("protocols a --test b|\u{1b}[31m --seeds 1 --quiet");
     assert!(said.contains("| T: b\\|\\u{1b}[31m never seen | all |"), "{said:?}");
     assert!(!said.contains('\u{1b}'), "{said:?}");

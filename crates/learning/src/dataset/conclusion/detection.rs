@@ -92,7 +92,9 @@ impl VehicleRow {
         self.lane_right += usize::from(estimate["lane"] == vehicle["lane"]);
         self.range.extend(error(&estimate["range_m"], &vehicle["echo_range_m"]));
         self.velocity.extend(error(&estimate["velocity_mps"], &vehicle["echo_velocity_mps"]));
-        self.lateral.extend(error(&estimate["x_m"], &vehicle["x_m"]));
+        // Lines of earlier versions tell no places across the lanes.
+        let [across, along_x] = ["across_m", "x_m"].map(|key| error(&estimate[key], &vehicle[key]));
+        self.lateral.extend(across.or(along_x));
     }
 
     fn markdown(&self, name: &str) -> String {
@@ -165,5 +167,20 @@ mod tests {
         let rows =
             [row("truck", 2), row("lane 4", 2), row("under 25 m", 1), row("from 100 m", 1), row("all", 2)];
         assert_eq!(detected.markdown(), format!("{HEAD}{}", rows.concat()));
+    }
+
+    #[test]
+    fn the_lateral_error_is_that_across_the_lanes_wherever_they_lead() {
+        // Of lanes towards +x, 2 m further along and half a metre aside.
+        let found = r#"{"class":"bus","lane":2,"range_m":40.0,"x_m":40.0,"across_m":5.75,"echo_range_m":38.0,
+            "echo_velocity_mps":-3.0,
+            "estimate":{"range_m":38.5,"velocity_mps":-3.1,"x_m":42.0,"across_m":6.25,"lane":2}}"#;
+        let mut detected = DetectionTable::default();
+        detected.add(&serde_json::from_str(found).unwrap());
+        let table = detected.markdown();
+        assert!(
+            table.contains("| bus | 1 | 100.0 % | +0.50, 0.50, 0.50 | 0.10, 0.10 | 0.50, 0.50 | 100.0 % |"),
+            "{table}"
+        );
     }
 }

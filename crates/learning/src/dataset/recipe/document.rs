@@ -3,7 +3,8 @@
 use crate::dataset::recipe::error::RecipeError;
 use crate::dataset::recipe::models::Choice;
 use artifact::scene::SceneHeader;
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 use std::path::{Path, PathBuf};
 
 /// Content of a recipe's file.
@@ -17,29 +18,44 @@ pub(in crate::dataset) struct Document {
     pub(in crate::dataset) scenes_per_class: u32,
     #[serde(default = "some")]
     pub(in crate::dataset) scenes_per_shard: u32,
+    #[serde(deserialize_with = "pair")]
     pub(in crate::dataset) range_m: [f64; 2],
+    #[serde(deserialize_with = "pair")]
     pub(in crate::dataset) speed_mps: [f64; 2],
     pub(in crate::dataset) lanes: Vec<u8>,
     #[serde(default = "one")]
     pub(in crate::dataset) vehicle_seeds: u64,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "pair")]
     pub(in crate::dataset) yaw_deg: [f64; 2],
-    #[serde(default)]
+    #[serde(default, deserialize_with = "pair")]
     pub(in crate::dataset) offset_m: [f64; 2],
+    #[serde(default, deserialize_with = "known_pair")]
     pub(in crate::dataset) radar_height_m: Option<[f64; 2]>,
+    #[serde(default, deserialize_with = "known_pair")]
     pub(in crate::dataset) tilt_deg: Option<[f64; 2]>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "pair")]
     pub(in crate::dataset) extra_noise_db: [f64; 2],
     #[serde(default = "one")]
     pub(in crate::dataset) frames: u32,
     pub(in crate::dataset) frame_interval_s: Option<f64>,
-    #[serde(default = "alone")]
+    #[serde(default = "alone", deserialize_with = "pair")]
     pub(in crate::dataset) vehicles_per_scene: [u32; 2],
     #[serde(default)]
     pub(in crate::dataset) queue_share: f64,
     #[serde(default = "kept")]
     pub(in crate::dataset) crops: bool,
     pub(super) models: Choice,
+}
+
+/// Two values and no more: a third one of a list would be passed over.
+fn pair<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<[T; 2], D::Error> {
+    let values = Vec::<T>::deserialize(from)?;
+    let found = values.len();
+    values.try_into().map_err(|_| Error::invalid_length(found, &"[least, greatest]"))
+}
+
+fn known_pair<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 2]>, D::Error> {
+    pair(from).map(Some)
 }
 
 fn one<T: From<u8>>() -> T {

@@ -43,6 +43,12 @@ pub(super) enum RecipeError {
     /// A share that is none.
     #[error("queue_share must be from 0 to 1, is {0}")]
     QueueShare(f64),
+    /// Ranges that no lane of a base scene is near enough for.
+    #[error(
+        "range_m must reach beyond {least_m:.2} m, the nearest that a vehicle of these lanes is to the radar \
+         of {scene}, ends at {found_m}"
+    )]
+    TooNear { scene: String, least_m: f64, found_m: f64 },
     /// No lanes, or one that a base scene does not have.
     #[error("lanes must be some of the scene's ({scene}), are {found:?}")]
     Lanes { scene: String, found: Vec<u8> },

@@ -2,12 +2,15 @@
 
 use crate::dataset::recipe::document::{Base, Document};
 use crate::dataset::recipe::error::RecipeError;
+use artifact::scene::SceneHeader;
 use artifact::settings::Noise;
 
 /// Scenes of a class: at a second a scene a week and a half.
 const SCENES_LIMIT: u32 = 1_000_000;
 /// Vehicles of a scene: more than stand within reach of a radar in three lanes.
 pub(in crate::dataset) const VEHICLES_LIMIT: u32 = 16;
+/// Distance along the road from the radar at which a vehicle stands at least, whatever range was drawn.
+pub(in crate::dataset) const NEAREST_ALONG_M: f64 = 1.0;
 /// Frames of a scene: a minute and a half at ten a second.
 pub(in crate::dataset) const FRAMES_LIMIT: u32 = 1000;
 
@@ -77,6 +80,10 @@ fn check_base(asked: &Document, Base { name, header }: &Base) -> Result<(), Reci
     if header.noise == Noise::Absent && asked.extra_noise_db != [0.0; 2] {
         return Err(RecipeError::NoNoise { scene: name.clone() });
     }
+    let (least_m, [_, found_m]) = (least_range_m(asked, header), asked.range_m);
+    if found_m < least_m {
+        return Err(RecipeError::TooNear { scene: name.clone(), least_m, found_m });
+    }
     let cycle_s = header.radar.cycle_duration_s();
     match asked.frame_interval_s {
         Some(found_s) if !(cycle_s..=1e4).contains(&found_s) => {
@@ -84,4 +91,18 @@ fn check_base(asked: &Document, Base { name, header }: &Base) -> Result<(), Reci
         }
         _ => Ok(()),
     }
+}
+
+/// Least slant range at which a vehicle of the recipe's lanes can stand: that across the road and up to the
+/// radar at its lowest, and [`NEAREST_ALONG_M`].
+fn least_range_m(asked: &Document, header: &SceneHeader) -> f64 {
+    let (road, [x_m, y_m, z_m]) = (&header.dsp.road, header.radar.position_m);
+    let [radar_across_m, _] = road.across_along_m([x_m, y_m, z_m]);
+    let lanes = road.lanes.iter().filter(|lane| asked.lanes.contains(&lane.number));
+    let aside_m = lanes.map(|lane| {
+        let [low_m, high_m] = asked.offset_m.map(|offset_m| lane.centre_m + offset_m - radar_across_m);
+        low_m.max(-high_m).max(0.0)
+    });
+    let up_m = asked.radar_height_m.map_or(z_m, |[least_m, _]| least_m);
+    aside_m.fold(f64::INFINITY, f64::min).hypot(up_m).hypot(NEAREST_ALONG_M)
 }
