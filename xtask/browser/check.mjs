@@ -99,6 +99,9 @@ async function slidersMove(page) {
   const count = (told) => Number(/strongest: ([\d,]+) of/.exec(told)[1].replaceAll(",", ""));
   holds("shows more paths farther down", count(few) < count(many), [few, many]);
   holds("tells the power that is left out", few.includes("of the power left out"), few);
+  const one = await page.value(slide("level", 0));
+  holds("tells shares without powers of ten", !one.includes("e+"), one);
+  await page.value(slide("level", -60));
   const frames = [await page.value(slide("frame", 1)), await page.value(slide("frame", 0))];
   holds("goes from frame to frame", frames[0] !== frames[1] && frames[1].startsWith(" 0 at"), frames);
 }

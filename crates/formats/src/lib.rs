@@ -11,6 +11,7 @@
 pub mod devices; // boards and how they send samples
 pub mod writing; // what all writers need
 pub mod sidecar; // axes and units beside a file
+mod sub_frames; // what each sub-frame has of its own
 pub mod npy_stream; // NumPy arrays, value after value
 pub mod mat_file; // arrays of MATLAB
 pub mod heights; // what is said of heights that were not measured

@@ -1,6 +1,6 @@
 //! A box with axes: where a number lies on the sheet.
 
-use crate::svg::{Svg, wrapped};
+use crate::svg::{Svg, width_px, wrapped};
 
 /// One axis: its range in numbers and in pixels.
 #[derive(Debug, Clone, Copy)]
@@ -76,8 +76,14 @@ impl Axes {
         for (number, line) in wrapped(labels[0], right - left).iter().enumerate() {
             sheet.words([0.5 * (left + right), bottom + 35.0 + 16.0 * number as f64], "middle", line);
         }
-        sheet.words_upwards([left - 40.0, 0.5 * (top + bottom)], labels[1]);
+        let widest_px = ticks[1].iter().map(|(_, text)| width_px(text)).fold(0.0, f64::max);
+        sheet.words_upwards([label_px(left, widest_px), 0.5 * (top + bottom)], labels[1]);
     }
+}
+
+/// Foot of the words beside a vertical axis: left of its numbers, as far as the sheet allows.
+fn label_px(axis_px: f64, numbers_px: f64) -> f64 {
+    (axis_px - 40.0).min(axis_px - 7.0 - numbers_px - 6.0).max(12.0)
 }
 
 /// A place on an axis and what is written there; a minor tick has no words.
@@ -101,6 +107,13 @@ pub fn tick_text(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_beside_an_axis_leave_room_for_long_numbers() {
+        assert_eq!(label_px(60.0, width_px("−15")), 20.0);
+        let long_px = width_px("80000");
+        assert!(label_px(60.0, long_px) <= 60.0 - 7.0 - long_px - 4.0, "{long_px}");
+    }
 
     #[test]
     fn ticks_are_round_and_lie_inside() {

@@ -109,14 +109,16 @@ impl PathsFrame {
     /// Delay at the frame's middle from the array's centre, s, float64 [n].
     #[getter]
     fn delay_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        let delay = |path| delay_at_middle(&self.all.header.radar, path).0;
+        let radar = self.all.header.radar.in_frame(self.frame().index);
+        let delay = |path| delay_at_middle(&radar, path).0;
         PyArray1::from_vec(py, self.frame().paths.iter().map(delay).collect())
     }
 
     /// Rate of the delay at the frame's middle, s/s, float64 [n].
     #[getter]
     fn delay_rate<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        let rate = |path| delay_at_middle(&self.all.header.radar, path).1;
+        let radar = self.all.header.radar.in_frame(self.frame().index);
+        let rate = |path| delay_at_middle(&radar, path).1;
         PyArray1::from_vec(py, self.frame().paths.iter().map(rate).collect())
     }
 

@@ -325,11 +325,6 @@ fn beside([x, y]: [f64; 2], [[ax, ay], [bx, by]]: [[f64; 2]; 2]) -> Option<(f64,
 }
 
 impl Lanes {
-    /// Whether there is any lane.
-    pub fn are_known(&self) -> bool {
-        !self.lanes.is_empty() || !self.courses.is_empty()
-    }
-
     /// A place of the world, whatever its height, as [across, along].
     pub fn across_along_m(&self, position_m: [f64; 3]) -> [f64; 2] {
         let [right, ahead] = [0, 1].map(|axis: usize| position_m[axis] - self.origin_m[axis]);

@@ -72,6 +72,11 @@ pub(crate) fn rcs_frame(
 const AZIMUTHS_MAX: usize = 9;
 const ELEVATIONS_MAX: usize = 5;
 const FREQUENCIES_MAX: usize = 256;
+/// Instants of a frame that its aspects are looked for at. An extreme between two of them lies beyond theirs
+/// by an eightieth of the whole turn at most, and the echo draws a table on by a step of it.
+const INSTANTS: usize = 9;
+/// Turn of phase below which an aspect stays as it is; the rounding of angles turns a body of 100 m by less.
+const STILL_RAD: f64 = 1e-6;
 
 /// A body in its own frame and the aspects it shows the radar during the frame.
 struct TabledBody<'a> {
@@ -117,9 +122,7 @@ impl<'a> TabledBody<'a> {
     }
 
     fn table(&self, target: u32, scatterer: &Scatterer<'_>, meetings: &[OrderJoints]) -> RcsTable {
-        let [first, last] = [0.0, self.header.radar.frame_duration_s()].map(|t| angles(self.to_radar_m(t)));
-        let elevation_rad = self.angle_axis(first[0], last[0], ELEVATIONS_MAX);
-        let azimuth_rad = self.angle_axis(first[1], nearest_turn(last[1], first[1]), AZIMUTHS_MAX);
+        let [elevation_rad, azimuth_rad] = self.aspect_axes();
         let frequency_hz = self.frequency_axis();
         let wavenumbers: Vec<f64> = frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
         let aspects: Vec<DVec3> =
@@ -240,12 +243,29 @@ impl<'a> TabledBody<'a> {
         meetings.iter().map(of).collect()
     }
 
+    /// Elevations and azimuths of the table: what a body shows that comes nearer and goes away again in one
+    /// frame is not between what it shows at the frame's ends.
+    fn aspect_axes(&self) -> [Vec<f64>; 2] {
+        let frame_s = self.header.radar.frame_duration_s();
+        let aspect = |i: usize| angles(self.to_radar_m(frame_s * i as f64 / (INSTANTS - 1) as f64));
+        let first = aspect(0);
+        let aspects: Vec<[f64; 2]> = (0..INSTANTS)
+            .map(aspect)
+            .map(|[elevation, azimuth]| [elevation, nearest_turn(azimuth, first[1])])
+            .collect();
+        [(0, ELEVATIONS_MAX), (1, AZIMUTHS_MAX)].map(|(angle, most)| {
+            let values = aspects.iter().map(|aspect| aspect[angle]);
+            let [low, high] = values.fold([first[angle]; 2], |[low, high], v| [low.min(v), high.max(v)]);
+            self.angle_axis(low, high, most)
+        })
+    }
+
     /// Steps of phase 2kr·Δangle that linear interpolation takes with the accuracy asked; both ends,
-    /// ascending.
-    fn angle_axis(&self, from: f64, to: f64, most: usize) -> Vec<f64> {
+    /// ascending. One value where the phase does not turn: the angle is the same but for rounding.
+    fn angle_axis(&self, low: f64, high: f64, most: usize) -> Vec<f64> {
         let wavenumber = TAU / self.header.radar.waveform.wavelength_m();
-        let count = self.steps(2.0 * wavenumber * self.radius_m * (to - from).abs(), most);
-        axis(from.min(to), from.max(to), count)
+        let turn_rad = 2.0 * wavenumber * self.radius_m * (high - low);
+        if turn_rad < STILL_RAD { vec![low] } else { axis(low, high, self.steps(turn_rad, most)) }
     }
 
     /// The sampled sweep, and below it what a chirp's delay takes off: μτ, 5 MHz at 60 m.

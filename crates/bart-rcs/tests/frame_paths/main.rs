@@ -414,6 +414,32 @@ fn a_frames_table_reaches_below_the_sweep_by_what_the_delay_takes_off() {
     assert!(got_hz <= lowest_hz);
 }
 
+/// A cart that crosses the boresight comes nearer and goes away in one frame: its elevations at both ends
+/// leave out what it shows between. One that turns where it stands has one elevation, but for rounding.
+#[test]
+fn a_frames_table_holds_every_aspect_that_a_body_shows_in_it() {
+    let crossing = pose([0.0, 20.0, 0.0], [20.0, 0.0, 0.0], 0.0);
+    let (header, mut frame) = scene(&[(cart(0.1), crossing)], &[], -20.0, 1);
+    let duration_s = header.radar.frame_duration_s();
+    for (share, yaw_radps) in [(0.5, 0.0), (0.45, 0.0), (0.5, 2.0), (0.03, 0.0)] {
+        frame.poses[0].position_m[0] = -20.0 * share * duration_s;
+        frame.poses[0].yaw_radps = yaw_radps;
+        let elevation_rad =
+            &Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap().tables[0].elevation_rad;
+        let [first, last] = [elevation_rad[0], elevation_rad[elevation_rad.len() - 1]];
+        let step = (last - first) / (elevation_rad.len().max(2) - 1) as f64;
+        for i in 0..=100 {
+            let across_m = 20.0 * duration_s * (f64::from(i) / 100.0 - share);
+            let shown = (RADAR_M[2] / across_m.hypot(20.0)).atan();
+            assert!(shown > first - step && shown < last + step, "{share}: {shown} in {elevation_rad:?}");
+        }
+    }
+    let standing = Pose { yaw_radps: 0.35, ..pose([-7.3, 12.1, 0.0], [0.0; 3], 0.4) };
+    let (header, frame) = scene(&[(cart(0.1), standing)], &[], -20.0, 1);
+    let table = &Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap().tables[0];
+    assert_eq!((table.elevation_rad.len(), table.azimuth_rad.len() > 1), (1, true));
+}
+
 /// The plate of docs/physics.md §0 at 25 m, 66.23 dBsm far away and 31.59 there: the figure is over the
 /// spherical wave, so that it tells 34.6 dB and not that a table is as wrong as it is large.
 #[test]

@@ -2,6 +2,7 @@
 
 use crate::npy_stream::NpyStream;
 use crate::sidecar;
+use crate::sub_frames::of_sub_frames;
 use crate::writing::fail;
 use artifact::Reader;
 use artifact::cube::{Cube, CubeHeader};
@@ -42,7 +43,7 @@ fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
         "full_scale": header.unit.full_scale(),
         "frame_times_s": frame_times_s,
         "sample_times_s": sample_times,
-        "times_s": chirp_times(header),
+        "times_s": of_sub_frames(header, |header| times_of(&header.radar)),
         "channels": channels(header),
         "start_frequency_hz": waveform.start_frequency_hz,
         "slope_hz_per_s": waveform.slope_hz_per_s,
@@ -52,14 +53,7 @@ fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
 }
 
 /// Start of each chirp from the record's first sample: `[chirp]`, with tdm `[tx][chirp]`, with bpm
-/// `[slot][chirp]`; with sub-frames a list of these.
-fn chirp_times(header: &CubeHeader) -> Value {
-    match header.radar.schedule.sub_frames() {
-        1 => times_of(&header.radar),
-        count => (0..count).map(|index| times_of(&header.radar.in_frame(index))).collect(),
-    }
-}
-
+/// `[slot][chirp]`.
 fn times_of(radar: &Radar) -> Value {
     let of = |turn: usize| -> Vec<f64> {
         (0..radar.waveform.chirps as usize).map(|chirp| radar.chirp_start_s(turn, chirp)).collect()

@@ -5,7 +5,8 @@ use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 
-/// Delay and its rate (s/s) at the array's centre at the frame's middle.
+/// Delay and its rate (s/s) at the array's centre at the frame's middle; `radar` is that of the frame's own
+/// sub-frame ([`Radar::in_frame`]).
 pub fn delay_at_middle(radar: &Radar, path: &Path) -> (f64, f64) {
     let centre = DVec3::from(radar.position_m);
     let middle_s = radar.frame_middle_s();

@@ -4,8 +4,8 @@
 use crate::export::delays::delay_at_middle;
 use crate::sidecar;
 use crate::writing::fail;
-use artifact::Reader;
 use artifact::paths::{ArraySpan, Path as Record, Paths, PathsHeader, Span};
+use artifact::{Radar, Reader};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
@@ -28,7 +28,8 @@ pub fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
         writeln!(stream, "{COLUMNS}")?;
         for frame in progress::frames(reader) {
             let frame = frame.map_err(|e| fail(&mut failed, e))?;
-            frame.paths.iter().try_for_each(|path| rows(stream, &header, frame.index, path))?;
+            let radar = header.radar.in_frame(frame.index);
+            frame.paths.iter().try_for_each(|path| rows(stream, (&header, &radar), frame.index, path))?;
         }
         Ok(())
     });
@@ -39,9 +40,15 @@ pub fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
     sidecar::write(out, &axes)
 }
 
-fn rows(sink: &mut dyn Write, header: &PathsHeader, frame: u32, path: &Record) -> std::io::Result<()> {
+/// Rows of a path, one a polarization; `radar` is that of the frame's own sub-frame.
+fn rows(
+    sink: &mut dyn Write,
+    (header, radar): (&PathsHeader, &Radar),
+    frame: u32,
+    path: &Record,
+) -> std::io::Result<()> {
     let target = header.targets.get(path.target as usize).map_or("", String::as_str);
-    let (delay_s, rate) = delay_at_middle(&header.radar, path);
+    let (delay_s, rate) = delay_at_middle(radar, path);
     let geometry: Vec<String> =
         [path.apparent_tx_m, path.apparent_rx_m, path.apparent_tx_mps, path.apparent_rx_mps]
             .concat()
@@ -71,4 +78,70 @@ fn span(path: &Record) -> String {
     };
     let told = path.curve.span.map_or(",,,".into(), of_time);
     format!("{told},{}", path.curve.array_span.map_or(",,,,,".into(), of_array))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::paths::{Curve, Facet, MAX_ORDER, PathsFrame, TraceStatistics};
+    use artifact::units::SPEED_OF_LIGHT_MPS;
+    use artifact::{ErrorBudget, ModelError, Provenance, Writer};
+    use radar::aperture::Preset;
+    use radar::paper;
+
+    /// A point 30 m ahead that comes nearer at 20 m/s.
+    fn record() -> Record {
+        let (place_m, mps) = ([0.0, 30.0, 0.0], [0.0, -20.0, 0.0]);
+        Record {
+            target: 0,
+            order: 0,
+            apparent_tx_m: place_m,
+            apparent_tx_mps: mps,
+            apparent_rx_m: place_m,
+            apparent_rx_mps: mps,
+            amplitude_m: Default::default(),
+            slope_m_per_hz: Default::default(),
+            facets: [Facet::default(); MAX_ORDER],
+            curve: Curve::default(),
+        }
+    }
+
+    fn frame(index: u32) -> PathsFrame {
+        PathsFrame {
+            index,
+            time_s: 0.1 * f64::from(index),
+            paths: vec![record()],
+            nearest_range_m: vec![None],
+            error: ErrorBudget::default(),
+            model_error: ModelError::default(),
+            trace: TraceStatistics::default(),
+        }
+    }
+
+    #[test]
+    fn delays_are_those_of_the_middle_of_their_own_sub_frame() {
+        let mut radar = paper::radar([0.0; 3], paper::waveform(64, 32), Preset::OneByOne.elements());
+        radar.schedule.sub_frame_intervals_s = vec![20e-6, 60e-6];
+        let centre_frequency_hz = radar.waveform.centre_frequency_hz();
+        let header = PathsHeader { radar, centre_frequency_hz, targets: vec!["p".to_owned()] };
+        let folder = tempfile::tempdir().unwrap();
+        let [file, table] = ["f.paths", "f.csv"].map(|name| folder.path().join(name));
+        let mut writer = Writer::<Paths>::create(&file, &Provenance::default(), &header).unwrap();
+        for index in 0..4 {
+            writer.write(&frame(index)).unwrap();
+        }
+        writer.finish().unwrap();
+        csv(Reader::open(&file).unwrap(), &table).unwrap();
+        let text = std::fs::read_to_string(&table).unwrap();
+        let column = COLUMNS.split(',').position(|name| name == "delay_s").unwrap();
+        let delays = text.lines().filter(|line| line.contains(",vv,"));
+        let delays: Vec<f64> =
+            delays.map(|line| line.split(',').nth(column).unwrap().parse().unwrap()).collect();
+        assert_eq!(delays.len(), 4);
+        for (delay_s, interval_s) in delays.into_iter().zip([20e-6, 60e-6, 20e-6, 60e-6]) {
+            let range_m = 30.0 - 20.0 * 16.0 * interval_s;
+            let error_m = 0.5 * delay_s * SPEED_OF_LIGHT_MPS - range_m;
+            assert!(error_m.abs() < 1e-9, "{interval_s}: {error_m}");
+        }
+    }
 }

@@ -3,6 +3,7 @@
 use crate::export::cube::map_channels;
 use crate::npy_stream::NpyStream;
 use crate::sidecar;
+use crate::sub_frames::of_sub_frames;
 use crate::writing::fail;
 use artifact::Reader;
 use artifact::cube::CubeHeader;
@@ -57,18 +58,10 @@ fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {
         "frame_times_s": told.iter().map(|t| t.0).collect::<Vec<_>>(),
         "detections": told.iter().map(|t| t.1).collect::<Vec<_>>(),
         "cells": told.iter().map(|t| t.2).collect::<Vec<_>>(),
-        "velocity_mps": velocities(header),
+        "velocity_mps": of_sub_frames(header, |header| json!(dsp::velocity_axis_mps(header))),
         "range_m": dsp::range_axis_m(header),
         "channels": map_channels(header),
     })
-}
-
-/// Velocities of the map's rows, m/s; with sub-frames a list of such lists, one a sub-frame.
-fn velocities(header: &CubeHeader) -> serde_json::Value {
-    match header.radar.schedule.sub_frames() {
-        1 => json!(dsp::velocity_axis_mps(header)),
-        count => (0..count).map(|index| json!(dsp::velocity_axis_mps(&header.in_frame(index)))).collect(),
-    }
 }
 
 /// One file a frame; a single frame keeps the name that was asked for.

@@ -6,6 +6,7 @@
 //! (cells) and `label`.
 
 use crate::npy_stream::NpyStream;
+use crate::sub_frames::of_sub_frames;
 use crate::training_sets::angle_spectrum::{AngleSpectrum, Tensor, sines};
 use crate::training_sets::cell_boxes::{CellBox, cell_box};
 use crate::training_sets::set_folder::SetFolder;
@@ -125,7 +126,7 @@ fn description(header: &CubeHeader, frames: usize) -> Value {
         "set": "CARRADA", "frames": frames, "unit": header.unit.level_unit(),
         "axes": {
             "range_m": dsp::range_axis_m(header), "azimuth_sine": sines(),
-            "velocity_mps": dsp::velocity_axis_mps(header),
+            "velocity_mps": of_sub_frames(header, |header| json!(dsp::velocity_axis_mps(header))),
         },
         "labels": Class::ALL.iter().map(|class| (class.name(), label(*class))).collect::<BTreeMap<_, _>>(),
         "not_filled": ["camera_images", "data_seq_ref.json", "angle_doppler_processed"],
@@ -135,6 +136,16 @@ fn description(header: &CubeHeader, frames: usize) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::training_sets::test_body::sub_framed;
+
+    #[test]
+    fn sub_frames_have_each_its_own_velocities() {
+        let header = sub_framed();
+        let told = &description(&header, 2)["axes"]["velocity_mps"];
+        let axes: Vec<Vec<f64>> = serde_json::from_value(told.clone()).unwrap();
+        assert_eq!(axes, [0, 1].map(|index| dsp::velocity_axis_mps(&header.in_frame(index))));
+        assert!(axes[0][0] < 1.9 * axes[1][0], "{axes:?}");
+    }
 
     #[test]
     fn an_annotation_has_the_corners_the_middle_and_all_cells_of_its_box() {

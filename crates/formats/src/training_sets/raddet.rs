@@ -7,6 +7,7 @@
 //! middle).
 
 use crate::npy_stream::NpyStream;
+use crate::sub_frames::of_sub_frames;
 use crate::training_sets::angle_spectrum::{AngleSpectrum, Tensor, sines};
 use crate::training_sets::cell_boxes::{CellBox, cell_box};
 use crate::training_sets::pickle::{Pickled, dictionary};
@@ -117,7 +118,8 @@ fn description(header: &CubeHeader, frames: usize, scale: Option<f32>) -> serde_
     json!({
         "set": "RADDet", "frames": frames,
         "axes": {
-            "range_m": ranges_m, "azimuth_sine": sines(), "velocity_mps": dsp::velocity_axis_mps(header),
+            "range_m": ranges_m, "azimuth_sine": sines(),
+            "velocity_mps": of_sub_frames(header, |header| json!(dsp::velocity_axis_mps(header))),
         },
         "unit": header.unit.name(), "scale": scale,
         "not_filled": ["stereo_image", "sensors_para"],
@@ -127,8 +129,17 @@ fn description(header: &CubeHeader, frames: usize, scale: Option<f32>) -> serde_
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::training_sets::test_body::bus;
+    use crate::training_sets::test_body::{bus, sub_framed};
     use radar::{aperture::Preset, paper};
+
+    #[test]
+    fn sub_frames_have_each_its_own_velocities() {
+        let header = sub_framed();
+        let told = &description(&header, 2, None)["axes"]["velocity_mps"];
+        let axes: Vec<Vec<f64>> = serde_json::from_value(told.clone()).unwrap();
+        assert_eq!(axes, [0, 1].map(|index| dsp::velocity_axis_mps(&header.in_frame(index))));
+        assert!(axes[0][0] < 1.9 * axes[1][0], "{axes:?}");
+    }
 
     #[test]
     fn cells_of_noise_have_the_power_that_raddet_s_have() {

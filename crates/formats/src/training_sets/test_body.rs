@@ -1,9 +1,13 @@
-//! A body that the tests of this folder share.
+//! A body and a radar that the tests of this folder share.
 
 use crate::training_sets::truth_boxes::TruthBox;
+use artifact::cube::CubeHeader;
 use artifact::settings::Class;
 use glam::DVec3;
+use pipeline::chain::keys::cube_header;
+use scene::{Meshes, ReadOptions};
 use std::f64::consts::FRAC_PI_2;
+use std::path::Path;
 
 /// A bus of 12 m × 2.5 m × 3 m that drives towards the origin along −y.
 pub(crate) fn bus() -> TruthBox {
@@ -16,6 +20,13 @@ pub(crate) fn bus() -> TruthBox {
         yaw_rad: -FRAC_PI_2,
         velocity_mps: DVec3::new(0.0, -10.0, 0.0),
     }
+}
+
+/// Header of the cubes of a radar whose two sub-frames have chirps every 20 and every 40 µs.
+pub(crate) fn sub_framed() -> CubeHeader {
+    let text = "name = \"s\"\n[radar.waveform]\nsamples = 64\nchirps = 32\nsub_frame_idle_us = [7.5, 27.5]\n";
+    let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
+    cube_header(&scene::read_text(Path::new("s.toml"), text, &options).unwrap())
 }
 
 #[test]

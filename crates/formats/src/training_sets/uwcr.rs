@@ -7,6 +7,7 @@
 use crate::levelled_axes::LevelledAxes;
 use crate::mat_file;
 use crate::raw_data::uwcr::{ARRAY, shape};
+use crate::sub_frames::of_sub_frames;
 use crate::training_sets::set_folder::SetFolder;
 use crate::training_sets::truth_boxes::{TruthBox, TruthBoxes};
 use artifact::Reader;
@@ -70,6 +71,10 @@ fn class_id(class: Class) -> u8 {
     }
 }
 
+fn interval_us(header: &CubeHeader) -> serde_json::Value {
+    (header.radar.waveform.chirp_interval_s * 1e6).into()
+}
+
 fn description(header: &CubeHeader, frames: usize) -> serde_json::Value {
     let waveform = &header.radar.waveform;
     json!({
@@ -78,7 +83,7 @@ fn description(header: &CubeHeader, frames: usize) -> serde_json::Value {
         "radar_configs": {
             "startFreqConst_GHz": waveform.start_frequency_hz / 1e9,
             "freqSlopeConst_MHz_usec": waveform.slope_hz_per_s / 1e12,
-            "chirpDuration_usec": waveform.chirp_interval_s * 1e6,
+            "chirpDuration_usec": of_sub_frames(header, interval_us),
             "numAdcSamples": waveform.samples,
             "digOutSampleRate": waveform.sample_rate_hz / 1e3,
             "numLoops": waveform.chirps,
@@ -90,8 +95,17 @@ fn description(header: &CubeHeader, frames: usize) -> serde_json::Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::training_sets::test_body::bus;
+    use crate::training_sets::test_body::{bus, sub_framed};
     use radar::{aperture::Preset, paper};
+
+    #[test]
+    fn sub_frames_have_each_its_own_interval() {
+        let told = &description(&sub_framed(), 2)["radar_configs"]["chirpDuration_usec"];
+        assert_eq!(
+            told.as_array().unwrap().iter().map(|us| us.as_f64().unwrap().round()).collect::<Vec<_>>(),
+            [20.0, 40.0]
+        );
+    }
 
     #[test]
     fn a_label_tells_right_ahead_and_the_sides_along_both() {

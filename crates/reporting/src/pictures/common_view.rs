@@ -27,8 +27,7 @@ fn draw(number: usize, radars: &[(&str, &Seen)], form: Form) -> Svg {
     let mut ground = Ground::new(&title, &[], form, region(radars, &bodies), &Lanes::default());
     for (_, seen) in radars {
         let (road, far_m) = (&seen.view.dsp.road, seen.view.radar.waveform.range_max_m());
-        ground.lane_lines(road, [seen.view.intersection.width_m, far_m]);
-        if road.are_known() {
+        if ground.lane_lines(road, [seen.view.intersection.width_m, far_m]) {
             ground.say(Mark::Line, "lanes", "lane");
         }
     }
@@ -39,7 +38,7 @@ fn draw(number: usize, radars: &[(&str, &Seen)], form: Form) -> Svg {
     for (n, (id, seen)) in radars.iter().enumerate() {
         found(&mut ground, line_colour(n), id, seen);
     }
-    if let Some((_, seen)) = radars.first() {
+    if !radars.is_empty() {
         ground.say(Mark::Dot, "plain", "detected point, in its radar's colour");
         ground.say(Mark::Ring, "plain", "object, in its radar's colour");
         if radars
@@ -50,9 +49,20 @@ fn draw(number: usize, radars: &[(&str, &Seen)], form: Form) -> Svg {
             ground.say(Mark::Box, "plain", "object at rest");
         }
         ground.say(Mark::BrokenLine, "plain", "boresight");
-        ground.say(Mark::Line, "plain", field_of_view::words(&seen.view.radar));
+        fields_of_view(&mut ground, radars);
     }
     ground.finish(["x, m", "y, m"])
+}
+
+/// Says which field of view each radar has, once where all have the same.
+fn fields_of_view(ground: &mut Ground, radars: &[(&str, &Seen)]) {
+    let words: Vec<String> = radars.iter().map(|(_, seen)| field_of_view::words(&seen.view.radar)).collect();
+    if words.windows(2).all(|pair| pair[0] == pair[1]) {
+        return words.into_iter().take(1).for_each(|words| ground.say(Mark::Line, "plain", words));
+    }
+    for (n, ((id, _), words)) in radars.iter().zip(words).enumerate() {
+        ground.say(Mark::Line, line_colour(n), format!("{id}: {words}"));
+    }
 }
 
 /// Bodies of all radars, every body once, though several radars have it in view.

@@ -129,26 +129,32 @@ impl Ground {
         [axis.from, axis.to]
     }
 
-    /// The lines of a radar's lanes, from `from_m` on along its road, which need not be the sheet's.
-    pub(super) fn lane_lines(&mut self, road: &Lanes, [from_m, to_m]: [f64; 2]) {
+    /// The lines of a radar's lanes, from `from_m` on along its road, which need not be the sheet's; whether
+    /// any of them lies on it.
+    pub(super) fn lane_lines(&mut self, road: &Lanes, [from_m, to_m]: [f64; 2]) -> bool {
+        let mut are_there = false;
         for lane in &road.lanes {
             for across_m in [lane.centre_m - 0.5 * lane.width_m, lane.centre_m + 0.5 * lane.width_m] {
                 let ends = [from_m, to_m].map(|along_m| self.world(road.world_m([across_m, along_m])));
-                self.lane_line(ends);
+                are_there |= self.lane_line(ends);
             }
         }
         for course in &road.courses {
             for side in lane_sides_m(course) {
                 let line: Vec<[f64; 2]> = side.into_iter().map(|place| self.world(place)).collect();
-                line.windows(2).for_each(|ends| self.lane_line([ends[0], ends[1]]));
+                line.windows(2).for_each(|ends| are_there |= self.lane_line([ends[0], ends[1]]));
             }
         }
+        are_there
     }
 
-    fn lane_line(&mut self, ends: [[f64; 2]; 2]) {
-        if let Some([from, to]) = clip::segment(ends, self.frame()) {
+    /// Draws the part of a line that lies on the sheet; whether there is any.
+    fn lane_line(&mut self, ends: [[f64; 2]; 2]) -> bool {
+        let part = clip::segment(ends, self.frame());
+        if let Some([from, to]) = part {
             self.sheet.line("lane", from, to);
         }
+        part.is_some()
     }
 
     /// The surface of a network's lanes, and their names where there is room.

@@ -8,7 +8,7 @@ use crate::pictures::found::{self, Owner};
 use crate::pictures::ground::{Ground, Region};
 use artifact::radar::Radar;
 use artifact::scene::SceneHeader;
-use artifact::settings::Lanes;
+use artifact::settings::{Lane, Lanes};
 use pipeline::chain::frame_result::FrameResult;
 use plotting::form::Form;
 use plotting::marks::Mark;
@@ -21,7 +21,7 @@ pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult, nobodys: &[us
     let (road, radar) = (&header.dsp.road, &header.radar);
     let places = bodies.iter().map(|body| road.across_along_m(body.place_m));
     let mut ground = Ground::new(&title, &[], form, region(road, radar, places), road);
-    if !road.lanes.is_empty() {
+    if lanes_in_reach(road, radar).next().is_some() {
         lanes(&mut ground, header);
     }
     if !road.courses.is_empty() {
@@ -80,18 +80,30 @@ pub(super) fn axis_names(road: &Lanes) -> [&'static str; 2] {
     }
 }
 
+/// Range to which a plan shows the ground, m.
+fn shown_to_m(radar: &Radar) -> f64 {
+    radar.waveform.range_max_m().clamp(10.0, 120.0)
+}
+
+/// Straight lanes that come as near to the radar as a plan shows the ground. Others, as those of a crossing
+/// at the world's origin that a radar elsewhere has by default, would make it as large as they are far.
+fn lanes_in_reach<'a>(road: &'a Lanes, radar: &Radar) -> impl Iterator<Item = &'a Lane> {
+    let ([radar_m, _], far_m) = (road.across_along_m(radar.position_m), shown_to_m(radar));
+    road.lanes.iter().filter(move |lane| (lane.centre_m - radar_m).abs() - 0.5 * lane.width_m <= far_m)
+}
+
 /// Region as large as the radar, its lanes and the bodies within its range need, in steps that keep frames
 /// alike.
 pub(super) fn region(road: &Lanes, radar: &Radar, bodies: impl Iterator<Item = [f64; 2]>) -> Region {
     const ROOM_M: f64 = 3.0;
     const STEP_M: f64 = 5.0;
     let at_radar = road.across_along_m(radar.position_m);
-    let far_m = radar.waveform.range_max_m().clamp(10.0, 120.0);
+    let far_m = shown_to_m(radar);
     let (sin, cos) = radar.boresight_az_rad.sin_cos();
     let [x_m, y_m, _] = radar.position_m;
     let ahead = road.across_along_m([x_m + far_m * sin, y_m + far_m * cos, 0.0]);
     let mut region = Region::of(at_radar).with(at_radar, 2.0).with(ahead, 2.0);
-    for lane in &road.lanes {
+    for lane in lanes_in_reach(road, radar) {
         for across_m in [lane.centre_m - 0.5 * lane.width_m, lane.centre_m + 0.5 * lane.width_m] {
             region = region.with([across_m, at_radar[1]], 2.0);
         }
@@ -107,11 +119,33 @@ fn lanes(ground: &mut Ground, header: &SceneHeader) {
     let (road, crossing_m) = (&header.dsp.road, header.intersection.width_m);
     let [_, far_m] = ground.along_m();
     ground.strip("road", [-1e3, 1e3], [0.0, crossing_m]);
-    for lane in &road.lanes {
+    for lane in lanes_in_reach(road, &header.radar) {
         let sides = [lane.centre_m - 0.5 * lane.width_m, lane.centre_m + 0.5 * lane.width_m];
         ground.strip("road", sides, [crossing_m, far_m]);
         ground.note([lane.centre_m, far_m], &format!("lane {}", lane.number));
     }
     ground.lane_lines(road, [crossing_m, far_m]);
     ground.say(Mark::Line, "lanes", "lane");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use radar::aperture::Preset;
+    use radar::paper;
+
+    #[test]
+    fn a_plan_has_the_lanes_beside_the_radar_and_not_those_far_away() {
+        let lanes = vec![Lane { number: 1, centre_m: 2.0, width_m: 3.75 }];
+        let road = Lanes { lanes, ..Lanes::default() };
+        let at = |x_m: f64, y_m: f64| {
+            let waveform = paper::waveform(256, 128);
+            let radar = paper::radar([x_m, y_m, 6.0], waveform, Preset::OneByFour.elements());
+            (region(&road, &radar, std::iter::empty()), lanes_in_reach(&road, &radar).count())
+        };
+        assert_eq!(at(0.0, 0.0).1, 1);
+        let (far, lanes) = at(-45_000.0, 80_000.0);
+        assert_eq!((lanes, far.across_m), (0, [-45_005.0, -44_995.0]));
+        assert_eq!(far.along_m, [79_995.0, 80_065.0]);
+    }
 }

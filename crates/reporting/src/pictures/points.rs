@@ -9,6 +9,8 @@ use crate::pictures::ground::Ground;
 use crate::pictures::plan_view::{axis_names, region};
 use artifact::cube::CubeHeader;
 use artifact::points::{Point, PointsFrame};
+use artifact::radar::Radar;
+use artifact::settings::Lanes;
 use dsp::angle::VirtualArray;
 use plotting::axes::{Axes, Axis};
 use plotting::clip;
@@ -92,12 +94,13 @@ struct View {
     axes: Axes,
 }
 
-/// Point cloud from above, from the side and from the radar.
+/// Point cloud from above, from the side and from the front.
 fn views(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
     let mut sheet = Svg::new(title(frame), form.width_px(), 0.0);
     let top = head(&mut sheet, &title(frame), &[]) + 8.0;
     let views = placed(header, frame, bodies, form, top);
-    let names = ["across the road, m", "along the road, m", "height, m"];
+    let [across, along] = axis_names(&header.dsp.road);
+    let names = [across, along, "height, m"];
     for view in &views {
         let Axes { x, y } = view.axes;
         view.axes.draw(&mut sheet, names[view.coordinates[0]], names[view.coordinates[1]]);
@@ -123,8 +126,12 @@ fn legend(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body]) -> Legend {
     let mut legend = Legend::default();
     meanings(frame, "object").into_iter().for_each(|(mark, class, words)| legend.say(mark, class, words));
     for body in bodies {
-        let mark = if body.corners_m.is_empty() { Mark::Cross } else { Mark::Outline };
-        legend.say(mark, body.colour, format!("{} (truth, its box)", body.kind));
+        let (mark, what) = if body.corners_m.is_empty() {
+            (Mark::Cross, "truth")
+        } else {
+            (Mark::Outline, "truth, its box")
+        };
+        legend.say(mark, body.colour, format!("{} ({what})", body.kind));
     }
     legend.say(Mark::Triangle, "radar", "radar");
     legend.say(Mark::BrokenLine, "radar", "boresight");
@@ -149,14 +156,16 @@ fn placed(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form,
             ]
         }
     };
-    let names = ["from above", "from the side", "from the radar"];
+    let names = ["from above", "from the side", "from the front"];
     let coordinates = [[0, 1], [1, 2], [0, 2]];
+    let points = frame.points.iter().map(|point| point.position_m);
+    let spans = spans(&header.dsp.road, &header.radar, points, bodies);
     [0, 1, 2].map(|i: usize| {
-        let [x, y] = coordinates[i].map(|c: usize| span(header, frame, bodies, c));
+        let [x, y] = coordinates[i].map(|c: usize| spans[c]);
         let [left, top, right, bottom] = boxes[i];
         let axes = Axes {
-            x: Axis { from: x.0, to: x.1, start_px: left, end_px: right },
-            y: Axis { from: y.0, to: y.1, start_px: bottom, end_px: top },
+            x: Axis { from: x[0], to: x[1], start_px: left, end_px: right },
+            y: Axis { from: y[0], to: y[1], start_px: bottom, end_px: top },
         };
         View { name: names[i], coordinates: coordinates[i], axes }
     })
@@ -226,15 +235,54 @@ fn bounds(pixels: &[[f64; 2]]) -> Vec<[f64; 2]> {
     vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
 }
 
-/// Span of a view's coordinate: what is always shown (lanes, range, heights of vehicles) and whatever points
-/// and bodies lie beyond.
-fn span(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], coordinate: usize) -> (f64, f64) {
-    let lanes = header.dsp.road.lanes.iter().map(|l| l.centre_m + l.width_m);
-    let range_m = header.radar.waveform.range_max_m();
-    let usual = [(-4.0, lanes.fold(4.0, f64::max)), (0.0, range_m), (-0.5, 6.5)][coordinate];
-    let points = frame.points.iter().map(|p| on_road(header, p.position_m));
-    let of_bodies =
-        bodies.iter().map(|body| on_road(header, body.place_m)).filter(|at| at[0].hypot(at[1]) <= range_m);
-    let values = points.chain(of_bodies).map(|at| at[coordinate]).filter(|v| v.is_finite());
-    values.fold(usual, |(low, high), v| (low.min(v), high.max(v)))
+/// Spans of the views across and along the road and up, m: the region that plans show, as far as the radar
+/// tells ranges, and whatever points and bodies within them lie beyond.
+fn spans(
+    road: &Lanes,
+    radar: &Radar,
+    points: impl Iterator<Item = [f64; 3]>,
+    bodies: &[Body],
+) -> [[f64; 2]; 3] {
+    const ROOM_M: f64 = 1.0;
+    let at_radar = road.across_along_m(radar.position_m);
+    let range_max_m = radar.waveform.range_max_m();
+    let of_bodies = bodies.iter().map(|body| body.place_m).filter(|place_m| {
+        let [across_m, along_m] = road.across_along_m(*place_m);
+        (across_m - at_radar[0]).hypot(along_m - at_radar[1]) <= range_max_m
+    });
+    let places: Vec<[f64; 3]> =
+        points.chain(of_bodies).filter(|place_m| place_m.iter().all(|m| m.is_finite())).collect();
+    let on_ground = || places.iter().map(|place_m| road.across_along_m(*place_m));
+    let ground = on_ground().fold(region(road, radar, on_ground()), |all, at| all.with(at, ROOM_M));
+    let heights_m = places.iter().map(|place_m| place_m[2]);
+    let up_m = heights_m.fold([-0.5_f64, 6.5], |[low, high], m| [low.min(m), high.max(m)]);
+    [ground.across_m, ground.along_m, up_m]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use radar::aperture::Preset;
+    use radar::paper;
+
+    /// Waveforms of Table 2 tell ranges to 61 m.
+    #[test]
+    fn views_show_what_lies_before_the_radar_wherever_it_stands_and_looks() {
+        let elements = || Preset::SixByEight.elements();
+        let mut radar = paper::radar([-45_000.0, 80_000.0, 6.0], paper::waveform(256, 128), elements());
+        radar.boresight_az_rad = std::f64::consts::PI;
+        let body = |place_m: [f64; 3]| Body {
+            name: "car-1".into(),
+            colour: "car",
+            kind: "car",
+            place_m,
+            corners_m: vec![],
+            heights_m: [0.0, 1.5],
+        };
+        let bodies = [body([-45_020.0, 79_970.0, 0.0]), body([5.0, 30.0, 0.0])];
+        let points = [[-45_000.0, 79_900.0, 8.0]];
+        let [across_m, along_m, up_m] = spans(&Lanes::default(), &radar, points.into_iter(), &bodies);
+        assert!(across_m[0] <= -45_020.0 && across_m[1] - across_m[0] < 40.0, "{across_m:?}");
+        assert_eq!((along_m, up_m), ([79_899.0, 80_005.0], [-0.5, 8.0]));
+    }
 }

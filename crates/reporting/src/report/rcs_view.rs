@@ -28,7 +28,7 @@ pub struct RcsView<'a> {
     pub azimuth_deg: f64,
     /// S at the aspect, dBsm.
     pub level_dbsm: f64,
-    /// Azimuths of the table's first elevation in degrees, and their levels at the same frequency.
+    /// Azimuths at the same elevation in degrees, and their levels at the same frequency.
     pub cut: Vec<[f64; 2]>,
 }
 

@@ -11,6 +11,9 @@ pub(in crate::report) struct Packed {
     kind: &'static str,
     /// Value of one step.
     step: f64,
+    /// Place from which places are told; `None` of numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    from: Option<[f64; 3]>,
     base64: String,
 }
 
@@ -22,6 +25,14 @@ impl Packed {
         let step = step.max(largest / f64::from(i16::MAX));
         let bytes = values.iter().flat_map(|value| ((value / step).round() as i16).to_le_bytes());
         Self::of("Int16", step, &bytes.collect::<Vec<_>>())
+    }
+
+    /// Places in steps as [`Self::steps`] has them, told from another one: from the radar they are as near as
+    /// its range, wherever in the world it stands.
+    pub(in crate::report) fn places(places_m: &[[f64; 3]], from_m: [f64; 3], step: f64) -> Self {
+        let away = |place_m: &[f64; 3]| [0, 1, 2].map(|axis: usize| place_m[axis] - from_m[axis]);
+        let away_m: Vec<f64> = places_m.iter().flat_map(away).collect();
+        Self { from: Some(from_m), ..Self::steps(&away_m, step) }
     }
 
     /// Whole numbers from 0 to 255.
@@ -40,7 +51,7 @@ impl Packed {
     }
 
     fn of(kind: &'static str, step: f64, bytes: &[u8]) -> Self {
-        Self { kind, step, base64: STANDARD.encode(bytes) }
+        Self { kind, step, from: None, base64: STANDARD.encode(bytes) }
     }
 }
 
@@ -49,10 +60,21 @@ mod tests {
     use super::*;
 
     #[test]
+    fn places_far_from_the_worlds_origin_are_told_as_finely_as_near_it() {
+        let from_m = [-45_000.0, 80_000.0, 6.0];
+        let packed = Packed::places(&[[-44_999.98, 80_003.0, 6.0]], from_m, 0.01);
+        // 0.02, 3.00 and 0 are 2, 300 and no steps.
+        assert_eq!((packed.step, packed.base64.as_str(), packed.from), (0.01, "AgAsAQAA", Some(from_m)));
+    }
+
+    #[test]
     fn numbers_beyond_sixteen_bits_get_a_longer_step_and_others_the_one_asked_for() {
         let packed = |values: &[f64]| Packed::steps(values, 0.01);
         // −0.02 and 3.00 are −2 and 300 steps.
-        assert_eq!(packed(&[-0.02, 3.0]), Packed { kind: "Int16", step: 0.01, base64: "/v8sAQ==".into() });
+        assert_eq!(
+            packed(&[-0.02, 3.0]),
+            Packed { kind: "Int16", step: 0.01, from: None, base64: "/v8sAQ==".into() }
+        );
         assert!((packed(&[3276.7]).step - 0.1).abs() < 1e-12);
         assert_eq!(Packed::numbers(&[1, 65_536]).kind, "Uint32");
         assert_eq!(Packed::numbers(&[258]).base64, "AgE=");

@@ -16,13 +16,15 @@ pub(super) struct StrongestPaths {
     all: usize,
     /// Power of all paths, each by itself, W.
     all_power_w: f64,
+    /// Power of the paths that are not shown, each by itself, W.
+    left_out_power_w: f64,
     /// Power of all paths by body, each by itself, W.
     power_of_bodies_w: Vec<f64>,
     /// Number of ways that lead through the middles of their facets, of the shown.
     through_middles: usize,
     /// Number of places of each path's way.
     corners: Packed,
-    /// Places of all ways one behind the other: x, y, z, m.
+    /// Places of all ways one behind the other: x, y, z from the radar, m.
     places_m: Packed,
     orders: Packed,
     /// Index of each path's body.
@@ -58,6 +60,7 @@ impl StrongestPaths {
         }
         let mut order: Vec<usize> = (0..powers.len()).collect();
         order.sort_by(|a, b| powers[*b].total_cmp(&powers[*a]).then(a.cmp(b)));
+        let left_out_power_w = order.iter().skip(most).map(|i| powers[*i]).sum();
         order.truncate(most);
         let shown: Vec<&Path> = order.iter().map(|i| &frame.paths[*i]).collect();
         let ways: Vec<Way> = shown.iter().map(|path| folding.way(path)).collect();
@@ -66,10 +69,11 @@ impl StrongestPaths {
         Self {
             all: powers.len(),
             all_power_w: powers.iter().sum(),
+            left_out_power_w,
             power_of_bodies_w,
             through_middles: ways.iter().filter(|way| way.missed_by_m.is_none()).count(),
             corners: Packed::bytes(&ways.iter().map(|way| way.places_m.len() as u8).collect::<Vec<_>>()),
-            places_m: Packed::steps(&flat(&ways), STEP),
+            places_m: Packed::places(&all_places_m(&ways), radar.position_m, STEP),
             orders: Packed::bytes(&shown.iter().map(|path| path.order).collect::<Vec<_>>()),
             targets: Packed::numbers(&shown.iter().map(|path| path.target).collect::<Vec<_>>()),
             levels_dbw: Packed::steps(&order.iter().map(level).collect::<Vec<_>>(), STEP_DB),
@@ -79,8 +83,8 @@ impl StrongestPaths {
     }
 }
 
-fn flat(ways: &[Way]) -> Vec<f64> {
-    ways.iter().flat_map(|way| &way.places_m).flat_map(DVec3::to_array).collect()
+fn all_places_m(ways: &[Way]) -> Vec<[f64; 3]> {
+    ways.iter().flat_map(|way| &way.places_m).map(DVec3::to_array).collect()
 }
 
 fn ranges_and_velocities(radar: &Radar, paths: &[&Path]) -> [Vec<f64>; 2] {

@@ -4,7 +4,7 @@ use crate::pictures::field_of_view;
 use crate::pictures::lane_sides::lane_sides_m;
 use crate::report::viewer::budget::TRIANGLES;
 use crate::report::viewer::packed::Packed;
-use artifact::radar::Radar;
+use artifact::radar::{Radar, Sampling};
 use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::{Course, Lane, Lanes};
 use serde::Serialize;
@@ -30,9 +30,8 @@ pub(in crate::report) struct RadarView {
     /// Half angles of the field of view left and right of the boresight, −3 dB of an element.
     half_angles_rad: [f64; 2],
     range_max_m: f64,
-    velocity_max_mps: f64,
-    range_resolution_m: f64,
-    velocity_resolution_mps: f64,
+    /// Whether echoes from beyond the range axis show at its beginning.
+    ranges_repeat: bool,
     /// Field of view in words.
     words: String,
 }
@@ -94,9 +93,7 @@ impl RadarView {
             boresight_el_rad: radar.boresight_el_rad,
             half_angles_rad: field_of_view::half_angles_rad(radar),
             range_max_m: radar.waveform.range_max_m(),
-            velocity_max_mps: radar.velocity_max_mps(),
-            range_resolution_m: radar.waveform.range_resolution_m(),
-            velocity_resolution_mps: radar.velocity_resolution_mps(),
+            ranges_repeat: radar.waveform.sampling == Sampling::Complex,
             words: field_of_view::words(radar),
         }
     }

@@ -166,7 +166,7 @@ impl ViewedFrame {
             paths: traced.map(strongest),
             map: MapCells::of(&header, frame, heard.as_deref(), budget.cells)?,
             assumed_height_m: has_assumed(points).then_some(header.dsp.assumed_height_m),
-            points: PointsView::of(points, truth),
+            points: PointsView::of(points, truth, radar.position_m),
             objects: objects.map(|(i, object)| ObjectView::of(object, truth.pairing.body_of(i))).collect(),
             tracks: tracks.tracks.iter().map(TrackView::of).collect(),
         })
@@ -189,16 +189,16 @@ fn has_assumed(frame: &PointsFrame) -> bool {
 }
 
 impl PointsView {
-    fn of(frame: &PointsFrame, truth: &FrameTruth) -> Self {
+    fn of(frame: &PointsFrame, truth: &FrameTruth, radar_m: [f64; 3]) -> Self {
         let steps = |of: &dyn Fn(&Point) -> f64| {
             Packed::steps(&frame.points.iter().map(of).collect::<Vec<_>>(), STEP)
         };
         let labels = || (0..frame.points.len()).map(|i| truth.origins.get(i).and_then(Origin::label));
-        let places: Vec<f64> = frame.points.iter().flat_map(|point| point.position_m).collect();
+        let places: Vec<[f64; 3]> = frame.points.iter().map(|point| point.position_m).collect();
         let from_1 = |index: Option<u32>| index.map_or(0, |index| index + 1);
         let heights: Vec<u8> = frame.points.iter().map(|point| counted(point.height)).collect();
         Self {
-            places_m: Packed::steps(&places, STEP),
+            places_m: Packed::places(&places, radar_m, STEP),
             ranges_m: steps(&|point| point.range_m),
             velocities_mps: steps(&|point| point.radial_velocity_mps),
             snrs_db: steps(&|point| point.snr_db),

@@ -23,7 +23,8 @@ function eyePlace(camera) {
 function clipFromWorld(camera, aspect) {
   const { ahead, right, up } = eyeAxes(camera);
   const back = ahead.map((value) => -value);
-  const lens = perspective(HEIGHT_RAD, aspect, Math.max(0.2, 0.01 * camera.distance), 3000);
+  const far = Math.max(3000, 4 * camera.distance);
+  const lens = perspective(HEIGHT_RAD, aspect, Math.max(0.2, 0.01 * camera.distance), far);
   return product(lens, eyeFromWorld(eyePlace(camera), right, up, back));
 }
 
@@ -58,6 +59,8 @@ function approach(camera, factor) {
 /** Puts the eye where the radar and these places are seen in a picture of this width over height. */
 function standAt(camera, place, radar, places, aspect) {
   const at = [0, 1, 2].map((axis) => middle(places.map((p) => p[axis])));
+  const wide = Math.max(...places.map((p) => Math.hypot(...subtract(p, at))));
+  camera.farthest = Math.max(camera.farthest, 6 * wide);
   if (place === "radar") {
     Object.assign(camera, fromRadar(radar, Math.hypot(...subtract(at, radar.position_m))));
     return;

@@ -24,11 +24,13 @@ void main() {
 }`;
 
 // A mark is a vertex of a line or a dot. kind: index of its colour, its body; cell: range and velocity.
-// What lies outside of the cursor's cell or is not of the chosen body becomes faint.
+// What lies outside of the cursor's cell or is not of the chosen body becomes faint; ranges and velocities
+// that the map shows alike, a whole repeat apart, lie in one cell.
 const MARK_VERTEX = `#version 300 es
 uniform mat4 clip_from_world;
 uniform vec4 colours[12];
 uniform vec4 cursor;
+uniform vec2 repeats;
 uniform float chosen, faint, opacity, pixels;
 layout(location = 0) in vec3 place;
 layout(location = 1) in vec4 kind;
@@ -38,7 +40,10 @@ void main() {
   gl_Position = clip_from_world * vec4(place, 1.0);
   gl_PointSize = size.x * pixels;
   colour = colours[int(kind.x)];
-  bool in_cell = abs(kind.z - cursor.x) <= cursor.z && abs(kind.w - cursor.y) <= cursor.w;
+  vec2 apart = kind.zw - cursor.xy;
+  vec2 turns = floor(apart / max(repeats, vec2(1e-9)) + 0.5);
+  apart -= repeats * turns;
+  bool in_cell = all(lessThanEqual(abs(apart), cursor.zw));
   bool is_chosen = chosen < 0.0 || kind.y == chosen;
   colour.a *= opacity * size.y * (is_chosen && (cursor.z <= 0.0 || in_cell) ? 1.0 : faint);
 }`;
@@ -160,7 +165,8 @@ function drawMarks({ gl, mark }, buffer, look) {
   gl.useProgram(mark.made);
   gl.uniformMatrix4fv(uniforms.clip_from_world, false, look.clip);
   gl.uniform4fv(uniforms.colours, look.colours);
-  gl.uniform4fv(uniforms.cursor, look.cursor ?? [0, 0, 0, 0]);
+  gl.uniform4fv(uniforms.cursor, look.cursor?.cell ?? [0, 0, 0, 0]);
+  gl.uniform2fv(uniforms.repeats, look.cursor?.repeats ?? [0, 0]);
   gl.uniform1f(uniforms.chosen, look.chosen ?? -1);
   gl.uniform1f(uniforms.faint, look.faint ?? 0.08);
   gl.uniform1f(uniforms.opacity, look.opacity ?? 1);

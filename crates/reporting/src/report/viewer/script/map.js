@@ -129,12 +129,17 @@ function drawMask({ context, across, up }, map) {
   context.stroke();
 }
 
+/** The velocity at which an axis shows another one, which may lie beyond its ends. */
+function shownAt({ from, to }, velocity) {
+  const span = to - from;
+  return velocity - span * Math.floor((velocity - from) / span);
+}
+
 /** Objects as rings, at the velocities at which the map shows them. */
 function drawObjects({ context, across, up, y }, objects) {
-  const span = y.to - y.from;
   context.lineWidth = 1.6;
   for (const { range_m, velocity_mps } of objects) {
-    const shown = velocity_mps - span * Math.round(velocity_mps / span);
+    const shown = shownAt(y, velocity_mps);
     for (const [colour, shift] of [
       ["#000", 1],
       ["#fff", 0],
@@ -147,7 +152,8 @@ function drawObjects({ context, across, up, y }, objects) {
   }
 }
 
-function crosshair({ context, box, across, up }, { range, velocity }) {
+function crosshair({ context, box, across, up, y }, { range, velocity }) {
+  const shown = shownAt(y, velocity);
   context.lineWidth = 1;
   for (const [colour, dash] of [
     ["#000", []],
@@ -158,8 +164,8 @@ function crosshair({ context, box, across, up }, { range, velocity }) {
     context.beginPath();
     context.moveTo(across(range), box.top);
     context.lineTo(across(range), box.bottom);
-    context.moveTo(box.left, up(velocity));
-    context.lineTo(box.right, up(velocity));
+    context.moveTo(box.left, up(shown));
+    context.lineTo(box.right, up(shown));
     context.stroke();
   }
   context.setLineDash([]);
@@ -229,10 +235,8 @@ function pixelOnMap(canvas, map, { range, velocity }) {
 function cellOf(map, { range, velocity }) {
   const index = (value, [first, step], count) =>
     Math.min(count - 1, Math.max(0, Math.round((value - first) / step)));
-  const span = map.rows * map.velocity_mps[1];
-  const shown = velocity - span * Math.round(velocity / span);
   return {
-    row: index(shown, map.velocity_mps, map.rows),
+    row: index(shownAt(mapAxes(map).y, velocity), map.velocity_mps, map.rows),
     column: index(range, map.range_m, map.columns),
   };
 }

@@ -13,11 +13,12 @@ function isPacked(value) {
   return value !== null && typeof value === "object" && typeof value.base64 === "string";
 }
 
-/** Values of a packed array: whole numbers as they are, steps as Float32. */
-function unpacked({ kind, step, base64 }) {
+/** Values of a packed array: whole numbers as they are, steps as Float32, places in the world as Float64. */
+function unpacked({ kind, step, from, base64 }) {
   const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
   const types = { Int16: Int16Array, Uint8: Uint8Array, Uint16: Uint16Array, Uint32: Uint32Array };
   const whole = new types[kind](bytes.buffer);
+  if (from) return Float64Array.from(whole, (steps, i) => from[i % 3] + steps * step);
   return kind === "Int16" ? Float32Array.from(whole, (steps) => steps * step) : whole;
 }
 
@@ -25,6 +26,19 @@ function unpacked({ kind, step, base64 }) {
 function told(value, digits, unit = "") {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   return value.toFixed(digits).replace("-", "−") + (unit && ` ${unit}`);
+}
+
+/** A share in percent, to two digits, or to what is told at all. */
+function percent(share) {
+  if (share <= 0) return "none";
+  if (share < 5e-5) return "less than 0.01 %";
+  return `${share < 0.995 ? (100 * share).toPrecision(2) : (100 * share).toFixed(1)} %`;
+}
+
+/** A number that tells the place of a thing in a row: 2nd, 3rd, 11th, 21st. */
+function ordinal(number) {
+  const isTeen = Math.floor(number / 10) % 10 === 1;
+  return `${number}${(!isTeen && ["th", "st", "nd", "rd"][number % 10]) || "th"}`;
 }
 
 /** Number of a thing with its word in one or many. */

@@ -71,14 +71,22 @@ function beamSurface(radar) {
   return { corners: [x, y, LINE_HEIGHT_M, ...rim.flat()], triangles };
 }
 
-/** Outline of the field of view, with circles every 20 m, the boresight and the pole. */
+/** Ranges of the circles on the ground: every 20 m, or of long ranges every 50, 100, 200 and so on. */
+function circleRanges(range_max_m) {
+  const most = 20;
+  let step = 20;
+  for (let i = 0; range_max_m / step > most; i++) step *= i % 3 === 0 ? 2.5 : 2;
+  return Array.from({ length: Math.ceil(range_max_m / step) - 1 }, (_, i) => (i + 1) * step);
+}
+
+/** Outline of the field of view, with circles, the boresight and the pole. */
 function radarLines(radar) {
   const out = [];
   const look = { colour: MARK.c6 };
   const [x, y, height] = radar.position_m;
   const rim = groundArc(radar, radar.range_max_m);
   addLines(out, rim, look);
-  for (let range = 20; range < radar.range_max_m; range += 20) {
+  for (const range of circleRanges(radar.range_max_m)) {
     addLines(out, groundArc(radar, range), { ...look, opacity: 0.35 });
   }
   for (const end of [rim[0], rim.at(-1)]) if (end) addLine(out, radar.position_m, end, look);

@@ -89,15 +89,15 @@ function drawPaths({ graphics, frame, ends, radar, state }, look) {
   drawMarks(graphics, frame.pathDots, { ...look, cursor, form: FORM.dot, count: dots });
 }
 
-/** Range and velocity of the cursor and how far its cell reaches. */
+/** Range and velocity of the cursor, how far its cell reaches, and after what the map repeats; 0: never. */
 function cursorCell({ radar, state }) {
   const { range, velocity } = state.cursor;
-  return [
-    range,
-    velocity,
-    CURSOR_CELLS * radar.range_resolution_m,
-    CURSOR_CELLS * radar.velocity_resolution_mps,
-  ];
+  const { rows, columns, range_m, velocity_mps } = state.frame.map;
+  const [range_step, velocity_step] = [range_m[1], velocity_mps[1]];
+  return {
+    cell: [range, velocity, CURSOR_CELLS * range_step, CURSOR_CELLS * velocity_step],
+    repeats: [radar.ranges_repeat ? columns * range_step : 0, rows * velocity_step],
+  };
 }
 
 /** The circle on the ground at the cursor's range. */

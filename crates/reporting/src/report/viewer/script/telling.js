@@ -4,7 +4,7 @@
 function tellOfRun({ page, state }) {
   const words = page.surroundings.radar.words;
   const sentences = [
-    page.every > 1 && `Every ${page.every}th of ${page.frames_all} frames is here.`,
+    page.every > 1 && `Of ${page.frames_all} frames every ${ordinal(page.every)} is here.`,
     ...(state.frame.paths ? sentencesOnPaths(state.frame.paths) : []),
     ...sentencesOnMap(state.frame.map),
     sentenceOnHeights(state.frame),
@@ -16,13 +16,13 @@ function tellOfRun({ page, state }) {
 
 function sentencesOnPaths(paths) {
   const kept = paths.levels_dbw.length;
-  const out = 100 * (1 - shareOf(paths, kept));
+  const out = percent(shareBehind(paths, kept));
   const [some, all] = [kept.toLocaleString("en"), paths.all.toLocaleString("en")];
   const bent = counted(paths.through_middles, "path is", "paths are");
   const whole = WITH_LEGS.toLocaleString("en");
   return [
     kept < paths.all &&
-      `The strongest ${some} of ${all} paths are here; the others hold ${out.toPrecision(2)} % of the power.`,
+      `The strongest ${some} of ${all} paths are here; the others hold ${out} of the power.`,
     kept > WITH_LEGS &&
       `The strongest ${whole} are drawn from the radar on, the others where they are reflected.`,
     paths.through_middles > 0 &&

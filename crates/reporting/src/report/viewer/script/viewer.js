@@ -69,7 +69,7 @@ function chooseFrame(view, number) {
   const cursor = state.cursor ?? { ...strongestCell(state.frame.map), source: "start" };
   state.cursor = { ...cursor, found: null };
   if (space) showFrame(space, state.frame);
-  part("frame-told").textContent = ` ${state.frame.index} at ${told.shown.time_s.toFixed(2)} s`;
+  part("frame-told").textContent = ` ${state.frame.index} at ${told.shown.time_s.toFixed(3)} s`;
   tellOfRun(view);
   makeNames(view);
   chooseLevel(view);

@@ -44,19 +44,17 @@ function countDownTo(paths, belowDb) {
   return first < 0 ? paths.levels_dbw.length : first;
 }
 
-/** Share of all power in the first paths, each by itself. */
-function shareOf(paths, count) {
-  let sum = 0;
-  for (let i = 0; i < count; i++) sum += 10 ** (paths.levels_dbw[i] / 10);
-  return paths.all_power_w > 0 ? sum / paths.all_power_w : 0;
+/** Share of all power that is not in the first paths, each by itself. */
+function shareBehind(paths, count) {
+  let sum = paths.left_out_power_w;
+  for (let i = count; i < paths.levels_dbw.length; i++) sum += 10 ** (paths.levels_dbw[i] / 10);
+  return paths.all_power_w > 0 ? Math.min(1, sum / paths.all_power_w) : 0;
 }
 
 /** What the level slider shows and what it leaves out. */
 function toldOfPaths(paths, count) {
-  const out = 1 - shareOf(paths, count);
-  const left = out < 5e-5 ? "less than 0.01 %" : `${(100 * out).toPrecision(2)} %`;
   const shown = `${count.toLocaleString("en")} of ${counted(paths.all, "path", "paths")}`;
-  return `${shown}; ${left} of the power left out`;
+  return `${shown}; ${percent(shareBehind(paths, count))} of the power left out`;
 }
 
 /** Bounce orders among the first paths, with their number and level over that of all, dB. */

@@ -113,10 +113,11 @@ impl Answer {
         let by_order = self.node_spread.iter().enumerate().skip(1);
         let by_order: Vec<String> =
             by_order.map(|(i, e)| format!("order {} {}", i + 1, decibels(*e))).collect();
+        let by_order =
+            if by_order.is_empty() { String::new() } else { format!(" ({})", by_order.join(", ")) };
         self.verdict(arguments).lines(Asking::Options).into_iter().for_each(terminal::line);
         terminal::line(format!(
-            "model: spread of node rules {nodes} ({}), first order left out {bounces}",
-            by_order.join(", ")
+            "model: spread of node rules {nodes}{by_order}, first order left out {bounces}"
         ));
         if let Some(dropped) = self.dropped_at_most {
             terminal::line(format!("dropped beams scatter at most: {}", decibels(dropped)));

@@ -111,7 +111,8 @@ fn view<'a>(
 ) -> RcsView<'a> {
     let aspect = middle_aspect(request);
     let radar = standpoint(request, aspect);
-    let cut = request.azimuth_rad.iter().zip(amplitude_m).map(|(az, s)| [az.to_degrees(), dbsm(s)]);
+    let of_elevation = &amplitude_m[aspect - aspect % request.azimuth_rad.len()..];
+    let cut = request.azimuth_rad.iter().zip(of_elevation).map(|(az, s)| [az.to_degrees(), dbsm(s)]);
     RcsView {
         mesh,
         name: out.file_name().unwrap_or_default().to_string_lossy().into_owned(),
@@ -125,8 +126,10 @@ fn view<'a>(
     }
 }
 
+/// Index of the middle azimuth at the middle elevation.
 fn middle_aspect(request: &RcsRequest) -> usize {
-    request.elevation_rad.len() * request.azimuth_rad.len() / 2
+    let [elevations, azimuths] = [request.elevation_rad.len(), request.azimuth_rad.len()];
+    elevations / 2 * azimuths + azimuths / 2
 }
 
 /// Where the transmitter stands for an aspect, elevation by elevation, azimuth by azimuth.
