@@ -272,13 +272,13 @@ fn the_accuracy_asked_of_a_coarse_sphere_is_got_from_minus_20_to_minus_50_db() {
     }
 }
 
-/// S in vv of a sphere between two directions: the bracket of both ends' waves, symmetrised, summed over 800 × 800
-/// equal areas of what both light.
+/// S in vv of a sphere between two directions: the bracket of both ends' waves, symmetrised, summed over
+/// 800 × 800 equal areas of what both light.
 fn sphere_between(radius_m: f64, [transmit, receive]: [DVec3; 2]) -> Complex64 {
     const STEPS: u32 = 800;
-    let v = |r: DVec3| r.cross(DVec3::Z.cross(r).normalize());
+    let v = |r: DVec3| r.cross(DVec3::Z.cross(r).normalize_or_zero());
     let (e_q, e_p) = (v(transmit), v(receive));
-    let middle = (transmit + receive).normalize();
+    let middle = (transmit + receive).normalize_or_zero();
     let (a, b) = middle.any_orthonormal_pair();
     let share = |i: u32| (f64::from(i) + 0.5) / f64::from(STEPS);
     let mut sum = Complex64::ZERO;

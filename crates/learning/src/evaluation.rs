@@ -1,7 +1,7 @@
 //! Evaluation of a model (`evaluate`): how often it is right on datasets, by frame and by track, with its
 //! spread over vehicles, as a page.
 
-use crate::training::told_interval;
+use crate::training::told_interval::told_interval;
 use artifact::dataset::Sample;
 use artifact::settings::Class;
 use classifier::{Evaluation, Part, Sightings, parts};

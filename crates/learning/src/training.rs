@@ -3,6 +3,7 @@
 //! Trees learn here, the paper's network in a program of its own.
 
 mod settings;
+pub(crate) mod told_interval;
 mod lone_vehicles;
 pub(crate) mod network;
 mod trees;
@@ -52,10 +53,4 @@ fn check(settings: &Settings) -> Result<(), Failure> {
 pub(crate) fn iterations_of_trees() -> Failure {
     let rule = "--iterations is for --learner paper: trees have no steps, they end where they are best";
     Failure::System(rule.to_owned())
-}
-
-/// An interval of shares; of lone vehicles there is none.
-pub(crate) fn told_interval(shares: Option<[f64; 2]>) -> String {
-    let text = |[low, high]: [f64; 2]| format!("{:.1} … {:.1} %", 100.0 * low, 100.0 * high);
-    shares.map_or("–".to_owned(), text)
 }

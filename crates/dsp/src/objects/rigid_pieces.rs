@@ -205,7 +205,8 @@ mod tests {
         assert!(!are_one(&beside, [&[0], &[1]]));
     }
 
-    /// Two people in a room, one who walks away and one who comes, with the reaches that a scene gives people.
+    /// Two people in a room, one who walks away and one who comes, with the reaches that a scene gives
+    /// people.
     #[test]
     fn parts_line_up_no_farther_than_the_reach_that_a_scene_asks_for() {
         let [recedes, comes] = [0.586, -0.469];

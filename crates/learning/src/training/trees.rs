@@ -2,7 +2,7 @@
 
 use crate::training::lone_vehicles::note_lone_vehicles;
 use crate::training::settings::Settings;
-use crate::training::told_interval;
+use crate::training::told_interval::told_interval;
 use artifact::model::Model;
 use artifact::{Provenance, Writer, bounded};
 use classifier::{

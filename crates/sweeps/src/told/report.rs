@@ -204,7 +204,13 @@ mod tests {
             [0.0, 0.0004, -0.00012, 0.0006, 2.5].map(figure),
             ["0", "4.0e−4", "−1.2e−4", "0.001", "2.5"]
         );
-        let mean = |value, half| Mean { value, standard_error: Some(half), half_width: Some(half), count: 3 };
+        let mean = |value: f64, half: f64| Mean {
+            value,
+            standard_error: Some(half),
+            half_width: Some(half),
+            ends: Some([value - half, value + half]),
+            count: 3,
+        };
         assert_eq!(text(Some(mean(0.00037, 0.00002))), "3.7e−4 ± 2.0e−5");
         assert_eq!(text(Some(mean(0.625, 1e-17))), "0.625 ± 0", "rounding is no width");
     }

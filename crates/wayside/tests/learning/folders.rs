@@ -87,20 +87,6 @@ fn samples_are_taken_once_however_their_folder_is_named_and_where_it_was_copied_
 }
 
 #[test]
-fn a_folder_that_has_grown_neither_counts_twice_nor_tests_what_trained() {
-    let place = prepared();
-    crops::write(&place.path("grown"), 6);
-    for words in ["train a grown --out new", "evaluate m a grown", "protocols a --seeds 1 --test grown"] {
-        let output = place.try_run(words);
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(1), "{words}: {said}");
-        assert!(said.contains("sample `scene-0` is in another of the folders too"), "{words}: {said}");
-    }
-    crops::write_some(&place.path("others"), 5..9);
-    assert_eq!(place.try_run("evaluate m a others").status.code(), Some(0));
-}
-
-#[test]
 fn shards_without_samples_are_taken_and_a_folder_without_any_has_nothing_to_tell() {
     let place = prepared();
     for empty in ["shard-0004.dataset", "shard-0005.dataset"] {
@@ -112,6 +98,20 @@ fn shards_without_samples_are_taken_and_a_folder_without_any_has_nothing_to_tell
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("none: no sample that tells its class"), "{said}");
+}
+
+#[test]
+fn a_folder_that_has_grown_neither_counts_twice_nor_tests_what_trained() {
+    let place = prepared();
+    crops::write(&place.path("grown"), 6);
+    for words in ["train a grown --out new", "evaluate m a grown", "protocols a --seeds 1 --test grown"] {
+        let output = place.try_run(words);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{words}: {said}");
+        assert!(said.contains("sample `scene-0` is in another of the folders too"), "{words}: {said}");
+    }
+    crops::write_some(&place.path("others"), 5..9);
+    assert_eq!(place.try_run("evaluate m a others").status.code(), Some(0));
 }
 
 #[test]

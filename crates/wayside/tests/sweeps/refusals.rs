@@ -19,6 +19,14 @@ fn said_of(place: &Workplace, study: &str) -> (String, Option<i32>) {
     (String::from_utf8(output.stderr).unwrap(), output.status.code())
 }
 
+/// A study with other words in the place of some is refused with a sentence and its place.
+fn refused(place: &Workplace, (found, instead): (&str, &str), expected: &str) {
+    assert!(WHOLE.contains(found), "{found}");
+    let (said, code) = said_of(place, &WHOLE.replace(found, instead));
+    assert!(said.contains(expected) && said.contains("study.toml:"), "{instead}: {said}");
+    assert_eq!(code, Some(1), "{said}");
+}
+
 #[test]
 fn every_broken_rule_of_a_study_is_told_with_its_place() {
     let place = Workplace::new();
@@ -57,6 +65,29 @@ fn every_broken_rule_of_a_study_is_told_with_its_place() {
             "[[condition]]\nkey = \"radar.array.preset\"\nvalues = [\"1x4\"]\n[goal]",
             "is changed by two of",
         ),
+        ("[goal]", "[sample]\n[goal]", "[sample]: `count` is missing"),
+        ("[goal]", "[sample]\ncount = 0\n[goal]", "`count` has to be a whole number from 1 to 100000, is 0"),
+        (
+            "[goal]",
+            "[stop]\nconfidence = 1\n[goal]",
+            "`confidence` has to be a number from 0.5 to 0.9999, is 1",
+        ),
+        ("[[vary]]", "repeats = 0\n[[vary]]", "`repeats` has to be a whole number from 1 to 10000, is 0"),
+        ("[[vary]]", "range_bands_m = [30, 20]\n[[vary]]", "`range_bands_m` has to be"),
+        ("[[vary]]", "[vary]", "`vary` has to be a list, is"),
+        ("[goal]", "[goal", "not valid TOML"),
+    ] {
+        refused(&place, (found, instead), expected);
+    }
+    let unvaried = "scene = \"small.toml\"\n[goal]\nmetric = \"coverage\"\n";
+    assert!(said_of(&place, unvaried).0.contains("`vary` is missing"));
+    assert!(!place.path("out").join("runs").exists(), "nothing is computed before all is read");
+}
+
+#[test]
+fn what_changes_nothing_is_refused() {
+    let place = Workplace::new();
+    for (found, instead, expected) in [
         ("radar.array.preset", "name", "study.toml:4:11: `name` changes nothing"),
         (
             "radar.array.preset",
@@ -80,26 +111,9 @@ fn every_broken_rule_of_a_study_is_told_with_its_place() {
             "study.toml:4:16: designs 0 and 1 are one scene: with frame_interval_s = 0.10 it is what it is with \
              frame_interval_s = 0.1",
         ),
-        ("[goal]", "[sample]\n[goal]", "[sample]: `count` is missing"),
-        ("[goal]", "[sample]\ncount = 0\n[goal]", "`count` has to be a whole number from 1 to 100000, is 0"),
-        (
-            "[goal]",
-            "[stop]\nconfidence = 1\n[goal]",
-            "`confidence` has to be a number from 0.5 to 0.9999, is 1",
-        ),
-        ("[[vary]]", "repeats = 0\n[[vary]]", "`repeats` has to be a whole number from 1 to 10000, is 0"),
-        ("[[vary]]", "range_bands_m = [30, 20]\n[[vary]]", "`range_bands_m` has to be"),
-        ("[[vary]]", "[vary]", "`vary` has to be a list, is"),
-        ("[goal]", "[goal", "not valid TOML"),
     ] {
-        assert!(WHOLE.contains(found), "{found}");
-        let (said, code) = said_of(&place, &WHOLE.replace(found, instead));
-        assert!(said.contains(expected) && said.contains("study.toml:"), "{instead}: {said}");
-        assert_eq!(code, Some(1), "{said}");
+        refused(&place, (found, instead), expected);
     }
-    let unvaried = "scene = \"small.toml\"\n[goal]\nmetric = \"coverage\"\n";
-    assert!(said_of(&place, unvaried).0.contains("`vary` is missing"));
-    assert!(!place.path("out").join("runs").exists(), "nothing is computed before all is read");
 }
 
 #[test]

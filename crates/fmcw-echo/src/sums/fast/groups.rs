@@ -69,3 +69,46 @@ fn halves<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>) -> (Vec<&'p Path>, 
     let paths = |half: Vec<([f64; 2], &'p Path)>| half.into_iter().map(|(_, path)| path).collect();
     (paths(of), paths(fast))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sums::fast::equal_steps::EqualSteps;
+    use artifact::paths::{Curve, Facet, MAX_ORDER};
+    use num_complex::Complex64;
+    use radar::aperture::Preset;
+    use radar::paper;
+
+    /// A lorry that drives by 18 range cells of 6 cm in a frame of a tenth of a second.
+    #[test]
+    fn a_body_that_moves_by_many_range_cells_is_told_by_a_few_instants() {
+        let waveform = paper::waveform(1024, 512);
+        let radar = paper::radar([0.0, 0.0, 6.0], waveform, Preset::OneByOne.elements());
+        let steps = EqualSteps::of(&radar).remove(0);
+        let listener = Listener::new(&radar, radar.waveform.centre_frequency_hz(), steps);
+        let fraction = |i: usize, step: f64| (i as f64 * step).fract() - 0.5;
+        let path = |i: usize| {
+            let at_m = [5.4 + 2.5 * fraction(i, 0.618_034), 32.0 + 7.0 * fraction(i, 0.732_051), 2.0];
+            Path {
+                target: 0,
+                order: 1,
+                apparent_tx_m: at_m,
+                apparent_tx_mps: [0.0, -10.0, 0.0],
+                apparent_rx_m: at_m,
+                apparent_rx_mps: [0.0, -10.0, 0.0],
+                amplitude_m: [[Complex64::ONE; 2]; 2],
+                slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
+                facets: [Facet::default(); MAX_ORDER],
+                curve: Curve::default(),
+            }
+        };
+        let paths: Vec<Path> = (1..=400).map(path).collect();
+        let paths: Vec<&Path> = paths.iter().collect();
+        let moved_cells = 10.0 * radar.frame_duration_s() / radar.waveform.range_resolution_m();
+        assert!(moved_cells > 17.0, "{moved_cells}");
+        let asked = Asked { error: 6e-4, instants_max: 12, paths_min: 40 };
+        let groups = groups(&listener, &paths, &[Link { tx: 0, rx: 0 }], asked);
+        let told: usize = groups.iter().filter(|g| g.smooth.is_some()).map(|g| g.paths.len()).sum();
+        assert!(told == paths.len(), "{told} of {} paths, {} groups", paths.len(), groups.len());
+    }
+}

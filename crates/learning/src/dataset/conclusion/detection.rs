@@ -19,10 +19,10 @@ pub(super) struct DetectionTable(BTreeMap<Counted, VehicleRow>);
 /// Vehicles that a row counts, in the order of the rows.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Counted {
-    /// Of the class of this index in [`Class::ALL`].
+    /// The class of this index in [`Class::ALL`].
     OfClass(usize),
     InLane(u64),
-    /// From this many of [`BOUNDS_M`] on.
+    /// This many of [`BOUNDS_M`] and farther.
     Beyond(usize),
     All,
 }
