@@ -83,7 +83,7 @@ mod tests {
         assert!((seen.nearest(-3.9, slant).unwrap().way_m - 4.875).abs() < 1e-14, "through the lower side");
         let past = seen.on_line(1, 1.9, slant);
         assert!((past.way_m - 5.0).abs() < 1e-14, "beyond the corner, on the far side's line");
-        assert_eq!(seen.on_line(0, 1.9, slant).way_m, 0.0, "the lower side lies behind");
+        assert_eq!(seen.on_line(2, 1.9, slant).way_m, 0.0, "the lower side lies behind");
         let changes = seen.changes_m(DVec2::new(0.8, 0.6), [0.0, 2.0]);
         assert!(changes.is_empty() || changes.iter().all(|c| *c > 0.0));
         assert_eq!(FaceEnds { ends: Vec::new() }.nearest(0.0, DVec2::X), None);
