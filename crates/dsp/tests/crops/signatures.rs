@@ -38,7 +38,9 @@ fn a_point_stands_in_its_cell_with_its_own_cross_section_at_any_range_and_by_any
     let complex = [Simultaneous, Tdm, Ddm, Bpm].map(|multiplexing| (multiplexing, Sampling::Complex));
     let real = [Simultaneous, Tdm].map(|multiplexing| (multiplexing, Sampling::Real));
     for (multiplexing, sampling) in complex.into_iter().chain(real) {
-        for (range_m, rcs_m2) in [(25.0, 1.0), (40.0, 10.0), (60.0, 100.0)] {
+        // Real samples tell ranges to 30.7 m.
+        let ranges_m = if sampling == Sampling::Real { [15.0, 20.0, 25.0] } else { [25.0, 40.0, 60.0] };
+        for (range_m, rcs_m2) in ranges_m.into_iter().zip([1.0, 10.0, 100.0]) {
             let mut header = noisy(elements_3x4());
             header.radar.array.multiplexing = multiplexing;
             header.radar.waveform.sampling = sampling;
