@@ -108,7 +108,7 @@ fn a_folder_that_has_grown_neither_counts_twice_nor_tests_what_trained() {
         let output = place.try_run(words);
         let said = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{words}: {said}");
-        assert!(said.contains("sample `scene-0` is in another of the folders too"), "{words}: {said}");
+        assert!(said.contains("` is in another of the folders too; each is taken once"), "{words}: {said}");
     }
     crops::write_some(&place.path("others"), 5..9);
     assert_eq!(place.try_run("evaluate m a others").status.code(), Some(0));
