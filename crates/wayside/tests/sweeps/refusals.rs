@@ -179,11 +179,11 @@ fn what_the_scene_refuses_is_told_with_the_line_that_changes_it_and_the_scenes_o
 fn what_a_design_and_a_situation_ask_for_together_is_told_with_both() {
     let place = Workplace::new();
     let study = WHOLE
-        .replace("radar.array.preset", "radar.waveform.chirps")
-        .replace("[\"1x4\", \"3x4\"]", "[16, 65536]")
-        .replace("[goal]", "[[condition]]\nkey = \"radar.waveform.samples\"\nvalues = [64, 65536]\n[goal]");
+        .replace("radar.array.preset", "frame_interval_s")
+        .replace("[\"1x4\", \"3x4\"]", "[0.1, 0.05]")
+        .replace("[goal]", "[[condition]]\nkey = \"radar.waveform.chirps\"\nvalues = [16, 4000]\n[goal]");
     let (said, code) = said_of(&place, &study);
-    let expected = "study.toml:4:15: with radar.waveform.chirps = 65536, radar.waveform.samples = 65536 the scene \
+    let expected = "study.toml:4:16: with frame_interval_s = 0.05, radar.waveform.chirps = 4000 the scene \
                     says:\nsmall.toml:";
     assert!(said.contains(expected) && code == Some(1), "{said}");
 }
