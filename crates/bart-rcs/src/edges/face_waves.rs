@@ -74,7 +74,7 @@ impl Following<'_, '_> {
     fn follow(&mut self, crossed: &mut Vec<Crossed>, sense: Sense, span_m: [f64; 2]) {
         let Self { node, reference_m, .. } = *self;
         for Run { span_m: piece_m, exit } in (FaceWaves { node, reference_m, crossed, sense }).runs(span_m) {
-            crossed.iter_mut().last().into_iter().for_each(|last| last.exit = Some(exit));
+            exit_by(crossed, Some(exit));
             let waves = FaceWaves { node, reference_m, crossed, sense };
             let give = &mut *self.give;
             let accuracy =
@@ -91,7 +91,7 @@ impl Following<'_, '_> {
                 crossed.pop();
             }
         }
-        crossed.iter_mut().last().into_iter().for_each(|last| last.exit = None);
+        exit_by(crossed, None);
     }
 
     /// The edge at which the waves end, and the share by which those that it sends count: 0 to 1. A face with
@@ -123,6 +123,13 @@ struct Crossed {
 struct Run {
     span_m: [f64; 2],
     exit: usize,
+}
+
+/// Sets the end that all rays over the last of some faces meet.
+fn exit_by(crossed: &mut [Crossed], exit: Option<usize>) {
+    if let Some(last) = crossed.last_mut() {
+        last.exit = exit;
+    }
 }
 
 /// Share of a span that its ends are looked at from within, so that rounding does not tell where a ray meets

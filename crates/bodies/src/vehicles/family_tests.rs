@@ -20,13 +20,6 @@ static EVERY: LazyLock<Vec<(&str, u64, Mesh)>> = LazyLock::new(|| {
     family::all().iter().flat_map(|family| SEEDS.map(|seed| (family, seed))).filter_map(drawn).collect()
 });
 
-fn size_m(mesh: &Mesh) -> [f64; 3] {
-    [0, 1, 2].map(|axis| {
-        let along = mesh.vertices_m.iter().map(|v| v[axis]);
-        along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
-    })
-}
-
 #[test]
 fn every_class_has_at_least_twelve_families_whose_names_tell_it() {
     for class in Class::ALL {
@@ -63,7 +56,7 @@ fn every_family_gives_a_finite_mesh_of_some_thousand_triangles_for_every_seed() 
 #[test]
 fn dimensions_are_drawn_within_the_ranges_of_the_tables() {
     for (name, seed, mesh) in EVERY.iter() {
-        let (size_m, ranges_m) = (size_m(mesh), ranges_m(name).unwrap());
+        let (size_m, ranges_m) = (mesh.size_m(), ranges_m(name).unwrap());
         for k in 0..3 {
             let [low, high] = ranges_m[k];
             assert!(
@@ -145,7 +138,7 @@ fn crosses_are_finite_meshes_within_the_ranges_of_both() {
         for seed in [0, 7] {
             let mesh = mesh(&name, seed).unwrap();
             assert!(mesh.vertices_m.iter().flatten().all(|v| v.is_finite()), "{name} {seed}");
-            let (size_m, ranges_m) = (size_m(&mesh), ranges_m(&name).unwrap());
+            let (size_m, ranges_m) = (mesh.size_m(), ranges_m(&name).unwrap());
             let within = |k: usize| (ranges_m[k][0] - 2e-6..=ranges_m[k][1] + 2e-6).contains(&size_m[k]);
             assert!((0..3).all(within), "{name} {seed}: {size_m:?} of {ranges_m:?}");
         }

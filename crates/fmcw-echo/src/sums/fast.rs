@@ -9,3 +9,5 @@ pub(crate) mod kernel; // a tone on the cells beside it
 pub(crate) mod tone_grid; // non-uniform FFT
 pub(crate) mod groups; // paths that move alike
 pub mod fast_sum; // the cube
+#[cfg(test)]
+mod test_path;

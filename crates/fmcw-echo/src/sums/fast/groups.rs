@@ -74,8 +74,7 @@ fn halves<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>) -> (Vec<&'p Path>, 
 mod tests {
     use super::*;
     use crate::sums::fast::equal_steps::EqualSteps;
-    use artifact::paths::{Curve, Facet, MAX_ORDER};
-    use num_complex::Complex64;
+    use crate::sums::fast::test_path::path_by;
     use radar::aperture::Preset;
     use radar::paper;
 
@@ -89,18 +88,7 @@ mod tests {
         let fraction = |i: usize, step: f64| (i as f64 * step).fract() - 0.5;
         let path = |i: usize| {
             let at_m = [5.4 + 2.5 * fraction(i, 0.618_034), 32.0 + 7.0 * fraction(i, 0.732_051), 2.0];
-            Path {
-                target: 0,
-                order: 1,
-                apparent_tx_m: at_m,
-                apparent_tx_mps: [0.0, -10.0, 0.0],
-                apparent_rx_m: at_m,
-                apparent_rx_mps: [0.0, -10.0, 0.0],
-                amplitude_m: [[Complex64::ONE; 2]; 2],
-                slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
-                facets: [Facet::default(); MAX_ORDER],
-                curve: Curve::default(),
-            }
+            path_by(at_m, [0.0, -10.0, 0.0])
         };
         let paths: Vec<Path> = (1..=400).map(path).collect();
         let paths: Vec<&Path> = paths.iter().collect();

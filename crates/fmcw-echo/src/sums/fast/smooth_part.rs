@@ -285,7 +285,7 @@ mod tests {
     use super::*;
     use crate::sums::fast::equal_steps::EqualSteps;
     use crate::sums::fast::instants::Link;
-    use artifact::paths::{Facet, MAX_ORDER};
+    use crate::sums::fast::test_path::path_by;
     use artifact::radar::Radar;
     use radar::aperture::Preset;
     use radar::paper;
@@ -303,17 +303,9 @@ mod tests {
         let steps = EqualSteps::of(&radar).remove(0);
         let listener = Listener::new(&radar, radar.waveform.centre_frequency_hz(), steps);
         let fraction = |i: usize, step: f64| (i as f64 * step).fract() - 0.5;
-        let path = |i: usize| Path {
-            target: 0,
-            order: 1,
-            apparent_tx_m: [0.0, 2e5 + 5.0 * fraction(i, 0.618_034), 0.0],
-            apparent_tx_mps: [0.0, -10.0 + 0.6 * fraction(i, 0.732_051), 0.0],
-            apparent_rx_m: [0.0, 2e5 + 5.0 * fraction(i, 0.618_034), 0.0],
-            apparent_rx_mps: [0.0, -10.0 + 0.6 * fraction(i, 0.732_051), 0.0],
-            amplitude_m: [[Complex64::ONE; 2]; 2],
-            slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
-            facets: [Facet::default(); MAX_ORDER],
-            curve: Curve::default(),
+        let path = |i: usize| {
+            let at_m = [0.0, 2e5 + 5.0 * fraction(i, 0.618_034), 0.0];
+            path_by(at_m, [0.0, -10.0 + 0.6 * fraction(i, 0.732_051), 0.0])
         };
         let paths: Vec<Path> = (1..=200).map(path).collect();
         let paths: Vec<&Path> = paths.iter().collect();

@@ -7,6 +7,8 @@ mod silhouette;
 mod isar;
 mod pictures;
 mod references;
+#[cfg(test)]
+mod test_request;
 
 use crate::program::cli::RcsArguments;
 use crate::program::terminal;

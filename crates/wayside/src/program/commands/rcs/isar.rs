@@ -158,10 +158,8 @@ impl Profile {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::Accuracy;
-    use artifact::radar::Polarization;
+    use crate::program::commands::rcs::test_request::request_of;
     use artifact::scene::Mesh;
-    use artifact::settings::{Edges, NodeRule, Sides, Surface};
     use bart_rcs::{RcsRequest, Standpoint};
 
     fn scatterer(ahead_m: f64, left_m: f64, frequency_hz: &[f64], azimuth_rad: &[f64]) -> Array2<Complex64> {
@@ -235,20 +233,8 @@ mod tests {
     /// Azimuths over 0.06 rad from `first_rad` on, a cross-range cell of 3 cm, in steps of λ/(2·2.7 m): less
     /// than the square's side.
     fn request(frequency_hz: Vec<f64>, first_rad: f64) -> RcsRequest {
-        RcsRequest {
-            frequency_hz,
-            elevation_rad: vec![0.0],
-            azimuth_rad: (0..84).map(|i| first_rad + 7.2e-4 * f64::from(i)).collect(),
-            range_m: f64::INFINITY,
-            receiver: None,
-            polarization: Polarization::Vv,
-            bounces: 1,
-            nodes: NodeRule::OwnEdge,
-            edges: Edges::Ignored,
-            surface: Surface::Flat,
-            sides: Sides::Two,
-            accuracy: Accuracy::from_db(-40.0),
-        }
+        let azimuth_rad: Vec<f64> = (0..84).map(|i| first_rad + 7.2e-4 * f64::from(i)).collect();
+        request_of(&frequency_hz, &azimuth_rad)
     }
 
     #[test]

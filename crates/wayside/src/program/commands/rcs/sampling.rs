@@ -112,9 +112,7 @@ pub(super) fn centre(frequency_hz: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::Accuracy;
-    use artifact::radar::Polarization;
-    use artifact::settings::{Edges, NodeRule, Sides, Surface};
+    use crate::program::commands::rcs::test_request::request_of;
     use bart_rcs::Standpoint;
 
     /// A box of 4 m × 2 m × 1 m that stands 10 m ahead of its origin.
@@ -157,23 +155,5 @@ mod tests {
     fn a_body_ahead_of_its_origin_is_nearer() {
         let extent = Look::of(&request_of(&[77e9], &[0.0]), 0.0).extent(&body());
         assert!((extent.range_m[0] + 12.0).abs() < 1e-12 && (extent.range_m[1] + 8.0).abs() < 1e-12);
-    }
-
-    /// A plain request over frequencies and azimuths, far away.
-    fn request_of(frequency_hz: &[f64], azimuth_rad: &[f64]) -> RcsRequest {
-        RcsRequest {
-            frequency_hz: frequency_hz.to_vec(),
-            elevation_rad: vec![0.0],
-            azimuth_rad: azimuth_rad.to_vec(),
-            range_m: f64::INFINITY,
-            receiver: None,
-            polarization: Polarization::Vv,
-            bounces: 1,
-            nodes: NodeRule::OwnEdge,
-            edges: Edges::Ignored,
-            surface: Surface::Flat,
-            sides: Sides::Two,
-            accuracy: Accuracy::from_db(-40.0),
-        }
     }
 }
