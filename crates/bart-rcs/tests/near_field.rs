@@ -166,6 +166,36 @@ fn a_box_without_a_lid_is_no_closed_body() {
     assert!(found.amplitude_m[0].is_finite() && found.error.total().is_some_and(f64::is_finite));
 }
 
+/// A plate that is one tile of integrals as fine as asked and of ones ten times finer differs by nothing
+/// between them, and in its sidelobes errs by as much as it sends.
+#[test]
+fn the_error_told_of_small_plates_in_their_sidelobes_is_true() {
+    let (mut covered, mut count) = (0, 0);
+    for (side_m, range_m) in [(0.1, 2.0), (0.1, 5.0), (0.2, 5.0), (0.2, 12.0), (0.4, 12.0)] {
+        let mut small = plate();
+        small.vertices_m.iter_mut().for_each(|corner| *corner = corner.map(|x| side_m * x));
+        for azimuth_rad in [0.3, 0.55, 0.8, 1.05, 1.3] {
+            for azimuths in [1, 12] {
+                let of = |db| {
+                    let azimuth_rad = (0..azimuths).map(|i| azimuth_rad + 1e-3 * f64::from(i)).collect();
+                    let accuracy = Accuracy::from_db(db);
+                    let asked = RcsRequest { azimuth_rad, accuracy, bounces: 1, ..request(range_m) };
+                    rcs(&small, &asked, &|_, _| ()).unwrap()
+                };
+                let (coarse, fine) = (of(-20.0), of(-100.0));
+                let norm = |values: &[Complex64]| values.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt();
+                let pairs = coarse.amplitude_m.iter().zip(&fine.amplitude_m);
+                let missed: Vec<Complex64> = pairs.map(|(coarse, fine)| coarse - fine).collect();
+                let (told, error) = (coarse.error.total().unwrap(), norm(&missed) / norm(&fine.amplitude_m));
+                println!("{side_m} m at {range_m} m, {azimuth_rad} rad: told {told:.1e}, true {error:.1e}");
+                covered += u32::from(error <= told);
+                count += 1;
+            }
+        }
+    }
+    assert!(100 * covered >= 95 * count, "{covered} of {count}");
+}
+
 #[test]
 fn the_error_told_of_a_table_is_that_of_its_flash_wherever_it_stands() {
     for count in [4_usize, 12] {

@@ -9,6 +9,7 @@ use crate::beams::image_tree::goes_by_road;
 use crate::bodies::world::World;
 use crate::joins::joint::{Reverse, Trees};
 use crate::mesh::wedges::world_edges::{EdgeGeometry, FacetSide, WorldEdges};
+use artifact::paths::MAX_ORDER;
 use glam::DVec3;
 
 /// A part of an edge that one end lights along one way.
@@ -17,13 +18,18 @@ pub(crate) struct LitEdge {
     pub(crate) edge: u32,
     /// Facets on the way, the edge's own included.
     pub(crate) order: u8,
-    /// The mirror before it.
-    parent: Option<u32>,
+    /// Patches of the mirrors before it, the nearest first.
+    mirrors: Mirrors,
     /// A beam that reaches the edge: its leg is the way there.
     pub(crate) beam: u32,
     /// Span along the edge, m.
     pub(crate) span_m: [f64; 2],
 }
+
+/// Patches of the mirrors of a way; [`NO_MIRROR`] behind the last. Light of one mirror comes in pieces
+/// wherever a seam lies on it, and its ways are one.
+type Mirrors = [u32; MAX_ORDER];
+const NO_MIRROR: u32 = u32::MAX;
 
 /// A part of an edge that both ends light.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,18 +65,26 @@ pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_
             let lit = |span_m| LitEdge {
                 edge: side.edge,
                 order: beam.order,
-                parent: beam.parent,
+                mirrors: mirrors_of(world, tree, beam),
                 beam: index,
                 span_m,
             };
             found.extend(reached.map(lit));
         }
     }
-    let key = |lit: &LitEdge| (lit.edge, lit.order, lit.parent);
+    let key = |lit: &LitEdge| (lit.edge, lit.order, lit.mirrors);
     found.sort_by(|a, b| {
         key(a).cmp(&key(b)).then(a.span_m[0].total_cmp(&b.span_m[0])).then(a.beam.cmp(&b.beam))
     });
     united(found, world.tolerance_m())
+}
+
+fn mirrors_of(world: &World, tree: &BeamTree, beam: &Beam) -> Mirrors {
+    let parent = |beam: &Beam| beam.parent.map(|index| &tree.beams[index as usize]);
+    let before = std::iter::successors(parent(beam), |beam| parent(beam));
+    let mut mirrors = [NO_MIRROR; MAX_ORDER];
+    mirrors.iter_mut().zip(before).for_each(|(patch, mirror)| *patch = world.patch(mirror.facet));
+    mirrors
 }
 
 /// Spans of an edge that sides of a beam's polygon cover.
@@ -102,7 +116,7 @@ fn united(found: Vec<LitEdge>, tolerance_m: f64) -> Vec<LitEdge> {
     for lit in found {
         match united.last_mut() {
             Some(last)
-                if (last.edge, last.order, last.parent) == (lit.edge, lit.order, lit.parent)
+                if (last.edge, last.order, last.mirrors) == (lit.edge, lit.order, lit.mirrors)
                     && lit.span_m[0] <= last.span_m[1] + 16.0 * tolerance_m =>
             {
                 last.span_m[1] = last.span_m[1].max(lit.span_m[1]);

@@ -140,7 +140,6 @@ impl<'a> FlatPatches<'a> {
 }
 
 /// What is lit of one node, all its pieces together.
-#[derive(Default)]
 struct LitNode {
     area_m2: f64,
     across_m2: f64,
@@ -153,8 +152,17 @@ struct LitNode {
 }
 
 impl LitNode {
+    const NOTHING: Self = Self {
+        area_m2: 0.0,
+        across_m2: 0.0,
+        moment_m3: DVec3::ZERO,
+        second_moment_m4: DMat3::ZERO,
+        gradient: None,
+        origin_m: DVec3::ZERO,
+    };
+
     fn of(scatterer: &Scatterer<'_>, joints: &Joints, members: impl Iterator<Item = usize>) -> Self {
-        let mut lit = Self::default();
+        let mut lit = Self::NOTHING;
         for joint in members.map(|index| &joints.list[index]) {
             lit.add(scatterer, joint, joints.polygon(joint));
         }

@@ -6,7 +6,7 @@
 
 use crate::frame::band_power::{MARGIN, mean, total};
 use crate::frame::path_plan::Plan;
-use crate::joins::afforded::fits;
+use crate::joins::afforded::{FAR_FINER, are_few_tiles};
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::table::meeting::{MeetingSettings, OrderJoints};
 use artifact::settings::Edges;
@@ -31,14 +31,8 @@ const OVER_DIFFERENCE_WITH_EDGES: f64 = 0.75;
 /// their bounds and less, and mostly cancel. Beyond [`COARSEST`] bounds tell little of errors.
 const FIRST: f64 = 2.0;
 const COARSEST: f64 = 0.25;
-/// Most meetings on a body whose integrals are compared with far finer ones instead: many polygons err by
-/// what they differ by, but a few may be whole tiles of both, and differ by nothing. A plate's sidelobe is as
-/// small as what its tile leaves out.
+/// Most meetings on a body whose integrals are compared with far finer ones instead.
 const FEW: usize = 64;
-/// Bounds of those far finer integrals over their own.
-const FAR_FINER: f64 = 1.0 / 512.0;
-/// Most tiles of those: polygons that are cut into more of them are of many tiles as it is.
-const TILES_MOST: u64 = 4096;
 /// Share of the accuracy asked for that integrals may take; freezing and what is dropped have the rest,
 /// √(1 − 0.7²) = 0.71.
 const INTEGRATION_SHARE: f64 = 0.7;
@@ -146,7 +140,7 @@ impl Look<'_> {
         own: &[Complex64],
         coarser: impl FnOnce() -> Vec<Complex64>,
     ) -> Vec<Complex64> {
-        let (other, over_difference) = if self.has_few_tiles(body, FAR_FINER * accuracy) {
+        let (other, over_difference) = if self.has_few_tiles(body, accuracy) {
             (self.of_all_orders(body, FAR_FINER * accuracy), 1.0)
         } else {
             (coarser(), self.over_difference())
@@ -172,7 +166,7 @@ impl Look<'_> {
         let bracket = bracket_of(self.plan.header.fidelity.nodes);
         let integration = Integration { wavenumbers_per_m: self.wavenumbers_per_m, accuracy, bracket };
         on_body.iter().map(OrderJoints::count).sum::<usize>() <= FEW
-            && fits(self.scatterer, on_body.iter().map(|meeting| &meeting.facets), &integration, TILES_MOST)
+            && are_few_tiles(self.scatterer, on_body.iter().map(|meeting| &meeting.facets), &integration)
     }
 }
 

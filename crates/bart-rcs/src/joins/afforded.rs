@@ -35,7 +35,7 @@ pub(crate) fn afforded<'j>(
 
 /// Whether there are no more tiles than that. Counting ends once there are more: which ones were counted by
 /// then depends on the threads, the answer does not.
-pub(crate) fn fits<'j>(
+fn fits<'j>(
     scatterer: &Scatterer<'_>,
     joints: impl Iterator<Item = &'j Joints>,
     integration: &Integration<'_>,
@@ -55,6 +55,23 @@ pub(crate) fn fits<'j>(
         }
     }
     tiles.into_inner() <= most
+}
+
+/// Bounds of far finer integrals over those that they are compared with, where tiles are few: many polygons
+/// err by what integrals some times finer differ by, but a few may be whole tiles of both, and differ by
+/// nothing. A plate's sidelobe is as small as what its tile leaves out.
+pub(crate) const FAR_FINER: f64 = 1.0 / 512.0;
+/// Most tiles of those: polygons that are cut into more of them are of many tiles as it is.
+pub(crate) const FAR_FINER_TILES: u64 = 4096;
+
+/// Whether far finer integrals than these are of few tiles.
+pub(crate) fn are_few_tiles<'j>(
+    scatterer: &Scatterer<'_>,
+    joints: impl Iterator<Item = &'j Joints>,
+    integration: &Integration<'_>,
+) -> bool {
+    let far_finer = Integration { accuracy: FAR_FINER * integration.accuracy, ..*integration };
+    fits(scatterer, joints, &far_finer, FAR_FINER_TILES)
 }
 
 /// Joints that one thread counts in turn.

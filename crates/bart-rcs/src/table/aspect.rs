@@ -5,13 +5,14 @@ use crate::beams::beam::BeamTree;
 use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
+use crate::joins::afforded::{FAR_FINER_TILES, are_few_tiles};
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
 use crate::oversight::work_meter::WorkMeter;
-use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
+use crate::table::aspect_settings::{AspectSettings, Check, Checks, Finer, IntegralsCheck};
 use crate::table::end_tree::EndTree;
 use crate::table::meeting::OrderJoints;
 use crate::table::rcs_request::Aspect;
@@ -91,7 +92,9 @@ pub(crate) fn scattering_with(
     let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), &chosen, &mirrors, settings);
     ends.phase = Phase::Checking;
     let is_measured = checks.integrals != IntegralsCheck::Skipped;
-    let finer_m = is_measured.then(|| ends.finer(&chosen, aspect, settings)).transpose()?;
+    let is_few = is_measured && ends.are_few(aspect, settings);
+    let finer = if is_few { Finer::Far } else { Finer::TenTimes };
+    let finer_m = is_measured.then(|| ends.finer(&chosen, aspect, (finer, settings))).transpose()?;
     let edges_power = (checks.model == Check::Measured).then(|| ends.edges_power(settings)).flatten();
     let (other_m, left_out_power) = match checks.model {
         Check::Measured => (Some(ends.by_other_rule(&chosen, settings)?), ends.left_out_power(settings)),
@@ -101,7 +104,7 @@ pub(crate) fn scattering_with(
     let chosen_m: Vec<Vec<Complex64>> = chosen.into_iter().map(|order| order.s_m).collect();
     let error_power = finer_m.as_ref().map(|finer_m| {
         let difference = power_between(&chosen_m, finer_m);
-        checks.integrals.error_power(difference, (accuracy, settings.edges), power_of(finer_m))
+        checks.integrals.error_power((difference, finer), (accuracy, settings.edges), power_of(finer_m))
     });
     let taken = finer_m.filter(|_| checks.integrals == IntegralsCheck::Taken);
     // Both node rules are compared by integrals that are as fine as each other.
@@ -226,17 +229,35 @@ impl<'a> Ends<'a> {
         Scatterer::new(self.world, trees, self.zenith_h).heard_by(self.phase, self.progress)
     }
 
-    /// S by order, then frequency, by integrals ten times finer; by finer edges alone where facets are exact.
+    /// Whether far finer integrals are of few tiles; not asked where facets are exact.
+    fn are_few(&self, aspect: &Aspect, settings: &AspectSettings) -> bool {
+        let scatterer = self.scatterer();
+        let integration = settings.integration(settings.nodes);
+        let is_few = |meetings: &[OrderJoints]| {
+            are_few_tiles(&scatterer, meetings.iter().map(|meeting| &meeting.facets), &integration)
+        };
+        // More beams than that are as many tiles at least.
+        let has_few_beams = self.beams().iter().all(|beams| *beams <= FAR_FINER_TILES);
+        self.are_cut(aspect) && has_few_beams && is_few(&meetings(&scatterer, 1, settings.nodes, settings))
+    }
+
+    /// Whether facets are cut into tiles.
+    fn are_cut(&self, aspect: &Aspect) -> bool {
+        aspect.is_near() || self.world.skin_error() > 0.0
+    }
+
+    /// S by order, then frequency, by finer integrals; by finer edges alone where facets are exact.
     fn finer(
         &self,
         chosen: &[OfOrder],
         aspect: &Aspect,
-        settings: &AspectSettings,
+        (finer, settings): (Finer, &AspectSettings),
     ) -> Result<Vec<Vec<Complex64>>, BartError> {
         // 10^⅔ times as many tiles, or some more where they were few: never coarser again.
-        let (accuracy, most_tiles) = (0.1 * settings.accuracy, settings.most_tiles.saturating_mul(100));
-        let finer = AspectSettings { accuracy, most_tiles, ..settings.clone() };
-        if aspect.is_near() || self.world.skin_error() > 0.0 {
+        let most_tiles = settings.most_tiles.saturating_mul(100);
+        let finer =
+            AspectSettings { accuracy: finer.bounds() * settings.accuracy, most_tiles, ..settings.clone() };
+        if self.are_cut(aspect) {
             return self.orders(1, settings.nodes, &finer);
         }
         let scatterer = self.scatterer();

@@ -2,7 +2,7 @@
 
 use crate::beams::beam::TraceSettings;
 use crate::bodies::stand_off::distance_and_diagonal_m;
-use crate::joins::afforded::afforded;
+use crate::joins::afforded::{FAR_FINER, afforded};
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::oversight::error::BartError;
 use crate::table::meeting::{MeetingSettings, OrderJoints};
@@ -96,7 +96,26 @@ pub(crate) struct Checks {
     pub(crate) model: Check,
 }
 
-/// Use of integrals that are ten times finer.
+/// Integrals that an aspect's are compared with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Finer {
+    /// Bounds are a tenth.
+    TenTimes,
+    /// Bounds are [`FAR_FINER`], as tiles are few.
+    Far,
+}
+
+impl Finer {
+    /// Bounds over those of the coarser ones.
+    pub(crate) fn bounds(self) -> f64 {
+        match self {
+            Self::TenTimes => 0.1,
+            Self::Far => FAR_FINER,
+        }
+    }
+}
+
+/// Use of integrals that are finer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum IntegralsCheck {
     /// They are not made.
@@ -115,10 +134,17 @@ impl IntegralsCheck {
     /// finer ones half of it is taken, and with edges three quarters: over random vehicles they erred by 7 to
     /// 27 dB less than the difference, with edges by 3 dB and more; the coarser then err by 1.75 of it.
     /// Polygons whose bounds were a tenth of `accuracy` before stay as they are and err in both: by a
-    /// twentieth of their bounds, for bounds are that far above errors.
-    pub(crate) fn error_power(self, difference: f64, (accuracy, edges): (f64, Edges), power: f64) -> f64 {
+    /// twentieth of their bounds, for bounds are that far above errors. Far finer ones over facets alone err
+    /// by ten times the ratio of the bounds at most (S of plates in their sidelobes: by less than that ratio).
+    pub(crate) fn error_power(
+        self,
+        (difference, finer): (f64, Finer),
+        (accuracy, edges): (f64, Edges),
+        power: f64,
+    ) -> f64 {
         const IN_BOTH: f64 = 0.1 * 0.05;
         let over_difference = match (self, edges) {
+            (Self::Taken, Edges::Ignored) if finer == Finer::Far => 10.0 * FAR_FINER,
             (Self::Taken, Edges::Ignored) => 0.5,
             (Self::Taken, Edges::FirstOrder) => 0.75,
             (_, Edges::Ignored) => 1.0 / (1.0 - 0.1),
