@@ -6,6 +6,7 @@ pub mod fcd;
 #[cfg_attr(not(feature = "interchange"), path = "recording/no_trace.rs")]
 pub(crate) mod trace;
 pub mod interpolation;
+pub(crate) mod driven;
 pub(crate) mod clock;
 pub(crate) mod in_view;
 pub mod net;

@@ -19,6 +19,7 @@ use crate::document::section::Section;
 use crate::models::library::{Chosen, Models};
 use crate::models::nearest_in_size::nearest_in_size;
 use crate::recording::clock::{Clock, Times};
+use crate::recording::driven::Driven;
 use crate::recording::fcd::{FcdError, FcdRule, FcdVehicle, UnknownType};
 use crate::recording::in_view::View;
 use crate::recording::interpolation::Interval;
@@ -195,10 +196,12 @@ impl Recording<'_> {
     fn read(&mut self, models: &mut Models, targets: &[Target]) -> Result<Traffic, FcdError> {
         let mut reader = self.source.open()?;
         let (mut cast, mut interval, mut clock) = (Cast::new(targets), Interval::default(), None);
+        let mut driven = Driven::default();
         while let Some(step) = reader.next_step()? {
             let clock = clock.get_or_insert_with(|| Clock::of(self.times, step.time_s));
             let line = step.line;
             interval.advance(step);
+            driven.take(&interval);
             while let Some(time_s) =
                 clock.frame_until(interval.end_s()).map_err(|rule| reader.error_at(line, rule))?
             {
@@ -212,6 +215,7 @@ impl Recording<'_> {
         if let Some(first) = self.unknown.first() {
             return Err(reader.error_at(first.line, self.unknown_types()));
         }
+        driven.checked().map_err(|rule| reader.error_at(1, rule))?;
         let clock = clock.ok_or_else(|| reader.error_at(1, FcdRule::NoSteps))?;
         clock.checked(interval.end_s()).map_err(|rule| reader.error_at(1, rule))?;
         Ok(cast.traffic)
@@ -228,7 +232,9 @@ impl Recording<'_> {
         let mut placed = vec![];
         for vehicle in interval.vehicles() {
             let Some(bumper) = interval.bumper(vehicle, time_s) else { continue };
-            let Some(model) = self.model_of(vehicle, reader.size_m(&vehicle.id), models) else { continue };
+            let known = cast.model_of(vehicle).cloned();
+            let drawn = || self.model_of(vehicle, reader.size_m(&vehicle.id), models);
+            let Some(model) = known.or_else(drawn) else { continue };
             let pose = bumper.pose(self.reach_m(&model));
             let [x, y, _] = pose.position_m;
             if self.view.touches(DVec2::new(x, y), model.radius_m) {
@@ -253,7 +259,9 @@ impl Recording<'_> {
         models: &mut Models,
     ) -> Option<PlacedModel> {
         // A vType that was changed for one vehicle is called `car@flow.3`.
-        let name = vehicle.kind.split('@').next().unwrap_or_default();
+        let before_at = vehicle.kind.split('@').next().unwrap_or_default();
+        let is_named = self.models.contains_key(&vehicle.kind);
+        let name = if is_named { &vehicle.kind } else { before_at };
         if !self.models.contains_key(name) {
             match self.source {
                 Source::Fcd(_) => self.add_default(name, models),
@@ -302,6 +310,10 @@ impl Recording<'_> {
     /// Default models are loaded where a vehicle needs them.
     fn add_default(&mut self, name: &str, models: &mut Models) {
         let Some((_, model)) = DEFAULT_MODELS.iter().find(|(known, _)| *known == name) else { return };
+        // Whoever writes `Car` means the recording's `car`, and is told so rather than given the default.
+        if self.models.keys().any(|own| own.eq_ignore_ascii_case(name)) {
+            return;
+        }
         let chosen = models.choose_written(&self.section, model);
         let of_type = chosen.into_iter().map(|chosen| PlacedModel::of(chosen, None, models)).collect();
         self.models.insert(name.to_owned(), of_type);
@@ -327,7 +339,8 @@ impl Recording<'_> {
 
 /// Vehicles as they come into view.
 struct Cast<'a> {
-    known: HashMap<String, u32>,
+    /// Index and model by id: a vehicle whose type is changed later stays what it was.
+    known: HashMap<String, (u32, PlacedModel)>,
     ids_of_targets: HashSet<&'a str>,
     /// Number of poses held.
     poses: usize,
@@ -343,7 +356,7 @@ impl<'a> Cast<'a> {
     /// Index of a vehicle, new or known.
     fn place_of(&mut self, vehicle: &FcdVehicle, model: &PlacedModel) -> Result<u32, FcdRule> {
         if let Some(known) = self.known.get(&vehicle.id) {
-            return Ok(*known);
+            return Ok(known.0);
         }
         // Ids stand in tables of results, one beside the other.
         if vehicle.id.chars().any(|c| c.is_control() || ",\"'".contains(c)) {
@@ -354,7 +367,12 @@ impl<'a> Cast<'a> {
         }
         let index = self.traffic.vehicles.len() as u32;
         self.traffic.vehicles.push(Vehicle { id: vehicle.id.clone(), kind: model.kind.clone() });
-        self.known.insert(vehicle.id.clone(), index);
+        self.known.insert(vehicle.id.clone(), (index, model.clone()));
         Ok(index)
+    }
+
+    /// Model of a vehicle that was in view.
+    fn model_of(&self, vehicle: &FcdVehicle) -> Option<&PlacedModel> {
+        self.known.get(&vehicle.id).map(|(_, model)| model)
     }
 }

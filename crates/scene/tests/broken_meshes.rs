@@ -74,6 +74,8 @@ fn container_cases() -> Vec<Case> {
         ("asset.glb", changed("/asset/version", json!("1.0")), ": ", "is glTF 1.0; version 2 is read"),
         ("draco.glb", changed("/extensionsRequired", json!(["KHR_draco_mesh_compression"])), ": ", "is compressed by `KHR_draco_mesh_compression`"),
         ("meshopt.glb", changed("/extensionsRequired", json!(["EXT_meshopt_compression"])), ": ", "is compressed by `EXT_meshopt_compression`"),
+        ("instances.glb", changed("/extensionsUsed", json!(["EXT_mesh_gpu_instancing"])), ": ", "needs the extension `EXT_mesh_gpu_instancing`"),
+        ("hidden.glb", changed("/extensionsUsed", json!(["KHR_node_visibility"])), ": ", "needs the extension `KHR_node_visibility`"),
         ("unknown.glb", changed("/extensionsRequired", json!(["ACME_cubes"])), ": ", "needs the extension `ACME_cubes`"),
         // Buffers and views.
         ("nobuffer.gltf", serde_json::to_vec(&GlbFile::tetrahedron().json).unwrap(), ": buffers[0]: ", "has no data"),

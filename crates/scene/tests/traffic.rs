@@ -11,7 +11,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use glam::{DVec2, DVec3};
 use scene::traffic::fcd::{FcdReader, FcdStep, FcdVehicle};
-use scene::traffic::interpolation::{Interval, LANE_CHANGE_S, sideways_jump};
+use scene::traffic::interpolation::{Interval, LANE_CHANGE_S, Step as Kind};
 use scene::{Meshes, ReadOptions, frame_view, snapshot};
 use std::fmt::Write as _;
 use std::io::{Read as _, Write as _};
@@ -448,7 +448,9 @@ fn recordings_made_with_sumo_are_read_as_their_readme_says() {
             got.3 += step
                 .vehicles
                 .iter()
-                .filter(|v| earlier(v).is_some_and(|b| sideways_jump(b, v).is_some()))
+                .filter(|v| {
+                    earlier(v).is_some_and(|b| matches!(Kind::between(b, v, 0.1), Kind::LaneChange { .. }))
+                })
                 .count();
             before = step;
         }

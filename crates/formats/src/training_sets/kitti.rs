@@ -58,7 +58,7 @@ pub(crate) fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(),
 
 fn cloud(header: &PointsHeader, axes: &LevelledAxes, frame: &PointsFrame) -> Vec<u8> {
     let seen = frame.points.iter().map(|point| Detection::of(header.cube.as_ref(), axes, point));
-    velodyne::to_bytes(&seen.collect::<Vec<_>>())
+    velodyne::to_bytes(&seen.filter(Detection::is_sound).collect::<Vec<_>>())
 }
 
 /// The camera's matrix, and the turn from the radar's axes to the camera's: x right, y down, z ahead. Which

@@ -65,7 +65,7 @@ fn rows(header: &PointsHeader, axes: &LevelledAxes, frame: &PointsFrame) -> Vec<
         // radar takes them, resolved or within its span.
         ambiguity: 3,
     };
-    frame.points.iter().enumerate().map(row).collect()
+    frame.points.iter().enumerate().map(row).filter(|row| row.seen.is_sound()).collect()
 }
 
 fn points_in(body: &TruthBox, points: &[Point]) -> usize {

@@ -258,7 +258,7 @@ impl<'a> Chain<'a> {
                 let compute = || {
                     let (tracer, view) = (self.tracer(plan)?, scene::frame_view(self.header, scene.index));
                     let progress = &Work::begin(format!("frame {}, tables of bodies", scene.index));
-                    tracer.tables(&view, scene, progress).map_err(Failure::refused)
+                    tracer.tables(&view, scene, progress).map_err(|error| refused_in(scene, &error))
                 };
                 let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
                 let (index, time_s) = (scene.index, scene.time_s);
@@ -279,7 +279,7 @@ impl<'a> Chain<'a> {
         let measured = of_another_scene.as_ref().or(in_this_scene.as_ref());
         let progress = &Work::begin(format!("frame {}, paths", scene.index));
         let surroundings = FrameSurroundings { like: measured.map(Arc::as_ref), progress };
-        let frame = tracer.paths(&view, scene, &surroundings).map_err(Failure::refused)?;
+        let frame = tracer.paths(&view, scene, &surroundings).map_err(|error| refused_in(scene, &error))?;
         let stands = |_: &&Arc<PathsFrame>| self.plan(measured_in).keys.bart_rcs == plan.keys.bart_rcs;
         Ok(match in_this_scene.as_ref().filter(stands) {
             Some(same) => PathsFrame { trace: same.trace.clone(), ..frame },
@@ -468,4 +468,9 @@ impl Log {
         }
         Ok(step.value)
     }
+}
+
+/// Refusal of a frame that cannot be traced, with its time: bodies of traffic are elsewhere in others.
+fn refused_in(scene: &SceneFrame, error: &bart_rcs::BartError) -> Failure {
+    Failure::refused(format!("frame {}, {:.3} s: {error}", scene.index, scene.time_s))
 }

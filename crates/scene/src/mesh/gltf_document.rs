@@ -29,6 +29,9 @@ const HARMLESS: [&str; 6] = [
 const COMPRESSION: [&str; 3] =
     ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
+/// Extensions that a file need not require and that say where bodies are.
+const SHAPING: [&str; 2] = ["EXT_mesh_gpu_instancing", "KHR_node_visibility"];
+
 pub(crate) fn read_glb(bytes: &[u8], path: &Path) -> Result<Vec<Part>, Located> {
     let (json, binary) =
         gltf_buffers::split_container(bytes).map_err(|fault| MeshPlace::File.fault(fault))?;
@@ -83,7 +86,8 @@ fn check_extensions(root: &Root) -> Result<(), MeshFault> {
             return Err(MeshFault::Extension(name.clone()));
         }
     }
-    Ok(())
+    let shaping = root.extensions_used.iter().find(|name| SHAPING.contains(&name.as_str()));
+    shaping.map_or(Ok(()), |name| Err(MeshFault::Extension(name.clone())))
 }
 
 fn read_mesh_instance(

@@ -108,6 +108,17 @@ pub enum FcdRule {
          interchange` in the project's folder builds one with it"
     )]
     WithoutInterchange,
+    /// Ways that are no ways of such speeds.
+    #[error(
+        "its vehicles drive {told_m:.0} m by their speeds and {way_m:.3} m by their places: coordinates in \
+         degrees (SUMO's `--fcd-output.geo`) are not read, metres are"
+    )]
+    NotMetres {
+        /// Ways of all vehicles by the speeds that are told, m.
+        told_m: f64,
+        /// The same by their places.
+        way_m: f64,
+    },
     /// XML, but of something else.
     #[error("the first element is <{0}>; floating-car data begin with <fcd-export>")]
     NotFcd(String),
@@ -398,7 +409,7 @@ fn open_element(
     }
 }
 
-/// Coordinates beyond this are a slip of units, or degrees of a map (docs/scenes.md).
+/// Coordinates beyond this are a slip of units (docs/scenes.md).
 const COORDINATE_LIMIT_M: f64 = 1e5;
 /// Speed of sound: beyond it nothing drives.
 const SPEED_LIMIT_MPS: f64 = 340.0;

@@ -12,11 +12,11 @@
 //!   moves as both say: its velocity is the exact derivative of its position;
 //! - a vehicle is there from its first step to its last, at its first with the speed told there;
 //! - a lane change, which SUMO's default model makes within one step, is driven in [`LANE_CHANGE_S`]: the
-//!   sideways part of the jump, told by [`SIDEWAYS_JUMP_M`], follows 3s² − 2s³ from the step before the jump
-//!   on. Yaw stays as recorded: the body slides across by up to 1.5·3.75 m/4 s = 1.4 m/s, at 10 m/s 8° off
-//!   its axis;
-//! - a vehicle that would have to be faster than [`TELEPORT_MPS`] was put elsewhere by the simulation: it is
-//!   not there between the two steps.
+//!   sideways part of the jump, told by [`SIDEWAYS_JUMP_M`] and by what a turn of the step explains, follows
+//!   3s² − 2s³ from the step before the jump on. Yaw stays as recorded: the body slides across by up to
+//!   1.5·3.75 m/4 s = 1.4 m/s, at 10 m/s 8° off its axis;
+//! - a vehicle that would have to be faster than [`TELEPORT_MPS`], or to jump further aside than
+//!   [`TELEPORT_ASIDE_M`], was put elsewhere by the simulation: it is not there between the two steps.
 
 use crate::recording::fcd::{FcdStep, FcdVehicle};
 use artifact::scene::Pose;
@@ -28,9 +28,13 @@ use std::f64::consts::TAU;
 /// Zohar 2007).
 pub const LANE_CHANGE_S: f64 = 4.0;
 
-/// A step that leads further than this across the mean heading of its two ends is a jump: twice what a turn
-/// of 0.1 s shows (0.5 m on the recorded junctions), half of what the narrowest lanes are apart (2.5 m).
+/// A step that leads further than this across the mean heading of its two ends, and further than half of its
+/// turn explains, is a jump: half of what the narrowest lanes are apart (2.5 m). Along a circle the chord has
+/// the mean heading; where lanes are drawn as few straight pieces the way is that of one of its ends.
 pub const SIDEWAYS_JUMP_M: f64 = 1.2;
+
+/// A jump further aside than one lane and a half is no lane change.
+pub const TELEPORT_ASIDE_M: f64 = 6.0;
 
 /// Jumps of [`SIDEWAYS_JUMP_M`] at [`TELEPORT_MPS`] and the steps of 0.1 s that people record are at most 40
 /// in that time.
@@ -126,8 +130,11 @@ impl Interval {
             let Some(earlier) = self.known.get(&vehicle.id).map(|i| &before.vehicles[*i]) else { continue };
             let mut own = slides.remove(&vehicle.id).unwrap_or_default();
             own.retain(|slide| before.time_s < slide.start_s + LANE_CHANGE_S);
-            let jump_m = sideways_jump(earlier, vehicle);
-            own.extend(jump_m.map(|jump_m| Slide { start_s: before.time_s, jump_m }));
+            match Step::between(earlier, vehicle, self.after.time_s - before.time_s) {
+                Step::Way => {}
+                Step::LaneChange { jump_m } => own.push(Slide { start_s: before.time_s, jump_m }),
+                Step::Teleport => own.clear(),
+            }
             // Of more than there can be the first are done.
             own.drain(..own.len().saturating_sub(SLIDES_AT_ONCE));
             if !own.is_empty() {
@@ -152,6 +159,18 @@ impl Interval {
         &self.after.vehicles
     }
 
+    /// Ways of all vehicles in this interval: by the speeds told with its later step, and by their places, m.
+    pub(crate) fn ways_m(&self) -> [f64; 2] {
+        let Some(before) = &self.before else { return [0.0; 2] };
+        let step_s = self.after.time_s - before.time_s;
+        let earlier = |vehicle: &FcdVehicle| Some(&before.vehicles[*self.known.get(&vehicle.id)?]);
+        let ways = self.after.vehicles.iter().filter_map(|vehicle| {
+            let way_m = DVec3::from(vehicle.front_m).distance(earlier(vehicle)?.front_m.into());
+            Some([vehicle.speed_mps * step_s, way_m])
+        });
+        ways.fold([0.0; 2], |sum, way| [sum[0] + way[0], sum[1] + way[1]])
+    }
+
     /// Bumper of a vehicle of the later step at a moment after the earlier step and not after the later;
     /// `None` where the vehicle is not there.
     pub fn bumper(&self, vehicle: &FcdVehicle, time_s: f64) -> Option<Bumper> {
@@ -167,7 +186,7 @@ impl Interval {
         let step_s = self.after.time_s - start_s;
         let u = ((time_s - start_s) / step_s).clamp(0.0, 1.0);
         let (from_m, to_m) = (DVec3::from(a.front_m), DVec3::from(b.front_m));
-        if from_m.distance(to_m) > TELEPORT_MPS * step_s {
+        if Step::between(a, b, step_s) == Step::Teleport {
             return (u == 1.0).then(|| Bumper::as_told(b));
         }
         let jump_m = own_jump(self.slides.get(&b.id), start_s);
@@ -212,11 +231,34 @@ fn turn_rad(a: &FcdVehicle, b: &FcdVehicle) -> f64 {
     turn - TAU * (turn / TAU).round()
 }
 
-/// Part of a step that leads across the mean heading, where it is a jump. Along a circle the chord has
-/// the mean heading.
-pub fn sideways_jump(a: &FcdVehicle, b: &FcdVehicle) -> Option<DVec2> {
-    let way = DVec3::from(b.front_m).truncate() - DVec3::from(a.front_m).truncate();
-    let across = heading(yaw_rad(a.angle_deg) + 0.5 * turn_rad(a, b)).perp();
-    let jump_m = way.dot(across);
-    (jump_m.abs() > SIDEWAYS_JUMP_M).then(|| across * jump_m)
+/// Kinds of what a vehicle does in a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Step {
+    /// It drives.
+    Way,
+    /// It drives, and jumps to another lane.
+    LaneChange {
+        /// Part of the way that leads across the mean heading.
+        jump_m: DVec2,
+    },
+    /// It is put elsewhere.
+    Teleport,
+}
+
+impl Step {
+    /// Kind of a step of this duration.
+    pub fn between(a: &FcdVehicle, b: &FcdVehicle, step_s: f64) -> Self {
+        let way = DVec3::from(b.front_m) - DVec3::from(a.front_m);
+        let turn_rad = turn_rad(a, b);
+        let across = heading(yaw_rad(a.angle_deg) + 0.5 * turn_rad).perp();
+        let aside_m = way.truncate().dot(across);
+        let jump_m = aside_m.abs() - way.length() * (0.5 * turn_rad).abs().sin();
+        if way.length() > TELEPORT_MPS * step_s || jump_m > TELEPORT_ASIDE_M {
+            Self::Teleport
+        } else if jump_m > SIDEWAYS_JUMP_M {
+            Self::LaneChange { jump_m: across * aside_m }
+        } else {
+            Self::Way
+        }
+    }
 }

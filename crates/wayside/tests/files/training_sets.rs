@@ -76,6 +76,25 @@ fn clouds_through_both_sets_are_the_same_points_and_are_scored() {
     }
 }
 
+/// Noise in the first range cell has no direction, and no place that a sensor sees.
+#[test]
+fn points_at_the_radar_are_in_no_cloud() {
+    let place = Workplace::new();
+    let scene = crate::common::SMALL_SCENE.replace("[dsp]", "[dsp]\nfalse_alarm_rate = 0.1");
+    std::fs::write(place.path("small.toml"), scene).unwrap();
+    place.run("run small.toml --out run --no-cache --quiet");
+    place.run("export run/frames.points --to csv --out a.csv --quiet");
+    let ranges = column(&place, "a.csv", "range_m");
+    let at_the_radar = ranges.iter().filter(|range_m| **range_m < 1e-3).count();
+    assert!(at_the_radar > 0, "of {} points", ranges.len());
+    for (set, folder) in [("kitti", "training/velodyne"), ("nuscenes", "samples/RADAR_FRONT")] {
+        place.run(&format!("export run/frames.points --to {set} --out {set} --quiet"));
+        place.run(&format!("import {set}/{folder} --scene small.toml --out {set}.points --quiet"));
+        place.run(&format!("export {set}.points --to csv --out {set}.csv --quiet"));
+        assert_eq!(column(&place, &format!("{set}.csv"), "range_m").len(), ranges.len() - at_the_radar);
+    }
+}
+
 #[test]
 fn arrays_are_the_same_with_labels_and_without() {
     let place = run();

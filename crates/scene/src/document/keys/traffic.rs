@@ -40,13 +40,13 @@ pub(crate) const NET: Key<Text> = Key::new(
 
 pub(crate) const BEGIN: Key<Number> = Key::new(
     "begin_s",
-    Number(Between(-1e9, 1e9)),
+    Number(Between(-1e11, 1e11)),
     "the recording's time at the first frame's first sample; left out: its first step",
 );
 
 pub(crate) const END: Key<Number> = Key::new(
     "end_s",
-    Number(Between(-1e9, 1e9)),
+    Number(Between(-1e11, 1e11)),
     "of the last frame at most; left out: the recording's last step",
 );
 
