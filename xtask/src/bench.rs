@@ -7,7 +7,8 @@ mod programs;
 
 use crate::cli::BenchArguments;
 use artifact::units::db_from_amplitude;
-use comparison::Comparison;
+pub(crate) use cases::{FULL, QUICK, all as comparisons};
+pub(crate) use comparison::Comparison;
 use programs::NotHere;
 use serde_json::{Value, json};
 use wayside::host::failure::Failure;
@@ -19,8 +20,7 @@ pub(crate) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
         return predictions::run(arguments);
     }
     files::claim(arguments.out.as_slice())?;
-    let sizes = if arguments.quick { cases::QUICK } else { cases::FULL };
-    let comparisons = cases::all(sizes)?;
+    let comparisons = cases::all(if arguments.quick { cases::QUICK } else { cases::FULL })?;
     comparisons.iter().for_each(|comparison| terminal::line(line(comparison)));
     let Some(file) = &arguments.out else { return Ok(()) };
     let list: Vec<Value> = comparisons.iter().map(json).collect();

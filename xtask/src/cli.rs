@@ -27,7 +27,7 @@ pub(crate) enum Command {
     /// are.
     Study(PageArguments),
     /// Speed against accuracy: chart.csv, pictures, a page.
-    Chart(StudyArguments),
+    Chart(ChartArguments),
     /// Conditions in which each method fails: atlas.csv, pictures, a page.
     Atlas(AtlasArguments),
     /// Levels of detail, their error and cost: levels-of-detail.csv, a picture, a page.
@@ -124,6 +124,16 @@ pub(crate) struct StudyArguments {
     /// Draws the pictures of an earlier table anew and computes nothing.
     #[arg(long, value_name = "F.csv", conflicts_with = "quick")]
     pub(crate) table: Option<PathBuf>,
+}
+
+/// Words of `chart`.
+#[derive(Debug, Args)]
+pub(crate) struct ChartArguments {
+    #[command(flatten)]
+    pub(crate) of_all: StudyArguments,
+    /// Tells what changed since this earlier chart.csv: errors to their last digit, seconds beyond noise.
+    #[arg(long, value_name = "F.csv")]
+    pub(crate) against: Option<PathBuf>,
 }
 
 /// Words of `atlas`.

@@ -4,6 +4,7 @@
 mod sources;
 mod page;
 mod extent;
+mod kept;
 mod looks;
 mod bodies;
 mod closed_forms;

@@ -6,10 +6,10 @@ mod maps;
 mod scattering;
 
 use crate::bench::comparison::Comparison;
-pub(super) use timing::{FULL, QUICK, Sizes};
+pub(crate) use timing::{FULL, QUICK, Sizes};
 use wayside::host::failure::Failure;
 
-pub(super) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
+pub(crate) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
     let mut list = scattering::all(sizes)?;
     list.extend(echo::all(sizes)?);
     list.extend(maps::all(sizes)?);

@@ -34,9 +34,9 @@ pub(super) struct Answer {
 
 /// Advice on how to get a rival that is not here.
 #[derive(Debug)]
-pub(super) struct NotHere {
-    pub(super) program: String,
-    pub(super) advice: String,
+pub(crate) struct NotHere {
+    pub(crate) program: String,
+    pub(crate) advice: String,
 }
 
 const SCRIPT: &str = include_str!("rivals.py");

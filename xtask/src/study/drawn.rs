@@ -1,7 +1,7 @@
 //! `chart`, `atlas` and `levels`: speed against accuracy, where each method fails, and levels of detail; each
 //! a table, pictures and a whole page.
 
-use crate::cli::{AtlasArguments, StudyArguments};
+use crate::cli::{AtlasArguments, ChartArguments, StudyArguments};
 use crate::project::project_root;
 use crate::study::extent::Extent;
 use crate::study::page::{FEWER, made_by};
@@ -16,7 +16,24 @@ use wayside::pictures::write_png;
 use wayside::program::terminal;
 
 /// Sources that the figures of each drawn study hang on.
-pub(super) const CHART: Places = &[sources::CHAIN, SHARED, &["xtask/src/study/chart"]];
+pub(super) const CHART: Places = &[CHART_ROWS[0], CHART_ROWS[1], CHART_ROWS[2], CHART_ROWS[3], CHART_PAGE];
+/// What the rows of the chart hang on; what draws them is beside it.
+const CHART_ROWS: Places = &[
+    sources::CHAIN,
+    SHARED,
+    &["crates/po-sbr", "crates/classifier", "xtask/src/bench/cases"],
+    &[
+        "xtask/src/study/chart/answers.rs",
+        "xtask/src/study/chart/frames.rs",
+        "xtask/src/study/chart/receiver.rs",
+        "xtask/src/study/chart/scattering.rs",
+        "xtask/src/study/chart/scenes.rs",
+        "xtask/src/study/chart/subjects.rs",
+        "xtask/src/study/chart/synthesis.rs",
+        "xtask/src/study/chart/work.rs",
+    ],
+];
+const CHART_PAGE: &[&str] = &["xtask/src/study/chart", "xtask/src/study/chart.rs"];
 pub(super) const ATLAS: Places =
     &[sources::CHAIN, SHARED, &["xtask/src/study/atlas", "crates/po-sbr", "crates/classifier"]];
 pub(super) const LEVELS: Places =
@@ -29,20 +46,21 @@ const SHARED: &[&str] = &[
 ];
 
 /// Seconds against error, method by method.
-pub(crate) fn chart(arguments: &StudyArguments) -> Result<(), Failure> {
-    let draw = |table: &Table| {
-        vec![("chart", chart::picture(table)), ("chart-frames", chart::picture_of_frames(table))]
+pub(crate) fn chart(ChartArguments { of_all: arguments, against }: &ChartArguments) -> Result<(), Failure> {
+    let drawing = Drawing { name: "chart", sources: CHART, columns: &chart::COLUMNS, draw: &chart::pictures };
+    let before = against.as_deref().map(|file| drawing.table(file)).transpose()?;
+    let now = if let Some(file) = &arguments.table {
+        drawing.again(file, arguments)?
+    } else {
+        let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
+        let measured = chart::measured(extent, &sources::hash(CHART_ROWS)?)?;
+        let mut study = drawing.study("", chart::tables(&measured), chart::page(&measured, extent))?;
+        study.pictures.push(("chart-answers", chart::picture_of_answers(&measured)));
+        study.write("chart", arguments)?;
+        study.table
     };
-    let drawing = Drawing { name: "chart", sources: CHART, columns: &chart::COLUMNS, draw: &draw };
-    if let Some(file) = &arguments.table {
-        return drawing.again(file, arguments);
-    }
-    let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
-    let measured = chart::measured(extent)?;
-    let mut study = drawing.study("", chart::csv(&measured.rows), chart::page(&measured, extent))?;
-    study.tables.push(("chart-answers", chart::answers_csv(&measured.answers)));
-    study.pictures.push(("chart-answers", chart::picture_of_answers(&measured.answers)));
-    study.write("chart", arguments)
+    before.iter().flat_map(|before| chart::changes(before, &now)).for_each(terminal::line);
+    Ok(())
 }
 
 /// Cases and verdicts; ends with exit code 1 if the program was wrong and did not say so.
@@ -50,11 +68,13 @@ pub(crate) fn atlas(AtlasArguments { of_all: arguments, only }: &AtlasArguments)
     let draw = |table: &Table| vec![("atlas", atlas::picture(table))];
     let drawing = Drawing { name: "atlas", sources: ATLAS, columns: &atlas::COLUMNS, draw: &draw };
     if let Some(file) = &arguments.table {
-        return drawing.again(file, arguments);
+        return drawing.again(file, arguments).map(drop);
     }
     let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
     let rows = atlas::rows(extent, only.as_deref())?;
-    drawing.study("", atlas::csv(&rows), atlas::page(&rows, extent))?.write("atlas", arguments)?;
+    drawing
+        .study("", vec![("atlas", atlas::csv(&rows))], atlas::page(&rows, extent))?
+        .write("atlas", arguments)?;
     match atlas::count(&rows, atlas::Verdict::Wrong) {
         0 => Ok(()),
         wrong => Err(Failure::Refused(format!("{wrong} cases are wrong and the program does not say so"))),
@@ -67,11 +87,12 @@ pub(crate) fn levels(arguments: &StudyArguments) -> Result<(), Failure> {
     let drawing =
         Drawing { name: "levels-of-detail", sources: LEVELS, columns: &levels::COLUMNS, draw: &draw };
     if let Some(file) = &arguments.table {
-        return drawing.again(file, arguments);
+        return drawing.again(file, arguments).map(drop);
     }
     let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
     let rows = levels::rows(extent)?;
-    drawing.study("validation", levels::csv(&rows), levels::page(&rows, extent))?.write("levels", arguments)
+    let tables = vec![("levels-of-detail", levels::csv(&rows))];
+    drawing.study("validation", tables, levels::page(&rows, extent))?.write("levels", arguments)
 }
 
 /// Way from a study's table to its pictures.
@@ -83,27 +104,36 @@ struct Drawing<'d> {
 }
 
 impl Drawing<'_> {
-    /// The whole study; its pictures are those of its table, as they would be drawn from it again.
-    fn study(&self, page_in: &'static str, csv: String, page: String) -> Result<DrawnStudy, Failure> {
-        let table = Table::read(&csv, self.columns).map_err(Failure::refused)?;
-        Ok(DrawnStudy {
-            name: self.name,
-            sources: self.sources,
-            page_in,
-            tables: vec![(self.name, csv)],
-            page,
-            pictures: (self.draw)(&table),
-        })
+    /// The whole study, its own table first; its pictures are those of that table, as they would be drawn
+    /// from it again.
+    fn study(
+        &self,
+        page_in: &'static str,
+        tables: Vec<(&'static str, String)>,
+        page: String,
+    ) -> Result<DrawnStudy, Failure> {
+        let own = tables.first().map_or("", |(_, text)| text);
+        let table = Table::read(own, self.columns).map_err(Failure::refused)?;
+        let pictures = (self.draw)(&table);
+        Ok(DrawnStudy { name: self.name, sources: self.sources, page_in, tables, table, page, pictures })
     }
 
-    /// The pictures of an earlier table.
-    fn again(&self, file: &Path, arguments: &StudyArguments) -> Result<(), Failure> {
+    /// An earlier table.
+    fn table(&self, file: &Path) -> Result<Table, Failure> {
         let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
         let refused = |error| Failure::Refused(format!("{}: {error}", file.display()));
-        let table = Table::read(&text, self.columns).map_err(refused)?;
+        Table::read(&text, self.columns).map_err(refused)
+    }
+
+    /// The pictures of an earlier table, which is given back.
+    fn again(&self, file: &Path, arguments: &StudyArguments) -> Result<Table, Failure> {
+        let table = self.table(file)?;
         let pictures = (self.draw)(&table);
         write_pictures(&pictures, &folder(arguments, self.name))?;
-        if arguments.docs { write_docs_pictures(&pictures, &project_root().join("docs")) } else { Ok(()) }
+        if arguments.docs {
+            write_docs_pictures(&pictures, &project_root().join("docs"))?;
+        }
+        Ok(table)
     }
 }
 
@@ -115,6 +145,8 @@ struct DrawnStudy {
     page_in: &'static str,
     /// Tables by their names, the first of the study's own.
     tables: Vec<(&'static str, String)>,
+    /// The first of them, read.
+    table: Table,
     page: String,
     /// Pictures by their names.
     pictures: Vec<(&'static str, Svg)>,

@@ -2,7 +2,7 @@
 //! measured of many.
 
 pub(super) mod deployment;
-mod measures;
+pub(super) mod measures;
 mod part;
 pub(super) mod planner;
 pub(super) mod real_captures;

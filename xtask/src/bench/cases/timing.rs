@@ -5,7 +5,7 @@ use wayside::host::failure::Failure;
 
 /// Sizes of the cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::bench) struct Sizes {
+pub(crate) struct Sizes {
     /// Rays and samples along a wavelength.
     pub(super) per_wavelength: f64,
     pub(super) frequency_hz: f64,
@@ -14,9 +14,9 @@ pub(in crate::bench) struct Sizes {
     pub(super) repeated_s: f64,
 }
 
-pub(in crate::bench) const FULL: Sizes =
+pub(crate) const FULL: Sizes =
     Sizes { per_wavelength: 4.0, frequency_hz: 77.3125e9, paths: 67_000, repeated_s: 0.5 };
-pub(in crate::bench) const QUICK: Sizes =
+pub(crate) const QUICK: Sizes =
     Sizes { per_wavelength: 2.0, frequency_hz: 10e9, paths: 2_000, repeated_s: 0.1 };
 
 /// A piece of work and its seconds.

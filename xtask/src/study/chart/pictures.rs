@@ -1,57 +1,88 @@
-//! The chart's pictures, drawn from its table.
+//! The chart's pictures, drawn from its tables.
 
-use crate::study::chart::answers::Answers;
+use crate::study::chart::Chart;
 use crate::study::table::{RowOf, Table};
 use plotting::form::Form;
 use plotting::lines::{Line, LinePlot, Scale};
 use plotting::svg::Svg;
 
 /// Columns that are drawn.
-pub(in crate::study) const COLUMNS: [&str; 5] = ["scene", "method", "setting", "seconds", "error_db"];
+pub(in crate::study) const COLUMNS: [&str; 6] =
+    ["stage", "scene", "method", "setting", "processor_s", "error_db"];
 
 /// Errors below are rounding, and the picture's room is for the others.
 const LEAST_DB: f64 = -120.0;
 const BETTER: &str = "Better is lower (less time) and further left (less error).";
+/// Body of the picture with every method, where it is charted.
+const CAR: &str = "car-suv, 30 m";
 
-/// Seconds (by powers of ten) over error in dB, which is by powers of ten too; a line for each method on
-/// parts of the chain.
-pub(in crate::study) fn picture(table: &Table) -> Svg {
-    let rows: Vec<RowOf> = table.rows().filter(|row| !row.word("method").starts_with(WHOLE_FRAME)).collect();
-    let mut lines = lines(rows.iter().map(|row| (row.word("method"), row)));
-    for line in &mut lines {
-        let of_line: Vec<&str> =
-            rows.iter().filter(|r| r.word("method") == line.name).map(|r| r.word("setting")).collect();
-        line.name = method(&line.name, &of_line);
-    }
-    let scenes = format!("Work: {}.", listed(rows.iter().map(|row| row.word("scene"))));
-    plot("Chart: seconds against error of each method", [scenes, BETTER.into()], lines)
+/// Processor seconds (by powers of ten) over error in dB, which is by powers of ten too.
+pub(in crate::study) fn pictures(table: &Table) -> Vec<(&'static str, Svg)> {
+    let rows = |stage: &'static str| move |row: &RowOf<'_>| row.word("stage") == stage;
+    let scattering: Vec<RowOf> = table.rows().filter(rows("bart-rcs")).collect();
+    let frames: Vec<RowOf> = table.rows().filter(rows("bart-rcs + fmcw-echo")).collect();
+    let sums: Vec<RowOf> = table.rows().filter(rows("fmcw-echo")).collect();
+    vec![
+        ("chart", of_methods(&scattering)),
+        ("chart-bodies", of_bodies(&scattering)),
+        ("chart-frames", of_frames(&frames)),
+        ("chart-echo", of_sums(&sums)),
+    ]
 }
 
-/// Draws seconds over error of whole frames and their cubes: a line for each scene, from paths to table.
-pub(in crate::study) fn picture_of_frames(table: &Table) -> Svg {
-    let is_cube =
-        |row: &RowOf| row.word("method").starts_with(WHOLE_FRAME) && row.word("method").ends_with("cube");
-    let rows: Vec<RowOf> = table.rows().filter(is_cube).collect();
-    fn name<'t>(row: &RowOf<'t>) -> &'t str {
-        row.word("scene").split(", a frame").next().unwrap_or_default()
+/// A line for each method on one body.
+fn of_methods(rows: &[RowOf]) -> Svg {
+    let has_car = rows.iter().any(|row| row.word("scene") == CAR);
+    let body = if has_car { CAR } else { rows.first().map_or("", |row| row.word("scene")) };
+    let rows: Vec<&RowOf> = rows.iter().filter(|row| row.word("scene") == body).collect();
+    let mut lines = lines(rows.iter().map(|row| (row.word("method").to_owned(), *row)));
+    for line in &mut lines {
+        let of_line = rows.iter().filter(|r| r.word("method") == line.name).map(|r| r.word("setting"));
+        line.name = method(&line.name, &of_line.collect::<Vec<_>>());
     }
-    let notes = "A frame of 12 channels of each scene: the left end of a line is made path by path, the right end by the \
-         paper's table.";
+    plot(
+        "Chart: processor seconds against error of each method",
+        [format!("Body: {body}."), BETTER.into()],
+        lines,
+    )
+}
+
+/// The first order of every body, by beams and by dense sampling.
+fn of_bodies(rows: &[RowOf]) -> Svg {
+    let first = rows.iter().filter(|row| ["bart, order 1", "po, order 1"].contains(&row.word("method")));
+    let name = |row: &RowOf| {
+        let way = if row.word("method").starts_with("bart") { "beams" } else { "dense sampling" };
+        format!("{}: {way}", row.word("scene").trim_end_matches(", 30 m"))
+    };
+    let lines = lines(first.map(|row| (name(row), row)));
+    let note = "First order of bodies 30 m away; points of a line from coarse to fine.";
+    plot("Chart: processor seconds against error of each body", [note.into(), BETTER.into()], lines)
+}
+
+/// Whole frames and their cubes: a line for each scene, through the accuracies asked of paths to the table.
+fn of_frames(rows: &[RowOf]) -> Svg {
+    let cubes = rows.iter().filter(|row| row.word("method").ends_with("cube"));
+    let lines = lines(cubes.map(|row| (row.word("scene").to_owned(), row)));
+    let note = "A frame of 12 channels of each scene: from the right by paths asked for −10, −15, −20 and −25 dB, and at the \
+                right end of its line by the paper's table.";
+    plot("Chart: processor seconds against error of whole frames", [note.into(), BETTER.into()], lines)
+}
+
+/// Sums of many paths.
+fn of_sums(rows: &[RowOf]) -> Svg {
+    let name = |row: &RowOf| format!("{}: {}", row.word("scene"), row.word("method"));
     let lines = lines(rows.iter().map(|row| (name(row), row)));
-    plot("Chart: seconds against error of whole frames", [notes.into(), BETTER.into()], lines)
+    let note = "The same paths summed by transforms of the accuracy asked, and directly.";
+    plot("Chart: processor seconds against error of sums", [note.into(), BETTER.into()], lines)
 }
 
 /// Draws processor seconds over the error of place of whole runs: a line for each scene, by the accuracy
 /// asked.
-pub(in crate::study) fn picture_of_answers(rows: &[Answers]) -> Svg {
+pub(in crate::study) fn picture_of_answers(chart: &Chart) -> Svg {
     let mut lines: Vec<Line> = Vec::new();
-    for row in rows {
+    for row in &chart.answers {
         let Some([range_m, _, across_m]) = row.errors else { continue };
-        let place = [range_m.hypot(across_m).max(LEAST_M), row.processor_s];
-        match lines.iter_mut().find(|line| line.name == row.scene) {
-            Some(line) => line.points.push(place),
-            None => lines.push(Line { name: row.scene.into(), points: vec![place], marked: true }),
-        }
+        add(&mut lines, &row.scene, [range_m.hypot(across_m).max(LEAST_M), row.processor_s]);
     }
     let plot = LinePlot {
         title: "Chart: processor seconds against error of place".into(),
@@ -71,17 +102,12 @@ pub(in crate::study) fn picture_of_answers(rows: &[Answers]) -> Svg {
 /// Errors of place below are less than any radar of these tells.
 const LEAST_M: f64 = 1e-3;
 
-/// Methods that make whole frames.
-const WHOLE_FRAME: &str = "frame by";
-
 /// Names in words, with the first and the last setting.
 fn method(name: &str, settings: &[&str]) -> String {
     let words = match name.split(", ").next().unwrap_or_default() {
         "bart" => "beams (bart)",
         "po" => "dense sampling (po)",
         "sbr" => "shooting and bouncing rays (sbr)",
-        "paths" => "echo of traced paths",
-        "rcs-table" => "echo of the paper's table",
         _ => "",
     };
     let rest = name.split_once(", ").map_or("", |(_, rest)| rest);
@@ -98,26 +124,20 @@ fn method(name: &str, settings: &[&str]) -> String {
     format!("{named}: {settings}").replace(": -", ": −").replace("… -", "… −")
 }
 
-fn listed<'t>(words: impl Iterator<Item = &'t str>) -> String {
-    let mut all: Vec<&str> = vec![];
-    for word in words {
-        if !all.contains(&word) {
-            all.push(word);
-        }
-    }
-    all.join("; ")
-}
-
-fn lines<'t>(rows: impl Iterator<Item = (&'t str, &'t RowOf<'t>)>) -> Vec<Line> {
+fn lines<'r, 't: 'r>(rows: impl Iterator<Item = (String, &'r RowOf<'t>)>) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     for (name, row) in rows {
-        let place = [row.number("error_db").max(LEAST_DB), row.number("seconds")];
-        match lines.iter_mut().find(|line| line.name == name) {
-            Some(line) => line.points.push(place),
-            None => lines.push(Line { name: name.into(), points: vec![place], marked: true }),
-        }
+        add(&mut lines, &name, [row.number("error_db").max(LEAST_DB), row.number("processor_s")]);
     }
     lines
+}
+
+/// A point of the line of this name, which is begun where there is none.
+fn add(lines: &mut Vec<Line>, name: &str, place: [f64; 2]) {
+    match lines.iter_mut().find(|line| line.name == name) {
+        Some(line) => line.points.push(place),
+        None => lines.push(Line { name: name.into(), points: vec![place], marked: true }),
+    }
 }
 
 fn plot(title: &str, notes: [String; 2], lines: Vec<Line>) -> Svg {
@@ -127,7 +147,7 @@ fn plot(title: &str, notes: [String; 2], lines: Vec<Line>) -> Svg {
         title: title.into(),
         notes: notes.to_vec(),
         x_label: format!("error of the complex amplitude, dB{cut}"),
-        y_label: "seconds".into(),
+        y_label: "processor seconds".into(),
         x_scale: Scale::Linear,
         y_scale: Scale::Logarithmic,
         lines,
@@ -140,19 +160,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_picture_says_its_scene_which_side_is_better_and_what_each_line_is() {
-        let text = "scene,method,setting,seconds,error_db\n\
-            \"corner, 30 m\",\"sbr, order 2\",1 ray,1.0e-3,-0.4\n\"corner, 30 m\",\"sbr, order 2\",8 rays,7.0e-2,-20.7\n\
-            300 paths,\"echo, formulas\",all,1.0e-1,-202.3\n";
-        let drawn = picture(&Table::read(text, &COLUMNS).unwrap()).inline();
-        for said in [
-            "corner, 30 m; 300 paths",
-            "Better is lower",
-            "shooting and bouncing rays (sbr), order 2: 1 ray … 8 rays",
-            "echo, formulas: all",
-            "−120 stands for less",
+    fn a_picture_says_its_body_which_side_is_better_and_what_each_line_is() {
+        let text = "stage,scene,method,setting,processor_s,error_db\n\
+            bart-rcs,\"corner, 30 m\",\"sbr, order 2\",1 ray,1.0e-3,-0.4\n\
+            bart-rcs,\"corner, 30 m\",\"sbr, order 2\",8 rays,7.0e-2,-20.7\n\
+            bart-rcs,\"corner, 30 m\",\"po, order 1\",8 samples,7.0e-2,-20.7\n\
+            fmcw-echo,300 paths,\"echo, formulas\",all,1.0e-1,-202.3\n";
+        let drawn = pictures(&Table::read(text, &COLUMNS).unwrap());
+        let of = |name: &str| drawn.iter().find(|(n, _)| *n == name).unwrap().1.inline();
+        for (name, said) in [
+            ("chart", "Body: corner, 30 m"),
+            ("chart", "Better is lower"),
+            ("chart", "shooting and bouncing rays (sbr), order 2: 1 ray … 8 rays"),
+            ("chart-bodies", "corner: dense sampling"),
+            ("chart-echo", "300 paths: echo, formulas"),
+            ("chart-echo", "−120 stands for less"),
         ] {
-            assert!(drawn.contains(said), "{said}");
+            assert!(of(name).contains(said), "{name}: {said}");
         }
     }
 }

@@ -1,35 +1,71 @@
-//! The chart as CSV and page.
+//! The chart as tables and page.
 
 use crate::study::chart::Chart;
 use crate::study::chart::answers::Answers;
+use crate::study::chart::outside::RivalRow;
+use crate::study::chart::receiver::EstimateRow;
 use crate::study::chart::row::SettingRow;
 use crate::study::extent::Extent;
-use crate::study::table;
+use crate::study::table::{self, csv};
+use artifact::units::db_from_amplitude;
 
-/// Columns of interface.md.
-pub(in crate::study) fn csv(rows: &[SettingRow]) -> String {
-    table::csv("stage,scene,method,setting,seconds,peak_mib,error_db,reference", rows.iter().map(fields))
+const HEAD: [&str; 10] = [
+    "stage",
+    "scene",
+    "method",
+    "setting",
+    "seconds",
+    "peak_mib",
+    "error_db",
+    "reference",
+    "processor_s",
+    "size",
+];
+const ESTIMATES: [&str; 9] =
+    ["array", "snr_db", "method", "processor_ms", "found", "range_db", "velocity_db", "right_db", "up_db"];
+const RIVALS: [&str; 6] = ["job", "work", "ours_s", "rival", "rival_s", "error_db"];
+const ANSWERS: [&str; 10] = [
+    "scene",
+    "asked_db",
+    "processor_s",
+    "peak_mib",
+    "found",
+    "to_be_found",
+    "range_m",
+    "velocity_mps",
+    "across_m",
+    "probability",
+];
+
+/// Tables of docs/interface.md, by their names.
+pub(in crate::study) fn tables(chart: &Chart) -> Vec<(&'static str, String)> {
+    let (rows, answers) = (chart.rows.iter().map(fields), chart.answers.iter().map(answer_fields));
+    let estimates = chart.estimates.iter().map(estimate_fields);
+    let rivals = chart.rivals.iter().map(rival_fields);
+    vec![
+        ("chart", csv(&HEAD.join(","), rows)),
+        ("chart-answers", csv(&ANSWERS.join(","), answers)),
+        ("chart-estimates", csv(&ESTIMATES.join(","), estimates)),
+        ("chart-outside", csv(&RIVALS.join(","), rivals)),
+    ]
+}
+
+fn told(value: Option<f64>, digits: usize) -> String {
+    value.map_or(String::new(), |v| format!("{v:.digits$}"))
 }
 
 fn fields(row: &SettingRow) -> Vec<String> {
-    let peak = row.peak_mib.map_or(String::new(), |m| format!("{m:.0}"));
-    let (seconds, error) = (format!("{:.3e}", row.seconds), table::decibels(Some(row.error)));
-    let words = [row.stage, &row.scene, row.method, &row.setting, &seconds, &peak, &error, &row.reference];
-    words.map(str::to_owned).to_vec()
-}
-
-/// Columns of interface.md.
-pub(in crate::study) fn answers_csv(rows: &[Answers]) -> String {
-    let head =
-        "scene,asked_db,processor_s,peak_mib,found,to_be_found,range_m,velocity_mps,across_m,probability";
-    table::csv(head, rows.iter().map(answer_fields))
+    let error = table::decibels(Some(row.error));
+    let [seconds, processor_s] = [row.cost.seconds, row.cost.processor_s].map(|s| format!("{s:.3e}"));
+    let peak = told(row.cost.peak_mib, 0);
+    let words = [&row.stage, &row.scene, &row.method, &row.setting, &seconds, &peak, &error, &row.reference];
+    words.into_iter().chain([&processor_s, &row.size]).cloned().collect()
 }
 
 fn answer_fields(row: &Answers) -> Vec<String> {
-    let told = |value: Option<f64>, digits: usize| value.map_or(String::new(), |v| format!("{v:.digits$}"));
     let error = |at: usize| told(row.errors.map(|errors| errors[at]), 3);
     vec![
-        row.scene.into(),
+        row.scene.clone(),
         format!("{:.0}", row.asked_db),
         format!("{:.2}", row.processor_s),
         told(row.peak_mib, 0),
@@ -42,45 +78,69 @@ fn answer_fields(row: &Answers) -> Vec<String> {
     ]
 }
 
-const ANSWERS: [&str; 10] = [
-    "scene",
-    "asked, dB",
-    "processor seconds",
-    "peak, MiB",
-    "found",
-    "of",
-    "range, m",
-    "velocity, m/s",
-    "across, m",
-    "probability of the true class",
-];
+fn estimate_fields(row: &EstimateRow) -> Vec<String> {
+    let head = [row.array.clone(), format!("{:.0}", row.snr_db), row.method.clone()];
+    let figures = [format!("{:.3}", row.processor_ms), format!("{:.3}", row.found)];
+    head.into_iter().chain(figures).chain(row.over_bound_db.map(|db| told(db, 2))).collect()
+}
 
-pub(in crate::study) fn page(Chart { rows, answers }: &Chart, extent: Extent) -> String {
-    let header = ["stage", "scene", "method", "setting", "seconds", "peak, MiB", "error, dB", "reference"];
+fn rival_fields(row: &RivalRow) -> Vec<String> {
+    let seconds = |s: f64| format!("{s:.2e}");
+    vec![
+        row.job.clone(),
+        row.work.clone(),
+        seconds(row.ours_s),
+        row.rival.clone(),
+        row.rival_s.map_or(String::new(), seconds),
+        told(row.error.map(db_from_amplitude), 0),
+    ]
+}
+
+/// A table of a page with the columns of these numbers.
+fn shown(head: &[&str], columns: &[usize], rows: impl Iterator<Item = Vec<String>>) -> String {
+    let pick = |words: Vec<String>| columns.iter().map(|column| words[*column].clone()).collect::<Vec<_>>();
+    let head: Vec<&str> = columns.iter().map(|column| head[*column]).collect();
+    table::markdown(&head, rows.map(pick))
+}
+
+/// The page; its words are those of `docs/chart.md` before the first table.
+pub(in crate::study) fn page(chart: &Chart, extent: Extent) -> String {
     let command = match extent {
-        Extent::Quick => "cargo xtask chart --quick --docs",
+        Extent::Quick => "cargo xtask chart --quick",
         Extent::Full => "cargo xtask study chart",
     };
-    format!(
-        "# Chart: speed against accuracy\n\n\
-         Made by `{command}` on {}. Seconds are those of one run, all threads, building of hierarchies included. The peak is \
-         the largest resident size of the whole program while a row ran (empty where the system does not count it). Errors \
-         are complex amplitude errors as in `conventions.md`, against another method, carried to convergence as far as it goes; \
-         never against a method's own next setting. Beams use the exit node here, because rays do.\n\n\
-         \"frame by …\" are whole frames of vehicles in lane 2, path by path and by the paper's table (`echo = \"rcs-table\"`): the \
-         cube's complex error, and that of the magnitudes of its range-Doppler maps; seconds are of tracing + echo. \
-         The table errs by as much as there is to see at any range of a road ([why](rcs-tables.md)).\n\n\
-         ![seconds against error of each method](pictures/chart.svg)\n\n\
-         Better is lower and further left, in both pictures; [chart.csv](pictures/chart.csv) is their table. Whole frames, each a line from its paths to its table:\n\n\
-         ![seconds against error of whole frames](pictures/chart-frames.svg)\n\n\
-         The whole chain, from the scene to place and class, by the accuracy that is asked; errors are root mean squares over \
-         the bodies found, against the truth ([chart-answers.csv](pictures/chart-answers.csv)):\n\n\
-         ![seconds against error of place](pictures/chart-answers.svg)\n\n{}\n{}",
-        machine(),
-        table::markdown(&ANSWERS, answers.iter().map(answer_fields)),
-        table::markdown(&header, rows.iter().map(fields))
-    )
+    let rows = |stage: &'static str| chart.rows.iter().filter(move |row| row.stage == stage).map(fields);
+    let methods = [1, 2, 3, 8, 5, 6];
+    PAGE.replace("{command}", command)
+        .replace("{machine}", &machine())
+        .replace(
+            "{answers}",
+            &shown(&ANSWERS, &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9], chart.answers.iter().map(answer_fields)),
+        )
+        .replace("{frames}", &shown(&HEAD, &[1, 2, 3, 8, 5, 6, 9], rows("bart-rcs + fmcw-echo")))
+        .replace("{references}", &references(chart))
+        .replace("{scattering}", &shown(&HEAD, &methods, rows("bart-rcs")))
+        .replace("{synthesis}", &shown(&HEAD, &methods, rows("fmcw-echo")))
+        .replace(
+            "{estimates}",
+            &shown(&ESTIMATES, &[0, 1, 2, 3, 4, 5, 6, 7, 8], chart.estimates.iter().map(estimate_fields)),
+        )
+        .replace("{outside}", &shown(&RIVALS, &[0, 2, 3, 4, 5, 1], chart.rivals.iter().map(rival_fields)))
 }
+
+/// What frames are held to, scene by scene.
+fn references(chart: &Chart) -> String {
+    let mut lines: Vec<String> = vec![];
+    for row in chart.rows.iter().filter(|row| row.stage == "bart-rcs + fmcw-echo") {
+        let line = format!("- {}: {}", row.scene, row.reference);
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
+    }
+    lines.join("\n")
+}
+
+const PAGE: &str = include_str!("page.md");
 
 /// Cores and instructions: what times depend on most.
 fn machine() -> String {

@@ -1,7 +1,8 @@
 //! Scattering at one aspect: beams against dense sampling and against rays.
 
 use crate::study::chart::row::SettingRow;
-use crate::study::chart::work::{Measured, Subject, measured};
+use crate::study::chart::subjects::Subject;
+use crate::study::chart::work::{Cost, Measured, measured};
 use crate::study::looks;
 use artifact::Accuracy;
 use artifact::settings::{NodeRule, Sides};
@@ -13,15 +14,23 @@ use wayside::host::failure::Failure;
 /// The radar's frequencies: three over 0.6 GHz, so that an error is that of a profile and not of one lucky
 /// phase.
 const FREQUENCIES_HZ: [f64; 3] = [77e9, 77.3e9, 77.6e9];
+const RANGE_M: f64 = 30.0;
 /// Asked of the beams where they are the reference.
 const FINE_DB: f64 = -80.0;
 /// Halvings of a cell that a shadow's border crosses.
 const SHADOW_LEVELS: u32 = 3;
 
+/// All methods of a body: its first order, and the next two by themselves.
+pub(super) fn rows(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
+    let exact = traced(subject, 3, FINE_DB)?.value;
+    let body = Body { subject, exact: &exact };
+    Ok([body.first_order()?, body.by_order()?].concat())
+}
+
 fn request(subject: &Subject, bounces: u8, accuracy_db: f64) -> RcsRequest {
     RcsRequest {
         frequency_hz: FREQUENCIES_HZ.to_vec(),
-        range_m: subject.range_m,
+        range_m: RANGE_M,
         bounces,
         nodes: NodeRule::Exit,
         accuracy: Accuracy::from_db(accuracy_db),
@@ -48,7 +57,9 @@ fn sampled(
 }
 
 /// `[order − 1][frequency]`.
-fn shot(subject: &Subject, per_wavelength: f64) -> Result<Measured<Vec<Vec<Complex64>>>, Failure> {
+type Orders = Vec<Vec<Complex64>>;
+
+fn shot(subject: &Subject, per_wavelength: f64) -> Result<Measured<Orders>, Failure> {
     let shooting = sbr::Shooting { per_wavelength, bounces: 3, sides: Sides::Two, bracket: Bracket::Plain };
     let aspect = looks::aspect(&request(subject, 3, FINE_DB));
     measured(|| {
@@ -58,93 +69,102 @@ fn shot(subject: &Subject, per_wavelength: f64) -> Result<Measured<Vec<Vec<Compl
     })
 }
 
-fn row<T>(
-    subject: &Subject,
-    method: &'static str,
-    setting: String,
-    from: &Measured<T>,
-    error: f64,
-    reference: String,
-) -> SettingRow {
-    let (seconds, peak_mib) = (from.seconds, from.peak_mib);
-    SettingRow {
-        stage: "bart-rcs",
-        scene: subject.name.clone(),
-        method,
-        setting,
-        seconds,
-        peak_mib,
-        error,
-        reference,
-    }
+/// What an amplitude is held to.
+struct Reference<'a> {
+    amplitude_m: &'a [Complex64],
+    name: String,
 }
 
-/// First order: beams by the accuracy asked against the densest sampling; sampling by its density against
-/// beams.
-pub(super) fn first_order(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
-    let dense = sampled(subject, subject.fine_samples, SHADOW_LEVELS + 2)?;
-    let exact = traced(subject, 1, FINE_DB)?.value.amplitude_m;
-    let dense_name = format!("po, {} samples per wavelength", subject.fine_samples);
-    let mut rows = Vec::new();
-    for accuracy_db in [-20.0, -40.0, -60.0] {
-        let found = traced(subject, 1, accuracy_db)?;
-        let error = looks::relative_error(&found.value.amplitude_m, &dense.value);
-        rows.push(row(
-            subject,
-            "bart, order 1",
-            format!("{accuracy_db} dB asked"),
-            &found,
-            error,
-            dense_name.clone(),
-        ));
-    }
-    for density in subject.densities {
-        let found = sampled(subject, *density, SHADOW_LEVELS)?;
-        let error = looks::relative_error(&found.value, &exact);
-        let reference = format!("bart, order 1, {FINE_DB} dB asked");
-        rows.push(row(subject, "po, order 1", format!("{density} per wavelength"), &found, error, reference));
-    }
-    Ok(rows)
+/// A body with its beams as fine as they go, order by order.
+struct Body<'a> {
+    subject: &'a Subject,
+    exact: &'a RcsResult,
 }
 
-/// Orders by themselves, with the exit node that rays have; errors are over the field of that order. Beams of
-/// order 1 are in [`first_order`]: against rays they would show the error of the rays, whose first order
-/// converges slowly.
-pub(super) fn by_order(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
-    let dense = shot(subject, subject.fine_rays)?;
-    let exact = traced(subject, 3, FINE_DB)?;
-    let mut rows = Vec::new();
-    for order in 2..=3_u8 {
-        let found = traced(subject, order, -40.0)?;
-        let of_order = usize::from(order) - 1;
-        let error = looks::relative_error(&found.value.by_order_m[of_order], &dense.value[of_order]);
-        let reference = format!("sbr, order {order}, {} rays per wavelength", subject.fine_rays);
-        rows.push(row(
-            subject,
-            "bart, by order",
-            format!("order {order}, −40 dB asked"),
-            &found,
-            error,
-            reference,
-        ));
+impl Body<'_> {
+    fn beams(&self, order: u8) -> Reference<'_> {
+        let amplitude_m = &self.exact.by_order_m[usize::from(order) - 1];
+        Reference { amplitude_m, name: format!("bart, order {order}, exit node, {FINE_DB} dB asked") }
     }
-    for density in subject.densities {
-        let found = shot(subject, *density)?;
-        rows.extend((1..=3_u8).map(|order| rays_row(subject, *density, order, &found, &exact.value)));
-    }
-    Ok(rows)
-}
 
-fn rays_row(
-    subject: &Subject,
-    density: f64,
-    order: u8,
-    found: &Measured<Vec<Vec<Complex64>>>,
-    exact: &RcsResult,
-) -> SettingRow {
-    let index = usize::from(order) - 1;
-    let error = looks::relative_error(&found.value[index], &exact.by_order_m[index]);
-    let reference = format!("bart, order {order}, exit node, {FINE_DB} dB asked");
-    let method = ["sbr, order 1", "sbr, order 2", "sbr, order 3"][index];
-    row(subject, method, format!("{density} rays per wavelength"), found, error, reference)
+    /// First order: beams by the accuracy asked against the densest sampling; sampling by its density against
+    /// beams.
+    fn first_order(&self) -> Result<Vec<SettingRow>, Failure> {
+        let finest = self.subject.samples.finest;
+        let dense = finest.map(|density| sampled(self.subject, density, SHADOW_LEVELS + 2)).transpose()?;
+        let sampling = dense.as_ref().zip(finest).map(|(dense, density)| Reference {
+            amplitude_m: &dense.value,
+            name: format!("po, {density} samples per wavelength"),
+        });
+        let reference = sampling.unwrap_or_else(|| self.beams(1));
+        let mut rows = Vec::new();
+        for accuracy_db in [-10.0, -20.0, -30.0, -40.0, -60.0] {
+            let found = traced(self.subject, 1, accuracy_db)?;
+            let setting = format!("{accuracy_db} dB asked");
+            rows.push(self.row("bart, order 1", setting, found.cost, &found.value.by_order_m[0], &reference));
+        }
+        for density in self.subject.samples.charted {
+            let found = sampled(self.subject, *density, SHADOW_LEVELS)?;
+            let setting = format!("{density} per wavelength");
+            rows.push(self.row("po, order 1", setting, found.cost, &found.value, &self.beams(1)));
+        }
+        Ok(rows)
+    }
+
+    /// Orders by themselves, with the exit node that rays have; errors are over the field of that order.
+    /// Beams of order 1 are in [`Self::first_order`]: against rays they would show the error of the rays,
+    /// whose first order converges slowly.
+    fn by_order(&self) -> Result<Vec<SettingRow>, Failure> {
+        let finest = self.subject.rays.finest;
+        let dense = finest.map(|density| shot(self.subject, density)).transpose()?;
+        let mut rows = Vec::new();
+        for (order, accuracy_db) in [(2, -20.0), (2, -40.0), (3, -20.0), (3, -40.0)] {
+            let rays = dense.as_ref().zip(finest).map(|(dense, density)| Reference {
+                amplitude_m: &dense.value[usize::from(order) - 1],
+                name: format!("sbr, order {order}, {density} rays per wavelength"),
+            });
+            let found = traced(self.subject, order, accuracy_db)?;
+            let (method, setting) = (format!("bart, order {order}"), format!("{accuracy_db} dB asked"));
+            let of_order = &found.value.by_order_m[usize::from(order) - 1];
+            rows.push(self.row(
+                &method,
+                setting,
+                found.cost,
+                of_order,
+                &rays.unwrap_or_else(|| self.beams(order)),
+            ));
+        }
+        for density in self.subject.rays.charted {
+            let found = shot(self.subject, *density)?;
+            rows.extend((1..=3_u8).map(|order| self.rays_row(*density, order, &found)));
+        }
+        Ok(rows)
+    }
+
+    fn rays_row(&self, density: f64, order: u8, found: &Measured<Orders>) -> SettingRow {
+        let method = format!("sbr, order {order}");
+        let of_order = &found.value[usize::from(order) - 1];
+        let setting = format!("{density} rays per wavelength");
+        self.row(&method, setting, found.cost, of_order, &self.beams(order))
+    }
+
+    fn row(
+        &self,
+        method: &str,
+        setting: String,
+        cost: Cost,
+        amplitude_m: &[Complex64],
+        reference: &Reference<'_>,
+    ) -> SettingRow {
+        SettingRow {
+            stage: "bart-rcs".into(),
+            scene: self.subject.name.into(),
+            method: method.into(),
+            setting,
+            cost,
+            error: looks::relative_error(amplitude_m, reference.amplitude_m),
+            reference: reference.name.clone(),
+            size: String::new(),
+        }
+    }
 }

@@ -1,128 +1,121 @@
-//! Echoes of a moving body: paths against the paper's table, and the two forms of the sum.
+//! Echoes of many paths: the formulas, the sum by recurrence, and sums by transforms.
 
 use crate::study::chart::row::SettingRow;
-use crate::study::chart::work::{Measured, Subject, measured};
+use crate::study::chart::work::{Cost, measured};
+use crate::study::extent::Extent;
 use crate::study::looks;
-use crate::study::scenes::{
-    cube_of, frame_of, paths_at, paths_of, scene_of, synthesizer, tables_at, with_body,
-};
-use artifact::Accuracy;
-use artifact::cube::CubeFrame;
+use crate::study::scenes::scene_of;
 use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
-use artifact::scene::SceneHeader;
+use artifact::{Accuracy, Radar};
+use fmcw_echo::direct_sum::DirectSum;
+use fmcw_echo::fast_sum;
 use num_complex::Complex64;
+use rayon::prelude::*;
 use wayside::host::failure::Failure;
 
-const ONE_CHANNEL: &str = "[radar.array]\npreset = \"1x1\"\n[radar.waveform]\nchirps = 64\n";
-/// Asked of the paths that are traced anew through the frame.
-const FINE_DB: f64 = -60.0;
+/// Accuracies asked of transforms.
+const ASKED_DB: [f64; 4] = [-20.0, -40.0, -60.0, -80.0];
+/// Paths of the formulas, which take every sample alone.
+const FEW_PATHS: usize = 300;
 
-/// The body in lane 2 at its range, approaching at 10 m/s.
-fn scene(subject: &Subject, accuracy_db: f64) -> Result<SceneHeader, Failure> {
-    let header = scene_of(ONE_CHANNEL)?;
-    let ahead_m = (subject.range_m.powi(2) - 6.0_f64.powi(2) - 5.75_f64.powi(2)).sqrt();
-    let mut header = with_body(header, &subject.body, [5.75, ahead_m, 0.0], [0.0, -10.0, 0.0]);
-    header.fidelity.accuracy = Accuracy::from_db(accuracy_db);
-    Ok(header)
-}
+/// Samples of a cube at which the direct sum is held to the formulas.
+const CHECKED: usize = 64;
 
-fn wide(cube: &CubeFrame) -> Vec<Complex64> {
-    cube.samples.iter().map(|z| Complex64::new(z.re.into(), z.im.into())).collect()
-}
-
-/// The cube of the same frame with the body traced anew every few chirps: nothing is frozen for longer.
-fn retraced(subject: &Subject) -> Result<Vec<Complex64>, Failure> {
-    let whole = scene(subject, FINE_DB)?;
-    let mut part = whole.clone();
-    part.radar.waveform.chirps = subject.retraced_chirps;
-    let mut samples = Vec::new();
-    for number in 0..whole.radar.waveform.chirps / subject.retraced_chirps {
-        let mut frame = frame_of(&part);
-        let begin_s = f64::from(number) * part.radar.frame_duration_s();
-        frame.poses = frame.poses.iter().map(|pose| radar::motion::pose_after(pose, begin_s)).collect();
-        samples.extend(wide(&cube_of(&part, &paths_at(&part, &frame)?)?));
-    }
-    Ok(samples)
-}
-
-fn reference(subject: &Subject) -> String {
-    format!("paths traced anew every {} chirps, {FINE_DB} dB asked", subject.retraced_chirps)
-}
-
-fn row(
-    subject: &Subject,
-    method: &'static str,
-    setting: String,
-    from: &Measured<CubeFrame>,
-    exact: &[Complex64],
-) -> SettingRow {
-    SettingRow {
-        stage: "fmcw-echo",
-        scene: format!("{}, 64 chirps, lane 2, 10 m/s", subject.name),
-        method,
-        setting,
-        seconds: from.seconds,
-        peak_mib: from.peak_mib,
-        error: looks::relative_error(&wide(&from.value), exact),
-        reference: reference(subject),
+/// Numbers of paths: those of one car far away, of a street, of bodies that reflect each other.
+pub(super) fn counts(extent: Extent) -> &'static [usize] {
+    match extent {
+        Extent::Quick => &[FEW_PATHS],
+        Extent::Full => &[FEW_PATHS, 1_000, 10_000, 67_000],
     }
 }
 
-/// Frozen for the whole frame, by the accuracy asked.
-pub(super) fn paths(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
-    let exact = retraced(subject)?;
-    let row = |accuracy_db: f64| {
-        let header = scene(subject, accuracy_db)?;
-        let cube = measured(|| cube_of(&header, &paths_of(&header)?))?;
-        Ok(row(subject, "paths", format!("{accuracy_db} dB asked"), &cube, &exact))
-    };
-    [-20.0, -30.0, -40.0].into_iter().map(row).collect()
+/// Every way to sum so many paths over a frame of 12 channels, 128 chirps of 256 samples.
+pub(super) fn rows(count: usize) -> Result<Vec<SettingRow>, Failure> {
+    let radar = scene_of("")?.radar;
+    let paths: Vec<Path> = (0..count).map(point).collect();
+    let sum = Sum { radar: &radar, paths: &paths };
+    let direct = measured(|| Ok(sum.directly()))?;
+    let mut rows = vec![];
+    if count <= FEW_PATHS {
+        rows.extend(sum.by_formulas()?);
+    }
+    for asked_db in ASKED_DB {
+        let found = measured(|| Ok(sum.by_transforms(asked_db)))?;
+        let error = looks::relative_error(&found.value, &direct.value);
+        let setting = format!("{asked_db} dB asked");
+        rows.push(sum.row("echo, transforms", setting, found.cost, error, "echo, recurrence"));
+    }
+    let error = sum.error_of_direct(&direct.value);
+    let reference = format!("echo, formulas, at {CHECKED} samples");
+    rows.push(sum.row("echo, recurrence", "direct sum".into(), direct.cost, error, &reference));
+    Ok(rows)
 }
 
-/// The paper's σ_f.
-pub(super) fn tables(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
-    let exact = retraced(subject)?;
-    let header = scene(subject, -20.0)?;
-    let frame = frame_of(&header);
-    let cube = measured(|| {
-        let tables = tables_at(&header, &frame)?;
-        synthesizer(&header, header.seed)?
-            .frame_of_tables(&frame.poses, &tables, &|_| ())
-            .map_err(Failure::refused)
-    })?;
-    Ok(vec![row(subject, "rcs-table", "far field, −20 dB asked".into(), &cube, &exact)])
+struct Sum<'a> {
+    radar: &'a Radar,
+    paths: &'a [Path],
 }
 
-/// The sum as the formulas have it, and with the phase advanced by recurrence; 8 chirps of one channel, one
-/// thread.
-pub(super) fn synthesis(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
-    let mut header = scene_of(ONE_CHANNEL)?;
-    header.radar.waveform.chirps = 8;
-    let (radar, centre_hz) = (&header.radar, header.radar.waveform.centre_frequency_hz());
-    let paths: Vec<Path> = (0..subject.echo_paths).map(point).collect();
-    let slow = measured(|| Ok(fmcw_echo::reference::cube(radar, centre_hz, &paths)))?;
-    let sum = fmcw_echo::direct_sum::DirectSum::new(radar, centre_hz, &paths);
-    let fast = measured(|| Ok((0..8).flat_map(|chirp| sum.row(0, chirp)).collect::<Vec<_>>()))?;
-    let row = |method,
-               setting: &str,
-               from: &Measured<Vec<Complex64>>,
-               other: &Measured<Vec<Complex64>>,
-               reference: &str| {
+impl Sum<'_> {
+    fn directly(&self) -> Vec<Complex64> {
+        let sum = DirectSum::new(self.radar, self.radar.waveform.centre_frequency_hz(), self.paths);
+        let chirps = self.radar.waveform.chirps as usize;
+        let rows = (0..self.radar.virtual_channels() * chirps).into_par_iter();
+        rows.flat_map_iter(|row| sum.row(row / chirps, row % chirps)).collect()
+    }
+
+    /// The direct sum against the formulas, at samples spread over the cube.
+    fn error_of_direct(&self, cube: &[Complex64]) -> f64 {
+        let [chirps, samples] = [self.radar.waveform.chirps, self.radar.waveform.samples].map(|n| n as usize);
+        let centre_hz = self.radar.waveform.centre_frequency_hz();
+        let places: Vec<usize> = (0..CHECKED).map(|n| n * cube.len() / CHECKED + n).collect();
+        let exact = places.par_iter().map(|place| {
+            let at = [place / (chirps * samples), place / samples % chirps, place % samples];
+            fmcw_echo::reference::cube_sample(self.radar, centre_hz, self.paths, at, None)
+        });
+        let found: Vec<Complex64> = places.iter().map(|place| cube[*place]).collect();
+        looks::relative_error(&found, &exact.collect::<Vec<_>>())
+    }
+
+    fn by_transforms(&self, asked_db: f64) -> Vec<Complex64> {
+        let centre_hz = self.radar.waveform.centre_frequency_hz();
+        fast_sum::cube(self.radar, centre_hz, self.paths, Accuracy::from_db(asked_db))
+    }
+
+    /// The sum as the formulas have it, and with the phase advanced by recurrence; 8 chirps of one channel,
+    /// one thread.
+    fn by_formulas(&self) -> Result<[SettingRow; 2], Failure> {
+        let mut radar = scene_of("[radar.array]\npreset = \"1x1\"\n")?.radar;
+        radar.waveform.chirps = 8;
+        let centre_hz = radar.waveform.centre_frequency_hz();
+        let slow = measured(|| Ok(fmcw_echo::reference::cube(&radar, centre_hz, self.paths)))?;
+        let sum = DirectSum::new(&radar, centre_hz, self.paths);
+        let fast = measured(|| Ok((0..8).flat_map(|chirp| sum.row(0, chirp)).collect::<Vec<_>>()))?;
+        let error = looks::relative_error(&fast.value, &slow.value);
+        let row = |method, setting: &str, cost, reference| SettingRow {
+            scene: format!("{} paths, 1 × 8 × 256, one thread", self.paths.len()),
+            ..self.row(method, setting.into(), cost, error, reference)
+        };
+        Ok([
+            row("echo, formulas", "every sample alone", slow.cost, "echo, recurrence"),
+            row("echo, recurrence alone", "quadratic phase", fast.cost, "echo, formulas"),
+        ])
+    }
+
+    fn row(&self, method: &str, setting: String, cost: Cost, error: f64, reference: &str) -> SettingRow {
+        let [chirps, samples] = [self.radar.waveform.chirps, self.radar.waveform.samples];
+        let channels = self.radar.virtual_channels();
         SettingRow {
-            stage: "fmcw-echo",
-            scene: format!("{} paths, 8 chirps of 256 samples", paths.len()),
-            method,
-            setting: setting.into(),
-            seconds: from.seconds,
-            peak_mib: from.peak_mib,
-            error: looks::relative_error(&from.value, &other.value),
+            stage: "fmcw-echo".into(),
+            scene: format!("{} paths, {channels} × {chirps} × {samples}", self.paths.len()),
+            method: method.into(),
+            setting,
+            cost,
+            error,
             reference: reference.into(),
+            size: String::new(),
         }
-    };
-    Ok(vec![
-        row("echo, formulas", "every sample alone", &slow, &fast, "echo, recurrence"),
-        row("echo, recurrence", "quadratic phase", &fast, &slow, "echo, formulas"),
-    ])
+    }
 }
 
 /// Points over the road, each with its own speed.

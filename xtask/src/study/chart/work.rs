@@ -1,86 +1,57 @@
-//! Work that the methods are given to do, and how it is measured.
+//! What a piece of work takes.
 
-use crate::study::bodies::{self, Face};
-use crate::study::extent::Extent;
-use artifact::scene::Mesh;
+use serde::{Deserialize, Serialize};
 use std::time::Instant;
 use wayside::host::failure::Failure;
 use wayside::host::memory;
+use wayside::host::processor_time::WorkClock;
 
-/// The body that all look at.
-pub(super) struct Subject {
-    pub(super) name: String,
-    pub(super) body: Mesh,
-    pub(super) azimuth_deg: f64,
-    pub(super) elevation_deg: f64,
-    pub(super) range_m: f64,
-    /// Samples and rays along a wavelength.
-    pub(super) densities: &'static [f64],
-    /// Samples of the reference of beams at first order, rays of that at higher orders, along a wavelength.
-    pub(super) fine_samples: f64,
-    pub(super) fine_rays: f64,
-    /// Paths of the echo's two forms.
-    pub(super) echo_paths: usize,
-    /// Chirps between two tracings of the echo's reference.
-    pub(super) retraced_chirps: u32,
+/// Seconds and memory of a piece of work.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(in crate::study) struct Cost {
+    /// By the clock on the wall.
+    pub(super) seconds: f64,
+    /// Of all threads on processors; where the system does not tell them, by the clock.
+    pub(super) processor_s: f64,
+    /// Largest resident size of the program while this ran, MiB.
+    pub(super) peak_mib: Option<f64>,
 }
 
-impl Subject {
-    pub(super) fn of(extent: Extent) -> Result<Self, Failure> {
-        match extent {
-            Extent::Quick => Ok(Self::corner()),
-            Extent::Full => Self::car(),
-        }
-    }
-
-    /// A trihedral of 0.1 m with a cube of 3 cm in it: shadows and three bounces.
-    fn corner() -> Self {
-        let cube = bodies::shifted(bodies::cube(0.03, &Face::ALL), [0.06, 0.05, 0.02]);
+impl Cost {
+    /// Both pieces of work, one after the other.
+    pub(super) fn and(self, other: Self) -> Self {
         Self {
-            name: "trihedral 0.1 m with a cube of 3 cm, 30 m".into(),
-            body: bodies::joined(bodies::square_trihedral(0.1), &cube),
-            azimuth_deg: 40.0,
-            elevation_deg: 30.0,
-            range_m: 30.0,
-            densities: &[1.0, 2.0, 4.0, 8.0],
-            fine_samples: 20.0,
-            fine_rays: 40.0,
-            echo_paths: 300,
-            retraced_chirps: 16,
+            seconds: self.seconds + other.seconds,
+            processor_s: self.processor_s + other.processor_s,
+            peak_mib: self.peak_mib.zip(other.peak_mib).map(|(a, b)| a.max(b)),
         }
-    }
-
-    fn car() -> Result<Self, Failure> {
-        let body = scene::vehicles::mesh("car-suv", 0);
-        Ok(Self {
-            name: "car-suv, 30 m".into(),
-            body: body.ok_or_else(|| Failure::refused("`car-suv` is missing"))?,
-            azimuth_deg: 23.0,
-            elevation_deg: 9.0,
-            range_m: 30.0,
-            densities: &[1.0, 2.0, 4.0],
-            fine_samples: 10.0,
-            fine_rays: 16.0,
-            echo_paths: 5000,
-            retraced_chirps: 16,
-        })
     }
 }
 
 /// A result with what it took.
 pub(super) struct Measured<T> {
     pub(super) value: T,
-    pub(super) seconds: f64,
-    pub(super) peak_mib: Option<f64>,
+    pub(super) cost: Cost,
 }
 
-/// Does the work once; the peak is that of the whole program while it lasts.
-pub(super) fn measured<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<Measured<T>, Failure> {
+/// Processor seconds that are told truly by a system that counts in hundredths of one.
+const TOLD_S: f64 = 0.2;
+const RUNS_MAX: f64 = 1000.0;
+
+/// Does the work, again where it is too quick to be timed by doing it once; the peak is that of the whole
+/// program while it lasts.
+pub(super) fn measured<T>(mut work: impl FnMut() -> Result<T, Failure>) -> Result<Measured<T>, Failure> {
     let is_fresh = forget_peak();
-    let start = Instant::now();
+    let (start, clock) = (Instant::now(), WorkClock::start());
     let value = work()?;
-    let seconds = start.elapsed().as_secs_f64();
-    Ok(Measured { value, seconds, peak_mib: if is_fresh { memory::peak_mib() } else { None } })
+    let more = (TOLD_S / start.elapsed().as_secs_f64()).min(RUNS_MAX) as u32;
+    for _ in 0..more {
+        work()?;
+    }
+    let runs = f64::from(more + 1);
+    let (seconds, processor_s) = (start.elapsed().as_secs_f64() / runs, clock.seconds() / runs);
+    let peak_mib = if is_fresh { memory::peak_mib() } else { None };
+    Ok(Measured { value, cost: Cost { seconds, processor_s, peak_mib } })
 }
 
 /// Lets the system count the largest resident size anew (`proc(5)`, clear_refs, 5); false where it cannot.

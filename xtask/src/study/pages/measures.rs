@@ -5,6 +5,6 @@
 pub(super) mod gates;
 
 /// Made-up radars and targets.
-pub(super) mod signals;
+pub(in crate::study) mod signals;
 /// BART beside dense sampling and rays.
 pub(super) mod references;

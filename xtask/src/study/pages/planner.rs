@@ -2,14 +2,13 @@
 //! kept, and what a plan costs beside the cheapest setting that keeps it.
 
 mod drawn; // scenes of a seed
-mod kept; // rows of a study that was ended
 mod trial; // a plan, its truth, and other settings
 
 use crate::study::extent::Extent;
+use crate::study::kept::Kept;
 use crate::study::pages::part::Part;
 use crate::study::sources::{self, CHAIN, Places};
 use drawn::Drawn;
-use kept::Kept;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use trial::{Searched, Trial};
@@ -106,7 +105,7 @@ struct Rows {
 
 impl Rows {
     fn of(extent: Extent, missing: Missing) -> Result<Self, Failure> {
-        let kept = Kept::of(&sources::hash(SOURCES)?);
+        let kept = Kept::of("planner", &sources::hash(SOURCES)?);
         Ok(Self { kept, missing, scenes: extent.of(SCENES), searched: extent.of(SEARCHED) })
     }
 
@@ -135,12 +134,17 @@ impl Rows {
 
     /// Sentence on the rows that are not there; `None` where all are.
     fn told_missing(&self) -> Option<String> {
-        let trials = self.kept.missing::<Option<Trial>>((0..self.scenes).filter_map(trial_scene));
-        let searched = self.kept.missing::<Option<Searched>>((0..self.searched).filter_map(searched_scene));
+        let trials = self.kept.missing::<Option<Trial>>(names(self.scenes, trial_scene));
+        let searched = self.kept.missing::<Option<Searched>>(names(self.searched, searched_scene));
         let all = format!("Of {} scenes {trials} are not in the first table", self.scenes);
         (trials + searched > 0)
             .then(|| format!("\n{all}, of {} {searched} not in the second.", self.searched))
     }
+}
+
+/// Names of the scenes of a table.
+fn names(count: u64, scene: fn(u64) -> Option<Drawn>) -> impl Iterator<Item = String> {
+    (0..count).filter_map(move |number| Some(scene(number)?.name))
 }
 
 fn trial_scene(number: u64) -> Option<Drawn> {

@@ -1,0 +1,48 @@
+//! Rows that an earlier run of the same sources has made: a study that is ended goes on where it was.
+
+use serde::{Serialize, de::DeserializeOwned};
+use std::path::PathBuf;
+use wayside::host::failure::Failure;
+use wayside::host::files;
+
+/// Folder of the rows.
+pub(super) struct Kept {
+    folder: PathBuf,
+}
+
+impl Kept {
+    /// Rows of a study, of sources with this hash.
+    pub(super) fn of(study: &str, sources: &str) -> Self {
+        let folder = crate::project::project_root().join(format!("out/study-{study}"));
+        Self { folder: folder.join(sources) }
+    }
+
+    /// The row of this name, where it was made.
+    pub(super) fn row<R: DeserializeOwned>(&self, name: &str) -> Option<R> {
+        serde_json::from_slice(&std::fs::read(self.file(name)).ok()?).ok()
+    }
+
+    /// Number of the rows of these names that were not made.
+    pub(super) fn missing<R: DeserializeOwned>(&self, names: impl Iterator<Item = String>) -> usize {
+        names.filter(|name| self.row::<R>(name).is_none()).count()
+    }
+
+    /// The row of this name, or the one that is made now, which is kept.
+    pub(super) fn or_made<R: Serialize + DeserializeOwned>(
+        &self,
+        name: &str,
+        make: impl FnOnce() -> Result<R, Failure>,
+    ) -> Result<R, Failure> {
+        if let Some(row) = self.row(name) {
+            return Ok(row);
+        }
+        let row = make()?;
+        let text = serde_json::to_vec(&row).map_err(|error| Failure::System(error.to_string()))?;
+        files::write_again(&self.file(name), &text)?;
+        Ok(row)
+    }
+
+    fn file(&self, name: &str) -> PathBuf {
+        self.folder.join(format!("{name}.json"))
+    }
+}
