@@ -2,7 +2,7 @@
 //! it.
 
 use crate::raw_data::told_waveform::{WaveformKeys, same};
-use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording};
+use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording, Shape};
 use crate::writing::fail;
 use artifact::Reader;
 use artifact::bounded;
@@ -76,7 +76,8 @@ pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Impor
         }
     };
     let values = values.ok_or_else(|| refused(&data, "ends within a sample".to_owned()))?;
-    recording.frames(&data, values.len())?;
+    let global = &told["global"];
+    recording.check_frames(&data, values.len(), Shape::of(&[&global[CHIRPS], &global[SAMPLES]]))?;
     let cube = |frame: &[Complex32]| recording.cube_of_slots(&recording.apart(frame));
     Ok(Imported { frames: values.chunks_exact(recording.values()).map(cube).collect(), step })
 }
