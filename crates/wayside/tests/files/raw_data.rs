@@ -211,8 +211,8 @@ fn a_step_is_taken_from_the_file_that_tells_of_these_samples_or_said_to_be_missi
     assert!(said.contains("other samples") && said.contains("no step is told"), "{said}");
 }
 
-/// Samples of a radar with half as many chirps, or half as many samples, or a receiver more make whole frames
-/// too.
+/// Samples of a radar with twice as many samples a chirp make whole frames too, and a carrier is no part of
+/// their count.
 #[test]
 fn recordings_of_another_radar_are_refused_where_what_stands_beside_them_tells() {
     let place = tdm();
@@ -221,7 +221,8 @@ fn recordings_of_another_radar_are_refused_where_what_stands_beside_them_tells()
         assert!(scene.contains(from), "{from}");
         std::fs::write(place.path(name), scene.replace(from, to)).unwrap();
     };
-    other("few.toml", "chirps = 16", "chirps = 8");
+    other("short.toml", "samples = 64", "samples = 32");
+    other("x-band.toml", "samples = 64", "samples = 64\nstart_frequency_ghz = 10.0");
     place.run("export a.cube --to dca1000 --out raw.bin --quiet");
     place.run("export a.cube --to sigmf --out raw --quiet");
     let mut foreign = place.summary("raw.sigmf-meta");
@@ -229,18 +230,22 @@ fn recordings_of_another_radar_are_refused_where_what_stands_beside_them_tells()
     std::fs::write(place.path("foreign.sigmf-meta"), foreign.to_string()).unwrap();
     std::fs::write(place.path("foreign.sigmf-data"), place.bytes("raw.sigmf-data")).unwrap();
     for (command, told) in [
-        ("import raw.bin --scene few.toml", "raw.bin.json: sizes tells 48 chirps, the scene's radar has 24"),
-        ("import raw.sigmf-meta --scene few.toml", "raw.sigmf-meta: wayside:chirps is 48"),
+        (
+            "import raw.bin --scene short.toml",
+            "raw.bin.json: sizes tells 64 samples, the scene's radar has 32",
+        ),
+        ("import raw.sigmf-meta --scene short.toml", "raw.sigmf-meta: wayside:samples is 64"),
+        ("import foreign.sigmf-meta --scene x-band.toml", "core:frequency of capture 0 is 77"),
     ] {
         let output = place.try_run(&format!("{command} --out b.cube"));
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(1), "{command}: {said}");
         assert!(said.contains(told) && !place.path("b.cube").exists(), "{command}: {said}");
     }
-    let output = place.try_run("import foreign.sigmf-meta --scene few.toml --out b.cube");
+    let output = place.try_run("import foreign.sigmf-meta --scene short.toml --out b.cube");
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.success(), "{said}");
-    assert!(said.contains("4 frames are assumed of 24 chirps × 4 receivers × 64 samples"), "{said}");
+    assert!(said.contains("4 frames are assumed of 48 chirps × 4 receivers × 32 samples"), "{said}");
 }
 
 #[test]
