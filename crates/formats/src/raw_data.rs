@@ -15,6 +15,8 @@ use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
+use pipeline::host::progress;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// Files of samples are read whole; devices write files of a gibibyte.
@@ -105,21 +107,42 @@ impl Recording {
         transposed(values, self.samples, self.receivers)
     }
 
-    /// Whole frames in a file of so many values.
-    pub(crate) fn frames(&self, file: &Path, values: usize) -> Result<usize, Failure> {
+    /// Refuses so many values where they are no whole number of frames; where nothing beside the file tells
+    /// a frame's shape, a remark does: samples of another radar can make whole frames too.
+    pub(crate) fn check_frames(&self, file: &Path, values: usize, shape: Shape) -> Result<(), Failure> {
+        let (name, frames) = (file.display(), values / self.values());
+        let radars = format!(
+            "{} chirps × {} receivers × {} samples, as the scene's radar has them",
+            self.slots(),
+            self.receivers,
+            self.samples
+        );
         if values == 0 || !values.is_multiple_of(self.values()) {
-            let asked = format!(
-                "{values} samples are no whole number of frames of {} chirps × {} receivers × {} samples",
-                self.slots(),
-                self.receivers,
-                self.samples
-            );
-            return Err(Failure::Refused(format!(
-                "{}: {asked}, as the scene's radar has them",
-                file.display()
-            )));
+            let text = format!("{name}: {values} samples are no whole number of frames of {radars}");
+            return Err(Failure::Refused(text));
         }
-        Ok(values / self.values())
+        if shape == Shape::Assumed {
+            progress::note(format!(
+                "note: {name}: nothing beside it tells the shape of a frame: {frames} frames are assumed of {radars}"
+            ));
+        }
+        Ok(())
+    }
+}
+
+/// Who says what shape a recording's frames have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// What stands beside it, which has been compared with the scene's radar.
+    Told,
+    /// Nobody: the scene's radar is taken for the one that recorded.
+    Assumed,
+}
+
+impl Shape {
+    /// Told by these values of a description, if they are all there.
+    pub(crate) fn of(told: &[&Value]) -> Self {
+        if told.iter().all(|value| value.is_number()) { Self::Told } else { Self::Assumed }
     }
 }
 

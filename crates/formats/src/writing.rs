@@ -15,15 +15,6 @@ pub(crate) fn plain_name(name: &str) -> String {
     if kept == name { kept } else { format!("{kept}-{}", &blake3::hash(name.as_bytes()).to_hex()[..8]) }
 }
 
-/// A text as a cell of a table (RFC 4180): in quotes where it holds what parts cells.
-#[cfg(feature = "classifier")]
-pub(crate) fn cell(text: &str) -> std::borrow::Cow<'_, str> {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")).into(),
-        false => text.into(),
-    }
-}
-
 /// Keeps an artifact's error while a stream that can only fail with I/O errors is given up.
 pub(crate) fn fail(
     keep: &mut Option<artifact::ArtifactError>,
@@ -50,12 +41,6 @@ pub(crate) fn streamed(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[cfg(feature = "classifier")]
-    #[test]
-    fn a_text_with_commas_and_quotes_stays_one_cell() {
-        assert_eq!(["car-1", "a,b \"x\""].map(cell), ["car-1", "\"a,b \"\"x\"\"\""]);
-    }
 
     #[test]
     fn names_stay_in_their_folder_apart_and_short() {

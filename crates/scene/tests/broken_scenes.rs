@@ -113,7 +113,7 @@ const CASES: &[Case] = &[
     (NAME, "[radar.array]\npattern = \"horn\"\n", "3:11", "it can be `isotropic`, `cosine`, `table`"),
     (NAME, "[radar.array]\npattern = \"cosine\"\n", "2:1", "[radar.array]: key `cosine_exponent` is missing"),
     (NAME, "[radar.array]\npattern = \"table\"\n", "2:1", "[radar.array]: key `pattern_file` is missing"),
-    (NAME, "[radar.array]\npattern = \"table\"\npattern_file = \"not-there.csv\"\n", "4:16", "not-there.csv:0: cannot be read"),
+    (NAME, "[radar.array]\npattern = \"table\"\npattern_file = \"not-there.csv\"\n", "4:16", "not-there.csv: cannot be read"),
     (NAME, "[radar.array]\npattern_file = \"a.csv\"\n", "3:16", "key `pattern_file` has no meaning for an isotropic pattern"),
     (NAME, "[radar.array]\ncosine_exponent = 1\n", "3:19", "key `cosine_exponent` has no meaning for an isotropic pattern"),
     // Noise, processing, fidelity, road.

@@ -8,7 +8,7 @@ use crate::held::values::Values;
 use crate::told;
 use crate::work::carry_out;
 use artifact::Accuracy;
-use artifact::material::MaterialMap;
+use artifact::material::Transmission;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use ndarray::{Array3, Ix3};
@@ -17,7 +17,7 @@ use numpy::{PyArray1, PyArray2, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ops::RangeInclusive;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use wayside::host::memory::Allowance;
 use wayside::stepwise::bounds::{AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, UNIT_SCALES};
 use wayside::stepwise::{self, RcsRequest, RcsTable, Standpoint};
@@ -112,11 +112,13 @@ impl Rcs {
 }
 
 /// Makes S of a mesh by BART, as `wayside rcs` does. `mesh` is a file (of assets of OpenMATERIAL 3D in their
-/// own materials) or the name of an own vehicle; angles are those of the antenna in body axes.
+/// own materials) or the name of an own vehicle; angles are those of the antenna in body axes. `materials` is
+/// a file that says what the mesh's names of materials stand for, else everything conducts.
 #[pyfunction]
 #[pyo3(signature = (mesh, freq_ghz, az_deg=None, el_deg=None, *, range_m=f64::INFINITY, pol="vv", bounces=3,
     edges="off", nodes="own-edge", surface="flat", sides="two", accuracy_db=-40.0, rx_az_deg=None,
-    rx_el_deg=None, rx_range_m=None, unit_scale=None, memory_limit_mib=None, progress=None))]
+    rx_el_deg=None, rx_range_m=None, unit_scale=None, materials=None, transmission="off",
+    memory_limit_mib=None, progress=None))]
 #[allow(clippy::too_many_arguments, reason = "keywords of Python, each with a name where it is given")]
 pub(crate) fn rcs(
     py: Python<'_>,
@@ -136,12 +138,14 @@ pub(crate) fn rcs(
     rx_el_deg: Option<f64>,
     rx_range_m: Option<f64>,
     unit_scale: Option<f64>,
+    materials: Option<PathBuf>,
+    transmission: &str,
     memory_limit_mib: Option<&Bound<'_, PyAny>>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Rcs> {
     let range_m = numbers::distance_m("range_m", range_m)?;
     let receiver = receiver(rx_az_deg, rx_el_deg, rx_range_m, range_m)?;
-    let unit_scale = scale(unit_scale)?;
+    let (unit_scale, transmission) = (scale(unit_scale)?, transmitted(transmission, materials.as_deref())?);
     let request = RcsRequest {
         frequency_hz: scaled(values("freq_ghz", Some(freq_ghz), FREQUENCIES_GHZ)?, 1e9),
         elevation_rad: scaled(values("el_deg", el_deg, ELEVATIONS_DEG)?, 1.0_f64.to_radians()),
@@ -160,7 +164,8 @@ pub(crate) fn rcs(
     let memory = Allowance::of(numbers::memory_mib(memory_limit_mib)?);
     let table = carry_out(py, Some(&mesh), progress, move |_| {
         let mesh = stepwise::mesh(&place, unit_scale)?;
-        let mesh = stepwise::dressed(mesh, &place, &MaterialMap::default(), &asked.frequency_hz)?;
+        let map = stepwise::materials(materials.as_deref(), transmission, &asked.frequency_hz)?;
+        let mesh = stepwise::dressed(mesh, &place, &map, &asked.frequency_hz)?;
         stepwise::rcs(&mesh, &asked, memory).map_err(|failure| failure.about(&place))
     })?;
     Rcs::of(py, table, request)
@@ -201,6 +206,17 @@ fn receiver(
         (None, Some(_)) => lacks("rx_az_deg", "rx_el_deg"),
         (None, None) if range_m.is_some() => lacks("rx_az_deg", "rx_range_m"),
         (None, None) => Ok(None),
+    }
+}
+
+/// Whether waves are followed through sheets, which only a file of materials tells of.
+fn transmitted(given: &str, materials: Option<&Path>) -> PyResult<Transmission> {
+    let known = [("off", Transmission::Ignored), ("on", Transmission::Followed)];
+    match word("transmission", given, &known)? {
+        Transmission::Followed if materials.is_none() => {
+            Err(failure::of_argument("materials", "transmission needs it"))
+        }
+        found => Ok(found),
     }
 }
 

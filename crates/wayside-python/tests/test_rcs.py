@@ -86,6 +86,34 @@ def test_the_words_of_a_refusal_are_the_command_lines(program: list[str], plate:
         assert str(refused.value).split(": ", 1)[1] in said.stderr
 
 
+def test_materials_and_transmission_are_those_of_the_command(program: list[str], tmp_path: Path) -> None:
+    # A pane before a plate: the wave comes through it, is reflected and comes back.
+    mesh, skins, out = (tmp_path / name for name in ("two.obj", "skins.toml", "s.npy"))
+    square = [(-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)]
+    corners = [f"v {x} {y} {z}\n" for x in (0.1, 0.0) for y, z in square]
+    mesh.write_text("".join(corners) + "usemtl pane\nf 1 2 3 4\nusemtl back\nf 5 6 7 8\n")
+    skins.write_text('[materials]\npane = { substance = "glass", thickness_mm = 4.0 }\nback = { substance = "metal" }\n')
+    words = [*program, "rcs", str(mesh), "--freq-ghz", "77", "--az-deg", "0", "--out", str(out)]
+    levels = []
+    for told in ({}, {"materials": skins}, {"materials": skins, "transmission": "on"}):
+        options = [word for name, value in told.items() for word in (f"--{name}", str(value))]
+        subprocess.run([*words, *options], check=True, capture_output=True, timeout=120)
+        table = wayside.rcs(mesh, 77.0, 0.0, **told)
+        assert np.array_equal(table.s_m, np.load(out))
+        levels.append(table.rcs_dbsm.item())
+    assert len(set(levels)) == 3
+
+
+def test_transmission_needs_materials(plate: Path) -> None:
+    with pytest.raises(ValueError, match="materials: transmission needs it"):
+        wayside.rcs(plate, 77.0, transmission="on")
+    with pytest.raises(ValueError, match="transmission: `yes`; it can be `off`, `on`"):
+        wayside.rcs(plate, 77.0, transmission="yes")
+    with pytest.raises(wayside.WaysideError, match="no-such.toml") as refused:
+        wayside.rcs(plate, 77.0, materials="no-such.toml")
+    assert refused.value.kind == "system"
+
+
 def test_a_mesh_that_is_missing_is_named() -> None:
     with pytest.raises(wayside.WaysideError, match="no-such-mesh.stl") as refused:
         wayside.rcs("no-such-mesh.stl", 77.0)

@@ -8,6 +8,7 @@ pub mod terminal;
 mod ending;
 mod export_formats;
 mod interrupt;
+mod out_endings;
 #[cfg(feature = "classifier")]
 mod learning_cli;
 mod suggestion;

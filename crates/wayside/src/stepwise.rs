@@ -17,7 +17,7 @@ mod tables; // S of a mesh
 pub use bart_rcs::{RcsRequest, Standpoint};
 pub use echoes::{echoes, echoes_of_paths};
 pub use formats::export::delay_at_middle;
-pub use meshes::{dressed, far_field_from_m, mesh, middle_hz};
+pub use meshes::{dressed, far_field_from_m, materials, mesh, middle_hz};
 pub use opened_scene::{Cost, OpenedScene, inputs, radars};
 pub use processing::{Answered, Processing};
 pub use recorded::{Recorded, error_figures, model_error_figures};

@@ -1,23 +1,16 @@
 //! Rows as CSV, as a table of a page, and read again to be drawn.
 
 use artifact::units::db_from_amplitude;
+use wayside::host::shown::in_csv;
 
-/// Lines of fields, quoted where they must be (RFC 4180).
+/// Lines of fields, quoted where they must be.
 pub(super) fn csv(header: &str, rows: impl Iterator<Item = Vec<String>>) -> String {
     let mut text = format!("{header}\n");
     for row in rows {
-        text += &row.iter().map(|field| quoted(field)).collect::<Vec<_>>().join(",");
+        text += &row.iter().map(|field| in_csv(field)).collect::<Vec<_>>().join(",");
         text.push('\n');
     }
     text
-}
-
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.into()
-    }
 }
 
 /// A table as [`csv`] writes it: what pictures are drawn from, so that they can be drawn anew without

@@ -3,14 +3,16 @@
 //!
 //! A wave of an interferer's chirp that began at t_j has the phase 2π(f₁s + ½μ₁s²), s = T − τ − t_j, τ = R/c
 //! one way. Mixed with ours as every echo is (transmit times conj receive) it is e^{j2π[f₀t + ½μt² − f₁s −
-//! ½μ₁s²]}, of frequency f₀ + μt − f₁ − μ₁s. The IF filter is a brick wall: only samples whose frequency lies
-//! within ±f_s/2 hear it, f_s/|μ − μ₁| seconds of a crossing (Brooker, IEEE Trans. EMC 49 (2007) 170). Its
-//! power is EIRP·G_r·λ²/(4πR)², polarizations taken as equal.
+//! ½μ₁s²]}, of frequency f₀ + μt − f₁ − μ₁s. The IF filter is a brick wall, the one that echoes of every
+//! range of the map pass: with complex samples beats from 0 to f_s, of the sign of μ as theirs are (the image
+//! band is filtered out: Ramasubramanian, Texas Instruments SPYY007 (2017)), with real ones beats within
+//! ±f_s/2. Either is f_s wide, so that a crossing is heard for f_s/|μ − μ₁| seconds (Brooker, IEEE Trans. EMC
+//! 49 (2007) 170). Its power is EIRP·G_r·λ²/(4πR)², polarizations taken as equal.
 
 use crate::links::multiplexing::{Transmission, receiver_factor, row as transmissions};
-use artifact::Radar;
-use artifact::radar::Interferer;
+use artifact::radar::{Interferer, Sampling};
 use artifact::units::{SPEED_OF_LIGHT_MPS, power_from_db};
+use artifact::{Radar, Waveform};
 use glam::DVec3;
 use num_complex::{Complex32, Complex64};
 use radar::aperture::{axes, pattern_amplitude};
@@ -53,6 +55,14 @@ fn span([from, to]: [f64; 2], samples: usize) -> Range<usize> {
 /// Number of an interferer's chirp that is the latest to have begun `time_s` after the scene's first sample.
 fn begun(interferer: &Interferer, time_s: f64) -> f64 {
     ((time_s - interferer.offset_s) / interferer.chirp_interval_s).floor()
+}
+
+/// Middle of the band that the IF filter passes, Hz; the band is the sample rate wide.
+fn band_middle_hz(waveform: &Waveform) -> f64 {
+    match waveform.sampling {
+        Sampling::Complex => 0.5 * waveform.sample_rate_hz.copysign(waveform.slope_hz_per_s),
+        Sampling::Real => 0.0,
+    }
 }
 
 /// A receive element during one chirp.
@@ -128,8 +138,8 @@ impl Receiver<'_> {
         let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * t
             - interferer.start_frequency_hz
             - interferer.slope_hz_per_s * s;
-        let half_band_hz = 0.5 * waveform.sample_rate_hz;
-        if !(0.0..interferer.sweep_s).contains(&s) || frequency_hz.abs() >= half_band_hz {
+        let is_passed = (frequency_hz - band_middle_hz(waveform)).abs() < 0.5 * waveform.sample_rate_hz;
+        if !(0.0..interferer.sweep_s).contains(&s) || !is_passed {
             return Complex64::ZERO;
         }
         let own = (waveform.start_frequency_hz + 0.5 * waveform.slope_hz_per_s * t) * t;
@@ -157,7 +167,8 @@ impl Receiver<'_> {
         let speed_mps = DVec3::from_array(interferer.velocity_mps).length();
         let moved_s = speed_mps / SPEED_OF_LIGHT_MPS * (samples as f64 / f_s + line_s);
         let half_hz = 0.5 * f_s + interferer.slope_hz_per_s.abs() * moved_s;
-        let (middle, half) = (-first_hz / slope * f_s, half_hz / slope.abs() * f_s + 2.0);
+        let (middle, half) =
+            ((band_middle_hz(waveform) - first_hz) / slope * f_s, half_hz / slope.abs() * f_s + 2.0);
         let crossing = span([middle - half, middle + half], samples);
         crossing.start.max(arriving.start)..crossing.end.min(arriving.end)
     }

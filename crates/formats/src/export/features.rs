@@ -1,10 +1,11 @@
 //! Features of signatures as CSV, a row for each sample of a dataset.
 
-use crate::writing::{cell, fail};
+use crate::writing::fail;
 use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
+use pipeline::host::shown::in_csv;
 use std::io::Write;
 use std::path::Path;
 
@@ -37,7 +38,7 @@ pub(crate) fn column_names() -> Vec<String> {
 
 fn row(sample: &Sample) -> String {
     let Sample { id, variant, scene, target, frame, split, .. } = sample;
-    let [id, model] = [id, &sample.model].map(|text| cell(text));
+    let [id, model] = [id, &sample.model].map(|text| in_csv(text));
     let class = sample.class.map_or("", |class| class.name());
     let values: Vec<String> =
         classifier::features(&sample.signature).iter().map(|(_, v)| format!("{v:.6}")).collect();

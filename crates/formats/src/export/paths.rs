@@ -9,6 +9,7 @@ use artifact::{Radar, Reader};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
+use pipeline::host::shown::in_csv;
 use serde_json::json;
 use std::io::Write;
 use std::path::Path;
@@ -47,7 +48,7 @@ fn rows(
     frame: u32,
     path: &Record,
 ) -> std::io::Result<()> {
-    let target = header.targets.get(path.target as usize).map_or("", String::as_str);
+    let target = in_csv(header.targets.get(path.target as usize).map_or("", String::as_str));
     let (delay_s, rate) = delay_at_middle(radar, path);
     let geometry: Vec<String> =
         [path.apparent_tx_m, path.apparent_rx_m, path.apparent_tx_mps, path.apparent_rx_mps]

@@ -7,6 +7,7 @@ use artifact::settings::Class;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
+use pipeline::host::shown::in_csv;
 use std::io::Write;
 use std::path::Path;
 
@@ -39,6 +40,7 @@ pub(crate) fn write_csv(
         let ghost = of_object.and_then(|object| object.ghost_share);
         let ghost = ghost.map_or_else(String::new, |share| format!("{share:.4}"));
         let target = p.target.and_then(|t| header.targets.get(t as usize)).map_or("", String::as_str);
+        let target = in_csv(target);
         let label = p.label.map_or_else(|| ",,,".into(), |label| label_text(&label, header));
         let [x, y, z] = p.position_m;
         let (az, el) = (p.azimuth_rad.to_degrees(), p.elevation_rad.to_degrees());
@@ -61,7 +63,7 @@ pub(crate) fn write_csv(
 /// Target, class, order and share.
 fn label_text(label: &Label, header: &PointsHeader) -> String {
     let at = label.target as usize;
-    let target = header.targets.get(at).map_or("", String::as_str);
+    let target = in_csv(header.targets.get(at).map_or("", String::as_str));
     let class = header.classes.get(at).copied().flatten().map_or("", Class::name);
     format!("{target},{class},{},{:.4}", label.order, label.share)
 }
@@ -108,4 +110,39 @@ fn row(frame: u32, p: &Point) -> String {
     let object = p.object.map_or(-1, i64::from);
     let (velocity, snr, measured) = (p.radial_velocity_mps, p.snr_db, u8::from(p.height == Height::Measured));
     format!("{x:.4} {y:.4} {z:.4} {velocity:.4} {snr:.2} {frame} {object} {measured}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ids of recorded traffic are anybody's words.
+    #[test]
+    fn an_id_with_a_comma_stays_one_cell() {
+        let header = PointsHeader { targets: vec!["east,\"7\"".to_owned()], ..PointsHeader::default() };
+        let label = Label { target: 0, order: 1, bodies: 1, share: 1.0 };
+        assert_eq!(label_text(&label, &header), "\"east,\"\"7\"\"\",,1,1.0000");
+        let place = [0.0, 30.0, 0.0];
+        let point = Point {
+            range_m: 30.0,
+            radial_velocity_mps: 0.0,
+            azimuth_rad: 0.0,
+            elevation_rad: 0.0,
+            height: Height::Measured,
+            position_m: place,
+            snr_db: 20.0,
+            two_ways_rad: None,
+            stationary: None,
+            object: None,
+            target: Some(0),
+            label: Some(label),
+        };
+        let frame = PointsFrame { index: 0, time_s: 0.0, points: vec![point], objects: vec![] };
+        let mut row = vec![];
+        write_csv(&mut row, &frame, &header).unwrap();
+        let row = String::from_utf8(row).unwrap();
+        let cells = row.replace("\"east,\"\"7\"\"\"", "id");
+        assert_eq!(cells.split(',').count(), COLUMNS.split(',').count(), "{row}");
+        assert_eq!(cells.split(',').filter(|cell| *cell == "id").count(), 2, "{row}");
+    }
 }

@@ -3,6 +3,7 @@
 use crate::heights::Heights;
 use crate::levelled_axes::LevelledAxes;
 use crate::radar_cloud::{Detection, LIMIT_BYTES, pcd, velodyne};
+use artifact::cube::CubeHeader;
 use artifact::points::{Height, Point, Points, PointsFrame, PointsHeader};
 use artifact::scene::SceneHeader;
 use artifact::{Writer, bounded};
@@ -30,12 +31,26 @@ pub fn points(asked: &Path, told_by: &[PathBuf], scene: &SceneHeader, out: &Path
     let mut writer = Writer::<Points>::create(out, &provenance(Stage::Dsp, scene, inputs), &header)?;
     for (index, file) in (0..).zip(progress::counted("frames", &files, files.len())) {
         let (seen, height) = read(file)?;
-        let height = told.unwrap_or(height);
-        let mut points: Vec<Point> = seen.iter().map(|seen| seen.point(&cube, &axes, height)).collect();
-        let objects = dsp::objects_of_points(&cube, &mut points);
-        writer.write(&PointsFrame { index, time_s: scene.frame_time_s(index), points, objects })?;
+        let radar = Sensor { cube: cube.in_frame(index), axes: &axes, height: told.unwrap_or(height) };
+        writer.write(&radar.frame(index, scene.frame_time_s(index), &seen))?;
     }
     Ok(writer.finish()?)
+}
+
+/// The radar as it is in one frame: its sub-frame tells how far apart velocities are that it takes for one.
+struct Sensor<'a> {
+    cube: CubeHeader,
+    axes: &'a LevelledAxes,
+    height: Height,
+}
+
+impl Sensor<'_> {
+    fn frame(&self, index: u32, time_s: f64, seen: &[Detection]) -> PointsFrame {
+        let point = |seen: &Detection| seen.point(&self.cube, self.axes, self.height);
+        let mut points: Vec<Point> = seen.iter().map(point).collect();
+        let objects = dsp::objects_of_points(&self.cube, &mut points);
+        PointsFrame { index, time_s, points, objects }
+    }
 }
 
 /// The description of the set that a file is of, as this program writes one: three folders up from clouds of
@@ -96,4 +111,37 @@ pub fn frames_of(asked: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, Failure
 /// Ending of a file's name.
 pub fn ending(file: &Path) -> Option<&str> {
     file.extension().and_then(|ending| ending.to_str())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use scene::{Meshes, ReadOptions};
+
+    /// Two detections in one place whose velocities differ by the span of the first sub-frame, which takes
+    /// them for one: that of 20 µs is twice that of 40 µs, which does so too, that of 40 µs ¾ of that of 30
+    /// µs.
+    #[test]
+    fn each_sub_frame_takes_for_one_velocity_what_its_own_span_does() {
+        for (idle_us, objects) in [("[7.5, 27.5]", [1, 1]), ("[27.5, 17.5]", [1, 2])] {
+            let text = format!(
+                "name = \"s\"\n[radar.waveform]\nsamples = 64\nchirps = 32\nsub_frame_idle_us = {idle_us}\n"
+            );
+            let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
+            let scene = scene::read_text(Path::new("s.toml"), &text, &options).unwrap();
+            let (cube, axes) = (cube_header(&scene), LevelledAxes::of(&scene.radar));
+            let span_mps = 2.0 * cube.in_frame(0).radar.velocity_max_mps();
+            let seen = [0.0, span_mps].map(|velocity_mps| Detection {
+                place_m: DVec3::new(30.0, 0.0, 0.0),
+                section_dbsm: 0.0,
+                velocity_mps,
+            });
+            let found = [0, 1].map(|index| {
+                let radar = Sensor { cube: cube.in_frame(index), axes: &axes, height: Height::Measured };
+                radar.frame(index, 0.0, &seen).objects.len()
+            });
+            assert_eq!(found, objects, "{idle_us}");
+        }
+    }
 }

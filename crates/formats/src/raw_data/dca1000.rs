@@ -3,7 +3,7 @@
 pub use crate::raw_data::lanes::Layout;
 use crate::raw_data::lanes::TWO_LANES;
 use crate::raw_data::told_waveform::WaveformKeys;
-use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording};
+use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording, Shape};
 use crate::sidecar;
 use crate::writing::fail;
 use artifact::Reader;
@@ -69,11 +69,13 @@ pub fn read(
         );
         return Err(Failure::Refused(format!("{}: {text}", file.display())));
     }
-    recording.frames(file, bytes.len() / layout.value_bytes(sampling))?;
     let beside = description_of(file, &bytes);
+    let mut shape = Shape::Assumed;
     if let Some((told, place)) = &beside {
         WAVEFORM.check(told, place, &header.radar.waveform)?;
+        shape = check_sizes(told, place, &recording)?;
     }
+    recording.check_frames(file, bytes.len() / layout.value_bytes(sampling), shape)?;
     let step = IntegerStep::of(step, || match beside {
         Some((told, place)) => step_told(&told, place),
         None => {
@@ -134,7 +136,7 @@ fn told(header: &CubeHeader, recording: &Recording, frames: u64, step: f32) -> V
     let (waveform, unit) = (&header.radar.waveform, header.unit);
     json!({
         "shape": SHAPE,
-        "sizes": [frames, recording.slots(), recording.receivers, recording.samples],
+        SIZES: [frames, recording.slots(), recording.receivers, recording.samples],
         STEP: (unit == SampleUnit::RootWatts).then_some(step),
         COUNT: (unit != SampleUnit::RootWatts).then_some(step),
         "unit": unit.name(),
@@ -147,6 +149,8 @@ fn told(header: &CubeHeader, recording: &Recording, frames: u64, step: f32) -> V
 
 /// Key of the samples' BLAKE3.
 const HASH: &str = "blake3";
+/// Key of the sizes of what `shape` names.
+const SIZES: &str = "sizes";
 const SHAPE: [&str; 4] = ["frame", "chirp of any transmitter", "receiver", "sample"];
 
 /// Places of the description of a file: today's, and that of earlier versions.
@@ -170,6 +174,20 @@ fn note_of_others(file: &Path) {
     }
 }
 
+/// Refuses frames of another shape than the radar's.
+fn check_sizes(told: &Value, place: &Path, recording: &Recording) -> Result<Shape, Failure> {
+    let sizes = [&told[SIZES][1], &told[SIZES][2], &told[SIZES][3]];
+    let radars = [recording.slots(), recording.receivers, recording.samples];
+    let names = ["chirps", "receivers", "samples"];
+    for ((name, size), radars) in names.into_iter().zip(sizes).zip(radars) {
+        if size.as_u64().is_some_and(|size| size != radars as u64) {
+            let text = format!("{SIZES} tells {size} {name}, the scene's radar has {radars}");
+            return Err(Failure::Refused(format!("{}: {text}", place.display())));
+        }
+    }
+    Ok(Shape::of(&sizes))
+}
+
 /// The step that a description tells, √W or in steps of the converter that it came of.
 fn step_told(told: &Value, place: PathBuf) -> Option<IntegerStep> {
     let number = |key: &str| {
@@ -191,7 +209,7 @@ fn is_of(told: &Value, samples: &[u8]) -> bool {
     match told[HASH].as_str() {
         Some(hash) => hash == blake3::hash(samples).to_hex().as_str(),
         None => {
-            let sizes = told["sizes"].as_array().into_iter().flatten().map(Value::as_u64);
+            let sizes = told[SIZES].as_array().into_iter().flatten().map(Value::as_u64);
             let values = sizes.collect::<Option<Vec<u64>>>().map(|sizes| sizes.iter().product::<u64>());
             told["shape"] == json!(SHAPE) && values.is_some_and(|values| values * 4 == samples.len() as u64)
         }

@@ -2,11 +2,11 @@
 //! it.
 
 use crate::raw_data::told_waveform::{WaveformKeys, same};
-use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording};
+use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording, Shape};
 use crate::writing::fail;
-use artifact::Reader;
 use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader};
+use artifact::{Reader, Waveform};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
@@ -63,6 +63,7 @@ pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Impor
     let told: Value = serde_json::from_str(&text).map_err(|e| refused(&meta, e.to_string()))?;
     check_layout(&told, &meta)?;
     check_radar(&told["global"], &meta, header, &recording)?;
+    check_carriers(&told, &meta, &header.radar.waveform)?;
     let bytes = bounded::read(&data, LIMIT_BYTES).map_err(|fault| Failure::unread(&data, &fault))?;
     let (values, step) = match told["global"]["core:datatype"].as_str() {
         Some("cf32_le") => (of_floats(&bytes), IntegerStep::Floats),
@@ -76,7 +77,8 @@ pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Impor
         }
     };
     let values = values.ok_or_else(|| refused(&data, "ends within a sample".to_owned()))?;
-    recording.frames(&data, values.len())?;
+    let global = &told["global"];
+    recording.check_frames(&data, values.len(), Shape::of(&[&global[CHIRPS], &global[SAMPLES]]))?;
     let cube = |frame: &[Complex32]| recording.cube_of_slots(&recording.apart(frame));
     Ok(Imported { frames: values.chunks_exact(recording.values()).map(cube).collect(), step })
 }
@@ -122,6 +124,22 @@ fn check_radar(
     same(global, meta, SAMPLES, recording.samples as f64)
 }
 
+/// Refuses captures of another carrier: beyond the radar's sweep by half of it or more. What is told may be
+/// the middle of the sweep, its begin, or that of a ramp whose first part is not sampled.
+fn check_carriers(told: &Value, meta: &Path, waveform: &Waveform) -> Result<(), Failure> {
+    let (centre_hz, width_hz) = (waveform.centre_frequency_hz(), waveform.bandwidth_hz().abs());
+    for (number, capture) in told["captures"].as_array().into_iter().flatten().enumerate() {
+        if let Some(hz) = capture[FREQUENCY].as_f64().filter(|hz| (hz - centre_hz).abs() > width_hz) {
+            let radars = format!("the scene's radar sweeps {width_hz:?} Hz about {centre_hz:?}");
+            return Err(refused(meta, format!("{FREQUENCY} of capture {number} is {hz:?}, {radars}")));
+        }
+    }
+    Ok(())
+}
+
+/// Key of a capture's carrier, SigMF's own.
+const FREQUENCY: &str = "core:frequency";
+
 /// Keys of the waveform; the rate is SigMF's own.
 const WAVEFORM: WaveformKeys = WaveformKeys {
     sample_rate: "core:sample_rate",
@@ -159,7 +177,7 @@ fn of_integers(bytes: &[u8], step: f32) -> Option<Vec<Complex32>> {
 fn meta(header: &CubeHeader, recording: &Recording, times_s: &[f64]) -> Value {
     let waveform = &header.radar.waveform;
     let of_a_frame = recording.slots() * recording.samples;
-    let capture = |(i, time_s): (usize, &f64)| json!({ "core:sample_start": i * of_a_frame, "core:frequency": waveform.centre_frequency_hz(), "wayside:time_s": time_s });
+    let capture = |(i, time_s): (usize, &f64)| json!({ "core:sample_start": i * of_a_frame, FREQUENCY: waveform.centre_frequency_hz(), "wayside:time_s": time_s });
     json!({
         "global": {
             "core:version": "1.0.0",

@@ -78,7 +78,7 @@ impl TruthBoxes {
     /// The file is no scene, its radar is another one, or it was made of other files of the same names.
     pub(crate) fn open(file: &Path, radar: Option<&Radar>, from: &Provenance) -> Result<Self, Failure> {
         let scene = Beside::<Scene>::open(file, |frame| frame.index)?;
-        let is_same = origin::same_scene(file, scene.provenance(), from)?;
+        let is_same = origin::same_scene(file, scene.provenance(), ("frames", from))?;
         let header = scene.header().clone();
         // Frames do not know the errors of their radar.
         if radar.is_some_and(|radar| *radar != cube_header(&header).radar) {

@@ -3,6 +3,7 @@
 use crate::host::failure::Failure;
 use crate::host::progress;
 use artifact::Provenance;
+use artifact::radar::Radar;
 use artifact::scene::SceneHeader;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -21,22 +22,43 @@ pub fn same_files(files: &[(String, String)], of_other: &[(String, String)]) -> 
     })
 }
 
-/// Whether the frames beside a scene were made of the very scene file that it was made of; where that is not
-/// so, it is noted that bodies may be others.
+/// Whether what is read beside a scene, the frames or tracks that `named` names, was made of the very scene file that it was
+/// made of; where that is not so, it is noted that bodies may be others.
 ///
 /// # Errors
 /// The scene was made of another file of the same name.
-pub fn same_scene(file: &Path, scene: &Provenance, of_frames: &Provenance) -> Result<bool, Failure> {
-    same_files(&scene.inputs, &of_frames.inputs).map_err(|failure| failure.about(file))?;
+pub fn same_scene(
+    file: &Path,
+    scene: &Provenance,
+    (named, beside): (&str, &Provenance),
+) -> Result<bool, Failure> {
+    same_files(&scene.inputs, &beside.inputs).map_err(|failure| failure.about(file))?;
     let Some(own) = scene.inputs.first() else { return Ok(false) };
-    let is_same = of_frames.inputs.contains(own);
-    if let (false, Some((theirs, _))) = (is_same, of_frames.inputs.first()) {
+    let is_same = beside.inputs.contains(own);
+    if let (false, Some((theirs, _))) = (is_same, beside.inputs.first()) {
         let (file, own) = (file.display(), &own.0);
         progress::note(format!(
-            "note: {file}: was made of {own}, the frames of {theirs}; that bodies are the same is not known"
+            "note: {file}: was made of {own}, the {named} of {theirs}; that bodies are the same is not known"
         ));
     }
     Ok(is_same)
+}
+
+/// Refuses what was seen by a radar in another place, or that looks elsewhere, than the scene's; of what
+/// other programs made no radar may be known.
+pub fn same_radar(file: &Path, scene: &Radar, seen_by: Option<&Radar>) -> Result<(), Failure> {
+    let stand = |radar: &Radar| {
+        (radar.position_m, [radar.boresight_az_rad, radar.boresight_el_rad].map(f64::to_degrees))
+    };
+    let Some((theirs, own)) = seen_by.map(|radar| (stand(radar), stand(scene))).filter(|(a, b)| a != b)
+    else {
+        return Ok(());
+    };
+    let told = |(place_m, [az_deg, el_deg]): ([f64; 3], [f64; 2])| {
+        format!("at {place_m:?} m, boresight {az_deg:.3}°, {el_deg:.3}°")
+    };
+    let rule = format!("its radar is {}, the scene's {}", told(theirs), told(own));
+    Err(Failure::Refused(format!("{}: {rule}: it is of another radar or scene", file.display())))
 }
 
 /// Ids of a scene's targets and of every vehicle that is in view in some frame.

@@ -22,6 +22,14 @@ pub fn in_markdown(text: &str) -> Cow<'_, str> {
     shown.replace('|', "\\|").replace('<', "&lt;").into()
 }
 
+/// A text as a cell of a table of commas (RFC 4180): in quotes where it holds what parts cells.
+pub fn in_csv(text: &str) -> Cow<'_, str> {
+    match text.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")).into(),
+        false => text.into(),
+    }
+}
+
 /// JSON for a page, in which the same are escapes of JSON: its texts are what they were.
 pub fn in_json(json: &str) -> Cow<'_, str> {
     match json.contains(is_hidden) {
@@ -64,5 +72,11 @@ mod tests {
         assert_eq!(in_markdown("a|b\n<i>"), "a\\|b\\n&lt;i>");
         assert_eq!(in_json("\"a\u{85}\u{202e}\""), "\"a\\u0085\\u202e\"");
         assert!(matches!(in_markdown("a folder, 30 °"), Cow::Borrowed(_)));
+    }
+
+    #[test]
+    fn a_text_with_commas_quotes_and_ends_of_lines_stays_one_cell() {
+        let shown = ["car-1", "a,b \"x\"", "a\rb", ""].map(in_csv);
+        assert_eq!(shown, ["car-1", "\"a,b \"\"x\"\"\"", "\"a\rb\"", ""]);
     }
 }

@@ -5,6 +5,7 @@
 //! 0,0,1.25,-14.2              one transmit–receive pair a line, counted from 0, in any order; # begins a comment
 //! ```
 
+use crate::measured::table_text;
 use artifact::bounded::{self, ReadFault};
 use artifact::units::amplitude_from_db;
 use num_complex::Complex64;
@@ -20,11 +21,7 @@ pub(crate) fn read_calibration(
 ) -> Result<Vec<Complex64>, CalibrationFileError> {
     let at = |line, rule| CalibrationFileError { file: file.to_owned(), line, rule };
     let text = bounded::read_text(file, LIMIT_BYTES).map_err(|error| at(0, CalibrationRule::File(error)))?;
-    let lines = text
-        .lines()
-        .zip(1..)
-        .map(|(line, number)| (number, line.split('#').next().unwrap_or_default().trim()));
-    let mut lines = lines.filter(|(_, line)| !line.is_empty());
+    let mut lines = table_text::lines(&text);
     let heading = lines.next().filter(|(_, heading)| heading.split(',').map(str::trim).eq(COLUMNS));
     let (_, _) = heading.ok_or_else(|| at(1, CalibrationRule::NoHeading))?;
     let mut factors = vec![None; transmitters * receivers];
@@ -46,7 +43,7 @@ pub(crate) fn read_calibration(
 
 /// Reason that a calibration file is refused.
 #[derive(Debug, thiserror::Error)]
-#[error("{}:{line}: {rule}", file.display())]
+#[error("{}: {rule}", table_text::place(file, *line))]
 pub struct CalibrationFileError {
     /// Path as the scene names it.
     pub file: PathBuf,
@@ -168,7 +165,7 @@ mod tests {
                 "c.csv:2: there is no pair 0,1: the array has 2 transmit and 1 receive",
             ),
             (&format!("{HEADING}0,0,0,0\n0,0,0,0\n"), "c.csv:3: the pair 0,0 is told twice"),
-            (&format!("{HEADING}0,0,0,0\n"), "c.csv:0: the pair 1,0 is missing"),
+            (&format!("{HEADING}0,0,0,0\n"), "c.csv: the pair 1,0 is missing"),
         ] {
             let got = read(text).unwrap_err();
             assert!(got.starts_with(expected), "{text:?}: {got}");

@@ -9,6 +9,7 @@
 //! two cuts, el_deg = 0 or az_deg = 0, and beside them the gain is the sum of both in dB less that at the
 //! crossing.
 
+use crate::measured::table_text;
 use artifact::bounded::{self, ReadFault};
 use artifact::radar::PatternTable;
 use artifact::units::amplitude_from_db;
@@ -21,12 +22,8 @@ use std::path::{Path, PathBuf};
 pub(crate) fn read_pattern_table(file: &Path) -> Result<PatternTable, PatternFileError> {
     let at = |line, rule| PatternFileError { file: file.to_owned(), line, rule };
     let text = text_of(file).map_err(|rule| at(0, rule))?;
-    let lines = text
-        .lines()
-        .zip(1..)
-        .map(|(line, number)| (number, line.split('#').next().unwrap_or_default().trim()));
-    let mut lines = lines.filter(|(_, line)| !line.is_empty());
-    let Some((first, heading)) = lines.next() else { return Err(at(0, PatternRule::NoHeading)) };
+    let mut lines = table_text::lines(&text);
+    let Some((first, heading)) = lines.next() else { return Err(at(1, PatternRule::NoHeading)) };
     if heading.split(',').map(str::trim).ne(COLUMNS) {
         return Err(at(first, PatternRule::NoHeading));
     }
@@ -37,7 +34,7 @@ pub(crate) fn read_pattern_table(file: &Path) -> Result<PatternTable, PatternFil
 
 /// Reason that a pattern file is refused.
 #[derive(Debug, thiserror::Error)]
-#[error("{}:{line}: {rule}", file.display())]
+#[error("{}: {rule}", table_text::place(file, *line))]
 pub struct PatternFileError {
     /// Path as the scene names it.
     pub file: PathBuf,
@@ -165,11 +162,8 @@ fn table(directions: &[Direction]) -> Result<PatternTable, Fault> {
         values
     };
     let (azimuths, elevations) = (axis(|d| d.azimuth_deg), axis(|d| d.elevation_deg));
-    for (column, found) in [(COLUMNS[0], azimuths.len()), (COLUMNS[1], elevations.len())] {
-        if found == 0 || found == 2 {
-            return Err((0, PatternRule::TooFew { column, found }));
-        }
-    }
+    check_values(&told, COLUMNS[0], &azimuths, |d| d.azimuth_deg)?;
+    check_values(&told, COLUMNS[1], &elevations, |d| d.elevation_deg)?;
     let values = azimuths.len() * elevations.len();
     if values > VALUES_MAX {
         let (azimuths, elevations) = (azimuths.len(), elevations.len());
@@ -182,6 +176,26 @@ fn table(directions: &[Direction]) -> Result<PatternTable, Fault> {
         elevation_rad: radians(elevations),
         amplitude: gains_db.into_iter().map(amplitude_from_db).collect(),
     })
+}
+
+/// Refuses an axis of no value, and one of two, with the first line of the value that fewer lines have, of
+/// as many the later one's.
+fn check_values(
+    told: &[Direction],
+    column: &'static str,
+    values: &[f64],
+    of: fn(&Direction) -> f64,
+) -> Result<(), Fault> {
+    let lines_of = |value: &f64| told.iter().filter(|d| of(d) == *value).map(|d| d.line).collect::<Vec<_>>();
+    let rule = PatternRule::TooFew { column, found: values.len() };
+    let ends = match values {
+        [] => return Err((0, rule)),
+        [one, other] => [lines_of(one), lines_of(other)],
+        _ => return Ok(()),
+    };
+    let first = |lines: &Vec<u32>| lines.iter().min().copied().unwrap_or_default();
+    let fewest = ends.iter().map(|lines| (lines.len(), std::cmp::Reverse(first(lines)))).min();
+    Err((fewest.map_or(0, |(_, line)| line.0), rule))
 }
 
 /// Directions elevation by elevation, each once.
@@ -262,11 +276,19 @@ mod tests {
         assert!((ahead - 1.0).abs() < 1e-14, "{ahead}");
     }
 
+    /// Nothing is told of line 0, which no file has.
+    #[test]
+    fn a_file_that_cannot_be_read_is_named_without_a_line() {
+        let folder = tempfile::tempdir().unwrap();
+        let told = read_pattern_table(&folder.path().join("none.csv")).unwrap_err().to_string();
+        assert!(told.contains("none.csv: ") && !told.contains(":0:"), "{told}");
+    }
+
     #[test]
     fn a_broken_file_is_refused_with_its_line_and_the_rule() {
         const HEADING: &str = "az_deg,el_deg,gain_db\n";
         let cases = [
-            ("", "p.csv:0: the first line must be `az_deg,el_deg,gain_db`"),
+            ("", "p.csv:1: the first line must be `az_deg,el_deg,gain_db`"),
             ("az_deg,gain_db\n0,1\n", "p.csv:1: the first line must be"),
             ("0,0,0\n", "p.csv:1: the first line must be"),
             (&format!("{HEADING}0,0\n"), "p.csv:2: must be three numbers az_deg,el_deg,gain_db, is `0,0`"),
@@ -277,10 +299,12 @@ mod tests {
                 &format!("{HEADING}0,0,0\n1,0,0\n0,-0,1\n"),
                 "p.csv:4: direction 0, 0 has another gain in line 2",
             ),
-            (&format!("{HEADING}0,0,0\n1,0,0\n"), "p.csv:0: az_deg takes 2 values; one or at least three"),
-            (HEADING, "p.csv:0: az_deg takes 0 values"),
+            (&format!("{HEADING}0,0,0\n1,0,0\n"), "p.csv:3: az_deg takes 2 values; one or at least three"),
+            (&format!("{HEADING}0,-9,0\n7,0,0\n0,0,0\n0,9,0\n"), "p.csv:3: az_deg takes 2 values"),
+            (&format!("{HEADING}-9,0,0\n0,0,0\n9,0,0\n0,4,0\n"), "p.csv:5: el_deg takes 2 values"),
+            (HEADING, "p.csv: az_deg takes 0 values"),
             (&format!("{HEADING}-9,0,0\n0,0,0\n9,0,0\n0,-9,0\n0,9,0\n5,5,0\n"), "p.csv:7: not every pair"),
-            (&format!("{HEADING}-9,0,0\n3,0,0\n9,0,0\n0,-9,0\n0,9,0\n0,8,0\n"), "p.csv:0: the cuts"),
+            (&format!("{HEADING}-9,0,0\n3,0,0\n9,0,0\n0,-9,0\n0,9,0\n0,8,0\n"), "p.csv: the cuts"),
         ];
         for (text, expected) in cases {
             let got = read(text).unwrap_err();

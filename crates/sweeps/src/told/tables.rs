@@ -8,6 +8,7 @@ use crate::study::axis::{Axis, Pick};
 use crate::study::document::Study;
 use crate::study::situations::Situation;
 use crate::told::accuracy;
+use pipeline::host::shown::in_csv;
 
 /// All runs: design, condition, repeat and seed, the value of every key, every metric, and the accuracy asked
 /// and reached; empty where something is not known.
@@ -87,13 +88,8 @@ fn cell(value: Option<f64>) -> String {
     value.map_or(String::new(), |value| value.to_string())
 }
 
-/// A row as RFC 4180 has it.
 fn row(cells: impl Iterator<Item = String>) -> String {
-    let quoted = |cell: String| match cell.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", cell.replace('"', "\"\"")),
-        false => cell,
-    };
-    cells.map(quoted).collect::<Vec<_>>().join(",") + "\n"
+    cells.map(|cell| in_csv(&cell).into_owned()).collect::<Vec<_>>().join(",") + "\n"
 }
 
 #[cfg(test)]

@@ -60,13 +60,16 @@ def rcs(
     rx_el_deg: float | None = None,
     rx_range_m: float | None = None,
     unit_scale: float | None = None,
+    materials: _Path | None = None,
+    transmission: str = "off",
     memory_limit_mib: int | None = None,
     progress: _Progress | None = None,
 ) -> Rcs:
     """Makes S of a mesh by BART, as `wayside rcs` does.
 
     `mesh` is a file (of assets of OpenMATERIAL 3D in their own materials) or the name of an own vehicle;
-    angles are those of the antenna in body axes, degrees.
+    angles are those of the antenna in body axes, degrees. `materials` is a file that says what the mesh's
+    names of materials stand for, else everything conducts; `transmission="on"` follows waves through sheets.
     """
 
 @final

@@ -19,6 +19,7 @@ mod learning;
 
 use crate::program::cli::Command;
 use crate::program::means::Means;
+use crate::program::out_endings;
 use pipeline::host::failure::Failure;
 
 #[cfg(feature = "classifier")]
@@ -27,6 +28,7 @@ pub use ::learning::training::{PROGRAM as TRAINING_PROGRAM, target_folder as tra
 /// Does what was asked.
 pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
     let memory = means.memory;
+    out_endings::check(&command)?;
     match command {
         Command::Run(arguments) => run::run(&arguments, means),
         Command::Rcs(arguments) => {

@@ -1,6 +1,6 @@
 //! Meshes from files or by the names of own vehicles, and from where on they are seen as from afar.
 
-use artifact::material::MaterialMap;
+use artifact::material::{MaterialMap, Transmission};
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use pipeline::chain::loading;
@@ -38,6 +38,20 @@ pub fn dressed(mesh: Mesh, place: &Path, map: &MaterialMap, frequency_hz: &[f64]
     let map = scene::asset_materials(place, &mesh.materials, map, middle_hz(frequency_hz))
         .map_err(loading::of_asset)?;
     Ok(Mesh { makeup: map.makeup(&mesh.materials), ..mesh })
+}
+
+/// The materials of a file, those of OpenMATERIAL 3D for the middle of the frequencies, or none of it; and
+/// whether waves are followed through sheets of them.
+///
+/// # Errors
+/// Every rule that the file breaks, or that it is missing.
+pub fn materials(
+    file: Option<&Path>,
+    transmission: Transmission,
+    frequency_hz: &[f64],
+) -> Result<MaterialMap, Failure> {
+    let read = file.map(|file| scene::read_materials(file, middle_hz(frequency_hz))).transpose();
+    Ok(MaterialMap { transmission, ..read.map_err(loading::of_scene)?.unwrap_or_default() })
 }
 
 /// The middle between the lowest and the highest frequency, at which materials are taken.

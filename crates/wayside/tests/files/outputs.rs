@@ -39,34 +39,79 @@ fn no_command_replaces_what_it_reads() {
     std::fs::write(place.path("board.cfg"), BOARD).unwrap();
     // A cube under the name of a description is an input under that name.
     std::fs::copy(place.path("f.cube"), place.path("f.sigmf-meta")).unwrap();
-    std::fs::write(place.path("skin.toml"), "[materials]\nskin = { substance = \"metal\" }\n").unwrap();
+    std::fs::write(place.path("skin.npy"), "[materials]\nskin = { substance = \"metal\" }\n").unwrap();
+    // Every input under a name that its command's result may have.
+    for (kind, names) in [
+        ("cube", &["c.npy", "c.bin", "c.csv"][..]),
+        ("rdm", &["r.npy", "r.png", "r.exr"]),
+        ("points", &["p.csv", "p.pcd", "p.ply"]),
+        ("tracks", &["t.json"]),
+        ("paths", &["w.csv", "w.cube"]),
+        ("npy", &["n.cube"]),
+    ] {
+        names.iter().for_each(|name| {
+            std::fs::copy(place.path(&format!("f.{kind}")), place.path(name)).unwrap();
+        });
+    }
+    std::fs::copy(place.path("small.toml"), place.path("scene.cube")).unwrap();
     for (words, input) in [
-        ("echo small.toml --quiet --out small.toml", "small.toml"),
+        ("echo scene.cube --quiet --out scene.cube", "scene.cube"),
         ("echo small.toml --quiet --out corner.obj", "corner.obj"),
-        ("echo small.toml --paths f.paths --quiet --out f.paths", "f.paths"),
+        ("echo small.toml --paths w.cube --quiet --out w.cube", "w.cube"),
         ("paths small.toml --quiet --out ./corner.obj", "corner.obj"),
-        ("export f.cube --to npy --out f.cube", "f.cube"),
-        ("export f.rdm --to npy --out a/../f.rdm", "f.rdm"),
-        ("export f.rdm --to png --out f.rdm", "f.rdm"),
-        ("export f.points --to csv --out f.points", "f.points"),
-        ("export f.tracks --to json --out f.tracks", "f.tracks"),
-        ("export f.paths --to csv --out f.paths", "f.paths"),
+        ("export c.npy --to npy --out c.npy", "c.npy"),
+        ("export r.npy --to npy --out a/../r.npy", "r.npy"),
+        ("export r.png --to png --out r.png", "r.png"),
+        ("export p.csv --to csv --out p.csv", "p.csv"),
+        ("export t.json --to json --out t.json", "t.json"),
+        ("export w.csv --to csv --out w.csv", "w.csv"),
         ("export f.sigmf-meta --to sigmf --out f", "f.sigmf-meta"),
-        ("export f.cube --to dca1000 --out f.cube", "f.cube"),
-        ("export f.rdm --to exr --out f.rdm", "f.rdm"),
-        ("export f.points --to pcd --out f.points", "f.points"),
-        ("export f.points --to ply --out f.points", "f.points"),
+        ("export c.bin --to dca1000 --out c.bin", "c.bin"),
+        ("export r.exr --to exr --out r.exr", "r.exr"),
+        ("export p.pcd --to pcd --out p.pcd", "p.pcd"),
+        ("export p.ply --to ply --out p.ply", "p.ply"),
         ("scene-from board.cfg --device xwr1443 --out board.cfg", "board.cfg"),
-        ("import f.npy --scene small.toml --quiet --out f.npy", "f.npy"),
-        ("import f.npy --scene small.toml --quiet --out small.toml", "small.toml"),
-        ("calibrate f.cube --at-m 2,30,1 --out f.cube", "f.cube"),
+        ("import n.cube --scene small.toml --quiet --out n.cube", "n.cube"),
+        ("import f.npy --scene scene.cube --quiet --out scene.cube", "scene.cube"),
+        ("calibrate c.csv --at-m 2,30,1 --out c.csv", "c.csv"),
         (&format!("rcs corner.obj {RCS} --out corner.obj"), "corner.obj"),
-        (&format!("rcs corner.obj {RCS} --materials skin.toml --out skin.toml"), "skin.toml"),
+        (&format!("rcs corner.obj {RCS} --materials skin.npy --out skin.npy"), "skin.npy"),
     ] {
         let before = place.bytes(input);
         refused(&place.try_run(words), "is an input of this command", words);
         assert_eq!(place.bytes(input), before, "{words}");
     }
+}
+
+/// An array's name for a cube made a file that no reader of arrays takes, and a scene's name lost the scene.
+#[test]
+fn a_result_is_not_written_under_the_ending_of_another_format() {
+    let place = filled();
+    place.run("export f.cube --to npy --out f.npy");
+    std::fs::write(place.path("board.cfg"), BOARD).unwrap();
+    std::fs::write(place.path("kept.toml"), "kept").unwrap();
+    for (words, out, told) in [
+        ("import f.npy --scene small.toml", "x.npy", "`wayside export FILE --to npy`"),
+        ("import f.npy --scene small.toml", "x.paths", "`wayside paths`"),
+        ("echo small.toml", "kept.toml", "echo writes radar cubes (.cube)"),
+        ("echo small.toml", "x.bin", "`wayside export FILE --to dca1000`"),
+        ("paths small.toml", "x.CSV", "`wayside export FILE --to csv`"),
+        ("dsp f.cube", "x.points", "dsp writes a folder"),
+        ("run small.toml --no-cache", "x.json", "run writes a folder"),
+        ("calibrate f.cube --at-m 2,30,1", "x.npy", "calibrate writes a table (.csv)"),
+        ("scene-from board.cfg --device xwr1443", "x.cube", "`wayside echo`"),
+        ("export f.points --to csv", "x.pcd", "export writes .csv with --to csv"),
+        ("export f.cube --to dca1000", "x.cube", "export writes .bin with --to dca1000"),
+        (&format!("rcs corner.obj {RCS}"), "x.csv", "rcs writes an array of NumPy (.npy)"),
+        ("vehicles", "x.glb", "vehicles writes a folder"),
+    ] {
+        refused(&place.try_run(&format!("{words} --out {out}")), told, words);
+        assert!(out == "kept.toml" || !place.path(out).exists(), "{words}");
+    }
+    assert_eq!(place.bytes("kept.toml"), b"kept");
+    place.run("export f.points --to csv --out table.1");
+    std::fs::create_dir(place.path("maps.rdm")).unwrap();
+    place.run("dsp f.cube --quiet --out maps.rdm");
 }
 
 #[test]
@@ -112,21 +157,21 @@ fn every_file_that_a_scene_refers_to_is_an_input() {
     let gltf = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
         "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
-        "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"uri":"corner.bin","byteLength":36}]}"#;
+        "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"uri":"corner.bytes","byteLength":36}]}"#;
     std::fs::write(place.path("corner.gltf"), gltf).unwrap();
     let corners: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     let bytes: Vec<u8> = corners.iter().flat_map(|x| x.to_le_bytes()).collect();
-    std::fs::write(place.path("corner.bin"), &bytes).unwrap();
-    std::fs::write(place.path("errors.csv"), "tx,rx,gain_db,phase_deg\n0,0,0,0\n0,1,0,0\n0,2,0,0\n0,3,0,0\n")
+    std::fs::write(place.path("corner.bytes"), &bytes).unwrap();
+    std::fs::write(place.path("errors.txt"), "tx,rx,gain_db,phase_deg\n0,0,0,0\n0,1,0,0\n0,2,0,0\n0,3,0,0\n")
         .unwrap();
-    std::fs::write(place.path("gain.csv"), "az_deg,el_deg,gain_db\n-90,0,-20\n0,0,0\n90,0,-20\n").unwrap();
+    std::fs::write(place.path("gain.txt"), "az_deg,el_deg,gain_db\n-90,0,-20\n0,0,0\n90,0,-20\n").unwrap();
     let scene = SMALL_SCENE
         .replace("corner.obj", "corner.gltf")
-        .replace("[dsp]", "[dsp]\ncalibration = \"errors.csv\"")
-        .replace("preset = \"1x4\"", "preset = \"1x4\"\npattern = \"table\"\npattern_file = \"gain.csv\"");
+        .replace("[dsp]", "[dsp]\ncalibration = \"errors.txt\"")
+        .replace("preset = \"1x4\"", "preset = \"1x4\"\npattern = \"table\"\npattern_file = \"gain.txt\"");
     std::fs::write(place.path("small.toml"), scene).unwrap();
     place.run("paths small.toml --quiet --out good.paths");
-    for input in ["corner.gltf", "corner.bin", "errors.csv", "gain.csv"] {
+    for input in ["corner.gltf", "corner.bytes", "errors.txt", "gain.txt"] {
         let before = place.bytes(input);
         refused(&place.try_run(&format!("echo small.toml --quiet --out {input}")), "is an input", input);
         refused(&place.try_run(&format!("paths small.toml --quiet --out {input}")), "is an input", input);

@@ -201,6 +201,7 @@ fn a_step_is_taken_from_the_file_that_tells_of_these_samples_or_said_to_be_missi
         .unwrap();
     let (unit, said, about) = imported("x.bin", "");
     assert!(said.contains("no step is told") && about.contains("not told"), "{said}{about}");
+    assert!(said.contains("nothing beside it tells the shape of a frame: 2 frames are assumed"), "{said}");
     assert_ne!(unit, right);
     let mut samples = place.bytes("x.bin");
     samples[0] ^= 1;
@@ -208,6 +209,43 @@ fn a_step_is_taken_from_the_file_that_tells_of_these_samples_or_said_to_be_missi
     std::fs::rename(place.path("kept.json"), place.path("x.bin.json")).unwrap();
     let (_, said, _) = imported("x.bin", "");
     assert!(said.contains("other samples") && said.contains("no step is told"), "{said}");
+}
+
+/// Samples of a radar with twice as many samples a chirp make whole frames too, and a carrier is no part of
+/// their count.
+#[test]
+fn recordings_of_another_radar_are_refused_where_what_stands_beside_them_tells() {
+    let place = tdm();
+    let scene = String::from_utf8(place.bytes("tdm.toml")).unwrap();
+    let other = |name: &str, from: &str, to: &str| {
+        assert!(scene.contains(from), "{from}");
+        std::fs::write(place.path(name), scene.replace(from, to)).unwrap();
+    };
+    other("short.toml", "samples = 64", "samples = 32");
+    other("x-band.toml", "samples = 64", "samples = 64\nstart_frequency_ghz = 10.0");
+    place.run("export a.cube --to dca1000 --out raw.bin --quiet");
+    place.run("export a.cube --to sigmf --out raw --quiet");
+    let mut foreign = place.summary("raw.sigmf-meta");
+    foreign["global"].as_object_mut().unwrap().retain(|key, _| !key.starts_with("wayside:"));
+    std::fs::write(place.path("foreign.sigmf-meta"), foreign.to_string()).unwrap();
+    std::fs::write(place.path("foreign.sigmf-data"), place.bytes("raw.sigmf-data")).unwrap();
+    for (command, told) in [
+        (
+            "import raw.bin --scene short.toml",
+            "raw.bin.json: sizes tells 64 samples, the scene's radar has 32",
+        ),
+        ("import raw.sigmf-meta --scene short.toml", "raw.sigmf-meta: wayside:samples is 64"),
+        ("import foreign.sigmf-meta --scene x-band.toml", "core:frequency of capture 0 is 77"),
+    ] {
+        let output = place.try_run(&format!("{command} --out b.cube"));
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{command}: {said}");
+        assert!(said.contains(told) && !place.path("b.cube").exists(), "{command}: {said}");
+    }
+    let output = place.try_run("import foreign.sigmf-meta --scene short.toml --out b.cube");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{said}");
+    assert!(said.contains("4 frames are assumed of 48 chirps × 4 receivers × 32 samples"), "{said}");
 }
 
 #[test]

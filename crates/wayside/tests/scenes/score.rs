@@ -116,16 +116,31 @@ fn points_paths_and_tracks_of_other_times_or_bodies_than_the_scenes_are_refused_
     for (name, text) in [("slower", &*slower), ("alone", one_body)] {
         std::fs::write(place.path(&format!("{name}.toml")), text).unwrap();
     }
-    for name in ["small", "slower", "alone"] {
+    // The same bodies and times: another file, another place of the radar, and the file of the same name.
+    std::fs::write(place.path("twin.toml"), SMALL_SCENE.to_owned() + "\n# twin\n").unwrap();
+    std::fs::write(
+        place.path("moved.toml"),
+        SMALL_SCENE.to_owned() + "[radar]\nposition_m = [1.0, 0.0, 6.0]\n",
+    )
+    .unwrap();
+    for name in ["small", "slower", "alone", "twin", "moved"] {
         place.run(&format!("run {name}.toml --out {name} --quiet"));
     }
     let times = "frame 1 begins at 0.2 s, that of the scene at 0.1 s";
+    let moved =
+        "its radar is at [1.0, 0.0, 6.0] m, boresight 0.000°, 0.000°, the scene's at [0.0, 0.0, 6.0] m";
     let own = "score small/frames.points --scene small/scene.scene";
+    let output = place.try_run(&format!("{own} --tracks twin/frames.tracks"));
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success() && said.contains("small.toml, the tracks of twin.toml"), "{said}");
     for (words, file, rule) in [
         ("score slower/frames.points --scene small/scene.scene", "slower/frames.points", times),
         (&format!("{own} --paths slower/frames.paths"), "slower/frames.paths", times),
         (&format!("{own} --tracks slower/frames.tracks"), "slower/frames.tracks", times),
         (&format!("{own} --paths alone/frames.paths"), "alone/frames.paths", "its body 1 is none"),
+        (&format!("{own} --tracks moved/frames.tracks"), "moved/frames.tracks", moved),
+        (&format!("{own} --paths moved/frames.paths"), "moved/frames.paths", moved),
+        ("score moved/frames.points --scene small/scene.scene", "moved/frames.points", moved),
         (
             "export slower/frames.points --to kitti --scene small/scene.scene --out k",
             "small/scene.scene",

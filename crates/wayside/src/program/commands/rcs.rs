@@ -20,7 +20,7 @@ use crate::stepwise;
 use answer::{Answer, CommandTook};
 use artifact::Accuracy;
 use artifact::envelope::fingerprint;
-use artifact::material::{MaterialMap, Transmission};
+use artifact::material::Transmission;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
@@ -28,7 +28,6 @@ use bart_rcs::{RcsRequest, Standpoint, Surroundings};
 use formats::npy_stream::NpyStream;
 use formats::sidecar;
 use num_complex::Complex64;
-use pipeline::chain::loading;
 use pipeline::chain::stages::Stage;
 use pipeline::host::checkpoint::Checkpoint;
 use pipeline::host::failure::Failure;
@@ -158,17 +157,12 @@ fn remark(mesh: &Mesh, request: &RcsRequest) {
 
 /// The mesh in the materials asked for and those of its asset.
 fn dressed(mesh: Mesh, arguments: &RcsArguments, request: &RcsRequest) -> Result<Mesh, Failure> {
-    let frequency_hz = &request.frequency_hz;
-    let map = match &arguments.materials {
-        Some(file) => scene::read_materials(file, stepwise::middle_hz(frequency_hz)),
-        None => Ok(MaterialMap::default()),
-    };
-    let map = map.map_err(loading::of_scene)?;
     let transmission = match arguments.transmission {
         TransmissionWord::On => Transmission::Followed,
         TransmissionWord::Off => Transmission::Ignored,
     };
-    stepwise::dressed(mesh, &arguments.mesh, &MaterialMap { transmission, ..map }, frequency_hz)
+    let map = stepwise::materials(arguments.materials.as_deref(), transmission, &request.frequency_hz)?;
+    stepwise::dressed(mesh, &arguments.mesh, &map, &request.frequency_hz)
 }
 
 fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {

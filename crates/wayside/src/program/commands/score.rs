@@ -18,10 +18,13 @@ use std::path::{Path, PathBuf};
 pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let points = Reader::<Points>::open(&arguments.points)?;
     let mut scene = Beside::<Scene>::open(&arguments.scene, |frame| frame.index)?;
-    let is_same = origin::same_scene(&arguments.scene, scene.provenance(), &points.preamble().provenance)?;
+    let is_same =
+        origin::same_scene(&arguments.scene, scene.provenance(), ("frames", &points.preamble().provenance))?;
     let header = scene.header().clone();
     origin::has_bodies(&arguments.scene, &header, &points.header().targets)?;
-    let mut tracks = Followed::of(arguments, &points)?;
+    let radar = points.header().cube.as_ref().map(|cube| &cube.radar);
+    origin::same_radar(&arguments.points, &header.radar, radar)?;
+    let mut tracks = Followed::of(arguments, &points, &scene)?;
     let mut paths = arguments.paths.as_deref().map(|file| paths_of(file, &header)).transpose()?;
     let within_s = if is_same { SAME_TIME_S } else { ROUNDED_TIME_S };
     let mut score = Score::default();
@@ -51,6 +54,7 @@ struct OfScene {
 fn paths_of(file: &Path, scene: &SceneHeader) -> Result<OfScene, Failure> {
     let paths = Beside::<Paths>::open(file, |frame| frame.index)?;
     origin::are_of_bodies(file, scene, &paths.header().targets)?;
+    origin::same_radar(file, &scene.radar, Some(&paths.header().radar))?;
     Ok(OfScene { file: file.to_owned(), paths })
 }
 
@@ -70,10 +74,18 @@ enum Followed {
 }
 
 impl Followed {
-    /// The tracks of a file, or those that the points' own radar and settings give.
-    fn of(arguments: &ScoreArguments, points: &Reader<Points>) -> Result<Self, Failure> {
+    /// The tracks of a file, which are refused where they are of another scene or radar, or those that the
+    /// points' own radar and settings give.
+    fn of(
+        arguments: &ScoreArguments,
+        points: &Reader<Points>,
+        scene: &Beside<Scene>,
+    ) -> Result<Self, Failure> {
         if let Some(file) = &arguments.tracks {
             let tracks = Beside::<Tracks>::open(file, |frame| frame.index)?;
+            origin::same_scene(&arguments.scene, scene.provenance(), ("tracks", tracks.provenance()))?;
+            let radar = tracks.header().cube.as_ref().map(|cube| &cube.radar);
+            origin::same_radar(file, &scene.header().radar, radar)?;
             return Ok(Self::Given(file.clone(), Box::new(tracks)));
         }
         let Some(cube) = &points.header().cube else {

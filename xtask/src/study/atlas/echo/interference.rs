@@ -32,16 +32,17 @@ fn interferer(slope_mhz_per_us: f64, offset_us: f64, eirp_dbm: f64, y_m: f64) ->
 pub(in crate::study::atlas) fn same_slope(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         methods::INTERFERER.trial("interferer of the same slope, its ghost against its formula", "late_ns");
-    let filter = documented("docs/scenes.md", "The IF filter is a brick wall of ±half the sample rate")?;
+    let filter =
+        documented("docs/scenes.md", "The IF filter is a brick wall around the beats of the map's ranges")?;
     let row = |late_ns: f64| {
         let ghost_m = 0.5 * (20.0 + SPEED_OF_LIGHT_MPS * 1e-9 * late_ns);
         let points = seen(&beside(&interferer(12.5, 1e-3 * late_ns, 10.0, 20.0))?)?.points.points;
         let nearest = points.iter().map(|p| (p.range_m - ghost_m).abs()).fold(f64::INFINITY, f64::min);
-        // Beats beyond half the sample rate, 30.7 m, are filtered out.
-        let says = if ghost_m > 30.7 { filter } else { Says::Nothing };
+        // Beats beyond the sample rate, 61.4 m, are filtered out.
+        let says = if ghost_m > 61.4 { filter } else { Says::Nothing };
         Ok(trial.answered(late_ns, (nearest / ghost_m).min(1.0), says))
     };
-    [0.0, 60.0, 250.0].into_iter().map(row).collect()
+    [0.0, 60.0, 450.0].into_iter().map(row).collect()
 }
 
 /// An interferer of the same slope is an object where nothing is: a flaw of all such radars.

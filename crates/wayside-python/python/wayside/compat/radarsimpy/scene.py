@@ -1,13 +1,14 @@
 """A radar and its targets as a scene of wayside.
 
 Their axes are x forward, y left, z up; a scene's are x right, y forward, z up. Everything is told as seen
-from the radar, which stands still at the origin of the scene.
+from the radar, which stands still: its origin is that of the scene, and the middle of the transmitters of a
+look the place of the scene's radar.
 """
 
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -34,7 +35,7 @@ _UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
 
 @dataclass(frozen=True)
 class Look:
-    """A scene's part of a simulation: one frame, seen by the transmitters that begin together."""
+    """A scene's part of a simulation: one frame, seen by transmitters that begin together or take turns."""
 
     transmitters: list[int]
     """Indices of the transmitters."""
@@ -42,6 +43,8 @@ class Look:
     """Time of their first sample."""
     seed: int
     """Seed of the phase noise."""
+    gaps_s: list[float] = field(default_factory=list)
+    """Time from each one's chirp to the next one's, where they take turns; empty where they do not."""
 
 
 def scene_of(
@@ -51,7 +54,7 @@ def scene_of(
     return {
         "name": "radarsimpy",
         "seed": look.seed,
-        "radar": _radar(radar, look.transmitters, pattern),
+        "radar": _radar(radar, look, pattern),
         # Nothing is detected, and the defaults leave short chirps without cells for it.
         "dsp": {"guard_cells": [0, 0]},
         "fidelity": {"accuracy_db": -20.0},
@@ -62,28 +65,36 @@ def scene_of(
 def channels_of(radar: Radar, transmitters: list[int]) -> NDArray[np.int64]:
     """Channels of the scene's cube that are those of these transmitters with every receiver."""
     receive = radar.radar_prop["receiver"].antennas
-    row = len(_centred(receive.locations))
+    row = len(_centred(receive.locations - _middle(radar, transmitters)))
     return np.array([i * row + j for i in range(len(transmitters)) for j in range(len(receive))])
 
 
-def _radar(radar: Radar, transmitters: list[int], pattern: dict[str, Any]) -> dict[str, Any]:
+def _middle(radar: Radar, transmitters: list[int]) -> NDArray[np.float64]:
+    """Mean place of transmitters, which a scene puts at the place of its radar."""
+    places: NDArray[np.float64] = radar.radar_prop["transmitter"].antennas.locations[transmitters]
+    return places.mean(axis=0)
+
+
+def _radar(radar: Radar, look: Look, pattern: dict[str, Any]) -> dict[str, Any]:
     transmitter, receiver = radar.radar_prop["transmitter"], radar.radar_prop["receiver"]
     waveform, rate = transmitter.waveform_prop, receiver.bb_prop["fs"]
     samples = radar.sample_prop["samples_per_pulse"]
     sweep, length = waveform["f"], waveform["pulse_length"]
     slope = (sweep[1] - sweep[0]) / length
     half_wave = 0.5 * _C_MPS / (sweep[0] + 0.5 * slope * samples / rate)
-    rows = transmitter.antennas.locations[transmitters], receiver.antennas.locations
-    transmit, receive = (_half_waves(_centred(row), half_wave) for row in rows)
+    middle = _middle(radar, look.transmitters)
+    transmit = _half_waves(transmitter.antennas.locations[look.transmitters] - middle, half_wave)
+    receive = _half_waves(_centred(receiver.antennas.locations - middle), half_wave)
+    gaps = 1e6 * np.array(look.gaps_s or [waveform["prp"][0]])
     polarization = receiver.antennas.polarization() + transmitter.antennas.polarization()
     told: dict[str, Any] = {
-        "position_m": [0.0, 0.0, 0.0],
+        "position_m": _of_scene(middle),
         "waveform": {
             "start_frequency_ghz": sweep[0] / 1e9,
             "slope_mhz_per_us": slope / 1e12,
             "sample_rate_msps": rate / 1e6,
             "samples": samples,
-            "idle_us": max(0.0, 1e6 * (waveform["prp"][0] - samples / rate)),
+            "idle_us": max(0.0, float(gaps.min()) - 1e6 * samples / rate),
             "chirps": waveform["pulses"],
         },
         "array": {
@@ -95,6 +106,10 @@ def _radar(radar: Radar, transmitters: list[int], pattern: dict[str, Any]) -> di
         "link": {"transmit_power_dbm": float(transmitter.rf_prop["tx_power"]), "antenna_gain_dbi": 0.0},
         "receiver": {"sampling": receiver.bb_prop["bb_type"]},
     }
+    if look.gaps_s:
+        told["array"]["multiplexing"] = "tdm"
+        if not np.allclose(gaps, gaps[0], rtol=1e-9, atol=0.0):
+            told["waveform"]["stagger_us"] = (gaps - gaps.min()).tolist()
     if transmitter.rf_prop["pn_f"] is not None:
         offsets, levels = transmitter.rf_prop["pn_f"], transmitter.rf_prop["pn_power"]
         told["receiver"]["phase_noise_dbc_hz"] = [[float(f), float(p)] for f, p in zip(offsets, levels)]

@@ -68,7 +68,7 @@ def sim_radar(
 
 
 def _baseband(radar: Radar, targets: list[dict[str, Any]], starts: NDArray[np.float64]) -> NDArray[Any]:
-    """Baseband of all frames; each look draws phase noise of its own."""
+    """Baseband of all frames; each frame draws phase noise of its own."""
     seeds = np.random.SeedSequence(radar.seed)
     with tempfile.TemporaryDirectory(prefix="wayside-") as folder:
         pattern = pattern_of(radar, folder)
@@ -84,16 +84,30 @@ def _frame(
     pattern: dict[str, Any] | None,
     seeds: np.random.SeedSequence,
 ) -> NDArray[Any]:
-    """Baseband of one frame, [tx·rx, pulses, samples]: transmitters that begin together are one scene."""
-    receiver, delays = radar.radar_prop["receiver"], radar.radar_prop["transmitter"].txchannel_prop["delay"]
+    """Baseband of one frame, [tx·rx, pulses, samples]: each look is one scene."""
+    receiver = radar.radar_prop["receiver"]
     whole = np.zeros(radar.time_prop["origin_timestamp_shape"], dtype=np.complex128)
-    groups, of_transmitter = np.unique(delays, return_inverse=True)
-    for group, seed in enumerate(seeds.generate_state(len(groups), np.uint64).tolist()):
-        together = np.flatnonzero(of_transmitter == group).tolist()
-        look = Look(together, start_s + float(groups[group]), seed >> _SEED_BITS_LESS)
-        channels = [i * len(receiver.antennas) + j for i in together for j in range(len(receiver.antennas))]
+    seed = int(seeds.generate_state(1, np.uint64)[0]) >> _SEED_BITS_LESS
+    for look in _looks(radar, start_s, seed):
+        transmitters, count = look.transmitters, len(receiver.antennas)
+        channels = [i * count + j for i in transmitters for j in range(count)]
         whole[channels] = _PEAK * receiver.volts() * _samples(radar, targets, look, pattern)
     return whole
+
+
+def _looks(radar: Radar, start_s: float, seed: int) -> list[Look]:
+    """Looks of a frame: a delay each, its transmitters together; with phase noise one transmitter of each
+    delay, in turn: one oscillator drives them all, and a scene draws one."""
+    transmitter, rate = radar.radar_prop["transmitter"], radar.radar_prop["receiver"].bb_prop["fs"]
+    delays, of_transmitter = np.unique(transmitter.txchannel_prop["delay"], return_inverse=True)
+    together = [np.flatnonzero(of_transmitter == i).tolist() for i in range(len(delays))]
+    if transmitter.rf_prop["pn_f"] is None or len(delays) == 1:
+        return [Look(own, start_s + float(delay), seed) for own, delay in zip(together, delays)]
+    gaps = np.diff(np.append(delays, delays[0] + transmitter.waveform_prop["prp"][0]))
+    if gaps.min() < radar.sample_prop["samples_per_pulse"] / rate * (1 - 1e-9):
+        raise refuse("pn_f", "with a delay at which one pulse is sampled before another ends: one oscillator")
+    turns = [[own[min(i, len(own) - 1)] for own in together] for i in range(max(map(len, together)))]
+    return [Look(turn, start_s + float(delays[0]), seed, gaps.tolist()) for turn in turns]
 
 
 def _samples(

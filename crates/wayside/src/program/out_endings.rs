@@ -1,0 +1,100 @@
+//! `--out` whose ending is that of another format than what the command writes: refused before the work, with
+//! the command that writes it.
+
+use crate::program::cli::{Command, ExportArguments};
+use crate::program::words::FormatWord;
+use clap::ValueEnum;
+use pipeline::host::failure::Failure;
+use std::path::Path;
+
+/// Endings of what the program writes, each with the command that does.
+const WRITERS: [(&str, &str); 27] = [
+    ("toml", "scene-from"),
+    ("glb", "vehicles"),
+    ("scene", "run"),
+    ("paths", "paths"),
+    ("rcs", "run"),
+    ("cube", "echo"),
+    ("rdm", "dsp"),
+    ("points", "dsp"),
+    ("tracks", "dsp"),
+    ("classes", "run"),
+    ("dataset", "dataset"),
+    ("model", "train"),
+    ("npy", "export FILE --to npy"),
+    ("exr", "export FILE --to exr"),
+    ("png", "export FILE --to png"),
+    ("csv", "export FILE --to csv"),
+    ("pcd", "export FILE --to pcd"),
+    ("ply", "export FILE --to ply"),
+    ("json", "export FILE --to json"),
+    ("safetensors", "export FILE --to safetensors"),
+    ("bin", "export FILE --to dca1000"),
+    ("sigmf-meta", "export FILE --to sigmf"),
+    ("sigmf-data", "export FILE --to sigmf"),
+    ("osi", "export FILE --to osi"),
+    ("mcap", "export FILE --to mcap"),
+    ("mat", "export FILE --to uwcr"),
+    ("parquet", "export FILE --to parquet"),
+];
+
+/// Refuses a result under the ending of another format. Endings of no format of the program's are parts of
+/// names, and a folder that is there is taken.
+pub(crate) fn check(command: &Command) -> Result<(), Failure> {
+    let Some(Written { out, what, endings }) = written(command) else { return Ok(()) };
+    let told = out.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    let writer = WRITERS.iter().find(|(ending, _)| told.as_deref() == Some(ending));
+    match writer {
+        Some((ending, writer)) if !endings.contains(ending) && !out.is_dir() => {
+            let rule =
+                format!("{} writes {what}; .{ending} is written by `wayside {writer}`", command.name());
+            Err(Failure::System(format!("--out {}: {rule}", out.display())))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Result of a command.
+struct Written<'a> {
+    out: &'a Path,
+    /// In the words of an error.
+    what: String,
+    /// Those that it may have of the endings above.
+    endings: Vec<&'a str>,
+}
+
+/// `None` of commands whose result has any name: datasets, models and pages of text.
+fn written(command: &Command) -> Option<Written<'_>> {
+    let of = |out, what: &str, endings: &[&'static str]| {
+        Some(Written { out, what: what.to_owned(), endings: endings.to_vec() })
+    };
+    match command {
+        Command::Run(arguments) => of(arguments.out.as_deref()?, FOLDER, &[]),
+        Command::Dsp(arguments) => of(&arguments.out, FOLDER, &[]),
+        Command::Sweep(arguments) => of(&arguments.out, FOLDER, &[]),
+        Command::Vehicles(arguments) => of(&arguments.out, FOLDER, &[]),
+        Command::Rcs(arguments) => of(&arguments.out, "an array of NumPy (.npy)", &["npy"]),
+        Command::Paths(arguments) => of(&arguments.out, "paths (.paths)", &["paths"]),
+        Command::Echo(arguments) => of(&arguments.out, "radar cubes (.cube)", &["cube"]),
+        Command::Import(arguments) => {
+            of(&arguments.out, "radar cubes (.cube), of clouds points (.points)", &["cube", "points"])
+        }
+        Command::SceneFrom(arguments) => of(&arguments.out, "a scene file (.toml)", &["toml"]),
+        Command::Calibrate(arguments) => of(&arguments.out, "a table (.csv)", &["csv"]),
+        Command::Export(arguments) => exported(arguments),
+        _ => None,
+    }
+}
+
+const FOLDER: &str = "a folder";
+
+/// `None` of SigMF, which has its endings added to any name, of OSI, which is asked for one of two, and of
+/// folders of sets.
+fn exported(arguments: &ExportArguments) -> Option<Written<'_>> {
+    let ends_as_named = arguments.to.set().is_none() && arguments.to != FormatWord::Osi;
+    let format = arguments.to.to_possible_value().filter(|_| ends_as_named)?.get_name().to_owned();
+    let writer = format!("export FILE --to {format}");
+    let endings: Vec<_> = WRITERS.iter().filter(|(_, by)| *by == writer).map(|(ending, _)| *ending).collect();
+    let first = *endings.first().filter(|_| arguments.to != FormatWord::Sigmf)?;
+    Some(Written { out: &arguments.out, what: format!(".{first} with --to {format}"), endings })
+}
