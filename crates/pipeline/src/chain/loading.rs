@@ -5,6 +5,7 @@ use crate::chain::keys;
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
+use crate::host::origin;
 use crate::host::progress::{self, Work};
 use artifact::Provenance;
 use artifact::scene::{Role, Scene, SceneHeader, Target, TargetKind};
@@ -180,13 +181,19 @@ fn shipped() -> Result<Option<LoadedModel>, Failure> {
     Ok(None)
 }
 
-/// Provenance of an artifact: stage, version, inputs, settings and seed.
+/// Provenance of an artifact: stage, version, inputs, settings and seed. Settings of what bodies scatter tell
+/// of these bodies too.
 pub fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, String)>) -> Provenance {
+    let asked = (&header.fidelity, &header.dsp);
+    let settings = match stage {
+        Stage::BartRcs => serde_json::to_string(&(asked.0, asked.1, origin::told_bodies(header))),
+        _ => serde_json::to_string(&asked),
+    };
     Provenance {
         stage: stage.name().into(),
         program_version: env!("CARGO_PKG_VERSION").into(),
         inputs,
-        settings: serde_json::to_string(&(&header.fidelity, &header.dsp)).unwrap_or_default(),
+        settings: settings.unwrap_or_default(),
         seed: header.seed,
     }
 }

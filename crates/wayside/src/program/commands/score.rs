@@ -51,6 +51,7 @@ struct OfScene {
 fn paths_of(file: &Path, scene: &SceneHeader) -> Result<OfScene, Failure> {
     let paths = Beside::<Paths>::open(file, |frame| frame.index)?;
     origin::are_of_bodies(file, scene, &paths.header().targets)?;
+    origin::are_of_same_bodies(scene, paths.provenance()).map_err(|failure| failure.about(file))?;
     Ok(OfScene { file: file.to_owned(), paths })
 }
 
