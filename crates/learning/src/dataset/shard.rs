@@ -3,6 +3,8 @@
 
 use crate::dataset::draws::{self, Drawn, Kind};
 use crate::dataset::layout::PlannedShard;
+use crate::dataset::lines;
+use crate::dataset::maker::maker;
 use crate::dataset::recipe::Recipe;
 use crate::dataset::shots::{Measured, Shot, Surroundings, shoot};
 use crate::dataset::staging::{Staged, stage};
@@ -57,7 +59,7 @@ pub(super) fn make(making: &ShardMaking, shard: &PlannedShard) -> Result<(), Fai
 fn provenance(recipe: &Recipe) -> Provenance {
     Provenance {
         stage: "dataset".into(),
-        program_version: env!("CARGO_PKG_VERSION").into(),
+        program_version: maker(),
         inputs: recipe.inputs.clone(),
         settings: recipe.text.clone(),
         seed: recipe.seed,

@@ -8,8 +8,8 @@
 )]
 
 use crate::common::Workplace;
-use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
+use artifact::{Reader, Writer};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -252,6 +252,29 @@ fn neither_threads_nor_parts_change_a_byte_and_each_kind_is_measured_once_a_shar
 }
 
 #[test]
+fn shards_of_another_version_of_the_program_are_refused_by_name_and_stay() {
+    let place = prepared();
+    made(&place, &format!("{NEEDED}scenes_per_shard = 4\ncrops = false\n{OWN}"), "d");
+    let shard = place.path("d/shard-0001.dataset");
+    let reader = Reader::<Dataset>::open(&shard).unwrap();
+    let (mut from, header) = (reader.preamble().provenance.clone(), *reader.header());
+    let own = std::mem::replace(&mut from.program_version, "0.1.0".into());
+    assert!(own.starts_with("0.1.0+"), "{own}");
+    let samples: Vec<Sample> = reader.map(Result::unwrap).collect();
+    let mut writer = Writer::<Dataset>::create(&place.path("other"), &from, &header).unwrap();
+    samples.iter().for_each(|sample| writer.write(sample).unwrap());
+    writer.finish().unwrap();
+    std::fs::rename(place.path("other"), &shard).unwrap();
+    let before = place.bytes("d/shard-0001.dataset");
+    for words in ["", "--conclude"] {
+        let output = place.try_run(&format!("dataset spec.toml --out d --quiet {words}"));
+        let said = String::from_utf8_lossy(&output.stderr);
+        let told = "shard-0001.dataset: was made by another version of the program (0.1.0, this is 0.1.0+";
+        assert!(output.status.code() == Some(2) && said.contains(told) && said.contains("--out"), "{said}");
+    }
+    assert!(place.bytes("d/shard-0001.dataset") == before);
+}
+
 fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
     let place = prepared();
     std::fs::write(place.path("silent.toml"), BASE.replace("[noise]\nnoise_figure_db = 12.0\n", "")).unwrap();
