@@ -275,6 +275,28 @@ fn shards_of_another_version_of_the_program_are_refused_by_name_and_stay() {
     assert!(place.bytes("d/shard-0001.dataset") == before);
 }
 
+#[test]
+fn a_changed_digit_of_a_shards_lines_counts_as_not_made() {
+    let place = prepared();
+    made(&place, &format!("{NEEDED}crops = false\n{OWN}"), "d");
+    let whole = place.bytes("d/shard-0000.jsonl");
+    let text = String::from_utf8(whole.clone()).unwrap();
+    let at = text.find("\"range_m\":").unwrap() + "\"range_m\":".len();
+    let digit = if text[at..].starts_with('3') { "4" } else { "3" };
+    std::fs::write(place.path("d/shard-0000.jsonl"), format!("{}{digit}{}", &text[..at], &text[at + 1..]))
+        .unwrap();
+    let refused = place.try_run("dataset spec.toml --out d --quiet --conclude");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("shard-0000.jsonl: not made yet or damaged"));
+    let told = place.path("d").join("scenes.jsonl");
+    let scenes = std::fs::read(&told).unwrap();
+    let again = place.try_run("dataset spec.toml --out d");
+    assert!(String::from_utf8_lossy(&again.stderr).contains("made anew: d/shard-0000.jsonl"));
+    assert!(place.bytes("d/shard-0000.jsonl") == whole && std::fs::read(&told).unwrap() == scenes);
+    assert!(!String::from_utf8(scenes).unwrap().contains("checksum"), "it is of the lines beside a shard");
+}
+
+#[test]
 fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
     let place = prepared();
     std::fs::write(place.path("silent.toml"), BASE.replace("[noise]\nnoise_figure_db = 12.0\n", "")).unwrap();
