@@ -46,6 +46,10 @@ impl Recipe {
         let mut bases = Vec::new();
         for written in asked.base_scenes().map_err(refused)? {
             let scene = folder.join(written);
+            let radars = scene::radars(&scene).map_err(loading::of_scene).map_err(named)?;
+            if !radars.is_empty() {
+                return Err(refused(asked.of_several_radars(written, radars)));
+            }
             let files = loading::files_of_radar(&scene).map_err(named)?;
             let (base, hashed) = loading::read_of(&files, || base(&scene)).map_err(named)?;
             bases.push(base);

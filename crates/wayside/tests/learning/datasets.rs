@@ -300,6 +300,8 @@ fn a_changed_digit_of_a_shards_lines_counts_as_not_made() {
 fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
     let place = prepared();
     std::fs::write(place.path("silent.toml"), BASE.replace("[noise]\nnoise_figure_db = 12.0\n", "")).unwrap();
+    let pair = format!("{BASE}[[radars]]\nid = \"left\"\n[[radars]]\nid = \"right\"\n");
+    std::fs::write(place.path("pair.toml"), pair).unwrap();
     std::fs::create_dir(place.path("empty")).unwrap();
     std::fs::create_dir(place.path("up")).unwrap();
     std::fs::write(place.path("up/manifest.toml"), "[[vehicle]]\nname = \"../x\"\nclass = \"car\"\n")
@@ -327,6 +329,11 @@ fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
             "extra_noise_db: silent.toml has no noise",
         ),
         (recipe("crop = true\n"), "unknown field `crop`"),
+        (
+            recipe("").replace("base", "pair"),
+            "spec.toml: scene: pair.toml has several radars ([[radars]]: left, right), and a recipe takes \
+             scenes of one; name a copy of it without [[radars]]",
+        ),
         (with_models(""), "models: name at least one"),
         (with_models("car = []\n"), "models.car: name at least one"),
         (with_models("car = [\"bus-mini\"]\n"), "models.car: `bus-mini` is a bus"),
