@@ -112,6 +112,28 @@ fn m1_a_plate_of_glass_seen_square_has_minus_r_times_the_conductors_amplitude() 
 }
 
 #[test]
+fn what_layers_err_by_over_a_band_is_no_more_than_a_table_tells() {
+    let [a, b] = dihedral(90.0, 10.0);
+    let pane = sheet(GLASS, 4e-3, Thickness::Exact);
+    let body = mesh(&[(a, pane.clone()), (b, pane)]);
+    let frequency_hz: Vec<f64> = (0..65).map(|i| 76e9 + 2e9 * f64::from(i) / 64.0).collect();
+    let asked = RcsRequest { frequency_hz: frequency_hz.clone(), ..request(20.0, 10.0) };
+    let band = rcs(&body, &asked, &|_, _| {}).unwrap();
+    let of_one = |hz: &f64| {
+        let alone = RcsRequest { frequency_hz: vec![*hz], ..asked.clone() };
+        rcs(&body, &alone, &|_, _| {}).unwrap().amplitude_m[0]
+    };
+    let each: Vec<Complex64> = frequency_hz.iter().map(of_one).collect();
+    let missed: f64 = band.amplitude_m.iter().zip(&each).map(|(got, asked)| (got - asked).norm_sqr()).sum();
+    let error = (missed / each.iter().map(|s| s.norm_sqr()).sum::<f64>()).sqrt();
+    let told = band.error.integration.unwrap();
+    println!("told {told:.1e}, missed {error:.1e}");
+    assert!(error > 1e-11 && error < told && told < 0.03 * asked.accuracy.amplitude());
+    let in_metal = rcs(&in_metal(&body), &asked, &|_, _| {}).unwrap();
+    assert_eq!(in_metal.error.integration, Some(1e-12), "conductors know no frequency");
+}
+
+#[test]
 fn an_infinite_permittivity_is_a_conductor_at_every_order_and_element() {
     let [a, b] = dihedral(88.0, 20.0);
     let dense = half_space(Complex64::new(1.0, -1e14));

@@ -9,6 +9,7 @@ mod places;
 mod staging;
 mod shots;
 mod seen;
+mod maker;
 mod shard;
 pub(crate) mod lines;
 mod resumption;

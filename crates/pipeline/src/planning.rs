@@ -19,6 +19,7 @@ use choice::{Budget, Choice, Fixed};
 use look::Shares;
 use part::Part;
 use scene::{Planning, SaidPhysics};
+use std::slice;
 use told::PlanFigures;
 
 /// Scene that is run, with the plan of its physics where one was asked for.
@@ -41,8 +42,11 @@ pub fn scene(
     cache: Option<&Cache>,
     memory: Allowance,
 ) -> Result<PlannedScene, Failure> {
-    let mut loaded = loading::scene(source, cache)?;
-    let said = scene::said_physics(&source.file, &[]).map_err(loading::of_scene)?;
+    // Scene and what it says of the physics are of one and the same file.
+    let ((mut loaded, said), _) = loading::read_of(slice::from_ref(&source.file), || {
+        let loaded = loading::scene(source, cache)?;
+        Ok((loaded, scene::said_physics(&source.file, &[]).map_err(loading::of_scene)?))
+    })?;
     if let Some(db) = source.accuracy_db {
         loaded.header.fidelity.accuracy = Accuracy::from_db(db);
         loaded.header.fidelity.goal = None;

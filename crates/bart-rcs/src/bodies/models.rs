@@ -169,6 +169,11 @@ impl BodyMesh {
         self.materials.get(usize::from(*slot))?.as_ref()
     }
 
+    /// Whether some material of the mesh reflects by layers, whose phase turns with frequency.
+    pub(crate) fn has_layers(&self) -> bool {
+        self.materials.iter().flatten().any(|material| matches!(**material, Material::Layers { .. }))
+    }
+
     pub(crate) fn edges(&self) -> &BodyEdges {
         self.edges.get_or_init(|| body_edges(&self.skin.triangles_m, &self.skin.corner_normals))
     }

@@ -215,6 +215,11 @@ impl World {
         body.mesh.material(facet - body.first_facet)
     }
 
+    /// Whether some body reflects in another way at another frequency.
+    pub(crate) fn knows_frequency(&self) -> bool {
+        !self.is_conductor && self.bodies.iter().any(|body| body.mesh.has_layers())
+    }
+
     /// The flat patch that a facet is part of, by its first facet.
     pub(crate) fn patch(&self, facet: u32) -> u32 {
         self.body_of(facet)

@@ -14,6 +14,7 @@ use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
+use crate::table::aspect::interpolation_power;
 use crate::table::far_field_error::Compared;
 use crate::table::meeting::{MeetingSettings, OrderJoints};
 use crate::table::rcs_table::next_order;
@@ -91,6 +92,8 @@ struct TabledBody<'a> {
 struct Powers {
     total: f64,
     by_order: Vec<f64>,
+    /// What the integrals may err by over frequency.
+    interpolation: f64,
     /// Error of frozen shadows at the end of the sweep.
     freezing: f64,
     /// Difference from the spherical wave, and that wave's own power: the truth that a relative error is told
@@ -160,6 +163,7 @@ impl<'a> TabledBody<'a> {
         let weight = middle.length().powi(-4);
         Ok(Powers {
             total: weight * power(&table),
+            interpolation: weight * power(&table) * self.interpolation_power(),
             by_order: by_order.iter().map(|s| weight * power(s)).collect(),
             freezing: weight * difference(&frozen, &anew),
             far_field: weight * near.difference,
@@ -218,6 +222,12 @@ impl<'a> TabledBody<'a> {
             accuracy: fidelity.accuracy.amplitude(),
             bracket: bracket_of(fidelity.nodes),
         }
+    }
+
+    /// Power over that of S by which integrals may err over frequency.
+    fn interpolation_power(&self) -> f64 {
+        let frequencies = self.frequency_axis().len();
+        interpolation_power(&self.world, frequencies, self.header.fidelity.accuracy.amplitude())
     }
 
     fn sums(
@@ -289,6 +299,7 @@ impl<'a> TabledBody<'a> {
 impl Powers {
     fn add(&mut self, other: &Self) {
         self.total += other.total;
+        self.interpolation += other.interpolation;
         self.freezing += other.freezing;
         self.far_field += other.far_field;
         self.spherical += other.spherical;
@@ -300,10 +311,11 @@ impl Powers {
         amplitude_ratio(part, self.total)
     }
 
-    /// Far-field integrals are exact to rounding; shadows are as they were at the middle.
+    /// Far-field integrals are exact to rounding, but for what is interpolated over frequency; shadows are as
+    /// they were at the middle.
     fn error(&self) -> ErrorBudget {
         ErrorBudget {
-            integration: Some(1e-12),
+            integration: Some(self.relative(self.interpolation).max(1e-12)),
             freezing: Some(self.relative(self.freezing)),
             ..ErrorBudget::default()
         }

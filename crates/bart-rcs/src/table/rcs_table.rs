@@ -401,7 +401,7 @@ impl SharedByAspects<'_> {
     fn checks(&self, index: usize, integrals: IntegralsCheck) -> Checks {
         let is_compared = index.is_multiple_of(self.aspects.len().div_ceil(COMPARED_ASPECTS));
         Checks {
-            integrals: if self.is_exact(index) { IntegralsCheck::Skipped } else { integrals },
+            integrals: if self.is_exact(index) { IntegralsCheck::Exact } else { integrals },
             model: if is_compared { Check::Measured } else { Check::Skipped },
         }
     }

@@ -150,6 +150,23 @@ pub(super) fn stream(recipe: &Recipe, of: &str, index: &[u64]) -> ChaCha8Rng {
     ChaCha8Rng::from_seed(artifact::seed::key(recipe.seed, of, index))
 }
 
+/// Seed of a scene's noise, by that of its recipe: neighbouring recipes have none in common.
+pub(super) fn noise_seed(of_recipe: u64, scene: u64) -> u64 {
+    let key = artifact::seed::key(of_recipe, "dataset/noise", &[scene]);
+    u64::from_le_bytes(std::array::from_fn(|i| key[i]))
+}
+
 pub(super) fn within([low, high]: [f64; 2], share: f64) -> f64 {
     low + (high - low) * share
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scenes_of_neighbouring_recipes_have_no_noise_in_common() {
+        let all = (0..100).flat_map(|seed| (0..100).map(move |scene| noise_seed(seed, scene)));
+        assert_eq!(all.collect::<std::collections::BTreeSet<u64>>().len(), 10_000);
+    }
 }

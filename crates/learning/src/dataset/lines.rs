@@ -4,6 +4,7 @@ use crate::dataset::draws::Drawn;
 use crate::dataset::recipe::{FRAMES_LIMIT, Recipe, VEHICLES_LIMIT};
 use crate::dataset::seen::SeenFrame;
 use crate::dataset::staging::{Staged, ToldVehicle};
+use artifact::envelope::fingerprint;
 use artifact::points::Object;
 use artifact::settings::Lanes;
 use evaluation::Truth;
@@ -101,6 +102,20 @@ fn vehicle(
     })
 }
 
+/// Key of a line's checksum, which is of all else that the line says.
+const CHECKSUM: &str = "checksum";
+
+/// Text of a scene's line, with its checksum.
+pub(super) fn sealed(mut scene: Value) -> String {
+    scene[CHECKSUM] = checksum(&scene).into();
+    scene.to_string()
+}
+
+/// Beginning of the hash of what a line says, whose keys are sorted.
+fn checksum(scene: &Value) -> String {
+    fingerprint(&scene.to_string()).chars().take(16).collect()
+}
+
 /// A thousand frames of sixteen vehicles for each of the usual scenes of a shard.
 const LIMIT_BYTES: u64 = 1 << 30;
 
@@ -124,9 +139,14 @@ fn damaged(file: &Path, at: usize) -> Failure {
 /// many as the program writes there.
 const SCENE_LIMIT_BYTES: usize = 4096;
 
-/// The scene of a line; `None` where it is damaged, or tells of more than a recipe may ask for.
+/// The scene of a line, without its checksum, which lines of earlier versions lack; `None` where it is
+/// damaged, or tells of more than a recipe may ask for.
 fn read_scene(line: &[u8]) -> Option<Value> {
-    let scene: Value = serde_json::from_slice(line).ok()?;
+    let mut scene: Value = serde_json::from_slice(line).ok()?;
+    let told = scene.as_object_mut()?.remove(CHECKSUM);
+    if told.is_some_and(|told| told != checksum(&scene)) {
+        return None;
+    }
     let frames = list(&scene["frames"]);
     let is_full = |frame: &Value| list(&frame["vehicles"]).len() > VEHICLES_LIMIT as usize;
     let is_bounded = frames.len() <= FRAMES_LIMIT as usize && !frames.iter().any(is_full);
@@ -196,7 +216,17 @@ mod tests {
         };
         assert!(is_read(1000, 1, 1) && is_read(1, 16, 255) && is_read(0, 0, 4000));
         assert!(!is_read(1001, 0, 1) && !is_read(1, 17, 1) && !is_read(1, 1, 4096));
-        assert!(read_scene(b"{\"scene\": 7").is_none());
+        assert!(read_scene(b"{\"scene\": 7").is_none() && read_scene(b"7").is_none());
+    }
+
+    #[test]
+    fn a_line_of_which_a_digit_was_changed_is_damaged() {
+        let scene = json!({ "scene": 7, "base": "base.toml", "range_m": 0.1 + 0.2, "tilt_deg": -0.0 });
+        let text = sealed(scene.clone());
+        assert_eq!(read_scene(text.as_bytes()), Some(scene));
+        for (from, to) in [("7", "8"), ("0.3", "0.4"), ("base.", "bare."), ("-0.0", "0.0")] {
+            assert!(text.contains(from) && read_scene(text.replacen(from, to, 1).as_bytes()).is_none());
+        }
     }
 
     #[test]

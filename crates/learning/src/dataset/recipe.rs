@@ -37,23 +37,29 @@ pub(super) struct Recipe {
 
 impl Recipe {
     pub(super) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
-        let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+        let read = || bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault));
+        let (text, mut inputs) = loading::read_of(&[file.to_owned()], read)?;
         let refused = |error: RecipeError| Failure::refused(error).about(file);
         let asked: Document = toml_text::read(&text).map_err(|fault| refused(fault.into()))?;
         let named = |failure: Failure| failure.named_in(file);
         let folder = file.parent().unwrap_or(Path::new("."));
-        let mut files = vec![file.to_owned()];
         let mut bases = Vec::new();
-        for scene in asked.base_scenes().map_err(refused)? {
-            let scene = folder.join(scene);
-            bases.push(base(&scene).map_err(named)?);
-            files.extend(loading::files_of_radar(&scene).map_err(named)?);
+        for written in asked.base_scenes().map_err(refused)? {
+            let scene = folder.join(written);
+            let radars = scene::radars(&scene).map_err(loading::of_scene).map_err(named)?;
+            if !radars.is_empty() {
+                return Err(refused(asked.of_several_radars(written, radars)));
+            }
+            let files = loading::files_of_radar(&scene).map_err(named)?;
+            let (base, hashed) = loading::read_of(&files, || base(&scene)).map_err(named)?;
+            bases.push(base);
+            inputs.extend(hashed);
         }
         rules::check(&asked, &bases).map_err(refused)?;
         let headers: Vec<&SceneHeader> = bases.iter().map(|base| &base.header).collect();
-        let models = models::read(&asked.models, file, &headers, &mut files)?;
+        let models = models::read(&asked.models, file, &headers, &mut inputs)?;
         let seed = seed.unwrap_or(asked.seed);
-        Ok(Self { inputs: loading::hashed(&files).map_err(named)?, asked, bases, models, seed, text })
+        Ok(Self { inputs, asked, bases, models, seed, text })
     }
 
     /// Whether a recipe of that text, read from those inputs, draws the same scenes; how many of them is left

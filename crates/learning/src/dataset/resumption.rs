@@ -1,8 +1,9 @@
 //! Resumption of a dataset from what an earlier run has left: a shard is taken up if it is whole and of the
-//! same scenes.
+//! same scenes, made by the same program.
 
 use crate::dataset::layout::PlannedShard;
 use crate::dataset::lines as told;
+use crate::dataset::maker::maker;
 use crate::dataset::recipe::Recipe;
 use artifact::dataset::{Dataset, Sample};
 use artifact::{ArtifactError, Reader};
@@ -12,14 +13,14 @@ use serde_json::Value;
 use std::path::Path;
 
 /// Whether a shard need not be made; a damaged one is named and made anew. Refused where the folder is
-/// another recipe's: what two recipes make is no dataset.
+/// another recipe's or another program's: what two of them make is no dataset.
 pub(super) fn is_made(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Failure> {
     if !shard.samples.is_file() {
         return Ok(false);
     }
     let samples = match samples(recipe, &shard.samples) {
         Ok(samples) => samples,
-        Err(Obstacle::OtherRecipe) => return Err(of_another(&shard.samples)),
+        Err(Obstacle::Foreign(refused)) => return Err(refused),
         Err(Obstacle::Damaged(error)) => {
             progress::note(format!("note: made anew: {error}"));
             return Ok(false);
@@ -31,7 +32,7 @@ pub(super) fn is_made(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Fai
     let is_whole = lines(shard).is_some_and(|lines| tells_of(&lines, &samples));
     if !is_whole {
         progress::note(format!(
-            "note: made anew: {}: does not tell of the scenes of its shard",
+            "note: made anew: {}: is damaged, or tells of other scenes than its shard",
             shard.lines.display()
         ));
     }
@@ -46,7 +47,7 @@ pub(super) fn is_there(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Fa
     }
     match opened(recipe, &shard.samples) {
         Ok(_) => Ok(lines(shard).is_some()),
-        Err(Obstacle::OtherRecipe) => Err(of_another(&shard.samples)),
+        Err(Obstacle::Foreign(refused)) => Err(refused),
         Err(Obstacle::Damaged(_)) => Ok(false),
     }
 }
@@ -59,7 +60,8 @@ pub(super) fn lines(shard: &PlannedShard) -> Option<Vec<Value>> {
 }
 
 enum Obstacle {
-    OtherRecipe,
+    /// It is of another recipe, or another program has made it.
+    Foreign(Failure),
     Damaged(ArtifactError),
 }
 
@@ -71,15 +73,21 @@ fn samples(recipe: &Recipe, shard: &Path) -> Result<Vec<Sample>, Obstacle> {
 fn opened(recipe: &Recipe, shard: &Path) -> Result<Reader<Dataset>, Obstacle> {
     let reader = Reader::<Dataset>::open_own(shard).map_err(Obstacle::Damaged)?;
     let from = &reader.preamble().provenance;
-    match from.seed == recipe.seed && recipe.draws_as(&from.settings, &from.inputs) {
-        true => Ok(reader),
-        false => Err(Obstacle::OtherRecipe),
+    let refused =
+        |rule: &str| Err(Obstacle::Foreign(Failure::System(format!("{}: {rule}", shard.display()))));
+    if from.seed != recipe.seed || !recipe.draws_as(&from.settings, &from.inputs) {
+        return refused(
+            "was made by another recipe, scene or seed; --out takes a new folder, or that of this recipe",
+        );
     }
-}
-
-fn of_another(shard: &Path) -> Failure {
-    let rule = "was made by another recipe, scene or seed; --out takes a new folder, or that of this recipe";
-    Failure::System(format!("{}: {rule}", shard.display()))
+    let (theirs, own) = (&from.program_version, maker());
+    if *theirs != own {
+        return refused(&format!(
+            "was made by another version of the program ({theirs}, this is {own}); --out takes a new folder, \
+             or that version goes on with this one"
+        ));
+    }
+    Ok(reader)
 }
 
 /// Whether there is a sample for every vehicle that was found.

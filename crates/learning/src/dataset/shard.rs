@@ -3,6 +3,8 @@
 
 use crate::dataset::draws::{self, Drawn, Kind};
 use crate::dataset::layout::PlannedShard;
+use crate::dataset::lines;
+use crate::dataset::maker::maker;
 use crate::dataset::recipe::Recipe;
 use crate::dataset::shots::{Measured, Shot, Surroundings, shoot};
 use crate::dataset::staging::{Staged, stage};
@@ -47,7 +49,7 @@ pub(super) fn make(making: &ShardMaking, shard: &PlannedShard) -> Result<(), Fai
         let mut shots = work.shots(&others, &errors, &done)?;
         for shot in places.iter().filter_map(|place| measured.remove(place).or_else(|| shots.remove(place))) {
             shot.samples.iter().try_for_each(|sample| writer.write(sample))?;
-            text.push_str(&format!("{}\n", shot.line));
+            text.push_str(&format!("{}\n", lines::sealed(shot.line)));
         }
     }
     writer.finish()?;
@@ -57,7 +59,7 @@ pub(super) fn make(making: &ShardMaking, shard: &PlannedShard) -> Result<(), Fai
 fn provenance(recipe: &Recipe) -> Provenance {
     Provenance {
         stage: "dataset".into(),
-        program_version: env!("CARGO_PKG_VERSION").into(),
+        program_version: maker(),
         inputs: recipe.inputs.clone(),
         settings: recipe.text.clone(),
         seed: recipe.seed,

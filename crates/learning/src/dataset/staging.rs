@@ -73,7 +73,7 @@ fn before_radar(recipe: &Recipe, drawn: &Drawn) -> SceneHeader {
     let fidelity = Fidelity { measured_every: MEASURED_EVERY, ..base.fidelity };
     SceneHeader {
         name: format!("dataset-{}", drawn.number),
-        seed: recipe.seed.wrapping_add(drawn.number),
+        seed: draws::noise_seed(recipe.seed, drawn.number),
         frames: recipe.asked.frames,
         frame_interval_s: recipe.asked.frame_interval_s.unwrap_or(base.frame_interval_s),
         radar: radar::aperture::remounted(&base.radar, height_m, tilt_rad),

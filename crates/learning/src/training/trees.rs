@@ -22,13 +22,7 @@ const ATTRIBUTIONS_LIMIT_BYTES: u64 = 1 << 20;
 /// Reads all shards, trains, writes the folder, tells how good it is.
 pub(super) fn train(settings: &Settings, datasets: &[Vec<PathBuf>]) -> Result<(), Failure> {
     let attributions = attributions(settings)?;
-    let mut sightings = Sightings::default();
-    for (number, shards) in datasets.iter().enumerate() {
-        for shard in shards {
-            let added = sightings.add(number, classifier::samples_of(shard));
-            added.map_err(of_classifier_about(shard))?;
-        }
-    }
+    let (sightings, inputs) = loading::read_of(&datasets.concat(), || sightings(datasets))?;
     let of_trees = TreeSettings::default();
     let work = Work::begin("training");
     let trained = train_trees(&sightings, &of_trees, settings.seed, &mut |at, of| work.at(at, of));
@@ -36,9 +30,20 @@ pub(super) fn train(settings: &Settings, datasets: &[Vec<PathBuf>]) -> Result<()
     drop(work);
     note_lone_vehicles(&sightings);
     trained.header.attributions = attributions;
-    save(settings, &trained, &provenance(settings, datasets, &of_trees)?)?;
+    save(settings, &trained, &provenance(settings, inputs, &of_trees)?)?;
     told(&trained).iter().for_each(|line| (settings.tell)(line));
     Ok(())
+}
+
+fn sightings(datasets: &[Vec<PathBuf>]) -> Result<Sightings, Failure> {
+    let mut sightings = Sightings::default();
+    for (number, shards) in datasets.iter().enumerate() {
+        for shard in shards {
+            let added = sightings.add(number, classifier::samples_of(shard));
+            added.map_err(of_classifier_about(shard))?;
+        }
+    }
+    Ok(sightings)
 }
 
 fn attributions(settings: &Settings) -> Result<Vec<String>, Failure> {
@@ -50,13 +55,13 @@ fn attributions(settings: &Settings) -> Result<Vec<String>, Failure> {
 
 fn provenance(
     settings: &Settings,
-    datasets: &[Vec<PathBuf>],
+    inputs: Vec<(String, String)>,
     of_trees: &TreeSettings,
 ) -> Result<Provenance, Failure> {
     Ok(Provenance {
         stage: "classifier".into(),
         program_version: env!("CARGO_PKG_VERSION").into(),
-        inputs: loading::hashed(&datasets.concat())?,
+        inputs,
         settings: serde_json::to_string(of_trees).map_err(Failure::refused)?,
         seed: settings.seed,
     })

@@ -5,6 +5,7 @@ use crate::chain::keys;
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
+use crate::host::origin;
 use crate::host::progress::{self, Work};
 use artifact::Provenance;
 use artifact::scene::{Role, Scene, SceneHeader, Target, TargetKind};
@@ -154,6 +155,22 @@ pub fn check_unchanged<'a>(files: impl IntoIterator<Item = &'a mut SeenFile>) ->
     })
 }
 
+/// Hands out what is read of files, with the names and hashes of these: refused where one was changed
+/// meanwhile, for the hash would be another file's than what was read.
+///
+/// # Errors
+/// Those of `read`; a file has another content now than before, is gone, or cannot be read.
+pub fn read_of<T>(
+    files: &[PathBuf],
+    read: impl FnOnce() -> Result<T, Failure>,
+) -> Result<(T, Vec<(String, String)>), Failure> {
+    let seen = seen(files);
+    let found = read()?; // says more of a file that cannot be read
+    let mut seen = seen?;
+    check_unchanged(&mut seen)?;
+    Ok((found, seen.iter().map(|file| file.named().clone()).collect()))
+}
+
 /// Name and content hash of files.
 pub fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
     files.iter().map(|file| hashed_one(file)).collect()
@@ -180,13 +197,19 @@ fn shipped() -> Result<Option<LoadedModel>, Failure> {
     Ok(None)
 }
 
-/// Provenance of an artifact: stage, version, inputs, settings and seed.
+/// Provenance of an artifact: stage, version, inputs, settings and seed. Settings of what bodies scatter tell
+/// of these bodies too.
 pub fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, String)>) -> Provenance {
+    let asked = (&header.fidelity, &header.dsp);
+    let settings = match stage {
+        Stage::BartRcs => serde_json::to_string(&(asked.0, asked.1, origin::told_bodies(header))),
+        _ => serde_json::to_string(&asked),
+    };
     Provenance {
         stage: stage.name().into(),
         program_version: env!("CARGO_PKG_VERSION").into(),
         inputs,
-        settings: serde_json::to_string(&(&header.fidelity, &header.dsp)).unwrap_or_default(),
+        settings: settings.unwrap_or_default(),
         seed: header.seed,
     }
 }
@@ -194,6 +217,21 @@ pub fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, Strin
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_read_of_a_file_has_the_hash_of_that_very_content() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("spec.toml");
+        std::fs::write(&file, "seed = 1").unwrap();
+        let files = [file.clone()];
+        let read = || std::fs::read_to_string(&file).map_err(Failure::refused);
+        assert_eq!(read_of(&files, read).unwrap(), ("seed = 1".to_owned(), hashed(&files).unwrap()));
+        let and_saved = || read().inspect(|_| std::fs::write(&file, "seed = 2").unwrap());
+        let refused = read_of(&files, and_saved).unwrap_err();
+        assert!(refused.to_string().contains("spec.toml: was changed while"), "{refused}");
+        std::fs::remove_file(&file).unwrap();
+        assert!(matches!(read_of(&files, read), Err(Failure::Unplaced(_))), "it is the reader's to tell");
+    }
 
     #[test]
     fn what_was_read_of_a_file_that_changed_meanwhile_is_refused_by_its_name() {

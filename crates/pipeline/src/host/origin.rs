@@ -3,8 +3,10 @@
 use crate::host::failure::Failure;
 use crate::host::progress;
 use artifact::Provenance;
+use artifact::envelope::fingerprint;
 use artifact::radar::Radar;
-use artifact::scene::SceneHeader;
+use artifact::scene::{Mesh, Pose, SceneHeader, TargetKind};
+use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -86,4 +88,137 @@ pub fn are_of_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Resu
         let rule = format!("its body {i} is {theirs}, the scene's is {own}: it is of another scene");
         Err(Failure::Refused(format!("{}: {rule}", file.display())))
     })
+}
+
+/// Bytes of what provenance tells of bodies, of the 1 MiB that all of it may have; of more bodies it has the
+/// hash.
+const MOST_TOLD_BYTES: usize = 512 << 10;
+
+/// Bodies and road of a scene as far as paths depend on them, in words of the scene's file: for the
+/// provenance of paths.
+pub fn told_bodies(scene: &SceneHeader) -> Value {
+    let meshes: Vec<String> = scene.meshes.iter().map(mesh_hash).collect();
+    let targets = scene.targets.iter().map(|target| (&target.id, &target.kind, Some(target.start)));
+    let vehicles = scene.traffic.iter().flat_map(|traffic| {
+        let mut first_in_view = vec![None; traffic.vehicles.len()];
+        for placed in traffic.frames.iter().flatten() {
+            let pose = first_in_view.get_mut(placed.vehicle as usize);
+            pose.map(|pose: &mut Option<Pose>| pose.get_or_insert(placed.pose));
+        }
+        traffic.vehicles.iter().zip(first_in_view).map(|(vehicle, pose)| (&vehicle.id, &vehicle.kind, pose))
+    });
+    let bodies = targets.chain(vehicles).map(|(id, kind, pose)| {
+        let told = [json!({ "id": id }), told_kind(kind, &meshes), pose.map_or(Value::Null, told_pose)];
+        let entries = told.into_iter().filter_map(|part| part.as_object().cloned()).flatten();
+        Value::Object(entries.collect::<Map<_, _>>())
+    });
+    let bodies = Value::Array(bodies.collect());
+    let text = bodies.to_string();
+    let bodies = if text.len() > MOST_TOLD_BYTES { fingerprint(&text).into() } else { bodies };
+    json!({ "bodies": bodies, "road": scene.road })
+}
+
+/// Hash of a mesh with its materials, whatever they are called; that waves are followed through them is no
+/// property of the body, and may be planned.
+fn mesh_hash(mesh: &Mesh) -> String {
+    let surface = (&mesh.vertices_m, &mesh.normals, &mesh.triangles, &mesh.material_of_triangle);
+    fingerprint(&(surface, &mesh.makeup.materials, &mesh.wheels)).chars().take(16).collect()
+}
+
+fn told_kind(kind: &TargetKind, meshes: &[String]) -> Value {
+    match kind {
+        TargetKind::Mesh { model, mesh, .. } => {
+            json!({ "model": model, "mesh_and_materials_hash": meshes.get(*mesh as usize) })
+        }
+        TargetKind::Point { rcs_m2, wheel } => json!({ "rcs_m2": rcs_m2, "wheel": wheel }),
+    }
+}
+
+fn told_pose(pose: Pose) -> Value {
+    json!({
+        "position_m": pose.position_m,
+        "velocity_mps": pose.velocity_mps,
+        "acceleration_mps2": pose.acceleration_mps2,
+        "yaw_deg": pose.yaw_rad.to_degrees(),
+        "yaw_rate_dps": pose.yaw_radps.to_degrees(),
+    })
+}
+
+/// Refuses paths that were traced of bodies which are otherwise in a scene than they were, by body, key and
+/// both values; paths of earlier versions tell of none.
+pub fn are_of_same_bodies(scene: &SceneHeader, of_paths: &Provenance) -> Result<(), Failure> {
+    let settings: Value = serde_json::from_str(&of_paths.settings).unwrap_or_default();
+    let (theirs, own) = (&settings[2], told_bodies(scene));
+    let other = if theirs.is_null() { None } else { difference(theirs, &own) };
+    other.map_or(Ok(()), |other| Err(Failure::refused(format!("traced of another scene: {other}"))))
+}
+
+/// The first difference of two scenes' bodies and roads, in words. A road that one of them lacks may have
+/// been planned.
+fn difference(theirs: &Value, own: &Value) -> Option<String> {
+    let list = |told: &Value| told["bodies"].as_array().cloned().unwrap_or_default();
+    let (road, own_road) = (&theirs["road"], &own["road"]);
+    if theirs["bodies"] == own["bodies"] {
+        let is_other = !road.is_null() && !own_road.is_null() && road != own_road;
+        return is_other.then(|| values("[road]", road, own_road));
+    }
+    let Some((theirs, own)) = list(theirs).into_iter().zip(list(own)).find(|(theirs, own)| theirs != own)
+    else {
+        return Some("other bodies, or the same elsewhere".into());
+    };
+    let entries = [&theirs, &own].into_iter().filter_map(Value::as_object);
+    let differs = entries.flat_map(Map::keys).find(|key| theirs[key.as_str()] != own[key.as_str()])?;
+    let id = own["id"].as_str().unwrap_or_default();
+    Some(format!("`{id}`: {}", values(differs, &theirs[differs], &own[differs])))
+}
+
+fn values(key: &str, theirs: &Value, own: &Value) -> String {
+    format!("{key} was {theirs}, the scene's is {own}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::material::{Material, Road};
+    use artifact::scene::{Role, Target};
+
+    /// A scene of so many points, and the provenance of its paths.
+    fn of_points(count: usize) -> (SceneHeader, Provenance) {
+        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
+        let read = scene::read(&file, &options).unwrap();
+        let start = read.targets[0].start;
+        let kind = || TargetKind::Point { rcs_m2: 1.0, wheel: None };
+        let point = |i: usize| Target { id: format!("p{i}"), role: Role::Target, kind: kind(), start };
+        let header = SceneHeader { targets: (0..count).map(point).collect(), ..read };
+        let settings = json!([null, null, told_bodies(&header)]).to_string();
+        let (stage, inputs) = ("bart_rcs".into(), vec![]);
+        (header, Provenance { stage, program_version: "0".into(), inputs, settings, seed: 0 })
+    }
+
+    #[test]
+    fn bodies_are_compared_however_many_there_are_and_provenance_holds_what_is_told() {
+        for (count, said) in [(20, "`p7`: yaw_deg was "), (20_000, "other bodies")] {
+            let (mut header, from) = of_points(count);
+            assert!(from.settings.len() < 1 << 20, "{} bytes", from.settings.len());
+            are_of_same_bodies(&header, &from).unwrap();
+            header.targets[7].start.yaw_rad += 0.1;
+            let refused = are_of_same_bodies(&header, &from).unwrap_err().to_string();
+            assert!(refused.contains(said), "{refused}");
+        }
+    }
+
+    #[test]
+    fn another_road_is_another_scene_and_one_that_was_planned_is_not() {
+        let (header, from) = of_points(1);
+        let road = |rms_height_m| Road { material: Material::Conductor, rms_height_m };
+        let over = |road| SceneHeader { road: Some(road), ..header.clone() };
+        are_of_same_bodies(&over(road(1e-3)), &from).unwrap();
+        let settings = json!([null, null, told_bodies(&over(road(1e-3)))]).to_string();
+        let from = Provenance { settings, ..from };
+        are_of_same_bodies(&header, &from).unwrap();
+        are_of_same_bodies(&over(road(1e-3)), &from).unwrap();
+        let refused = are_of_same_bodies(&over(road(2e-3)), &from).unwrap_err().to_string();
+        assert!(refused.contains("[road] was {"), "{refused}");
+    }
 }

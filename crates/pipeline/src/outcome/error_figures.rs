@@ -68,6 +68,9 @@ pub struct ModelErrorFigures {
     pub between_bodies: Option<f64>,
     /// Echoes from behind sheets, where waves are not followed through them.
     pub transmission: Option<f64>,
+    /// Bodies that hide others, which far-field tables leave out: nobody estimates it, so that it is `None`.
+    #[serde(default)]
+    pub shading: Option<f64>,
 }
 
 impl ModelErrorFigures {
@@ -81,6 +84,7 @@ impl ModelErrorFigures {
             road: db(error.road),
             between_bodies: db(error.between_bodies),
             transmission: db(error.transmission),
+            shading: None,
         }
     }
 

@@ -216,8 +216,16 @@ fn causes<'a>(objects: impl IntoIterator<Item = &'a FalseObject>) -> String {
 /// nothing of it was estimated.
 fn left_out(frame: &FrameSummary) -> Option<String> {
     let estimated = frame.model_error_db.sources().into_iter().filter_map(|(name, db)| Some((name, db?)));
-    let named: Vec<String> = estimated.map(|(name, db)| format!("{name} {}", decibels(db))).collect();
+    let of_tables =
+        shading_left_out(frame).then(|| "shading between bodies, which is not estimated".to_owned());
+    let named: Vec<String> =
+        estimated.map(|(name, db)| format!("{name} {}", decibels(db))).chain(of_tables).collect();
     (!named.is_empty()).then(|| format!("  left out by the model: {}", named.join(", ")))
+}
+
+/// Whether bodies would hide each other but for far-field tables, which are of each body alone.
+pub fn shading_left_out(frame: &FrameSummary) -> bool {
+    frame.paths.is_none() && frame.targets.len() + frame.clutter.len() > 1
 }
 
 /// A table, one row a target.

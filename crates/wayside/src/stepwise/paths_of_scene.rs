@@ -1,8 +1,9 @@
 //! Paths beside the scene that an echo is made for: what they were traced through has to be that scene.
 //!
 //! Noise, gains, patterns, samples of a chirp and the elements of the array may be others, since paths hold
-//! for them. The centre frequency, the radar's place, the bodies with their files and the times of the frames
-//! may not; and no body may stand elsewhere than where its nearest lit surface was.
+//! for them. The centre frequency, the radar's place, the bodies with their files, places, motions and cross
+//! sections, the road and the times of the frames may not. Of paths whose provenance does not tell of bodies
+//! no body may stand elsewhere than where its nearest lit surface was.
 
 use artifact::Provenance;
 use artifact::paths::{PathsFrame, PathsHeader};
@@ -46,7 +47,7 @@ pub(crate) fn check_header(
     };
     match (others(files, &from.inputs), others(&from.inputs, files)) {
         _ if from.inputs.is_empty() => Ok(()),
-        (None, None) => Ok(()),
+        (None, None) => origin::are_of_same_bodies(chain.header, from),
         (Some(own), _) => Err(Failure::refused(format!("not traced of the scene's mesh `{own}`"))),
         (_, Some(theirs)) => Err(Failure::refused(format!("traced of the mesh `{theirs}`, not the scene's"))),
     }

@@ -8,8 +8,8 @@
 )]
 
 use crate::common::Workplace;
-use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
+use artifact::{Reader, Writer};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -252,9 +252,56 @@ fn neither_threads_nor_parts_change_a_byte_and_each_kind_is_measured_once_a_shar
 }
 
 #[test]
+fn shards_of_another_version_of_the_program_are_refused_by_name_and_stay() {
+    let place = prepared();
+    made(&place, &format!("{NEEDED}scenes_per_shard = 4\ncrops = false\n{OWN}"), "d");
+    let shard = place.path("d/shard-0001.dataset");
+    let reader = Reader::<Dataset>::open(&shard).unwrap();
+    let (mut from, header) = (reader.preamble().provenance.clone(), *reader.header());
+    let own = std::mem::replace(&mut from.program_version, "0.1.0".into());
+    assert!(own.starts_with("0.1.0+"), "{own}");
+    let samples: Vec<Sample> = reader.map(Result::unwrap).collect();
+    let mut writer = Writer::<Dataset>::create(&place.path("other"), &from, &header).unwrap();
+    samples.iter().for_each(|sample| writer.write(sample).unwrap());
+    writer.finish().unwrap();
+    std::fs::rename(place.path("other"), &shard).unwrap();
+    let before = place.bytes("d/shard-0001.dataset");
+    for words in ["", "--conclude"] {
+        let output = place.try_run(&format!("dataset spec.toml --out d --quiet {words}"));
+        let said = String::from_utf8_lossy(&output.stderr);
+        let told = "shard-0001.dataset: was made by another version of the program (0.1.0, this is 0.1.0+";
+        assert!(output.status.code() == Some(2) && said.contains(told) && said.contains("--out"), "{said}");
+    }
+    assert!(place.bytes("d/shard-0001.dataset") == before);
+}
+
+#[test]
+fn a_changed_digit_of_a_shards_lines_counts_as_not_made() {
+    let place = prepared();
+    made(&place, &format!("{NEEDED}crops = false\n{OWN}"), "d");
+    let whole = place.bytes("d/shard-0000.jsonl");
+    let text = String::from_utf8(whole.clone()).unwrap();
+    let at = text.find("\"range_m\":").unwrap() + "\"range_m\":".len();
+    let digit = if text[at..].starts_with('3') { "4" } else { "3" };
+    std::fs::write(place.path("d/shard-0000.jsonl"), format!("{}{digit}{}", &text[..at], &text[at + 1..]))
+        .unwrap();
+    let refused = place.try_run("dataset spec.toml --out d --quiet --conclude");
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("shard-0000.jsonl: not made yet or damaged"));
+    let told = place.path("d").join("scenes.jsonl");
+    let scenes = std::fs::read(&told).unwrap();
+    let again = place.try_run("dataset spec.toml --out d");
+    assert!(String::from_utf8_lossy(&again.stderr).contains("made anew: d/shard-0000.jsonl"));
+    assert!(place.bytes("d/shard-0000.jsonl") == whole && std::fs::read(&told).unwrap() == scenes);
+    assert!(!String::from_utf8(scenes).unwrap().contains("checksum"), "it is of the lines beside a shard");
+}
+
+#[test]
 fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
     let place = prepared();
     std::fs::write(place.path("silent.toml"), BASE.replace("[noise]\nnoise_figure_db = 12.0\n", "")).unwrap();
+    let pair = format!("{BASE}[[radars]]\nid = \"left\"\n[[radars]]\nid = \"right\"\n");
+    std::fs::write(place.path("pair.toml"), pair).unwrap();
     std::fs::create_dir(place.path("empty")).unwrap();
     std::fs::create_dir(place.path("up")).unwrap();
     std::fs::write(place.path("up/manifest.toml"), "[[vehicle]]\nname = \"../x\"\nclass = \"car\"\n")
@@ -282,6 +329,11 @@ fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
             "extra_noise_db: silent.toml has no noise",
         ),
         (recipe("crop = true\n"), "unknown field `crop`"),
+        (
+            recipe("").replace("base", "pair"),
+            "spec.toml: scene: pair.toml has several radars ([[radars]]: left, right), and a recipe takes \
+             scenes of one; name a copy of it without [[radars]]",
+        ),
         (with_models(""), "models: name at least one"),
         (with_models("car = []\n"), "models.car: name at least one"),
         (with_models("car = [\"bus-mini\"]\n"), "models.car: `bus-mini` is a bus"),

@@ -6,8 +6,9 @@
 )]
 
 use crate::common::{SMALL_SCENE, Workplace};
-use artifact::Reader;
 use artifact::cube::Cube;
+use artifact::paths::Paths;
+use artifact::{Provenance, Reader, Writer};
 
 /// A workplace with the small scene's paths.
 fn traced() -> Workplace {
@@ -28,6 +29,13 @@ fn paths_serve_the_scene_with_other_noise_and_are_named_among_its_inputs() {
 }
 
 #[test]
+fn paths_of_a_plan_serve_the_scene_without_one() {
+    let place = Workplace::new();
+    place.run("paths small.toml --accuracy-db -30 --out f.paths --quiet");
+    place.run("echo small.toml --paths f.paths --out f.cube --quiet");
+}
+
+#[test]
 fn paths_of_another_scene_are_refused_by_what_is_other() {
     let place = traced();
     std::fs::copy(place.path("corner.obj"), place.path("panel.obj")).unwrap();
@@ -42,8 +50,17 @@ fn paths_of_another_scene_are_refused_by_what_is_other() {
         ),
         ("frames = 2", "frames = 1", "frame 1 is none of the scene's 1"),
         ("frames = 2", "frames = 2\nframe_interval_s = 0.3", "frame 1 begins at"),
-        ("[2.0, 30.0, 1.0]", "[2.0, 20.0, 1.0]", "frame 0: `reflector` was lit where it is not in the scene"),
-        ("[-5.75, 40.0, 0.0]", "[-5.75, 50.0, 0.0]", "frame 0: `corner-1` was lit where it is not"),
+        (
+            "[2.0, 30.0, 1.0]",
+            "[2.0, 30.25, 1.0]",
+            "`reflector`: position_m was [2.0,30.0,1.0], the scene's is [2.0,30.25,1.0]",
+        ),
+        ("[-5.75, 40.0, 0.0]", "[-5.75, 40.25, 0.0]", "`corner-1`: position_m was [-5.75,40.0,0.0], "),
+        ("[0.0, -3.0, 0.0]", "[0.0, -3.5, 0.0]", "`corner-1`: velocity_mps was [0.0,-3.0,0.0], "),
+        ("[0.0, 0.0, 0.0]", "[0.0, 9.0, 0.0]", "`reflector`: velocity_mps was [0.0,0.0,0.0], "),
+        ("class = \"car\"", "yaw_deg = -80.0", "`corner-1`: yaw_deg was -90.0, the scene's is -80.0"),
+        ("class = \"car\"", "yaw_rate_dps = 5.0", "`corner-1`: yaw_rate_dps was 0.0, the scene's is 5.0"),
+        ("rcs_m2 = 10.0", "rcs_m2 = 11.0", "`reflector`: rcs_m2 was 10.0, the scene's is 11.0"),
         ("\"corner.obj\"", "\"panel.obj\"", "not traced of the scene's mesh `panel.obj`"),
     ] {
         let scene = SMALL_SCENE.replacen(from, to, 1);
@@ -65,4 +82,25 @@ fn paths_of_another_scene_are_refused_by_what_is_other() {
     let output = place.try_run("echo small.toml --paths f.paths --out other.cube --quiet");
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(said.contains("f.paths: was made of another `corner.obj`, or before that was changed"), "{said}");
+}
+
+#[test]
+fn paths_that_do_not_tell_of_bodies_are_refused_where_these_were_lit_elsewhere() {
+    let place = traced();
+    let reader = Reader::<Paths>::open(&place.path("f.paths")).unwrap();
+    let from = Provenance { settings: String::new(), ..reader.preamble().provenance.clone() };
+    let mut writer = Writer::<Paths>::create(&place.path("old.paths"), &from, reader.header()).unwrap();
+    reader.for_each(|frame| writer.write(&frame.unwrap()).unwrap());
+    writer.finish().unwrap();
+    place.run("echo small.toml --paths old.paths --out old.cube --quiet");
+    for (from, to, body) in [
+        ("[2.0, 30.0, 1.0]", "[2.0, 20.0, 1.0]", "`reflector`"),
+        ("[-5.75, 40.0, 0.0]", "[-5.75, 50.0, 0.0]", "`corner-1`"),
+    ] {
+        std::fs::write(place.path("other.toml"), SMALL_SCENE.replacen(from, to, 1)).unwrap();
+        let output = place.try_run("echo other.toml --paths old.paths --out other.cube --quiet");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        let rule = format!("frame 0: {body} was lit where it is not in the scene");
+        assert!(output.status.code() == Some(1) && said.contains(&rule), "{said}");
+    }
 }

@@ -140,6 +140,23 @@ fn a_part_that_is_no_error_is_null_and_is_said_nowhere() {
 }
 
 #[test]
+fn that_tables_leave_shading_out_is_said_where_there_are_two_bodies() {
+    let place = Workplace::new();
+    let told_of = |scene: &str, echo: &str| {
+        write(&place, "small.toml", &format!("{scene}\n[fidelity]\necho = \"{echo}\"\n"));
+        let told = place.run("run small.toml --out out --quiet");
+        let model = place.summary("out/summary.json")["frames"][0]["model_error_db"].clone();
+        assert_eq!(model.get("shading"), Some(&Value::Null), "it is not estimated: {model}");
+        let page = String::from_utf8(place.bytes("out/report.html")).unwrap();
+        [told.contains("shading between bodies, which is not estimated"), page.contains("of each body alone")]
+    };
+    assert_eq!(told_of(SMALL_SCENE, "rcs-table"), [true; 2]);
+    assert_eq!(told_of(SMALL_SCENE, "paths"), [false; 2]);
+    let (lone, _) = SMALL_SCENE.rsplit_once("[[target]]").unwrap();
+    assert_eq!(told_of(lone, "rcs-table"), [false; 2]);
+}
+
+#[test]
 fn a_run_says_which_accuracy_is_of_use_and_what_its_own_is_for() {
     let place = Workplace::new();
     let scene = |asked: &str| format!("{SMALL_SCENE}\n[fidelity]\n{asked}\n");

@@ -91,4 +91,10 @@ impl Document {
             (Some(_), _) => Err(RecipeError::BaseScenesTwice),
         }
     }
+
+    /// Refusal of a base scene that has several radars.
+    pub(super) fn of_several_radars(&self, scene: &Path, radars: Vec<String>) -> RecipeError {
+        let key = if self.scene.is_some() { "scene" } else { "scenes" };
+        RecipeError::SeveralRadars { key, scene: scene.display().to_string(), radars }
+    }
 }

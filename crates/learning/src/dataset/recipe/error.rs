@@ -17,6 +17,14 @@ pub(super) enum RecipeError {
     #[error("scene and scenes: give one of the two keys, not both")]
     BaseScenesTwice,
 
+    /// A base scene of several radars: a recipe's scenes have one.
+    #[error(
+        "{key}: {scene} has several radars ([[radars]]: {}), and a recipe takes scenes of one; name a copy \
+         of it without [[radars]], with what the entry of that radar says in [radar]",
+        radars.join(", ")
+    )]
+    SeveralRadars { key: &'static str, scene: String, radars: Vec<String> },
+
     /// A span beyond its bounds, or with its ends exchanged.
     #[error(
         "{key} must be [least, greatest], {}, at most {most}, is [{}, {}]",

@@ -14,6 +14,7 @@ use scene::{asset_materials, centred, read_mesh, vehicles};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::slice;
 
 /// A manifest of a thousand vehicles, with all that is told of each.
 const LIMIT_BYTES: u64 = 16 << 20;
@@ -68,12 +69,13 @@ impl Model {
 /// Name and file of a model; an own vehicle has no file.
 type Named = (String, Option<PathBuf>);
 
-/// All models of each class, in the order of the recipe; `files` gets what they were read from.
+/// All models of each class, in the order of the recipe; `inputs` gets the files that they were read from,
+/// with hashes.
 pub(super) fn read(
     choice: &Choice,
     recipe: &Path,
     bases: &[&SceneHeader],
-    files: &mut Vec<PathBuf>,
+    inputs: &mut Vec<(String, String)>,
 ) -> Result<BTreeMap<Class, Vec<Model>>, Failure> {
     let folder = recipe.parent().unwrap_or(Path::new("."));
     let refused = |error: RecipeError| Failure::refused(error).about(recipe);
@@ -81,11 +83,13 @@ pub(super) fn read(
     let mut all: BTreeMap<Class, Vec<Named>> = BTreeMap::new();
     if let Some(vehicles) = &choice.vehicles {
         let manifest = folder.join(vehicles).join("manifest.toml");
-        for Entry { name, class } in manifest_of(&manifest).map_err(named_in)?.vehicle {
+        let (listed, hashed) =
+            loading::read_of(slice::from_ref(&manifest), || manifest_of(&manifest)).map_err(named_in)?;
+        inputs.extend(hashed);
+        for Entry { name, class } in listed.vehicle {
             let file = manifest.with_file_name(format!("{name}.glb"));
             all.entry(class).or_default().push((name, Some(file)));
         }
-        files.push(manifest);
     }
     for (class, written) in choice.by_class() {
         let of_class = all.entry(class).or_default();
@@ -98,7 +102,7 @@ pub(super) fn read(
     for (class, (name, file)) in
         all.into_iter().flat_map(|(class, of)| of.into_iter().map(move |named| (class, named)))
     {
-        models.entry(class).or_default().push(model(name, file, bases, files).map_err(named_in)?);
+        models.entry(class).or_default().push(model(name, file, bases, inputs).map_err(named_in)?);
     }
     Ok(models)
 }
@@ -200,16 +204,20 @@ fn model(
     name: String,
     file: Option<PathBuf>,
     bases: &[&SceneHeader],
-    files: &mut Vec<PathBuf>,
+    inputs: &mut Vec<(String, String)>,
 ) -> Result<Model, Failure> {
     let Some(file) = file else { return Ok(Model { name, source: Source::Own }) };
-    let mesh = read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(loading::of_mesh)?;
-    files.extend(mesh::files(&file));
-    let of_base = |base: &&SceneHeader| {
+    let of_base = |mesh: &Mesh, base: &SceneHeader| {
         let frequency_hz = base.radar.waveform.centre_frequency_hz();
         asset_materials(&file, &mesh.materials, &base.materials, frequency_hz).map_err(loading::of_asset)
     };
-    let materials = bases.iter().map(of_base).collect::<Result<_, _>>()?;
+    let read = || {
+        let mesh = read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(loading::of_mesh)?;
+        let materials = bases.iter().map(|base| of_base(&mesh, base)).collect::<Result<_, Failure>>()?;
+        Ok((mesh, materials))
+    };
+    let ((mesh, materials), hashed) = loading::read_of(&mesh::files(&file), read)?;
+    inputs.extend(hashed);
     let of_file = OfFile { mesh: centred(mesh), materials };
     Ok(Model { name, source: Source::File(Box::new(of_file)) })
 }

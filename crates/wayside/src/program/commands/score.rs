@@ -55,6 +55,7 @@ fn paths_of(file: &Path, scene: &SceneHeader) -> Result<OfScene, Failure> {
     let paths = Beside::<Paths>::open(file, |frame| frame.index)?;
     origin::are_of_bodies(file, scene, &paths.header().targets)?;
     origin::same_radar(file, &scene.radar, Some(&paths.header().radar))?;
+    origin::are_of_same_bodies(scene, paths.provenance()).map_err(|failure| failure.about(file))?;
     Ok(OfScene { file: file.to_owned(), paths })
 }
 

@@ -1,0 +1,24 @@
+//! Program that makes shards, by its sources: shards of two programs are no dataset.
+
+use artifact::envelope::fingerprint;
+use pipeline::chain::stages::{SOURCES_OF_EVALUATION, Stage};
+
+/// Sources of what draws scenes and keeps samples and lines of them.
+const OWN_SOURCES: [&str; 9] = [
+    include_str!("draws.rs"),
+    include_str!("lines.rs"),
+    include_str!("places.rs"),
+    include_str!("recipe.rs"),
+    include_str!("recipe/models.rs"),
+    include_str!("seen.rs"),
+    include_str!("shard.rs"),
+    include_str!("shots.rs"),
+    include_str!("staging.rs"),
+];
+
+/// Version of the program, and the beginning of a hash of all sources that a shard depends on.
+pub(super) fn maker() -> String {
+    let stages = Stage::ALL.map(Stage::sources);
+    let sources = fingerprint(&(stages, SOURCES_OF_EVALUATION, OWN_SOURCES));
+    format!("{}+{}", env!("CARGO_PKG_VERSION"), sources.chars().take(16).collect::<String>())
+}
