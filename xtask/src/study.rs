@@ -4,7 +4,6 @@
 mod sources;
 mod page;
 mod extent;
-mod kept;
 mod looks;
 mod bodies;
 mod closed_forms;

@@ -20,7 +20,7 @@ pub(super) use pictures::{COLUMNS, picture_of_answers, pictures};
 pub(super) use presentation::{page, tables};
 
 use crate::study::extent::Extent;
-use crate::study::kept::Kept;
+use crate::study::pages::kept::Kept;
 use answers::Answers;
 use outside::RivalRow;
 use receiver::EstimateRow;

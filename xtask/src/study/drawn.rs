@@ -17,7 +17,7 @@ use wayside::program::terminal;
 
 /// Sources that the figures of each drawn study hang on.
 pub(super) const CHART: Places = &[CHART_ROWS[0], CHART_ROWS[1], CHART_ROWS[2], CHART_ROWS[3], CHART_PAGE];
-/// What the rows of the chart hang on; what draws them is beside it.
+/// Sources of the chart's rows; what draws them is beside it.
 const CHART_ROWS: Places = &[
     sources::CHAIN,
     SHARED,

@@ -137,7 +137,7 @@ impl IntegralsCheck {
     /// 27 dB less than the difference, with edges by 3 dB and more; the coarser then err by 1.75 of it.
     /// Polygons whose bounds were a tenth of `accuracy` before stay as they are and err in both: by a
     /// twentieth of their bounds, for bounds are that far above errors. Far finer ones over facets alone err
-    /// by ten times the ratio of the bounds at most (S of plates in their sidelobes: by less than that ratio).
+    /// by ten times the ratio of the bounds at most (plates in their sidelobes: by less than that ratio).
     pub(crate) fn error_power(
         self,
         (difference, finer): (f64, Finer),

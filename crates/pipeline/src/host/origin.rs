@@ -24,8 +24,8 @@ pub fn same_files(files: &[(String, String)], of_other: &[(String, String)]) -> 
     })
 }
 
-/// Whether what is read beside a scene, the frames or tracks that `named` names, was made of the very scene file that it was
-/// made of; where that is not so, it is noted that bodies may be others.
+/// Whether what is read beside a scene, the frames or tracks that `named` names, was made of the very scene
+/// file that it was made of; where that is not so, it is noted that bodies may be others.
 ///
 /// # Errors
 /// The scene was made of another file of the same name.

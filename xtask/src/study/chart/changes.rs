@@ -1,4 +1,4 @@
-//! What changed since an earlier table: errors to their last digit, seconds by more than noise.
+//! Changes since an earlier table: errors to their last digit, seconds by more than noise.
 
 use crate::study::table::{RowOf, Table};
 

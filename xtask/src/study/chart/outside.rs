@@ -14,7 +14,7 @@ pub(in crate::study) struct RivalRow {
     /// Name of the program; how to get it where it is not here.
     pub(super) rival: String,
     pub(super) rival_s: Option<f64>,
-    /// Of one way against the other, relative amplitude.
+    /// Error of one way against the other, relative amplitude.
     pub(super) error: Option<f64>,
 }
 

@@ -128,7 +128,7 @@ pub(in crate::study) fn page(chart: &Chart, extent: Extent) -> String {
         .replace("{outside}", &shown(&RIVALS, &[0, 2, 3, 4, 5, 1], chart.rivals.iter().map(rival_fields)))
 }
 
-/// What frames are held to, scene by scene.
+/// References of frames, scene by scene.
 fn references(chart: &Chart) -> String {
     let mut lines: Vec<String> = vec![];
     for row in chart.rows.iter().filter(|row| row.stage == "bart-rcs + fmcw-echo") {

@@ -13,7 +13,7 @@ use wayside::host::failure::Failure;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(in crate::study) struct EstimateRow {
     pub(super) array: String,
-    /// Of a cell of one channel's unwindowed map.
+    /// Signal over noise of a cell of one channel's unwindowed map.
     pub(super) snr_db: f64,
     pub(super) method: String,
     /// Processor milliseconds of a frame: its samples, map, detection and estimate.

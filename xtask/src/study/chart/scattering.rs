@@ -69,7 +69,7 @@ fn shot(subject: &Subject, per_wavelength: f64) -> Result<Measured<Orders>, Fail
     })
 }
 
-/// What an amplitude is held to.
+/// Amplitude that others are held to.
 struct Reference<'a> {
     amplitude_m: &'a [Complex64],
     name: String,

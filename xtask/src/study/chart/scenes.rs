@@ -19,7 +19,7 @@ const fn scene(name: &'static str, bodies: &'static [Body]) -> Scene {
     Scene { name, bodies }
 }
 
-/// From one plate to a queue; models with a dot in their names are files.
+/// Scenes from one plate to a queue; models with a dot in their names are files.
 pub(super) const SCENES: [Scene; 12] = [
     scene("a car, 30 m", &[("car", "car-hatchback", 2, 30.0, 8.0)]),
     scene("a corner of 0.5 m", &[("", "corner.obj", 2, 35.0, 5.0)]),

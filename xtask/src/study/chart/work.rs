@@ -1,4 +1,4 @@
-//! What a piece of work takes.
+//! Seconds and memory that a piece of work takes.
 
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -9,9 +9,9 @@ use wayside::host::processor_time::WorkClock;
 /// Seconds and memory of a piece of work.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(in crate::study) struct Cost {
-    /// By the clock on the wall.
+    /// Seconds by the clock on the wall.
     pub(super) seconds: f64,
-    /// Of all threads on processors; where the system does not tell them, by the clock.
+    /// Seconds of all threads on processors; where the system does not tell them, by the clock.
     pub(super) processor_s: f64,
     /// Largest resident size of the program while this ran, MiB.
     pub(super) peak_mib: Option<f64>,

@@ -5,7 +5,7 @@ mod drawn; // scenes of a seed
 mod trial; // a plan, its truth, and other settings
 
 use crate::study::extent::Extent;
-use crate::study::kept::Kept;
+use crate::study::pages::kept::Kept;
 use crate::study::pages::part::Part;
 use crate::study::sources::{self, CHAIN, Places};
 use drawn::Drawn;
@@ -115,7 +115,7 @@ impl Rows {
         self.row(trial_scene(number), Trial::of)
     }
 
-    /// The same of the second table.
+    /// A row of the second table, or none likewise.
     fn search(&self, number: u64) -> Result<Option<Searched>, Failure> {
         self.row(searched_scene(number), Searched::of)
     }

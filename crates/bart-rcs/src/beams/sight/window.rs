@@ -38,7 +38,7 @@ impl View<'_> {
 
     /// Marks edges that lie on a plane of the window, whose distances from the corners are given. An own edge
     /// is one line with the window's only at a fold, where it lies on the mirror: elsewhere a seam of the
-    /// mirror's light may lie in one plane with it, as below a wall's upright edge, and it stays the own edge.
+    /// mirror's light may lie in one plane with it, as below a wall's upright edge, and it stays its own.
     fn meet(&self, corners: &mut [Corner], distances_m: &[f64], window: Border) {
         let n = corners.len();
         for i in (0..n).filter(|&i| distances_m[i] == 0.0 && distances_m[(i + 1) % n] == 0.0) {

@@ -4,6 +4,8 @@
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
+mod seams;
+
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;

@@ -1,9 +1,5 @@
 //! Seams: shadows are cut by whole lines, which go on in what is lit. Where they lie depends on the order of
 //! a mesh's triangles and of their corners; S does not.
-#![allow(
-    clippy::unwrap_used,
-    reason = "a test fails by panicking; clippy knows only functions marked as tests"
-)]
 
 use artifact::Accuracy;
 use artifact::radar::Polarization;

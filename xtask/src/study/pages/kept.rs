@@ -6,29 +6,32 @@ use wayside::host::failure::Failure;
 use wayside::host::files;
 
 /// Folder of the rows.
-pub(super) struct Kept {
+pub(in crate::study) struct Kept {
     folder: PathBuf,
 }
 
 impl Kept {
     /// Rows of a study, of sources with this hash.
-    pub(super) fn of(study: &str, sources: &str) -> Self {
+    pub(in crate::study) fn of(study: &str, sources: &str) -> Self {
         let folder = crate::project::project_root().join(format!("out/study-{study}"));
         Self { folder: folder.join(sources) }
     }
 
     /// The row of this name, where it was made.
-    pub(super) fn row<R: DeserializeOwned>(&self, name: &str) -> Option<R> {
+    pub(in crate::study) fn row<R: DeserializeOwned>(&self, name: &str) -> Option<R> {
         serde_json::from_slice(&std::fs::read(self.file(name)).ok()?).ok()
     }
 
     /// Number of the rows of these names that were not made.
-    pub(super) fn missing<R: DeserializeOwned>(&self, names: impl Iterator<Item = String>) -> usize {
+    pub(in crate::study) fn missing<R: DeserializeOwned>(
+        &self,
+        names: impl Iterator<Item = String>,
+    ) -> usize {
         names.filter(|name| self.row::<R>(name).is_none()).count()
     }
 
     /// The row of this name, or the one that is made now, which is kept.
-    pub(super) fn or_made<R: Serialize + DeserializeOwned>(
+    pub(in crate::study) fn or_made<R: Serialize + DeserializeOwned>(
         &self,
         name: &str,
         make: impl FnOnce() -> Result<R, Failure>,
