@@ -45,7 +45,9 @@ impl Answer {
         let rising = |design: usize| Mean::of_known(&scores[design], study.confidence).map(|mean| mean.value);
         let of_best = best.and_then(rising);
         let standing = |design: usize| {
-            let behind = best.and_then(|best| Mean::of_pairs(&scores[best], &scores[design], jointly));
+            let pair = |best: usize| [&scores[best], &scores[design]].map(Vec::as_slice);
+            let scale = study.measures.scale(study.goal.metric);
+            let behind = best.and_then(|best| Mean::of_pairs(pair(best), scale, jointly));
             let less_behind = || Some(of_best? - behind?.value);
             let has_seen_less = best.is_some_and(|best| ledger.has_seen_less(design, best));
             Standing {

@@ -1,7 +1,7 @@
 //! Measures of a run in a study: shares, errors and costs, each a number or nothing where nothing could be
 //! asked.
 
-use crate::statistics::interval::{Mean, known};
+use crate::statistics::interval::{Mean, Scale, known};
 use artifact::settings::Class;
 use pipeline::outcome::summary::{Cause, Estimate, Predicted, Summary, TargetSummary};
 
@@ -37,14 +37,6 @@ struct Measure {
     of: Box<OfRun>,
 }
 
-/// Values that a metric may have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Scale {
-    /// From 0 to 1.
-    Share,
-    Any,
-}
-
 /// Value of a metric in a run.
 type OfRun = dyn Fn(&Summary) -> Option<f64> + Send + Sync;
 
@@ -65,12 +57,14 @@ impl Measures {
         self.all[metric].better
     }
 
+    /// Values that a metric may have.
+    pub(crate) fn scale(&self, metric: usize) -> Scale {
+        self.all[metric].scale
+    }
+
     /// Mean of a metric's values that are known, with its interval.
     pub(crate) fn mean(&self, metric: usize, values: &[Option<f64>], confidence: f64) -> Option<Mean> {
-        match self.all[metric].scale {
-            Scale::Share => Mean::of_shares(&known(values), confidence),
-            Scale::Any => Mean::of(&known(values), confidence),
-        }
+        Mean::on_scale(&known(values), self.scale(metric), confidence)
     }
 
     /// All values of a run.
@@ -89,7 +83,7 @@ fn measure(
 
 /// A share, of which more is better.
 fn rate(name: impl Into<String>, of: impl Fn(&Summary) -> Option<f64> + Send + Sync + 'static) -> Measure {
-    Measure { scale: Scale::Share, ..measure(name, Better::Higher, of) }
+    Measure { scale: Scale::SHARE, ..measure(name, Better::Higher, of) }
 }
 
 fn found() -> impl Iterator<Item = Measure> {
@@ -151,14 +145,19 @@ fn wrong() -> impl Iterator<Item = Measure> {
     .into_iter()
 }
 
+/// Costs, which a design has in whichever situation.
 fn costs() -> impl Iterator<Item = Measure> {
+    let cost = |name, of: fn(&Summary) -> f64| {
+        let measure = measure(name, Better::Lower, move |s| Some(of(s)));
+        Measure { scale: Scale::Fixed, ..measure }
+    };
     [
-        measure("channels", Better::Lower, |s| Some(s.radar.channels as f64)),
-        measure("values_per_frame", Better::Lower, |s| {
+        cost("channels", |s| s.radar.channels as f64),
+        cost("values_per_frame", |s| {
             let (chirps, samples) = (f64::from(s.radar.chirps), f64::from(s.radar.samples_per_chirp));
-            Some(s.radar.channels as f64 * chirps * samples)
+            s.radar.channels as f64 * chirps * samples
         }),
-        measure("bandwidth_ghz", Better::Lower, |s| Some(s.radar.bandwidth_hz * 1e-9)),
+        cost("bandwidth_ghz", |s| s.radar.bandwidth_hz * 1e-9),
     ]
     .into_iter()
 }

@@ -5,7 +5,7 @@ use crate::answer::scores;
 use crate::runs::kept::Kept;
 use crate::runs::ledger::{Ledger, Run};
 use crate::runs::one_run::{self, Means, Measured};
-use crate::runs::reached::Reached;
+use crate::runs::reached::{Errors, Reached};
 use crate::statistics::contest::{self, Rule};
 use crate::study::acceptance;
 use crate::study::axis::Pick;
@@ -107,7 +107,8 @@ impl Rounds<'_> {
     fn drop_worse(&self, ledger: &mut Ledger) {
         if let Some(stop) = self.study.stop {
             let looks = self.situations.len();
-            let rule = Rule { confidence: stop.confidence, least: stop.least, looks };
+            let scale = self.study.measures.scale(self.study.goal.metric);
+            let rule = Rule { confidence: stop.confidence, least: stop.least, looks, scale };
             ledger.open = contest::staying(&scores(self.study, ledger), &ledger.open, &rule);
         }
     }
@@ -185,9 +186,9 @@ impl Rounds<'_> {
         let measured = self.not_measured_yet(jobs, situations);
         let make = |job: &Job| {
             self.call_off.check()?;
-            let summary = self.summary(job, situations, &measured, &means)?;
+            let (summary, errors) = self.summary(job, situations, &measured, &means)?;
             self.kept.check_unchanged()?;
-            let (values, accuracy) = (self.study.measures.values(&summary), Reached::of(&summary));
+            let (values, accuracy) = (self.study.measures.values(&summary), Reached::of(&summary, errors));
             self.kept.put(self.study, &job.key, &Run { values, accuracy })?;
             self.put.fetch_add(1, Ordering::Relaxed);
             work.at(done.fetch_add(1, Ordering::Relaxed) + 1, jobs.len());
@@ -211,7 +212,7 @@ impl Rounds<'_> {
         situations: &[Situation],
         measured: &BTreeMap<usize, Measuring>,
         means: &Means,
-    ) -> Result<Summary, Failure> {
+    ) -> Result<(Summary, Errors), Failure> {
         let first = self.measured_in(job.number, situations);
         let header = self.scene(job.number, situations)?;
         if first == job.number {

@@ -14,6 +14,7 @@ use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;
 use crate::geometry::plane::Plane;
 use crate::oversight::error::BartError;
+use crate::oversight::memory::BYTES_PER_SHEET;
 use crate::oversight::progress::{Phase, Progress, Unheard};
 use artifact::settings::Sides;
 use glam::DVec3;
@@ -71,6 +72,8 @@ pub struct BeamTree {
     pub(crate) vertices_m: Vec<DVec3>,
     /// Border of a polygon from each vertex to the next: what ends it there.
     pub(crate) borders: Vec<Border>,
+    /// Sheets that the ways of all beams pass.
+    pub(crate) passed: usize,
     /// Power kept, dropped and escaped.
     pub audit: Audit,
 }
@@ -192,6 +195,12 @@ impl BeamTree {
     pub fn bytes(&self) -> usize {
         self.beams.len() * size_of::<Beam>()
             + self.vertices_m.len() * (size_of::<DVec3>() + size_of::<Border>())
+            + self.passed * BYTES_PER_SHEET
+    }
+
+    /// Sheets that the way of a beam passes.
+    pub(crate) fn passed(&self, beam: &Beam) -> usize {
+        self.way_back(beam).map(|of_way| of_way.sheets.len()).sum()
     }
 }
 
@@ -320,6 +329,7 @@ impl<'a> Growth<'a> {
             beams: Vec::new(),
             vertices_m: Vec::new(),
             borders: Vec::new(),
+            passed: 0,
             audit: Audit::default(),
         };
         let (edges, audit) = (Vec::new(), OrderAudit::default());
@@ -369,6 +379,7 @@ impl<'a> Growth<'a> {
         order: u8,
         parts: LitParts,
     ) -> Result<(), BartError> {
+        let passed = parent.map_or(0, |parent| self.tree.passed(&self.tree.beams[parent as usize]));
         for part in &parts.parts {
             if part.corners.is_empty() || part.across_m2 < self.settings.least_area_m2 {
                 self.audit.drop(part);
@@ -381,6 +392,7 @@ impl<'a> Growth<'a> {
             self.edges.extend(corners.iter().map(|corner| (corner.edge, corner.border)));
             let &LitPart { facet, lit_normal, across_m2, section, ref sheets, .. } = part;
             let sheets = sheets.clone();
+            self.tree.passed += passed + sheets.len();
             let polygon = index(start)?..index(self.tree.vertices_m.len())?;
             self.tree.beams.push(Beam {
                 parent,

@@ -16,7 +16,7 @@ pub(crate) struct Received {
 impl Received {
     /// The antenna's image sees the images of what the antenna sees: its beams are not traced but mirrored.
     pub(crate) fn with_image(world: &World, direct: &BeamTree) -> Self {
-        let mut tree = BeamTree { beams: Vec::new(), ..direct.clone() };
+        let mut tree = BeamTree { beams: Vec::new(), passed: 2 * direct.passed, ..direct.clone() };
         let mut twins = Vec::with_capacity(2 * direct.beams.len());
         let mut places = [vec![0_u32; direct.beams.len()], vec![0_u32; direct.beams.len()]];
         let of_order = |a: &(usize, &Beam), b: &(usize, &Beam)| a.1.order == b.1.order;

@@ -317,7 +317,12 @@ impl World {
     /// Bytes held, about.
     pub fn bytes(&self) -> usize {
         let models: usize = self.bodies.iter().map(|body| body.mesh.bytes()).sum();
-        self.facets.len() * size_of::<FacetGeometry>() + models
+        self.placed_bytes() + models
+    }
+
+    /// Bytes of its facets where they are, without the models that all moments of a frame share.
+    pub(crate) fn placed_bytes(&self) -> usize {
+        self.facets.len() * size_of::<FacetGeometry>()
     }
 
     /// The edges that diffract at about this wavenumber; found when they are first asked for, once per mesh.

@@ -33,6 +33,8 @@ pub struct ExpectedWork {
     pub tiles: [f64; 2],
     /// Tiles of the integrals four times as fine, which are taken where those err by too much.
     pub fine_tiles: [f64; 2],
+    /// Lit polygons that waves reach through sheets.
+    pub beams_through_sheets: f64,
     /// Share of these tiles on polygons longer than 2 m: where large parts cancel, integrals are taken
     /// again and finer.
     pub long_tiles: f64,
@@ -101,6 +103,8 @@ impl ExpectedWork {
         let of_order: Vec<usize> = (0..beams.len()).filter(|beam| beams[*beam].order == order).collect();
         let place = usize::from(order > 1);
         self.beams[place] += of_order.iter().map(|beam| sampled.stands_for[*beam]).sum::<f64>();
+        let through = of_order.iter().filter(|beam| sampled.tree.passed(&beams[**beam]) > 0);
+        self.beams_through_sheets += through.map(|beam| sampled.stands_for[*beam]).sum::<f64>();
         let sizes: Vec<f64> =
             of_order.iter().map(|beam| beams[*beam].section * sampled.stands_for[*beam]).collect();
         for (index, each) in sample(&sizes, SAMPLE) {

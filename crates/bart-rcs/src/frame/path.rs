@@ -52,7 +52,7 @@ pub(crate) fn trace_frame(
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
     let plan = Plan::of(header, frame, surroundings.progress);
-    let scenery = Scenery { models, frame, plan: &plan };
+    let scenery = Scenery { models, frame, plan: &plan, held_bytes: 0 };
     match surroundings.like.and_then(|measured| Some((measured, measured.trace.fineness.as_ref()?))) {
         Some((measured, fineness)) => traced_like(&scenery, measured, fineness),
         None => traced(&scenery),
@@ -80,7 +80,10 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
         let snapshot = scenery.at(plan.middle_s, [plan.position_m; 2])?;
         let scatterer = snapshot.scatterer(plan, Phase::Integrating);
         let fit = Fit::new(&scatterer, plan, &points, &reference);
-        let table = fit.table(&|table| split(scenery, table, &points, &reference))?;
+        let table = fit.table(&|table, others| {
+            let beside = scenery.beside(snapshot.bytes_beside() + others);
+            split(&beside, table, &points, &reference)
+        })?;
         (FrameFindings::of(&snapshot, plan), table, !snapshot.world.facets().is_empty())
     };
     let measured = Measured {

@@ -11,6 +11,7 @@ use crate::frame::path_pruning::{Kept, pruned};
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
 use crate::oversight::error::BartError;
+use crate::oversight::memory::with_joints;
 use crate::table::meeting::OrderJoints;
 use artifact::paths::{Curve, Fineness, IntegralFineness, Path};
 use artifact::scene::{SceneHeader, Target};
@@ -30,6 +31,18 @@ pub(crate) struct PathTable {
     pub(crate) bytes: u64,
 }
 
+impl PathTable {
+    /// Bytes of its paths.
+    fn paths_bytes(&self) -> u64 {
+        paths_bytes(self.paths.len())
+    }
+}
+
+/// Bytes of so many paths.
+pub(crate) fn paths_bytes(paths: usize) -> u64 {
+    (size_of::<Path>() * paths) as u64
+}
+
 /// Paths of bodies at the frame's middle as fine as was enough in another frame, in no larger cells than this
 /// frame's motion and band allow.
 pub(crate) fn paths_as_fine(
@@ -38,7 +51,7 @@ pub(crate) fn paths_as_fine(
     fineness: &Fineness,
 ) -> Result<Kept, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
-    BodyParts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness))
+    BodyParts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness), 0)
 }
 
 /// Another moment of the frame, or another place of the array.
@@ -49,8 +62,6 @@ pub(crate) struct Node<'a> {
     pub(crate) seconds: f64,
     /// Places of the transmitter and the receiver.
     pub(crate) ends_m: [DVec3; 2],
-    /// Bytes that are held of other nodes beside it.
-    pub(crate) held_bytes: usize,
 }
 
 /// Paths as they are at another node, nothing dropped.
@@ -62,8 +73,7 @@ pub(crate) fn paths_along(
 ) -> Result<Vec<Path>, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
     let parts = BodyParts::along(scatterer, plan, node.ways);
-    let room = parts.room().holding(node.held_bytes);
-    parts.found(cell_m, &accuracy_of_body(plan, fineness), (node.seconds, node.ends_m), &room)
+    parts.found(cell_m, &accuracy_of_body(plan, fineness), (node.seconds, node.ends_m), &parts.room())
 }
 
 /// Accuracy of each body; one that was not there yet is taken as finely as the finest.
@@ -96,16 +106,17 @@ impl<'a> BodyParts<'a> {
         Self { scatterer, plan, meetings: orders.map(of_order).collect() }
     }
 
-    fn paths(&self, cell_m: f64, accuracy_of_body: &[f64]) -> Result<Kept, BartError> {
+    /// Paths beside other tables of so many bytes.
+    fn paths(&self, cell_m: f64, accuracy_of_body: &[f64], others: u64) -> Result<Kept, BartError> {
         let at = (self.plan.middle_s, [self.plan.position_m; 2]);
-        let paths = self.found(cell_m, accuracy_of_body, at, &self.room())?;
+        let paths = self.found(cell_m, accuracy_of_body, at, &self.room().holding(others))?;
         Ok(pruned(paths, self.plan, self.scatterer.world))
     }
 
     /// Room for cells beside the beams.
     fn room(&self) -> CellRoom {
-        let (tree, limit) = (self.scatterer.trees.transmit(), self.scatterer.world.memory_limit());
-        CellRoom::beside(tree.bytes(), limit, BYTES_PER_CELL)
+        let (trees, limit) = (self.scatterer.trees, self.scatterer.world.memory_limit());
+        CellRoom::beside(with_joints(trees.bytes()), limit, BYTES_PER_CELL)
     }
 
     /// Paths of all parts, of bodies as they are some `seconds` after the frame's first sample, from a
@@ -129,11 +140,7 @@ impl<'a> BodyParts<'a> {
         };
         let mut paths = Vec::new();
         for meeting in &self.meetings {
-            paths.extend(
-                self.of_order(meeting, ends_m, &settings)?
-                    .iter()
-                    .map(|cell| path_of(cell, &self.plan.band, seconds)),
-            );
+            paths.extend(self.of_order(meeting, (seconds, ends_m), &settings)?);
         }
         Ok(paths)
     }
@@ -141,19 +148,22 @@ impl<'a> BodyParts<'a> {
     fn of_order(
         &self,
         meeting: &OrderJoints,
-        ends_m: [DVec3; 2],
+        (seconds, ends_m): (f64, [DVec3; 2]),
         settings: &CellSettings<'_>,
-    ) -> Result<Vec<Cell>, BartError> {
+    ) -> Result<Vec<Path>, BartError> {
         let mut found = cells(self.scatterer, &meeting.facets, settings);
         found.extend(edge_cells(self.scatterer, &meeting.edges, settings));
         found.extend(truncation_cells(self.scatterer, &meeting.truncations, settings));
         settings.room.check()?;
-        Ok(gathered(found, self.scatterer.world, ends_m.map(Antenna::Point), settings))
+        let path_of = |cell: Cell| path_of(&cell, &self.plan.band, seconds);
+        Ok(gathered(found, self.scatterer.world, ends_m.map(Antenna::Point), settings, path_of))
     }
 }
 
-/// Function that blends a table from several nodes, where that helps.
-pub(crate) type Split<'a> = dyn Fn(PathTable) -> Result<PathTable, BartError> + 'a;
+/// Function that blends a table from several nodes, where that helps, beside other tables of so many bytes.
+pub(crate) type Split<'a> = dyn Fn(PathTable, u64) -> Result<PathTable, BartError> + 'a;
+/// Function that makes a table of cells of some size, beside other tables of so many bytes.
+type Attempt<'a> = dyn Fn(f64, u64) -> Result<PathTable, BartError> + 'a;
 
 /// Paths of a table from which on no finer one is tried once moments were: minutes and gigabytes are spent on
 /// more.
@@ -196,22 +206,25 @@ impl<'a> Fit<'a> {
     pub(crate) fn table(&self, split: &Split<'_>) -> Result<PathTable, BartError> {
         let BodyParts { scatterer, plan, .. } = self.parts;
         let largest_m = largest_cell_of_world_m(plan, scatterer.world);
-        let split_to = |cell_m: f64| split(self.table_of(cell_m)?);
+        let alone = |cell_m: f64, others: u64| self.table_of(cell_m, others);
+        let split_to = |cell_m: f64, others: u64| split(self.table_of(cell_m, others)?, others);
         if scatterer.world.fastest_wheel_radps() > 0.0 {
-            return Ok(self.with_smaller_cells(split_to(largest_m)?, REFINED_PATHS_MAX, &split_to)?.0);
+            let largest = split_to(largest_m, 0)?;
+            return Ok(self.with_smaller_cells(largest, REFINED_PATHS_MAX, 0, &split_to)?.0);
         }
-        let largest = self.table_of(largest_m)?;
+        let largest = alone(largest_m, 0)?;
         let most = largest.paths.len().saturating_mul(MOMENTS_MAX as usize);
-        let (best, tried) = self.with_smaller_cells(largest, most, &|cell_m| self.table_of(cell_m))?;
+        let (best, tried) = self.with_smaller_cells(largest, most, 0, &alone)?;
         if self.is_met(&best) || tried <= most.min(PATHS_MAX / MOMENTS_LEAST as usize) {
-            return split(best);
+            return split(best, 0);
         }
-        let blended = split_to(largest_m)?;
+        let blended = split_to(largest_m, best.paths_bytes())?;
         if blended.fineness.moments.max(blended.fineness.places) == 1 {
-            let table = |cell_m: f64| self.table_of(cell_m);
-            return Ok(self.with_smaller_cells(best, REFINED_PATHS_MAX, &table)?.0);
+            drop(blended);
+            return Ok(self.with_smaller_cells(best, REFINED_PATHS_MAX, 0, &alone)?.0);
         }
-        let (blended, _) = self.with_smaller_cells(blended, REFINED_PATHS_MAX, &split_to)?;
+        let (blended, _) =
+            self.with_smaller_cells(blended, REFINED_PATHS_MAX, best.paths_bytes(), &split_to)?;
         Ok(if blended.error.measured() < best.error.measured() { blended } else { best })
     }
 
@@ -220,12 +233,14 @@ impl<'a> Fit<'a> {
     }
 
     /// The best of a few tables of ever smaller cells, until one meets the accuracy, has more paths than
-    /// some, or promises nothing of smaller ones; and the number of paths of the last.
+    /// some, or promises nothing of smaller ones; and the number of paths of the last. Other tables of so
+    /// many bytes are held beside them.
     fn with_smaller_cells(
         &self,
         largest: PathTable,
         most_paths: usize,
-        table: &dyn Fn(f64) -> Result<PathTable, BartError>,
+        others: u64,
+        table: &Attempt<'_>,
     ) -> Result<(PathTable, usize), BartError> {
         const ATTEMPTS: usize = 6;
         let plan = self.parts.plan;
@@ -245,7 +260,7 @@ impl<'a> Fit<'a> {
                 break;
             }
             size_m *= factor;
-            let finer = table(size_m)?;
+            let finer = table(size_m, others + best.paths_bytes())?;
             tried = finer.paths.len();
             if finer.error.measured() < error {
                 best = finer;
@@ -258,10 +273,10 @@ impl<'a> Fit<'a> {
         Ok((best, tried))
     }
 
-    fn table_of(&self, cell_m: f64) -> Result<PathTable, BartError> {
+    fn table_of(&self, cell_m: f64, others: u64) -> Result<PathTable, BartError> {
         let integration = &self.reference.integration;
         let Kept { mut paths, dropped_power, strongest_dropped } =
-            self.parts.paths(cell_m, &integration.accuracy_of_body)?;
+            self.parts.paths(cell_m, &integration.accuracy_of_body, others)?;
         paths.extend_from_slice(self.points);
         let given_up = GivenUp { paths_power: dropped_power, beams: self.beams_given_up };
         let error = FrameError::measured_on(self.parts.plan, &paths, self.points, self.reference, &given_up);

@@ -14,15 +14,19 @@ use crate::geometry::antenna::Antenna;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
 use crate::oversight::error::BartError;
+use crate::oversight::memory::with_joints;
 use crate::oversight::progress::Phase;
 use artifact::scene::{Pose, SceneFrame};
 use glam::DVec3;
 
 /// Scene that a frame is traced from.
+#[derive(Clone, Copy)]
 pub(crate) struct Scenery<'a> {
     pub(crate) models: &'a Models,
     pub(crate) frame: &'a SceneFrame,
     pub(crate) plan: &'a Plan<'a>,
+    /// Bytes that are held of other moments and of paths while one is traced.
+    pub(crate) held_bytes: u64,
 }
 
 /// Bodies and beams of one moment and place.
@@ -65,6 +69,11 @@ impl Scenery<'_> {
         Ok(Snapshot { apart, ..Snapshot::of(world, tree) })
     }
 
+    /// The same scene while so many more bytes are held.
+    pub(crate) fn beside(&self, bytes: u64) -> Self {
+        Self { held_bytes: self.held_bytes + bytes, ..*self }
+    }
+
     /// Whether some body is a wheel that turns.
     pub(crate) fn turns_wheels(&self) -> bool {
         !self.models.vehicles_of_wheels(self.plan.header).is_empty()
@@ -80,7 +89,9 @@ impl Scenery<'_> {
 
     fn world(&self, seconds: f64) -> Result<World, BartError> {
         self.plan.progress.at(Phase::Building, 0, 0);
-        World::posed(self.models, self.plan.header, self.frame, seconds)
+        let world = World::posed(self.models, self.plan.header, self.frame, seconds)?;
+        let limit = world.memory_limit().shared(self.held_bytes, 1);
+        Ok(world.within(limit))
     }
 }
 
@@ -107,17 +118,24 @@ impl Snapshot {
 
     pub(crate) fn scatterer<'s>(&'s self, plan: &Plan<'s>, phase: Phase) -> Scatterer<'s> {
         let h = plan.zenith_h();
-        let trees = match (&self.received, &self.apart) {
+        let zenith_h = ZenithH { transmit: h, receive: h };
+        Scatterer::new(&self.world, self.trees(), zenith_h).heard_by(phase, plan.progress)
+    }
+
+    fn trees(&self) -> Trees<'_> {
+        match (&self.received, &self.apart) {
             (Some(received), _) => Trees::ByRoad(&self.tree, received),
             (None, Some(apart)) => Trees::Apart(&self.tree, apart),
             (None, None) => Trees::Shared(&self.tree),
-        };
-        Scatterer::new(&self.world, trees, ZenithH { transmit: h, receive: h }).heard_by(phase, plan.progress)
+        }
     }
 
     pub(crate) fn bytes(&self) -> u64 {
-        let received = self.received.as_ref().map_or(0, Received::bytes);
-        let apart = self.apart.as_ref().map_or(0, BeamTree::bytes);
-        (self.world.bytes() + self.tree.bytes() + received + apart) as u64
+        (self.world.bytes() + self.trees().bytes()) as u64
+    }
+
+    /// Bytes that it holds beside another moment of the same models, joints among them.
+    pub(crate) fn bytes_beside(&self) -> u64 {
+        self.world.placed_bytes() as u64 + with_joints(self.trees().bytes())
     }
 }

@@ -30,7 +30,7 @@ pub(crate) struct Step {
 }
 
 /// Event of a wave at a surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Event {
     /// The wave goes on reflected.
     Reflected,
@@ -43,8 +43,16 @@ pub(crate) enum Event {
         /// Root mean square of the road's height.
         rms_height_m: f64,
     },
-    /// The wave is turned as by perfect mirrors: its travel by this matrix, its field by `sign` times it.
-    Turned { turn: DMat3, sign: f64 },
+    /// The wave is turned as by perfect mirrors; beside few of them there are many sheets, which are kept
+    /// small.
+    Turned(Box<Turn>),
+}
+
+/// Turn of a wave: its travel by a matrix, its field by `sign` times it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Turn {
+    matrix: DMat3,
+    sign: f64,
 }
 
 impl Steps {
@@ -121,28 +129,32 @@ impl Step {
 
     /// Whether it is a perfect mirror; the image of the antenna is one.
     fn is_perfect(&self) -> bool {
-        let is_mirror = matches!(self.event, Event::Reflected | Event::StartedBelow | Event::Turned { .. });
+        let is_mirror = matches!(self.event, Event::Reflected | Event::StartedBelow | Event::Turned(_));
         is_mirror && *self.material == Material::Conductor
     }
 
     /// Perfect mirrors together.
     fn turned(mirrors: &[Self]) -> Self {
         let start = (DMat3::IDENTITY, 1.0);
-        let (turn, sign) = mirrors.iter().fold(start, |(turn, sign), mirror| {
+        let (matrix, sign) = mirrors.iter().fold(start, |(turn, sign), mirror| {
             let of_mirror =
                 DMat3::from_cols(mirror.turn(DVec3::X), mirror.turn(DVec3::Y), mirror.turn(DVec3::Z));
             // A conductor turns e into −e + 2n(n·e), minus the reflection.
             (of_mirror * turn, if mirror.event == Event::Reflected { -sign } else { sign })
         });
-        Self { normal: DVec3::Z, material: Arc::default(), event: Event::Turned { turn, sign } }
+        Self {
+            normal: DVec3::Z,
+            material: Arc::default(),
+            event: Event::Turned(Box::new(Turn { matrix, sign })),
+        }
     }
 
     /// The direction of travel behind the surface.
     fn turn(&self, travel: DVec3) -> DVec3 {
-        match self.event {
+        match &self.event {
             Event::Reflected => travel - 2.0 * self.normal.dot(travel) * self.normal,
             Event::StartedBelow => below(travel),
-            Event::Turned { turn, .. } => turn * travel,
+            Event::Turned(turn) => turn.matrix * travel,
             Event::Crossed { .. } | Event::Passed => travel,
         }
     }
@@ -150,13 +162,13 @@ impl Step {
     /// Coefficients of the surface; `None` of a turn.
     fn coefficients(&self, travel: DVec3, wavenumber_per_m: f64) -> Option<PolarizationPair> {
         let cosine = self.normal.dot(travel).abs();
-        match self.event {
+        match &self.event {
             Event::Reflected => Some(reflection(&self.material, cosine, wavenumber_per_m)),
             Event::Passed => Some(transmission(&self.material, cosine, wavenumber_per_m)),
             Event::Crossed { rms_height_m } => {
-                Some(crossing(&self.material, rms_height_m, cosine, wavenumber_per_m))
+                Some(crossing(&self.material, *rms_height_m, cosine, wavenumber_per_m))
             }
-            Event::StartedBelow | Event::Turned { .. } => None,
+            Event::StartedBelow | Event::Turned(_) => None,
         }
     }
 
@@ -170,10 +182,10 @@ impl Step {
         travel: DVec3,
         wavenumber_per_m: f64,
     ) -> ([ComplexVector; 2], DVec3) {
-        let fields = match (self.event, self.coefficients(travel, wavenumber_per_m)) {
+        let fields = match (&self.event, self.coefficients(travel, wavenumber_per_m)) {
             (Event::Reflected, Some(r)) => reflected_fields(fields, travel, self.normal, r),
             (_, Some(t)) => transmitted_fields(fields, travel, self.normal, t),
-            (Event::Turned { turn, sign }, None) => fields.map(|field| field.turned(turn * sign)),
+            (Event::Turned(turn), None) => fields.map(|field| field.turned(turn.matrix * turn.sign)),
             (_, None) => fields.map(ComplexVector::with_z_turned),
         };
         (fields, self.turn(travel))

@@ -33,6 +33,15 @@ impl<'a> Trees<'a> {
         }
     }
 
+    /// Bytes of the beams of both ends.
+    pub(crate) fn bytes(self) -> usize {
+        match self {
+            Self::Shared(tree) => tree.bytes(),
+            Self::Apart(transmit, receive) => transmit.bytes() + receive.bytes(),
+            Self::ByRoad(tree, received) => tree.bytes() + received.bytes(),
+        }
+    }
+
     /// The receiver's beam as one of the transmitter's: the way back of a joint (f, b) is the joint (twin of
     /// b, f), in the road's mirror where b came over the road. Where the ends are apart there is no such
     /// thing.
@@ -51,6 +60,16 @@ pub(crate) enum Reverse {
     Included,
     /// The joint counts for itself only.
     Apart,
+}
+
+impl Reverse {
+    /// Number of ways that the joint counts for.
+    pub(crate) fn ways(self) -> u32 {
+        match self {
+            Self::Included => 2,
+            Self::Apart => 1,
+        }
+    }
 }
 
 /// A polygon lit by a forward and by a backward beam.

@@ -145,7 +145,7 @@ impl<'a> Scatterer<'a> {
             let factor = Complex64::from_polar(spread, -k * length_m);
             *amplitude = scaled(&with_reverse(joint.reverse, amplitude), factor);
         }
-        estimate.error *= spread * if joint.reverse == Reverse::Included { 2.0 } else { 1.0 };
+        estimate.error *= spread * f64::from(joint.reverse.ways());
         estimate
     }
 

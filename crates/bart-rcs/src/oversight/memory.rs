@@ -54,7 +54,7 @@ impl MemoryLimit {
     /// Refuses a tree that has grown to `tree_bytes`: what is joined from it later takes [`JOINED_PER_TREE`]
     /// times as much.
     pub(crate) fn check_tree(self, order: u8, beams: usize, tree_bytes: usize) -> Result<(), BartError> {
-        let bytes = (1 + JOINED_PER_TREE) * tree_bytes as u64;
+        let bytes = with_joints(tree_bytes);
         let limit_bytes = self.bytes;
         if bytes <= limit_bytes {
             Ok(())
@@ -64,9 +64,18 @@ impl MemoryLimit {
     }
 }
 
+/// Bytes of a sheet that the way of a beam passes, as a tree counts them: with what is joined
+/// ([`with_joints`]) 72, for 4 of the beam and 48 of its leg in lists of their own.
+pub(crate) const BYTES_PER_SHEET: usize = 24;
+
 /// Joints and their polygons, legs and sums beside a tree's own bytes. Assumed, not measured apart: the
 /// vehicles and scenes of `docs/speed.md` stay below their estimates with it.
 pub(crate) const JOINED_PER_TREE: u64 = 2;
+
+/// Bytes of trees with what is joined from them.
+pub(crate) fn with_joints(trees_bytes: usize) -> u64 {
+    (1 + JOINED_PER_TREE) * trees_bytes as u64
+}
 
 /// Bodies at rest: mesh, facets, hierarchy and topology of a triangle (measured 0.9 to 1.1 KiB).
 const BYTES_PER_TRIANGLE: u64 = 1280;

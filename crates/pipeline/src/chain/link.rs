@@ -2,6 +2,7 @@
 //! where it is there. What goes into a stage is what its artifact holds, nothing else.
 
 use crate::chain::cache::Cache;
+use crate::chain::expectation::rates::PROGRAM_MIB;
 use crate::chain::frame_result::{FrameResult, Scattering};
 use crate::chain::keys::{FrameKeys, SceneParts, cube_header, echo_header};
 use crate::chain::loaded_model::LoadedModel;
@@ -307,7 +308,8 @@ impl<'a> Chain<'a> {
     fn tracer(&self, plan: &FramePlan) -> Result<&bart_rcs::Tracer, Failure> {
         self.memory.check(self.least_memory_mib(plan)?)?;
         let tracer = self.unlimited_tracer()?;
-        let share = || self.memory.limit().share_of(*self.at_once.get_or_init(|| 1));
+        let left = self.memory.beside(PROGRAM_MIB).limit();
+        let share = || left.share_of(*self.at_once.get_or_init(|| 1));
         Ok(self.limited.get_or_init(|| tracer.clone().within(share())))
     }
 

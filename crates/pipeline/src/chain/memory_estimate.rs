@@ -24,6 +24,9 @@ pub struct Load {
     pub facets: f64,
     /// Lit polygons.
     pub beams: f64,
+    /// Lit polygons that waves reach through sheets: beside those of the frame there are as many of the ways
+    /// by a road that it is asked about, and each remembers what it has passed.
+    pub beams_through_sheets: f64,
     /// Cells of paths.
     pub cells: f64,
     /// Cells of paths where a body moves: then their paths may be held for several moments of the frame.
@@ -52,12 +55,14 @@ impl Load {
     }
 
     /// Counts of what a run is expected to hold whose frames are like this one, so many of them side by
-    /// side: the program, triangles as they are read, MiB of signals, facets, lit polygons, cells, and cells
-    /// of ways between bodies that slide past each other.
+    /// side: the program, triangles as they are read, MiB of signals, facets, lit polygons, cells, cells of
+    /// ways between bodies that slide past each other, and lit polygons behind sheets.
     pub fn held(&self, triangles: f64, at_once: f64) -> [f64; HELD_KINDS] {
-        let of_frames = [self.signal_mib, self.facets, self.beams, self.cells, self.moving_cells];
-        let [signals, facets, beams, cells, moving_cells] = of_frames.map(|count| count * at_once);
-        [1.0, triangles, signals, facets, beams, cells, moving_cells]
+        let Self { signal_mib, facets, beams, beams_through_sheets, cells, moving_cells, .. } = *self;
+        let of_frames = [signal_mib, facets, beams, cells, moving_cells, beams_through_sheets];
+        let [signals, facets, beams, cells, moving_cells, through_sheets] =
+            of_frames.map(|count| count * at_once);
+        [1.0, triangles, signals, facets, beams, cells, moving_cells, through_sheets]
     }
 }
 
@@ -108,8 +113,12 @@ impl Chain<'_> {
             return Ok(signal);
         }
         let Look { work, facets, cells } = self.look(plan.index)?;
-        let bodies =
-            Load { facets: facets * work.facets, beams: facets * (work.beams[0] + work.beams[1]), ..signal };
+        let bodies = Load {
+            facets: facets * work.facets,
+            beams: facets * (work.beams[0] + work.beams[1]),
+            beams_through_sheets: facets * work.beams_through_sheets,
+            ..signal
+        };
         Ok(match self.header.fidelity.echo {
             EchoMode::RcsTable => bodies,
             EchoMode::Paths => Load {

@@ -93,11 +93,9 @@ impl Kept {
             Value::Null => Some(None),
             value => value.as_f64().map(Some),
         };
-        // Earlier versions kept no accuracy.
-        let accuracy = match run.get("accuracy") {
-            None => Reached::default(),
-            Some(accuracy) => Reached::deserialize(accuracy).ok()?,
-        };
+        // Earlier versions kept no accuracy, or not whose errors it tells.
+        let accuracy = run.get("accuracy").and_then(|accuracy| Reached::deserialize(accuracy).ok());
+        let accuracy = accuracy.unwrap_or_default();
         Some(Run { values: study.measures.names().map(value).collect::<Option<_>>()?, accuracy })
     }
 

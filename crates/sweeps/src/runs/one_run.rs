@@ -1,14 +1,16 @@
 //! One run: a design in a situation through the whole chain to its summary, without files and pictures.
 
+use crate::runs::reached::Errors;
 use crate::study::axis::Pick;
 use crate::study::document::Study;
 use crate::study::situations::{Situation, changes_in};
 use artifact::envelope::fingerprint;
+use artifact::paths::ErrorOrigin;
 use artifact::scene::SceneHeader;
 use artifact::settings::Fidelity;
 use pipeline::chain::cache::Cache;
 use pipeline::chain::frames::resolved;
-use pipeline::chain::link::Chain;
+use pipeline::chain::link::{Chain, FrameProducts};
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::chain::loading;
 use pipeline::chain::measured_frames::Known;
@@ -65,13 +67,15 @@ pub(crate) fn measured(header: &SceneHeader, means: &Means) -> Result<Measured, 
     Ok(Measured { known: chain.measured(), hash: fingerprint(&keys) })
 }
 
-/// Summary of all frames of a scene, with errors of another run of its kind where there are some.
+/// Summary of all frames of a scene, with errors of another run of its kind where there are some, and whose
+/// errors it tells.
 pub(crate) fn summary(
     header: &SceneHeader,
     like: Option<&Measured>,
     means: &Means,
-) -> Result<Summary, Failure> {
+) -> Result<(Summary, Errors), Failure> {
     let chain = chain(header, means);
+    let mut errors = Errors::Own;
     let chain = match like {
         Some(measured) => chain.like(measured.known.clone(), &measured.hash),
         None => chain,
@@ -84,12 +88,20 @@ pub(crate) fn summary(
             continue;
         }
         for frame in resolved(&chain, std::mem::take(&mut cycle))? {
+            if like.is_some() && takes_over(&frame) {
+                errors = Errors::TakenOver;
+            }
             let truth = frame_truth(&chain, &frame)?;
             let (_, tracks) = tracking.follow(&frame, &truth)?;
             frames.push(FrameSummary::of(&frame.view, &frame.result, &truth, tracks));
         }
     }
-    Ok(Summary::of(header, frames, tracking.metrics()))
+    Ok((Summary::of(header, frames, tracking.metrics()), errors))
+}
+
+/// Whether a frame's errors were measured in another one; where that one has no bodies its own are.
+fn takes_over(frame: &FrameProducts) -> bool {
+    frame.result.scattering.paths().is_some_and(|paths| paths.trace.origin == ErrorOrigin::TakenOver)
 }
 
 /// Of the cache only scattering is asked and told: what comes behind it is quickly made again, and fills a

@@ -1,6 +1,6 @@
 //! Designs that may still be the best: the others are repeated no further.
 
-use crate::statistics::interval::Mean;
+use crate::statistics::interval::{Mean, Scale};
 
 /// Rule by which a design is given up.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,6 +11,8 @@ pub(crate) struct Rule {
     pub(crate) least: usize,
     /// Number of times that the designs are looked at, at most.
     pub(crate) looks: usize,
+    /// Values that scores may have, but for their sign.
+    pub(crate) scale: Scale,
 }
 
 /// Designs that stay of those that are `open`, in their order; `scores` has each design's by situation, more
@@ -21,7 +23,7 @@ pub(crate) fn staying(scores: &[Vec<Option<f64>>], open: &[usize], rule: &Rule) 
     let Some(best) = best(scores, open) else { return open.to_vec() };
     let confidence = jointly(rule.confidence, scores.len().saturating_sub(1) * rule.looks);
     let is_worse = |design: usize| {
-        let behind = Mean::of_pairs(&scores[best], &scores[design], confidence);
+        let behind = Mean::of_pairs([&scores[best], &scores[design]], rule.scale, confidence);
         behind.is_some_and(|behind| behind.count >= rule.least && behind.low() > 0.0)
     };
     open.iter().copied().filter(|design| *design == best || !is_worse(*design)).collect()
@@ -46,7 +48,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
 
-    const RULE: Rule = Rule { confidence: 0.95, least: 4, looks: 6 };
+    const RULE: Rule = Rule { confidence: 0.95, least: 4, looks: 6, scale: Scale::Any };
 
     /// Values about the designs' means, with a part that all designs of a situation share.
     fn toy(means: &[f64], situations: usize, seed: u64) -> Vec<Vec<Option<f64>>> {
@@ -80,6 +82,14 @@ mod tests {
         let (open, runs) = contest(&toy(&[0.0, 8.0, 0.5, 1.0], 24, 5));
         assert_eq!(open, [1]);
         assert!(runs < 4 * 24, "{runs} runs");
+    }
+
+    #[test]
+    fn four_situations_alike_drop_nobody_and_many_do() {
+        let shares = |count: usize| [0.6, 1.0].map(|share| vec![Some(share); count]);
+        let rule = Rule { scale: Scale::SHARE, ..RULE };
+        assert_eq!(staying(&shares(4), &[0, 1], &rule), [0, 1]);
+        assert_eq!(staying(&shares(24), &[0, 1], &rule), [1]);
     }
 
     #[test]

@@ -2,15 +2,42 @@
 
 use crate::statistics::student::two_sided;
 
+/// Values that something measured may have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Scale {
+    /// From the first to the second.
+    Within([f64; 2]),
+    /// Any number.
+    Any,
+    /// The same number in every situation.
+    Fixed,
+}
+
+impl Scale {
+    pub(crate) const SHARE: Self = Self::Within([0.0, 1.0]);
+
+    /// Values that the difference of two such may have.
+    fn of_differences(self) -> Self {
+        match self {
+            Self::Within([least, greatest]) => Self::Within([least - greatest, greatest - least]),
+            Self::Any | Self::Fixed => self,
+        }
+    }
+}
+
+/// Values that differ by less, relative to the largest, are alike; less is rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// Mean of values and its interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Mean {
     pub(crate) value: f64,
     /// Standard error of the mean; `None` of a single value, which tells of no spread.
     pub(crate) standard_error: Option<f64>,
-    /// Half the width of the interval; `None` likewise.
+    /// Half the width of the interval, the greater half where they differ; `None` likewise, and of values
+    /// without bounds that are all alike.
     pub(crate) half_width: Option<f64>,
-    /// Both ends of the interval, those of a share within 0 and 1; `None` likewise.
+    /// Both ends of the interval, within the bounds of the values; `None` likewise.
     pub(crate) ends: Option<[f64; 2]>,
     /// Number of values.
     pub(crate) count: usize,
@@ -28,17 +55,26 @@ impl Mean {
         Some(Self { value, standard_error, half_width, ends, count })
     }
 
-    /// Mean of shares. Where all are 1, or all 0, their spread says nothing: as many trials that all came out
-    /// alike may be of a chance that is ((1 − confidence)/2)^(1/count) away from none (Clopper and Pearson,
-    /// Biometrika 26 (1934) 404), and the mean of shares is no nearer to the middle than that.
-    pub(crate) fn of_shares(shares: &[f64], confidence: f64) -> Option<Self> {
-        let mean = Self::of(shares, confidence)?;
-        let are_alike = [0.0, 1.0].iter().any(|end| shares.iter().all(|share| share == end));
-        let chance = || (0.5 * (1.0 - confidence)).powf(1.0 / mean.count as f64);
-        let half_width = mean.half_width.map(|half| if are_alike { 1.0 - chance() } else { half });
-        let ends =
-            half_width.map(|half| [mean.value - half, mean.value + half].map(|end| end.clamp(0.0, 1.0)));
-        Some(Self { half_width, ends, ..mean })
+    /// Mean of values on a scale. Where all are alike their spread says nothing: as many trials that came out
+    /// alike are those of a chance of ((1 − confidence)/2)^(1/count) and more (Clopper and Pearson,
+    /// Biometrika 26 (1934) 404), and what comes otherwise is at either bound at worst. Without bounds nothing
+    /// is known of it.
+    pub(crate) fn on_scale(values: &[f64], scale: Scale, confidence: f64) -> Option<Self> {
+        let mean = Self::of(values, confidence)?;
+        let alike = (0.5 * (1.0 - confidence)).powf(1.0 / mean.count as f64);
+        let of_alike = |bounds: [f64; 2]| bounds.map(|end| alike * mean.value + (1.0 - alike) * end);
+        Some(match (scale, mean.ends) {
+            (Scale::Within(bounds), Some(_)) if are_alike(values) => {
+                let [low, high] = of_alike(bounds);
+                let half_width = Some((mean.value - low).max(high - mean.value));
+                Self { half_width, ends: Some([low, high]), ..mean }
+            }
+            (Scale::Within([least, greatest]), Some(ends)) => {
+                Self { ends: Some(ends.map(|end| end.clamp(least, greatest))), ..mean }
+            }
+            (Scale::Any, _) if are_alike(values) => Self { half_width: None, ends: None, ..mean },
+            (Scale::Within(_), None) | (Scale::Any | Scale::Fixed, _) => mean,
+        })
     }
 
     /// Mean of what is known.
@@ -46,16 +82,21 @@ impl Mean {
         Self::of(&known(values), confidence)
     }
 
-    /// Mean of the differences `a` − `b` in situations in which both are known.
-    pub(crate) fn of_pairs(a: &[Option<f64>], b: &[Option<f64>], confidence: f64) -> Option<Self> {
+    /// Mean of the differences `a` − `b` of values on a scale, in situations in which both are known.
+    pub(crate) fn of_pairs([a, b]: [&[Option<f64>]; 2], scale: Scale, confidence: f64) -> Option<Self> {
         let differences: Vec<f64> = a.iter().zip(b).filter_map(|(a, b)| Some((*a)? - (*b)?)).collect();
-        Self::of(&differences, confidence)
+        Self::on_scale(&differences, scale.of_differences(), confidence)
     }
 
     /// Lower end; −∞ where no spread is known.
     pub(crate) fn low(&self) -> f64 {
-        self.half_width.map_or(f64::NEG_INFINITY, |half| self.value - half)
+        self.ends.map_or(f64::NEG_INFINITY, |[low, _]| low)
     }
+}
+
+fn are_alike(values: &[f64]) -> bool {
+    let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    values.iter().all(|value| (value - values[0]).abs() <= ROUNDING * largest)
 }
 
 /// Values that are known.
@@ -88,19 +129,22 @@ mod tests {
 
     #[test]
     fn shares_that_are_all_alike_still_have_an_interval_and_none_leaves_0_to_1() {
-        let all = Mean::of_shares(&[1.0; 6], 0.95).unwrap();
+        let shares = |shares: &[f64]| Mean::on_scale(shares, Scale::SHARE, 0.95).unwrap();
+        let all = shares(&[1.0; 6]);
         let low = 0.025_f64.powf(1.0 / 6.0);
         let is = |ends: Option<[f64; 2]>, [from, to]: [f64; 2]| {
             ends.is_some_and(|ends| (ends[0] - from).abs() < 1e-12 && (ends[1] - to).abs() < 1e-12)
         };
         assert_eq!((all.value, all.standard_error), (1.0, Some(0.0)));
         assert!(is(all.ends, [low, 1.0]), "{all:?}");
-        let none = Mean::of_shares(&[0.0; 6], 0.95).unwrap();
+        let none = shares(&[0.0; 6]);
         assert!(none.value == 0.0 && is(none.ends, [0.0, 1.0 - low]), "{none:?}");
-        let some = Mean::of_shares(&[1.0, 0.5, 1.0], 0.95).unwrap();
+        let halves = shares(&[0.5; 6]);
+        assert!(is(halves.ends, [0.5 * low, 1.0 - 0.5 * low]), "{halves:?}");
+        let some = shares(&[1.0, 0.5, 1.0]);
         let ends = some.ends.unwrap();
         assert!(some.value + some.half_width.unwrap() > 1.0 && ends[1] == 1.0 && ends[0] > 0.0, "{some:?}");
-        assert_eq!(Mean::of_shares(&[1.0], 0.95).unwrap().ends, None);
+        assert_eq!(shares(&[1.0]).ends, None);
     }
 
     /// Shares of a coin that falls right in nineteen of twenty: six of them are all right three times of
@@ -110,7 +154,7 @@ mod tests {
         let mut random = ChaCha8Rng::seed_from_u64(7);
         let mut holds = || {
             let shares = [(); 6].map(|()| f64::from(u8::from(random.random::<f64>() < 0.95)));
-            let [low, high] = Mean::of_shares(&shares, 0.95).unwrap().ends.unwrap();
+            let [low, high] = Mean::on_scale(&shares, Scale::SHARE, 0.95).unwrap().ends.unwrap();
             (low..=high).contains(&0.95)
         };
         let held = (0..1000).filter(|_| holds()).count();
@@ -121,7 +165,39 @@ mod tests {
     fn what_two_designs_share_falls_out_of_their_difference() {
         let a = [Some(10.0), Some(21.0), None, Some(32.0)];
         let b = [Some(9.0), Some(20.0), Some(5.0), None];
-        let pairs = Mean::of_pairs(&a, &b, 0.95).unwrap();
+        let pairs = Mean::of_pairs([&a, &b], Scale::Fixed, 0.95).unwrap();
         assert_eq!((pairs.value, pairs.half_width, pairs.count), (1.0, Some(0.0), 2));
+    }
+
+    #[test]
+    fn differences_that_agree_in_few_situations_may_be_others_in_the_next() {
+        let of = |a: f64, b: f64, scale| Mean::of_pairs([&[Some(a); 6], &[Some(b); 6]], scale, 0.95).unwrap();
+        let alike = 0.025_f64.powf(1.0 / 6.0);
+        let equal = of(0.7, 0.7, Scale::SHARE);
+        assert!((equal.half_width.unwrap() - (1.0 - alike)).abs() < 1e-12, "{equal:?}");
+        assert!((equal.low() + 1.0 - alike).abs() < 1e-12, "{equal:?}");
+        let [whole, half] = [0.0, 0.5].map(|share| of(1.0, share, Scale::SHARE));
+        assert!(
+            whole.low() > 0.05 && whole.ends.unwrap()[1] == 1.0 && half.low() < 0.0,
+            "{whole:?} {half:?}"
+        );
+        let [any, fixed] = [Scale::Any, Scale::Fixed].map(|scale| of(3.0, 2.0, scale));
+        assert_eq!((any.value, any.half_width, any.low()), (1.0, None, f64::NEG_INFINITY));
+        assert_eq!((fixed.half_width, fixed.low()), (Some(0.0), 1.0));
+    }
+
+    /// Two designs that differ in one situation of twenty, there by the whole share: six situations agree
+    /// three times of four.
+    #[test]
+    fn intervals_of_differences_hold_the_truth_as_often_as_they_say() {
+        let mut random = ChaCha8Rng::seed_from_u64(8);
+        let mut holds = || {
+            let other = [(); 6].map(|()| Some(f64::from(u8::from(random.random::<f64>() < 0.05))));
+            let [low, high] =
+                Mean::of_pairs([&other, &[Some(0.0); 6]], Scale::SHARE, 0.95).unwrap().ends.unwrap();
+            (low..=high).contains(&0.05)
+        };
+        let held = (0..1000).filter(|_| holds()).count();
+        assert!(held >= 950, "{held} of 1000");
     }
 }

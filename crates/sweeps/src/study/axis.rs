@@ -50,7 +50,7 @@ impl Axis {
     pub(crate) fn at(&self, share: f64) -> Pick {
         match &self.source {
             Source::Listed(picks) => picks[(share * picks.len() as f64) as usize].clone(),
-            Source::Uniform([low, high]) => self.drawn(rounded(low + (high - low) * share, high - low)),
+            Source::Uniform([low, high]) => self.drawn(rounded(low + (high - low) * share, [*low, *high])),
             Source::Whole([low, high]) => {
                 let count = (high - low + 1) as f64;
                 self.drawn((low + (share * count) as i64).to_string())
@@ -64,10 +64,16 @@ impl Axis {
     }
 }
 
-/// A number to a ten-thousandth of its span at least, so that it can be read and typed.
-fn rounded(value: f64, span: f64) -> String {
-    let digits = (4.0 - span.log10().floor()).clamp(0.0, 12.0) as usize;
-    format!("{value:.digits$}")
+/// A number to a ten-thousandth of its span at least, so that it can be read and typed; where that is beyond
+/// an end, the end itself as it is written in full.
+fn rounded(value: f64, [low, high]: [f64; 2]) -> String {
+    let digits = (4.0 - (high - low).log10().floor()).clamp(0.0, 12.0) as usize;
+    let short = format!("{value:.digits$}");
+    match short.parse::<f64>() {
+        Ok(told) if told < low => format!("{low:?}"),
+        Ok(told) if told > high => format!("{high:?}"),
+        _ => short,
+    }
 }
 
 #[cfg(test)]
@@ -88,6 +94,17 @@ mod tests {
             ["4.0000", "5.0000", "8.0000"]
         );
         assert_eq!(uniform.at(0.25).values, ["5.0000", "5.0000"], "one value for all keys of an axis");
+    }
+
+    #[test]
+    fn no_rounding_leads_past_an_end_of_the_axis() {
+        for ends in [[0.123_444, 0.987_656], [3.7, 2.0e6 + 0.7], [-7.000_06, 2.000_06], [1e-20, 1e-13]] {
+            let uniform = axis(Source::Uniform(ends));
+            for share in [0.0, 1e-7, 0.5, 0.999_999_9, 1.0 - f64::EPSILON] {
+                let told: f64 = uniform.at(share).label.parse().unwrap();
+                assert!((ends[0]..=ends[1]).contains(&told), "{told} of {ends:?}");
+            }
+        }
     }
 
     #[test]

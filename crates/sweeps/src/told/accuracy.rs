@@ -8,31 +8,51 @@ use pipeline::outcome::error_figures::decibels;
 const DESIGNS_LISTED: usize = 8;
 
 /// A sentence on how many runs did not reach what they asked for, the worst of them, and which candidates
-/// rest on them; with another one where it is not known of all.
+/// rest on them; with others where it is not known of all, as errors were taken over or are not known.
 pub(crate) fn sentences(ledger: &Ledger, candidates: &[usize]) -> Vec<String> {
     let of = |design: usize| ledger.runs(design).iter().map(move |run| (design, run.accuracy));
     let all = || (0..ledger.designs()).flat_map(of);
     let runs = all().count();
+    let taken_over = all().filter(|(_, accuracy)| accuracy.is_not_measured()).count();
     let missed = all().filter(|(_, accuracy)| accuracy.is_missed());
     let worst = missed.max_by(|a, b| a.1.excess_db().total_cmp(&b.1.excess_db()));
     let unknown = all().filter(|(_, accuracy)| accuracy.met.is_none()).count();
     let told = match worst {
         Some((design, worst)) => {
             let missed = all().filter(|(_, accuracy)| accuracy.is_missed()).count();
-            Some(of_missed([missed, runs], design, &worst) + &of_candidates(ledger, candidates))
+            let resting = of_candidates(ledger, candidates, self::missed);
+            Some(of_missed([missed, runs], design, &worst) + &resting)
         }
-        None if unknown == 0 => Some(format!("All {runs} runs reached the accuracy that they asked for.")),
+        None if unknown == 0 && taken_over == 0 => {
+            Some(format!("All {runs} runs reached the accuracy that they asked for."))
+        }
+        None if taken_over > 0 && unknown + taken_over < runs => Some(format!(
+            "The {} of {runs} runs whose errors were measured all reached the accuracy that they asked for.",
+            runs - unknown - taken_over
+        )),
         None => None,
+    };
+    let not_measured = || {
+        let resting = of_candidates(ledger, candidates, self::not_measured);
+        format!(
+            "{taken_over} of {runs} runs take over the errors of other designs' runs: whether they reached the              accuracy that they asked for was NOT MEASURED; {resting}"
+        )
     };
     let not_known = format!(
         "It is not known of {unknown} of {runs} runs whether they reached the accuracy that they asked for."
     );
-    told.into_iter().chain((unknown > 0).then_some(not_known)).collect()
+    let not_measured = (taken_over > 0).then(not_measured);
+    told.into_iter().chain(not_measured).chain((unknown > 0).then_some(not_known)).collect()
 }
 
 /// Runs of a design that did not reach what they asked for.
 pub(crate) fn missed(ledger: &Ledger, design: usize) -> usize {
     ledger.runs(design).iter().filter(|run| run.accuracy.is_missed()).count()
+}
+
+/// Runs of a design of which that is not known, as they take over their errors.
+pub(crate) fn not_measured(ledger: &Ledger, design: usize) -> usize {
+    ledger.runs(design).iter().filter(|run| run.accuracy.is_not_measured()).count()
 }
 
 fn of_missed([missed, runs]: [usize; 2], design: usize, worst: &Reached) -> String {
@@ -44,10 +64,10 @@ fn of_missed([missed, runs]: [usize; 2], design: usize, worst: &Reached) -> Stri
     )
 }
 
-/// The candidates that rest on runs which did not reach what they asked for.
-fn of_candidates(ledger: &Ledger, candidates: &[usize]) -> String {
+/// The candidates that rest on runs of which some are counted.
+fn of_candidates(ledger: &Ledger, candidates: &[usize], count: fn(&Ledger, usize) -> usize) -> String {
     let resting: Vec<usize> =
-        candidates.iter().copied().filter(|design| missed(ledger, *design) > 0).collect();
+        candidates.iter().copied().filter(|design| count(ledger, *design) > 0).collect();
     let (listed, more) = resting.split_at(resting.len().min(DESIGNS_LISTED));
     let listed = listed.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
     let more = if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
@@ -61,6 +81,7 @@ fn of_candidates(ledger: &Ledger, candidates: &[usize]) -> String {
 mod tests {
     use super::*;
     use crate::runs::ledger::Run;
+    use crate::runs::reached::Errors;
 
     /// A ledger of designs whose runs reached these levels of −20 dB asked; `None`: it is not known.
     fn ledger(designs: &[&[Option<f64>]]) -> Ledger {
@@ -68,7 +89,8 @@ mod tests {
         for (design, levels) in designs.iter().enumerate() {
             for reached_db in *levels {
                 let met = reached_db.map(|db| db <= -20.0);
-                let accuracy = Reached { asked_db: Some(-20.0), reached_db: *reached_db, met };
+                let errors = Errors::Own;
+                let accuracy = Reached { asked_db: Some(-20.0), reached_db: *reached_db, met, errors };
                 ledger.enter(design, Run { values: vec![], accuracy });
             }
         }
@@ -94,6 +116,26 @@ mod tests {
         assert_eq!(met, ["All 2 runs reached the accuracy that they asked for."]);
         let unknown = sentences(&ledger(&[&[None], &[Some(-20.0)]]), &[0]);
         assert!(unknown.len() == 1 && unknown[0].contains("not known of 1 of 2 runs"), "{unknown:?}");
+    }
+
+    /// A study told −23.6 dB by errors of another design where its own run errs by −17.5.
+    #[test]
+    fn a_design_whose_errors_are_another_ones_is_not_told_to_have_reached_its_accuracy() {
+        let mut ledger = ledger(&[&[Some(-23.6); 2], &[]]);
+        for _ in 0..2 {
+            let mut run = ledger.runs(0)[0].clone();
+            run.accuracy.errors = Errors::TakenOver;
+            ledger.enter(1, run);
+        }
+        let told = sentences(&ledger, &[0, 1]);
+        let measured =
+            "The 2 of 4 runs whose errors were measured all reached the accuracy that they asked for.";
+        assert_eq!(told[0], measured);
+        assert!(
+            told[1].starts_with("2 of 4 runs take over") && told[1].ends_with("rest on them: 1."),
+            "{told:?}"
+        );
+        assert_eq!([0, 1].map(|design| not_measured(&ledger, design)), [0, 2]);
     }
 
     #[test]

@@ -107,9 +107,12 @@ impl Done<'_> {
         let picks = self.designs[design].iter().map(|pick| pick.label.clone());
         let behind = if Some(design) == self.answer.best { "–".to_owned() } else { text(standing.behind) };
         let seen = self.ledger.runs(design).len().to_string();
-        let missed = match accuracy::missed(self.ledger, design) {
-            0 => "–".to_owned(),
-            missed => format!("in {missed}"),
+        let counts = [accuracy::missed, accuracy::not_measured].map(|count| count(self.ledger, design));
+        let missed = match counts {
+            [0, 0] => "–".to_owned(),
+            [missed, 0] => format!("in {missed}"),
+            [0, unknown] => format!("not measured in {unknown}"),
+            [missed, unknown] => format!("in {missed}, not measured in {unknown}"),
         };
         let rest = [number(standing.cost), text(standing.mean), behind, seen, missed];
         [design.to_string()].into_iter().chain(picks).chain(rest).collect()
@@ -151,7 +154,7 @@ impl Done<'_> {
         };
         format!(
             "{} designs in up to {most} situations, {runs} runs, seed {}; all designs see the same situations. Intervals \
-             are Student's at {} % over situations, those of shares that are all 1 or all 0 Clopper's and Pearson's; those behind the best are of paired differences, each at {} %, so \
+             are Student's at {} % over situations, of shares and their differences that agree in all situations Clopper's and Pearson's; those behind the best are of paired differences, each at {} %, so \
              that all hold together.{stopped} Means by value are over the {} situations that every design has seen.",
             self.ledger.designs(),
             self.study.seed,

@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::runs::ledger::Ledger;
-use crate::runs::reached::Reached;
+use crate::runs::reached::{Errors, Reached};
 use crate::statistics::interval::Mean;
 use crate::study::axis::{Axis, Pick};
 use crate::study::document::Study;
@@ -36,12 +36,13 @@ pub(crate) fn runs(
 }
 
 /// All designs: the value of every key, how many situations it has seen, the mean of every metric with its
-/// interval, how far it is behind the best, whether it is on the front and a candidate, and how many of its
-/// runs did not reach the accuracy that they asked for.
+/// interval, how far it is behind the best, whether it is on the front and a candidate, how many of its runs
+/// did not reach the accuracy that they asked for, and of how many it is not known, as their errors are those
+/// of other runs.
 pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, answer: &Answer) -> String {
     let of_metric = |name: &str| [name.to_owned(), format!("{name}_low"), format!("{name}_high")];
-    let behind = ["behind", "behind_low", "behind_high", "front", "candidate", "accuracy_missed"];
-    let behind = behind.map(str::to_owned);
+    let behind = ["behind", "behind_low", "behind_high", "front", "candidate"];
+    let behind = behind.into_iter().chain(["accuracy_missed", "accuracy_taken_over"]).map(str::to_owned);
     let head = ["design".to_owned()].into_iter().chain(keys(&study.vary)).chain(["situations".to_owned()]);
     let mut table = row(head.chain(study.measures.names().flat_map(of_metric)).chain(behind));
     for (number, design) in designs.iter().enumerate() {
@@ -52,7 +53,8 @@ pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, ans
         let behind = interval(answer.standings[number].behind);
         let is_in = |designs: &[usize]| if designs.contains(&number) { "yes" } else { "no" }.to_owned();
         let missed = accuracy::missed(ledger, number).to_string();
-        let verdict = [is_in(&answer.front), is_in(&answer.candidates), missed];
+        let taken_over = accuracy::not_measured(ledger, number).to_string();
+        let verdict = [is_in(&answer.front), is_in(&answer.candidates), missed, taken_over];
         let first = [number.to_string()].into_iter().chain(values).chain([seen.to_string()]);
         table += &row(first.chain(means).chain(behind).chain(verdict));
     }
@@ -60,11 +62,14 @@ pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, ans
 }
 
 /// Columns of the accuracy of a run.
-const ACCURACY: [&str; 3] = ["accuracy_asked_db", "accuracy_reached_db", "accuracy_met"];
+const ACCURACY: [&str; 4] =
+    ["accuracy_asked_db", "accuracy_reached_db", "accuracy_met", "accuracy_taken_over"];
 
-fn cells_of(accuracy: &Reached) -> [String; 3] {
-    let met = accuracy.met.map_or("", |met| if met { "yes" } else { "no" });
-    [cell(accuracy.asked_db), cell(accuracy.reached_db), met.to_owned()]
+fn cells_of(accuracy: &Reached) -> [String; 4] {
+    let word = |is: bool| if is { "yes" } else { "no" };
+    let met = accuracy.met.filter(|_| !accuracy.is_not_measured()).map_or("", word);
+    let taken_over = accuracy.met.map_or("", |_| word(accuracy.errors == Errors::TakenOver));
+    [cell(accuracy.asked_db), cell(accuracy.reached_db), met.to_owned(), taken_over.to_owned()]
 }
 
 fn keys(axes: &[Axis]) -> impl Iterator<Item = String> {

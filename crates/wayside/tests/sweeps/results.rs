@@ -324,10 +324,28 @@ fn a_study_says_how_many_of_its_runs_did_not_reach_their_accuracy_and_which_cand
 #[test]
 fn a_study_whose_runs_all_reached_their_accuracy_says_that_too() {
     let place = of_a_corner("paths");
+    let study = String::from_utf8(place.bytes("study.toml")).unwrap();
+    // Chirps make another kind, which is measured for itself.
+    let chirps = study.replace("radar.array.preset", "radar.waveform.chirps");
+    std::fs::write(place.path("study.toml"), chirps.replace("[\"1x4\", \"3x4\"]", "[16, 18]")).unwrap();
     let said = sweep(&place, "--out a");
     assert!(said.contains("All 4 runs reached the accuracy that they asked for."), "{said}");
-    assert_eq!(column(&table(&place, "a/sweep.csv"), "accuracy_met"), ["yes"; 4]);
+    let runs = table(&place, "a/sweep.csv");
+    assert_eq!(column(&runs, "accuracy_met"), ["yes"; 4]);
+    assert_eq!(column(&runs, "accuracy_taken_over"), ["no"; 4]);
     assert_eq!(column(&table(&place, "a/designs.csv"), "accuracy_missed"), ["0", "0"]);
+}
+
+#[test]
+fn runs_that_take_over_their_errors_are_told_as_such_and_not_counted_as_reached() {
+    let place = of_a_corner("paths");
+    let said = sweep(&place, "--out a");
+    assert!(said.contains("The 2 of 4 runs whose errors were measured all reached"), "{said}");
+    assert!(said.contains("2 of 4 runs take over the errors of other designs' runs"), "{said}");
+    let runs = table(&place, "a/sweep.csv");
+    assert_eq!(column(&runs, "accuracy_met"), ["yes", "yes", "", ""]);
+    assert_eq!(column(&runs, "accuracy_taken_over"), ["no", "no", "yes", "yes"]);
+    assert_eq!(column(&table(&place, "a/designs.csv"), "accuracy_taken_over"), ["0", "2"]);
 }
 
 #[test]

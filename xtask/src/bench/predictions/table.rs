@@ -24,8 +24,8 @@ const TAKEN: [&str; 10] = [
     "fmcw_echo_s",
     "dsp_s",
 ];
-const SAID: &str =
-    "said_s,said_mib,most_mib,look_s,at_once,signal_mib,facets,polygons,cells,changing,sliding,moving";
+const SAID: &str = "said_s,said_mib,most_mib,look_s,at_once,signal_mib,facets,polygons,cells,changing,sliding,moving,\
+                    through_sheets";
 
 /// Reads what scenes took, by their names; a file that is not there yet gives none.
 pub(super) fn taken(file: &Path) -> Result<BTreeMap<String, Taken>, Failure> {
@@ -59,9 +59,21 @@ fn timed_runs(text: &str) -> Option<Vec<CountedRun<ITEMS>>> {
 }
 
 fn held_runs(text: &str) -> Option<Vec<CountedRun<HELD_KINDS>>> {
-    let names = ["taken_mib", "Triangles", "at_once", "signal_mib", "facets", "polygons", "cells", "moving"];
-    let run = |[taken, triangles, at_once, signal_mib, facets, beams, cells, moving_cells]: [f64; 8]| {
-        let load = Load { signal_mib, facets, beams, cells, moving_cells, ..Load::default() };
+    let names = [
+        "taken_mib",
+        "Triangles",
+        "at_once",
+        "signal_mib",
+        "facets",
+        "polygons",
+        "cells",
+        "moving",
+        "through_sheets",
+    ];
+    let run = |[taken, triangles, at_once, load @ ..]: [f64; 9]| {
+        let [signal_mib, facets, beams, cells, moving_cells, beams_through_sheets] = load;
+        let load =
+            Load { signal_mib, facets, beams, beams_through_sheets, cells, moving_cells, ..Load::default() };
         let run = CountedRun { counts: load.held(triangles, at_once), taken };
         run.is_finite().then_some(run)
     };
@@ -112,13 +124,14 @@ pub(super) fn write(file: &Path, rows: &[PredictionRow]) -> Result<(), Failure> 
 
 fn line(row: &PredictionRow) -> String {
     let PredictionRow { scene, expected, look_s, load, at_once, taken } = row;
-    let Load { signal_mib, facets, beams, cells, changing_cells, sliding_tiles, moving_cells } = load;
+    let Load { signal_mib, facets, beams, beams_through_sheets, cells, changing_cells, .. } = load;
+    let Load { sliding_tiles, moving_cells, .. } = load;
     let threads = scene.threads.map_or("all".into(), |n| n.to_string());
     let taken = numbers(taken).map(|number| format!("{number:.3}")).join(",");
     let counts: Vec<String> = expected.work.0.iter().map(|count| format!("{count:.1}")).collect();
     format!(
         "{},{threads},{taken},{:.3},{:.1},{:.1},{look_s:.2},{at_once},{signal_mib:.2},{facets:.0},{beams:.0},{cells:.0},\
-         {changing_cells:.0},{sliding_tiles:.1},{moving_cells:.0},{}\n",
+         {changing_cells:.0},{sliding_tiles:.1},{moving_cells:.0},{beams_through_sheets:.0},{}\n",
         scene.name,
         expected.seconds,
         expected.expected_memory_mib,

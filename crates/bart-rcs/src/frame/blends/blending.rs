@@ -25,8 +25,13 @@ pub(crate) fn split(
         return Ok(whole);
     }
     let (fineness, strongest_dropped) = (whole.fineness.clone(), whole.strongest_dropped.clone());
-    let surroundings = Surroundings { scenery, fineness: &fineness, strongest_dropped: &strongest_dropped };
     let middle = whole.paths.clone();
+    let surroundings = Surroundings {
+        scenery,
+        fineness: &fineness,
+        strongest_dropped: &strongest_dropped,
+        of_middle: middle.len(),
+    };
     let mut blending =
         Blending { plan: scenery.plan, middle: &middle, points, reference, best: whole, along: vec![] };
     for axis in BlendAxis::ALL.into_iter().filter(|axis| scenery.changes_along(*axis)) {
@@ -45,7 +50,8 @@ pub(crate) fn split_alike(
     fineness: &Fineness,
 ) -> Result<Vec<Path>, BartError> {
     let Kept { paths: middle, strongest_dropped, .. } = kept;
-    let surroundings = Surroundings { scenery, fineness, strongest_dropped: &strongest_dropped };
+    let (strongest_dropped, of_middle) = (strongest_dropped.as_slice(), middle.len());
+    let surroundings = Surroundings { scenery, fineness, strongest_dropped, of_middle };
     let mut along: Vec<Nodes<'_>> = Vec::new();
     for axis in BlendAxis::ALL {
         let (nodes, ways) = match axis {
@@ -86,12 +92,13 @@ struct Blending<'a> {
 impl<'a> Blending<'a> {
     /// Blends the ways that change along an axis from as few nodes as meet the accuracy, where that helps.
     fn add(&mut self, axis: BlendAxis, surroundings: &'a Surroundings<'a>) -> Result<(), BartError> {
-        let mut nodes = Nodes::looked_at(surroundings, axis, self.middle, self.best.error.measured())?;
+        let (before, others) = (self.best.paths.len(), self.along.iter().map(Nodes::paths).sum());
+        let measured = self.best.error.measured();
+        let mut nodes = Nodes::looked_at(surroundings, axis, self.middle, (measured, others))?;
         if nodes.ways.is_empty() {
             return Ok(());
         }
         let power = power_over_frame(self.middle, self.plan);
-        let (before, others) = (self.best.paths.len(), self.along.iter().map(Nodes::paths).sum());
         let most = if surroundings.scenery.turns_wheels() { FINEST } else { MOMENTS_MAX - 1 };
         let mut best_steps = None;
         for steps in STEPS.into_iter().filter(|steps| *steps <= most) {

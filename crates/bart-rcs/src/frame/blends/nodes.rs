@@ -12,7 +12,7 @@ use crate::frame::blends::axis::{BlendAxis, FINEST, LOOKED_AT};
 use crate::frame::blends::changing_ways::{FIELD_FREQUENCIES, bodies, field, ways_that_change};
 use crate::frame::path_pruning::pruned_alike;
 use crate::frame::path_sum::PathView;
-use crate::frame::path_table::{Node, paths_along};
+use crate::frame::path_table::{Node, paths_along, paths_bytes};
 use crate::frame::snapshot::Scenery;
 use crate::oversight::error::BartError;
 use crate::oversight::progress::Phase;
@@ -25,13 +25,15 @@ pub(super) struct Surroundings<'a> {
     pub(super) scenery: &'a Scenery<'a>,
     pub(super) fineness: &'a Fineness,
     pub(super) strongest_dropped: &'a [f64],
+    /// Number of the middle's paths.
+    pub(super) of_middle: usize,
 }
 
 /// Paths of some ways at the nodes of one axis.
 pub(super) struct Nodes<'a> {
     surroundings: &'a Surroundings<'a>,
     pub(super) axis: BlendAxis,
-    /// Ways that are traced at all nodes.
+    /// Ways that are traced at all nodes; all that there are, where none are named.
     pub(super) ways: BodyWays,
     /// Steps of the grid that is blended.
     pub(super) steps: u32,
@@ -53,16 +55,17 @@ impl<'a> Nodes<'a> {
         Self { surroundings, axis, ways, steps: 0, at: BTreeMap::from([(FINEST / 2, own)]), bytes: 0 }
     }
 
-    /// Traces two other nodes of an axis for the ways that have changed there from what they are in `middle`.
+    /// Traces two other nodes of an axis for the ways that have changed there from what they are in `middle`,
+    /// beside so many paths of other nodes.
     pub(super) fn looked_at(
         surroundings: &'a Surroundings<'a>,
         axis: BlendAxis,
         middle: &[Path],
-        measured: f64,
+        (measured, others): (f64, usize),
     ) -> Result<Self, BartError> {
         let mut looks = Self::of(surroundings, axis, BodyWays::default(), &[]);
         for place in LOOKED_AT {
-            let paths = looks.traced(place, None)?;
+            let paths = looks.traced(place, others)?;
             looks.at.insert(place, paths);
         }
         let others = LOOKED_AT.map(|place| (looks.view(place), looks.at[&place].as_slice()));
@@ -80,7 +83,7 @@ impl<'a> Nodes<'a> {
     pub(super) fn fill(&mut self, steps: u32, others: usize) -> Result<(), BartError> {
         for place in (0..=steps).map(|i| i * (FINEST / steps)) {
             if !self.at.contains_key(&place) {
-                let paths = self.traced(place, Some(others))?;
+                let paths = self.traced(place, others)?;
                 self.at.insert(place, paths);
             }
         }
@@ -88,20 +91,20 @@ impl<'a> Nodes<'a> {
         Ok(())
     }
 
-    /// Paths of a place: of the ways alone beside so many paths of others, or of all.
-    fn traced(&mut self, place: u32, along: Option<usize>) -> Result<Vec<Path>, BartError> {
-        let Surroundings { scenery, fineness, strongest_dropped } = self.surroundings;
+    /// Paths of a place, beside so many of other nodes.
+    fn traced(&mut self, place: u32, others: usize) -> Result<Vec<Path>, BartError> {
+        let Surroundings { scenery, fineness, strongest_dropped, of_middle } = self.surroundings;
         let plan = scenery.plan;
         let (seconds, ends_m) = self.axis.at(plan, place);
-        let ways = along.map(|_| &self.ways);
+        let ways = (!self.ways.is_empty()).then_some(&self.ways);
+        // With the blends that are made of them, two of which are compared.
+        let beside = scenery.beside(3 * paths_bytes(self.paths() + others + of_middle));
         let snapshot = match ways {
-            Some(ways) => scenery.along(ways, seconds, ends_m)?,
-            None => scenery.at(seconds, ends_m)?,
+            Some(ways) => beside.along(ways, seconds, ends_m)?,
+            None => beside.at(seconds, ends_m)?,
         };
         self.bytes = self.bytes.max(snapshot.bytes());
-        // With the blends that are made of them, two of which are compared.
-        let held_bytes = 3 * size_of::<Path>() * (self.paths() + along.unwrap_or(0));
-        let node = Node { ways, seconds, ends_m, held_bytes };
+        let node = Node { ways, seconds, ends_m };
         let paths = paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, fineness, &node)?;
         Ok(pruned_alike(paths, plan, &snapshot.world, strongest_dropped))
     }

@@ -16,21 +16,22 @@ pub(crate) struct CellRoom {
 }
 
 impl CellRoom {
-    /// Room that a limit leaves beside beams of so many bytes.
-    pub(crate) fn beside(beams_bytes: usize, limit: MemoryLimit, bytes_per_cell: usize) -> Self {
-        let limit = limit.shared(beams_bytes as u64, 1);
+    /// Room that a limit leaves beside beams, with what is joined from them, of so many bytes.
+    pub(crate) fn beside(beams_bytes: u64, limit: MemoryLimit, bytes_per_cell: usize) -> Self {
+        let limit = limit.shared(beams_bytes, 1);
         Self { limit, held_bytes: 0, bytes_per_cell: bytes_per_cell as u64, taken: AtomicU64::new(0) }
     }
 
     /// The same room, in which cells and paths of so many bytes are already.
-    pub(crate) fn holding(self, held_bytes: usize) -> Self {
-        Self { held_bytes: held_bytes as u64, ..self }
+    pub(crate) fn holding(self, held_bytes: u64) -> Self {
+        Self { held_bytes, ..self }
     }
 
-    /// Room for one more; false where there is none, and then [`CellRoom::check`] says so.
-    pub(crate) fn take(&self) -> bool {
-        let before = self.taken.fetch_add(1, Ordering::Relaxed);
-        self.limit.check_cells(self.bytes_of(before + 1)).is_ok()
+    /// Room for so many more; false where there is none, and then [`CellRoom::check`] says so.
+    pub(crate) fn take(&self, cells: u32) -> bool {
+        let cells = u64::from(cells);
+        let before = self.taken.fetch_add(cells, Ordering::Relaxed);
+        self.limit.check_cells(self.bytes_of(before + cells)).is_ok()
     }
 
     /// Refuses what was found where there was not room for all of it.
@@ -50,12 +51,12 @@ mod tests {
     #[test]
     fn there_is_room_up_to_the_limit_and_what_had_none_is_told() {
         let room = CellRoom::beside(1000, MemoryLimit::of_bytes(1000 + 3 * 700), 700);
-        assert_eq!([0; 3].map(|_| room.take()), [true; 3]);
+        assert_eq!([1, 2].map(|cells| room.take(cells)), [true; 2]);
         room.check().unwrap();
-        assert!(!room.take());
+        assert!(!room.take(1));
         assert_eq!(room.check(), Err(BartError::CellsTakeTooMuchMemory { bytes: 2800, limit_bytes: 2100 }));
         let room = CellRoom::beside(1000, MemoryLimit::of_bytes(1000 + 3 * 700), 700).holding(1500);
-        assert!(!room.take());
+        assert!(!room.take(1));
         assert_eq!(room.check(), Err(BartError::CellsTakeTooMuchMemory { bytes: 2200, limit_bytes: 2100 }));
     }
 }

@@ -3,7 +3,7 @@
 use crate::edges::edge_scattering::part_amplitudes;
 use crate::edges::lit_edge::EdgeJoint;
 use crate::edges::truncation::{Truncation, truncation_amplitudes};
-use crate::frame::cells::path_cells::{Cell, CellSettings, facets_of, motions, padded, reversed};
+use crate::frame::cells::path_cells::{Cell, CellSettings, facets_of, joined, motions, padded, reversed};
 use crate::integral::node::Estimate;
 use crate::joins::joint::Reverse;
 use crate::joins::scatterer::Scatterer;
@@ -18,8 +18,7 @@ pub(crate) fn edge_cells(
     joints: &[EdgeJoint],
     settings: &CellSettings<'_>,
 ) -> Vec<Cell> {
-    let parts: Vec<Vec<Cell>> = joints.par_iter().map(|joint| cells_of(scatterer, joint, settings)).collect();
-    parts.into_iter().flatten().collect()
+    joined(joints.par_iter().map(|joint| cells_of(scatterer, joint, settings)).collect())
 }
 
 /// Cells of own edges of double reflections, as [`edge_cells`] has them.
@@ -38,8 +37,7 @@ pub(crate) fn truncation_cells(
             truncation_amplitudes(scatterer, end, span_m, settings.wavenumbers_per_m, accuracy)
         })
     };
-    let parts: Vec<Vec<Cell>> = truncations.par_iter().map(of).collect();
-    parts.into_iter().flatten().collect()
+    joined(truncations.par_iter().map(of).collect())
 }
 
 fn cells_of(scatterer: &Scatterer<'_>, joint: &EdgeJoint, settings: &CellSettings<'_>) -> Vec<Cell> {
@@ -74,7 +72,7 @@ impl CutLine {
         let place = |i: u32| from + (to - from) * f64::from(i) / count;
         let mut cells = Vec::new();
         for i in 0..count as u32 {
-            if !settings.room.take() {
+            if !settings.room.take(self.reverse.ways()) {
                 break;
             }
             let span_m = [place(i), place(i + 1)];

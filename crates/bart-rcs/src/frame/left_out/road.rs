@@ -57,7 +57,8 @@ fn over_usual_road<T>(
     if plan.header.road.is_some() || world.facets().is_empty() || !can_be_followed {
         return Ok(None);
     }
-    let world = world.over(&road)?;
+    // Beams that come over the road too are twice as many beside the tree's own.
+    let world = world.over(&road)?.within(world.memory_limit().share_of(3));
     let ways = LeftOutWays { bounces, mirror_wavelengths: MIRROR_WAVELENGTHS };
     let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
     let received = Received::with_image(&world, &tree);
