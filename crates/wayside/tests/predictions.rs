@@ -1,5 +1,6 @@
 //! Promises of `run --dry-run`: figures of this scene on this machine, whatever ran before, and memory that
 //! is not exceeded.
+#![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
 
 mod common;
 
