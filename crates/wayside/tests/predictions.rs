@@ -108,6 +108,26 @@ fn no_more_is_held_than_the_memory_limit_before_a_wide_array() {
     assert!(held_mib < 250.0, "{held_mib} MiB held");
 }
 
+/// A car of glass and plastic that waves are followed through: 121 MiB were told of 380 that were held.
+#[test]
+fn memory_is_not_told_too_low_where_waves_are_followed_through_sheets() {
+    let place = Workplace::new();
+    let materials = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/vehicles.materials.toml");
+    let scene = "name = \"glass\"\n[radar.waveform]\nchirps = 32\nsamples = 256\n[radar.array]\npreset = \"3x4\"\n\
+                 [noise]\nnoise_figure_db = 12.0\n[fidelity]\naccuracy_db = -20\nbounces = 1\ntransmission = \"on\"\n\
+                 [[target]]\nkind = \"mesh\"\nid = \"m\"\nmodel = \"car-saloon\"\nposition_m = [1.0, 25.0, 0.0]\n\
+                 velocity_mps = [0.0, -8.0, 0.0]\nyaw_deg = -90.0\n";
+    let scene = format!("{scene}\n{}", std::fs::read_to_string(materials).unwrap());
+    std::fs::write(place.path("glass.toml"), scene).unwrap();
+    let line = told(&place, "glass.toml");
+    let figure = |from_last: usize| line.split(' ').rev().nth(from_last).unwrap().parse::<f64>().unwrap();
+    let (output, held_mib) = peak_of(place.command("paths glass.toml --out a.paths --quiet --threads 1"));
+    assert!(output.status.success(), "{output:?}");
+    let [most_mib, expected_mib] = [figure(1), figure(5)];
+    assert!(held_mib <= most_mib, "{held_mib} MiB held, {most_mib} told");
+    assert!(held_mib < 2.0 * expected_mib, "{held_mib} MiB held, about {expected_mib} told");
+}
+
 /// A motorcycle 5 m in front of the mast, whose frame is blended from nine moments of 98,000 paths each: they
 /// were counted once where three copies were held, 1 GB under a limit of 400 MiB.
 #[test]

@@ -14,8 +14,8 @@ use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
-use crate::table::aspect::interpolation_power;
 use crate::table::far_field_error::Compared;
+use crate::table::measured_aspects::interpolation_error;
 use crate::table::meeting::{MeetingSettings, OrderJoints};
 use crate::table::rcs_table::next_order;
 use artifact::rcs::{RcsFrame, RcsTable};
@@ -163,7 +163,7 @@ impl<'a> TabledBody<'a> {
         let weight = middle.length().powi(-4);
         Ok(Powers {
             total: weight * power(&table),
-            interpolation: weight * power(&table) * self.interpolation_power(),
+            interpolation: weight * power(&table) * self.interpolation_error().powi(2),
             by_order: by_order.iter().map(|s| weight * power(s)).collect(),
             freezing: weight * difference(&frozen, &anew),
             far_field: weight * near.difference,
@@ -224,10 +224,10 @@ impl<'a> TabledBody<'a> {
         }
     }
 
-    /// Power over that of S by which integrals may err over frequency.
-    fn interpolation_power(&self) -> f64 {
+    /// Error that integrals may have over frequency, relative to S.
+    fn interpolation_error(&self) -> f64 {
         let frequencies = self.frequency_axis().len();
-        interpolation_power(&self.world, frequencies, self.header.fidelity.accuracy.amplitude())
+        interpolation_error(&self.world, frequencies, self.header.fidelity.accuracy.amplitude())
     }
 
     fn sums(

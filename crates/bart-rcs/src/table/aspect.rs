@@ -6,7 +6,6 @@ use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
 use crate::joins::afforded::{FAR_FINER_TILES, are_few_tiles};
-use crate::joins::band::INTERPOLATION_ERROR;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
@@ -92,7 +91,7 @@ pub(crate) fn scattering_with(
     let integrate_seconds = metered.lap_s();
     let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), &chosen, &mirrors, settings);
     ends.phase = Phase::Checking;
-    let is_measured = matches!(checks.integrals, IntegralsCheck::Compared | IntegralsCheck::Taken);
+    let is_measured = checks.integrals != IntegralsCheck::Skipped;
     let is_few = is_measured && ends.are_few(aspect, settings);
     let finer = if is_few { Finer::Far } else { Finer::TenTimes };
     let finer_m = is_measured.then(|| ends.finer(&chosen, aspect, (finer, settings))).transpose()?;
@@ -103,16 +102,10 @@ pub(crate) fn scattering_with(
     };
     let whole_power = chosen.iter().map(|order| order.whole_power).sum();
     let chosen_m: Vec<Vec<Complex64>> = chosen.into_iter().map(|order| order.s_m).collect();
-    let error_power = match (&finer_m, checks.integrals) {
-        (Some(finer_m), check) => {
-            let difference = power_between(&chosen_m, finer_m);
-            Some(check.error_power((difference, finer), (accuracy, settings.edges), power_of(finer_m)))
-        }
-        (None, IntegralsCheck::Exact) => {
-            Some(interpolation_power(world, settings.wavenumbers_per_m.len(), accuracy) * power_of(&chosen_m))
-        }
-        (None, _) => None,
-    };
+    let error_power = finer_m.as_ref().map(|finer_m| {
+        let difference = power_between(&chosen_m, finer_m);
+        checks.integrals.error_power((difference, finer), (accuracy, settings.edges), power_of(finer_m))
+    });
     let taken = finer_m.filter(|_| checks.integrals == IntegralsCheck::Taken);
     // Both node rules are compared by integrals that are as fine as each other.
     let other_m = other_m.map(|other_m| match &taken {
@@ -134,15 +127,6 @@ pub(crate) fn scattering_with(
         integrate_seconds,
         check_seconds: metered.lap_s(),
     })
-}
-
-/// Power over that of S by which integrals in closed form may err: of layers, which know frequency, weights
-/// are taken at few frequencies, to a third of this share of the bound of the integrals; a wave that is three
-/// times as strong without them is allowed for.
-pub(crate) fn interpolation_power(world: &World, frequencies: usize, accuracy: f64) -> f64 {
-    const FEWEST_FREQUENCIES: usize = 3;
-    let is_interpolated = world.knows_frequency() && frequencies >= FEWEST_FREQUENCIES;
-    if is_interpolated { (INTERPOLATION_ERROR * accuracy).powi(2) } else { 0.0 }
 }
 
 /// The trees of an aspect, grown as far as they were needed so far.

@@ -120,8 +120,6 @@ impl Finer {
 pub(crate) enum IntegralsCheck {
     /// They are not made.
     Skipped,
-    /// None are needed: polygons' closed form is exact, but for what is interpolated over frequency.
-    Exact,
     /// They tell the error of the coarser ones.
     Compared,
     /// They are the result, and what the coarser ones differ by tells their error.

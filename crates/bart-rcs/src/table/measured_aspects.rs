@@ -8,6 +8,8 @@
 //! The error of all others is taken to be the larger of two: as much of their power as the strong ones err by
 //! of theirs, and as much as those two do.
 
+use crate::bodies::world::World;
+use crate::joins::band::INTERPOLATION_ERROR;
 use crate::table::aspect::Scattering;
 use artifact::units::amplitude_ratio;
 
@@ -89,6 +91,15 @@ pub(crate) fn measured_error(table: &[Scattering]) -> f64 {
     const ROUNDING: f64 = 1e-12;
     let error_power = Drawn::of(table).error_power(table);
     amplitude_ratio(error_power, table.iter().map(Scattering::mean_power).sum()).max(ROUNDING)
+}
+
+/// Error that integrals over a band may have where layers reflect, which know frequency: their weights are
+/// taken at few frequencies, to a third of this share of the bound of the integrals; a wave that is three times
+/// as strong without the layers is allowed for.
+pub(crate) fn interpolation_error(world: &World, frequencies: usize, bound: f64) -> f64 {
+    const FEWEST_FREQUENCIES: usize = 3;
+    let is_interpolated = world.knows_frequency() && frequencies >= FEWEST_FREQUENCIES;
+    if is_interpolated { INTERPOLATION_ERROR * bound } else { 0.0 }
 }
 
 #[cfg(test)]

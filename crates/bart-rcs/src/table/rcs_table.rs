@@ -14,7 +14,7 @@ use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsChec
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
 use crate::table::keeper::{Keeper, NothingKept, Piece};
-use crate::table::measured_aspects::{ALL_UP_TO, Drawn, measured_error};
+use crate::table::measured_aspects::{ALL_UP_TO, Drawn, interpolation_error, measured_error};
 use crate::table::other_skins::{OtherSkins, skin};
 use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
 use artifact::scene::Mesh;
@@ -171,6 +171,8 @@ pub fn rcs_within(
     if result.vanishes {
         return Ok(result);
     }
+    let interpolation = interpolation_error(&world, request.frequency_hz.len(), settings.accuracy);
+    result.error.integration = result.error.integration.map(|error| error.max(interpolation));
     let start_s = meter.total_s();
     surroundings.progress.at(Phase::Checking, 0, 0);
     let other = OtherSkins { mesh, request, aspects: &aspects, settings: &settings, table: &table };
@@ -401,7 +403,7 @@ impl SharedByAspects<'_> {
     fn checks(&self, index: usize, integrals: IntegralsCheck) -> Checks {
         let is_compared = index.is_multiple_of(self.aspects.len().div_ceil(COMPARED_ASPECTS));
         Checks {
-            integrals: if self.is_exact(index) { IntegralsCheck::Exact } else { integrals },
+            integrals: if self.is_exact(index) { IntegralsCheck::Skipped } else { integrals },
             model: if is_compared { Check::Measured } else { Check::Skipped },
         }
     }
