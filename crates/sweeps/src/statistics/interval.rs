@@ -57,8 +57,8 @@ impl Mean {
 
     /// Mean of values on a scale. Where all are alike their spread says nothing: as many trials that came out
     /// alike are those of a chance of ((1 − confidence)/2)^(1/count) and more (Clopper and Pearson,
-    /// Biometrika 26 (1934) 404), and what comes otherwise is at either bound at worst. Without bounds nothing
-    /// is known of it.
+    /// Biometrika 26 (1934) 404), and what comes otherwise is at either bound at worst. Without bounds
+    /// nothing is known of it.
     pub(crate) fn on_scale(values: &[f64], scale: Scale, confidence: f64) -> Option<Self> {
         let mean = Self::of(values, confidence)?;
         let alike = (0.5 * (1.0 - confidence)).powf(1.0 / mean.count as f64);
