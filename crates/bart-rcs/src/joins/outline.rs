@@ -32,8 +32,8 @@ impl Outline {
             let Some(border) = borders.reduce(Border::and) else { continue };
             let length_m = border.sign() * from.distance(to);
             match border {
-                Border::Own | Border::OwnInside => outline.own_m += length_m,
-                Border::Mirror | Border::MirrorInside => outline.cut_m += length_m,
+                Border::Own | Border::Shadow | Border::OwnInside => outline.own_m += length_m,
+                Border::Mirror | Border::MirrorShadow | Border::MirrorInside => outline.cut_m += length_m,
                 Border::Tied | Border::Inner => {}
             }
         }
