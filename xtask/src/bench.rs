@@ -7,7 +7,7 @@ mod programs;
 
 use crate::cli::BenchArguments;
 use artifact::units::db_from_amplitude;
-pub(crate) use cases::{FULL, QUICK, all as comparisons};
+pub(crate) use cases::{CHARTED, QUICK, all as comparisons};
 pub(crate) use comparison::Comparison;
 use programs::NotHere;
 use serde_json::{Value, json};

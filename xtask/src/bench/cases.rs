@@ -6,7 +6,7 @@ mod maps;
 mod scattering;
 
 use crate::bench::comparison::Comparison;
-pub(crate) use timing::{FULL, QUICK, Sizes};
+pub(crate) use timing::{CHARTED, FULL, QUICK, Sizes};
 use wayside::host::failure::Failure;
 
 pub(crate) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {

@@ -71,6 +71,8 @@ fn rows(extent: Extent, kept: &Kept) -> Result<Vec<SettingRow>, Failure> {
     for scene in scenes {
         add(format!("frames of {}", scene.name), &|| frames::rows(scene, folder.path(), extent))?;
     }
+    // Orders that nothing goes back from have no error over their field.
+    all.retain(|row: &SettingRow| row.error.is_finite());
     Ok(all)
 }
 

@@ -81,6 +81,7 @@ fn clouds_through_both_sets_are_the_same_points_and_are_scored() {
 fn points_at_the_radar_are_in_no_cloud() {
     let place = Workplace::new();
     let scene = crate::common::SMALL_SCENE.replace("[dsp]", "[dsp]\nfalse_alarm_rate = 0.1");
+    let scene = scene.replace("frames = 2", "frames = 30");
     std::fs::write(place.path("small.toml"), scene).unwrap();
     place.run("run small.toml --out run --no-cache --quiet");
     place.run("export run/frames.points --to csv --out a.csv --quiet");

@@ -19,6 +19,9 @@ pub(crate) const FULL: Sizes =
 pub(crate) const QUICK: Sizes =
     Sizes { per_wavelength: 2.0, frequency_hz: 10e9, paths: 2_000, repeated_s: 0.1 };
 
+/// Sizes for the chart: a small body, as other methods are charted on it by themselves, and many paths.
+pub(crate) const CHARTED: Sizes = Sizes { paths: FULL.paths, repeated_s: FULL.repeated_s, ..QUICK };
+
 /// A piece of work and its seconds.
 pub(super) fn timed<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
     let start = Instant::now();

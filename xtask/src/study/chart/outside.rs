@@ -22,7 +22,7 @@ pub(in crate::study) struct RivalRow {
 pub(super) fn rows(extent: Extent) -> Result<Vec<RivalRow>, Failure> {
     let sizes = match extent {
         Extent::Quick => bench::QUICK,
-        Extent::Full => bench::FULL,
+        Extent::Full => bench::CHARTED,
     };
     Ok(bench::comparisons(sizes)?.into_iter().map(row).collect())
 }

@@ -68,11 +68,12 @@ fn small() -> Vec<Subject> {
 
 fn vehicles() -> Result<Vec<Subject>, Failure> {
     const NEAR: [Densities; 2] = [dense(&[1.0, 2.0], 4.0), dense(&[1.0, 2.0, 4.0], 8.0)];
+    const CAR: [Densities; 2] = [coarse(&[1.0, 2.0]), dense(&[1.0, 2.0, 4.0], 8.0)];
     const LARGE: [Densities; 2] = [coarse(&[1.0]), coarse(&[1.0, 2.0])];
     let at = |name, body, densities| subject(name, body, [23.0, 9.0], densities);
     let mut all = vec![
         at("motorcycle-street, 30 m", own("motorcycle-street")?, NEAR),
-        at("car-suv, 30 m", own("car-suv")?, NEAR),
+        at("car-suv, 30 m", own("car-suv")?, CAR),
     ];
     let file = shared().join("vehicles/gazebo_prius.glb");
     if file.is_file() {
