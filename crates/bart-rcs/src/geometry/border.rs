@@ -2,7 +2,8 @@
 //!
 //! A shadow is cut out by whole lines, so that a line goes on beyond the shadow as a seam between two lit
 //! pieces. The piece on the occluder's side of the line has the seam as [`Border::OwnInside`], the one on the
-//! other side as [`Border::Shadow`]: counted with opposite signs they cancel, and the true shadow line is left.
+//! other side as [`Border::Shadow`]: counted with opposite signs they cancel, and the true shadow line is
+//! left.
 
 /// Border of a polygon along one of its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
