@@ -72,7 +72,8 @@ def channels_of(radar: Radar, transmitters: list[int]) -> NDArray[np.int64]:
 def _middle(radar: Radar, transmitters: list[int]) -> NDArray[np.float64]:
     """Mean place of transmitters, which a scene puts at the place of its radar."""
     places: NDArray[np.float64] = radar.radar_prop["transmitter"].antennas.locations[transmitters]
-    return places.mean(axis=0)
+    middle: NDArray[np.float64] = places.mean(axis=0)
+    return middle
 
 
 def _radar(radar: Radar, look: Look, pattern: dict[str, Any]) -> dict[str, Any]:
