@@ -122,8 +122,9 @@ impl Recording {
             return Err(Failure::Refused(text));
         }
         if shape == Shape::Assumed {
+            let assumed = if frames == 1 { "1 frame is".to_owned() } else { format!("{frames} frames are") };
             progress::note(format!(
-                "note: {name}: nothing beside it tells the shape of a frame: {frames} frames are assumed of {radars}"
+                "note: {name}: nothing beside it tells the shape of a frame: {assumed} assumed of {radars}"
             ));
         }
         Ok(())
