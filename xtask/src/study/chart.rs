@@ -58,7 +58,7 @@ fn rows(extent: Extent, kept: &Kept) -> Result<Vec<SettingRow>, Failure> {
     let mut add = |name: String, make: &dyn Fn() -> Result<Vec<SettingRow>, Failure>| {
         work.at(done, parts);
         done += 1;
-        all.extend(kept.or_made(&file_name(&name), make)?);
+        all.extend(kept.or_made(&file_name(&name), || Ok(finite(make()?)))?);
         Ok::<(), Failure>(())
     };
     for subject in &subjects {
@@ -71,9 +71,13 @@ fn rows(extent: Extent, kept: &Kept) -> Result<Vec<SettingRow>, Failure> {
     for scene in scenes {
         add(format!("frames of {}", scene.name), &|| frames::rows(scene, folder.path(), extent))?;
     }
-    // Orders that nothing goes back from have no error over their field.
-    all.retain(|row: &SettingRow| row.error.is_finite());
     Ok(all)
+}
+
+/// Rows with an error: orders that nothing goes back from have none over their field.
+fn finite(mut rows: Vec<SettingRow>) -> Vec<SettingRow> {
+    rows.retain(|row| row.error.is_finite());
+    rows
 }
 
 fn all_answers(extent: Extent, kept: &Kept) -> Result<Vec<Answers>, Failure> {
