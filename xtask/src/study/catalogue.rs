@@ -124,7 +124,7 @@ pub(crate) const STUDIES: [Study; 30] = [
         real_captures::part,
     ),
     part("deployment", "docs/validation/deployment.md", "15 minutes", deployment::SOURCES, deployment::part),
-    whole("chart", "docs/chart.md", "an hour", CHART, whole_chart),
+    whole("chart", "docs/chart.md", "half an hour", CHART, whole_chart),
     whole("atlas", "docs/atlas.md", "10 minutes", ATLAS, whole_atlas),
     Study { name: "search", page: SEARCH, takes: "as asked", sources: search::SOURCES, make: Make::Ledger },
 ];
