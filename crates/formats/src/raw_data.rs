@@ -134,7 +134,7 @@ impl Recording {
 /// Who says what shape a recording's frames have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shape {
-    /// What stands beside it, which has been compared with the scene's radar.
+    /// A description beside it, which has been compared with the scene's radar.
     Told,
     /// Nobody: the scene's radar is taken for the one that recorded.
     Assumed,

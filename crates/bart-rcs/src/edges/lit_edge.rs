@@ -80,10 +80,9 @@ pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_
 }
 
 fn mirrors_of(world: &World, tree: &BeamTree, beam: &Beam) -> Mirrors {
-    let parent = |beam: &Beam| beam.parent.map(|index| &tree.beams[index as usize]);
-    let before = std::iter::successors(parent(beam), |beam| parent(beam));
+    let before = tree.way_back(beam).skip(1).map(|mirror| world.patch(mirror.facet));
     let mut mirrors = [NO_MIRROR; MAX_ORDER];
-    mirrors.iter_mut().zip(before).for_each(|(patch, mirror)| *patch = world.patch(mirror.facet));
+    mirrors.iter_mut().zip(before).for_each(|(place, patch)| *place = patch);
     mirrors
 }
 

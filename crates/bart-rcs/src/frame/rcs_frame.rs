@@ -92,7 +92,7 @@ struct TabledBody<'a> {
 struct Powers {
     total: f64,
     by_order: Vec<f64>,
-    /// What the integrals may err by over frequency.
+    /// Error that the integrals may have over frequency.
     interpolation: f64,
     /// Error of frozen shadows at the end of the sweep.
     freezing: f64,

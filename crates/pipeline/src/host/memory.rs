@@ -50,7 +50,7 @@ impl Allowance {
         self.bytes.map(mib)
     }
 
-    /// What is left of it beside so many MiB that are held.
+    /// Rest of it beside so many MiB that are held.
     pub(crate) fn beside(self, held_mib: f64) -> Self {
         let left = |bytes: u64| bytes.saturating_sub((held_mib * MIB) as u64);
         Self { bytes: self.bytes.map(left) }

@@ -6,9 +6,9 @@ use crate::recording::interpolation::Interval;
 /// Ways of all vehicles so far.
 #[derive(Default)]
 pub(crate) struct Driven {
-    /// By the speeds that are told.
+    /// Way by the speeds that are told.
     told_m: f64,
-    /// By their places.
+    /// Way by their places.
     way_m: f64,
 }
 

@@ -5,7 +5,7 @@ use crate::statistics::student::two_sided;
 /// Values that something measured may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Scale {
-    /// From the first to the second.
+    /// Values from the first to the second.
     Within([f64; 2]),
     /// Any number.
     Any,
