@@ -24,6 +24,8 @@ HERE = Path(__file__).resolve().parent
 LINK = re.compile(r"\]\(([^()\s]+)")
 ITEM = re.compile(r"(?:[-*]|\d+\.) ")
 SPAN = re.compile(r"`[^`]*`")
+BLOCK = re.compile(r"(^ *```.*?^ *```)", re.MULTILINE | re.DOTALL)
+DRAWING = re.compile(r"!\[([^\]]*)\]\(([^()\s]+\.svg)\)")
 
 
 def main():
@@ -105,7 +107,7 @@ def adapted(text):
     """The text as Python-Markdown has to have it where GitHub differs: an empty line before each list, the
     stroke in programs of tables without its backslash, and of a block's language its first word."""
     lines, in_code, before = [], False, ""
-    for line in text.split("\n"):
+    for line in with_live_drawings(text).split("\n"):
         in_code ^= line.lstrip().startswith("```")
         line = re.sub(r"^(```\w+),.*", r"\1", line)
         if line.startswith("|"):
@@ -115,6 +117,14 @@ def adapted(text):
         lines.append(line)
         before = line
     return "\n".join(lines)
+
+
+def with_live_drawings(text):
+    """The text with each drawing as a document within the page: its marks say their values under the
+    pointer, which they do not in an image."""
+    live = r'<object type="image/svg+xml" data="\2" role="img" aria-label="\1"></object>'
+    parts = BLOCK.split(text)
+    return "".join(part if BLOCK.match(part) else DRAWING.sub(live, part) for part in parts)
 
 
 def is_prose(line):
@@ -147,7 +157,7 @@ class Page(HTMLParser):
                 self.blocks += 1
             elif name == "id":
                 self.names.add(value)
-            elif name in ("href", "src") and value:
+            elif name in ("href", "src", "data") and value:
                 (self.leads if tag == "a" else self.fetches).append(value)
 
 

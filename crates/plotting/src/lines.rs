@@ -25,6 +25,8 @@ pub struct Line {
     pub points: Vec<[f64; 2]>,
     /// Whether its points are marked.
     pub marked: bool,
+    /// Words of each point, shown while the pointer rests on its mark; of points beyond the last there are none.
+    pub words: Vec<String>,
 }
 
 /// Lines with axes and a legend.
@@ -51,8 +53,8 @@ impl LinePlot {
     pub fn draw(&self, form: Form) -> Svg {
         let mut sheet = Svg::new(self.title.clone(), form.width_px(), 0.0);
         let top = head(&mut sheet, &self.title, &self.notes);
-        let lines: Vec<Vec<[f64; 2]>> = self.lines.iter().map(|l| self.scaled(l)).collect();
-        let all: Vec<[f64; 2]> = lines.concat();
+        let lines: Vec<Vec<Point>> = self.lines.iter().map(|l| self.scaled(l)).collect();
+        let all: Vec<[f64; 2]> = lines.concat().into_iter().map(|point| point.place).collect();
         let (x, y) = (span(&all, 0), span(&all, 1));
         let [left, right] = form.sides_px();
         let axes = Axes {
@@ -72,10 +74,20 @@ impl LinePlot {
         sheet
     }
 
-    fn scaled(&self, line: &Line) -> Vec<[f64; 2]> {
+    fn scaled<'l>(&self, line: &'l Line) -> Vec<Point<'l>> {
         let place = |[x, y]: &[f64; 2]| [number(self.x_scale, *x), number(self.y_scale, *y)];
-        line.points.iter().map(place).filter(|p| p.iter().all(|v| v.is_finite())).collect()
+        let words = line.words.iter().map(String::as_str).chain(std::iter::repeat(""));
+        let points =
+            line.points.iter().zip(words).map(|(numbers, words)| Point { place: place(numbers), words });
+        points.filter(|point| point.place.iter().all(|v| v.is_finite())).collect()
     }
+}
+
+/// A point of a line on the scales of its axes, with its words.
+#[derive(Debug, Clone, Copy)]
+struct Point<'l> {
+    place: [f64; 2],
+    words: &'l str,
 }
 
 const HEIGHT_PX: f64 = 320.0;
@@ -138,13 +150,19 @@ fn span(points: &[[f64; 2]], axis: usize) -> (f64, f64) {
     }
 }
 
-fn draw_line(sheet: &mut Svg, axes: &Axes, n: usize, line: &Line, points: &[[f64; 2]]) {
-    let places: Vec<[f64; 2]> = points.iter().map(|[x, y]| [axes.x.at(*x), axes.y.at(*y)]).collect();
-    draw_stroke(sheet, n, 1.6, &places);
-    if line.marked {
-        let mark = Mark::OF_LINES[n % Mark::OF_LINES.len()];
-        places.iter().for_each(|place| mark.draw(sheet, line_colour(n), *place));
-    }
+fn draw_line(sheet: &mut Svg, axes: &Axes, n: usize, line: &Line, points: &[Point]) {
+    let on_sheet = |point: &Point| [axes.x.at(point.place[0]), axes.y.at(point.place[1])];
+    let places: Vec<[f64; 2]> = points.iter().map(on_sheet).collect();
+    sheet.group("series", &line.name, |sheet| {
+        draw_stroke(sheet, n, 1.6, &places);
+        if line.marked {
+            let mark = Mark::OF_LINES[n % Mark::OF_LINES.len()];
+            let draw = |(point, place): (&Point, &[f64; 2])| {
+                sheet.group("value", point.words, |sheet| mark.draw(sheet, line_colour(n), *place));
+            };
+            points.iter().zip(&places).for_each(draw);
+        }
+    });
 }
 
 /// Draws the n-th line of a plot, whole, or broken where its colour is an earlier one's.
@@ -171,9 +189,33 @@ mod tests {
             name: format!("{n}"),
             points: vec![[1.0, 1.0], [2.0, n as f64]],
             marked: false,
+            words: vec![],
         };
         let looks = |n: usize| format!("{} {:?}", line_colour(n), samples(n, &line(n)));
         let all: std::collections::BTreeSet<String> = (0..20).map(looks).collect();
         assert_eq!(all.len(), 20);
+    }
+
+    #[test]
+    fn a_mark_under_the_pointer_says_its_own_words_though_points_before_it_cannot_be_drawn() {
+        let line = Line {
+            name: "a line".into(),
+            points: vec![[1.0, 0.0], [2.0, 1.0], [3.0, 2.0]],
+            marked: true,
+            words: vec!["not to be seen".into(), "the first".into(), "the second".into()],
+        };
+        let plot = LinePlot {
+            title: "plot".into(),
+            notes: vec![],
+            x_label: String::new(),
+            y_label: String::new(),
+            x_scale: Scale::Linear,
+            y_scale: Scale::Logarithmic,
+            lines: vec![line],
+        };
+        let text = plot.draw(Form::Wide).text();
+        let titles: Vec<&str> =
+            text.split("<title>").skip(1).filter_map(|part| part.split("</title>").next()).collect();
+        assert_eq!(titles, ["plot", "a line", "the first", "the second"]);
     }
 }

@@ -36,10 +36,12 @@ const LETTER: f64 = 0.56;
 /// Paper, ink and colours by day, and what changes in the dark.
 const LIGHT: &str = include_str!("light.css");
 const DARK: &str = include_str!("dark.css");
+/// Lines and values under a pointer stand out, the other lines fade.
+const POINTER: &str = include_str!("pointer.css");
 
 /// The classes of all pictures, for a page that holds some.
 pub fn style() -> String {
-    format!("{LIGHT}@media (prefers-color-scheme:dark){{{DARK}}}")
+    format!("{LIGHT}@media (prefers-color-scheme:dark){{{DARK}}}@media (hover:hover){{{POINTER}}}")
 }
 
 /// Room that words take, about.
@@ -103,6 +105,18 @@ impl Svg {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {w} {h}\" \
              width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{title}\"><title>{title}</title>{style}{paper}{body}</svg>"
         )
+    }
+
+    /// Marks that belong together, as a group of a class; its words, if there are any, are shown while the
+    /// pointer rests on it.
+    pub fn group(&mut self, class: &str, words: &str, draw: impl FnOnce(&mut Self)) {
+        self.put(format_args!("<g class=\"{class}\">"));
+        if !words.is_empty() {
+            let words = escaped(words);
+            self.put(format_args!("<title>{words}</title>"));
+        }
+        draw(self);
+        self.put(format_args!("</g>"));
     }
 
     /// A straight line of a class.

@@ -16,7 +16,7 @@ mod pictures;
 mod changes;
 
 pub(super) use changes::changes;
-pub(super) use pictures::{COLUMNS, picture_of_answers, pictures};
+pub(super) use pictures::{COLUMNS, COLUMNS_OF_ANSWERS, picture_of_answers, pictures};
 pub(super) use presentation::{page, tables};
 
 use crate::study::extent::Extent;

@@ -50,17 +50,38 @@ pub(crate) fn chart(ChartArguments { of_all: arguments, against }: &ChartArgumen
     let drawing = Drawing { name: "chart", sources: CHART, columns: &chart::COLUMNS, draw: &chart::pictures };
     let before = against.as_deref().map(|file| drawing.table(file)).transpose()?;
     let now = if let Some(file) = &arguments.table {
+        answers_again(file, arguments)?;
         drawing.again(file, arguments)?
     } else {
         let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
         let measured = chart::measured(extent, &sources::hash(CHART_ROWS)?)?;
         let mut study = drawing.study("", chart::tables(&measured), chart::page(&measured, extent))?;
-        study.pictures.push(("chart-answers", chart::picture_of_answers(&measured)));
+        let text = study.tables.iter().find(|(name, _)| *name == ANSWERS.name).map_or("", |(_, text)| text);
+        let answers = Table::read(text, ANSWERS.columns).map_err(Failure::refused)?;
+        study.pictures.extend((ANSWERS.draw)(&answers));
         study.write("chart", arguments)?;
         study.table
     };
     before.iter().flat_map(|before| chart::changes(before, &now)).for_each(terminal::line);
     Ok(())
+}
+
+/// Answers of whole runs, a table beside the chart's own.
+const ANSWERS: Drawing = Drawing {
+    name: "chart-answers",
+    sources: CHART,
+    columns: &chart::COLUMNS_OF_ANSWERS,
+    draw: &|table| vec![("chart-answers", chart::picture_of_answers(table))],
+};
+
+/// The picture of the answers beside an earlier table of the chart, where they are.
+fn answers_again(chart: &Path, arguments: &StudyArguments) -> Result<(), Failure> {
+    let file = chart.with_file_name(format!("{}.csv", ANSWERS.name));
+    if !file.exists() {
+        return Ok(());
+    }
+    let arguments = StudyArguments { out: Some(folder(arguments, "chart")), ..arguments.clone() };
+    ANSWERS.again(&file, &arguments).map(drop)
 }
 
 /// Cases and verdicts; ends with exit code 1 if the program was wrong and did not say so.

@@ -116,7 +116,12 @@ pub(super) fn range_profile(header: &CubeHeader, rdm: &RdmFrame, form: Form) -> 
         y_label: format!("level, {}", header.unit.level_unit()),
         x_scale: Scale::Linear,
         y_scale: Scale::Linear,
-        lines: vec![Line { name: "strongest cell over all velocities".into(), points, marked: false }],
+        lines: vec![Line {
+            name: "strongest cell over all velocities".into(),
+            points,
+            marked: false,
+            words: vec![],
+        }],
     };
     Ok(plot.draw(form))
 }

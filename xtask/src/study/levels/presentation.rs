@@ -94,6 +94,7 @@ pub(in crate::study) fn picture(table: &Table) -> Svg {
             .map(|row| [row.number("asked_db"), row.number("reduce_seconds") + row.number("echo_seconds")])
             .collect(),
         marked: true,
+        words: vec![],
     };
     let plot = LinePlot {
         title: "Levels of detail: processor seconds of reducing the paths and of the echo".into(),

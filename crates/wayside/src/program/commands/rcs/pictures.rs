@@ -233,8 +233,10 @@ fn line_plot(title: &str, x_label: &str, y_label: &str, lines: Vec<Line>) -> Lin
 }
 
 fn over_azimuth(request: &RcsRequest, table: &ArrayView3<Complex64>) -> LinePlot {
-    let lines =
-        cuts(request, table).into_iter().map(|(name, points)| Line { name, points, marked: false }).collect();
+    let lines = cuts(request, table)
+        .into_iter()
+        .map(|(name, points)| Line { name, points, marked: false, words: vec![] })
+        .collect();
     line_plot("Radar cross section over azimuth", "azimuth, degrees", "|S|², dBsm", lines)
 }
 
@@ -248,6 +250,7 @@ fn over_frequency(request: &RcsRequest, table: &ArrayView3<Complex64>) -> LinePl
             .map(|(f, hz)| [1e-9 * hz, dbsm(&table[[f, 0, a]])])
             .collect(),
         marked: false,
+        words: vec![],
     };
     let lines = few(request.azimuth_rad.len()).into_iter().map(line).collect();
     line_plot("Radar cross section over frequency", "frequency, GHz", "|S|², dBsm", lines)
@@ -268,7 +271,7 @@ fn profile(
         let [low_m, high_m] = Look::of(request, request.azimuth_rad[a]).extent(mesh).range_m;
         let profile = isar::range_profile(&request.frequency_hz, &samples, 0.5 * (low_m + high_m));
         let points = profile.iter().map(|(range_m, s)| [*range_m, dbsm(s)]).collect();
-        Line { name: azimuth_name(request, a), points, marked: false }
+        Line { name: azimuth_name(request, a), points, marked: false, words: vec![] }
     };
     let lines = few(request.azimuth_rad.len()).into_iter().map(line).collect();
     let range = Samplings { cross_range: None, ..*samplings };
