@@ -62,6 +62,8 @@ pub(crate) struct GivenUp {
     /// Area across the wave of beams over L₁L₂ of the nearest facet, as S is over that of [`Plan::view`]:
     /// with independent phases, with equal ones.
     pub(crate) beams: [f64; 2],
+    /// Mean over the frame of the power that blends miss beyond what they do at the moment of the check.
+    pub(crate) blends_power: f64,
 }
 
 /// Bodies of another moment, traced and integrated anew.
@@ -181,7 +183,8 @@ impl FrameError {
         let second = reference.second.as_ref().map(|(view, bodies)| missed(view, bodies));
         // The reference is integrated as finely as the paths: what both err by is added.
         let integration_power = reference.integration.power;
-        let error_power = second.map_or(first, |second| 0.5 * (first + second)) + integration_power;
+        let compared = second.map_or(first, |second| 0.5 * (first + second));
+        let error_power = compared + integration_power + given_up.blends_power;
         let [beams, beams_at_most] = given_up.beams;
         let scale = (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
         Self {

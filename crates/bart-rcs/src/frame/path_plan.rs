@@ -19,8 +19,8 @@ use std::f64::consts::TAU;
 /// Most nodes that a frame of rigid bodies is blended from along one axis (`frame/blends.rs`).
 pub const MOMENTS_MAX: u32 = 33;
 
-/// Fewest moments that a frame is split into.
-pub(crate) const MOMENTS_LEAST: u32 = 9;
+/// Number of moments of a frame of which it is not known yet how few do.
+pub(crate) const MOMENTS_USUAL: u32 = 9;
 
 /// Paths of a frame from which on no finer table is tried, of cells or of moments: 0.9 GB of them, in three
 /// or four copies while they are measured.
@@ -29,7 +29,7 @@ pub(crate) const PATHS_MAX: usize = 2_000_000;
 /// Whether a frame of so many moments and paths may have so many paths that no finer grid of moments was
 /// tried: were all of them on ways that change, they would be more than a frame may have.
 pub fn paths_are_at_limit(moments: u32, paths: u64) -> bool {
-    let finer = if moments == 1 { MOMENTS_LEAST } else { 2 * moments - 1 };
+    let finer = if moments == 1 { MOMENTS_USUAL } else { 2 * moments - 1 };
     moments < MOMENTS_MAX && paths / u64::from(moments) * u64::from(finer) > PATHS_MAX as u64
 }
 

@@ -6,7 +6,7 @@ use crate::frame::cells::cell_room::CellRoom;
 use crate::frame::cells::edge_cells::{edge_cells, truncation_cells};
 use crate::frame::cells::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
 use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
-use crate::frame::path_plan::{MOMENTS_LEAST, MOMENTS_MAX, PATHS_MAX, Plan, SampledBand, WHEEL_STEPS};
+use crate::frame::path_plan::{MOMENTS_MAX, MOMENTS_USUAL, PATHS_MAX, Plan, SampledBand, WHEEL_STEPS};
 use crate::frame::path_pruning::{Kept, pruned};
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
@@ -215,7 +215,7 @@ impl<'a> Fit<'a> {
         let largest = alone(largest_m, 0)?;
         let most = largest.paths.len().saturating_mul(MOMENTS_MAX as usize);
         let (best, tried) = self.with_smaller_cells(largest, most, 0, &alone)?;
-        if self.is_met(&best) || tried <= most.min(PATHS_MAX / MOMENTS_LEAST as usize) {
+        if self.is_met(&best) || tried <= most.min(PATHS_MAX / MOMENTS_USUAL as usize) {
             return split(best, 0);
         }
         let blended = split_to(largest_m, best.paths_bytes())?;
@@ -278,7 +278,7 @@ impl<'a> Fit<'a> {
         let Kept { mut paths, dropped_power, strongest_dropped } =
             self.parts.paths(cell_m, &integration.accuracy_of_body, others)?;
         paths.extend_from_slice(self.points);
-        let given_up = GivenUp { paths_power: dropped_power, beams: self.beams_given_up };
+        let given_up = GivenUp { paths_power: dropped_power, beams: self.beams_given_up, blends_power: 0.0 };
         let error = FrameError::measured_on(self.parts.plan, &paths, self.points, self.reference, &given_up);
         let of = |(target, accuracy): (&Target, &f64)| IntegralFineness {
             body: target.id.clone(),

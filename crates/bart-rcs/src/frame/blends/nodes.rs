@@ -8,7 +8,7 @@
 
 use crate::beams::body_ways::BodyWays;
 use crate::frame::band_power::mean_difference;
-use crate::frame::blends::axis::{BlendAxis, FINEST, LOOKED_AT};
+use crate::frame::blends::axis::{BlendAxis, FINEST, LOOKED_AT, SHARE_OF_LOOKS};
 use crate::frame::blends::changing_ways::{FIELD_FREQUENCIES, bodies, field, ways_that_change};
 use crate::frame::path_pruning::pruned_alike;
 use crate::frame::path_sum::PathView;
@@ -121,13 +121,23 @@ impl<'a> Nodes<'a> {
 
     /// Mean power of what the blend of a grid misses halfway between its nodes, where all are traced.
     pub(super) fn missed_halfway(&self, steps: u32) -> f64 {
-        let missed = |place: u32| {
-            let view = self.view(place);
-            let exact = field(self.at.get(&place), self.surroundings.scenery.plan, &view);
-            mean_difference(&exact, &self.blended_field(steps, &view))
-        };
         let places = (0..steps).map(|i| (2 * i + 1) * (FINEST / (2 * steps)));
-        places.map(missed).sum::<f64>() / f64::from(steps)
+        places.map(|place| self.missed(place, steps)).sum::<f64>() / f64::from(steps)
+    }
+
+    /// Mean power over the frame of what the blend misses beyond what the check tells, by the places that
+    /// were looked at: nothing where these are nodes of the grid.
+    pub(super) fn missed_beside_check(&self) -> f64 {
+        let between = LOOKED_AT.into_iter().filter(|place| place % (FINEST / self.steps) != 0);
+        let missed: f64 = between.map(|place| self.missed(place, self.steps)).sum();
+        SHARE_OF_LOOKS * missed / LOOKED_AT.len() as f64
+    }
+
+    /// Power of what the blend of a grid misses at a place that is traced.
+    fn missed(&self, place: u32, steps: u32) -> f64 {
+        let view = self.view(place);
+        let exact = field(self.at.get(&place), self.surroundings.scenery.plan, &view);
+        mean_difference(&exact, &self.blended_field(steps, &view))
     }
 
     /// S of the blend of a grid over the band, of the nodes that have a share in it there.
