@@ -9,7 +9,7 @@ use artifact::radar::Polarization;
 use artifact::scene::{Mesh, SceneFrame, SceneHeader};
 use artifact::settings::{Edges, NodeRule, Sides};
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use bart_rcs::{FrameSurroundings, PathView, Standpoint, Tracer, scattering_of_paths};
+use bart_rcs::{BartError, FrameSurroundings, PathView, Standpoint, Tracer, scattering_of_paths};
 use glam::DVec3;
 use num_complex::Complex64;
 use po_sbr::{Aspect, Bracket, po};
@@ -170,6 +170,27 @@ fn the_two_ways_by_the_road_come_in_pairs_that_add() {
         pair.norm() / of(false, false)[1][1].norm(),
         2.0 * fresnel()[1].norm()
     );
+}
+
+/// What lies below a road is not seen; without one it is as free as any other body.
+#[test]
+fn a_body_below_the_road_is_refused_by_its_name() {
+    for (z_m, road, is_refused) in [
+        (-0.1, smooth(Material::Conductor), true),
+        (-0.1, None, false),
+        (0.0, smooth(Material::Conductor), false),
+    ] {
+        let (header, mut frame) = scene(road);
+        frame.poses[0].position_m[2] = z_m;
+        let found = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE);
+        match found {
+            Err(BartError::BodyBelowRoad { body, highest_m }) => {
+                assert!(is_refused && body == "car-0" && (highest_m + 0.085).abs() < 1e-9, "{highest_m}");
+            }
+            Ok(_) => assert!(!is_refused, "{z_m} m"),
+            Err(other) => panic!("{other}"),
+        }
+    }
 }
 
 #[test]

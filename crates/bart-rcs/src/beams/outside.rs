@@ -27,7 +27,10 @@ impl BeamTree {
     pub(crate) fn check_open(&self, world: &World) -> Result<(), BartError> {
         match (self.antenna, self.audit.orders.first()) {
             // Through sheets it lights what stands behind them as well, and waves leave.
-            (Antenna::Point(_), Some(first)) if !world.has_sheets() => check_enclosed(first.incident_section),
+            (Antenna::Point(_), Some(first)) if !world.has_sheets() => {
+                let lit = self.beams.iter().take_while(|beam| beam.order == 1);
+                check_enclosed(world, first.incident_section, lit.map(|beam| (beam.facet, beam.section)))
+            }
             _ => Ok(()),
         }
     }

@@ -12,6 +12,7 @@ use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::section::triangle_sr;
 use crate::oversight::error::BartError;
 use glam::DVec3;
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 /// Refuses an antenna nearer to a facet than a wavelength, or inside a closed body whose facets are wound one
@@ -26,15 +27,38 @@ pub(crate) fn check_stand(world: &World, antenna: Antenna, wavelength_m: f64) ->
     if world.has_sheets() {
         return Ok(());
     }
-    check_enclosed(world.facets().iter().map(|facet| seen_from(at_m, facet)).sum::<f64>().abs())
+    let taken_sr = world.facets().iter().map(|facet| seen_from(at_m, facet));
+    let parts = (0..).zip(taken_sr.clone());
+    check_enclosed(world, taken_sr.sum::<f64>().abs(), parts)
 }
 
-/// Refuses an antenna that facets surround on all sides, by what they take of all directions, sr.
-pub(crate) fn check_enclosed(taken_sr: f64) -> Result<(), BartError> {
+/// Refuses an antenna that facets surround on all sides, by what they take of all directions, sr; `parts` of
+/// it are those of single facets, by which the bodies are named.
+pub(crate) fn check_enclosed(
+    world: &World,
+    taken_sr: f64,
+    parts: impl Iterator<Item = (u32, f64)>,
+) -> Result<(), BartError> {
     // Rounding of a solid angle is below 1e-9 of it; a gap of a millionth of all directions is 4 mm wide at 1
     // m.
-    const ALL: f64 = 4.0 * PI * (1.0 - 1e-6);
-    if taken_sr >= ALL { Err(BartError::AntennaEnclosed { share: taken_sr / (4.0 * PI) }) } else { Ok(()) }
+    const GAP_SR: f64 = 4.0 * PI * 1e-6;
+    if taken_sr < 4.0 * PI - GAP_SR {
+        return Ok(());
+    }
+    let mut by_body: BTreeMap<&str, f64> = BTreeMap::new();
+    parts.for_each(|(facet, sr)| *by_body.entry(world.id_of_body(facet)).or_default() += sr);
+    let mut walls: Vec<(&str, f64)> = by_body.into_iter().map(|(body, sr)| (body, sr.abs())).collect();
+    walls.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+    // As many as leave no more than the gap: a closed body elsewhere takes as much with its front as with its
+    // back.
+    let mut left_sr = 4.0 * PI;
+    let is_needed = |&(_, sr): &(&str, f64)| {
+        let is_needed = left_sr > GAP_SR;
+        left_sr -= sr;
+        is_needed
+    };
+    let bodies = walls.into_iter().take_while(is_needed).map(|(body, _)| body.to_owned()).collect();
+    Err(BartError::AntennaEnclosed { bodies, share: taken_sr / (4.0 * PI) })
 }
 
 /// An antenna's distance from the box about all facets, and the box's diagonal, m.
@@ -136,6 +160,7 @@ mod tests {
         for at_m in [[0.0; 3], [0.1, 0.0, 0.0], [0.49, 0.49, -0.49]] {
             assert!(matches!(standing(at_m), Err(BartError::AntennaEnclosed { .. })), "{at_m:?}");
         }
-        assert!(check_enclosed(4.0 * PI * 0.99).is_ok() && check_enclosed(4.0 * PI * (1.0 - 1e-9)).is_err());
+        let of_share = |share: f64| check_enclosed(&cube(), 4.0 * PI * share, std::iter::empty());
+        assert!(of_share(0.99).is_ok() && of_share(1.0 - 1e-9).is_err());
     }
 }

@@ -87,7 +87,10 @@ impl World {
         }
         let world = Self::of_bodies(bodies, None)?.with_sheets(header.materials.transmission);
         let world = match &header.road {
-            Some(road) => world.over(road)?,
+            Some(road) => {
+                world.check_above_road()?;
+                world.over(road)?
+            }
             None => world,
         };
         let limit = models.memory_limit.shared(world.bytes() as u64, 1);
@@ -122,6 +125,20 @@ impl World {
         let images = self.bodies.iter().map(Body::below_road);
         let bodies = self.bodies.iter().cloned().chain(images).collect();
         Ok(Self { between_bodies: self.between_bodies, ..self.of_other_bodies(bodies, Some(road.clone()))? })
+    }
+
+    /// Refuses a body that lies wholly below the road z = 0.
+    pub(crate) fn check_above_road(&self) -> Result<(), BartError> {
+        let below = self.facets.chunk_by(|a, b| a.id.body == b.id.body).find_map(|facets| {
+            let heights_m = facets.iter().flat_map(|facet| facet.corners_m).map(|corner| corner.z);
+            let highest_m = heights_m.fold(f64::NEG_INFINITY, f64::max);
+            (highest_m < -self.tolerance_m).then_some((facets[0].id.body, highest_m))
+        });
+        below.map_or(Ok(()), |(target, highest_m)| {
+            let body = self.bodies.iter().find(|body| body.target == target);
+            let body = body.map_or(String::new(), |body| body.id.to_string());
+            Err(BartError::BodyBelowRoad { body, highest_m })
+        })
     }
 
     /// These bodies, with ways followed from one to another.

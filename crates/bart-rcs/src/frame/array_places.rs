@@ -3,7 +3,6 @@
 
 use crate::bodies::motion::RigidMotion;
 use artifact::Radar;
-use artifact::material::Road;
 use artifact::paths::ArraySpan;
 use artifact::scene::Pose;
 use glam::{DMat3, DVec3};
@@ -54,14 +53,14 @@ impl RowEnds {
 }
 
 impl ArrayRow {
-    /// The row of a scene's array. Over a road both ends are traced at one place.
-    pub(crate) fn of(radar: &Radar, road: Option<&Road>) -> Self {
+    /// The row of a scene's array.
+    pub(crate) fn of(radar: &Radar) -> Self {
         let [right, up, _] = axes(radar);
-        let [across, upright] = [right, up].map(|axis| Self::along(axis, radar, road));
+        let [across, upright] = [right, up].map(|axis| Self::along(axis, radar));
         if upright.half_m > across.half_m { upright } else { across }
     }
 
-    fn along(axis: DVec3, radar: &Radar, road: Option<&Road>) -> Self {
+    fn along(axis: DVec3, radar: &Radar) -> Self {
         let centre = DVec3::from_array(radar.position_m);
         let half = |elements: &[[f64; 3]]| {
             let away = elements.iter().map(|m| axis.dot(DVec3::from_array(*m) - centre).abs());
@@ -69,7 +68,6 @@ impl ArrayRow {
         };
         let [tx, rx] = [half(&radar.array.tx_m), half(&radar.array.rx_m)];
         let (half_m, ends) = match (tx, rx) {
-            _ if road.is_some() => (0.5 * (tx + rx), RowEnds::Both),
             _ if tx > WIDER * rx => (tx, RowEnds::Transmitters),
             _ if rx > WIDER * tx => (rx, RowEnds::Receivers),
             _ => (0.5 * (tx + rx), RowEnds::Both),
@@ -92,8 +90,11 @@ const ALIKE: f64 = 0.1;
 /// Least part by which a pair has to show more of what changes to be taken for the first one.
 const MORE: f64 = 1.01;
 /// Elements nearer to one another see the same of a body, which is then traced from their middle alone: half
-/// the work.
+/// the work. Not so in the cross polarization, most of which may be what a wave turns by from one element to
+/// the other.
 const TOGETHER_M: f64 = 0.05;
+/// Elements nearer to one another stand in one place.
+const ONE_PLACE_M: f64 = 1e-6;
 
 /// The transmitter and the receiver of the array that a frame's paths are checked with: of those whose middle
 /// is about as far from the radar's position as the root mean square of all pairs', and which are as far from
@@ -101,13 +102,12 @@ const TOGETHER_M: f64 = 0.05;
 ///
 /// Of such pairs the one is taken to which bodies, at the moment of the check, show most of another side than
 /// they do to the middle at the frame's middle: from an element that a body drives past at its pace nothing
-/// would seem to change. Over a road, and where they are near each other, both stand in their middle.
+/// would seem to change. Where they are near each other both stand in their middle.
 ///
 /// Of a wide array a second pair is told, on the other side: what its ends see differs by more than one pair
 /// tells.
 pub(super) fn checked_from_m(
     radar: &Radar,
-    road: Option<&Road>,
     poses: &[Pose],
     [middle_s, check_s]: [f64; 2],
 ) -> ([DVec3; 2], Option<[DVec3; 2]>) {
@@ -119,7 +119,8 @@ pub(super) fn checked_from_m(
     let away_m = |pair: &[DVec3; 2]| middle_m(pair).distance(centre_m);
     let apart_m = |pair: &[DVec3; 2]| pair[0].distance(pair[1]);
     let [away_rms_m, apart_rms_m] = [rms(&away_m), rms(&apart_m)];
-    let is_wide = road.is_none() && apart_rms_m > TOGETHER_M;
+    let (sent, heard) = radar.array.polarization.indices();
+    let is_wide = apart_rms_m > if sent == heard { TOGETHER_M } else { ONE_PLACE_M };
     let miss = |pair: &[DVec3; 2]| {
         let of_distance = if is_wide { (apart_m(pair) - apart_rms_m).abs() } else { 0.0 };
         (away_m(pair) - away_rms_m).abs() + of_distance
@@ -166,7 +167,7 @@ fn turned(pose: &Pose, views: [(DVec3, f64); 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bodies::road::usual_road;
+    use artifact::radar::Polarization;
     use radar::aperture::Preset;
     use radar::paper;
 
@@ -185,7 +186,7 @@ mod tests {
     }
 
     fn checked_m(array: Preset, poses: &[Pose]) -> [DVec3; 2] {
-        checked_from_m(&radar(array), None, poses, [5e-3, 8e-3]).0
+        checked_from_m(&radar(array), poses, [5e-3, 8e-3]).0
     }
 
     /// A body that drives to the right shows its left: from an element to the left of the middle more of it,
@@ -208,19 +209,28 @@ mod tests {
         let [tx_m, rx_m] = checked_m(Preset::TwelveBySixteen, &[]);
         // Transmitters 16 half wavelengths apart: 12 of them are 101 mm rms from receivers about the middle.
         assert!((0.08..0.13).contains(&tx_m.distance(rx_m)), "{}", tx_m.distance(rx_m));
-        let (first, second) = checked_from_m(&radar(Preset::TwelveBySixteen), None, &[], [5e-3, 8e-3]);
+        let (first, second) = checked_from_m(&radar(Preset::TwelveBySixteen), &[], [5e-3, 8e-3]);
         let [first, second] = [first, second.unwrap()].map(|pair| middle_m(&pair).x);
         assert!(first * second < 0.0 && (first + second).abs() < 0.02, "{first} and {second} m");
     }
 
     #[test]
-    fn ways_are_traced_along_the_wider_row_and_over_a_road_along_the_middles() {
+    fn a_cross_polarized_array_is_checked_with_a_pair_however_narrow_it_is() {
+        let pairs_m = |array: Preset| {
+            let mut radar = radar(array);
+            radar.array.polarization = Polarization::Vh;
+            checked_from_m(&radar, &[], [5e-3, 8e-3])
+        };
+        let ([tx_m, rx_m], second) = pairs_m(Preset::ThreeByFour);
+        assert!(tx_m != rx_m && second.is_some());
+        assert_eq!(pairs_m(Preset::OneByOne).1, None, "one element is one place");
+    }
+
+    #[test]
+    fn ways_are_traced_along_the_wider_row() {
         let half_wavelength_m = 1.93e-3;
-        let row = ArrayRow::of(&radar(Preset::TwelveBySixteen), None);
+        let row = ArrayRow::of(&radar(Preset::TwelveBySixteen));
         assert_eq!(row.ends, RowEnds::Transmitters);
         assert!((row.half_m / half_wavelength_m - 88.0).abs() < 1.0 && row.axis.x.abs() > 0.999);
-        let over_road = ArrayRow::of(&radar(Preset::TwelveBySixteen), usual_road().as_ref());
-        assert_eq!(over_road.ends, RowEnds::Both);
-        assert!((over_road.half_m / half_wavelength_m - 0.5 * (88.0 + 7.5)).abs() < 1.0);
     }
 }

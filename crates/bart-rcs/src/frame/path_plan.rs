@@ -73,11 +73,10 @@ impl<'a> Plan<'a> {
         let check_offset_s = check_offset_s(header.radar.frame_duration_s());
         let check_s = middle_s + check_offset_s;
         let position_m = DVec3::from_array(header.radar.position_m);
-        let (check_ends_m, second) =
-            checked_from_m(&header.radar, header.road.as_ref(), &frame.poses, [middle_s, check_s]);
+        let (check_ends_m, second) = checked_from_m(&header.radar, &frame.poses, [middle_s, check_s]);
         let second_check = second.map(|ends_m| (ends_m, middle_s - check_offset_s));
         let check_m = 0.5 * (check_ends_m[0] + check_ends_m[1]);
-        let row = ArrayRow::of(&header.radar, header.road.as_ref());
+        let row = ArrayRow::of(&header.radar);
         Self {
             header,
             position_m,

@@ -9,17 +9,23 @@ use crate::bodies::world::World;
 use crate::frame::band_power::frequencies_hz;
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
+use crate::joins::afforded::are_few_tiles;
+use crate::joins::band::INTERPOLATION_ERROR;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
+use crate::surface::skin::{COARSER, told_error};
+use crate::table::aspect_settings::{Finer, IntegralsCheck};
 use crate::table::far_field_error::Compared;
 use crate::table::measured_aspects::interpolation_error;
 use crate::table::meeting::{MeetingSettings, OrderJoints};
 use crate::table::rcs_table::next_order;
+use crate::table::small_mirrors::SmallMirrors;
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, TargetKind};
+use artifact::settings::{Edges, Surface};
 use artifact::units::{SPEED_OF_LIGHT_MPS, amplitude_ratio};
 use artifact::{ErrorBudget, ModelError};
 use glam::{DMat3, DVec3};
@@ -51,9 +57,9 @@ pub(crate) fn rcs_frame(
                 let meshes = header.meshes.len();
                 let missing = || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes };
                 let mesh = header.meshes.get(mesh as usize).ok_or_else(missing)?;
-                let world = World::alone(models, target, mesh.makeup.transmission)?;
-                let body = TabledBody::new(header, mesh, world, pose);
-                let (of_body, table) = body.measured_table(index)?;
+                let alone = |models: &Models| World::alone(models, target, mesh.makeup.transmission);
+                let body = TabledBody::new(header, mesh, alone(models)?, pose);
+                let (of_body, table) = body.measured_table(index, &alone)?;
                 powers.add(&of_body);
                 table
             }
@@ -79,6 +85,9 @@ const INSTANTS: usize = 9;
 /// Turn of phase below which an aspect stays as it is; the rounding of angles turns a body of 100 m by less.
 const STILL_RAD: f64 = 1e-6;
 
+/// Maker of a body's world of models.
+type Alone<'a> = dyn Fn(&Models) -> Result<World, BartError> + 'a;
+
 /// A body in its own frame and the aspects it shows the radar during the frame.
 struct TabledBody<'a> {
     header: &'a SceneHeader,
@@ -92,8 +101,13 @@ struct TabledBody<'a> {
 struct Powers {
     total: f64,
     by_order: Vec<f64>,
-    /// Error that the integrals may have over frequency.
-    interpolation: f64,
+    /// Error of the integrals, as measured or by what they may have over frequency.
+    integration: f64,
+    /// Difference to coarser facets in place of a skin, and what the facets were cut for.
+    tessellation: f64,
+    cut_for: f64,
+    /// Power of all beams given up, with independent phases.
+    dropped: f64,
     /// Error of frozen shadows at the end of the sweep.
     freezing: f64,
     /// Difference from the spherical wave, and that wave's own power: the truth that a relative error is told
@@ -108,13 +122,14 @@ impl<'a> TabledBody<'a> {
         Self { header, pose, world, radius_m }
     }
 
-    /// One tree at the middle aspect serves the table and what its errors are told from.
-    fn measured_table(&self, target: u32) -> Result<(Powers, RcsTable), BartError> {
+    /// One tree at the middle aspect serves the table and what its errors are told from; `alone` makes the
+    /// body's world of other models.
+    fn measured_table(&self, target: u32, alone: &Alone<'_>) -> Result<(Powers, RcsTable), BartError> {
         let middle = self.to_radar_m(self.header.radar.frame_middle_s());
         let tree = self.trace(Antenna::Direction(middle / middle.length()))?;
         let scatterer = self.scatterer(&tree, middle);
         let meetings = self.meetings(&scatterer);
-        Ok((self.powers(&scatterer, &meetings)?, self.table(target, &scatterer, &meetings)))
+        Ok((self.powers(&scatterer, &meetings, alone)?, self.table(target, &scatterer, &meetings)))
     }
 
     /// Vector from the body's origin to the radar, body axes.
@@ -145,7 +160,12 @@ impl<'a> TabledBody<'a> {
     }
 
     /// Powers that the errors of the table are told from, at a few frequencies.
-    fn powers(&self, scatterer: &Scatterer<'_>, meetings: &[OrderJoints]) -> Result<Powers, BartError> {
+    fn powers(
+        &self,
+        scatterer: &Scatterer<'_>,
+        meetings: &[OrderJoints],
+        alone: &Alone<'_>,
+    ) -> Result<Powers, BartError> {
         const FREQUENCIES: usize = 12;
         let waveform = &self.header.radar.waveform;
         let (centre_hz, bandwidth_hz) = (waveform.centre_frequency_hz(), waveform.bandwidth_hz());
@@ -154,21 +174,82 @@ impl<'a> TabledBody<'a> {
         let [middle, last] =
             [0.5, 1.0].map(|share| self.to_radar_m(share * self.header.radar.frame_duration_s()));
         let last_r = last / last.length();
-        let by_order = self.by_order(scatterer, meetings, &wavenumbers);
+        let by_order = self.by_order(scatterer, meetings, &self.integration(&wavenumbers));
         let table = total(&by_order, wavenumbers.len());
         let frozen = self.sums(&scatterer.turned_to(last_r), meetings, &wavenumbers);
         let anew = self.anew(Antenna::Direction(last_r), last, &wavenumbers)?;
         let spherical = self.anew(Antenna::Point(middle), middle, &wavenumbers)?;
         let near = Compared::of(&table, &spherical);
         let weight = middle.length().powi(-4);
+        let of_frequencies = wavenumbers.len() as f64;
         Ok(Powers {
             total: weight * power(&table),
-            interpolation: weight * power(&table) * self.interpolation_error().powi(2),
+            integration: weight * self.integration_power(scatterer, meetings, (&table, &wavenumbers)),
+            tessellation: weight * self.tessellation_power(alone, middle, (&table, &wavenumbers))?,
+            cut_for: self.world.skin_error(),
+            dropped: weight * of_frequencies * self.dropped_m(scatterer, meetings, &wavenumbers).powi(2),
             by_order: by_order.iter().map(|s| weight * power(s)).collect(),
             freezing: weight * difference(&frozen, &anew),
             far_field: weight * near.difference,
             spherical: weight * near.spherical,
         })
+    }
+
+    /// Power of what the integrals err by at the middle aspect: by what finer ones differ, but of flat facets
+    /// alone, whose closed form is exact.
+    fn integration_power(
+        &self,
+        scatterer: &Scatterer<'_>,
+        meetings: &[OrderJoints],
+        (table, wavenumbers): (&[Complex64], &[f64]),
+    ) -> f64 {
+        let edges = self.header.fidelity.edges;
+        let is_bent = self.world.skin_error() > 0.0;
+        let integration = self.integration(wavenumbers);
+        let interpolation = power(table) * self.interpolation_error().powi(2);
+        if edges == Edges::Ignored && !is_bent {
+            return interpolation;
+        }
+        let facets = meetings.iter().map(|meeting| &meeting.facets);
+        let is_few = is_bent && are_few_tiles(scatterer, facets, &integration);
+        let finer = if is_few { Finer::Far } else { Finer::TenTimes };
+        let accuracy = finer.bounds() * integration.accuracy;
+        let finer_m = self.by_order(scatterer, meetings, &Integration { accuracy, ..integration });
+        let finer_m = total(&finer_m, wavenumbers.len());
+        let bounds = (integration.accuracy, edges);
+        let compared = (difference(table, &finer_m), finer);
+        IntegralsCheck::Compared.error_power(compared, bounds, power(&finer_m)) + interpolation
+    }
+
+    /// Power of the difference that coarser facets in place of a skin make at the middle aspect; none where
+    /// facets are the surface.
+    fn tessellation_power(
+        &self,
+        alone: &Alone<'_>,
+        middle: DVec3,
+        (table, wavenumbers): (&[Complex64], &[f64]),
+    ) -> Result<f64, BartError> {
+        if self.header.fidelity.surface == Surface::Flat {
+            return Ok(0.0);
+        }
+        let models = Models::build_coarser(self.header, COARSER * self.world.skin_error())?;
+        let coarser = TabledBody { world: alone(&models)?, ..*self };
+        let coarser_m = coarser.anew(Antenna::Direction(middle / middle.length()), middle, wavenumbers)?;
+        Ok(difference(table, &coarser_m))
+    }
+
+    /// Amplitude of all beams given up, with independent phases.
+    fn dropped_m(&self, scatterer: &Scatterer<'_>, meetings: &[OrderJoints], wavenumbers: &[f64]) -> f64 {
+        let trace = self.trace_settings();
+        let mut mirrors = SmallMirrors::of(scatterer.trees, trace.max_order, trace.least_mirror_area_m2);
+        let (integration, polarization) =
+            (self.integration(wavenumbers), self.header.radar.array.polarization);
+        for meeting in meetings {
+            mirrors.add(mirrors.hits(scatterer, &meeting.facets, &integration, polarization));
+        }
+        let overlaps = meetings.iter().map(|meeting| meeting.facets.given_up);
+        let [dropped_m, _] = mirrors.dropped_m(scatterer.trees, overlaps, (trace.max_order, wavenumbers));
+        dropped_m
     }
 
     fn anew(
@@ -224,10 +305,15 @@ impl<'a> TabledBody<'a> {
         }
     }
 
-    /// Error that integrals may have over frequency, relative to S.
+    /// Error that integrals may have over frequency, relative to S: all but closed forms are taken at few
+    /// frequencies, and so are layers.
     fn interpolation_error(&self) -> f64 {
-        let frequencies = self.frequency_axis().len();
-        interpolation_error(&self.world, frequencies, self.header.fidelity.accuracy.amplitude())
+        let (frequencies, accuracy) =
+            (self.frequency_axis().len(), self.header.fidelity.accuracy.amplitude());
+        match self.world.skin_error() > 0.0 || self.header.fidelity.edges == Edges::FirstOrder {
+            true => INTERPOLATION_ERROR * accuracy,
+            false => interpolation_error(&self.world, frequencies, accuracy),
+        }
     }
 
     fn sums(
@@ -236,7 +322,7 @@ impl<'a> TabledBody<'a> {
         meetings: &[OrderJoints],
         wavenumbers: &[f64],
     ) -> Vec<Complex64> {
-        total(&self.by_order(scatterer, meetings, wavenumbers), wavenumbers.len())
+        total(&self.by_order(scatterer, meetings, &self.integration(wavenumbers)), wavenumbers.len())
     }
 
     /// S of each order over frequency, in the radar's polarization.
@@ -244,12 +330,11 @@ impl<'a> TabledBody<'a> {
         &self,
         scatterer: &Scatterer<'_>,
         meetings: &[OrderJoints],
-        wavenumbers: &[f64],
+        integration: &Integration<'_>,
     ) -> Vec<Vec<Complex64>> {
-        let integration = self.integration(wavenumbers);
         let (p, q) = self.header.radar.array.polarization.indices();
         let of =
-            |m: &OrderJoints| m.sum(scatterer, DVec3::ZERO, &integration).iter().map(|s| s[p][q]).collect();
+            |m: &OrderJoints| m.sum(scatterer, DVec3::ZERO, integration).iter().map(|s| s[p][q]).collect();
         meetings.iter().map(of).collect()
     }
 
@@ -299,7 +384,10 @@ impl<'a> TabledBody<'a> {
 impl Powers {
     fn add(&mut self, other: &Self) {
         self.total += other.total;
-        self.interpolation += other.interpolation;
+        self.integration += other.integration;
+        self.tessellation += other.tessellation;
+        self.cut_for = self.cut_for.max(other.cut_for);
+        self.dropped += other.dropped;
         self.freezing += other.freezing;
         self.far_field += other.far_field;
         self.spherical += other.spherical;
@@ -311,11 +399,13 @@ impl Powers {
         amplitude_ratio(part, self.total)
     }
 
-    /// Far-field integrals are exact to rounding, but for what is interpolated over frequency; shadows are as
-    /// they were at the middle.
+    /// Integrals are exact to rounding at best; shadows are as they were at the middle.
     fn error(&self) -> ErrorBudget {
+        let told = told_error(self.relative(self.tessellation), self.cut_for);
         ErrorBudget {
-            integration: Some(self.relative(self.interpolation).max(1e-12)),
+            integration: Some(self.relative(self.integration).max(1e-12)),
+            tessellation: (self.cut_for > 0.0).then_some(told),
+            dropped: Some(self.relative(self.dropped)),
             freezing: Some(self.relative(self.freezing)),
             ..ErrorBudget::default()
         }

@@ -33,10 +33,17 @@ pub(crate) struct Scenery<'a> {
 pub(crate) struct Snapshot {
     pub(crate) world: World,
     pub(crate) tree: BeamTree,
-    /// Beams of the antenna with those of its image, where there is a road.
-    received: Option<Received>,
-    /// Beams of the receiver, where it is not where the transmitter is.
-    apart: Option<BeamTree>,
+    arriving: Arriving,
+}
+
+/// Beams of the receiver.
+enum Arriving {
+    /// Those of the transmitter, at whose place it is.
+    AsSent,
+    /// Those of the transmitter with those of its image below the road.
+    WithImage(Received),
+    /// Its own, at another place; over a road with those of its image.
+    Apart(BeamTree),
 }
 
 impl Scenery<'_> {
@@ -49,7 +56,7 @@ impl Scenery<'_> {
             BeamTree::trace_from_outside(&world, antenna, wavelength_m, &plan.trace, plan.progress)
         };
         let (tree, apart) = of_ends(ends_m, traced)?;
-        Ok(Snapshot { apart, ..Snapshot::of(world, tree) })
+        Ok(Snapshot::heard_at(world, tree, apart))
     }
 
     /// Bodies and beams of some ways alone, some `seconds` after the frame's first sample.
@@ -66,7 +73,7 @@ impl Scenery<'_> {
             BeamTree::trace_along(&world, antenna, &plan.trace, ways, plan.progress)
         };
         let (tree, apart) = of_ends(ends_m, traced)?;
-        Ok(Snapshot { apart, ..Snapshot::of(world, tree) })
+        Ok(Snapshot::heard_at(world, tree, apart))
     }
 
     /// The same scene while so many more bytes are held.
@@ -110,10 +117,21 @@ fn moves(pose: &Pose) -> bool {
 }
 
 impl Snapshot {
-    /// Beams of a world.
+    /// Beams of a world, transmitter and receiver at one place.
     pub(crate) fn of(world: World, tree: BeamTree) -> Self {
-        let received = world.road().map(|_| Received::with_image(&world, &tree));
-        Self { world, tree, received, apart: None }
+        Self::heard_at(world, tree, None)
+    }
+
+    /// Beams of a world, and those of a receiver that is not where the transmitter is.
+    fn heard_at(world: World, tree: BeamTree, apart: Option<BeamTree>) -> Self {
+        let is_over_road = world.road().is_some();
+        let arriving = match apart {
+            None if is_over_road => Arriving::WithImage(Received::with_image(&world, &tree)),
+            None => Arriving::AsSent,
+            Some(apart) if is_over_road => Arriving::Apart(Received::with_image(&world, &apart).tree),
+            Some(apart) => Arriving::Apart(apart),
+        };
+        Self { world, tree, arriving }
     }
 
     pub(crate) fn scatterer<'s>(&'s self, plan: &Plan<'s>, phase: Phase) -> Scatterer<'s> {
@@ -123,10 +141,10 @@ impl Snapshot {
     }
 
     fn trees(&self) -> Trees<'_> {
-        match (&self.received, &self.apart) {
-            (Some(received), _) => Trees::ByRoad(&self.tree, received),
-            (None, Some(apart)) => Trees::Apart(&self.tree, apart),
-            (None, None) => Trees::Shared(&self.tree),
+        match &self.arriving {
+            Arriving::AsSent => Trees::Shared(&self.tree),
+            Arriving::WithImage(received) => Trees::ByRoad(&self.tree, received),
+            Arriving::Apart(apart) => Trees::Apart(&self.tree, apart),
         }
     }
 

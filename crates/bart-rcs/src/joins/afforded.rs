@@ -62,7 +62,7 @@ fn fits<'j>(
 /// nothing. A plate's sidelobe is as small as what its tile leaves out.
 pub(crate) const FAR_FINER: f64 = 1.0 / 512.0;
 /// Most tiles of those: polygons that are cut into more of them are of many tiles as it is.
-pub(crate) const FAR_FINER_TILES: u64 = 4096;
+const FAR_FINER_TILES: u64 = 4096;
 
 /// Whether far finer integrals than these are of few tiles.
 pub(crate) fn are_few_tiles<'j>(

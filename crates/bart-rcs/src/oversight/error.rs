@@ -131,6 +131,16 @@ pub enum BartError {
         /// Height of the radar's position.
         height_m: f64,
     },
+    /// A road hides what is below it.
+    #[error(
+        "`{body}` lies wholly below the road z = 0, its highest point at {highest_m:.3} m: no wave comes there"
+    )]
+    BodyBelowRoad {
+        /// Id of the target.
+        body: String,
+        /// Height of its highest point.
+        highest_m: f64,
+    },
     /// An antenna's own near field is no spherical wave.
     #[error(
         "an antenna stands {:.3} mm from a facet of `{body}`; nearer than a wavelength, {:.3} mm at the lowest frequency, its \
@@ -149,11 +159,14 @@ pub enum BartError {
     /// An antenna stands inside a closed body: nothing comes back from there to a distance, and no order of
     /// bounces is the last.
     #[error(
-        "an antenna stands inside a closed body: facets take {:.4} % of all directions from it, so that no wave leaves and no \
-         order of bounces is the last: move it out, or open the body",
+        "an antenna stands inside a closed body: facets of {} take {:.4} % of all directions from it, so that no wave leaves \
+         and no order of bounces is the last: move it out, or open the body",
+        named(bodies),
         100.0 * share
     )]
     AntennaEnclosed {
+        /// Ids of the targets, or the name of the mesh, that shut it in: those that take most come first.
+        bodies: Vec<String>,
         /// Share of all directions that facets take.
         share: f64,
     },
@@ -189,4 +202,12 @@ pub enum BartError {
         /// Range asked for.
         range_m: f64,
     },
+}
+
+/// Names of some bodies in words, the first ones of many.
+fn named(bodies: &[String]) -> String {
+    const TOLD: usize = 4;
+    let told: Vec<String> = bodies.iter().take(TOLD).map(|body| format!("`{body}`")).collect();
+    let more = if bodies.len() > TOLD { format!(" and {} more", bodies.len() - TOLD) } else { String::new() };
+    told.join(", ") + &more
 }

@@ -5,7 +5,7 @@ use crate::beams::beam::BeamTree;
 use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
-use crate::joins::afforded::{FAR_FINER_TILES, are_few_tiles};
+use crate::joins::afforded::are_few_tiles;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
@@ -86,14 +86,12 @@ pub(crate) fn scattering_with(
     ends.check_open()?;
     ends.grow_to(tree_order(settings.bounces, settings.nodes))?;
     let trace_seconds = metered.lap_s();
-    let (chosen, mirrors, accuracy) = ends.chosen(settings)?;
+    let is_measured = checks.integrals != IntegralsCheck::Skipped;
+    let Chosen { orders: chosen, mirrors, accuracy, finer } = ends.chosen(aspect, settings, checks)?;
     let settings = &AspectSettings { accuracy, ..settings.clone() };
     let integrate_seconds = metered.lap_s();
-    let [dropped_m, dropped_at_most_m] = dropped(ends.trees(), &chosen, &mirrors, settings);
+    let [dropped_m, dropped_at_most_m] = ends.dropped_m(&chosen, &mirrors, settings);
     ends.phase = Phase::Checking;
-    let is_measured = checks.integrals != IntegralsCheck::Skipped;
-    let is_few = is_measured && ends.are_few(aspect, settings);
-    let finer = if is_few { Finer::Far } else { Finer::TenTimes };
     let finer_m = is_measured.then(|| ends.finer(&chosen, aspect, (finer, settings))).transpose()?;
     let edges_power = (checks.model == Check::Measured).then(|| ends.edges_power(settings)).flatten();
     let (other_m, left_out_power) = match checks.model {
@@ -200,16 +198,21 @@ impl<'a> Ends<'a> {
         Ok(meetings.par_iter().map(|meeting| of_meeting(&scatterer, meeting, rule, settings).s_m).collect())
     }
 
-    /// Every order by the rule asked for, what small mirrors add to them, and the accuracy of the integrals.
-    fn chosen(&self, settings: &AspectSettings) -> Result<(Vec<OfOrder>, SmallMirrors, f64), BartError> {
+    /// Every order by the rule asked for, with what its errors are told by.
+    fn chosen(
+        &self,
+        aspect: &Aspect,
+        settings: &AspectSettings,
+        checks: Checks,
+    ) -> Result<Chosen, BartError> {
         let (scatterer, rule) = (self.scatterer(), settings.nodes);
         let needed = tree_order(settings.bounces, rule);
         let mut mirrors = SmallMirrors::of(scatterer.trees, needed, settings.trace.least_mirror_area_m2);
         let meetings = meetings(&scatterer, 1, rule, settings);
         let settings = &settings.afforded(&scatterer, &meetings, rule)?;
+        let integration = settings.integration(rule);
         let of_order = |meeting: &OrderJoints| {
-            let hits =
-                mirrors.hits(&scatterer, &meeting.facets, &settings.integration(rule), settings.polarization);
+            let hits = mirrors.hits(&scatterer, &meeting.facets, &integration, settings.polarization);
             (of_meeting(&scatterer, meeting, rule, settings), hits)
         };
         // Side by side: where one order is weighed by one thread, others are integrated.
@@ -218,27 +221,28 @@ impl<'a> Ends<'a> {
             mirrors.add(hits);
             order
         };
-        let chosen = found.into_iter().map(take).collect();
-        Ok((chosen, mirrors, settings.accuracy))
+        let orders = found.into_iter().map(take).collect();
+        let is_asked = checks.integrals != IntegralsCheck::Skipped && self.are_cut(aspect);
+        let facets = meetings.iter().map(|meeting| &meeting.facets);
+        let is_few = is_asked && are_few_tiles(&scatterer, facets, &integration);
+        let finer = if is_few { Finer::Far } else { Finer::TenTimes };
+        Ok(Chosen { orders, mirrors, accuracy: settings.accuracy, finer })
     }
 
     fn scatterer(&self) -> Scatterer<'_> {
-        let transmit = self.transmit.tree();
-        let trees =
-            self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()));
-        Scatterer::new(self.world, trees, self.zenith_h).heard_by(self.phase, self.progress)
+        Scatterer::new(self.world, self.joined_trees(), self.zenith_h).heard_by(self.phase, self.progress)
     }
 
-    /// Whether far finer integrals are of few tiles; not asked where facets are exact.
-    fn are_few(&self, aspect: &Aspect, settings: &AspectSettings) -> bool {
-        let scatterer = self.scatterer();
-        let integration = settings.integration(settings.nodes);
-        let is_few = |meetings: &[OrderJoints]| {
-            are_few_tiles(&scatterer, meetings.iter().map(|meeting| &meeting.facets), &integration)
-        };
-        // More beams than that are as many tiles at least.
-        let has_few_beams = self.beams().iter().all(|beams| *beams <= FAR_FINER_TILES);
-        self.are_cut(aspect) && has_few_beams && is_few(&meetings(&scatterer, 1, settings.nodes, settings))
+    fn joined_trees(&self) -> Trees<'_> {
+        let transmit = self.transmit.tree();
+        self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()))
+    }
+
+    /// Amplitude of what was dropped, as of [`SmallMirrors::dropped_m`].
+    fn dropped_m(&self, orders: &[OfOrder], mirrors: &SmallMirrors, settings: &AspectSettings) -> [f64; 2] {
+        let needed = tree_order(settings.bounces, settings.nodes);
+        let overlaps = orders.iter().map(|order| order.given_up);
+        mirrors.dropped_m(self.joined_trees(), overlaps, (needed, &settings.wavenumbers_per_m))
     }
 
     /// Whether facets are cut into tiles.
@@ -367,6 +371,17 @@ fn edges_of_order(scatterer: &Scatterer<'_>, order: u8, settings: &AspectSetting
     sum.iter().map(|s| s[p][q]).collect()
 }
 
+/// All orders by the rule asked for.
+struct Chosen {
+    orders: Vec<OfOrder>,
+    /// Mirrors that were too small to be followed.
+    mirrors: SmallMirrors,
+    /// Accuracy that the integrals were made with: the one asked for, or a coarser one that is affordable.
+    accuracy: f64,
+    /// Integrals that these are compared with: far finer ones where they are of few tiles.
+    finer: Finer,
+}
+
 /// Contribution of one order.
 struct OfOrder {
     /// S over frequency.
@@ -377,25 +392,6 @@ struct OfOrder {
     whole_power: f64,
     /// Area of overlaps given up, as in [`Joints::given_up`](crate::joins::joint::Joints).
     given_up: [f64; 2],
-}
-
-/// Amplitude of what was dropped, k/√π times the area across the wave of beams dropped, of mirrors that
-/// were not followed and of overlaps too small to be joined: with independent phases and as much of the
-/// mirrors as their likes scatter, and all as one sum.
-fn dropped(
-    trees: [Option<&BeamTree>; 2],
-    orders: &[OfOrder],
-    mirrors: &SmallMirrors,
-    settings: &AspectSettings,
-) -> [f64; 2] {
-    let highest = settings.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
-    let factor = highest / std::f64::consts::PI.sqrt();
-    let needed = tree_order(settings.bounces, settings.nodes);
-    let of_tree = |(end, tree): (usize, &BeamTree)| tree.audit.given_up(needed, mirrors.shares(end));
-    let of_trees = trees.into_iter().flatten().enumerate().map(of_tree);
-    let all = of_trees.chain(orders.iter().map(|order| order.given_up));
-    let [sum_m2, squares_m4] = all.fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
-    [factor * squares_m4.sqrt(), factor * sum_m2]
 }
 
 impl Scattering {

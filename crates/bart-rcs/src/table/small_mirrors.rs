@@ -58,11 +58,10 @@ impl SmallMirrors {
     /// Mirrors of trees whose first `needed` orders are joined, and their mirrors from `least_m2` on
     /// followed.
     pub(crate) fn of(trees: Trees<'_>, needed: u8, least_m2: f64) -> Self {
-        let ends = [Some(trees.transmit()), matches!(trees, Trees::Apart(..)).then(|| trees.receive())];
         let of_end = |(end, tree): (usize, &BeamTree)| {
             (1..needed).filter_map(|order| TreeSample::of(tree, end, order, least_m2)).collect::<Vec<_>>()
         };
-        Self { samples: ends.into_iter().flatten().enumerate().flat_map(of_end).collect() }
+        Self { samples: ends(trees).enumerate().flat_map(of_end).collect() }
     }
 
     /// Hits by the joints of one order, at the highest of the wavenumbers.
@@ -89,12 +88,35 @@ impl SmallMirrors {
         }
     }
 
+    /// Amplitude of what was dropped, k/√π times the area across the wave of beams dropped, of mirrors that
+    /// were not followed and of overlaps too small to be joined, all of which are areas and their squares:
+    /// with independent phases and as much of the mirrors as their likes scatter, and all as one sum.
+    pub(crate) fn dropped_m(
+        &self,
+        trees: Trees<'_>,
+        overlaps: impl Iterator<Item = [f64; 2]>,
+        (needed, wavenumbers_per_m): (u8, &[f64]),
+    ) -> [f64; 2] {
+        let highest = wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+        let factor = highest / PI.sqrt();
+        let of_tree = |(end, tree): (usize, &BeamTree)| tree.audit.given_up(needed, self.shares(end));
+        let all = ends(trees).enumerate().map(of_tree).chain(overlaps);
+        let [sum_m2, squares_m4] = all.fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
+        [factor * squares_m4.sqrt(), factor * sum_m2]
+    }
+
     /// Share of the squared plate bound by order from 1 of an end's tree; 1 where nothing is known.
     pub(crate) fn shares(&self, end: usize) -> impl Fn(u8) -> f64 {
         move |order| {
             self.samples.iter().find(|s| (s.end, s.order) == (end, order)).map_or(1.0, TreeSample::share)
         }
     }
+}
+
+/// Trees of both ends, or the one that they share.
+fn ends(trees: Trees<'_>) -> impl Iterator<Item = &BeamTree> {
+    let receive = matches!(trees, Trees::Apart(..)).then(|| trees.receive());
+    [Some(trees.transmit()), receive].into_iter().flatten()
 }
 
 /// Joints that one thread looks at in turn.

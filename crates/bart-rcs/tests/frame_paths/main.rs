@@ -9,6 +9,7 @@
 mod bodies;
 mod frames;
 mod sidelobes;
+mod tables;
 mod turning;
 mod wheels;
 mod wide_arrays;
@@ -473,4 +474,25 @@ fn a_sweep_over_much_of_its_carrier_is_traced() {
     scene.0.radar.waveform.start_frequency_hz = 1.5e9;
     assert!(4.0 * scene.0.radar.waveform.bandwidth_hz() > scene.0.radar.waveform.centre_frequency_hz());
     assert!(!trace(&scene).paths.is_empty());
+}
+
+/// A closed box about the radar among other bodies: the error names it and no other.
+#[test]
+fn a_radar_inside_a_closed_body_is_refused_with_that_bodys_name() {
+    let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 0.5 } else { -0.5 });
+    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles: Vec<[u32; 3]> = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    let closed = mesh((0..8).map(corner).collect(), triangles.clone());
+    let turned = mesh((0..8).map(corner).collect(), triangles.iter().map(|[a, b, c]| [*b, *a, *c]).collect());
+    let [far, beside] = [3.0, -3.0].map(|x_m| pose([x_m, 20.0, 1.0], [0.0; 3], 0.2));
+    // Wound one way round all facets tell at once, wound either way what the radar lights.
+    let mut either_way = closed.clone();
+    either_way.triangles[0].swap(0, 1);
+    for about in [closed.clone(), turned, either_way] {
+        let about = (about, pose(RADAR_M, [0.0; 3], 0.3));
+        let (header, frame) = scene(&[(closed.clone(), far), about, (cart(0.1), beside)], &[], -20.0, 1);
+        let found = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE);
+        let Err(BartError::AntennaEnclosed { bodies, share }) = found else { panic!("it is not refused") };
+        assert!(bodies == ["body-1"] && share > 0.999, "{bodies:?} {share}");
+    }
 }
