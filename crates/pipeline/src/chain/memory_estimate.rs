@@ -100,8 +100,8 @@ impl Chain<'_> {
         Ok(of_held(most.min(fitting).max(1)))
     }
 
-    /// Memory that the tracing of one of these frames may take: an equal part, for each that is traced, of what
-    /// the program and the cubes and maps of the other frames that are held leave.
+    /// Memory that the tracing of one of these frames may take: an equal part, for each that is traced, of
+    /// what the program and the cubes and maps of the other frames that are held leave.
     pub(crate) fn tracing_share(&self, AtOnce { workers, held }: AtOnce) -> MemoryLimit {
         let of_others_mib = mib(self.signal_bytes()) * held.saturating_sub(1) as f64;
         self.memory().beside(PROGRAM_MIB + of_others_mib).limit().share_of(workers)

@@ -51,8 +51,8 @@ fn planned(arguments: &VehiclesArguments) -> Vec<Planned> {
     (0..arguments.count).flat_map(|number| names.iter().map(move |name| vehicle(number, name))).collect()
 }
 
-/// Seed of one of several vehicles of a model, by that which was asked for: the first has that one itself, and
-/// the others none that those of a neighbouring seed have.
+/// Seed of one of several vehicles of a model, by that which was asked for: the first has that one itself,
+/// and the others none that those of a neighbouring seed have.
 fn seed_of(asked: u64, number: u64) -> u64 {
     match number {
         0 => asked,
