@@ -53,7 +53,7 @@ fn over_usual_road<T>(
     of: impl Fn(&Scatterer<'_>, &LeftOutWays) -> T,
 ) -> Result<Option<T>, BartError> {
     let Some(road) = usual_road() else { return Ok(None) };
-    let can_be_followed = plan.check_m.z > 0.0 && plan.header.fidelity.sides == Sides::Two;
+    let can_be_followed = plan.check_middle_m().z > 0.0 && plan.header.fidelity.sides == Sides::Two;
     if plan.header.road.is_some() || world.facets().is_empty() || !can_be_followed {
         return Ok(None);
     }
