@@ -49,23 +49,6 @@ pub(crate) enum Command {
 }
 
 impl Command {
-    /// The word that a developer types.
-    pub(crate) fn name(&self) -> &'static str {
-        match self {
-            Self::Wayside(command) => command.name(),
-            Self::Study(_) => "study",
-            Self::Chart(_) => "chart",
-            Self::Atlas(_) => "atlas",
-            Self::Levels(_) => "levels",
-            Self::Bench(_) => "bench",
-            Self::Bytes(_) => "bytes",
-            Self::House => "house",
-            Self::SceneKeys => "scene-keys",
-            Self::FuzzLedger(_) => "fuzz-ledger",
-            Self::Ci(_) => "ci",
-        }
-    }
-
     /// Kind of results that the command leaves.
     pub(crate) fn results(&self) -> Results {
         match self {

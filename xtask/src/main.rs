@@ -20,10 +20,10 @@ use wayside::program::means::Means;
 use wayside::program::{self, terminal};
 
 fn main() -> ExitCode {
-    let arguments: cli::Arguments = program::cli::parse_or_exit();
+    let (arguments, word): (cli::Arguments, _) = program::cli::parse_or_exit();
     let command = arguments.command;
     terminal::expect(command.results());
-    program::enter("cargo xtask", command.name(), &arguments.general, |means| carry_out(command, means))
+    program::enter("cargo xtask", word, &arguments.general, |means| carry_out(command, means))
 }
 
 fn carry_out(command: Command, means: &Means) -> Result<(), Failure> {

@@ -44,7 +44,7 @@ pub fn names_a_wheel(name: &str) -> bool {
 
 /// Wheels of a mesh in body axes, of whose triangles some are named as wheels'.
 pub fn road_wheels(mesh: &Mesh, is_named: &[bool]) -> Vec<RoadWheel> {
-    let ground_m = mesh.vertices_m.iter().map(|v| v[2]).fold(f64::INFINITY, f64::min);
+    let ground_m = mesh.bounds_m()[0][2];
     groups(mesh, is_named).iter().filter_map(|group| wheel(mesh, group, ground_m)).collect()
 }
 

@@ -31,18 +31,15 @@
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
-//! use artifact::settings::{Angle, Detector, DspSettings, Lane, Lanes, Noise, Refine, StaticEchoes, Window};
+//! use artifact::settings::{DspSettings, Lane, Lanes, Noise};
 //! use num_complex::Complex32;
 //! use radar::{aperture::Preset, paper};
 //!
 //! let waveform = paper::waveform(256, 64);
 //! let radar = paper::radar([0.0, 0.0, 6.0], waveform, Preset::OneByFour.elements());
-//! let header = CubeHeader { radar, noise: Noise::Absent, dsp: DspSettings {
-//!     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
-//!     guard_cells: [2, 2], training_cells: [4, 8], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], static_echoes: StaticEchoes::Keep, nearest_m: 0.0, assumed_height_m: 0.75,
-//!     cluster_range_m: 2.5, cluster_velocity_mps: 1.0, cluster_cross_m: 2.5,
-//!     road: Lanes { lanes: vec![Lane { number: 2, centre_m: 5.75, width_m: 3.75 }], ..Lanes::default() },
-//! }, unit: Default::default() };
+//! let road = Lanes { lanes: vec![Lane { number: 2, centre_m: 5.75, width_m: 3.75 }], ..Lanes::default() };
+//! let (noise, dsp) = (Noise::Absent, DspSettings { road, ..paper::processing() });
+//! let header = CubeHeader { radar, noise, dsp, unit: Default::default() };
 //!
 //! // A point at 40 m in lane 2 (u = 5.75/40), approaching at 10 m/s: phases of eq. (13).
 //! let (range_m, velocity_mps, u) = (40.0, -10.0, 5.75 / 40.0);

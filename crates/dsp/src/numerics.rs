@@ -5,9 +5,9 @@ pub(crate) mod finite; // the first value that is no number
 pub(crate) mod precision; // single and double
 pub(crate) mod summed_area_table; // sums over rectangles of a map (integral image, box filter)
 pub(crate) mod regula_falsi; // roots (Illinois)
-pub(crate) mod saddle_point_inversion; // distributions of weighted sums of Gamma variables
 pub(crate) mod incomplete_gamma; // P(M, x), Q(M, x)
 pub(crate) mod incomplete_beta; // I_u(a, b)
 pub(crate) mod symmetric_qr; // eigenvalues of small matrices (Householder, Wilkinson)
 pub(crate) mod gauss_quadrature; // Lanczos, Golub and Welsch
+pub(crate) mod saddle_point_inversion; // distributions of weighted sums of Gamma variables
 pub(crate) mod cholesky; // normal equations of few unknowns

@@ -1,7 +1,5 @@
 //! Points made of peaks, and the objects that they form.
 
-#[cfg(test)]
-mod test_settings; // what its tests share
 pub(crate) mod stationary; // what is at rest
 pub(crate) mod cluster_member; // what clustering knows of a point
 pub(crate) mod rigid_pieces; // parts of a body that drives across the line of sight

@@ -12,8 +12,16 @@ use crate::spectrum::window::{noise_bandwidth_bins, taper};
 use artifact::Radar;
 use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
-use artifact::settings::{DspSettings, Noise};
+use artifact::settings::{DspSettings, Lanes, Noise};
+use radar::lattice::tells_azimuth;
 use std::sync::Arc;
+
+/// Lanes that places may be told to lie in: those of the road. An array without extent along the row tells
+/// no azimuth, and no lane.
+pub(crate) fn told_lanes(header: &CubeHeader) -> Lanes {
+    let road = header.dsp.road.clone();
+    if tells_azimuth(&header.radar) { road } else { Lanes { lanes: vec![], courses: vec![], ..road } }
+}
 
 /// Values that follow from windows, settings and numbers of cells, whatever the chirp interval.
 pub(crate) struct Thresholds {
@@ -61,6 +69,8 @@ pub(crate) struct Plan {
     pub(crate) thresholds: Arc<Thresholds>,
     /// Channels to directions.
     pub(crate) array: VirtualArray,
+    /// Lanes that objects may be in.
+    pub(crate) lanes: Lanes,
 }
 
 impl Plan {
@@ -75,6 +85,7 @@ impl Plan {
         let thresholds = Arc::new(Thresholds::new(&own[0])?);
         let plan = |(header, transform): (CubeHeader, RangeDoppler)| Self {
             array: VirtualArray::new(&header),
+            lanes: told_lanes(&header),
             radar: header.radar,
             settings: header.dsp,
             noise: header.noise,
@@ -82,11 +93,6 @@ impl Plan {
             thresholds: Arc::clone(&thresholds),
         };
         Ok(own.into_iter().zip(transforms).map(plan).collect())
-    }
-
-    /// Lane that holds a place. An array without extent along the row tells no azimuth, and no lane.
-    pub(crate) fn lane_at(&self, position_m: [f64; 3]) -> Option<u8> {
-        self.array.tells_azimuth().then(|| self.settings.road.at(position_m)).flatten()
     }
 
     /// Powers of a map of this sub-frame.

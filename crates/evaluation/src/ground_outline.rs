@@ -16,11 +16,8 @@ pub struct GroundOutline {
 impl GroundOutline {
     /// The outline of a body's mesh at a pose.
     pub fn of_mesh(mesh: &Mesh, pose: &Pose) -> Self {
-        let corner = |pick: fn(f64, f64) -> f64| {
-            let along = |axis: usize| mesh.vertices_m.iter().map(|v| v[axis]).reduce(pick).unwrap_or(0.0);
-            DVec2::new(along(0), along(1))
-        };
-        Self { low_m: corner(f64::min), high_m: corner(f64::max), ..Self::of_point(pose) }
+        let [low_m, high_m] = mesh.bounds_m().map(|[x, y, _]| DVec2::new(x, y));
+        Self { low_m, high_m, ..Self::of_point(pose) }
     }
 
     /// A place alone.

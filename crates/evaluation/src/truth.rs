@@ -136,7 +136,6 @@ fn received(header: &SceneHeader, path: &Path) -> (f64, MeanEcho) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::paths::{Curve, Facet, MAX_ORDER};
     use artifact::pattern::Pattern;
     use radar::aperture::Preset;
     use radar::paper;
@@ -144,18 +143,7 @@ mod tests {
     #[test]
     fn a_path_from_behind_a_cosine_pattern_is_not_heard() {
         let mut radar = paper::radar([0.0; 3], paper::waveform(64, 16), Preset::OneByFour.elements());
-        let from = |y_m: f64| Path {
-            target: 0,
-            order: 0,
-            apparent_tx_m: [1.0, y_m, 0.0],
-            apparent_tx_mps: [0.0; 3],
-            apparent_rx_m: [1.0, y_m, 0.0],
-            apparent_rx_mps: [0.0; 3],
-            amplitude_m: Default::default(),
-            slope_m_per_hz: Default::default(),
-            facets: [Facet::default(); MAX_ORDER],
-            curve: Curve::default(),
-        };
+        let from = |y_m: f64| Path::of_point([1.0, y_m, 0.0], [0.0; 3], Default::default());
         assert!(is_heard(&radar, &from(-15.0)), "an isotropic element hears all around");
         radar.array.pattern = Pattern::Cosine { exponent: 1.0 };
         assert_eq!([30.0, -15.0].map(|y_m| is_heard(&radar, &from(y_m))), [true, false]);

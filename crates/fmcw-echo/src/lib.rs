@@ -21,37 +21,18 @@
 //!
 //! ```
 //! use artifact::cube::CubeHeader;
-//! use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
-//! use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, StaticEchoes, Window};
-//! # use artifact::{ErrorBudget, ModelError};
+//! use artifact::paths::{Path, PathsFrame};
+//! use artifact::settings::Noise;
 //! use num_complex::Complex64;
 //! use radar::{aperture::Preset, paper};
 //!
 //! let radar = paper::radar([0.0, 0.0, 6.0], paper::waveform(256, 4), Preset::OneByOne.elements());
 //! let one = [[Complex64::ONE, Complex64::ZERO], [Complex64::ZERO, Complex64::ONE]];
-//! let reflector = Path {
-//!     target: 0,
-//!     order: 0,
-//!     apparent_tx_m: [0.0, 40.0, 6.0],
-//!     apparent_tx_mps: [0.0, 10.0, 0.0],
-//!     apparent_rx_m: [0.0, 40.0, 6.0],
-//!     apparent_rx_mps: [0.0, 10.0, 0.0],
-//!     amplitude_m: one,
-//!     slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
-//!     facets: [Facet::default(); MAX_ORDER],
-//!     curve: Curve::default(),
-//! };
-//! # let dsp = DspSettings {
-//! #     range_window: Window::Hann, doppler_window: Window::Hann, detector: Detector::CaCfar, false_alarm_rate: 1e-5,
-//! #     guard_cells: [2, 2], training_cells: [6, 10], angle: Angle::Fft, refine: Refine::Off, calibration: vec![], static_echoes: StaticEchoes::Keep,
-//! #     nearest_m: 0.0, assumed_height_m: 0.75, cluster_range_m: 2.0,
-//! #     cluster_velocity_mps: 1.0, cluster_cross_m: 2.0, road: Lanes::default(),
-//! # };
-//! # let (nearest_range_m, error, model_error) = (vec![], ErrorBudget::default(), ModelError::default());
-//! # let trace = TraceStatistics::default();
-//! let frame = PathsFrame { index: 0, time_s: 0.0, paths: vec![reflector], nearest_range_m, error, model_error, trace };
+//! let reflector = Path::of_point([0.0, 40.0, 6.0], [0.0, 10.0, 0.0], one);
+//! let frame = PathsFrame { paths: vec![reflector], ..PathsFrame::default() };
 //! let accuracy = artifact::Accuracy::from_db(-60.0);
-//! let header = CubeHeader { radar, noise: Noise::Absent, dsp, unit: Default::default() };
+//! let (noise, dsp) = (Noise::Absent, paper::processing());
+//! let header = CubeHeader { radar, noise, dsp, unit: Default::default() };
 //!
 //! let cube = fmcw_echo::Synthesizer::new(&header, 1, accuracy, vec![])?.frame(&frame, &|_share_done| ())?;
 //!

@@ -16,7 +16,6 @@ pub mod rcs;
 pub mod rdm;
 pub mod tracks;
 
-use crate::writing::fail;
 use artifact::model::{Model, Weights};
 use artifact::{Reader, Schema};
 pub use delays::delay_at_middle;
@@ -39,24 +38,18 @@ pub fn model(file: &Path, out: &Path) -> Result<(), Failure> {
 
 /// Header and frames, as their types name them, one frame after the other.
 pub fn as_json<S: Schema>(file: &Path, out: &Path) -> Result<(), Failure> {
-    use std::io::Write;
+    use std::io::{Error, Write};
     let mut reader = Reader::<S>::open(file)?;
-    let mut failed = None;
-    let written = files::write_with(out, |stream| {
+    files::write_with(out, |stream| {
         write!(stream, "{{\"header\":")?;
         serde_json::to_writer(&mut *stream, reader.header())?;
         write!(stream, ",\"frames\":[")?;
         let of = reader.frames() as usize;
         for (i, frame) in progress::counted("frames", reader.by_ref(), of).enumerate() {
-            match frame {
-                Ok(frame) => {
-                    stream.write_all(if i == 0 { b"\n" } else { b",\n" })?;
-                    serde_json::to_writer(&mut *stream, &frame)?;
-                }
-                Err(error) => return Err(fail(&mut failed, error)),
-            }
+            let frame = frame.map_err(Error::other)?;
+            stream.write_all(if i == 0 { b"\n" } else { b",\n" })?;
+            serde_json::to_writer(&mut *stream, &frame)?;
         }
         writeln!(stream, "]}}")
-    });
-    failed.map_or(written, |error| Err(error.into()))
+    })
 }

@@ -9,7 +9,7 @@
 //! Reading order is that of the rooms below; each uses only those that stand before it.
 
 pub mod devices; // boards and how they send samples
-pub mod writing; // what all writers need
+pub mod plain_name; // names that an artifact gives to files
 pub mod sidecar; // axes and units beside a file
 mod sub_frames; // what each sub-frame has of its own
 pub mod npy_stream; // NumPy arrays, value after value

@@ -20,7 +20,7 @@ use look::Shares;
 use part::Part;
 use scene::{Planning, SaidPhysics};
 use std::slice;
-use told::PlanFigures;
+use told::{Chosen, PlanFigures};
 
 /// Scene that is run, with the plan of its physics where one was asked for.
 pub struct PlannedScene {
@@ -83,7 +83,7 @@ fn planned(
     })?;
     apply(header, said, &choice);
     let seconds = costs::seconds(&before, header, &fixed, &tracer, memory)?;
-    Ok(Some(PlanFigures::of(asked, &budget, &shares, &choice, &fixed, header, &seconds)))
+    Ok(Some(Chosen { asked, budget, shares, fixed, choice, seconds }.figures(header)))
 }
 
 /// The choice whose scene is expected to take least: of integrals that are finer and parts that are left

@@ -1,9 +1,11 @@
-//! The radar of the paper's Table 2, which examples and tests begin with.
+//! The radar of the paper's Table 2 and how a scene processes its cubes where it says nothing of it, which
+//! examples and tests begin with.
 
 use crate::aperture::{Elements, mounted};
 use artifact::radar::{
     Array, Hardware, Link, Multiplexing, Pattern, Polarization, Radar, Sampling, Schedule, Waveform,
 };
+use artifact::settings::{Angle, Detector, DspSettings, Lanes, Refine, StaticEchoes, Window};
 use artifact::units::watts_from_dbm;
 
 /// Waveform of Table 2 with `samples` a chirp: 77 GHz, 12.5 MHz/µs, complex samples at 5.12 MHz, 10 µs idle
@@ -42,6 +44,28 @@ pub fn radar(position_m: [f64; 3], waveform: Waveform, [tx, rx]: [Elements; 2]) 
         link: Link { transmit_power_w: watts_from_dbm(12.0), antenna_gain_db: 10.0 },
         hardware: Hardware::default(),
     })
+}
+
+/// The defaults of a scene's `[dsp]`, without lanes: Hann windows, cell averaging, transforms over the array.
+pub fn processing() -> DspSettings {
+    DspSettings {
+        range_window: Window::Hann,
+        doppler_window: Window::Hann,
+        detector: Detector::CaCfar,
+        false_alarm_rate: 1e-5,
+        guard_cells: [2, 2],
+        training_cells: [4, 8],
+        angle: Angle::Fft,
+        refine: Refine::Off,
+        calibration: vec![],
+        static_echoes: StaticEchoes::Keep,
+        nearest_m: 0.0,
+        assumed_height_m: 0.75,
+        cluster_range_m: 2.5,
+        cluster_velocity_mps: 1.0,
+        cluster_cross_m: 2.5,
+        road: Lanes::default(),
+    }
 }
 
 #[cfg(test)]

@@ -78,7 +78,7 @@ mod tests {
     use super::*;
     use crate::aperture::Preset;
     use crate::paper;
-    use artifact::paths::{Curve, Facet, MAX_ORDER};
+    use artifact::paths::Curve;
     use std::f64::consts::FRAC_PI_2;
 
     /// A wheel of 0.33 m whose hub is in the frame's middle at 30 m and drives at 8 m/s towards the radar.
@@ -87,18 +87,8 @@ mod tests {
         let (mps, way_m) = ([0.0, -8.0, 0.0], 8.0 * radar.frame_middle_s());
         let hub_m = [0.0, 30.0 + way_m, 0.33];
         let rim = Rim { radius_m: 0.33, forward: [0.0, -1.0, 0.0], angle_rad: angle_rad + way_m / 0.33 };
-        let path = Path {
-            target: 0,
-            order: 0,
-            apparent_tx_m: hub_m,
-            apparent_tx_mps: mps,
-            apparent_rx_m: hub_m,
-            apparent_rx_mps: mps,
-            amplitude_m: Default::default(),
-            slope_m_per_hz: Default::default(),
-            facets: [Facet::default(); MAX_ORDER],
-            curve: Curve { rim: Some(rim), ..Curve::default() },
-        };
+        let curve = Curve { rim: Some(rim), ..Curve::default() };
+        let path = Path { curve, ..Path::of_point(hub_m, mps, Default::default()) };
         (radar, path)
     }
 

@@ -272,8 +272,7 @@ impl Recording<'_> {
             self.keep_unknown(vehicle);
             return None;
         };
-        let key = seed::key(0, &format!("scene/model of {}", vehicle.id), &[]);
-        let draw = u64::from_le_bytes([key[0], key[1], key[2], key[3], key[4], key[5], key[6], key[7]]);
+        let draw = seed::number(0, &format!("scene/model of {}", vehicle.id), &[]);
         Some(models[(draw % models.len() as u64) as usize].clone())
     }
 

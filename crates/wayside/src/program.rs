@@ -25,17 +25,17 @@ use std::process::ExitCode;
 
 /// Runs the binary `wayside`.
 pub fn main() -> ExitCode {
-    let arguments: cli::Arguments = cli::parse_or_exit();
+    let (arguments, word): (cli::Arguments, _) = cli::parse_or_exit();
     let command = arguments.command;
     terminal::expect(command.results());
-    enter("wayside", command.name(), &arguments.general, |means| commands::dispatch(command, means))
+    enter("wayside", word, &arguments.general, |means| commands::dispatch(command, means))
 }
 
 /// Carries out a command of the program that is typed as `program`: sets up threads, memory, progress and
 /// interrupts, and makes an exit code of how it ends (`docs/interface.md`).
 pub fn enter(
     program: &str,
-    command: &str,
+    command: String,
     general: &General,
     work: impl FnOnce(&Means) -> Result<(), Failure>,
 ) -> ExitCode {
@@ -44,9 +44,10 @@ pub fn enter(
         terminal::show_progress();
     }
     let words = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
-    let means = Means { memory: Allowance::of(general.memory_limit), making: Making::by(program, words) };
+    let memory = Allowance::of(general.memory_limit);
+    let means = Means { command, memory, making: Making::by(program, words) };
     let ended = limit_threads(general.threads).and_then(|()| {
-        let _under_way = Work::begin(command);
+        let _under_way = Work::begin(means.command.as_str());
         work(&means)
     });
     terminal::end_progress();

@@ -144,7 +144,10 @@ fn moments_of_a_frame_count_against_the_memory_limit() {
     let refused = place.try_run("paths near.toml --out a.paths --quiet --memory-limit 400");
     let said = String::from_utf8(refused.stderr).unwrap();
     assert_eq!(refused.status.code(), Some(1), "{said}");
-    assert!(said.contains("cells and paths take") && said.contains("they may take"), "{said}");
+    assert!(
+        said.contains("cells and paths of a frame take") && said.contains("the memory limit leaves"),
+        "{said}"
+    );
     let told = place.run("paths near.toml --out a.paths --quiet --memory-limit 2000");
     assert!(told.contains("−28.0 dB asked: reached"), "{told}");
 }

@@ -9,6 +9,7 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::{PathView, RcsRequest, RcsResult, Standpoint, scattering_of_paths};
 use glam::DVec3;
 use num_complex::Complex64;
+use po_sbr::{Aspect, Bracket, po, sbr};
 use std::f64::consts::TAU;
 use wayside::host::failure::Failure;
 
@@ -60,9 +61,35 @@ pub(super) fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<RcsResult, Fai
     bart_rcs::rcs(mesh, request, &|_, _| ()).map_err(Failure::refused)
 }
 
+/// S of a request's one look by dense sampling, with so many samples along a wavelength and halvings at the
+/// borders of shadows.
+pub(super) fn sampled(
+    body: &Mesh,
+    request: &RcsRequest,
+    per_wavelength: f64,
+    shadow_levels: u32,
+) -> Result<Complex64, Failure> {
+    let sampling =
+        po::Sampling { per_wavelength, shadow_levels, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let found = po::amplitude(body, &aspect(request), &request.frequency_hz, &sampling);
+    let (p, q) = request.polarization.indices();
+    Ok(found.map_err(Failure::refused)?[0][p][q])
+}
+
+/// S of each order of a request's one look by rays.
+pub(super) fn shot(
+    body: &Mesh,
+    request: &RcsRequest,
+    shooting: &sbr::Shooting,
+) -> Result<Vec<Complex64>, Failure> {
+    let found = sbr::amplitude(body, &aspect(request), &request.frequency_hz, shooting);
+    let (p, q) = request.polarization.indices();
+    Ok(found.map_err(Failure::refused)?.orders.iter().map(|order| order[0][p][q]).collect())
+}
+
 /// Aspect of a request's one antenna, for the references.
-pub(super) fn aspect(request: &RcsRequest) -> po_sbr::Aspect {
-    po_sbr::Aspect::monostatic(Standpoint {
+pub(super) fn aspect(request: &RcsRequest) -> Aspect {
+    Aspect::monostatic(Standpoint {
         azimuth_rad: request.azimuth_rad[0],
         elevation_rad: request.elevation_rad[0],
         range_m: request.range_m,

@@ -157,6 +157,9 @@ pub struct Interferer {
     pub offset_s: f64,
 }
 
+/// Sample intervals of the longest frame of which an oscillator's phase is drawn at once, pauses included.
+pub const OSCILLATOR_SAMPLES_LIMIT: usize = 1 << 20;
+
 /// Single-sideband phase noise at an offset from the carrier: straight in dB over the offset's logarithm from
 /// one to the next, constant before the first and behind the last.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

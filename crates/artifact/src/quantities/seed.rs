@@ -14,6 +14,18 @@ pub fn key(seed: u64, stage: &str, index: &[u64]) -> [u8; 32] {
     *hasher.finalize().as_bytes()
 }
 
+/// A random number of 64 bits that is a function of the same three.
+pub fn number(seed: u64, stage: &str, index: &[u64]) -> u64 {
+    let key = key(seed, stage, index);
+    u64::from_le_bytes(std::array::from_fn(|i| key[i]))
+}
+
+/// A seed that another one leads to. It has 53 bits: readers of JSON and tables that know but f64 keep them
+/// all.
+pub fn derived(seed: u64, stage: &str, index: &[u64]) -> u64 {
+    number(seed, stage, index) >> 11
+}
+
 #[cfg(test)]
 mod tests {
     use super::key;

@@ -36,7 +36,7 @@ pub struct PathsHeader {
 }
 
 /// Paths of one frame, referred to its first sample.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct PathsFrame {
     /// Index of the frame record, from 0.
     pub index: u32,
@@ -91,7 +91,7 @@ pub struct Facet {
 /// Its node appears from the transmitter at x_a and from the receiver at x_b, unfolded through the
 /// reflections; with L₁ = |x_a − p_t|, L₂ = |x_b − p_r| the scattering amplitude of interface.md is S = Σ
 /// a·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)}: `a` holds neither its own delay's phase nor 1/length.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Path {
     /// Index of the target (of the first facet).
     pub target: u32,
@@ -228,6 +228,18 @@ pub struct Rim {
 }
 
 impl Path {
+    /// Path of a point of target 0, the same at all frequencies.
+    pub fn of_point(position_m: [f64; 3], velocity_mps: [f64; 3], amplitude_m: Amplitude) -> Self {
+        Self {
+            apparent_tx_m: position_m,
+            apparent_tx_mps: velocity_mps,
+            apparent_rx_m: position_m,
+            apparent_rx_mps: velocity_mps,
+            amplitude_m,
+            ..Self::default()
+        }
+    }
+
     /// The facets in the order of travel.
     pub fn sequence(&self) -> &[Facet] {
         &self.facets[..self.facets_met()]
@@ -322,29 +334,9 @@ mod tests {
 
     #[test]
     fn a_record_that_tells_of_more_facets_than_it_holds_has_those_that_it_holds() {
-        let path = Path {
-            target: 0,
-            order: 200,
-            apparent_tx_m: [0.0; 3],
-            apparent_tx_mps: [0.0; 3],
-            apparent_rx_m: [0.0; 3],
-            apparent_rx_mps: [0.0; 3],
-            amplitude_m: Amplitude::default(),
-            slope_m_per_hz: Amplitude::default(),
-            facets: [Facet::default(); MAX_ORDER],
-            curve: Curve::default(),
-        };
+        let path = Path { order: 200, ..Path::default() };
         assert_eq!(path.sequence().len(), MAX_ORDER);
-        let paths = vec![path];
-        let frame = PathsFrame {
-            index: 0,
-            time_s: 0.0,
-            paths,
-            nearest_range_m: vec![],
-            error: ErrorBudget::default(),
-            model_error: ModelError::default(),
-            trace: TraceStatistics::default(),
-        };
+        let frame = PathsFrame { paths: vec![path], ..PathsFrame::default() };
         let renumbered = frame.renumbered(|body| body + 3);
         assert!(renumbered.paths[0].facets.iter().all(|facet| facet.body == 3));
     }

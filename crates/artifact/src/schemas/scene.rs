@@ -258,12 +258,23 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// Least and greatest corner of the bounding box, body metres; zero for a mesh without vertices.
+    pub fn bounds_m(&self) -> [[f64; 3]; 2] {
+        [f64::min, f64::max].map(|pick: fn(f64, f64) -> f64| {
+            [0, 1, 2].map(|axis| self.vertices_m.iter().map(|v| v[axis]).reduce(pick).unwrap_or(0.0))
+        })
+    }
+
     /// Length, width and height of the bounding box, body metres.
     pub fn size_m(&self) -> [f64; 3] {
-        std::array::from_fn(|axis| {
-            let along = self.vertices_m.iter().map(|vertex| vertex[axis]);
-            along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
-        })
+        let [low_m, high_m] = self.bounds_m();
+        [0, 1, 2].map(|axis| high_m[axis] - low_m[axis])
+    }
+
+    /// Distance of the farthest vertex from the body's origin.
+    pub fn reach_m(&self) -> f64 {
+        let square = |[x, y, z]: &[f64; 3]| x * x + y * y + z * z;
+        self.vertices_m.iter().map(square).fold(0.0, f64::max).sqrt()
     }
 }
 

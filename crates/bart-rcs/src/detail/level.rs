@@ -237,7 +237,6 @@ const CANDIDATES_RAD: f64 = 0.6;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::paths::{Curve, Facet, MAX_ORDER};
     use artifact::radar::Pattern;
     use radar::aperture::Preset;
     use std::f64::consts::TAU;
@@ -262,7 +261,6 @@ mod tests {
             let place_m = [4.8 + 1.9 * at(0.618_034), 38.0 + 5.0 * at(0.414_214), 1.8 * at(0.732_051)];
             let value = Complex64::from_polar((-3.0 * at(0.414_214)).exp(), TAU * at(0.236_068));
             Path {
-                target: 0,
                 order,
                 apparent_tx_m: place_m,
                 apparent_tx_mps: [0.0, -10.0, 0.0],
@@ -270,8 +268,7 @@ mod tests {
                 apparent_rx_mps: [0.0, -10.0, 0.0],
                 amplitude_m: [[value; 2]; 2],
                 slope_m_per_hz: [[value * 1e-10; 2]; 2],
-                curve: Curve::default(),
-                facets: [Facet::default(); MAX_ORDER],
+                ..Path::default()
             }
         };
         (0..count).map(path).collect()

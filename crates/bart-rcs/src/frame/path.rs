@@ -15,9 +15,7 @@ use crate::joins::scatterer::check_order;
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
 use crate::surface::skin::{COARSER, told_error};
-use artifact::paths::{
-    Amplitude, Curve, ErrorOrigin, Facet, Fineness, MAX_ORDER, Path, PathsFrame, Rim, TraceStatistics,
-};
+use artifact::paths::{Curve, ErrorOrigin, Fineness, Path, PathsFrame, Rim, TraceStatistics};
 use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind, Wheel};
 use artifact::settings::Surface;
 use artifact::{ErrorBudget, ModelError};
@@ -214,24 +212,14 @@ fn point_paths(header: &SceneHeader, frame: &SceneFrame) -> Vec<Path> {
     let of = |(target, (kind, pose)): (u32, (&Target, &Pose))| {
         let TargetKind::Point { rcs_m2, wheel } = kind.kind else { return None };
         let root = Complex64::from(rcs_m2.sqrt());
-        Some(Path {
-            target,
-            order: 0,
-            apparent_tx_m: pose.position_m,
-            apparent_tx_mps: pose.velocity_mps,
-            apparent_rx_m: pose.position_m,
-            apparent_rx_mps: pose.velocity_mps,
-            amplitude_m: [[root, Complex64::ZERO], [Complex64::ZERO, root]],
-            slope_m_per_hz: Amplitude::default(),
-            facets: [Facet::default(); MAX_ORDER],
-            curve: Curve {
-                apparent_tx_mps2: pose.acceleration_mps2,
-                apparent_rx_mps2: pose.acceleration_mps2,
-                rim: wheel.map(|wheel| rim(&wheel, &kind.start, pose)),
-                span: None,
-                array_span: None,
-            },
-        })
+        let amplitude_m = [[root, Complex64::ZERO], [Complex64::ZERO, root]];
+        let curve = Curve {
+            apparent_tx_mps2: pose.acceleration_mps2,
+            apparent_rx_mps2: pose.acceleration_mps2,
+            rim: wheel.map(|wheel| rim(&wheel, &kind.start, pose)),
+            ..Curve::default()
+        };
+        Some(Path { target, curve, ..Path::of_point(pose.position_m, pose.velocity_mps, amplitude_m) })
     };
     targets.filter_map(of).collect()
 }

@@ -45,11 +45,10 @@ pub(crate) struct Plan<'a> {
     /// Times after the frame's first sample at which paths are traced, and at which they are checked.
     pub(crate) middle_s: f64,
     pub(crate) check_s: f64,
-    /// Places of the transmitter and the receiver that they are checked with, and their middle.
+    /// Places of the transmitter and the receiver that they are checked with.
     pub(crate) check_ends_m: [DVec3; 2],
     /// Those of a second pair, of a wide array, and their time.
     pub(crate) second_check: Option<([DVec3; 2], f64)>,
-    pub(crate) check_m: DVec3,
     /// Row that the array's pairs of elements stand along.
     pub(crate) row: ArrayRow,
     /// Hears how far the frame is.
@@ -75,21 +74,8 @@ impl<'a> Plan<'a> {
         let position_m = DVec3::from_array(header.radar.position_m);
         let (check_ends_m, second) = checked_from_m(&header.radar, &frame.poses, [middle_s, check_s]);
         let second_check = second.map(|ends_m| (ends_m, middle_s - check_offset_s));
-        let check_m = 0.5 * (check_ends_m[0] + check_ends_m[1]);
         let row = ArrayRow::of(&header.radar);
-        Self {
-            header,
-            position_m,
-            band,
-            trace,
-            middle_s,
-            check_s,
-            check_ends_m,
-            second_check,
-            check_m,
-            row,
-            progress,
-        }
+        Self { header, position_m, band, trace, middle_s, check_s, check_ends_m, second_check, row, progress }
     }
 
     /// Relative amplitude error that the frame's paths may have: what facets in place of a skin leave of the
@@ -121,6 +107,11 @@ impl<'a> Plan<'a> {
     /// Place and time at which paths are summed; R_t and R_r are about 1 m, as only ratios are looked at.
     pub(crate) fn view(&self, seconds: f64) -> PathView {
         self.view_from([self.position_m; 2], seconds)
+    }
+
+    /// Middle of the places of the check.
+    pub(crate) fn check_middle_m(&self) -> DVec3 {
+        0.5 * (self.check_ends_m[0] + self.check_ends_m[1])
     }
 
     /// The moment and the place of the check.

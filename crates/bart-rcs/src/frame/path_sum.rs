@@ -124,7 +124,6 @@ impl PathView {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::paths::{Curve, Facet, MAX_ORDER};
 
     #[test]
     fn a_band_by_turns_is_that_of_every_frequency() {
@@ -132,7 +131,6 @@ mod tests {
             let at = |step: f64| (f64::from(i) * step).fract();
             let apparent_m = [20.0 * at(0.618_034), 25.0 + 30.0 * at(0.414_214), 3.0 * at(0.732_051)];
             Path {
-                target: 0,
                 order: 1,
                 apparent_tx_m: apparent_m,
                 apparent_tx_mps: [0.0, -10.0 * at(0.3), 0.0],
@@ -140,8 +138,7 @@ mod tests {
                 apparent_rx_mps: [1.0, -10.0, 0.0],
                 amplitude_m: [[Complex64::from_polar(1.0, 6.0 * at(0.236_068)); 2]; 2],
                 slope_m_per_hz: [[Complex64::new(1e-10 * at(0.5), -2e-10); 2]; 2],
-                facets: [Facet::default(); MAX_ORDER],
-                curve: Curve::default(),
+                ..Path::default()
             }
         };
         let paths: Vec<Path> = (0..9000).map(path).collect();

@@ -118,8 +118,7 @@ struct Powers {
 
 impl<'a> TabledBody<'a> {
     fn new(header: &'a SceneHeader, mesh: &Mesh, world: World, pose: &'a Pose) -> Self {
-        let radius_m = mesh.vertices_m.iter().map(|v| DVec3::from_array(*v).length()).fold(0.0, f64::max);
-        Self { header, pose, world, radius_m }
+        Self { header, pose, world, radius_m: mesh.reach_m() }
     }
 
     /// One tree at the middle aspect serves the table and what its errors are told from; `alone` makes the

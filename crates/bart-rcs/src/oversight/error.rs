@@ -91,8 +91,9 @@ pub enum BartError {
     },
     /// A tree has grown beyond the memory that it may take.
     #[error(
-        "{beams} beams at order {order} and what is joined from them take {} MiB; a tree may take {} MiB here: fewer \
-         bounces, a coarser mesh, a looser accuracy, fewer threads or a higher limit help",
+        "{beams} beams at order {order} and what is joined from them take {} MiB; the memory limit leaves {} MiB for \
+         them, beside what is held already and traced at the same time: fewer bounces, a coarser mesh, a looser \
+         accuracy, fewer threads or a higher limit help",
         bytes >> 20,
         limit_bytes >> 20
     )]
@@ -108,8 +109,9 @@ pub enum BartError {
     },
     /// The pieces that a frame's polygons are cut into have grown beyond the memory that they may take.
     #[error(
-        "cells and paths take {} MiB and more; they may take {} MiB here: fewer bounces, a coarser mesh, a looser accuracy, \
-         fewer threads or a higher limit help",
+        "cells and paths of a frame take {} MiB and more; the memory limit leaves {} MiB for them, beside what is held \
+         already and traced at the same time: fewer bounces, a coarser mesh, a looser accuracy, fewer threads or a \
+         higher limit help",
         bytes >> 20,
         limit_bytes >> 20
     )]

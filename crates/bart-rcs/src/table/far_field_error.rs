@@ -116,9 +116,7 @@ fn chosen_aspects(aspects: usize) -> Vec<usize> {
 
 /// A number below `count`, always the same for the same `index`.
 fn chance(index: u64, count: usize) -> usize {
-    let key = artifact::seed::key(1, "bart-rcs/far-field-error", &[index]);
-    let eight = key.first_chunk().map_or(0, |bytes| u64::from_le_bytes(*bytes));
-    (eight % count.max(1) as u64) as usize
+    (artifact::seed::number(1, "bart-rcs/far-field-error", &[index]) % count.max(1) as u64) as usize
 }
 
 /// Middles of equal parts of the table's frequencies.

@@ -5,8 +5,7 @@ use artifact::material::MaterialMap;
 use artifact::radar::Radar;
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise,
-    Refine, Sides, StaticEchoes, Surface, Wheels, Window,
+    BetweenBodies, Detail, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Wheels,
 };
 use radar::aperture::Preset;
 use radar::paper;
@@ -37,7 +36,7 @@ pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame)
         frame_interval_s: 0.1,
         radar: radar(),
         noise: Noise::Absent,
-        dsp: dsp(),
+        dsp: paper::processing(),
         fidelity: fidelity(),
         intersection: Intersection { width_m: 22.5 },
         materials: MaterialMap::default(),
@@ -52,27 +51,6 @@ pub(crate) fn scene(mesh: &Mesh, places: &[Placed]) -> (SceneHeader, SceneFrame)
 
 fn radar() -> Radar {
     paper::radar(RADAR_M, paper::waveform(256, 128), Preset::OneByOne.elements())
-}
-
-fn dsp() -> DspSettings {
-    DspSettings {
-        range_window: Window::Hann,
-        doppler_window: Window::Hann,
-        detector: Detector::CaCfar,
-        false_alarm_rate: 1e-6,
-        guard_cells: [2, 2],
-        training_cells: [8, 8],
-        angle: Angle::Fft,
-        refine: Refine::Off,
-        calibration: vec![],
-        static_echoes: StaticEchoes::Keep,
-        nearest_m: 0.0,
-        assumed_height_m: 0.5,
-        cluster_range_m: 1.0,
-        cluster_velocity_mps: 1.0,
-        cluster_cross_m: 2.0,
-        road: Lanes::default(),
-    }
 }
 
 fn fidelity() -> Fidelity {

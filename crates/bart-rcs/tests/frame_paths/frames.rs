@@ -5,8 +5,7 @@ use artifact::paths::{Amplitude, Path, PathsFrame};
 use artifact::radar::Polarization;
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    Angle, BetweenBodies, Detail, Detector, DspSettings, EchoMode, Edges, Fidelity, Lanes, NodeRule, Noise,
-    Refine, Sides, StaticEchoes, Surface, Wheels, Window,
+    BetweenBodies, Detail, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Wheels,
 };
 use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{FrameSurroundings, PathView, RcsRequest, Standpoint, Tracer, rcs, scattering_of_paths};
@@ -55,7 +54,7 @@ pub(crate) fn scene(
         frame_interval_s: 0.1,
         radar: radar(),
         noise: Noise::Absent,
-        dsp: dsp(),
+        dsp: paper::processing(),
         fidelity: Fidelity {
             accuracy: Accuracy::from_db(accuracy_db),
             goal: None,
@@ -83,27 +82,6 @@ pub(crate) fn scene(
 
 pub(crate) fn radar() -> Radar {
     paper::radar(RADAR_M, waveform(), Preset::OneByOne.elements())
-}
-
-pub(crate) fn dsp() -> DspSettings {
-    DspSettings {
-        range_window: Window::Hann,
-        doppler_window: Window::Hann,
-        detector: Detector::CaCfar,
-        false_alarm_rate: 1e-5,
-        guard_cells: [2, 2],
-        training_cells: [8, 8],
-        angle: Angle::Fft,
-        refine: Refine::Off,
-        calibration: vec![],
-        static_echoes: StaticEchoes::Keep,
-        nearest_m: 0.0,
-        assumed_height_m: 0.75,
-        cluster_range_m: 1.0,
-        cluster_velocity_mps: 1.0,
-        cluster_cross_m: 1.0,
-        road: Lanes::default(),
-    }
 }
 
 pub(crate) fn trace(scene: &(SceneHeader, SceneFrame)) -> PathsFrame {

@@ -16,11 +16,9 @@ impl Draw<'_> {
         if self.seed == 0 {
             return nominal;
         }
-        let key = artifact::seed::key(self.seed, &format!("vehicles/{}/{what}", self.model), &[]);
-        let mut low = [0; 8];
-        low.copy_from_slice(&key[..8]);
+        let drawn = artifact::seed::derived(self.seed, &format!("vehicles/{}/{what}", self.model), &[]);
         // 53 bits, so that the fraction is exact and below 1.
-        let fraction = (u64::from_le_bytes(low) >> 11) as f64 / (1_u64 << 53) as f64;
+        let fraction = drawn as f64 / (1_u64 << 53) as f64;
         range.start() + (range.end() - range.start()) * fraction
     }
 

@@ -248,7 +248,7 @@ impl Scorer<'_> {
         let farther_m = range_m - object.range_m;
         object.range_m = range_m;
         object.range_extent_m = object.range_extent_m.map(|m| axes.between_ends(m + farther_m));
-        object.lane = self.own.plan.lane_at(object.position_m);
+        object.lane = self.own.plan.lanes.at(object.position_m);
         farther_m + nearer_m
     }
 

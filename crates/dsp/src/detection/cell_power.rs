@@ -1,8 +1,7 @@
 //! Distribution of the noise power of one cell, summed over channels.
 
-use crate::numerics::gauss_quadrature::gauss_nodes;
 use crate::numerics::incomplete_gamma::{gamma_below, gamma_tail};
-use crate::numerics::saddle_point_inversion::{WeightedGamma, probability_below};
+use crate::numerics::saddle_point_inversion::{WeightedGamma, probability_below, weighted_by};
 
 /// Power of a cell in units of one channel's mean: M unit exponentials (square law), or weighted ones where
 /// channels correlate.
@@ -25,9 +24,7 @@ impl CellPower {
         if eigenvalues.iter().all(|value| (value - 1.0).abs() < NEARLY_ONE) {
             return Self::of_channels(channels);
         }
-        let group = |(weight, share): (f64, f64)| WeightedGamma { weight, shape: share * channels as f64 };
-        let groups = gauss_nodes(eigenvalues, NODES).into_iter().map(group);
-        Self { channels, groups: groups.filter(|g| g.shape > 1e-9 && g.weight > 1e-9).collect() }
+        Self { channels, groups: weighted_by(eigenvalues, NODES, channels as f64, 1.0) }
     }
 
     /// Number of channels.

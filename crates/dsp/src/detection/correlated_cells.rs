@@ -17,8 +17,7 @@
 use crate::detection::cell_power::CellPower;
 use crate::detection::summed_bands::SummedBands;
 use crate::error::DspError;
-use crate::numerics::gauss_quadrature::gauss_nodes;
-use crate::numerics::saddle_point_inversion::WeightedGamma;
+use crate::numerics::saddle_point_inversion::{WeightedGamma, weighted_by};
 use crate::numerics::symmetric_qr::eigenvalues;
 use crate::spectrum::division::Division;
 use crate::spectrum::window::taper;
@@ -169,13 +168,7 @@ impl Correlation {
             Some(image) => self.of_rectangle_and_image(&region.whole, image),
         };
         let all = region.cells() as f64 * channels as f64;
-        let group =
-            |(eigenvalue, share): (f64, f64)| WeightedGamma { weight: eigenvalue / all, shape: share * all };
-        gauss_nodes(&eigenvalues, 8)
-            .into_iter()
-            .map(group)
-            .filter(|g| g.shape > 1e-9 && g.weight > 0.0)
-            .collect()
+        weighted_by(&eigenvalues, 8, all, all)
     }
 
     /// The products of those of its two sides.
@@ -254,16 +247,4 @@ fn triple_sum(rho: &[f64], [a, b, c]: [[i64; 2]; 3]) -> f64 {
     let at = |i: i64, j: i64| at_lag(rho, i - j);
     let closed = |i: i64, j: i64| -> f64 { near(i, c).map(|k| at(j, k) * at(k, i)).sum() };
     (a[0]..=a[1]).map(|i| near(i, b).map(|j| at(i, j) * closed(i, j)).sum::<f64>()).sum()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn fewer_different_points_than_nodes_are_returned_themselves() {
-        let nodes = gauss_nodes(&[1.0; 13], 8);
-        assert_eq!(nodes.len(), 1);
-        assert!((nodes[0].0 - 1.0).abs() < 1e-14 && (nodes[0].1 - 1.0).abs() < 1e-14);
-    }
 }

@@ -280,11 +280,6 @@ impl VirtualArray {
         [0, 1].map(|axis: usize| self.lattices[axis].beam())
     }
 
-    /// Whether azimuths are measured; without extent along the row every direction is the boresight's.
-    pub(crate) fn tells_azimuth(&self) -> bool {
-        self.lattices[0].has_extent()
-    }
-
     /// Wavelength at the centre of the sampled sweep.
     pub(crate) fn wavelength_m(&self) -> f64 {
         self.wavelength_m

@@ -30,6 +30,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn fewer_different_points_than_nodes_are_returned_themselves() {
+        let nodes = gauss_nodes(&[1.0; 13], 8);
+        assert_eq!(nodes.len(), 1);
+        assert!((nodes[0].0 - 1.0).abs() < 1e-14 && (nodes[0].1 - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
     fn gauss_nodes_keep_the_powers_of_their_points() {
         let points: Vec<f64> = (0..40).map(|i| 0.05 + f64::from(i * i) / 400.0).collect();
         let nodes = gauss_nodes(&points, 8);

@@ -7,6 +7,7 @@
 //! (Helstrom, IEEE T-AES 19 (1983) 428), and bends as the path of steepest descent does; the trapezoidal rule
 //! then converges geometrically.
 
+use crate::numerics::gauss_quadrature::gauss_nodes;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -17,6 +18,14 @@ pub(crate) struct WeightedGamma {
     pub(crate) weight: f64,
     /// Shape n_q, above zero and not necessarily whole.
     pub(crate) shape: f64,
+}
+
+/// Variables of a sum of so many unit exponentials whose weights are `scale` times these eigenvalues, each as
+/// often as any other: by Gauss's rule of so many nodes over them.
+pub(crate) fn weighted_by(eigenvalues: &[f64], nodes: usize, count: f64, scale: f64) -> Vec<WeightedGamma> {
+    let group = |(value, share): (f64, f64)| WeightedGamma { weight: value / scale, shape: share * count };
+    let groups = gauss_nodes(eigenvalues, nodes).into_iter().map(group);
+    groups.filter(|g| g.shape > 1e-9 && g.weight > 0.0).collect()
 }
 
 /// P(Σ w_q·G(n_q) < t): relative error about 1e-11, also far out in the lower tail.

@@ -274,8 +274,8 @@ fn strongest(reached: &mut Vec<usize>) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::objects::test_settings::settings;
     use glam::DVec2;
+    use radar::paper;
 
     const AXIS: DopplerAxis = DopplerAxis { span_mps: 35.0, cell_mps: 0.25 };
 
@@ -291,7 +291,8 @@ mod tests {
             ranges.sort_by(f64::total_cmp);
             ranges
         };
-        let mut groups: Vec<Vec<f64>> = clusters(&members, &settings(), AXIS).iter().map(of).collect();
+        let mut groups: Vec<Vec<f64>> =
+            clusters(&members, &paper::processing(), AXIS).iter().map(of).collect();
         groups.sort_by(|a, b| a[0].total_cmp(&b[0]));
         groups
     }

@@ -75,7 +75,6 @@ fn object(header: &CubeHeader, points: &[&Point], span_mps: f64) -> Object {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::objects::test_settings::settings;
     use artifact::points::Height;
     use artifact::settings::Noise;
     use radar::{aperture::Preset, paper};
@@ -101,7 +100,8 @@ mod tests {
     #[test]
     fn points_of_one_place_and_speed_are_an_object_and_a_lone_one_is_one_too() {
         let radar = paper::radar([0.0; 3], paper::waveform(256, 128), Preset::ThreeByFour.elements());
-        let header = CubeHeader { radar, noise: Noise::Absent, dsp: settings(), unit: Default::default() };
+        let header =
+            CubeHeader { radar, noise: Noise::Absent, dsp: paper::processing(), unit: Default::default() };
         let mut points =
             vec![point(5.0, 60.0, 3.0, 10.0), point(2.0, 30.0, -10.0, 20.0), point(2.0, 31.0, -10.0, 20.0)];
         let objects = objects_of_points(&header, &mut points);

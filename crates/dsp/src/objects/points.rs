@@ -440,7 +440,7 @@ impl View<'_> {
             azimuth_rad: place.azimuth_rad,
             height: place.height,
             position_m: place.position_m.to_array(),
-            lane: self.plan.lane_at(place.position_m.to_array()),
+            lane: self.plan.lanes.at(place.position_m.to_array()),
             snr_db: self.snr_db(strongest.peak.power),
             points: points.len() as u32,
             range_extent_m: extent(points.iter().map(|p| p.range_m)),

@@ -166,7 +166,7 @@ fn length([low, high]: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::objects::test_settings::settings;
+    use radar::paper;
 
     const SPAN_MPS: f64 = 35.0;
 
@@ -183,7 +183,7 @@ mod tests {
     }
 
     fn are_one(members: &[Member], groups: [&[usize]; 2]) -> bool {
-        drive_as_one(members, &settings(), SPAN_MPS, groups, 4.4)
+        drive_as_one(members, &paper::processing(), SPAN_MPS, groups, 4.4)
     }
 
     #[test]
@@ -217,7 +217,7 @@ mod tests {
             cluster_range_m: 0.6,
             cluster_cross_m: 0.8,
             cluster_velocity_mps: 1.0,
-            ..settings()
+            ..paper::processing()
         };
         let within = |reach_m| drive_as_one(&pair, &people, SPAN_MPS, [&[0], &[1]], reach_m);
         assert!(within(4.4) && !within(1.75 * people.cluster_range_m));

@@ -11,6 +11,7 @@
 //! ([`crate::tracking::velocity_bank`]) until the range has told which is true; a track says so.
 
 use crate::error::DspError;
+use crate::plan::told_lanes;
 use crate::spectrum::shapes::Shapes;
 use crate::tracking::body::Body;
 use crate::tracking::kalman::Estimate;
@@ -19,11 +20,11 @@ use crate::tracking::tracker_settings::TrackerSettings;
 use crate::tracking::velocity_bank::VelocityBank;
 use artifact::cube::CubeHeader;
 use artifact::points::{Object, PointsFrame};
+use artifact::settings::Lanes;
 use artifact::tracks::{Track, TrackState, TracksFrame};
 use glam::{DMat2, DVec2};
 use ndarray::Array2;
 use radar::assignment::assignment;
-use radar::lattice::tells_azimuth;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// An object of an equal velocity this near to a believed track's box is a piece of it: cars in a queue leave
@@ -40,8 +41,8 @@ const COVERED: f64 = 0.2;
 pub struct Tracker {
     header: CubeHeader,
     settings: TrackerSettings,
-    /// Whether the array tells azimuths, without which no lane is known.
-    tells_azimuth: bool,
+    /// Lanes that bodies may be in.
+    lanes: Lanes,
     /// Sites of the cycle's sub-frames.
     sites: Vec<Site>,
     followed: Vec<Followed>,
@@ -73,7 +74,7 @@ impl Tracker {
         Ok(Self {
             header: header.clone(),
             settings,
-            tells_azimuth: tells_azimuth(&header.radar),
+            lanes: told_lanes(header),
             sites,
             followed: vec![],
             next_id: 0,
@@ -285,6 +286,7 @@ impl Tracker {
     fn track(&self, followed: &Followed) -> Track {
         let state = followed.bank.best();
         let footprint = followed.body.footprint(state, self.settings.body_width_m, self.site().place_m());
+        let [x_m, y_m] = footprint.centre_m;
         Track {
             id: followed.id,
             state: match (followed.is_believed, followed.objects.is_empty()) {
@@ -298,14 +300,10 @@ impl Tracker {
             velocity_mps: [state.mean.z, state.mean.w],
             covariance: state.covariance.transpose().to_cols_array_2d(),
             velocity_resolved: followed.bank.is_resolved(),
-            lane: self.lane_at(footprint.centre_m),
+            lane: self.lanes.at([x_m, y_m, 0.0]),
             footprint,
             objects: followed.objects.clone(),
         }
-    }
-
-    fn lane_at(&self, [x_m, y_m]: [f64; 2]) -> Option<u8> {
-        self.tells_azimuth.then(|| self.header.dsp.road.at([x_m, y_m, 0.0])).flatten()
     }
 }
 

@@ -2,9 +2,6 @@
 #![allow(dead_code, reason = "every test file uses its own part")]
 #![allow(unreachable_pub, clippy::panic, reason = "shared by test crates, which fail by panicking")]
 
-#[path = "../../src/objects/test_settings.rs"]
-mod test_settings;
-
 use artifact::ErrorBudget;
 use artifact::cube::{CubeFrame, CubeHeader, SampleUnit};
 use artifact::dataset::{Crop, CropFormat};
@@ -91,7 +88,7 @@ pub fn settings() -> DspSettings {
                 .to_vec(),
             ..Lanes::default()
         },
-        ..test_settings::settings()
+        ..paper::processing()
     }
 }
 

@@ -9,7 +9,7 @@
 
 use crate::impairments::noise::NoiseStream;
 use artifact::Radar;
-use artifact::radar::PhaseNoise;
+use artifact::radar::{OSCILLATOR_SAMPLES_LIMIT, PhaseNoise};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::Complex64;
 use rustfft::FftPlanner;
@@ -34,8 +34,9 @@ const BEFORE_S: f64 = 1e-5;
 /// 1/f², φ(T) − φ(T − τ) has the variance of (1 − τ/P)·τ where it comes back after P, here 3 % or 0.14 dB
 /// too little.
 const DELAYS: f64 = 32.0;
-/// Samples of the longest frame: half a second at 5.12 MHz, whose phase takes 70 MB.
-pub(crate) const SAMPLES_MAX: usize = 1 << 21;
+/// Sample intervals of the longest frame and of what is before it: half a second at 5.12 MHz, whose phase
+/// takes 70 MB.
+pub(crate) const SAMPLES_MAX: usize = 2 * OSCILLATOR_SAMPLES_LIMIT;
 
 impl Oscillator {
     /// Oscillator of one frame whose echoes take so long at most; `None` where the radar's is ideal.

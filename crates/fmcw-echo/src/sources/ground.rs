@@ -12,7 +12,7 @@
 //! at zero Doppler.
 
 use crate::error::EchoError;
-use artifact::paths::{Curve, Facet, GROUND, MAX_ORDER, Path};
+use artifact::paths::{GROUND, Path};
 use artifact::radar::Radar;
 use artifact::scene::Backscatter;
 use artifact::seed;
@@ -89,7 +89,8 @@ impl Grid {
             let away_m = ((range_m - self.height_m) * (range_m + self.height_m)).sqrt();
             let place_m = [x + away_m * azimuth.sin(), y + away_m * azimuth.cos(), 0.0];
             let [vv, hh] = [draw.normal() * amplitude_m, draw.normal() * amplitude_m];
-            path(place_m, [[vv, Complex64::ZERO], [Complex64::ZERO, hh]])
+            let amplitude_m = [[vv, Complex64::ZERO], [Complex64::ZERO, hh]];
+            Path { target: GROUND, ..Path::of_point(place_m, [0.0; 3], amplitude_m) }
         };
         (0..self.sectors).map(patch).collect()
     }
@@ -102,21 +103,6 @@ fn virtual_row(radar: &Radar) -> f64 {
         across().fold(f64::NEG_INFINITY, f64::max) - across().fold(f64::INFINITY, f64::min)
     };
     1.0 + span(&radar.array.tx_half_wavelengths).max(0.0) + span(&radar.array.rx_half_wavelengths).max(0.0)
-}
-
-fn path(place_m: [f64; 3], amplitude_m: artifact::paths::Amplitude) -> Path {
-    Path {
-        target: GROUND,
-        order: 0,
-        apparent_tx_m: place_m,
-        apparent_tx_mps: [0.0; 3],
-        apparent_rx_m: place_m,
-        apparent_rx_mps: [0.0; 3],
-        amplitude_m,
-        slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
-        facets: [Facet::default(); MAX_ORDER],
-        curve: Curve::default(),
-    }
 }
 
 /// Random numbers of one ring.

@@ -12,7 +12,7 @@ use crate::impairments::oscillator::Oscillator;
 use crate::links::multiplexing::{Transmission, row};
 use crate::sums::reference::legs_at;
 use artifact::Radar;
-use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
+use artifact::paths::{Curve, Path};
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::Pose;
 use glam::{DQuat, DVec3};
@@ -200,22 +200,12 @@ fn nearest_turn(axis: &[f64], angle: f64) -> f64 {
 
 fn origin_path(pose: &Pose) -> Path {
     let acceleration_mps2 = whole_acceleration_mps2(pose);
-    Path {
-        target: 0,
-        order: 0,
-        apparent_tx_m: pose.position_m,
-        apparent_tx_mps: pose.velocity_mps,
-        apparent_rx_m: pose.position_m,
-        apparent_rx_mps: pose.velocity_mps,
-        amplitude_m: [[Complex64::ONE; 2]; 2],
-        slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
-        facets: [Facet::default(); MAX_ORDER],
-        curve: Curve {
-            apparent_tx_mps2: acceleration_mps2,
-            apparent_rx_mps2: acceleration_mps2,
-            ..Curve::default()
-        },
-    }
+    let curve = Curve {
+        apparent_tx_mps2: acceleration_mps2,
+        apparent_rx_mps2: acceleration_mps2,
+        ..Curve::default()
+    };
+    Path { curve, ..Path::of_point(pose.position_m, pose.velocity_mps, [[Complex64::ONE; 2]; 2]) }
 }
 
 /// Paths that stand for the tables' origins, for the checks that paths pass.

@@ -50,25 +50,13 @@ fn third_derivative(radar: &Radar, path: &Path) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::paths::Curve;
     use num_complex::Complex64;
     use radar::aperture::Preset;
     use radar::paper;
 
     fn samples_for(range_m: f64, speed_mps: f64) -> usize {
         let radar = paper::radar([0.0, 0.0, 6.0], paper::waveform(256, 128), Preset::OneByOne.elements());
-        let path = Path {
-            target: 0,
-            order: 0,
-            apparent_tx_m: [0.0, range_m, 6.0],
-            apparent_tx_mps: [speed_mps, 0.0, 0.0],
-            apparent_rx_m: [0.0, range_m, 6.0],
-            apparent_rx_mps: [speed_mps, 0.0, 0.0],
-            amplitude_m: [[Complex64::ONE; 2]; 2],
-            slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
-            facets: Default::default(),
-            curve: Curve::default(),
-        };
+        let path = Path::of_point([0.0, range_m, 6.0], [speed_mps, 0.0, 0.0], [[Complex64::ONE; 2]; 2]);
         samples_per_segment(&radar, &[&path])
     }
 

@@ -1,11 +1,10 @@
 //! Checks before the first sample is made: every number finite, every length meaningful, the cube bounded.
 
 use crate::error::EchoError;
-use crate::impairments::oscillator;
 use crate::sums::closest_approach::MovingLeg;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::paths::{ArraySpan, Path, Rim, Span};
-use artifact::radar::{Pattern, PhaseNoise};
+use artifact::radar::{OSCILLATOR_SAMPLES_LIMIT, Pattern, PhaseNoise};
 use artifact::{Radar, Schema};
 use glam::DVec3;
 use num_complex::Complex32;
@@ -173,8 +172,8 @@ fn check_phase_noise(radar: &Radar) -> Result<(), EchoError> {
         return Err(EchoError::PhaseNoise);
     }
     let needed = radar.frame_duration_s() * radar.waveform.sample_rate_hz;
-    if !told.is_empty() && needed > oscillator::SAMPLES_MAX as f64 / 2.0 {
-        return Err(EchoError::OscillatorTooLong { samples: needed, limit: oscillator::SAMPLES_MAX / 2 });
+    if !told.is_empty() && needed > OSCILLATOR_SAMPLES_LIMIT as f64 {
+        return Err(EchoError::OscillatorTooLong { samples: needed, limit: OSCILLATOR_SAMPLES_LIMIT });
     }
     Ok(())
 }

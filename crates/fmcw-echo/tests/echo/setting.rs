@@ -5,12 +5,12 @@
     reason = "each test file takes the part that it needs as a module of its own"
 )]
 
+use artifact::Accuracy;
 use artifact::cube::{CubeFrame, CubeHeader, SampleUnit};
-use artifact::paths::{Curve, Facet, MAX_ORDER, Path, PathsFrame, TraceStatistics};
+use artifact::paths::{Path, PathsFrame};
 use artifact::radar::{Multiplexing, Radar, Waveform};
-use artifact::settings::{Angle, Detector, DspSettings, Lanes, Noise, Refine, StaticEchoes, Window};
+use artifact::settings::Noise;
 use artifact::units::power_from_db;
-use artifact::{Accuracy, ErrorBudget, ModelError};
 use fmcw_echo::{EchoError, Synthesizer};
 use num_complex::{Complex32, Complex64};
 use radar::aperture::Preset;
@@ -57,59 +57,18 @@ pub fn single_channel(waveform: Waveform) -> Radar {
 
 /// A cube of this radar.
 pub fn header(radar: Radar, noise: Noise) -> CubeHeader {
-    CubeHeader {
-        radar,
-        noise,
-        dsp: DspSettings {
-            range_window: Window::Hann,
-            doppler_window: Window::Hann,
-            detector: Detector::CaCfar,
-            false_alarm_rate: 1e-5,
-            guard_cells: [2, 2],
-            training_cells: [6, 10],
-            angle: Angle::Fft,
-            refine: Refine::Off,
-            calibration: vec![],
-            static_echoes: StaticEchoes::Keep,
-            assumed_height_m: 0.75,
-            cluster_range_m: 2.0,
-            cluster_velocity_mps: 1.0,
-            cluster_cross_m: 2.0,
-            nearest_m: 0.0,
-            road: Lanes::default(),
-        },
-        unit: SampleUnit::RootWatts,
-    }
+    CubeHeader { radar, noise, dsp: paper::processing(), unit: SampleUnit::RootWatts }
 }
 
 /// A point target, a = +√σ in vv and hh alike.
 pub fn point(position_m: [f64; 3], velocity_mps: [f64; 3], rcs_m2: f64) -> Path {
     let a = Complex64::from(rcs_m2.sqrt());
-    Path {
-        target: 0,
-        order: 0,
-        apparent_tx_m: position_m,
-        apparent_tx_mps: velocity_mps,
-        apparent_rx_m: position_m,
-        apparent_rx_mps: velocity_mps,
-        amplitude_m: [[a, Complex64::ZERO], [Complex64::ZERO, a]],
-        slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
-        facets: [Facet::default(); MAX_ORDER],
-        curve: Curve::default(),
-    }
+    Path::of_point(position_m, velocity_mps, [[a, Complex64::ZERO], [Complex64::ZERO, a]])
 }
 
 /// Paths of a frame.
 pub fn frame(paths: Vec<Path>) -> PathsFrame {
-    PathsFrame {
-        index: 0,
-        time_s: 0.0,
-        paths,
-        nearest_range_m: vec![],
-        error: ErrorBudget::default(),
-        model_error: ModelError::default(),
-        trace: TraceStatistics::default(),
-    }
+    PathsFrame { paths, ..PathsFrame::default() }
 }
 
 /// Paths as a tracer makes them, and worse: bounces apart by metres, both apparent points moving differently,
@@ -132,7 +91,6 @@ pub fn body(seed: u64, count: usize, middle_m: [f64; 3], velocity_mps: [f64; 3])
             let apparent_tx_m = node();
             let apparent_rx_m = if i % 3 == 0 { node() } else { apparent_tx_m };
             Path {
-                target: 0,
                 order: 1,
                 apparent_tx_m,
                 apparent_tx_mps: velocity_mps,
@@ -140,8 +98,7 @@ pub fn body(seed: u64, count: usize, middle_m: [f64; 3], velocity_mps: [f64; 3])
                 apparent_rx_mps: velocity_mps,
                 amplitude_m: random.amplitude(1.0),
                 slope_m_per_hz: random.amplitude(2e-10),
-                facets: [Facet::default(); MAX_ORDER],
-                curve: Curve::default(),
+                ..Path::default()
             }
         })
         .collect()
@@ -174,7 +131,6 @@ impl Random {
         let apparent_tx_mps = self.vector([-5.0, -20.0, -1.0], [5.0, 20.0, 1.0]);
         let (offset_m, offset_mps) = (self.vector([-2.0; 3], [2.0; 3]), self.vector([-1.0; 3], [1.0; 3]));
         Path {
-            target: 0,
             order: 2,
             apparent_tx_m,
             apparent_tx_mps,
@@ -182,8 +138,7 @@ impl Random {
             apparent_rx_mps: [0, 1, 2].map(|i| apparent_tx_mps[i] + offset_mps[i]),
             amplitude_m: self.amplitude(1.0),
             slope_m_per_hz: self.amplitude(3e-9),
-            facets: [Facet::default(); MAX_ORDER],
-            curve: Curve::default(),
+            ..Path::default()
         }
     }
 }

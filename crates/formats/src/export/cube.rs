@@ -3,7 +3,6 @@
 use crate::npy_stream::NpyStream;
 use crate::sidecar;
 use crate::sub_frames::of_sub_frames;
-use crate::writing::fail;
 use artifact::Reader;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::radar::{Multiplexing, Radar, Sampling};
@@ -11,6 +10,7 @@ use num_complex::Complex32;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
 use serde_json::{Value, json};
+use std::io::Error;
 use std::path::Path;
 
 /// Writes a cube as a NumPy array `[frame, channel, chirp, sample]`, its axes and unit beside it.
@@ -20,16 +20,14 @@ pub fn npy(reader: Reader<Cube>, out: &Path) -> Result<(), Failure> {
     let [channels, chirps, samples] = header.shape();
     let shape = [reader.frames() as usize, channels, chirps, samples];
     let mut times = Vec::new();
-    let mut failed = None;
-    let written = NpyStream::write::<Complex32>(out, &shape, |stream| {
+    NpyStream::write::<Complex32>(out, &shape, |stream| {
         for frame in progress::frames(reader) {
-            let frame = frame.map_err(|e| fail(&mut failed, e))?;
+            let frame = frame.map_err(Error::other)?;
             times.push(frame.time_s);
             stream.append(&frame.samples)?;
         }
         Ok(())
-    });
-    failed.map_or(written, |error| Err(error.into()))?;
+    })?;
     sidecar::write(out, &axes(&header, &times))
 }
 

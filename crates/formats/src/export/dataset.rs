@@ -1,8 +1,8 @@
 //! Crops as uint8 `[sample, velocity, range]`, or as pictures.
 
 use crate::npy_stream::NpyStream;
+use crate::plain_name::plain_name;
 use crate::sidecar;
-use crate::writing::plain_name;
 use artifact::Reader;
 use artifact::dataset::{Crop, Dataset, Sample};
 use pipeline::host::failure::Failure;

@@ -1,27 +1,24 @@
 //! Features of signatures as CSV, a row for each sample of a dataset.
 
-use crate::writing::fail;
 use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
 use pipeline::host::shown::in_csv;
-use std::io::Write;
+use std::io::{Error, Write};
 use std::path::Path;
 
 /// The features of every sample's signature, a row each.
 pub fn csv(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
-    let mut failed = None;
-    let written = pipeline::host::files::write_with(out, |stream| {
+    pipeline::host::files::write_with(out, |stream| {
         let columns = column_names().join(",");
         writeln!(stream, "id,class,model,variant,scene,target,frame,split,{columns}")?;
         for sample in progress::frames(reader) {
-            let sample = sample.map_err(|e| fail(&mut failed, e))?;
+            let sample = sample.map_err(Error::other)?;
             writeln!(stream, "{}", row(&sample))?;
         }
         Ok(())
-    });
-    failed.map_or(written, |error| Err(error.into()))
+    })
 }
 
 /// Names of the features, a later one of those that are alike with its number behind it: two features of

@@ -1,15 +1,16 @@
 //! Messages of other programs: ASAM OSI in `.osi` or MCAP, ROS 2 in MCAP.
 
-use crate::writing::{fail, streamed};
 use artifact::paths::Paths;
 use artifact::points::Points;
 use artifact::tracks::{Tracks, TracksFrame};
 use artifact::{Reader, Schema};
 use interchange::{Container, RosRecording, SensorDataTrace, SensorViewTrace};
 use pipeline::host::failure::Failure;
+use pipeline::host::files;
 use pipeline::host::progress;
 use pipeline::outcome::summary::{Summary, TrackSummary};
 use std::collections::BTreeMap;
+use std::io::Error;
 use std::path::Path;
 
 /// An artifact as messages of OSI.
@@ -44,10 +45,10 @@ fn container_of(out: &Path) -> Result<Container, Failure> {
 
 fn points_as_osi(reader: Reader<Points>, container: Container, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
-    streamed(out, |stream, failed| {
+    files::write_with(out, |stream| {
         let mut trace = SensorDataTrace::create(stream, container)?;
         for frame in progress::frames(reader) {
-            trace.points(&header, &frame.map_err(|e| fail(failed, e))?)?;
+            trace.points(&header, &frame.map_err(Error::other)?)?;
         }
         trace.finish()
     })
@@ -60,10 +61,10 @@ fn tracks_as_osi(
     classes: &Classes,
 ) -> Result<(), Failure> {
     let header = reader.header().clone();
-    streamed(out, |stream, failed| {
+    files::write_with(out, |stream| {
         let mut trace = SensorDataTrace::create(stream, container)?;
         for frame in progress::frames(reader) {
-            let frame = frame.map_err(|e| fail(failed, e))?;
+            let frame = frame.map_err(Error::other)?;
             trace.tracks(&header, &frame, &classes.of(&frame))?;
         }
         trace.finish()
@@ -72,10 +73,10 @@ fn tracks_as_osi(
 
 fn paths_as_osi(reader: Reader<Paths>, container: Container, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
-    streamed(out, |stream, failed| {
+    files::write_with(out, |stream| {
         let mut trace = SensorViewTrace::create(stream, container)?;
         for frame in progress::frames(reader) {
-            trace.paths(&header, &frame.map_err(|e| fail(failed, e))?)?;
+            trace.paths(&header, &frame.map_err(Error::other)?)?;
         }
         trace.finish()
     })
@@ -83,20 +84,20 @@ fn paths_as_osi(reader: Reader<Paths>, container: Container, out: &Path) -> Resu
 
 fn points_as_ros(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
-    streamed(out, |stream, failed| {
+    files::write_with(out, |stream| {
         let mut recording = RosRecording::create(stream)?;
         for frame in progress::frames(reader) {
-            recording.points(&header, &frame.map_err(|e| fail(failed, e))?)?;
+            recording.points(&header, &frame.map_err(Error::other)?)?;
         }
         recording.finish()
     })
 }
 
 fn tracks_as_ros(reader: Reader<Tracks>, out: &Path) -> Result<(), Failure> {
-    streamed(out, |stream, failed| {
+    files::write_with(out, |stream| {
         let mut recording = RosRecording::create(stream)?;
         for frame in progress::frames(reader) {
-            recording.tracks(&frame.map_err(|e| fail(failed, e))?)?;
+            recording.tracks(&frame.map_err(Error::other)?)?;
         }
         recording.finish()
     })

@@ -1,7 +1,6 @@
 //! One table of Apache Parquet: a row a point of a run, or a row a sample of a dataset, its truth and its
 //! features.
 
-use crate::writing::{fail, streamed};
 use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
 use artifact::points::{Point, Points, PointsFrame, PointsHeader};
@@ -9,7 +8,9 @@ use artifact::settings::Class;
 use interchange::table::{Kind, Table, Value};
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
+use pipeline::host::files;
 use pipeline::host::progress;
+use std::io::Error;
 use std::path::{Path, PathBuf};
 
 /// Columns of points, as their csv has them.
@@ -41,10 +42,10 @@ const OF_POINTS: [(&str, Kind); 22] = [
 /// The points of a run, a row each.
 pub fn points(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
-    streamed(out, |stream, failed| {
+    files::write_with(out, |stream| {
         let mut table = Table::create(stream, &OF_POINTS)?;
         for frame in progress::frames(reader) {
-            let frame = frame.map_err(|e| fail(failed, e))?;
+            let frame = frame.map_err(Error::other)?;
             frame.points.iter().try_for_each(|point| table.push(of_point(&header, &frame, point)))?;
         }
         table.finish()
@@ -104,11 +105,11 @@ pub fn samples(asked: &Path, out: &Path) -> Result<(), Failure> {
     let names = feature_names();
     let columns: Vec<(&str, Kind)> =
         OF_SAMPLES.into_iter().chain(names.iter().map(|name| (name.as_str(), Kind::Real))).collect();
-    streamed(out, |stream, failed| {
+    files::write_with(out, |stream| {
         let mut table = Table::create(stream, &columns)?;
         for shard in &shards {
-            for sample in Reader::<Dataset>::open(shard).map_err(|e| fail(failed, e))? {
-                table.push(of_sample(&sample.map_err(|e| fail(failed, e))?))?;
+            for sample in Reader::<Dataset>::open(shard).map_err(Error::other)? {
+                table.push(of_sample(&sample.map_err(Error::other)?))?;
             }
         }
         table.finish()

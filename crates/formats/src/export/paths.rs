@@ -3,7 +3,6 @@
 
 use crate::export::delays::delay_at_middle;
 use crate::sidecar;
-use crate::writing::fail;
 use artifact::paths::{ArraySpan, Path as Record, Paths, PathsHeader, Span};
 use artifact::{Radar, Reader};
 use pipeline::host::failure::Failure;
@@ -11,7 +10,7 @@ use pipeline::host::files;
 use pipeline::host::progress;
 use pipeline::host::shown::in_csv;
 use serde_json::json;
-use std::io::Write;
+use std::io::{Error, Write};
 use std::path::Path;
 
 const COLUMNS: &str = "frame,target,order,pol,re_m,im_m,dre_m_per_ghz,dim_m_per_ghz,ax_m,ay_m,az_m,bx_m,by_m,bz_m,\
@@ -24,17 +23,15 @@ const POLARIZATIONS: [(&str, usize, usize); 4] = [("vv", 0, 0), ("hh", 1, 1), ("
 pub fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
     sidecar::claim(out)?;
     let header = reader.header().clone();
-    let mut failed = None;
-    let written = files::write_with(out, |stream| {
+    files::write_with(out, |stream| {
         writeln!(stream, "{COLUMNS}")?;
         for frame in progress::frames(reader) {
-            let frame = frame.map_err(|e| fail(&mut failed, e))?;
+            let frame = frame.map_err(Error::other)?;
             let radar = header.radar.in_frame(frame.index);
             frame.paths.iter().try_for_each(|path| rows(stream, (&header, &radar), frame.index, path))?;
         }
         Ok(())
-    });
-    failed.map_or(written, |error| Err(error.into()))?;
+    })?;
     let axes = json!({ "f_c_hz": header.centre_frequency_hz, "positions_at": "the frame's first sample",
         "delay_at": "the frame's middle, from the array's centre", "facets": "body:triangle in the order of travel",
         "left_out": "accelerations, but for delay and rate; the turning of a wheel, whose hub is told (export to json has them)" });
@@ -84,27 +81,15 @@ fn span(path: &Record) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use artifact::paths::{Curve, Facet, MAX_ORDER, PathsFrame, TraceStatistics};
+    use artifact::paths::PathsFrame;
     use artifact::units::SPEED_OF_LIGHT_MPS;
-    use artifact::{ErrorBudget, ModelError, Provenance, Writer};
+    use artifact::{Provenance, Writer};
     use radar::aperture::Preset;
     use radar::paper;
 
     /// A point 30 m ahead that comes nearer at 20 m/s.
     fn record() -> Record {
-        let (place_m, mps) = ([0.0, 30.0, 0.0], [0.0, -20.0, 0.0]);
-        Record {
-            target: 0,
-            order: 0,
-            apparent_tx_m: place_m,
-            apparent_tx_mps: mps,
-            apparent_rx_m: place_m,
-            apparent_rx_mps: mps,
-            amplitude_m: Default::default(),
-            slope_m_per_hz: Default::default(),
-            facets: [Facet::default(); MAX_ORDER],
-            curve: Curve::default(),
-        }
+        Record::of_point([0.0, 30.0, 0.0], [0.0, -20.0, 0.0], Default::default())
     }
 
     fn frame(index: u32) -> PathsFrame {
@@ -113,9 +98,7 @@ mod tests {
             time_s: 0.1 * f64::from(index),
             paths: vec![record()],
             nearest_range_m: vec![None],
-            error: ErrorBudget::default(),
-            model_error: ModelError::default(),
-            trace: TraceStatistics::default(),
+            ..PathsFrame::default()
         }
     }
 

@@ -1,6 +1,5 @@
 //! Points as tables and clouds.
 
-use crate::writing::fail;
 use artifact::Reader;
 use artifact::points::{Height, Label, Point, Points, PointsFrame, PointsHeader};
 use artifact::settings::Class;
@@ -8,7 +7,7 @@ use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
 use pipeline::host::shown::in_csv;
-use std::io::Write;
+use std::io::{Error, Write};
 use std::path::Path;
 
 const COLUMNS: &str = "frame,time_s,range_m,radial_velocity_mps,az_deg,el_deg,x_m,y_m,z_m,snr_db,object,target,\
@@ -17,15 +16,13 @@ true_target,true_class,true_order,true_share,two_ways_az_deg,true_bodies,ghost_s
 /// Writes a row for each point of each frame.
 pub fn csv(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
-    let mut failed = None;
-    let written = files::write_with(out, |stream| {
+    files::write_with(out, |stream| {
         writeln!(stream, "{COLUMNS}")?;
         for frame in progress::frames(reader) {
-            write_csv(stream, &frame.map_err(|e| fail(&mut failed, e))?, &header)?;
+            write_csv(stream, &frame.map_err(Error::other)?, &header)?;
         }
         Ok(())
-    });
-    failed.map_or(written, |error| Err(error.into()))
+    })
 }
 
 /// Rows of one frame.

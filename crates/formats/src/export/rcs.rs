@@ -1,8 +1,8 @@
 //! RCS tables as complex128 `[frequency, elevation, azimuth]`.
 
 use crate::npy_stream::NpyStream;
+use crate::plain_name::plain_name;
 use crate::sidecar;
-use crate::writing::plain_name;
 use artifact::Reader;
 use artifact::rcs::{Rcs, RcsTable};
 use num_complex::Complex64;

@@ -4,7 +4,6 @@ use crate::export::cube::map_channels;
 use crate::npy_stream::NpyStream;
 use crate::sidecar;
 use crate::sub_frames::of_sub_frames;
-use crate::writing::fail;
 use artifact::Reader;
 use artifact::cube::CubeHeader;
 use artifact::rdm::{Rdm, RdmFrame};
@@ -15,6 +14,7 @@ use pipeline::host::progress;
 use reporting::pictures;
 use reporting::pictures::rdm_exr;
 use serde_json::json;
+use std::io::Error;
 use std::path::{Path, PathBuf};
 
 /// Writes the maps as a NumPy array `[frame, channel, doppler, range]`, the cells that were found as another,
@@ -26,17 +26,16 @@ pub fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
     let [channels, doppler, range] = artifact::rdm::shape(&header);
     let frames = reader.frames() as usize;
-    let (mut masks, mut told, mut failed) = (Vec::new(), Vec::new(), None);
-    let written = NpyStream::write::<Complex32>(out, &[frames, channels, doppler, range], |stream| {
+    let (mut masks, mut told) = (Vec::new(), Vec::new());
+    NpyStream::write::<Complex32>(out, &[frames, channels, doppler, range], |stream| {
         for frame in progress::frames(reader) {
-            let frame = frame.map_err(|e| fail(&mut failed, e))?;
+            let frame = frame.map_err(Error::other)?;
             stream.append(&frame.values)?;
             told.push((frame.time_s, frame.detections, frame.cells));
             masks.extend_from_slice(&frame.mask);
         }
         Ok(())
-    });
-    failed.map_or(written, |error| Err(error.into()))?;
+    })?;
     NpyStream::write::<u8>(&mask, &[frames, doppler, range], |s| s.append(&masks))?;
     sidecar::write(out, &axes(&header, &told))
 }

@@ -1,12 +1,11 @@
 //! Tracks as a table: a row for each track that is alive in a frame.
 
-use crate::writing::fail;
 use artifact::Reader;
 use artifact::tracks::{Track, Tracks};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
-use std::io::Write;
+use std::io::{Error, Write};
 use std::path::Path;
 
 const COLUMNS: &str = "frame,time_s,track,state,age_frames,missed_frames,x_m,y_m,vx_mps,vy_mps,sd_x_m,sd_y_m,sd_vx_mps,\
@@ -14,18 +13,16 @@ sd_vy_mps,velocity_resolved,lane,box_x_m,box_y_m,box_length_m,box_width_m,box_he
 
 /// Writes a row for each track of each frame.
 pub fn csv(reader: Reader<Tracks>, out: &Path) -> Result<(), Failure> {
-    let mut failed = None;
-    let written = files::write_with(out, |stream| {
+    files::write_with(out, |stream| {
         writeln!(stream, "{COLUMNS}")?;
         for frame in progress::frames(reader) {
-            let frame = frame.map_err(|e| fail(&mut failed, e))?;
+            let frame = frame.map_err(Error::other)?;
             for track in &frame.tracks {
                 writeln!(stream, "{},{},{}", frame.index, frame.time_s, row(track))?;
             }
         }
         Ok(())
-    });
-    failed.map_or(written, |error| Err(error.into()))
+    })
 }
 
 fn row(track: &Track) -> String {

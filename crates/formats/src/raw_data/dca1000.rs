@@ -5,7 +5,6 @@ use crate::raw_data::lanes::TWO_LANES;
 use crate::raw_data::told_waveform::WaveformKeys;
 use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording, Shape};
 use crate::sidecar;
-use crate::writing::fail;
 use artifact::Reader;
 use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader, SampleUnit};
@@ -15,7 +14,7 @@ use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
 use serde_json::{Value, json};
-use std::io::Write;
+use std::io::{Error, Write};
 use std::path::{Path, PathBuf};
 
 /// Writes a cube; samples that were steps stay what they were where they fit, of all others the strongest
@@ -32,18 +31,17 @@ pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
         parts = frame?.samples.iter().flat_map(|x| [x.re, x.im]).fold(parts, Parts::with);
     }
     let step = step_of(header.unit, parts);
-    let (mut failed, mut hasher) = (None, blake3::Hasher::new());
+    let mut hasher = blake3::Hasher::new();
     let mut reader = Reader::<Cube>::open(file)?;
     let frames = reader.frames();
-    let written = files::write_with(out, |stream| {
+    files::write_with(out, |stream| {
         progress::counted("frames", reader.by_ref(), frames as usize).try_for_each(|frame| {
-            let frame = frame.map_err(|e| fail(&mut failed, e))?;
+            let frame = frame.map_err(Error::other)?;
             let bytes = bytes(&recording.by_slot(&frame.samples), step);
             hasher.update(&bytes);
             stream.write_all(&bytes)
         })
-    });
-    failed.map_or(written, |error| Err(error.into()))?;
+    })?;
     let mut told = told(&header, &recording, frames, step);
     told[HASH] = hasher.finalize().to_hex().to_string().into();
     sidecar::write(out, &told)

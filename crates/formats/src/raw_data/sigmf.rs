@@ -3,7 +3,6 @@
 
 use crate::raw_data::told_waveform::{WaveformKeys, same};
 use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording, Shape};
-use crate::writing::fail;
 use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::{Reader, Waveform};
@@ -12,7 +11,7 @@ use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
 use serde_json::{Value, json};
-use std::io::Write;
+use std::io::{Error, Write};
 use std::path::{Path, PathBuf};
 
 /// Writes a cube as `cf32_le`, in its own unit; every frame is a capture.
@@ -24,18 +23,16 @@ pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     files::claim(&[data.clone(), meta_place.clone()])?;
     files::keep_foreign(&meta_place, META_LIMIT_BYTES, is_own)?;
     let mut times = Vec::new();
-    let mut failed = None;
-    let written = files::write_with(&data, |stream| {
+    files::write_with(&data, |stream| {
         progress::frames(reader).try_for_each(|frame| {
-            let frame = frame.map_err(|e| fail(&mut failed, e))?;
+            let frame = frame.map_err(Error::other)?;
             times.push(frame.time_s);
             let values = recording.interleaved(&recording.by_slot(&frame.samples));
             let bytes: Vec<u8> =
                 values.iter().flat_map(|x| [x.re, x.im]).flat_map(f32::to_le_bytes).collect();
             stream.write_all(&bytes)
         })
-    });
-    failed.map_or(written, |error| Err(error.into()))?;
+    })?;
     let text = serde_json::to_string_pretty(&meta(&header, &recording, &times)).map_err(Failure::refused)?;
     files::write_file(&meta_place, text.as_bytes())
 }

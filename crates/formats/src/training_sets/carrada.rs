@@ -6,12 +6,12 @@
 //! (cells) and `label`.
 
 use crate::npy_stream::NpyStream;
+use crate::plain_name::plain_name;
 use crate::sub_frames::of_sub_frames;
 use crate::training_sets::angle_spectrum::{AngleSpectrum, Tensor, sines};
 use crate::training_sets::cell_boxes::{CellBox, cell_box};
 use crate::training_sets::set_folder::SetFolder;
 use crate::training_sets::truth_boxes::{TruthBox, TruthBoxes};
-use crate::writing::plain_name;
 use artifact::cube::CubeHeader;
 use artifact::rdm::{Rdm, RdmFrame};
 use artifact::settings::Class;

@@ -4,7 +4,7 @@
 //! A box is made of every target with a class; clutter, points and bodies without one have none. The scene's
 //! snapshot alone is read: whether a body is hidden is not known of it.
 
-use artifact::scene::{Mesh, Pose, Role, Scene, SceneHeader, Target, TargetKind};
+use artifact::scene::{Pose, Role, Scene, SceneHeader, Target, TargetKind};
 use artifact::settings::Class;
 use artifact::{Provenance, Radar};
 use glam::{DVec2, DVec3};
@@ -85,7 +85,7 @@ impl TruthBoxes {
             let rule = "its radar is not the one that the frames are of";
             return Err(Failure::Refused(format!("{}: {rule}", file.display())));
         }
-        let extents_m = header.meshes.iter().map(extent_m).collect();
+        let extents_m = header.meshes.iter().map(|mesh| mesh.bounds_m().map(DVec3::from)).collect();
         Ok(Self { file: file.to_owned(), scene, header, is_same, extents_m })
     }
 
@@ -143,11 +143,4 @@ impl TruthBoxes {
         let rule = format!("frame {index}, `{}`: place, size or motion is no number", body.id);
         Err(Failure::Refused(format!("{}: {rule}", self.file.display())))
     }
-}
-
-fn extent_m(mesh: &Mesh) -> [DVec3; 2] {
-    let corner = |pick: fn(DVec3, DVec3) -> DVec3| {
-        mesh.vertices_m.iter().map(|vertex| DVec3::from(*vertex)).reduce(pick).unwrap_or(DVec3::ZERO)
-    };
-    [corner(DVec3::min), corner(DVec3::max)]
 }

@@ -56,9 +56,10 @@ pub(crate) fn carry_out(folder: &Path, words: &str) -> Result<(), Failure> {
         [before.as_ref(), place.as_os_str()].concat_all()
     };
     terminal::mute();
+    let command = words.split_whitespace().next().unwrap_or_default().to_owned();
     let words = ["wayside".into()].into_iter().chain(words.split_whitespace().map(word));
     let words = Words::try_parse_from(words).unwrap_or_else(|error| panic!("{error}"));
-    let means = Means { memory: Allowance::of(Some(1024)), making: Making::default() };
+    let means = Means { command, memory: Allowance::of(Some(1024)), making: Making::default() };
     dispatch(words.command, &means)
 }
 

@@ -152,8 +152,7 @@ pub(super) fn stream(recipe: &Recipe, of: &str, index: &[u64]) -> ChaCha8Rng {
 
 /// Seed of a scene's noise, by that of its recipe: neighbouring recipes have none in common.
 pub(super) fn noise_seed(of_recipe: u64, scene: u64) -> u64 {
-    let key = artifact::seed::key(of_recipe, "dataset/noise", &[scene]);
-    u64::from_le_bytes(std::array::from_fn(|i| key[i]))
+    artifact::seed::number(of_recipe, "dataset/noise", &[scene])
 }
 
 pub(super) fn within([low, high]: [f64; 2], share: f64) -> f64 {

@@ -6,7 +6,7 @@ use crate::dataset::lines as told;
 use crate::dataset::maker::maker;
 use crate::dataset::recipe::Recipe;
 use artifact::dataset::{Dataset, Sample};
-use artifact::{ArtifactError, Reader};
+use artifact::{ArtifactError, Fault, Reader};
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
 use serde_json::Value;
@@ -59,6 +59,9 @@ pub(super) fn lines(shard: &PlannedShard) -> Option<Vec<Value>> {
     numbers.eq(shard.scenes.clone().map(Some)).then_some(lines)
 }
 
+/// Ways out where another program has made a shard.
+const ANOTHER_FOLDER: &str = "--out takes a new folder, or that version goes on with this one";
+
 enum Obstacle {
     /// It is of another recipe, or another program has made it.
     Foreign(Failure),
@@ -71,21 +74,22 @@ fn samples(recipe: &Recipe, shard: &Path) -> Result<Vec<Sample>, Obstacle> {
 }
 
 fn opened(recipe: &Recipe, shard: &Path) -> Result<Reader<Dataset>, Obstacle> {
-    let reader = Reader::<Dataset>::open_own(shard).map_err(Obstacle::Damaged)?;
+    let foreign = |rule: &str| Obstacle::Foreign(Failure::System(format!("{}: {rule}", shard.display())));
+    let reader = Reader::<Dataset>::open_own(shard).map_err(|error| match error.fault {
+        Fault::Version { .. } => foreign(&format!("{}; {ANOTHER_FOLDER}", error.fault)),
+        _ => Obstacle::Damaged(error),
+    })?;
     let from = &reader.preamble().provenance;
-    let refused =
-        |rule: &str| Err(Obstacle::Foreign(Failure::System(format!("{}: {rule}", shard.display()))));
     if from.seed != recipe.seed || !recipe.draws_as(&from.settings, &from.inputs) {
-        return refused(
+        return Err(foreign(
             "was made by another recipe, scene or seed; --out takes a new folder, or that of this recipe",
-        );
+        ));
     }
     let (theirs, own) = (&from.program_version, maker());
     if *theirs != own {
-        return refused(&format!(
-            "was made by another version of the program ({theirs}, this is {own}); --out takes a new folder, \
-             or that version goes on with this one"
-        ));
+        return Err(foreign(&format!(
+            "was made by another version of the program ({theirs}, this is {own}); {ANOTHER_FOLDER}"
+        )));
     }
     Ok(reader)
 }

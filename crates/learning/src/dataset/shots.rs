@@ -9,6 +9,7 @@ use artifact::dataset::{Crop, Sample};
 use pipeline::chain::link::Chain;
 use pipeline::chain::measured_frames::Known;
 use pipeline::host::failure::Failure;
+use pipeline::host::in_order::AtOnce;
 use pipeline::host::memory::Allowance;
 use serde_json::Value;
 use std::sync::Arc;
@@ -50,7 +51,7 @@ pub(super) fn shoot(
 ) -> Result<Shot, Failure> {
     let staged = stage(recipe, drawn);
     let chain = Chain::of(&staged.header, None, None, surroundings.memory);
-    chain.share_memory(surroundings.at_once);
+    chain.share_memory(AtOnce { workers: surroundings.at_once, held: surroundings.at_once });
     let chain = match surroundings.like {
         Some(measured) => chain.like(Known::clone(&measured.known), &measured.scene.to_string()),
         None => chain,

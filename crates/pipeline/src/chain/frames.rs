@@ -24,7 +24,7 @@ pub fn each_frame<T: Send>(
     let work = Work::begin("frames");
     work.at(0, plans.len());
     let at_once = chain.frames_at_once(plans)?;
-    chain.share_memory(at_once.workers);
+    chain.share_memory(at_once);
     let make = |i: usize| call_off.check().and_then(|()| make(&plans[i]));
     let mut taken = 0;
     let take = |of_frame: T| {

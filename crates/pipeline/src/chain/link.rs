@@ -2,7 +2,6 @@
 //! where it is there. What goes into a stage is what its artifact holds, nothing else.
 
 use crate::chain::cache::Cache;
-use crate::chain::expectation::rates::PROGRAM_MIB;
 use crate::chain::frame_result::{FrameResult, Scattering};
 use crate::chain::keys::{FrameKeys, SceneParts, cube_header, echo_header};
 use crate::chain::loaded_model::LoadedModel;
@@ -12,6 +11,7 @@ use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::chain::told_class::ClassRule;
 use crate::host::failure::Failure;
+use crate::host::in_order::AtOnce;
 use crate::host::memory::{self, Allowance};
 use crate::host::origin;
 use crate::host::progress::{self, Work};
@@ -58,8 +58,8 @@ pub struct Chain<'a> {
     receiver: OnceLock<Result<dsp::Receiver, String>>,
     measured: MeasuredFrames,
     looks: Looks,
-    /// Number of frames that share what tracing may take; one where no plan was made of them.
-    at_once: OnceLock<usize>,
+    /// Frames that share what tracing may take; one where no plan was made of them.
+    at_once: OnceLock<AtOnce>,
     limited: OnceLock<bart_rcs::Tracer>,
     memory: Allowance,
 }
@@ -298,8 +298,8 @@ impl<'a> Chain<'a> {
         self.measured.get(index).ok_or_else(|| Failure::refused(format!("frame {index} has no paths")))
     }
 
-    /// Frames are traced so many at a time from now on: each has its share of the memory.
-    pub fn share_memory(&self, at_once: usize) {
+    /// Frames are traced and held so many at a time from now on: each has its share of the memory.
+    pub fn share_memory(&self, at_once: AtOnce) {
         let _ = self.at_once.set(at_once);
     }
 
@@ -308,9 +308,8 @@ impl<'a> Chain<'a> {
     fn tracer(&self, plan: &FramePlan) -> Result<&bart_rcs::Tracer, Failure> {
         self.memory.check(self.least_memory_mib(plan)?)?;
         let tracer = self.unlimited_tracer()?;
-        let left = self.memory.beside(PROGRAM_MIB).limit();
-        let share = || left.share_of(*self.at_once.get_or_init(|| 1));
-        Ok(self.limited.get_or_init(|| tracer.clone().within(share())))
+        let at_once = *self.at_once.get_or_init(|| AtOnce { workers: 1, held: 1 });
+        Ok(self.limited.get_or_init(|| tracer.clone().within(self.tracing_share(at_once))))
     }
 
     /// Tracer without a limit of memory, for looks; refused where the bodies at rest do not fit.

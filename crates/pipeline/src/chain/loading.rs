@@ -83,12 +83,10 @@ fn check_model(source: &SceneSource, header: &SceneHeader) -> Result<(), Failure
     Err(Failure::System(format!("{}: {rule}", source.file.display())))
 }
 
-/// Seed of the noise: the scene's, or one of its own for each of several radars. That has 53 bits: readers of
-/// JSON that know but f64 keep them all.
+/// Seed of the noise: the scene's, or one of its own for each of several radars.
 fn seed(of_scene: u64, radar: Option<&str>) -> u64 {
     let Some(id) = radar else { return of_scene };
-    let key = artifact::seed::key(of_scene, &format!("xtask/radar/{id}"), &[]);
-    u64::from_le_bytes(std::array::from_fn(|i| key[i])) >> 11
+    artifact::seed::derived(of_scene, &format!("xtask/radar/{id}"), &[])
 }
 
 /// A radar and settings of a scene, its models unopened.

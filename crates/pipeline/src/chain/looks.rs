@@ -66,7 +66,8 @@ impl Looks {
     fn cell_m(&self, header: &SceneHeader, index: u32) -> f64 {
         let view = scene::frame_view(header, index);
         let frame = scene::snapshot(header, index);
-        let reaches_m = self.reach_of_mesh_m.get_or_init(|| header.meshes.iter().map(reach_m).collect());
+        let reaches_m =
+            self.reach_of_mesh_m.get_or_init(|| header.meshes.iter().map(Mesh::reach_m).collect());
         let position_m = DVec3::from_array(header.radar.position_m);
         let (mut nearest_m, mut fastest_mps, mut turn_radps) = (f64::INFINITY, 0.0_f64, 0.0_f64);
         for (target, pose) in view.targets.iter().zip(&frame.poses) {
@@ -86,9 +87,4 @@ impl Looks {
     fn taken(&self) -> std::sync::MutexGuard<'_, BTreeMap<u32, ExpectedWork>> {
         self.taken.lock().unwrap_or_else(PoisonError::into_inner)
     }
-}
-
-/// Greatest distance of a vertex from the mesh's origin.
-fn reach_m(mesh: &Mesh) -> f64 {
-    mesh.vertices_m.iter().map(|vertex| DVec3::from_array(*vertex).length()).fold(0.0, f64::max)
 }

@@ -14,6 +14,7 @@ use crate::host::memory::mib;
 use artifact::paths::Path;
 use artifact::scene::Pose;
 use artifact::settings::EchoMode;
+use bart_rcs::MemoryLimit;
 
 /// Expected load of a frame on memory, by what it goes into.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -99,6 +100,13 @@ impl Chain<'_> {
         Ok(of_held(most.min(fitting).max(1)))
     }
 
+    /// Memory that the tracing of one of these frames may take: an equal part, for each that is traced, of
+    /// what the program and the cubes and maps of the other frames that are held leave.
+    pub(crate) fn tracing_share(&self, AtOnce { workers, held }: AtOnce) -> MemoryLimit {
+        let of_others_mib = mib(self.signal_bytes()) * held.saturating_sub(1) as f64;
+        self.memory().beside(PROGRAM_MIB + of_others_mib).limit().share_of(workers)
+    }
+
     /// Load of the frame that is expected to hold most.
     pub fn largest_load(&self, plans: &[FramePlan]) -> Result<Load, Failure> {
         plans.iter().try_fold(Load::default(), |most, plan| {
@@ -164,5 +172,27 @@ impl Chain<'_> {
     fn ground_bytes(&self) -> u64 {
         let patches = self.header.backscatter.map_or(0, |_| fmcw_echo::ground::patches(&self.header.radar));
         (2 * patches * size_of::<Path>()) as u64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::host::memory::Allowance;
+
+    #[test]
+    fn the_share_of_a_frame_leaves_room_for_the_cubes_and_maps_of_the_others() {
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
+        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let header = scene::read(&file, &options).unwrap();
+        let chain = Chain::of(&header, None, None, Allowance::of(Some(2000)));
+        let (limit_bytes, program_bytes) = (2000 << 20, 48 << 20);
+        let of_frame = chain.signal_bytes();
+        assert!(of_frame > 1 << 20, "{of_frame} bytes of cubes and maps");
+        for (workers, held) in [(1, 1), (2, 3), (4, 4)] {
+            let left = limit_bytes - program_bytes - (held as u64 - 1) * of_frame;
+            let share = chain.tracing_share(AtOnce { workers, held });
+            assert_eq!(share, MemoryLimit::of_bytes(left / workers as u64), "{workers} of {held}");
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Writing of files that are there whole or not at all, and reading of what earlier runs have left.
 
 use crate::host::failure::Failure;
+use artifact::ArtifactError;
 use artifact::whole_file::{self, Durability, WholeFile};
 use std::collections::BTreeSet;
 use std::io::{Error, ErrorKind, Read, Write};
@@ -60,7 +61,8 @@ pub fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(whole.finish(Durability::InCache)?)
 }
 
-/// Writes a file whose content is made as a stream, whole or not at all.
+/// Writes a file whose content is made as a stream, whole or not at all. An [`ArtifactError`] that the
+/// content ends with is told as it is: what was read is at fault, not what is written.
 pub fn write_with(
     file: &Path,
     content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
@@ -83,7 +85,10 @@ fn write(
     content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
     let mut whole = WholeFile::create(file)?;
-    content(&mut whole).map_err(|e| Failure::system(file, "write", e))?;
+    content(&mut whole).map_err(|e| match e.downcast::<ArtifactError>() {
+        Ok(of_source) => of_source.into(),
+        Err(e) => Failure::system(file, "write", e),
+    })?;
     if !taken().files.insert(one_name(file)) {
         return Err(twice(file));
     }

@@ -61,7 +61,7 @@ impl Allowance {
         match self.mib() {
             Some(limit_mib) if least_mib > limit_mib => Err(Failure::Refused(format!(
                 "a frame is expected to hold {least_mib:.0} MiB at least; the limit is {limit_mib:.0} MiB (--memory-limit): fewer \
-                 bounces or coarser models need less"
+                 bounces, coarser models, or fewer channels, chirps and samples need less"
             ))),
             _ => Ok(()),
         }

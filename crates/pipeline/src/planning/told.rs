@@ -52,20 +52,22 @@ pub struct PartFigures {
     pub processor_s: Option<f64>,
 }
 
-impl PlanFigures {
-    pub(crate) fn of(
-        asked: Accuracy,
-        budget: &Budget,
-        shares: &Shares,
-        choice: &Choice,
-        fixed: &Fixed,
-        planned: &SceneHeader,
-        seconds: &Seconds,
-    ) -> Self {
-        let orders = orders(shares, choice, fixed, seconds);
-        let parts = Part::ALL.into_iter().map(|part| part_figures(part, shares, choice, fixed, seconds));
-        Self {
-            asked_db: asked.db(),
+/// A choice, and what it was made of.
+pub(crate) struct Chosen {
+    pub(crate) asked: Accuracy,
+    pub(crate) budget: Budget,
+    pub(crate) shares: Shares,
+    pub(crate) fixed: Fixed,
+    pub(crate) choice: Choice,
+    pub(crate) seconds: Seconds,
+}
+
+impl Chosen {
+    /// Figures of the plan, whose choice is in the header.
+    pub(crate) fn figures(&self, planned: &SceneHeader) -> PlanFigures {
+        let Self { budget, choice, seconds, .. } = self;
+        PlanFigures {
+            asked_db: self.asked.db(),
             spent_db: db_from_amplitude(budget.whole),
             limited_by: limit_name(budget.limit).into(),
             left_out_db: db_from_amplitude(choice.left_out),
@@ -75,10 +77,41 @@ impl PlanFigures {
             measured_every: planned.fidelity.measured_every,
             processor_s: seconds.planned,
             as_said_processor_s: seconds.as_said,
-            parts: orders.into_iter().chain(parts).collect(),
+            parts: self.orders().chain(Part::ALL.into_iter().map(|part| self.part(part))).collect(),
         }
     }
 
+    /// The orders after the first: those beyond the last that is modelled as one.
+    fn orders(&self) -> impl Iterator<Item = PartFigures> {
+        let Self { shares, choice, seconds, .. } = self;
+        let known = (2..).zip(shares.within.iter().zip(&shares.between).skip(1));
+        known.map(|(order, (within, between)): (u8, (&f64, &f64))| {
+            let is_next = order == choice.bounces + 1;
+            let more_s = seconds.with_one_bounce_more.filter(|_| is_next).map(|s| s - seconds.planned);
+            PartFigures {
+                name: format!("reflections of order {order}"),
+                modelled: order <= choice.bounces,
+                said: self.fixed.bounces.is_some(),
+                share_db: Some(db_from_amplitude(within.hypot(*between))),
+                processor_s: more_s.map(|s| s.max(0.0)),
+            }
+        })
+    }
+
+    fn part(&self, part: Part) -> PartFigures {
+        let Self { choice, seconds, .. } = self;
+        let cost = seconds.with_one_changed.get(&part).map(|changed| (changed - seconds.planned).abs());
+        PartFigures {
+            name: part.name().into(),
+            modelled: choice.modelled.contains(&part),
+            said: self.fixed.parts.contains_key(&part),
+            share_db: share(part, &self.shares).map(db_from_amplitude),
+            processor_s: cost,
+        }
+    }
+}
+
+impl PlanFigures {
     /// The same plan with the seconds of a machine so many times as fast as that of the rates.
     fn at_speed(&self, machine_speed: f64) -> Self {
         let mut here = self.clone();
@@ -134,40 +167,6 @@ impl PartFigures {
             false => format!(", would take {}", spent(seconds)),
         });
         format!("  {:<24} {:>9}  {verdict}{cost}", self.name, level(self.share_db))
-    }
-}
-
-/// The orders after the first: those beyond the last that is modelled as one.
-fn orders(shares: &Shares, choice: &Choice, fixed: &Fixed, seconds: &Seconds) -> Vec<PartFigures> {
-    let known = (2..).zip(shares.within.iter().zip(&shares.between).skip(1));
-    let of_order = |(order, (within, between)): (u8, (&f64, &f64))| {
-        let is_next = order == choice.bounces + 1;
-        let more_s = seconds.with_one_bounce_more.filter(|_| is_next).map(|s| s - seconds.planned);
-        PartFigures {
-            name: format!("reflections of order {order}"),
-            modelled: order <= choice.bounces,
-            said: fixed.bounces.is_some(),
-            share_db: Some(db_from_amplitude(within.hypot(*between))),
-            processor_s: more_s.map(|s| s.max(0.0)),
-        }
-    };
-    known.map(of_order).collect()
-}
-
-fn part_figures(
-    part: Part,
-    shares: &Shares,
-    choice: &Choice,
-    fixed: &Fixed,
-    seconds: &Seconds,
-) -> PartFigures {
-    let cost = seconds.with_one_changed.get(&part).map(|changed| (changed - seconds.planned).abs());
-    PartFigures {
-        name: part.name().into(),
-        modelled: choice.modelled.contains(&part),
-        said: fixed.parts.contains_key(&part),
-        share_db: share(part, shares).map(db_from_amplitude),
-        processor_s: cost,
     }
 }
 

@@ -164,11 +164,8 @@ struct Placing {
 
 impl Placing {
     fn of(mesh: &Mesh) -> Self {
-        let end = |start: f64, of: fn(f64, f64) -> f64| {
-            [0, 1, 2].map(|axis| mesh.vertices_m.iter().map(|v| v[axis]).fold(start, of))
-        };
-        let [low_m, high_m] = [end(f64::INFINITY, f64::min), end(f64::NEG_INFINITY, f64::max)];
-        let extent_m = (0..3).map(|axis| high_m[axis] - low_m[axis]).fold(0.0, f64::max);
+        let [low_m, high_m] = mesh.bounds_m();
+        let extent_m = mesh.size_m().into_iter().fold(0.0, f64::max);
         Self { low_m, high_m, scale: EXTENT / extent_m.max(f64::MIN_POSITIVE) }
     }
 

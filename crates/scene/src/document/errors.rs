@@ -327,7 +327,7 @@ pub enum Rule {
         /// Sample intervals in the frame, pauses included.
         samples: f64,
         /// Most of them.
-        limit: f64,
+        limit: usize,
     },
     /// Frames that would overlap.
     #[error("`frame_interval_s` is {interval_s}, shorter than a frame of {duration_s} s")]

@@ -1,6 +1,5 @@
 //! Parts into one mesh: triangles without area dropped, size checked, open edges counted, nothing welded.
 
-use crate::mesh::centre::bounds;
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::mesh::format::MeshOptions;
 use crate::mesh::part::{Part, check_count};
@@ -144,7 +143,7 @@ fn has_area([a, b, c]: [DVec3; 3]) -> bool {
 }
 
 fn check_size(mesh: &Mesh, options: &MeshOptions) -> Result<(), MeshFault> {
-    let (low, high) = bounds(mesh);
+    let [low, high] = mesh.bounds_m().map(DVec3::from);
     let size_m = (high - low).max_element();
     let (least_m, most_m) = match options.unit_scale {
         None => (*SIZES_M.start(), *SIZES_M.end()),

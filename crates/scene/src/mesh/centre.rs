@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// The mesh with the centre of its bounding box, on the ground, at the origin.
 pub fn centred(mut mesh: Mesh) -> Mesh {
-    let (low, high) = bounds(&mesh);
+    let [low, high] = mesh.bounds_m().map(DVec3::from);
     let middle = 0.5 * (low + high);
     let origin_m = DVec3::new(middle.x, middle.y, low.z);
     for vertex in &mut mesh.vertices_m {
@@ -15,11 +15,4 @@ pub fn centred(mut mesh: Mesh) -> Mesh {
         wheel.hub_m = (DVec3::from(wheel.hub_m) - origin_m).into();
     }
     mesh
-}
-
-/// Lowest and highest coordinates; zero for a mesh without vertices.
-pub(crate) fn bounds(mesh: &Mesh) -> (DVec3, DVec3) {
-    let mut vertices = mesh.vertices_m.iter().map(|vertex| DVec3::from(*vertex));
-    let first = vertices.next().unwrap_or(DVec3::ZERO);
-    vertices.fold((first, first), |(low, high), vertex| (low.min(vertex), high.max(vertex)))
 }

@@ -5,6 +5,9 @@ use crate::mesh::format::LIMIT_BYTES;
 use crate::mesh::gltf_json::check_values;
 use crate::wording::reference::{self, ReferenceFault};
 use artifact::bounded::{self, ReadFault};
+use base64::Engine;
+use base64::alphabet::STANDARD;
+use base64::engine::general_purpose::{GeneralPurpose, GeneralPurposeConfig, NO_PAD};
 use gltf::json::{Buffer, Root, deserialize};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -92,28 +95,10 @@ fn file_of(uri: &str, path: &Path) -> Result<PathBuf, MeshFault> {
     })
 }
 
-/// Bytes of base64 (RFC 4648, 4); `None` where the text is none.
+/// Bytes of base64 (RFC 4648, 4), padded or not; `None` where the text is none.
 fn base64(text: &str) -> Option<Vec<u8>> {
-    let digits = text.trim_end_matches('=');
-    let mut decoded = Vec::with_capacity(digits.len() / 4 * 3 + 2);
-    for group in digits.as_bytes().chunks(4) {
-        let bits = group.iter().try_fold(0_u32, |bits, digit| Some(bits << 6 | base64_value(*digit)?))?;
-        let aligned = (bits << (6 * (4 - group.len()))).to_be_bytes();
-        // 2, 3, 4 digits hold 1, 2, 3 bytes; one alone holds none.
-        decoded.extend_from_slice(aligned.get(1..group.len()).filter(|bytes| !bytes.is_empty())?);
-    }
-    Some(decoded)
-}
-
-fn base64_value(digit: u8) -> Option<u32> {
-    Some(u32::from(match digit {
-        b'A'..=b'Z' => digit - b'A',
-        b'a'..=b'z' => digit - b'a' + 26,
-        b'0'..=b'9' => digit - b'0' + 52,
-        b'+' => 62,
-        b'/' => 63,
-        _ => return None,
-    }))
+    const UNPADDED: GeneralPurposeConfig = NO_PAD.with_decode_allow_trailing_bits(true);
+    GeneralPurpose::new(&STANDARD, UNPADDED).decode(text.trim_end_matches('=')).ok()
 }
 
 #[cfg(test)]

@@ -10,7 +10,9 @@ use crate::document::keys::receiver::{
     START_FREQUENCY, SWEEP, VELOCITY,
 };
 use crate::document::section::Section;
-use artifact::radar::{Adc, ElementError, ElementSpread, Hardware, Interferer, PhaseNoise, Radar};
+use artifact::radar::{
+    Adc, ElementError, ElementSpread, Hardware, Interferer, OSCILLATOR_SAMPLES_LIMIT, PhaseNoise, Radar,
+};
 use artifact::units::watts_from_dbm;
 use glam::DVec3;
 
@@ -63,9 +65,6 @@ fn read_adc(section: &Section<'_>) -> Option<Adc> {
         .map(|(bits, dbm)| Adc { bits: bits as u8, full_scale: watts_from_dbm(dbm).sqrt() })
 }
 
-/// Samples of the longest frame of which an oscillator's phase is drawn at once, pauses included.
-const OSCILLATOR_SAMPLES: f64 = (1_u32 << 20) as f64;
-
 fn read_phase_noise(section: &Section<'_>, radar: &Radar) -> Vec<PhaseNoise> {
     let (key, each) = (PHASE_NOISE.name, PHASE_NOISE.takes.pair.each);
     let told = section.read(&PHASE_NOISE).unwrap_or_default();
@@ -80,8 +79,8 @@ fn read_phase_noise(section: &Section<'_>, radar: &Radar) -> Vec<PhaseNoise> {
     let duration_s = |index: u32| radar.in_frame(index).frame_duration_s();
     let longest_s = (0..radar.schedule.sub_frames()).map(duration_s).fold(0.0, f64::max);
     let samples = longest_s * radar.waveform.sample_rate_hz;
-    if section.has(key) && samples > OSCILLATOR_SAMPLES {
-        section.note(key, Rule::OscillatorTooLong { samples, limit: OSCILLATOR_SAMPLES });
+    if section.has(key) && samples > OSCILLATOR_SAMPLES_LIMIT as f64 {
+        section.note(key, Rule::OscillatorTooLong { samples, limit: OSCILLATOR_SAMPLES_LIMIT });
     }
     told.into_iter().map(|[offset_hz, dbc_per_hz]| PhaseNoise { offset_hz, dbc_per_hz }).collect()
 }

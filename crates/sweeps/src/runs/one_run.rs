@@ -16,6 +16,7 @@ use pipeline::chain::loading;
 use pipeline::chain::measured_frames::Known;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
+use pipeline::host::in_order::AtOnce;
 use pipeline::host::memory::Allowance;
 use pipeline::outcome::frame_truth::frame_truth;
 use pipeline::outcome::summary::{FrameSummary, Summary};
@@ -108,6 +109,6 @@ fn takes_over(frame: &FrameProducts) -> bool {
 /// disk.
 fn chain<'a>(header: &'a SceneHeader, means: &Means<'a>) -> Chain<'a> {
     let chain = Chain::of(header, means.cache, means.model, means.memory).keeping(Stage::BartRcs);
-    chain.share_memory(means.at_once);
+    chain.share_memory(AtOnce { workers: means.at_once, held: means.at_once });
     chain
 }

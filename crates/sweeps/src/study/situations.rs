@@ -43,9 +43,7 @@ pub(crate) fn changes_in(study: &Study, design: &[Pick], situation: &Situation) 
 
 fn situation(study: &Study, repeat: u32, condition: usize, listed: &[Pick]) -> Situation {
     let index = [u64::from(repeat), condition as u64];
-    let key = artifact::seed::key(study.seed, "sweep/scene", &index);
-    // 53 bits: readers of JSON and tables that know but f64 keep them all.
-    let seed = u64::from_le_bytes(std::array::from_fn(|byte| key[byte])) >> 11;
+    let seed = artifact::seed::derived(study.seed, "sweep/scene", &index);
     let mut listed = listed.iter();
     let axes = study.conditions.iter().zip(0..);
     let pick = |(axis, place): (&Axis, u64)| match axis.listed() {

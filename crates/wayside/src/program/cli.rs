@@ -49,28 +49,6 @@ pub struct General {
 }
 
 impl Command {
-    /// The word that a user types.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Run(_) => "run",
-            Self::Rcs(_) => "rcs",
-            Self::Paths(_) => "paths",
-            Self::Echo(_) => "echo",
-            Self::Dsp(_) => "dsp",
-            #[cfg(feature = "classifier")]
-            Self::Learning(command) => command.name(),
-            Self::Sweep(_) => "sweep",
-            Self::Score(_) => "score",
-            Self::Import(_) => "import",
-            Self::SceneFrom(_) => "scene-from",
-            Self::Calibrate(_) => "calibrate",
-            Self::Export(_) => "export",
-            Self::Inspect(_) => "inspect",
-            Self::Vehicles(_) => "vehicles",
-            Self::Cache(_) => "cache",
-        }
-    }
-
     /// Says whether the command leaves files or only lines of standard output.
     pub fn results(&self) -> Results {
         match self {
@@ -82,12 +60,13 @@ impl Command {
     }
 }
 
-/// The words of this process. Ends the program with exit code 2 on wrong words, 0 after `--help`. Option
-/// values may begin with a minus.
-pub fn parse_or_exit<P: Parser>() -> P {
+/// The words of this process, and which command they name. Ends the program with exit code 2 on wrong words,
+/// 0 after `--help`. Option values may begin with a minus.
+pub fn parse_or_exit<P: Parser>() -> (P, String) {
     let matches = with_negative_values(P::command()).try_get_matches();
     let matches = matches.unwrap_or_else(|told| tell_and_exit(&suggest::<P>(told)));
-    P::from_arg_matches(&matches).unwrap_or_else(|e| e.exit())
+    let command = matches.subcommand_name().unwrap_or_default().to_owned();
+    (P::from_arg_matches(&matches).unwrap_or_else(|e| e.exit()), command)
 }
 
 /// Help and version are results; what is wrong with the words is not.
@@ -505,7 +484,8 @@ pub struct VehiclesArguments {
     /// 0 gives the nominal dimensions, others spread them over real ranges.
     #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
     pub(crate) seed: u64,
-    /// Number of vehicles of each model, from the seed on.
+    /// Number of vehicles of each model: the first is that of the seed, the others have seeds of their own,
+    /// which the manifest tells.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub(crate) count: u64,
 }

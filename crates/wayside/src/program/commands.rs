@@ -28,7 +28,7 @@ pub use ::learning::training::{PROGRAM as TRAINING_PROGRAM, target_folder as tra
 /// Does what was asked.
 pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
     let memory = means.memory;
-    out_endings::check(&command)?;
+    out_endings::check(&command, &means.command)?;
     match command {
         Command::Run(arguments) => run::run(&arguments, means),
         Command::Rcs(arguments) => {

@@ -23,17 +23,6 @@ pub enum LearningCommand {
 }
 
 impl LearningCommand {
-    /// The word that a user types.
-    pub(crate) fn name(&self) -> &'static str {
-        match self {
-            Self::Dataset(_) => "dataset",
-            Self::Train(_) => "train",
-            Self::Classify(_) => "classify",
-            Self::Evaluate(_) => "evaluate",
-            Self::Protocols(_) => "protocols",
-        }
-    }
-
     /// Says whether the command leaves files or only lines of standard output.
     pub(crate) fn results(&self) -> Results {
         match self {

@@ -40,14 +40,13 @@ const WRITERS: [(&str, &str); 27] = [
 
 /// Refuses a result under the ending of another format. Endings of no format of the program's are parts of
 /// names, and a folder that is there is taken.
-pub(crate) fn check(command: &Command) -> Result<(), Failure> {
+pub(crate) fn check(command: &Command, word: &str) -> Result<(), Failure> {
     let Some(Written { out, what, endings }) = written(command) else { return Ok(()) };
     let told = out.extension().map(|ending| ending.to_string_lossy().to_lowercase());
     let writer = WRITERS.iter().find(|(ending, _)| told.as_deref() == Some(ending));
     match writer {
         Some((ending, writer)) if !endings.contains(ending) && !out.is_dir() => {
-            let rule =
-                format!("{} writes {what}; .{ending} is written by `wayside {writer}`", command.name());
+            let rule = format!("{word} writes {what}; .{ending} is written by `wayside {writer}`");
             Err(Failure::System(format!("--out {}: {rule}", out.display())))
         }
         _ => Ok(()),

@@ -184,6 +184,7 @@ fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
     if radars.is_empty() {
         return Ok(vec![Run { scene: settings.scene.clone(), out: settings.out.clone() }]);
     }
+    several_radars::check_names(&settings.scene.file, &radars)?;
     let run = |id: String| {
         let out = settings.out.as_ref().map(|out| out.join(&id));
         Run { scene: SceneSource { radar: Some(id), ..settings.scene.clone() }, out }

@@ -40,10 +40,27 @@ pub(crate) fn above(out: &Path) -> &Path {
     out.parent().unwrap_or(Path::new(""))
 }
 
+/// Names in the folder above those of the radars that are taken by what these have in common.
+const IN_COMMON: [&str; 3] = ["summary.json", "report.html", "pictures"];
+
+/// Refuses a radar whose folder would be one of what all have in common.
+pub(crate) fn check_names(scene: &Path, radars: &[String]) -> Result<(), Failure> {
+    match radars.iter().find(|id| IN_COMMON.contains(&id.as_str())) {
+        None => Ok(()),
+        Some(id) => Err(Failure::Refused(format!(
+            "{}: [[radars]] `{id}`: its folder would be that of what all radars have in common ({}); give it \
+             another `id`, or run it alone (--radar {id})",
+            scene.display(),
+            IN_COMMON.join(", ")
+        ))),
+    }
+}
+
 /// Files of what radars of so many frames have in common.
 pub(crate) fn places(out: &Path, frames: usize) -> Vec<PathBuf> {
     let pictures = (0..frames.min(FRAMES_DRAWN)).map(|number| picture(out, number));
-    ["summary.json", "report.html"].map(|name| out.join(name)).into_iter().chain(pictures).collect()
+    let [summary, report, _] = IN_COMMON.map(|name| out.join(name));
+    [summary, report].into_iter().chain(pictures).collect()
 }
 
 /// Picture of a frame as all radars have it.

@@ -97,18 +97,13 @@ fn point_elsewhere(header: &SceneHeader, frame: &PathsFrame, snapshot: &SceneFra
 /// Whether a body's nearest lit surface may be at this range in the frame.
 fn may_be_lit_at(view: &SceneHeader, frame: &SceneFrame, body: usize, range_m: f64) -> bool {
     let Some(pose) = frame.poses.get(body) else { return true };
-    let extent_m = match view.targets[body].kind {
-        TargetKind::Mesh { mesh, .. } => view.meshes.get(mesh as usize).map_or(f64::INFINITY, extent_m),
+    let reach_m = match view.targets[body].kind {
+        TargetKind::Mesh { mesh, .. } => view.meshes.get(mesh as usize).map_or(f64::INFINITY, Mesh::reach_m),
         TargetKind::Point { .. } => 0.0,
     };
     let way_m = DVec3::from(pose.velocity_mps).length() * view.radar.frame_duration_s();
     let origin_m = DVec3::from(pose.position_m).distance(DVec3::from(view.radar.position_m));
-    (range_m - origin_m).abs() <= extent_m + way_m + BEYOND_M
-}
-
-/// Distance of the farthest vertex from the body's origin, m.
-fn extent_m(mesh: &Mesh) -> f64 {
-    mesh.vertices_m.iter().map(|vertex| DVec3::from(*vertex).length()).fold(0.0, f64::max)
+    (range_m - origin_m).abs() <= reach_m + way_m + BEYOND_M
 }
 
 /// Some ids in words, the first ones of many.

@@ -9,7 +9,7 @@
 
 use crate::common::Workplace;
 use artifact::dataset::{Dataset, Sample};
-use artifact::{Reader, Writer};
+use artifact::{Reader, Schema, Writer};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -271,6 +271,36 @@ fn shards_of_another_version_of_the_program_are_refused_by_name_and_stay() {
         let said = String::from_utf8_lossy(&output.stderr);
         let told = "shard-0001.dataset: was made by another version of the program (0.1.0, this is 0.1.0+";
         assert!(output.status.code() == Some(2) && said.contains(told) && said.contains("--out"), "{said}");
+    }
+    assert!(place.bytes("d/shard-0001.dataset") == before);
+}
+
+/// Schema of shards, one version before.
+struct Earlier;
+
+impl Schema for Earlier {
+    const NAME: &'static str = Dataset::NAME;
+    const VERSION: u32 = Dataset::VERSION - 1;
+    type Header = <Dataset as Schema>::Header;
+    type Frame = <Dataset as Schema>::Frame;
+}
+
+#[test]
+fn shards_of_an_earlier_version_of_their_schema_are_refused_by_name_and_stay() {
+    let place = prepared();
+    made(&place, &format!("{NEEDED}scenes_per_shard = 4\ncrops = false\n{OWN}"), "d");
+    let shard = place.path("d/shard-0001.dataset");
+    let reader = Reader::<Dataset>::open(&shard).unwrap();
+    let (from, header) = (reader.preamble().provenance.clone(), *reader.header());
+    drop(reader);
+    Writer::<Earlier>::create(&shard, &from, &header).unwrap().finish().unwrap();
+    let before = place.bytes("d/shard-0001.dataset");
+    for words in ["", "--conclude"] {
+        let output = place.try_run(&format!("dataset spec.toml --out d --quiet {words}"));
+        let said = String::from_utf8_lossy(&output.stderr);
+        let [found, known] = [Earlier::VERSION, Dataset::VERSION];
+        let told = format!("`dataset` version {found}; this program reads version {known}; --out takes");
+        assert!(output.status.code() == Some(2) && said.contains(&told), "{said}");
     }
     assert!(place.bytes("d/shard-0001.dataset") == before);
 }

@@ -145,6 +145,19 @@ fn a_command_that_sees_one_radar_asks_which() {
 }
 
 #[test]
+fn a_radar_whose_folder_would_be_that_of_the_common_pictures_is_refused_beside_others() {
+    for taken in ["pictures", "summary.json"] {
+        let folder = folder_with(&crossing().replace("id = \"east\"", &format!("id = \"{taken}\"")));
+        let refused = wayside(folder.path(), &["run", "scene.toml", "--no-cache", "--out", "all"]);
+        let told = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert_eq!(refused.status.code(), Some(1), "{told}");
+        assert!(told.contains(&format!("scene.toml: [[radars]] `{taken}`: its folder would be")), "{told}");
+        assert!(!folder.path().join("all").exists(), "nothing is written of what was refused");
+        run(folder.path(), &["--radar", taken, "--out", "alone", "--no-cache"]);
+    }
+}
+
+#[test]
 fn what_stands_above_the_radars_and_what_each_of_them_leaves_is_claimed_before_any_work() {
     for taken in
         ["report.html", "summary.json", "pictures/scene-0000.png", "east/report.html", "east/frames.cube"]

@@ -141,16 +141,5 @@ fn point(number: usize) -> Path {
     let place = [10.0 * spread(0.618_034), 25.0 + 30.0 * spread(0.414_214), 2.0 * spread(0.732_051)];
     let mut amplitude_m = Amplitude::default();
     amplitude_m[0][0] = Complex64::from_polar(0.1, 6.0 * spread(0.236_068));
-    Path {
-        target: 0,
-        order: 0,
-        apparent_tx_m: place,
-        apparent_tx_mps: [0.0, -10.0, 0.0],
-        apparent_rx_m: place,
-        apparent_rx_mps: [0.0, -10.0, 0.0],
-        amplitude_m,
-        slope_m_per_hz: Amplitude::default(),
-        facets: Default::default(),
-        curve: artifact::paths::Curve::default(),
-    }
+    Path::of_point(place, [0.0, -10.0, 0.0], amplitude_m)
 }

@@ -5,10 +5,9 @@ use crate::bench::comparison::Comparison;
 use crate::bench::programs::{Answer, Job, Language, NotHere, complex};
 use crate::study::scenes::{cube_header, scene_of};
 use artifact::cube::{CubeFrame, CubeHeader};
-use artifact::paths::{PathsFrame, TraceStatistics};
+use artifact::paths::PathsFrame;
 use artifact::rdm::RdmFrame;
 use artifact::settings::Detector;
-use artifact::{ErrorBudget, ModelError};
 use dsp::angle::VirtualArray;
 use dsp::cfar::{Cfar, DETECTED};
 use num_complex::{Complex32, Complex64};
@@ -49,23 +48,11 @@ fn noise() -> Result<Noise, Failure> {
     header.dsp.false_alarm_rate = FALSE_ALARM_RATE;
     let accuracy = artifact::Accuracy::from_db(-60.0);
     let frame = fmcw_echo::Synthesizer::new(&header, 1, accuracy, vec![])
-        .and_then(|synthesizer| synthesizer.frame(&nothing(), &|_| ()));
+        .and_then(|synthesizer| synthesizer.frame(&PathsFrame::default(), &|_| ()));
     let frame = frame.map_err(Failure::refused)?;
     let receiver = dsp::Receiver::new(&header).map_err(Failure::refused)?;
     let map = receiver.range_doppler(&frame).map_err(Failure::refused)?;
     Ok(Noise { header, receiver, frame, map })
-}
-
-fn nothing() -> PathsFrame {
-    PathsFrame {
-        index: 0,
-        time_s: 0.0,
-        paths: vec![],
-        nearest_range_m: vec![],
-        error: ErrorBudget::default(),
-        model_error: ModelError::default(),
-        trace: TraceStatistics::default(),
-    }
 }
 
 impl Noise {

@@ -5,7 +5,7 @@ use crate::study::chart::work::{Cost, measured};
 use crate::study::extent::Extent;
 use crate::study::looks;
 use crate::study::scenes::scene_of;
-use artifact::paths::{Curve, Facet, MAX_ORDER, Path};
+use artifact::paths::Path;
 use artifact::{Accuracy, Radar};
 use fmcw_echo::direct_sum::DirectSum;
 use fmcw_echo::fast_sum;
@@ -124,16 +124,5 @@ fn point(number: usize) -> Path {
     let position_m = [-4.0 + 14.0 * share, 25.0 + 30.0 * (share * 7.0).fract(), 1.8 * (share * 13.0).fract()];
     let velocity_mps = [0.0, -10.0 * (share * 5.0).fract(), 0.0];
     let one = [[Complex64::ONE, Complex64::ZERO], [Complex64::ZERO, Complex64::ONE]];
-    Path {
-        target: 0,
-        order: 0,
-        apparent_tx_m: position_m,
-        apparent_tx_mps: velocity_mps,
-        apparent_rx_m: position_m,
-        apparent_rx_mps: velocity_mps,
-        amplitude_m: one,
-        slope_m_per_hz: [[Complex64::ZERO; 2]; 2],
-        facets: [Facet::default(); MAX_ORDER],
-        curve: Curve::default(),
-    }
+    Path::of_point(position_m, velocity_mps, one)
 }

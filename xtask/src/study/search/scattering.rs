@@ -8,7 +8,7 @@ use artifact::scene::Mesh;
 use artifact::settings::{NodeRule, Sides};
 use bart_rcs::{RcsRequest, RcsResult, Standpoint};
 use num_complex::Complex64;
-use po_sbr::{Bracket, po, sbr};
+use po_sbr::{Bracket, sbr};
 use rand::RngExt;
 use rand::seq::SliceRandom;
 use wayside::host::failure::Failure;
@@ -21,15 +21,7 @@ fn printed(result: &RcsResult) -> f64 {
 }
 
 fn sampled(body: &Mesh, request: &RcsRequest, per_wavelength: f64) -> Result<Complex64, Failure> {
-    let sampling = po::Sampling {
-        per_wavelength,
-        shadow_levels: (4.0 * per_wavelength) as u32,
-        sides: Sides::Two,
-        bracket: Bracket::Symmetrised,
-    };
-    let found = po::amplitude(body, &looks::aspect(request), &request.frequency_hz, &sampling);
-    let (p, q) = request.polarization.indices();
-    Ok(found.map_err(Failure::refused)?[0][p][q])
+    looks::sampled(body, request, per_wavelength, (4.0 * per_wavelength) as u32)
 }
 
 /// First order of any body, against sampling at two densities, which tell of their own error.
@@ -52,12 +44,10 @@ pub(super) fn against_rays(random: &mut Random) -> Result<Outcome, Failure> {
     let asked = request(random, 3);
     let request = RcsRequest { nodes: NodeRule::Exit, range_m: f64::INFINITY, ..asked };
     let result = looks::traced(&body, &request)?;
-    let (p, q) = request.polarization.indices();
-    let rays = |per_wavelength: f64| -> Result<Vec<Complex64>, Failure> {
+    let rays = |per_wavelength: f64| {
         let shooting =
             sbr::Shooting { per_wavelength, bounces: 3, sides: Sides::Two, bracket: Bracket::Symmetrised };
-        let found = sbr::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &shooting);
-        Ok(found.map_err(Failure::refused)?.orders.iter().map(|order| order[0][p][q]).collect())
+        looks::shot(&body, &request, &shooting)
     };
     let (coarse, fine) = (rays(8.0)?, rays(20.0)?);
     let whole = fine.iter().map(|s| s.norm()).sum::<f64>();

@@ -53,7 +53,7 @@ fn over_usual_road<T>(
     of: impl Fn(&Scatterer<'_>, &LeftOutWays) -> T,
 ) -> Result<Option<T>, BartError> {
     let Some(road) = usual_road() else { return Ok(None) };
-    let is_above = plan.check_m.z > 0.0 && world.check_above_road().is_ok();
+    let is_above = plan.check_middle_m().z > 0.0 && world.check_above_road().is_ok();
     let can_be_followed = is_above && plan.header.fidelity.sides == Sides::Two;
     if plan.header.road.is_some() || world.facets().is_empty() || !can_be_followed {
         return Ok(None);

@@ -32,7 +32,7 @@ impl LeftOutWays {
         let least_mirror_area_m2 =
             (self.mirror_wavelengths * plan.band.wavelength_m()).powi(2).max(plan.trace.least_mirror_area_m2);
         let trace = TraceSettings { max_order, least_mirror_area_m2, ..plan.trace };
-        match BeamTree::trace(world, Antenna::Point(plan.check_m), &trace) {
+        match BeamTree::trace(world, Antenna::Point(plan.check_middle_m()), &trace) {
             Err(BartError::BeamsTakeTooMuchMemory { .. }) => Ok(None),
             tree => tree.map(Some),
         }

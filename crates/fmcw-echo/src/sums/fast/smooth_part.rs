@@ -254,9 +254,7 @@ fn middle_of(paths: &[&Path]) -> Option<Path> {
         curve: Curve {
             apparent_tx_mps2: mean(|p| p.curve.apparent_tx_mps2),
             apparent_rx_mps2: mean(|p| p.curve.apparent_rx_mps2),
-            rim: None,
-            span: None,
-            array_span: None,
+            ..Curve::default()
         },
         ..*first
     })

@@ -54,8 +54,8 @@ fn a_crossing_lasts_the_band_over_the_difference_of_slopes_and_has_the_power_of_
     }
 }
 
-/// What the mixer puts out in time, 64 values a sample, through a filter of no phase that passes beats of
-/// `band_hz` alone, then sampled: a plain sum that knows nothing of frequencies at moments.
+/// The mixer's output, 64 values a sample, passes a filter without phase that keeps beats of `band_hz` alone,
+/// and is sampled then: a plain sum that knows nothing of frequencies at moments.
 fn mixed_filtered_sampled(radar: &Radar, band_hz: [f64; 2]) -> Vec<Complex64> {
     let (f_s, own, other) = (radar.waveform.sample_rate_hz, radar.waveform, radar.hardware.interferers[0]);
     let (amplitude, delay_s) = (

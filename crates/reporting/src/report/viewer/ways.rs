@@ -180,18 +180,7 @@ mod tests {
     fn path(tx_m: [f64; 3], rx_m: [f64; 3]) -> Path {
         let mut facets = [Facet::default(); MAX_ORDER];
         facets[1].triangle = 1;
-        Path {
-            target: 0,
-            order: 2,
-            apparent_tx_m: tx_m,
-            apparent_tx_mps: [0.0; 3],
-            apparent_rx_m: rx_m,
-            apparent_rx_mps: [0.0; 3],
-            amplitude_m: Default::default(),
-            slope_m_per_hz: Default::default(),
-            facets,
-            curve: Default::default(),
-        }
+        Path { order: 2, apparent_tx_m: tx_m, apparent_rx_m: rx_m, facets, ..Path::default() }
     }
 
     fn way(path: &Path) -> Way {

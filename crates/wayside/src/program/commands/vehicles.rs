@@ -46,9 +46,18 @@ fn planned(arguments: &VehiclesArguments) -> Vec<Planned> {
     let names = scene::vehicles::names();
     let vehicle = |number: u64, name: &'static str| {
         let file = if arguments.count == 1 { format!("{name}.glb") } else { format!("{name}-{number}.glb") };
-        Planned { name, seed: arguments.seed + number, file }
+        Planned { name, seed: seed_of(arguments.seed, number), file }
     };
     (0..arguments.count).flat_map(|number| names.iter().map(move |name| vehicle(number, name))).collect()
+}
+
+/// Seed of one of several vehicles of a model, by that which was asked for: the first has that one itself,
+/// and the others none that those of a neighbouring seed have.
+fn seed_of(asked: u64, number: u64) -> u64 {
+    match number {
+        0 => asked,
+        _ => artifact::seed::derived(asked, "vehicles/count", &[number]),
+    }
 }
 
 /// Whether a text is a manifest of vehicles.

@@ -10,7 +10,7 @@ use artifact::scene::Mesh;
 use artifact::settings::{NodeRule, Sides};
 use bart_rcs::RcsRequest;
 use num_complex::Complex64;
-use po_sbr::{Bracket, po, sbr};
+use po_sbr::{Bracket, sbr};
 use std::f64::consts::PI;
 use wayside::host::failure::Failure;
 
@@ -61,14 +61,7 @@ pub(in crate::study::atlas) fn mirror_from_its_focus(_: Extent) -> Result<Vec<Ca
     let row = |share: f64| {
         let request = RcsRequest { range_m: share * RADIUS_M, ..looks::first_order(1.0, 0.5) };
         let result = looks::traced(&body, &request)?;
-        let sampling = po::Sampling {
-            per_wavelength: 4.0,
-            shadow_levels: 0,
-            sides: Sides::Two,
-            bracket: Bracket::Symmetrised,
-        };
-        let found = po::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &sampling);
-        let exact = found.map_err(Failure::refused)?[0][0][0];
+        let exact = looks::sampled(&body, &request, 4.0, 0)?;
         Ok(trial.answered(
             share,
             looks::relative_error(&result.amplitude_m, &[exact]),
@@ -106,9 +99,7 @@ pub(in crate::study::atlas) fn trough_of_orders(_: Extent) -> Result<Vec<CaseRow
             sides: Sides::Two,
             bracket: Bracket::Symmetrised,
         };
-        let found = sbr::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &shooting);
-        let rays: Vec<Complex64> =
-            found.map_err(Failure::refused)?.orders.iter().map(|order| order[0][0][0]).collect();
+        let rays = looks::shot(&body, &request, &shooting)?;
         let whole = rays.iter().sum::<Complex64>().norm();
         for (order, ((found, rays), spread)) in
             (1..).zip(result.by_order_m.iter().zip(&rays).zip(&result.node_spread))

@@ -84,9 +84,8 @@ fn of_orders(
 fn by_rays(body: &Mesh, [azimuth_deg, elevation_deg]: [f64; 2], bounces: u8) -> Result<Complex64, Failure> {
     let shooting =
         sbr::Shooting { per_wavelength: 30.0, bounces, sides: Sides::Two, bracket: Bracket::Symmetrised };
-    let aspect = looks::aspect(&looks::first_order(azimuth_deg, elevation_deg));
-    let found = sbr::amplitude(body, &aspect, &[looks::FREQUENCY_HZ], &shooting).map_err(Failure::refused)?;
-    Ok(found.orders.iter().map(|order| order[0][0][0]).sum())
+    let request = looks::first_order(azimuth_deg, elevation_deg);
+    Ok(looks::shot(body, &request, &shooting)?.iter().sum())
 }
 
 /// A closed box from outside: whatever the orders traced inside of it, it is its front (P1).

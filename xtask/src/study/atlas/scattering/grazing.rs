@@ -108,8 +108,7 @@ pub(in crate::study::atlas) fn glancing_rays(_: Extent) -> Result<Vec<CaseRow>, 
     let row = |per_wavelength: f64| {
         let shooting =
             sbr::Shooting { per_wavelength, bounces: 1, sides: Sides::Two, bracket: Bracket::Plain };
-        let found = sbr::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &shooting);
-        let found = found.map_err(Failure::refused)?.orders[0][0][0][0];
+        let found = looks::shot(&body, &request, &shooting)?[0];
         let says = Says::Words("error_db is null: a reference is known by its density alone");
         Ok(trial.answered(per_wavelength, looks::relative_error(&[found], &[exact]), says))
     };

@@ -7,7 +7,7 @@ use crate::study::closed_forms;
 use crate::study::extent::Extent;
 use crate::study::looks;
 use artifact::settings::Sides;
-use po_sbr::{Bracket, po, sbr};
+use po_sbr::{Bracket, sbr};
 use std::f64::consts::PI;
 use wayside::host::failure::Failure;
 
@@ -23,8 +23,7 @@ pub(in crate::study::atlas) fn few_rays(_: Extent) -> Result<Vec<CaseRow>, Failu
     let row = |per_wavelength: f64| {
         let shooting =
             sbr::Shooting { per_wavelength, bounces: 3, sides: Sides::Two, bracket: Bracket::Plain };
-        let found = sbr::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &shooting);
-        let found = found.map_err(Failure::refused)?.orders[2][0][0][0].norm();
+        let found = looks::shot(&body, &request, &shooting)?[2].norm();
         Ok(trial.answered(per_wavelength, looks::level_error(found, level), BY_DENSITY))
     };
     [0.2, 0.5, 1.0, 2.0, 8.0].into_iter().map(row).collect()
@@ -36,14 +35,7 @@ pub(in crate::study::atlas) fn few_samples(_: Extent) -> Result<Vec<CaseRow>, Fa
     let (body, request) = (bodies::plate(0.3), looks::first_order(20.0, 0.0));
     let exact = closed_forms::plate_far(0.3, 20_f64.to_radians());
     let row = |per_wavelength: f64| {
-        let sampling = po::Sampling {
-            per_wavelength,
-            shadow_levels: 0,
-            sides: Sides::Two,
-            bracket: Bracket::Symmetrised,
-        };
-        let found = po::amplitude(&body, &looks::aspect(&request), &request.frequency_hz, &sampling);
-        let found = found.map_err(Failure::refused)?[0][0][0];
+        let found = looks::sampled(&body, &request, per_wavelength, 0)?;
         Ok(trial.answered(per_wavelength, looks::relative_error(&[found], &[exact]), BY_DENSITY))
     };
     [0.2, 0.5, 1.0, 2.0, 4.0].into_iter().map(row).collect()
@@ -59,15 +51,7 @@ pub(in crate::study::atlas) fn few_samples_a_facet(_: Extent) -> Result<Vec<Case
         let chord_m = q * (radius_m * looks::WAVELENGTH_M).sqrt();
         let sides = (2.0 * PI * radius_m / chord_m).round() as u32;
         let tube = bodies::shifted(bodies::tube(radius_m, height_m, sides, 0.3), [0.0, 0.0, -0.5 * height_m]);
-        let sampling = po::Sampling {
-            per_wavelength,
-            shadow_levels: 0,
-            sides: Sides::Two,
-            bracket: Bracket::Symmetrised,
-        };
-        let request = looks::first_order(0.0, 0.0);
-        let found = po::amplitude(&tube, &looks::aspect(&request), &request.frequency_hz, &sampling);
-        let found = found.map_err(Failure::refused)?[0][0][0];
+        let found = looks::sampled(&tube, &looks::first_order(0.0, 0.0), per_wavelength, 0)?;
         let error = looks::relative_error(&[found], &[exact]);
         Ok(trial.answered(format!("{per_wavelength}, {q}"), error, BY_DENSITY))
     };

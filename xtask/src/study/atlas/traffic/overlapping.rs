@@ -10,11 +10,9 @@ use crate::study::scenes::{paths_of, scene_of, with_body};
 use artifact::Accuracy;
 use artifact::paths::PathsFrame;
 use artifact::scene::{Mesh, SceneHeader};
-use artifact::settings::Sides;
-use bart_rcs::Standpoint;
+use bart_rcs::RcsRequest;
 use glam::DVec3;
 use num_complex::Complex64;
-use po_sbr::{Aspect, Bracket, po};
 use wayside::host::failure::Failure;
 
 /// Place of the first body; the scattering is told about it.
@@ -40,19 +38,13 @@ fn sampled(header: &SceneHeader, body: &Mesh) -> Result<Complex64, Failure> {
     let from_m = DVec3::from(header.radar.position_m) - DVec3::from(header.targets[0].start.position_m);
     // Its front looks to −y: body x is −y of the world, body y is x.
     let seen_m = DVec3::new(-from_m.y, from_m.x, from_m.z);
-    let standpoint = Standpoint {
-        azimuth_rad: seen_m.y.atan2(seen_m.x),
-        elevation_rad: (seen_m.z / seen_m.length()).asin(),
+    let request = RcsRequest {
+        azimuth_rad: vec![seen_m.y.atan2(seen_m.x)],
+        elevation_rad: vec![(seen_m.z / seen_m.length()).asin()],
         range_m: seen_m.length(),
+        ..looks::first_order(0.0, 0.0)
     };
-    let sampling = po::Sampling {
-        per_wavelength: 2.0,
-        shadow_levels: 6,
-        sides: Sides::Two,
-        bracket: Bracket::Symmetrised,
-    };
-    let found = po::amplitude(body, &Aspect::monostatic(standpoint), &[looks::FREQUENCY_HZ], &sampling);
-    Ok(found.map_err(Failure::refused)?[0][0][0])
+    looks::sampled(body, &request, 2.0, 6)
 }
 
 /// Two boxes of 20 cm, the second shifted: one in place of the other, half in it, a wavelength before it.

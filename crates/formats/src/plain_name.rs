@@ -1,4 +1,4 @@
-//! Functions that all writers of formats need.
+//! Names that an artifact gives to files.
 
 /// Bytes of a name that are kept: with what stands around it the file's name fits any file system.
 const KEPT_BYTES: usize = 120;
@@ -13,29 +13,6 @@ pub(crate) fn plain_name(name: &str) -> String {
         kept.insert(0, '_');
     }
     if kept == name { kept } else { format!("{kept}-{}", &blake3::hash(name.as_bytes()).to_hex()[..8]) }
-}
-
-/// Keeps an artifact's error while a stream that can only fail with I/O errors is given up.
-pub(crate) fn fail(
-    keep: &mut Option<artifact::ArtifactError>,
-    error: artifact::ArtifactError,
-) -> std::io::Error {
-    *keep = Some(error);
-    std::io::Error::other("the artifact is damaged")
-}
-
-/// Writes a file whose frames may turn out to be damaged.
-#[cfg(feature = "interchange")]
-pub(crate) fn streamed(
-    out: &std::path::Path,
-    content: impl FnOnce(
-        &mut artifact::whole_file::WholeFile,
-        &mut Option<artifact::ArtifactError>,
-    ) -> std::io::Result<()>,
-) -> Result<(), pipeline::host::failure::Failure> {
-    let mut failed = None;
-    let written = pipeline::host::files::write_with(out, |stream| content(stream, &mut failed));
-    failed.map_or(written, |error| Err(error.into()))
 }
 
 #[cfg(test)]
