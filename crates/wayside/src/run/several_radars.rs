@@ -40,32 +40,31 @@ pub(crate) fn above(out: &Path) -> &Path {
     out.parent().unwrap_or(Path::new(""))
 }
 
-/// Names in the folder above those of the radars that are taken by what these have in common.
-const IN_COMMON: [&str; 3] = ["summary.json", "report.html", "pictures"];
+/// Folder of pictures that the radars have in common, beside those of each.
+const PICTURES: &str = "pictures";
 
-/// Refuses a radar whose folder would be one of what all have in common.
+/// Refuses a radar whose folder would be that of the pictures of all; files that all have in common are
+/// claimed ([`places`]).
 pub(crate) fn check_names(scene: &Path, radars: &[String]) -> Result<(), Failure> {
-    match radars.iter().find(|id| IN_COMMON.contains(&id.as_str())) {
-        None => Ok(()),
-        Some(id) => Err(Failure::Refused(format!(
-            "{}: [[radars]] `{id}`: its folder would be that of what all radars have in common ({}); give it \
-             another `id`, or run it alone (--radar {id})",
-            scene.display(),
-            IN_COMMON.join(", ")
-        ))),
+    if radars.iter().all(|id| id != PICTURES) {
+        return Ok(());
     }
+    Err(Failure::Refused(format!(
+        "{}: [[radars]] `{PICTURES}`: its folder would be that of the pictures of all radars; give it another \
+         `id`, or run it alone (--radar {PICTURES})",
+        scene.display()
+    )))
 }
 
 /// Files of what radars of so many frames have in common.
 pub(crate) fn places(out: &Path, frames: usize) -> Vec<PathBuf> {
     let pictures = (0..frames.min(FRAMES_DRAWN)).map(|number| picture(out, number));
-    let [summary, report, _] = IN_COMMON.map(|name| out.join(name));
-    [summary, report].into_iter().chain(pictures).collect()
+    ["summary.json", "report.html"].map(|name| out.join(name)).into_iter().chain(pictures).collect()
 }
 
 /// Picture of a frame as all radars have it.
 fn picture(out: &Path, number: usize) -> PathBuf {
-    out.join(format!("pictures/scene-{number:04}.png"))
+    out.join(PICTURES).join(format!("scene-{number:04}.png"))
 }
 
 /// Writes what the radars have in common, one folder above theirs, and tells it.

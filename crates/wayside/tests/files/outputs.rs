@@ -8,7 +8,6 @@
 )]
 
 use crate::common::{BOARD, SMALL_SCENE, Workplace};
-use std::collections::BTreeSet;
 use std::os::unix::fs::{FileTypeExt, symlink};
 use std::path::Path;
 use std::process::Output;
@@ -370,24 +369,6 @@ fn vehicles_are_not_written_where_a_manifest_of_another_program_lies() {
     let manifest = place.bytes("v/manifest.json");
     place.run("vehicles --quiet --out v");
     assert_eq!(place.bytes("v/manifest.json"), manifest, "its own is replaced");
-}
-
-#[test]
-fn vehicles_of_neighbouring_seeds_have_no_seed_in_common() {
-    let place = Workplace::new();
-    let seeds = |asked: u64| -> BTreeSet<u64> {
-        place.run(&format!("vehicles --quiet --seed {asked} --count 2 --out v{asked}"));
-        let manifest = place.bytes(&format!("v{asked}/manifest.json"));
-        let entries: Vec<serde_json::Value> = serde_json::from_slice(&manifest).unwrap();
-        entries.iter().map(|entry| entry["seed"].as_u64().unwrap()).collect()
-    };
-    let [one, two] = [1, 2].map(seeds);
-    assert!(one.contains(&1) && two.contains(&2), "the first has the seed that was asked for");
-    assert!(one.len() == 2 && two.len() == 2 && one.is_disjoint(&two), "{one:?} {two:?}");
-    // A vehicle is drawn again by the seed that the manifest tells.
-    let other = one.iter().find(|seed| **seed != 1).unwrap();
-    place.run(&format!("vehicles --quiet --seed {other} --out again"));
-    assert!(place.bytes("again/car-suv.glb") == place.bytes("v1/car-suv-1.glb"));
 }
 
 #[test]

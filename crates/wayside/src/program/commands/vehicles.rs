@@ -75,3 +75,16 @@ fn entry(vehicle: &Planned, mesh: &Mesh) -> Value {
         "triangles": mesh.triangles.len(), "materials": mesh.materials,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn neighbouring_seeds_have_no_vehicles_in_common() {
+        let all = (0..100).flat_map(|asked| (0..100).map(move |number| seed_of(asked, number)));
+        assert_eq!(all.collect::<BTreeSet<u64>>().len(), 10_000);
+        assert_eq!(seed_of(7, 0), 7, "the first has the seed that was asked for");
+    }
+}
