@@ -6,12 +6,13 @@ pub(crate) mod look; // what each part is, over the frames looked at
 pub(crate) mod choice; // what is modelled, of these shares alone
 pub(crate) mod costs; // processor seconds of each part
 pub mod told; // lines and figures of a plan
+pub(crate) mod below_road; // bodies that the road does not hide
 
 use crate::chain::cache::Cache;
 use crate::chain::loading::{self, LoadedScene, SceneSource};
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
-use crate::host::progress::Work;
+use crate::host::progress::{self, Work};
 use artifact::Accuracy;
 use artifact::scene::SceneHeader;
 use artifact::settings::{EchoMode, NodeRule, Sides};
@@ -30,6 +31,8 @@ pub struct PlannedScene {
     pub plan: Option<PlanFigures>,
     /// Whether a plan was asked for, and the scene looked at.
     pub is_looked_at: bool,
+    /// Physics that the scene's file says itself.
+    pub said: SaidPhysics,
 }
 
 /// Loads a scene as [`loading::scene`] does, and chooses its physics where its file, or an accuracy of the
@@ -42,6 +45,12 @@ pub fn scene(
     cache: Option<&Cache>,
     memory: Allowance,
 ) -> Result<PlannedScene, Failure> {
+    let planned = chosen(source, cache, memory)?;
+    below_road::notes(&planned.loaded.header).into_iter().for_each(progress::note);
+    Ok(planned)
+}
+
+fn chosen(source: &SceneSource, cache: Option<&Cache>, memory: Allowance) -> Result<PlannedScene, Failure> {
     // Scene and what it says of the physics are of one and the same file.
     let ((mut loaded, said), _) = loading::read_of(slice::from_ref(&source.file), || {
         let loaded = loading::scene(source, cache)?;
@@ -51,10 +60,10 @@ pub fn scene(
         loaded.header.fidelity.accuracy = Accuracy::from_db(db);
         loaded.header.fidelity.goal = None;
     } else if said.planning == Planning::AsSaid {
-        return Ok(PlannedScene { loaded, plan: None, is_looked_at: false });
+        return Ok(PlannedScene { loaded, plan: None, is_looked_at: false, said });
     }
     let plan = planned(&mut loaded.header, &said, memory)?;
-    Ok(PlannedScene { loaded, plan, is_looked_at: true })
+    Ok(PlannedScene { loaded, plan, is_looked_at: true, said })
 }
 
 /// Chooses the physics of a scene; `None`, and nothing chosen, where nothing scatters in the frames looked

@@ -77,5 +77,5 @@ pub use openmaterial::{OpenMaterialError, OpenMaterialFault, asset_materials};
 pub use radar::radars::radars;
 pub use read::{inputs, inputs_of_changed, read, read_changed, read_text};
 pub use recording::xml::XmlFault;
-pub use settings::said::{SaidPhysics, said_physics};
+pub use settings::said::{SaidPhysics, said_physics, told_physics};
 pub use wording::allowed::Allowed;

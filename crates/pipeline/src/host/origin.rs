@@ -6,6 +6,7 @@ use artifact::Provenance;
 use artifact::envelope::fingerprint;
 use artifact::radar::Radar;
 use artifact::scene::{Mesh, Pose, SceneHeader, TargetKind};
+use artifact::settings::Fidelity;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -151,6 +152,33 @@ pub fn are_of_same_bodies(scene: &SceneHeader, of_paths: &Provenance) -> Result<
     let (theirs, own) = (&settings[2], told_bodies(scene));
     let other = if theirs.is_null() { None } else { difference(theirs, &own) };
     other.map_or(Ok(()), |other| Err(Failure::refused(format!("traced of another scene: {other}"))))
+}
+
+/// Refuses paths of other physics than what a scene's file says itself, by key and both values; hands out
+/// sentences about what is otherwise than the scene has it by default or by its plan, for paths may be those
+/// of a plan. Paths of earlier versions may tell of none.
+///
+/// # Errors
+/// A key of `[fidelity]` that is said is another one than the paths were traced with.
+pub fn of_same_physics(
+    scene: &SceneHeader,
+    said: &BTreeSet<String>,
+    of_paths: &Provenance,
+) -> Result<Vec<String>, Failure> {
+    let settings: Value = serde_json::from_str(&of_paths.settings).unwrap_or_default();
+    let Ok(theirs) = serde_json::from_value::<Fidelity>(settings[0].clone()) else { return Ok(vec![]) };
+    let [theirs, own] = [&theirs, &scene.fidelity].map(scene::told_physics);
+    let others = || theirs.iter().zip(&own).filter(|(theirs, own)| theirs != own);
+    if let Some(((key, theirs), (_, own))) = others().find(|((key, _), _)| said.contains(*key)) {
+        let rule = format!("traced with {key} = {theirs}, [fidelity] of the scene has {own}");
+        return Err(Failure::refused(rule));
+    }
+    let told = |((key, theirs), (_, own)): (&(&str, String), &(&str, String))| {
+        format!(
+            "note: the paths were traced with {key} = {theirs}, where the scene takes {own}: the cube is theirs"
+        )
+    };
+    Ok(others().map(told).collect())
 }
 
 /// The first difference of two scenes' bodies and roads, in words. A road that one of them lacks may have

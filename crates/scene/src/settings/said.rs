@@ -3,9 +3,14 @@
 use crate::document::changes::{self, Change};
 use crate::document::errors::SceneErrors;
 use crate::document::faults::Faults;
-use crate::document::keys::fidelity::{PLAN, Planning};
+use crate::document::keys::fidelity::{
+    BETWEEN_BODIES, BOUNCES, EDGES, NODES, PLAN, Planning, SIDES, SURFACE, WHEELS,
+};
+use crate::document::keys::key::{Key, Or};
+use crate::document::keys::kinds::Words;
 use crate::document::keys::scene::{OF_FIDELITY, OF_ROAD};
 use crate::document::text::{at_no_place, read_text};
+use artifact::settings::Fidelity;
 use std::collections::BTreeSet;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
@@ -43,6 +48,26 @@ fn of_document(document: &DeTable<'_>) -> SaidPhysics {
         keys: keys.collect(),
         road: document.contains_key(OF_ROAD.name),
     }
+}
+
+/// Keys of `[fidelity]` that paths depend on, whatever their accuracy, and what each of them is, as a file
+/// says it.
+pub fn told_physics(fidelity: &Fidelity) -> Vec<(&'static str, String)> {
+    vec![
+        (BOUNCES.name, fidelity.bounces.to_string()),
+        told(&EDGES, fidelity.edges),
+        told(&SURFACE, fidelity.surface),
+        told(&SIDES, fidelity.sides),
+        told(&NODES, fidelity.nodes),
+        told(&BETWEEN_BODIES, fidelity.between_bodies),
+        told(&WHEELS, fidelity.wheels),
+    ]
+}
+
+fn told<T: PartialEq>(key: &Key<Words<T>, Or<T>>, value: T) -> (&'static str, String) {
+    let words = (key.takes.0)();
+    let word = words.into_iter().find(|(_, of_word)| *of_word == value).map_or("", |(word, _)| word);
+    (key.name, format!("\"{word}\""))
 }
 
 fn word<'a>(value: &'a DeValue<'_>) -> Option<&'a str> {

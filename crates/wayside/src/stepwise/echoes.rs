@@ -45,7 +45,7 @@ pub fn echoes_of_paths(
 ) -> Result<Recorded<Cube>, Failure> {
     let scene = &scene.by_paths();
     let chain = scene.chain();
-    paths_of_scene::check_header(&chain, scene.files(), &paths.header, &paths.from)?;
+    paths_of_scene::check_header(&chain, (scene.files(), scene.said()), &paths.header, &paths.from)?;
     let (work, mut frames) = (Work::begin("frames"), Vec::new());
     for (done, frame) in paths.frames.iter().enumerate() {
         call_off.check()?;

@@ -11,7 +11,8 @@ use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use pipeline::outcome::summary::RadarSummary;
-use pipeline::planning;
+use pipeline::planning::{self, PlannedScene};
+use scene::SaidPhysics;
 
 /// Ids of several radars of a scene; empty where it has one.
 ///
@@ -36,6 +37,7 @@ pub struct OpenedScene {
     loaded: LoadedScene,
     memory: Allowance,
     is_looked_at: bool,
+    said: SaidPhysics,
 }
 
 /// Expected time and memory of all frames of a scene, as `run --dry-run` tells them.
@@ -62,8 +64,8 @@ impl OpenedScene {
     /// # Errors
     /// Every broken rule, with file and place.
     pub fn of(source: &SceneSource, memory: Allowance) -> Result<Self, Failure> {
-        let planned = planning::scene(source, None, memory)?;
-        Ok(Self { loaded: planned.loaded, memory, is_looked_at: planned.is_looked_at })
+        let PlannedScene { loaded, is_looked_at, said, .. } = planning::scene(source, None, memory)?;
+        Ok(Self { loaded, memory, is_looked_at, said })
     }
 
     /// The scene as every stage reads it.
@@ -112,11 +114,17 @@ impl OpenedScene {
         let mut header = self.loaded.header.clone();
         header.fidelity.echo = EchoMode::Paths;
         let LoadedScene { cached, seconds, ref files, .. } = self.loaded;
-        Self { loaded: LoadedScene { header, cached, seconds, files: files.clone() }, ..*self }
+        let loaded = LoadedScene { header, cached, seconds, files: files.clone() };
+        Self { loaded, said: self.said.clone(), ..*self }
     }
 
     pub(crate) fn chain(&self) -> Chain<'_> {
         Chain::of(&self.loaded.header, None, None, self.memory)
+    }
+
+    /// Physics that its file says itself.
+    pub(crate) fn said(&self) -> &SaidPhysics {
+        &self.said
     }
 
     /// Names and hashes of the files that it was read from, its own first.

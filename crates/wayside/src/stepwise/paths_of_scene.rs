@@ -2,7 +2,8 @@
 //!
 //! Noise, gains, patterns, samples of a chirp and the elements of the array may be others, since paths hold
 //! for them. The centre frequency, the radar's place, the bodies with their files, places, motions and cross
-//! sections, the road and the times of the frames may not. Of paths whose provenance does not tell of bodies
+//! sections, the road and the times of the frames may not, nor what the scene's file says itself of the
+//! physics. Of paths whose provenance does not tell of bodies
 //! no body may stand elsewhere than where its nearest lit surface was.
 
 use artifact::Provenance;
@@ -12,17 +13,19 @@ use glam::DVec3;
 use pipeline::chain::link::Chain;
 use pipeline::host::beside::is_same_time;
 use pipeline::host::failure::Failure;
-use pipeline::host::origin;
+use pipeline::host::{origin, progress};
+use scene::SaidPhysics;
 use std::path::Path;
 
 /// Beyond its extent a point's or body's surface is taken to be elsewhere, m: what a wheel adds to its hub.
 const BEYOND_M: f64 = 0.5;
 
 /// Refuses paths that were traced for another sweep, from another place, of other bodies or of other files;
-/// of `files`, the scene's own may be another one, with other noise.
+/// of `files`, the scene's own may be another one, with other noise; and those of other physics than is
+/// `said`.
 pub(crate) fn check_header(
     chain: &Chain,
-    files: &[(String, String)],
+    (files, said): (&[(String, String)], &SaidPhysics),
     paths: &PathsHeader,
     from: &Provenance,
 ) -> Result<(), Failure> {
@@ -46,11 +49,15 @@ pub(crate) fn check_header(
         of.iter().find(|file| is_mesh(&file.0) && !beside.contains(file)).map(|(name, _)| name.clone())
     };
     match (others(files, &from.inputs), others(&from.inputs, files)) {
-        _ if from.inputs.is_empty() => Ok(()),
-        (None, None) => origin::are_of_same_bodies(chain.header, from),
-        (Some(own), _) => Err(Failure::refused(format!("not traced of the scene's mesh `{own}`"))),
-        (_, Some(theirs)) => Err(Failure::refused(format!("traced of the mesh `{theirs}`, not the scene's"))),
+        _ if from.inputs.is_empty() => {}
+        (None, None) => origin::are_of_same_bodies(chain.header, from)?,
+        (Some(own), _) => return Err(Failure::refused(format!("not traced of the scene's mesh `{own}`"))),
+        (_, Some(theirs)) => {
+            return Err(Failure::refused(format!("traced of the mesh `{theirs}`, not the scene's")));
+        }
     }
+    origin::of_same_physics(chain.header, &said.keys, from)?.into_iter().for_each(progress::note);
+    Ok(())
 }
 
 /// Whether a file of this name holds the mesh of a body.

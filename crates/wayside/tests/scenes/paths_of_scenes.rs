@@ -35,6 +35,31 @@ fn paths_of_a_plan_serve_the_scene_without_one() {
     place.run("echo small.toml --paths f.paths --out f.cube --quiet");
 }
 
+/// A scene that says a key of `[fidelity]` itself takes no paths of another one; where it says nothing the
+/// paths may be those of a plan, and what is otherwise is told.
+#[test]
+fn paths_of_other_physics_are_refused_by_key_or_told() {
+    let place = Workplace::new();
+    let with = |keys: &str| format!("{SMALL_SCENE}\n[fidelity]\n{keys}\n");
+    assert!(!SMALL_SCENE.contains("[fidelity]"));
+    std::fs::write(place.path("single.toml"), with("bounces = 1\nedges = \"on\"")).unwrap();
+    place.run("paths single.toml --out single.paths --quiet");
+    place.run("echo single.toml --paths single.paths --out f.cube --quiet");
+    for (keys, rule) in [
+        ("bounces = 2", "single.paths: traced with bounces = 1, [fidelity] of the scene has 2"),
+        ("edges = \"off\"", "single.paths: traced with edges = \"on\", [fidelity] of the scene has \"off\""),
+    ] {
+        std::fs::write(place.path("other.toml"), with(keys)).unwrap();
+        let output = place.try_run("echo other.toml --paths single.paths --out other.cube --quiet");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(1) && said.contains(rule), "{said}");
+    }
+    let output = place.try_run("echo small.toml --paths single.paths --out f.cube");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{said}");
+    assert!(said.contains("traced with bounces = 1, where the scene takes 3: the cube is theirs"), "{said}");
+}
+
 #[test]
 fn paths_of_another_scene_are_refused_by_what_is_other() {
     let place = traced();

@@ -19,11 +19,12 @@ use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use pipeline::host::progress;
 use pipeline::outcome::verdict::{self, Verdict};
-use pipeline::planning;
+use pipeline::planning::{self, PlannedScene};
+use scene::SaidPhysics;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Failure> {
-    let mut loaded = planning::scene(&arguments.scene.source(), None, memory)?.loaded;
+    let PlannedScene { mut loaded, said, .. } = planning::scene(&arguments.scene.source(), None, memory)?;
     if arguments.paths.is_some() {
         loaded.header.fidelity.echo = EchoMode::Paths;
     }
@@ -33,7 +34,7 @@ pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Fa
     let from = provenance(Stage::FmcwEcho, &loaded.header, files);
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &chain.cube_header)?;
     let told = match &arguments.paths {
-        Some(file) => from_paths(&chain, &loaded, file, &mut writer)?,
+        Some(file) => from_paths(&chain, (&loaded, &said), file, &mut writer)?,
         None => from_scene(&chain, &mut writer)?,
     };
     writer.finish()?;
@@ -76,13 +77,13 @@ impl Echo {
 
 fn from_paths(
     chain: &Chain,
-    loaded: &LoadedScene,
+    (loaded, said): (&LoadedScene, &SaidPhysics),
     file: &Path,
     writer: &mut Writer<Cube>,
 ) -> Result<Verdicts, Failure> {
     let reader = Reader::<Paths>::open(file)?;
     let from = &reader.preamble().provenance;
-    let checked = paths_of_scene::check_header(chain, &loaded.files, reader.header(), from);
+    let checked = paths_of_scene::check_header(chain, (&loaded.files, said), reader.header(), from);
     checked.map_err(|failure| failure.about(file))?;
     let mut told = vec![];
     for frame in progress::frames(reader) {
