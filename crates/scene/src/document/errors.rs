@@ -457,7 +457,7 @@ pub enum Rule {
         nearest: Option<&'static str>,
     },
     /// Two names of one type of OSI's moving objects.
-    #[error("`{found}` is another name of `{told}`, which has models already")]
+    #[error("`{found}` is one of two names here of the type `{told}`")]
     SameObjectType {
         /// Type as written.
         found: String,
