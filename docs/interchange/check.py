@@ -138,7 +138,24 @@ def ground_truth(program):
     for name, scene in scenes.items():
         same(scene["header"]["traffic"], traffic, f"traffic of {name}")
     kinds = [vehicle["kind"]["Mesh"]["model"] for vehicle in traffic["vehicles"]]
+    by_earlier_names(program)
     return f"{FRAMES} messages, .osi and MCAP by zstd, lz4 and plain, are one traffic: {', '.join(kinds)}"
+
+
+def by_earlier_names(program):
+    """Models by a name that osi-python has for the same value, and by one that it has not."""
+    names = GroundTruth().moving_object.add().VehicleClassification.Type
+    same(names.Value("TYPE_CAR"), names.Value("TYPE_MEDIUM_CAR"), "values of both names")
+    Path("named.toml").write_text(HEAD.replace("seed = 1", "seed = 1\nframes = 1") + 'osi = "truth.osi"\n'
+                                  'models = { TYPE_CAR = "car-hatchback" }\n')
+    wayside(program, "run", "named.toml", "--out", "named-run", "--no-cache")
+    vehicles = as_json(program, "named-run/scene.scene")["header"]["traffic"]["vehicles"]
+    of_car = [vehicle["kind"]["Mesh"]["model"] for vehicle in vehicles if vehicle["id"] == "4"]
+    same(["car-hatchback"], of_car, "model by TYPE_CAR")
+    Path("named.toml").write_text(HEAD + 'osi = "truth.osi"\nmodels = { TYPE_LORRY = "truck-box" }\n')
+    words = [program, "run", "named.toml", "--out", "named-run", "--no-cache"]
+    ended = subprocess.run(words, capture_output=True, text=True)
+    same((1, True), (ended.returncode, "TYPE_LORRY" in ended.stderr), "a type that OSI has not")
 
 
 # What was detected, read by osi-python.

@@ -191,6 +191,14 @@ impl IntegerStep {
         asked.map_or_else(|| told().unwrap_or(Self::Unknown), Self::Asked)
     }
 
+    /// The file that says it, where one does.
+    pub fn place(&self) -> Option<&Path> {
+        match self {
+            Self::Told(_, place) | Self::Counted { place, .. } => Some(place),
+            Self::Floats | Self::Asked(_) | Self::Unknown => None,
+        }
+    }
+
     /// Factor of integer samples: √W of a step, or steps of the converter; 1 where nobody says it.
     pub(crate) fn factor(&self) -> f32 {
         match self {

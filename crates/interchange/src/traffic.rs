@@ -5,6 +5,7 @@
 
 mod walk;
 
+pub use crate::osi::moving_object::{type_names, type_told_as};
 pub use crate::trace::{TraceError, TraceRule};
 
 use crate::osi::common::{BaseMoving, Timestamp};
@@ -38,8 +39,8 @@ pub struct TrafficObject {
     pub size_m: Option<[f64; 3]>,
     /// Heading from +x towards +y.
     pub yaw_rad: f64,
-    /// Velocity along the heading, negative where the object goes backwards.
-    pub speed_mps: f64,
+    /// Velocity along world x, y and z; `None` where the message does not tell.
+    pub velocity_mps: Option<[f64; 3]>,
 }
 
 /// Messages of a ground truth, in order.
@@ -120,21 +121,23 @@ fn object(told: &MovingObject) -> Result<TrafficObject, TraceRule> {
     let base = told.base.as_ref().ok_or_else(|| missing(&owner, "base"))?;
     let middle = base.position.ok_or_else(|| missing(&owner, "base.position"))?.array();
     let yaw_rad = base.orientation.and_then(|turned| turned.yaw).unwrap_or(0.0);
-    let velocity = base.velocity.map_or([0.0; 3], |velocity| velocity.array());
-    let speed_mps = velocity[0] * yaw_rad.cos() + velocity[1] * yaw_rad.sin();
+    let velocity_mps = base.velocity.map(|velocity| velocity.array());
+    let height_m =
+        base.dimension.and_then(|told| told.height).filter(|height| *height > 0.0 || height.is_nan());
     let size_m = size(base);
     let of = Bounds { owner: &owner };
     for x in middle {
         of.within("base.position", x, COORDINATE_LIMIT_M, "m within ±1e5")?;
     }
     of.within("base.orientation.yaw", yaw_rad, YAW_LIMIT_RAD, "rad within ±60")?;
-    of.within("base.velocity", speed_mps, SPEED_LIMIT_MPS, "m/s within ±340")?;
-    for x in size_m.unwrap_or_default() {
+    for x in velocity_mps.unwrap_or_default() {
+        of.within("base.velocity", x, SPEED_LIMIT_MPS, "m/s within ±340")?;
+    }
+    for x in size_m.into_iter().flatten().chain(height_m) {
         of.within("base.dimension", x, SIZE_LIMIT_M, "m from 0 to 1000")?;
     }
-    let half_height_m = 0.5 * size_m.map_or(0.0, |size| size[2]);
-    let foot_m = [middle[0], middle[1], middle[2] - half_height_m];
-    Ok(TrafficObject { id: id.to_string(), kind: told.type_name(), foot_m, size_m, yaw_rad, speed_mps })
+    let foot_m = [middle[0], middle[1], middle[2] - 0.5 * height_m.unwrap_or(0.0)];
+    Ok(TrafficObject { id: id.to_string(), kind: told.type_name(), foot_m, size_m, yaw_rad, velocity_mps })
 }
 
 /// Length, width and height where all three are told.

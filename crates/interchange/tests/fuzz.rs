@@ -29,7 +29,10 @@ fn read(folder: &Path) -> Result<(), String> {
     while let Some(step) = reader.next_step().map_err(|error| error.to_string())? {
         for object in &step.objects {
             assert!(object.foot_m.iter().all(|x| x.is_finite()) && object.yaw_rad.is_finite());
-            assert!(object.speed_mps.is_finite() && object.size_m.is_none_or(|size| size[0].is_finite()));
+            assert!(
+                object.velocity_mps.is_none_or(|v| v.iter().all(|v| v.is_finite()))
+                    && object.size_m.is_none_or(|size| size[0].is_finite())
+            );
         }
     }
     Ok(())

@@ -13,7 +13,7 @@ use crate::document::entries::{ModelChoice, model_choices};
 use crate::document::errors::Rule;
 use crate::document::keys::scene::{FRAMES, OF_INTERSECTION};
 use crate::document::keys::traffic::{
-    BEGIN, CLASS, END, FCD, NET, OSI, TRAFFIC, VIEW_HALF_ANGLE, VIEW_NEAREST, VIEW_RANGE,
+    BEGIN, CLASS, END, FCD, MODEL, NET, OSI, TRAFFIC, VIEW_HALF_ANGLE, VIEW_NEAREST, VIEW_RANGE,
 };
 use crate::document::section::Section;
 use crate::models::library::{Chosen, Models};
@@ -24,6 +24,8 @@ use crate::recording::fcd::{FcdError, FcdRule, FcdVehicle, UnknownType};
 use crate::recording::in_view::View;
 use crate::recording::interpolation::Interval;
 use crate::recording::net::read_net;
+use crate::recording::trace::type_names;
+use crate::wording::likeness::nearest;
 use artifact::radar::Radar;
 use artifact::scene::{Placed, Target, TargetKind, Traffic, Vehicle};
 use artifact::seed;
@@ -93,8 +95,7 @@ pub(crate) fn read_traffic<'d>(
     let source = read_source(&section, models);
     let times = read_times(root, &section, interval_s);
     let view = read_view(&section, radar);
-    let of_types =
-        model_choices(&section).iter().map(|c| (c.kind.to_owned(), models_of_type(c, models))).collect();
+    let of_types = models_of_types(&section, source.as_ref(), models);
     Some(Recording {
         section,
         source: source?,
@@ -143,6 +144,30 @@ fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Tim
     }
     let frames = root.has(FRAMES.name).then(|| root.or_default(&FRAMES) as u32);
     Times { frames, interval_s, begin_s, end_s }
+}
+
+/// Models by the names that the recording tells types by.
+fn models_of_types(
+    section: &Section<'_>,
+    source: Option<&Source>,
+    models: &mut Models,
+) -> HashMap<String, Vec<PlacedModel>> {
+    let mut of_types = HashMap::new();
+    for choice in model_choices(section) {
+        let found = choice.kind.to_owned();
+        let placed = models_of_type(&choice, models);
+        let told = source.map_or_else(|| Some(found.clone()), |source| source.type_told_as(&found));
+        let Some(told) = told else {
+            let known: Vec<&'static str> = type_names().collect();
+            let rule = Rule::UnknownObjectType { nearest: nearest(&found, &known), found };
+            choice.section.note(MODEL.name, rule);
+            continue;
+        };
+        if of_types.insert(told.clone(), placed).is_some() {
+            choice.section.note(MODEL.name, Rule::SameObjectType { found, told });
+        }
+    }
+    of_types
 }
 
 /// The models that vehicles of a vType may have.
@@ -262,6 +287,9 @@ impl Recording<'_> {
         let before_at = vehicle.kind.split('@').next().unwrap_or_default();
         let is_named = self.models.contains_key(&vehicle.kind);
         let name = if is_named { &vehicle.kind } else { before_at };
+        // A vehicle that nobody classifies is of no known type either.
+        let is_unknown = name == "TYPE_VEHICLE" && !is_named && self.models.contains_key("TYPE_UNKNOWN");
+        let name = if is_unknown { "TYPE_UNKNOWN" } else { name };
         if !self.models.contains_key(name) {
             match self.source {
                 Source::Fcd(_) => self.add_default(name, models),

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::scene::{SceneHeader, TargetKind};
-use scene::traffic::fcd::{FcdStep, FcdVehicle};
+use scene::traffic::fcd::{FcdStep, FcdVehicle, ToldVelocity};
 use scene::traffic::interpolation::Interval;
 use scene::{Meshes, ReadOptions, frame_view, snapshot};
 use std::fmt::Write as _;
@@ -39,7 +39,14 @@ fn interval(a: FcdVehicle, b: FcdVehicle, step_s: f64) -> Interval {
 
 fn vehicle([x, y]: [f64; 2], angle_deg: f64) -> FcdVehicle {
     let (id, kind) = ("a".to_owned(), "car".to_owned());
-    FcdVehicle { id, kind, front_m: [x, y, 0.0], angle_deg, speed_mps: 10.0, line: 1 }
+    FcdVehicle {
+        id,
+        kind,
+        front_m: [x, y, 0.0],
+        angle_deg,
+        velocity: ToldVelocity::Ahead { mps: 10.0 },
+        line: 1,
+    }
 }
 
 /// A vehicle that SUMO puts elsewhere was driven there as a lane change, 35.7 m off half a second later.

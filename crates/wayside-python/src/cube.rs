@@ -16,7 +16,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use wayside::stepwise::{Processing, Recorded, cubes_of_samples};
 
-/// Radar data cubes of the frames of a scene, √W.
+/// Radar data cubes of the frames of a scene, √W or what was imported.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Cube {
     samples: Arc<Samples>,
@@ -72,7 +72,13 @@ impl Cube {
         written.map_err(|failure| failure::raised(py, &failure, Some(&file)))
     }
 
-    /// IF samples in √W, complex64 [frame, channel, chirp, sample]; channel = tx·N_rx + rx.
+    /// Unit of the samples: "sqrt(W)", or "ADC steps" of a file that was imported so.
+    #[getter]
+    fn unit(&self) -> &'static str {
+        self.samples.header.unit.name()
+    }
+
+    /// IF samples in `unit`, complex64 [frame, channel, chirp, sample]; channel = tx·N_rx + rx.
     #[getter]
     fn samples<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<Complex32>>> {
         self.samples.array.view(py)

@@ -1,6 +1,6 @@
 //! Class `PathsFrame`: the paths of one frame as a structure of arrays.
 
-use crate::arrays;
+use crate::arrays::{self, Field, Records};
 use crate::told;
 use artifact::paths::{Path, Paths as Schema, PathsFrame as Frame};
 use num_complex::Complex64;
@@ -42,6 +42,31 @@ impl PathsFrame {
         let values = paths.iter().flat_map(|path| of(path).into_iter().flatten()).collect();
         arrays::shaped(py, values, [paths.len(), 2, 2])
     }
+}
+
+const SPAN: [Field; 10] = [
+    ("first_s", "f8"),
+    ("step_s", "f8"),
+    ("moments", "i8"),
+    ("moment", "i8"),
+    ("transmit", "(3,)f8"),
+    ("receive", "(3,)f8"),
+    ("first_m", "f8"),
+    ("step_m", "f8"),
+    ("places", "i8"),
+    ("place", "i8"),
+];
+
+fn add_span(records: &mut Records, path: &Path) {
+    let (span, array) = (path.curve.span, path.curve.array_span);
+    let [first_s, step_s] = [span.map(|span| span.first_s), span.map(|span| span.step_s)];
+    records.number_or_nan(first_s).number_or_nan(step_s);
+    records.whole_or_none(span.map(|span| span.moments)).whole_or_none(span.map(|span| span.moment));
+    records.numbers(&array.map_or([f64::NAN; 3], |span| span.transmit));
+    records.numbers(&array.map_or([f64::NAN; 3], |span| span.receive));
+    let [first_m, step_m] = [array.map(|span| span.first_m), array.map(|span| span.step_m)];
+    records.number_or_nan(first_m).number_or_nan(step_m);
+    records.whole_or_none(array.map(|span| span.places)).whole_or_none(array.map(|span| span.place));
 }
 
 #[pymethods]
@@ -100,10 +125,21 @@ impl PathsFrame {
         PyArray1::from_vec(py, self.frame().paths.iter().map(|path| path.order).collect())
     }
 
-    /// Index of the target in `Paths.targets`, uint32 [n].
+    /// Index of the target in `Paths.targets`, uint32 [n]; 4,294,967,295 of the road's own backscatter.
     #[getter]
     fn target<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
         PyArray1::from_vec(py, self.frame().paths.iter().map(|path| path.target).collect())
+    }
+
+    /// Part of the frame and of the array that each path stands for, a `numpy.recarray` [n]: first_s, step_s,
+    /// moments, moment (of ways that were traced at several moments, each blended with its neighbours),
+    /// transmit [3], receive [3], first_m, step_m, places, place (likewise from several places along the
+    /// array's row); NaN and −1 of a path that stands for all of it.
+    #[getter]
+    fn spans<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let mut records = Records::default();
+        self.frame().paths.iter().for_each(|path| add_span(&mut records, path));
+        records.array(py, &SPAN)
     }
 
     /// Delay at the frame's middle from the array's centre, s, float64 [n].

@@ -8,7 +8,7 @@ use crate::work::carry_out;
 use artifact::points::Points;
 use artifact::rdm::RdmFrame;
 use num_complex::Complex32;
-use numpy::{PyArray1, PyArray3, PyArray4};
+use numpy::{PyArray1, PyArray2, PyArray3, PyArray4};
 use pyo3::prelude::*;
 use std::sync::Arc;
 use wayside::stepwise::{Processing, Recorded};
@@ -33,7 +33,7 @@ impl RangeDoppler {
 
 #[pymethods]
 impl RangeDoppler {
-    /// Map values in √W, complex64 [frame, channel, doppler, range]; zero velocity at N/2.
+    /// Map values in `unit`, complex64 [frame, channel, doppler, range]; zero velocity at N/2.
     #[getter]
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<Complex32>>> {
         self.maps.values.view(py)
@@ -55,6 +55,21 @@ impl RangeDoppler {
     #[getter]
     fn velocity_mps<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         arrays::axis(py, &self.maps.processing.axes().1)
+    }
+
+    /// Radial velocities of the rows of each frame, m/s, receding positive, float64 [frame, doppler].
+    #[getter]
+    fn velocity_of_frames_mps<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let Maps { processing, frames, .. } = &*self.maps;
+        let rows = processing.axes().1.len();
+        let values = frames.iter().flat_map(|frame| processing.velocities_mps(frame.index)).collect();
+        arrays::shaped(py, values, [frames.len(), rows])
+    }
+
+    /// Unit of the values: "sqrt(W)", or "ADC steps" of samples that were imported so.
+    #[getter]
+    fn unit(&self) -> &'static str {
+        self.maps.samples.header.unit.name()
     }
 
     /// Times of the frames' first samples, s, float64 [frame].

@@ -28,6 +28,9 @@ def test_paths_are_a_structure_of_arrays(scene: wayside.Scene) -> None:
     assert np.allclose(frame.a_m[:, 0, 0], np.sqrt([10.0, 100.0]), rtol=1e-12)
     assert np.all(frame.a_m[:, 0, 1] == 0)
     assert np.array_equal(frame.v_a_mps[1], [0.0, -8.0, 0.0])
+    # Each stands for the whole frame and the whole array.
+    assert frame.spans.moment.tolist() == frame.spans.places.tolist() == [-1, -1]
+    assert np.all(np.isnan(frame.spans.transmit)) and frame.spans.transmit.shape == (2, 3)
     assert paths[-1].index == 1
     with pytest.raises(IndexError):
         paths[2]

@@ -9,7 +9,8 @@ use std::io::Read;
 /// Unpacked bytes of an array beside its values.
 const BESIDE_VALUES: u64 = 65_536;
 
-/// Values of the file's first complex array with as many sides as asked, column-major.
+/// Values of the file's first complex array with the sides that are asked for, column-major, whatever stands
+/// before it.
 ///
 /// # Errors
 /// A file of another kind, elements that are cut off, no such array, or one of other sides.
@@ -17,15 +18,18 @@ pub(crate) fn complex_values(bytes: &[u8], shape: [usize; 4]) -> Result<Vec<Comp
     if bytes.len() < HEAD_BYTES || bytes[HEAD_BYTES - 4..HEAD_BYTES] != [0, 1, b'I', b'M'] {
         return Err(MatError::NotLevel5);
     }
-    let mut rest = &bytes[HEAD_BYTES..];
+    let (mut rest, mut why) = (&bytes[HEAD_BYTES..], MatError::NoComplexArray);
     while !rest.is_empty() {
         let (element, behind) = Element::split(rest)?;
         rest = behind;
-        if let Some(values) = of_element(&element, shape)? {
-            return Ok(values);
+        match of_element(&element, shape) {
+            Ok(Some(values)) => return Ok(values),
+            Ok(None) => {}
+            Err(other @ MatError::OtherSides { .. }) => why = other,
+            Err(error) => return Err(error),
         }
     }
-    Err(MatError::NoComplexArray)
+    Err(why)
 }
 
 fn of_element(element: &Element<'_>, shape: [usize; 4]) -> Result<Option<Vec<Complex32>>, MatError> {
@@ -35,8 +39,12 @@ fn of_element(element: &Element<'_>, shape: [usize; 4]) -> Result<Option<Vec<Com
             let values = shape.iter().try_fold(1_u64, |product, side| product.checked_mul(*side as u64));
             let most = values.and_then(|values| values.checked_mul(16)).ok_or(MatError::SidesTooLong)?;
             let unpacked = unpacked(element.content, most + BESIDE_VALUES)?;
-            let (inside, _) = Element::split(&unpacked)?;
-            if inside.kind == MATRIX { of_matrix(inside.content, shape) } else { Ok(None) }
+            let (tag, behind) = unpacked.split_first_chunk::<8>().ok_or(MatError::EndsInElement)?;
+            let [kind, length] =
+                [0, 4].map(|at| u32::from_le_bytes(std::array::from_fn(|byte| tag[at + byte])));
+            // A longer array is cut off: its sides, which come first, tell that it is another one.
+            let content = behind.get(..length as usize).unwrap_or(behind);
+            if kind == MATRIX { of_matrix(content, shape) } else { Ok(None) }
         }
         _ => Ok(None),
     }
@@ -177,6 +185,17 @@ mod tests {
         let bytes = [file()[..HEAD_BYTES].to_vec(), of(&other), of(&content)].concat();
         let found = complex_values(&bytes, SHAPE).unwrap();
         assert_eq!((found[0], found[11]), (Complex32::new(-6.0, -6.0), Complex32::new(5.0, 5.0)));
+    }
+
+    #[test]
+    fn a_complex_array_of_other_sides_may_stand_before_the_one_that_is_meant() {
+        let other = Array { name: "taps", shape: [5, 1, 1, 1], values: &values()[..5] }.to_bytes();
+        let both = [&other, &file()[HEAD_BYTES..]].concat();
+        assert_eq!(complex_values(&both, SHAPE).unwrap(), values());
+        let long = Array { name: "long", shape: [9000, 1, 1, 1], values: &[Complex32::ONE; 9000] }.to_bytes();
+        let both = [&packed(&long), &packed(&file())[HEAD_BYTES..]].concat();
+        assert_eq!(complex_values(&both, SHAPE).unwrap(), values());
+        assert!(complex_values(&other, SHAPE).is_err_and(|e| e.to_string().contains("the scene's radar")));
     }
 
     #[test]

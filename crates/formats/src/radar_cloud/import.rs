@@ -16,24 +16,35 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// Writes clouds as the points that the scene's radar has, with the objects that they form; `told_by` are the
-/// files that tell the scene and its radar.
+/// files that tell the scene and its radar, which `scene` reads.
 ///
 /// # Errors
-/// A file that is no such cloud, or none at all.
-pub fn points(asked: &Path, told_by: &[PathBuf], scene: &SceneHeader, out: &Path) -> Result<(), Failure> {
+/// A file that is no such cloud, or none at all, those of `scene`, and a file that was changed meanwhile.
+pub fn points(
+    asked: &Path,
+    told_by: &[PathBuf],
+    scene: impl FnOnce() -> Result<SceneHeader, Failure>,
+    out: &Path,
+) -> Result<(), Failure> {
+    let seen_of_scene = loading::seen(told_by);
+    let scene = scene()?; // says more of a file that cannot be read
     let files = frames_of(asked, &["bin", "pcd"])?;
     let description: Option<PathBuf> = files.first().and_then(|file| description_of(file));
-    let inputs = loading::hashed(&[files.as_slice(), told_by, description.as_slice()].concat())?;
+    let mut inputs = loading::seen(&files)?;
+    inputs.extend(seen_of_scene?);
+    inputs.extend(loading::seen(description.as_slice())?);
+    let named = inputs.iter().map(|file| file.named().clone()).collect();
     let told = description.as_deref().map(height_told).transpose()?.flatten();
-    let cube = cube_header(scene);
+    let cube = cube_header(&scene);
     let axes = LevelledAxes::of(&scene.radar);
     let header = PointsHeader { cube: Some(cube.clone()), ..PointsHeader::default() };
-    let mut writer = Writer::<Points>::create(out, &provenance(Stage::Dsp, scene, inputs), &header)?;
+    let mut writer = Writer::<Points>::create(out, &provenance(Stage::Dsp, &scene, named), &header)?;
     for (index, file) in (0..).zip(progress::counted("frames", &files, files.len())) {
         let (seen, height) = read(file)?;
         let radar = Sensor { cube: cube.in_frame(index), axes: &axes, height: told.unwrap_or(height) };
         writer.write(&radar.frame(index, scene.frame_time_s(index), &seen))?;
     }
+    loading::check_unchanged(&mut inputs)?;
     Ok(writer.finish()?)
 }
 
@@ -118,6 +129,24 @@ mod tests {
     use super::*;
     use glam::DVec3;
     use scene::{Meshes, ReadOptions};
+
+    #[test]
+    fn points_of_a_scene_that_changed_after_its_hash_was_taken_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let [cloud, scene, out] = ["c.bin", "s.toml", "f.points"].map(|name| folder.path().join(name));
+        std::fs::write(&cloud, [10.0_f32, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0].map(f32::to_le_bytes).concat())
+            .unwrap();
+        std::fs::write(&scene, "name = \"s\"\n").unwrap();
+        let read = || loading::radar_only(&scene, None);
+        let imported = |read: &dyn Fn() -> Result<SceneHeader, Failure>| {
+            points(&cloud, std::slice::from_ref(&scene), read, &out)
+        };
+        let and_saved = || read().inspect(|_| std::fs::write(&scene, "name = \"other\"\n").unwrap());
+        let refused = imported(&and_saved).unwrap_err().to_string();
+        assert!(refused.contains("s.toml: was changed while") && !out.exists(), "{refused}");
+        imported(&read).unwrap();
+        assert!(out.exists());
+    }
 
     /// Two detections in one place whose velocities differ by the span of the first sub-frame, which takes
     /// them for one: that of 20 µs is twice that of 40 µs, which does so too, that of 40 µs ¾ of that of 30

@@ -156,6 +156,11 @@ fn places(file: &Path) -> [PathBuf; 2] {
     [sidecar::beside(file), file.with_extension("json")]
 }
 
+/// Descriptions that stand beside a file, whatever samples they tell of.
+pub fn descriptions(file: &Path) -> Vec<PathBuf> {
+    places(file).into_iter().filter(|place| place.is_file()).collect()
+}
+
 /// The description beside the file and where; what belongs to other samples is not believed.
 fn description_of(file: &Path, samples: &[u8]) -> Option<(Value, PathBuf)> {
     let told = places(file).into_iter().filter_map(|place| Some((sidecar::read(&place)?, place)));

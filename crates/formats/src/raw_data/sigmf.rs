@@ -51,6 +51,12 @@ fn is_own(meta: &[u8]) -> bool {
     serde_json::from_slice::<Value>(meta).is_ok_and(|told| told["global"]["core:recorder"] == RECORDER)
 }
 
+/// Both files of a recording, the one that was asked for first.
+pub fn pair(asked: &Path) -> [PathBuf; 2] {
+    let other = if asked.extension().is_some_and(|told| told == META) { DATA } else { META };
+    [asked.to_owned(), asked.with_extension(other)]
+}
+
 /// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit. What the
 /// description says of the waveform has to be the radar's.
 pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
@@ -108,8 +114,9 @@ fn check_radar(
     header: &CubeHeader,
     recording: &Recording,
 ) -> Result<(), Failure> {
-    let channels = global["core:num_channels"].as_u64().unwrap_or(1);
-    if channels != recording.receivers as u64 {
+    let channels =
+        Some(&global["core:num_channels"]).filter(|told| !told.is_null()).cloned().unwrap_or(1.into());
+    if channels.as_f64() != Some(recording.receivers as f64) {
         let text = format!(
             "core:num_channels is {channels}, the scene's radar has {} receivers",
             recording.receivers

@@ -24,15 +24,17 @@ impl WaveformKeys {
     }
 }
 
-/// Refuses a number under a key that is another than the radar's; numbers agree within a millionth: a person
-/// rounds what a device has in steps.
+/// Refuses what stands under a key where it is no number, or another than the radar's; numbers agree within a
+/// millionth: a person rounds what a device has in steps.
 pub(crate) fn same(told: &Value, place: &Path, key: &str, radars: f64) -> Result<(), Failure> {
-    match told[key].as_f64() {
-        Some(number) if (number - radars).abs() > 1e-6 * radars.abs() => Err(Failure::Refused(format!(
-            "{}: {key} is {number:?}, the scene's radar has {radars:?}",
-            place.display()
-        ))),
-        _ => Ok(()),
+    let refused = |found: &dyn std::fmt::Display| {
+        let rule = format!("{key} is {found}, the scene's radar has {radars:?}");
+        Err(Failure::Refused(format!("{}: {rule}", place.display())))
+    };
+    match (told[key].as_f64(), &told[key]) {
+        (Some(number), _) if (number - radars).abs() > 1e-6 * radars.abs() => refused(&format!("{number:?}")),
+        (Some(_), _) | (None, Value::Null) => Ok(()),
+        (None, other) => refused(other),
     }
 }
 
@@ -52,5 +54,7 @@ mod tests {
         assert_eq!(told(json!(null)), None);
         let text = told(json!(2.5e6));
         assert_eq!(text.as_deref(), Some("x.json: rate is 2500000.0, the scene's radar has 5000000.0"));
+        let text = told(json!("2.5 MHz"));
+        assert_eq!(text.as_deref(), Some("x.json: rate is \"2.5 MHz\", the scene's radar has 5000000.0"));
     }
 }

@@ -27,6 +27,7 @@ pub(crate) struct VehicleClassification {
 
 /// Values of `osi3.MovingObject.Type`.
 pub(crate) mod object_type {
+    pub(crate) const OTHER: i32 = 1;
     pub(crate) const VEHICLE: i32 = 2;
     pub(crate) const PEDESTRIAN: i32 = 3;
     pub(crate) const ANIMAL: i32 = 4;
@@ -59,18 +60,81 @@ const VEHICLE_TYPES: [&str; 23] = [
     "TYPE_LAND_VEHICLE",
 ];
 
+/// Earlier names of the same values, each with the one that is told.
+const EARLIER_NAMES: [(&str, &str); 3] = [
+    ("TYPE_CAR", "TYPE_MEDIUM_CAR"),
+    ("TYPE_DELIVERY_VAN", "TYPE_VAN"),
+    ("TYPE_MOTORBIKE", "TYPE_MOTORCYCLE"),
+];
+/// Names of `osi3.MovingObject.Type` that no classification of vehicles has.
+const OBJECT_TYPES: [&str; 3] = [VEHICLE, PEDESTRIAN, ANIMAL];
+const VEHICLE: &str = "TYPE_VEHICLE";
+const PEDESTRIAN: &str = "TYPE_PEDESTRIAN";
+const ANIMAL: &str = "TYPE_ANIMAL";
+
 impl MovingObject {
     /// Name of the type that tells most: of a vehicle the one that classifies it.
     pub(crate) fn type_name(&self) -> String {
-        match self.kind.unwrap_or(0) {
-            object_type::PEDESTRIAN => "TYPE_PEDESTRIAN".into(),
-            object_type::ANIMAL => "TYPE_ANIMAL".into(),
-            _ => vehicle_type(self.vehicle_classification.and_then(|told| told.kind).unwrap_or(0)),
+        let classified = self.vehicle_classification.and_then(|told| told.kind).unwrap_or(0);
+        match (self.kind.unwrap_or(0), classified) {
+            (object_type::PEDESTRIAN, _) => PEDESTRIAN.into(),
+            (object_type::ANIMAL, _) => ANIMAL.into(),
+            (object_type::VEHICLE, 0) => VEHICLE.into(),
+            (object_type::OTHER, 0) => vehicle_type(1),
+            _ => vehicle_type(classified),
         }
     }
+}
+
+/// Names by which types of moving objects are told.
+pub fn type_names() -> impl Iterator<Item = &'static str> {
+    VEHICLE_TYPES.into_iter().chain(OBJECT_TYPES)
+}
+
+/// The name by which objects of a type are told, of whatever name the standard has for it, or of
+/// `TYPE_` and its value; `None` where the standard has none such.
+pub fn type_told_as(name: &str) -> Option<String> {
+    if let Some((_, told)) = EARLIER_NAMES.iter().find(|(earlier, _)| *earlier == name) {
+        return Some((*told).to_owned());
+    }
+    let of_value = || {
+        let value: i32 = name.strip_prefix("TYPE_")?.parse().ok()?;
+        (value >= 0).then(|| vehicle_type(value))
+    };
+    type_names().find(|known| *known == name).map(str::to_owned).or_else(of_value)
 }
 
 fn vehicle_type(value: i32) -> String {
     let known = usize::try_from(value).ok().and_then(|place| VEHICLE_TYPES.get(place));
     known.map_or_else(|| format!("TYPE_{value}"), |name| (*name).to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_of_the_standard_is_that_by_which_its_objects_are_told() {
+        for (value, name) in (0..).zip(VEHICLE_TYPES) {
+            let classified = Some(VehicleClassification { kind: Some(value) });
+            let object = MovingObject { vehicle_classification: classified, ..MovingObject::default() };
+            assert_eq!(object.type_name(), name);
+            assert_eq!(type_told_as(name).as_deref(), Some(name));
+            assert_eq!(type_told_as(&format!("TYPE_{value}")).as_deref(), Some(name));
+        }
+        for (kind, name) in
+            [(1, "TYPE_OTHER"), (2, "TYPE_VEHICLE"), (3, "TYPE_PEDESTRIAN"), (4, "TYPE_ANIMAL")]
+        {
+            assert_eq!(MovingObject { kind: Some(kind), ..MovingObject::default() }.type_name(), name);
+            assert_eq!(type_told_as(name).as_deref(), Some(name));
+        }
+        // osi_object.proto: both names of a value are the same number.
+        for (name, value) in [("TYPE_CAR", 4), ("TYPE_DELIVERY_VAN", 6), ("TYPE_MOTORBIKE", 10)] {
+            assert_eq!(type_told_as(name), Some(vehicle_type(value)));
+        }
+        assert_eq!(type_told_as("TYPE_99").as_deref(), Some("TYPE_99"));
+        for name in ["TYPE_LORRY", "type_bus", "TYPE_", "TYPE_-1", "bus"] {
+            assert_eq!(type_told_as(name), None, "{name}");
+        }
+    }
 }

@@ -88,7 +88,18 @@ fn moving_objects_of_both_containers_are_read_alike() {
     let object = &steps[0].objects[0];
     assert_eq!((object.id.as_str(), object.kind.as_str()), ("7", "TYPE_BUS"));
     assert_eq!((object.foot_m, object.size_m), ([1.0, 40.0, 0.0], Some([12.0, 2.5, 3.0])));
-    assert!((object.speed_mps - 5.0).abs() < 1e-12);
+    assert_eq!(object.velocity_mps, Some([5.0 * 1.5_f64.cos(), 5.0 * 1.5_f64.sin(), 0.0]));
+}
+
+#[test]
+fn what_an_object_does_not_tell_is_not_made_up_and_what_it_tells_counts_alone() {
+    let mut told = bus(7, [1.0, 40.0, 1.5]);
+    let base = told.base.as_mut().unwrap();
+    base.velocity = None;
+    base.dimension.as_mut().unwrap().length = None;
+    let object = &read(&osi(&[truth(0.0, vec![told])])).unwrap()[0].objects[0];
+    assert_eq!((object.velocity_mps, object.size_m), (None, None));
+    assert_eq!(object.foot_m, [1.0, 40.0, 0.0], "half the told height below the middle");
 }
 
 #[test]

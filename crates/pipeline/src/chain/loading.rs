@@ -171,12 +171,10 @@ pub fn read_of<T>(
 
 /// Name and content hash of files.
 pub fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
-    files.iter().map(|file| hashed_one(file)).collect()
-}
-
-/// Name and content hash of a file.
-pub fn hashed_one(file: &Path) -> Result<(String, String), Failure> {
-    artifact::inputs::named_hash(file).map_err(|error| Failure::system(file, "read", error))
+    let named = |file: &PathBuf| {
+        artifact::inputs::named_hash(file).map_err(|error| Failure::system(file, "read", error))
+    };
+    files.iter().map(named).collect()
 }
 
 /// The model that was asked for, else the one that ships with the program; `None` where that has no

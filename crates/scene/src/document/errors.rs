@@ -448,6 +448,22 @@ pub enum Rule {
         /// Time of the last frame, s.
         end_s: f64,
     },
+    /// The name is no type of OSI's moving objects.
+    #[error("OSI has no type `{found}` of moving objects{}", nearest_key(.nearest))]
+    UnknownObjectType {
+        /// Type as written.
+        found: String,
+        /// One spelt alike.
+        nearest: Option<&'static str>,
+    },
+    /// Two names of one type of OSI's moving objects.
+    #[error("`{found}` is one of two names here of the type `{told}`")]
+    SameObjectType {
+        /// Type as written.
+        found: String,
+        /// Name by which its objects are told.
+        told: String,
+    },
     /// A recording of traffic was refused or could not be read.
     #[error("{0}")]
     Traffic(#[source] FcdError),

@@ -9,6 +9,7 @@
 use crate::recording::step_order::{Disorder, StepOrder};
 use crate::recording::xml::{self, Element, XmlFault, XmlText};
 use crate::wording::excerpt::excerpt;
+use glam::DVec3;
 use quick_xml::events::BytesStart;
 use std::path::{Path, PathBuf};
 
@@ -47,10 +48,38 @@ pub struct FcdVehicle {
     pub front_m: [f64; 3],
     /// Heading clockwise from +y, as a compass: the attribute `angle`.
     pub angle_deg: f64,
-    /// Speed along the heading: the attribute `speed`.
-    pub speed_mps: f64,
+    /// Velocity as far as it is told: the attribute `speed`.
+    pub velocity: ToldVelocity,
     /// Line of the file, from 1.
     pub line: u64,
+}
+
+/// Velocity of a vehicle as a recording tells it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ToldVelocity {
+    /// Speed along the heading, as SUMO tells it.
+    Ahead {
+        /// Speed.
+        mps: f64,
+    },
+    /// All of it, as OSI tells it.
+    Whole {
+        /// Along world x, y and z.
+        mps: [f64; 3],
+    },
+    /// Nothing, which OSI allows.
+    Nothing,
+}
+
+impl ToldVelocity {
+    /// Speed, 0 where nothing is told.
+    pub fn speed_mps(self) -> f64 {
+        match self {
+            Self::Ahead { mps } => mps,
+            Self::Whole { mps } => DVec3::from(mps).length(),
+            Self::Nothing => 0.0,
+        }
+    }
 }
 
 /// Fault of a recording, and its place.
@@ -423,8 +452,9 @@ fn vehicle(tag: &BytesStart<'_>, line: u64) -> Result<FcdVehicle, FcdRule> {
         kind: attributes.name("type")?.to_owned(),
         front_m: [coordinate("x")?, coordinate("y")?, z],
         angle_deg: attributes.number("angle", "degrees within ±3600", |a| a.abs() <= 3600.0)?,
-        speed_mps: attributes
-            .number("speed", "m/s from 0 to 340", |v| (0.0..=SPEED_LIMIT_MPS).contains(&v))?,
+        velocity: ToldVelocity::Ahead {
+            mps: attributes.number("speed", "m/s from 0 to 340", |v| (0.0..=SPEED_LIMIT_MPS).contains(&v))?,
+        },
         line,
     })
 }

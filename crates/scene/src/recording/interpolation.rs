@@ -7,7 +7,8 @@
 //! - the front bumper moves by v, the way p₂ − p₁ over t₂ − t₁, and is at p₂ − (t₂ − t)·v. Positions are
 //!   rounded, by SUMO's default to 1 cm, so that the way of 0.1 s tells 0.1 m/s at best; where its length is
 //!   the told speed's to [`ROUNDING_M`], that speed is taken, along the way or, where this is too short to
-//!   have a direction, the heading;
+//!   have a direction, the heading; a velocity that OSI tells whole is taken where it leads as far from the
+//!   way, and the way alone counts where none is told;
 //! - the heading turns evenly, by the shorter way, and the body's origin, half a length behind the bumper,
 //!   moves as both say: its velocity is the exact derivative of its position;
 //! - a vehicle is there from its first step to its last, at its first with the speed told there;
@@ -18,7 +19,7 @@
 //! - a vehicle that would have to be faster than [`TELEPORT_MPS`], or to jump further aside than
 //!   [`TELEPORT_ASIDE_M`], was put elsewhere by the simulation: it is not there between the two steps.
 
-use crate::recording::fcd::{FcdStep, FcdVehicle};
+use crate::recording::fcd::{FcdStep, FcdVehicle, ToldVelocity};
 use artifact::scene::Pose;
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
@@ -66,7 +67,10 @@ impl Bumper {
     /// Bumper of a vehicle as told with one step.
     fn as_told(vehicle: &FcdVehicle) -> Self {
         let yaw_rad = yaw_rad(vehicle.angle_deg);
-        let velocity_mps = heading(yaw_rad).extend(0.0) * vehicle.speed_mps;
+        let velocity_mps = match vehicle.velocity {
+            ToldVelocity::Whole { mps } => mps.into(),
+            told => heading(yaw_rad).extend(0.0) * told.speed_mps(),
+        };
         Self { front_m: vehicle.front_m.into(), velocity_mps, yaw_rad, yaw_radps: 0.0 }
     }
 
@@ -166,7 +170,7 @@ impl Interval {
         let earlier = |vehicle: &FcdVehicle| Some(&before.vehicles[*self.known.get(&vehicle.id)?]);
         let ways = self.after.vehicles.iter().filter_map(|vehicle| {
             let way_m = DVec3::from(vehicle.front_m).distance(earlier(vehicle)?.front_m.into());
-            Some([vehicle.speed_mps * step_s, way_m])
+            Some([vehicle.velocity.speed_mps() * step_s, way_m])
         });
         ways.fold([0.0; 2], |sum, way| [sum[0] + way[0], sum[1] + way[1]])
     }
@@ -218,11 +222,14 @@ fn velocity(vehicle: &FcdVehicle, way_m: DVec3, step_s: f64) -> DVec3 {
     // Below 30 roundings of 5 mm to a side a way's direction is known to no better than 2°.
     const SHORT_M: f64 = 0.15;
     let length_m = way_m.length();
-    if (length_m - vehicle.speed_mps * step_s).abs() > ROUNDING_M {
-        return way_m / step_s;
+    match vehicle.velocity {
+        ToldVelocity::Ahead { mps } if (length_m - mps * step_s).abs() <= ROUNDING_M => {
+            let ahead = heading(yaw_rad(vehicle.angle_deg)).extend(0.0);
+            mps * if length_m > SHORT_M { way_m / length_m } else { ahead }
+        }
+        ToldVelocity::Whole { mps } if way_m.distance(DVec3::from(mps) * step_s) <= ROUNDING_M => mps.into(),
+        _ => way_m / step_s,
     }
-    let ahead = heading(yaw_rad(vehicle.angle_deg)).extend(0.0);
-    vehicle.speed_mps * if length_m > SHORT_M { way_m / length_m } else { ahead }
 }
 
 /// Turn by the shorter way, counter-clockwise.

@@ -1,10 +1,12 @@
 //! Ground truth of OSI as the steps of a recording: moving objects by the middles of their bounding boxes.
 
-use crate::recording::fcd::{FcdError, FcdRule, FcdStep, FcdVehicle, RecordingPlace};
+use crate::recording::fcd::{FcdError, FcdRule, FcdStep, FcdVehicle, RecordingPlace, ToldVelocity};
 use crate::recording::step_order::StepOrder;
 use interchange::traffic::{GroundTruthReader, TraceError, TraceRule, TrafficObject};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+
+pub(crate) use interchange::traffic::{type_names, type_told_as};
 
 /// Messages of a trace, in order.
 pub(crate) struct TraceReader {
@@ -52,7 +54,7 @@ fn vehicle(object: TrafficObject, message: u64) -> FcdVehicle {
         kind: object.kind,
         front_m: object.foot_m,
         angle_deg: 90.0 - object.yaw_rad.to_degrees(),
-        speed_mps: object.speed_mps,
+        velocity: object.velocity_mps.map_or(ToldVelocity::Nothing, |mps| ToldVelocity::Whole { mps }),
         line: message,
     }
 }

@@ -23,7 +23,7 @@ pub(crate) fn default_of(kind: &str) -> Option<Default> {
         }
         "TYPE_BUS" => (&[Bus], "bus-city"),
         "TYPE_MOTORCYCLE" => (&[Motorcycle], "motorcycle-street"),
-        "TYPE_UNKNOWN" | "TYPE_OTHER" | "TYPE_LAND_VEHICLE" => (&Class::ALL, "car-sedan"),
+        "TYPE_UNKNOWN" | "TYPE_OTHER" | "TYPE_VEHICLE" | "TYPE_LAND_VEHICLE" => (&Class::ALL, "car-sedan"),
         "TYPE_PEDESTRIAN" | "TYPE_ANIMAL" => return Some(Default::PassedOver),
         _ => return None,
     };
@@ -31,7 +31,7 @@ pub(crate) fn default_of(kind: &str) -> Option<Default> {
 }
 
 /// Types that have a default, for an error that names them.
-pub(crate) const WITH_DEFAULT: [&str; 14] = [
+pub(crate) const WITH_DEFAULT: [&str; 15] = [
     "TYPE_SMALL_CAR",
     "TYPE_COMPACT_CAR",
     "TYPE_MEDIUM_CAR",
@@ -45,6 +45,7 @@ pub(crate) const WITH_DEFAULT: [&str; 14] = [
     "TYPE_MOTORCYCLE",
     "TYPE_UNKNOWN",
     "TYPE_OTHER",
+    "TYPE_VEHICLE",
     "TYPE_LAND_VEHICLE",
 ];
 

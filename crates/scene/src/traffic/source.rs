@@ -1,7 +1,7 @@
 //! Recordings that traffic comes from, and their steps one after the other.
 
 use crate::recording::fcd::{FcdError, FcdReader, FcdRule, FcdStep};
-use crate::recording::trace::TraceReader;
+use crate::recording::trace::{TraceReader, type_told_as};
 use std::path::PathBuf;
 
 /// The recording that a scene names.
@@ -13,6 +13,15 @@ pub(crate) enum Source {
 }
 
 impl Source {
+    /// The name by which the recording tells objects of a type; `None` where it has none such. Types of SUMO
+    /// are whatever its user calls them.
+    pub(crate) fn type_told_as(&self, name: &str) -> Option<String> {
+        match self {
+            Self::Fcd(_) => Some(name.to_owned()),
+            Self::Osi(_) => type_told_as(name),
+        }
+    }
+
     /// Opens the recording.
     pub(crate) fn open(&self) -> Result<StepReader, FcdError> {
         match self {

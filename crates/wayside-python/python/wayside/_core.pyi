@@ -185,7 +185,11 @@ class PathsFrame:
         """Number of bounces, [n]; 0 of a point target."""
     @property
     def target(self) -> NDArray[np.uint32]:
-        """Index of the target in `Paths.targets`, [n]."""
+        """Index of the target in `Paths.targets`, [n]; 4,294,967,295 of the road's own backscatter."""
+    @property
+    def spans(self) -> np.recarray[Any, Any]:
+        """Part of the frame and of the array that each path stands for, [n]: first_s, step_s, moments,
+        moment, transmit, receive, first_m, step_m, places, place; NaN and −1 of one that stands for all."""
     @property
     def delay_s(self) -> NDArray[np.float64]:
         """Delay at the frame's middle from the array's centre, s, [n]."""
@@ -222,7 +226,7 @@ class Paths:
 
 @final
 class Cube:
-    """Radar data cubes of the frames of a scene, √W.
+    """Radar data cubes of the frames of a scene, √W or what was imported.
 
     `Cube(samples, scene)` makes them of anybody's samples: complex values [frame, channel, chirp, sample], or
     of one frame [channel, chirp, sample]; `scene` is a Scene, a path or a dictionary and says what the
@@ -236,8 +240,11 @@ class Cube:
     def write(self, file: _Path) -> None:
         """Writes a `.cube` artifact, the bytes of `wayside echo`."""
     @property
+    def unit(self) -> str:
+        """Unit of the samples: "sqrt(W)", or "ADC steps" of a file that was imported so."""
+    @property
     def samples(self) -> NDArray[np.complex64]:
-        """IF samples in √W, [frame, channel, chirp, sample]; channel = tx·N_rx + rx."""
+        """IF samples in `unit`, [frame, channel, chirp, sample]; channel = tx·N_rx + rx."""
     @property
     def time_s(self) -> NDArray[np.float64]:
         """Times of the frames' first samples, s, [frame]."""
@@ -256,7 +263,7 @@ class RangeDoppler:
 
     @property
     def values(self) -> NDArray[np.complex64]:
-        """Map values in √W, [frame, channel, doppler, range]; zero velocity at N/2."""
+        """Map values in `unit`, [frame, channel, doppler, range]; zero velocity at N/2."""
     @property
     def mask(self) -> NDArray[np.uint8]:
         """State of each cell, [frame, doppler, range]: 0 untested, 1 tested, 2 detected."""
@@ -266,6 +273,12 @@ class RangeDoppler:
     @property
     def velocity_mps(self) -> NDArray[np.float64]:
         """Radial velocities of the rows, m/s, receding positive, [doppler]; of the first sub-frame."""
+    @property
+    def velocity_of_frames_mps(self) -> NDArray[np.float64]:
+        """Radial velocities of the rows of each frame, m/s, receding positive, [frame, doppler]."""
+    @property
+    def unit(self) -> str:
+        """Unit of the values: "sqrt(W)", or "ADC steps" of samples that were imported so."""
     @property
     def time_s(self) -> NDArray[np.float64]:
         """Times of the frames' first samples, s, [frame]."""

@@ -14,23 +14,32 @@ _POLARIZATIONS = (("vv", 0, 0), ("hh", 1, 1), ("vh", 0, 1), ("hv", 1, 0))
 
 
 def cube_to_xarray(cube: Cube) -> Any:
-    """``xarray.DataArray`` of a cube's samples, √W: frame, channel, chirp, sample."""
+    """``xarray.DataArray`` of a cube's samples in its unit: frame, channel, chirp, sample."""
     import xarray
 
     dims = ("frame", "channel", "chirp", "sample")
     coords = {"time_s": ("frame", cube.time_s)}
     return xarray.DataArray(
-        cube.samples, dims=dims, coords=coords, name="samples", attrs={"units": "sqrt(W)"}
+        cube.samples, dims=dims, coords=coords, name="samples", attrs={"units": cube.unit}
     )
 
 
 def maps_to_xarray(maps: RangeDoppler) -> Any:
-    """``xarray.Dataset`` of maps: values [frame, channel, velocity_mps, range_m] in √W, mask."""
+    """``xarray.Dataset`` of maps: values [frame, channel, velocity_mps, range_m] in their unit, mask.
+
+    Rows of sub-frames have other velocities in each: their axis is ``doppler``, and ``velocity_mps`` is a
+    coordinate [frame, doppler].
+    """
     import xarray
 
-    coords = {"time_s": ("frame", maps.time_s), "velocity_mps": maps.velocity_mps, "range_m": maps.range_m}
-    values = (("frame", "channel", "velocity_mps", "range_m"), maps.values, {"units": "sqrt(W)"})
-    mask = (("frame", "velocity_mps", "range_m"), maps.mask, {"of": "0 untested, 1 tested, 2 detected"})
+    of_frames, velocity = maps.velocity_of_frames_mps, "velocity_mps"
+    coords: dict[str, Any] = {"time_s": ("frame", maps.time_s), "range_m": maps.range_m}
+    if np.all(of_frames == of_frames[:1]):
+        rows, coords[velocity] = velocity, maps.velocity_mps
+    else:
+        rows, coords[velocity] = "doppler", (("frame", "doppler"), of_frames)
+    values = (("frame", "channel", rows, "range_m"), maps.values, {"units": maps.unit})
+    mask = (("frame", rows, "range_m"), maps.mask, {"of": "0 untested, 1 tested, 2 detected"})
     return xarray.Dataset({"values": values, "mask": mask}, coords=coords)
 
 
@@ -77,4 +86,9 @@ def _paths_of(frame: Any, targets: list[str]) -> Any:
         values, (stem, unit) = getattr(frame, name), name.rsplit("_", 1)
         columns |= {f"{stem}_{axis}_{unit}": values[:, i] for i, axis in enumerate(_AXES)}
     columns |= {"delay_s": frame.delay_s, "delay_rate": frame.delay_rate}
+    spans = frame.spans
+    columns |= {f"span_{name}": spans[name] for name in ("first_s", "step_s", "moments", "moment")}
+    for name in ("transmit", "receive"):
+        columns |= {f"array_span_{name[:1]}x_{axis}": spans[name][:, i] for i, axis in enumerate(_AXES)}
+    columns |= {f"array_span_{name}": spans[name] for name in ("first_m", "step_m", "places", "place")}
     return pandas.DataFrame(columns, index=range(len(order)))

@@ -62,6 +62,11 @@ impl Processing {
         (dsp::range_axis_m(&first), dsp::velocity_axis_mps(&first))
     }
 
+    /// Velocities of the rows of a frame's map in m/s, of its own sub-frame.
+    pub fn velocities_mps(&self, frame: u32) -> Vec<f64> {
+        dsp::velocity_axis_mps(&self.header.in_frame(frame))
+    }
+
     /// Range-Doppler map of a frame, with the cells that the detector tested and found.
     ///
     /// # Errors

@@ -24,6 +24,30 @@ fn a_cube_through_sigmf_is_the_same_samples() {
     assert_eq!(place.bytes("a.npy"), place.bytes("b.npy"));
 }
 
+/// The files that `inspect` tells an artifact to be made of.
+fn inputs(place: &Workplace, name: &str) -> Vec<String> {
+    let told = place.run(&format!("inspect {name}"));
+    let input = |line: &str| Some(line.strip_prefix("input")?.split_whitespace().next()?.to_owned());
+    told.lines().filter_map(input).collect()
+}
+
+#[test]
+fn a_cube_names_every_file_that_it_was_imported_from() {
+    let place = tdm();
+    place.run("export a.cube --to sigmf --out raw --quiet");
+    for (asked, other) in [("meta", "data"), ("data", "meta")] {
+        place.run(&format!("import raw.sigmf-{asked} --scene tdm.toml --out b.cube --quiet"));
+        let expected = [format!("raw.sigmf-{asked}"), format!("raw.sigmf-{other}"), "tdm.toml".to_owned()];
+        assert_eq!(inputs(&place, "b.cube"), expected);
+    }
+    place.run("export a.cube --to dca1000 --out raw.bin --quiet");
+    place.run("import raw.bin --scene tdm.toml --out b.cube --quiet");
+    assert_eq!(inputs(&place, "b.cube"), ["raw.bin", "tdm.toml", "raw.bin.json"]);
+    // A step that the command tells is not that of the file beside it.
+    place.run("import raw.bin --scene tdm.toml --step 1e-9 --out b.cube --quiet");
+    assert_eq!(inputs(&place, "b.cube"), ["raw.bin", "tdm.toml"]);
+}
+
 #[test]
 fn recordings_whose_names_have_a_dot_are_two_and_anothers_recording_stays() {
     let place = tdm();

@@ -29,14 +29,16 @@ pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Fa
         loaded.header.fidelity.echo = EchoMode::Paths;
     }
     let chain = Chain::of(&loaded.header, None, None, memory);
-    let traced = arguments.paths.as_deref().map(loading::hashed_one).transpose()?;
-    let files = loaded.files.iter().cloned().chain(traced).collect();
+    let mut traced = loading::seen(arguments.paths.as_slice())?;
+    let of_paths = traced.iter().map(|file| file.named().clone());
+    let files = loaded.files.iter().cloned().chain(of_paths).collect();
     let from = provenance(Stage::FmcwEcho, &loaded.header, files);
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &chain.cube_header)?;
     let told = match &arguments.paths {
         Some(file) => from_paths(&chain, (&loaded, &said), file, &mut writer)?,
         None => from_scene(&chain, &mut writer)?,
     };
+    loading::check_unchanged(&mut traced)?;
     writer.finish()?;
     verdict::of_frames(&told).into_iter().for_each(terminal::line);
     Ok(())

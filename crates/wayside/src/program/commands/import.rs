@@ -5,7 +5,7 @@ mod options;
 use crate::program::cli::ImportArguments;
 use crate::stepwise;
 use artifact::bounded;
-use artifact::cube::{Cube, CubeFrame, SampleUnit};
+use artifact::cube::{Cube, CubeFrame, CubeHeader, SampleUnit};
 use artifact::scene::SceneHeader;
 use artifact::{ErrorBudget, Provenance, Writer};
 use formats::device_config::{self, Configured, DeviceSettings, scene_with};
@@ -30,37 +30,72 @@ use std::path::{Path, PathBuf};
 pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let kind = Kind::of(arguments);
     options::check(arguments, kind)?;
-    let settings =
-        arguments.config.as_deref().map(|file| device_config::read(file, arguments.device.map(Board::from)));
-    let settings = settings.transpose()?;
+    let told_by = radar_files(arguments);
+    if kind == Kind::Clouds {
+        let file = arguments.array.as_path();
+        let read = || scene_of(arguments, settings_of(arguments)?.as_ref());
+        return radar_cloud::import::points(file, &told_by, read, &arguments.out);
+    }
+    let files = [files_of_samples(arguments, kind)?, told_by].concat();
+    let beside = if kind == Kind::CaptureCard { dca1000::descriptions(&arguments.array) } else { vec![] };
+    let of_all = [files.as_slice(), &beside].concat();
+    let (Samples { scene, header, frames, step }, mut hashed) =
+        loading::read_of(&of_all, || samples(arguments, kind))?;
+    let of_beside = hashed.split_off(files.len());
+    let is_told = |place: &Path| step.place() == Some(place);
+    hashed.extend(beside.iter().zip(of_beside).filter(|(place, _)| is_told(place)).map(|(_, told)| told));
+    let from = provenance_of(arguments, &scene, &step, hashed);
+    let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
+    let of = frames.len();
+    for (index, samples) in progress::counted("frames", frames, of).enumerate() {
+        let time_s = scene.frame_time_s(index as u32);
+        let sound = stepwise::sound(index, &samples, header.shape(), header.radar.waveform.sampling);
+        sound.map_err(|failure| failure.about(&arguments.array))?;
+        writer.write(&CubeFrame { index: index as u32, time_s, samples, error: ErrorBudget::default() })?;
+    }
+    Ok(writer.finish()?)
+}
+
+/// Samples with the radar that they are taken as.
+struct Samples {
+    scene: SceneHeader,
+    header: CubeHeader,
+    frames: Vec<Vec<Complex32>>,
+    step: IntegerStep,
+}
+
+fn samples(arguments: &ImportArguments, kind: Kind) -> Result<Samples, Failure> {
+    let settings = settings_of(arguments)?;
     let scene = scene_of(arguments, settings.as_ref())?;
-    let file = arguments.array.as_path();
-    let mut header = cube_header(&scene);
+    let (file, mut header) = (arguments.array.as_path(), cube_header(&scene));
     let Imported { frames, step } = match kind {
-        Kind::Clouds => {
-            return radar_cloud::import::points(file, &radar_files(arguments), &scene, &arguments.out);
-        }
         Kind::CaptureCard => {
             dca1000::read(file, &header, arguments.step, layout(arguments, settings.as_ref()))?
         }
         Kind::Sigmf => sigmf::read(file, &header, arguments.step)?,
         Kind::Uwcr => uwcr::read(file, &header)?,
-        Kind::Array => Imported { frames: of_array(file, header.shape())?, step: IntegerStep::Floats },
+        Kind::Array | Kind::Clouds => {
+            Imported { frames: of_array(file, header.shape())?, step: IntegerStep::Floats }
+        }
     };
-    let sampling = header.radar.waveform.sampling;
-    options::check_samples(arguments, sampling, &step)?;
+    options::check_samples(arguments, header.radar.waveform.sampling, &step)?;
     let told = Told { full_scale: arguments.full_scale, bits: settings.as_ref().map(DeviceSettings::bits) };
     header.unit = unit_of(&step, &frames, told);
-    let from = provenance_of(arguments, &scene, &step)?;
-    let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
-    let of = frames.len();
-    for (index, samples) in progress::counted("frames", frames, of).enumerate() {
-        let time_s = scene.frame_time_s(index as u32);
-        let sound = stepwise::sound(index, &samples, header.shape(), sampling);
-        sound.map_err(|failure| failure.about(file))?;
-        writer.write(&CubeFrame { index: index as u32, time_s, samples, error: ErrorBudget::default() })?;
+    Ok(Samples { scene, header, frames, step })
+}
+
+/// Settings of the board's configuration, where one is given.
+fn settings_of(arguments: &ImportArguments) -> Result<Option<DeviceSettings>, Failure> {
+    let board = arguments.device.map(Board::from);
+    arguments.config.as_deref().map(|file| device_config::read(file, board)).transpose()
+}
+
+/// Files that hold the samples.
+fn files_of_samples(arguments: &ImportArguments, kind: Kind) -> Result<Vec<PathBuf>, Failure> {
+    match kind {
+        Kind::Sigmf => Ok(sigmf::pair(&arguments.array).to_vec()),
+        _ => frames_of(&arguments.array, &uwcr::ENDINGS),
     }
-    Ok(writer.finish()?)
 }
 
 /// Properties of a converter, by command and configuration.
@@ -117,30 +152,27 @@ fn radar_files(arguments: &ImportArguments) -> Vec<PathBuf> {
     std::iter::once(arguments.scene.clone()).chain(arguments.config.clone()).collect()
 }
 
-/// The step of integer samples stands among the settings, and the file that told it among the inputs.
+/// The step of integer samples stands among the settings.
 fn provenance_of(
     arguments: &ImportArguments,
     scene: &SceneHeader,
     step: &IntegerStep,
-) -> Result<Provenance, Failure> {
-    let mut files = frames_of(&arguments.array, &uwcr::ENDINGS)?;
-    files.extend(radar_files(arguments));
-    match step {
-        IntegerStep::Told(_, place) | IntegerStep::Counted { place, .. } => files.push(place.clone()),
-        IntegerStep::Unknown => progress::note(format!(
+    hashed: Vec<(String, String)>,
+) -> Provenance {
+    if *step == IntegerStep::Unknown {
+        progress::note(format!(
             "note: {}: no step is told (--step): samples are counted in steps of the converter, and levels are no powers",
             arguments.array.display()
-        )),
-        IntegerStep::Asked(_) | IntegerStep::Floats => {}
+        ));
     }
-    let from = provenance(Stage::FmcwEcho, scene, loading::hashed(&files)?);
+    let from = provenance(Stage::FmcwEcho, scene, hashed);
     let told = match step {
-        IntegerStep::Floats => return Ok(from),
+        IntegerStep::Floats => return from,
         IntegerStep::Unknown => "sqrt_w_per_step not told: samples are steps".to_owned(),
         IntegerStep::Asked(step) | IntegerStep::Told(step, _) => format!("sqrt_w_per_step {step}"),
         IntegerStep::Counted { step, .. } => format!("adc_steps_per_step {step}"),
     };
-    Ok(Provenance { settings: format!("{}, {told}", from.settings), ..from })
+    Provenance { settings: format!("{}, {told}", from.settings), ..from }
 }
 
 fn of_array(file: &Path, shape: [usize; 3]) -> Result<Vec<Vec<Complex32>>, Failure> {
