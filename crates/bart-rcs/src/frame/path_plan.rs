@@ -1,8 +1,9 @@
 //! Plan of a frame's paths: what they are traced with, fixed by the scene's header.
 
 use crate::beams::beam::TraceSettings;
+use crate::bodies::body_gains::BodyGains;
 use crate::frame::array_places::{ArrayRow, checked_from_m};
-use crate::frame::path_sum::PathView;
+use crate::frame::path_sum::{Hearing, PathView};
 use crate::joins::join::tree_order;
 use crate::oversight::progress::Progress;
 use crate::surface::skin::share_beside;
@@ -52,6 +53,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) check_m: DVec3,
     /// Row that the array's pairs of elements stand along.
     pub(crate) row: ArrayRow,
+    /// Gains towards the bodies: errors are told of what is heard.
+    pub(crate) gains: BodyGains,
     /// Hears how far the frame is.
     pub(crate) progress: &'a dyn Progress,
 }
@@ -89,8 +92,14 @@ impl<'a> Plan<'a> {
             second_check,
             check_m,
             row,
+            gains: BodyGains::default(),
             progress,
         }
+    }
+
+    /// The plan of a radar that has these gains towards the bodies.
+    pub(crate) fn with_gains(self, gains: BodyGains) -> Self {
+        Self { gains, ..self }
     }
 
     /// Relative amplitude error that the frame's paths may have: what facets in place of a skin leave of the
@@ -104,6 +113,11 @@ impl<'a> Plan<'a> {
     pub(crate) fn seen(&self, amplitude: &Amplitude) -> Complex64 {
         let (receive, transmit) = self.header.radar.array.polarization.indices();
         amplitude[receive][transmit]
+    }
+
+    /// What of paths the radar hears.
+    pub(crate) fn hearing(&self) -> Hearing<'_> {
+        Hearing { element: self.header.radar.array.polarization.indices(), gains: &self.gains }
     }
 
     /// Settings of the meetings: what of the bodies scatters.

@@ -2,6 +2,7 @@
 //! sweeps.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
+use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
 use crate::bodies::motion::position_m;
 use crate::bodies::road::check_road;
@@ -41,6 +42,7 @@ pub(crate) fn rcs_frame(
         let (poses, targets) = (frame.poses.len(), header.targets.len());
         return Err(BartError::PosesDoNotMatch { frame: frame.index, poses, targets });
     }
+    let gains = BodyGains::of(models, header, frame)?;
     let mut tables = Vec::new();
     let mut powers = Powers::default();
     for (index, (target, pose)) in (0..).zip(header.targets.iter().zip(&frame.poses)) {
@@ -52,7 +54,7 @@ pub(crate) fn rcs_frame(
                 let missing = || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes };
                 let mesh = header.meshes.get(mesh as usize).ok_or_else(missing)?;
                 let world = World::alone(models, target, mesh.makeup.transmission)?;
-                let body = TabledBody::new(header, mesh, world, pose);
+                let body = TabledBody::new(header, mesh, world, pose).heard_by(gains.of_way([index; 2]));
                 let (of_body, table) = body.measured_table(index)?;
                 powers.add(&of_body);
                 table
@@ -85,9 +87,11 @@ struct TabledBody<'a> {
     pose: &'a Pose,
     world: World,
     radius_m: f64,
+    /// Product of both ends' gains towards it.
+    gain: f64,
 }
 
-/// Sums over bodies of powers at the middle aspect, received, relative to 1/R⁴.
+/// Sums over bodies of powers at the middle aspect, as they are received: over 1/R⁴, with the gains.
 #[derive(Default)]
 struct Powers {
     total: f64,
@@ -105,7 +109,11 @@ struct Powers {
 impl<'a> TabledBody<'a> {
     fn new(header: &'a SceneHeader, mesh: &Mesh, world: World, pose: &'a Pose) -> Self {
         let radius_m = mesh.vertices_m.iter().map(|v| DVec3::from_array(*v).length()).fold(0.0, f64::max);
-        Self { header, pose, world, radius_m }
+        Self { header, pose, world, radius_m, gain: 1.0 }
+    }
+
+    fn heard_by(self, gain: f64) -> Self {
+        Self { gain, ..self }
     }
 
     /// One tree at the middle aspect serves the table and what its errors are told from.
@@ -160,7 +168,7 @@ impl<'a> TabledBody<'a> {
         let anew = self.anew(Antenna::Direction(last_r), last, &wavenumbers)?;
         let spherical = self.anew(Antenna::Point(middle), middle, &wavenumbers)?;
         let near = Compared::of(&table, &spherical);
-        let weight = middle.length().powi(-4);
+        let weight = (self.gain / middle.length_squared()).powi(2);
         Ok(Powers {
             total: weight * power(&table),
             interpolation: weight * power(&table) * self.interpolation_error().powi(2),

@@ -8,6 +8,7 @@
 #[path = "../bodies/mod.rs"]
 mod bodies;
 mod frames;
+mod patterns;
 mod sidelobes;
 mod turning;
 mod wheels;
