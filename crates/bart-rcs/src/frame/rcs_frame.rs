@@ -70,11 +70,11 @@ pub(crate) fn rcs_frame(
     })
 }
 
-/// Most values of an axis: beyond it interpolation errs more than was asked, and the echo's own check says
-/// how much.
+/// Most values of an axis, odd: beyond it interpolation errs more than was asked, and the echo's own check
+/// says how much.
 const AZIMUTHS_MAX: usize = 9;
 const ELEVATIONS_MAX: usize = 5;
-const FREQUENCIES_MAX: usize = 256;
+const FREQUENCIES_MAX: usize = 257;
 /// Instants of a frame that its aspects are looked for at. An extreme between two of them lies beyond theirs
 /// by an eightieth of the whole turn at most, and the echo draws a table on by a step of it.
 const INSTANTS: usize = 9;
@@ -294,13 +294,18 @@ impl<'a> TabledBody<'a> {
         let behind_hz = waveform.slope_hz_per_s.abs() * 2.0 * farthest_m / SPEED_OF_LIGHT_MPS;
         let (centre_hz, half_hz) = (waveform.centre_frequency_hz(), 0.5 * waveform.bandwidth_hz().abs());
         let turn = 2.0 * TAU * self.radius_m * (2.0 * half_hz + behind_hz) / SPEED_OF_LIGHT_MPS;
-        axis(centre_hz - half_hz - behind_hz, centre_hz + half_hz, self.steps(turn, FREQUENCIES_MAX))
+        // What comes back is behind what is sent: below it where chirps rise, above it where they fall.
+        let [below_hz, above_hz] =
+            if waveform.slope_hz_per_s > 0.0 { [behind_hz, 0.0] } else { [0.0, behind_hz] };
+        let ends_hz = [centre_hz - half_hz - below_hz, centre_hz + half_hz + above_hz];
+        axis(ends_hz[0], ends_hz[1], self.steps(turn, FREQUENCIES_MAX))
     }
 
-    /// Number of steps, between two of which a phasor that turns by Δφ is missed by Δφ²/8 at most.
+    /// Number of values, between two of which a phasor that turns by Δφ is missed by Δφ²/8 at most. It is
+    /// odd, and three at least: the echo tells what it errs by from every second one.
     fn steps(&self, turn_rad: f64, most: usize) -> usize {
         let step = (8.0 * self.header.fidelity.accuracy.amplitude()).sqrt();
-        ((turn_rad / step).ceil() as usize + 1).clamp(2, most)
+        ((turn_rad / step).ceil() as usize + 1).clamp(3, most) | 1
     }
 }
 
