@@ -6,6 +6,7 @@ use artifact::paths::{Path, PathsFrame};
 use artifact::scene::{Pose, Role, SceneFrame, SceneHeader, TargetKind};
 use glam::DVec3;
 use radar::aperture::{axes, pattern_amplitude};
+use radar::path_echo::gain_along;
 use radar::path_kinematics::{legs, mean_share, nodes};
 
 /// Truth of one target at the frame's middle, seen from the radar's position.
@@ -103,7 +104,7 @@ fn outline(header: &SceneHeader, index: usize, pose: &Pose) -> GroundOutline {
 fn echo(header: &SceneHeader, target: usize, paths: &[Path]) -> Option<MeanEcho> {
     let (mut weight, mut range, mut velocity) = (0.0, 0.0, 0.0);
     for path in paths.iter().filter(|p| is_wholly_on(target, p) && is_heard(&header.radar, p)) {
-        let (power, echo) = received(header, path);
+        let (power, echo) = received(&header.radar, path);
         weight += power;
         range += power * echo.range_m;
         velocity += power * echo.radial_velocity_mps;
@@ -121,13 +122,14 @@ fn is_heard(radar: &Radar, path: &Path) -> bool {
     legs(radar, path).iter().all(|leg| is_seen(radar, leg.direction))
 }
 
-/// Power of a path up to a common factor, |a|²/(L₁L₂)² times its mean share over the frame (the shares of
+/// Power of a path up to a common factor, |a|²/(L₁L₂)² times both ends' gains and its mean share over the frame (the shares of
 /// what is traced at several moments add up to 1), and half its length and rate at the frame's middle.
-fn received(header: &SceneHeader, path: &Path) -> (f64, MeanEcho) {
-    let [there, back] = legs(&header.radar, path);
-    let (receive, transmit) = header.radar.array.polarization.indices();
+fn received(radar: &Radar, path: &Path) -> (f64, MeanEcho) {
+    let both @ [there, back] = legs(radar, path);
+    let (receive, transmit) = radar.array.polarization.indices();
     let of_whole = path.amplitude_m[receive][transmit].norm_sqr() / (there.length_m * back.length_m).powi(2);
-    let power = mean_share(&header.radar, path) * of_whole;
+    let gain = gain_along(radar, &both);
+    let power = mean_share(radar, path) * of_whole * gain.powi(2);
     let range_m = 0.5 * (there.length_m + back.length_m);
     let echo = MeanEcho { range_m, radial_velocity_mps: 0.5 * (there.rate_mps + back.rate_mps) };
     (power, echo)
@@ -140,10 +142,26 @@ mod tests {
     use radar::aperture::Preset;
     use radar::paper;
 
+    fn path_to(at_m: [f64; 3]) -> Path {
+        Path::of_point(at_m, [0.0; 3], [[1.0.into(); 2]; 2])
+    }
+
+    /// The far end of a bus, 60° aside: a quarter of the gain there, and of that on the way back.
+    #[test]
+    fn an_echo_weighs_as_much_as_is_heard_of_it() {
+        let mut radar = paper::radar([0.0; 3], paper::waveform(64, 16), Preset::OneByFour.elements());
+        let (sin, cos) = std::f64::consts::FRAC_PI_3.sin_cos();
+        let ends = [path_to([0.0, 10.0, 0.0]), path_to([10.0 * sin, 10.0 * cos, 0.0])];
+        let ratio = |radar: &Radar| received(radar, &ends[1]).0 / received(radar, &ends[0]).0;
+        assert!((ratio(&radar) - 1.0).abs() < 1e-12);
+        radar.array.pattern = Pattern::Cosine { exponent: 2.0 };
+        assert!((ratio(&radar) * 256.0 - 1.0).abs() < 1e-12);
+    }
+
     #[test]
     fn a_path_from_behind_a_cosine_pattern_is_not_heard() {
         let mut radar = paper::radar([0.0; 3], paper::waveform(64, 16), Preset::OneByFour.elements());
-        let from = |y_m: f64| Path::of_point([1.0, y_m, 0.0], [0.0; 3], Default::default());
+        let from = |y_m: f64| path_to([1.0, y_m, 0.0]);
         assert!(is_heard(&radar, &from(-15.0)), "an isotropic element hears all around");
         radar.array.pattern = Pattern::Cosine { exponent: 1.0 };
         assert_eq!([30.0, -15.0].map(|y_m| is_heard(&radar, &from(y_m))), [true, false]);

@@ -138,7 +138,7 @@ fn node<'a>(
 /// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r of a joint's reference point.
 fn way_from(scatterer: &Scatterer<'_>, joint: &EdgeJoint, middle_m: DVec3, origin_m: DVec3) -> (f64, f64) {
     let apparent_m = scatterer.legs(joint.forward, joint.backward).map(|leg| leg.mirrors.unfolded(middle_m));
-    scatterer.way_from(origin_m, apparent_m)
+    scatterer.way_from(origin_m, [joint.forward, joint.backward], apparent_m)
 }
 
 /// An edge's share of S, its reverse included.

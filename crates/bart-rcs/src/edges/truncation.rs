@@ -153,7 +153,8 @@ fn sum_at_each(
 fn way_from(scatterer: &Scatterer<'_>, truncation: &Truncation, origin_m: DVec3) -> (f64, f64) {
     let middle_m = truncation.point_m(0.5 * truncation.length_m());
     let legs = scatterer.legs(truncation.forward, truncation.backward);
-    scatterer.way_from(origin_m, legs.map(|leg| leg.mirrors.unfolded(middle_m)))
+    let apparent_m = legs.map(|leg| leg.mirrors.unfolded(middle_m));
+    scatterer.way_from(origin_m, [truncation.forward, truncation.backward], apparent_m)
 }
 
 fn node<'a>(scatterer: &Scatterer<'_>, truncation: &Truncation, legs: [&'a Leg; 2]) -> Node<'a> {

@@ -18,9 +18,7 @@ pub(crate) fn frequencies_hz(centre_hz: f64, bandwidth_hz: f64, count: usize) ->
 /// Mean over frequency of |S(paths)|², as the radar sees it.
 pub(crate) fn mean_power(paths: &[Path], plan: &Plan<'_>, seconds: f64, frequencies_hz: &[f64]) -> f64 {
     let view = plan.view(seconds);
-    let seen =
-        element_over_band(paths, &view, plan.header.radar.array.polarization.indices(), frequencies_hz);
-    mean(&seen)
+    mean(&element_over_band(paths, &view, plan.hearing(), frequencies_hz))
 }
 
 /// Mean power of the sum over the band at the frame's ends and middle.

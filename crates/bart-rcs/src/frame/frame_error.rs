@@ -172,9 +172,9 @@ impl FrameError {
     ) -> Self {
         let power = power_over_frame(paths, plan);
         let relative = |part: f64| amplitude_ratio(part, power);
-        let element = plan.header.radar.array.polarization.indices();
         let missed = |view: &PathView, bodies: &[Complex64]| {
-            let sum_of = |paths: &[Path]| element_over_band(paths, view, element, &reference.frequencies_hz);
+            let sum_of =
+                |paths: &[Path]| element_over_band(paths, view, plan.hearing(), &reference.frequencies_hz);
             let exact: Vec<Complex64> =
                 bodies.iter().zip(sum_of(points)).map(|(s, of_points)| s + of_points).collect();
             mean_difference(&exact, &sum_of(paths))
@@ -186,7 +186,8 @@ impl FrameError {
         let compared = second.map_or(first, |second| 0.5 * (first + second));
         let error_power = compared + integration_power + given_up.blends_power;
         let [beams, beams_at_most] = given_up.beams;
-        let scale = (TAU / plan.band.wavelength_m()).powi(2) / std::f64::consts::PI;
+        let wavenumber_per_m = TAU / plan.band.wavelength_m();
+        let scale = (plan.gains.largest() * wavenumber_per_m).powi(2) / std::f64::consts::PI;
         Self {
             total: relative(error_power),
             integration: relative(integration_power),

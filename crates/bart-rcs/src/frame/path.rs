@@ -1,6 +1,7 @@
 //! The path table of a frame: bodies frozen at the frame's middle, or traced at several moments where
 //! they change, every cell of their lit facets a path that moves.
 
+use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
 use crate::bodies::road::check_road;
 use crate::frame::blends::blending::{split, split_alike};
@@ -49,7 +50,8 @@ pub(crate) fn trace_frame(
     let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
-    let plan = Plan::of(header, frame, surroundings.progress);
+    let gains = BodyGains::of(models, header, frame)?;
+    let plan = Plan::of(header, frame, surroundings.progress).with_gains(gains);
     let scenery = Scenery { models, frame, plan: &plan, held_bytes: 0 };
     match surroundings.like.and_then(|measured| Some((measured, measured.trace.fineness.as_ref()?))) {
         Some((measured, fineness)) => traced_like(&scenery, measured, fineness),

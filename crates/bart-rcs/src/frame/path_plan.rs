@@ -1,8 +1,9 @@
 //! Plan of a frame's paths: what they are traced with, fixed by the scene's header.
 
 use crate::beams::beam::TraceSettings;
+use crate::bodies::body_gains::BodyGains;
 use crate::frame::array_places::{ArrayRow, checked_from_m};
-use crate::frame::path_sum::PathView;
+use crate::frame::path_sum::{Hearing, PathView};
 use crate::joins::join::tree_order;
 use crate::oversight::progress::Progress;
 use crate::surface::skin::share_beside;
@@ -51,6 +52,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) second_check: Option<([DVec3; 2], f64)>,
     /// Row that the array's pairs of elements stand along.
     pub(crate) row: ArrayRow,
+    /// Gains towards the bodies: errors are told of what is heard.
+    pub(crate) gains: BodyGains,
     /// Hears how far the frame is.
     pub(crate) progress: &'a dyn Progress,
 }
@@ -75,7 +78,25 @@ impl<'a> Plan<'a> {
         let (check_ends_m, second) = checked_from_m(&header.radar, &frame.poses, [middle_s, check_s]);
         let second_check = second.map(|ends_m| (ends_m, middle_s - check_offset_s));
         let row = ArrayRow::of(&header.radar);
-        Self { header, position_m, band, trace, middle_s, check_s, check_ends_m, second_check, row, progress }
+        let gains = BodyGains::default();
+        Self {
+            header,
+            position_m,
+            band,
+            trace,
+            middle_s,
+            check_s,
+            check_ends_m,
+            second_check,
+            row,
+            gains,
+            progress,
+        }
+    }
+
+    /// The plan of a radar that has these gains towards the bodies.
+    pub(crate) fn with_gains(self, gains: BodyGains) -> Self {
+        Self { gains, ..self }
     }
 
     /// Relative amplitude error that the frame's paths may have: what facets in place of a skin leave of the
@@ -89,6 +110,11 @@ impl<'a> Plan<'a> {
     pub(crate) fn seen(&self, amplitude: &Amplitude) -> Complex64 {
         let (receive, transmit) = self.header.radar.array.polarization.indices();
         amplitude[receive][transmit]
+    }
+
+    /// What of paths the radar hears.
+    pub(crate) fn hearing(&self) -> Hearing<'_> {
+        Hearing { element: self.header.radar.array.polarization.indices(), gains: &self.gains }
     }
 
     /// Settings of the meetings: what of the bodies scatters.

@@ -66,12 +66,15 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
 /// Sums of fewer may have more: cells of a face whose borders tell all of its echo cancel only together.
 fn negligible_together(weak: &[usize], paths: &[Path], plan: &Plan<'_>, budget: f64) -> (usize, f64) {
     let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
-    let (view, element) = (plan.view(plan.middle_s), plan.header.radar.array.polarization.indices());
+    let view = plan.view(plan.middle_s);
     let (mut seen, mut most) = (0, (0, 0.0));
     let mut sum = vec![Complex64::ZERO; FREQUENCIES];
     for run in weak.chunks(weak.len().div_ceil(RUNS).max(1)) {
         let of_run: Vec<Path> = run.iter().map(|&i| paths[i]).collect();
-        sum = total([sum, element_over_band(&of_run, &view, element, &frequencies)].into_iter(), FREQUENCIES);
+        sum = total(
+            [sum, element_over_band(&of_run, &view, plan.hearing(), &frequencies)].into_iter(),
+            FREQUENCIES,
+        );
         seen += run.len();
         if mean(&sum) <= budget {
             most = (seen, mean(&sum));
@@ -97,5 +100,5 @@ fn power(path: &Path, plan: &Plan<'_>, view: &PathView) -> f64 {
     let [from_tx_m, from_rx_m] = apparent_m(path, view.seconds);
     let (l1, l2) = (from_tx_m.distance(view.transmitter_m), from_rx_m.distance(view.receiver_m));
     let ranges = view.origin_m.distance(view.transmitter_m) * view.origin_m.distance(view.receiver_m);
-    plan.seen(&path.amplitude_m).norm_sqr() * (ranges / (l1 * l2)).powi(2)
+    plan.seen(&path.amplitude_m).norm_sqr() * (plan.gains.of_path(path) * ranges / (l1 * l2)).powi(2)
 }

@@ -1,5 +1,6 @@
 //! Scattering amplitude from path records, by their definition.
 
+use crate::bodies::body_gains::BodyGains;
 use crate::bodies::motion::Motion;
 use artifact::paths::{Amplitude, Path};
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -23,6 +24,15 @@ pub struct PathView {
     pub centre_frequency_hz: f64,
 }
 
+/// What of paths a radar hears.
+#[derive(Clone, Copy)]
+pub(crate) struct Hearing<'a> {
+    /// Polarization, received and transmitted, as indices of an amplitude.
+    pub(crate) element: (usize, usize),
+    /// Gains of its antennas.
+    pub(crate) gains: &'a BodyGains,
+}
+
 /// S = Σ a(f)·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} with a(f) = a + (f − f_c)·a′, metres, 2 × 2; of paths that
 /// stand for a part of the frame what their share is then.
 pub fn scattering_of_paths<'a>(
@@ -43,27 +53,31 @@ pub fn scattering_of_paths<'a>(
     total
 }
 
-/// One element of [`scattering_of_paths`] at equally spaced frequencies: one turn per path leads from each to
-/// the next.
+/// One element of [`scattering_of_paths`], paths weighed by gains, at equally spaced frequencies: one turn
+/// per path leads from each to the next.
 ///
 /// Runs of paths are added in their order: the same bits on any number of threads.
 pub(crate) fn element_over_band(
     paths: &[Path],
     view: &PathView,
-    (p, q): (usize, usize),
+    hearing: Hearing<'_>,
     frequencies_hz: &[f64],
 ) -> Vec<Complex64> {
     const RUN: usize = 4096;
     let (Some(&first_hz), Some(&last_hz)) = (frequencies_hz.first(), frequencies_hz.last()) else {
         return Vec::new();
     };
+    let (p, q) = hearing.element;
     let step_hz = (last_hz - first_hz) / (frequencies_hz.len() - 1).max(1) as f64;
     let zero = || vec![Complex64::ZERO; frequencies_hz.len()];
     let of_run = |run: &[Path]| {
         let mut sums = zero();
         for path in run {
             let (spread, length_m) = view.spread_and_length_m(path);
-            let mut factor = Complex64::from_polar(spread, -wavenumber_per_m(first_hz) * length_m);
+            let mut factor = Complex64::from_polar(
+                hearing.gains.of_path(path) * spread,
+                -wavenumber_per_m(first_hz) * length_m,
+            );
             let turn = Complex64::cis(-wavenumber_per_m(step_hz) * length_m);
             for (sum, f) in sums.iter_mut().zip(frequencies_hz) {
                 let slope = path.slope_m_per_hz[p][q] * (f - view.centre_frequency_hz);
@@ -150,13 +164,15 @@ mod tests {
             centre_frequency_hz: 77e9,
         };
         let frequencies: Vec<f64> = (0..24).map(|i| 76.5e9 + 4e7 * f64::from(i)).collect();
-        let got = element_over_band(&paths, &view, (0, 1), &frequencies);
+        let alike = BodyGains::default();
+        let hearing = |element| Hearing { element, gains: &alike };
+        let got = element_over_band(&paths, &view, hearing((0, 1)), &frequencies);
         for (value, f) in got.iter().zip(&frequencies) {
             let exact = scattering_of_paths(&paths, &view, *f)[0][1];
             // Phases of k·120 m, rounded at ε, in a sum of amplitudes of 0.002 of 9,000 paths.
             let allowed = 9000.0 * 0.002 * 4.0 * 1613.0 * 120.0 * f64::EPSILON;
             assert!((value - exact).norm() < allowed, "{:e}", (value - exact).norm());
         }
-        assert!(element_over_band(&paths, &view, (0, 0), &[]).is_empty());
+        assert!(element_over_band(&paths, &view, hearing((0, 0)), &[]).is_empty());
     }
 }

@@ -2,6 +2,7 @@
 //! sweeps.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
+use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
 use crate::bodies::motion::position_m;
 use crate::bodies::road::check_road;
@@ -47,6 +48,7 @@ pub(crate) fn rcs_frame(
         let (poses, targets) = (frame.poses.len(), header.targets.len());
         return Err(BartError::PosesDoNotMatch { frame: frame.index, poses, targets });
     }
+    let gains = BodyGains::of(models, header, frame)?;
     let mut tables = Vec::new();
     let mut powers = Powers::default();
     for (index, (target, pose)) in (0..).zip(header.targets.iter().zip(&frame.poses)) {
@@ -59,6 +61,7 @@ pub(crate) fn rcs_frame(
                 let mesh = header.meshes.get(mesh as usize).ok_or_else(missing)?;
                 let alone = |models: &Models| World::alone(models, target, mesh.makeup.transmission);
                 let body = TabledBody::new(header, mesh, alone(models)?, pose);
+                let body = body.heard_by(gains.of_way([index; 2]));
                 let (of_body, table) = body.measured_table(index, &alone)?;
                 powers.add(&of_body);
                 table
@@ -74,11 +77,11 @@ pub(crate) fn rcs_frame(
     })
 }
 
-/// Most values of an axis: beyond it interpolation errs more than was asked, and the echo's own check says
-/// how much.
+/// Most values of an axis, odd: beyond it interpolation errs more than was asked, and the echo's own check
+/// says how much.
 const AZIMUTHS_MAX: usize = 9;
 const ELEVATIONS_MAX: usize = 5;
-const FREQUENCIES_MAX: usize = 256;
+const FREQUENCIES_MAX: usize = 257;
 /// Instants of a frame that its aspects are looked for at. An extreme between two of them lies beyond theirs
 /// by an eightieth of the whole turn at most, and the echo draws a table on by a step of it.
 const INSTANTS: usize = 9;
@@ -94,9 +97,11 @@ struct TabledBody<'a> {
     pose: &'a Pose,
     world: World,
     radius_m: f64,
+    /// Product of both ends' gains towards it.
+    gain: f64,
 }
 
-/// Sums over bodies of powers at the middle aspect, received, relative to 1/R⁴.
+/// Sums over bodies of powers at the middle aspect, as they are received: over 1/R⁴, with the gains.
 #[derive(Default)]
 struct Powers {
     total: f64,
@@ -118,7 +123,11 @@ struct Powers {
 
 impl<'a> TabledBody<'a> {
     fn new(header: &'a SceneHeader, mesh: &Mesh, world: World, pose: &'a Pose) -> Self {
-        Self { header, pose, world, radius_m: mesh.reach_m() }
+        Self { header, pose, world, radius_m: mesh.reach_m(), gain: 1.0 }
+    }
+
+    fn heard_by(self, gain: f64) -> Self {
+        Self { gain, ..self }
     }
 
     /// One tree at the middle aspect serves the table and what its errors are told from; `alone` makes the
@@ -179,7 +188,7 @@ impl<'a> TabledBody<'a> {
         let anew = self.anew(Antenna::Direction(last_r), last, &wavenumbers)?;
         let spherical = self.anew(Antenna::Point(middle), middle, &wavenumbers)?;
         let near = Compared::of(&table, &spherical);
-        let weight = middle.length().powi(-4);
+        let weight = (self.gain / middle.length_squared()).powi(2);
         let of_frequencies = wavenumbers.len() as f64;
         Ok(Powers {
             total: weight * power(&table),
@@ -370,13 +379,18 @@ impl<'a> TabledBody<'a> {
         let behind_hz = waveform.slope_hz_per_s.abs() * 2.0 * farthest_m / SPEED_OF_LIGHT_MPS;
         let (centre_hz, half_hz) = (waveform.centre_frequency_hz(), 0.5 * waveform.bandwidth_hz().abs());
         let turn = 2.0 * TAU * self.radius_m * (2.0 * half_hz + behind_hz) / SPEED_OF_LIGHT_MPS;
-        axis(centre_hz - half_hz - behind_hz, centre_hz + half_hz, self.steps(turn, FREQUENCIES_MAX))
+        // What comes back is behind what is sent: below it where chirps rise, above it where they fall.
+        let [below_hz, above_hz] =
+            if waveform.slope_hz_per_s > 0.0 { [behind_hz, 0.0] } else { [0.0, behind_hz] };
+        let ends_hz = [centre_hz - half_hz - below_hz, centre_hz + half_hz + above_hz];
+        axis(ends_hz[0], ends_hz[1], self.steps(turn, FREQUENCIES_MAX))
     }
 
-    /// Number of steps, between two of which a phasor that turns by Δφ is missed by Δφ²/8 at most.
+    /// Number of values, between two of which a phasor that turns by Δφ is missed by Δφ²/8 at most. It is
+    /// odd, and three at least: the echo tells what it errs by from every second one.
     fn steps(&self, turn_rad: f64, most: usize) -> usize {
         let step = (8.0 * self.header.fidelity.accuracy.amplitude()).sqrt();
-        ((turn_rad / step).ceil() as usize + 1).clamp(2, most)
+        ((turn_rad / step).ceil() as usize + 1).clamp(3, most) | 1
     }
 }
 

@@ -134,10 +134,12 @@ impl Snapshot {
         Self { world, tree, arriving }
     }
 
-    pub(crate) fn scatterer<'s>(&'s self, plan: &Plan<'s>, phase: Phase) -> Scatterer<'s> {
+    pub(crate) fn scatterer<'s>(&'s self, plan: &'s Plan<'s>, phase: Phase) -> Scatterer<'s> {
         let h = plan.zenith_h();
         let zenith_h = ZenithH { transmit: h, receive: h };
-        Scatterer::new(&self.world, self.trees(), zenith_h).heard_by(phase, plan.progress)
+        Scatterer::new(&self.world, self.trees(), zenith_h)
+            .heard_by(phase, plan.progress)
+            .with_gains(&plan.gains)
     }
 
     fn trees(&self) -> Trees<'_> {

@@ -2,6 +2,7 @@
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::beams::image_tree::{goes_by_road, origin};
+use crate::bodies::body_gains::BodyGains;
 use crate::bodies::road::{Half, half_of};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
@@ -32,6 +33,8 @@ pub(crate) struct Scatterer<'a> {
     transmit_legs: Vec<Leg>,
     receive_legs: Vec<Leg>,
     heard: (Phase, &'a dyn Progress),
+    /// Gains that sums over joints are weighed by; `None` where all are one.
+    gains: Option<&'a BodyGains>,
 }
 
 /// Vectors ĥ straight above and below, at each end.
@@ -49,12 +52,25 @@ impl<'a> Scatterer<'a> {
             Trees::Apart(..) | Trees::ByRoad(..) => legs(world, trees.receive(), zenith_h.receive),
         };
         let ends = [trees.transmit().antenna, trees.receive().antenna];
-        Self { world, trees, ends, transmit_legs, receive_legs, heard: (Phase::Integrating, &Unheard) }
+        Self {
+            world,
+            trees,
+            ends,
+            transmit_legs,
+            receive_legs,
+            heard: (Phase::Integrating, &Unheard),
+            gains: None,
+        }
     }
 
     /// The scatterer while somebody listens to its sums, which belong to `phase`.
     pub(crate) fn heard_by(self, phase: Phase, progress: &'a dyn Progress) -> Self {
         Self { heard: (phase, progress), ..self }
+    }
+
+    /// The scatterer as antennas of these gains hear it: S of every way is weighed by them.
+    pub(crate) fn with_gains(self, gains: &'a BodyGains) -> Self {
+        Self { gains: (!gains.are_one()).then_some(gains), ..self }
     }
 
     /// Tells how far a sum is.
@@ -140,7 +156,8 @@ impl<'a> Scatterer<'a> {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
         let part = Part { corners_m, reference_m, bracket: request.bracket };
         let mut estimate = self.amplitudes(joint, &part, request.wavenumbers_per_m, request.accuracy);
-        let (spread, length_m) = self.way_from(origin_m, self.apparent_m(joint, reference_m));
+        let ends = [joint.forward, joint.backward];
+        let (spread, length_m) = self.way_from(origin_m, ends, self.apparent_m(joint, reference_m));
         for (amplitude, k) in estimate.value.iter_mut().zip(request.wavenumbers_per_m) {
             let factor = Complex64::from_polar(spread, -k * length_m);
             *amplitude = scaled(&with_reverse(joint.reverse, amplitude), factor);
@@ -170,7 +187,8 @@ impl<'a> Scatterer<'a> {
         let asked = (request.wavenumbers_per_m, request.accuracy);
         let accuracy = self.accuracy(joint.forward, &node, reference_m, asked);
         let field = Field::new(&node, reference_m, accuracy);
-        let (spread, length_m) = self.way_from(origin_m, self.apparent_m(joint, reference_m));
+        let ends = [joint.forward, joint.backward];
+        let (spread, length_m) = self.way_from(origin_m, ends, self.apparent_m(joint, reference_m));
         for_each_tile(&field, highest_per_m, &mut |tile, _| {
             give(&JointTile { field: &field, tile, joint, spread, length_m });
         });
@@ -241,11 +259,24 @@ impl<'a> Scatterer<'a> {
         count
     }
 
-    /// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r of a node that appears at these points, R to `origin_m`.
-    pub(crate) fn way_from(&self, origin_m: DVec3, apparent_m: [DVec3; 2]) -> (f64, f64) {
+    /// R_tR_r/(L₁L₂), times the gains, and L₁ + L₂ − R_t − R_r of a node on a transmitter's and a receiver's
+    /// beam that appears at these points, R to `origin_m`.
+    pub(crate) fn way_from(&self, origin_m: DVec3, ends: [u32; 2], apparent_m: [DVec3; 2]) -> (f64, f64) {
         let length_m = (0..2).map(|i| length_difference_m(self.ends[i], apparent_m[i], origin_m)).sum();
-        let spread = (0..2).map(|i| spread(self.ends[i], apparent_m[i], origin_m)).product();
-        (spread, length_m)
+        let spread: f64 = (0..2).map(|i| spread(self.ends[i], apparent_m[i], origin_m)).product();
+        (self.gain(ends) * spread, length_m)
+    }
+
+    /// Both ends' gains towards the bodies that a way meets first and last.
+    fn gain(&self, [forward, backward]: [u32; 2]) -> f64 {
+        let first_body = |tree: &BeamTree, beam: u32| {
+            let beam = &tree.beams[beam as usize];
+            let first = tree.way_back(beam).last().unwrap_or(beam);
+            self.world.facet(first.facet).id.body
+        };
+        let (transmit, receive) = (self.trees.transmit(), self.trees.receive());
+        self.gains
+            .map_or(1.0, |gains| gains.of_way([first_body(transmit, forward), first_body(receive, backward)]))
     }
 
     /// The ways of a transmitter's and of a receiver's beam.

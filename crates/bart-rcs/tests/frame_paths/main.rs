@@ -8,6 +8,7 @@
 #[path = "../bodies/mod.rs"]
 mod bodies;
 mod frames;
+mod patterns;
 mod sidelobes;
 mod tables;
 mod turning;
@@ -413,6 +414,37 @@ fn a_frames_table_reaches_below_the_sweep_by_what_the_delay_takes_off() {
     let got_hz = tables.tables[0].frequency_hz[0];
     println!("asked {lowest_hz} Hz or less, got {got_hz}");
     assert!(got_hz <= lowest_hz);
+}
+
+/// Where chirps fall, a sample's frequency is above what is sent.
+#[test]
+fn a_frames_table_of_falling_chirps_reaches_above_the_sweep_by_what_the_delay_adds() {
+    let start = pose([5.75, 300.0, 0.0], [0.0, 10.0, 0.0], -FRAC_PI_2);
+    let (mut header, frame) = scene(&[(cart(0.1), start)], &[], -20.0, 1);
+    let waveform = &mut header.radar.waveform;
+    waveform.slope_hz_per_s = -waveform.slope_hz_per_s;
+    let highest_hz = waveform.start_frequency_hz - waveform.slope_hz_per_s * 2.0 * 300.0 / SPEED_OF_LIGHT_MPS;
+    let lowest_hz = waveform.start_frequency_hz + waveform.bandwidth_hz();
+    let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap();
+    let [first_hz, .., last_hz] = tables.tables[0].frequency_hz[..] else { panic!("a lone frequency") };
+    println!("asked {lowest_hz} to {highest_hz} Hz, got {first_hz} to {last_hz}");
+    assert!(last_hz >= highest_hz && (first_hz - lowest_hz).abs() < 1.0);
+}
+
+/// Of two values, and of the last two of an even number, the echo cannot tell what is missed between them.
+#[test]
+fn every_second_value_of_a_tables_axes_is_half_as_fine_all_along() {
+    for accuracy_db in [-3.0, -10.0, -15.0, -20.0, -30.0] {
+        let start = pose([5.75, 30.0, 0.0], [2.0, -12.0, 0.0], -FRAC_PI_2);
+        let (mut header, frame) = scene(&[(cart(0.1), start)], &[], accuracy_db, 1);
+        header.radar.waveform.samples = 64;
+        let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap();
+        let table = &tables.tables[0];
+        for axis in [&table.frequency_hz, &table.elevation_rad, &table.azimuth_rad] {
+            println!("{accuracy_db} dB: {} values", axis.len());
+            assert!(axis.len() >= 3 && axis.len() % 2 == 1);
+        }
+    }
 }
 
 /// A cart that crosses the boresight comes nearer and goes away in one frame: its elevations at both ends

@@ -88,8 +88,7 @@ fn by_way(paths: &[Path]) -> BTreeMap<Vec<u32>, Vec<Path>> {
 /// S of paths over the band, as the radar sees it.
 pub(super) fn field(paths: Option<&Vec<Path>>, plan: &Plan<'_>, view: &PathView) -> Vec<Complex64> {
     let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FIELD_FREQUENCIES);
-    let element = plan.header.radar.array.polarization.indices();
-    element_over_band(paths.map_or(&[], Vec::as_slice), view, element, &frequencies)
+    element_over_band(paths.map_or(&[], Vec::as_slice), view, plan.hearing(), &frequencies)
 }
 
 /// Ways by the ids of their bodies.

@@ -1,6 +1,7 @@
 //! Parts that a frame's echo is made of, by a coarse look: what each order of reflection, the ways between
 //! bodies and by the road, edges and sheets add. A plan of what need not be modelled stands on it.
 
+use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
 use crate::bodies::world::World;
 use crate::frame::band_power::{MARGIN, frequencies_hz, mean, mean_difference, total};
@@ -77,7 +78,8 @@ pub(crate) fn echo_parts(
     progress: &dyn Progress,
 ) -> Result<Option<EchoParts>, BartError> {
     let header = &looked_at(&header.in_frame(frame.index));
-    let plan = Plan::of(header, frame, progress);
+    let gains = BodyGains::of(models, header, frame)?;
+    let plan = Plan::of(header, frame, progress).with_gains(gains);
     let world = World::posed(models, header, frame, plan.check_s)?;
     if world.facets().is_empty() {
         return Ok(None);
@@ -202,7 +204,7 @@ fn through_sheets(
 ) -> Result<Option<Vec<Complex64>>, BartError> {
     let mut header = plan.header.clone();
     header.materials.transmission = Transmission::Followed;
-    let plan = &Plan::of(&header, frame, plan.progress);
+    let plan = &Plan::of(&header, frame, plan.progress).with_gains(plan.gains.clone());
     let world = World::posed(models, &header, frame, plan.check_s)?;
     if world.sheets().is_empty() {
         return Ok(None);

@@ -65,7 +65,9 @@ fn over_usual_road<T>(
     let received = Received::with_image(&world, &tree);
     let h = plan.zenith_h();
     let trees = Trees::ByRoad(&tree, &received);
-    Ok(Some(of(&Scatterer::new(&world, trees, ZenithH { transmit: h, receive: h }), &ways)))
+    let scatterer =
+        Scatterer::new(&world, trees, ZenithH { transmit: h, receive: h }).with_gains(&plan.gains);
+    Ok(Some(of(&scatterer, &ways)))
 }
 
 /// Orders that are added up.
