@@ -196,7 +196,8 @@ fn write_sigmf(noise: &mut Noise, folder: &Path) {
     let (kind, bytes) = if noise.one_in(2) { ("cf32_le", 8) } else { ("ci16_le", 4) };
     let mut meta = json!({
         "global": {
-            "core:version": "1.0.0", "core:datatype": kind, "core:num_channels": 4, "core:sample_rate": 1e7,
+            "core:version": "1.0.0", "core:datatype": kind, "core:num_channels": 4,
+            "core:sample_rate": 5.12e6,
         },
         "captures": [{ "core:sample_start": 0, "core:frequency": 7.7e10 }], "annotations": [],
     });
