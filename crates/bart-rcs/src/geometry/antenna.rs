@@ -1,7 +1,7 @@
 //! Ends of a wave: an antenna at finite range or a direction at infinite range, real or mirrored.
 
 use crate::geometry::plane::Plane;
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 /// Origin or destination of a wave.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,6 +18,14 @@ impl Antenna {
         match self {
             Self::Point(p) => Self::Point(p - 2.0 * plane.distance_m(p) * plane.normal),
             Self::Direction(r) => Self::Direction(r - 2.0 * r.dot(plane.normal) * plane.normal),
+        }
+    }
+
+    /// The antenna turned about the world's origin.
+    pub(crate) fn turned(self, by: DQuat) -> Self {
+        match self {
+            Self::Point(p) => Self::Point(by * p),
+            Self::Direction(r) => Self::Direction(by * r),
         }
     }
 

@@ -101,6 +101,16 @@ impl Skin {
         }
     }
 
+    /// The skin cut for so many times less error.
+    pub(crate) fn finer(self, times: f64) -> Self {
+        match self {
+            Self::Flat => Self::Flat,
+            Self::Smooth { accuracy, wavelength_m, role, doublings } => {
+                Self::Smooth { accuracy: accuracy.share(1.0 / times), wavelength_m, role, doublings }
+            }
+        }
+    }
+
     /// Triangles for a mesh whose own have these corners.
     pub(crate) fn triangles(self, mesh: &Mesh, corners_m: Vec<[DVec3; 3]>) -> SkinTriangles {
         let Self::Smooth { accuracy, wavelength_m, role, doublings } = self else {

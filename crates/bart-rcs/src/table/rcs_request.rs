@@ -8,7 +8,7 @@ use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use radar::standpoint::Standpoint;
 use std::f64::consts::TAU;
 
@@ -80,6 +80,12 @@ impl Aspect {
     pub(crate) fn is_near(&self) -> bool {
         let near = |antenna: Antenna| matches!(antenna, Antenna::Point(_));
         near(self.transmit.0) || self.receive.is_some_and(|(antenna, _)| near(antenna))
+    }
+
+    /// Both antennas turned about the origin.
+    pub(crate) fn turned(&self, by: DQuat) -> Self {
+        let turned = |(antenna, zenith_h): (Antenna, DVec3)| (antenna.turned(by), by * zenith_h);
+        Self { transmit: turned(self.transmit), receive: self.receive.map(turned), ..*self }
     }
 
     /// Angle between the directions to both antennas, seen from the origin.
