@@ -122,8 +122,9 @@ fn is_heard(radar: &Radar, path: &Path) -> bool {
     legs(radar, path).iter().all(|leg| is_seen(radar, leg.direction))
 }
 
-/// Power of a path up to a common factor, |a|²/(L₁L₂)² times both ends' gains and its mean share over the frame (the shares of
-/// what is traced at several moments add up to 1), and half its length and rate at the frame's middle.
+/// Power of a path up to a common factor, |a|²/(L₁L₂)² times both ends' gains and its mean share over the
+/// frame (the shares of what is traced at several moments add up to 1), and half its length and rate at the
+/// frame's middle.
 fn received(radar: &Radar, path: &Path) -> (f64, MeanEcho) {
     let both @ [there, back] = legs(radar, path);
     let (receive, transmit) = radar.array.polarization.indices();
