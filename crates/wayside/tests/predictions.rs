@@ -107,7 +107,7 @@ fn no_more_is_held_than_the_memory_limit_before_a_wide_array() {
     let (output, held_mib) = peak_of(command);
     let said = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(said.contains("cells and paths take"), "{said}");
+    assert!(said.contains("cells and paths of a frame take"), "{said}");
     assert!(held_mib < 250.0, "{held_mib} MiB held");
 }
 
