@@ -229,9 +229,12 @@ impl Rounds<'_> {
         one_run::summary(&header, Some(&like), means)
     }
 
+    /// The scene of a run. Of a file that is no scene any more since the study began it is said that it was
+    /// changed: it may be half written.
     fn scene(&self, number: usize, situations: &[Situation]) -> Result<SceneHeader, Failure> {
         let (design, situation) = self.at(number, situations);
-        one_run::read(self.study, design, situation, Meshes::Whole)
+        let read = one_run::read(self.study, design, situation, Meshes::Whole);
+        read.map_err(|failure| self.kept.check_unchanged().err().unwrap_or(failure))
     }
 
     /// One run a thread, as many as are expected to fit into the memory that they may take if all are as
