@@ -39,14 +39,15 @@ impl Models {
         Self::build_with(header, skin(header).coarser(error))
     }
 
+    /// Builds one of its meshes with a skin that is cut for this relative amplitude error.
+    pub(crate) fn coarser_of(header: &SceneHeader, mesh: &Mesh, error: f64) -> Result<BodyMesh, BartError> {
+        body_alone(header, mesh, skin(header).coarser(error))
+    }
+
     fn build_with(header: &SceneHeader, skin: Skin) -> Result<Self, BartError> {
-        let fidelity = &header.fidelity;
-        let turning = |mesh: &Mesh| fidelity.wheels == Wheels::Turning && !mesh.wheels.is_empty();
-        let build = |mesh: &Mesh| match turning(mesh) {
-            true => BodyMesh::without_wheels(mesh, skin),
-            false => BodyMesh::build(mesh, skin),
-        };
-        let meshes = header.meshes.par_iter().map(|mesh| build(mesh).map(Arc::new)).collect::<Vec<_>>();
+        let turning = |mesh: &Mesh| turns(header, mesh);
+        let build = |mesh: &Mesh| body_alone(header, mesh, skin).map(Arc::new);
+        let meshes = header.meshes.par_iter().map(build).collect::<Vec<_>>();
         let mut meshes = meshes.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut wheels = vec![];
         for mesh in header.meshes.iter() {
@@ -80,6 +81,19 @@ impl Models {
         let missing =
             || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes: self.meshes.len() };
         self.meshes.get(mesh as usize).cloned().ok_or_else(missing).map(Some)
+    }
+}
+
+/// Whether wheels of a mesh turn.
+fn turns(header: &SceneHeader, mesh: &Mesh) -> bool {
+    header.fidelity.wheels == Wheels::Turning && !mesh.wheels.is_empty()
+}
+
+/// A mesh of a scene, less the wheels that turn.
+fn body_alone(header: &SceneHeader, mesh: &Mesh, skin: Skin) -> Result<BodyMesh, BartError> {
+    match turns(header, mesh) {
+        true => BodyMesh::without_wheels(mesh, skin),
+        false => BodyMesh::build(mesh, skin),
     }
 }
 

@@ -108,16 +108,14 @@ impl World {
         Ok(Self::of_bodies(vec![body], None)?.with_sheets(mesh.makeup.transmission))
     }
 
-    /// The model of a target alone in its own axes, as [`World::of_skin`] of its mesh; without facets for a
-    /// point.
+    /// The model of a target alone in its own axes, as [`World::of_skin`] of its mesh.
     pub(crate) fn alone(
-        models: &Models,
+        model: Arc<BodyMesh>,
         target: &Target,
         transmission: Transmission,
     ) -> Result<Self, BartError> {
-        let bodies =
-            models.of(target)?.map(|model| Body::posed(0, model, &AT_ORIGIN, 0.0, &target.id)).transpose()?;
-        Ok(Self::of_bodies(bodies.into_iter().collect(), None)?.with_sheets(transmission))
+        let body = Body::posed(0, model, &AT_ORIGIN, 0.0, &target.id)?;
+        Ok(Self::of_bodies(vec![body], None)?.with_sheets(transmission))
     }
 
     /// These bodies over a road, with their images below it.

@@ -25,7 +25,7 @@ use crate::table::meeting::{MeetingSettings, OrderJoints};
 use crate::table::rcs_table::next_order;
 use crate::table::small_mirrors::SmallMirrors;
 use artifact::rcs::{RcsFrame, RcsTable};
-use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, TargetKind};
+use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{Edges, Surface};
 use artifact::units::{SPEED_OF_LIGHT_MPS, amplitude_ratio};
 use artifact::{ErrorBudget, ModelError};
@@ -33,6 +33,7 @@ use glam::{DMat3, DVec3};
 use num_complex::Complex64;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// [`crate::Tracer::tables`] of these models.
 pub(crate) fn rcs_frame(
@@ -59,10 +60,10 @@ pub(crate) fn rcs_frame(
                 let meshes = header.meshes.len();
                 let missing = || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes };
                 let mesh = header.meshes.get(mesh as usize).ok_or_else(missing)?;
-                let alone = |models: &Models| World::alone(models, target, mesh.makeup.transmission);
-                let body = TabledBody::new(header, mesh, alone(models)?, pose);
-                let body = body.heard_by(gains.of_way([index; 2]));
-                let (of_body, table) = body.measured_table(index, &alone)?;
+                let model = models.of(target)?.ok_or_else(missing)?;
+                let world = World::alone(model, target, mesh.makeup.transmission)?;
+                let body = TabledBody::new(header, (target, mesh), world, pose);
+                let (of_body, table) = body.heard_by(gains.of_way([index; 2])).measured_table(index)?;
                 powers.add(&of_body);
                 table
             }
@@ -88,12 +89,11 @@ const INSTANTS: usize = 9;
 /// Turn of phase below which an aspect stays as it is; the rounding of angles turns a body of 100 m by less.
 const STILL_RAD: f64 = 1e-6;
 
-/// Maker of a body's world of models.
-type Alone<'a> = dyn Fn(&Models) -> Result<World, BartError> + 'a;
-
 /// A body in its own frame and the aspects it shows the radar during the frame.
 struct TabledBody<'a> {
     header: &'a SceneHeader,
+    target: &'a Target,
+    mesh: &'a Mesh,
     pose: &'a Pose,
     world: World,
     radius_m: f64,
@@ -122,22 +122,26 @@ struct Powers {
 }
 
 impl<'a> TabledBody<'a> {
-    fn new(header: &'a SceneHeader, mesh: &Mesh, world: World, pose: &'a Pose) -> Self {
-        Self { header, pose, world, radius_m: mesh.reach_m(), gain: 1.0 }
+    fn new(
+        header: &'a SceneHeader,
+        (target, mesh): (&'a Target, &'a Mesh),
+        world: World,
+        pose: &'a Pose,
+    ) -> Self {
+        Self { header, target, mesh, pose, world, radius_m: mesh.reach_m(), gain: 1.0 }
     }
 
     fn heard_by(self, gain: f64) -> Self {
         Self { gain, ..self }
     }
 
-    /// One tree at the middle aspect serves the table and what its errors are told from; `alone` makes the
-    /// body's world of other models.
-    fn measured_table(&self, target: u32, alone: &Alone<'_>) -> Result<(Powers, RcsTable), BartError> {
+    /// One tree at the middle aspect serves the table and what its errors are told from.
+    fn measured_table(&self, target: u32) -> Result<(Powers, RcsTable), BartError> {
         let middle = self.to_radar_m(self.header.radar.frame_middle_s());
         let tree = self.trace(Antenna::Direction(middle / middle.length()))?;
         let scatterer = self.scatterer(&tree, middle);
         let meetings = self.meetings(&scatterer);
-        Ok((self.powers(&scatterer, &meetings, alone)?, self.table(target, &scatterer, &meetings)))
+        Ok((self.powers(&scatterer, &meetings)?, self.table(target, &scatterer, &meetings)))
     }
 
     /// Vector from the body's origin to the radar, body axes.
@@ -168,12 +172,7 @@ impl<'a> TabledBody<'a> {
     }
 
     /// Powers that the errors of the table are told from, at a few frequencies.
-    fn powers(
-        &self,
-        scatterer: &Scatterer<'_>,
-        meetings: &[OrderJoints],
-        alone: &Alone<'_>,
-    ) -> Result<Powers, BartError> {
+    fn powers(&self, scatterer: &Scatterer<'_>, meetings: &[OrderJoints]) -> Result<Powers, BartError> {
         const FREQUENCIES: usize = 12;
         let waveform = &self.header.radar.waveform;
         let (centre_hz, bandwidth_hz) = (waveform.centre_frequency_hz(), waveform.bandwidth_hz());
@@ -193,7 +192,7 @@ impl<'a> TabledBody<'a> {
         Ok(Powers {
             total: weight * power(&table),
             integration: weight * self.integration_power(scatterer, meetings, (&table, &wavenumbers)),
-            tessellation: weight * self.tessellation_power(alone, middle, (&table, &wavenumbers))?,
+            tessellation: weight * self.tessellation_power(middle, (&table, &wavenumbers))?,
             cut_for: self.world.skin_error(),
             dropped: weight * of_frequencies * self.dropped_m(scatterer, meetings, &wavenumbers).powi(2),
             by_order: by_order.iter().map(|s| weight * power(s)).collect(),
@@ -233,15 +232,16 @@ impl<'a> TabledBody<'a> {
     /// facets are the surface.
     fn tessellation_power(
         &self,
-        alone: &Alone<'_>,
         middle: DVec3,
         (table, wavenumbers): (&[Complex64], &[f64]),
     ) -> Result<f64, BartError> {
         if self.header.fidelity.surface == Surface::Flat {
             return Ok(0.0);
         }
-        let models = Models::build_coarser(self.header, COARSER * self.world.skin_error())?;
-        let coarser = TabledBody { world: alone(&models)?, ..*self };
+        let error = COARSER * self.world.skin_error();
+        let model = Arc::new(Models::coarser_of(self.header, self.mesh, error)?);
+        let world = World::alone(model, self.target, self.mesh.makeup.transmission)?;
+        let coarser = TabledBody { world, ..*self };
         let coarser_m = coarser.anew(Antenna::Direction(middle / middle.length()), middle, wavenumbers)?;
         Ok(difference(table, &coarser_m))
     }
