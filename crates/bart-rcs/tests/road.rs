@@ -172,7 +172,7 @@ fn the_two_ways_by_the_road_come_in_pairs_that_add() {
     );
 }
 
-/// What lies below a road is not seen; without one it is as free as any other body.
+/// Nothing below a road is seen; without one it is as free as any other body.
 #[test]
 fn a_body_below_the_road_is_refused_by_its_name() {
     for (z_m, road, is_refused) in [

@@ -34,7 +34,6 @@ mod tests {
     use super::*;
     use crate::aperture::Preset;
     use crate::paper;
-    use artifact::paths::{Curve, Facet, MAX_ORDER};
     use artifact::pattern::Pattern;
     use glam::DVec3;
 
@@ -44,16 +43,11 @@ mod tests {
         let mut radar = paper::radar([0.0; 3], paper::waveform(64, 16), Preset::OneByOne.elements());
         let (sin, cos) = std::f64::consts::FRAC_PI_3.sin_cos();
         let path = Path {
-            target: 0,
             order: 2,
             apparent_tx_m: [0.0, 30.0, 0.0],
-            apparent_tx_mps: [0.0; 3],
             apparent_rx_m: (20.0 * DVec3::new(sin, cos, 0.0)).to_array(),
-            apparent_rx_mps: [0.0; 3],
             amplitude_m: [[Complex64::ONE; 2]; 2],
-            slope_m_per_hz: Default::default(),
-            facets: [Facet::default(); MAX_ORDER],
-            curve: Curve::default(),
+            ..Path::default()
         };
         let of_one = echo_value(&radar, &path);
         assert!((of_one.norm() * 600.0 / link_amplitude(&radar) - 1.0).abs() < 1e-12);

@@ -307,21 +307,18 @@ fn a_velocity_told_whole_keeps_its_direction_and_one_that_is_not_told_is_that_of
     }
 }
 
+/// A car that drives towards −y.
+fn driving(front_m: [f64; 3], mps: f64) -> FcdVehicle {
+    let velocity = ToldVelocity::Ahead { mps };
+    FcdVehicle { id: "a".into(), kind: "car".into(), front_m, angle_deg: 180.0, velocity, line: 1 }
+}
+
 #[test]
 fn a_lane_change_ends_in_its_lane_and_a_teleport_leaves_a_gap() {
     let mut steps: Vec<FcdStep> = (0..=60)
         .map(|i| {
             let x = if i < 10 { 2.0 } else { 5.75 };
-            let front_m = [x, 50.0 - f64::from(i), 0.0];
-            let (id, kind) = ("a".to_owned(), "car".to_owned());
-            let vehicle = FcdVehicle {
-                id,
-                kind,
-                front_m,
-                angle_deg: 180.0,
-                velocity: ToldVelocity::Ahead { mps: 10.0 },
-                line: 1,
-            };
+            let vehicle = driving([x, 50.0 - f64::from(i), 0.0], 10.0);
             FcdStep { time_s: 0.1 * f64::from(i), line: 1, vehicles: vec![vehicle] }
         })
         .collect();
@@ -351,16 +348,7 @@ fn a_lane_change_takes_its_time_however_long_the_steps_are() {
         let steps = (0..=8).map(|i| {
             let time_s = step_s * f64::from(i);
             let x = if time_s <= before_s { 2.0 } else { 5.75 };
-            let (id, kind) = ("a".to_owned(), "car".to_owned());
-            let front_m = [x, 50.0 - 5.0 * time_s, 0.0];
-            let vehicle = FcdVehicle {
-                id,
-                kind,
-                front_m,
-                angle_deg: 180.0,
-                velocity: ToldVelocity::Ahead { mps: 5.0 },
-                line: 1,
-            };
+            let vehicle = driving([x, 50.0 - 5.0 * time_s, 0.0], 5.0);
             FcdStep { time_s, line: 1, vehicles: vec![vehicle] }
         });
         let mut interval = Interval::default();

@@ -34,8 +34,9 @@ impl BodyGains {
             return Ok(Self::default());
         }
         let of = |(target, pose): (&Target, &Pose)| {
-            let triangles_m = models.of(target)?.map(|model| model.skin.triangles_m.clone());
-            Ok(towards(&header.radar, pose, &triangles_m.unwrap_or_default()))
+            let model = models.of(target)?;
+            let triangles_m = model.as_ref().map_or(&[][..], |model| &model.skin.triangles_m);
+            Ok(towards(&header.radar, pose, triangles_m))
         };
         let of_body = header.targets.iter().zip(&frame.poses).map(of).collect::<Result<_, BartError>>()?;
         Ok(Self { of_body })

@@ -112,7 +112,7 @@ impl<'a> Plan<'a> {
         amplitude[receive][transmit]
     }
 
-    /// What of paths the radar hears.
+    /// The part of paths that the radar hears.
     pub(crate) fn hearing(&self) -> Hearing<'_> {
         Hearing { element: self.header.radar.array.polarization.indices(), gains: &self.gains }
     }

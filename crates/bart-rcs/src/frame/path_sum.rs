@@ -24,7 +24,7 @@ pub struct PathView {
     pub centre_frequency_hz: f64,
 }
 
-/// What of paths a radar hears.
+/// The part of paths that a radar hears.
 #[derive(Clone, Copy)]
 pub(crate) struct Hearing<'a> {
     /// Polarization, received and transmitted, as indices of an amplitude.

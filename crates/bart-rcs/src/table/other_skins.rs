@@ -80,11 +80,9 @@ impl OtherSkins<'_> {
 
     /// Width of a lobe of the body's extent D at the highest frequency, λ/2D; at most a hundredth of a turn.
     fn lobe_rad(&self) -> f64 {
-        let corners_m = || self.mesh.vertices_m.iter().map(|corner| DVec3::from_array(*corner));
-        let low_m = corners_m().fold(DVec3::INFINITY, DVec3::min);
-        let high_m = corners_m().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let extent_m = DVec3::from_array(self.mesh.size_m()).length();
         let highest_per_m = self.settings.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
-        (PI / (highest_per_m * (high_m - low_m).length())).min(TAU / 100.0)
+        (PI / (highest_per_m * extent_m)).min(TAU / 100.0)
     }
 
     /// Ratio ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last

@@ -416,7 +416,7 @@ fn a_frames_table_reaches_below_the_sweep_by_what_the_delay_takes_off() {
     assert!(got_hz <= lowest_hz);
 }
 
-/// Where chirps fall, a sample's frequency is above what is sent.
+/// A sample's frequency is above what is sent where chirps fall.
 #[test]
 fn a_frames_table_of_falling_chirps_reaches_above_the_sweep_by_what_the_delay_adds() {
     let start = pose([5.75, 300.0, 0.0], [0.0, 10.0, 0.0], -FRAC_PI_2);
@@ -431,7 +431,7 @@ fn a_frames_table_of_falling_chirps_reaches_above_the_sweep_by_what_the_delay_ad
     assert!(last_hz >= highest_hz && (first_hz - lowest_hz).abs() < 1.0);
 }
 
-/// Of two values, and of the last two of an even number, the echo cannot tell what is missed between them.
+/// The echo cannot tell what is missed between two values, nor between the last two of an even number.
 #[test]
 fn every_second_value_of_a_tables_axes_is_half_as_fine_all_along() {
     for accuracy_db in [-3.0, -10.0, -15.0, -20.0, -30.0] {

@@ -132,7 +132,7 @@ fn over_conductor(scene: &Scene, ends_m: [[f64; 3]; 2], frequencies: &[f64]) -> 
     sum
 }
 
-/// What a wave turns by on its way from one element to another is all that a flat plate has of the cross
+/// The turn of a wave on its way from one element to another is all that a flat plate has of the cross
 /// polarization; over a road it was told of elements at one place, which see none of it.
 #[test]
 fn elements_off_the_middle_have_the_error_that_is_told_over_a_road_too() {

@@ -39,11 +39,9 @@ fn of_element(element: &Element<'_>, shape: [usize; 4]) -> Result<Option<Vec<Com
             let values = shape.iter().try_fold(1_u64, |product, side| product.checked_mul(*side as u64));
             let most = values.and_then(|values| values.checked_mul(16)).ok_or(MatError::SidesTooLong)?;
             let unpacked = unpacked(element.content, most + BESIDE_VALUES)?;
-            let (tag, behind) = unpacked.split_first_chunk::<8>().ok_or(MatError::EndsInElement)?;
-            let [kind, length] =
-                [0, 4].map(|at| u32::from_le_bytes(std::array::from_fn(|byte| tag[at + byte])));
+            let (kind, length, behind) = tag(&unpacked)?;
             // A longer array is cut off: its sides, which come first, tell that it is another one.
-            let content = behind.get(..length as usize).unwrap_or(behind);
+            let content = behind.get(..length).unwrap_or(behind);
             if kind == MATRIX { of_matrix(content, shape) } else { Ok(None) }
         }
         _ => Ok(None),
@@ -96,13 +94,18 @@ struct Element<'a> {
     content: &'a [u8],
 }
 
+/// Type and length of the first element, and what stands behind its tag.
+fn tag(bytes: &[u8]) -> Result<(u32, usize, &[u8]), MatError> {
+    let (tag, behind) = bytes.split_first_chunk::<8>().ok_or(MatError::EndsInElement)?;
+    let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|byte| tag[at + byte]));
+    Ok((word(0), word(4) as usize, behind))
+}
+
 impl<'a> Element<'a> {
     /// The first element, and what stands behind it. Elements of up to four bytes have their length in the
     /// upper half of the type, and stand in the tag.
     fn split(bytes: &'a [u8]) -> Result<(Self, &'a [u8]), MatError> {
-        let (tag, behind) = bytes.split_first_chunk::<8>().ok_or(MatError::EndsInElement)?;
-        let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|byte| tag[at + byte]));
-        let (kind, length) = (word(0), word(4) as usize);
+        let (kind, length, behind) = tag(bytes)?;
         if kind >> 16 != 0 {
             let content = bytes.get(4..4 + (kind >> 16) as usize).filter(|content| content.len() <= 4);
             let content = content.ok_or(MatError::EndsInElement)?;

@@ -26,14 +26,12 @@ pub fn points(
     scene: impl FnOnce() -> Result<SceneHeader, Failure>,
     out: &Path,
 ) -> Result<(), Failure> {
-    let seen_of_scene = loading::seen(told_by);
-    let scene = scene()?; // says more of a file that cannot be read
+    let (scene, of_scene) = loading::read_of(told_by, scene)?;
     let files = frames_of(asked, &["bin", "pcd"])?;
     let description: Option<PathBuf> = files.first().and_then(|file| description_of(file));
-    let mut inputs = loading::seen(&files)?;
-    inputs.extend(seen_of_scene?);
-    inputs.extend(loading::seen(description.as_slice())?);
-    let named = inputs.iter().map(|file| file.named().clone()).collect();
+    let mut inputs = loading::seen(&[files.as_slice(), description.as_slice()].concat())?;
+    let mut named: Vec<_> = inputs.iter().map(|file| file.named().clone()).collect();
+    named.splice(files.len()..files.len(), of_scene);
     let told = description.as_deref().map(height_told).transpose()?.flatten();
     let cube = cube_header(&scene);
     let axes = LevelledAxes::of(&scene.radar);

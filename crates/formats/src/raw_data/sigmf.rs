@@ -114,8 +114,10 @@ fn check_radar(
     header: &CubeHeader,
     recording: &Recording,
 ) -> Result<(), Failure> {
-    let channels =
-        Some(&global["core:num_channels"]).filter(|told| !told.is_null()).cloned().unwrap_or(1.into());
+    let channels = match &global["core:num_channels"] {
+        Value::Null => 1.into(),
+        told => told.clone(),
+    };
     if channels.as_f64() != Some(recording.receivers as f64) {
         let text = format!(
             "core:num_channels is {channels}, the scene's radar has {} receivers",
