@@ -13,7 +13,14 @@ pub(super) fn section(of: &str, objects: &[FalseObject], standing: &[FalseObject
         @match (objects, standing) {
             ([], []) => p { "None: every object is a body's." },
             ([], _) => p { "None: every object that moves is a body's." },
-            _ => (table(&headings[0], objects)),
+            _ => {
+                (table(&headings[0], objects))
+                @if objects.iter().any(is_unmarked_ghost) {
+                    p { "What made an object is the truth; the share of its power that is marked as ghost is the \
+                         radar's own word. It marks waves that leave by one direction and come back by another; \
+                         those of three bounces that come back as they left look like a body's echo to it." }
+                }
+            }
         }
         @if !standing.is_empty() {
             h3 { (headings[1]) }
@@ -23,11 +30,16 @@ pub(super) fn section(of: &str, objects: &[FalseObject], standing: &[FalseObject
     }
 }
 
+/// A multipath ghost by the truth, most of whose power the radar does not mark.
+fn is_unmarked_ghost(object: &FalseObject) -> bool {
+    object.cause == Cause::Ghost && object.ghost_share.is_some_and(|share| share < 0.5)
+}
+
 fn table(name: &str, objects: &[FalseObject]) -> Markup {
     let table = html! { table {
         thead { tr {
             th { "object" } th.words { "what made it" } th { "range, m" } th { "velocity, m/s" } th { "x, m" } th { "y, m" }
-            th { "SNR, dB" } th { "multipath ghost share" }
+            th { "SNR, dB" } th { "share marked as ghost" }
         } }
         tbody { @for object in objects { (row(object)) } }
     } };
@@ -78,7 +90,12 @@ mod tests {
         for said in ["#3", "multipath ghost: bus-1, truck-1, 2 bounces", "<td>–</td>"] {
             assert!(text.contains(said), "{said}: {text}");
         }
+        assert!(!text.contains("the radar's own word"), "no share is told: {text}");
         assert!(section("", &[], &[]).into_string().contains("None"));
+        let unmarked =
+            FalseObject { ghost_share: Some(0.0), ..of(1, Cause::Ghost, &["car-1", "truck-1"], 3) };
+        let text = section("", &[unmarked], &[]).into_string();
+        assert!(text.contains("the radar's own word"), "{text}");
         let text = section(" of east", &[], &[of(5, Cause::Clutter, &["rail"], 1)]).into_string();
         assert!(
             text.contains("every object that moves is a body's") && text.contains("clutter: rail"),

@@ -71,7 +71,7 @@ pub(super) fn targets(targets: &[TargetSummary]) -> Markup {
         thead { tr {
             th { "target" } th { "range, m" } th { "true" } th { "error" } th { "velocity, m/s" } th { "true" } th { "error" }
             th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" } th { "SNR, dB" } th { "points" }
-            th { "multipath ghost share" }
+            th { "share marked as ghost" }
         } }
         tbody { @for target in targets { (target_row(target)) } }
     } };
