@@ -1,5 +1,7 @@
 //! The README's two commands, taken from its text and run as they stand there.
 
+mod pictures;
+
 use crate::ci::commands::{Tally, counted, finished};
 use crate::project::project_root;
 use std::path::{Path, PathBuf};
@@ -13,12 +15,15 @@ pub(super) fn tests(tally: &mut Tally) -> Result<(), Failure> {
 }
 
 /// The first command: the main job, which has to find every body and to reach the accuracy that its scene
-/// asks.
+/// asks, and draws the pictures that the docs show of it.
 pub(super) fn main_job() -> Result<(), Failure> {
     let mut command = command(0)?;
     finished(&mut command)?;
     let file = summary_file(&command)?;
-    match shortcomings(&Summary::read(&file)?.frames)[..] {
+    let mut short = shortcomings(&Summary::read(&file)?.frames);
+    short
+        .extend(pictures::outdated(&project_root().join("docs/pictures"), &file.with_file_name("pictures"))?);
+    match short[..] {
         [] => Ok(()),
         ref some => Err(Failure::Refused(format!("{}: {}", file.display(), some.join("; ")))),
     }

@@ -125,6 +125,7 @@ fn lanes(ground: &mut Ground, header: &SceneHeader) {
         ground.note([lane.centre_m, far_m], &format!("lane {}", lane.number));
     }
     ground.lane_lines(road, [crossing_m, far_m]);
+    ground.say(Mark::Outline, "lanes", "road");
     ground.say(Mark::Line, "lanes", "lane");
 }
 
