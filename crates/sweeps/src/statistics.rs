@@ -2,4 +2,5 @@
 
 pub(crate) mod student;
 pub(crate) mod interval;
+mod bets;
 pub(crate) mod contest;
