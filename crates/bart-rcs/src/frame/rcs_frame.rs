@@ -44,6 +44,7 @@ pub(crate) fn rcs_frame(
 ) -> Result<RcsFrame, BartError> {
     let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
+    check_wheels(models, header)?;
     check_road(header)?;
     if frame.poses.len() != header.targets.len() {
         let (poses, targets) = (frame.poses.len(), header.targets.len());
@@ -77,6 +78,19 @@ pub(crate) fn rcs_frame(
         model_error: powers.model_error(header.fidelity.bounces),
     })
 }
+/// Refuses what goes round on a body: a table holds one that is rigid while a frame lasts.
+fn check_wheels(models: &Models, header: &SceneHeader) -> Result<(), BartError> {
+    let refused = |choice| Err(BartError::NotBuilt { choice });
+    let on_wheel = |target: &Target| matches!(target.kind, TargetKind::Point { wheel: Some(_), .. });
+    match header.targets.iter().any(on_wheel) {
+        _ if !models.vehicles_of_wheels(header).is_empty() => {
+            refused("wheels = \"turning\" with echo = \"rcs-table\"")
+        }
+        true => refused("a point on a wheel with echo = \"rcs-table\""),
+        false => Ok(()),
+    }
+}
+
 
 /// Most values of an axis, odd: beyond it interpolation errs more than was asked, and the echo's own check
 /// says how much.

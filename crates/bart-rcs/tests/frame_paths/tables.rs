@@ -3,8 +3,8 @@
 
 use crate::frames::{pose, scene};
 use artifact::rcs::{RcsFrame, RcsTable};
-use artifact::scene::{Mesh, SceneFrame, SceneHeader};
-use artifact::settings::{Edges, Surface};
+use artifact::scene::{Mesh, RoadWheel, SceneFrame, SceneHeader, TargetKind, Wheel};
+use artifact::settings::{Edges, Surface, Wheels};
 use artifact::{Accuracy, radar::Polarization};
 use bart_rcs::{RcsRequest, Tracer, Unheard, rcs};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -50,6 +50,26 @@ fn error_of(table: &RcsTable, header: &SceneHeader) -> f64 {
     let got = table.amplitude_m.iter().step_by(columns);
     let error: f64 = got.zip(&exact).map(|(got, exact)| (got - exact).norm_sqr()).sum();
     (error / exact.iter().map(|exact| exact.norm_sqr()).sum::<f64>()).sqrt()
+}
+
+/// What goes round on a body is in no table: a scene that has it is refused, where the wheels were left out.
+#[test]
+fn tables_of_what_turns_on_a_body_are_refused_by_name() {
+    let mut body = tube();
+    body.wheels = vec![RoadWheel { hub_m: [0.0; 3], radius_m: 0.3, triangles: (0..4).collect() }];
+    let start = pose([4.0, 30.0, 0.3], [3.0, 0.0, 0.0], 0.0);
+    let mut scene = scene(&[(body, start)], &[(1.0, start)], -20.0, 1);
+    let refused = |scene: &(SceneHeader, SceneFrame)| {
+        let tables = Tracer::new(&scene.0).unwrap().tables(&scene.0, &scene.1, &Unheard);
+        tables.err().map_or_else(String::new, |error| error.to_string())
+    };
+    assert_eq!(refused(&scene), "", "wheels that stand still are part of the body");
+    scene.0.fidelity.wheels = Wheels::Turning;
+    assert!(refused(&scene).contains("wheels = \"turning\""), "{}", refused(&scene));
+    scene.0.fidelity.wheels = Wheels::Still;
+    let wheel = Some(Wheel { radius_m: 0.3, angle_rad: 0.0 });
+    scene.0.targets[1].kind = TargetKind::Point { rcs_m2: 1.0, wheel };
+    assert!(refused(&scene).contains("a point on a wheel"), "{}", refused(&scene));
 }
 
 /// A tube at rest, seen square: its tables err by nothing but integrals, facets in place of a skin and what
