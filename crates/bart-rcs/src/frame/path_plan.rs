@@ -135,6 +135,22 @@ impl<'a> Plan<'a> {
         self.view_from([self.position_m; 2], seconds)
     }
 
+    /// Pairs of elements whose mean power stands for the array's. What a wave turns by from one element to
+    /// another is all that flat plates have of the cross polarization, and it vanishes at the array's middle:
+    /// there the pairs of both checks are taken, which are about as far off it as the root mean square of all.
+    pub(crate) fn pairs_of_array_m(&self) -> Vec<[DVec3; 2]> {
+        match self.second_check {
+            Some((second_m, _)) if self.is_cross_polarized() => vec![self.check_ends_m, second_m],
+            _ => vec![[self.position_m; 2]],
+        }
+    }
+
+    /// Whether the radar receives the other polarization than it sends.
+    pub(crate) fn is_cross_polarized(&self) -> bool {
+        let (receive, transmit) = self.header.radar.array.polarization.indices();
+        receive != transmit
+    }
+
     /// Middle of the places of the check.
     pub(crate) fn check_middle_m(&self) -> DVec3 {
         0.5 * (self.check_ends_m[0] + self.check_ends_m[1])
