@@ -10,7 +10,6 @@ use crate::bodies::world::World;
 use crate::frame::band_power::frequencies_hz;
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
-use crate::joins::afforded::are_few_tiles;
 use crate::joins::band::INTERPOLATION_ERROR;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
@@ -231,9 +230,7 @@ impl<'a> TabledBody<'a> {
         if edges == Edges::Ignored && !is_bent {
             return interpolation;
         }
-        let facets = meetings.iter().map(|meeting| &meeting.facets);
-        let is_few = is_bent && are_few_tiles(scatterer, facets, &integration);
-        let finer = if is_few { Finer::Far } else { Finer::TenTimes };
+        let finer = Finer::beside(scatterer, meetings, &integration);
         let accuracy = finer.bounds() * integration.accuracy;
         let finer_m = self.by_order(scatterer, meetings, &Integration { accuracy, ..integration });
         let finer_m = total(&finer_m, wavenumbers.len());

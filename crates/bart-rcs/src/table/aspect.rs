@@ -5,7 +5,6 @@ use crate::beams::beam::BeamTree;
 use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
-use crate::joins::afforded::are_few_tiles;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
@@ -87,7 +86,7 @@ pub(crate) fn scattering_with(
     ends.grow_to(tree_order(settings.bounces, settings.nodes))?;
     let trace_seconds = metered.lap_s();
     let is_measured = checks.integrals != IntegralsCheck::Skipped;
-    let Chosen { orders: chosen, mirrors, accuracy, finer } = ends.chosen(aspect, settings, checks)?;
+    let Chosen { orders: chosen, mirrors, accuracy, finer } = ends.chosen(settings, checks)?;
     let settings = &AspectSettings { accuracy, ..settings.clone() };
     let integrate_seconds = metered.lap_s();
     let [dropped_m, dropped_at_most_m] = ends.dropped_m(&chosen, &mirrors, settings);
@@ -199,12 +198,7 @@ impl<'a> Ends<'a> {
     }
 
     /// Every order by the rule asked for, with what its errors are told by.
-    fn chosen(
-        &self,
-        aspect: &Aspect,
-        settings: &AspectSettings,
-        checks: Checks,
-    ) -> Result<Chosen, BartError> {
+    fn chosen(&self, settings: &AspectSettings, checks: Checks) -> Result<Chosen, BartError> {
         let (scatterer, rule) = (self.scatterer(), settings.nodes);
         let needed = tree_order(settings.bounces, rule);
         let mut mirrors = SmallMirrors::of(scatterer.trees, needed, settings.trace.least_mirror_area_m2);
@@ -222,10 +216,10 @@ impl<'a> Ends<'a> {
             order
         };
         let orders = found.into_iter().map(take).collect();
-        let is_asked = checks.integrals != IntegralsCheck::Skipped && self.are_cut(aspect);
-        let facets = meetings.iter().map(|meeting| &meeting.facets);
-        let is_few = is_asked && are_few_tiles(&scatterer, facets, &integration);
-        let finer = if is_few { Finer::Far } else { Finer::TenTimes };
+        let finer = match checks.integrals {
+            IntegralsCheck::Skipped => Finer::TenTimes,
+            _ => Finer::beside(&scatterer, &meetings, &integration),
+        };
         Ok(Chosen { orders, mirrors, accuracy: settings.accuracy, finer })
     }
 

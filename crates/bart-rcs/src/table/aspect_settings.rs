@@ -2,7 +2,7 @@
 
 use crate::beams::beam::TraceSettings;
 use crate::bodies::stand_off::distance_and_diagonal_m;
-use crate::joins::afforded::{FAR_FINER, afforded};
+use crate::joins::afforded::{FAR_FINER, afforded, are_few_tiles};
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::oversight::error::BartError;
 use crate::table::meeting::{MeetingSettings, OrderJoints};
@@ -106,6 +106,18 @@ pub(crate) enum Finer {
 }
 
 impl Finer {
+    /// Integrals to compare these of some meetings with: far finer ones where facets are cut into few tiles.
+    pub(crate) fn beside(
+        scatterer: &Scatterer<'_>,
+        meetings: &[OrderJoints],
+        integration: &Integration<'_>,
+    ) -> Self {
+        let facets = meetings.iter().map(|meeting| &meeting.facets);
+        // A plane wave over a flat polygon is integrated as one.
+        let is_cut = !scatterer.is_far() || scatterer.world.skin_error() > 0.0;
+        if is_cut && are_few_tiles(scatterer, facets, integration) { Self::Far } else { Self::TenTimes }
+    }
+
     /// Bounds over those of the coarser ones.
     pub(crate) fn bounds(self) -> f64 {
         match self {
