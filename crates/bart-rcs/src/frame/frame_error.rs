@@ -246,12 +246,7 @@ pub(crate) fn dropped_sections(
     let bracket = bracket_of(plan.header.fidelity.nodes);
     let integration = Integration { wavenumbers_per_m: &wavenumbers, accuracy: plan.asked(), bracket };
     for meeting in meetings {
-        mirrors.add(mirrors.hits(
-            scatterer,
-            &meeting.facets,
-            &integration,
-            plan.header.radar.array.polarization,
-        ));
+        mirrors.add(mirrors.hits(scatterer, meeting, &integration, plan.header.radar.array.polarization));
     }
     let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.given_up(needed, mirrors.shares(0));
     [squares_m4.sqrt() / nearest_m2, sum_m2 / nearest_m2]

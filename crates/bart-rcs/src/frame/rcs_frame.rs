@@ -264,7 +264,7 @@ impl<'a> TabledBody<'a> {
         let (integration, polarization) =
             (self.integration(wavenumbers), self.header.radar.array.polarization);
         for meeting in meetings {
-            mirrors.add(mirrors.hits(scatterer, &meeting.facets, &integration, polarization));
+            mirrors.add(mirrors.hits(scatterer, meeting, &integration, polarization));
         }
         let overlaps = meetings.iter().map(|meeting| meeting.facets.given_up);
         let [dropped_m, _] = mirrors.dropped_m(scatterer.trees, overlaps, (trace.max_order, wavenumbers));

@@ -206,7 +206,7 @@ impl<'a> Ends<'a> {
         let settings = &settings.afforded(&scatterer, &meetings, rule)?;
         let integration = settings.integration(rule);
         let of_order = |meeting: &OrderJoints| {
-            let hits = mirrors.hits(&scatterer, &meeting.facets, &integration, settings.polarization);
+            let hits = mirrors.hits(&scatterer, meeting, &integration, settings.polarization);
             (of_meeting(&scatterer, meeting, rule, settings), hits)
         };
         // Side by side: where one order is weighed by one thread, others are integrated.
