@@ -3,7 +3,7 @@
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::body_gains::BodyGains;
-use crate::bodies::models::Models;
+use crate::bodies::models::{BodyMesh, Models};
 use crate::bodies::motion::position_m;
 use crate::bodies::road::check_road;
 use crate::bodies::world::World;
@@ -16,7 +16,7 @@ use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
-use crate::surface::skin::{COARSER, told_error};
+use crate::surface::skin::{COARSER, FinerSkin, told_error};
 use crate::table::aspect_settings::{Finer, IntegralsCheck};
 use crate::table::far_field_error::Compared;
 use crate::table::measured_aspects::interpolation_error;
@@ -43,8 +43,8 @@ pub(crate) fn rcs_frame(
 ) -> Result<RcsFrame, BartError> {
     let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
-    check_wheels(models, header)?;
     check_road(header)?;
+    check_wheels(models, header)?;
     if frame.poses.len() != header.targets.len() {
         let (poses, targets) = (frame.poses.len(), header.targets.len());
         return Err(BartError::PosesDoNotMatch { frame: frame.index, poses, targets });
@@ -77,6 +77,7 @@ pub(crate) fn rcs_frame(
         model_error: powers.model_error(header.fidelity.bounces),
     })
 }
+
 /// Refuses what goes round on a body: a table holds one that is rigid while a frame lasts.
 fn check_wheels(models: &Models, header: &SceneHeader) -> Result<(), BartError> {
     let refused = |choice| Err(BartError::NotBuilt { choice });
@@ -89,7 +90,6 @@ fn check_wheels(models: &Models, header: &SceneHeader) -> Result<(), BartError> 
         false => Ok(()),
     }
 }
-
 
 /// Most values of an axis, odd: beyond it interpolation errs more than was asked, and the echo's own check
 /// says how much.
@@ -239,8 +239,8 @@ impl<'a> TabledBody<'a> {
         IntegralsCheck::Compared.error_power(compared, bounds, power(&finer_m)) + interpolation
     }
 
-    /// Power of the difference that coarser facets in place of a skin make at the middle aspect; none where
-    /// facets are the surface.
+    /// Power of the difference that coarser facets in place of a skin make at the middle aspect, or finer ones
+    /// where these tell more ([`FinerSkin`]); none where facets are the surface.
     fn tessellation_power(
         &self,
         middle: DVec3,
@@ -249,12 +249,20 @@ impl<'a> TabledBody<'a> {
         if self.header.fidelity.surface == Surface::Flat {
             return Ok(0.0);
         }
+        let (header, own) = (self.header, self.world.facets().len());
+        let differing = |mesh: BodyMesh| -> Result<(f64, usize), BartError> {
+            let world = World::alone(Arc::new(mesh), self.target, self.mesh.makeup.transmission)?;
+            let other = TabledBody { world, ..*self };
+            let other_m = other.anew(Antenna::Direction(middle / middle.length()), middle, wavenumbers)?;
+            Ok((difference(table, &other_m), other.world.facets().len()))
+        };
         let error = COARSER * self.world.skin_error();
-        let model = Arc::new(Models::coarser_of(self.header, self.mesh, error)?);
-        let world = World::alone(model, self.target, self.mesh.makeup.transmission)?;
-        let coarser = TabledBody { world, ..*self };
-        let coarser_m = coarser.anew(Antenna::Direction(middle / middle.length()), middle, wavenumbers)?;
-        Ok(difference(table, &coarser_m))
+        let (by_coarser, coarser) = differing(Models::coarser_of(header, self.mesh, error)?)?;
+        let Some(cut) = FinerSkin::beside(own, coarser, header.fidelity.bounces) else {
+            return Ok(by_coarser);
+        };
+        let (by_finer, _) = differing(Models::finer_of(header, self.mesh, cut.times)?)?;
+        Ok(by_coarser.max(cut.over_difference().powi(2) * by_finer))
     }
 
     /// Amplitude of all beams given up, with independent phases.

@@ -76,19 +76,22 @@ fn tables_of_what_turns_on_a_body_are_refused_by_name() {
 /// was dropped.
 #[test]
 fn tables_of_bent_skins_and_of_edges_tell_what_they_err_by() {
-    for (surface, edges) in [
-        (Surface::Smooth, Edges::Ignored),
-        (Surface::Flat, Edges::FirstOrder),
-        (Surface::Smooth, Edges::FirstOrder),
+    for (surface, edges, bounces) in [
+        (Surface::Smooth, Edges::Ignored, 1),
+        (Surface::Smooth, Edges::Ignored, 2),
+        (Surface::Flat, Edges::FirstOrder, 1),
+        (Surface::Smooth, Edges::FirstOrder, 1),
     ] {
         for (yaw_rad, accuracy_db) in [(0.3, -10.0), (-FRAC_PI_2, -15.0), (1.1, -20.0)] {
             let mut scene =
-                scene(&[(tube(), pose([4.0, 30.0, 5.75], [0.0; 3], yaw_rad))], &[], accuracy_db, 1);
+                scene(&[(tube(), pose([4.0, 30.0, 5.75], [0.0; 3], yaw_rad))], &[], accuracy_db, bounces);
             (scene.0.fidelity.surface, scene.0.fidelity.edges) = (surface, edges);
             let found = tables(&scene);
             let (told, error) = (found.error.total().unwrap(), error_of(&found.tables[0], &scene.0));
             let [told_db, error_db] = [told, error].map(|e| 20.0 * e.log10());
-            println!("{surface:?}, {edges:?}, asked {accuracy_db}, told {told_db:.1}, true {error_db:.1} dB");
+            println!(
+                "{surface:?}, {edges:?}, {bounces} bounces, asked {accuracy_db}, told {told_db:.1}, true {error_db:.1} dB"
+            );
             assert!(error <= told, "{:?}", found.error);
         }
     }
