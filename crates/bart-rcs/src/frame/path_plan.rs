@@ -2,9 +2,9 @@
 
 use crate::beams::beam::TraceSettings;
 use crate::bodies::body_gains::BodyGains;
+use crate::edges::lit_edge::tree_order_with;
 use crate::frame::array_places::{ArrayRow, checked_from_m};
 use crate::frame::path_sum::{Hearing, PathView};
-use crate::joins::join::tree_order;
 use crate::oversight::progress::Progress;
 use crate::surface::skin::share_beside;
 use crate::table::meeting::MeetingSettings;
@@ -67,7 +67,7 @@ impl<'a> Plan<'a> {
         // not followed.
         let least_area_m2 = 1e-2 * band.wavelength_m().powi(2) * fidelity.accuracy.amplitude();
         let trace = TraceSettings {
-            max_order: tree_order(fidelity.bounces, fidelity.nodes),
+            max_order: tree_order_with(fidelity.edges, fidelity.bounces, fidelity.nodes),
             sides: fidelity.sides,
             least_area_m2,
             least_mirror_area_m2: 100.0 * least_area_m2,

@@ -7,11 +7,11 @@ use crate::bodies::models::{BodyMesh, Models};
 use crate::bodies::motion::position_m;
 use crate::bodies::road::check_road;
 use crate::bodies::world::World;
+use crate::edges::lit_edge::tree_order_with;
 use crate::frame::band_power::frequencies_hz;
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
 use crate::joins::band::INTERPOLATION_ERROR;
-use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
 use crate::oversight::error::BartError;
@@ -302,7 +302,7 @@ impl<'a> TabledBody<'a> {
         let least_area_m2 =
             1e-2 * self.header.radar.waveform.wavelength_m().powi(2) * fidelity.accuracy.amplitude();
         TraceSettings {
-            max_order: tree_order(fidelity.bounces, fidelity.nodes),
+            max_order: tree_order_with(fidelity.edges, fidelity.bounces, fidelity.nodes),
             sides: fidelity.sides,
             least_area_m2,
             least_mirror_area_m2: 100.0 * least_area_m2,

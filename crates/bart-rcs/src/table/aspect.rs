@@ -83,7 +83,7 @@ pub(crate) fn scattering_with(
     let mut ends = Ends::new(world, aspect, company, settings)?;
     ends.grow_to(1)?;
     ends.check_open()?;
-    ends.grow_to(tree_order(settings.bounces, settings.nodes))?;
+    ends.grow_to(settings.tree_order())?;
     let trace_seconds = metered.lap_s();
     let is_measured = checks.integrals != IntegralsCheck::Skipped;
     let Chosen { orders: chosen, mirrors, accuracy, finer } = ends.chosen(settings, checks)?;
@@ -200,7 +200,7 @@ impl<'a> Ends<'a> {
     /// Every order by the rule asked for, with what its errors are told by.
     fn chosen(&self, settings: &AspectSettings, checks: Checks) -> Result<Chosen, BartError> {
         let (scatterer, rule) = (self.scatterer(), settings.nodes);
-        let needed = tree_order(settings.bounces, rule);
+        let needed = settings.tree_order();
         let mut mirrors = SmallMirrors::of(scatterer.trees, needed, settings.trace.least_mirror_area_m2);
         let meetings = meetings(&scatterer, 1, rule, settings);
         let settings = &settings.afforded(&scatterer, &meetings, rule)?;
@@ -234,7 +234,7 @@ impl<'a> Ends<'a> {
 
     /// Amplitude of what was dropped, as of [`SmallMirrors::dropped_m`].
     fn dropped_m(&self, orders: &[OfOrder], mirrors: &SmallMirrors, settings: &AspectSettings) -> [f64; 2] {
-        let needed = tree_order(settings.bounces, settings.nodes);
+        let needed = settings.tree_order();
         let overlaps = orders.iter().map(|order| order.given_up);
         mirrors.dropped_m(self.joined_trees(), overlaps, (needed, &settings.wavenumbers_per_m))
     }

@@ -2,6 +2,7 @@
 
 use crate::beams::beam::TraceSettings;
 use crate::bodies::stand_off::distance_and_diagonal_m;
+use crate::edges::lit_edge::tree_order_with;
 use crate::joins::afforded::{FAR_FINER, afforded, are_few_tiles};
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::oversight::error::BartError;
@@ -31,6 +32,11 @@ impl AspectSettings {
     pub(crate) fn seen_from(&self, aspect: &Aspect) -> Self {
         let least_area_m2 = if aspect.is_along_sheet { 0.0 } else { self.trace.least_area_m2 };
         Self { trace: TraceSettings { least_area_m2, ..self.trace }, ..self.clone() }
+    }
+
+    /// Highest order of beams that the rule asked for needs.
+    pub(crate) fn tree_order(&self) -> u8 {
+        tree_order_with(self.edges, self.bounces, self.nodes)
     }
 
     /// The wavelength at the lowest frequency.
