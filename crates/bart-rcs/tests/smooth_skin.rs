@@ -337,6 +337,28 @@ fn no_less_is_told_than_an_open_tube_errs_by_whose_strips_are_never_coarser() {
     }
 }
 
+/// From the second bounce on facets are flat mirrors: what two skins that are both too coarse differ by was 2 to 6
+/// dB below what they err by.
+#[test]
+fn no_less_is_told_than_an_open_tube_errs_by_that_reflects_inside() {
+    let mesh = revolved(&[(0.3, 0.0), (0.3, 0.5)], 24).mesh();
+    for accuracy_db in [-20.0, -30.0] {
+        let asked = |accuracy_db: f64| RcsRequest {
+            frequency_hz: vec![24e9],
+            bounces: 3,
+            nodes: NodeRule::OwnEdge,
+            ..request(7.0, 30.0, accuracy_db)
+        };
+        let exact = s(&mesh, &asked(-50.0));
+        let got = rcs(&mesh, &asked(accuracy_db), &|_, _| ()).unwrap();
+        let error_db = 20.0 * ((got.amplitude_m[0] - exact).norm() / got.amplitude_m[0].norm()).log10();
+        let told_db = 20.0 * got.error.total().unwrap().log10();
+        println!("{accuracy_db} dB asked: told {told_db:.1} dB, true {error_db:.1} dB");
+        // One value at one frequency: the bound is one of the mean power.
+        assert!(told_db > error_db - 2.0 && told_db < error_db + 15.0);
+    }
+}
+
 /// Paint on metal, and its reflection at normal incidence: (r − P)/(1 − rP), r = (1 − √ε)/(1 + √ε),
 /// P = e^{−2jkd√ε}.
 fn paint() -> (Material, Complex64) {

@@ -39,9 +39,19 @@ impl Models {
         Self::build_with(header, skin(header).coarser(error))
     }
 
+    /// Builds them with a skin that is cut for so many times less error.
+    pub(crate) fn build_finer(header: &SceneHeader, times: f64) -> Result<Self, BartError> {
+        Self::build_with(header, skin(header).finer(times))
+    }
+
     /// Builds one of its meshes with a skin that is cut for this relative amplitude error.
     pub(crate) fn coarser_of(header: &SceneHeader, mesh: &Mesh, error: f64) -> Result<BodyMesh, BartError> {
         body_alone(header, mesh, skin(header).coarser(error))
+    }
+
+    /// Builds one of its meshes with a skin that is cut for so many times less error.
+    pub(crate) fn finer_of(header: &SceneHeader, mesh: &Mesh, times: f64) -> Result<BodyMesh, BartError> {
+        body_alone(header, mesh, skin(header).finer(times))
     }
 
     fn build_with(header: &SceneHeader, skin: Skin) -> Result<Self, BartError> {

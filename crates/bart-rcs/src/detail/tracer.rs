@@ -83,7 +83,8 @@ impl Tracer {
     /// table of one value, +√σ.
     ///
     /// # Errors
-    /// Those of [`Self::all_paths`].
+    /// Those of [`Self::all_paths`]; a scene with wheels that turn, or points on wheels: tables hold bodies
+    /// that are rigid while a frame lasts.
     pub fn tables(
         &self,
         view: &SceneHeader,

@@ -33,8 +33,9 @@ enum Sense {
 /// Faces that a wave runs over, at most: over each further one, 5 λ wide, it loses nine tenths and more.
 const FACES: usize = 4;
 /// Current, over that of the field sent, from which on a wave is followed past the end of its face; up to
-/// twice as much it fades in, so that nothing jumps. What is left out is below −34 dB of the amplitude of an
-/// edge that is seen square, and edges without terms of their corners are no better.
+/// twice as much it fades in, place by place along its edge, so that nothing jumps and nothing depends on
+/// where runs are cut. What is left out is below −34 dB of the amplitude of an edge that is seen square, and
+/// edges without terms of their corners are no better.
 const FAINTEST: f64 = 0.02;
 /// Share of the accuracy to which waves over a second face and further ones are integrated: there are more of
 /// them.
@@ -72,37 +73,47 @@ struct Following<'a, 'g> {
 impl Following<'_, '_> {
     /// Gives the ends of the waves over the last face, then those of the waves that they give rise to.
     fn follow(&mut self, crossed: &mut Vec<Crossed>, sense: Sense, span_m: [f64; 2]) {
-        let Self { node, reference_m, .. } = *self;
-        for Run { span_m: piece_m, exit } in (FaceWaves { node, reference_m, crossed, sense }).runs(span_m) {
+        for Run { span_m: piece_m, exit } in self.waves(crossed, sense).runs(span_m) {
             exit_by(crossed, Some(exit));
-            let waves = FaceWaves { node, reference_m, crossed, sense };
-            let give = &mut *self.give;
+            let waves = self.waves(crossed, sense);
             let accuracy =
                 if crossed.len() > 1 { (SHARE * self.accuracy).max(FINEST) } else { self.accuracy };
+            let give = &mut *self.give;
             for_each_piece(&waves, piece_m, self.highest_per_m, accuracy, &mut |part, error| {
                 give(part, error);
             });
-            let Some((next, share)) = self.worth_following(&waves, piece_m) else { continue };
-            let edges = node.edges;
-            let free = Crossed::faces_of(edges, &edges.edges[next as usize], share);
+            let Some((next, loud_m)) = worth_following(&waves, piece_m) else { continue };
+            let edges = self.node.edges;
+            let free = Crossed::faces_of(edges, &edges.edges[next as usize], 1.0);
             for face in free.into_iter().filter(|face| face.is_free) {
                 crossed.push(face);
-                self.follow(crossed, sense, piece_m);
+                for span_m in &loud_m {
+                    self.follow(crossed, sense, *span_m);
+                }
                 crossed.pop();
             }
         }
         exit_by(crossed, None);
     }
 
-    /// The edge at which the waves end, and the share by which those that it sends count: 0 to 1. A face with
-    /// a wall on it has waves that the wall reflects, which are not told: there the second order is the last.
-    fn worth_following(&self, waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, f64)> {
-        let wave = waves.wave_from(0.5 * (span_m[0] + span_m[1]))?;
-        let is_free = waves.crossed.last().is_some_and(|face| face.is_free);
-        let edge = wave.met.edge.filter(|_| is_free && waves.crossed.len() < FACES)?;
-        let share = (wave.strength(self.highest_per_m) / FAINTEST - 1.0).clamp(0.0, 1.0);
-        (share > 0.0).then_some((edge, share))
+    fn waves<'c>(&self, crossed: &'c [Crossed], sense: Sense) -> FaceWaves<'c>
+    where
+        Self: 'c,
+    {
+        let Self { node, reference_m, highest_per_m, .. } = *self;
+        FaceWaves { node, reference_m, crossed, sense, highest_per_m }
     }
+}
+
+/// The edge at which the waves from a span end, and the parts of the span whose waves give rise to others. A
+/// face with a wall on it has waves that the wall reflects, which are not told: there the second order is the
+/// last.
+fn worth_following(waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, Vec<[f64; 2]>)> {
+    let wave = waves.wave_from(0.5 * (span_m[0] + span_m[1]))?;
+    let is_free = waves.crossed.last().is_some_and(|face| face.is_free);
+    let edge = wave.met.edge.filter(|_| is_free && waves.crossed.len() < FACES)?;
+    let loud_m = waves.loud_spans(span_m);
+    (!loud_m.is_empty()).then_some((edge, loud_m))
 }
 
 /// A face that a wave runs over, from one of its edges.
@@ -137,6 +148,25 @@ fn exit_by(crossed: &mut [Crossed], exit: Option<usize>) {
 const INSET: f64 = 1e-11;
 /// Halvings that find where rays change from one end to the next, to 2⁻⁴⁰ of a span.
 const CHANGE_HALVINGS: u32 = 40;
+/// Places of a part of a span, as shares of it, at which rays are asked for the end that they meet, and the
+/// most ends between two of them.
+const RUN_LOOKS: [f64; 5] = [0.0, 0.125, 0.5, 0.875, 1.0];
+const ENDS_BETWEEN: usize = 4;
+/// Number of parts of a span between places that are asked whether their waves are loud enough to be followed.
+const LOUD_LOOKS: f64 = 8.0;
+
+/// The place between two up to which something holds that holds at the first of them.
+fn change_between([mut from_m, mut to_m]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..CHANGE_HALVINGS {
+        let middle_m = 0.5 * (from_m + to_m);
+        if holds(middle_m) {
+            from_m = middle_m;
+        } else {
+            to_m = middle_m;
+        }
+    }
+    0.5 * (from_m + to_m)
+}
 
 impl Crossed {
     /// Faces of an edge, on which waves count by a share. Both sides of a sheet have the same fringe current:
@@ -186,6 +216,7 @@ struct FaceWaves<'a> {
     reference_m: DVec3,
     crossed: &'a [Crossed],
     sense: Sense,
+    highest_per_m: f64,
 }
 
 /// A wave over the last face, from one point of the first edge.
@@ -311,9 +342,37 @@ impl FaceWaves<'_> {
             end_m: wave.end_m + met.way_m * view.along_face(),
             way_m: wave.way_m + met.way_m,
             current: EndCurrent::new(&view, travel, &[field; 2], &received),
-            arriving: [0, 1].map(|q| crossed.share * width * wave.ray(q)),
+            arriving: [0, 1].map(|q| crossed.share * self.share_of_next(wave) * width * wave.ray(q)),
             before: wave.before.then(wave.current.falloff_root(wave.met.way_m)),
         })
+    }
+
+    /// Share by which the waves count that one gives rise to: 0 to 1.
+    fn share_of_next(&self, wave: &Wave) -> f64 {
+        (wave.strength(self.highest_per_m) / FAINTEST - 1.0).clamp(0.0, 1.0)
+    }
+
+    /// Parts of a span whose waves give rise to others, told by a few places.
+    fn loud_spans(&self, [from_m, to_m]: [f64; 2]) -> Vec<[f64; 2]> {
+        let is_loud = |at_m: f64| self.wave_from(at_m).is_some_and(|wave| self.share_of_next(&wave) > 0.0);
+        let inset_m = INSET * (to_m - from_m);
+        let place = |i: u32| from_m + inset_m + (to_m - from_m - 2.0 * inset_m) * f64::from(i) / LOUD_LOOKS;
+        let mut spans: Vec<[f64; 2]> = Vec::new();
+        let (mut before, mut start) = (is_loud(place(0)), from_m);
+        for i in 1..=LOUD_LOOKS as u32 {
+            let now = is_loud(place(i));
+            if now != before {
+                let change_m = change_between([place(i - 1), place(i)], |at_m| is_loud(at_m) == before);
+                if before {
+                    spans.push([start, change_m]);
+                }
+                (before, start) = (now, change_m);
+            }
+        }
+        if before {
+            spans.push([start, to_m]);
+        }
+        spans
     }
 
     /// Kernel √π·K of the edge where the face ends, for a wave that arrives along the face with a current
@@ -338,31 +397,26 @@ impl FaceWaves<'_> {
 
     /// Runs of a part of the span: cut anew where near antennas make rays change beside the place expected.
     fn runs_between(&self, from_m: f64, to_m: f64, inset_m: f64) -> Vec<Run> {
-        let looks = [from_m + inset_m, 0.5 * (from_m + to_m), to_m - inset_m];
+        let looks =
+            RUN_LOOKS.map(|share| (from_m + share * (to_m - from_m)).clamp(from_m + inset_m, to_m - inset_m));
         let exits = looks.map(|at_m| self.exit_from(at_m));
         let mut runs = Vec::new();
         let mut start_m = from_m;
-        for i in [0, 1].into_iter().filter(|i| exits[*i] != exits[*i + 1]) {
-            let change_m = self.change_between(looks[i], looks[i + 1], exits[i]);
-            runs.push(([start_m, change_m], exits[i]));
-            start_m = change_m;
-        }
-        runs.push(([start_m, to_m], exits[2]));
-        runs.into_iter().filter_map(|(span_m, exit)| Some(Run { span_m, exit: exit? })).collect()
-    }
-
-    /// The place up to which rays meet one end of the last face.
-    fn change_between(&self, from_m: f64, to_m: f64, exit: Option<usize>) -> f64 {
-        let (mut from_m, mut to_m) = (from_m, to_m);
-        for _ in 0..CHANGE_HALVINGS {
-            let middle_m = 0.5 * (from_m + to_m);
-            if self.exit_from(middle_m) == exit {
-                from_m = middle_m;
-            } else {
-                to_m = middle_m;
+        for (look, exit) in looks.windows(2).zip(exits.windows(2)) {
+            let (mut at_m, mut now) = (look[0], exit[0]);
+            for _ in 0..ENDS_BETWEEN {
+                if now == exit[1] {
+                    break;
+                }
+                let change_m = change_between([at_m, look[1]], |at_m| self.exit_from(at_m) == now);
+                runs.push(([start_m, change_m], now));
+                start_m = change_m;
+                at_m = (change_m + inset_m).min(look[1]);
+                now = self.exit_from(at_m);
             }
         }
-        0.5 * (from_m + to_m)
+        runs.push(([start_m, to_m], exits[RUN_LOOKS.len() - 1]));
+        runs.into_iter().filter_map(|(span_m, exit)| Some(Run { span_m, exit: exit? })).collect()
     }
 
     fn exit_from(&self, at_m: f64) -> Option<usize> {

@@ -7,9 +7,11 @@
 use crate::beams::beam::{Beam, BeamTree};
 use crate::beams::image_tree::goes_by_road;
 use crate::bodies::world::World;
+use crate::joins::join::tree_order;
 use crate::joins::joint::{Reverse, Trees};
 use crate::mesh::wedges::world_edges::{EdgeGeometry, FacetSide, WorldEdges};
 use artifact::paths::MAX_ORDER;
+use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 
 /// A part of an edge that one end lights along one way.
@@ -40,6 +42,13 @@ pub(crate) struct EdgeJoint {
     pub(crate) backward: u32,
     pub(crate) span_m: [f64; 2],
     pub(crate) reverse: Reverse,
+}
+
+/// Highest order of beams that `bounces` need by a rule: an edge is no mirror, and one end may come to it over
+/// all the others, whatever node is taken of facets.
+pub(crate) fn tree_order_with(edges: Edges, bounces: u8, rule: NodeRule) -> u8 {
+    let of_facets = tree_order(bounces, rule);
+    if edges == Edges::FirstOrder { of_facets.max(bounces) } else { of_facets }
 }
 
 /// Every way of `order` reflections and one edge; each counts, as an edge is no mirror (docs/physics.md §2).

@@ -104,6 +104,9 @@ const ONE_PLACE_M: f64 = 1e-6;
 /// they do to the middle at the frame's middle: from an element that a body drives past at its pace nothing
 /// would seem to change. Where they are near each other both stand in their middle.
 ///
+/// In the cross polarization each end is as far off as the root mean square of its own elements: of pairs as far
+/// from each other as most, one end is in the middle, where nothing tells what its distance turns.
+///
 /// Of a wide array a second pair is told, on the other side: what its ends see differs by more than one pair
 /// tells.
 pub(super) fn checked_from_m(
@@ -119,9 +122,13 @@ pub(super) fn checked_from_m(
     let away_m = |pair: &[DVec3; 2]| middle_m(pair).distance(centre_m);
     let apart_m = |pair: &[DVec3; 2]| pair[0].distance(pair[1]);
     let [away_rms_m, apart_rms_m] = [rms(&away_m), rms(&apart_m)];
+    let of_ends_m = [0, 1].map(|end| rms(&|pair: &[DVec3; 2]| pair[end].distance(centre_m)));
     let (sent, heard) = radar.array.polarization.indices();
     let is_wide = apart_rms_m > if sent == heard { TOGETHER_M } else { ONE_PLACE_M };
     let miss = |pair: &[DVec3; 2]| {
+        if sent != heard {
+            return [0, 1].map(|end| (pair[end].distance(centre_m) - of_ends_m[end]).abs()).iter().sum();
+        }
         let of_distance = if is_wide { (apart_m(pair) - apart_rms_m).abs() } else { 0.0 };
         (away_m(pair) - away_rms_m).abs() + of_distance
     };

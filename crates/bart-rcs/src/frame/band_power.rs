@@ -15,19 +15,16 @@ pub(crate) fn frequencies_hz(centre_hz: f64, bandwidth_hz: f64, count: usize) ->
     (0..count).map(|i| centre_hz + bandwidth_hz * ((i as f64 + 0.5) / count as f64 - 0.5)).collect()
 }
 
-/// Mean over frequency of |S(paths)|², as the radar sees it.
-pub(crate) fn mean_power(paths: &[Path], plan: &Plan<'_>, seconds: f64, frequencies_hz: &[f64]) -> f64 {
-    let view = plan.view(seconds);
-    mean(&element_over_band(paths, &view, plan.hearing(), frequencies_hz))
-}
-
-/// Mean power of the sum over the band at the frame's ends and middle.
+/// Mean power of the sum over the band at the frame's ends and middle, between the pairs of elements that
+/// stand for the array.
 pub(crate) fn power_over_frame(paths: &[Path], plan: &Plan<'_>) -> f64 {
     const FREQUENCIES: usize = 24;
     let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
+    let pairs = plan.pairs_of_array_m();
     let moments = [0.0, plan.middle_s, 2.0 * plan.middle_s];
-    let of = moments.map(|t| mean_power(paths, plan, t, &frequencies));
-    of.iter().sum::<f64>() / of.len() as f64
+    let views = pairs.iter().flat_map(|ends_m| moments.map(|seconds| plan.view_from(*ends_m, seconds)));
+    let powers = views.map(|view| mean(&element_over_band(paths, &view, plan.hearing(), &frequencies)));
+    powers.sum::<f64>() / (pairs.len() * moments.len()) as f64
 }
 
 /// Sum over orders, at each of `count` frequencies.

@@ -109,6 +109,13 @@ impl Reference {
         total((1..=plan.header.fidelity.bounces).map(of), wavenumbers.len())
     }
 
+    /// Mean power between both pairs of elements of a wide array, 0 of one that is not: paths that miss the
+    /// field off the array's middle are no measure of what they miss.
+    fn power_over_array(&self) -> f64 {
+        let of_second = |(_, second): &(PathView, Vec<Complex64>)| mean(second);
+        self.second.as_ref().map(of_second).map_or(0.0, |second| 0.5 * (mean(&self.total_m()) + second))
+    }
+
     /// Spread between the node rules where both are known, and the first order that is missing; both relative
     /// to all orders.
     pub(crate) fn model_error(&self) -> ModelError {
@@ -170,7 +177,8 @@ impl FrameError {
         reference: &Reference,
         given_up: &GivenUp,
     ) -> Self {
-        let power = power_over_frame(paths, plan);
+        let of_reference = if plan.is_cross_polarized() { reference.power_over_array() } else { 0.0 };
+        let power = power_over_frame(paths, plan).max(of_reference);
         let relative = |part: f64| amplitude_ratio(part, power);
         let missed = |view: &PathView, bodies: &[Complex64]| {
             let sum_of =
@@ -238,12 +246,7 @@ pub(crate) fn dropped_sections(
     let bracket = bracket_of(plan.header.fidelity.nodes);
     let integration = Integration { wavenumbers_per_m: &wavenumbers, accuracy: plan.asked(), bracket };
     for meeting in meetings {
-        mirrors.add(mirrors.hits(
-            scatterer,
-            &meeting.facets,
-            &integration,
-            plan.header.radar.array.polarization,
-        ));
+        mirrors.add(mirrors.hits(scatterer, meeting, &integration, plan.header.radar.array.polarization));
     }
     let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.given_up(needed, mirrors.shares(0));
     [squares_m4.sqrt() / nearest_m2, sum_m2 / nearest_m2]

@@ -15,7 +15,7 @@ use crate::frame::snapshot::{Scenery, Snapshot};
 use crate::joins::scatterer::check_order;
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
-use crate::surface::skin::{COARSER, told_error};
+use crate::surface::skin::{COARSER, FinerSkin, told_error};
 use artifact::paths::{Curve, ErrorOrigin, Fineness, Path, PathsFrame, Rim, TraceStatistics};
 use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind, Wheel};
 use artifact::settings::Surface;
@@ -63,7 +63,7 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     let (plan, frame) = (scenery.plan, scenery.frame);
     let header = plan.header;
     // One moment's bodies and beams at a time.
-    let (reference, left_out, skin_error, check_bytes) = {
+    let (reference, left_out, skin, check_bytes) = {
         let check = scenery.at(plan.check_s, plan.check_ends_m)?;
         let reference = reference(&check.scatterer(plan, Phase::Checking), plan);
         let left_out = ModelError {
@@ -71,10 +71,11 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
             between_bodies: between_bodies_left_out(&check.world, plan, &reference)?,
             ..reference.model_error()
         };
-        (reference, left_out, check.world.skin_error(), check.bytes())
+        let skin = (check.world.facets().len(), check.world.skin_error());
+        (reference, left_out, skin, check.bytes())
     };
     let (reference, second_bytes) = with_second(scenery, reference)?;
-    let tessellation = tessellation(scenery, &reference, skin_error)?;
+    let tessellation = tessellation(scenery, &reference, skin)?;
     let points = point_paths(header, frame);
     let (seen, table, has_bodies) = {
         let snapshot = scenery.at(plan.middle_s, [plan.position_m; 2])?;
@@ -107,22 +108,30 @@ fn with_second(scenery: &Scenery<'_>, reference: Reference) -> Result<(Reference
     Ok((reference.with_second(&second.scatterer(plan, Phase::Checking), plan, view), second.bytes()))
 }
 
-/// Ratio ‖S(of facets cut for [`COARSER`] times the error) − S‖ over ‖S‖ at the moment of the check, where
-/// `reference` was made of bodies whose facets were cut for `skin_error`; `None` where facets are the surface.
+/// Ratio ‖S(of facets cut for [`COARSER`] times the error) − S‖ over ‖S‖ at the moment of the check, or of finer
+/// ones where these tell more ([`FinerSkin`]), where `reference` was made of so many facets cut for an error;
+/// `None` where facets are the surface.
 fn tessellation(
     scenery: &Scenery<'_>,
     reference: &Reference,
-    skin_error: f64,
+    (facets, skin_error): (usize, f64),
 ) -> Result<Option<f64>, BartError> {
     let plan = scenery.plan;
-    if plan.header.fidelity.surface == Surface::Flat {
+    let header = plan.header;
+    if header.fidelity.surface == Surface::Flat {
         return Ok(None);
     }
-    let models =
-        Models::build_coarser(plan.header, COARSER * skin_error)?.within(scenery.models.memory_limit);
-    let coarser = Scenery { models: &models, ..*scenery }.at(plan.check_s, plan.check_ends_m)?;
-    let difference = reference.difference(&coarser.scatterer(plan, Phase::Checking), plan);
-    Ok(Some(told_error(difference, skin_error)))
+    let difference = |models: Models| -> Result<(f64, usize), BartError> {
+        let models = models.within(scenery.models.memory_limit);
+        let other = Scenery { models: &models, ..*scenery }.at(plan.check_s, plan.check_ends_m)?;
+        Ok((reference.difference(&other.scatterer(plan, Phase::Checking), plan), other.world.facets().len()))
+    };
+    let (by_coarser, coarser) = difference(Models::build_coarser(header, COARSER * skin_error)?)?;
+    let by_finer = match FinerSkin::beside(facets, coarser, header.fidelity.bounces) {
+        Some(cut) => cut.over_difference() * difference(Models::build_finer(header, cut.times)?)?.0,
+        None => 0.0,
+    };
+    Ok(Some(told_error(by_coarser.max(by_finer), skin_error)))
 }
 
 fn traced_like(

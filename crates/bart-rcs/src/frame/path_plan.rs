@@ -2,9 +2,9 @@
 
 use crate::beams::beam::TraceSettings;
 use crate::bodies::body_gains::BodyGains;
+use crate::edges::lit_edge::tree_order_with;
 use crate::frame::array_places::{ArrayRow, checked_from_m};
 use crate::frame::path_sum::{Hearing, PathView};
-use crate::joins::join::tree_order;
 use crate::oversight::progress::Progress;
 use crate::surface::skin::share_beside;
 use crate::table::meeting::MeetingSettings;
@@ -67,7 +67,7 @@ impl<'a> Plan<'a> {
         // not followed.
         let least_area_m2 = 1e-2 * band.wavelength_m().powi(2) * fidelity.accuracy.amplitude();
         let trace = TraceSettings {
-            max_order: tree_order(fidelity.bounces, fidelity.nodes),
+            max_order: tree_order_with(fidelity.edges, fidelity.bounces, fidelity.nodes),
             sides: fidelity.sides,
             least_area_m2,
             least_mirror_area_m2: 100.0 * least_area_m2,
@@ -133,6 +133,22 @@ impl<'a> Plan<'a> {
     /// Place and time at which paths are summed; R_t and R_r are about 1 m, as only ratios are looked at.
     pub(crate) fn view(&self, seconds: f64) -> PathView {
         self.view_from([self.position_m; 2], seconds)
+    }
+
+    /// Pairs of elements whose mean power stands for the array's. What a wave turns by from one element to
+    /// another is all that flat plates have of the cross polarization, and it vanishes at the array's middle:
+    /// there the pairs of both checks are taken, which are about as far off it as the root mean square of all.
+    pub(crate) fn pairs_of_array_m(&self) -> Vec<[DVec3; 2]> {
+        match self.second_check {
+            Some((second_m, _)) if self.is_cross_polarized() => vec![self.check_ends_m, second_m],
+            _ => vec![[self.position_m; 2]],
+        }
+    }
+
+    /// Whether the radar receives the other polarization than it sends.
+    pub(crate) fn is_cross_polarized(&self) -> bool {
+        let (receive, transmit) = self.header.radar.array.polarization.indices();
+        receive != transmit
     }
 
     /// Middle of the places of the check.

@@ -1,7 +1,7 @@
 //! Paths too weak to matter: a table is no larger than the accuracy asked for needs.
 
 use crate::bodies::world::World;
-use crate::frame::band_power::{frequencies_hz, mean, power_over_frame, total};
+use crate::frame::band_power::{frequencies_hz, mean, power_over_frame};
 use crate::frame::path_plan::Plan;
 use crate::frame::path_sum::{PathView, apparent_m, element_over_band};
 use artifact::paths::Path;
@@ -61,23 +61,26 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
     Kept { paths, dropped_power, strongest_dropped }
 }
 
-/// Most of the first of these paths whose sum over the band has no more than a power, and that of the sum.
+/// Most of the first of these paths whose sum over the band and the array has no more than a power, and that
+/// of the sum.
 ///
 /// Sums of fewer may have more: cells of a face whose borders tell all of its echo cancel only together.
 fn negligible_together(weak: &[usize], paths: &[Path], plan: &Plan<'_>, budget: f64) -> (usize, f64) {
     let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
-    let view = plan.view(plan.middle_s);
+    let pairs = plan.pairs_of_array_m();
+    let views: Vec<PathView> = pairs.iter().map(|ends_m| plan.view_from(*ends_m, plan.middle_s)).collect();
     let (mut seen, mut most) = (0, (0, 0.0));
-    let mut sum = vec![Complex64::ZERO; FREQUENCIES];
+    let mut sums = vec![vec![Complex64::ZERO; FREQUENCIES]; views.len()];
     for run in weak.chunks(weak.len().div_ceil(RUNS).max(1)) {
         let of_run: Vec<Path> = run.iter().map(|&i| paths[i]).collect();
-        sum = total(
-            [sum, element_over_band(&of_run, &view, plan.hearing(), &frequencies)].into_iter(),
-            FREQUENCIES,
-        );
+        for (sum, view) in sums.iter_mut().zip(&views) {
+            let added = element_over_band(&of_run, view, plan.hearing(), &frequencies);
+            sum.iter_mut().zip(added).for_each(|(sum, added)| *sum += added);
+        }
         seen += run.len();
-        if mean(&sum) <= budget {
-            most = (seen, mean(&sum));
+        let together = sums.iter().map(|sum| mean(sum)).sum::<f64>() / views.len() as f64;
+        if together <= budget {
+            most = (seen, together);
         }
     }
     most

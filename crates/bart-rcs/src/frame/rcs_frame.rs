@@ -3,21 +3,20 @@
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::body_gains::BodyGains;
-use crate::bodies::models::Models;
+use crate::bodies::models::{BodyMesh, Models};
 use crate::bodies::motion::position_m;
 use crate::bodies::road::check_road;
 use crate::bodies::world::World;
+use crate::edges::lit_edge::tree_order_with;
 use crate::frame::band_power::frequencies_hz;
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
-use crate::joins::afforded::are_few_tiles;
 use crate::joins::band::INTERPOLATION_ERROR;
-use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress, Unheard};
-use crate::surface::skin::{COARSER, told_error};
+use crate::surface::skin::{COARSER, FinerSkin, told_error};
 use crate::table::aspect_settings::{Finer, IntegralsCheck};
 use crate::table::far_field_error::Compared;
 use crate::table::measured_aspects::interpolation_error;
@@ -45,6 +44,7 @@ pub(crate) fn rcs_frame(
     let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
+    check_wheels(models, header)?;
     if frame.poses.len() != header.targets.len() {
         let (poses, targets) = (frame.poses.len(), header.targets.len());
         return Err(BartError::PosesDoNotMatch { frame: frame.index, poses, targets });
@@ -76,6 +76,19 @@ pub(crate) fn rcs_frame(
         error: powers.error(),
         model_error: powers.model_error(header.fidelity.bounces),
     })
+}
+
+/// Refuses what goes round on a body: a table holds one that is rigid while a frame lasts.
+fn check_wheels(models: &Models, header: &SceneHeader) -> Result<(), BartError> {
+    let refused = |choice| Err(BartError::NotBuilt { choice });
+    let on_wheel = |target: &Target| matches!(target.kind, TargetKind::Point { wheel: Some(_), .. });
+    match header.targets.iter().any(on_wheel) {
+        _ if !models.vehicles_of_wheels(header).is_empty() => {
+            refused("wheels = \"turning\" with echo = \"rcs-table\"")
+        }
+        true => refused("a point on a wheel with echo = \"rcs-table\""),
+        false => Ok(()),
+    }
 }
 
 /// Most values of an axis, odd: beyond it interpolation errs more than was asked, and the echo's own check
@@ -217,9 +230,7 @@ impl<'a> TabledBody<'a> {
         if edges == Edges::Ignored && !is_bent {
             return interpolation;
         }
-        let facets = meetings.iter().map(|meeting| &meeting.facets);
-        let is_few = is_bent && are_few_tiles(scatterer, facets, &integration);
-        let finer = if is_few { Finer::Far } else { Finer::TenTimes };
+        let finer = Finer::beside(scatterer, meetings, &integration);
         let accuracy = finer.bounds() * integration.accuracy;
         let finer_m = self.by_order(scatterer, meetings, &Integration { accuracy, ..integration });
         let finer_m = total(&finer_m, wavenumbers.len());
@@ -228,8 +239,8 @@ impl<'a> TabledBody<'a> {
         IntegralsCheck::Compared.error_power(compared, bounds, power(&finer_m)) + interpolation
     }
 
-    /// Power of the difference that coarser facets in place of a skin make at the middle aspect; none where
-    /// facets are the surface.
+    /// Power of the difference that coarser facets in place of a skin make at the middle aspect, or finer ones
+    /// where these tell more ([`FinerSkin`]); none where facets are the surface.
     fn tessellation_power(
         &self,
         middle: DVec3,
@@ -238,12 +249,20 @@ impl<'a> TabledBody<'a> {
         if self.header.fidelity.surface == Surface::Flat {
             return Ok(0.0);
         }
+        let (header, own) = (self.header, self.world.facets().len());
+        let differing = |mesh: BodyMesh| -> Result<(f64, usize), BartError> {
+            let world = World::alone(Arc::new(mesh), self.target, self.mesh.makeup.transmission)?;
+            let other = TabledBody { world, ..*self };
+            let other_m = other.anew(Antenna::Direction(middle / middle.length()), middle, wavenumbers)?;
+            Ok((difference(table, &other_m), other.world.facets().len()))
+        };
         let error = COARSER * self.world.skin_error();
-        let model = Arc::new(Models::coarser_of(self.header, self.mesh, error)?);
-        let world = World::alone(model, self.target, self.mesh.makeup.transmission)?;
-        let coarser = TabledBody { world, ..*self };
-        let coarser_m = coarser.anew(Antenna::Direction(middle / middle.length()), middle, wavenumbers)?;
-        Ok(difference(table, &coarser_m))
+        let (by_coarser, coarser) = differing(Models::coarser_of(header, self.mesh, error)?)?;
+        let Some(cut) = FinerSkin::beside(own, coarser, header.fidelity.bounces) else {
+            return Ok(by_coarser);
+        };
+        let (by_finer, _) = differing(Models::finer_of(header, self.mesh, cut.times)?)?;
+        Ok(by_coarser.max(cut.over_difference().powi(2) * by_finer))
     }
 
     /// Amplitude of all beams given up, with independent phases.
@@ -253,7 +272,7 @@ impl<'a> TabledBody<'a> {
         let (integration, polarization) =
             (self.integration(wavenumbers), self.header.radar.array.polarization);
         for meeting in meetings {
-            mirrors.add(mirrors.hits(scatterer, &meeting.facets, &integration, polarization));
+            mirrors.add(mirrors.hits(scatterer, meeting, &integration, polarization));
         }
         let overlaps = meetings.iter().map(|meeting| meeting.facets.given_up);
         let [dropped_m, _] = mirrors.dropped_m(scatterer.trees, overlaps, (trace.max_order, wavenumbers));
@@ -283,7 +302,7 @@ impl<'a> TabledBody<'a> {
         let least_area_m2 =
             1e-2 * self.header.radar.waveform.wavelength_m().powi(2) * fidelity.accuracy.amplitude();
         TraceSettings {
-            max_order: tree_order(fidelity.bounces, fidelity.nodes),
+            max_order: tree_order_with(fidelity.edges, fidelity.bounces, fidelity.nodes),
             sides: fidelity.sides,
             least_area_m2,
             least_mirror_area_m2: 100.0 * least_area_m2,

@@ -62,6 +62,44 @@ pub(crate) fn share_beside(surface: Surface) -> f64 {
 /// the difference.
 pub(crate) const COARSER: f64 = 4.0;
 
+/// Facets that a body may have, about, to be compared with: cut for less error than its own.
+///
+/// Where a skin is doubly bent, facets are as many times more as the error is less. Mirrors send beams from each
+/// to each, and fewer are afforded.
+const FINER_FACETS: usize = 32_000;
+const FINER_MIRRORS: usize = 8_000;
+/// Factors of the error that these are cut for, the finest first.
+const FINER_TIMES: [f64; 3] = [64.0, 16.0, 4.0];
+
+/// A comparison with finer facets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FinerSkin {
+    /// Factor by which the error is less that they are cut for.
+    pub(crate) times: f64,
+}
+
+impl FinerSkin {
+    /// The finest that is affordable beside so many facets of a run of so many bounces; none where coarser
+    /// ones tell what facets err by.
+    ///
+    /// Limits of a single bounce tell it of a skin that has far fewer coarser facets. From the second bounce on
+    /// a facet is a flat mirror, what it shows of the next is not told by its sagitta, and skins that are both
+    /// too coarse may differ by little.
+    pub(crate) fn beside(facets: usize, coarser: usize, bounces: u8) -> Option<Self> {
+        if bounces < 2 && 2 * coarser <= facets {
+            return None;
+        }
+        let most = if bounces < 2 { FINER_FACETS } else { FINER_MIRRORS };
+        let fits = |times: &f64| facets as f64 * times <= most as f64;
+        FINER_TIMES.into_iter().find(fits).map(|times| Self { times })
+    }
+
+    /// Error over the difference, where errors fall as what facets are cut for.
+    pub(crate) fn over_difference(self) -> f64 {
+        1.0 / (1.0 - 1.0 / self.times)
+    }
+}
+
 /// Error told of facets cut for `cut_for`, by the relative difference to [`COARSER`] ones. Of a mesh that is
 /// finer than both cuts there is none, and at few frequencies and aspects it may vanish by chance: no less
 /// than half of what they are cut for is told.

@@ -5,7 +5,6 @@ use crate::beams::beam::BeamTree;
 use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
-use crate::joins::afforded::are_few_tiles;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
@@ -84,10 +83,10 @@ pub(crate) fn scattering_with(
     let mut ends = Ends::new(world, aspect, company, settings)?;
     ends.grow_to(1)?;
     ends.check_open()?;
-    ends.grow_to(tree_order(settings.bounces, settings.nodes))?;
+    ends.grow_to(settings.tree_order())?;
     let trace_seconds = metered.lap_s();
     let is_measured = checks.integrals != IntegralsCheck::Skipped;
-    let Chosen { orders: chosen, mirrors, accuracy, finer } = ends.chosen(aspect, settings, checks)?;
+    let Chosen { orders: chosen, mirrors, accuracy, finer } = ends.chosen(settings, checks)?;
     let settings = &AspectSettings { accuracy, ..settings.clone() };
     let integrate_seconds = metered.lap_s();
     let [dropped_m, dropped_at_most_m] = ends.dropped_m(&chosen, &mirrors, settings);
@@ -199,20 +198,15 @@ impl<'a> Ends<'a> {
     }
 
     /// Every order by the rule asked for, with what its errors are told by.
-    fn chosen(
-        &self,
-        aspect: &Aspect,
-        settings: &AspectSettings,
-        checks: Checks,
-    ) -> Result<Chosen, BartError> {
+    fn chosen(&self, settings: &AspectSettings, checks: Checks) -> Result<Chosen, BartError> {
         let (scatterer, rule) = (self.scatterer(), settings.nodes);
-        let needed = tree_order(settings.bounces, rule);
+        let needed = settings.tree_order();
         let mut mirrors = SmallMirrors::of(scatterer.trees, needed, settings.trace.least_mirror_area_m2);
         let meetings = meetings(&scatterer, 1, rule, settings);
         let settings = &settings.afforded(&scatterer, &meetings, rule)?;
         let integration = settings.integration(rule);
         let of_order = |meeting: &OrderJoints| {
-            let hits = mirrors.hits(&scatterer, &meeting.facets, &integration, settings.polarization);
+            let hits = mirrors.hits(&scatterer, meeting, &integration, settings.polarization);
             (of_meeting(&scatterer, meeting, rule, settings), hits)
         };
         // Side by side: where one order is weighed by one thread, others are integrated.
@@ -222,10 +216,10 @@ impl<'a> Ends<'a> {
             order
         };
         let orders = found.into_iter().map(take).collect();
-        let is_asked = checks.integrals != IntegralsCheck::Skipped && self.are_cut(aspect);
-        let facets = meetings.iter().map(|meeting| &meeting.facets);
-        let is_few = is_asked && are_few_tiles(&scatterer, facets, &integration);
-        let finer = if is_few { Finer::Far } else { Finer::TenTimes };
+        let finer = match checks.integrals {
+            IntegralsCheck::Skipped => Finer::TenTimes,
+            _ => Finer::beside(&scatterer, &meetings, &integration),
+        };
         Ok(Chosen { orders, mirrors, accuracy: settings.accuracy, finer })
     }
 
@@ -240,7 +234,7 @@ impl<'a> Ends<'a> {
 
     /// Amplitude of what was dropped, as of [`SmallMirrors::dropped_m`].
     fn dropped_m(&self, orders: &[OfOrder], mirrors: &SmallMirrors, settings: &AspectSettings) -> [f64; 2] {
-        let needed = tree_order(settings.bounces, settings.nodes);
+        let needed = settings.tree_order();
         let overlaps = orders.iter().map(|order| order.given_up);
         mirrors.dropped_m(self.joined_trees(), overlaps, (needed, &settings.wavenumbers_per_m))
     }

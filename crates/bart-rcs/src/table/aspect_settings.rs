@@ -2,7 +2,8 @@
 
 use crate::beams::beam::TraceSettings;
 use crate::bodies::stand_off::distance_and_diagonal_m;
-use crate::joins::afforded::{FAR_FINER, afforded};
+use crate::edges::lit_edge::tree_order_with;
+use crate::joins::afforded::{FAR_FINER, afforded, are_few_tiles};
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::oversight::error::BartError;
 use crate::table::meeting::{MeetingSettings, OrderJoints};
@@ -31,6 +32,11 @@ impl AspectSettings {
     pub(crate) fn seen_from(&self, aspect: &Aspect) -> Self {
         let least_area_m2 = if aspect.is_along_sheet { 0.0 } else { self.trace.least_area_m2 };
         Self { trace: TraceSettings { least_area_m2, ..self.trace }, ..self.clone() }
+    }
+
+    /// Highest order of beams that the rule asked for needs.
+    pub(crate) fn tree_order(&self) -> u8 {
+        tree_order_with(self.edges, self.bounces, self.nodes)
     }
 
     /// The wavelength at the lowest frequency.
@@ -106,6 +112,18 @@ pub(crate) enum Finer {
 }
 
 impl Finer {
+    /// Integrals to compare these of some meetings with: far finer ones where facets are cut into few tiles.
+    pub(crate) fn beside(
+        scatterer: &Scatterer<'_>,
+        meetings: &[OrderJoints],
+        integration: &Integration<'_>,
+    ) -> Self {
+        let facets = meetings.iter().map(|meeting| &meeting.facets);
+        // A plane wave over a flat polygon is integrated as one.
+        let is_cut = !scatterer.is_far() || scatterer.world.skin_error() > 0.0;
+        if is_cut && are_few_tiles(scatterer, facets, integration) { Self::Far } else { Self::TenTimes }
+    }
+
     /// Bounds over those of the coarser ones.
     pub(crate) fn bounds(self) -> f64 {
         match self {

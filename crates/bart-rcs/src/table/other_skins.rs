@@ -3,7 +3,7 @@
 
 use crate::bodies::world::World;
 use crate::oversight::error::BartError;
-use crate::surface::skin::{COARSER, Skin, cut_for_apart, told_error};
+use crate::surface::skin::{COARSER, FinerSkin, Skin, cut_for_apart, told_error};
 use crate::table::aspect::{Scattering, scattering};
 use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
 use crate::table::measured_aspects::strongest;
@@ -32,15 +32,12 @@ pub(crate) struct OtherSkins<'a> {
 
 /// Aspects of a table that are traced over coarser facets as well.
 const COMPARED: usize = 3;
-/// Most facets that are compared with finer ones.
+/// Most facets that are compared with finer ones at a lobe beside each aspect as well.
 const FEW_FACETS: usize = 500;
-/// Factor of the error that these are cut for: sides are halved four times, so that what shadows of chords
-/// err by falls to 1/256. There are 16 times as many facets on a cylinder, 256 times on a sphere.
-const FINER: f64 = COARSER * COARSER * COARSER;
 
 impl OtherSkins<'_> {
     /// Error by facets in place of a skin: ‖S(of coarser ones) − S‖ over ‖S‖ at the strongest aspects, or of
-    /// finer ones where the mesh leaves little to make coarser and they differ by more; `None` where facets
+    /// finer ones where these tell more and are affordable ([`FinerSkin`]); `None` where facets
     /// are the surface itself.
     pub(crate) fn tessellation(&self, world: &World) -> Result<Option<f64>, BartError> {
         if self.request.surface == Surface::Flat {
@@ -56,26 +53,26 @@ impl OtherSkins<'_> {
             differing += found.difference(&self.table[index]);
             whole += self.table[index].mean_power();
         }
-        if let Some(finer) = self.finer(world, &coarser)? {
-            let turn_rad = self.lobe_rad();
+        if let Some((finer, over_difference)) = self.finer(world, &coarser)? {
+            let turn_rad = (world.facets().len() <= FEW_FACETS).then(|| self.lobe_rad());
             let by_finer =
                 |&index: &usize| differing_about(&self.aspects[index], turn_rad, [world, &finer], &settings);
             let powers = compared.iter().map(by_finer).collect::<Result<Vec<_>, _>>()?;
-            differing = differing.max(powers.iter().sum());
+            differing = differing.max(over_difference.powi(2) * powers.iter().sum::<f64>());
         }
         let cut_for = cut_for_apart(world.skin_error(), apart_rad);
         Ok(Some(told_error(amplitude_ratio(differing, whole), cut_for)))
     }
 
-    /// World of finer facets, where coarser ones are nearly the same: those of the mesh itself, which no skin
-    /// makes coarser. Flat facets cast the shadows of their chords, which no limit of a single bounce bounds.
-    fn finer(&self, world: &World, coarser: &World) -> Result<Option<World>, BartError> {
+    /// World of finer facets where coarser ones tell too little and they are affordable, with the error over
+    /// the difference.
+    fn finer(&self, world: &World, coarser: &World) -> Result<Option<(World, f64)>, BartError> {
         let own = world.facets().len();
-        if 2 * coarser.facets().len() <= own || own > FEW_FACETS {
+        let Some(cut) = FinerSkin::beside(own, coarser.facets().len(), self.request.bounces) else {
             return Ok(None);
-        }
-        let finer = World::of_skin(self.mesh, skin(self.request).finer(FINER))?;
-        Ok(Some(finer).filter(|finer| finer.facets().len() > own))
+        };
+        let finer = World::of_skin(self.mesh, skin(self.request).finer(cut.times))?;
+        Ok(Some((finer, cut.over_difference())).filter(|(finer, _)| finer.facets().len() > own))
     }
 
     /// Width of a lobe of the body's extent D at the highest frequency, λ/2D; at most a hundredth of a turn.
@@ -109,11 +106,12 @@ impl OtherSkins<'_> {
     }
 }
 
-/// Mean power of the difference between two worlds at an aspect and at two a lobe beside it, each about
-/// another axis: at one alone it may vanish by chance. Where no antenna can stand beside, the aspect is all.
+/// Mean power of the difference between two worlds at an aspect and, where a lobe is told, at two beside it,
+/// each about another axis: at one alone it may vanish by chance. Where no antenna can stand beside, the aspect
+/// is all.
 fn differing_about(
     aspect: &Aspect,
-    turn_rad: f64,
+    turn_rad: Option<f64>,
     worlds: [&World; 2],
     settings: &AspectSettings,
 ) -> Result<f64, BartError> {
@@ -124,7 +122,7 @@ fn differing_about(
     let (antenna, zenith_h) = aspect.transmit;
     let across = zenith_h.cross(antenna.towards(DVec3::ZERO).normalize_or_zero());
     let beside = [zenith_h + across, zenith_h - across].into_iter().filter_map(|axis| {
-        differing(&aspect.turned(DQuat::from_axis_angle(axis.try_normalize()?, turn_rad))).ok()
+        differing(&aspect.turned(DQuat::from_axis_angle(axis.try_normalize()?, turn_rad?))).ok()
     });
     let powers: Vec<f64> = [differing(aspect)?].into_iter().chain(beside).collect();
     Ok(powers.iter().sum::<f64>() / powers.len() as f64)

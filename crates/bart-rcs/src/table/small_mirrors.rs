@@ -11,13 +11,23 @@
 //!
 //! share = Σ_j max(a_j, a₀)/A · |S_j(made no larger than a₀)|²/(k/√π·a₀)²
 //!
+//! An edge is a line, and scatters by its length: of a part of side √a₀ that lights joint j of an edge, whose
+//! length across the beam is l_j, the probability is max(l_j, √a₀)·√a₀/A, and what is scattered is what j
+//! would scatter if it were no longer than √a₀. Where a₀ is below 1/k² that is more than a plate would, and
+//! no bound of plates holds it:
+//!
+//! share of edges = Σ_j max(l_j, √a₀)·√a₀/A · |S_j(made no longer than √a₀)|²/(k/√π·a₀)²
+//!
 //! a₀ is the mean area of what was not followed. What is assumed: mirrors too small to be followed lie among
-//! facets as the smallest of the larger ones do. Edges that they light are not looked at.
+//! facets and edges as the smallest of the larger ones do.
 
 use crate::beams::beam::{Beam, BeamTree};
+use crate::edges::edge_scattering::part_amplitudes;
+use crate::edges::lit_edge::EdgeJoint;
 use crate::geometry::clip::doubled_area;
-use crate::joins::joint::{Joint, Joints, Trees};
+use crate::joins::joint::{Joint, Trees};
 use crate::joins::scatterer::{Integration, Part, Scatterer, with_reverse};
+use crate::table::meeting::OrderJoints;
 use artifact::radar::Polarization;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -45,6 +55,8 @@ struct TreeSample {
     area_m2: f64,
     /// The share of every mirror, summed over its joints.
     shares: Vec<f64>,
+    /// The same of its joints on edges.
+    edge_shares: Vec<f64>,
 }
 
 /// A mirror of a sample and what a joint adds to its share.
@@ -52,6 +64,14 @@ pub(crate) struct Hit {
     sample: usize,
     place: usize,
     share: f64,
+    on: Lit,
+}
+
+/// Target of a mirror.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Lit {
+    Facet,
+    Edge,
 }
 
 impl SmallMirrors {
@@ -64,11 +84,11 @@ impl SmallMirrors {
         Self { samples: ends(trees).enumerate().flat_map(of_end).collect() }
     }
 
-    /// Hits by the joints of one order, at the highest of the wavenumbers.
+    /// Hits by the joints of one order on facets and on edges, at the highest of the wavenumbers.
     pub(crate) fn hits(
         &self,
         scatterer: &Scatterer<'_>,
-        joints: &Joints,
+        meeting: &OrderJoints,
         integration: &Integration<'_>,
         polarization: Polarization,
     ) -> Vec<Hit> {
@@ -76,15 +96,20 @@ impl SmallMirrors {
         let Some(wavenumber_per_m) = highest else { return Vec::new() };
         let look =
             MirrorProbe { scatterer, samples: &self.samples, wavenumber_per_m, integration, polarization };
+        let joints = &meeting.facets;
         let of_joint = |joint: &Joint| look.hits(joint, joints.polygon(joint));
-        let found: Vec<Vec<Hit>> = joints.list.par_iter().with_min_len(RUN).map(of_joint).collect();
-        found.into_iter().flatten().collect()
+        let of_facets: Vec<Vec<Hit>> = joints.list.par_iter().with_min_len(RUN).map(of_joint).collect();
+        let of_edge = |joint: &EdgeJoint| look.edge_hits(joint);
+        let of_edges: Vec<Vec<Hit>> = meeting.edges.par_iter().with_min_len(RUN).map(of_edge).collect();
+        of_facets.into_iter().chain(of_edges).flatten().collect()
     }
 
     /// Adds the hits to their samples.
     pub(crate) fn add(&mut self, hits: Vec<Hit>) {
-        for hit in hits {
-            self.samples[hit.sample].shares[hit.place] += hit.share;
+        for Hit { sample, place, share, on } in hits {
+            let sample = &mut self.samples[sample];
+            let shares = if on == Lit::Edge { &mut sample.edge_shares } else { &mut sample.shares };
+            shares[place] += share;
         }
     }
 
@@ -135,7 +160,8 @@ impl TreeSample {
         let mirrors: Vec<u32> =
             mirrors.iter().copied().step_by(mirrors.len().div_ceil(MOST).max(1)).collect();
         let shares = vec![0.0; mirrors.len()];
-        (area_m2 > 0.0).then_some(Self { end, order, mirrors, area_m2, shares })
+        let edge_shares = shares.clone();
+        (area_m2 > 0.0).then_some(Self { end, order, mirrors, area_m2, shares, edge_shares })
     }
 
     /// Mean of the shares, not below the true one in 95 of 100 cases.
@@ -144,11 +170,15 @@ impl TreeSample {
     /// below. It knows nothing of shares that are rarer than one in n: 3/n of the mirrors may be whole plates
     /// of which none was met (e⁻³ = 5 %).
     fn share(&self) -> f64 {
-        let sum: f64 = self.shares.iter().sum();
-        let error = self.shares.iter().map(|share| share * share).sum::<f64>().sqrt();
         // Of no mirrors nothing is known: the quotient is infinite.
-        ((sum + 1.645 * error + 3.0) / self.mirrors.len() as f64).min(1.0)
+        let of_facets = ((at_most(&self.shares) + 3.0) / self.mirrors.len() as f64).min(1.0);
+        of_facets + at_most(&self.edge_shares) / self.mirrors.len().max(1) as f64
     }
+}
+
+/// Sum of independent shares, not below the true one in 95 of 100 cases.
+fn at_most(shares: &[f64]) -> f64 {
+    shares.iter().sum::<f64>() + 1.645 * shares.iter().map(|share| share * share).sum::<f64>().sqrt()
 }
 
 /// Tools by which joints are looked at.
@@ -166,16 +196,34 @@ const ACCURACY: f64 = 0.1;
 impl MirrorProbe<'_> {
     /// Hits of a joint: what it adds to each sampled mirror on its ways.
     fn hits(&self, joint: &Joint, corners_m: &[DVec3]) -> Vec<Hit> {
-        let mut hits: Vec<Hit> = Vec::new();
         if joint.weight == 0.0 {
-            return hits;
+            return Vec::new();
         }
-        for (end, beam) in [joint.forward, joint.backward].into_iter().enumerate() {
+        self.on_ways([joint.forward, joint.backward], Lit::Facet, |way, mirror| {
+            self.share(joint, corners_m, way, mirror)
+        })
+    }
+
+    /// Hits of a joint on an edge.
+    fn edge_hits(&self, joint: &EdgeJoint) -> Vec<Hit> {
+        self.on_ways([joint.forward, joint.backward], Lit::Edge, |way, mirror| {
+            self.edge_share(joint, way, mirror)
+        })
+    }
+
+    /// Hits on both ways of a joint, by the share that it has of each end's beam and a sampled mirror.
+    fn on_ways(
+        &self,
+        beams: [u32; 2],
+        on: Lit,
+        share: impl Fn((usize, u32), (usize, usize)) -> f64,
+    ) -> Vec<Hit> {
+        let mut hits: Vec<Hit> = Vec::new();
+        for (end, beam) in beams.into_iter().enumerate() {
             for (sample, place) in self.sampled_on_way(end, beam) {
                 // One mirror on both ways is lost once.
                 if !hits.iter().any(|hit| (hit.sample, hit.place) == (sample, place)) {
-                    let share = self.share(joint, corners_m, (end, beam), (sample, place));
-                    hits.push(Hit { sample, place, share });
+                    hits.push(Hit { sample, place, share: share((end, beam), (sample, place)), on });
                 }
             }
         }
@@ -223,6 +271,31 @@ impl MirrorProbe<'_> {
         (area_m2.max(sample.area_m2) / mirror.across_m2).min(1.0) * scattered / (plate_m * plate_m)
     }
 
+    /// Share max(l_j, √a₀)·√a₀/A · |S_j(made no longer than √a₀)|²/(k/√π·a₀)² of a joint on an edge.
+    fn edge_share(
+        &self,
+        joint: &EdgeJoint,
+        (end, beam): (usize, u32),
+        (sample, place): (usize, usize),
+    ) -> f64 {
+        let sample = &self.samples[sample];
+        let mirror = &self.tree(sample.end).beams[sample.mirrors[place] as usize];
+        let edge = &self.scatterer.world.edges(self.wavenumber_per_m).edges[joint.edge as usize];
+        let [from_m, to_m] = joint.span_m;
+        let middle = 0.5 * (from_m + to_m);
+        let towards = self.tree(end).beams[beam as usize].image.towards(edge.point_m(middle));
+        let across_m = (to_m - from_m) * edge.wedge.along.cross(towards.normalize_or_zero()).length();
+        let side_m = sample.area_m2.sqrt();
+        let half_m = 0.5 * (to_m - from_m) * (side_m / across_m).min(1.0);
+        let span_m = [middle - half_m, middle + half_m];
+        let wavenumbers_per_m = [self.wavenumber_per_m];
+        let (_, found) = part_amplitudes(self.scatterer, joint, span_m, &wavenumbers_per_m, ACCURACY);
+        let (p, q) = self.polarization.indices();
+        let scattered = with_reverse(joint.reverse, &found.value[0])[p][q].norm_sqr();
+        let plate_m = self.wavenumber_per_m / PI.sqrt() * sample.area_m2;
+        (across_m.max(side_m) * side_m / mirror.across_m2).min(1.0) * scattered / (plate_m * plate_m)
+    }
+
     fn tree(&self, end: usize) -> &BeamTree {
         if end == 0 { self.scatterer.trees.transmit() } else { self.scatterer.trees.receive() }
     }
@@ -239,10 +312,11 @@ mod tests {
     use super::*;
     use crate::beams::beam::TraceSettings;
     use crate::bodies::world::World;
+    use crate::edges::edge_scattering::edge_share;
     use crate::geometry::antenna::Antenna;
     use crate::joins::join::tree_order;
     use crate::joins::scatterer::{ZenithH, bracket_of};
-    use crate::table::meeting::{MeetingSettings, OrderJoints};
+    use crate::table::meeting::MeetingSettings;
     use artifact::scene::Mesh;
     use artifact::settings::{Edges, NodeRule, Sides};
 
@@ -250,8 +324,8 @@ mod tests {
     const LEAST_M2: f64 = 1e-6;
 
     /// A floor of many small plates, of 0.6 to 3 mm so that some are below the least area and some are not,
-    /// and a wall.
-    fn corner(wall: &[[f64; 3]]) -> World {
+    /// and walls.
+    fn corner(walls: &[[[f64; 3]; 4]]) -> World {
         let mut mesh = Mesh::default();
         let mut face = |corners: &[[f64; 3]]| {
             let first = mesh.vertices_m.len() as u32;
@@ -263,14 +337,12 @@ mod tests {
             let side = 6e-4 + 2.4e-3 * f64::from((i * 37) % 101) / 101.0;
             face(&[[x, y, 0.0], [x + side, y, 0.0], [x + side, y + side, 0.0], [x, y + side, 0.0]]);
         }
-        if !wall.is_empty() {
-            face(wall);
-        }
+        walls.iter().for_each(|wall| face(wall));
         World::of_mesh(&mesh).unwrap()
     }
 
     /// The share that is told, and Σ|S|² of what the smaller mirrors add over the bound, m².
-    fn told_and_true(world: &World) -> [f64; 2] {
+    fn told_and_true(world: &World, edges: Edges) -> [f64; 2] {
         let antenna = Antenna::Direction(DVec3::new(0.6, 0.48, 0.64));
         let of = |least_mirror_area_m2: f64| {
             let trace =
@@ -284,19 +356,16 @@ mod tests {
                 accuracy: 1e-3,
                 bracket: bracket_of(nodes),
             };
-            let what = MeetingSettings {
-                nodes,
-                edges: Edges::Ignored,
-                least_area_m2: 1e-9,
-                wavenumber_per_m: WAVENUMBER_PER_M,
-            };
+            let what =
+                MeetingSettings { nodes, edges, least_area_m2: 1e-9, wavenumber_per_m: WAVENUMBER_PER_M };
             let mut mirrors = SmallMirrors::of(scatterer.trees, tree_order(2, nodes), least_mirror_area_m2);
             let mut power_m2 = 0.0;
             for order in 1..=2 {
-                let joints = OrderJoints::of(&scatterer, order, &what).facets;
-                mirrors.add(mirrors.hits(&scatterer, &joints, &integration, Polarization::Vv));
-                let is_small = |joint: &Joint| {
-                    let parent = tree.beams[joint.forward as usize].parent;
+                let meeting = OrderJoints::of(&scatterer, order, &what);
+                mirrors.add(mirrors.hits(&scatterer, &meeting, &integration, Polarization::Vv));
+                let joints = &meeting.facets;
+                let is_small = |beam: u32| {
+                    let parent = tree.beams[beam as usize].parent;
                     parent.is_some_and(|p| tree.beams[p as usize].across_m2 < LEAST_M2)
                 };
                 let power = |joint: &Joint| {
@@ -304,7 +373,13 @@ mod tests {
                         [0]
                     .norm_sqr()
                 };
-                power_m2 += joints.list.iter().filter(|joint| is_small(joint)).map(power).sum::<f64>();
+                power_m2 +=
+                    joints.list.iter().filter(|joint| is_small(joint.forward)).map(power).sum::<f64>();
+                let of_edge = |joint: &EdgeJoint| {
+                    edge_share(&scatterer, joint, DVec3::ZERO, &integration).value[0][0][0].norm_sqr()
+                };
+                let lit = meeting.edges.iter().filter(|at| is_small(at.forward) || is_small(at.backward));
+                power_m2 += lit.map(of_edge).sum::<f64>();
             }
             (mirrors.shares(0)(1), tree.audit.orders[0].unreflected_across_squared_m4, power_m2)
         };
@@ -316,12 +391,8 @@ mod tests {
     /// The wall takes what the floor reflects, and sends it back.
     #[test]
     fn mirrors_before_a_wall_are_told_to_scatter_what_they_do() {
-        let [told, truth] = told_and_true(&corner(&[
-            [-0.02, -0.2, 0.0],
-            [-0.02, 0.3, 0.0],
-            [-0.02, 0.3, 0.3],
-            [-0.02, -0.2, 0.3],
-        ]));
+        let wall = [[-0.02, -0.2, 0.0], [-0.02, 0.3, 0.0], [-0.02, 0.3, 0.3], [-0.02, -0.2, 0.3]];
+        let [told, truth] = told_and_true(&corner(&[wall]), Edges::Ignored);
         println!("share told {told:.3}, true {truth:.3}");
         // At least the truth, and above it by no more than the margins of some hundred mirrors, 1.645/√100 =
         // 16 %, and what small pieces gain where their phase turns less: within half a wavelength a square
@@ -329,9 +400,26 @@ mod tests {
         assert!(truth > 0.02 && told >= truth && told < 1.5 * truth);
     }
 
+    /// Fins that lie in what the floor reflects, to a degree, and are lit from above: no facet is met from both
+    /// ends, but their front edges are.
+    #[test]
+    fn mirrors_before_edges_are_told_to_scatter_what_they_do() {
+        let fin = |i: u32| {
+            let front = 0.02 + 2e-3 * f64::from(i);
+            let back = front + 0.0124;
+            [[-0.02, -0.2, front], [-0.02, 0.3, front], [-0.032, 0.3, back], [-0.032, -0.2, back]]
+        };
+        let world = corner(&(0..60).map(fin).collect::<Vec<_>>());
+        let [told, truth] = told_and_true(&world, Edges::FirstOrder);
+        let [of_facets, _] = told_and_true(&world, Edges::Ignored);
+        println!("share told {told:.3}, of facets alone {of_facets:.3}, true {truth:.3}");
+        // At least the truth, and above it by no more than mirrors of another size tell.
+        assert!(of_facets < truth && told >= truth && told < 3.0 * truth);
+    }
+
     #[test]
     fn mirrors_before_nothing_are_told_to_scatter_next_to_nothing() {
-        let [told, truth] = told_and_true(&corner(&[]));
+        let [told, truth] = told_and_true(&corner(&[]), Edges::Ignored);
         println!("share told {told:.3}, true {truth:.3}");
         // 3 of some hundred might be plates.
         assert!(truth == 0.0 && told > 0.0 && told < 0.02);
@@ -344,7 +432,7 @@ mod tests {
             triangles: vec![[0, 1, 2]],
             ..Mesh::default()
         };
-        let [told, _] = told_and_true(&World::of_mesh(&mesh).unwrap());
+        let [told, _] = told_and_true(&World::of_mesh(&mesh).unwrap(), Edges::Ignored);
         assert!(told == 1.0);
     }
 }

@@ -3,8 +3,8 @@
 
 use crate::frames::{pose, scene};
 use artifact::rcs::{RcsFrame, RcsTable};
-use artifact::scene::{Mesh, SceneFrame, SceneHeader};
-use artifact::settings::{Edges, Surface};
+use artifact::scene::{Mesh, RoadWheel, SceneFrame, SceneHeader, TargetKind, Wheel};
+use artifact::settings::{Edges, Surface, Wheels};
 use artifact::{Accuracy, radar::Polarization};
 use bart_rcs::{RcsRequest, Tracer, Unheard, rcs};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -52,23 +52,46 @@ fn error_of(table: &RcsTable, header: &SceneHeader) -> f64 {
     (error / exact.iter().map(|exact| exact.norm_sqr()).sum::<f64>()).sqrt()
 }
 
+/// What goes round on a body is in no table: a scene that has it is refused, where the wheels were left out.
+#[test]
+fn tables_of_what_turns_on_a_body_are_refused_by_name() {
+    let mut body = tube();
+    body.wheels = vec![RoadWheel { hub_m: [0.0; 3], radius_m: 0.3, triangles: (0..4).collect() }];
+    let start = pose([4.0, 30.0, 0.3], [3.0, 0.0, 0.0], 0.0);
+    let mut scene = scene(&[(body, start)], &[(1.0, start)], -20.0, 1);
+    let refused = |scene: &(SceneHeader, SceneFrame)| {
+        let tables = Tracer::new(&scene.0).unwrap().tables(&scene.0, &scene.1, &Unheard);
+        tables.err().map_or_else(String::new, |error| error.to_string())
+    };
+    assert_eq!(refused(&scene), "", "wheels that stand still are part of the body");
+    scene.0.fidelity.wheels = Wheels::Turning;
+    assert!(refused(&scene).contains("wheels = \"turning\""), "{}", refused(&scene));
+    scene.0.fidelity.wheels = Wheels::Still;
+    let wheel = Some(Wheel { radius_m: 0.3, angle_rad: 0.0 });
+    scene.0.targets[1].kind = TargetKind::Point { rcs_m2: 1.0, wheel };
+    assert!(refused(&scene).contains("a point on a wheel"), "{}", refused(&scene));
+}
+
 /// A tube at rest, seen square: its tables err by nothing but integrals, facets in place of a skin and what
 /// was dropped.
 #[test]
 fn tables_of_bent_skins_and_of_edges_tell_what_they_err_by() {
-    for (surface, edges) in [
-        (Surface::Smooth, Edges::Ignored),
-        (Surface::Flat, Edges::FirstOrder),
-        (Surface::Smooth, Edges::FirstOrder),
+    for (surface, edges, bounces) in [
+        (Surface::Smooth, Edges::Ignored, 1),
+        (Surface::Smooth, Edges::Ignored, 2),
+        (Surface::Flat, Edges::FirstOrder, 1),
+        (Surface::Smooth, Edges::FirstOrder, 1),
     ] {
         for (yaw_rad, accuracy_db) in [(0.3, -10.0), (-FRAC_PI_2, -15.0), (1.1, -20.0)] {
             let mut scene =
-                scene(&[(tube(), pose([4.0, 30.0, 5.75], [0.0; 3], yaw_rad))], &[], accuracy_db, 1);
+                scene(&[(tube(), pose([4.0, 30.0, 5.75], [0.0; 3], yaw_rad))], &[], accuracy_db, bounces);
             (scene.0.fidelity.surface, scene.0.fidelity.edges) = (surface, edges);
             let found = tables(&scene);
             let (told, error) = (found.error.total().unwrap(), error_of(&found.tables[0], &scene.0));
             let [told_db, error_db] = [told, error].map(|e| 20.0 * e.log10());
-            println!("{surface:?}, {edges:?}, asked {accuracy_db}, told {told_db:.1}, true {error_db:.1} dB");
+            println!(
+                "{surface:?}, {edges:?}, {bounces} bounces, asked {accuracy_db}, told {told_db:.1}, true {error_db:.1} dB"
+            );
             assert!(error <= told, "{:?}", found.error);
         }
     }

@@ -14,7 +14,7 @@ use glam::DVec3;
 use num_complex::Complex64;
 use radar::aperture::Preset;
 use radar::paper;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 type Scene = (SceneHeader, SceneFrame);
 
@@ -41,7 +41,8 @@ fn frequencies_hz() -> Vec<f64> {
 /// Pairs of elements spread over the array.
 fn pairs_m(scene: &Scene) -> Vec<[[f64; 3]; 2]> {
     let array = &scene.0.radar.array;
-    (0..12).map(|tx| [array.tx_m[tx], array.rx_m[(5 * tx + 2) % 16]]).collect()
+    let [sent, heard] = [&array.tx_m, &array.rx_m];
+    (0..12).map(|i| [sent[i % sent.len()], heard[(5 * i + 2) % heard.len()]]).collect()
 }
 
 /// Error ‖S of the paths − S‖/‖S‖ over pairs and frequencies, dB.
@@ -176,5 +177,42 @@ fn elements_off_the_middle_have_the_error_that_is_told_over_a_road_too() {
             );
             assert!(got <= told + 0.5, "told {told}, true {got}");
         }
+    }
+}
+
+/// A plate seen square has no cross polarization at the middle of the array, and the elements beside it have
+/// one that grows with their distance from each other: errors are told of the field over the array.
+#[test]
+fn errors_of_an_echo_that_vanishes_at_the_middle_are_told_of_the_field_over_the_array() {
+    let polarization = Polarization::Vh;
+    for preset in [Preset::ThreeByFour, Preset::TwelveBySixteen] {
+        let mut scene = plates(preset, polarization, -20.0);
+        // Square to the radar, and symmetrical about the upright plane through the array's middle.
+        let corner = |across: f64, up: f64| [-0.216 * up, across, 0.6 + up];
+        let corners = vec![corner(-0.2, -0.2), corner(0.2, -0.2), corner(0.2, 0.2), corner(-0.2, 0.2)];
+        scene.0.meshes = vec![mesh(corners, vec![[0, 1, 2], [0, 2, 3]])].into();
+        let start = pose([0.0, 25.0, 0.0], [0.0; 3], -FRAC_PI_2);
+        scene.0.targets[0].start = start;
+        scene.1.poses = vec![start];
+        let frame = trace(&scene);
+        let (mut error, mut power) = (0.0, 0.0);
+        for [tx_m, rx_m] in pairs_m(&scene) {
+            let anew = exact(&scene, 0.0, [tx_m, rx_m], &frequencies_hz(), polarization);
+            let view = PathView {
+                transmitter_m: DVec3::from_array(tx_m),
+                receiver_m: DVec3::from_array(rx_m),
+                origin_m: DVec3::from_array(start.position_m),
+                seconds: 0.0,
+                centre_frequency_hz: scene.0.radar.waveform.centre_frequency_hz(),
+            };
+            let (p, q) = polarization.indices();
+            for (f, s) in frequencies_hz().into_iter().zip(anew) {
+                error += (scattering_of_paths(&frame.paths, &view, f)[p][q] - s).norm_sqr();
+                power += s.norm_sqr();
+            }
+        }
+        let (told, got) = (20.0 * frame.error.total().unwrap().log10(), 10.0 * f64::log10(error / power));
+        println!("{preset:?}: told {told:.1}, true {got:.1} dB, {:?}", frame.error);
+        assert!(told < 6.0 && got <= told + 0.5, "{preset:?}: told {told}, true {got}");
     }
 }
