@@ -6,7 +6,6 @@ use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use formats::devices::{Board, IqOrder, Lanes};
-use formats::training_sets::Set;
 
 /// Parser of an option that takes one of a few words, each beside the setting that it stands for.
 pub(crate) fn one_of<W: Into<PossibleValue>, T: Copy + Send + Sync + 'static>(
@@ -118,18 +117,4 @@ pub(crate) enum FormatWord {
     Nuscenes,
     /// One table of Apache Parquet.
     Parquet,
-}
-
-impl FormatWord {
-    /// The set whose layout it is; `None` of a format that is a file, or a pair of them.
-    pub(crate) fn set(self) -> Option<Set> {
-        match self {
-            Self::Raddet => Some(Set::Raddet),
-            Self::Carrada => Some(Set::Carrada),
-            Self::Uwcr => Some(Set::Uwcr),
-            Self::Kitti => Some(Set::Kitti),
-            Self::Nuscenes => Some(Set::Nuscenes),
-            _ => None,
-        }
-    }
 }
