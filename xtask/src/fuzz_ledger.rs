@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use wayside::Failure;
 use wayside::host::files;
+use wayside::host::shown::markdown_table;
 
 const LEDGER: &str = "fixtures/fuzz.csv";
 const PAGE: &str = "docs/validation/fuzz.md";
@@ -91,10 +92,11 @@ impl Sum {
         self.peak_mib = self.peak_mib.max(part.peak_mib);
     }
 
-    fn row(&self, reader: &str) -> String {
-        let Self { seeds, cases, read, refused, minutes, peak_mib } = self;
-        let seeds = seeds.iter().map(u64::to_string).collect::<Vec<_>>().join(", ");
-        format!("| {reader} | {minutes:.1} | {cases} | {read} | {refused} | {peak_mib} | {seeds} |\n")
+    fn row(&self, reader: &str) -> [String; 7] {
+        let seeds = self.seeds.iter().map(u64::to_string).collect::<Vec<_>>().join(", ");
+        let [cases, read, refused, mib] =
+            [self.cases, self.read, self.refused, self.peak_mib].map(|count| count.to_string());
+        [reader.to_owned(), format!("{:.1}", self.minutes), cases, read, refused, mib, seeds]
     }
 }
 
@@ -110,13 +112,12 @@ fn table(all: &BTreeMap<String, Sum>) -> String {
     all.values().for_each(|sum| whole.add(Sum { seeds: vec![], ..sum.clone() }));
     let least = all.values().map(|sum| sum.minutes).fold(f64::INFINITY, f64::min);
     let done = all.values().filter(|sum| sum.minutes >= GOAL_MINUTES).count();
-    let rows: String = all.iter().map(|(reader, sum)| sum.row(reader)).collect();
+    let columns = ["reader", "processor minutes", "cases", "read", "refused", "most memory, MiB", "seeds"];
+    let table = markdown_table(&columns, all.iter().map(|(reader, sum)| sum.row(reader)));
     format!(
         "{} readers, {} cases, {:.0} processor minutes;\n\
          the least of a reader is {least:.1} minutes, and {done} of {} have the \
-         {GOAL_MINUTES} minutes that are the goal.\n\n\
-         | reader | processor minutes | cases | read | refused | most memory, MiB | seeds |\n\
-         |---|---|---|---|---|---|---|\n{rows}",
+         {GOAL_MINUTES} minutes that are the goal.\n\n{table}",
         all.len(),
         whole.cases,
         whole.minutes,
@@ -135,7 +136,7 @@ mod tests {
         let all = sums(&text).unwrap();
         let fcd = Sum { seeds: vec![1, 2], cases: 20, read: 5, refused: 15, minutes: 2.0, peak_mib: 40 };
         assert_eq!((all.len(), &all["fcd"]), (2, &fcd));
-        assert_eq!(fcd.row("fcd"), "| fcd | 2.0 | 20 | 5 | 15 | 40 | 1, 2 |\n");
+        assert_eq!(fcd.row("fcd"), ["fcd", "2.0", "20", "5", "15", "40", "1, 2"]);
     }
 
     #[test]

@@ -1,29 +1,15 @@
 //! Scenes of random radars, vehicles, clutter and traffic, drawn from a seed: what studies and benchmarks ask
 //! of many scenes.
 
+use artifact::settings::Class;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use scene::vehicles;
 use std::fmt::Write as _;
 use std::path::Path;
 
 /// A vehicle's model as a scene names it, and its class.
 pub(crate) type Model<'a> = (&'a str, &'a str);
-
-/// The project's own vehicles.
-pub(crate) const OWN_VEHICLES: [Model<'static>; 12] = [
-    ("car-suv", "car"),
-    ("car-sedan", "car"),
-    ("car-hatchback", "car"),
-    ("bus-city", "bus"),
-    ("bus-coach", "bus"),
-    ("bus-mini", "bus"),
-    ("truck-box", "truck"),
-    ("truck-tanker", "truck"),
-    ("truck-semi", "truck"),
-    ("motorcycle-street", "motorcycle"),
-    ("motorcycle-scooter", "motorcycle"),
-    ("motorcycle-touring", "motorcycle"),
-];
 
 /// The tables that every scene has. What costs little is drawn more often, here and below.
 pub(crate) fn radar(draw: &mut Draw, text: &mut String) {
@@ -97,6 +83,12 @@ impl Draw {
     /// A whole number from 0 to `end` − 1.
     pub(crate) fn below(&mut self, end: u32) -> u32 {
         self.0.random_range(0..end)
+    }
+
+    /// One of the project's own vehicles.
+    pub(crate) fn own_vehicle(&mut self) -> Model<'static> {
+        let name = self.one_of(&vehicles::NAMES);
+        (name, vehicles::class_of(name).map_or("", Class::name))
     }
 
     pub(crate) fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {

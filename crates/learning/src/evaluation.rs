@@ -10,8 +10,9 @@ use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
-use pipeline::host::shown::in_markdown;
+use pipeline::host::shown::{in_markdown, markdown_table};
 use std::fmt::Write;
+use std::iter;
 use std::path::{Path, PathBuf};
 
 /// Samples that are answered at once.
@@ -98,13 +99,15 @@ fn answers(model: &LoadedModel, samples: &[Sample]) -> Result<Vec<[f32; 4]>, Fai
 }
 
 fn page([frames, tracks]: &[Part; 2]) -> String {
-    let mut page = String::from(
-        "| answers | number | right, mean over classes | 95 % over vehicles | log loss | calibration error |\n\
-         |---|---|---|---|---|---|\n",
-    );
-    for (name, part) in [("by frame", frames), ("by track", tracks)] {
-        let _ = writeln!(page, "{}", row(name, part));
-    }
+    let columns = [
+        "answers",
+        "number",
+        "right, mean over classes",
+        "95 % over vehicles",
+        "log loss",
+        "calibration error",
+    ];
+    let mut page = markdown_table(&columns, [row("by frame", frames), row("by track", tracks)]);
     for (name, part) in [("By frame", frames), ("By track", tracks)] {
         let _ = write!(page, "\n{name}, rows true, columns told:\n\n{}", confusion(&part.evaluation));
     }
@@ -112,38 +115,30 @@ fn page([frames, tracks]: &[Part; 2]) -> String {
     page
 }
 
-fn row(name: &str, part: &Part) -> String {
+fn row(name: &str, part: &Part) -> [String; 6] {
     let (told, evaluation) = (&part.by_vehicle, &part.evaluation);
-    format!(
-        "| {name} | {} | {:.1} % | {} over {} | {:.3} | {:.1} % |",
-        told.answers,
-        100.0 * told.mean_over_classes,
-        told_interval(told.interval),
-        told.vehicles,
-        evaluation.log_loss,
-        100.0 * evaluation.calibration.expected_error,
-    )
+    [
+        name.to_owned(),
+        told.answers.to_string(),
+        format!("{:.1} %", 100.0 * told.mean_over_classes),
+        format!("{} over {}", told_interval(told.interval), told.vehicles),
+        format!("{:.3}", evaluation.log_loss),
+        format!("{:.1} %", 100.0 * evaluation.calibration.expected_error),
+    ]
 }
 
 pub(super) fn confusion(evaluation: &Evaluation) -> String {
-    let mut table = String::from("| | car | bus | truck | motorcycle |\n|---|---|---|---|---|\n");
-    for (class, told) in Class::ALL.iter().zip(&evaluation.confusion) {
-        let counts: Vec<String> = told.iter().map(u64::to_string).collect();
-        let _ = writeln!(table, "| {} | {} |", class.name(), counts.join(" | "));
-    }
-    table
+    let [a, b, c, d] = Class::ALL.map(Class::name);
+    let rows = Class::ALL.iter().zip(&evaluation.confusion).map(|(class, told)| {
+        iter::once(class.name().to_owned()).chain(told.iter().map(u64::to_string)).collect::<Vec<_>>()
+    });
+    markdown_table(&["", a, b, c, d], rows)
 }
 
 fn vehicles(evaluation: &Evaluation) -> String {
-    let mut table = String::from("| vehicle | tracks | right |\n|---|---|---|\n");
-    for (model, told) in &evaluation.by_model {
-        let _ = writeln!(
-            table,
-            "| {} | {} | {:.0} % |",
-            in_markdown(model),
-            told.samples,
-            100.0 * told.right as f64 / told.samples.max(1) as f64
-        );
-    }
-    table
+    let rows = evaluation.by_model.iter().map(|(model, told)| {
+        let right = 100.0 * told.right as f64 / told.samples.max(1) as f64;
+        [in_markdown(model).into_owned(), told.samples.to_string(), format!("{right:.0} %")]
+    });
+    markdown_table(&["vehicle", "tracks", "right"], rows)
 }

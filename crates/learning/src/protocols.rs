@@ -23,9 +23,10 @@ use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress::Work;
-use pipeline::host::shown::in_markdown;
+use pipeline::host::shown::{in_markdown, markdown_table};
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::iter;
 use std::path::{Path, PathBuf};
 
 pub use settings::Settings;
@@ -33,6 +34,16 @@ pub use settings::Settings;
 /// Arrays that have a row of the table.
 const ARRAYS: [(&str, Kept); 3] =
     [("all", |_| true), ("without rows", |seen| !seen.has_rows), ("with rows", |seen| seen.has_rows)];
+
+const COLUMNS: [&str; 7] = [
+    "protocol",
+    "array",
+    "vehicles",
+    "right by frame",
+    "right by track",
+    "calibration error by frame",
+    "by track",
+];
 
 /// Trains and asks; gives the page (Markdown).
 ///
@@ -104,20 +115,20 @@ fn of_trees(
 }
 
 fn page(protocols: &[Protocol<'_>], trained: &[TrainedTrees]) -> String {
-    let mut page = format!(
-        "Means over {} trainings; in brackets 95 % over vehicles, and the spread of the trainings.\n\n\
-         | protocol | array | vehicles | right by frame | right by track | calibration error by frame | by track |\n\
-         |---|---|---|---|---|---|---|\n",
-        trained.len()
-    );
+    let mut rows = Vec::new();
     for protocol in protocols {
         for (array, kept) in ARRAYS {
             let told: Vec<[Part; 2]> = trained.iter().filter_map(|t| told(protocol, t, kept)).collect();
             if !told.is_empty() {
-                let _ = writeln!(page, "{}", row(&protocol.name, array, &told));
+                rows.push(row(&protocol.name, array, &told));
             }
         }
     }
+    let mut page = format!(
+        "Means over {} trainings; in brackets 95 % over vehicles, and the spread of the trainings.\n\n{}",
+        trained.len(),
+        markdown_table(&COLUMNS, rows)
+    );
     for protocol in protocols {
         if let Some([_, tracks]) = trained.first().and_then(|first| told(protocol, first, |_| true)) {
             let table = confusion(&tracks.evaluation);
@@ -128,7 +139,7 @@ fn page(protocols: &[Protocol<'_>], trained: &[TrainedTrees]) -> String {
     page
 }
 
-fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
+fn row(name: &str, array: &str, told: &[[Part; 2]]) -> [String; 7] {
     let mean =
         |value: &dyn Fn(&[Part; 2]) -> f64| 100.0 * told.iter().map(value).sum::<f64>() / told.len() as f64;
     let right = |at: usize| {
@@ -141,15 +152,9 @@ fn row(name: &str, array: &str, told: &[[Part; 2]]) -> String {
         let over_vehicles = if low.is_nan() { "–".to_owned() } else { format!("{low:.0} … {high:.0}") };
         format!("{middle:.1} % ({over_vehicles}; ± {:.1})", spread.sqrt())
     };
-    let error = |at: usize| mean(&|one| one[at].evaluation.calibration.expected_error);
-    let vehicles = told[0][0].by_vehicle.vehicles;
-    format!(
-        "| {name} | {array} | {vehicles} | {} | {} | {:.1} % | {:.1} % |",
-        right(0),
-        right(1),
-        error(0),
-        error(1)
-    )
+    let error = |at: usize| format!("{:.1} %", mean(&|one| one[at].evaluation.calibration.expected_error));
+    let vehicles = told[0][0].by_vehicle.vehicles.to_string();
+    [name.to_owned(), array.to_owned(), vehicles, right(0), right(1), error(0), error(1)]
 }
 
 /// Reliability diagram as a table: how often answers of a probability are right, by frame.
@@ -191,19 +196,17 @@ const THRESHOLDS: [f32; 5] = [0.3, 0.4, 0.5, 0.6, 0.7];
 /// Table of the share of each protocol's frames that are told right, wrong and not at all, %, by the
 /// probability from which on a class is told.
 fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
-    let heads: String = THRESHOLDS.iter().map(|least| format!(" from {least} |")).collect();
-    let mut table = format!(
-        "\nTold right / wrong / unknown in % of the frames, by the least probability of an answer, seed 1:\n\n\
-         | protocol |{heads}\n|---|{}\n",
-        "---|".repeat(THRESHOLDS.len())
-    );
-    for protocol in protocols {
+    let line = |name: &str, cell: &dyn Fn(f32) -> String| {
+        iter::once(name.to_owned()).chain(THRESHOLDS.map(cell)).collect::<Vec<_>>()
+    };
+    let rows = protocols.iter().map(|protocol| {
         let answers = answers(protocol, trained, |_| true);
-        let shares: String =
-            THRESHOLDS.iter().map(|least| format!(" {} |", shares(&answers, *least))).collect();
-        let _ = writeln!(table, "| {} |{shares}", protocol.name);
-    }
-    table
+        line(&protocol.name, &|least| shares(&answers, least))
+    });
+    let table = markdown_table(&line("protocol", &|least| format!("from {least}")), rows);
+    format!(
+        "\nTold right / wrong / unknown in % of the frames, by the least probability of an answer, seed 1:\n\n{table}"
+    )
 }
 
 fn shares(answers: &[(&Seen, Logits)], least: f32) -> String {
@@ -232,22 +235,19 @@ fn by_condition(protocol: &Protocol<'_>, known: &OfTracks, trained: &TrainedTree
             of.entry((order, *condition, value)).or_insert_with(empty).seen.push((seen, source));
         }
     }
-    let mut table = format!(
-        "\n{}, by condition, seed 1:\n\n| condition | value | frames | right by frame | right by track |\n|---|---|---|---|---|\n",
-        protocol.name
-    );
-    for ((_, condition, (_, value)), protocol) in &of {
-        let Some(parts) = told(protocol, trained, |_| true) else { continue };
-        let [frames, tracks] = parts.map(|part| part.by_vehicle);
-        let [right, by_track] = [&frames, &tracks].map(|told| 100.0 * told.mean_over_classes);
-        let _ = writeln!(
-            table,
-            "| {condition} | {} | {} | {right:.1} % | {by_track:.1} % |",
-            in_markdown(value),
-            frames.answers
-        );
+    if of.is_empty() {
+        return String::new();
     }
-    if of.is_empty() { String::new() } else { table }
+    let row = |((_, condition, (_, value)), protocol): (&(usize, &str, &conditions::Bin), &Protocol<'_>)| {
+        let [frames, tracks] = told(protocol, trained, |_| true)?.map(|part| part.by_vehicle);
+        let [right, by_track] =
+            [&frames, &tracks].map(|told| format!("{:.1} %", 100.0 * told.mean_over_classes));
+        let value = in_markdown(value).into_owned();
+        Some([(*condition).to_owned(), value, frames.answers.to_string(), right, by_track])
+    };
+    let columns = ["condition", "value", "frames", "right by frame", "right by track"];
+    let table = markdown_table(&columns, of.iter().filter_map(row));
+    format!("\n{}, by condition, seed 1:\n\n{table}", protocol.name)
 }
 
 /// Features by which training and test are compared: level, visible extent, number of peaks, height.
@@ -256,16 +256,15 @@ const COMPARED: [&str; 4] = ["total_dbsm", "extent_m", "peaks", "height_m"];
 /// Table of how alike features are in what trained and what tests, as area under the ROC, class by class.
 fn likenesses(folder: &Path, learned: &Sightings, test: &Sightings) -> String {
     let (learned, test): (Vec<&Seen>, Vec<&Seen>) = (learned.all.iter().collect(), test.all.iter().collect());
-    let mut table = format!(
-        "\nArea under the ROC between what trained and {}, 0.5 alike and 1 apart:\n\n| class | {} |\n|---|---|---|---|---|\n",
+    let rows = Class::ALL.iter().enumerate().map(|(number, class)| {
+        let area = |feature| likeness(feature, number, &learned, &test);
+        let told = COMPARED.map(|feature| area(feature).map_or("–".into(), |area| format!("{area:.2}")));
+        iter::once(class.name().to_owned()).chain(told).collect::<Vec<_>>()
+    });
+    let [a, b, c, d] = COMPARED;
+    format!(
+        "\nArea under the ROC between what trained and {}, 0.5 alike and 1 apart:\n\n{}",
         name_of(folder),
-        COMPARED.join(" | ")
-    );
-    for (number, class) in Class::ALL.iter().enumerate() {
-        let area = |feature: &&str| likeness(feature, number, &learned, &test);
-        let told =
-            COMPARED.iter().map(|feature| area(feature).map_or("–".into(), |area| format!("{area:.2}")));
-        let _ = writeln!(table, "| {} | {} |", class.name(), told.collect::<Vec<String>>().join(" | "));
-    }
-    table
+        markdown_table(&["class", a, b, c, d], rows)
+    )
 }

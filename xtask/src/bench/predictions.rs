@@ -15,8 +15,8 @@ use row::PredictionRow;
 use std::path::Path;
 use timed_scene::{Text, TimedScene};
 use wayside::chain::expectation::Expectation;
-use wayside::chain::expectation::rates::HELD_KINDS;
-use wayside::chain::expectation::work::{ITEMS, WorkKind};
+use wayside::chain::expectation::rates::{HELD_KINDS, HELD_MIB, SECONDS};
+use wayside::chain::expectation::work::ITEMS;
 use wayside::chain::link::Chain;
 use wayside::chain::loading;
 use wayside::chain::memory_estimate::Load;
@@ -70,12 +70,10 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
 
 fn tell_fitted(timed: &[CountedRun<ITEMS>], held: &[CountedRun<HELD_KINDS>]) {
     terminal::line(format!("rates that would have told {} runs best:", timed.len()));
-    for (item, rate) in WorkKind::ALL.iter().zip(fit::rates(timed, Expectation::rates())) {
+    for ((item, _), rate) in SECONDS.iter().zip(fit::rates(timed, SECONDS.map(|(_, rate)| rate))) {
         terminal::line(format!("    (WorkKind::{item:?}, {rate:.2e}),"));
     }
-    let names = Expectation::held_rates().map(|(name, _)| name);
-    let fitted = fit::rates(held, Expectation::held_rates().map(|(_, mib)| mib));
-    for (name, mib) in names.iter().zip(fitted) {
+    for ((name, _), mib) in HELD_MIB.iter().zip(fit::rates(held, HELD_MIB.map(|(_, mib)| mib))) {
         terminal::line(format!("    (\"{name}\", {mib:.2e}),"));
     }
 }

@@ -48,6 +48,12 @@ pub(super) fn finished(command: &mut Command) -> Result<(), Failure> {
     }
 }
 
+/// Whether a command comes to a good end, unheard.
+pub(super) fn is_good(command: &mut Command) -> bool {
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
 /// Runs a command like [`finished`], showing each line of standard output and counting the tests in it.
 pub(super) fn counted(command: &mut Command, tally: &mut Tally) -> Result<(), Failure> {
     let words = said(command);

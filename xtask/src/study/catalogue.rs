@@ -5,11 +5,14 @@ use crate::project::project_root;
 use crate::study::drawn::{self, ATLAS, CHART, LEVELS};
 use crate::study::extent::Extent;
 use crate::study::page::{Age, FEWER, part_of, with_part};
-use crate::study::pages::{
-    Part, ambiguity, calibration, continuity, deployment, estimates, estimates_of_errors, false_alarms,
-    gates, ghosts, planner, published_levels, real_captures, references, same_bytes, sensitivity,
-    super_resolution, traced_ghosts, transmitters_in_turn, wheels,
+use crate::study::pages::scattering::{
+    continuity, estimates_of_errors, gates, published_levels, references, wheels,
 };
+use crate::study::pages::signals::{
+    ambiguity, calibration, estimates, false_alarms, ghosts, super_resolution, traced_ghosts,
+    transmitters_in_turn,
+};
+use crate::study::pages::{Part, deployment, planner, real_captures, same_bytes, sensitivity};
 use crate::study::search;
 use crate::study::sources::{self, Places};
 use wayside::host::failure::Failure;

@@ -8,13 +8,8 @@ mod part;
 pub(super) mod planner;
 pub(super) mod real_captures;
 pub(super) mod same_bytes;
-mod scattering;
+pub(super) mod scattering;
 pub(super) mod sensitivity;
-mod signals;
+pub(super) mod signals;
 
 pub(super) use part::Part;
-pub(super) use scattering::{continuity, estimates_of_errors, gates, published_levels, references, wheels};
-pub(super) use signals::{
-    ambiguity, calibration, estimates, false_alarms, ghosts, super_resolution, traced_ghosts,
-    transmitters_in_turn,
-};

@@ -27,7 +27,7 @@ const PICTURE_PX: [f64; 2] = [1936.0, 1216.0];
 const NEAREST_M: f64 = 0.1;
 
 /// Writes the points of a run, labelled where a scene is given.
-pub(crate) fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
+pub fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let OpenedPoints { reader, header, heights, mut truth, axes } = OpenedPoints::open(file, scene)?;
     let mut set = SetFolder::begin(out)?;
     let mut names = String::new();

@@ -24,7 +24,7 @@ const VERSION: &str = "v1.0-wayside";
 const NEAR_M: f64 = 0.5;
 
 /// Writes the points of a run as one scene of the set, labelled where a scene is given.
-pub(crate) fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
+pub fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let OpenedPoints { reader, header, heights, mut truth, axes } = OpenedPoints::open(file, scene)?;
     let name = truth.as_ref().map_or("scene".to_owned(), |truth| truth.header().name.clone());
     let mut set = SetFolder::begin(out)?;

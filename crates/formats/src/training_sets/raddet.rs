@@ -27,7 +27,7 @@ use std::path::Path;
 const MEDIAN_POWER: f32 = 1000.0;
 
 /// Writes the maps of a run as one part of the set, labelled where a scene is given.
-pub(crate) fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
+pub fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
     let from = &reader.preamble().provenance;
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar), from)).transpose()?;

@@ -18,7 +18,7 @@ use serde_json::json;
 use std::path::Path;
 
 /// Writes the cubes of a run, labelled where a scene is given.
-pub(crate) fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
+pub fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
     let from = &reader.preamble().provenance;
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar), from)).transpose()?;

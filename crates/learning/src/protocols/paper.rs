@@ -2,11 +2,12 @@
 
 use crate::protocols::settings::Settings;
 use crate::training::{PAPER_ITERATIONS, network};
+use artifact::settings::Class;
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress::Work;
+use pipeline::host::shown::markdown_table;
 use serde_json::Value;
-use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -20,8 +21,8 @@ const PROTOCOLS: [(&str, &str, &str); 3] = [
 /// The paper's own figures: its "test set" of 320 images, its "validation set" of 200, and by class in the
 /// order of this project (section IV-C: buses and trucks "about 96 %", cars "about 93.5 %", motorcycles 98.16
 /// %).
-const PAPER: &str =
-    "| the paper | images, after augmentation | 92.23 % | 90.81 % | 93.5 % | 96 % | 96 % | 98.16 % |";
+const PAPER: [&str; 8] =
+    ["the paper", "images, after augmentation", "92.23 %", "90.81 %", "93.5 %", "96 %", "96 %", "98.16 %"];
 
 /// Points of a curve that are told.
 const POINTS: usize = 8;
@@ -37,7 +38,7 @@ pub(super) fn page(settings: &Settings, datasets: &[DatasetFolder]) -> Result<St
     let shards: Vec<PathBuf> = datasets.iter().flat_map(|dataset| dataset.shards.clone()).collect();
     let program = network::built()?;
     let work = Work::begin("training");
-    let mut rows = String::new();
+    let mut rows = vec![PAPER.map(str::to_owned)];
     let mut curves = Vec::new();
     for (name, deal, parted) in PROTOCOLS {
         let mut told = Vec::new();
@@ -47,19 +48,20 @@ pub(super) fn page(settings: &Settings, datasets: &[DatasetFolder]) -> Result<St
             command.args(["--iterations", &iterations.to_string()]);
             told.push(network::ran(command, &shards, &work, settings.tell)?);
         }
-        let _ = writeln!(rows, "{}", row(name, parted, &told));
+        rows.push(row(name, parted, &told));
         curves.push((name, told[0]["curves"].clone()));
     }
-    let head = format!(
-        "Means over {} trainings of {iterations} iterations; in brackets the least and the most.\n\n\
-         | protocol | parted are | watched (320 of 1120) | unused (200 of 1120) | car | bus | truck | motorcycle |\n\
-         |---|---|---|---|---|---|---|---|\n{PAPER}\n",
-        settings.seeds
-    );
-    Ok(head + &rows + &curves_table(&curves))
+    let [a, b, c, d] = Class::ALL.map(Class::name);
+    let columns = ["protocol", "parted are", "watched (320 of 1120)", "unused (200 of 1120)", a, b, c, d];
+    Ok(format!(
+        "Means over {} trainings of {iterations} iterations; in brackets the least and the most.\n\n{}{}",
+        settings.seeds,
+        markdown_table(&columns, rows),
+        curves_table(&curves)
+    ))
 }
 
-fn row(name: &str, parted: &str, told: &[Value]) -> String {
+fn row(name: &str, parted: &str, told: &[Value]) -> [String; 8] {
     let of = |split: &str, class: Option<usize>| {
         let share = |one: &Value| {
             let part = &one["metrics"]["splits"][split];
@@ -67,13 +69,8 @@ fn row(name: &str, parted: &str, told: &[Value]) -> String {
         };
         spread(&told.iter().filter_map(share).collect::<Vec<f64>>())
     };
-    let classes: Vec<String> = (0..4).map(|class| of("test", Some(class))).collect();
-    format!(
-        "| {name} | {parted} | {} | {} | {} |",
-        of("validation", None),
-        of("test", None),
-        classes.join(" | ")
-    )
+    let [a, b, c, d] = [0, 1, 2, 3].map(|class| of("test", Some(class)));
+    [name.to_owned(), parted.to_owned(), of("validation", None), of("test", None), a, b, c, d]
 }
 
 /// Mean, least and most, in percent.
@@ -87,16 +84,15 @@ fn spread(shares: &[f64]) -> String {
 
 /// Accuracy while the first seed trains, on what trains and on what is watched.
 fn curves_table(curves: &[(&str, Value)]) -> String {
-    let mut table = String::from(
-        "\nRight while training, seed 1:\n\n| protocol | iteration | training | watched |\n|---|---|---|---|\n",
-    );
+    let mut rows = Vec::new();
     for (name, points) in curves {
         let points = points.as_array().map_or(&[][..], Vec::as_slice);
         for point in points.iter().rev().step_by(points.len().div_ceil(POINTS).max(1)).rev() {
-            let share = |key: &str| 100.0 * point[key].as_f64().unwrap_or(f64::NAN);
+            let share = |key: &str| format!("{:.1} %", 100.0 * point[key].as_f64().unwrap_or(f64::NAN));
             let (training, watched) = (share("train_accuracy"), share("validation_accuracy"));
-            let _ = writeln!(table, "| {name} | {} | {training:.1} % | {watched:.1} % |", point["iteration"]);
+            rows.push([(*name).to_owned(), point["iteration"].to_string(), training, watched]);
         }
     }
-    table
+    let table = markdown_table(&["protocol", "iteration", "training", "watched"], rows);
+    format!("\nRight while training, seed 1:\n\n{table}")
 }

@@ -44,22 +44,10 @@ impl Expectation {
     ) -> Result<Self, Failure> {
         let work = counting::of_run(chain, cache, plans)?;
         let seconds = rates::reference_seconds(&work) / machine_speed;
-        let start_seconds = Self::rates()[work::WorkKind::Run as usize] / machine_speed;
+        let start_seconds = rates::SECONDS[work::WorkKind::Run as usize].1 / machine_speed;
         let (memory_mib, held) = chain.memory_of_run(plans)?;
         let expected_memory_mib = rates::expected_mib(&held).min(memory_mib);
         Ok(Self { work, seconds, start_seconds, held, expected_memory_mib, memory_mib })
-    }
-}
-
-impl Expectation {
-    /// Processor seconds of each kind of work on the machine of the rates.
-    pub fn rates() -> [f64; work::ITEMS] {
-        rates::by_item()
-    }
-
-    /// Names of what is counted in [`Self::held`] and the memory that is expected of each, MiB.
-    pub fn held_rates() -> [(&'static str, f64); rates::HELD_KINDS] {
-        rates::HELD_MIB
     }
 }
 

@@ -31,9 +31,6 @@ pub struct Allowance {
 }
 
 impl Allowance {
-    /// Allowance of any amount.
-    pub const UNLIMITED: Self = Self { bytes: None };
-
     /// Allows so many MiB; `None`: nine tenths of what is free now, where the system tells, else any amount.
     pub fn of(limit_mib: Option<u64>) -> Self {
         let nine_tenths = |bytes: u64| bytes / 10 * 9;

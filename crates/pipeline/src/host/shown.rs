@@ -22,6 +22,25 @@ pub fn in_markdown(text: &str) -> Cow<'_, str> {
     shown.replace('|', "\\|").replace('<', "&lt;").into()
 }
 
+/// A table of Markdown: a line for its columns, one below them and one for each row, of cells that are shown
+/// already.
+pub fn markdown_table<H: AsRef<str>, C: AsRef<str>>(
+    columns: &[H],
+    rows: impl IntoIterator<Item = impl AsRef<[C]>>,
+) -> String {
+    let head = format!("{}|{}\n", markdown_row(columns), "---|".repeat(columns.len()));
+    rows.into_iter().fold(head, |table, row| table + &markdown_row(row.as_ref()))
+}
+
+/// A line of such a table; a cell of nothing is one blank wide.
+pub fn markdown_row<C: AsRef<str>>(cells: &[C]) -> String {
+    let cell = |cell: &C| match cell.as_ref() {
+        "" => " |".to_owned(),
+        shown => format!(" {shown} |"),
+    };
+    format!("|{}\n", cells.iter().map(cell).collect::<String>())
+}
+
 /// A text as a cell of a table of commas (RFC 4180): in quotes where it holds what parts cells.
 pub fn in_csv(text: &str) -> Cow<'_, str> {
     match text.contains([',', '"', '\n', '\r']) {
@@ -72,6 +91,13 @@ mod tests {
         assert_eq!(in_markdown("a|b\n<i>"), "a\\|b\\n&lt;i>");
         assert_eq!(in_json("\"a\u{85}\u{202e}\""), "\"a\\u0085\\u202e\"");
         assert!(matches!(in_markdown("a folder, 30 °"), Cow::Borrowed(_)));
+    }
+
+    #[test]
+    fn a_table_of_markdown_has_as_many_cells_in_each_of_its_lines() {
+        let rows = [["car".to_owned(), String::new()], ["bus".to_owned(), "2".to_owned()]];
+        let expected = "| class | number |\n|---|---|\n| car | |\n| bus | 2 |\n";
+        assert_eq!(markdown_table(&["class", "number"], rows), expected);
     }
 
     #[test]

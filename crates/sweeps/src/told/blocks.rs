@@ -1,7 +1,7 @@
 //! Parts of a report, which stand on a page (HTML) and in a text (Markdown) alike.
 
 use maud::{Markup, html};
-use pipeline::host::shown::in_markdown;
+use pipeline::host::shown::{in_markdown, markdown_table};
 use reporting::report::scrolled;
 
 /// Columns of a text's lines.
@@ -25,12 +25,10 @@ fn block_in_text(block: &Block) -> String {
         Block::Heading(words) => format!("## {}\n", in_markdown(words)),
         Block::Words(words) => wrapped(&in_markdown(words)),
         Block::Table(_, head, rows) => {
-            let line = |cells: &Vec<String>| {
-                let cells: Vec<_> = cells.iter().map(|cell| in_markdown(cell)).collect();
-                format!("| {} |\n", cells.join(" | "))
+            let cells = |line: &Vec<String>| {
+                line.iter().map(|cell| in_markdown(cell).into_owned()).collect::<Vec<_>>()
             };
-            let rule = format!("|{}\n", "---|".repeat(head.len()));
-            line(head) + &rule + &rows.iter().map(line).collect::<String>()
+            markdown_table(&cells(head), rows.iter().map(cells))
         }
     }
 }

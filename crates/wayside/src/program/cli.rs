@@ -11,12 +11,16 @@ use crate::program::values::{
     accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
 };
 use crate::program::values::{full_scale, scale, shard, step};
-pub(crate) use crate::program::words::{
-    AxesWord, BoardWord, EdgesWord, FormatWord, IqOrderWord, LanesWord, MethodWord, NodesWord,
-    PolarizationWord, SidesWord, SurfaceWord, TransmissionWord,
+use crate::program::words::{
+    AxesWord, EDGES, FormatWord, MethodWord, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, boards,
+    iq_orders, lanes, one_of,
 };
 use crate::stepwise::bounds::BOUNCES;
+use artifact::material::Transmission;
+use artifact::radar::Polarization;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use clap::{Args, Parser, Subcommand};
+use formats::devices::{Board, IqOrder, Lanes};
 use pipeline::chain::cache::CacheLocation;
 use pipeline::chain::loading::SceneSource;
 use std::path::PathBuf;
@@ -211,8 +215,8 @@ pub struct RcsArguments {
     #[arg(long, value_parser = range, default_value = "inf")]
     pub(crate) range_m: f64,
     /// First letter receives, second transmits.
-    #[arg(long, value_enum, default_value = "vv")]
-    pub(crate) pol: PolarizationWord,
+    #[arg(long, default_value = "vv", value_parser = one_of(POLARIZATIONS))]
+    pub(crate) pol: Polarization,
     /// Highest bounce order [default: 3].
     #[arg(long, value_parser = clap::value_parser!(u8).range(BOUNCES))]
     pub(crate) bounces: Option<u8>,
@@ -223,23 +227,23 @@ pub struct RcsArguments {
     #[arg(long, value_parser = density)]
     pub(crate) density: Option<f64>,
     /// Diffraction by edges (physical theory of diffraction).
-    #[arg(long, value_enum, default_value = "off")]
-    pub(crate) edges: EdgesWord,
+    #[arg(long, default_value = "off", value_parser = one_of(EDGES))]
+    pub(crate) edges: Edges,
     /// Facet on which a multiple reflection is integrated [default: own-edge; of the references middle].
-    #[arg(long, value_enum)]
-    pub(crate) nodes: Option<NodesWord>,
+    #[arg(long, value_parser = one_of(NODES))]
+    pub(crate) nodes: Option<NodeRule>,
     /// Surface that the facets stand for: themselves, or the curved skin that the vertex normals tell of.
-    #[arg(long, value_enum, default_value = "flat")]
-    pub(crate) surface: SurfaceWord,
+    #[arg(long, default_value = "flat", value_parser = one_of(SURFACES))]
+    pub(crate) surface: Surface,
     /// Table of what the mesh's materials stand for (docs/materials.md); without it everything conducts.
     #[arg(long, value_name = "FILE.toml")]
     pub(crate) materials: Option<PathBuf>,
     /// Whether waves are followed through sheets.
-    #[arg(long, value_enum, default_value = "off", requires = "materials")]
-    pub(crate) transmission: TransmissionWord,
+    #[arg(long, default_value = "off", value_parser = one_of(TRANSMISSION), requires = "materials")]
+    pub(crate) transmission: Transmission,
     /// Sides from which a facet scatters.
-    #[arg(long, value_enum, default_value = "two")]
-    pub(crate) sides: SidesWord,
+    #[arg(long, default_value = "two", value_parser = one_of(SIDES))]
+    pub(crate) sides: Sides,
     /// Fixed receiver: azimuth, degrees.
     #[arg(long, value_parser = azimuth_deg, requires = "rx_el_deg")]
     pub(crate) rx_az_deg: Option<f64>,
@@ -271,10 +275,10 @@ impl RcsArguments {
     }
 
     /// Facet on which a multiple reflection is integrated.
-    pub(crate) fn nodes(&self) -> NodesWord {
+    pub(crate) fn nodes(&self) -> NodeRule {
         self.nodes.unwrap_or(match self.method {
-            MethodWord::Bart => NodesWord::OwnEdge,
-            MethodWord::Po | MethodWord::Sbr => NodesWord::Middle,
+            MethodWord::Bart => NodeRule::OwnEdge,
+            MethodWord::Po | MethodWord::Sbr => NodeRule::Middle,
         })
     }
 
@@ -381,14 +385,14 @@ pub struct ImportArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) config: Option<PathBuf>,
     /// Evaluation board of that configuration [default: that of the chip which it names].
-    #[arg(long, value_enum, requires = "config")]
-    pub(crate) device: Option<BoardWord>,
+    #[arg(long, value_parser = boards(), requires = "config")]
+    pub(crate) device: Option<Board>,
     /// Lanes by which a DCA1000EVM recorded [default: those of the configuration, else two].
-    #[arg(long, value_enum)]
-    pub(crate) layout: Option<LanesWord>,
+    #[arg(long, value_parser = lanes())]
+    pub(crate) layout: Option<Lanes>,
     /// Part of a DCA1000EVM's complex samples that comes first [default: that of the configuration, else I].
-    #[arg(long, value_enum)]
-    pub(crate) iq_order: Option<IqOrderWord>,
+    #[arg(long, value_parser = iq_orders())]
+    pub(crate) iq_order: Option<IqOrder>,
     /// Scene that tells the radar and the processing.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: PathBuf,
@@ -407,8 +411,8 @@ pub struct SceneFromArguments {
     #[arg(value_name = "FILE")]
     pub(crate) config: PathBuf,
     /// Evaluation board, with its antennas [default: that of the chip which the file names].
-    #[arg(long, value_enum)]
-    pub(crate) device: Option<BoardWord>,
+    #[arg(long, value_parser = boards())]
+    pub(crate) device: Option<Board>,
     /// Result.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) out: PathBuf,

@@ -2,8 +2,8 @@
 //! the command that writes it.
 
 use crate::program::cli::{Command, ExportArguments};
+use crate::program::export_formats::{is_set, name_of};
 use crate::program::words::FormatWord;
-use clap::ValueEnum;
 use pipeline::host::failure::Failure;
 use std::path::Path;
 
@@ -90,8 +90,10 @@ const FOLDER: &str = "a folder";
 /// `None` of SigMF, which has its endings added to any name, of OSI, which is asked for one of two, and of
 /// folders of sets.
 fn exported(arguments: &ExportArguments) -> Option<Written<'_>> {
-    let ends_as_named = arguments.to.set().is_none() && arguments.to != FormatWord::Osi;
-    let format = arguments.to.to_possible_value().filter(|_| ends_as_named)?.get_name().to_owned();
+    if is_set(arguments.to) || arguments.to == FormatWord::Osi {
+        return None;
+    }
+    let format = name_of(arguments.to);
     let writer = format!("export FILE --to {format}");
     let endings: Vec<_> = WRITERS.iter().filter(|(_, by)| *by == writer).map(|(ending, _)| *ending).collect();
     let first = *endings.first().filter(|_| arguments.to != FormatWord::Sigmf)?;

@@ -1,15 +1,69 @@
 //! Words that options take, each one of a few.
 
+use artifact::material::Transmission;
+use artifact::radar::Polarization;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use formats::devices::{Board, IqOrder, Lanes};
-use formats::training_sets::Set;
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(crate) enum PolarizationWord {
-    Vv,
-    Hh,
-    Vh,
-    Hv,
+/// Parser of an option that takes one of a few words, each beside the setting that it stands for.
+pub(crate) fn one_of<W: Into<PossibleValue>, T: Copy + Send + Sync + 'static>(
+    words: impl IntoIterator<Item = (W, T)>,
+) -> impl TypedValueParser<Value = T> {
+    let words: Vec<(PossibleValue, T)> =
+        words.into_iter().map(|(word, setting)| (word.into(), setting)).collect();
+    PossibleValuesParser::new(words.iter().map(|(word, _)| word.clone())).try_map(move |typed| {
+        let meant = words.iter().find(|(word, _)| word.matches(&typed, false));
+        meant.map(|(_, setting)| *setting).ok_or("it is no word of this option")
+    })
+}
+
+/// Word of a setting; empty where none stands for it.
+pub(crate) fn word_of<T: PartialEq>(words: &[(&'static str, T)], setting: T) -> &'static str {
+    words.iter().find(|(_, other)| *other == setting).map_or("", |(word, _)| word)
+}
+
+/// First letter receives, second transmits.
+pub(crate) const POLARIZATIONS: [(&str, Polarization); 4] =
+    [("vv", Polarization::Vv), ("hh", Polarization::Hh), ("vh", Polarization::Vh), ("hv", Polarization::Hv)];
+pub(crate) const EDGES: [(&str, Edges); 2] = [("on", Edges::FirstOrder), ("off", Edges::Ignored)];
+pub(crate) const NODES: [(&str, NodeRule); 3] =
+    [("middle", NodeRule::Middle), ("exit", NodeRule::Exit), ("own-edge", NodeRule::OwnEdge)];
+pub(crate) const SURFACES: [(&str, Surface); 2] = [("flat", Surface::Flat), ("smooth", Surface::Smooth)];
+pub(crate) const SIDES: [(&str, Sides); 2] = [("two", Sides::Two), ("one", Sides::One)];
+pub(crate) const TRANSMISSION: [(&str, Transmission); 2] =
+    [("on", Transmission::Followed), ("off", Transmission::Ignored)];
+
+/// Evaluation boards of families of devices, automotive and industrial alike.
+pub(crate) fn boards() -> impl TypedValueParser<Value = Board> {
+    let of = |name, also: &'static [&'static str], help| PossibleValue::new(name).aliases(also).help(help);
+    let isk = "IWR6843ISK; boards with the antenna in or on the package have other antennas";
+    one_of([
+        (of("xwr1243", &["awr1243", "iwr1243"], "AWR1243BOOST"), Board::Xwr1243),
+        (of("xwr1443", &["awr1443", "iwr1443"], "AWR1443BOOST and IWR1443BOOST"), Board::Xwr1443),
+        (of("xwr1642", &["awr1642", "iwr1642"], "AWR1642BOOST and IWR1642BOOST"), Board::Xwr1642),
+        (of("xwr1843", &["awr1843", "iwr1843"], "AWR1843BOOST and IWR1843BOOST"), Board::Xwr1843),
+        (of("xwr6843", &["awr6843", "iwr6843"], isk), Board::Xwr6843),
+        (of("awr2243", &["xwr2243"], "AWR2243BOOST"), Board::Awr2243),
+    ])
+}
+
+/// Lanes between a device and its capture card.
+pub(crate) fn lanes() -> impl TypedValueParser<Value = Lanes> {
+    let two = "Receiver after receiver, each by twos where samples are complex";
+    one_of([
+        (PossibleValue::new("two-lanes").help(two), Lanes::Two),
+        (PossibleValue::new("four-lanes").help("A lane for each receiver, sample after sample"), Lanes::Four),
+    ])
+}
+
+/// Parts of a complex sample, by which comes first.
+pub(crate) fn iq_orders() -> impl TypedValueParser<Value = IqOrder> {
+    one_of([
+        (PossibleValue::new("iq").help("I before Q"), IqOrder::InPhaseFirst),
+        (PossibleValue::new("qi").help("Q before I"), IqOrder::QuadratureFirst),
+    ])
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -17,37 +71,6 @@ pub(crate) enum MethodWord {
     Bart,
     Sbr,
     Po,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum EdgesWord {
-    On,
-    Off,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum TransmissionWord {
-    On,
-    Off,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum NodesWord {
-    Middle,
-    Exit,
-    OwnEdge,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum SurfaceWord {
-    Flat,
-    Smooth,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum SidesWord {
-    Two,
-    One,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -94,94 +117,4 @@ pub(crate) enum FormatWord {
     Nuscenes,
     /// One table of Apache Parquet.
     Parquet,
-}
-
-impl FormatWord {
-    /// The set whose layout it is; `None` of a format that is a file, or a pair of them.
-    pub(crate) fn set(self) -> Option<Set> {
-        match self {
-            Self::Raddet => Some(Set::Raddet),
-            Self::Carrada => Some(Set::Carrada),
-            Self::Uwcr => Some(Set::Uwcr),
-            Self::Kitti => Some(Set::Kitti),
-            Self::Nuscenes => Some(Set::Nuscenes),
-            _ => None,
-        }
-    }
-}
-
-/// Evaluation board of a family of devices, automotive and industrial alike.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum BoardWord {
-    /// AWR1243BOOST.
-    #[value(alias("awr1243"), alias("iwr1243"))]
-    Xwr1243,
-    /// AWR1443BOOST and IWR1443BOOST.
-    #[value(alias("awr1443"), alias("iwr1443"))]
-    Xwr1443,
-    /// AWR1642BOOST and IWR1642BOOST.
-    #[value(alias("awr1642"), alias("iwr1642"))]
-    Xwr1642,
-    /// AWR1843BOOST and IWR1843BOOST.
-    #[value(alias("awr1843"), alias("iwr1843"))]
-    Xwr1843,
-    /// IWR6843ISK; boards with the antenna in or on the package have other antennas.
-    #[value(alias("awr6843"), alias("iwr6843"))]
-    Xwr6843,
-    /// AWR2243BOOST.
-    #[value(alias("xwr2243"))]
-    Awr2243,
-}
-
-/// Lanes between a device and its capture card.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum LanesWord {
-    /// Receiver after receiver, each by twos where samples are complex.
-    #[value(name = "two-lanes")]
-    Two,
-    /// A lane for each receiver, sample after sample.
-    #[value(name = "four-lanes")]
-    Four,
-}
-
-/// The part of a complex sample that comes first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum IqOrderWord {
-    /// I before Q.
-    #[value(name = "iq")]
-    InPhaseFirst,
-    /// Q before I.
-    #[value(name = "qi")]
-    QuadratureFirst,
-}
-
-impl From<BoardWord> for Board {
-    fn from(word: BoardWord) -> Self {
-        match word {
-            BoardWord::Xwr1243 => Self::Xwr1243,
-            BoardWord::Xwr1443 => Self::Xwr1443,
-            BoardWord::Xwr1642 => Self::Xwr1642,
-            BoardWord::Xwr1843 => Self::Xwr1843,
-            BoardWord::Xwr6843 => Self::Xwr6843,
-            BoardWord::Awr2243 => Self::Awr2243,
-        }
-    }
-}
-
-impl From<LanesWord> for Lanes {
-    fn from(word: LanesWord) -> Self {
-        match word {
-            LanesWord::Two => Self::Two,
-            LanesWord::Four => Self::Four,
-        }
-    }
-}
-
-impl From<IqOrderWord> for IqOrder {
-    fn from(word: IqOrderWord) -> Self {
-        match word {
-            IqOrderWord::InPhaseFirst => Self::InPhaseFirst,
-            IqOrderWord::QuadratureFirst => Self::QuadratureFirst,
-        }
-    }
 }

@@ -2,7 +2,7 @@
 //! the mast.
 
 use crate::bench::predictions::timed_scene::{Text, TimedScene};
-use crate::random_scenes::{Draw, OWN_VEHICLES, clutter, radar, traffic};
+use crate::random_scenes::{Draw, clutter, radar, traffic};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -75,7 +75,7 @@ fn variants(draw: &mut Draw, root: &Path, text: &mut String) {
 /// Adds a vehicle in a lane, mostly 12 to 80 m away; now and then right under the mast. `lanes_m` holds where
 /// each lane's first vehicle stands.
 fn vehicle(draw: &mut Draw, number: usize, lanes_m: &mut [f64; 3], text: &mut String) {
-    let (model, class) = draw.one_of(&OWN_VEHICLES);
+    let (model, class) = draw.own_vehicle();
     let first_m = &mut lanes_m[number % 3];
     let y_m = match number {
         // 20 m and more before or behind the first of its lane.

@@ -5,8 +5,8 @@ use crate::bench::predictions::fit::CountedRun;
 use crate::bench::predictions::row::PredictionRow;
 use std::collections::BTreeMap;
 use std::path::Path;
-use wayside::chain::expectation::rates::HELD_KINDS;
-use wayside::chain::expectation::work::{ITEMS, WorkKind};
+use wayside::chain::expectation::rates::{HELD_KINDS, SECONDS};
+use wayside::chain::expectation::work::ITEMS;
 use wayside::chain::memory_estimate::Load;
 use wayside::host::failure::Failure;
 use wayside::host::files;
@@ -50,7 +50,7 @@ pub(super) fn runs(file: &Path) -> Result<(Vec<CountedRun<ITEMS>>, Vec<CountedRu
 
 fn timed_runs(text: &str) -> Option<Vec<CountedRun<ITEMS>>> {
     let took = columns(text, ["taken_s", "machine_speed"])?;
-    let counts = columns(text, WorkKind::ALL.map(|kind| format!("{kind:?}")))?;
+    let counts = columns(text, SECONDS.map(|(kind, _)| format!("{kind:?}")))?;
     let run = |([processor_s, machine_speed], counts): ([f64; 2], [f64; ITEMS])| {
         let run = CountedRun { counts, taken: processor_s * machine_speed };
         run.is_finite().then_some(run)
@@ -116,7 +116,7 @@ fn numbers(taken: &Taken) -> [f64; TAKEN.len()] {
 
 /// All rows so far, in place of what was there.
 pub(super) fn write(file: &Path, rows: &[PredictionRow]) -> Result<(), Failure> {
-    let counts: Vec<String> = WorkKind::ALL.iter().map(|item| format!("{item:?}")).collect();
+    let counts: Vec<String> = SECONDS.iter().map(|(kind, _)| format!("{kind:?}")).collect();
     let mut text = format!("scene,threads,{},{SAID},{}\n", TAKEN.join(","), counts.join(","));
     rows.iter().for_each(|row| text += &line(row));
     files::write_again(file, text.as_bytes())
@@ -155,7 +155,7 @@ mod tests {
 
     #[test]
     fn counts_are_read_by_their_names_and_a_table_that_lacks_one_is_refused() {
-        let kinds: Vec<String> = WorkKind::ALL.iter().rev().map(|kind| format!("{kind:?}")).collect();
+        let kinds: Vec<String> = SECONDS.iter().rev().map(|(kind, _)| format!("{kind:?}")).collect();
         let counts: Vec<String> = (0..ITEMS).map(|count| format!("{count}.5")).collect();
         let head = format!("machine_speed,{},scene,taken_s", kinds.join(","));
         let runs_of = |head: &str| timed_runs(&format!("{head}\n0.5,{},x,3.0\n", counts.join(",")));

@@ -1,10 +1,10 @@
 //! A Python with packages of its own, for checks that stand on one: where it or PyPI is not there, they say
 //! so and are skipped.
 
-use crate::ci::commands::{Tally, finished, skipped};
+use crate::ci::commands::{Tally, finished, is_good, skipped};
 use crate::project::project_root;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use wayside::host::failure::Failure;
 
 /// A package of some kilobytes: whether PyPI is there.
@@ -90,11 +90,6 @@ impl Interpreter {
 fn pins(requirements: &str) -> Result<String, Failure> {
     let file = project_root().join(requirements);
     std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))
-}
-
-fn is_good(command: &mut Command) -> bool {
-    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    command.status().is_ok_and(|status| status.success())
 }
 
 #[cfg(test)]

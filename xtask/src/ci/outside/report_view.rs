@@ -1,10 +1,10 @@
 //! A report as a browser shows it: pixels of its view, clicks on vehicles, sliders, a telephone, paper, no
 //! script. The check stands on Node and Chromium; where one of them is not there it says so and is skipped.
 
-use crate::ci::commands::{Tally, counted, finished, skipped};
+use crate::ci::commands::{Tally, counted, finished, is_good, skipped};
 use crate::project::{project_root, this_program};
 use std::ffi::{OsStr, OsString};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use wayside::host::failure::Failure;
 
 /// Script of the check, from the project's root on.
@@ -114,7 +114,5 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
 
 /// Whether a program is there.
 fn answers(program: &OsStr) -> bool {
-    let mut command = Command::new(program);
-    command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    command.status().is_ok_and(|status| status.success())
+    is_good(Command::new(program).arg("--version"))
 }

@@ -9,7 +9,7 @@ mod needs;
 use crate::study::extent::Extent;
 use crate::study::pages::part::Part;
 use crate::study::sources::{CHAIN, Places};
-use answers::{Answer, Kept};
+use answers::{Answer, Answers};
 use artifact::goal::Goal;
 use changes::Changes;
 use needs::Measures;
@@ -40,9 +40,9 @@ struct Runs {
 }
 
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    let kept = Kept::open(SOURCES)?;
+    let answers = Answers::open(SOURCES)?;
     let all: Vec<Runs> =
-        scenes::cases(extent)?.iter().map(|case| runs(&kept, case)).collect::<Result<_, _>>()?;
+        scenes::cases(extent)?.iter().map(|case| runs(&answers, case)).collect::<Result<_, _>>()?;
     let mut part = Part::default();
     part.line("## Objects\n");
     objects(&mut part, &all);
@@ -55,10 +55,10 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-fn runs(kept: &Kept, case: &Case) -> Result<Runs, Failure> {
+fn runs(answers: &Answers, case: &Case) -> Result<Runs, Failure> {
     let at = |accuracy_db, seed| {
         note(format!("{}, {accuracy_db} dB", case.name));
-        kept.answer(case, accuracy_db, seed)
+        answers.of(case, accuracy_db, seed)
     };
     let coarser = TRIED_DB.iter().filter(|db| **db > case.reference_db);
     let tried = coarser.map(|db| at(*db, None)).collect::<Result<_, _>>()?;

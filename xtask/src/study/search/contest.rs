@@ -1,6 +1,7 @@
 //! Two methods of one thing on random cases.
 
 use artifact::seed;
+use artifact::units::db_from_amplitude;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use wayside::host::failure::Failure;
@@ -53,10 +54,7 @@ pub(super) fn judged(error: f64, allowed: f64, case: impl Fn() -> String) -> Out
     if error <= allowed {
         Outcome::Agreed
     } else {
-        Outcome::Find(format!("{:.1} dB, allowed {:.1} dB: {}", db(error), db(allowed), case()))
+        let [error_db, allowed_db] = [error, allowed].map(db_from_amplitude);
+        Outcome::Find(format!("{error_db:.1} dB, allowed {allowed_db:.1} dB: {}", case()))
     }
-}
-
-fn db(amplitude: f64) -> f64 {
-    artifact::units::db_from_amplitude(amplitude)
 }

@@ -26,7 +26,7 @@ pub const HELD_KINDS: usize = 8;
 /// that is computed side by side with others a MiB of signals, a facet, a lit polygon, a cell, a cell of
 /// ways between bodies that slide past each other, and a lit polygon behind sheets. Fitted to the same scenes
 /// as the seconds below are; the last to a car and a bus of glass, one bounce and two.
-pub(crate) const HELD_MIB: [(&str, f64); HELD_KINDS] = [
+pub const HELD_MIB: [(&str, f64); HELD_KINDS] = [
     ("program", 37.0),
     ("triangles", 3.3e-4),
     ("signals", 0.27),
@@ -41,9 +41,11 @@ pub(crate) const HELD_MIB: [(&str, f64); HELD_KINDS] = [
 /// (docs/validation/predictions.md).
 pub const SPREAD: f64 = 2.0;
 
-/// Fitted to 175 scenes of `cargo xtask bench --predictions` (seeds 8, 9 and 10) and three of `scenes/`, held
-/// to the rates before, which work keeps that these scenes have little of (docs/validation/predictions.md).
-const SECONDS: [(WorkKind, f64); ITEMS] = [
+/// Processor seconds of each kind of work on the machine that they were measured on, in the order of the
+/// counts. Fitted to 175 scenes of `cargo xtask bench --predictions` (seeds 8, 9 and 10) and three of
+/// `scenes/`, held to the rates before, which work keeps that these scenes have little of
+/// (docs/validation/predictions.md).
+pub const SECONDS: [(WorkKind, f64); ITEMS] = [
     (WorkKind::Run, 0.17),
     (WorkKind::Triangles, 8.1e-6),
     (WorkKind::Facets, 7.5e-6),
@@ -77,12 +79,13 @@ const SECONDS: [(WorkKind, f64); ITEMS] = [
     (WorkKind::Frames, 0.15),
 ];
 
-/// Processor seconds of each kind of work, in the order of [`WorkKind`].
-pub(super) fn by_item() -> [f64; ITEMS] {
-    let mut rates = [0.0; ITEMS];
-    SECONDS.iter().for_each(|(item, rate)| rates[*item as usize] = *rate);
-    rates
-}
+const _: () = {
+    let mut at = 0;
+    while at < ITEMS {
+        assert!(SECONDS[at].0 as usize == at, "rates stand in the order of the kinds");
+        at += 1;
+    }
+};
 
 /// Memory that is expected to be held, MiB, of counts in the order of [`HELD_MIB`].
 pub(super) fn expected_mib(held: &[f64; HELD_KINDS]) -> f64 {

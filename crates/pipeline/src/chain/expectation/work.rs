@@ -69,43 +69,6 @@ pub enum WorkKind {
     Frames,
 }
 
-impl WorkKind {
-    /// All kinds of work, in the order of the counts.
-    pub const ALL: [Self; ITEMS] = [
-        Self::Run,
-        Self::Triangles,
-        Self::Facets,
-        Self::InSight,
-        Self::Beams,
-        Self::Mirrors,
-        Self::Tiles,
-        Self::LaterTiles,
-        Self::FineTiles,
-        Self::LaterFineTiles,
-        Self::LongTiles,
-        Self::MeasuredCells,
-        Self::Cells,
-        Self::WideCells,
-        Self::SlidingBeams,
-        Self::SlidingTiles,
-        Self::MovingBeams,
-        Self::MovingTiles,
-        Self::MovingCells,
-        Self::RoadBeams,
-        Self::EdgeBeams,
-        Self::LossyTiles,
-        Self::BentTiles,
-        Self::TableTiles,
-        Self::Echoes,
-        Self::GroundEchoes,
-        Self::Samples,
-        Self::MapCells,
-        Self::Bodies,
-        Self::SeparatedBodies,
-        Self::Frames,
-    ];
-}
-
 /// Number of kinds of work.
 pub const ITEMS: usize = WorkKind::Frames as usize + 1;
 

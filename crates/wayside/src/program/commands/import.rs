@@ -9,7 +9,7 @@ use artifact::cube::{Cube, CubeFrame, CubeHeader, SampleUnit};
 use artifact::scene::SceneHeader;
 use artifact::{ErrorBudget, Provenance, Writer};
 use formats::device_config::{self, Configured, DeviceSettings, scene_with};
-use formats::devices::{Board, IqOrder, Lanes};
+use formats::devices::{IqOrder, Lanes};
 use formats::radar_cloud;
 use formats::radar_cloud::import::frames_of;
 use formats::raw_data::dca1000;
@@ -86,8 +86,7 @@ fn samples(arguments: &ImportArguments, kind: Kind) -> Result<Samples, Failure> 
 
 /// Settings of the board's configuration, where one is given.
 fn settings_of(arguments: &ImportArguments) -> Result<Option<DeviceSettings>, Failure> {
-    let board = arguments.device.map(Board::from);
-    arguments.config.as_deref().map(|file| device_config::read(file, board)).transpose()
+    arguments.config.as_deref().map(|file| device_config::read(file, arguments.device)).transpose()
 }
 
 /// Files that hold the samples.
@@ -142,8 +141,8 @@ fn scene_of(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> R
 fn layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> dca1000::Layout {
     let (lanes, order) = (settings.and_then(DeviceSettings::lanes), settings.and_then(|s| s.iq_order));
     dca1000::Layout {
-        lanes: arguments.layout.map(Lanes::from).or(lanes).unwrap_or(Lanes::Two),
-        order: arguments.iq_order.map(IqOrder::from).or(order).unwrap_or(IqOrder::InPhaseFirst),
+        lanes: arguments.layout.or(lanes).unwrap_or(Lanes::Two),
+        order: arguments.iq_order.or(order).unwrap_or(IqOrder::InPhaseFirst),
     }
 }
 

@@ -12,18 +12,14 @@ mod test_request;
 
 use crate::program::cli::RcsArguments;
 use crate::program::terminal;
-use crate::program::words::{
-    EdgesWord, MethodWord, NodesWord, PolarizationWord, SidesWord, SurfaceWord, TransmissionWord,
-};
+use crate::program::words::MethodWord;
 use crate::remarks;
 use crate::stepwise;
 use answer::{Answer, CommandTook};
 use artifact::Accuracy;
 use artifact::envelope::fingerprint;
-use artifact::material::Transmission;
-use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::NodeRule;
 use bart_rcs::{RcsRequest, Standpoint, Surroundings};
 use formats::npy_stream::NpyStream;
 use formats::sidecar;
@@ -96,7 +92,7 @@ fn check(arguments: &RcsArguments) -> Result<(), Failure> {
         MethodWord::Po if arguments.bounces.is_some_and(|bounces| bounces > 1) => {
             refused("--bounces is for --method bart and sbr: po has single reflections alone")
         }
-        MethodWord::Po | MethodWord::Sbr if arguments.nodes == Some(NodesWord::OwnEdge) => refused(
+        MethodWord::Po | MethodWord::Sbr if arguments.nodes == Some(NodeRule::OwnEdge) => refused(
             "--nodes own-edge is for --method bart: po and sbr weigh no facets, and take middle or exit",
         ),
         MethodWord::Po | MethodWord::Sbr if arguments.accuracy_db.is_some() => {
@@ -157,11 +153,8 @@ fn remark(mesh: &Mesh, request: &RcsRequest) {
 
 /// The mesh in the materials asked for and those of its asset.
 fn dressed(mesh: Mesh, arguments: &RcsArguments, request: &RcsRequest) -> Result<Mesh, Failure> {
-    let transmission = match arguments.transmission {
-        TransmissionWord::On => Transmission::Followed,
-        TransmissionWord::Off => Transmission::Ignored,
-    };
-    let map = stepwise::materials(arguments.materials.as_deref(), transmission, &request.frequency_hz)?;
+    let (table, transmission) = (arguments.materials.as_deref(), arguments.transmission);
+    let map = stepwise::materials(table, transmission, &request.frequency_hz)?;
     stepwise::dressed(mesh, &arguments.mesh, &map, &request.frequency_hz)
 }
 
@@ -175,12 +168,12 @@ fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {
         azimuth_rad: radians(&arguments.az_deg.values),
         range_m: arguments.range_m,
         receiver: receiver(arguments),
-        polarization: polarization(arguments.pol),
+        polarization: arguments.pol,
         bounces: arguments.bounces(),
-        nodes: nodes(arguments.nodes()),
-        edges: edges(arguments.edges),
-        surface: surface(arguments.surface),
-        sides: sides(arguments.sides),
+        nodes: arguments.nodes(),
+        edges: arguments.edges,
+        surface: arguments.surface,
+        sides: arguments.sides,
         accuracy: Accuracy::from_db(arguments.accuracy_db()),
     })
 }
@@ -189,42 +182,4 @@ fn receiver(arguments: &RcsArguments) -> Option<Standpoint> {
     let (azimuth, elevation) = (arguments.rx_az_deg?, arguments.rx_el_deg?);
     let range_m = arguments.rx_range_m.unwrap_or(arguments.range_m);
     Some(Standpoint { azimuth_rad: azimuth.to_radians(), elevation_rad: elevation.to_radians(), range_m })
-}
-
-pub(super) fn polarization(word: PolarizationWord) -> Polarization {
-    match word {
-        PolarizationWord::Vv => Polarization::Vv,
-        PolarizationWord::Hh => Polarization::Hh,
-        PolarizationWord::Vh => Polarization::Vh,
-        PolarizationWord::Hv => Polarization::Hv,
-    }
-}
-
-pub(super) fn sides(word: SidesWord) -> Sides {
-    match word {
-        SidesWord::Two => Sides::Two,
-        SidesWord::One => Sides::One,
-    }
-}
-
-fn nodes(word: NodesWord) -> NodeRule {
-    match word {
-        NodesWord::Middle => NodeRule::Middle,
-        NodesWord::Exit => NodeRule::Exit,
-        NodesWord::OwnEdge => NodeRule::OwnEdge,
-    }
-}
-
-fn edges(word: EdgesWord) -> Edges {
-    match word {
-        EdgesWord::Off => Edges::Ignored,
-        EdgesWord::On => Edges::FirstOrder,
-    }
-}
-
-fn surface(word: SurfaceWord) -> Surface {
-    match word {
-        SurfaceWord::Flat => Surface::Flat,
-        SurfaceWord::Smooth => Surface::Smooth,
-    }
 }

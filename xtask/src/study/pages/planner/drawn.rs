@@ -2,7 +2,7 @@
 //! some with clutter; and frames of recorded traffic.
 
 use crate::project::{project_root, shared};
-use crate::random_scenes::{Draw, Model, OWN_VEHICLES, clutter, radar, traffic};
+use crate::random_scenes::{Draw, Model, clutter, radar, traffic};
 use std::fmt::Write as _;
 
 /// Real vehicles of `../shared/vehicles`, of all classes and of 300 to 80,000 triangles.
@@ -55,7 +55,7 @@ pub(super) fn scene(seed: u64, number: u64, asked_db: f64) -> Option<Drawn> {
 
 /// Adds a vehicle that approaches within 15° of its lane, a quarter of them at rest.
 fn vehicle(draw: &mut Draw, lane: u32, text: &mut String) -> Option<()> {
-    let (own, (real, of_real)) = (draw.one_of(&OWN_VEHICLES), draw.one_of(&REAL_VEHICLES));
+    let (own, (real, of_real)) = (draw.own_vehicle(), draw.one_of(&REAL_VEHICLES));
     let file = shared().join(format!("vehicles/{real}.glb"));
     let is_real = draw.chance(0.4);
     let (model, class) = if is_real { (file.to_str()?, of_real) } else { own };

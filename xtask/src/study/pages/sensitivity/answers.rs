@@ -1,12 +1,12 @@
-//! Answers of runs: objects and tracks of every body, frame by frame, beside the truth. What a run left is
-//! kept in `out/` with the hash of its sources, so that a study of an hour goes on where it was ended.
+//! Answers of runs: objects and tracks of every body, frame by frame, beside the truth. Summaries of
+//! runs are kept, so that a study of an hour goes on where it was ended.
 
-use crate::project::project_root;
+use crate::study::pages::kept::Kept;
 use crate::study::pages::sensitivity::scenes::Case;
 use crate::study::sources::{self, Places};
 use artifact::settings::Class;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use wayside::host::failure::Failure;
 use wayside::host::files;
 use wayside::outcome::summary::{FrameSummary, Predicted, TargetSummary, TrackSummary};
@@ -40,63 +40,61 @@ pub(super) struct Answer {
     pub(super) seconds: f64,
 }
 
-/// Folder of the study's runs.
-pub(super) struct Kept {
-    folder: PathBuf,
-    hash: String,
-    /// Frames of this study alone, of which other noise takes the paths: what an earlier one left would cost
-    /// no seconds.
-    cache: tempfile::TempDir,
+/// A summary through each radar, with the radar's place.
+type Summaries = Vec<([f64; 3], Summary)>;
+
+/// Answers of runs: those that are kept, and those of runs that are made now.
+pub(super) struct Answers {
+    kept: Kept,
+    /// Scenes, results, and frames of this study alone, of which other noise takes the paths: what an earlier
+    /// one left would cost no seconds.
+    folder: tempfile::TempDir,
 }
 
-/// File that says which sources made a run.
-const MADE_BY: &str = "made-by";
-
-impl Kept {
+impl Answers {
     pub(super) fn open(sources: Places) -> Result<Self, Failure> {
-        let cache = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
-        let folder = project_root().join("out/study-sensitivity");
-        Ok(Self { folder, hash: sources::hash(sources)?, cache })
+        let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
+        Ok(Self { kept: Kept::of("sensitivity", &sources::hash(sources)?), folder })
     }
 
-    /// Answer of a scene at an accuracy, from its run or from what that left.
-    pub(super) fn answer(&self, case: &Case, accuracy_db: f64, seed: Option<u64>) -> Result<Answer, Failure> {
+    /// Answer of a scene at an accuracy.
+    pub(super) fn of(&self, case: &Case, accuracy_db: f64, seed: Option<u64>) -> Result<Answer, Failure> {
         let noise = seed.map_or(String::new(), |seed| format!("-{seed}"));
         let name = format!("{}{accuracy_db:.0}{noise}", case.name);
-        // A file of its own for each run: what was read is never written.
-        let (file, out) = (self.folder.join(format!("{name}.toml")), self.folder.join(name));
-        files::write_file(&file, case.asked(accuracy_db).as_bytes())?;
-        if std::fs::read_to_string(out.join(MADE_BY)).ok().as_ref() != Some(&self.hash) {
-            self.run(&file, &out, seed)?;
-        }
-        Answer::of(&file, &out)
+        let run = || self.run(&name, &case.asked(accuracy_db), seed);
+        Ok(Answer::of(&self.kept.or_made(&name, run)?))
     }
 
-    fn run(&self, file: &Path, out: &Path, seed: Option<u64>) -> Result<(), Failure> {
-        let scene = SceneSource { file: file.to_owned(), seed, ..SceneSource::default() };
-        let cache = CacheLocation { folder: Some(self.cache.path().to_owned()), ..CacheLocation::default() };
-        wayside::run(&Settings { scene, cache: Some(cache), ..Settings::of(file, out) })?;
-        files::write_file(&out.join(MADE_BY), self.hash.as_bytes())
+    fn run(&self, name: &str, text: &str, seed: Option<u64>) -> Result<Summaries, Failure> {
+        let place = |name: &str| self.folder.path().join(name);
+        // A file of its own for each run: what was read is never written.
+        let (file, out) = (place(&format!("{name}.toml")), place(name));
+        files::write_file(&file, text.as_bytes())?;
+        let scene = SceneSource { file: file.clone(), seed, ..SceneSource::default() };
+        let cache = CacheLocation { folder: Some(place("cache")), ..CacheLocation::default() };
+        wayside::run(&Settings { scene, cache: Some(cache), ..Settings::of(&file, &out) })?;
+        let radars = scene::radars(&file).map_err(Failure::refused)?;
+        if radars.is_empty() {
+            return Ok(vec![(position_m(&file, None)?, Summary::read(&out.join("summary.json"))?)]);
+        }
+        let of = |radar: String| {
+            let summary = Summary::read(&out.join(&radar).join("summary.json"))?;
+            Ok((position_m(&file, Some(radar))?, summary))
+        };
+        radars.into_iter().map(of).collect()
     }
 }
 
 impl Answer {
-    fn of(file: &Path, out: &Path) -> Result<Self, Failure> {
-        let radars = scene::radars(file).map_err(Failure::refused)?;
-        if radars.is_empty() {
-            return Self::default().with(
-                0,
-                position_m(file, None)?,
-                &Summary::read(&out.join("summary.json"))?,
-            );
+    fn of(summaries: &Summaries) -> Self {
+        let mut all = Self::default();
+        for (radar, (position_m, summary)) in summaries.iter().enumerate() {
+            all.add_summary(radar, *position_m, summary);
         }
-        radars.into_iter().enumerate().try_fold(Self::default(), |all, (number, radar)| {
-            let summary = Summary::read(&out.join(&radar).join("summary.json"))?;
-            all.with(number, position_m(file, Some(radar))?, &summary)
-        })
+        all
     }
 
-    fn with(mut self, radar: usize, position_m: [f64; 3], summary: &Summary) -> Result<Self, Failure> {
+    fn add_summary(&mut self, radar: usize, position_m: [f64; 3], summary: &Summary) {
         let seen = Seen { position_m };
         for (number, frame) in summary.frames.iter().enumerate() {
             for target in &frame.targets {
@@ -105,7 +103,6 @@ impl Answer {
             }
         }
         self.seconds += summary.frames_processor_seconds.unwrap_or(summary.frames_seconds);
-        Ok(self)
     }
 
     fn add(

@@ -2,12 +2,12 @@
 
 use crate::program::cli::RcsArguments;
 use crate::program::terminal;
+use crate::program::words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, word_of};
 use crate::stepwise::far_field_from_m;
 use artifact::scene::Mesh;
 use artifact::units::{db_from_amplitude, db_from_power};
 use artifact::{Accuracy, ErrorBudget, ModelError};
 use bart_rcs::{FarFieldError, Followed, RcsResult, Spread};
-use clap::ValueEnum;
 use num_complex::Complex64;
 use pipeline::host::processor_time::Counted;
 use pipeline::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
@@ -26,7 +26,8 @@ pub(super) struct CommandTook {
     pub(super) counted: Counted,
 }
 
-/// S and the figures beside it, by whatever method.
+/// S and the figures beside it, by whatever method; what a method does not tell is left at its default.
+#[derive(Default)]
 pub(super) struct Answer {
     pub(super) amplitude_m: Vec<Complex64>,
     pub(super) beams: Vec<u64>,
@@ -181,16 +182,15 @@ fn decibels(ratio: f64) -> String {
 }
 
 fn settings(arguments: &RcsArguments) -> Value {
-    let lower = |word: &dyn std::fmt::Debug| format!("{word:?}").to_lowercase();
-    let nodes = arguments.nodes().to_possible_value().map(|word| word.get_name().to_owned());
     let finite = |range: f64| if range.is_finite() { json!(range) } else { json!("inf") };
     // JSON is text; a path need not be.
     let materials = arguments.materials.as_ref().map(|file| file.to_string_lossy());
     json!({
-        "mesh": arguments.mesh.to_string_lossy(), "range_m": finite(arguments.range_m), "pol": lower(&arguments.pol),
-        "bounces": arguments.bounces(), "method": lower(&arguments.method), "edges": lower(&arguments.edges),
-        "nodes": nodes, "surface": lower(&arguments.surface), "sides": lower(&arguments.sides),
-        "materials": materials, "transmission": lower(&arguments.transmission),
+        "mesh": arguments.mesh.to_string_lossy(), "range_m": finite(arguments.range_m), "pol": word_of(&POLARIZATIONS, arguments.pol),
+        "bounces": arguments.bounces(), "method": format!("{:?}", arguments.method).to_lowercase(), "edges": word_of(&EDGES, arguments.edges),
+        "nodes": word_of(&NODES, arguments.nodes()), "surface": word_of(&SURFACES, arguments.surface),
+        "sides": word_of(&SIDES, arguments.sides),
+        "materials": materials, "transmission": word_of(&TRANSMISSION, arguments.transmission),
         "accuracy_db": arguments.accuracy_db(), "rx_az_deg": arguments.rx_az_deg, "rx_el_deg": arguments.rx_el_deg,
         "rx_range_m": arguments.rx_range_m.map(finite), "density_per_wavelength": arguments.density(), "unit_scale": arguments.unit_scale,
     })

@@ -6,7 +6,6 @@ use crate::program::words::MethodWord;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Surface};
-use artifact::{ErrorBudget, ModelError};
 use bart_rcs::{Keeper, Piece, RcsRequest, Standpoint};
 use num_complex::Complex64;
 use pipeline::host::checkpoint::Checkpoint;
@@ -50,22 +49,7 @@ pub(super) fn answer(
         values.iter().enumerate().for_each(|(f, value)| table[f * aspects + number] = *value);
         work.at(number + 1, aspects);
     }
-    Ok(Answer {
-        amplitude_m: table,
-        beams: vec![],
-        build_seconds: 0.0,
-        trace_seconds: clock.seconds() - start_s,
-        integrate_seconds: 0.0,
-        vanishes: false,
-        error: ErrorBudget::default(),
-        model_error: ModelError::default(),
-        node_spread: vec![],
-        dropped_at_most: None,
-        mirrors: None,
-        far_field: None,
-        check_seconds: 0.0,
-        cached: 0,
-    })
+    Ok(Answer { amplitude_m: table, trace_seconds: clock.seconds() - start_s, ..Answer::default() })
 }
 
 fn to_bytes(values: &[Complex64]) -> Vec<u8> {
