@@ -1,6 +1,10 @@
 //! Ctrl-C and SIGTERM: the code, and whether the words tell what the same command finds done.
 
 #![cfg(unix)]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking; clippy knows only functions marked as tests"
+)]
 
 use crate::common::{SMALL_SCENE, Workplace};
 use std::io::{BufRead, BufReader, Read};
