@@ -13,6 +13,7 @@
 
 use crate::metrics::gospa::{Gospa, gospa_by_costs};
 use crate::truth::Truth;
+use artifact::Radar;
 use artifact::points::Object;
 use artifact::scene::SceneHeader;
 use artifact::settings::StaticEchoes;
@@ -29,6 +30,8 @@ pub const GATE_M: f64 = 3.0;
 /// An object whose radial velocity differs by more from that of the body seen at the object's place, as the
 /// map folds it, is not that body's. Off by the gate at 30 m, a body that crosses at 14 m/s differs by 1.4
 /// m/s; parts of one object by a metre a second (`cluster_velocity_mps`).
+/// Where a Doppler cell is wider than twice that, half of it takes its place: of a frame of one chirp no
+/// velocity is told at all.
 pub const VELOCITY_GATE_MPS: f64 = 2.0;
 
 /// An object no further from a body's outline is on it, as good as any within: two range cells of Table 2's
@@ -47,6 +50,8 @@ pub struct Reach {
     pub range_max_m: f64,
     /// Velocities that differ by it look alike.
     pub velocity_span_mps: f64,
+    /// Objects whose radial velocity differs by more from a body's are not its own.
+    pub velocity_gate_mps: f64,
     /// Whether the array tells azimuths. One that does not tells a body by its range alone.
     pub tells_azimuth: bool,
     /// Echoes no faster than this, as the map folds them, may have been removed; `None` where none are.
@@ -59,18 +64,17 @@ struct Apart {
     velocity_mps: f64,
 }
 
-impl Apart {
+impl Reach {
     /// Squared distance by which a body's object is chosen, m². What lies on the outline is as near as what
     /// lies within: a strong echo of a front, told a hand's breadth before it, is the body's rather than a
     /// weak one of its load. And of a ghost within the outline that only the map's folds make move alike, and
     /// an echo in the right fold, the latter is taken.
-    fn cost_m2(&self) -> f64 {
-        let of_fold_m2 = if self.velocity_mps.abs() > VELOCITY_GATE_MPS { OTHER_FOLD_M.powi(2) } else { 0.0 };
-        (self.distance_m - ON_OUTLINE_M).max(0.0).powi(2) + of_fold_m2
+    fn cost_m2(&self, apart: &Apart) -> f64 {
+        let is_folded = apart.velocity_mps.abs() > self.velocity_gate_mps;
+        let of_fold_m2 = if is_folded { OTHER_FOLD_M.powi(2) } else { 0.0 };
+        (apart.distance_m - ON_OUTLINE_M).max(0.0).powi(2) + of_fold_m2
     }
-}
 
-impl Reach {
     /// The reach of a scene's radar with its settings.
     pub fn of(header: &SceneHeader) -> Self {
         let (radar, removes) = (&header.radar, header.dsp.static_echoes == StaticEchoes::Remove);
@@ -80,6 +84,7 @@ impl Reach {
             position_m: DVec3::from(radar.position_m),
             range_max_m: radar.waveform.range_max_m(),
             velocity_span_mps: 2.0 * radar.velocity_max_mps(),
+            velocity_gate_mps: velocity_gate_mps(radar),
             tells_azimuth: tells_azimuth(radar),
         }
     }
@@ -93,7 +98,7 @@ impl Reach {
 
     /// Squared distance from the outline to an object that moves as the body does; infinite of any other.
     fn square_m2(&self, apart: &Apart) -> f64 {
-        let moves_alike = self.folded_mps(apart.velocity_mps).abs() <= VELOCITY_GATE_MPS;
+        let moves_alike = self.folded_mps(apart.velocity_mps).abs() <= self.velocity_gate_mps;
         if moves_alike { apart.distance_m.powi(2) } else { f64::INFINITY }
     }
 
@@ -125,6 +130,11 @@ impl Reach {
     }
 }
 
+/// Difference of radial velocity up to which an object is a body's.
+fn velocity_gate_mps(radar: &Radar) -> f64 {
+    VELOCITY_GATE_MPS.max(0.5 * radar.velocity_resolution_mps())
+}
+
 /// Bodies of a frame and the objects that are theirs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pairing {
@@ -153,7 +163,7 @@ impl Pairing {
             reach.apart(&truths[asked[row]], &objects[o])
         });
         let squares_m2 = apart.map(|apart| reach.square_m2(apart));
-        let all = gospa_by_costs(squares_m2.view(), apart.map(Apart::cost_m2).view(), GATE_M);
+        let all = gospa_by_costs(squares_m2.view(), apart.map(|apart| reach.cost_m2(apart)).view(), GATE_M);
         let mut object_of = vec![None; truths.len()];
         asked.iter().zip(&all.chosen).for_each(|(truth, object)| object_of[*truth] = *object);
         let is_removed = |row: &usize| all.chosen[*row].is_none() && reach.removes(&truths[asked[*row]]);
@@ -246,6 +256,7 @@ mod tests {
         position_m: DVec3::ZERO,
         range_max_m: 100.0,
         velocity_span_mps: 20.0,
+        velocity_gate_mps: VELOCITY_GATE_MPS,
         tells_azimuth: true,
         removed_to_mps: None,
     };
@@ -322,6 +333,23 @@ mod tests {
         assert_eq!(objects_of(&truths, &[ghost, object_at([2.0, 29.5])]), [Some(1)]);
         // A span away.
         assert_eq!(objects_of(&truths, &[ghost, moving(object_at([2.0, 29.5]), 20.4)]), [Some(1)]);
+    }
+
+    #[test]
+    fn a_radar_of_few_chirps_finds_a_body_within_half_its_doppler_cell() {
+        let truths = [body(8.0, [2.0, 34.0])];
+        let object = Object { radial_velocity_mps: 4.9, ..object_at([2.0, 30.0]) };
+        assert_eq!(objects_of(&truths, &[object]), [None]);
+        let mut radar = radar::paper::radar(
+            [0.0; 3],
+            radar::paper::waveform(64, 1),
+            [radar::aperture::row(1, 1.0), radar::aperture::row(4, 1.0)],
+        );
+        // One chirp tells no velocity; 0 is shown of every body.
+        let reach = |radar: &Radar| Reach { velocity_gate_mps: velocity_gate_mps(radar), ..REACH };
+        assert_eq!(Pairing::of(&truths, &[object], &reach(&radar)).object_of, [Some(0)]);
+        radar.waveform.chirps = 128;
+        assert_eq!(Pairing::of(&truths, &[object], &reach(&radar)).object_of, [None]);
     }
 
     #[test]

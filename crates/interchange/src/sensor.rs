@@ -17,7 +17,7 @@ use artifact::Radar;
 use artifact::paths::{PathsFrame, PathsHeader};
 use artifact::points::{PointsFrame, PointsHeader};
 use artifact::tracks::{TracksFrame, TracksHeader};
-use mounting::{SENSOR, mounting};
+use mounting::{mounting, number};
 use objects::Births;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -47,10 +47,11 @@ impl<W: Write> SensorDataTrace<W> {
     /// # Errors
     /// The sink does not take it.
     pub fn points(&mut self, header: &PointsHeader, frame: &PointsFrame) -> io::Result<()> {
+        let sensor = number(header.cube.as_ref().map(|cube| &cube.radar));
         let cube = header.cube.as_ref().map(|cube| cube.in_frame(frame.index));
         let radar = cube.as_ref().map(|cube| &cube.radar);
-        let feature_data = Some(detections::feature_data(cube.as_ref(), frame));
-        let data = SensorData { feature_data, ..head(radar, frame.time_s) };
+        let feature_data = Some(detections::feature_data(sensor, cube.as_ref(), frame));
+        let data = SensorData { feature_data, ..head(sensor, radar, frame.time_s) };
         self.file.write(frame.time_s, &data)
     }
 
@@ -65,10 +66,12 @@ impl<W: Write> SensorDataTrace<W> {
         frame: &TracksFrame,
         classes: &BTreeMap<u32, [f64; 4]>,
     ) -> io::Result<()> {
+        let sensor = number(header.cube.as_ref().map(|cube| &cube.radar));
         let radar = header.cube.as_ref().map(|cube| cube.radar.in_frame(frame.index));
         let moving_object_header = Some(objects::header(radar.as_ref(), frame));
-        let moving_object = self.births.objects(frame, classes);
-        let data = SensorData { moving_object_header, moving_object, ..head(radar.as_ref(), frame.time_s) };
+        let moving_object = self.births.objects(sensor, frame, classes);
+        let data =
+            SensorData { moving_object_header, moving_object, ..head(sensor, radar.as_ref(), frame.time_s) };
         self.file.write(frame.time_s, &data)
     }
 
@@ -105,13 +108,18 @@ impl<W: Write> SensorViewTrace<W> {
     /// # Errors
     /// The sink does not take it.
     pub fn paths(&mut self, header: &PathsHeader, frame: &PathsFrame) -> io::Result<()> {
-        let radar = header.radar.in_frame(frame.index);
+        let (sensor, radar) = (number(Some(&header.radar)), header.radar.in_frame(frame.index));
         let view = SensorView {
             version: version(),
             timestamp: Some(Timestamp::at(frame.time_s)),
-            sensor_id: Identifier::of(SENSOR),
+            sensor_id: Identifier::of(sensor),
             mounting_position: Some(mounting(&radar)),
-            radar_sensor_view: vec![reflections::radar_view(&radar, header.centre_frequency_hz, frame)],
+            radar_sensor_view: vec![reflections::radar_view(
+                sensor,
+                &radar,
+                header.centre_frequency_hz,
+                frame,
+            )],
         };
         self.file.write(frame.time_s, &view)
     }
@@ -126,12 +134,12 @@ impl<W: Write> SensorViewTrace<W> {
 }
 
 /// Fields that every `SensorData` has.
-fn head(radar: Option<&Radar>, time_s: f64) -> SensorData {
+fn head(sensor: u64, radar: Option<&Radar>, time_s: f64) -> SensorData {
     let measured_at_s = time_s + radar.map_or(0.0, Radar::frame_middle_s);
     SensorData {
         version: version(),
         timestamp: Some(Timestamp::at(time_s)),
-        sensor_id: Identifier::of(SENSOR),
+        sensor_id: Identifier::of(sensor),
         mounting_position: radar.map(mounting),
         last_measurement_time: Some(Timestamp::at(measured_at_s)),
         ..SensorData::default()

@@ -43,14 +43,19 @@ fn four_axes<'py>(samples: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray4<C
 #[pymethods]
 impl Cube {
     #[new]
-    #[pyo3(signature = (samples, scene))]
-    fn new(py: Python<'_>, samples: &Bound<'_, PyAny>, scene: &Bound<'_, PyAny>) -> PyResult<Self> {
+    #[pyo3(signature = (samples, scene, *, full_scale=None))]
+    fn new(
+        py: Python<'_>,
+        samples: &Bound<'_, PyAny>,
+        scene: &Bound<'_, PyAny>,
+        full_scale: Option<f64>,
+    ) -> PyResult<Self> {
         let handle = Handle::of_any(scene)?;
         let (read, array) = (handle.get(), four_axes(samples)?);
         let opened = read.opened(py)?;
         let readonly: PyReadonlyArray4<'_, Complex32> = array.try_readonly()?;
         let shape = readonly.as_array().dim().into();
-        let made = cubes_of_samples(&opened, shape, readonly.as_slice()?);
+        let made = cubes_of_samples(&opened, shape, readonly.as_slice()?, full_scale);
         let recorded = made.map_err(|failure| failure::raised(py, &failure, read.shown()))?;
         drop(readonly);
         Ok(Self { samples: Arc::new(Samples::in_array(recorded, &array)) })

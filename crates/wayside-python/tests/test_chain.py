@@ -163,6 +163,18 @@ def test_anybodys_samples_become_a_cube(scene: wayside.Scene) -> None:
     assert one.samples.shape == (1, 4, 32, 64)
 
 
+def test_steps_of_a_converter_are_no_root_watts(scene: wayside.Scene) -> None:
+    samples = scene.echo().samples
+    assert wayside.Cube(samples, scene).unit == "sqrt(W)"
+    steps = np.round(samples / np.abs(samples).max() * 2000)
+    cube = wayside.Cube(steps, scene)
+    assert (cube.unit, cube.range_doppler().unit) == ("ADC steps", "ADC steps")
+    assert wayside.Cube(samples / np.abs(samples).max(), scene, full_scale=1.0).unit == "ADC steps"
+    for none in (0.0, -1.0, np.inf, np.nan):
+        with pytest.raises(wayside.WaysideError, match="full_scale must be a number of steps above 0"):
+            wayside.Cube(samples, scene, full_scale=none)
+
+
 def test_samples_that_are_not_the_radars_are_refused(scene: wayside.Scene) -> None:
     samples = scene.echo().samples.copy()
     with pytest.raises(wayside.WaysideError, match=r"is \[3, 32, 64\], the scene's radar has \[4, 32, 64\]"):

@@ -7,7 +7,7 @@ pub mod means;
 pub mod terminal;
 mod ending;
 mod export_formats;
-mod interrupt;
+pub mod interrupt;
 mod out_endings;
 #[cfg(feature = "classifier")]
 mod learning_cli;

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
 use wayside::host::files;
 use wayside::pictures::write_png;
-use wayside::program::terminal;
+use wayside::program::{interrupt, terminal};
 
 /// Sources that the figures of each drawn study hang on.
 pub(super) const CHART: Places = &[CHART_ROWS[0], CHART_ROWS[1], CHART_ROWS[2], CHART_ROWS[3], CHART_PAGE];
@@ -54,6 +54,7 @@ pub(crate) fn chart(ChartArguments { of_all: arguments, against }: &ChartArgumen
         drawing.again(file, arguments)?
     } else {
         let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
+        interrupt::keeps("rows");
         let measured = chart::measured(extent, &sources::hash(CHART_ROWS)?)?;
         let mut study = drawing.study("", chart::tables(&measured), chart::page(&measured, extent))?;
         let text = study.tables.iter().find(|(name, _)| *name == ANSWERS.name).map_or("", |(_, text)| text);

@@ -16,6 +16,7 @@ use std::f64::consts::{PI, TAU};
 pub struct Site {
     place_m: DVec2,
     height_m: f64,
+    boresight_az_rad: f64,
     range_cell_m: f64,
     velocity_cell_mps: f64,
     span_mps: f64,
@@ -38,10 +39,31 @@ pub struct Measurement {
     pub radial_velocity_mps: f64,
     /// Velocities this far apart look alike; `None` where the object's is resolved.
     pub span_mps: Option<f64>,
-    /// Range, azimuth, radial velocity; infinite where nothing is measured.
+    /// Range, azimuth where the object is seen, radial velocity; infinite where nothing is measured.
     pub variance: [f64; 3],
     coupling_m_per_mps: f64,
     site_m: DVec2,
+    direction: DirectionError,
+}
+
+/// Errors of an object's azimuth: that of its direction cosine u = cos ε·sin(α − α₀), and the place across
+/// the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct DirectionError {
+    cosine_variance: f64,
+    /// cos² ε.
+    flatness2: f64,
+    boresight_az_rad: f64,
+    across_variance: f64,
+}
+
+impl DirectionError {
+    /// Variance of an azimuth, rad²: du/dα is 1 along the boresight and less beside it. Along the row it is
+    /// none, and α is as far from there as 1 − u = (α − α₀ ∓ π/2)²/2 leaves it.
+    fn azimuth_variance(&self, azimuth_rad: f64) -> f64 {
+        let slope2 = self.flatness2 * (azimuth_rad - self.boresight_az_rad).cos().powi(2);
+        (self.cosine_variance / slope2).min(self.cosine_variance.sqrt()) + self.across_variance
+    }
 }
 
 impl Site {
@@ -56,6 +78,7 @@ impl Site {
         Self {
             place_m: DVec2::new(place[0], place[1]),
             height_m: place[2],
+            boresight_az_rad: radar.boresight_az_rad,
             range_cell_m: radar.waveform.range_resolution_m(),
             velocity_cell_mps: radar.velocity_resolution_mps().abs(),
             span_mps: 2.0 * radar.velocity_max_mps().abs(),
@@ -89,8 +112,13 @@ impl Site {
             ((extent[1] - extent[0]).abs() - 2.0 * cell).max(cell).powi(2) / 12.0
         };
         let across = settings.body_width_m.powi(2) / (12.0 * object.range_m.max(self.range_cell_m).powi(2));
-        // u = sin(azimuth) before the boresight; along it both are alike.
-        let beam = 0.5 / (PI * PI * self.aperture * strength);
+        let up = (object.position_m[2] - self.height_m) / object.range_m.max(self.range_cell_m);
+        let direction = DirectionError {
+            cosine_variance: 0.5 / (PI * PI * self.aperture * strength),
+            flatness2: (1.0 - up * up).max(0.0),
+            boresight_az_rad: self.boresight_az_rad,
+            across_variance: across,
+        };
         Measurement {
             range_m: object.range_m,
             azimuth_rad: object.azimuth_rad,
@@ -99,12 +127,13 @@ impl Site {
             span_mps: (!object.velocity_resolved).then_some(self.span_mps),
             variance: [
                 tone * self.range_cell_m.powi(2) + even(object.range_extent_m, self.range_cell_m),
-                beam + across,
+                direction.azimuth_variance(object.azimuth_rad),
                 tone * self.velocity_cell_mps.powi(2)
                     + even(object.velocity_extent_mps, self.velocity_cell_mps),
             ],
             coupling_m_per_mps: self.coupling_m_per_mps,
             site_m: self.place_m,
+            direction,
         }
     }
 }
@@ -150,6 +179,12 @@ impl Measurement {
         Estimate { mean: DVec4::new(place.x, place.y, velocity.x, velocity.y), covariance }
     }
 
+    /// Variance of the azimuth where it is expected: where it was measured hangs on its error.
+    fn azimuth_variance_at(&self, azimuth_rad: f64) -> f64 {
+        let of = |azimuth_rad| self.direction.azimuth_variance(azimuth_rad);
+        self.variance[1] * of(azimuth_rad) / of(self.azimuth_rad)
+    }
+
     /// Measured radial velocity less that of a state, on the velocity circle.
     pub fn rate_residual_mps(&self, state: &Estimate) -> f64 {
         let apart_mps = self.radial_velocity_mps - Sight::of(self, state).rate_mps;
@@ -172,7 +207,8 @@ impl Measurement {
         update.take(sight.range_row(), range_m - sight.range_m, self.variance[0]);
         if self.variance[1].is_finite() {
             let sight = Sight::of(self, &update.estimate);
-            update.take(sight.azimuth_row(), turned(self.azimuth_rad - sight.azimuth_rad), self.variance[1]);
+            let variance = self.azimuth_variance_at(sight.azimuth_rad);
+            update.take(sight.azimuth_row(), turned(self.azimuth_rad - sight.azimuth_rad), variance);
         }
         let sight = Sight::of(self, &update.estimate);
         let variance = self.variance[2] + sight.bend_variance(&update.estimate);

@@ -10,6 +10,7 @@ use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader, SampleUnit};
 use artifact::radar::Sampling;
 use num_complex::Complex32;
+use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
@@ -20,28 +21,49 @@ use std::path::{Path, PathBuf};
 /// Writes a cube; samples that were steps stay what they were where they fit, of all others the strongest
 /// takes most of the converter's range. The `.json` beside it says what one step is and of which samples, by
 /// their BLAKE3: whatever else is recorded under this name later has steps of its own.
+///
+/// # Errors
+/// The cube cannot be recorded so, or is another one when it is read for the second time.
 pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
+    write_in_two(file, out, || {})
+}
+
+/// Writes as [`write`] does; `between` is done between reading the cube for its step and for its samples.
+fn write_in_two(file: &Path, out: &Path, between: impl FnOnce()) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
     let recording = Recording::of_complex(file, &header)?;
     TWO_LANES.check(file, &recording, Sampling::Complex)?;
     sidecar::claim(out)?;
-    let mut parts = Parts::NONE;
+    let (mut parts, mut seen) = (Parts::NONE, blake3::Hasher::new());
     for frame in progress::frames(reader) {
-        parts = frame?.samples.iter().flat_map(|x| [x.re, x.im]).fold(parts, Parts::with);
+        let samples = frame?.samples;
+        hash(&mut seen, &samples);
+        parts = samples.iter().flat_map(|x| [x.re, x.im]).fold(parts, Parts::with);
     }
     let step = step_of(header.unit, parts);
-    let mut hasher = blake3::Hasher::new();
+    between();
+    let (mut hasher, mut seen_again) = (blake3::Hasher::new(), blake3::Hasher::new());
     let mut reader = Reader::<Cube>::open(file)?;
-    let frames = reader.frames();
-    files::write_with(out, |stream| {
+    if *reader.header() != header {
+        return Err(loading::changed(file));
+    }
+    let (frames, mut is_changed) = (reader.frames(), false);
+    let written = files::write_with(out, |stream| {
         progress::counted("frames", reader.by_ref(), frames as usize).try_for_each(|frame| {
             let frame = frame.map_err(Error::other)?;
+            hash(&mut seen_again, &frame.samples);
             let bytes = bytes(&recording.by_slot(&frame.samples), step);
             hasher.update(&bytes);
             stream.write_all(&bytes)
-        })
-    })?;
+        })?;
+        is_changed = seen.finalize() != seen_again.finalize();
+        if is_changed { Err(Error::other("its step is that of other samples")) } else { Ok(()) }
+    });
+    if is_changed {
+        return Err(loading::changed(file));
+    }
+    written?;
     let mut told = told(&header, &recording, frames, step);
     told[HASH] = hasher.finalize().to_hex().to_string().into();
     sidecar::write(out, &told)
@@ -122,6 +144,11 @@ fn step_of(unit: SampleUnit, parts: Parts) -> f32 {
         _ if peak > 0.0 => peak / FULL_SCALE,
         _ => 1.0,
     }
+}
+
+fn hash(seen: &mut blake3::Hasher, samples: &[Complex32]) {
+    let bytes: Vec<u8> = samples.iter().flat_map(|x| [x.re, x.im]).flat_map(f32::to_le_bytes).collect();
+    seen.update(&bytes);
 }
 
 fn bytes(values: &[Complex32], step: f32) -> Vec<u8> {
@@ -262,6 +289,31 @@ mod tests {
         assert_eq!(step(full, &[1.0, 0.0, -1.0]), 1.0);
         assert_eq!(step(SampleUnit::RootWatts, &[1.0]), 1.0 / FULL_SCALE);
         assert_eq!(step(SampleUnit::RootWatts, &[]), 1.0);
+    }
+
+    #[test]
+    fn a_cube_that_is_replaced_while_it_is_read_is_refused_and_nothing_is_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, out) = (folder.path().join("a.cube"), folder.path().join("a.bin"));
+        let elements = [radar::aperture::row(1, 1.0), radar::aperture::row(2, 1.0)];
+        let radar = radar::paper::radar([0.0; 3], radar::paper::waveform(8, 2), elements);
+        let (noise, dsp) = (artifact::settings::Noise::Absent, radar::paper::processing());
+        let header = CubeHeader { radar, noise, dsp, unit: SampleUnit::RootWatts };
+        let put = |level: f32| {
+            let from = artifact::Provenance::default();
+            let mut writer = artifact::Writer::<Cube>::create(&file, &from, &header).unwrap();
+            let samples = vec![Complex32::new(level, 0.0); header.shape().iter().product()];
+            let error = artifact::ErrorBudget::default();
+            writer.write(&artifact::cube::CubeFrame { index: 0, time_s: 0.0, samples, error }).unwrap();
+            writer.finish().unwrap();
+        };
+        put(1.0);
+        write_in_two(&file, &out, || {}).unwrap();
+        std::fs::remove_file(&out).unwrap();
+        // Ten times as strong: all steps would be at the end of the range.
+        let refused = write_in_two(&file, &out, || put(10.0)).unwrap_err();
+        assert!(refused.to_string().contains("was changed while this command read it"), "{refused}");
+        assert!(!out.exists());
     }
 
     #[test]

@@ -4,8 +4,9 @@
 //! A tone's frequency has the variance 6/((2π)²ρ) in cells, a direction cosine 1/(2π²σ²ρ) over elements that
 //! spread by σ half wavelengths, ρ the power over noise of all channels (the bounds that the tracker of `dsp`
 //! takes for its objects). A point of a vehicle stands for all that echoes in its cell, evenly: a twelfth of
-//! the cell squared.
+//! the cell squared. On the slope of a stronger point it may stand for that one's echo: their distance adds.
 
+use crate::measured::slopes::Slope;
 use artifact::Radar;
 use artifact::units::power_from_db;
 use std::f64::consts::{PI, TAU};
@@ -21,16 +22,22 @@ pub(crate) struct StandardErrors {
     pub(crate) elevation_rad: Option<f64>,
 }
 
-/// Errors of a detection of that strength in that direction, azimuth and elevation in the sensor's axes.
-pub(crate) fn standard_errors(radar: &Radar, snr_db: f64, [azimuth, elevation]: [f64; 2]) -> StandardErrors {
+/// Errors of a detection of that strength on that slope, in that direction: azimuth and elevation in the
+/// sensor's axes.
+pub(crate) fn standard_errors(
+    radar: &Radar,
+    snr_db: f64,
+    slope: Slope,
+    [azimuth, elevation]: [f64; 2],
+) -> StandardErrors {
     let strength = power_from_db(snr_db).max(1.0) * radar.virtual_channels().max(1) as f64;
     let tone = 6.0 / (TAU * TAU * strength) + 1.0 / 12.0;
     // Along the rows the cosine is −cos(elevation)·sin(azimuth), along the columns sin(elevation).
-    let slope = (elevation.cos() * azimuth.cos()).abs();
+    let steepness = (elevation.cos() * azimuth.cos()).abs();
     StandardErrors {
-        range_m: radar.waveform.range_resolution_m() * tone.sqrt(),
-        velocity_mps: radar.velocity_resolution_mps().abs() * tone.sqrt(),
-        azimuth_rad: cosine_error(radar, 0, strength).map(|error| (error / slope).min(PI)),
+        range_m: (radar.waveform.range_resolution_m() * tone.sqrt()).hypot(slope.range_m),
+        velocity_mps: (radar.velocity_resolution_mps() * tone.sqrt()).hypot(slope.velocity_mps),
+        azimuth_rad: cosine_error(radar, 0, strength).map(|error| (error / steepness).min(PI)),
         elevation_rad: cosine_error(radar, 1, strength).map(|error| (error / elevation.cos().abs()).min(PI)),
     }
 }

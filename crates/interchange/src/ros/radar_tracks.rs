@@ -1,6 +1,7 @@
 //! Tracks as `radar_msgs/RadarTracks` in world coordinates: the middle of the box, its length and width, and
 //! the variances of place and velocity. What is not estimated has the message's mark for it, −1.
 
+use crate::measured::box_place::middle_covariance;
 use crate::ros::cdr::Cdr;
 use crate::ros::frames::WORLD;
 use artifact::tracks::{Track, TrackState, TracksFrame};
@@ -29,16 +30,17 @@ fn put(message: &mut Cdr, track: &Track) {
     message.doubles(&[0.0; 3]);
     message.doubles(&[footprint.length_m, footprint.width_m, 0.0]);
     message.put(NO_CLASSIFICATION.to_le_bytes());
-    message.floats(&upper_triangle(track, 0));
-    message.floats(&upper_triangle(track, 2));
+    let velocity =
+        std::array::from_fn(|row| std::array::from_fn(|column| track.covariance[2 + row][2 + column]));
+    message.floats(&upper_triangle(middle_covariance(track)));
+    message.floats(&upper_triangle(velocity));
     message.floats(&[UNKNOWN; 6]);
     message.floats(&[UNKNOWN; 6]);
 }
 
-/// xx, xy, xz, yy, yz, zz of the place (from 0) or of the velocity (from 2).
-fn upper_triangle(track: &Track, from: usize) -> [f64; 6] {
-    let of = |row: usize, column: usize| track.covariance[from + row][from + column];
-    [of(0, 0), of(0, 1), UNKNOWN, of(1, 1), UNKNOWN, UNKNOWN]
+/// xx, xy, xz, yy, yz, zz of a covariance along x and y.
+fn upper_triangle([[xx, xy], [_, yy]]: [[f64; 2]; 2]) -> [f64; 6] {
+    [xx, xy, UNKNOWN, yy, UNKNOWN, UNKNOWN]
 }
 
 /// A number that no other track of the recording has; the same in every run.

@@ -2,19 +2,20 @@
 
 use crate::measured::existence::existence;
 use crate::measured::sensor_axes::SensorAxes;
+use crate::measured::slopes::{Slope, slopes};
 use crate::measured::standard_errors::standard_errors;
 use crate::osi::common::{Identifier, Spherical3d, Timestamp, version};
 use crate::osi::sensor_data::{
     AVAILABLE, FeatureData, RadarDetection, RadarDetectionData, SensorDetectionHeader,
 };
-use crate::sensor::mounting::{SENSOR, mounting};
+use crate::sensor::mounting::mounting;
 use artifact::Radar;
 use artifact::cube::CubeHeader;
 use artifact::points::{Point, PointsFrame};
 use radar::cross_section::cross_section_dbsm;
 
-/// Detections of a frame, in the order of its points.
-pub(crate) fn feature_data(cube: Option<&CubeHeader>, frame: &PointsFrame) -> FeatureData {
+/// Detections of a frame by a sensor of that number, in the order of its points.
+pub(crate) fn feature_data(sensor: u64, cube: Option<&CubeHeader>, frame: &PointsFrame) -> FeatureData {
     let radar = cube.map(|cube| &cube.radar);
     let measured_at_s = frame.time_s + radar.map_or(0.0, Radar::frame_middle_s);
     let header = SensorDetectionHeader {
@@ -23,17 +24,20 @@ pub(crate) fn feature_data(cube: Option<&CubeHeader>, frame: &PointsFrame) -> Fe
         mounting_position: radar.map(mounting),
         data_qualifier: Some(AVAILABLE),
         number_of_valid_detections: Some(frame.points.len() as u32),
-        sensor_id: Identifier::of(SENSOR),
+        sensor_id: Identifier::of(sensor),
     };
-    let detection = (0..).zip(&frame.points).map(|(number, point)| detection(cube, frame, number, point));
-    let of_radar = RadarDetectionData { header: Some(header), detection: detection.collect() };
+    let slopes =
+        cube.map_or_else(|| vec![Slope::default(); frame.points.len()], |cube| slopes(cube, &frame.points));
+    let detections = (0..).zip(slopes).map(|(number, slope)| detection(cube, frame, number, slope));
+    let of_radar = RadarDetectionData { header: Some(header), detection: detections.collect() };
     FeatureData { version: version(), radar_sensor: vec![of_radar] }
 }
 
-fn detection(cube: Option<&CubeHeader>, frame: &PointsFrame, number: u64, point: &Point) -> RadarDetection {
+fn detection(cube: Option<&CubeHeader>, frame: &PointsFrame, number: usize, slope: Slope) -> RadarDetection {
+    let point = &frame.points[number];
     let axes = cube.map_or_else(SensorAxes::of_world, |cube| SensorAxes::of(&cube.radar));
     let angles = axes.angles_of_world(point.azimuth_rad, point.elevation_rad);
-    let errors = cube.map(|cube| standard_errors(&cube.radar, point.snr_db, angles));
+    let errors = cube.map(|cube| standard_errors(&cube.radar, point.snr_db, slope, angles));
     let position_rmse = errors.map(|errors| Spherical3d {
         distance: Some(errors.range_m),
         azimuth: errors.azimuth_rad,
@@ -52,7 +56,7 @@ fn detection(cube: Option<&CubeHeader>, frame: &PointsFrame, number: u64, point:
         radial_velocity_rmse: errors.map(|errors| errors.velocity_mps),
         rcs: cube.and_then(|cube| cross_section_dbsm(cube, point)),
         snr: Some(point.snr_db),
-        ambiguity_id: Identifier::of(ambiguity(frame, number, point)),
+        ambiguity_id: Identifier::of(ambiguity(frame, number as u64, point)),
     }
 }
 

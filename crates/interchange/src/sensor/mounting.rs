@@ -4,8 +4,16 @@ use crate::measured::sensor_axes::SensorAxes;
 use crate::osi::common::{MountingPosition, Orientation3d, Vector3d};
 use artifact::Radar;
 
-/// The one sensor of a trace.
-pub(crate) const SENSOR: u64 = 0;
+/// Number of a radar among others, 48 bits of the fingerprint of its place, orientation, elements and
+/// waveform: the same in all traces of a radar, and another one in those of a second. 0 of no radar.
+pub(crate) fn number(radar: Option<&Radar>) -> u64 {
+    let all = radar.map(|radar| {
+        let mounted = (radar.position_m, radar.boresight_az_rad, radar.boresight_el_rad);
+        let elements = (&radar.array.tx_half_wavelengths, &radar.array.rx_half_wavelengths);
+        artifact::envelope::fingerprint(&(mounted, elements, &radar.waveform))
+    });
+    all.and_then(|hash| u64::from_str_radix(hash.get(..12)?, 16).ok()).unwrap_or(0)
+}
 
 /// Place and orientation of a radar in the world.
 pub(crate) fn mounting(radar: &Radar) -> MountingPosition {

@@ -1,12 +1,12 @@
 //! Tracks as `osi3.DetectedMovingObject`.
 
+use crate::measured::box_place::middle_covariance;
 use crate::osi::common::{BaseMoving, Dimension3d, Identifier, Orientation3d, Timestamp, Vector3d};
 use crate::osi::moving_object::{VehicleClassification, object_type};
 use crate::osi::sensor_data::{
     AVAILABLE, CandidateMovingObject, DetectedEntityHeader, DetectedItemHeader, DetectedMovingObject,
     REFERENCE_CENTER, measurement_state,
 };
-use crate::sensor::mounting::SENSOR;
 use artifact::Radar;
 use artifact::settings::Class;
 use artifact::tracks::{Track, TrackState, TracksFrame};
@@ -29,9 +29,10 @@ pub(crate) struct Births {
 }
 
 impl Births {
-    /// Objects of a frame, in the order of its tracks.
+    /// Objects of a frame by a sensor of that number, in the order of its tracks.
     pub(crate) fn objects(
         &mut self,
+        sensor: u64,
         frame: &TracksFrame,
         classes: &BTreeMap<u32, [f64; 4]>,
     ) -> Vec<DetectedMovingObject> {
@@ -41,13 +42,13 @@ impl Births {
         let believed = frame.tracks.iter().filter(|track| track.state != TrackState::Tentative);
         let objects = believed.map(|track| {
             let born_s = self.of_tracks.get(&track.id).copied().unwrap_or(frame.time_s);
-            object(track, frame.time_s - born_s, classes.get(&track.id))
+            object(sensor, track, frame.time_s - born_s, classes.get(&track.id))
         });
         objects.collect()
     }
 }
 
-fn object(track: &Track, age_s: f64, classes: Option<&[f64; 4]>) -> DetectedMovingObject {
+fn object(sensor: u64, track: &Track, age_s: f64, classes: Option<&[f64; 4]>) -> DetectedMovingObject {
     let state = match track.state {
         TrackState::Coasting => measurement_state::PREDICTED,
         TrackState::Tentative | TrackState::Confirmed => measurement_state::MEASURED,
@@ -56,12 +57,13 @@ fn object(track: &Track, age_s: f64, classes: Option<&[f64; 4]>) -> DetectedMovi
         tracking_id: Identifier::of(u64::from(track.id)),
         age: Some(age_s),
         measurement_state: Some(state),
-        sensor_id: Identifier::of(SENSOR).into_iter().collect(),
+        sensor_id: Identifier::of(sensor).into_iter().collect(),
     };
-    let deviation = |i: usize| track.covariance[i][i].max(0.0).sqrt();
+    let deviation = |variance: f64| variance.max(0.0).sqrt();
+    let middle = middle_covariance(track);
     let base_rmse = BaseMoving {
-        position: Vector3d::flat([deviation(0), deviation(1)]),
-        velocity: Vector3d::flat([deviation(2), deviation(3)]),
+        position: Vector3d::flat([deviation(middle[0][0]), deviation(middle[1][1])]),
+        velocity: Vector3d::flat([deviation(track.covariance[2][2]), deviation(track.covariance[3][3])]),
         ..BaseMoving::default()
     };
     DetectedMovingObject {

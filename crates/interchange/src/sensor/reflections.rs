@@ -4,17 +4,22 @@
 use crate::measured::sensor_axes::SensorAxes;
 use crate::osi::common::Identifier;
 use crate::osi::sensor_view::{RadarSensorView, RadarSensorViewConfiguration, Reflection};
-use crate::sensor::mounting::{SENSOR, mounting};
+use crate::sensor::mounting::mounting;
 use artifact::Radar;
 use artifact::paths::{Path, PathsFrame};
 use artifact::units::{SPEED_OF_LIGHT_MPS, db_from_amplitude};
 use radar::link::link_amplitude;
 use radar::path_kinematics::{Leg, legs, mean_share};
 
-/// Reflections of a frame, in the order of its paths.
-pub(crate) fn radar_view(radar: &Radar, centre_frequency_hz: f64, frame: &PathsFrame) -> RadarSensorView {
+/// Reflections of a frame by a sensor of that number, in the order of its paths.
+pub(crate) fn radar_view(
+    sensor: u64,
+    radar: &Radar,
+    centre_frequency_hz: f64,
+    frame: &PathsFrame,
+) -> RadarSensorView {
     let configuration = RadarSensorViewConfiguration {
-        sensor_id: Identifier::of(SENSOR),
+        sensor_id: Identifier::of(sensor),
         mounting_position: Some(mounting(radar)),
         emitter_frequency: Some(centre_frequency_hz),
     };

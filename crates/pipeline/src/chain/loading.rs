@@ -145,12 +145,15 @@ pub fn seen(files: &[PathBuf]) -> Result<Vec<SeenFile>, Failure> {
 pub fn check_unchanged<'a>(files: impl IntoIterator<Item = &'a mut SeenFile>) -> Result<(), Failure> {
     files.into_iter().try_for_each(|seen| match seen.is_unchanged() {
         Ok(true) => Ok(()),
-        Ok(false) => {
-            let rule = "was changed while this command read it; the same command takes it as it is now";
-            Err(Failure::System(format!("{}: {rule}", seen.file().display())))
-        }
+        Ok(false) => Err(changed(seen.file())),
         Err(error) => Err(Failure::system(seen.file(), "read", error)),
     })
+}
+
+/// Refusal of a file that was changed between two readings.
+pub fn changed(file: &Path) -> Failure {
+    let rule = "was changed while this command read it; the same command takes it as it is now";
+    Failure::System(format!("{}: {rule}", file.display()))
 }
 
 /// Hands out what is read of files, with the names and hashes of these: refused where one was changed

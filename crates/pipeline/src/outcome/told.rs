@@ -296,7 +296,7 @@ fn cause(object: &FalseObject) -> String {
     match object.cause {
         Cause::Ghost => format!("ghost by {bodies}{bounces}"),
         Cause::Split => format!("split off {bodies}, which has an object"),
-        Cause::Misplaced => format!("echo of {bodies}, too far from it{bounces}"),
+        Cause::Misplaced => format!("echo of {bodies}, too far from it in place or velocity{bounces}"),
         Cause::Clutter if object.bodies.is_empty() => "clutter: the road".into(),
         Cause::Clutter => format!("clutter: {bodies}"),
         cause @ (Cause::Noise | Cause::Unknown) => cause.name().into(),

@@ -136,16 +136,16 @@ fn axes(header: &CubeHeader, form: Form, top: f64) -> Axes {
     let (ranges, velocities) = (dsp::range_axis_m(header), dsp::velocity_axis_mps(header));
     let [left, right] = form.map_sides_px();
     let height = if form == Form::Wide { 400.0 } else { 320.0 };
-    let (from, to) = ends(&ranges);
+    let (from, to) = ends(&ranges, header.radar.waveform.range_resolution_m());
     let x = Axis { from, to, start_px: left, end_px: right };
-    let (from, to) = ends(&velocities);
+    let (from, to) = ends(&velocities, header.radar.velocity_resolution_mps());
     Axes { x, y: Axis { from, to, start_px: top + height, end_px: top } }
 }
 
-/// Outer edges of the first and last cell.
-fn ends(axis: &[f64]) -> (f64, f64) {
+/// Outer edges of the first and last cell; a cell that is alone is as wide as the resolution.
+fn ends(axis: &[f64], resolution: f64) -> (f64, f64) {
     let (first, last) = (axis.first().copied().unwrap_or(0.0), axis.last().copied().unwrap_or(1.0));
-    let half = 0.5 * (last - first) / (axis.len().max(2) - 1) as f64;
+    let half = 0.5 * if axis.len() > 1 { (last - first) / (axis.len() - 1) as f64 } else { resolution };
     (first - half, last + half)
 }
 
@@ -155,4 +155,16 @@ fn levels(map: &Array2<f64>) -> [f64; 2] {
     cells.sort_by(f64::total_cmp);
     let (peak, median) = (cells[cells.len() - 1], cells[cells.len() / 2]);
     [(median - BELOW_NOISE_DB).clamp(peak - SPAN_DB, peak - 10.0), peak]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_axis_ends_half_a_cell_beyond_its_cells_and_one_cell_alone_is_its_resolution_wide() {
+        assert_eq!(ends(&[0.0, 2.0, 4.0], 3.0), (-1.0, 5.0));
+        // A frame of one chirp tells no velocity: λ/2T from −λ/4T on.
+        assert_eq!(ends(&[0.0], 86.0), (-43.0, 43.0));
+    }
 }

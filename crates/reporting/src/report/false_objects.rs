@@ -67,7 +67,7 @@ fn cause(object: &FalseObject) -> String {
         Cause::Clutter if bodies.is_empty() => "clutter: the road's own backscatter".into(),
         Cause::Clutter => format!("clutter: {bodies}"),
         Cause::Split => format!("a further part of {bodies}, which has its object"),
-        Cause::Misplaced => format!("echo of {bodies}, seen too far from it"),
+        Cause::Misplaced => format!("echo of {bodies}, seen too far from it in place or velocity"),
         Cause::Noise => "noise".into(),
         Cause::Unknown => "not known".into(),
     }

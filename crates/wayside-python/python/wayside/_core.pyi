@@ -230,10 +230,17 @@ class Cube:
 
     `Cube(samples, scene)` makes them of anybody's samples: complex values [frame, channel, chirp, sample], or
     of one frame [channel, chirp, sample]; `scene` is a Scene, a path or a dictionary and says what the
-    radar is.
+    radar is. Their unit is what `import` takes it for: steps of a converter where `full_scale`, the largest
+    part of a sample, is told, or all samples are whole numbers; else √W.
     """
 
-    def __new__(cls, samples: ArrayLike, scene: Scene | _Path | Mapping[str, Any]) -> Cube: ...
+    def __new__(
+        cls,
+        samples: ArrayLike,
+        scene: Scene | _Path | Mapping[str, Any],
+        *,
+        full_scale: float | None = None,
+    ) -> Cube: ...
     @staticmethod
     def read(file: _Path) -> Cube:
         """Reads a `.cube` artifact."""

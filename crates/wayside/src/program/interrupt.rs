@@ -1,6 +1,15 @@
 //! Ctrl-C and SIGTERM: nothing half-written stays behind, exit code 130.
 
 use crate::program::terminal;
+use std::sync::{Mutex, PoisonError};
+
+/// Parts of a command's work that the next one finds done, in the plural; `None` while it has no such parts.
+static KEPT: Mutex<Option<&'static str>> = Mutex::new(None);
+
+/// Says what parts of the work are kept from now on for the next command: whole frames, say.
+pub fn keeps(parts: &'static str) {
+    *KEPT.lock().unwrap_or_else(PoisonError::into_inner) = Some(parts);
+}
 
 /// Handles interrupts from now on: one removes the temporary files of what is being written and ends the
 /// program.
@@ -8,10 +17,18 @@ pub(crate) fn install() {
     let handler = || {
         let _nothing_new = artifact::whole_file::abandon_all();
         terminal::end_progress();
-        terminal::say("interrupted; whole frames and aspects are kept, the next run goes on from there");
+        let kept = *KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+        terminal::say(format_args!("interrupted; {}", left_behind(kept)));
         std::process::exit(130);
     };
     if let Err(error) = ctrlc::set_handler(handler) {
         terminal::say(format_args!("note: interrupts are not handled: {error}"));
+    }
+}
+
+fn left_behind(kept: Option<&str>) -> String {
+    match kept {
+        Some(parts) => format!("whole {parts} are kept, the same command goes on from there"),
+        None => "nothing is half-written, the same command begins anew".to_owned(),
     }
 }

@@ -5,5 +5,6 @@ mod common;
 
 mod controls;
 mod idle_options;
+mod interrupts;
 mod refusals;
 mod standard_output;

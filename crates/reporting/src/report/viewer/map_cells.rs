@@ -73,8 +73,8 @@ impl MapCells {
         Ok(Self {
             rows: pool.rows(),
             columns: pool.columns(),
-            range_m: pool.axis(&dsp::range_axis_m(header)),
-            velocity_mps: pool.axis(&dsp::velocity_axis_mps(header)),
+            range_m: pool.axis(&dsp::range_axis_m(header), header.radar.waveform.range_resolution_m()),
+            velocity_mps: pool.axis(&dsp::velocity_axis_mps(header), header.radar.velocity_resolution_mps()),
             noise_dbw: db_from_power(floor),
             floor_is_assumed: frame.rdm.assumed_floor.is_some(),
             levels_db: Packed::steps(
@@ -133,9 +133,10 @@ impl Pool {
         span(row, self.size.0).flat_map(move |r| across.clone().map(move |c| r * columns + c))
     }
 
-    /// Place of the first square's middle on an axis, and from one to the next.
-    fn axis(&self, cells: &[f64]) -> [f64; 2] {
-        let step = if cells.len() > 1 { cells[1] - cells[0] } else { 1.0 };
+    /// Place of the first square's middle on an axis, and from one to the next; a cell that is alone is as
+    /// wide as the resolution.
+    fn axis(&self, cells: &[f64], resolution: f64) -> [f64; 2] {
+        let step = if cells.len() > 1 { cells[1] - cells[0] } else { resolution };
         let side = self.side as f64;
         [cells.first().copied().unwrap_or(0.0) + 0.5 * (side - 1.0) * step, side * step]
     }
@@ -152,7 +153,8 @@ mod tests {
         assert_eq!((pool.side, pool.rows(), pool.columns()), (2, 2, 2));
         // Rows: 0 5 1 2 / 3 4 7 1 / 2 9 0 8.
         assert_eq!(pool.strongest(&levels), [1, 6, 9, 11]);
-        assert_eq!(pool.axis(&[0.0, 2.0, 4.0, 6.0]), [1.0, 4.0]);
+        assert_eq!(pool.axis(&[0.0, 2.0, 4.0, 6.0], 2.0), [1.0, 4.0]);
+        assert_eq!(Pool::of((1, 4), 4).axis(&[0.0], 86.0), [0.0, 86.0]);
         assert_eq!(Pool::of((3, 4), 12).strongest(&levels), (0..12).collect::<Vec<_>>());
     }
 }

@@ -107,8 +107,6 @@ struct Told {
 /// are whole numbers are such steps too, of a converter that nobody tells of. A full scale is what the
 /// command says, else what the file of the step does, else what the configuration's bits make it.
 fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> SampleUnit {
-    let is_whole = |x: f32| x.fract() == 0.0;
-    let mut values = frames.iter().flatten();
     let of_bits = |bits: u32| f64::from(1 << (bits - 1));
     match (step, told.full_scale) {
         (IntegerStep::Asked(_) | IntegerStep::Told(..), _) => SampleUnit::RootWatts,
@@ -117,15 +115,8 @@ fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> SampleU
         (IntegerStep::Counted { full_scale, .. }, None) => {
             full_scale.or(told.bits.map(of_bits)).map_or(SampleUnit::Steps, SampleUnit::FullScale)
         }
-        (IntegerStep::Floats, None) => {
-            let are_steps = values.all(|v| is_whole(v.re) && is_whole(v.im)) && peak(frames) > 0.0;
-            if are_steps { SampleUnit::Steps } else { SampleUnit::RootWatts }
-        }
+        (IntegerStep::Floats, None) => stepwise::unit_of_floats(frames.iter().flatten(), None),
     }
-}
-
-fn peak(frames: &[Vec<Complex32>]) -> f32 {
-    frames.iter().flatten().fold(0.0, |peak, v| v.re.abs().max(v.im.abs()).max(peak))
 }
 
 /// The scene, with what the board's configuration alone says of its radar.

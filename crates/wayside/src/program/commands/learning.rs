@@ -2,6 +2,7 @@
 
 pub(crate) mod classify;
 
+use crate::program::interrupt;
 use crate::program::learning_cli::{
     DatasetArguments, EvaluateArguments, LearnerWord, LearningCommand, ProtocolsArguments, TrainArguments,
 };
@@ -17,6 +18,9 @@ use std::path::PathBuf;
 pub(crate) fn dispatch(command: LearningCommand, memory: Allowance) -> Result<(), Failure> {
     match command {
         LearningCommand::Dataset(arguments) => {
+            if !arguments.dry_run {
+                interrupt::keeps("shards");
+            }
             dataset::run(&of_dataset(&arguments, memory)).map_err(|failure| failure.about(&arguments.spec))
         }
         LearningCommand::Train(arguments) => {

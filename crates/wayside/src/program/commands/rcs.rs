@@ -11,6 +11,7 @@ mod references;
 mod test_request;
 
 use crate::program::cli::RcsArguments;
+use crate::program::interrupt;
 use crate::program::terminal;
 use crate::program::words::MethodWord;
 use crate::remarks;
@@ -50,6 +51,7 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     let load = clock.seconds();
     let checkpoint =
         progress::during("looking for an earlier run of this", || checkpoint(arguments, &mesh, &request));
+    interrupt::keeps("aspects");
     let answer = match arguments.method {
         MethodWord::Bart => traced(&mesh, &request, &checkpoint, &clock, memory)?,
         MethodWord::Po | MethodWord::Sbr => {

@@ -1,18 +1,24 @@
 //! `run`: a scene to everything that can be known of it.
 
 use crate::program::cli::RunArguments;
+use crate::program::interrupt;
 use crate::program::means::Means;
 use crate::program::terminal;
 use crate::run::{self, Settings};
+use pipeline::chain::cache::{Cache, CacheLocation};
 use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 
 pub(crate) fn run(arguments: &RunArguments, means: &Means) -> Result<(), Failure> {
+    let cache = (!arguments.no_cache).then(|| arguments.cache.location());
+    if !arguments.dry_run && is_cached(cache.as_ref()) {
+        interrupt::keeps("frames");
+    }
     let settings = Settings {
         scene: arguments.scene.source(),
         out: arguments.out.clone(),
         classifier: arguments.classifier.clone(),
-        cache: (!arguments.no_cache).then(|| arguments.cache.location()),
+        cache,
         memory: means.memory,
         dry_run: arguments.dry_run,
         explain: arguments.explain,
@@ -21,4 +27,9 @@ pub(crate) fn run(arguments: &RunArguments, means: &Means) -> Result<(), Failure
         call_off: CallOff::default(),
     };
     run::run(&settings).map(drop)
+}
+
+/// Whether there is a folder where frames are kept.
+fn is_cached(location: Option<&CacheLocation>) -> bool {
+    location.is_some_and(|location| Cache::open(location).is_ok_and(|cache| cache.is_some()))
 }

@@ -1,6 +1,7 @@
 //! `sweep`: a study of many designs to the one to take.
 
 use crate::program::cli::SweepArguments;
+use crate::program::interrupt;
 use crate::program::means::Means;
 use crate::program::terminal;
 use pipeline::host::call_off::CallOff;
@@ -10,6 +11,7 @@ use std::path::Path;
 use sweeps::Settings;
 
 pub(crate) fn run(arguments: &SweepArguments, means: &Means) -> Result<(), Failure> {
+    interrupt::keeps("runs");
     let settings = Settings {
         study: arguments.study.clone(),
         out: arguments.out.clone(),
