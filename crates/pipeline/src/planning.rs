@@ -17,6 +17,7 @@ use artifact::Accuracy;
 use artifact::scene::SceneHeader;
 use artifact::settings::{EchoMode, NodeRule, Sides};
 use choice::{Budget, Choice, Fixed};
+use costs::PartCosts;
 use look::Shares;
 use part::Part;
 use scene::{Planning, SaidPhysics};
@@ -45,12 +46,39 @@ pub fn scene(
     cache: Option<&Cache>,
     memory: Allowance,
 ) -> Result<PlannedScene, Failure> {
-    let planned = chosen(source, cache, memory)?;
+    told_of(source, cache, memory, PartCosts::Untold)
+}
+
+/// The same, with what each part of the physics takes or would take
+/// ([`told::PartFigures::processor_s`]): for whoever tells it, as it takes a look for each part.
+///
+/// # Errors
+/// Those of [`self::scene()`].
+pub fn explained_scene(
+    source: &SceneSource,
+    cache: Option<&Cache>,
+    memory: Allowance,
+) -> Result<PlannedScene, Failure> {
+    told_of(source, cache, memory, PartCosts::Told)
+}
+
+fn told_of(
+    source: &SceneSource,
+    cache: Option<&Cache>,
+    memory: Allowance,
+    part_costs: PartCosts,
+) -> Result<PlannedScene, Failure> {
+    let planned = chosen(source, cache, memory, part_costs)?;
     below_road::notes(&planned.loaded.header).into_iter().for_each(progress::note);
     Ok(planned)
 }
 
-fn chosen(source: &SceneSource, cache: Option<&Cache>, memory: Allowance) -> Result<PlannedScene, Failure> {
+fn chosen(
+    source: &SceneSource,
+    cache: Option<&Cache>,
+    memory: Allowance,
+    part_costs: PartCosts,
+) -> Result<PlannedScene, Failure> {
     // Scene and what it says of the physics are of one and the same file.
     let ((mut loaded, said), _) = loading::read_of(slice::from_ref(&source.file), || {
         let loaded = loading::scene(source, cache)?;
@@ -62,7 +90,7 @@ fn chosen(source: &SceneSource, cache: Option<&Cache>, memory: Allowance) -> Res
     } else if said.planning == Planning::AsSaid {
         return Ok(PlannedScene { loaded, plan: None, is_looked_at: false, said });
     }
-    let plan = planned(&mut loaded.header, &said, memory)?;
+    let plan = planned(&mut loaded.header, &said, memory, part_costs)?;
     Ok(PlannedScene { loaded, plan, is_looked_at: true, said })
 }
 
@@ -72,6 +100,7 @@ fn planned(
     header: &mut SceneHeader,
     said: &SaidPhysics,
     memory: Allowance,
+    part_costs: PartCosts,
 ) -> Result<Option<PlanFigures>, Failure> {
     if header.fidelity.echo == EchoMode::RcsTable {
         let rule =
@@ -91,7 +120,9 @@ fn planned(
         costs::expected_s(&chosen, &tracer, memory)
     })?;
     apply(header, said, &choice);
-    let seconds = costs::seconds(&before, header, &fixed, &tracer, memory)?;
+    let expected = |header: &SceneHeader| costs::expected_s(header, &tracer, memory);
+    let seconds =
+        costs::seconds(&before, header, (part_costs == PartCosts::Told).then_some(&fixed), expected)?;
     Ok(Some(Chosen { asked, budget, shares, fixed, choice, seconds }.figures(header)))
 }
 
@@ -101,6 +132,11 @@ fn cheapest(
     choices: Vec<Choice>,
     expected_s: impl Fn(&Choice) -> Result<f64, Failure>,
 ) -> Result<Choice, Failure> {
+    // One alone needs no figures.
+    let choices = match <[Choice; 1]>::try_from(choices) {
+        Ok([choice]) => return Ok(choice),
+        Err(choices) => choices,
+    };
     let expected = |choice: Choice| expected_s(&choice).map(|seconds| (seconds, choice));
     // What does not fit into the memory is no choice, as long as another one does.
     let (fitting, refused): (Vec<_>, Vec<_>) = choices.into_iter().map(expected).partition(Result::is_ok);

@@ -25,9 +25,28 @@ fn a_plan_tells_each_part_with_its_share_and_what_it_leaves_out_keeps_the_budget
     let power = |db: f64| 10.0_f64.powf(db / 10.0);
     assert_eq!(of("asked_db"), -20.0);
     assert!(of("spent_db") >= -20.0);
-    let spent = power(of("left_out_db")) + power(of("numerical_db"));
-    assert!((spent / power(of("spent_db")) - 1.0).abs() < 1e-9, "{plan}");
+    let [left_out, numerical] = ["left_out_db", "numerical_db"].map(|key| power(of(key) - of("spent_db")));
+    assert!((0.0..=0.85).contains(&left_out) && numerical <= 1.0 + 1e-9, "{plan}");
+    // What is expected adds up, and the excesses of the bounds by their squares.
+    let expected = [left_out / 1.96, numerical / 4.0];
+    let excess = (left_out - expected[0]).hypot(numerical - expected[1]);
+    assert!((expected[0] + expected[1] + excess - 1.0).abs() < 1e-9, "{plan}");
     assert!(of("bounces") >= 2.0, "a corner reflector needs its second and third order: {plan}");
+}
+
+#[test]
+fn seconds_of_parts_are_told_where_somebody_reads_along_and_no_look_is_spent_on_them_else() {
+    let place = Workplace::new();
+    let told = place.run("run small.toml --accuracy-db -20 --dry-run --no-cache");
+    let part = |told: &str, name: &str| told.lines().find(|line| line.contains(name)).unwrap().to_owned();
+    let edges = part(&told, "diffraction by edges");
+    assert!(edges.contains("takes") || edges.contains("would take"), "{told}");
+    place.run("run small.toml --accuracy-db -20 --no-cache --out out");
+    let plan = place.summary("out/summary.json")["plan"].clone();
+    assert!(
+        plan["processor_s"].as_f64().unwrap() > 0.0 && plan["as_said_processor_s"].as_f64().unwrap() > 0.0
+    );
+    assert!(plan["parts"].as_array().unwrap().iter().all(|part| part["processor_s"].is_null()), "{plan}");
 }
 
 /// The number before ` s` that follows a mark.

@@ -11,6 +11,13 @@ use artifact::scene::SceneHeader;
 use bart_rcs::Tracer;
 use std::collections::BTreeMap;
 
+/// Whether a plan tells what each part of the physics takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PartCosts {
+    Told,
+    Untold,
+}
+
 /// Expected processor seconds.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Seconds {
@@ -24,32 +31,28 @@ pub(crate) struct Seconds {
     pub(crate) with_one_bounce_more: Option<f64>,
 }
 
-/// Expects the seconds of a plan and its neighbours.
+/// Expects the seconds of a plan and, where these are told, of its neighbours, which change what the scene
+/// does not say itself.
 pub(crate) fn seconds(
     before: &SceneHeader,
     planned: &SceneHeader,
-    fixed: &Fixed,
-    tracer: &Tracer,
-    memory: Allowance,
+    open: Option<&Fixed>,
+    expected_s: impl Fn(&SceneHeader) -> Result<f64, Failure>,
 ) -> Result<Seconds, Failure> {
-    let of = |header: &SceneHeader| expected_s(header, tracer, memory);
-    let mut with_one_changed = BTreeMap::new();
+    let mut seconds =
+        Seconds { as_said: expected_s(before)?, planned: expected_s(planned)?, ..Seconds::default() };
+    let Some(fixed) = open else { return Ok(seconds) };
     for part in Part::ALL.into_iter().filter(|part| !fixed.parts.contains_key(part)) {
         if let Some(changed) = changed(planned, part) {
-            with_one_changed.insert(part, of(&changed)?);
+            seconds.with_one_changed.insert(part, expected_s(&changed)?);
         }
     }
-    let more = (usize::from(planned.fidelity.bounces) < artifact::paths::MAX_ORDER).then(|| {
+    if usize::from(planned.fidelity.bounces) < artifact::paths::MAX_ORDER {
         let mut more = planned.clone();
         more.fidelity.bounces += 1;
-        more
-    });
-    Ok(Seconds {
-        as_said: of(before)?,
-        planned: of(planned)?,
-        with_one_changed,
-        with_one_bounce_more: more.as_ref().map(of).transpose()?,
-    })
+        seconds.with_one_bounce_more = Some(expected_s(&more)?);
+    }
+    Ok(seconds)
 }
 
 /// The scene with one part in that is out, or out that is in; `None` where that takes another mesh.

@@ -116,7 +116,9 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     let said = runs.iter().filter_map(|run| run.out.as_deref()).chain(settings.out.as_deref());
     apart(cache.as_ref(), said)?;
     // All before the first is computed: what is wrong with the last radar is said at once.
-    let load = |run: &Run| planning::scene(&run.scene, cache.as_ref(), settings.memory);
+    let planned_scene =
+        if settings.explain || settings.dry_run { planning::explained_scene } else { planning::scene };
+    let load = |run: &Run| planned_scene(&run.scene, cache.as_ref(), settings.memory);
     let planned: Vec<PlannedScene> = runs.iter().map(load).collect::<Result<_, _>>()?;
     let outs: Vec<PathBuf> = runs.iter().zip(&planned).map(|(run, planned)| run.out_of(planned)).collect();
     let is_of_all = settings.scene.radar.is_none() && runs.iter().all(|run| run.scene.radar.is_some());

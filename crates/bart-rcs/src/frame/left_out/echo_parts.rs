@@ -4,11 +4,11 @@
 use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
 use crate::bodies::world::World;
-use crate::frame::band_power::{MARGIN, frequencies_hz, mean, mean_difference, total};
+use crate::frame::band_power::{frequencies_hz, mean, mean_difference, total};
 use crate::frame::integration_error::of_meeting;
 use crate::frame::left_out::between_bodies::meets_several_bodies;
 use crate::frame::left_out::road::ways_by_road;
-use crate::frame::left_out::ways::{ACCURACY, LeftOutWays, sum_of_ways};
+use crate::frame::left_out::ways::{ACCURACY, ANY_RULE_ORDERS, LeftOutWays, WaysByRule, orders_by_rule};
 use crate::frame::path_plan::Plan;
 use crate::frame::snapshot::Snapshot;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
@@ -60,13 +60,15 @@ pub struct RoadParts {
 pub const ORDERS: u8 = 4;
 /// Orders by which transmission is told.
 const TRANSMITTED_ORDERS: u8 = 2;
+/// Margin of the shares. They are of the band and of the frame whose errors they are to tell: what other
+/// frequencies, moments and elements of it see differs by less than independent samples of an echo do, whose
+/// ratios have [`crate::frame::band_power::MARGIN`] (`docs/planning.md` tells what it was held to).
+const MARGIN: f64 = 1.4;
 /// Frequencies of the look: as many as errors are measured at.
 const FREQUENCIES: usize = 12;
 /// Ways of the look. Mirrors below a wavelength are not followed; those of five alone tell the fourth order of
 /// own cars 10 dB too weak.
 const WAYS: LeftOutWays = LeftOutWays { bounces: ORDERS, mirror_wavelengths: 1.0 };
-/// Highest order by which node rules are compared: trees of the fourth by the middle rule hold its nodes.
-const COMPARED_ORDERS: u8 = 3;
 /// Order whose polygons are parted where own edges take over.
 const PARTED_ORDER: u8 = 2;
 
@@ -77,6 +79,7 @@ pub(crate) fn echo_parts(
     frame: &SceneFrame,
     progress: &dyn Progress,
 ) -> Result<Option<EchoParts>, BartError> {
+    let nodes = header.fidelity.nodes;
     let header = &looked_at(&header.in_frame(frame.index));
     let gains = BodyGains::of(models, header, frame)?;
     let plan = Plan::of(header, frame, progress).with_gains(gains);
@@ -86,8 +89,8 @@ pub(crate) fn echo_parts(
     }
     let Some(tree) = WAYS.tree(&world, &plan)? else { return Ok(None) };
     let snapshot = Snapshot::of(world, tree);
-    let look = Look::of(snapshot.scatterer(&plan, Phase::Checking), &plan);
-    let through = through_sheets(models, &plan, frame)?;
+    let look = Look::of(snapshot.scatterer(&plan, Phase::Checking), &plan, nodes);
+    let through = through_sheets(models, &plan, frame, nodes)?;
     look.parts(through)
 }
 
@@ -109,19 +112,20 @@ struct Look<'a> {
     scatterer: Scatterer<'a>,
     plan: &'a Plan<'a>,
     wavenumbers_per_m: Vec<f64>,
+    /// Node rule of the scene: as far as trees hold its nodes, orders are told by it. Where rules differ they
+    /// do so by 10 dB and more.
+    nodes: NodeRule,
 }
 
 impl<'a> Look<'a> {
-    fn of(scatterer: Scatterer<'a>, plan: &'a Plan<'a>) -> Self {
+    fn of(scatterer: Scatterer<'a>, plan: &'a Plan<'a>, nodes: NodeRule) -> Self {
         let frequencies_hz = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
         let wavenumbers_per_m = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
-        Self { scatterer, plan, wavenumbers_per_m }
+        Self { scatterer, plan, wavenumbers_per_m, nodes }
     }
 
     fn parts(&self, through: Option<Vec<Complex64>>) -> Result<Option<EchoParts>, BartError> {
-        let within: Vec<Vec<Complex64>> = (1..=ORDERS).map(|order| self.ways(order, Bodies::One)).collect();
-        let between: Vec<Vec<Complex64>> =
-            (1..=ORDERS).map(|order| self.ways(order, Bodies::Several)).collect();
+        let (within, between): (Vec<_>, Vec<_>) = self.ways(ORDERS).into_iter().map(<(_, _)>::from).unzip();
         let by_order: Vec<Vec<Complex64>> =
             within.iter().zip(&between).map(|(a, b)| total([a, b].into_iter().cloned(), a.len())).collect();
         let whole = total(by_order.iter().cloned(), FREQUENCIES);
@@ -129,7 +133,8 @@ impl<'a> Look<'a> {
         if power == 0.0 {
             return Ok(None);
         }
-        let by_road = ways_by_road(self.scatterer.world, self.plan, ORDERS, &self.wavenumbers_per_m)?;
+        let (orders, world) = ((ORDERS, self.nodes), self.scatterer.world);
+        let by_road = ways_by_road(world, self.plan, orders, &self.wavenumbers_per_m)?;
         let share = |part: &Vec<Complex64>| MARGIN * (mean(part) / power).sqrt();
         let first_orders = total(by_order.iter().take(usize::from(TRANSMITTED_ORDERS)).cloned(), FREQUENCIES);
         let changed = through.map_or(0.0, |through| mean_difference(&first_orders, &through));
@@ -137,50 +142,79 @@ impl<'a> Look<'a> {
             by_order: ways.iter().map(share).collect(),
             whole: (mean(&total(ways.into_iter().chain([whole.clone()]), FREQUENCIES)) / power).sqrt(),
         });
+        let doubles = self.double_reflections(&by_order);
         Ok(Some(EchoParts {
             within: within.iter().map(share).collect(),
             between: between.iter().map(share).collect(),
-            nodes: (self.node_spread() / power).sqrt(),
+            nodes: (self.node_spread(&doubles, &by_order) / power).sqrt(),
             road,
-            edges: (1..=ORDERS).map(|order| share(&self.edges(order))).collect(),
+            edges: (1..=ORDERS).map(|order| share(&self.edges(order, &doubles))).collect(),
             transmission: MARGIN * (changed / power).sqrt(),
             amplitude_m: whole,
         }))
     }
 
-    /// S of the ways of one order that meet one body, or several.
-    fn ways(&self, order: u8, bodies: Bodies) -> Vec<Complex64> {
-        let are_several = bodies == Bodies::Several;
-        sum_of_ways(&self.scatterer, self.plan, order, &self.wavenumbers_per_m, |joint| {
-            meets_several_bodies(&self.scatterer, joint) == are_several
+    /// S of the ways that meet one body, and of those that meet several, by order from 1.
+    fn ways(&self, bounces: u8) -> Vec<[Vec<Complex64>; 2]> {
+        let Self { scatterer, plan, wavenumbers_per_m, nodes } = self;
+        let ways = WaysByRule { scatterer, plan, wavenumbers_per_m };
+        orders_by_rule(bounces, *nodes, |order, rule| {
+            ways.parted(order, rule, |joint| meets_several_bodies(scatterer, joint))
         })
     }
 
+    /// S of double reflections at the own edges of their facets; `by_order` has them where the scene takes
+    /// that rule.
+    fn double_reflections(&self, by_order: &[Vec<Complex64>]) -> DoubleReflections {
+        let settings = self.own_edge(Edges::FirstOrder);
+        let meeting = OrderJoints::of(&self.scatterer, PARTED_ORDER, &settings);
+        DoubleReflections {
+            with_edges: self.sum(&meeting, settings.nodes),
+            without: self.at_own_edges(PARTED_ORDER, by_order),
+        }
+    }
+
+    /// S of an order at the own edges of its facets, without edges.
+    fn at_own_edges(&self, order: u8, by_order: &[Vec<Complex64>]) -> Vec<Complex64> {
+        if self.nodes == NodeRule::OwnEdge {
+            return by_order[usize::from(order) - 1].clone();
+        }
+        let settings = self.own_edge(Edges::Ignored);
+        self.sum(&OrderJoints::of(&self.scatterer, order, &settings), settings.nodes)
+    }
+
     /// Mean of |S − S|² between the node rules, orders added by their powers.
-    fn node_spread(&self) -> f64 {
-        let by_rule = |order: u8, nodes: NodeRule| {
-            let settings = MeetingSettings { nodes, ..self.plan.meetings() };
-            let meeting = OrderJoints::of(&self.scatterer, order, &settings);
-            of_meeting(&self.scatterer, self.plan, &meeting, &self.integration(nodes))
+    fn node_spread(&self, doubles: &DoubleReflections, by_order: &[Vec<Complex64>]) -> f64 {
+        let nodes = other(NodeRule::OwnEdge);
+        let by_other = |order: u8, edges: Edges| {
+            let settings = MeetingSettings { nodes, edges, ..self.plan.meetings() };
+            self.sum(&OrderJoints::of(&self.scatterer, order, &settings), nodes)
         };
-        let rule = NodeRule::OwnEdge;
-        let spread = |order: u8| mean_difference(&by_rule(order, rule), &by_rule(order, other(rule)));
-        (2..=COMPARED_ORDERS).map(spread).sum()
+        let spread = |order: u8| match (order, self.plan.header.fidelity.edges) {
+            (PARTED_ORDER, edges) => mean_difference(doubles.of(edges), &by_other(order, edges)),
+            // Edges of other orders are the same by every rule.
+            _ => mean_difference(&self.at_own_edges(order, by_order), &by_other(order, Edges::Ignored)),
+        };
+        (2..=ANY_RULE_ORDERS).map(spread).sum()
     }
 
     /// S of edges, as ways of an order end and begin on them: of the last one those that the look's beams
     /// reach. With what double reflections change by where own edges take over from their polygons.
-    fn edges(&self, order: u8) -> Vec<Complex64> {
-        let settings =
-            |edges: Edges| MeetingSettings { edges, nodes: NodeRule::OwnEdge, ..self.plan.meetings() };
-        let sum = |meeting: &OrderJoints| {
-            of_meeting(&self.scatterer, self.plan, meeting, &self.integration(NodeRule::OwnEdge))
-        };
+    fn edges(&self, order: u8, doubles: &DoubleReflections) -> Vec<Complex64> {
         if order != PARTED_ORDER {
-            return sum(&settings(Edges::FirstOrder).on_edges(&self.scatterer, order));
+            let settings = self.own_edge(Edges::FirstOrder);
+            return self.sum(&settings.on_edges(&self.scatterer, order), settings.nodes);
         }
-        let of = |edges: Edges| sum(&OrderJoints::of(&self.scatterer, order, &settings(edges)));
-        of(Edges::FirstOrder).iter().zip(of(Edges::Ignored)).map(|(with, without)| with - without).collect()
+        let pairs = doubles.with_edges.iter().zip(&doubles.without);
+        pairs.map(|(with, without)| with - without).collect()
+    }
+
+    fn own_edge(&self, edges: Edges) -> MeetingSettings {
+        MeetingSettings { edges, nodes: NodeRule::OwnEdge, ..self.plan.meetings() }
+    }
+
+    fn sum(&self, meeting: &OrderJoints, nodes: NodeRule) -> Vec<Complex64> {
+        of_meeting(&self.scatterer, self.plan, meeting, &self.integration(nodes))
     }
 
     fn integration(&self, nodes: NodeRule) -> Integration<'_> {
@@ -189,11 +223,21 @@ impl<'a> Look<'a> {
     }
 }
 
-/// Number of bodies on a way.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Bodies {
-    One,
-    Several,
+/// S of double reflections at the own edges of their facets, over frequency.
+struct DoubleReflections {
+    /// With diffraction by edges.
+    with_edges: Vec<Complex64>,
+    /// Of facets alone.
+    without: Vec<Complex64>,
+}
+
+impl DoubleReflections {
+    fn of(&self, edges: Edges) -> &[Complex64] {
+        match edges {
+            Edges::FirstOrder => &self.with_edges,
+            Edges::Ignored => &self.without,
+        }
+    }
 }
 
 /// S of the first orders with waves followed through sheets; `None` where there are none.
@@ -201,6 +245,7 @@ fn through_sheets(
     models: &Models,
     plan: &Plan<'_>,
     frame: &SceneFrame,
+    nodes: NodeRule,
 ) -> Result<Option<Vec<Complex64>>, BartError> {
     let mut header = plan.header.clone();
     header.materials.transmission = Transmission::Followed;
@@ -212,9 +257,7 @@ fn through_sheets(
     let ways = LeftOutWays { bounces: TRANSMITTED_ORDERS, ..WAYS };
     let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
     let snapshot = Snapshot::of(world, tree);
-    let look = Look::of(snapshot.scatterer(plan, Phase::Checking), plan);
-    let by_order = (1..=TRANSMITTED_ORDERS).map(|order| {
-        total([Bodies::One, Bodies::Several].into_iter().map(|bodies| look.ways(order, bodies)), FREQUENCIES)
-    });
+    let look = Look::of(snapshot.scatterer(plan, Phase::Checking), plan, nodes);
+    let by_order = look.ways(TRANSMITTED_ORDERS).into_iter().map(|of| total(of.into_iter(), FREQUENCIES));
     Ok(Some(total(by_order, FREQUENCIES)))
 }

@@ -4,12 +4,12 @@ use crate::beams::image_tree::Received;
 use crate::bodies::road::usual_road;
 use crate::bodies::world::World;
 use crate::frame::frame_error::Reference;
-use crate::frame::left_out::ways::{LeftOutWays, sum_of_ways};
+use crate::frame::left_out::ways::{LeftOutWays, WaysByRule, orders_by_rule};
 use crate::frame::path_plan::Plan;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
 use crate::oversight::error::BartError;
-use artifact::settings::Sides;
+use artifact::settings::{NodeRule, Sides};
 use num_complex::Complex64;
 
 /// Ratio ‖S by the road‖ over ‖S without‖ for the usual road, at the moment and the place of the check,
@@ -30,18 +30,18 @@ pub(crate) fn road_left_out(
     Ok(over_usual_road(world, plan, bounces, of)?.flatten())
 }
 
-/// S of the ways by the usual road over the wavenumbers, by order from 1; `None` as of [`road_left_out`].
+/// S of the ways by the usual road over the wavenumbers, by order from 1, as [`orders_by_rule`] has them;
+/// `None` as of [`road_left_out`].
 pub(crate) fn ways_by_road(
     world: &World,
     plan: &Plan<'_>,
-    bounces: u8,
+    (bounces, rule): (u8, NodeRule),
     wavenumbers_per_m: &[f64],
 ) -> Result<Option<Vec<Vec<Complex64>>>, BartError> {
     over_usual_road(world, plan, bounces, |scatterer, _| {
-        let of_order = |order| {
-            sum_of_ways(scatterer, plan, order, wavenumbers_per_m, |joint| scatterer.goes_by_road(joint))
-        };
-        (1..=bounces).map(of_order).collect()
+        let ways = WaysByRule { scatterer, plan, wavenumbers_per_m };
+        let by_road = |order, rule| [ways.of(order, rule, |joint| scatterer.goes_by_road(joint))];
+        orders_by_rule(bounces, rule, by_road).into_iter().flatten().collect()
     })
 }
 
