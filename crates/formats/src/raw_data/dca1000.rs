@@ -299,19 +299,22 @@ mod tests {
         let radar = radar::paper::radar([0.0; 3], radar::paper::waveform(8, 2), elements);
         let (noise, dsp) = (artifact::settings::Noise::Absent, radar::paper::processing());
         let header = CubeHeader { radar, noise, dsp, unit: SampleUnit::RootWatts };
-        let put = |level: f32| {
+        let (strong, weak) = (folder.path().join("strong.cube"), folder.path().join("weak.cube"));
+        let put = |file: &Path, level: f32| {
             let from = artifact::Provenance::default();
-            let mut writer = artifact::Writer::<Cube>::create(&file, &from, &header).unwrap();
+            let mut writer = artifact::Writer::<Cube>::create(file, &from, &header).unwrap();
             let samples = vec![Complex32::new(level, 0.0); header.shape().iter().product()];
             let error = artifact::ErrorBudget::default();
             writer.write(&artifact::cube::CubeFrame { index: 0, time_s: 0.0, samples, error }).unwrap();
             writer.finish().unwrap();
         };
-        put(1.0);
+        put(&weak, 1.0);
+        put(&strong, 10.0);
+        std::fs::copy(&weak, &file).unwrap();
         write_in_two(&file, &out, || {}).unwrap();
         std::fs::remove_file(&out).unwrap();
         // Ten times as strong: all steps would be at the end of the range.
-        let refused = write_in_two(&file, &out, || put(10.0)).unwrap_err();
+        let refused = write_in_two(&file, &out, || drop(std::fs::copy(&strong, &file))).unwrap_err();
         assert!(refused.to_string().contains("was changed while this command read it"), "{refused}");
         assert!(!out.exists());
     }
