@@ -8,7 +8,7 @@ mod bodies;
 use artifact::Accuracy;
 use artifact::paths::PathsFrame;
 use artifact::scene::{Meshes, SceneFrame, SceneHeader, Target, TargetKind};
-use artifact::settings::{BetweenBodies, Edges};
+use artifact::settings::{BetweenBodies, Edges, NodeRule};
 use bart_rcs::{EchoParts, FrameSurroundings, PathView, Tracer, Unheard, scattering_of_paths, usual_road};
 use bodies::scenes::scene;
 use bodies::{car, cuboid};
@@ -55,14 +55,18 @@ fn over_band(header: &SceneHeader, frame: &PathsFrame) -> Vec<Complex64> {
 /// Root mean square of the difference of two frames relative to the first, with and without a change.
 fn difference(of: impl Fn(&mut SceneHeader)) -> f64 {
     let (header, frame) = two_bodies();
+    difference_of(&header, &frame, of)
+}
+
+fn difference_of(header: &SceneHeader, frame: &SceneFrame, of: impl Fn(&mut SceneHeader)) -> f64 {
     let mut changed = header.clone();
     of(&mut changed);
-    let [whole, less] = [&header, &changed].map(|header| over_band(header, &traced(header, &frame)));
+    let [whole, less] = [header, &changed].map(|header| over_band(header, &traced(header, frame)));
     let power = |values: &mut dyn Iterator<Item = Complex64>| values.map(|s| s.norm_sqr()).sum::<f64>();
     (power(&mut whole.iter().zip(&less).map(|(a, b)| a - b)) / power(&mut whole.iter().copied())).sqrt()
 }
 
-/// A share holds what leaving a part out does, and is no more than three times that: the look's margin is
+/// A share holds what leaving a part out does, and is no more than four times that: the look's margin is
 /// 1.4, its integrals are good to a quarter, and it sees other frequencies.
 fn assert_holds(told: f64, true_share: f64, name: &str) {
     let ratio = told / true_share;
@@ -83,6 +87,23 @@ fn shares_are_what_frames_with_and_without_a_part_differ_by() {
     assert_holds(together(&parts.edges[..3]), edges, "edges");
     let road = difference(|header| header.road = usual_road());
     assert_holds(together(&parts.road.unwrap().by_order), road, "road");
+}
+
+#[test]
+fn orders_are_told_by_the_node_rule_of_the_scene() {
+    let third = |nodes: NodeRule| {
+        let (mut header, frame) = two_bodies();
+        header.fidelity.nodes = nodes;
+        let parts = parts(&header, &frame);
+        let left_out = |header: &mut SceneHeader| header.fidelity.bounces = 2;
+        let true_share = difference_of(&header, &frame, left_out);
+        let told = parts.within[2].hypot(parts.between[2]);
+        println!("{nodes:?}: {told} told, {true_share} true");
+        assert_holds(told, true_share, "third order");
+        told
+    };
+    let [middle, own_edge] = [NodeRule::Middle, NodeRule::OwnEdge].map(third);
+    assert!((middle / own_edge).ln().abs() > 0.02, "{middle} and {own_edge}: rules differ, and so do shares");
 }
 
 #[test]

@@ -69,8 +69,9 @@ pub(crate) struct Choice {
 
 /// Highest order that a scene may have.
 const MOST_BOUNCES: u8 = artifact::paths::MAX_ORDER as u8;
-/// Share of the budget's power that may be left out: integrals and cells need some of it in any case.
-const LEFT_OUT_POWER: f64 = 0.85;
+/// Share of the budget's power that may be left out. Of plans that left out 0.7 to 0.85 of it two of five
+/// erred by more than they spend, of those that left out less one of twenty (`docs/validation/planner.md`).
+const LEFT_OUT_POWER: f64 = 0.7;
 /// Powers that are expected over those that are told: shares are told with the margin of the look, 1.4, and
 /// integrals and cells err by half of what they may in the middle (`docs/planning.md`).
 const EXPECTED_LEFT_OUT: f64 = 1.0 / (1.4 * 1.4);
@@ -239,13 +240,13 @@ mod tests {
 
     #[test]
     fn all_of_the_physics_is_a_choice_where_what_is_left_out_takes_much_of_the_integrals() {
-        let much = Shares { within: vec![1.0, 0.3, 0.088, 0.003], ..shares() };
+        let much = Shares { within: vec![1.0, 0.3, 0.079, 0.003], ..shares() };
         let all = all(0.1, &much, &Fixed::default());
         assert_eq!((all[0].bounces, all[0].modelled.len(), all[0].left_out), (5, 4, 0.0), "everything on");
         assert!((all[0].numerical - 0.1).abs() < 1e-12, "nothing left out: {}", all[0].numerical);
         let [least] = &all[1..] else { panic!("{all:?}") };
         assert_eq!(least.bounces, 2);
-        let left: f64 = [0.088, 0.003, 0.02, 0.002, 0.01].iter().map(|share: &f64| share.powi(2)).sum();
+        let left: f64 = [0.079, 0.003, 0.02, 0.002, 0.01].iter().map(|share: &f64| share.powi(2)).sum();
         assert!((least.left_out.powi(2) / left - 1.0).abs() < 1e-3, "{}", least.left_out);
     }
 
