@@ -337,8 +337,8 @@ fn no_less_is_told_than_an_open_tube_errs_by_whose_strips_are_never_coarser() {
     }
 }
 
-/// From the second bounce on facets are flat mirrors: what two skins that are both too coarse differ by was 2 to 6
-/// dB below what they err by.
+/// From the second bounce on facets are flat mirrors: what two skins that are both too coarse differ by was 2
+/// to 6 dB below what they err by.
 #[test]
 fn no_less_is_told_than_an_open_tube_errs_by_that_reflects_inside() {
     let mesh = revolved(&[(0.3, 0.0), (0.3, 0.5)], 24).mesh();

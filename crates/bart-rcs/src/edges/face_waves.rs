@@ -152,7 +152,8 @@ const CHANGE_HALVINGS: u32 = 40;
 /// most ends between two of them.
 const RUN_LOOKS: [f64; 5] = [0.0, 0.125, 0.5, 0.875, 1.0];
 const ENDS_BETWEEN: usize = 4;
-/// Number of parts of a span between places that are asked whether their waves are loud enough to be followed.
+/// Number of parts of a span between places that are asked whether their waves are loud enough to be
+/// followed.
 const LOUD_LOOKS: f64 = 8.0;
 
 /// The place between two up to which something holds that holds at the first of them.

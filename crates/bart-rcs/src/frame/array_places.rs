@@ -104,8 +104,8 @@ const ONE_PLACE_M: f64 = 1e-6;
 /// they do to the middle at the frame's middle: from an element that a body drives past at its pace nothing
 /// would seem to change. Where they are near each other both stand in their middle.
 ///
-/// In the cross polarization each end is as far off as the root mean square of its own elements: of pairs as far
-/// from each other as most, one end is in the middle, where nothing tells what its distance turns.
+/// In the cross polarization each end is as far off as the root mean square of its own elements: of pairs as
+/// far from each other as most, one end is in the middle, where nothing tells what its distance turns.
 ///
 /// Of a wide array a second pair is told, on the other side: what its ends see differs by more than one pair
 /// tells.

@@ -108,9 +108,9 @@ fn with_second(scenery: &Scenery<'_>, reference: Reference) -> Result<(Reference
     Ok((reference.with_second(&second.scatterer(plan, Phase::Checking), plan, view), second.bytes()))
 }
 
-/// Ratio ‖S(of facets cut for [`COARSER`] times the error) − S‖ over ‖S‖ at the moment of the check, or of finer
-/// ones where these tell more ([`FinerSkin`]), where `reference` was made of so many facets cut for an error;
-/// `None` where facets are the surface.
+/// Ratio ‖S(of facets cut for [`COARSER`] times the error) − S‖ over ‖S‖ at the moment of the check, or of
+/// finer ones where these tell more ([`FinerSkin`]), where `reference` was made of so many facets cut for an
+/// error; `None` where facets are the surface.
 fn tessellation(
     scenery: &Scenery<'_>,
     reference: &Reference,

@@ -137,7 +137,8 @@ impl<'a> Plan<'a> {
 
     /// Pairs of elements whose mean power stands for the array's. What a wave turns by from one element to
     /// another is all that flat plates have of the cross polarization, and it vanishes at the array's middle:
-    /// there the pairs of both checks are taken, which are about as far off it as the root mean square of all.
+    /// there the pairs of both checks are taken, which are about as far off it as the root mean square of
+    /// all.
     pub(crate) fn pairs_of_array_m(&self) -> Vec<[DVec3; 2]> {
         match self.second_check {
             Some((second_m, _)) if self.is_cross_polarized() => vec![self.check_ends_m, second_m],

@@ -239,8 +239,8 @@ impl<'a> TabledBody<'a> {
         IntegralsCheck::Compared.error_power(compared, bounds, power(&finer_m)) + interpolation
     }
 
-    /// Power of the difference that coarser facets in place of a skin make at the middle aspect, or finer ones
-    /// where these tell more ([`FinerSkin`]); none where facets are the surface.
+    /// Power of the difference that coarser facets in place of a skin make at the middle aspect, or finer
+    /// ones where these tell more ([`FinerSkin`]); none where facets are the surface.
     fn tessellation_power(
         &self,
         middle: DVec3,

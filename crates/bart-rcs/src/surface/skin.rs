@@ -64,8 +64,8 @@ pub(crate) const COARSER: f64 = 4.0;
 
 /// Facets that a body may have, about, to be compared with: cut for less error than its own.
 ///
-/// Where a skin is doubly bent, facets are as many times more as the error is less. Mirrors send beams from each
-/// to each, and fewer are afforded.
+/// Where a skin is doubly bent, facets are as many times more as the error is less. Mirrors send beams from
+/// each to each, and fewer are afforded.
 const FINER_FACETS: usize = 32_000;
 const FINER_MIRRORS: usize = 8_000;
 /// Factors of the error that these are cut for, the finest first.
@@ -82,9 +82,9 @@ impl FinerSkin {
     /// The finest that is affordable beside so many facets of a run of so many bounces; none where coarser
     /// ones tell what facets err by.
     ///
-    /// Limits of a single bounce tell it of a skin that has far fewer coarser facets. From the second bounce on
-    /// a facet is a flat mirror, what it shows of the next is not told by its sagitta, and skins that are both
-    /// too coarse may differ by little.
+    /// Limits of a single bounce tell it of a skin that has far fewer coarser facets. From the second bounce
+    /// on a facet is a flat mirror, what it shows of the next is not told by its sagitta, and skins that are
+    /// both too coarse may differ by little.
     pub(crate) fn beside(facets: usize, coarser: usize, bounces: u8) -> Option<Self> {
         if bounces < 2 && 2 * coarser <= facets {
             return None;

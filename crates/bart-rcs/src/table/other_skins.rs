@@ -107,8 +107,8 @@ impl OtherSkins<'_> {
 }
 
 /// Mean power of the difference between two worlds at an aspect and, where a lobe is told, at two beside it,
-/// each about another axis: at one alone it may vanish by chance. Where no antenna can stand beside, the aspect
-/// is all.
+/// each about another axis: at one alone it may vanish by chance. Where no antenna can stand beside, the
+/// aspect is all.
 fn differing_about(
     aspect: &Aspect,
     turn_rad: Option<f64>,

@@ -400,8 +400,8 @@ mod tests {
         assert!(truth > 0.02 && told >= truth && told < 1.5 * truth);
     }
 
-    /// Fins that lie in what the floor reflects, to a degree, and are lit from above: no facet is met from both
-    /// ends, but their front edges are.
+    /// Fins that lie in what the floor reflects, to a degree, and are lit from above: no facet is met from
+    /// both ends, but their front edges are.
     #[test]
     fn mirrors_before_edges_are_told_to_scatter_what_they_do() {
         let fin = |i: u32| {

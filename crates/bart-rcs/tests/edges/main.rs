@@ -97,8 +97,9 @@ fn a_plate_and_a_near_antenna_that_turn_together_keep_their_amplitude() {
     }
 }
 
-/// Edges are no mirrors: what they add is the same by any node of the facets. Trees that the middle rule needs
-/// are shorter, and left out what comes to an edge over two mirrors of three bounces (5 % of this corner).
+/// Edges are no mirrors: what they add is the same by any node of the facets. Trees that the middle rule
+/// needs are shorter, and left out what comes to an edge over two mirrors of three bounces (5 % of this
+/// corner).
 #[test]
 fn edges_of_a_corner_are_the_same_by_any_node_rule() {
     let vertices_m = vec![[0.0; 3], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
