@@ -44,8 +44,7 @@ pub(crate) fn staying(scores: &[Vec<Option<f64>>], open: &[usize], rule: &Rule) 
 /// in the average and wins nothing, so that the more that are good are compared, the sooner a bad one goes.
 fn ranked(scores: &[Vec<Option<f64>>], open: &[usize]) -> Vec<usize> {
     const RIVALS: usize = 64;
-    let mean = |design: &usize| Mean::of_known(&scores[*design], 0.5).map(|mean| (*design, mean.value));
-    let mut known: Vec<_> = open.iter().filter_map(mean).collect();
+    let mut known: Vec<_> = means(scores, open).collect();
     known.sort_by(|a, b| b.1.total_cmp(&a.1));
     known.iter().take(RIVALS).map(|(design, _)| *design).collect()
 }
@@ -60,9 +59,14 @@ fn bets_for(scores: &[Vec<Option<f64>>], [design, against]: [usize; 2], span: f6
 
 /// The design of the greatest mean, of equal ones the first; `None` where nothing is known.
 pub(crate) fn best(scores: &[Vec<Option<f64>>], open: &[usize]) -> Option<usize> {
-    let mean = |design: &usize| Mean::of_known(&scores[*design], 0.5).map(|mean| (*design, mean.value));
     let better = |best: (usize, f64), other: (usize, f64)| if other.1 > best.1 { other } else { best };
-    open.iter().filter_map(mean).reduce(better).map(|(design, _)| design)
+    means(scores, open).reduce(better).map(|(design, _)| design)
+}
+
+/// Designs of which something is known, with their means.
+fn means(scores: &[Vec<Option<f64>>], open: &[usize]) -> impl Iterator<Item = (usize, f64)> {
+    let mean = |design: &usize| Mean::of_known(&scores[*design], 0.5).map(|mean| (*design, mean.value));
+    open.iter().filter_map(mean)
 }
 
 /// Confidence of each of some statements that all hold together at a confidence (Bonferroni). A two-sided
