@@ -16,9 +16,8 @@ pub fn keeps(parts: &'static str) {
 pub(crate) fn install() {
     let handler = || {
         let _nothing_new = artifact::whole_file::abandon_all();
-        terminal::end_progress();
         let kept = *KEPT.lock().unwrap_or_else(PoisonError::into_inner);
-        terminal::say(format_args!("interrupted; {}", left_behind(kept)));
+        terminal::say_last(format_args!("interrupted; {}", left_behind(kept)));
         std::process::exit(130);
     };
     if let Err(error) = ctrlc::set_handler(handler) {

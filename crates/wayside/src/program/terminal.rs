@@ -143,9 +143,26 @@ pub(crate) fn finish(printed: std::io::Result<()>) {
     }
 }
 
+/// Whether the last line is said; held while a line is being said.
+static IS_SAID: Mutex<bool> = Mutex::new(false);
+
 /// A line for a person, on standard error; where nobody reads it, it is not missed.
 pub(crate) fn say(text: impl std::fmt::Display) {
-    let _ = writeln!(std::io::stderr(), "{text}");
+    say_unless(&locked(&IS_SAID), text);
+}
+
+/// Says the last line of a program that ends now: threads that are still at work say nothing after it.
+pub(crate) fn say_last(text: impl std::fmt::Display) {
+    end_progress();
+    let mut is_said = locked(&IS_SAID);
+    say_unless(&is_said, text);
+    *is_said = true;
+}
+
+fn say_unless(is_said: &bool, text: impl std::fmt::Display) {
+    if !is_said {
+        let _ = writeln!(std::io::stderr(), "{text}");
+    }
 }
 
 /// A disk that is full ends the program with exit code 2; a reader that has gone away ends it quietly where
@@ -159,7 +176,6 @@ fn give_up(error: &std::io::Error) {
     if error.kind() == ErrorKind::BrokenPipe {
         std::process::exit(0);
     }
-    end_progress();
-    say(format_args!("error: standard output: cannot write: {error}"));
+    say_last(format_args!("error: standard output: cannot write: {error}"));
     std::process::exit(2);
 }
