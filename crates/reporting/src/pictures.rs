@@ -40,7 +40,7 @@ pub struct FrameFigures {
 
 /// Draws one frame with its truth.
 pub fn figures(chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<FrameFigures, Failure> {
-    let (header, points) = (&chain.cube_header.in_frame(frame.rdm.index), &frame.result.points);
+    let (header, points) = (&chain.cube_header().in_frame(frame.rdm.index), &frame.result.points);
     let is_nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
     let nobodys: Vec<usize> = (0..points.objects.len()).filter(is_nobodys).collect();
     let echoes = true_echoes(frame, truth);

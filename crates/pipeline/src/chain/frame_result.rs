@@ -6,7 +6,7 @@ use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::paths::PathsFrame;
 use artifact::points::PointsFrame;
 use artifact::rcs::RcsFrame;
-use artifact::scene::SceneFrame;
+use artifact::scene::{SceneFrame, SceneHeader};
 
 /// Scattering of one frame, which the tracer hands to the echo: paths, or tables of bodies.
 #[expect(clippy::large_enum_variant, reason = "one is made a frame, and never one of many")]
@@ -31,6 +31,25 @@ impl Scattering {
         match self {
             Self::Paths(frame) => Some(frame),
             Self::Tables(_) => None,
+        }
+    }
+
+    /// The same with bodies numbered as in the artifacts of the scene, not as in the frame's view.
+    pub fn numbered_as_in(self, scene: &SceneHeader) -> Self {
+        let numbers = |index: u32| {
+            let bodies = scene::bodies_in_view(scene, index);
+            move |body: u32| bodies.get(body as usize).copied().unwrap_or(body)
+        };
+        match self {
+            Self::Paths(frame) => {
+                let number = numbers(frame.index);
+                Self::Paths(frame.renumbered(number))
+            }
+            Self::Tables(mut frame) => {
+                let number = numbers(frame.index);
+                frame.tables.iter_mut().for_each(|table| table.target = number(table.target));
+                Self::Tables(frame)
+            }
         }
     }
 }

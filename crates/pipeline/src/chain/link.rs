@@ -1,9 +1,15 @@
 //! The stages linked: one frame from the scene snapshot to classes, each stage's frame taken from the cache
 //! where it is there. What goes into a stage is what its artifact holds, nothing else.
 
+pub mod artifact_headers;
+mod stage_sessions;
+mod stage_step;
+
 use crate::chain::cache::Cache;
 use crate::chain::frame_result::{FrameResult, Scattering};
-use crate::chain::keys::{FrameKeys, SceneParts, cube_header, echo_header};
+use crate::chain::keys::{FrameKeys, SceneParts};
+use crate::chain::link::stage_sessions::StageSessions;
+use crate::chain::link::stage_step::{StageFrames, StageTimes, Step};
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::looks::{Look, Looks};
 use crate::chain::measured_frames::{self, MeasuredFrames};
@@ -12,22 +18,19 @@ use crate::chain::stages::Stage;
 use crate::chain::told_class::ClassRule;
 use crate::host::failure::Failure;
 use crate::host::in_order::AtOnce;
-use crate::host::memory::{self, Allowance};
-use crate::host::origin;
+use crate::host::memory::Allowance;
 use crate::host::progress::{self, Work};
-use artifact::Schema;
 use artifact::classes::{Classes, ClassesFrame};
 use artifact::cube::{Cube, CubeFrame, CubeHeader};
-use artifact::paths::{Paths, PathsFrame, PathsHeader};
-use artifact::points::{Points, PointsFrame, PointsHeader};
-use artifact::rcs::{Rcs, RcsFrame, RcsHeader};
+use artifact::paths::{Paths, PathsFrame};
+use artifact::points::{Points, PointsFrame};
+use artifact::rcs::{Rcs, RcsFrame};
 use artifact::rdm::{Rdm, RdmFrame};
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
-use artifact::settings::{Class, EchoMode};
+use artifact::settings::EchoMode;
 use bart_rcs::FrameSurroundings;
 use fmcw_echo::EchoError;
 use std::sync::{Arc, OnceLock};
-use std::time::Instant;
 
 /// All artifacts of one frame.
 pub struct FrameProducts {
@@ -45,23 +48,15 @@ pub struct FrameProducts {
 pub struct Chain<'a> {
     /// The scene.
     pub header: &'a SceneHeader,
-    /// The radar and its processing, as the maps' stage takes them.
-    pub cube_header: CubeHeader,
-    echo_header: CubeHeader,
-    cache: Option<&'a Cache>,
-    /// Last stage whose frames are looked for in the cache and put there.
-    kept_to: Stage,
+    sessions: StageSessions<'a>,
+    frames: StageFrames<'a>,
     model: Option<&'a LoadedModel>,
     parts: SceneParts,
-    tracer: OnceLock<Result<bart_rcs::Tracer, String>>,
-    synthesizer: OnceLock<Result<fmcw_echo::Synthesizer, String>>,
-    receiver: OnceLock<Result<dsp::Receiver, String>>,
     measured: MeasuredFrames,
     looks: Looks,
+    memory: Allowance,
     /// Frames that share what tracing may take; one where no plan was made of them.
     at_once: OnceLock<AtOnce>,
-    limited: OnceLock<bart_rcs::Tracer>,
-    memory: Allowance,
 }
 
 impl<'a> Chain<'a> {
@@ -73,37 +68,32 @@ impl<'a> Chain<'a> {
         model: Option<&'a LoadedModel>,
         memory: Allowance,
     ) -> Self {
-        let (cube_header, parts) = (cube_header(header), SceneParts::of(header));
-        let (echo_header, measured) = (echo_header(header), MeasuredFrames::default());
-        let (tracer, synthesizer, receiver) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
-        let (looks, at_once, limited) = (Looks::default(), OnceLock::new(), OnceLock::new());
         Self {
             header,
-            cube_header,
-            echo_header,
-            cache,
-            kept_to: Stage::Classifier,
+            sessions: StageSessions::of(header),
+            frames: StageFrames { cache, kept_to: Stage::Classifier, scene: &header.name },
             model,
-            parts,
-            tracer,
-            synthesizer,
-            receiver,
-            measured,
-            looks,
-            at_once,
-            limited,
+            parts: SceneParts::of(header),
+            measured: MeasuredFrames::default(),
+            looks: Looks::default(),
             memory,
+            at_once: OnceLock::new(),
         }
+    }
+
+    /// The radar and its processing, as the maps' stage takes them.
+    pub fn cube_header(&self) -> &CubeHeader {
+        &self.sessions.cube_header
     }
 
     /// The chain with a cache of the stages to this one: those behind it are computed anew.
     pub fn keeping(self, kept_to: Stage) -> Self {
-        Self { kept_to, ..self }
+        Self { frames: StageFrames { kept_to, ..self.frames }, ..self }
     }
 
     /// The chain with a tracer of the same meshes that was made before.
     pub(crate) fn tracing_by(self, tracer: bart_rcs::Tracer) -> Self {
-        Self { tracer: OnceLock::from(Ok(tracer)), ..self }
+        Self { sessions: self.sessions.tracing_by(tracer), ..self }
     }
 
     /// The chain of a scene whose errors are those that were measured in another one of its kind, told by the
@@ -123,7 +113,7 @@ impl<'a> Chain<'a> {
         let frame = scene::snapshot(self.header, index);
         let model = self.model.map(LoadedModel::hash);
         let keys = FrameKeys::of(self.header, &self.parts, &frame, model);
-        FramePlan::of(self.cache, self.header, index, keys)
+        FramePlan::of(self.frames.cache, self.header, index, keys)
     }
 
     /// Plans of all frames.
@@ -134,15 +124,15 @@ impl<'a> Chain<'a> {
     /// Computes what the plan lacks.
     pub fn frame(&self, plan: &FramePlan) -> Result<FrameProducts, Failure> {
         let scene = scene::snapshot(self.header, plan.index);
-        let mut log = Log::default();
-        let scattering = log.time(Stage::BartRcs, || self.scattering_step(plan, &scene))?;
-        let cube = log.time(Stage::FmcwEcho, || self.cube(plan, &scene, &scattering))?;
-        let (rdm, points) = log.time(Stage::Dsp, || self.maps(plan, &cube))?;
-        let classes = log.time(Stage::Classifier, || self.classes(plan, &rdm, &points))?;
+        let mut times = StageTimes::default();
+        let scattering = times.time(Stage::BartRcs, || self.scattering_step(plan, &scene))?;
+        let cube = times.time(Stage::FmcwEcho, || self.cube(plan, &scene, &scattering))?;
+        let (rdm, points) = times.time(Stage::Dsp, || self.maps(plan, &cube))?;
+        let classes = times.time(Stage::Classifier, || self.classes(plan, &rdm, &points))?;
         let (error, model_error) = scattering.error();
         let error = error.joined(cube.error);
         let memory_estimate_mib = self.memory_estimate_mib(plan)?;
-        let (Log { seconds, cached }, rule) = (log, self.class_rule());
+        let (StageTimes { seconds, cached }, rule) = (times, self.class_rule());
         let result = FrameResult {
             scene,
             scattering,
@@ -183,60 +173,8 @@ impl<'a> Chain<'a> {
     /// Expected work of a frame's tracing, from a sample of it.
     pub(crate) fn expected_work(&self, index: u32) -> Result<bart_rcs::ExpectedWork, Failure> {
         let (view, frame) = (scene::frame_view(self.header, index), scene::snapshot(self.header, index));
-        self.unlimited_tracer()?.expected_work(&view, &frame).map_err(Failure::refused)
-    }
-
-    /// Header of the `.paths` artifact.
-    pub fn paths_header(&self) -> PathsHeader {
-        PathsHeader {
-            radar: self.header.radar.clone(),
-            centre_frequency_hz: self.header.radar.waveform.centre_frequency_hz(),
-            targets: self.targets(),
-        }
-    }
-
-    /// Header of the `.rcs` artifact.
-    pub fn rcs_header(&self) -> RcsHeader {
-        RcsHeader { radar: Some(self.header.radar.clone()), targets: self.targets() }
-    }
-
-    /// Header of the `.points` artifact, without truth.
-    pub fn points_header(&self) -> PointsHeader {
-        PointsHeader { cube: Some(self.cube_header.clone()), targets: vec![], classes: vec![] }
-    }
-
-    /// Ids of the scene's targets and of every vehicle that is in view in some frame.
-    pub fn targets(&self) -> Vec<String> {
-        origin::body_ids(self.header).cloned().collect()
-    }
-
-    /// Classes of the same, where they are told.
-    pub fn classes_of_targets(&self) -> Vec<Option<Class>> {
-        let vehicles = self.header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|v| &v.kind);
-        let class = |kind: &TargetKind| match kind {
-            TargetKind::Mesh { class, .. } => *class,
-            TargetKind::Point { .. } => None,
-        };
-        self.header.targets.iter().map(|t| &t.kind).chain(vehicles).map(class).collect()
-    }
-
-    /// Scattering with its bodies counted as in [`Chain::targets`], not as in the frame's view.
-    pub fn counted_through(&self, scattering: Scattering) -> Scattering {
-        let numbers = |index: u32| {
-            let bodies = scene::bodies_in_view(self.header, index);
-            move |body: u32| bodies.get(body as usize).copied().unwrap_or(body)
-        };
-        match scattering {
-            Scattering::Paths(frame) => {
-                let number = numbers(frame.index);
-                Scattering::Paths(frame.renumbered(number))
-            }
-            Scattering::Tables(mut frame) => {
-                let number = numbers(frame.index);
-                frame.tables.iter_mut().for_each(|table| table.target = number(table.target));
-                Scattering::Tables(frame)
-            }
-        }
+        let tracer = self.sessions.unlimited_tracer(self.memory)?;
+        tracer.expected_work(&view, &frame).map_err(Failure::refused)
     }
 
     /// Paths or tables of one frame; a frame whose bodies stand and move as in another one has that one's,
@@ -250,7 +188,12 @@ impl<'a> Chain<'a> {
         match self.header.fidelity.echo {
             EchoMode::Paths => {
                 let compute = || self.paths(plan, scene);
-                let step = self.step::<Paths>(plan, stage, key, &self.paths_header(), compute)?;
+                let step = self.frames.step::<Paths>(
+                    stage,
+                    (plan.index, key),
+                    &artifact_headers::paths_header(self.header),
+                    compute,
+                )?;
                 self.measured.keep(self.header, scene.index, &step.value);
                 let (index, time_s) = (scene.index, scene.time_s);
                 Ok(step.map(|frame| Scattering::Paths(PathsFrame { index, time_s, ..frame })))
@@ -261,7 +204,12 @@ impl<'a> Chain<'a> {
                     let progress = &Work::begin(format!("frame {}, tables of bodies", scene.index));
                     tracer.tables(&view, scene, progress).map_err(|error| refused_in(scene, &error))
                 };
-                let step = self.step::<Rcs>(plan, stage, key, &self.rcs_header(), compute)?;
+                let step = self.frames.step::<Rcs>(
+                    stage,
+                    (plan.index, key),
+                    &artifact_headers::rcs_header(self.header),
+                    compute,
+                )?;
                 let (index, time_s) = (scene.index, scene.time_s);
                 Ok(step.map(|frame| Scattering::Tables(RcsFrame { index, time_s, ..frame })))
             }
@@ -307,20 +255,8 @@ impl<'a> Chain<'a> {
     /// memory that it may take.
     fn tracer(&self, plan: &FramePlan) -> Result<&bart_rcs::Tracer, Failure> {
         self.memory.check(self.least_memory_mib(plan)?)?;
-        let tracer = self.unlimited_tracer()?;
-        let at_once = *self.at_once.get_or_init(|| AtOnce { workers: 1, held: 1 });
-        Ok(self.limited.get_or_init(|| tracer.clone().within(self.tracing_share(at_once))))
-    }
-
-    /// Tracer without a limit of memory, for looks; refused where the bodies at rest do not fit.
-    fn unlimited_tracer(&self) -> Result<&bart_rcs::Tracer, Failure> {
-        let triangles = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
-        self.memory.check(memory::mib(bart_rcs::memory_estimate_bytes(triangles, 0, 0)))?;
-        let build = || {
-            let _under_way = Work::begin("building the hierarchies of the meshes");
-            bart_rcs::Tracer::new(self.header).map_err(|e| e.to_string())
-        };
-        self.tracer.get_or_init(build).as_ref().map_err(Failure::refused)
+        let at_once = || *self.at_once.get_or_init(|| AtOnce { workers: 1, held: 1 });
+        self.sessions.tracer(self.memory, || self.tracing_share(at_once()))
     }
 
     fn cube(
@@ -330,7 +266,12 @@ impl<'a> Chain<'a> {
         scattering: &Scattering,
     ) -> Result<Step<CubeFrame>, Failure> {
         let compute = || self.synthesize(scene, scattering);
-        self.step::<Cube>(plan, Stage::FmcwEcho, &plan.keys.fmcw_echo, &self.cube_header, compute)
+        self.frames.step::<Cube>(
+            Stage::FmcwEcho,
+            (plan.index, &plan.keys.fmcw_echo),
+            self.cube_header(),
+            compute,
+        )
     }
 
     /// The echo of paths or tables.
@@ -351,41 +292,35 @@ impl<'a> Chain<'a> {
     /// A refusal with the body whose path it is about.
     fn of_echo(&self, error: &EchoError, frame: &PathsFrame) -> Failure {
         let path = error.path().and_then(|path| frame.paths.get(path));
-        let targets = self.paths_header().targets;
+        let targets = artifact_headers::body_ids(self.header);
         match path.and_then(|path| targets.get(path.target as usize)) {
             Some(id) => Failure::refused(format!("target `{id}`: {error}")),
             None => Failure::refused(error),
         }
     }
 
-    /// Synthesizer that makes cubes of the scene's paths, built when the first frame asks for it: with the
-    /// road's own backscatter, which no `.paths` holds and no table hears.
+    /// Synthesizer that makes cubes of the scene's paths.
     pub fn synthesizer(&self) -> Result<&fmcw_echo::Synthesizer, Failure> {
-        let SceneHeader { radar, backscatter, seed, fidelity, .. } = self.header;
-        let build = || {
-            let heard = backscatter.as_ref().filter(|_| fidelity.echo == EchoMode::Paths);
-            let draw = |road| fmcw_echo::ground::paths(radar, road, *seed);
-            let ground = heard.map(draw).transpose()?.unwrap_or_default();
-            let accuracy = fmcw_echo::sum_accuracy(fidelity.accuracy);
-            fmcw_echo::Synthesizer::new(&self.echo_header, *seed, accuracy, ground)
-        };
-        let build = || build().map_err(|error: EchoError| error.to_string());
-        self.synthesizer.get_or_init(build).as_ref().map_err(Failure::refused)
+        self.sessions.synthesizer()
     }
 
-    /// Receiver that makes maps and points of the scene's cubes, built when the first frame asks for it.
+    /// Receiver that makes maps and points of the scene's cubes.
     pub fn receiver(&self) -> Result<&dsp::Receiver, Failure> {
-        let build = || dsp::Receiver::new(&self.cube_header).map_err(|error| error.to_string());
-        self.receiver.get_or_init(build).as_ref().map_err(Failure::refused)
+        self.sessions.receiver()
     }
 
     fn maps(&self, plan: &FramePlan, cube: &CubeFrame) -> Result<Step<(RdmFrame, PointsFrame)>, Failure> {
         let (key, stage) = (&plan.keys.dsp, Stage::Dsp);
         let _under_way = Work::begin(format!("frame {}, range-Doppler map and points", plan.index));
         let compute = || self.receiver()?.range_doppler(cube).map_err(Failure::refused);
-        let rdm = self.step::<Rdm>(plan, stage, key, &self.cube_header, compute)?;
+        let rdm = self.frames.step::<Rdm>(stage, (plan.index, key), self.cube_header(), compute)?;
         let detect = || self.receiver()?.detect_refined(&rdm.value, cube).map_err(Failure::refused);
-        let points = self.step::<Points>(plan, stage, key, &self.points_header(), detect)?;
+        let points = self.frames.step::<Points>(
+            stage,
+            (plan.index, key),
+            &artifact_headers::points_header(self.cube_header()),
+            detect,
+        )?;
         Ok(Step { cached: rdm.cached && points.cached, value: (rdm.value, points.value) })
     }
 
@@ -409,65 +344,8 @@ impl<'a> Chain<'a> {
             let probabilities = progress::during(name, || model.classify(self.receiver()?, rdm, points))?;
             Ok(ClassesFrame { probabilities })
         };
-        let step = self.step::<Classes>(plan, stage, key, &model.classes_header(), compute)?;
+        let step = self.frames.step::<Classes>(stage, (plan.index, key), &model.classes_header(), compute)?;
         Ok(step.map(|frame| frame.probabilities))
-    }
-
-    fn step<S: Schema>(
-        &self,
-        plan: &FramePlan,
-        stage: Stage,
-        key: &crate::chain::keys::Key,
-        header: &S::Header,
-        compute: impl FnOnce() -> Result<S::Frame, Failure>,
-    ) -> Result<Step<S::Frame>, Failure> {
-        // Looked for even where the plan found nothing: an equal frame of this run may have put it there
-        // since.
-        let cache = self.cache.filter(|_| stage <= self.kept_to);
-        if let Some(value) = cache.and_then(|c| c.get::<S>(stage, key)) {
-            return Ok(Step { value, cached: true });
-        }
-        let value = compute()?;
-        if let Some(cache) = cache {
-            cache.put::<S>(stage, key, header, &value);
-            cache.remember_key(stage, &self.header.name, plan.index, key);
-        }
-        Ok(Step { value, cached: false })
-    }
-}
-
-/// A stage's value and whether it came from the cache.
-struct Step<T> {
-    value: T,
-    cached: bool,
-}
-
-impl<T> Step<T> {
-    fn map<U>(self, convert: impl FnOnce(T) -> U) -> Step<U> {
-        Step { value: convert(self.value), cached: self.cached }
-    }
-}
-
-/// Seconds of each stage, and which came from the cache.
-#[derive(Default)]
-struct Log {
-    seconds: Vec<(Stage, f64)>,
-    cached: Vec<Stage>,
-}
-
-impl Log {
-    fn time<T>(
-        &mut self,
-        stage: Stage,
-        work: impl FnOnce() -> Result<Step<T>, Failure>,
-    ) -> Result<T, Failure> {
-        let start = Instant::now();
-        let step = work()?;
-        self.seconds.push((stage, start.elapsed().as_secs_f64()));
-        if step.cached {
-            self.cached.push(stage);
-        }
-        Ok(step.value)
     }
 }
 

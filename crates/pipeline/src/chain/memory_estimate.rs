@@ -151,7 +151,7 @@ impl Chain<'_> {
     /// Bytes of what follows the tracer: cubes, maps, paths of the ground, searches of directions.
     fn signal_bytes(&self) -> u64 {
         let accuracy = fmcw_echo::sum_accuracy(self.header.fidelity.accuracy);
-        fmcw_echo::memory_estimate_bytes(&self.cube_header, accuracy)
+        fmcw_echo::memory_estimate_bytes(self.cube_header(), accuracy)
             + self.map_bytes()
             + self.ground_bytes()
             + self.direction_bytes()
@@ -159,13 +159,13 @@ impl Chain<'_> {
 
     /// A map in both precisions: all channels are transformed at once.
     fn map_bytes(&self) -> u64 {
-        let cells: usize = artifact::rdm::shape(&self.cube_header).iter().product();
+        let cells: usize = artifact::rdm::shape(self.cube_header()).iter().product();
         (cells * (size_of::<num_complex::Complex32>() + size_of::<num_complex::Complex64>())) as u64
     }
 
     /// Searches of the directions of echoes, one a thread.
     fn direction_bytes(&self) -> u64 {
-        rayon::current_num_threads() as u64 * dsp::angle::search_bytes(&self.cube_header.radar)
+        rayon::current_num_threads() as u64 * dsp::angle::search_bytes(&self.header.radar)
     }
 
     /// Paths of the ground, once for the run and once among those of the frame.

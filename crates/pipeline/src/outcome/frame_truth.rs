@@ -14,7 +14,7 @@ pub fn frame_truth(chain: &Chain, frame: &FrameProducts) -> Result<FrameTruth, F
 
 fn origins_of_points(chain: &Chain, frame: &FrameProducts) -> Result<Vec<Origin>, Failure> {
     let Some(paths) = frame.result.scattering.paths() else { return Ok(vec![]) };
-    let header = chain.cube_header.in_frame(frame.result.scene.index);
+    let header = chain.cube_header().in_frame(frame.result.scene.index);
     let noise = dsp::noise_power(&header, &frame.rdm).map_err(Failure::refused)?;
     let paths = &chain.synthesizer()?.with_ground(paths);
     origins(&header, paths, noise, &frame.result.points.points).map_err(Failure::refused)

@@ -38,7 +38,7 @@ impl Evidence {
 impl Tracking {
     /// Begins to follow a scene, before its first frame.
     pub fn of(chain: &Chain) -> Result<Self, Failure> {
-        let tracker = Tracker::new(&chain.cube_header, ROAD_TRAFFIC).map_err(Failure::refused)?;
+        let tracker = Tracker::new(chain.cube_header(), ROAD_TRAFFIC).map_err(Failure::refused)?;
         Ok(Self { tracker, score: Score::default(), classes: BTreeMap::new() })
     }
 

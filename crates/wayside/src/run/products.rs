@@ -2,7 +2,7 @@
 
 use artifact::cube::Cube;
 use artifact::paths::Paths;
-use artifact::points::{Label, Points, PointsHeader};
+use artifact::points::{Label, Points};
 use artifact::rcs::Rcs;
 use artifact::rdm::Rdm;
 use artifact::scene::{Scene, SceneHeader};
@@ -11,7 +11,7 @@ use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Writer};
 use evaluation::FrameTruth;
 use pipeline::chain::frame_result::Scattering;
-use pipeline::chain::link::{Chain, FrameProducts};
+use pipeline::chain::link::{Chain, FrameProducts, artifact_headers};
 use pipeline::chain::loading::provenance;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
@@ -66,15 +66,14 @@ enum ScatteringWriter {
 impl Products {
     pub(crate) fn create(chain: &Chain, out: &Path, inputs: &[(String, String)]) -> Result<Self, Failure> {
         let from = |stage| provenance(stage, chain.header, inputs.to_vec());
-        let (targets, classes) = (chain.targets(), chain.classes_of_targets());
-        let with_truth = PointsHeader { targets, classes, ..chain.points_header() };
-        let followed = TracksHeader { cube: Some(chain.cube_header.clone()) };
+        let with_truth = artifact_headers::points_header_with_truth(chain.header, chain.cube_header());
+        let followed = TracksHeader { cube: Some(chain.cube_header().clone()) };
         Ok(Self {
             out: out.to_owned(),
             scene: Writer::create(&out.join(SCENE), &from(Stage::Scene), chain.header)?,
             scattering: ScatteringWriter::create(chain, out, &from(Stage::BartRcs))?,
-            cube: Writer::create(&out.join(CUBE), &from(Stage::FmcwEcho), &chain.cube_header)?,
-            rdm: Writer::create(&out.join(RDM), &from(Stage::Dsp), &chain.cube_header)?,
+            cube: Writer::create(&out.join(CUBE), &from(Stage::FmcwEcho), chain.cube_header())?,
+            rdm: Writer::create(&out.join(RDM), &from(Stage::Dsp), chain.cube_header())?,
             points: Writer::create(&out.join(POINTS), &from(Stage::Dsp), &with_truth)?,
             tracks: Writer::create(&out.join(TRACKS), &from(Stage::Dsp), &followed)?,
             figures: Figures { artifacts: artifacts(chain.header).to_vec(), ..Figures::default() },
@@ -97,7 +96,7 @@ impl Products {
         self.points.write(&frame.result.points)?;
         self.tracks.write(tracks)?;
         let figures = pictures::figures(chain, &frame, truth)?;
-        pictures::write_frame(&figures, &chain.cube_header, &frame.rdm, &self.out.join("pictures"))?;
+        pictures::write_frame(&figures, chain.cube_header(), &frame.rdm, &self.out.join("pictures"))?;
         let number = frame.result.scene.index;
         if report::is_in_strip(number, chain.header.frames) {
             self.figures.strip.push((number, figures.plan.clone()));
@@ -107,7 +106,7 @@ impl Products {
             let (scene, points) = (frame.result.scene.clone(), frame.result.points.clone());
             self.figures.seen.push(Seen { view: frame.view.clone(), scene, points });
         }
-        self.scattering.write(chain.counted_through(frame.result.scattering))
+        self.scattering.write(frame.result.scattering.numbered_as_in(chain.header))
     }
 
     /// Puts every artifact in its place and hands out the figures.
@@ -127,8 +126,12 @@ impl ScatteringWriter {
         let echo = chain.header.fidelity.echo;
         let place = out.join(scattering_name(echo));
         Ok(match echo {
-            EchoMode::Paths => Self::Paths(Writer::create(&place, from, &chain.paths_header())?),
-            EchoMode::RcsTable => Self::Tables(Writer::create(&place, from, &chain.rcs_header())?),
+            EchoMode::Paths => {
+                Self::Paths(Writer::create(&place, from, &artifact_headers::paths_header(chain.header))?)
+            }
+            EchoMode::RcsTable => {
+                Self::Tables(Writer::create(&place, from, &artifact_headers::rcs_header(chain.header))?)
+            }
         })
     }
 

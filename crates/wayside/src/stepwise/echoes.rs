@@ -57,5 +57,5 @@ pub fn echoes_of_paths(
 }
 
 fn recorded(scene: &OpenedScene, chain: &Chain, frames: Vec<CubeFrame>) -> Recorded<Cube> {
-    Recorded { from: scene.provenance(Stage::FmcwEcho), header: chain.cube_header.clone(), frames }
+    Recorded { from: scene.provenance(Stage::FmcwEcho), header: chain.cube_header().clone(), frames }
 }

@@ -80,7 +80,7 @@ impl OpenedScene {
 
     /// Header of the scene's cubes.
     pub fn cube_header(&self) -> CubeHeader {
-        self.chain().cube_header
+        self.chain().cube_header().clone()
     }
 
     /// The radar in the words of the field.

@@ -10,7 +10,7 @@ use artifact::Provenance;
 use artifact::paths::{PathsFrame, PathsHeader};
 use artifact::scene::{Mesh, SceneFrame, SceneHeader, TargetKind};
 use glam::DVec3;
-use pipeline::chain::link::Chain;
+use pipeline::chain::link::{Chain, artifact_headers};
 use pipeline::host::beside::is_same_time;
 use pipeline::host::failure::Failure;
 use pipeline::host::{origin, progress};
@@ -39,8 +39,9 @@ pub(crate) fn check_header(
         let [theirs, own] = [paths.radar.position_m, radar.position_m];
         return Err(Failure::refused(format!("traced from {theirs:?} m, the scene's radar is at {own:?} m")));
     }
-    if paths.targets != chain.targets() {
-        let [theirs, own] = [&paths.targets, &chain.targets()].map(|ids| first_ids(ids));
+    if paths.targets != artifact_headers::body_ids(chain.header) {
+        let [theirs, own] =
+            [&paths.targets, &artifact_headers::body_ids(chain.header)].map(|ids| first_ids(ids));
         return Err(Failure::refused(format!("traced of the bodies {theirs}, the scene has {own}")));
     }
     let files = files.get(1..).unwrap_or_default();

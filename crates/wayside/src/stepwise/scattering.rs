@@ -5,6 +5,7 @@ use crate::stepwise::recorded::Recorded;
 use artifact::paths::Paths;
 use pipeline::chain::frame_result::Scattering;
 use pipeline::chain::frames::each_frame;
+use pipeline::chain::link::artifact_headers;
 use pipeline::chain::stages::Stage;
 use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
@@ -16,12 +17,16 @@ use pipeline::host::failure::Failure;
 pub fn paths(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Paths>, Failure> {
     let scene = &scene.by_paths();
     let (chain, mut frames) = (scene.chain(), Vec::new());
-    let keep = |scattering| {
-        if let Scattering::Paths(frame) = chain.counted_through(scattering) {
+    let keep = |scattering: Scattering| {
+        if let Scattering::Paths(frame) = scattering.numbered_as_in(chain.header) {
             frames.push(frame);
         }
         Ok(())
     };
     each_frame(&chain, &chain.plans(), call_off, |plan| chain.scattering(plan), keep)?;
-    Ok(Recorded { from: scene.provenance(Stage::BartRcs), header: chain.paths_header(), frames })
+    Ok(Recorded {
+        from: scene.provenance(Stage::BartRcs),
+        header: artifact_headers::paths_header(chain.header),
+        frames,
+    })
 }

@@ -29,7 +29,7 @@ pub(super) fn of_run(
 
 /// Echo, maps and points of one frame.
 fn add_signal(chain: &Chain, plan: &FramePlan, paths: f64, work: &mut WorkCounts) {
-    let samples = chain.cube_header.shape().iter().product::<usize>() as f64;
+    let samples = chain.cube_header().shape().iter().product::<usize>() as f64;
     let channels = chain.header.radar.virtual_channels() as f64;
     if plan.runs(Stage::FmcwEcho) {
         work.add(WorkKind::Echoes, paths * channels);

@@ -147,7 +147,7 @@ impl ViewedFrame {
         budget: &Budget,
     ) -> Result<Self, Failure> {
         let (view, scene) = (&frame.view, &frame.result.scene);
-        let header = chain.cube_header.in_frame(scene.index);
+        let header = chain.cube_header().in_frame(scene.index);
         let radar = &header.radar;
         let folding = Folding::of(view, scene, radar);
         let traced = frame.result.scattering.paths();

@@ -33,7 +33,7 @@ pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Fa
     let of_paths = traced.iter().map(|file| file.named().clone());
     let files = loaded.files.iter().cloned().chain(of_paths).collect();
     let from = provenance(Stage::FmcwEcho, &loaded.header, files);
-    let mut writer = Writer::<Cube>::create(&arguments.out, &from, &chain.cube_header)?;
+    let mut writer = Writer::<Cube>::create(&arguments.out, &from, chain.cube_header())?;
     let told = match &arguments.paths {
         Some(file) => from_paths(&chain, (&loaded, &said), file, &mut writer)?,
         None => from_scene(&chain, &mut writer)?,

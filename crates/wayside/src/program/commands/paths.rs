@@ -7,7 +7,7 @@ use artifact::paths::Paths;
 use artifact::settings::EchoMode;
 use pipeline::chain::frame_result::Scattering;
 use pipeline::chain::frames::each_frame;
-use pipeline::chain::link::Chain;
+use pipeline::chain::link::{Chain, artifact_headers};
 use pipeline::chain::loading::provenance;
 use pipeline::chain::plan::FramePlan;
 use pipeline::chain::stages::Stage;
@@ -22,11 +22,12 @@ pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), F
     loaded.header.fidelity.echo = EchoMode::Paths; // that is what was asked for
     let chain = Chain::of(&loaded.header, None, None, memory);
     let from = provenance(Stage::BartRcs, &loaded.header, loaded.files.clone());
-    let mut writer = Writer::<Paths>::create(&arguments.out, &from, &chain.paths_header())?;
+    let mut writer =
+        Writer::<Paths>::create(&arguments.out, &from, &artifact_headers::paths_header(chain.header))?;
     let mut told = vec![];
     let traced = |plan: &FramePlan| Ok((plan.index, chain.scattering(plan)?));
-    let write = |(index, scattering)| {
-        if let Scattering::Paths(frame) = chain.counted_through(scattering) {
+    let write = |(index, scattering): (u32, Scattering)| {
+        if let Scattering::Paths(frame) = scattering.numbered_as_in(chain.header) {
             writer.write(&frame)?;
             let verdict = Verdict::of_paths(&loaded.header.fidelity, &frame.error, Some(&frame));
             told.push((index, verdict.beside(&frame.model_error)));

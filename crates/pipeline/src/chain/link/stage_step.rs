@@ -1,0 +1,78 @@
+//! A stage's part of one frame: taken from the cache or computed and put there, with the time that it took.
+
+use crate::chain::cache::Cache;
+use crate::chain::keys::Key;
+use crate::chain::stages::Stage;
+use crate::host::failure::Failure;
+use artifact::Schema;
+use std::time::Instant;
+
+/// A stage's value of a frame.
+pub(super) struct Step<T> {
+    pub(super) value: T,
+    /// Whether it came from the cache.
+    pub(super) cached: bool,
+}
+
+impl<T> Step<T> {
+    pub(super) fn map<U>(self, convert: impl FnOnce(T) -> U) -> Step<U> {
+        Step { value: convert(self.value), cached: self.cached }
+    }
+}
+
+/// Frames of the stages of one scene in the cache, if there is one.
+pub(super) struct StageFrames<'a> {
+    pub(super) cache: Option<&'a Cache>,
+    /// Last stage whose frames are looked for in the cache and put there.
+    pub(super) kept_to: Stage,
+    /// Name of the scene.
+    pub(super) scene: &'a str,
+}
+
+impl StageFrames<'_> {
+    /// Takes a stage's frame from the cache, or computes it and puts it there.
+    pub(super) fn step<S: Schema>(
+        &self,
+        stage: Stage,
+        (frame, key): (u32, &Key),
+        header: &S::Header,
+        compute: impl FnOnce() -> Result<S::Frame, Failure>,
+    ) -> Result<Step<S::Frame>, Failure> {
+        // Looked for even where the plan found nothing: an equal frame of this run may have put it there
+        // since.
+        let cache = self.cache.filter(|_| stage <= self.kept_to);
+        if let Some(value) = cache.and_then(|cache| cache.get::<S>(stage, key)) {
+            return Ok(Step { value, cached: true });
+        }
+        let value = compute()?;
+        if let Some(cache) = cache {
+            cache.put::<S>(stage, key, header, &value);
+            cache.remember_key(stage, self.scene, frame, key);
+        }
+        Ok(Step { value, cached: false })
+    }
+}
+
+/// Seconds of each stage of a frame, and which of them came from the cache.
+#[derive(Default)]
+pub(super) struct StageTimes {
+    pub(super) seconds: Vec<(Stage, f64)>,
+    pub(super) cached: Vec<Stage>,
+}
+
+impl StageTimes {
+    /// Carries out a stage's step and keeps its time by the clock.
+    pub(super) fn time<T>(
+        &mut self,
+        stage: Stage,
+        work: impl FnOnce() -> Result<Step<T>, Failure>,
+    ) -> Result<T, Failure> {
+        let start = Instant::now();
+        let step = work()?;
+        self.seconds.push((stage, start.elapsed().as_secs_f64()));
+        if step.cached {
+            self.cached.push(stage);
+        }
+        Ok(step.value)
+    }
+}
