@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use wayside::Failure;
 use wayside::host::files;
-use wayside::host::shown::markdown_table;
+use wayside::host::safe_text::markdown_table;
 
 const LEDGER: &str = "fixtures/fuzz.csv";
 const PAGE: &str = "docs/validation/fuzz.md";

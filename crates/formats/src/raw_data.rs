@@ -5,7 +5,7 @@
 //! cube are `[turn·N_rx + rx][chirp][sample]`.
 
 mod lanes; // bytes of a capture card
-mod told_waveform; // waveforms that descriptions tell
+mod described_waveform; // waveforms that descriptions tell
 pub mod dca1000;
 pub mod npy;
 pub mod sigmf;

@@ -8,7 +8,7 @@ mod layout;
 mod places;
 mod staging;
 mod shots;
-mod seen;
+mod observed_frame;
 mod maker;
 mod shard;
 pub(crate) mod lines;

@@ -1,7 +1,7 @@
 //! Evaluation of a model (`evaluate`): how often it is right on datasets, by frame and by track, with its
 //! spread over vehicles, as a page.
 
-use crate::training::told_interval::told_interval;
+use crate::training::interval_text::told_interval;
 use artifact::dataset::Sample;
 use artifact::settings::Class;
 use classifier::{Evaluation, Part, Sightings, parts};
@@ -10,7 +10,7 @@ use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
-use pipeline::host::shown::{in_markdown, markdown_table};
+use pipeline::host::safe_text::{in_markdown, markdown_table};
 use std::fmt::Write;
 use std::iter;
 use std::path::{Path, PathBuf};

@@ -2,7 +2,7 @@
 //! scenes of the test split (S), on vehicles held out in turn (V, folder by folder), and on datasets that
 //! never trained (T). Or the paper's network by the paper's protocol (P).
 
-mod asked;
+mod protocol_set;
 mod conditions;
 mod curves;
 mod paper;
@@ -11,19 +11,19 @@ mod settings;
 use crate::evaluation::{confusion, sightings_of};
 use crate::training::{Learner, iterations_of_trees, note_lone_vehicles};
 use artifact::settings::Class;
-use asked::{HELD_OUT, Kept, Protocol, answers, name_of, of_test, of_training, told};
 use classifier::{
     Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax,
     train_trees,
 };
 use conditions::{OfTracks, conditions};
+use pipeline::chain::class_rule::{ClassRule, Predicted};
 use pipeline::chain::loaded_model::{of_classifier, of_classifier_about};
-use pipeline::chain::told_class::{ClassRule, Predicted};
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress::Work;
-use pipeline::host::shown::{in_markdown, markdown_table};
+use pipeline::host::safe_text::{in_markdown, markdown_table};
+use protocol_set::{HELD_OUT, Kept, Protocol, answers, name_of, of_test, of_training, told};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::iter;

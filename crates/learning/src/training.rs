@@ -3,7 +3,7 @@
 //! Trees learn here, the paper's network in a program of its own.
 
 mod settings;
-pub(crate) mod told_interval;
+pub(crate) mod interval_text;
 mod lone_vehicles;
 pub(crate) mod network;
 mod trees;

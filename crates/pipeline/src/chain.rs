@@ -5,11 +5,11 @@ pub mod stages;
 pub mod keys;
 pub mod cache;
 pub mod plan;
-pub mod told_class;
+pub mod class_rule;
 #[cfg_attr(not(feature = "classifier"), path = "chain/no_model.rs")]
 pub mod loaded_model;
 pub mod loading;
-pub mod looks;
+pub mod expected_work;
 pub mod measured_frames;
 pub mod frame_result;
 pub mod link;

@@ -1,7 +1,7 @@
 //! Services that the chain stands on beside the stages: failures, whole files, memory, progress, places and
 //! long work's checkpoints; and folders of datasets as inputs.
 
-pub mod shown;
+pub mod safe_text;
 pub mod failure;
 pub mod progress;
 pub mod files;
@@ -11,8 +11,8 @@ pub mod processor_time;
 pub mod places;
 pub mod checkpoint;
 pub mod call_off;
-pub mod origin;
-pub mod beside;
+pub mod provenance_checks;
+pub mod frame_matching;
 pub mod toml_text;
 pub mod side_by_side;
 pub mod in_order;

@@ -2,10 +2,10 @@
 //! lines of a console.
 
 pub mod error_figures;
-pub(crate) mod of_use;
+pub(crate) mod useful_accuracy;
 pub mod verdict;
 pub mod frame_truth;
 pub(crate) mod false_objects;
 pub mod summary;
 pub mod tracking;
-pub mod told;
+pub mod console_lines;

@@ -3,14 +3,14 @@
 pub(crate) mod field_of_view;
 pub(crate) mod lane_sides;
 mod bodies;
-mod beyond;
-mod found;
+mod off_map_marks;
+mod detection_marks;
 mod ground;
 mod rdm;
 mod exr;
 mod plan_view;
 mod points;
-pub mod seen;
+pub mod radar_view;
 mod common_view;
 
 use artifact::cube::CubeHeader;

@@ -1,7 +1,7 @@
 //! `report.html`: one self-contained file that opens from disk.
 
 pub mod figures;
-pub(crate) mod made;
+pub(crate) mod provenance_paragraph;
 mod accuracy;
 mod false_objects;
 mod page;
@@ -13,12 +13,12 @@ mod tracks;
 pub(crate) mod viewer;
 
 use crate::report::figures::Figures;
-pub use made::Making;
 pub use page::{figure, sheet};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::outcome::summary::{RadarsSummary, Summary};
 use plotting::form::Figure;
+pub use provenance_paragraph::Making;
 use std::path::Path;
 pub use tables::scrolled;
 

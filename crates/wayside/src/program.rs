@@ -5,7 +5,7 @@ pub mod cli;
 pub mod commands;
 pub mod means;
 pub mod terminal;
-mod ending;
+mod exit_codes;
 mod export_formats;
 pub mod interrupt;
 mod out_endings;
@@ -13,7 +13,7 @@ mod out_endings;
 mod learning_cli;
 mod suggestion;
 pub mod values;
-mod words;
+mod option_words;
 
 use cli::General;
 use means::Means;
@@ -56,7 +56,7 @@ pub fn enter(
             terminal::finish(Ok(()));
             ExitCode::SUCCESS
         }
-        Err(failure) => ending::report(&failure),
+        Err(failure) => exit_codes::report(&failure),
     }
 }
 

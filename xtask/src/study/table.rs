@@ -1,7 +1,7 @@
 //! Rows as CSV, as a table of a page, and read again to be drawn.
 
 use artifact::units::db_from_amplitude;
-use wayside::host::shown::in_csv;
+use wayside::host::safe_text::in_csv;
 
 /// Lines of fields, quoted where they must be.
 pub(super) fn csv(header: &str, rows: impl Iterator<Item = Vec<String>>) -> String {

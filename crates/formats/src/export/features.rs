@@ -4,7 +4,7 @@ use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use pipeline::host::shown::in_csv;
+use pipeline::host::safe_text::in_csv;
 use std::io::{Error, Write};
 use std::path::Path;
 

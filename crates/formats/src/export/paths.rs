@@ -8,7 +8,7 @@ use artifact::{Radar, Reader};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
-use pipeline::host::shown::in_csv;
+use pipeline::host::safe_text::in_csv;
 use serde_json::json;
 use std::io::{Error, Write};
 use std::path::Path;

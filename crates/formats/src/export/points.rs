@@ -6,7 +6,7 @@ use artifact::settings::Class;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
-use pipeline::host::shown::in_csv;
+use pipeline::host::safe_text::in_csv;
 use std::io::{Error, Write};
 use std::path::Path;
 

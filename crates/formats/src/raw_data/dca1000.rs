@@ -1,8 +1,8 @@
 //! The `.bin` of a DCA1000EVM, one file: read in all layouts (`lanes.rs`), written as behind two lanes.
 
+use crate::raw_data::described_waveform::WaveformKeys;
 pub use crate::raw_data::lanes::Layout;
 use crate::raw_data::lanes::TWO_LANES;
-use crate::raw_data::told_waveform::WaveformKeys;
 use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording, Shape};
 use crate::sidecar;
 use artifact::Reader;

@@ -1,7 +1,7 @@
 //! SigMF recordings (sigmf.org, version 1.0): `.sigmf-data`, receivers interleaved, and `.sigmf-meta` beside
 //! it.
 
-use crate::raw_data::told_waveform::{WaveformKeys, same};
+use crate::raw_data::described_waveform::{WaveformKeys, same};
 use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording, Shape};
 use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader};

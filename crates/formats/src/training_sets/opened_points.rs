@@ -7,7 +7,7 @@ use crate::training_sets::truth_boxes::TruthBoxes;
 use artifact::Reader;
 use artifact::points::{Points, PointsHeader};
 use pipeline::host::failure::Failure;
-use pipeline::host::origin;
+use pipeline::host::provenance_checks;
 use std::path::Path;
 
 /// A file of points that is open, and the scene beside it where one is given.
@@ -33,7 +33,7 @@ impl OpenedPoints {
         let from = &reader.preamble().provenance;
         let truth = scene.map(|file| TruthBoxes::open(file, radar, from)).transpose()?;
         if let (Some(scene), Some(truth)) = (scene, &truth) {
-            origin::has_bodies(scene, truth.header(), &header.targets)?;
+            provenance_checks::has_bodies(scene, truth.header(), &header.targets)?;
         }
         let axes = LevelledAxes::of(radar_of(&header, truth.as_ref())?);
         Ok(Self { reader, header, heights, truth, axes })

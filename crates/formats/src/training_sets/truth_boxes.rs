@@ -9,9 +9,9 @@ use artifact::settings::Class;
 use artifact::{Provenance, Radar};
 use glam::{DVec2, DVec3};
 use pipeline::chain::keys::cube_header;
-use pipeline::host::beside::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_poses, check_time};
 use pipeline::host::failure::Failure;
-use pipeline::host::origin;
+use pipeline::host::frame_matching::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_poses, check_time};
+use pipeline::host::provenance_checks;
 use std::path::{Path, PathBuf};
 
 /// A body's box.
@@ -78,7 +78,7 @@ impl TruthBoxes {
     /// The file is no scene, its radar is another one, or it was made of other files of the same names.
     pub(crate) fn open(file: &Path, radar: Option<&Radar>, from: &Provenance) -> Result<Self, Failure> {
         let scene = Beside::<Scene>::open(file, |frame| frame.index)?;
-        let is_same = origin::same_scene(file, scene.provenance(), ("frames", from))?;
+        let is_same = provenance_checks::same_scene(file, scene.provenance(), ("frames", from))?;
         let header = scene.header().clone();
         // Frames do not know the errors of their radar.
         if radar.is_some_and(|radar| *radar != cube_header(&header).radar) {

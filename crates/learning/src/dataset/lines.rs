@@ -1,8 +1,8 @@
 //! JSON lines of a dataset: a line a scene beside each shard, from which a line a sample is made.
 
 use crate::dataset::draws::Drawn;
+use crate::dataset::observed_frame::SeenFrame;
 use crate::dataset::recipe::{FRAMES_LIMIT, Recipe, VEHICLES_LIMIT};
-use crate::dataset::seen::SeenFrame;
 use crate::dataset::staging::{Staged, ToldVehicle};
 use artifact::envelope::fingerprint;
 use artifact::points::Object;

@@ -10,7 +10,7 @@ const OWN_SOURCES: [&str; 9] = [
     include_str!("places.rs"),
     include_str!("recipe.rs"),
     include_str!("recipe/models.rs"),
-    include_str!("seen.rs"),
+    include_str!("observed_frame.rs"),
     include_str!("shard.rs"),
     include_str!("shots.rs"),
     include_str!("staging.rs"),

@@ -2,8 +2,8 @@
 
 use crate::dataset::draws::Drawn;
 use crate::dataset::lines;
+use crate::dataset::observed_frame::{SeenFrame, seen};
 use crate::dataset::recipe::Recipe;
-use crate::dataset::seen::{SeenFrame, seen};
 use crate::dataset::staging::{Staged, stage};
 use artifact::dataset::{Crop, Sample};
 use pipeline::chain::link::Chain;

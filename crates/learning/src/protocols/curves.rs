@@ -1,6 +1,6 @@
 //! Learning curves: trainings on parts of the scenes, and of the vehicles.
 
-use crate::protocols::asked::{of_test, of_training, told};
+use crate::protocols::protocol_set::{of_test, of_training, told};
 use artifact::dataset::Split;
 use artifact::seed;
 use classifier::{ClassifierError, Part, Seen, Sightings, TrainedTrees, TreeSettings, train_trees};

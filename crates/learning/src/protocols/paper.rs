@@ -6,7 +6,7 @@ use artifact::settings::Class;
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress::Work;
-use pipeline::host::shown::markdown_table;
+use pipeline::host::safe_text::markdown_table;
 use serde_json::Value;
 use std::path::PathBuf;
 use std::process::Command;

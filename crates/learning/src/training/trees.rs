@@ -1,8 +1,8 @@
 //! Boosted trees from datasets: `weights.model`, `metrics.json`, `curves.csv`.
 
+use crate::training::interval_text::told_interval;
 use crate::training::lone_vehicles::note_lone_vehicles;
 use crate::training::settings::Settings;
-use crate::training::told_interval::told_interval;
 use artifact::model::Model;
 use artifact::{Provenance, Writer, bounded};
 use classifier::{

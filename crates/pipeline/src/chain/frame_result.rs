@@ -1,7 +1,7 @@
 //! Result of one frame when its chain is done.
 
+use crate::chain::class_rule::ClassRule;
 use crate::chain::stages::Stage;
-use crate::chain::told_class::ClassRule;
 use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::paths::PathsFrame;
 use artifact::points::PointsFrame;

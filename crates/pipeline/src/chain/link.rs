@@ -6,16 +6,16 @@ mod stage_sessions;
 mod stage_step;
 
 use crate::chain::cache::Cache;
+use crate::chain::class_rule::ClassRule;
+use crate::chain::expected_work::{Look, Looks};
 use crate::chain::frame_result::{FrameResult, Scattering};
 use crate::chain::keys::{FrameKeys, SceneParts};
 use crate::chain::link::stage_sessions::StageSessions;
 use crate::chain::link::stage_step::{StageFrames, StageTimes, Step};
 use crate::chain::loaded_model::LoadedModel;
-use crate::chain::looks::{Look, Looks};
 use crate::chain::measured_frames::{self, MeasuredFrames};
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
-use crate::chain::told_class::ClassRule;
 use crate::host::failure::Failure;
 use crate::host::in_order::AtOnce;
 use crate::host::memory::Allowance;

@@ -1,7 +1,7 @@
 //! A classifier's model as a run uses it: what it looks at is taken from the map, its answers are kept with
 //! its name.
 
-use crate::chain::told_class::ClassRule;
+use crate::chain::class_rule::ClassRule;
 use crate::host::failure::Failure;
 use artifact::classes::ClassesHeader;
 use artifact::dataset::{Crop, Sample};

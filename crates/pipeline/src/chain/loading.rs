@@ -5,8 +5,8 @@ use crate::chain::keys;
 use crate::chain::loaded_model::LoadedModel;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
-use crate::host::origin;
 use crate::host::progress::{self, Work};
+use crate::host::provenance_checks;
 use artifact::Provenance;
 use artifact::scene::{Role, Scene, SceneHeader, Target, TargetKind};
 use artifact::unchanged::SeenFile;
@@ -201,7 +201,7 @@ fn shipped() -> Result<Option<LoadedModel>, Failure> {
 pub fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, String)>) -> Provenance {
     let asked = (&header.fidelity, &header.dsp);
     let settings = match stage {
-        Stage::BartRcs => serde_json::to_string(&(asked.0, asked.1, origin::told_bodies(header))),
+        Stage::BartRcs => serde_json::to_string(&(asked.0, asked.1, provenance_checks::told_bodies(header))),
         _ => serde_json::to_string(&asked),
     };
     Provenance {

@@ -4,8 +4,8 @@ use crate::chain::expectation::rates::{
     BYTES_PER_BEAM, BYTES_PER_CELL, BYTES_PER_CHANGING_CELL, BYTES_PER_FACET, BYTES_PER_MOVING_CELL,
     BYTES_PER_SLIDING_TILE, HELD_KINDS, PROGRAM_MIB,
 };
+use crate::chain::expected_work::Look;
 use crate::chain::link::Chain;
-use crate::chain::looks::Look;
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;

@@ -1,7 +1,7 @@
 //! In place of the classifier where the program is built without it: there is no model, points keep null
 //! probabilities.
 
-use crate::chain::told_class::ClassRule;
+use crate::chain::class_rule::ClassRule;
 use crate::host::failure::Failure;
 use artifact::classes::ClassesHeader;
 use artifact::points::PointsFrame;

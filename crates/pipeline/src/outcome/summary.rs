@@ -10,8 +10,8 @@ mod frame;
 mod one_radar;
 mod several_radars;
 
+pub use crate::chain::class_rule::Predicted;
 pub use crate::chain::stages::Stage;
-pub use crate::chain::told_class::Predicted;
 pub use crate::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
 pub use crate::outcome::false_objects::{Cause, FalseObject};
 pub use crate::outcome::verdict::AccuracyVerdict;

@@ -1,7 +1,7 @@
 //! Whether the accuracy that was asked for was reached; where not, what limits it and what would help.
 
 use crate::outcome::error_figures::{ErrorFigures, db, decibels};
-use crate::outcome::of_use::OfUse;
+use crate::outcome::useful_accuracy::OfUse;
 use artifact::accuracy::ModelError;
 use artifact::goal::Goal;
 use artifact::paths::PathsFrame;

@@ -1,6 +1,6 @@
 //! Shares of the echo's parts in all of it, over the frames that are looked at.
 
-use crate::chain::looks::frames_looked_at;
+use crate::chain::expected_work::frames_looked_at;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use artifact::scene::SceneHeader;

@@ -1,11 +1,11 @@
 //! The scene from above as several radars have it together: north is up, to scale.
 
-use crate::pictures::beyond::Thing;
 use crate::pictures::bodies::{Body, bodies};
+use crate::pictures::detection_marks::{self, Owner};
 use crate::pictures::field_of_view;
-use crate::pictures::found::{self, Owner};
 use crate::pictures::ground::{Ground, Region};
-use crate::pictures::seen::Seen;
+use crate::pictures::off_map_marks::Thing;
+use crate::pictures::radar_view::Seen;
 use artifact::settings::Lanes;
 use plotting::colours::line_colour;
 use plotting::form::{Figure, Form};
@@ -45,7 +45,7 @@ fn draw(number: usize, radars: &[(&str, &Seen)], form: Form) -> Svg {
             .iter()
             .any(|(_, seen)| seen.points.objects.iter().any(|object| object.stationary == Some(true)))
         {
-            ground.say(Mark::Hollow, "plain", found::POINT_AT_REST);
+            ground.say(Mark::Hollow, "plain", detection_marks::POINT_AT_REST);
             ground.say(Mark::Box, "plain", "object at rest");
         }
         ground.say(Mark::BrokenLine, "plain", "boresight");
@@ -88,10 +88,16 @@ fn region(radars: &[(&str, &Seen)], bodies: &[Body]) -> Region {
 /// Points and objects of a radar.
 fn found(ground: &mut Ground, colour: &str, id: &str, seen: &Seen) {
     for point in &seen.points.points {
-        ground.found(Thing::Point, found::of_point(point), colour, point.position_m, "");
+        ground.found(Thing::Point, detection_marks::of_point(point), colour, point.position_m, "");
     }
     for object in &seen.points.objects {
-        ground.found(Thing::Object, found::of_object(object, Owner::Unknown), colour, object.position_m, "");
+        ground.found(
+            Thing::Object,
+            detection_marks::of_object(object, Owner::Unknown),
+            colour,
+            object.position_m,
+            "",
+        );
     }
     ground.say(Mark::Triangle, colour, format!("radar {id}"));
 }

@@ -1,10 +1,10 @@
 //! The ground from above, to scale: bodies, radars and what was found on it; what lies beyond is marked at
 //! the edges.
 
-use crate::pictures::beyond::{Beyond, Thing};
 use crate::pictures::bodies::Body;
 use crate::pictures::field_of_view;
 use crate::pictures::lane_sides::lane_sides_m;
+use crate::pictures::off_map_marks::{Beyond, Thing};
 use artifact::radar::Radar;
 use artifact::settings::{Course, Lanes};
 use plotting::axes::{Axes, Axis};

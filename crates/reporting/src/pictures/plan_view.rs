@@ -1,11 +1,11 @@
 //! The scene from above as one radar has it: the radar and its view, its lanes if it has any, true outlines,
 //! objects and points.
 
-use crate::pictures::beyond::Thing;
 use crate::pictures::bodies::bodies;
+use crate::pictures::detection_marks::{self, Owner};
 use crate::pictures::field_of_view;
-use crate::pictures::found::{self, Owner};
 use crate::pictures::ground::{Ground, Region};
+use crate::pictures::off_map_marks::Thing;
 use artifact::radar::Radar;
 use artifact::scene::SceneHeader;
 use artifact::settings::{Lane, Lanes};
@@ -32,7 +32,7 @@ pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult, nobodys: &[us
     ground.radar("radar", "radar", radar);
     bodies.iter().for_each(|body| ground.body(body));
     for point in &result.points.points {
-        ground.found(Thing::Point, found::of_point(point), "found", point.position_m, "");
+        ground.found(Thing::Point, detection_marks::of_point(point), "found", point.position_m, "");
     }
     let marks: Vec<(Mark, Owner)> = marks(result, nobodys).collect();
     for (number, (object, (mark, _))) in result.points.objects.iter().zip(&marks).enumerate() {
@@ -47,18 +47,18 @@ pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult, nobodys: &[us
 fn marks(result: &FrameResult, nobodys: &[usize]) -> impl Iterator<Item = (Mark, Owner)> {
     result.points.objects.iter().enumerate().map(|(number, object)| {
         let owner = if nobodys.contains(&number) { Owner::Nobody } else { Owner::Body };
-        (found::of_object(object, owner), owner)
+        (detection_marks::of_object(object, owner), owner)
     })
 }
 
 fn say(ground: &mut Ground, radar: &Radar, result: &FrameResult, objects: &[(Mark, Owner)]) {
     ground.say(Mark::Dot, "found", "detected point");
     if result.points.points.iter().any(|point| point.stationary == Some(true)) {
-        ground.say(Mark::Hollow, "found", found::POINT_AT_REST);
+        ground.say(Mark::Hollow, "found", detection_marks::POINT_AT_REST);
     }
     for shown in [Mark::Ring, Mark::BrokenRing, Mark::Box] {
         if let Some((mark, owner)) = objects.iter().find(|(mark, _)| *mark == shown) {
-            ground.say(*mark, "found", found::words(*mark, *owner));
+            ground.say(*mark, "found", detection_marks::words(*mark, *owner));
         }
     }
     say_radar(ground, radar);

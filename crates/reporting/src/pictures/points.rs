@@ -1,11 +1,11 @@
 //! The point cloud, coloured by object: from above, and where the array measures elevation from two sides
 //! too.
 
-use crate::pictures::beyond::Thing;
 use crate::pictures::bodies::Body;
+use crate::pictures::detection_marks::{self, Owner};
 use crate::pictures::field_of_view;
-use crate::pictures::found::{self, Owner};
 use crate::pictures::ground::Ground;
+use crate::pictures::off_map_marks::Thing;
 use crate::pictures::plan_view::{axis_names, region};
 use artifact::cube::CubeHeader;
 use artifact::points::{Point, PointsFrame};
@@ -55,10 +55,10 @@ fn plan(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -
     ground.radar("radar", "radar", &header.radar);
     bodies.iter().for_each(|body| ground.body(body));
     for point in &frame.points {
-        ground.found(Thing::Point, found::of_point(point), colour(point), point.position_m, "");
+        ground.found(Thing::Point, detection_marks::of_point(point), colour(point), point.position_m, "");
     }
     for (number, object) in frame.objects.iter().enumerate() {
-        let mark = found::of_object(object, Owner::Unknown);
+        let mark = detection_marks::of_object(object, Owner::Unknown);
         ground.found(Thing::Object, mark, line_colour(number), object.position_m, &format!("#{number}"));
     }
     meanings(frame, "object with its number")
@@ -76,7 +76,12 @@ fn meanings(frame: &PointsFrame, object: &'static str) -> Vec<(Mark, &'static st
         (Mark::Ring, "c0", object),
     ];
     let at_rest = [
-        (Mark::Hollow, "c0", found::POINT_AT_REST, frame.points.iter().any(|p| p.stationary == Some(true))),
+        (
+            Mark::Hollow,
+            "c0",
+            detection_marks::POINT_AT_REST,
+            frame.points.iter().any(|p| p.stationary == Some(true)),
+        ),
         (Mark::Box, "c0", "object at rest", frame.objects.iter().any(|o| o.stationary == Some(true))),
     ];
     let shown = at_rest
@@ -110,10 +115,10 @@ fn views(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) 
         }
         bodies.iter().for_each(|body| draw_body(&mut sheet, header, view, body));
         for point in &frame.points {
-            put(&mut sheet, header, view, found::of_point(point), colour(point), point.position_m);
+            put(&mut sheet, header, view, detection_marks::of_point(point), colour(point), point.position_m);
         }
         for (number, object) in frame.objects.iter().enumerate() {
-            let mark = found::of_object(object, Owner::Unknown);
+            let mark = detection_marks::of_object(object, Owner::Unknown);
             put(&mut sheet, header, view, mark, line_colour(number), object.position_m);
         }
     }

@@ -1,6 +1,6 @@
 //! The range-Doppler map and its profile.
 
-use crate::pictures::found::{self, Owner};
+use crate::pictures::detection_marks::{self, Owner};
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
 use artifact::rdm::RdmFrame;
@@ -84,12 +84,12 @@ fn marks(sheet: &mut Svg, header: &CubeHeader, axes: &Axes, over: &OnMap) -> Leg
     for (number, object) in over.points.iter().flat_map(|points| points.objects.iter().enumerate()) {
         let at = at(object.range_m, object.radial_velocity_mps);
         let owner = over.owner(number);
-        let mark = found::of_object(object, owner);
+        let mark = detection_marks::of_object(object, owner);
         shaded(sheet, mark, "onmap", at);
         if mark == Mark::BrokenRing {
             objects.put([at[0] - 9.0, at[1] - 9.0, at[0] + 9.0, at[1] + 9.0], &format!("#{number}"));
         }
-        legend.say_of(&[Mark::Plate, mark], "onmap", found::words(mark, owner));
+        legend.say_of(&[Mark::Plate, mark], "onmap", detection_marks::words(mark, owner));
     }
     bodies.draw_on_map(sheet, "truthmap");
     objects.draw_on_map(sheet, "onmap");

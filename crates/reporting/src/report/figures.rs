@@ -1,7 +1,7 @@
 //! The pictures of a run that its report shows, and the artifacts that it names.
 
 use crate::pictures::FrameFigures;
-use crate::pictures::seen::Seen;
+use crate::pictures::radar_view::Seen;
 use crate::report::viewer::Viewed;
 use plotting::form::Figure;
 

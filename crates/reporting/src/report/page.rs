@@ -4,12 +4,12 @@ use crate::pictures::FrameFigures;
 use crate::report::accuracy;
 use crate::report::false_objects;
 use crate::report::figures::Figures;
-use crate::report::made::{Making, PICTURES, made};
+use crate::report::provenance_paragraph::{Making, PICTURES, made};
 use crate::report::tables;
 use crate::report::tracks;
 use crate::report::viewer;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use pipeline::host::shown;
+use pipeline::host::safe_text;
 use pipeline::outcome::summary::{Agreement, FrameSummary, Metrics, Summary};
 use plotting::form::Figure;
 
@@ -58,7 +58,7 @@ pub fn sheet(name: &str, content: Markup) -> String {
             }
         }
     };
-    shown::in_lines(&markup.into_string()).into_owned()
+    safe_text::in_lines(&markup.into_string()).into_owned()
 }
 
 /// Frames that have tables in the report: a page of more opens slowly.

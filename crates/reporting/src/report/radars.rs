@@ -2,8 +2,8 @@
 
 use crate::report::accuracy;
 use crate::report::false_objects;
-use crate::report::made::{Making, PICTURES, made};
 use crate::report::page::{figure, sheet};
+use crate::report::provenance_paragraph::{Making, PICTURES, made};
 use crate::report::tables::{rounded, scrolled};
 use artifact::settings::Class;
 use maud::{Markup, html};

@@ -2,8 +2,8 @@
 
 use artifact::settings::Class;
 use maud::{Markup, html};
+use pipeline::outcome::console_lines;
 use pipeline::outcome::summary::{FrameSummary, MapState, Predicted, RadarSummary, Stage, TargetSummary};
-use pipeline::outcome::told;
 use std::fmt::Display;
 
 /// A table that is scrolled where the page is narrower, by keys too; its first column stays.
@@ -152,7 +152,7 @@ pub(super) fn errors(frame: &FrameSummary) -> Markup {
     html! {
         (scrolled("Error budget", table))
         p { "Parts without a row are no error, or were not estimated." }
-        @if told::shading_left_out(frame) {
+        @if console_lines::shading_left_out(frame) {
             p { "Tables are of each body alone: what they hide of one another is left out, not estimated." }
         }
     }

@@ -3,8 +3,8 @@
 
 pub(in crate::report) mod packed; // numbers in few bytes
 pub(in crate::report) mod page_script; // numbers and scripts in a page
-mod budget; // how much of a run the view holds
-mod ways; // the places that a path passes
+mod page_budget; // how much of a run the view holds
+mod path_geometry; // the places that a path passes
 mod strongest_paths; // what is shown of a frame's paths
 mod map_cells; // a frame's map and whose echoes are in it
 pub(in crate::report) mod body_view; // a body where it stands

@@ -1,7 +1,7 @@
 //! Parts of a report, which stand on a page (HTML) and in a text (Markdown) alike.
 
 use maud::{Markup, html};
-use pipeline::host::shown::{in_markdown, markdown_table};
+use pipeline::host::safe_text::{in_markdown, markdown_table};
 use reporting::report::scrolled;
 
 /// Columns of a text's lines.

@@ -8,7 +8,7 @@ use crate::study::axis::{Axis, Pick};
 use crate::study::document::Study;
 use crate::study::situations::Situation;
 use crate::told::accuracy;
-use pipeline::host::shown::in_csv;
+use pipeline::host::safe_text::in_csv;
 
 /// All runs: design, condition, repeat and seed, the value of every key, every metric, and the accuracy asked
 /// and reached; empty where something is not known.

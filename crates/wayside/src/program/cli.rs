@@ -4,6 +4,10 @@
 use crate::program::export_formats::help_on_formats;
 #[cfg(feature = "classifier")]
 use crate::program::learning_cli::LearningCommand;
+use crate::program::option_words::{
+    AxesWord, EDGES, FormatWord, MethodWord, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, boards,
+    iq_orders, lanes, one_of,
+};
 use crate::program::suggestion::suggest;
 use crate::program::terminal::{self, Results};
 use crate::program::values::{Axis, Place, Shard};
@@ -11,10 +15,6 @@ use crate::program::values::{
     accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
 };
 use crate::program::values::{full_scale, scale, shard, step};
-use crate::program::words::{
-    AxesWord, EDGES, FormatWord, MethodWord, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, boards,
-    iq_orders, lanes, one_of,
-};
 use crate::stepwise::bounds::BOUNCES;
 use artifact::material::Transmission;
 use artifact::radar::Polarization;

@@ -1,6 +1,6 @@
 //! Formats to which artifacts are exported, each with what writes it.
 
-use crate::program::words::FormatWord::{self, *};
+use crate::program::option_words::FormatWord::{self, *};
 use artifact::Reader;
 use artifact::classes::Classes;
 use artifact::model::Model;

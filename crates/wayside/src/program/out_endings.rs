@@ -3,7 +3,7 @@
 
 use crate::program::cli::{Command, ExportArguments};
 use crate::program::export_formats::{is_set, name_of};
-use crate::program::words::FormatWord;
+use crate::program::option_words::FormatWord;
 use pipeline::host::failure::Failure;
 use std::path::Path;
 

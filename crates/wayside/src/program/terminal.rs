@@ -6,7 +6,7 @@
 use artifact::whole_file;
 use indicatif::{ProgressBar, ProgressStyle};
 use pipeline::host::progress;
-use pipeline::host::shown;
+use pipeline::host::safe_text;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -37,14 +37,14 @@ fn look_again_and_again(voice: Voice) {
         let now = Instant::now();
         match voice {
             Voice::Bar => draw(now),
-            Voice::Lines => _ = progress::line(now).map(|text| say(shown::in_a_line(&text))),
+            Voice::Lines => _ = progress::line(now).map(|text| say(safe_text::in_a_line(&text))),
         }
         std::thread::sleep(LOOK);
     }
 }
 
 fn remark(text: &str) {
-    beside_the_bar(|| say(shown::in_a_line(text)));
+    beside_the_bar(|| say(safe_text::in_a_line(text)));
 }
 
 /// Does what prints, without a bar in its way.
@@ -72,7 +72,7 @@ fn draw(now: Instant) {
         Some(shown) => {
             let bar = bar.get_or_insert_with(empty_bar);
             bar.set_position((SHARES * shown.share) as u64);
-            bar.set_message(shown::in_a_line(&shown.text).into_owned());
+            bar.set_message(safe_text::in_a_line(&shown.text).into_owned());
         }
     }
 }
@@ -116,12 +116,12 @@ pub fn mute() {
 /// A line of results, in which no name begins another one or moves the cursor. One that cannot be written
 /// ends the program: its results have no other place.
 pub fn line(text: impl std::fmt::Display) {
-    print(&shown::in_a_line(&text.to_string()));
+    print(&safe_text::in_a_line(&text.to_string()));
 }
 
 /// Results of several lines, otherwise as [`line()`].
 pub fn lines(text: &str) {
-    print(&shown::in_lines(text));
+    print(&safe_text::in_lines(text));
 }
 
 fn print(text: &str) {

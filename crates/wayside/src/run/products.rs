@@ -16,7 +16,7 @@ use pipeline::chain::loading::provenance;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
 use reporting::pictures;
-use reporting::pictures::seen::Seen;
+use reporting::pictures::radar_view::Seen;
 use reporting::report;
 use reporting::report::figures::Figures;
 use std::path::{Path, PathBuf};

@@ -18,9 +18,9 @@ use pipeline::host::files::{self, Writing};
 use pipeline::host::memory::Allowance;
 use pipeline::host::processor_time;
 use pipeline::host::progress::{self, Work};
+use pipeline::outcome::console_lines;
 use pipeline::outcome::frame_truth::frame_truth;
 use pipeline::outcome::summary::{FrameSummary, Metrics, RadarsSummary, Summary};
-use pipeline::outcome::told;
 use pipeline::outcome::tracking::Tracking;
 use pipeline::planning::{self, PlannedScene};
 use reporting::report::figures::Figures;
@@ -304,7 +304,7 @@ fn conclude(
     report::write(&summary, figures, &settings.making, out)?;
     let frames = planned.loaded.header.frames;
     leftovers::remark(out, &figures.artifacts, |_, number| number < frames);
-    told::lines(&summary).iter().for_each(|line| (settings.tell)(line));
+    console_lines::lines(&summary).iter().for_each(|line| (settings.tell)(line));
     (settings.tell)(&format!("report: {}", out.join("report.html").display()));
     Ok(summary)
 }

@@ -2,15 +2,15 @@
 //! each.
 
 use crate::run::leftovers;
-use pipeline::host::beside::is_same_time;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
+use pipeline::host::frame_matching::is_same_time;
+use pipeline::outcome::console_lines;
 use pipeline::outcome::summary::{RadarsSummary, Summary, common_times_s};
-use pipeline::outcome::told;
 use plotting::form::Figure;
 use reporting::pictures;
 use reporting::pictures::common_view;
-use reporting::pictures::seen::Seen;
+use reporting::pictures::radar_view::Seen;
 use reporting::report::{self, FRAMES_DRAWN, Making};
 use std::path::{Path, PathBuf};
 
@@ -83,7 +83,7 @@ pub(crate) fn conclude(
     files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
     report::write_several(&summary, &by_id, &views, making, out)?;
     leftovers::remark(out, &[], |kind, number| kind == "scene" && (number as usize) < views.len());
-    told::lines_of_radars(&summary).iter().for_each(|line| tell(line));
+    console_lines::lines_of_radars(&summary).iter().for_each(|line| tell(line));
     tell(&format!("report of all radars: {}", out.join("report.html").display()));
     Ok(summary)
 }

@@ -11,9 +11,9 @@ use artifact::paths::{PathsFrame, PathsHeader};
 use artifact::scene::{Mesh, SceneFrame, SceneHeader, TargetKind};
 use glam::DVec3;
 use pipeline::chain::link::{Chain, artifact_headers};
-use pipeline::host::beside::is_same_time;
 use pipeline::host::failure::Failure;
-use pipeline::host::{origin, progress};
+use pipeline::host::frame_matching::is_same_time;
+use pipeline::host::{progress, provenance_checks};
 use scene::SaidPhysics;
 use std::path::Path;
 
@@ -45,19 +45,19 @@ pub(crate) fn check_header(
         return Err(Failure::refused(format!("traced of the bodies {theirs}, the scene has {own}")));
     }
     let files = files.get(1..).unwrap_or_default();
-    origin::same_files(files, &from.inputs)?;
+    provenance_checks::same_files(files, &from.inputs)?;
     let others = |of: &[(String, String)], beside: &[(String, String)]| -> Option<String> {
         of.iter().find(|file| is_mesh(&file.0) && !beside.contains(file)).map(|(name, _)| name.clone())
     };
     match (others(files, &from.inputs), others(&from.inputs, files)) {
         _ if from.inputs.is_empty() => {}
-        (None, None) => origin::are_of_same_bodies(chain.header, from)?,
+        (None, None) => provenance_checks::are_of_same_bodies(chain.header, from)?,
         (Some(own), _) => return Err(Failure::refused(format!("not traced of the scene's mesh `{own}`"))),
         (_, Some(theirs)) => {
             return Err(Failure::refused(format!("traced of the mesh `{theirs}`, not the scene's")));
         }
     }
-    origin::of_same_physics(chain.header, &said.keys, from)?.into_iter().for_each(progress::note);
+    provenance_checks::of_same_physics(chain.header, &said.keys, from)?.into_iter().for_each(progress::note);
     Ok(())
 }
 

@@ -2,8 +2,8 @@
 
 use crate::chain::cache::Cache;
 use crate::chain::expectation::work::{WorkCounts, WorkKind};
+use crate::chain::expected_work::Look;
 use crate::chain::link::Chain;
-use crate::chain::looks::Look;
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;

@@ -1,7 +1,7 @@
 //! Headers of a scene's artifacts, and its bodies as these number them: the scene's targets, then every
 //! vehicle of its traffic that is in view in some frame.
 
-use crate::host::origin;
+use crate::host::provenance_checks;
 use artifact::cube::CubeHeader;
 use artifact::paths::PathsHeader;
 use artifact::points::PointsHeader;
@@ -35,7 +35,7 @@ pub fn points_header_with_truth(scene: &SceneHeader, cube: &CubeHeader) -> Point
 
 /// Ids of all bodies.
 pub fn body_ids(scene: &SceneHeader) -> Vec<String> {
-    origin::body_ids(scene).cloned().collect()
+    provenance_checks::body_ids(scene).cloned().collect()
 }
 
 /// Classes of the same, where they are told.

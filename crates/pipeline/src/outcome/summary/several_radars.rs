@@ -1,7 +1,7 @@
 //! Summary of several radars of one scene, side by side.
 
-use crate::host::beside::{SAME_TIME_S, is_same_time};
 use crate::host::failure::Failure;
+use crate::host::frame_matching::{SAME_TIME_S, is_same_time};
 use crate::outcome::summary::frame::FrameSummary;
 use crate::outcome::summary::one_radar::{self, Summary};
 use crate::outcome::summary::targets::TargetSummary;

@@ -1,7 +1,7 @@
 //! Targets of a frame, truth beside estimate, and what stands about.
 
+use crate::chain::class_rule::Predicted;
 use crate::chain::frame_result::FrameResult;
-use crate::chain::told_class::Predicted;
 use crate::outcome::summary::classes::Probabilities;
 use crate::outcome::summary::tracks::TrackSummary;
 use artifact::points::Object;

@@ -1,6 +1,6 @@
 //! Tracks that are believed.
 
-use crate::chain::told_class::{ClassRule, Predicted};
+use crate::chain::class_rule::{ClassRule, Predicted};
 use crate::outcome::summary::classes::Probabilities;
 use crate::outcome::summary::words::TrackWord;
 use artifact::tracks::{Track, TrackState};

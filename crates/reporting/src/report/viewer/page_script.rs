@@ -1,13 +1,13 @@
 //! Numbers and scripts of a view, as they stand in its page.
 
 use maud::{Markup, PreEscaped, html};
-use pipeline::host::shown;
+use pipeline::host::safe_text;
 use serde::Serialize;
 
 /// Numbers as a page can hold them: `</script` and `<!--` would end or open something.
 pub(in crate::report) fn json(numbers: &impl Serialize) -> Result<String, serde_json::Error> {
     let json = serde_json::to_string(numbers)?.replace('<', "\\u003c");
-    Ok(shown::in_json(&json).into_owned())
+    Ok(safe_text::in_json(&json).into_owned())
 }
 
 /// Scripts that every view begins with, in the order in which they use each other.

@@ -1,7 +1,7 @@
 //! Paths of a frame that the view shows: the strongest, with where they pass and what they carry.
 
 use crate::report::viewer::packed::Packed;
-use crate::report::viewer::ways::{Folding, Way};
+use crate::report::viewer::path_geometry::{Folding, Way};
 use artifact::paths::{Path, PathsFrame};
 use artifact::radar::Radar;
 use glam::DVec3;

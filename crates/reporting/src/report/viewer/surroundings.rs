@@ -2,8 +2,8 @@
 
 use crate::pictures::field_of_view;
 use crate::pictures::lane_sides::lane_sides_m;
-use crate::report::viewer::budget::TRIANGLES;
 use crate::report::viewer::packed::Packed;
+use crate::report::viewer::page_budget::TRIANGLES;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::{Course, Lane, Lanes};

@@ -1,13 +1,13 @@
 //! One frame of the view, taken while the frame's products are there, and all of them for the page.
 
 use crate::report::viewer::body_view::BodyView;
-use crate::report::viewer::budget::Budget;
 use crate::report::viewer::map_cells::MapCells;
 use crate::report::viewer::packed::Packed;
+use crate::report::viewer::page_budget::Budget;
 use crate::report::viewer::page_script::json;
+use crate::report::viewer::path_geometry::Folding;
 use crate::report::viewer::strongest_paths::StrongestPaths;
 use crate::report::viewer::surroundings::Surroundings;
-use crate::report::viewer::ways::Folding;
 use artifact::paths::PathsFrame;
 use artifact::points::{Height, Object, Point, PointsFrame};
 use artifact::tracks::{Track, TracksFrame};

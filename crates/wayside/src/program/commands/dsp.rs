@@ -12,7 +12,7 @@ use pipeline::chain::loading;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use pipeline::outcome::told::{WITHOUT_AZIMUTH, without_height};
+use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, without_height};
 use radar::lattice::tells_azimuth;
 use reporting::pictures;
 use std::path::{Path, PathBuf};

@@ -2,7 +2,7 @@
 
 use crate::program::cli::ExportArguments;
 use crate::program::export_formats::{Export, export_of, formats_of, is_set, name_of};
-use crate::program::words::{AxesWord, FormatWord};
+use crate::program::option_words::{AxesWord, FormatWord};
 use artifact::{Reader, Schema, read_preamble};
 use formats::export::{parquet, rdm};
 use formats::heights::Heights;

@@ -17,7 +17,7 @@ use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use pipeline::outcome::told::{WITHOUT_AZIMUTH, without_height};
+use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, without_height};
 use radar::lattice::tells_azimuth;
 use std::path::Path;
 

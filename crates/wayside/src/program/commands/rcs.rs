@@ -1,7 +1,7 @@
 //! `rcs`: scattering amplitude of a mesh over frequency, elevation and azimuth.
 
 mod answer;
-mod look;
+mod aspect_geometry;
 mod sampling;
 mod silhouette;
 mod isar;
@@ -12,8 +12,8 @@ mod test_request;
 
 use crate::program::cli::RcsArguments;
 use crate::program::interrupt;
+use crate::program::option_words::MethodWord;
 use crate::program::terminal;
-use crate::program::words::MethodWord;
 use crate::remarks;
 use crate::stepwise;
 use answer::{Answer, CommandTook};

@@ -9,21 +9,24 @@ use artifact::scene::{Scene, SceneFrame, SceneHeader};
 use artifact::tracks::{Tracks, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
 use evaluation::{FrameTruth, Score};
-use pipeline::host::beside::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_begin, check_poses};
 use pipeline::host::failure::Failure;
-use pipeline::host::origin;
+use pipeline::host::frame_matching::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_begin, check_poses};
 use pipeline::host::progress;
+use pipeline::host::provenance_checks;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     let points = Reader::<Points>::open(&arguments.points)?;
     let mut scene = Beside::<Scene>::open(&arguments.scene, |frame| frame.index)?;
-    let is_same =
-        origin::same_scene(&arguments.scene, scene.provenance(), ("frames", &points.preamble().provenance))?;
+    let is_same = provenance_checks::same_scene(
+        &arguments.scene,
+        scene.provenance(),
+        ("frames", &points.preamble().provenance),
+    )?;
     let header = scene.header().clone();
-    origin::has_bodies(&arguments.scene, &header, &points.header().targets)?;
+    provenance_checks::has_bodies(&arguments.scene, &header, &points.header().targets)?;
     let radar = points.header().cube.as_ref().map(|cube| &cube.radar);
-    origin::same_radar(&arguments.points, &header.radar, radar)?;
+    provenance_checks::same_radar(&arguments.points, &header.radar, radar)?;
     let mut tracks = Followed::of(arguments, &points, &scene)?;
     let mut paths = arguments.paths.as_deref().map(|file| paths_of(file, &header)).transpose()?;
     let within_s = if is_same { SAME_TIME_S } else { ROUNDED_TIME_S };
@@ -53,9 +56,10 @@ struct OfScene {
 
 fn paths_of(file: &Path, scene: &SceneHeader) -> Result<OfScene, Failure> {
     let paths = Beside::<Paths>::open(file, |frame| frame.index)?;
-    origin::are_of_bodies(file, scene, &paths.header().targets)?;
-    origin::same_radar(file, &scene.radar, Some(&paths.header().radar))?;
-    origin::are_of_same_bodies(scene, paths.provenance()).map_err(|failure| failure.about(file))?;
+    provenance_checks::are_of_bodies(file, scene, &paths.header().targets)?;
+    provenance_checks::same_radar(file, &scene.radar, Some(&paths.header().radar))?;
+    provenance_checks::are_of_same_bodies(scene, paths.provenance())
+        .map_err(|failure| failure.about(file))?;
     Ok(OfScene { file: file.to_owned(), paths })
 }
 
@@ -84,9 +88,13 @@ impl Followed {
     ) -> Result<Self, Failure> {
         if let Some(file) = &arguments.tracks {
             let tracks = Beside::<Tracks>::open(file, |frame| frame.index)?;
-            origin::same_scene(&arguments.scene, scene.provenance(), ("tracks", tracks.provenance()))?;
+            provenance_checks::same_scene(
+                &arguments.scene,
+                scene.provenance(),
+                ("tracks", tracks.provenance()),
+            )?;
             let radar = tracks.header().cube.as_ref().map(|cube| &cube.radar);
-            origin::same_radar(file, &scene.header().radar, radar)?;
+            provenance_checks::same_radar(file, &scene.header().radar, radar)?;
             return Ok(Self::Given(file.clone(), Box::new(tracks)));
         }
         let Some(cube) = &points.header().cube else {

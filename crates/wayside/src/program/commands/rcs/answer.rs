@@ -1,8 +1,8 @@
 //! Answer of `rcs`: the table and what is known of it.
 
 use crate::program::cli::RcsArguments;
+use crate::program::option_words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, word_of};
 use crate::program::terminal;
-use crate::program::words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, word_of};
 use crate::stepwise::far_field_from_m;
 use artifact::scene::Mesh;
 use artifact::units::{db_from_amplitude, db_from_power};

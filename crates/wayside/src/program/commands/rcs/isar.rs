@@ -4,7 +4,7 @@
 //! transform over frequency gathers it at that range, and the sum over azimuths of each profile's value there
 //! at its place.
 
-use crate::program::commands::rcs::look::{Extent, Look};
+use crate::program::commands::rcs::aspect_geometry::{Extent, Look};
 use crate::program::commands::rcs::sampling::{Sampling, Samplings, centre};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;

@@ -1,8 +1,8 @@
 //! Pictures of a table: level over azimuth and frequency, range profile, ISAR image, and the facets that make
 //! the level.
 
+use crate::program::commands::rcs::aspect_geometry::{Extent, Look};
 use crate::program::commands::rcs::isar::{self, Square, Sum};
-use crate::program::commands::rcs::look::{Extent, Look};
 use crate::program::commands::rcs::sampling::Samplings;
 use crate::program::commands::rcs::silhouette;
 use artifact::scene::Mesh;

@@ -2,7 +2,7 @@
 
 use crate::program::cli::RcsArguments;
 use crate::program::commands::rcs::answer::Answer;
-use crate::program::words::MethodWord;
+use crate::program::option_words::MethodWord;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Surface};

@@ -3,7 +3,7 @@
 //! Frequencies Δf apart repeat every c/2Δf in range, azimuths Δφ apart every λ/2Δφ across it (λ/Δφ where the
 //! receiver stands still): a body that is longer or wider lies upon itself.
 
-use crate::program::commands::rcs::look::Look;
+use crate::program::commands::rcs::aspect_geometry::Look;
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::RcsRequest;

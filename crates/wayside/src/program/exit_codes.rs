@@ -2,7 +2,7 @@
 
 use crate::program::terminal;
 use pipeline::host::failure::Failure;
-use pipeline::host::shown;
+use pipeline::host::safe_text;
 use std::process::ExitCode;
 
 /// Prints the sentence on standard error; exit code 1 of what was refused, 2 of what the system or the words
@@ -23,7 +23,7 @@ fn printable(text: &str) -> String {
     const SHOWN: usize = 2000;
     let line = |line: &str| {
         let end = line.char_indices().nth(SHOWN).map(|(end, _)| end);
-        let kept = shown::in_lines(end.map_or(line, |end| &line[..end])).into_owned();
+        let kept = safe_text::in_lines(end.map_or(line, |end| &line[..end])).into_owned();
         if end.is_some() { kept + "…" } else { kept }
     };
     text.split('\n').map(line).collect::<Vec<_>>().join("\n")

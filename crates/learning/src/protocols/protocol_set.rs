@@ -3,7 +3,7 @@
 use artifact::dataset::Split;
 use artifact::model::Weights;
 use classifier::{Logits, Part, Seen, Sightings, TrainedTrees, parts, tree_logits};
-use pipeline::host::shown::in_markdown;
+use pipeline::host::safe_text::in_markdown;
 use std::path::{Path, PathBuf};
 
 /// Protocol that every training is asked: a name, and the sightings that belong to it with the sources of
