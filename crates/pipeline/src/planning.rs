@@ -207,7 +207,7 @@ mod tests {
 
     fn artifact_scene() -> SceneHeader {
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
-        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let options = scene::ReadOptions::names_only();
         scene::read(&file, &options).unwrap()
     }
 }

@@ -22,7 +22,7 @@
 //!     y_m = 40.0
 //!     velocity_mps = [0.0, -10.0, 0.0]
 //! "#)?;
-//! let whole = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+//! let whole = ReadOptions::whole();
 //! let scene = read(&file, &whole)?;
 //! assert_eq!(scene.radar.virtual_channels(), 12);
 //! assert_eq!(scene.meshes[0].triangles.len(), 2);

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
-use scene::{Meshes, ReadOptions, SceneErrors};
+use scene::{ReadOptions, SceneErrors};
 use std::path::Path;
 
 /// `start` of every case: line 1; what a case adds begins in line 2.
@@ -294,7 +294,7 @@ fn read_text(file: &Path, text: &str) -> Result<artifact::scene::SceneHeader, Sc
 }
 
 fn whole() -> ReadOptions {
-    ReadOptions { model: None, radar: None, meshes: Meshes::Whole }
+    ReadOptions::whole()
 }
 
 #[test]

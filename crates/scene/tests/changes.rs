@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::scene::SceneHeader;
-use scene::{Change, Meshes, ReadOptions, SceneErrors, inputs_of_changed, read_changed};
+use scene::{Change, ReadOptions, SceneErrors, inputs_of_changed, read_changed};
 
 const SCENE: &str = "name = \"base\"\nframes = 2\n[radar]\nposition_m = [0, 0, 6]\n[radar.array]\npreset = \"3x4\"\n\
     [[target]]\nkind = \"point\"\nid = \"p\"\nposition_m = [2, 30, 1]\nrcs_m2 = 1\n\
@@ -15,7 +15,7 @@ fn read(text: &str, changes: &[(&str, &str)]) -> Result<SceneHeader, SceneErrors
     std::fs::write(&file, text).unwrap();
     let change = |(key, value): &(&str, &str)| Change { key: (*key).into(), value: (*value).into() };
     let changes: Vec<Change> = changes.iter().map(change).collect();
-    let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
+    let options = ReadOptions::names_only();
     read_changed(&file, &changes, &options)
 }
 
@@ -97,7 +97,7 @@ fn the_files_of_a_changed_scene_are_those_that_it_names() {
     let file = folder.path().join("scene.toml");
     std::fs::write(&file, SCENE).unwrap();
     std::fs::write(folder.path().join("sign.obj"), "v 0 0 1\nv 0 1 1\nv 0 1 2\nf 1 2 3\n").unwrap();
-    let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
+    let options = ReadOptions::names_only();
     let change = Change { key: "target.1.model".into(), value: "\"sign.obj\"".into() };
     let names = |changes: &[Change]| {
         let files = inputs_of_changed(&file, changes, &options).unwrap();

@@ -81,7 +81,7 @@ fn the_scene_of_the_interface_is_read_and_shows_the_defaults() {
     let Some(page) = page("interface.md") else { return };
     let read = |keys: &str| {
         let text = format!("name = \"example\"\n{keys}");
-        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let options = scene::ReadOptions::names_only();
         scene::read_text(Path::new("interface.md"), &text, &options).unwrap()
     };
     let shown = shown_scene(&page);

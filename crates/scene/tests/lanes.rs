@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::settings::Lanes;
-use scene::{Meshes, ReadOptions};
+use scene::ReadOptions;
 use std::path::{Path, PathBuf};
 
 const FCD: &str = "<fcd-export><timestep time=\"0\"/></fcd-export>";
@@ -31,7 +31,7 @@ fn read(net: &str, text: &str) -> Result<Lanes, String> {
     std::fs::write(folder.path().join("t.net.xml"), net).unwrap();
     let file = folder.path().join("scene.toml");
     std::fs::write(&file, format!("name = \"lanes\"\n{text}\n")).unwrap();
-    let options = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+    let options = ReadOptions::whole();
     let root = format!("{}/", folder.path().display());
     scene::read(&file, &options).map(|scene| scene.dsp.road).map_err(|e| e.to_string().replace(&root, ""))
 }

@@ -6,10 +6,10 @@ use artifact::material::{Backing, Layer, Material, Road, Thickness, Transmission
 use artifact::scene::{Backscatter, SceneHeader};
 use num_complex::Complex64;
 use scene::street::Piece;
-use scene::{Meshes, ReadOptions, read, read_materials};
+use scene::{ReadOptions, read, read_materials};
 use std::path::{Path, PathBuf};
 
-const OPTIONS: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+const OPTIONS: ReadOptions = ReadOptions::whole();
 const TARGET: &str = "[[target]]\nkind = \"mesh\"\nid = \"a\"\nmodel = \"car-sedan\"\nlane = 1\ny_m = 30.0\n";
 
 fn write(folder: &Path, name: &str, text: &str) -> PathBuf {

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests are tests too; clippy knows only marked functions")]
 
-use scene::{Meshes, ReadOptions};
+use scene::ReadOptions;
 use std::path::{Path, PathBuf};
 
 const TWO: &str = r#"name = "crossing"
@@ -39,7 +39,7 @@ fn file(folder: &Path, text: &str) -> PathBuf {
 }
 
 fn options(radar: Option<&str>) -> ReadOptions {
-    ReadOptions { model: None, radar: radar.map(str::to_owned), meshes: Meshes::Whole }
+    ReadOptions { radar: radar.map(str::to_owned), ..ReadOptions::whole() }
 }
 
 fn complaint(text: &str, radar: Option<&str>) -> String {

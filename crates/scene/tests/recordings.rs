@@ -5,7 +5,7 @@
 use artifact::scene::{SceneHeader, TargetKind};
 use scene::traffic::fcd::{FcdStep, FcdVehicle, ToldVelocity};
 use scene::traffic::interpolation::Interval;
-use scene::{Meshes, ReadOptions, frame_view, snapshot};
+use scene::{ReadOptions, frame_view, snapshot};
 use std::fmt::Write as _;
 
 /// Time, type, x, y, angle and speed of the one vehicle.
@@ -25,7 +25,7 @@ fn read(rows: &[Row<'_>], keys: &str) -> Result<SceneHeader, String> {
     let file = folder.path().join("scene.toml");
     let text = format!("name = \"test\"\nframe_interval_s = 0.5\n[traffic]\nfcd = \"t.fcd.xml\"\n{keys}\n");
     std::fs::write(&file, text).unwrap();
-    let options = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+    let options = ReadOptions::whole();
     scene::read(&file, &options).map_err(|errors| errors.to_string())
 }
 

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
-use scene::{Meshes, ReadOptions, Rule};
+use scene::{ReadOptions, Rule};
 use serde_json::Value;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -145,7 +145,7 @@ fn read(text: &str) -> Result<artifact::scene::SceneHeader, scene::SceneErrors> 
     let file = folder.path().join("s.toml");
     std::fs::write(&file, text).unwrap();
     let radar = text.contains("[[radars]]").then(|| "a".to_owned());
-    scene::read(&file, &ReadOptions { model: None, radar, meshes: Meshes::NamesOnly })
+    scene::read(&file, &ReadOptions { radar, ..ReadOptions::names_only() })
 }
 
 /// Scenes of a folder, not files of materials nor recipes of training.

@@ -7,12 +7,12 @@ use artifact::radar::{Multiplexing, Pattern, Polarization};
 use artifact::scene::{Pose, Role, SceneHeader, Target, TargetKind};
 use artifact::settings::{Class, EchoMode, NodeRule, Noise, Sides, Wheels, Window};
 use radar::motion::pose_after;
-use scene::{Meshes, ReadOptions, snapshot};
+use scene::{ReadOptions, snapshot};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::{Path, PathBuf};
 
-const WHOLE: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
-const NAMES_ONLY: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
+const WHOLE: ReadOptions = ReadOptions::whole();
+const NAMES_ONLY: ReadOptions = ReadOptions::names_only();
 
 fn read_text(text: &str) -> SceneHeader {
     let folder = tempfile::tempdir().unwrap();
@@ -384,7 +384,7 @@ fn an_option_replaces_the_model_of_every_mesh_target() {
         )
     };
     std::fs::write(&file, format!("name = \"test\"\n{}{}", mesh("a"), mesh("b"))).unwrap();
-    let options = ReadOptions { model: Some(sheet.clone()), radar: None, meshes: Meshes::Whole };
+    let options = ReadOptions { model: Some(sheet.clone()), ..ReadOptions::whole() };
     let scene = scene::read(&file, &options).unwrap();
     assert_eq!(scene.meshes.len(), 1);
     assert_eq!(

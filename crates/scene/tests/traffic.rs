@@ -12,12 +12,12 @@ use flate2::write::GzEncoder;
 use glam::{DVec2, DVec3};
 use scene::traffic::fcd::{FcdReader, FcdStep, FcdVehicle, ToldVelocity};
 use scene::traffic::interpolation::{Interval, LANE_CHANGE_S, Step as Kind};
-use scene::{Meshes, ReadOptions, frame_view, snapshot};
+use scene::{ReadOptions, frame_view, snapshot};
 use std::fmt::Write as _;
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
-const WHOLE: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+const WHOLE: ReadOptions = ReadOptions::whole();
 
 /// A sheet of 4 × 2 m: a body whose front is 2 m before its origin.
 const SHEET: &str = "v 0 0 0\nv 4 0 0.5\nv 4 2 0.5\nv 0 2 0\nf 1 2 3 4\n";

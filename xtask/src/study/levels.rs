@@ -15,7 +15,7 @@ use artifact::settings::{Detail, Noise};
 use artifact::{Accuracy, ErrorBudget};
 use num_complex::Complex64;
 use row::LevelRow;
-use scene::{Meshes, ReadOptions};
+use scene::ReadOptions;
 use std::time::Instant;
 use wayside::host::failure::Failure;
 use wayside::host::processor_time;
@@ -70,8 +70,7 @@ fn wide(header: SceneHeader) -> Result<SceneHeader, Failure> {
 
 fn intersection() -> Result<SceneHeader, Failure> {
     let file = project_root().join("scenes/intersection.toml");
-    let header = scene::read(&file, &ReadOptions { model: None, radar: None, meshes: Meshes::Whole })
-        .map_err(Failure::refused)?;
+    let header = scene::read(&file, &ReadOptions::whole()).map_err(Failure::refused)?;
     Ok(SceneHeader { noise: Noise::Absent, ..header })
 }
 

@@ -7,7 +7,7 @@ use artifact::points::PointsFrame;
 use artifact::rcs::RcsFrame;
 use artifact::rdm::RdmFrame;
 use artifact::scene::{Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
-use scene::{Meshes, ReadOptions};
+use scene::ReadOptions;
 use std::f64::consts::FRAC_PI_2;
 use wayside::host::failure::Failure;
 
@@ -21,7 +21,7 @@ pub(crate) fn scene_of(words: &str) -> Result<SceneHeader, Failure> {
     let named = |e: scene::SceneErrors| {
         Failure::refused(e.to_string().replace(&format!("{}/", folder.path().display()), ""))
     };
-    scene::read(&file, &ReadOptions { model: None, radar: None, meshes: Meshes::Whole }).map_err(named)
+    scene::read(&file, &ReadOptions::whole()).map_err(named)
 }
 
 /// The scene with one more body; its front turned to −y, to the radar, as that of an approaching vehicle.

@@ -4,7 +4,7 @@ use super::chirp_program::{DeviceSettings, InLine, sampling_word};
 use super::statements::Profile;
 use crate::devices::Board;
 use artifact::radar::Sampling;
-use scene::{Meshes, Place, ReadOptions, SceneError};
+use scene::{Place, ReadOptions, SceneError};
 use std::path::{Path, PathBuf};
 
 /// A key of a scene with the value that a configuration gives it.
@@ -57,7 +57,7 @@ pub enum NoScene {
 pub fn scene_text(settings: &DeviceSettings, from: &Path) -> Result<String, NoScene> {
     let board = settings.board.ok_or_else(|| NoScene::NoBoard { file: from.to_owned() })?;
     let draft = draft(settings, board, from);
-    let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
+    let options = ReadOptions::names_only();
     match scene::read_text(from, &draft.text, &options) {
         Ok(_) => Ok(draft.text),
         Err(errors) => Err(NoScene::Broken(errors.0.iter().map(|error| draft.told(error, from)).collect())),

@@ -126,7 +126,7 @@ pub fn ending(file: &Path) -> Option<&str> {
 mod tests {
     use super::*;
     use glam::DVec3;
-    use scene::{Meshes, ReadOptions};
+    use scene::ReadOptions;
 
     #[test]
     fn points_of_a_scene_that_changed_after_its_hash_was_taken_are_refused() {
@@ -155,7 +155,7 @@ mod tests {
             let text = format!(
                 "name = \"s\"\n[radar.waveform]\nsamples = 64\nchirps = 32\nsub_frame_idle_us = {idle_us}\n"
             );
-            let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
+            let options = ReadOptions::names_only();
             let scene = scene::read_text(Path::new("s.toml"), &text, &options).unwrap();
             let (cube, axes) = (cube_header(&scene), LevelledAxes::of(&scene.radar));
             let span_mps = 2.0 * cube.in_frame(0).radar.velocity_max_mps();

@@ -5,7 +5,7 @@ use artifact::cube::CubeHeader;
 use artifact::settings::Class;
 use glam::DVec3;
 use pipeline::chain::keys::cube_header;
-use scene::{Meshes, ReadOptions};
+use scene::ReadOptions;
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 
@@ -25,7 +25,7 @@ pub(crate) fn bus() -> TruthBox {
 /// Header of the cubes of a radar whose two sub-frames have chirps every 20 and every 40 µs.
 pub(crate) fn sub_framed() -> CubeHeader {
     let text = "name = \"s\"\n[radar.waveform]\nsamples = 64\nchirps = 32\nsub_frame_idle_us = [7.5, 27.5]\n";
-    let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
+    let options = ReadOptions::names_only();
     cube_header(&scene::read_text(Path::new("s.toml"), text, &options).unwrap())
 }
 

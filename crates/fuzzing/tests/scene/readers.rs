@@ -6,7 +6,7 @@ use crate::sound;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use fuzzing::{Noise, Reader, change_numbers, changed_text};
-use scene::{MeshOptions, Meshes, ReadOptions};
+use scene::{MeshOptions, ReadOptions};
 use std::io::Write as _;
 use std::path::Path;
 
@@ -137,7 +137,7 @@ fn materials(folder: &Path) -> Result<(), String> {
 }
 
 fn whole_scene(folder: &Path, name: &str) -> Result<(), String> {
-    let options = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+    let options = ReadOptions::whole();
     let header = scene::read(&folder.join(name), &options).map_err(|errors| errors.to_string())?;
     for frame in [0, header.frames / 2, header.frames.saturating_sub(1)] {
         let poses = scene::snapshot(&header, frame).poses;

@@ -205,7 +205,7 @@ mod tests {
 
     /// A scene in which nothing that could be told is left out.
     fn full_scene() -> SceneHeader {
-        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let options = scene::ReadOptions::names_only();
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
         let mut header = scene::read(&file, &options).unwrap();
         let glass = Layer { thickness_m: 4e-3, permittivity: Complex64::new(6.5, -0.15) };

@@ -101,13 +101,13 @@ pub fn radar_changed(
     changes: &[scene::Change],
 ) -> Result<SceneHeader, Failure> {
     let radar = radar.map(str::to_owned);
-    let options = scene::ReadOptions { model: None, radar, meshes: scene::Meshes::NamesOnly };
+    let options = scene::ReadOptions { radar, ..scene::ReadOptions::names_only() };
     scene::read_changed(file, changes, &options).map_err(of_scene)
 }
 
 /// The files that such a reading depends on.
 pub fn files_of_radar(file: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+    let options = scene::ReadOptions::names_only();
     scene::inputs(file, &options).map_err(of_scene)
 }
 

@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn the_share_of_a_frame_leaves_room_for_the_cubes_and_maps_of_the_others() {
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
-        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let options = scene::ReadOptions::names_only();
         let header = scene::read(&file, &options).unwrap();
         let chain = Chain::of(&header, None, None, Allowance::of(Some(2000)));
         let (limit_bytes, program_bytes) = (2000 << 20, 48 << 20);

@@ -212,7 +212,7 @@ mod tests {
 
     /// A scene of so many points, and the provenance of its paths.
     fn of_points(count: usize) -> (SceneHeader, Provenance) {
-        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let options = scene::ReadOptions::names_only();
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
         let read = scene::read(&file, &options).unwrap();
         let start = read.targets[0].start;

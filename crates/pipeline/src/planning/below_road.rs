@@ -47,7 +47,7 @@ mod tests {
 
     /// A wall of 1 m whose foot is at this height, over a road.
     fn wall_at(z_m: f64) -> SceneHeader {
-        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let options = scene::ReadOptions::names_only();
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
         let read = scene::read(&file, &options).unwrap();
         let start = Pose { position_m: [0.0, 20.0, z_m], ..read.targets[0].start };

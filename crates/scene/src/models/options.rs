@@ -14,6 +14,18 @@ pub struct ReadOptions {
     pub meshes: Meshes,
 }
 
+impl ReadOptions {
+    /// The scene as its file says it, with whole meshes.
+    pub const fn whole() -> Self {
+        Self { model: None, radar: None, meshes: Meshes::Whole }
+    }
+
+    /// The scene as its file says it, its models unopened.
+    pub const fn names_only() -> Self {
+        Self { model: None, radar: None, meshes: Meshes::NamesOnly }
+    }
+}
+
 /// Extent to which the models that a scene names are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Meshes {

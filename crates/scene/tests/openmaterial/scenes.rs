@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use scene::{Meshes, ReadOptions, SceneErrors, read, read_materials};
 use serde_json::json;
 
-const WHOLE: ReadOptions = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+const WHOLE: ReadOptions = ReadOptions::whole();
 
 fn scene_text(model: &str) -> String {
     format!(

@@ -11,7 +11,7 @@ use pipeline::chain::loading;
 use pipeline::chain::stages::{SOURCES_OF_EVALUATION, Stage};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
-use scene::{Change, Meshes, ReadOptions};
+use scene::{Change, ReadOptions};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -52,7 +52,7 @@ impl Kept {
         [changes, measured_in]: [&[Change]; 2],
         seed: u64,
     ) -> Result<String, Failure> {
-        let options = ReadOptions { model: None, radar: study.radar.clone(), meshes: Meshes::NamesOnly };
+        let options = ReadOptions { radar: study.radar.clone(), ..ReadOptions::names_only() };
         let files = scene::inputs_of_changed(&study.scene, changes, &options).map_err(loading::of_scene)?;
         let hashes = files.iter().map(|file| self.hash(file)).collect::<Result<Vec<_>, _>>()?;
         let pairs = |changes: &[Change]| {

@@ -16,7 +16,7 @@ mod numbers;
 
 use common::bounded::{self, Ended};
 use numbers::{NUMBERS, Number, scene_with};
-use scene::{Meshes, ReadOptions};
+use scene::ReadOptions;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -149,7 +149,7 @@ fn read(folder: &Path, number: &Number, value: &str) -> Result<(), String> {
     let file = folder.join("m.toml");
     std::fs::write(&file, scene_with(number, value)).unwrap();
     let start = Instant::now();
-    let options = ReadOptions { model: None, radar: None, meshes: Meshes::Whole };
+    let options = ReadOptions::whole();
     let header = std::panic::catch_unwind(|| scene::read(&file, &options));
     let about = || format!("{} = {value}:\n{}", number.key, scene_with(number, value));
     assert!(start.elapsed() < LONGEST, "{} takes {:?}", about(), start.elapsed());

@@ -97,7 +97,7 @@ fn vehicle(draw: &mut Draw, number: usize, lanes_m: &mut [f64; 3], text: &mut St
 #[cfg(test)]
 mod tests {
     use super::*;
-    use scene::{Meshes, ReadOptions};
+    use scene::ReadOptions;
 
     #[test]
     fn scenes_drawn_are_scenes_that_are_read() {
@@ -108,7 +108,7 @@ mod tests {
             let file = folder.path().join("random.toml");
             let Text::Drawn(text) = &drawn.text else { panic!("{} is no file", drawn.name) };
             std::fs::write(&file, text).unwrap();
-            let options = ReadOptions { model: None, radar: None, meshes: Meshes::NamesOnly };
+            let options = ReadOptions::names_only();
             let read = scene::read(&file, &options).unwrap_or_else(|e| panic!("{}: {e}\n{text}", drawn.name));
             assert_eq!(read.name, drawn.name);
         }

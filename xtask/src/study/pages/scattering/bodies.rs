@@ -47,6 +47,6 @@ fn read(file: &Path) -> Result<Mesh, Failure> {
 
 /// The header that random frames fill with one vehicle.
 pub(super) fn experiment_1() -> Result<SceneHeader, Failure> {
-    let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+    let options = scene::ReadOptions::names_only();
     scene::read(&project_root().join("scenes/experiment-1.toml"), &options).map_err(Failure::refused)
 }

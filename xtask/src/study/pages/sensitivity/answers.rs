@@ -126,7 +126,7 @@ impl Answer {
 }
 
 fn position_m(file: &Path, radar: Option<String>) -> Result<[f64; 3], Failure> {
-    let options = scene::ReadOptions { model: None, radar, meshes: scene::Meshes::NamesOnly };
+    let options = scene::ReadOptions { radar, ..scene::ReadOptions::names_only() };
     Ok(scene::read(file, &options).map_err(Failure::refused)?.radar.position_m)
 }
 
