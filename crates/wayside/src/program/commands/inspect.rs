@@ -43,6 +43,11 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     }
 }
 
+/// Line of a frame: its number and time, what is in it, and whether that is as it should be.
+fn of_frame((index, time_s): (u32, f64), content: std::fmt::Arguments, sanity: &str) {
+    line(format_args!("frame {index:<6} {time_s:.6} s, {content}, {sanity}"));
+}
+
 /// An artifact whose kind this program does not know.
 pub(crate) fn unknown(file: &Path, schema: &str) -> Failure {
     Failure::Refused(format!("{}: `{schema}` is no kind of artifact that this program knows", file.display()))
@@ -120,13 +125,11 @@ fn scene(reader: Reader<Scene>) -> Result<(), Failure> {
         let frame = frame?;
         let finite =
             frame.poses.iter().all(|p| p.position_m.iter().chain(&p.velocity_mps).all(|v| v.is_finite()));
-        line(format!(
-            "frame {:<6} {:.6} s, {} poses, {}",
-            frame.index,
-            frame.time_s,
-            frame.poses.len(),
-            SANITY[usize::from(finite)]
-        ));
+        of_frame(
+            (frame.index, frame.time_s),
+            format_args!("{} poses", frame.poses.len()),
+            SANITY[usize::from(finite)],
+        );
     }
     Ok(())
 }
@@ -141,15 +144,9 @@ fn paths(reader: Reader<Paths>) -> Result<(), Failure> {
     for frame in progress::frames(reader) {
         let frame = frame?;
         let power: f64 = frame.paths.iter().map(|p| p.amplitude_m[0][0].norm_sqr()).sum();
-        line(format!(
-            "frame {:<6} {:.6} s, {} paths (by order {:?}), Σ|a|² vv {:.2} dBsm, {}",
-            frame.index,
-            frame.time_s,
-            frame.paths.len(),
-            frame.trace.paths,
-            db_from_power(power),
-            SANITY[usize::from(power.is_finite())]
-        ));
+        let (count, by_order, level_dbsm) = (frame.paths.len(), frame.trace.paths, db_from_power(power));
+        let content = format_args!("{count} paths (by order {by_order:?}), Σ|a|² vv {level_dbsm:.2} dBsm");
+        of_frame((frame.index, frame.time_s), content, SANITY[usize::from(power.is_finite())]);
         frame.trace.detail.iter().enumerate().for_each(|(target, detail)| line(of_detail(target, detail)));
     }
     Ok(())
@@ -213,12 +210,11 @@ fn rdm(reader: Reader<Rdm>) -> Result<(), Failure> {
 /// Mean power of samples, or of the cells of a map, and whether all of them are there.
 fn samples((index, time_s): (u32, f64), values: &[Complex32], shape: [usize; 3], level: (f64, &str)) {
     let complete = values.len() == shape.iter().product::<usize>() && level.0.is_finite();
-    line(format!(
-        "frame {index:<6} {time_s:.6} s, mean power {:.2} {}, {}",
-        level.0,
-        level.1,
-        SANITY[usize::from(complete)]
-    ));
+    of_frame(
+        (index, time_s),
+        format_args!("mean power {:.2} {}", level.0, level.1),
+        SANITY[usize::from(complete)],
+    );
 }
 
 fn mean_power(values: &[Complex32]) -> f64 {
@@ -235,12 +231,8 @@ fn points(reader: Reader<Points>) -> Result<(), Failure> {
         let frame = frame?;
         let finite = frame.points.iter().all(|p| p.position_m.iter().all(|x| x.is_finite()));
         let (points, objects) = (frame.points.len(), frame.objects.len());
-        line(format!(
-            "frame {:<6} {:.6} s, {points} points, {objects} objects, {}",
-            frame.index,
-            frame.time_s,
-            SANITY[usize::from(finite)]
-        ));
+        let content = format_args!("{points} points, {objects} objects");
+        of_frame((frame.index, frame.time_s), content, SANITY[usize::from(finite)]);
         if let Some(text) = without_height([frame.points_without_height(), points]) {
             line(format!("             {text}"));
         }
@@ -261,12 +253,8 @@ fn tracks(reader: Reader<Tracks>) -> Result<(), Failure> {
         let count = |state: TrackState| frame.tracks.iter().filter(|t| t.state == state).count();
         let [confirmed, coasting, tentative] =
             [TrackState::Confirmed, TrackState::Coasting, TrackState::Tentative].map(count);
-        line(format!(
-            "frame {:<6} {:.6} s, {confirmed} confirmed, {coasting} coasting, {tentative} tentative, {}",
-            frame.index,
-            frame.time_s,
-            SANITY[usize::from(finite)]
-        ));
+        let content = format_args!("{confirmed} confirmed, {coasting} coasting, {tentative} tentative");
+        of_frame((frame.index, frame.time_s), content, SANITY[usize::from(finite)]);
     }
     Ok(())
 }
