@@ -7,8 +7,9 @@ use crate::chain::link::Chain;
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
-use artifact::scene::SceneHeader;
+use artifact::scene::{Mesh, SceneHeader, TargetKind};
 use artifact::settings::{EchoMode, Edges, Surface};
+use glam::DVec3;
 
 /// Adds what the tracer does; gives about how many paths each frame has.
 pub(super) fn add(
@@ -39,12 +40,21 @@ fn add_frame(header: &SceneHeader, index: u32, look: &Look, work: &mut WorkCount
     if header.fidelity.echo == EchoMode::RcsTable {
         add_beams(header, look, 3.0, work);
         work.add(WorkKind::TableTiles, look.facets * (look.work.tiles[0] + look.work.tiles[1]));
+        if header.fidelity.edges != Edges::Ignored {
+            let beams = look.facets * (look.work.beams[0] + look.work.beams[1]);
+            work.add(WorkKind::EdgeBeams, TABLE_SUMS * beams);
+        }
     } else if header.measured_in(index) == index {
         add_measured(header, look, work);
+        add_places(header, index, look, work);
     } else {
         add_like(header, look, work);
     }
 }
+
+/// Sums over all edges that a table takes beside those of the moments that it is traced at: nine aspects of a
+/// body that moves, and three that its errors are told from.
+const TABLE_SUMS: f64 = 12.0;
 
 /// Adds the tracing of a frame whose errors are measured: two moments, and integrals that are compared with
 /// finer ones.
@@ -60,25 +70,51 @@ fn add_measured(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     work.add(WorkKind::Cells, look.cells * look.work.largest_cells);
     work.add(WorkKind::WideCells, look.cells * look.work.smaller_cells * bart_rcs::element_offset_m(header));
     add_sliding(look, work);
-    add_places(header, look, work);
 }
 
-/// Adds the second check of a frame before a wide array, and the places of its row from which ways are
-/// traced, a transmitter's and a receiver's beams each.
-fn add_places(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
-    if bart_rcs::element_offset_m(header) < WIDE_M || header.fidelity.accuracy.db() > MET_WITHOUT_DB {
+/// Adds what a frame before a wide array is traced at beside its middle and one check: a transmitter's and a
+/// receiver's beams at each place, of which those of the row's nodes follow the ways that change alone.
+fn add_places(header: &SceneHeader, index: u32, look: &Look, work: &mut WorkCounts) {
+    let away_m = bart_rcs::element_offset_m(header);
+    if away_m < WIDE_M {
         return;
     }
-    add_beams(header, look, PLACES, work);
-    work.add(WorkKind::Cells, look.cells * look.work.smaller_cells);
+    add_beams(header, look, CHECK_ENDS, work);
+    if header.fidelity.accuracy.db() > MET_WITHOUT_DB || !outlines_slide(header, index, away_m) {
+        return;
+    }
+    let ways = LOOKED_AT + CHANGING * NODES;
+    add_beams(header, look, 2.0 * ways, work);
+    // Smaller cells do not follow outlines that slide from element to element: they are tried in vain.
+    work.add(WorkKind::Cells, look.cells * look.work.largest_cells * ways);
+}
+
+/// Whether the outlines of some body slide by a wavelength and more between the array's middle and an
+/// element so far away: by as much less than the element as the body is smaller than its distance.
+fn outlines_slide(header: &SceneHeader, index: u32, away_m: f64) -> bool {
+    let (view, frame) = (scene::frame_view(header, index), scene::snapshot(header, index));
+    let position_m = DVec3::from_array(header.radar.position_m);
+    let wavelength_m = header.radar.waveform.wavelength_m();
+    view.targets.iter().zip(&frame.poses).any(|(target, pose)| {
+        let TargetKind::Mesh { mesh, .. } = target.kind else { return false };
+        let reach_m = header.meshes.get(mesh as usize).map_or(0.0, Mesh::reach_m);
+        let distance_m = position_m.distance(DVec3::from_array(pose.position_m));
+        away_m * reach_m > wavelength_m * distance_m
+    })
 }
 
 /// Arrays whose elements are all nearer to the radar's position are traced from there alone, nearly always.
 const WIDE_M: f64 = 0.1;
 /// Accuracy up to which the array's middle is enough, nearly always, dB.
 const MET_WITHOUT_DB: f64 = -12.0;
-/// Moments' beams that nine places and a second check are worth: the ways that change are a part of all.
-const PLACES: f64 = 12.0;
+/// Ends of both checks of a wide array, less the one place that every frame is checked from.
+const CHECK_ENDS: f64 = 3.0;
+/// Places of the row that are looked at, all ways, and those of five nodes that neither the middle nor a
+/// look has: as a rule no more than five are needed.
+const LOOKED_AT: f64 = 2.0;
+const NODES: f64 = 3.0;
+/// Share of the ways that change along the row.
+const CHANGING: f64 = 0.5;
 
 /// Adds the tracing of a frame that takes errors over: one moment and its paths.
 fn add_like(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
@@ -132,5 +168,72 @@ fn add_beams(
     }
     if header.fidelity.edges != Edges::Ignored {
         work.add(WorkKind::EdgeBeams, beams);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::Accuracy;
+    use artifact::scene::{Pose, Role, Target};
+    use bart_rcs::ExpectedWork;
+    use radar::aperture::Preset;
+    use radar::paper;
+
+    /// A wall of 1 m so far before the widest array, −20 dB asked.
+    fn wall_before_192_channels(y_m: f64) -> SceneHeader {
+        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
+        let mut header = scene::read(&file, &options).unwrap();
+        let start = Pose { position_m: [0.0, y_m, 0.0], ..header.targets[0].start };
+        let kind = TargetKind::Mesh { class: None, model: "wall".into(), mesh: 0 };
+        header.targets = vec![Target { id: "wall".into(), role: Role::Target, kind, start }];
+        let wall = Mesh {
+            vertices_m: vec![[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0], [0.0, 0.0, 1.0]],
+            triangles: vec![[0, 1, 2]],
+            ..Mesh::default()
+        };
+        header.meshes = vec![wall].into();
+        let elements = Preset::TwelveBySixteen.elements();
+        header.radar = paper::radar(header.radar.position_m, header.radar.waveform, elements);
+        header.fidelity.accuracy = Accuracy::from_db(-20.0);
+        header
+    }
+
+    /// A frame of one facet and polygon, of one large cell or of nine smaller ones.
+    fn look() -> Look {
+        let work = ExpectedWork {
+            facets: 1.0,
+            beams: [1.0, 0.0],
+            largest_cells: 1.0,
+            smaller_cells: 9.0,
+            ..ExpectedWork::default()
+        };
+        Look { work, facets: 1.0, cells: 1.0 }
+    }
+
+    fn counted(header: &SceneHeader, kind: WorkKind) -> f64 {
+        let mut work = WorkCounts::NONE;
+        add_frame(header, 0, &look(), &mut work);
+        work.0[kind as usize]
+    }
+
+    #[test]
+    fn a_wide_array_is_traced_from_places_of_largest_cells_where_outlines_slide_from_one_to_another() {
+        let [near, far] = [15.0, 400.0].map(wall_before_192_channels);
+        assert_eq!(counted(&far, WorkKind::Facets), 2.0 + 3.0, "the middle and two checks of two ends");
+        assert_eq!(counted(&far, WorkKind::Cells), 1.0);
+        // 3.5 places' beams of both ends beside them.
+        assert_eq!(counted(&near, WorkKind::Facets), 2.0 + 3.0 + 7.0);
+        assert_eq!(counted(&near, WorkKind::Cells), 1.0 + 3.5);
+    }
+
+    #[test]
+    fn edges_of_a_table_are_added_up_for_each_aspect() {
+        let mut header = wall_before_192_channels(15.0);
+        header.fidelity.edges = Edges::FirstOrder;
+        header.fidelity.echo = EchoMode::RcsTable;
+        assert_eq!(counted(&header, WorkKind::Beams), 3.0, "moments");
+        assert_eq!(counted(&header, WorkKind::EdgeBeams), 3.0 + 9.0 + 3.0);
     }
 }

@@ -27,7 +27,7 @@ pub enum WorkKind {
     LongTiles,
     /// Cells that paths are made of, where errors are measured (several sizes are tried).
     MeasuredCells,
-    /// Cells of frames that take errors over.
+    /// Cells of frames that take errors over, and of the places that a wide array is traced from.
     Cells,
     /// Measured cells times the metres that the array reaches from its middle: outlines of what is lit differ
     /// from element to element, and finer cells are tried in vain against that.
