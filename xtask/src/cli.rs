@@ -44,6 +44,8 @@ pub(crate) enum Command {
     SceneKeys,
     /// Adds logs of fuzz tests to fixtures/fuzz.csv, and makes the table of docs/validation/fuzz.md of it.
     FuzzLedger(FuzzLedgerArguments),
+    /// The program as an archive for those who do not build it: with its scenes and all licences.
+    Dist(DistArguments),
     /// Every check of the project, cheapest first.
     Ci(CiArguments),
 }
@@ -60,6 +62,7 @@ impl Command {
             | Self::Levels(_)
             | Self::Bytes(_)
             | Self::SceneKeys
+            | Self::Dist(_)
             | Self::FuzzLedger(_) => Results::Files,
             Self::Bench(_) | Self::House | Self::Ci(_) => Results::Lines,
         }
@@ -177,6 +180,17 @@ pub(crate) struct FuzzLedgerArguments {
     /// Logs that fuzz tests have written (WAYSIDE_FUZZ_LOG).
     #[arg(value_name = "LOG")]
     pub(crate) logs: Vec<PathBuf>,
+}
+
+/// Words of `dist`.
+#[derive(Debug, Args)]
+pub(crate) struct DistArguments {
+    /// Platform of the program, as `rustc` names it [default: this one].
+    #[arg(long, value_name = "TRIPLE")]
+    pub(crate) target: Option<String>,
+    /// Folder of the archive [default: out/dist].
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 /// Words of `ci`.

@@ -8,6 +8,7 @@ mod house;
 mod bytes;
 mod scene_keys;
 mod fuzz_ledger;
+mod dist;
 mod study;
 mod bench;
 mod ci;
@@ -38,6 +39,7 @@ fn carry_out(command: Command, means: &Means) -> Result<(), Failure> {
         Command::House => house::run(),
         Command::SceneKeys => scene_keys::run(),
         Command::FuzzLedger(arguments) => fuzz_ledger::run(&arguments),
+        Command::Dist(arguments) => dist::run(&arguments),
         Command::Ci(arguments) => ci::run(&arguments),
     }
 }

@@ -1,0 +1,89 @@
+//! `dist`: the program as an archive for those who do not build it. In it are the program, the scenes, and
+//! the licences of all that is linked into it.
+
+mod linked;
+mod system;
+
+use crate::cli::DistArguments;
+use crate::dist::linked::{LinkedPackage, linked_packages};
+use crate::dist::system::{copy, entries, output};
+use crate::project::project_root;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use wayside::host::failure::Failure;
+use wayside::host::files;
+use wayside::program::terminal;
+
+/// Features of the program that is handed on: with what OSI and ROS 2 take.
+const FEATURES: &str = "interchange";
+/// Files of the project beside the program.
+const BESIDE: [&str; 6] = [
+    "README.md",
+    "CHANGELOG.md",
+    "CITATION.cff",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "fixtures/classifier.attributions.txt",
+];
+
+/// Builds the program, gathers the archive's folder and packs it.
+pub(crate) fn run(arguments: &DistArguments) -> Result<(), Failure> {
+    let target = arguments.target.clone().map_or_else(host, Ok)?;
+    let name = format!("wayside-{}-{target}", env!("CARGO_PKG_VERSION"));
+    let out = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out/dist"));
+    let place = out.join(format!("{name}.tar.gz"));
+    let program = build(&target)?;
+    let linked = linked_packages(&target, FEATURES)?;
+    let gathered = tempfile::tempdir().map_err(|error| Failure::system(Path::new("."), "create", error))?;
+    gather(&gathered.path().join(&name), &program, &linked)?;
+    let archive = packed(gathered.path(), &name)?;
+    files::write_file(&place, &archive)?;
+    let mib = archive.len() as f64 / f64::from(1 << 20);
+    terminal::line(format_args!("{}: {mib:.1} MiB, {} packages linked", place.display(), linked.len()));
+    Ok(())
+}
+
+/// The platform that this compiler builds for.
+fn host() -> Result<String, Failure> {
+    let told = output(Command::new("rustc").arg("-vV"))?;
+    let told = String::from_utf8_lossy(&told);
+    let host = told.lines().find_map(|line| line.strip_prefix("host: "));
+    host.map(str::to_owned).ok_or_else(|| Failure::System("rustc -vV: tells no host".into()))
+}
+
+/// Builds the program in a folder of its own, for it has other features than the workspace, and tells where
+/// it is.
+fn build(target: &str) -> Result<PathBuf, Failure> {
+    let folder = project_root().join("target/dist");
+    let words = ["build", "--release", "--locked", "--package", "wayside"];
+    let mut cargo = Command::new("cargo");
+    cargo.args(words).args(["--features", FEATURES, "--target", target]).arg("--target-dir").arg(&folder);
+    output(cargo.current_dir(project_root()).stderr(std::process::Stdio::inherit()))?;
+    let ending = if target.contains("windows") { ".exe" } else { "" };
+    Ok(folder.join(target).join("release").join(format!("wayside{ending}")))
+}
+
+/// Fills the archive's folder.
+fn gather(folder: &Path, program: &Path, linked: &[LinkedPackage]) -> Result<(), Failure> {
+    let root = project_root();
+    copy(program, folder)?;
+    BESIDE.iter().try_for_each(|name| copy(&root.join(name), folder))?;
+    for scene in entries(&root.join("scenes"))?.iter().filter(|file| file.is_file()) {
+        copy(scene, &folder.join("scenes"))?;
+    }
+    let licences = folder.join("licences");
+    for package in linked {
+        let of_package = licences.join(&package.name);
+        package.licences.iter().try_for_each(|file| copy(file, &of_package))?;
+    }
+    let list: String =
+        linked.iter().map(|package| format!("{}: {}\n", package.name, package.expression)).collect();
+    files::write_file(&licences.join("packages.txt"), list.as_bytes())
+}
+
+/// The archive of one folder, by the system's `tar`.
+fn packed(above: &Path, name: &str) -> Result<Vec<u8>, Failure> {
+    let archive = above.join("archive.tar.gz");
+    output(Command::new("tar").arg("-czf").arg(&archive).arg("-C").arg(above).arg(name))?;
+    std::fs::read(&archive).map_err(|error| Failure::system(&archive, "read", error))
+}
