@@ -38,20 +38,69 @@ pub struct FrameFigures {
     pub(crate) points: Figure,
 }
 
-/// Draws one frame with its truth.
-pub fn figures(chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<FrameFigures, Failure> {
-    let (header, points) = (&chain.cube_header().in_frame(frame.rdm.index), &frame.result.points);
-    let is_nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
-    let nobodys: Vec<usize> = (0..points.objects.len()).filter(is_nobodys).collect();
-    let echoes = true_echoes(frame, truth);
-    let over = OnMap { points: Some(points), nobodys: Some(&nobodys), truth: &echoes };
-    let bodies = bodies::bodies(&frame.view, &frame.result.scene);
-    Ok(FrameFigures {
-        plan: Figure::of(|form| plan_view::of_frame(&frame.view, &frame.result, &nobodys, form)),
-        rdm: Figure::try_of(|form| rdm::draw(header, &frame.rdm, &over, form))?,
-        profile: Figure::try_of(|form| rdm::range_profile(header, &frame.rdm, form))?,
-        points: Figure::of(|form| points::draw(header, points, &bodies, form)),
-    })
+/// One frame with its truth, to be drawn in any form.
+pub struct FrameDrawing<'a> {
+    frame: &'a FrameProducts,
+    header: CubeHeader,
+    /// Objects that are nobody's.
+    nobodys: Vec<usize>,
+    echoes: Vec<TrueEcho>,
+    bodies: Vec<bodies::Body>,
+}
+
+impl<'a> FrameDrawing<'a> {
+    /// Takes a frame with what its pictures show beside it.
+    pub fn of(chain: &Chain, frame: &'a FrameProducts, truth: &FrameTruth) -> Self {
+        let is_nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
+        Self {
+            frame,
+            header: chain.cube_header().in_frame(frame.rdm.index),
+            nobodys: (0..frame.result.points.objects.len()).filter(is_nobodys).collect(),
+            echoes: true_echoes(frame, truth),
+            bodies: bodies::bodies(&frame.view, &frame.result.scene),
+        }
+    }
+
+    /// All drawings of a report.
+    pub fn figures(&self) -> Result<FrameFigures, Failure> {
+        Ok(FrameFigures {
+            plan: self.plan(),
+            rdm: Figure::try_of(|form| self.map(form))?,
+            profile: Figure::try_of(|form| rdm::range_profile(&self.header, &self.frame.rdm, form))?,
+            points: Figure::of(|form| self.points(form)),
+        })
+    }
+
+    /// The scene from above.
+    pub fn plan(&self) -> Figure {
+        Figure::of(|form| self.plan_in(form))
+    }
+
+    /// Drawings that are put onto disk: the scene from above, its map and its points, for a page.
+    pub fn on_disk(&self) -> Result<[Svg; 3], Failure> {
+        Ok([self.plan_in(Form::Wide), self.map(Form::Wide)?, self.points(Form::Wide)])
+    }
+
+    fn plan_in(&self, form: Form) -> Svg {
+        plan_view::of_frame(&self.frame.view, &self.frame.result, &self.nobodys, form)
+    }
+
+    fn map(&self, form: Form) -> Result<Svg, Failure> {
+        let points = Some(&self.frame.result.points);
+        let over = OnMap { points, nobodys: Some(&self.nobodys), truth: &self.echoes };
+        rdm::draw(&self.header, &self.frame.rdm, &over, form)
+    }
+
+    fn points(&self, form: Form) -> Svg {
+        points::draw(&self.header, &self.frame.result.points, &self.bodies, form)
+    }
+}
+
+impl FrameFigures {
+    /// Those of [`FrameDrawing::on_disk`].
+    pub fn on_disk(&self) -> [&Svg; 3] {
+        [&self.plan.wide, &self.rdm.wide, &self.points.wide]
+    }
 }
 
 /// True range and radial velocity of each body's echo; bodies that send none back are left out.
@@ -67,15 +116,13 @@ fn true_echoes(frame: &FrameProducts, truth: &FrameTruth) -> Vec<TrueEcho> {
 
 /// `scene-NNNN.png`, `rdm-NNNN.png`, `points-NNNN.png` and `rdm-NNNN.exr` of one frame.
 pub fn write_frame(
-    figures: &FrameFigures,
+    drawings: [&Svg; 3],
     header: &CubeHeader,
     rdm: &RdmFrame,
     folder: &Path,
 ) -> Result<(), Failure> {
     let [plan, map, points, levels] = places_of_frame(rdm.index, folder);
-    write_png(&plan, &figures.plan.wide)?;
-    write_png(&map, &figures.rdm.wide)?;
-    write_png(&points, &figures.points.wide)?;
+    [plan, map, points].iter().zip(drawings).try_for_each(|(place, drawing)| write_png(place, drawing))?;
     rdm_exr(header, rdm, &levels)
 }
 

@@ -209,9 +209,12 @@ impl Search<'_> {
 
     /// Takes a facet among the occluders if it may hide some of the polygon; breaks if it hides all of it.
     fn suspect(&mut self, slot: u32) -> ControlFlow<()> {
+        if slot == self.slot {
+            return ControlFlow::Continue(());
+        }
         let (shadow, tolerance_m) = (&self.table.shadows[slot as usize], self.view.tolerance_m());
         let of_cone = shadow.cover(Hides::AllInItsCone, self.polygon, tolerance_m);
-        if shadow.facet == self.target.facet || of_cone == Cover::Apart || self.is_beside(shadow.facet) {
+        if of_cone == Cover::Apart || self.is_beside(shadow.facet) {
             return ControlFlow::Continue(());
         }
         let hides = shadow.hides(self.target, self.view);

@@ -66,15 +66,28 @@ impl<'a> Field<'a> {
         self.node.bend.as_ref().map_or_else(Along::default, |bend| bend.along(in_world))
     }
 
+    /// Values of both legs, the transmitter's first; one and the same way there and back is looked at once.
+    #[inline]
+    pub(crate) fn of_both<T: Copy>(&self, of: impl Fn(&Leg) -> T) -> [T; 2] {
+        let there = of(self.node.transmit);
+        let back = if self.node.is_one_way() { there } else { of(self.node.receive) };
+        [there, back]
+    }
+
     /// Distances over which both waves have spread.
     pub(crate) fn ranges_m(&self, x_m: DVec3) -> [f64; 2] {
-        [self.node.transmit.image.range_m(x_m), self.node.receive.image.range_m(x_m)]
+        self.of_both(|leg| leg.image.range_m(x_m))
+    }
+
+    /// Directions of travel d₁ and d₂, away from the antennas.
+    pub(crate) fn directions(&self, x_m: DVec3) -> [DVec3; 2] {
+        self.of_both(|leg| leg.image.travel_direction_at(x_m))
     }
 
     /// Length L₁ + L₂ at `x_m` less that at the reference point, without the cancellation.
     pub(crate) fn length_m(&self, x_m: DVec3) -> f64 {
-        length_difference_m(self.node.transmit.image, x_m, self.reference_m)
-            + length_difference_m(self.node.receive.image, x_m, self.reference_m)
+        let [there, back] = self.of_both(|leg| length_difference_m(leg.image, x_m, self.reference_m));
+        there + back
     }
 
     /// Gradient of L₁ + L₂ along the polygon's plane.
@@ -85,7 +98,8 @@ impl<'a> Field<'a> {
 
     /// Sum d₁ + d₂ of both directions.
     pub(crate) fn both_directions(&self, x_m: DVec3) -> DVec3 {
-        self.node.transmit.image.travel_direction_at(x_m) + self.node.receive.image.travel_direction_at(x_m)
+        let [there, back] = self.directions(x_m);
+        there + back
     }
 
     /// Bound of the derivative of every direction and unit field within `reach_m`, rad/m: 1/L of the nearer
@@ -97,14 +111,16 @@ impl<'a> Field<'a> {
             let least_sine = to_antenna.x.hypot(to_antenna.y) - reach_m / range_m;
             if range_m.is_finite() { 1.0 / ((range_m - reach_m).max(0.0) * least_sine.max(0.0)) } else { 0.0 }
         };
-        of(self.node.transmit).max(of(self.node.receive))
+        let [there, back] = self.of_both(of);
+        there.max(back)
     }
 
-    pub(crate) fn spread(&self, image: Antenna, x_m: DVec3) -> f64 {
-        match image {
+    /// Ratios of 1/L₁ and of 1/L₂ at `x_m` to those at the reference point.
+    pub(crate) fn spread(&self, x_m: DVec3) -> [f64; 2] {
+        self.of_both(|leg| match leg.image {
             Antenna::Point(p) => p.distance(self.reference_m) / p.distance(x_m),
             Antenna::Direction(_) => 1.0,
-        }
+        })
     }
 
     /// Whether weights are real and know no frequency.
@@ -123,7 +139,8 @@ impl<'a> Field<'a> {
             let cosine = leg.image.travel_direction_at(at.x_m).dot(normal).abs();
             turning(material, cosine, turn_rad, wavenumber_per_m)
         };
-        1.0 + of(self.node.transmit).max(of(self.node.receive))
+        let [there, back] = self.of_both(of);
+        1.0 + there.max(back)
     }
 
     /// Ratio of the turning of the weights to that of directions and fields: of derivatives one to three,

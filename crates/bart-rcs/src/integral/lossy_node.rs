@@ -94,12 +94,13 @@ impl Field<'_> {
         let size = at.area.length();
         let normal = at.area / size;
         let [transmit, receive] = [self.node.transmit, self.node.receive];
-        let (d1, d2) = (transmit.image.travel_direction_at(x_m), receive.image.travel_direction_at(x_m));
+        let [d1, d2] = self.directions(x_m);
         let sent = transmit.arriving_fields(d1, wavenumber_per_m);
         // One and the same way there and back has the same fields and brackets.
-        let is_one_way = std::ptr::eq(transmit, receive);
+        let is_one_way = self.node.is_one_way();
         let received = if is_one_way { sent } else { receive.arriving_fields(d2, wavenumber_per_m) };
-        let spread = size * self.spread(transmit.image, x_m) * self.spread(receive.image, x_m);
+        let [spread_there, spread_back] = self.spread(x_m);
+        let spread = size * spread_there * spread_back;
         let forth = self.bracket(normal, (d1, sent), (d2, received), wavenumber_per_m);
         match self.node.bracket {
             Bracket::Plain => forth.map(|weight| spread * weight),

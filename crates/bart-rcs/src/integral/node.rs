@@ -75,6 +75,11 @@ pub(crate) struct Node<'a> {
 }
 
 impl Node<'_> {
+    /// Whether a wave goes back by the very way that it came: what is of one leg is of both.
+    pub(crate) fn is_one_way(&self) -> bool {
+        std::ptr::eq(self.transmit, self.receive)
+    }
+
     /// Accuracy to ask of the integral so that its error is `accuracy` of an unweakened one: what arrives
     /// over the road or through glass at a tenth may be wrong by ten times as much of itself.
     pub(crate) fn accuracy(&self, at_m: DVec3, wavenumbers_per_m: &[f64], accuracy: f64) -> f64 {

@@ -63,25 +63,34 @@ impl Field<'_> {
     pub(crate) fn weights(&self, at: &SurfacePoint) -> [f64; 4] {
         let Node { transmit, receive, bracket, .. } = *self.node;
         let SurfacePoint { x_m, area: normal, .. } = *at;
-        let (d1, d2) = (transmit.image.travel_direction_at(x_m), receive.image.travel_direction_at(x_m));
+        let [d1, d2] = self.directions(x_m);
+        let [there, back] = self.spread(x_m);
+        let spread = there * back;
         let sent = transmit.mirrors.fields_at_node(d1, transmit.zenith_h);
-        // One and the same way there and back has the same fields.
-        let received = if std::ptr::eq(transmit, receive) {
-            sent
-        } else {
-            receive.mirrors.fields_at_node(d2, receive.zenith_h)
-        };
-        let spread = self.spread(transmit.image, x_m) * self.spread(receive.image, x_m);
         let plain =
             |d: DVec3, e: DVec3, other: DVec3| other.dot(d) * normal.dot(e) - other.dot(e) * normal.dot(d);
-        [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| {
-            let forth = plain(d1, sent[q], received[p]);
-            spread
-                * match bracket {
-                    Bracket::Plain => forth,
-                    Bracket::Symmetrised => 0.5 * (forth + plain(d2, received[p], sent[q])),
-                }
-        })
+        // One and the same way there and back has the same fields, and forth is back with its ends exchanged.
+        let (received, is_one_way) = if self.node.is_one_way() {
+            (sent, true)
+        } else {
+            (receive.mirrors.fields_at_node(d2, receive.zenith_h), false)
+        };
+        let forth = |p: usize, q: usize| plain(d1, sent[q], received[p]);
+        let [vv, vh, hv, hh] = [forth(0, 0), forth(0, 1), forth(1, 0), forth(1, 1)];
+        let back = |p: usize, q: usize| plain(d2, received[p], sent[q]);
+        let weights = match bracket {
+            Bracket::Plain => [vv, vh, hv, hh],
+            Bracket::Symmetrised if is_one_way => {
+                [0.5 * (vv + vv), 0.5 * (vh + hv), 0.5 * (hv + vh), 0.5 * (hh + hh)]
+            }
+            Bracket::Symmetrised => [
+                0.5 * (vv + back(0, 0)),
+                0.5 * (vh + back(0, 1)),
+                0.5 * (hv + back(1, 0)),
+                0.5 * (hh + back(1, 1)),
+            ],
+        };
+        weights.map(|weight| spread * weight)
     }
 
     /// Calls `give` with the index of every wavenumber and the amplitude of a tile alone, as in

@@ -198,7 +198,9 @@ impl Smoothness {
             nearness_per_m * (DMat2::IDENTITY * (1.0 + straight * 2.0 * reach_m * nearness_per_m) - outer)
         };
         let [transmit, receive] = [field.node.transmit.image, field.node.receive.image];
-        of(transmit, nearness_per_m[0]) + of(receive, nearness_per_m[1])
+        let there = of(transmit, nearness_per_m[0]);
+        let back = if field.node.is_one_way() { there } else { of(receive, nearness_per_m[1]) };
+        there + back
     }
 
     /// Root √(vᵀHv), rad^½.

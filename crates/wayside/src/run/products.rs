@@ -15,8 +15,8 @@ use pipeline::chain::link::{Chain, FrameProducts, artifact_headers};
 use pipeline::chain::loading::provenance;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
-use reporting::pictures;
 use reporting::pictures::radar_view::Seen;
+use reporting::pictures::{self, FrameDrawing};
 use reporting::report;
 use reporting::report::figures::Figures;
 use std::path::{Path, PathBuf};
@@ -95,18 +95,28 @@ impl Products {
         self.rdm.write(&frame.rdm)?;
         self.points.write(&frame.result.points)?;
         self.tracks.write(tracks)?;
-        let figures = pictures::figures(chain, &frame, truth)?;
-        pictures::write_frame(&figures, chain.cube_header(), &frame.rdm, &self.out.join("pictures"))?;
+        self.draw(chain, &frame, truth)?;
+        self.scattering.write(frame.result.scattering.numbered_as_in(chain.header))
+    }
+
+    /// Puts the pictures of a frame onto disk, and keeps those that the report shows: of most frames of a long
+    /// run none, and these are drawn in one form.
+    fn draw(&mut self, chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<(), Failure> {
+        let (drawing, folder) = (FrameDrawing::of(chain, frame, truth), self.out.join("pictures"));
+        let write = |drawings| pictures::write_frame(drawings, chain.cube_header(), &frame.rdm, &folder);
         let number = frame.result.scene.index;
         if report::is_in_strip(number, chain.header.frames) {
-            self.figures.strip.push((number, figures.plan.clone()));
+            self.figures.strip.push((number, drawing.plan()));
         }
-        if self.figures.frames.len() < report::FRAMES_DRAWN {
-            self.figures.frames.push(figures);
-            let (scene, points) = (frame.result.scene.clone(), frame.result.points.clone());
-            self.figures.seen.push(Seen { view: frame.view.clone(), scene, points });
+        if self.figures.frames.len() >= report::FRAMES_DRAWN {
+            return write(drawing.on_disk()?.each_ref());
         }
-        self.scattering.write(frame.result.scattering.numbered_as_in(chain.header))
+        let figures = drawing.figures()?;
+        write(figures.on_disk())?;
+        self.figures.frames.push(figures);
+        let (scene, points) = (frame.result.scene.clone(), frame.result.points.clone());
+        self.figures.seen.push(Seen { view: frame.view.clone(), scene, points });
+        Ok(())
     }
 
     /// Puts every artifact in its place and hands out the figures.
