@@ -1,6 +1,7 @@
 //! Beams of both ends meet on a facet.
 
 pub(crate) mod outline; // of what both ends light
+pub(crate) mod shadow_sides; // borders along lines that cut out shadows
 pub(crate) mod parting; // how far from its specular a double reflection is
 pub(crate) mod joint; // what both ends light of a facet
 pub(crate) mod own_edge; // weights of a sequence's nodes

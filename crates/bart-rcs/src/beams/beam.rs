@@ -11,7 +11,7 @@ use crate::beams::sight::view::{Mirror, View};
 use crate::beams::visibility::{Buffers, ByHierarchy, Visibility};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
-use crate::geometry::border::Border;
+use crate::geometry::border::BorderLine;
 use crate::geometry::plane::Plane;
 use crate::oversight::error::BartError;
 use crate::oversight::memory::BYTES_PER_SHEET;
@@ -71,7 +71,7 @@ pub struct BeamTree {
     /// Corners of all polygons, world metres.
     pub(crate) vertices_m: Vec<DVec3>,
     /// Border of a polygon from each vertex to the next: what ends it there.
-    pub(crate) borders: Vec<Border>,
+    pub(crate) borders: Vec<BorderLine>,
     /// Sheets that the ways of all beams pass.
     pub(crate) passed: usize,
     /// Power kept, dropped and escaped.
@@ -120,6 +120,8 @@ pub struct OrderAudit {
     pub unreflected_across_m2: f64,
     /// Sum of the squares of these areas, m⁴.
     pub unreflected_across_squared_m4: f64,
+    /// The same of fourth powers, m⁸.
+    pub(crate) unreflected_across_fourth_m8: f64,
 }
 
 impl BeamTree {
@@ -168,7 +170,7 @@ impl BeamTree {
     }
 
     /// Borders of the lit polygon from each of its corners to the next.
-    pub(crate) fn borders(&self, beam: &Beam) -> &[Border] {
+    pub(crate) fn borders(&self, beam: &Beam) -> &[BorderLine] {
         &self.borders[beam.polygon.start as usize..beam.polygon.end as usize]
     }
 
@@ -194,7 +196,7 @@ impl BeamTree {
     /// Bytes held, about.
     pub fn bytes(&self) -> usize {
         self.beams.len() * size_of::<Beam>()
-            + self.vertices_m.len() * (size_of::<DVec3>() + size_of::<Border>())
+            + self.vertices_m.len() * (size_of::<DVec3>() + size_of::<BorderLine>())
             + self.passed * BYTES_PER_SHEET
     }
 
@@ -315,7 +317,7 @@ pub(crate) struct Growth<'a> {
     /// Ways that are followed; `None` for all.
     ways: Option<&'a BodyWays>,
     /// The edges of the two last orders' polygons, from vertex `first_edge` of the tree on.
-    edges: Vec<(Plane, Border)>,
+    edges: Vec<(Plane, BorderLine)>,
     first_edge: usize,
     /// Index of the last order's first beam.
     first_beam: usize,
@@ -412,7 +414,7 @@ impl<'a> Growth<'a> {
 
     /// Refuses a tree that has outgrown the world's limit.
     fn check_memory(&self, world: &World, order: u8) -> Result<(), BartError> {
-        let bytes = self.tree.bytes() + self.edges.capacity() * size_of::<(Plane, Border)>();
+        let bytes = self.tree.bytes() + self.edges.capacity() * size_of::<(Plane, BorderLine)>();
         world.memory_limit().check_tree(order, self.tree.beams.len(), bytes)
     }
 
@@ -432,9 +434,11 @@ impl OrderAudit {
     /// reflected at all: nothing is missing behind its mirrors.
     pub(crate) fn given_up(&self, mirrors: Mirroring) -> [f64; 2] {
         match mirrors {
-            Mirroring::Followed { share } => [
+            Mirroring::Followed { share: MirrorShare { mean, spread } } => [
                 self.dropped_across_m2 + self.unreflected_across_m2,
-                self.dropped_across_squared_m4 + share * self.unreflected_across_squared_m4,
+                self.dropped_across_squared_m4
+                    + mean * self.unreflected_across_squared_m4
+                    + spread * self.unreflected_across_fourth_m8.sqrt(),
             ],
             Mirroring::Last => [self.dropped_across_m2, self.dropped_across_squared_m4],
         }
@@ -448,6 +452,7 @@ impl OrderAudit {
             self.unreflected += 1;
             self.unreflected_across_m2 += part.across_m2;
             self.unreflected_across_squared_m4 += part.across_m2.powi(2);
+            self.unreflected_across_fourth_m8 += part.across_m2.powi(4);
         }
     }
 
@@ -466,14 +471,23 @@ pub(crate) enum Mirroring {
     /// Large enough mirrors are followed; of the power that the others could scatter at most they would
     /// scatter this share.
     Followed {
-        share: f64,
+        share: MirrorShare,
     },
     Last,
 }
 
+/// Share of the power that mirrors could scatter at most.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct MirrorShare {
+    /// Mean over mirrors.
+    pub(crate) mean: f64,
+    /// By how much one mirror has more in 5 of 100 cases: few mirrors are no mean.
+    pub(crate) spread: f64,
+}
+
 impl Audit {
     /// [`OrderAudit::given_up`] of the first `needed` orders together; `share` tells of each from 1.
-    pub(crate) fn given_up(&self, needed: u8, share: impl Fn(u8) -> f64) -> [f64; 2] {
+    pub(crate) fn given_up(&self, needed: u8, share: impl Fn(u8) -> MirrorShare) -> [f64; 2] {
         let mirrors = |order: u8| {
             if order < needed { Mirroring::Followed { share: share(order) } } else { Mirroring::Last }
         };

@@ -49,7 +49,7 @@ fn outside(piece: Vec<Corner>, occluder: &Shadow, hides: Hides, tolerance_m: f64
     let (mut kept, mut rest) = (Vec::new(), piece.clone());
     for plane in occluder.planes(hides) {
         let mut corners = rest.clone();
-        match split(&mut corners, 0..rest.len(), &plane, Border::SHADOW, tolerance_m, &mut Vec::new()) {
+        match split(&mut corners, 0..rest.len(), &plane, Border::Shadow, tolerance_m, &mut Vec::new()) {
             Split::Inside => {}
             Split::Outside => return vec![piece],
             Split::Cut { inside, outside } => {

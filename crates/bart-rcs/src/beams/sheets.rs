@@ -89,14 +89,7 @@ impl SheetPiece {
         for plane in sheet.planes(before) {
             let mut corners = inside.clone();
             // The lit surface goes on beyond such an edge.
-            match split(
-                &mut corners,
-                0..inside.len(),
-                &plane,
-                [Border::Inner; 2],
-                tolerance_m,
-                &mut Vec::new(),
-            ) {
+            match split(&mut corners, 0..inside.len(), &plane, Border::Inner, tolerance_m, &mut Vec::new()) {
                 Split::Inside => {}
                 Split::Outside => return vec![self],
                 Split::Cut { inside: kept, outside } => {

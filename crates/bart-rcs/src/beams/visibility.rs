@@ -341,12 +341,11 @@ impl Cutter {
         tolerance_m: f64,
     ) -> bool {
         for plane in planes {
-            let shadow = Border::SHADOW;
             match split(
                 &mut self.corners,
                 polygon.clone(),
                 &plane,
-                shadow,
+                Border::Shadow,
                 tolerance_m,
                 &mut self.distances_m,
             ) {

@@ -1,9 +1,10 @@
 //! Borders of lit polygons along an edge: the facet itself, a shadow, or the beam that lights it.
 //!
 //! A shadow is cut out by whole lines, so that a line goes on beyond the shadow as a seam between two lit
-//! pieces. The piece on the occluder's side of the line has the seam as [`Border::OwnInside`], the one on the
-//! other side as [`Border::Shadow`]: counted with opposite signs they cancel, and the true shadow line is
-//! left.
+//! pieces. Both pieces have it as [`Border::Shadow`] and know it by one name: where both are kept it is no
+//! border, and where one alone is, it is one, whatever became of the other.
+
+use crate::geometry::plane::Plane;
 
 /// Border of a polygon along one of its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -12,68 +13,104 @@ pub(crate) enum Border {
     Inner,
     /// The flat patch ends.
     Own,
-    /// An occluder's shadow begins, on the lit side of the line that cuts it out.
+    /// A line that cuts out an occluder's shadow.
     Shadow,
-    /// The occluder's side of a line that cuts out a shadow.
-    OwnInside,
     /// Patch and mirror end in one line, as both do at the fold of a corner: a node has the right phase there
     /// on either.
     Tied,
     /// A mirror before ends.
     Mirror,
-    /// A shadow on a mirror before begins, on the lit side of the line that cuts it out.
+    /// A line that cuts out a shadow on a mirror before.
     MirrorShadow,
-    /// The occluder's side of a line that cuts out a shadow on a mirror before.
-    MirrorInside,
 }
 
-impl Border {
-    /// New edges where an occluder's plane cuts: of the part inside the shadow's plane, of the one outside.
-    pub(crate) const SHADOW: [Self; 2] = [Self::OwnInside, Self::Shadow];
+/// Border along a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct BorderLine {
+    pub(crate) border: Border,
+    /// Name of the line where a polygon was cut along it; 0 where none was.
+    line: u32,
+}
+
+impl From<Border> for BorderLine {
+    fn from(border: Border) -> Self {
+        Self { border, line: 0 }
+    }
+}
+
+impl BorderLine {
+    /// The border where a plane cuts; one that came over a mirror keeps its name.
+    pub(crate) fn cut_by(self, plane: &Plane) -> Self {
+        if self.line == 0 { Self { line: name(plane), ..self } } else { self }
+    }
+
+    /// Name of the line, the same on both of its sides.
+    pub(crate) fn line(self) -> u32 {
+        self.line
+    }
 
     /// Border of the same edge where it cuts the beam behind the mirror.
     pub(crate) fn through_mirror(self) -> Self {
-        match self {
-            Self::Own | Self::Tied => Self::Mirror,
-            Self::Shadow => Self::MirrorShadow,
-            Self::OwnInside => Self::MirrorInside,
-            Self::Inner | Self::Mirror | Self::MirrorShadow | Self::MirrorInside => self,
-        }
+        let border = match self.border {
+            Border::Own | Border::Tied => Border::Mirror,
+            Border::Shadow => Border::MirrorShadow,
+            Border::Inner | Border::Mirror | Border::MirrorShadow => self.border,
+        };
+        Self { border, ..self }
     }
 
     /// Border of the same edge where the window of a beam ends along it. A line that cuts out a shadow on the
     /// mirror goes on as a seam where nothing ends, and one below an upright edge lies in one plane with it:
     /// the edge stays its own.
     pub(crate) fn met_by(self, window: Self) -> Self {
-        match (self, window) {
-            (Self::Own, Self::Mirror) => Self::Tied,
-            (Self::Inner, _) => window,
+        match (self.border, window.border) {
+            (Border::Own, Border::Mirror) => Border::Tied.into(),
+            (Border::Inner, _) => window,
             _ => self,
         }
     }
 
     /// Border of the overlap of two polygons where an edge of both is the same line: the surface before the
-    /// beams.
+    /// beams, and of two lines the same one on both sides.
     pub(crate) fn and(self, other: Self) -> Self {
-        let rank = |border: Self| match border {
-            Self::Tied => 7,
-            Self::Own => 6,
-            Self::Shadow => 5,
-            Self::OwnInside => 4,
-            Self::Mirror => 3,
-            Self::MirrorShadow => 2,
-            Self::MirrorInside => 1,
-            Self::Inner => 0,
+        let rank = |at: Self| match at.border {
+            Border::Tied => 5,
+            Border::Own => 4,
+            Border::Shadow => 3,
+            Border::Mirror => 2,
+            Border::MirrorShadow => 1,
+            Border::Inner => 0,
         };
-        if rank(self) >= rank(other) { self } else { other }
+        if (rank(self), self.line) >= (rank(other), other.line) { self } else { other }
     }
+}
 
-    /// Sign with which the edge counts in the outline of all pieces together: seams cancel.
-    pub(crate) fn sign(self) -> f64 {
-        match self {
-            Self::Own | Self::Shadow | Self::Tied | Self::Mirror | Self::MirrorShadow => 1.0,
-            Self::OwnInside | Self::MirrorInside => -1.0,
-            Self::Inner => 0.0,
-        }
+/// Name of a plane, the same for the plane turned over; never 0.
+fn name(plane: &Plane) -> u32 {
+    let parts = [plane.normal.x, plane.normal.y, plane.normal.z, plane.offset_m];
+    let sign = if parts.iter().find(|x| **x != 0.0).is_some_and(|x| *x < 0.0) { -1.0 } else { 1.0 };
+    // Adding 0 makes −0 the same as 0.
+    let mixed = |mixed: u64, x: f64| (mixed ^ (sign * x + 0.0).to_bits()).wrapping_mul(ODD).rotate_left(29);
+    let name = parts.into_iter().fold(0, mixed);
+    ((name ^ (name >> 32)) as u32).max(1)
+}
+
+/// The golden ratio's fraction in 64 bits, which is odd: multiplying by it loses nothing.
+const ODD: u64 = 0x9e37_79b9_7f4a_7c15;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    #[test]
+    fn a_line_has_one_name_on_both_sides_and_another_line_another() {
+        let plane = Plane { normal: DVec3::new(-0.0, -0.6, 0.8), offset_m: 0.0 };
+        let other = Plane { normal: DVec3::new(0.0, 0.6, 0.8), offset_m: 0.0 };
+        let line = |plane: Plane| BorderLine::from(Border::Shadow).cut_by(&plane).line();
+        assert_eq!(line(plane), line(-plane));
+        assert!(line(plane) != line(other) && line(plane) != 0);
+        let mirrored = BorderLine::from(Border::Shadow).cut_by(&plane).through_mirror().cut_by(&other);
+        assert_eq!(mirrored.line(), line(plane));
     }
 }

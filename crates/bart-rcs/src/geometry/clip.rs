@@ -4,7 +4,7 @@
 //! planes, never on planes through constructed corners: an edge of a nanometre still has the exact direction
 //! of its maker.
 
-use crate::geometry::border::Border;
+use crate::geometry::border::BorderLine;
 use crate::geometry::plane::Plane;
 use glam::DVec3;
 use std::ops::Range;
@@ -18,7 +18,7 @@ pub(crate) struct Corner {
     /// side.
     pub(crate) edge: Plane,
     /// Border of the polygon along that edge.
-    pub(crate) border: Border,
+    pub(crate) border: BorderLine,
 }
 
 /// Parts of a polygon on both sides of a plane.
@@ -37,14 +37,14 @@ pub(crate) enum Split {
     },
 }
 
-/// Cuts the convex polygon `corners[polygon]` and appends the parts to `corners`; the new edges are `borders`
-/// of the part inside and of the one outside. Corners nearer to the plane than `tolerance_m` count as on it
+/// Cuts the convex polygon `corners[polygon]` and appends the parts to `corners`; the new edges are a
+/// `border` of both. Corners nearer to the plane than `tolerance_m` count as on it
 /// and belong to both parts, so that no part is thinner than that.
 pub(crate) fn split(
     corners: &mut Vec<Corner>,
     polygon: Range<usize>,
     plane: &Plane,
-    borders: [Border; 2],
+    border: impl Into<BorderLine>,
     tolerance_m: f64,
     distances_m: &mut Vec<f64>,
 ) -> Split {
@@ -57,11 +57,11 @@ pub(crate) fn split(
     if !distances_m.iter().any(|&d| d < 0.0) {
         return Split::Inside;
     }
-    let start = corners.len();
-    append_part(corners, polygon.clone(), (plane, borders[0]), distances_m);
+    let (start, border) = (corners.len(), border.into().cut_by(plane));
+    append_part(corners, polygon.clone(), (plane, border), distances_m);
     let middle = corners.len();
     distances_m.iter_mut().for_each(|d| *d = -*d);
-    append_part(corners, polygon, (&-*plane, borders[1]), distances_m);
+    append_part(corners, polygon, (&-*plane, border), distances_m);
     Split::Cut { inside: start..middle, outside: middle..corners.len() }
 }
 
@@ -92,7 +92,7 @@ fn snapped(distance_m: f64, tolerance_m: f64) -> f64 {
 fn append_part(
     corners: &mut Vec<Corner>,
     polygon: Range<usize>,
-    (plane, border): (&Plane, Border),
+    (plane, border): (&Plane, BorderLine),
     distances_m: &[f64],
 ) {
     let new = (*plane, border);
@@ -116,6 +116,7 @@ fn append_part(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::border::Border;
 
     const TOLERANCE_M: f64 = 1e-13;
 
@@ -123,7 +124,7 @@ mod tests {
         let corner = |x: f64, y: f64, inward: DVec3| Corner {
             point_m: DVec3::new(x, y, 0.0),
             edge: Plane { normal: inward, offset_m: inward.dot(DVec3::new(x, y, 0.0)) },
-            border: Border::Own,
+            border: Border::Own.into(),
         };
         vec![
             corner(0.0, 0.0, DVec3::Y),
@@ -144,7 +145,7 @@ mod tests {
             let normal = DVec3::new(cos, sin, 0.3).normalize_or_zero();
             let plane = Plane { normal, offset_m: normal.dot(DVec3::new(0.4, 0.6, 0.0)) };
             let mut corners = square();
-            let split = split(&mut corners, 0..4, &plane, Border::SHADOW, TOLERANCE_M, &mut Vec::new());
+            let split = split(&mut corners, 0..4, &plane, Border::Shadow, TOLERANCE_M, &mut Vec::new());
             let Split::Cut { inside, outside } = split else { panic!("{k}: {split:?}") };
             let (inside, outside) = (&corners[inside], &corners[outside]);
             assert!((area(inside) + area(outside) - 1.0).abs() < 4.0 * f64::EPSILON, "{k}");
@@ -165,11 +166,11 @@ mod tests {
         let mut corners = square();
         let along = Plane { normal: DVec3::X, offset_m: 0.5 * TOLERANCE_M };
         assert_eq!(
-            split(&mut corners, 0..4, &along, Border::SHADOW, TOLERANCE_M, &mut Vec::new()),
+            split(&mut corners, 0..4, &along, Border::Shadow, TOLERANCE_M, &mut Vec::new()),
             Split::Inside
         );
         assert_eq!(
-            split(&mut corners, 0..4, &-along, Border::SHADOW, TOLERANCE_M, &mut Vec::new()),
+            split(&mut corners, 0..4, &-along, Border::Shadow, TOLERANCE_M, &mut Vec::new()),
             Split::Outside
         );
         assert_eq!(corners.len(), 4);
@@ -183,7 +184,7 @@ mod tests {
             &mut corners,
             0..4,
             &Plane { normal, offset_m: 0.0 },
-            Border::SHADOW,
+            Border::Shadow,
             TOLERANCE_M,
             &mut Vec::new(),
         );

@@ -15,10 +15,10 @@
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
-use crate::geometry::border::Border;
+use crate::geometry::border::BorderLine;
 use crate::geometry::convex_intersection::{bounds, intersection};
 use crate::geometry::plane_frame::{PlaneFrame, area_m2};
-use crate::joins::joint::{Joints, Reverse, Trees};
+use crate::joins::joint::{Joints, Reverse, SideOfJoint, Trees};
 use crate::joins::outline::{Bordered, Outline};
 use crate::joins::own_edge::weigh;
 use artifact::settings::NodeRule;
@@ -50,8 +50,7 @@ pub(crate) fn joints(
         parts.into_iter().for_each(|part| all.append(part));
     }
     if rule == NodeRule::OwnEdge && order > 1 {
-        let outlines = std::mem::take(&mut all.outlines);
-        weigh(world, trees, order, &mut all, &outlines);
+        weigh(world, trees, order, &mut all);
     }
     all
 }
@@ -214,11 +213,11 @@ fn on_one_facet(
             continue;
         }
         if let Some(one_line_m) = limits.one_line_m {
-            joints.outlines.push(Outline::of_overlap(
-                &part,
-                [&left.bordered(), &right.bordered()],
-                one_line_m,
-            ));
+            let (joint, sides) = (joints.list.len() as u32, &mut joints.shadow_sides);
+            let bordered = [&left.bordered(), &right.bordered()];
+            joints.outlines.push(Outline::of_overlap(&part, bordered, one_line_m, |i, border| {
+                sides.push(SideOfJoint { joint, corner: left.corner_in_world(i, part.len()), border });
+            }));
         }
         joints.push((left.beam, right.beam), meeting.weight, reverse, left.in_world(frame, part));
     }
@@ -234,7 +233,7 @@ struct Footprint {
     beam: u32,
     /// Counter-clockwise about the facet's own normal.
     corners_m: Vec<DVec2>,
-    borders: Vec<Border>,
+    borders: Vec<BorderLine>,
     side: Side,
     bounds_m: [DVec2; 2],
 }
@@ -272,6 +271,11 @@ impl Footprint {
         }
         let frame = *frame;
         corners_m.into_iter().map(move |c| frame.to_world(c))
+    }
+
+    /// Place of a side's first corner among `count` corners that [`Self::in_world`] carries back.
+    fn corner_in_world(&self, side: usize, count: usize) -> u32 {
+        if self.side == Side::Back { ((2 * count - 2 - side) % count) as u32 } else { side as u32 }
     }
 
     fn meets(&self, other: &Self) -> bool {

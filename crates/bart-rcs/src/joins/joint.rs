@@ -2,8 +2,10 @@
 
 use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::Received;
+use crate::geometry::border::BorderLine;
 use crate::joins::outline::Outline;
 use crate::joins::parting::Parting;
+use crate::joins::shadow_sides::ShadowSide;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -93,9 +95,21 @@ pub(crate) struct Joints {
     corners_m: Vec<DVec3>,
     /// Outlines of all joints, where the rule weighs nodes by them.
     pub(crate) outlines: Vec<Outline>,
+    /// Sides of the joints' polygons along lines that cut out shadows, where `outlines` are.
+    pub(crate) shadow_sides: Vec<SideOfJoint>,
     /// Area of overlaps that were given up for their size, both ways: its sum, m², and the sum of its
     /// squares, m⁴.
     pub(crate) given_up: [f64; 2],
+}
+
+/// A side of a joint's polygon along a line that cuts out a shadow.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SideOfJoint {
+    /// Index of the joint.
+    pub(crate) joint: u32,
+    /// The side from this corner to the next.
+    pub(crate) corner: u32,
+    pub(crate) border: BorderLine,
 }
 
 impl Joint {
@@ -109,6 +123,14 @@ impl Joints {
     /// Polygon of a joint: convex, counter-clockwise about the forward beam's lit normal, world metres.
     pub(crate) fn polygon(&self, joint: &Joint) -> &[DVec3] {
         &self.corners_m[joint.corners.clone()]
+    }
+
+    /// A side of a joint, in the world.
+    pub(crate) fn side(&self, side: &SideOfJoint) -> ShadowSide {
+        let corners_m = self.polygon(&self.list[side.joint as usize]);
+        let corner = side.corner as usize;
+        let ends_m = [corners_m[corner], corners_m[(corner + 1) % corners_m.len()]];
+        ShadowSide { border: side.border, ends_m }
     }
 
     /// Forgets joints that count nothing.
@@ -135,7 +157,9 @@ impl Joints {
     }
 
     pub(crate) fn append(&mut self, other: Self) {
-        let shift = self.corners_m.len();
+        let (shift, joints) = (self.corners_m.len(), self.list.len() as u32);
+        let of_all = |side: SideOfJoint| SideOfJoint { joint: side.joint + joints, ..side };
+        self.shadow_sides.extend(other.shadow_sides.into_iter().map(of_all));
         let moved =
             |joint: Joint| Joint { corners: joint.corners.start + shift..joint.corners.end + shift, ..joint };
         self.list.extend(other.list.into_iter().map(moved));

@@ -1,6 +1,9 @@
 //! The outline of what two beams light together, and how much of it is the own edge of the facet.
+//!
+//! Lines that cut out shadows go on between lit pieces: what ends there is known once all pieces of a node are
+//! together ([`crate::joins::shadow_sides`]).
 
-use crate::geometry::border::Border;
+use crate::geometry::border::{Border, BorderLine};
 use glam::DVec2;
 
 /// Outline of a polygon, or of many pieces together, m; edges that end facet and beam alike are left out.
@@ -15,25 +18,30 @@ pub(crate) struct Outline {
 /// A convex polygon in a plane and what ends it from each corner to the next.
 pub(crate) struct Bordered<'a> {
     pub(crate) corners_m: &'a [DVec2],
-    pub(crate) borders: &'a [Border],
+    pub(crate) borders: &'a [BorderLine],
 }
 
 impl Outline {
-    /// The outline of the overlap of two polygons; seams count negatively on one side, so that pieces add up
-    /// to their union.
+    /// The outline of the overlap of two polygons, less its sides along lines that cut out shadows: these are
+    /// handed to `shadow_side` by their place.
     ///
     /// Edges nearer to each other than `tolerance_m` are one line.
-    pub(crate) fn of_overlap(overlap_m: &[DVec2], polygons: [&Bordered<'_>; 2], tolerance_m: f64) -> Self {
+    pub(crate) fn of_overlap(
+        overlap_m: &[DVec2],
+        polygons: [&Bordered<'_>; 2],
+        tolerance_m: f64,
+        mut shadow_side: impl FnMut(usize, BorderLine),
+    ) -> Self {
         let mut outline = Self::default();
         for (i, &from) in overlap_m.iter().enumerate() {
             let to = overlap_m[(i + 1) % overlap_m.len()];
             let borders =
                 polygons.into_iter().filter_map(|polygon| polygon.border_along(from, to, tolerance_m));
-            let Some(border) = borders.reduce(Border::and) else { continue };
-            let length_m = border.sign() * from.distance(to);
-            match border {
-                Border::Own | Border::Shadow | Border::OwnInside => outline.own_m += length_m,
-                Border::Mirror | Border::MirrorShadow | Border::MirrorInside => outline.cut_m += length_m,
+            let Some(at) = borders.reduce(BorderLine::and) else { continue };
+            match at.border {
+                Border::Own => outline.own_m += from.distance(to),
+                Border::Mirror => outline.cut_m += from.distance(to),
+                Border::Shadow | Border::MirrorShadow => shadow_side(i, at),
                 Border::Tied | Border::Inner => {}
             }
         }
@@ -47,15 +55,14 @@ impl Outline {
 
     /// Share of the own edges in the outline, between 0 and 1.
     pub(crate) fn own_share(self) -> f64 {
-        let (own_m, cut_m) = (self.own_m.max(0.0), self.cut_m.max(0.0));
-        if own_m > 0.0 { own_m / (own_m + cut_m) } else { 0.0 }
+        if self.own_m > 0.0 { self.own_m / (self.own_m + self.cut_m) } else { 0.0 }
     }
 }
 
 impl Bordered<'_> {
     /// Border of the polygon along a line that may lie on one of its edges; several edges of a polygon can
     /// lie in a line.
-    fn border_along(&self, from: DVec2, to: DVec2, tolerance_m: f64) -> Option<Border> {
+    fn border_along(&self, from: DVec2, to: DVec2, tolerance_m: f64) -> Option<BorderLine> {
         let n = self.corners_m.len();
         let on_edge = |&i: &usize| {
             let (corner, edge) = (self.corners_m[i], self.corners_m[(i + 1) % n] - self.corners_m[i]);
@@ -63,7 +70,7 @@ impl Bordered<'_> {
             let along = edge.dot(0.5 * (from + to) - corner);
             near(from) && near(to) && (0.0..edge.length_squared()).contains(&along)
         };
-        (0..n).filter(on_edge).map(|i| self.borders[i]).reduce(Border::and)
+        (0..n).filter(on_edge).map(|i| self.borders[i]).reduce(BorderLine::and)
     }
 }
 
@@ -73,6 +80,7 @@ mod tests {
     use crate::beams::beam::{BeamTree, TraceSettings};
     use crate::bodies::world::World;
     use crate::geometry::antenna::Antenna;
+    use crate::joins::shadow_sides::{ShadowSide, of_shadow_sides};
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
     use glam::DVec3;
@@ -95,12 +103,16 @@ mod tests {
         let settings =
             TraceSettings { max_order: 1, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
         let tree = BeamTree::trace(&world, Antenna::Direction(DVec3::Z), &settings).unwrap();
-        let mut all = Outline::default();
+        let (mut all, mut sides) = (Outline::default(), Vec::new());
         for beam in tree.beams.iter().filter(|beam| beam.facet < 2) {
-            let corners_m: Vec<DVec2> = tree.polygon(beam).iter().map(|c| c.truncate()).collect();
+            let corners = tree.polygon(beam);
+            let corners_m: Vec<DVec2> = corners.iter().map(|c| c.truncate()).collect();
             let bordered = Bordered { corners_m: &corners_m, borders: tree.borders(beam) };
-            all.add(Outline::of_overlap(&corners_m, [&bordered, &bordered], 1e-9));
+            all.add(Outline::of_overlap(&corners_m, [&bordered, &bordered], 1e-9, |i, border| {
+                sides.push(ShadowSide { border, ends_m: [corners[i], corners[(i + 1) % corners.len()]] });
+            }));
         }
+        all.add(of_shadow_sides(&mut sides));
         all
     }
 

@@ -15,10 +15,12 @@
 
 use crate::beams::image_tree::origin;
 use crate::bodies::road::Half;
+use crate::bodies::road_mirror::below;
 use crate::bodies::world::World;
 use crate::geometry::clip::doubled_area;
 use crate::joins::joint::{Joint, Joints, Reverse, Trees};
 use crate::joins::outline::Outline;
+use crate::joins::shadow_sides::{ShadowSide, of_shadow_sides};
 use artifact::paths::MAX_ORDER;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -31,21 +33,23 @@ type Sequence = [u32; MAX_ORDER];
 const BY_ROAD: u32 = 1 << 31;
 
 /// Sizes of one node of a sequence, all its pieces together.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 struct SequenceNode {
     outline: Outline,
+    /// Sides along lines that cut out shadows: what ends there is known of all pieces together.
+    shadow_sides: Vec<ShadowSide>,
     /// Area across the wave, mean of both legs, m².
     across_m2: f64,
 }
 
 type Nodes = [SequenceNode; MAX_ORDER];
 
-/// Sets the weights of all joints of one order, of which `outlines` are in the joints' order.
-pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joints, outlines: &[Outline]) {
+/// Sets the weights of all joints of one order, and takes their outlines.
+pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joints) {
     let count = usize::from(order);
     let placed = joints.list.par_iter().map(|joint| place(world, trees, joint, joints.polygon(joint)));
     let placed: Vec<PlacedJoint> = placed.collect();
-    let nodes_of = gathered(world, count, &joints.list, &placed, outlines);
+    let nodes_of = gathered(world, count, joints, &placed);
     let weight = |PlacedJoint { sequence, node, .. }: &PlacedJoint| {
         let curvatures = sequence[..count].iter().map(|patch| world.curvature_per_m(*patch & !BY_ROAD));
         curved_weight(curvatures, *node)
@@ -53,6 +57,7 @@ pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joi
             .unwrap_or(0.0)
     };
     joints.list.par_iter_mut().zip(&placed).for_each(|(joint, placed)| joint.weight = weight(placed));
+    (joints.outlines, joints.shadow_sides) = (Vec::new(), Vec::new());
     joints.drop_weightless();
 }
 
@@ -60,24 +65,34 @@ pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joi
 fn gathered(
     world: &World,
     count: usize,
-    joints: &[Joint],
+    joints: &Joints,
     placed: &[PlacedJoint],
-    outlines: &[Outline],
 ) -> HashMap<Sequence, Nodes> {
-    let mut nodes_of: HashMap<Sequence, Nodes> = HashMap::with_capacity(joints.len());
-    for ((joint, &PlacedJoint { sequence, node, across_m2 }), outline) in
-        joints.iter().zip(placed).zip(outlines)
+    let mut nodes_of: HashMap<Sequence, Nodes> = HashMap::with_capacity(placed.len());
+    let mut sides = joints.shadow_sides.iter().peekable();
+    for (index, ((joint, &PlacedJoint { sequence, node, across_m2 }), outline)) in
+        (0..).zip(joints.list.iter().zip(placed).zip(&joints.outlines))
     {
-        let mut take = |sequence: Sequence, node: usize| {
+        let of_joint: Vec<ShadowSide> = std::iter::from_fn(|| sides.next_if(|side| side.joint == index))
+            .map(|s| joints.side(s))
+            .collect();
+        let mut take = |sequence: Sequence, node: usize, sides: &[ShadowSide]| {
             let node = &mut nodes_of.entry(sequence).or_default()[node];
             node.outline.add(*outline);
+            node.shadow_sides.extend_from_slice(sides);
             node.across_m2 += across_m2;
         };
-        take(sequence, node);
+        take(sequence, node, &of_joint);
         if joint.reverse == Reverse::Included {
-            take(reversed(world, sequence, count), count - 1 - node);
+            let by_road = is_by_road(&sequence[..count]);
+            let back = of_joint.iter().map(|side| if by_road { mirrored(side) } else { *side });
+            take(reversed(world, sequence, count), count - 1 - node, &back.collect::<Vec<_>>());
         }
     }
+    nodes_of.values_mut().flatten().for_each(|node| {
+        let mut sides = std::mem::take(&mut node.shadow_sides);
+        node.outline.add(of_shadow_sides(&mut sides));
+    });
     nodes_of
 }
 
@@ -148,11 +163,22 @@ fn place(world: &World, trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) ->
     PlacedJoint { sequence, node, across_m2: across_m2(trees, joint, corners_m) }
 }
 
+/// Whether a sequence ends at the antenna's image below the road.
+fn is_by_road(sequence: &[u32]) -> bool {
+    sequence.last().is_some_and(|last| last & BY_ROAD != 0)
+}
+
+/// A side in the road's mirror, where windings turn over.
+fn mirrored(side: &ShadowSide) -> ShadowSide {
+    let [from, to] = side.ends_m;
+    ShadowSide { ends_m: [below(to), below(from)], ..*side }
+}
+
 /// The way back; one that ends at the antenna's image begins there, and is taken in the road's mirror.
 fn reversed(world: &World, mut sequence: Sequence, count: usize) -> Sequence {
-    let is_by_road = sequence[count - 1] & BY_ROAD != 0;
+    let is_mirrored = is_by_road(&sequence[..count]);
     sequence[..count].reverse();
-    if is_by_road {
+    if is_mirrored {
         sequence[0] &= !BY_ROAD;
         sequence[..count].iter_mut().for_each(|patch| *patch = world.image_of(*patch));
         sequence[count - 1] |= BY_ROAD;
@@ -165,7 +191,7 @@ mod tests {
     use super::*;
 
     fn node(own_m: f64, across_m2: f64) -> SequenceNode {
-        SequenceNode { outline: Outline { own_m, cut_m: 4.0 - own_m }, across_m2 }
+        SequenceNode { outline: Outline { own_m, cut_m: 4.0 - own_m }, across_m2, ..SequenceNode::default() }
     }
 
     fn weights(nodes: &[SequenceNode]) -> Vec<f64> {
@@ -180,13 +206,13 @@ mod tests {
     #[test]
     fn a_node_counts_by_its_own_edges_and_without_any_all_count_alike() {
         assert_near(&weights(&[node(1.0, 1.0), node(3.0, 2.0)]), &[0.25, 0.75]);
-        assert_near(&weights(&[node(0.0, 1.0); 3]), &[1.0 / 3.0; 3]);
+        assert_near(&weights(&[node(0.0, 1.0), node(0.0, 1.0), node(0.0, 1.0)]), &[1.0 / 3.0; 3]);
     }
 
     #[test]
     fn a_missing_node_holds_a_mean_share_and_one_that_vanishes_comes_to_it() {
-        let missing = SequenceNode::default();
-        let [first, _, last] = weights(&[node(1.0, 1.0), missing, node(3.0, 2.0)])[..] else {
+        let missing = SequenceNode::default;
+        let [first, _, last] = weights(&[node(1.0, 1.0), missing(), node(3.0, 2.0)])[..] else {
             panic!("three nodes")
         };
         assert_near(&[first, last], &[0.25 * 2.0 / 3.0, 0.75 * 2.0 / 3.0]);

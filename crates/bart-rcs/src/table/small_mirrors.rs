@@ -21,7 +21,7 @@
 //! a₀ is the mean area of what was not followed. What is assumed: mirrors too small to be followed lie among
 //! facets and edges as the smallest of the larger ones do.
 
-use crate::beams::beam::{Beam, BeamTree};
+use crate::beams::beam::{Beam, BeamTree, MirrorShare};
 use crate::edges::edge_scattering::part_amplitudes;
 use crate::edges::lit_edge::EdgeJoint;
 use crate::geometry::clip::doubled_area;
@@ -131,9 +131,12 @@ impl SmallMirrors {
     }
 
     /// Share of the squared plate bound by order from 1 of an end's tree; 1 where nothing is known.
-    pub(crate) fn shares(&self, end: usize) -> impl Fn(u8) -> f64 {
+    pub(crate) fn shares(&self, end: usize) -> impl Fn(u8) -> MirrorShare {
         move |order| {
-            self.samples.iter().find(|s| (s.end, s.order) == (end, order)).map_or(1.0, TreeSample::share)
+            self.samples
+                .iter()
+                .find(|s| (s.end, s.order) == (end, order))
+                .map_or(MirrorShare { mean: 1.0, spread: 0.0 }, TreeSample::share)
         }
     }
 }
@@ -169,10 +172,17 @@ impl TreeSample {
     /// The sum of n independent shares errs by √Σ share², 1.645 of these where 95 of 100 normal errors are
     /// below. It knows nothing of shares that are rarer than one in n: 3/n of the mirrors may be whole plates
     /// of which none was met (e⁻³ = 5 %).
-    fn share(&self) -> f64 {
-        // Of no mirrors nothing is known: the quotient is infinite.
-        let of_facets = ((at_most(&self.shares) + 3.0) / self.mirrors.len() as f64).min(1.0);
-        of_facets + at_most(&self.edge_shares) / self.mirrors.len().max(1) as f64
+    fn share(&self) -> MirrorShare {
+        // Of no mirrors nothing is known: the quotient is infinite. A beam that grazes a facet lights more of it
+        // than the beam is across: what was met may be more than plates.
+        let count = self.mirrors.len() as f64;
+        let met = at_most(&self.shares);
+        let of_facets = ((met + 3.0) / count).min(1.0).max(met / count.max(1.0));
+        let mean = of_facets + at_most(&self.edge_shares) / count.max(1.0);
+        let all = || self.shares.iter().zip(&self.edge_shares).map(|(facet, edge)| facet + edge);
+        let found = all().sum::<f64>() / count.max(1.0);
+        let variance = all().map(|share| (share - found).powi(2)).sum::<f64>() / count.max(1.0);
+        MirrorShare { mean, spread: 1.645 * variance.sqrt() }
     }
 }
 
@@ -381,7 +391,7 @@ mod tests {
                 let lit = meeting.edges.iter().filter(|at| is_small(at.forward) || is_small(at.backward));
                 power_m2 += lit.map(of_edge).sum::<f64>();
             }
-            (mirrors.shares(0)(1), tree.audit.orders[0].unreflected_across_squared_m4, power_m2)
+            (mirrors.shares(0)(1).mean, tree.audit.orders[0].unreflected_across_squared_m4, power_m2)
         };
         let (told, squares_m4, _) = of(LEAST_M2);
         let (_, _, power_m2) = of(1e-9);

@@ -92,7 +92,7 @@ impl Shadow {
         // order.
         let order = if self.seen == LitSide::Front { [0, 1, 2] } else { [2, 1, 0] };
         let border = |edge| if world.is_inside_patch(self.facet, edge) { Border::Inner } else { Border::Own };
-        [0, 1, 2].map(|i| Corner { point_m: points[i], edge: self.edges[i], border: border(order[i]) })
+        [0, 1, 2].map(|i| Corner { point_m: points[i], edge: self.edges[i], border: border(order[i]).into() })
     }
 
     /// Part of another facet that this one may hide; a sheet that waves are followed through hides nothing.

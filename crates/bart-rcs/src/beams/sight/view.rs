@@ -2,7 +2,7 @@
 
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
-use crate::geometry::border::Border;
+use crate::geometry::border::BorderLine;
 use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 use artifact::settings::Sides;
@@ -21,7 +21,7 @@ pub(crate) struct View<'w> {
     pub(crate) mirror: Option<Mirror<'w>>,
     /// Planes through the antenna and the edges of the lit polygon on the mirror, positive inside, and what
     /// they end.
-    pub(crate) window: Vec<(Plane, Border)>,
+    pub(crate) window: Vec<(Plane, BorderLine)>,
     /// Corners of the lit polygon on the mirror; none without one.
     pub(crate) opening_m: &'w [DVec3],
 }
@@ -47,7 +47,7 @@ impl<'w> View<'w> {
         sides: Sides,
         lit_by: Antenna,
         mirror: Mirror<'w>,
-        edges: &[(Plane, Border)],
+        edges: &[(Plane, BorderLine)],
         opening_m: &'w [DVec3],
     ) -> Self {
         let window = edges

@@ -2,7 +2,7 @@
 
 use crate::beams::sight::shadow::{LitSide, Shadow};
 use crate::beams::sight::view::View;
-use crate::geometry::border::Border;
+use crate::geometry::border::{Border, BorderLine};
 use crate::geometry::clip::{Corner, Split, split};
 use artifact::settings::Sides;
 use std::ops::Range;
@@ -22,9 +22,9 @@ impl View<'_> {
         corners.clear();
         corners.extend(target.polygon(self.world));
         // A facet that crosses the mirror's plane ends at the plane that also ends its shadow.
-        let beyond = target.beyond_mirror.map(|plane| (plane, Border::Tied));
+        let beyond = target.beyond_mirror.map(|plane| (plane, Border::Tied.into()));
         self.window.iter().copied().chain(beyond).try_fold(0..3, |polygon, (plane, border)| {
-            match split(corners, polygon.clone(), &plane, [border; 2], self.tolerance_m(), distances_m) {
+            match split(corners, polygon.clone(), &plane, border, self.tolerance_m(), distances_m) {
                 Split::Inside => {
                     meet(&mut corners[polygon.clone()], distances_m, border);
                     Some(polygon)
@@ -37,7 +37,7 @@ impl View<'_> {
 }
 
 /// Marks edges that lie on a plane of the window, whose distances from the corners are given.
-fn meet(corners: &mut [Corner], distances_m: &[f64], window: Border) {
+fn meet(corners: &mut [Corner], distances_m: &[f64], window: BorderLine) {
     let n = corners.len();
     for i in (0..n).filter(|&i| distances_m[i] == 0.0 && distances_m[(i + 1) % n] == 0.0) {
         corners[i].border = corners[i].border.met_by(window);

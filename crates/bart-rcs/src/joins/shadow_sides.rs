@@ -1,0 +1,105 @@
+//! Borders along lines that cut out shadows, of all pieces of a node together.
+//!
+//! Such a line goes on between lit pieces. A stretch of it with a piece on both sides is a seam, and one with a
+//! piece on one side alone is a border, whatever became of the other: hidden by what ends there, or too small to
+//! be kept. So the outline is that of what is there.
+
+use crate::geometry::border::{Border, BorderLine};
+use crate::joins::outline::Outline;
+use glam::DVec3;
+
+/// A polygon's side along a line that cuts out a shadow, in the polygon's winding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ShadowSide {
+    pub(crate) border: BorderLine,
+    pub(crate) ends_m: [DVec3; 2],
+}
+
+/// What ends along lines that cut out shadows, of all pieces' sides there; sorts them by line.
+pub(crate) fn of_shadow_sides(sides: &mut [ShadowSide]) -> Outline {
+    sides.sort_by_key(|side| side.border.line());
+    let lines = sides.chunk_by(|a, b| a.border.line() == b.border.line());
+    let mut outline = Outline::default();
+    lines.for_each(|line| outline.add(of_line(line)));
+    outline
+}
+
+impl ShadowSide {
+    fn length_m(&self) -> f64 {
+        self.ends_m[0].distance(self.ends_m[1])
+    }
+
+    /// Adds a length to what it ends.
+    fn end(&self, length_m: f64, outline: &mut Outline) {
+        match self.border.border {
+            Border::Shadow => outline.own_m += length_m,
+            _ => outline.cut_m += length_m,
+        }
+    }
+}
+
+/// What ends along one line. Pieces on both of its sides run along it in opposite ways; where more run one
+/// way, so many of these are borders.
+fn of_line(sides: &[ShadowSide]) -> Outline {
+    let mut outline = Outline::default();
+    if let [side] = sides {
+        side.end(side.length_m(), &mut outline);
+        return outline;
+    }
+    let Some(longest) = sides.iter().max_by(|a, b| a.length_m().total_cmp(&b.length_m())) else {
+        return outline;
+    };
+    let [from_m, to_m] = longest.ends_m;
+    let along = (to_m - from_m).normalize_or_zero();
+    let places_m: Vec<[f64; 2]> =
+        sides.iter().map(|side| side.ends_m.map(|end_m| along.dot(end_m - from_m))).collect();
+    let mut marks_m: Vec<f64> = places_m.iter().copied().flatten().collect();
+    marks_m.sort_unstable_by(f64::total_cmp);
+    let way = |[from, to]: &[f64; 2]| if from < to { 1 } else { -1 };
+    for marks_m in marks_m.windows(2) {
+        let (low_m, high_m) = (marks_m[0], marks_m[1]);
+        let is_there = |[from, to]: &[f64; 2]| from.min(*to) <= low_m && high_m <= from.max(*to);
+        let there = || sides.iter().zip(&places_m).filter(|(_, place)| is_there(place));
+        let balance = there().map(|(_, place)| way(place)).sum::<i32>();
+        let left = || there().filter(|(_, place)| way(place) == balance.signum());
+        let length_m = f64::from(balance.abs()) * (high_m - low_m) / left().count().max(1) as f64;
+        left().for_each(|(side, _)| side.end(length_m, &mut outline));
+    }
+    outline
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::plane::Plane;
+
+    /// A side of y = 1 from one x to another, of a polygon that is on its left as seen from above.
+    fn side(border: Border, [from, to]: [f64; 2]) -> ShadowSide {
+        let border = BorderLine::from(border).cut_by(&Plane { normal: DVec3::Y, offset_m: 1.0 });
+        ShadowSide { border, ends_m: [from, to].map(|x| DVec3::new(x, 1.0, 0.0)) }
+    }
+
+    fn assert_ends(sides: &[ShadowSide], asked_m: [f64; 2]) {
+        let Outline { own_m, cut_m } = of_shadow_sides(&mut sides.to_vec());
+        assert!((own_m - asked_m[0]).abs() < 1e-12 && (cut_m - asked_m[1]).abs() < 1e-12, "{own_m} {cut_m}");
+    }
+
+    #[test]
+    fn a_stretch_with_a_piece_on_one_side_alone_is_a_border() {
+        let above = |ends_m| side(Border::Shadow, ends_m);
+        assert_ends(&[above([0.0, 3.0])], [3.0, 0.0]);
+        assert_ends(&[above([0.0, 3.0]), above([3.0, 0.0])], [0.0, 0.0]);
+        // Two pieces above, and one below that reaches farther: it ends between them and beyond.
+        assert_ends(&[above([0.0, 1.0]), above([1.5, 2.0]), above([3.0, 0.0])], [1.5, 0.0]);
+        // One above that reaches farther ends the other way.
+        assert_ends(&[above([0.0, 3.0]), above([2.0, 0.0])], [1.0, 0.0]);
+        assert_ends(&[side(Border::MirrorShadow, [0.0, 3.0]), above([1.0, 0.0])], [0.0, 2.0]);
+    }
+
+    #[test]
+    fn pieces_that_lie_on_each_other_count_each() {
+        let above = |ends_m| side(Border::Shadow, ends_m);
+        assert_ends(&[above([0.0, 3.0]), above([0.0, 3.0])], [6.0, 0.0]);
+        assert_ends(&[above([0.0, 3.0]), above([0.0, 3.0]), above([2.0, 0.0])], [4.0, 0.0]);
+    }
+}
