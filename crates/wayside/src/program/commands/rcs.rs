@@ -59,7 +59,10 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
         }
     };
     let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
-    NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
+    NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| {
+        stream.append(&answer.amplitude_m)?;
+        sidecar::outdate_table(&arguments.out)
+    })?;
     let answer = Answer { cached: checkpoint.aspects(), ..answer };
     let samplings = arguments.pictures.then(|| Samplings::of(&mesh, &request));
     let took = CommandTook {
