@@ -160,7 +160,9 @@ fn remark(mesh: &Mesh, request: &RcsRequest) {
 fn dressed(mesh: Mesh, arguments: &RcsArguments, request: &RcsRequest) -> Result<Mesh, Failure> {
     let (table, transmission) = (arguments.materials.as_deref(), arguments.transmission);
     let map = stepwise::materials(table, transmission, &request.frequency_hz)?;
-    stepwise::dressed(mesh, &arguments.mesh, &map, &request.frequency_hz)
+    let mesh = stepwise::dressed(mesh, &arguments.mesh, &map, &request.frequency_hz)?;
+    remarks::without_entry([&mesh].into_iter(), &map).into_iter().for_each(progress::note);
+    Ok(mesh)
 }
 
 fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {
