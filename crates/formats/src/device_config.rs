@@ -13,7 +13,7 @@ mod chirp_program; // who sends in which chirp
 mod scene_tables; // keys of a scene
 mod beside_scene; // a scene that says some of them itself
 
-pub use beside_scene::{Configured, scene_with};
+pub use beside_scene::{Configured, files_with, scene_with};
 pub use chirp_program::DeviceSettings;
 pub use scene_tables::{NoScene, scene_text};
 

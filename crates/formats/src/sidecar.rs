@@ -6,7 +6,7 @@
 
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -48,6 +48,25 @@ pub(crate) fn claim(file: &Path) -> Result<(), Failure> {
 pub fn claim_table(table: &Path) -> Result<(), Failure> {
     files::claim(&[table.to_owned(), of_table(table)])?;
     keep_foreign(&of_table(table), table)
+}
+
+/// Takes away what tells of the file that is replaced next, as the last thing before it is: of a command that
+/// ends between file and sidecar the new file would else be told by the old one's.
+pub(crate) fn outdate(file: &Path) -> std::io::Result<()> {
+    take_away(&beside(file), file)
+}
+
+/// Takes away the description of a table that is replaced next, as [`outdate`] does.
+///
+/// # Errors
+/// The description is another file's, or cannot be removed.
+pub fn outdate_table(table: &Path) -> std::io::Result<()> {
+    take_away(&of_table(table), table)
+}
+
+fn take_away(place: &Path, file: &Path) -> std::io::Result<()> {
+    keep_foreign(place, file).map_err(std::io::Error::other)?;
+    files::take_away(place, json!({ OF: name(file) }).to_string().as_bytes())
 }
 
 /// Content of a sidecar; `None` where there is none that can be read as one.

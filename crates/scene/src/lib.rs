@@ -75,7 +75,7 @@ pub use models::options::{Meshes, ReadOptions};
 pub use motion::{bodies_in_view, frame_view, snapshot, vehicles_in_view};
 pub use openmaterial::{OpenMaterialError, OpenMaterialFault, asset_materials};
 pub use radar::radars::radars;
-pub use read::{inputs, inputs_of_changed, read, read_changed, read_text};
+pub use read::{inputs, inputs_but_models, inputs_of_changed, material_map, read, read_changed, read_text};
 pub use recording::xml::XmlFault;
 pub use settings::said::{SaidPhysics, said_physics, told_physics};
 pub use wording::allowed::Allowed;

@@ -18,6 +18,7 @@ use crate::settings::{
 };
 use crate::targets::target::read_targets;
 use crate::traffic::read_traffic;
+use artifact::material::MaterialMap;
 use artifact::scene::SceneHeader;
 use artifact::settings::Lanes;
 use std::path::{Path, PathBuf};
@@ -82,6 +83,37 @@ pub fn inputs_of_changed(
             Meshes::NamesOnly => incomplete,
         },
     }
+}
+
+/// Materials of a scene by their names, its models unopened.
+///
+/// # Errors
+/// As [`read`].
+pub fn material_map(path: &Path, radar: Option<&str>) -> Result<MaterialMap, SceneErrors> {
+    read_but_models(path, &[], radar).map(|(_, models)| models.materials().clone())
+}
+
+/// The files that [`read_changed`] opens where models are not opened, the scene first: patterns,
+/// calibrations, materials and networks of recordings.
+///
+/// # Errors
+/// As [`read_changed`].
+pub fn inputs_but_models(
+    path: &Path,
+    changes: &[Change],
+    radar: Option<&str>,
+) -> Result<Vec<PathBuf>, SceneErrors> {
+    let (_, models) = read_but_models(path, changes, radar)?;
+    Ok(std::iter::once(path.to_owned()).chain(models.files_beside().cloned()).collect())
+}
+
+fn read_but_models(
+    path: &Path,
+    changes: &[Change],
+    radar: Option<&str>,
+) -> Result<(SceneHeader, Models), SceneErrors> {
+    let options = ReadOptions { model: None, radar: radar.map(str::to_owned), meshes: Meshes::NamesOnly };
+    read_with_models(path, changes, &options)
 }
 
 fn read_with_models(

@@ -60,6 +60,11 @@ pub(crate) struct Recording<'d> {
     /// The project's own vehicles that were chosen by size.
     by_size: HashMap<&'static str, PlacedModel>,
     unknown: Vec<UnknownType>,
+    /// Types of the recording that `models` names.
+    met: HashSet<String>,
+    /// Types that have the model that stands for them where `models` says nothing, each with its first
+    /// vehicle.
+    by_default: Vec<UnknownType>,
     times: Times,
     view: View,
 }
@@ -102,6 +107,8 @@ pub(crate) fn read_traffic<'d>(
         models: of_types,
         by_size: HashMap::new(),
         unknown: vec![],
+        met: HashSet::new(),
+        by_default: vec![],
         times,
         view,
     })
@@ -114,12 +121,12 @@ fn read_source(section: &Section<'_>, models: &mut Models) -> Option<Source> {
         return None;
     }
     if let Some(written) = section.read(&OSI) {
-        return Some(Source::Osi(models.file_beside(written)));
+        return Some(Source::Osi(models.recording_beside(written)));
     }
     if !section.has(OSI.name) {
         section.require(FCD.name);
     }
-    section.read(&FCD).map(|written| Source::Fcd(models.file_beside(written)))
+    section.read(&FCD).map(|written| Source::Fcd(models.recording_beside(written)))
 }
 
 /// Reads the radar's view; by default the range up to which a complex beat frequency does not fold, and the
@@ -240,6 +247,10 @@ impl Recording<'_> {
         if let Some(first) = self.unknown.first() {
             return Err(reader.error_at(first.line, self.unknown_types()));
         }
+        if let Some((found, name)) = misspelt(&self.by_default, self.models.keys(), &self.met) {
+            let (found, name) = (found.clone(), name.to_owned());
+            return Err(reader.error_at(found.line, FcdRule::Misspelt { found, name }));
+        }
         driven.checked().map_err(|rule| reader.error_at(1, rule))?;
         let clock = clock.ok_or_else(|| reader.error_at(1, FcdRule::NoSteps))?;
         clock.checked(interval.end_s()).map_err(|rule| reader.error_at(1, rule))?;
@@ -292,9 +303,12 @@ impl Recording<'_> {
         let name = if is_unknown { "TYPE_UNKNOWN" } else { name };
         if !self.models.contains_key(name) {
             match self.source {
-                Source::Fcd(_) => self.add_default(name, models),
+                Source::Fcd(_) => self.add_default(name, vehicle, models),
                 Source::Osi(_) => return self.model_by_size(vehicle, size_m, models),
             }
+        }
+        if !self.met.contains(name) {
+            self.met.insert(name.to_owned());
         }
         let Some(models) = self.models.get(name).filter(|models| !models.is_empty()) else {
             self.keep_unknown(vehicle);
@@ -335,7 +349,7 @@ impl Recording<'_> {
     }
 
     /// Default models are loaded where a vehicle needs them.
-    fn add_default(&mut self, name: &str, models: &mut Models) {
+    fn add_default(&mut self, name: &str, vehicle: &FcdVehicle, models: &mut Models) {
         let Some((_, model)) = DEFAULT_MODELS.iter().find(|(known, _)| *known == name) else { return };
         // Whoever writes `Car` means the recording's `car`, and is told so rather than given the default.
         if self.models.keys().any(|own| own.eq_ignore_ascii_case(name)) {
@@ -344,12 +358,13 @@ impl Recording<'_> {
         let chosen = models.choose_written(&self.section, model);
         let of_type = chosen.into_iter().map(|chosen| PlacedModel::of(chosen, None, models)).collect();
         self.models.insert(name.to_owned(), of_type);
+        self.by_default.push(UnknownType { kind: name.to_owned(), ..unknown(vehicle) });
     }
 
     fn keep_unknown(&mut self, vehicle: &FcdVehicle) {
-        let FcdVehicle { id, kind, line, .. } = vehicle;
-        if self.unknown.len() < UNKNOWN_TOLD && !self.unknown.iter().any(|unknown| unknown.kind == *kind) {
-            self.unknown.push(UnknownType { kind: kind.clone(), id: id.clone(), line: *line });
+        let is_kept = self.unknown.iter().any(|unknown| unknown.kind == vehicle.kind);
+        if self.unknown.len() < UNKNOWN_TOLD && !is_kept {
+            self.unknown.push(unknown(vehicle));
         }
     }
 
@@ -362,6 +377,27 @@ impl Recording<'_> {
         let known = known.into_iter().map(str::to_owned).collect();
         FcdRule::UnknownTypes { found: std::mem::take(&mut self.unknown), known }
     }
+}
+
+fn unknown(vehicle: &FcdVehicle) -> UnknownType {
+    UnknownType { kind: vehicle.kind.clone(), id: vehicle.id.clone(), line: vehicle.line }
+}
+
+/// A type that has its default model, and a name of `models` which no vehicle has and that is meant for it: of
+/// four letters and more, of which one is wrong, missing or too many, or two are exchanged.
+fn misspelt<'n>(
+    by_default: &'n [UnknownType],
+    names: impl Iterator<Item = &'n String>,
+    met: &HashSet<String>,
+) -> Option<(&'n UnknownType, &'n str)> {
+    let idle: BTreeSet<&String> = names.filter(|name| name.len() >= 4 && !met.contains(*name)).collect();
+    let letters = |text: &str| text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
+    let is_meant =
+        |kind: &str, name: &str| strsim::osa_distance(name, kind) == 1 && letters(name) != letters(kind);
+    by_default.iter().find_map(|found| {
+        let name = idle.iter().find(|name| is_meant(&found.kind, name))?;
+        Some((found, name.as_str()))
+    })
 }
 
 /// Vehicles as they come into view.

@@ -234,6 +234,24 @@ fn models_are_told_by_name_list_or_table_and_wrong_ones_at_their_place() {
     }
 }
 
+#[test]
+fn a_misspelt_name_of_models_is_refused_where_its_type_would_have_the_default_model() {
+    let of_kind = |kind: &str, name: &str| {
+        let recording =
+            fcd(&[(0.0, &[("a", 2.0, 30.0, 180.0, 9.0)])]).replace("\"car\"", &format!("\"{kind}\""));
+        read_bytes(recording.as_bytes(), "", &format!("models = {{ {name} = \"bus-mini\" }}"))
+    };
+    for (kind, name) in [("passenger", "pasenger"), ("car", "cars"), ("truck", "turck"), ("bus", "buss")] {
+        let told = of_kind(kind, name).err().unwrap();
+        let expected = format!("type `{kind}` of vehicle `a` has the default model, and `{name}`, which");
+        assert!(told.contains(&expected), "{told}");
+    }
+    // Types of other recordings.
+    for (kind, name) in [("car", "cab"), ("truck", "truck2"), ("passenger", "lorry"), ("bus", "bus")] {
+        assert!(of_kind(kind, name).is_ok(), "{kind} {name}");
+    }
+}
+
 /// Velocity is the exact derivative of the position: a difference quotient over ±h of a cubic errs by
 /// h²·|x‴|/6, here less than 1e-8·(12·3.75/4³) + rounding 1e-12/1e-4.
 #[test]

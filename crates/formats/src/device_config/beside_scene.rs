@@ -10,7 +10,7 @@ use artifact::scene::SceneHeader;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
 use pipeline::host::toml_text;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A configuration and its file.
 pub struct Configured<'a> {
@@ -29,13 +29,7 @@ pub fn scene_with(
     radar: Option<&str>,
     configured: &Configured<'_>,
 ) -> Result<SceneHeader, Failure> {
-    let said = Said::of(file, radar)?;
-    let change = |Entry { table, key, value, .. }: Entry| {
-        let key = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
-        scene::Change { key, value }
-    };
-    let all = std::iter::once(frame_interval(configured.settings)).chain(entries(configured.settings));
-    let changes = all.filter(|entry| !said.says(entry.table, entry.key)).map(change).collect::<Vec<_>>();
+    let changes = changes(file, radar, configured.settings)?;
     let header = loading::radar_changed(file, radar, &changes).map_err(|failure| {
         // A scene that is sound by itself is not at fault.
         match loading::radar_only(file, radar) {
@@ -51,6 +45,36 @@ pub fn scene_with(
             configured.file.display()
         ))),
     }
+}
+
+/// Files that such a reading opens: the scene, the pattern and the calibration that it names, and the
+/// configuration.
+///
+/// # Errors
+/// What is wrong with the scene.
+pub fn files_with(
+    file: &Path,
+    radar: Option<&str>,
+    configured: &Configured<'_>,
+) -> Result<Vec<PathBuf>, Failure> {
+    let changes = changes(file, radar, configured.settings)?;
+    let of_scene = scene::inputs_but_models(file, &changes, radar).map_err(loading::of_scene)?;
+    Ok([of_scene, vec![configured.file.to_owned()]].concat())
+}
+
+/// Changes by which a scene's radar has what a configuration alone says.
+fn changes(
+    file: &Path,
+    radar: Option<&str>,
+    settings: &DeviceSettings,
+) -> Result<Vec<scene::Change>, Failure> {
+    let said = Said::of(file, radar)?;
+    let change = |Entry { table, key, value, .. }: Entry| {
+        let key = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
+        scene::Change { key, value }
+    };
+    let all = std::iter::once(frame_interval(settings)).chain(entries(settings));
+    Ok(all.filter(|entry| !said.says(entry.table, entry.key)).map(change).collect())
 }
 
 /// Keys that a scene file has.

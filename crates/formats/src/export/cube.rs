@@ -26,7 +26,7 @@ pub fn npy(reader: Reader<Cube>, out: &Path) -> Result<(), Failure> {
             times.push(frame.time_s);
             stream.append(&frame.samples)?;
         }
-        Ok(())
+        sidecar::outdate(out)
     })?;
     sidecar::write(out, &axes(&header, &times))
 }

@@ -32,7 +32,7 @@ pub fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
                 }
             }
         }
-        Ok(())
+        sidecar::outdate(out)
     });
     failed.map_or(written, Err)?;
     sidecar::write(

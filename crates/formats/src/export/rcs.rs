@@ -39,7 +39,10 @@ fn numbered(out: &Path, frame: u32, target: &str) -> PathBuf {
 
 fn write(out: &Path, frame: u32, target: &str, table: &RcsTable) -> Result<(), Failure> {
     let shape = [table.frequency_hz.len(), table.elevation_rad.len(), table.azimuth_rad.len()];
-    NpyStream::write::<Complex64>(out, &shape, |stream| stream.append(&table.amplitude_m))?;
+    NpyStream::write::<Complex64>(out, &shape, |stream| {
+        stream.append(&table.amplitude_m)?;
+        sidecar::outdate(out)
+    })?;
     let degrees = |axis: &[f64]| axis.iter().map(|a| a.to_degrees()).collect::<Vec<_>>();
     let range = table.range_m.is_finite().then_some(table.range_m);
     let axes = json!({ "freq_hz": table.frequency_hz, "el_deg": degrees(&table.elevation_rad), "az_deg": degrees(&table.azimuth_rad) });

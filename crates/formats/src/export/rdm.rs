@@ -34,7 +34,7 @@ pub fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
             told.push((frame.time_s, frame.detections, frame.cells));
             masks.extend_from_slice(&frame.mask);
         }
-        Ok(())
+        sidecar::outdate(out)
     })?;
     NpyStream::write::<u8>(&mask, &[frames, doppler, range], |s| s.append(&masks))?;
     sidecar::write(out, &axes(&header, &told))

@@ -31,7 +31,9 @@ pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
             let bytes: Vec<u8> =
                 values.iter().flat_map(|x| [x.re, x.im]).flat_map(f32::to_le_bytes).collect();
             stream.write_all(&bytes)
-        })
+        })?;
+        // Of a command that ends before the description is written the new samples would be told by the old.
+        files::take_away(&meta_place, NOTHING_TOLD)
     })?;
     let text = serde_json::to_string_pretty(&meta(&header, &recording, &times)).map_err(Failure::refused)?;
     files::write_file(&meta_place, text.as_bytes())
@@ -161,6 +163,8 @@ const DATA: &str = "sigmf-data";
 const META: &str = "sigmf-meta";
 /// The program that a description names as the one that recorded.
 const RECORDER: &str = "wayside";
+/// Description of a recording of this program that tells nothing of its samples.
+const NOTHING_TOLD: &[u8] = b"{\"global\": {\"core:recorder\": \"wayside\"}}";
 /// A capture for each of a hundred thousand frames.
 const META_LIMIT_BYTES: u64 = 16 << 20;
 

@@ -12,6 +12,8 @@ use pipeline::chain::keys::cube_header;
 use pipeline::host::failure::Failure;
 use pipeline::host::frame_matching::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_poses, check_time};
 use pipeline::host::provenance_checks;
+use pipeline::host::progress;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// A body's box.
@@ -60,6 +62,26 @@ impl TruthBox {
     }
 }
 
+/// A sentence on the models of bodies that have no box for want of a class.
+fn without_class(header: &SceneHeader) -> Option<String> {
+    let targets = header.targets.iter().filter(|target| target.role == Role::Target).map(|t| &t.kind);
+    let recorded = header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.kind);
+    let models: BTreeSet<&str> = targets
+        .chain(recorded)
+        .filter_map(|kind| match kind {
+            TargetKind::Mesh { class: None, model, .. } => Some(model.as_str()),
+            _ => None,
+        })
+        .collect();
+    let names = models.iter().copied().collect::<Vec<_>>().join(", ");
+    (!models.is_empty()).then(|| {
+        format!(
+            "bodies of {names} have no labels, as no class is told of them (`class` of [[target]] and of \
+             `models` of [traffic])"
+        )
+    })
+}
+
 /// A scene that is read beside an artifact, as boxes of its frames.
 pub(crate) struct TruthBoxes {
     file: PathBuf,
@@ -84,6 +106,9 @@ impl TruthBoxes {
         if radar.is_some_and(|radar| *radar != cube_header(&header).radar) {
             let rule = "its radar is not the one that the frames are of";
             return Err(Failure::Refused(format!("{}: {rule}", file.display())));
+        }
+        if let Some(told) = without_class(&header) {
+            progress::note(format!("note: {}: {told}", file.display()));
         }
         let extents_m = header.meshes.iter().map(|mesh| mesh.bounds_m().map(DVec3::from)).collect();
         Ok(Self { file: file.to_owned(), scene, header, is_same, extents_m })

@@ -105,7 +105,7 @@ pub fn radar_changed(
     scene::read_changed(file, changes, &options).map_err(of_scene)
 }
 
-/// The files that such a reading depends on.
+/// The files that such a reading depends on, and the models that it leaves unopened.
 pub fn files_of_radar(file: &Path) -> Result<Vec<PathBuf>, Failure> {
     let options = scene::ReadOptions::names_only();
     scene::inputs(file, &options).map_err(of_scene)

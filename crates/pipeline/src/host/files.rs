@@ -61,6 +61,17 @@ pub fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(whole.finish(Durability::InCache)?)
 }
 
+/// Removes a file that describes another one, before that one is replaced; a symbolic link stays, and the file
+/// that it leads to gets `nothing_told`.
+pub fn take_away(file: &Path, nothing_told: &[u8]) -> std::io::Result<()> {
+    match std::fs::symlink_metadata(file) {
+        Err(e) if e.kind() == ErrorKind::NotFound => Ok(()),
+        Ok(about) if about.is_symlink() => write_again(file, nothing_told).map_err(Error::other),
+        Ok(_) => std::fs::remove_file(file),
+        Err(e) => Err(e),
+    }
+}
+
 /// Writes a file whose content is made as a stream, whole or not at all. An [`ArtifactError`] that the
 /// content ends with is told as it is: what was read is at fault, not what is written.
 pub fn write_with(

@@ -43,6 +43,8 @@ pub(crate) struct Models {
     folder: PathBuf,
     options: ReadOptions,
     beside: Vec<PathBuf>,
+    /// Recorded traffic, which is opened with the models.
+    recording: Option<PathBuf>,
     known: Vec<Model>,
     /// Indices into `meshes`, by the debug text of the model.
     places: HashMap<String, usize>,
@@ -73,6 +75,7 @@ impl Models {
             folder,
             options,
             beside: vec![],
+            recording: None,
             known: vec![],
             places: HashMap::new(),
             meshes: vec![],
@@ -170,6 +173,22 @@ impl Models {
         let path = self.folder.join(written);
         self.beside.push(path.clone());
         path
+    }
+
+    /// Recorded traffic beside the scene.
+    pub(crate) fn recording_beside(&mut self, written: &str) -> PathBuf {
+        let file = self.file_beside(written);
+        self.recording.insert(file).clone()
+    }
+
+    /// Materials that the meshes are dressed in.
+    pub(crate) fn materials(&self) -> &MaterialMap {
+        &self.materials
+    }
+
+    /// Files of which the result depends beside the scene, its models and its recording.
+    pub(crate) fn files_beside(&self) -> impl Iterator<Item = &PathBuf> {
+        self.beside.iter().filter(|file| self.recording.as_ref() != Some(*file))
     }
 
     /// Every file that the models and their materials consist of.

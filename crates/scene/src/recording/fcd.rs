@@ -236,6 +236,18 @@ pub enum FcdRule {
         /// Types that have a model.
         known: Vec<String>,
     },
+    /// A name that no vehicle's type has, and a type with the default model that it is plainly meant for.
+    #[error(
+        "type `{}` of vehicle `{}` has the default model, and `{name}`, which `models` of [traffic] names, no \
+         vehicle has: one of the two is misspelt",
+        .found.kind, .found.id
+    )]
+    Misspelt {
+        /// Type with the default model, and its first vehicle.
+        found: UnknownType,
+        /// Name in `models`.
+        name: String,
+    },
     /// An id that would break a table of results.
     #[error("the id `{0}` holds a comma, a quote or a control character")]
     BadId(String),

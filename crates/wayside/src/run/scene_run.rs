@@ -4,6 +4,7 @@ use crate::remarks;
 use crate::run::leftovers;
 use crate::run::products::{self, Products};
 use crate::run::several_radars::{self, Told};
+use artifact::scene::SceneHeader;
 use pipeline::chain::cache::{Cache, CacheLocation};
 use pipeline::chain::expectation;
 use pipeline::chain::frames::{each_frame, resolved};
@@ -125,8 +126,9 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     let above = outs.first().filter(|_| is_of_all).map(|out| several_radars::above(out));
     apart(cache.as_ref(), outs.iter().map(PathBuf::as_path).chain(above))?;
     let _writing = (!settings.dry_run).then(|| begin(&planned, &outs, above)).transpose()?;
-    let first = planned.first().map(|planned| remarks::of_scene(&planned.loaded.header));
-    first.into_iter().flatten().for_each(progress::note);
+    if let (Some(run), Some(planned)) = (runs.first(), planned.first()) {
+        remark(&run.scene, &planned.loaded.header);
+    }
     let mut of_radars = vec![];
     for ((run, planned), out) in runs.iter().zip(&planned).zip(&outs) {
         if runs.len() > 1 {
@@ -137,6 +139,13 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     let conclude = || several_radars::conclude(&of_radars, &settings.making, settings.tell);
     let of_all = (is_of_all && !of_radars.is_empty()).then(conclude).transpose()?;
     Ok(Outcome { of_radars, of_all })
+}
+
+/// Remarks on the meshes and materials of a scene.
+fn remark(source: &SceneSource, header: &SceneHeader) {
+    let map = scene::material_map(&source.file, source.radar.as_deref());
+    let unknown = map.map(|map| remarks::without_entry(header.meshes.iter(), &map)).unwrap_or_default();
+    remarks::of_scene(header).into_iter().chain(unknown).for_each(progress::note);
 }
 
 /// Refuses a cache that is one of these folders or of those that their pictures go into.

@@ -353,6 +353,25 @@ fn a_table_is_not_described_over_another_files_sidecar() {
     place.run(&words);
 }
 
+/// Files of more than a kibibyte end the program: the table of one value has less, its description more.
+#[cfg(unix)]
+#[test]
+fn a_table_is_never_described_by_that_of_an_earlier_one() {
+    let place = Workplace::new();
+    let rcs = |az_deg: &str| format!("rcs corner.obj --freq-ghz 77 --az-deg {az_deg} --quiet --out s.npy");
+    place.run(&rcs("0"));
+    let [first, described] = ["s.npy", "s.json"].map(|name| place.bytes(name));
+    assert!(first.len() < 1024 && described.len() > 1024);
+    let script = format!("ulimit -c 0; ulimit -f 1; exec {} {}", crate::common::PROGRAM, rcs("10"));
+    let killed =
+        std::process::Command::new("bash").args(["-c", &script]).current_dir(place.root()).output().unwrap();
+    assert!(!killed.status.success());
+    assert_ne!(place.bytes("s.npy"), first, "it was not killed behind the table");
+    assert!(!place.path("s.json").exists(), "a table of 10° is described as one of 0°");
+    place.run(&rcs("10"));
+    assert!(String::from_utf8(place.bytes("s.json")).unwrap().contains("10.0"));
+}
+
 #[test]
 fn vehicles_are_not_written_where_a_manifest_of_another_program_lies() {
     let place = Workplace::new();

@@ -48,6 +48,32 @@ fn a_cube_names_every_file_that_it_was_imported_from() {
     assert_eq!(inputs(&place, "b.cube"), ["raw.bin", "tdm.toml"]);
 }
 
+/// A pattern and a calibration are in what the samples are taken as, and in what is made of them.
+#[test]
+fn patterns_and_calibrations_are_among_the_inputs_of_what_is_made_by_them() {
+    let place = tdm();
+    let calibration: String = (0..12).map(|i| format!("{},{},0.1,2\n", i / 4, i % 4)).collect();
+    std::fs::write(place.path("errors.csv"), format!("tx,rx,gain_db,phase_deg\n{calibration}")).unwrap();
+    std::fs::write(place.path("beam.csv"), "az_deg,el_deg,gain_db\n-90,0,-3\n0,0,0\n90,0,-3\n").unwrap();
+    let scene = String::from_utf8(place.bytes("tdm.toml")).unwrap();
+    let scene =
+        scene.replace("[radar.array]\n", "[radar.array]\npattern = \"table\"\npattern_file = \"beam.csv\"\n");
+    let scene = scene.replace("[dsp]\n", "[dsp]\ncalibration = \"errors.csv\"\n");
+    std::fs::write(place.path("mine.toml"), scene).unwrap();
+    let files = ["mine.toml", "beam.csv", "errors.csv"].map(str::to_owned);
+    place.run("export a.cube --to npy --out a.npy --quiet");
+    place.run("import a.npy --scene mine.toml --out b.cube --quiet");
+    assert_eq!(inputs(&place, "b.cube"), [vec!["a.npy".to_owned()], files.to_vec()].concat());
+    // A model that the scene names is not read.
+    let with_body = "\n[[target]]\nkind = \"mesh\"\nid = \"m\"\nmodel = \"none.glb\"\nlane = 2\ny_m = 30.0\n";
+    std::fs::write(place.path("mine.toml"), [place.bytes("mine.toml"), with_body.into()].concat()).unwrap();
+    place.run("dsp a.cube --scene mine.toml --out seen --quiet");
+    let of_cube = inputs(&place, "a.cube");
+    assert_eq!(inputs(&place, "seen/a.points"), [of_cube.clone(), files.to_vec()].concat());
+    place.run("dsp a.cube --scene tdm.toml --out seen --quiet");
+    assert_eq!(inputs(&place, "seen/a.points"), of_cube, "a file of the cube's own is named once");
+}
+
 #[test]
 fn recordings_whose_names_have_a_dot_are_two_and_anothers_recording_stays() {
     let place = tdm();

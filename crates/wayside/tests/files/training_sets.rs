@@ -76,6 +76,31 @@ fn clouds_through_both_sets_are_the_same_points_and_are_scored() {
     }
 }
 
+#[test]
+fn bodies_of_no_class_have_no_labels_and_that_is_told() {
+    let place = Workplace::new();
+    let said = |set: &str| {
+        let artifact = if set == "kitti" { "points" } else { "rdm" };
+        let words = format!("export run/frames.{artifact} --to {set} --scene run/scene.scene --out {set}");
+        let output = place.try_run(&words);
+        assert!(output.status.success());
+        std::fs::remove_dir_all(place.path(set)).unwrap();
+        String::from_utf8(output.stderr).unwrap()
+    };
+    place.run("run small.toml --out run --no-cache --quiet");
+    assert!(!["kitti", "carrada"].iter().any(|set| said(set).contains("class")));
+    let scene = crate::common::SMALL_SCENE.replace("class = \"car\"\n", "");
+    std::fs::write(place.path("small.toml"), scene).unwrap();
+    place.run("run small.toml --out run --no-cache --quiet");
+    for set in ["kitti", "carrada"] {
+        let told = said(set);
+        assert!(
+            told.contains("run/scene.scene: bodies of corner.obj have no labels, as no class is told"),
+            "{told}"
+        );
+    }
+}
+
 /// Noise in the first range cell has no direction, and no place that a sensor sees.
 #[test]
 fn points_at_the_radar_are_in_no_cloud() {

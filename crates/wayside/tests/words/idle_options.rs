@@ -124,3 +124,30 @@ fn a_folder_or_a_size_of_a_cache_that_is_not_used_is_refused() {
         }
     }
 }
+
+/// Names that meet nothing do nothing, so they are told.
+#[test]
+fn names_and_units_that_meet_nothing_are_remarked_on() {
+    let place = Workplace::new();
+    let plate = "v 0 0 0\nv 0 1 0\nv 0 1 1\nv 0 0 1\nusemtl Glass\nf 1 2 3 4\n";
+    std::fs::write(place.path("corner.obj"), plate).unwrap();
+    let materials = "[materials]\nglass = { substance = \"glass\", thickness_mm = 5.0 }\n";
+    std::fs::write(place.path("glass.toml"), materials).unwrap();
+    let scene = SMALL_SCENE.replace("model = \"corner.obj\"", "model = \"corner.obj\"\nunit_scale = 39.37");
+    let scene = format!("{scene}\n{materials}[fidelity]\nwheels = \"turning\"\nbounces = 1\n");
+    std::fs::write(place.path("small.toml"), scene).unwrap();
+    let said = |words: &str| String::from_utf8(place.try_run(words).stderr).unwrap();
+    let unknown = "note: corner.obj: materials without an entry in [materials] conduct perfectly: `Glass` (the \
+                   entry is `glass`)";
+    let told = said("run small.toml --dry-run --no-cache");
+    for expected in [
+        unknown,
+        "note: corner.obj: 0.00 m long, 39.37 m wide and 39.37 m high, a car is in another unit than metres",
+        "note: corner.obj: no node, mesh or material is named as a wheel, and none turns",
+    ] {
+        assert!(told.contains(expected), "{expected} is not in {told}");
+    }
+    let table = "rcs corner.obj --freq-ghz 77 --az-deg 0 --out s.npy";
+    assert!(said(&format!("{table} --materials glass.toml")).contains(unknown));
+    assert!(!said(table).contains("conduct"), "without a table everything does");
+}

@@ -2,14 +2,15 @@
 
 use crate::program::cli::CalibrateArguments;
 use crate::program::terminal;
-use artifact::Reader;
 use artifact::cube::Cube;
 use artifact::units::db_from_amplitude;
+use artifact::{Radar, Reader};
 use dsp::{Receiver, mean_errors};
 use num_complex::Complex64;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
+use std::f64::consts::PI;
 
 pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(&arguments.cube)?;
@@ -27,6 +28,15 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     }
     let errors = mean_errors(&frames);
     files::write_file(&arguments.out, table(&errors, header.radar.array.rx_m.len()).as_bytes())?;
+    if let Some(aside) = aside(&errors, &header.radar) {
+        let side = if aside > 0.0 { "right" } else { "left" };
+        progress::note(format!(
+            "note: {}: phases turn along the row as those of a reflector {:.1}° to the {side} of --at-m do, whose \
+             errors would be small: is that its place?",
+            arguments.cube.display(),
+            aside.abs().min(1.0).asin().to_degrees()
+        ));
+    }
     let rms = |of: &dyn Fn(&Complex64) -> f64| {
         (errors.iter().map(|error| of(error).powi(2)).sum::<f64>() / errors.len() as f64).sqrt()
     };
@@ -40,6 +50,30 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Direction cosine, from that of the reflector's place to the right along the row, at which its echo has all
+/// channels in phase, where they are far from it at that place; `None` of errors that are no such turn.
+fn aside(errors: &[Complex64], radar: &Radar) -> Option<f64> {
+    /// Sums over those of amplitudes alone: of wholly random phases one in forty of four channels passes, none
+    /// of eight.
+    const IN_PHASE: f64 = 0.99;
+    const APART: f64 = 0.7;
+    const STEPS: i32 = 2000;
+    let array = &radar.array;
+    let places: Vec<f64> = array
+        .tx_half_wavelengths
+        .iter()
+        .flat_map(|tx| array.rx_half_wavelengths.iter().map(|rx| tx[0] + rx[0]))
+        .collect();
+    let amplitudes: f64 = errors.iter().map(|error| error.norm()).sum();
+    let in_phase = |cosine: f64| {
+        let turned = errors.iter().zip(&places).map(|(e, x)| e * Complex64::cis(PI * x * cosine));
+        turned.sum::<Complex64>().norm() / amplitudes
+    };
+    let cosines = (-STEPS..=STEPS).map(|i| f64::from(i) / f64::from(STEPS));
+    let best = cosines.max_by(|a, b| in_phase(*a).total_cmp(&in_phase(*b)))?;
+    (errors.len() >= 4 && in_phase(best) > IN_PHASE && in_phase(0.0) < APART).then_some(best)
+}
+
 /// A line for every transmit–receive pair.
 fn table(errors: &[Complex64], receivers: usize) -> String {
     let line = |(channel, error): (usize, &Complex64)| {
@@ -48,4 +82,32 @@ fn table(errors: &[Complex64], receivers: usize) -> String {
     };
     let lines: String = errors.iter().enumerate().map(line).collect();
     format!("tx,rx,gain_db,phase_deg\n{lines}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_beside_the_reflector_is_told_and_errors_of_channels_are_not() {
+        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/experiment-1.toml");
+        let radar = scene::read(&file, &options).unwrap().radar;
+        let array = &radar.array;
+        let places: Vec<f64> = array
+            .tx_half_wavelengths
+            .iter()
+            .flat_map(|tx| array.rx_half_wavelengths.iter().map(|rx| tx[0] + rx[0]))
+            .collect();
+        // Along a row to the right the phase falls for what is on the right (docs/coming-from.md).
+        let of_cosine =
+            |cosine: f64| places.iter().map(|x| Complex64::cis(-PI * x * cosine)).collect::<Vec<_>>();
+        for cosine in [-0.35, 0.2] {
+            let found = aside(&of_cosine(cosine), &radar).unwrap();
+            assert!((found - cosine).abs() < 2e-3, "{found} {cosine}");
+        }
+        assert_eq!(aside(&of_cosine(0.01), &radar), None, "a tenth of a beam");
+        let erring = places.iter().enumerate().map(|(i, _)| Complex64::cis(2.0 * (7.3 * i as f64).sin()));
+        assert_eq!(aside(&erring.collect::<Vec<_>>(), &radar), None);
+    }
 }

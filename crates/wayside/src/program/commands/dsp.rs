@@ -5,6 +5,7 @@ use crate::program::terminal;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::points::{Points, PointsFrame, PointsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
+use artifact::settings::DspSettings;
 use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Reader, Writer};
 use dsp::{ROAD_TRAFFIC, Receiver, Tracker};
@@ -20,10 +21,13 @@ use std::path::{Path, PathBuf};
 pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(&arguments.cube)?;
     let mut header = reader.header().clone();
-    if let Some(file) = &arguments.scene {
-        header.dsp = loading::radar_only(file, arguments.radar.as_deref())?.dsp;
+    let of_scene = arguments.scene.as_deref().map(|file| settings_of(file, arguments.radar.as_deref()));
+    let mut inputs = reader.preamble().provenance.inputs.clone();
+    if let Some((settings, hashed)) = of_scene.transpose()? {
+        header.dsp = settings;
+        inputs.extend(hashed.into_iter().filter(|file| !reader.preamble().provenance.inputs.contains(file)));
     }
-    let from = provenance_of(&reader, &header);
+    let from = provenance_of(&reader, &header, inputs);
     let stem = arguments.cube.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let place = |kind: &str| arguments.out.join(format!("{stem}.{kind}"));
     let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![], classes: vec![] };
@@ -107,13 +111,19 @@ fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {
     Failure::Refused(format!("{}: {error}", file.display()))
 }
 
-fn provenance_of(reader: &Reader<Cube>, header: &CubeHeader) -> Provenance {
-    let cube = &reader.preamble().provenance;
+/// Settings of a scene, and the names and hashes of the files that tell them.
+fn settings_of(file: &Path, radar: Option<&str>) -> Result<(DspSettings, Vec<(String, String)>), Failure> {
+    let files = scene::inputs_but_models(file, &[], radar).map_err(loading::of_scene)?;
+    let (scene, hashed) = loading::read_of(&files, || loading::radar_only(file, radar))?;
+    Ok((scene.dsp, hashed))
+}
+
+fn provenance_of(reader: &Reader<Cube>, header: &CubeHeader, inputs: Vec<(String, String)>) -> Provenance {
     Provenance {
         stage: Stage::Dsp.name().into(),
         program_version: env!("CARGO_PKG_VERSION").into(),
-        inputs: cube.inputs.clone(),
+        inputs,
         settings: serde_json::to_string(&header.dsp).unwrap_or_default(),
-        seed: cube.seed,
+        seed: reader.preamble().provenance.seed,
     }
 }

@@ -137,9 +137,17 @@ fn layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> dca
     }
 }
 
-/// Files that tell the radar.
+/// Files that tell the radar: the scene, the pattern and the calibration that it names, and the board's
+/// configuration. Of those that cannot be read the scene and the configuration, whose reader tells why.
 fn radar_files(arguments: &ImportArguments) -> Vec<PathBuf> {
-    std::iter::once(arguments.scene.clone()).chain(arguments.config.clone()).collect()
+    let (scene, radar) = (arguments.scene.as_path(), arguments.radar.as_deref());
+    let files = match (settings_of(arguments), arguments.config.as_deref()) {
+        (Ok(Some(settings)), Some(file)) => {
+            device_config::files_with(scene, radar, &Configured { file, settings: &settings })
+        }
+        _ => scene::inputs_but_models(scene, &[], radar).map_err(loading::of_scene),
+    };
+    files.unwrap_or_else(|_| std::iter::once(scene.to_owned()).chain(arguments.config.clone()).collect())
 }
 
 /// The step of integer samples stands among the settings.

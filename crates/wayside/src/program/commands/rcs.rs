@@ -59,7 +59,10 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
         }
     };
     let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
-    NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| stream.append(&answer.amplitude_m))?;
+    NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| {
+        stream.append(&answer.amplitude_m)?;
+        sidecar::outdate_table(&arguments.out)
+    })?;
     let answer = Answer { cached: checkpoint.aspects(), ..answer };
     let samplings = arguments.pictures.then(|| Samplings::of(&mesh, &request));
     let took = CommandTook {
@@ -157,7 +160,9 @@ fn remark(mesh: &Mesh, request: &RcsRequest) {
 fn dressed(mesh: Mesh, arguments: &RcsArguments, request: &RcsRequest) -> Result<Mesh, Failure> {
     let (table, transmission) = (arguments.materials.as_deref(), arguments.transmission);
     let map = stepwise::materials(table, transmission, &request.frequency_hz)?;
-    stepwise::dressed(mesh, &arguments.mesh, &map, &request.frequency_hz)
+    let mesh = stepwise::dressed(mesh, &arguments.mesh, &map, &request.frequency_hz)?;
+    remarks::without_entry([&mesh].into_iter(), &map).into_iter().for_each(progress::note);
+    Ok(mesh)
 }
 
 fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {

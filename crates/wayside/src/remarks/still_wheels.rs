@@ -1,0 +1,50 @@
+//! Wheels that are to turn, of models that tell of none.
+
+use artifact::scene::{SceneHeader, TargetKind};
+use artifact::settings::Wheels;
+use std::collections::BTreeSet;
+
+/// A remark on the models of vehicles without wheels where a scene lets wheels turn.
+pub(super) fn remark(header: &SceneHeader) -> Option<String> {
+    let recorded = header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.kind);
+    let kinds = header.targets.iter().map(|target| &target.kind).chain(recorded);
+    let without: BTreeSet<&str> = kinds
+        .filter_map(|kind| match kind {
+            TargetKind::Mesh { class: Some(_), model, mesh } => {
+                let mesh = header.meshes.get(*mesh as usize)?;
+                mesh.wheels.is_empty().then_some(model.as_str())
+            }
+            _ => None,
+        })
+        .collect();
+    let names = without.iter().copied().collect::<Vec<_>>().join(", ");
+    (header.fidelity.wheels == Wheels::Turning && !without.is_empty()).then(|| {
+        format!(
+            "note: {names}: no node, mesh or material is named as a wheel, and none turns \
+             (docs/decisions/wheels.md)"
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::scene::Mesh;
+
+    #[test]
+    fn models_without_wheels_are_told_where_wheels_are_to_turn() {
+        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/experiment-1.toml");
+        let mut header = scene::read(&file, &options).unwrap();
+        let with_wheels = scene::vehicles::mesh("car-suv", 0).unwrap();
+        let without = Mesh { wheels: vec![], ..with_wheels.clone() };
+        header.fidelity.wheels = Wheels::Turning;
+        header.meshes = vec![without.clone()].into();
+        let told = remark(&header).unwrap();
+        assert!(told.starts_with("note: car-suv: no node, mesh or material is named as a wheel"), "{told}");
+        header.meshes = vec![with_wheels].into();
+        assert_eq!(remark(&header), None);
+        (header.fidelity.wheels, header.meshes) = (Wheels::Still, vec![without].into());
+        assert_eq!(remark(&header), None);
+    }
+}
