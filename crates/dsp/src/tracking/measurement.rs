@@ -209,7 +209,7 @@ impl Measurement {
         let mut update = Update { estimate: *expected, distance2: 0.0, surprise: 0.0 };
         update.take(sight.range_row(), range_m - sight.range_m, self.variance[0]);
         if self.variance[1].is_finite() {
-            let sight = Sight::of(self, &update.estimate).from_boresight(&self.direction);
+            let sight = Sight::of(self, &update.estimate).by_cosine(&self.direction);
             let bend = sight.bend(&update.estimate);
             let residual = self.direction.cosine - sight.cosine - bend;
             update.take(sight.row(), residual, sight.variance + 2.0 * bend * bend);
@@ -259,7 +259,7 @@ impl Sight {
     }
 
     /// The same in the array's own measure.
-    fn from_boresight(&self, direction: &DirectionError) -> CosineSight {
+    fn by_cosine(&self, direction: &DirectionError) -> CosineSight {
         let (sin, cos) = direction.boresight_az_rad.sin_cos();
         let right = DVec2::new(cos, -sin);
         let cosine = right.dot(self.away_m) / self.range_m;

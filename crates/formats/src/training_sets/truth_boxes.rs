@@ -11,8 +11,8 @@ use glam::{DVec2, DVec3};
 use pipeline::chain::keys::cube_header;
 use pipeline::host::failure::Failure;
 use pipeline::host::frame_matching::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_poses, check_time};
-use pipeline::host::provenance_checks;
 use pipeline::host::progress;
+use pipeline::host::provenance_checks;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
