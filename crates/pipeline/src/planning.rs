@@ -114,27 +114,27 @@ fn planned(
     let fixed = fixed(header, said, &shares);
     let budget = Budget::of(asked.amplitude(), &shares);
     let before = header.clone();
-    let choice = cheapest(Choice::all(&budget, &shares, &fixed), |choice| {
+    let (choice, planned_s) = cheapest(Choice::all(&budget, &shares, &fixed), |choice| {
         let mut chosen = before.clone();
         apply(&mut chosen, said, choice);
         costs::expected_s(&chosen, &tracer, memory)
     })?;
     apply(header, said, &choice);
     let expected = |header: &SceneHeader| costs::expected_s(header, &tracer, memory);
-    let seconds =
-        costs::seconds(&before, header, (part_costs == PartCosts::Told).then_some(&fixed), expected)?;
+    let open = (part_costs == PartCosts::Told).then_some(&fixed);
+    let seconds = costs::seconds(&before, (header, planned_s), open, expected)?;
     Ok(Some(Chosen { asked, budget, shares, fixed, choice, seconds }.figures(header)))
 }
 
-/// The choice whose scene is expected to take least: of integrals that are finer and parts that are left
-/// out, sometimes one is cheaper and sometimes the other.
+/// The choice whose scene is expected to take least, and its seconds where there was more than one: of
+/// integrals that are finer and parts that are left out, sometimes one is cheaper and sometimes the other.
 fn cheapest(
     choices: Vec<Choice>,
     expected_s: impl Fn(&Choice) -> Result<f64, Failure>,
-) -> Result<Choice, Failure> {
+) -> Result<(Choice, Option<f64>), Failure> {
     // One alone needs no figures.
     let choices = match <[Choice; 1]>::try_from(choices) {
-        Ok([choice]) => return Ok(choice),
+        Ok([choice]) => return Ok((choice, None)),
         Err(choices) => choices,
     };
     let expected = |choice: Choice| expected_s(&choice).map(|seconds| (seconds, choice));
@@ -143,7 +143,7 @@ fn cheapest(
     let cheapest = fitting.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
     let refusal = || refused.into_iter().find_map(Result::err);
     match cheapest {
-        Some((_, choice)) => Ok(choice),
+        Some((seconds, choice)) => Ok((choice, Some(seconds))),
         None => Err(refusal().unwrap_or_else(|| Failure::refused("no choice keeps the accuracy"))),
     }
 }

@@ -119,6 +119,7 @@ mod tests {
     use crate::integral::node::Leg;
     use crate::integral::polarization::Mirrors;
     use crate::integral::steps::Steps;
+    use crate::joins::scatterer::EdgeWaves;
     use artifact::scene::Mesh;
     use std::f64::consts::{PI, TAU};
 
@@ -145,6 +146,7 @@ mod tests {
                 span_m: [0.0, edge.length_m],
                 transmit: &leg,
                 receive: &leg,
+                waves: EdgeWaves::OverFaces,
             };
             let mut share = [[Complex64::ZERO; 4]];
             add_line_integral(

@@ -3,7 +3,7 @@
 use crate::edges::line_integral::{Integrand, Piece};
 use crate::geometry::antenna::Antenna;
 use crate::integral::node::Leg;
-use crate::joins::scatterer::Way;
+use crate::joins::scatterer::{EdgeWaves, Way};
 use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
 use artifact::paths::Amplitude;
 use glam::DVec3;
@@ -18,6 +18,8 @@ pub(crate) struct EdgeNode<'a> {
     pub(crate) span_m: [f64; 2],
     pub(crate) transmit: &'a Leg,
     pub(crate) receive: &'a Leg,
+    /// Extent to which its waves over faces are followed.
+    pub(crate) waves: EdgeWaves,
 }
 
 impl EdgeNode<'_> {

@@ -132,7 +132,8 @@ fn node<'a>(
 ) -> EdgeNode<'a> {
     let edges = scatterer.world.edges(highest_per_m);
     let [transmit, receive] = scatterer.legs(joint.forward, joint.backward);
-    EdgeNode { edge: &edges.edges[joint.edge as usize], edges, span_m, transmit, receive }
+    let (edge, waves) = (&edges.edges[joint.edge as usize], scatterer.edge_waves);
+    EdgeNode { edge, edges, span_m, transmit, receive, waves }
 }
 
 /// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r of a joint's reference point.
@@ -246,4 +247,33 @@ mod tests {
     }
 
     type Sum = fn(&Scatterer<'_>, &[EdgeJoint], DVec3, &Integration<'_>) -> Vec<Amplitude>;
+
+    #[test]
+    fn waves_over_own_faces_alone_leave_edges_their_level() {
+        let world = panels();
+        let trace = TraceSettings {
+            max_order: 2,
+            sides: Sides::Two,
+            least_area_m2: 1e-9,
+            least_mirror_area_m2: 1e-7,
+        };
+        let tree = BeamTree::trace(&world, Antenna::Point(DVec3::new(6.0, 1.1, 0.9)), &trace).unwrap();
+        let wavenumbers_per_m: Vec<f64> = (0..12).map(|i| 1603.0 + 21.0 * f64::from(i) / 11.0).collect();
+        let scatterer = || {
+            let zenith_h = ZenithH { transmit: DVec3::Y, receive: DVec3::Y };
+            Scatterer::new(&world, Trees::Shared(&tree), zenith_h)
+        };
+        let power = |scatterer: &Scatterer<'_>| {
+            let joints = edge_joints(&world, world.edges(1624.0), scatterer.trees, 1);
+            let wavenumbers_per_m = &wavenumbers_per_m;
+            let integration =
+                Integration { wavenumbers_per_m, accuracy: 0.25, bracket: Bracket::Symmetrised };
+            let s = sum_of_edges(scatterer, &joints, DVec3::ZERO, &integration);
+            s.iter().flatten().flatten().map(|s| s.norm_sqr()).sum::<f64>()
+        };
+        let [all, own] = [power(&scatterer()), power(&scatterer().with_waves_over_own_faces())];
+        let level_db = 10.0 * (own / all).log10();
+        println!("{level_db:.2} dB");
+        assert!(level_db.abs() < 1.0 && own != all, "{level_db} dB");
+    }
 }

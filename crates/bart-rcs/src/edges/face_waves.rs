@@ -13,6 +13,7 @@ use crate::edges::fringe::FaceView;
 use crate::edges::line_integral::{Integrand, for_each_piece};
 use crate::integral::field::length_difference_m;
 use crate::integral::node::Leg;
+use crate::joins::scatterer::EdgeWaves;
 use crate::mesh::wedges::face_end::{FaceEnds, Met};
 use crate::mesh::wedges::wedge::Wedge;
 use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
@@ -109,9 +110,15 @@ impl Following<'_, '_> {
 /// face with a wall on it has waves that the wall reflects, which are not told: there the second order is the
 /// last.
 fn worth_following(waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, Vec<[f64; 2]>)> {
-    let wave = waves.wave_from(0.5 * (span_m[0] + span_m[1]))?;
     let is_free = waves.crossed.last().is_some_and(|face| face.is_free);
-    let edge = wave.met.edge.filter(|_| is_free && waves.crossed.len() < FACES)?;
+    let most = match waves.node.waves {
+        EdgeWaves::OverFaces => FACES,
+        EdgeWaves::OverOwnFaces => 1,
+    };
+    if !is_free || waves.crossed.len() >= most {
+        return None;
+    }
+    let edge = waves.wave_from(0.5 * (span_m[0] + span_m[1]))?.met.edge?;
     let loud_m = waves.loud_spans(span_m);
     (!loud_m.is_empty()).then_some((edge, loud_m))
 }

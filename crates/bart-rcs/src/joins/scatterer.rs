@@ -35,6 +35,18 @@ pub(crate) struct Scatterer<'a> {
     heard: (Phase, &'a dyn Progress),
     /// Gains that sums over joints are weighed by; `None` where all are one.
     gains: Option<&'a BodyGains>,
+    /// Extent to which the waves of edges are followed.
+    pub(crate) edge_waves: EdgeWaves,
+}
+
+/// Extent to which the waves that edges send over their faces are followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum EdgeWaves {
+    /// Over further faces, as long as they are strong enough.
+    OverFaces,
+    /// To the ends of the edge's own faces: the level of all edges together is that of
+    /// [`Self::OverFaces`] within a decibel (docs/planning.md).
+    OverOwnFaces,
 }
 
 /// Vectors ĥ straight above and below, at each end.
@@ -60,6 +72,7 @@ impl<'a> Scatterer<'a> {
             receive_legs,
             heard: (Phase::Integrating, &Unheard),
             gains: None,
+            edge_waves: EdgeWaves::OverFaces,
         }
     }
 
@@ -71,6 +84,11 @@ impl<'a> Scatterer<'a> {
     /// The scatterer as antennas of these gains hear it: S of every way is weighed by them.
     pub(crate) fn with_gains(self, gains: &'a BodyGains) -> Self {
         Self { gains: (!gains.are_one()).then_some(gains), ..self }
+    }
+
+    /// The scatterer whose edges send waves over their own faces alone.
+    pub(crate) fn with_waves_over_own_faces(self) -> Self {
+        Self { edge_waves: EdgeWaves::OverOwnFaces, ..self }
     }
 
     /// Tells how far a sum is.

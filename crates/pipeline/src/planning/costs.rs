@@ -31,16 +31,16 @@ pub(crate) struct Seconds {
     pub(crate) with_one_bounce_more: Option<f64>,
 }
 
-/// Expects the seconds of a plan and, where these are told, of its neighbours, which change what the scene
-/// does not say itself.
+/// Expects the seconds of a plan, where these are not known yet, and, where these are told, of its
+/// neighbours, which change what the scene does not say itself.
 pub(crate) fn seconds(
     before: &SceneHeader,
-    planned: &SceneHeader,
+    (planned, planned_s): (&SceneHeader, Option<f64>),
     open: Option<&Fixed>,
     expected_s: impl Fn(&SceneHeader) -> Result<f64, Failure>,
 ) -> Result<Seconds, Failure> {
-    let mut seconds =
-        Seconds { as_said: expected_s(before)?, planned: expected_s(planned)?, ..Seconds::default() };
+    let planned_s = planned_s.map_or_else(|| expected_s(planned), Ok)?;
+    let mut seconds = Seconds { as_said: expected_s(before)?, planned: planned_s, ..Seconds::default() };
     let Some(fixed) = open else { return Ok(seconds) };
     for part in Part::ALL.into_iter().filter(|part| !fixed.parts.contains_key(part)) {
         if let Some(changed) = changed(planned, part) {

@@ -121,7 +121,7 @@ impl<'a> Look<'a> {
     fn of(scatterer: Scatterer<'a>, plan: &'a Plan<'a>, nodes: NodeRule) -> Self {
         let frequencies_hz = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
         let wavenumbers_per_m = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
-        Self { scatterer, plan, wavenumbers_per_m, nodes }
+        Self { scatterer: scatterer.with_waves_over_own_faces(), plan, wavenumbers_per_m, nodes }
     }
 
     fn parts(&self, through: Option<Vec<Complex64>>) -> Result<Option<EchoParts>, BartError> {
