@@ -100,8 +100,8 @@ impl Products {
         self.scattering.write(chain.counted_through(frame.result.scattering))
     }
 
-    /// Puts the pictures of a frame onto disk, and keeps those that the report shows: of most frames of a long
-    /// run none, and these are drawn in one form.
+    /// Puts the pictures of a frame onto disk, and keeps those that the report shows: of most frames of a
+    /// long run none, and these are drawn in one form.
     fn draw(&mut self, chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<(), Failure> {
         let (drawing, folder) = (FrameDrawing::of(chain, frame, truth), self.out.join("pictures"));
         let write = |drawings| pictures::write_frame(drawings, &chain.cube_header, &frame.rdm, &folder);
