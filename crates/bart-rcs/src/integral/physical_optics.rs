@@ -202,21 +202,19 @@ mod tests {
         }
 
         fn amplitude(&self, accuracy: f64) -> Estimate<Vec<Amplitude>> {
-            let leg = |p| Leg {
-                image: Antenna::Point(p),
-                mirrors: Mirrors::NONE,
-                steps: Steps::default(),
-                zenith_h: DVec3::Y,
-            };
-            let node = Node {
-                corners_m: &self.corners_m(),
-                normal: DVec3::X,
-                bend: None,
-                material: None,
-                transmit: &leg(self.transmitter_m),
-                receive: &leg(self.receiver_m),
-                bracket: Bracket::Plain,
-            };
+            let [transmit, receive] = [self.transmitter_m, self.receiver_m].map(leg);
+            self.amplitude_by([&transmit, &receive], Bracket::Plain, accuracy)
+        }
+
+        fn amplitude_by(
+            &self,
+            [transmit, receive]: [&Leg; 2],
+            bracket: Bracket,
+            accuracy: f64,
+        ) -> Estimate<Vec<Amplitude>> {
+            let corners_m = &self.corners_m();
+            let (normal, bend, material) = (DVec3::X, None, None);
+            let node = Node { corners_m, normal, bend, material, transmit, receive, bracket };
             node_amplitudes(&node, DVec3::ZERO, &[WAVENUMBER_PER_M], accuracy)
         }
 
@@ -255,6 +253,27 @@ mod tests {
         /// Scale √(4π)·area/λ.
         fn scale_m(&self) -> f64 {
             self.sides_m[0] * self.sides_m[1] * WAVENUMBER_PER_M / std::f64::consts::PI.sqrt()
+        }
+    }
+
+    fn leg(antenna_m: DVec3) -> Leg {
+        Leg {
+            image: Antenna::Point(antenna_m),
+            mirrors: Mirrors::NONE,
+            steps: Steps::default(),
+            zenith_h: DVec3::Y,
+        }
+    }
+
+    #[test]
+    fn a_way_that_goes_back_as_it_came_is_two_ways_alike_to_the_bit() {
+        for case in HARD_CASES {
+            let [there, back] = [leg(case.transmitter_m), leg(case.transmitter_m)];
+            for (bracket, accuracy) in [(Bracket::Plain, 1e-2), (Bracket::Symmetrised, 1e-6)] {
+                let [one, two] =
+                    [&there, &back].map(|back| case.amplitude_by([&there, back], bracket, accuracy));
+                assert_eq!(one, two, "{} {bracket:?}", case.name);
+            }
         }
     }
 

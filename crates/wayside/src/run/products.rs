@@ -99,8 +99,8 @@ impl Products {
         self.scattering.write(frame.result.scattering.numbered_as_in(chain.header))
     }
 
-    /// Puts the pictures of a frame onto disk, and keeps those that the report shows: of most frames of a long
-    /// run none, and these are drawn in one form.
+    /// Puts the pictures of a frame onto disk, and keeps those that the report shows: of most frames of a
+    /// long run none, and these are drawn in one form.
     fn draw(&mut self, chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<(), Failure> {
         let (drawing, folder) = (FrameDrawing::of(chain, frame, truth), self.out.join("pictures"));
         let write = |drawings| pictures::write_frame(drawings, chain.cube_header(), &frame.rdm, &folder);
