@@ -50,8 +50,6 @@ pub struct Measurement {
 /// the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct DirectionError {
-    /// Direction cosine as it was measured.
-    cosine: f64,
     cosine_variance: f64,
     /// cos² ε.
     flatness2: f64,
@@ -60,16 +58,11 @@ struct DirectionError {
 }
 
 impl DirectionError {
-    /// Square of du/dα.
-    fn slope2(&self, azimuth_rad: f64) -> f64 {
-        self.flatness2 * (azimuth_rad - self.boresight_az_rad).cos().powi(2)
-    }
-
     /// Variance of an azimuth, rad²: du/dα is 1 along the boresight and less beside it. Along the row it is
     /// none, and α is as far from there as 1 − u = (α − α₀ ∓ π/2)²/2 leaves it.
     fn azimuth_variance(&self, azimuth_rad: f64) -> f64 {
-        (self.cosine_variance / self.slope2(azimuth_rad)).min(self.cosine_variance.sqrt())
-            + self.across_variance
+        let slope2 = self.flatness2 * (azimuth_rad - self.boresight_az_rad).cos().powi(2);
+        (self.cosine_variance / slope2).min(self.cosine_variance.sqrt()) + self.across_variance
     }
 }
 
@@ -120,11 +113,9 @@ impl Site {
         };
         let across = settings.body_width_m.powi(2) / (12.0 * object.range_m.max(self.range_cell_m).powi(2));
         let up = (object.position_m[2] - self.height_m) / object.range_m.max(self.range_cell_m);
-        let flatness2 = (1.0 - up * up).max(0.0);
         let direction = DirectionError {
-            cosine: flatness2.sqrt() * (object.azimuth_rad - self.boresight_az_rad).sin(),
             cosine_variance: 0.5 / (PI * PI * self.aperture * strength),
-            flatness2,
+            flatness2: (1.0 - up * up).max(0.0),
             boresight_az_rad: self.boresight_az_rad,
             across_variance: across,
         };
@@ -188,6 +179,12 @@ impl Measurement {
         Estimate { mean: DVec4::new(place.x, place.y, velocity.x, velocity.y), covariance }
     }
 
+    /// Variance of the azimuth where it is expected: where it was measured hangs on its error.
+    fn azimuth_variance_at(&self, azimuth_rad: f64) -> f64 {
+        let of = |azimuth_rad| self.direction.azimuth_variance(azimuth_rad);
+        self.variance[1] * of(azimuth_rad) / of(self.azimuth_rad)
+    }
+
     /// Measured radial velocity less that of a state, on the velocity circle.
     pub fn rate_residual_mps(&self, state: &Estimate) -> f64 {
         let apart_mps = self.radial_velocity_mps - Sight::of(self, state).rate_mps;
@@ -209,16 +206,14 @@ impl Measurement {
         let mut update = Update { estimate: *expected, distance2: 0.0, surprise: 0.0 };
         update.take(sight.range_row(), range_m - sight.range_m, self.variance[0]);
         if self.variance[1].is_finite() {
-            let sight = Sight::of(self, &update.estimate).by_cosine(&self.direction);
-            let bend = sight.bend(&update.estimate);
-            let residual = self.direction.cosine - sight.cosine - bend;
-            update.take(sight.row(), residual, sight.variance + 2.0 * bend * bend);
+            let sight = Sight::of(self, &update.estimate);
+            let variance = self.azimuth_variance_at(sight.azimuth_rad);
+            update.take(sight.azimuth_row(), turned(self.azimuth_rad - sight.azimuth_rad), variance);
         }
         let sight = Sight::of(self, &update.estimate);
         let variance = self.variance[2] + sight.bend_variance(&update.estimate);
         update.take(sight.rate_row(&update.estimate), unfolded_mps - sight.rate_mps, variance);
         sight.keep_bend(&mut update.estimate);
-        sight.keep_bow(&mut update.estimate);
         update
     }
 }
@@ -258,19 +253,8 @@ impl Sight {
         (self.away_m / self.range_m).extend(0.0).extend(0.0)
     }
 
-    /// The same in the array's own measure.
-    fn by_cosine(&self, direction: &DirectionError) -> CosineSight {
-        let (sin, cos) = direction.boresight_az_rad.sin_cos();
-        let right = DVec2::new(cos, -sin);
-        let cosine = right.dot(self.away_m) / self.range_m;
-        let slope2 = direction.slope2(self.azimuth_rad);
-        CosineSight {
-            cosine,
-            right,
-            away_m: self.away_m,
-            range_m: self.range_m,
-            variance: direction.cosine_variance + direction.across_variance * slope2,
-        }
+    fn azimuth_row(&self) -> DVec4 {
+        (DVec2::new(self.away_m.y, -self.away_m.x) / self.away_m.length_squared()).extend(0.0).extend(0.0)
     }
 
     fn rate_row(&self, state: &Estimate) -> DVec4 {
@@ -288,17 +272,6 @@ impl Sight {
         (place * velocity + p.dot(state.covariance * v).powi(2)) / (self.range_m * self.range_m)
     }
 
-    /// Places of one range lie on an arc, which its ellipse leaves: by s²/2R towards the radar at s to the side,
-    /// of which the mean square is ¾·E[s²]²/R². Along the line of sight a place is never known better.
-    fn keep_bow(&self, state: &mut Estimate) {
-        let range_m = self.away_m.length();
-        let (toward, across) = (self.away_m / range_m, DVec2::new(self.away_m.y, -self.away_m.x) / range_m);
-        let [p, q] = [toward, across].map(|direction| direction.extend(0.0).extend(0.0));
-        let bow = 0.75 * q.dot(state.covariance * q).powi(2) / (range_m * range_m);
-        let lacking = bow - p.dot(state.covariance * p);
-        state.covariance += crate::tracking::kalman::outer(p, p) * lacking.max(0.0);
-    }
-
     /// That error is the same from frame to frame, and is not averaged away: the velocity along the line of
     /// sight is never known better.
     fn keep_bend(&self, state: &mut Estimate) {
@@ -306,33 +279,6 @@ impl Sight {
         let v = DVec4::new(0.0, 0.0, toward.x, toward.y);
         let lacking = self.bend_variance(state) - v.dot(state.covariance * v);
         state.covariance += crate::tracking::kalman::outer(v, v) * lacking.max(0.0);
-    }
-}
-
-/// A state as the row sees it: by the direction cosine u along it, of which errors are alike everywhere. They
-/// are not of the azimuth, which is as far from the row as √(2(1 − u)).
-struct CosineSight {
-    cosine: f64,
-    right: DVec2,
-    away_m: DVec2,
-    range_m: f64,
-    /// Variance of the measured cosine.
-    variance: f64,
-}
-
-impl CosineSight {
-    fn row(&self) -> DVec4 {
-        let toward = self.away_m / self.range_m;
-        ((self.right - toward * self.cosine) / self.range_m).extend(0.0).extend(0.0)
-    }
-
-    /// Mean of u − u(mean) by what its bend makes of the state's spread across: half of u'' times its
-    /// variance; the square of that is half of its own variance (second-order filter, Bar-Shalom, Li,
-    /// Kirubarajan 2001, §10.3.2).
-    fn bend(&self, state: &Estimate) -> f64 {
-        let across = DVec2::new(self.away_m.y, -self.away_m.x) / self.away_m.length();
-        let p = across.extend(0.0).extend(0.0);
-        -0.5 * self.cosine * p.dot(state.covariance * p) / self.away_m.length_squared()
     }
 }
 

@@ -185,42 +185,6 @@ fn normalised_errors_are_chi_squared_of_four_degrees_of_freedom() {
     }
 }
 
-/// The object of a body whose direction errs as an array's does: evenly in the direction cosine, not in the
-/// azimuth.
-fn noisy(header: &CubeHeader, body: Body, random: &mut ChaCha8Rng) -> Object {
-    let weak = Object { snr_db: 0.0, ..object(header, body, random) };
-    let away = body.place_m.extend(UP_M - header.radar.position_m[2]);
-    let ahead = Object { azimuth_rad: 0.0, range_m: away.length(), ..weak };
-    let cosine_sd = Site::new(&header.radar).measurement(&ahead, &ROAD_TRAFFIC).variance[1].sqrt();
-    let flatness = away.truncate().length() / away.length();
-    let cosine = away.x / away.length() + cosine_sd * flatness * normal(random);
-    Object { azimuth_rad: (cosine / flatness).clamp(-1.0, 1.0).asin(), ..weak }
-}
-
-#[test]
-fn a_track_near_the_rows_own_direction_knows_how_far_it_errs() {
-    const RUNS: u64 = 200;
-    let header = radar();
-    for (x, y, vy) in [(30.0, 9.0, 2.0), (-30.0, 16.0, -2.0), (20.0, 20.0, -4.0)] {
-        let mut sum = 0.0;
-        for run in 0..RUNS {
-            let mut random = ChaCha8Rng::from_seed(key(run, "dsp/test-beside", &[]));
-            let (mut truth, mut tracker) = (body(x, y, 0.0, vy), tracker(&header));
-            for index in 0..20 {
-                let tracks =
-                    tracker.step(&frame(index, vec![noisy(&header, truth, &mut random)])).unwrap().tracks;
-                let errors = tracks.iter().map(|track| error2(track, truth));
-                sum += if index == 19 { errors.fold(f64::INFINITY, f64::min) } else { 0.0 };
-                truth = truth.after(INTERVAL_S);
-            }
-        }
-        let mean = sum / RUNS as f64;
-        println!("({x}, {y}): {mean:.2}");
-        // χ² of four degrees of freedom has 4; bodies here do not wander as the filter allows for.
-        assert!(mean < 4.0, "({x}, {y}): {mean}");
-    }
-}
-
 /// Spread of asin(u + n) over normal errors n of a direction cosine, by quadrature; beyond ±1 the nearest.
 fn azimuth_spread_rad(azimuth_rad: f64, cosine_sd: f64) -> f64 {
     let steps = (-4000..=4000).map(|i| 1e-3 * f64::from(i));
