@@ -383,8 +383,8 @@ fn unknown(vehicle: &FcdVehicle) -> UnknownType {
     UnknownType { kind: vehicle.kind.clone(), id: vehicle.id.clone(), line: vehicle.line }
 }
 
-/// A type that has its default model, and a name of `models` which no vehicle has and that is meant for it: of
-/// four letters and more, of which one is wrong, missing or too many, or two are exchanged.
+/// A type that has its default model, and a name of `models` which no vehicle has and that is meant for it:
+/// of four letters and more, of which one is wrong, missing or too many, or two are exchanged.
 fn misspelt<'n>(
     by_default: &'n [UnknownType],
     names: impl Iterator<Item = &'n String>,

@@ -1,8 +1,8 @@
 //! Borders along lines that cut out shadows, of all pieces of a node together.
 //!
-//! Such a line goes on between lit pieces. A stretch of it with a piece on both sides is a seam, and one with a
-//! piece on one side alone is a border, whatever became of the other: hidden by what ends there, or too small to
-//! be kept. So the outline is that of what is there.
+//! Such a line goes on between lit pieces. A stretch of it with a piece on both sides is a seam, and one with
+//! a piece on one side alone is a border, whatever became of the other: hidden by what ends there, or too
+//! small to be kept. So the outline is that of what is there.
 
 use crate::geometry::border::{Border, BorderLine};
 use crate::joins::outline::Outline;
@@ -71,7 +71,14 @@ fn of_line(sides: &[ShadowSide]) -> Outline {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::beams::beam::{BeamTree, TraceSettings};
+    use crate::bodies::world::World;
+    use crate::geometry::antenna::Antenna;
     use crate::geometry::plane::Plane;
+    use crate::joins::outline::Bordered;
+    use artifact::scene::Mesh;
+    use artifact::settings::Sides;
+    use glam::DVec2;
 
     /// A side of y = 1 from one x to another, of a polygon that is on its left as seen from above.
     fn side(border: Border, [from, to]: [f64; 2]) -> ShadowSide {
@@ -101,5 +108,49 @@ mod tests {
         let above = |ends_m| side(Border::Shadow, ends_m);
         assert_ends(&[above([0.0, 3.0]), above([0.0, 3.0])], [6.0, 0.0]);
         assert_ends(&[above([0.0, 3.0]), above([0.0, 3.0]), above([2.0, 0.0])], [4.0, 0.0]);
+    }
+
+    /// Squares of this side about (x, y) at height z, seen from above.
+    fn outline_of_lowest(squares: &[(f64, [f64; 3])]) -> Outline {
+        let mut mesh = Mesh::default();
+        for (side, [x, y, z]) in squares {
+            let first = mesh.vertices_m.len() as u32;
+            let corner = |i: f64, j: f64| [x + 0.5 * side * i, y + 0.5 * side * j, *z];
+            mesh.vertices_m.extend([
+                corner(-1.0, -1.0),
+                corner(1.0, -1.0),
+                corner(1.0, 1.0),
+                corner(-1.0, 1.0),
+            ]);
+            mesh.triangles.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
+        }
+        let world = World::of_mesh(&mesh).unwrap();
+        let settings =
+            TraceSettings { max_order: 1, sides: Sides::Two, least_area_m2: 0.0, least_mirror_area_m2: 0.0 };
+        let tree = BeamTree::trace(&world, Antenna::Direction(DVec3::Z), &settings).unwrap();
+        let (mut all, mut sides) = (Outline::default(), Vec::new());
+        for beam in tree.beams.iter().filter(|beam| beam.facet < 2) {
+            let corners = tree.polygon(beam);
+            let corners_m: Vec<DVec2> = corners.iter().map(|c| c.truncate()).collect();
+            let bordered = Bordered { corners_m: &corners_m, borders: tree.borders(beam) };
+            all.add(Outline::of_overlap(&corners_m, [&bordered, &bordered], 1e-9, |i, border| {
+                sides.push(ShadowSide { border, ends_m: [corners[i], corners[(i + 1) % corners.len()]] });
+            }));
+        }
+        all.add(of_shadow_sides(&mut sides));
+        all
+    }
+
+    #[test]
+    fn a_square_has_its_rim_and_not_its_diagonal() {
+        let outline = outline_of_lowest(&[(2.0, [0.0; 3])]);
+        assert!((outline.own_m - 8.0).abs() < 1e-12 && outline.cut_m == 0.0, "{outline:?}");
+    }
+
+    #[test]
+    fn seams_between_pieces_around_a_shadow_cancel() {
+        // A shadow of 0.6 in the middle, and one that bites 0.1 × 0.4 out of the rim: 8 + 2.4 + 0.2.
+        let outline = outline_of_lowest(&[(2.0, [0.0; 3]), (0.6, [0.1, 0.2, 0.3]), (0.4, [-1.1, -0.4, 0.2])]);
+        assert!((outline.own_m - 10.6).abs() < 1e-9 && outline.cut_m == 0.0, "{outline:?}");
     }
 }

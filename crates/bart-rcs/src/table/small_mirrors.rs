@@ -173,8 +173,8 @@ impl TreeSample {
     /// below. It knows nothing of shares that are rarer than one in n: 3/n of the mirrors may be whole plates
     /// of which none was met (e⁻³ = 5 %).
     fn share(&self) -> MirrorShare {
-        // Of no mirrors nothing is known: the quotient is infinite. A beam that grazes a facet lights more of it
-        // than the beam is across: what was met may be more than plates.
+        // Of no mirrors nothing is known: the quotient is infinite. A beam that grazes a facet lights more of
+        // it than the beam is across: what was met may be more than plates.
         let count = self.mirrors.len() as f64;
         let met = at_most(&self.shares);
         let of_facets = ((met + 3.0) / count).min(1.0).max(met / count.max(1.0));

@@ -23,8 +23,8 @@ pub(super) fn remarks(header: &SceneHeader) -> Vec<String> {
 /// Shorter meshes are parts of vehicles, or drawn in another unit: files at a hundredth are common.
 const SHORTEST_M: f64 = 0.2;
 
-/// No vehicle is longer, with a quarter to spare: stretched limousines, bi-articulated buses, road trains, motorcycles
-/// with a trailer. In feet, the largest of the usual units, nearly all cars are.
+/// No vehicle is longer, with a quarter to spare: stretched limousines, bi-articulated buses, road trains,
+/// motorcycles with a trailer. In feet, the largest of the usual units, nearly all cars are.
 fn longest_m(class: Class) -> f64 {
     match class {
         Class::Car => 10.0,

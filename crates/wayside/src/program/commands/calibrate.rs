@@ -53,8 +53,8 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
 /// Direction cosine, from that of the reflector's place to the right along the row, at which its echo has all
 /// channels in phase, where they are far from it at that place; `None` of errors that are no such turn.
 fn aside(errors: &[Complex64], radar: &Radar) -> Option<f64> {
-    /// Sums over those of amplitudes alone: of wholly random phases one in forty of four channels passes, none
-    /// of eight.
+    /// Sums over those of amplitudes alone: of wholly random phases one in forty of four channels passes,
+    /// none of eight.
     const IN_PHASE: f64 = 0.99;
     const APART: f64 = 0.7;
     const STEPS: i32 = 2000;
