@@ -102,6 +102,9 @@ pub(crate) struct Checks {
     pub(crate) model: Check,
 }
 
+/// Most edges that far finer integrals are made of.
+const FAR_FINER_EDGES: usize = 1024;
+
 /// Integrals that an aspect's are compared with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Finer {
@@ -119,9 +122,15 @@ impl Finer {
         integration: &Integration<'_>,
     ) -> Self {
         let facets = meetings.iter().map(|meeting| &meeting.facets);
+        let edges: usize = meetings.iter().map(OrderJoints::edges).sum();
         // A plane wave over a flat polygon is integrated as one.
         let is_cut = !scatterer.is_far() || scatterer.world.skin_error() > 0.0;
-        if is_cut && are_few_tiles(scatterer, facets, integration) { Self::Far } else { Self::TenTimes }
+        let are_few = if is_cut {
+            edges <= FAR_FINER_EDGES && are_few_tiles(scatterer, facets, integration)
+        } else {
+            (1..=FAR_FINER_EDGES).contains(&edges)
+        };
+        if are_few { Self::Far } else { Self::TenTimes }
     }
 
     /// Bounds over those of the coarser ones.
@@ -153,7 +162,9 @@ impl IntegralsCheck {
     /// 27 dB less than the difference, with edges by 3 dB and more; the coarser then err by 1.75 of it.
     /// Polygons whose bounds were a tenth of `accuracy` before stay as they are and err in both: by a
     /// twentieth of their bounds, for bounds are that far above errors. Far finer ones over facets alone err
-    /// by ten times the ratio of the bounds at most (plates in their sidelobes: by less than that ratio).
+    /// by ten times the ratio of the bounds at most (plates in their sidelobes: by less than that ratio), with
+    /// few edges by an eighth of the difference and less, near by by a third (plates, boxes, wedges and
+    /// assemblies of them, 600 in all): a half is taken.
     pub(crate) fn error_power(
         self,
         (difference, finer): (f64, Finer),
@@ -164,6 +175,7 @@ impl IntegralsCheck {
         let over_difference = match (self, edges) {
             (Self::Taken, Edges::Ignored) if finer == Finer::Far => 10.0 * FAR_FINER,
             (Self::Taken, Edges::Ignored) => 0.5,
+            (Self::Taken, Edges::FirstOrder) if finer == Finer::Far => 0.5,
             (Self::Taken, Edges::FirstOrder) => 0.75,
             (_, Edges::Ignored) => 1.0 / (1.0 - 0.1),
             (_, Edges::FirstOrder) => 1.75,

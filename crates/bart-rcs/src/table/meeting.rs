@@ -60,7 +60,12 @@ impl OrderJoints {
 
     /// Number of polygons, edges and ends that scatter.
     pub(crate) fn count(&self) -> usize {
-        self.facets.list.len() + self.edges.len() + self.truncations.len()
+        self.facets.list.len() + self.edges()
+    }
+
+    /// Number of edges and ends that scatter.
+    pub(crate) fn edges(&self) -> usize {
+        self.edges.len() + self.truncations.len()
     }
 
     /// Part of the meeting that is among some ways.

@@ -263,6 +263,29 @@ fn a_run_without_edges_says_how_much_they_would_add() {
     assert_eq!(run(&mesh, seen, None, Polarization::Hh, Edges::FirstOrder).model_error.edges, None);
 }
 
+/// Plates of many sizes seen from anywhere: integrals of few edges that are compared with ones ten times finer
+/// may share all of their parts with these, and differ by nothing.
+#[test]
+fn few_edges_err_by_no_more_than_is_told() {
+    for plate in 0..40 {
+        // Low-discrepancy places: fractions of multiples of irrational numbers.
+        let at = |root: f64| (f64::from(plate + 1) * root.sqrt()).fract();
+        let [width_m, height_m] = [0.05 + 0.25 * at(2.0), 0.05 + 0.25 * at(3.0)];
+        let seen = standpoint(360.0 * at(5.0), 140.0 * at(7.0) - 70.0, FAR);
+        let of = |accuracy_db: f64| {
+            let accuracy = Accuracy::from_db(accuracy_db);
+            let request =
+                RcsRequest { frequency_hz: vec![24e9], accuracy, ..request(seen, Polarization::Vv) };
+            rcs(&strip(width_m, height_m, 0.0), &request, &|_, _| {}).unwrap()
+        };
+        let (asked, reference) = (of(-30.0), of(-80.0));
+        let norm_m = reference.amplitude_m[0].norm();
+        let error = (asked.amplitude_m[0] - reference.amplitude_m[0]).norm() / norm_m;
+        let told = asked.error.total().unwrap();
+        assert!(error <= told, "plate {plate}: {error:.1e}, {told:.1e} told");
+    }
+}
+
 /// Triangles on a coarse grid: shared, doubled, folded and crossing ones, needles and T-junctions come by
 /// themselves.
 #[test]
