@@ -162,8 +162,8 @@ impl IntegralsCheck {
     /// 27 dB less than the difference, with edges by 3 dB and more; the coarser then err by 1.75 of it.
     /// Polygons whose bounds were a tenth of `accuracy` before stay as they are and err in both: by a
     /// twentieth of their bounds, for bounds are that far above errors. Far finer ones over facets alone err
-    /// by ten times the ratio of the bounds at most (plates in their sidelobes: by less than that ratio), with
-    /// few edges by an eighth of the difference and less, near by by a third (plates, boxes, wedges and
+    /// by ten times the ratio of the bounds at most (plates in their sidelobes: by less than that ratio),
+    /// with few edges by an eighth of the difference and less, near by by a third (plates, boxes, wedges and
     /// assemblies of them, 600 in all): a half is taken.
     pub(crate) fn error_power(
         self,

@@ -263,8 +263,8 @@ fn a_run_without_edges_says_how_much_they_would_add() {
     assert_eq!(run(&mesh, seen, None, Polarization::Hh, Edges::FirstOrder).model_error.edges, None);
 }
 
-/// Plates of many sizes seen from anywhere: integrals of few edges that are compared with ones ten times finer
-/// may share all of their parts with these, and differ by nothing.
+/// Plates of many sizes seen from anywhere: integrals of few edges that are compared with ones ten times
+/// finer may share all of their parts with these, and differ by nothing.
 #[test]
 fn few_edges_err_by_no_more_than_is_told() {
     for plate in 0..40 {
