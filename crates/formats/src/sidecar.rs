@@ -56,7 +56,7 @@ pub(crate) fn outdate(file: &Path) -> std::io::Result<()> {
     take_away(&beside(file), file)
 }
 
-/// Takes away the description of a table that is replaced next, as [`outdate`] does.
+/// Takes away the description of a table that is replaced next, as `outdate` does.
 ///
 /// # Errors
 /// The description is another file's, or cannot be removed.

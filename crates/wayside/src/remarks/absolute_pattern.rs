@@ -28,7 +28,7 @@ mod tests {
 
     #[test]
     fn a_pattern_in_dbi_over_a_gain_is_remarked_on_and_one_that_peaks_at_it_is_not() {
-        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let options = scene::ReadOptions::names_only();
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/experiment-1.toml");
         let mut radar = scene::read(&file, &options).unwrap().radar;
         let mut told = |peak_db: f64, gain_db: f64| {

@@ -33,7 +33,7 @@ mod tests {
 
     #[test]
     fn models_without_wheels_are_told_where_wheels_are_to_turn() {
-        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let options = scene::ReadOptions::names_only();
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/experiment-1.toml");
         let mut header = scene::read(&file, &options).unwrap();
         let with_wheels = scene::vehicles::mesh("car-suv", 0).unwrap();

@@ -182,7 +182,7 @@ mod tests {
 
     /// A wall of 1 m so far before the widest array, −20 dB asked.
     fn wall_before_192_channels(y_m: f64) -> SceneHeader {
-        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let options = scene::ReadOptions::names_only();
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
         let mut header = scene::read(&file, &options).unwrap();
         let start = Pose { position_m: [0.0, y_m, 0.0], ..header.targets[0].start };

@@ -90,7 +90,7 @@ mod tests {
 
     #[test]
     fn a_place_beside_the_reflector_is_told_and_errors_of_channels_are_not() {
-        let options = scene::ReadOptions { model: None, radar: None, meshes: scene::Meshes::NamesOnly };
+        let options = scene::ReadOptions::names_only();
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/experiment-1.toml");
         let radar = scene::read(&file, &options).unwrap().radar;
         let array = &radar.array;
