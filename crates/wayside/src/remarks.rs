@@ -6,6 +6,7 @@ mod off_band;
 mod still_wheels;
 mod unknown_materials;
 mod vehicle_meshes;
+mod vehicles;
 
 pub(crate) use off_band::of_materials;
 pub(crate) use unknown_materials::without_entry;

@@ -1,6 +1,7 @@
 //! Meshes of cars that are too coarse to scatter as a car does.
 
-use artifact::scene::{Mesh, SceneHeader, TargetKind};
+use crate::remarks::vehicles::vehicles;
+use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Class;
 use std::collections::BTreeMap;
 
@@ -12,16 +13,9 @@ const SHORTEST_M: f64 = 2.5;
 
 /// A remark on each coarse mesh of a car that is none of the project's own.
 pub(super) fn remarks(header: &SceneHeader) -> Vec<String> {
-    let recorded = header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.kind);
-    let kinds = header.targets.iter().map(|target| &target.kind).chain(recorded);
-    let coarse: BTreeMap<&String, usize> = kinds
-        .filter_map(|kind| match kind {
-            TargetKind::Mesh { class: Some(Class::Car), model, mesh } => {
-                let mesh = header.meshes.get(*mesh as usize)?;
-                is_coarse(model, mesh).then_some((model, mesh.triangles.len()))
-            }
-            _ => None,
-        })
+    let coarse: BTreeMap<&String, usize> = vehicles(header)
+        .filter(|(class, model, mesh)| *class == Class::Car && is_coarse(model, mesh))
+        .map(|(_, model, mesh)| (model, mesh.triangles.len()))
         .collect();
     let remark = |(model, triangles): (&String, usize)| {
         format!(

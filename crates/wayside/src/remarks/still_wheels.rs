@@ -1,21 +1,15 @@
 //! Wheels that are to turn, of models that tell of none.
 
-use artifact::scene::{SceneHeader, TargetKind};
+use crate::remarks::vehicles::vehicles;
+use artifact::scene::SceneHeader;
 use artifact::settings::Wheels;
 use std::collections::BTreeSet;
 
 /// A remark on the models of vehicles without wheels where a scene lets wheels turn.
 pub(super) fn remark(header: &SceneHeader) -> Option<String> {
-    let recorded = header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.kind);
-    let kinds = header.targets.iter().map(|target| &target.kind).chain(recorded);
-    let without: BTreeSet<&str> = kinds
-        .filter_map(|kind| match kind {
-            TargetKind::Mesh { class: Some(_), model, mesh } => {
-                let mesh = header.meshes.get(*mesh as usize)?;
-                mesh.wheels.is_empty().then_some(model.as_str())
-            }
-            _ => None,
-        })
+    let without: BTreeSet<&str> = vehicles(header)
+        .filter(|(_, _, mesh)| mesh.wheels.is_empty())
+        .map(|(_, model, _)| model.as_str())
         .collect();
     let names = without.iter().copied().collect::<Vec<_>>().join(", ");
     (header.fidelity.wheels == Wheels::Turning && !without.is_empty()).then(|| {

@@ -1,22 +1,14 @@
 //! Meshes of vehicles whose axes or unit are not those of a body.
 
-use artifact::scene::{Mesh, SceneHeader, TargetKind};
+use crate::remarks::vehicles::vehicles;
+use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Class;
 use std::collections::BTreeSet;
 
 /// A remark on each mesh of a vehicle that is higher or wider than long, or as large as none of its class.
 pub(super) fn remarks(header: &SceneHeader) -> Vec<String> {
-    let recorded = header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.kind);
-    let kinds = header.targets.iter().map(|target| &target.kind).chain(recorded);
-    let remarks: BTreeSet<String> = kinds
-        .filter_map(|kind| match kind {
-            TargetKind::Mesh { class: Some(class), model, mesh } => {
-                let mesh = header.meshes.get(*mesh as usize)?;
-                remark(mesh, model, *class)
-            }
-            _ => None,
-        })
-        .collect();
+    let remarks: BTreeSet<String> =
+        vehicles(header).filter_map(|(class, model, mesh)| remark(mesh, model, class)).collect();
     remarks.into_iter().collect()
 }
 

@@ -58,12 +58,7 @@ fn aside(errors: &[Complex64], radar: &Radar) -> Option<f64> {
     const IN_PHASE: f64 = 0.99;
     const APART: f64 = 0.7;
     const STEPS: i32 = 2000;
-    let array = &radar.array;
-    let places: Vec<f64> = array
-        .tx_half_wavelengths
-        .iter()
-        .flat_map(|tx| array.rx_half_wavelengths.iter().map(|rx| tx[0] + rx[0]))
-        .collect();
+    let places = places_along_row(radar);
     let amplitudes: f64 = errors.iter().map(|error| error.norm()).sum();
     let in_phase = |cosine: f64| {
         let turned = errors.iter().zip(&places).map(|(e, x)| e * Complex64::cis(PI * x * cosine));
@@ -72,6 +67,13 @@ fn aside(errors: &[Complex64], radar: &Radar) -> Option<f64> {
     let cosines = (-STEPS..=STEPS).map(|i| f64::from(i) / f64::from(STEPS));
     let best = cosines.max_by(|a, b| in_phase(*a).total_cmp(&in_phase(*b)))?;
     (errors.len() >= 4 && in_phase(best) > IN_PHASE && in_phase(0.0) < APART).then_some(best)
+}
+
+/// Places of the virtual channels along the row, `tx · receivers + rx`, half wavelengths.
+fn places_along_row(radar: &Radar) -> Vec<f64> {
+    let array = &radar.array;
+    let receivers = || array.rx_half_wavelengths.iter();
+    array.tx_half_wavelengths.iter().flat_map(|tx| receivers().map(|rx| tx[0] + rx[0])).collect()
 }
 
 /// A line for every transmit–receive pair.
@@ -93,12 +95,7 @@ mod tests {
         let options = scene::ReadOptions::names_only();
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/experiment-1.toml");
         let radar = scene::read(&file, &options).unwrap().radar;
-        let array = &radar.array;
-        let places: Vec<f64> = array
-            .tx_half_wavelengths
-            .iter()
-            .flat_map(|tx| array.rx_half_wavelengths.iter().map(|rx| tx[0] + rx[0]))
-            .collect();
+        let places = places_along_row(&radar);
         // Along a row to the right the phase falls for what is on the right (docs/coming-from.md).
         let of_cosine =
             |cosine: f64| places.iter().map(|x| Complex64::cis(-PI * x * cosine)).collect::<Vec<_>>();
