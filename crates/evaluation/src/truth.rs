@@ -94,10 +94,7 @@ fn on_rim(header: &SceneHeader, index: usize, paths: &[Path]) -> Option<(DVec3, 
 }
 
 fn outline(header: &SceneHeader, index: usize, pose: &Pose) -> GroundOutline {
-    let mesh = match header.targets[index].kind {
-        TargetKind::Mesh { mesh, .. } => header.meshes.get(mesh as usize),
-        TargetKind::Point { .. } => None,
-    };
+    let mesh = header.mesh_of(&header.targets[index].kind);
     mesh.map_or(GroundOutline::of_point(pose), |mesh| GroundOutline::of_mesh(mesh, pose))
 }
 

@@ -20,7 +20,7 @@ use crate::wording::allowed::Allowed;
 use crate::wording::likeness::nearest;
 use artifact::material::{Layer, Material, MaterialMap, Road, Thickness, Transmission};
 use artifact::permittivity::{SUBSTANCES, Substance, substance};
-use artifact::radar::{Polarization, Radar};
+use artifact::radar::Radar;
 use artifact::scene::Backscatter;
 use artifact::settings::EchoMode;
 use artifact::units::power_from_db;
@@ -162,7 +162,7 @@ fn read_backscatter(section: &Section<'_>, radar: &Radar, echo: EchoMode) -> Opt
     if echo == EchoMode::RcsTable {
         refuse("echo = \"rcs-table\"");
     }
-    if matches!(radar.array.polarization, Polarization::Vh | Polarization::Hv) {
+    if radar.array.polarization.is_crossed() {
         refuse("a cross polarization");
     }
     if radar.position_m[2] <= 0.0 {

@@ -245,6 +245,12 @@ impl Polarization {
             Self::Hv => (1, 0),
         }
     }
+
+    /// Whether the other polarization is received than is sent.
+    pub fn is_crossed(self) -> bool {
+        let (receive, transmit) = self.indices();
+        receive != transmit
+    }
 }
 
 /// Antenna elements.

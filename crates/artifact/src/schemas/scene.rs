@@ -137,6 +137,32 @@ impl SceneHeader {
         }
         Cow::Owned(Self { radar: self.radar.in_frame(index), ..self.clone() })
     }
+
+    /// Every body, in the order in which artifacts number bodies: targets, then the vehicles of traffic that
+    /// are in view in some frame.
+    pub fn bodies(&self) -> impl Iterator<Item = (&String, &TargetKind)> {
+        let vehicles = self.traffic.iter().flat_map(|traffic| &traffic.vehicles);
+        let vehicles = vehicles.map(|vehicle| (&vehicle.id, &vehicle.kind));
+        self.targets.iter().map(|target| (&target.id, &target.kind)).chain(vehicles)
+    }
+
+    /// Pose in which each of the [`bodies`](Self::bodies) is first in view; `None` where no frame has it.
+    pub fn first_poses(&self) -> Vec<Option<Pose>> {
+        let mut poses: Vec<_> = self.targets.iter().map(|target| Some(target.start)).collect();
+        let Some(traffic) = &self.traffic else { return poses };
+        poses.resize(self.targets.len() + traffic.vehicles.len(), None);
+        for placed in traffic.frames.iter().flatten() {
+            if let Some(pose) = poses.get_mut(self.targets.len() + placed.vehicle as usize) {
+                pose.get_or_insert(placed.pose);
+            }
+        }
+        poses
+    }
+
+    /// Mesh of a body; `None` of a point.
+    pub fn mesh_of(&self, kind: &TargetKind) -> Option<&Mesh> {
+        self.meshes.get(kind.mesh()? as usize)
+    }
 }
 
 /// The crossing road of Table 1 (lanes are in [`DspSettings::road`]).
@@ -195,6 +221,32 @@ pub enum TargetKind {
         /// not.
         wheel: Option<Wheel>,
     },
+}
+
+impl TargetKind {
+    /// Class that the scene tells; `None` of a point.
+    pub fn class(&self) -> Option<Class> {
+        match self {
+            Self::Mesh { class, .. } => *class,
+            Self::Point { .. } => None,
+        }
+    }
+
+    /// Name of the model; `None` of a point.
+    pub fn model(&self) -> Option<&String> {
+        match self {
+            Self::Mesh { model, .. } => Some(model),
+            Self::Point { .. } => None,
+        }
+    }
+
+    /// Index into [`SceneHeader::meshes`]; `None` of a point.
+    pub fn mesh(&self) -> Option<u32> {
+        match self {
+            Self::Mesh { mesh, .. } => Some(*mesh),
+            Self::Point { .. } => None,
+        }
+    }
 }
 
 /// A wheel that rolls along its yaw without slipping, and the place on its rim that scatters.

@@ -481,7 +481,7 @@ pub(crate) enum Mirroring {
 pub(crate) struct MirrorShare {
     /// Mean over mirrors.
     pub(crate) mean: f64,
-    /// By how much one mirror has more in 5 of 100 cases: few mirrors are no mean.
+    /// Excess over it that one mirror has in 5 of 100 cases: few mirrors are no mean.
     pub(crate) spread: f64,
 }
 

@@ -148,8 +148,7 @@ impl<'a> Plan<'a> {
 
     /// Whether the radar receives the other polarization than it sends.
     pub(crate) fn is_cross_polarized(&self) -> bool {
-        let (receive, transmit) = self.header.radar.array.polarization.indices();
-        receive != transmit
+        self.header.radar.array.polarization.is_crossed()
     }
 
     /// Middle of the places of the check.

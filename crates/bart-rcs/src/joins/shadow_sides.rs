@@ -15,7 +15,7 @@ pub(crate) struct ShadowSide {
     pub(crate) ends_m: [DVec3; 2],
 }
 
-/// What ends along lines that cut out shadows, of all pieces' sides there; sorts them by line.
+/// Outline that all pieces' sides have along lines that cut out shadows; sorts them by line.
 pub(crate) fn of_shadow_sides(sides: &mut [ShadowSide]) -> Outline {
     sides.sort_by_key(|side| side.border.line());
     let lines = sides.chunk_by(|a, b| a.border.line() == b.border.line());
@@ -38,7 +38,7 @@ impl ShadowSide {
     }
 }
 
-/// What ends along one line. Pieces on both of its sides run along it in opposite ways; where more run one
+/// Outline along one line. Pieces on both of its sides run along it in opposite ways; where more run one
 /// way, so many of these are borders.
 fn of_line(sides: &[ShadowSide]) -> Outline {
     let mut outline = Outline::default();

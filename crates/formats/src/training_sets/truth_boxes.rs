@@ -66,13 +66,8 @@ impl TruthBox {
 fn without_class(header: &SceneHeader) -> Option<String> {
     let targets = header.targets.iter().filter(|target| target.role == Role::Target).map(|t| &t.kind);
     let recorded = header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.kind);
-    let models: BTreeSet<&str> = targets
-        .chain(recorded)
-        .filter_map(|kind| match kind {
-            TargetKind::Mesh { class: None, model, .. } => Some(model.as_str()),
-            _ => None,
-        })
-        .collect();
+    let unclassed = targets.chain(recorded).filter(|kind| kind.class().is_none());
+    let models: BTreeSet<&str> = unclassed.filter_map(|kind| kind.model().map(String::as_str)).collect();
     let names = models.iter().copied().collect::<Vec<_>>().join(", ");
     (!models.is_empty()).then(|| {
         format!(

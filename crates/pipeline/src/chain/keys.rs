@@ -149,8 +149,7 @@ fn bart_rcs(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame) -> Key
 }
 
 fn mesh_of<'a>(parts: &'a SceneParts, kind: &TargetKind) -> Option<&'a str> {
-    let TargetKind::Mesh { mesh, .. } = kind else { return None };
-    parts.meshes.get(*mesh as usize).map(String::as_str)
+    parts.meshes.get(kind.mesh()? as usize).map(String::as_str)
 }
 
 fn fmcw_echo(header: &SceneHeader, parts: &SceneParts, scattering: &Key, frame: &SceneFrame) -> Key {

@@ -26,7 +26,7 @@ use artifact::paths::{Paths, PathsFrame};
 use artifact::points::{Points, PointsFrame};
 use artifact::rcs::{Rcs, RcsFrame};
 use artifact::rdm::{Rdm, RdmFrame};
-use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
+use artifact::scene::{SceneFrame, SceneHeader};
 use artifact::settings::EchoMode;
 use bart_rcs::FrameSurroundings;
 use fmcw_echo::EchoError;
@@ -151,12 +151,7 @@ impl<'a> Chain<'a> {
     /// Triangles of all bodies in view of a frame, points counting as one.
     pub(crate) fn triangles(&self, index: u32) -> usize {
         let vehicles = scene::vehicles_in_view(self.header, index).into_iter().map(|vehicle| &vehicle.kind);
-        let triangles = |kind: &TargetKind| match kind {
-            TargetKind::Mesh { mesh, .. } => {
-                self.header.meshes.get(*mesh as usize).map_or(0, |m| m.triangles.len())
-            }
-            TargetKind::Point { .. } => 1,
-        };
+        let triangles = |kind| self.header.mesh_of(kind).map_or(1, |mesh| mesh.triangles.len());
         self.header.targets.iter().map(|target| &target.kind).chain(vehicles).map(triangles).sum()
     }
 
@@ -184,16 +179,11 @@ impl<'a> Chain<'a> {
     }
 
     fn scattering_step(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<Step<Scattering>, Failure> {
-        let (key, stage) = (&plan.keys.bart_rcs, Stage::BartRcs);
+        let (at, stage) = ((plan.index, &plan.keys.bart_rcs), Stage::BartRcs);
         match self.header.fidelity.echo {
             EchoMode::Paths => {
-                let compute = || self.paths(plan, scene);
-                let step = self.frames.step::<Paths>(
-                    stage,
-                    (plan.index, key),
-                    &artifact_headers::paths_header(self.header),
-                    compute,
-                )?;
+                let header = artifact_headers::paths_header(self.header);
+                let step = self.frames.step::<Paths>(stage, at, &header, || self.paths(plan, scene))?;
                 self.measured.keep(self.header, scene.index, &step.value);
                 let (index, time_s) = (scene.index, scene.time_s);
                 Ok(step.map(|frame| Scattering::Paths(PathsFrame { index, time_s, ..frame })))
@@ -204,12 +194,8 @@ impl<'a> Chain<'a> {
                     let progress = &Work::begin(format!("frame {}, tables of bodies", scene.index));
                     tracer.tables(&view, scene, progress).map_err(|error| refused_in(scene, &error))
                 };
-                let step = self.frames.step::<Rcs>(
-                    stage,
-                    (plan.index, key),
-                    &artifact_headers::rcs_header(self.header),
-                    compute,
-                )?;
+                let header = artifact_headers::rcs_header(self.header);
+                let step = self.frames.step::<Rcs>(stage, at, &header, compute)?;
                 let (index, time_s) = (scene.index, scene.time_s);
                 Ok(step.map(|frame| Scattering::Tables(RcsFrame { index, time_s, ..frame })))
             }

@@ -8,7 +8,7 @@ use crate::host::failure::Failure;
 use crate::host::progress::{self, Work};
 use crate::host::provenance_checks;
 use artifact::Provenance;
-use artifact::scene::{Role, Scene, SceneHeader, Target, TargetKind};
+use artifact::scene::{Role, Scene, SceneHeader, Target};
 use artifact::unchanged::SeenFile;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -74,8 +74,7 @@ pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene,
 
 /// Refuses a model in place of those of targets where no target has one.
 fn check_model(source: &SceneSource, header: &SceneHeader) -> Result<(), Failure> {
-    let is_replaced =
-        |target: &Target| target.role == Role::Target && matches!(target.kind, TargetKind::Mesh { .. });
+    let is_replaced = |target: &Target| target.role == Role::Target && target.kind.mesh().is_some();
     if source.model.is_none() || header.targets.iter().any(is_replaced) {
         return Ok(());
     }

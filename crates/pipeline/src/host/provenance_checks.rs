@@ -64,15 +64,9 @@ pub fn same_radar(file: &Path, scene: &Radar, seen_by: Option<&Radar>) -> Result
     Err(Failure::Refused(format!("{}: {rule}: it is of another radar or scene", file.display())))
 }
 
-/// Ids of a scene's targets and of every vehicle that is in view in some frame.
-pub fn body_ids(scene: &SceneHeader) -> impl Iterator<Item = &String> {
-    let vehicles = scene.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.id);
-    scene.targets.iter().map(|target| &target.id).chain(vehicles)
-}
-
 /// Refuses a scene that lacks a body which the frames beside it name.
 pub fn has_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Result<(), Failure> {
-    let own: BTreeSet<&String> = body_ids(scene).collect();
+    let own: BTreeSet<&String> = scene.bodies().map(|(id, _)| id).collect();
     named.iter().find(|id| !own.contains(id)).map_or(Ok(()), |id| {
         let rule = format!("has no body `{id}`, which the frames beside it are of: it is another scene");
         Err(Failure::Refused(format!("{}: {rule}", file.display())))
@@ -81,7 +75,7 @@ pub fn has_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Result<
 
 /// Refuses paths that were traced of other bodies than a scene's, or of the same in another order.
 pub fn are_of_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Result<(), Failure> {
-    let own: Vec<&String> = body_ids(scene).collect();
+    let own: Vec<&String> = scene.bodies().map(|(id, _)| id).collect();
     let other = (0..own.len().max(named.len())).find(|i| own.get(*i).copied() != named.get(*i));
     other.map_or(Ok(()), |i| {
         let told = |id: Option<&String>| id.map_or("none".to_owned(), |id| format!("`{id}`"));
@@ -99,16 +93,7 @@ const MOST_TOLD_BYTES: usize = 512 << 10;
 /// provenance of paths.
 pub fn told_bodies(scene: &SceneHeader) -> Value {
     let meshes: Vec<String> = scene.meshes.iter().map(mesh_hash).collect();
-    let targets = scene.targets.iter().map(|target| (&target.id, &target.kind, Some(target.start)));
-    let vehicles = scene.traffic.iter().flat_map(|traffic| {
-        let mut first_in_view = vec![None; traffic.vehicles.len()];
-        for placed in traffic.frames.iter().flatten() {
-            let pose = first_in_view.get_mut(placed.vehicle as usize);
-            pose.map(|pose: &mut Option<Pose>| pose.get_or_insert(placed.pose));
-        }
-        traffic.vehicles.iter().zip(first_in_view).map(|(vehicle, pose)| (&vehicle.id, &vehicle.kind, pose))
-    });
-    let bodies = targets.chain(vehicles).map(|(id, kind, pose)| {
+    let bodies = scene.bodies().zip(scene.first_poses()).map(|((id, kind), pose)| {
         let told = [json!({ "id": id }), told_kind(kind, &meshes), pose.map_or(Value::Null, told_pose)];
         let entries = told.into_iter().filter_map(|part| part.as_object().cloned()).flatten();
         Value::Object(entries.collect::<Map<_, _>>())

@@ -1,6 +1,6 @@
 //! Bodies that reach below the road of their scene: what is there is traced as if the road were not.
 
-use artifact::scene::{Mesh, Pose, SceneHeader, TargetKind};
+use artifact::scene::{Mesh, Pose, SceneHeader};
 
 /// Sentences about the bodies that stand in part below the road z = 0 when they are first in view, one each;
 /// none without a road. What lies wholly below is refused where it is traced.
@@ -9,21 +9,13 @@ pub(crate) fn notes(header: &SceneHeader) -> Vec<String> {
         return vec![];
     }
     let least_m = header.radar.waveform.wavelength_m();
-    let targets = header.targets.iter().map(|target| (&target.id, &target.kind, Some(target.start)));
-    let vehicles = header.traffic.iter().flat_map(|traffic| {
-        let first = |index: usize| {
-            let mut placed = traffic.frames.iter().flatten();
-            placed.find(|placed| placed.vehicle as usize == index).map(|placed| placed.pose)
-        };
-        traffic.vehicles.iter().enumerate().map(move |(i, vehicle)| (&vehicle.id, &vehicle.kind, first(i)))
-    });
-    targets.chain(vehicles).filter_map(|(id, kind, pose)| note(header, (id, kind), pose?, least_m)).collect()
+    let bodies = header.bodies().zip(header.first_poses());
+    bodies.filter_map(|((id, kind), pose)| note(id, header.mesh_of(kind)?, pose?, least_m)).collect()
 }
 
 /// Sentence about one body, where more than `least_m` of it is below the road.
-fn note(header: &SceneHeader, (id, kind): (&str, &TargetKind), pose: Pose, least_m: f64) -> Option<String> {
-    let TargetKind::Mesh { mesh, .. } = kind else { return None };
-    let [low_m, high_m] = heights_m(header.meshes.get(*mesh as usize)?)?.map(|z| z + pose.position_m[2]);
+fn note(id: &str, mesh: &Mesh, pose: Pose, least_m: f64) -> Option<String> {
+    let [low_m, high_m] = heights_m(mesh)?.map(|z| z + pose.position_m[2]);
     (low_m < -least_m && high_m > 0.0).then(|| {
         format!(
             "note: `{id}` reaches {:.3} m below the road z = 0, which does not hide that part: let it stand on the \
@@ -43,7 +35,7 @@ fn heights_m(mesh: &Mesh) -> Option<[f64; 2]> {
 mod tests {
     use super::*;
     use artifact::material::{Material, Road};
-    use artifact::scene::{Role, Target};
+    use artifact::scene::{Role, Target, TargetKind};
 
     /// A wall of 1 m whose foot is at this height, over a road.
     fn wall_at(z_m: f64) -> SceneHeader {

@@ -28,10 +28,7 @@ pub(super) fn bodies(header: &SceneHeader, frame: &SceneFrame) -> Vec<Body> {
 
 fn body(header: &SceneHeader, target: &Target, pose: &Pose) -> Body {
     let (colour, kind) = colour(target);
-    let mesh = match &target.kind {
-        TargetKind::Mesh { mesh, .. } => header.meshes.get(*mesh as usize),
-        TargetKind::Point { .. } => None,
-    };
+    let mesh = header.mesh_of(&target.kind);
     let foot_m = pose.position_m[2];
     let [low_m, high_m] = mesh.map_or([0.0; 2], |mesh| span(mesh, 2));
     Body {

@@ -8,7 +8,7 @@
 
 use artifact::Provenance;
 use artifact::paths::{PathsFrame, PathsHeader};
-use artifact::scene::{Mesh, SceneFrame, SceneHeader, TargetKind};
+use artifact::scene::{Mesh, SceneFrame, SceneHeader};
 use glam::DVec3;
 use pipeline::chain::link::{Chain, artifact_headers};
 use pipeline::host::failure::Failure;
@@ -105,10 +105,7 @@ fn point_elsewhere(header: &SceneHeader, frame: &PathsFrame, snapshot: &SceneFra
 /// Whether a body's nearest lit surface may be at this range in the frame.
 fn may_be_lit_at(view: &SceneHeader, frame: &SceneFrame, body: usize, range_m: f64) -> bool {
     let Some(pose) = frame.poses.get(body) else { return true };
-    let reach_m = match view.targets[body].kind {
-        TargetKind::Mesh { mesh, .. } => view.meshes.get(mesh as usize).map_or(f64::INFINITY, Mesh::reach_m),
-        TargetKind::Point { .. } => 0.0,
-    };
+    let reach_m = view.mesh_of(&view.targets[body].kind).map_or(0.0, Mesh::reach_m);
     let way_m = DVec3::from(pose.velocity_mps).length() * view.radar.frame_duration_s();
     let origin_m = DVec3::from(pose.position_m).distance(DVec3::from(view.radar.position_m));
     (range_m - origin_m).abs() <= reach_m + way_m + BEYOND_M

@@ -7,7 +7,7 @@ use crate::chain::link::Chain;
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
-use artifact::scene::{Mesh, SceneHeader, TargetKind};
+use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::{EchoMode, Edges, Surface};
 use glam::DVec3;
 
@@ -96,8 +96,7 @@ fn outlines_slide(header: &SceneHeader, index: u32, away_m: f64) -> bool {
     let position_m = DVec3::from_array(header.radar.position_m);
     let wavelength_m = header.radar.waveform.wavelength_m();
     view.targets.iter().zip(&frame.poses).any(|(target, pose)| {
-        let TargetKind::Mesh { mesh, .. } = target.kind else { return false };
-        let reach_m = header.meshes.get(mesh as usize).map_or(0.0, Mesh::reach_m);
+        let reach_m = view.mesh_of(&target.kind).map_or(0.0, Mesh::reach_m);
         let distance_m = position_m.distance(DVec3::from_array(pose.position_m));
         away_m * reach_m > wavelength_m * distance_m
     })
@@ -175,7 +174,7 @@ fn add_beams(
 mod tests {
     use super::*;
     use artifact::Accuracy;
-    use artifact::scene::{Pose, Role, Target};
+    use artifact::scene::{Pose, Role, Target, TargetKind};
     use bart_rcs::ExpectedWork;
     use radar::aperture::Preset;
     use radar::paper;

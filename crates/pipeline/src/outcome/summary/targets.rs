@@ -5,7 +5,7 @@ use crate::chain::frame_result::FrameResult;
 use crate::outcome::summary::classes::Probabilities;
 use crate::outcome::summary::tracks::TrackSummary;
 use artifact::points::Object;
-use artifact::scene::{SceneHeader, TargetKind};
+use artifact::scene::SceneHeader;
 use artifact::settings::Class;
 use evaluation::{FrameTruth, Truth};
 use radar::doppler_ambiguity::shown_mps;
@@ -122,10 +122,7 @@ impl TargetSummary {
         index: usize,
     ) -> Self {
         let (described, truth) = (&header.targets[index], &frame.truths[index]);
-        let (class, model) = match &described.kind {
-            TargetKind::Mesh { class, model, .. } => (*class, Some(model.clone())),
-            TargetKind::Point { .. } => (None, None),
-        };
+        let (class, model) = (described.kind.class(), described.kind.model().cloned());
         let chosen = frame.pairing.object_of[index];
         let object = chosen.map(|o| &result.points.objects[o]);
         let probabilities = chosen.filter(|_| model.is_some()).and_then(|o| result.classes.get(o));
@@ -207,10 +204,9 @@ impl ClutterSummary {
     /// `None` of a point, which is no clutter.
     pub(super) fn of(header: &SceneHeader, index: usize, truth: &Truth) -> Option<Self> {
         let described = &header.targets[index];
-        let TargetKind::Mesh { model, .. } = &described.kind else { return None };
         Some(Self {
             id: described.id.clone(),
-            model: model.clone(),
+            model: described.kind.model()?.clone(),
             x_m: truth.position_m.x,
             y_m: truth.position_m.y,
             nearest_range_m: truth.nearest_range_m,

@@ -1,6 +1,6 @@
 //! A body of a view: what it is called, its mesh, and where it stands.
 
-use artifact::scene::{Pose, Role, Target, TargetKind};
+use artifact::scene::{Pose, Role, Target};
 use artifact::settings::Class;
 use serde::Serialize;
 
@@ -19,15 +19,11 @@ pub(in crate::report) struct BodyView {
 impl BodyView {
     /// The body of a target at a pose.
     pub(in crate::report) fn of(target: &Target, pose: &Pose) -> Self {
-        let (class, mesh) = match &target.kind {
-            TargetKind::Mesh { class, mesh, .. } => (class.map(Class::name), Some(*mesh)),
-            TargetKind::Point { .. } => (None, None),
-        };
         Self {
             id: target.id.clone(),
-            class,
+            class: target.kind.class().map(Class::name),
             is_clutter: target.role == Role::Clutter,
-            mesh,
+            mesh: target.kind.mesh(),
             place_m: pose.position_m,
             yaw_rad: pose.yaw_rad,
         }

@@ -9,7 +9,7 @@
 
 use artifact::paths::{Facet, Path};
 use artifact::radar::Radar;
-use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target, TargetKind};
+use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target};
 use glam::{DQuat, DVec3};
 use radar::motion::pose_after;
 
@@ -50,7 +50,8 @@ impl<'a> Folding<'a> {
     /// Bodies of the frame that `view` is the scene of.
     pub(super) fn of(view: &'a SceneHeader, frame: &SceneFrame, radar: &Radar) -> Self {
         let middle_s = radar.frame_middle_s();
-        let body = |(target, pose): (&Target, &Pose)| (mesh_of(view, target), pose_after(pose, middle_s));
+        let body =
+            |(target, pose): (&Target, &Pose)| (view.mesh_of(&target.kind), pose_after(pose, middle_s));
         let bodies = view.targets.iter().zip(&frame.poses).map(body).collect();
         let road_turns = if view.road.is_some() { WITH_ROAD } else { WITHOUT_ROAD };
         Self { radar_m: DVec3::from(radar.position_m), middle_s, bodies, road_turns }
@@ -147,14 +148,6 @@ impl<'a> Folding<'a> {
 
 /// A place of the road and its normal.
 const ROAD: (DVec3, DVec3) = (DVec3::ZERO, DVec3::Z);
-
-/// Mesh of a body; `None` of a point.
-pub(super) fn mesh_of<'a>(view: &'a SceneHeader, target: &Target) -> Option<&'a Mesh> {
-    match &target.kind {
-        TargetKind::Mesh { mesh, .. } => view.meshes.get(*mesh as usize),
-        TargetKind::Point { .. } => None,
-    }
-}
 
 #[cfg(test)]
 mod tests {
