@@ -5,7 +5,10 @@
 
 mod bodies;
 
-use bart_rcs::{Antenna, BeamTree};
+use artifact::Accuracy;
+use artifact::radar::Polarization;
+use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use bart_rcs::{Antenna, BeamTree, RcsRequest, rcs};
 use bodies::referee::silhouette;
 use bodies::sums::lit_section;
 use bodies::{Random, TRACERS, Triangles, car, cuboid, settings};
@@ -103,8 +106,8 @@ fn meshes() -> Vec<(&'static str, Triangles)> {
     ]
 }
 
-/// The part of a facet that is nearer to the antenna than another facet's plane, as triangles; coincident
-/// facets yield to the first.
+/// The part of a facet that is nearer to the antenna than another facet's plane, as triangles; of coincident
+/// facets the one that comes first in `order` is lit.
 fn before(front: &Facet, order: std::cmp::Ordering, facet: &Facet, antenna: Antenna) -> Vec<Facet> {
     let [a, b, c] = *facet;
     let normal = (b - a).cross(c - a).normalize_or_zero();
@@ -138,9 +141,13 @@ fn before(front: &Facet, order: std::cmp::Ordering, facet: &Facet, antenna: Ante
 /// Area that others hide of a facet: A(facet) + A(others in front) − A(both together), each a union.
 fn hidden(triangles: &[Facet], index: usize, antenna: Antenna) -> f64 {
     let facet = &triangles[index];
+    let area_m2 = |[a, b, c]: Facet| (0.5 * (b - a).cross(c - a).length()) as f32;
+    let order = |other: usize| {
+        area_m2(*facet).total_cmp(&area_m2(triangles[other])).then(other.cmp(&index)) // the larger first
+    };
     let others: Vec<Facet> = (0..triangles.len())
         .filter(|&other| other != index)
-        .flat_map(|other| before(&triangles[other], other.cmp(&index), facet, antenna))
+        .flat_map(|other| before(&triangles[other], order(other), facet, antenna))
         .collect();
     if others.is_empty() {
         return 0.0;
@@ -213,5 +220,53 @@ fn no_reflection_of_any_mesh_in_a_room_is_lost_or_doubled() {
                 assert!(error < G1, "{name} from {place}, order {}: {error:e}", k + 1);
             }
         }
+    }
+}
+
+/// A frustum that stands on a plate, its foot closed by a cap that lies on the plate.
+fn capped_frustum_on_a_plate() -> [Triangles; 3] {
+    let ring = |radius_m: f64, z_m: f64| {
+        [0, 1, 2, 3, 4, 5].map(|i| {
+            let (sin, cos) = (f64::from(i) * std::f64::consts::FRAC_PI_3).sin_cos();
+            at(radius_m * cos, radius_m * sin, z_m)
+        })
+    };
+    let (foot, top) = (ring(0.0909, 0.0), ring(0.04, 0.1089));
+    let wall = |i: usize| {
+        let j = (i + 1) % 6;
+        [[foot[i], foot[j], top[j]], [foot[i], top[j], top[i]]]
+    };
+    let walls = Triangles((0..6).flat_map(wall).collect());
+    let cap = Triangles((1..5).map(|i| [foot[0], foot[i + 1], foot[i]]).collect());
+    [walls, cap, square(at(-0.175, -0.15, 0.0), 0.35 * DVec3::X, 0.3 * DVec3::Y)]
+}
+
+#[test]
+fn coincident_facets_scatter_alike_in_whatever_order_they_stand() {
+    let [walls, cap, plate] = capped_frustum_on_a_plate();
+    let orders = [
+        walls.clone().and(cap.clone()).and(plate.clone()),
+        plate.clone().and(cap.clone()).and(walls.clone()),
+        cap.and(plate).and(walls),
+    ];
+    let request = RcsRequest {
+        frequency_hz: vec![5e9],
+        azimuth_rad: vec![220_f64.to_radians()],
+        elevation_rad: vec![66_f64.to_radians()],
+        range_m: f64::INFINITY,
+        receiver: None,
+        polarization: Polarization::Vv,
+        bounces: 2,
+        nodes: NodeRule::OwnEdge,
+        sides: Sides::Two,
+        edges: Edges::Ignored,
+        surface: Surface::Flat,
+        accuracy: Accuracy::from_db(-60.0),
+    };
+    let amplitudes_m =
+        orders.map(|triangles| rcs(&triangles.mesh(), &request, &|_, _| ()).unwrap().amplitude_m[0]);
+    for other_m in &amplitudes_m[1..] {
+        let error = (other_m - amplitudes_m[0]).norm() / amplitudes_m[0].norm();
+        assert!(error < 1e-9, "{error:e}: {amplitudes_m:?}");
     }
 }

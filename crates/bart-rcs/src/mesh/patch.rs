@@ -8,7 +8,7 @@ use glam::DVec3;
 /// Patches of a mesh: which triangles are one, and which of their edges lie inside it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Patches {
-    /// The patch of each triangle, named by its first one.
+    /// The patch of each triangle, named by its largest one.
     first: Vec<u32>,
     /// Bit i of each triangle: the patch goes on beyond the edge from corner i to the next.
     inside: Vec<u8>,
@@ -22,24 +22,24 @@ pub(crate) struct Patches {
 const FLAT_SINE: f64 = 1e-3;
 
 impl Patches {
-    /// Floods every patch from its first triangle over edges whose two ends are the same points.
+    /// Floods every patch from its largest triangle over edges whose two ends are the same points.
     ///
-    /// Flat is measured against the first triangle, so that a finely tessellated cylinder does not become one
-    /// patch.
+    /// Flat is measured against that triangle, so that a finely tessellated cylinder does not become one
+    /// patch, and patches of a skin that is bent a little are the same in whatever order its triangles stand.
     pub(crate) fn of(triangles_m: &[[DVec3; 3]], edges: &MeshEdges) -> Self {
         let normals: Vec<DVec3> = triangles_m.iter().map(unit_normal).collect();
         let is_flat = |seed: u32, other: u32| {
             let [seed, other] = [seed, other].map(|triangle| normals[triangle as usize]);
             seed != DVec3::ZERO && other != DVec3::ZERO && seed.cross(other).length() <= FLAT_SINE
         };
-        let first = edges.hanging_together(0..triangles_m.len() as u32, is_flat);
+        let first = edges.hanging_together(largest_first(triangles_m), is_flat);
         let mut patches = Self { first, inside: vec![0; triangles_m.len()], curvature_per_m: Vec::new() };
         patches.mark_inside(triangles_m, edges, &normals);
         patches.curvature_per_m = curvatures(triangles_m, edges, &normals, &patches.first);
         patches
     }
 
-    /// The first triangle of a triangle's patch.
+    /// The largest triangle of a triangle's patch.
     pub(crate) fn of_triangle(&self, triangle: u32) -> u32 {
         self.first[triangle as usize]
     }
@@ -68,6 +68,15 @@ impl Patches {
             }
         }
     }
+}
+
+/// Triangles from the largest on; areas that are equal to rounding stand in the order of the triangles.
+fn largest_first(triangles_m: &[[DVec3; 3]]) -> impl Iterator<Item = u32> {
+    let area_m2 = |&[a, b, c]: &[DVec3; 3]| (0.5 * (b - a).cross(c - a).length()) as f32;
+    let areas_m2: Vec<f32> = triangles_m.iter().map(area_m2).collect();
+    let mut order: Vec<u32> = (0..triangles_m.len() as u32).collect();
+    order.sort_by(|&a, &b| areas_m2[b as usize].total_cmp(&areas_m2[a as usize]));
+    order.into_iter()
 }
 
 /// Distance to the left of a side, seen along `normal`, of the middle of another triangle, times three
@@ -181,6 +190,33 @@ mod tests {
         for (sine, patch) in [(0.5e-3, 0), (2e-3, 2)] {
             assert_eq!(patches_of(&bent_strip(sine)).of_triangle(3), patch, "{sine}");
         }
+    }
+
+    #[test]
+    fn patches_of_a_skin_that_is_bent_a_little_do_not_hang_on_the_order_of_its_triangles() {
+        // Strips of 0.7 mrad from one to the next, of other widths.
+        let mut edge = (0.0, 0.0);
+        let mut skin = Vec::new();
+        for (i, width) in (0..).zip([1.0, 1.3, 0.8, 1.1, 0.7, 1.2, 0.9]) {
+            let (sin, cos) = (0.7e-3 * f64::from(i)).sin_cos();
+            let next = (edge.0 + width * cos, edge.1 + width * sin);
+            let [a, d] = [0.0, 1.0].map(|y| DVec3::new(edge.0, y, edge.1));
+            let [b, c] = [0.0, 1.0].map(|y| DVec3::new(next.0, y, next.1));
+            skin.extend([[a, b, c], [a, c, d]]);
+            edge = next;
+        }
+        let strips = |triangles_m: &[[DVec3; 3]]| {
+            let patches = patches_of(triangles_m);
+            let strip = |t: usize| skin.iter().position(|other| *other == triangles_m[t]).unwrap() / 2;
+            let mut of_strip = [0; 7];
+            for t in 0..triangles_m.len() {
+                of_strip[strip(t)] = strip(patches.of_triangle(t as u32) as usize);
+            }
+            of_strip
+        };
+        let backwards: Vec<_> = skin.iter().rev().copied().collect();
+        assert_eq!(strips(&skin), strips(&backwards));
+        assert_eq!(strips(&skin), [1, 1, 1, 3, 5, 5, 5]);
     }
 
     #[test]

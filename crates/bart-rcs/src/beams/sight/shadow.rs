@@ -107,7 +107,7 @@ impl Shadow {
             DepthOrder::FirstInFront => Hides::AllInItsCone,
             DepthOrder::SecondInFront => Hides::Nothing,
             DepthOrder::PartedBy(plane) => Hides::InItsConeAnd(plane),
-            DepthOrder::Coincident if self.is_before(target, view.sides) => Hides::AllInItsCone,
+            DepthOrder::Coincident if self.is_before(target, view) => Hides::AllInItsCone,
             DepthOrder::Coincident => Hides::Nothing,
         }
     }
@@ -137,10 +137,12 @@ impl Shadow {
     }
 
     /// Whether this one of coincident facets is lit: the one whose front is seen where only fronts scatter,
-    /// else the first.
-    fn is_before(&self, other: &Self, sides: Sides) -> bool {
-        let key = |shadow: &Self| ((sides == Sides::One).then_some(shadow.seen), shadow.facet);
-        key(self) < key(other)
+    /// else the larger, and of two as large to rounding the first.
+    fn is_before(&self, other: &Self, view: &View) -> bool {
+        let seen = |shadow: &Self| (view.sides == Sides::One).then_some(shadow.seen);
+        let area_m2 = |shadow: &Self| view.world.facet(shadow.facet).area_m2 as f32;
+        let larger = || area_m2(other).total_cmp(&area_m2(self));
+        seen(self).cmp(&seen(other)).then_with(larger).then(self.facet.cmp(&other.facet)).is_lt()
     }
 }
 
