@@ -6,7 +6,7 @@ mod runs;
 
 use crate::cli::BytesArguments;
 use crate::house::folders::files_below;
-use crate::project::{project_root, this_program};
+use crate::project::{project_root, read_text, this_program};
 use runs::CommandRun;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -108,7 +108,7 @@ fn without(value: &mut Value, keys: &[&str]) {
 
 /// A table of what differs from an earlier list, and a failure if anything does.
 fn compare(sums: &Sums, file: &Path, is_asked: &dyn Fn(&str) -> bool) -> Result<(), Failure> {
-    let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
+    let text = read_text(file)?;
     let pairs = text.lines().filter_map(|line| line.split_once("  "));
     let known: Sums =
         pairs.map(|(sum, name)| (name.to_owned(), sum.to_owned())).filter(|(n, _)| is_asked(n)).collect();

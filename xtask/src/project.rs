@@ -10,6 +10,14 @@ pub(crate) fn project_root() -> PathBuf {
     built_in.filter(|p| p.join("Cargo.toml").is_file()).unwrap_or_else(|| PathBuf::from("."))
 }
 
+/// Text of a plain file that a user names.
+pub(crate) fn read_text(file: &Path) -> Result<String, Failure> {
+    artifact::bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))
+}
+
+/// Far beyond the longest table of a study.
+const LIMIT_BYTES: u64 = 256 << 20;
+
 /// Files of third parties, beside the project.
 pub(crate) fn shared() -> PathBuf {
     std::env::var_os("WAYSIDE_SHARED").map_or_else(|| project_root().join("../shared"), PathBuf::from)

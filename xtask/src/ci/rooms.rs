@@ -1,5 +1,6 @@
 //! The room rule: a room of a crate uses only rooms that stand before it in its `lib.rs`, tests aside. So the
-//! crate can be read from the first room on, and no two rooms need each other.
+//! crate can be read from the first room on, and no two rooms need each other. `docs/architecture.md` lists
+//! the rooms as the `lib.rs` does.
 
 use crate::ci::findings::{none_of, read};
 use crate::house::{self, folders};
@@ -9,14 +10,28 @@ use wayside::host::failure::Failure;
 
 pub(super) fn check() -> Result<(), Failure> {
     let mut broken = Vec::new();
+    let page = read(&project_root().join("docs/architecture.md"))?;
     for folder in house::crates(&project_root())? {
         let source = folder.join("src");
         // A program has a `main.rs` alone.
         if source.join("lib.rs").is_file() {
             broken.extend(broken_in(&source)?);
+            let rooms = rooms(&read(&source.join("lib.rs"))?);
+            broken.extend(told_otherwise(&page, &house::name_of(&folder), &rooms));
         }
     }
     none_of(broken)
+}
+
+/// A sentence where the page's table of rooms lists others of a crate, or in another order.
+fn told_otherwise(page: &str, name: &str, rooms: &[String]) -> Option<String> {
+    let row = page.lines().find_map(|line| line.strip_prefix(&format!("| `{name}` | `")))?;
+    let told = row.trim_end_matches(" |").trim_end_matches('`').split("`, `");
+    let is_same = told.clone().eq(rooms.iter().map(String::as_str));
+    let told = || told.collect::<Vec<_>>().join(", ");
+    (!is_same).then(|| {
+        format!("docs/architecture.md: the rooms of `{name}` are {}, not {}", rooms.join(", "), told())
+    })
 }
 
 fn broken_in(source: &Path) -> Result<Vec<String>, Failure> {
@@ -75,6 +90,16 @@ fn first_word(text: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_page_lists_the_rooms_in_their_order() {
+        let page = "| crate | rooms |\n| `dsp` | `windows`, `maps` |\n| `echo` | below |";
+        let told = |name: &str, rooms: [&str; 2]| told_otherwise(page, name, &rooms.map(str::to_owned));
+        assert_eq!(told("dsp", ["windows", "maps"]), None);
+        assert_eq!(told("echo", ["sums", "links"]), None);
+        let sentence = "docs/architecture.md: the rooms of `dsp` are maps, windows, not windows, maps";
+        assert_eq!(told("dsp", ["maps", "windows"]).as_deref(), Some(sentence));
+    }
 
     #[test]
     fn rooms_use_only_rooms_before_them() {

@@ -72,14 +72,18 @@ fn ages() -> Result<Vec<String>, Failure> {
     for study in &STUDIES {
         match study.age()? {
             Age::Fresh => {}
-            Age::Older => older.push(study.name),
+            Age::Older | Age::Unknown => older.push(study.name),
             Age::Missing => {
                 missing.push(format!("{}: has no part of the study `{}`", study.page, study.name))
             }
         }
     }
     let list = older.join(", ");
-    terminal::line(format!("{} of {} studies are older than their code: {list}", older.len(), STUDIES.len()));
+    terminal::line(format!(
+        "{} of {} studies are older than their code, or of sources unknown: {list}",
+        older.len(),
+        STUDIES.len()
+    ));
     Ok(missing)
 }
 

@@ -2,7 +2,7 @@
 //! a table, pictures and a whole page.
 
 use crate::cli::{AtlasArguments, ChartArguments, StudyArguments};
-use crate::project::project_root;
+use crate::project::{project_root, read_text};
 use crate::study::extent::Extent;
 use crate::study::page::{FEWER, made_by};
 use crate::study::sources::{self, Places};
@@ -142,7 +142,7 @@ impl Drawing<'_> {
 
     /// An earlier table.
     fn table(&self, file: &Path) -> Result<Table, Failure> {
-        let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
+        let text = read_text(file)?;
         let refused = |error| Failure::Refused(format!("{}: {error}", file.display()));
         Table::read(&text, self.columns).map_err(refused)
     }

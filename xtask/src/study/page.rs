@@ -8,8 +8,10 @@ use std::ops::Range;
 pub(crate) enum Age {
     /// Made by these sources.
     Fresh,
-    /// Made by others, or it does not say by which.
+    /// Made by others.
     Older,
+    /// It does not say by which: made before pages said so, or of fewer cases than asked for.
+    Unknown,
     /// The page is not there, or has no line of this study.
     Missing,
 }
@@ -20,6 +22,7 @@ impl Age {
         match self {
             Self::Fresh => "fresh",
             Self::Older => "older than its code",
+            Self::Unknown => "of sources unknown",
             Self::Missing => "missing",
         }
     }
@@ -28,6 +31,7 @@ impl Age {
     pub(super) fn of(page: &str, study: &str, hash: &str) -> Self {
         match line_of(page, study).map(|line| &page[line]) {
             Some(line) if line == made_by(study, hash) => Self::Fresh,
+            Some(line) if line == made_by(study, FEWER) => Self::Unknown,
             Some(_) => Self::Older,
             None => Self::Missing,
         }
@@ -89,7 +93,9 @@ mod tests {
 
     #[test]
     fn a_page_of_other_sources_is_older_and_one_without_the_line_is_missing() {
-        assert_eq!(Age::of(PAGE, "a", "12345678"), Age::Older);
+        assert_eq!(Age::of(PAGE, "a", "12345678"), Age::Unknown);
+        let older = PAGE.replace("unknown", "87654321");
+        assert_eq!(Age::of(&older, "a", "12345678"), Age::Older);
         assert_eq!(Age::of(PAGE, "b", "12345678"), Age::Missing);
         assert_eq!(with_part(PAGE, "b", "12345678", ""), None);
     }

@@ -7,7 +7,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{File, FileType, Metadata};
-use std::io::{self, Result};
+use std::io::{self, Read, Result};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -43,13 +43,22 @@ pub fn note(file: &Path) {
 /// The file is read by pieces: a recording may be larger than memory.
 ///
 /// # Errors
-/// It is unreadable or no plain file.
+/// It is unreadable, no plain file, or has no end: files of `/proc` are plain, and some of them go on.
 pub fn named_hash(file: &Path) -> Result<(String, String)> {
     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let mut hasher = blake3::Hasher::new();
-    io::copy(&mut open(file)?, &mut hasher)?;
+    let handle = open(file)?;
+    let told_bytes = handle.metadata()?.len();
+    let most_bytes = told_bytes.saturating_add(GROWTH_LIMIT_BYTES);
+    if io::copy(&mut handle.take(most_bytes), &mut hasher)? == most_bytes {
+        let text = format!("it goes on far beyond the {told_bytes} bytes that the system tells of");
+        return Err(io::Error::new(io::ErrorKind::InvalidData, text));
+    }
     Ok((name, hasher.finalize().to_hex().to_string()))
 }
+
+/// Bytes that a file may have beyond those that the system tells of it: more may be appended meanwhile.
+const GROWTH_LIMIT_BYTES: u64 = 256 << 20;
 
 /// The name by which a file was read that `about` tells of, if it is an input.
 pub(crate) fn known(file: &Path, about: &Metadata) -> Option<PathBuf> {
@@ -120,4 +129,19 @@ fn name(kind: FileType) -> &'static str {
 #[cfg(not(unix))]
 fn name(_: FileType) -> &'static str {
     "something else"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_file_without_an_end_is_not_hashed_for_ever() {
+        let endless = Path::new("/proc/self/pagemap");
+        if endless.is_file() {
+            let error = named_hash(endless).unwrap_err();
+            assert!(error.to_string().contains("beyond the 0 bytes"), "{error}");
+        }
+    }
 }

@@ -14,7 +14,7 @@ use pipeline::host::progress;
 use reporting::pictures;
 use reporting::pictures::rdm_exr;
 use serde_json::json;
-use std::io::Error;
+use std::io::{Error, Read};
 use std::path::{Path, PathBuf};
 
 /// Writes the maps as a NumPy array `[frame, channel, doppler, range]`, the cells that were found as another,
@@ -23,6 +23,7 @@ pub fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     let mask = mask_beside(out);
     files::claim(&[out.to_owned(), mask.clone(), sidecar::beside(out)])?;
     sidecar::claim(out)?;
+    keep_what_is_no_mask(&mask, out)?;
     let header = reader.header().clone();
     let [channels, doppler, range] = artifact::rdm::shape(&header);
     let frames = reader.frames() as usize;
@@ -46,6 +47,27 @@ fn mask_beside(out: &Path) -> PathBuf {
     let mut name = if is_npy { out.with_extension("") } else { out.to_owned() }.into_os_string();
     name.push(".mask.npy");
     PathBuf::from(name)
+}
+
+/// Refuses to replace what is no mask of maps: an array of bytes with three axes, without a description of
+/// its own.
+fn keep_what_is_no_mask(place: &Path, out: &Path) -> Result<(), Failure> {
+    if !place.is_file() || is_mask(place) && !sidecar::beside(place).exists() {
+        return Ok(());
+    }
+    let name = out.file_name().unwrap_or_default().to_string_lossy();
+    let rule = format!("is no mask of {name}, beside which it would be written; choose another --out");
+    Err(Failure::System(format!("{}: {rule}", place.display())))
+}
+
+/// Whether the head of a file is that of a mask as it is written here.
+fn is_mask(file: &Path) -> bool {
+    let mut head = Vec::new();
+    let read = std::fs::File::open(file).and_then(|file| file.take(128).read_to_end(&mut head));
+    let head = String::from_utf8_lossy(&head);
+    let shape = || Some(head.split_once("'shape': (")?.1.split_once(')')?.0);
+    let axes = || shape().map(|shape| shape.split_terminator(", ").count());
+    read.is_ok() && head.contains("'descr': '|u1'") && axes() == Some(3)
 }
 
 fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {

@@ -140,6 +140,22 @@ fn no_sidecar_replaces_what_its_command_reads() {
 }
 
 #[test]
+fn the_mask_of_a_map_replaces_a_mask_alone() {
+    let place = filled();
+    place.run("export f.cube --to npy --out n.mask.npy");
+    std::fs::write(place.path("t.mask.npy"), "a table of mine").unwrap();
+    for (out, kept) in [("n.npy", "n.mask.npy"), ("t.npy", "t.mask.npy")] {
+        let before = place.bytes(kept);
+        let words = format!("export f.rdm --to npy --out {out}");
+        refused(&place.try_run(&words), "is no mask of", &words);
+        assert!(place.bytes(kept) == before && !place.path(out).exists(), "{words}");
+    }
+    place.run("export f.rdm --to npy --out m.npy");
+    std::fs::remove_file(place.path("m.npy.json")).unwrap(); // as of a command that was killed
+    place.run("export f.rdm --to npy --out m.npy");
+}
+
+#[test]
 fn hard_and_symbolic_links_to_an_input_are_that_input() {
     let place = filled();
     std::fs::hard_link(place.path("f.cube"), place.path("hard.npy")).unwrap();

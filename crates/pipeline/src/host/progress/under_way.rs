@@ -162,15 +162,19 @@ impl Item {
     }
 }
 
-/// Adds how far the work is, and how long it will take if it goes on as it went so far.
+/// Adds how far the work is, and how long it will take if it goes on as it went so far, once a few steps tell
+/// that: the first frame measures errors that those after it take over.
 fn add_counts(text: &mut String, [done, of, found]: [usize; 3], ran: Duration) {
     _ = write!(text, ": {done} of {of}");
     let here = done.saturating_sub(found);
-    if here > 0 {
+    if here >= FEW_STEPS || 5 * here >= of && here > 0 {
         let left_s = ran.as_secs_f64() * (of - done) as f64 / here as f64;
         _ = write!(text, ", about {left_s:.0} s left");
     }
 }
+
+/// Steps that tell how long others take; of fewer than fifteen a fifth does.
+const FEW_STEPS: usize = 3;
 
 #[cfg(test)]
 mod tests {

@@ -3,7 +3,7 @@
 
 use crate::program::commands::rcs::aspect_geometry::{Extent, Look};
 use crate::program::commands::rcs::isar::{self, Square, Sum};
-use crate::program::commands::rcs::sampling::Samplings;
+use crate::program::commands::rcs::sampling::{Sampling, Samplings};
 use crate::program::commands::rcs::silhouette;
 use artifact::scene::Mesh;
 use artifact::units::db_from_power;
@@ -282,8 +282,24 @@ fn profile(
 
 /// Addition to an axis's label where the body lies upon itself.
 fn ambiguous(warnings: &[String]) -> &'static str {
-    if warnings.is_empty() { "" } else { " (ambiguous)" }
+    if warnings.is_empty() { "" } else { AMBIGUOUS }
 }
+
+const AMBIGUOUS: &str = " (ambiguous)";
+
+/// Additions to the labels of the body's axes, ahead and to the left: the range lies along the looks, the
+/// cross-range square to them.
+fn axis_marks(request: &RcsRequest, samplings: &Samplings) -> [&'static str; 2] {
+    let is_ambiguous = |of: &Option<Sampling>| of.as_ref().is_some_and(Sampling::is_ambiguous);
+    let [range, cross] = [&samplings.range, &samplings.cross_range].map(is_ambiguous);
+    let is_along = |part: fn(f64) -> f64| request.azimuth_rad.iter().any(|az| part(*az).abs() > OBLIQUE_SINE);
+    let [cos, sin] = [f64::cos, f64::sin].map(is_along);
+    let mark = |is_marked: bool| if is_marked { AMBIGUOUS } else { "" };
+    [mark(range && cos || cross && sin), mark(range && sin || cross && cos)]
+}
+
+/// Sine of the angle to an axis of the body up to which what lies across it does not spread along it.
+const OBLIQUE_SINE: f64 = 0.3;
 
 fn capital(sentence: String) -> String {
     let mut letters = sentence.chars();
@@ -312,14 +328,14 @@ fn image(
         }
     };
     let warnings = samplings.warnings();
-    let mark = ambiguous(&warnings);
+    let [ahead, left] = axis_marks(request, samplings);
     let mut legend = Legend::default();
     legend.say_of(&[Mark::Plate, Mark::Line], "truthmap", "outline of the mesh from above");
     let map = HeatMap {
         title: "ISAR image (inverse synthetic aperture)".into(),
         notes: std::iter::once(how.to_owned()).chain(warnings.into_iter().map(capital)).collect(),
-        x: (format!("to the body's left, m{mark}"), [half_width_m, -half_width_m]),
-        y: (format!("ahead, m{mark}"), [-half_width_m, half_width_m]),
+        x: (format!("to the body's left, m{left}"), [half_width_m, -half_width_m]),
+        y: (format!("ahead, m{ahead}"), [-half_width_m, half_width_m]),
         levels_db,
         span_db: SPAN_DB,
         unit: "dBsm".into(),
