@@ -11,6 +11,7 @@ mod shots;
 mod observed_frame;
 mod maker;
 mod shard;
+pub(crate) mod scene_line;
 pub(crate) mod lines;
 mod resumption;
 mod conclusion;
