@@ -1,4 +1,4 @@
-//! End of a dataset: what is made of all of its shards, by whichever process finds them all there. Shards are
+//! Summary of a dataset: what is made of all of its shards, by whichever process finds them all there. Shards are
 //! read one by one, so that memory does not grow with lines.
 
 mod detection;
@@ -18,7 +18,7 @@ use pipeline::host::progress::Work;
 use std::io::{Error, Write};
 use std::path::{Path, PathBuf};
 
-/// Files of the conclusion in a dataset's folder.
+/// Files of the summary in a dataset's folder.
 pub(super) fn files_of(out: &Path) -> [PathBuf; 3] {
     CONCLUSION.map(|name| out.join(name))
 }
