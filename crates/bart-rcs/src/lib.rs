@@ -6,7 +6,7 @@
 //! are made. Signs, axes and units: `docs/conventions.md`; formulas: `docs/physics.md`.
 //!
 //! ```
-//! use artifact::{Accuracy, radar::Polarization, scene::Mesh, settings::{Edges, NodeRule, Sides, Surface}};
+//! use artifact::scene::Mesh;
 //! use bart_rcs::{RcsRequest, rcs};
 //! // A square of 0.3 m seen square at 77 GHz: σ = 4πA²/λ², 38.27 dBsm.
 //! let plate = Mesh {
@@ -14,20 +14,8 @@
 //!     triangles: vec![[0, 1, 2], [0, 2, 3]],
 //!     ..Mesh::default()
 //! };
-//! let ahead = RcsRequest {
-//!     frequency_hz: vec![77e9],
-//!     elevation_rad: vec![0.0],
-//!     azimuth_rad: vec![0.0],
-//!     range_m: f64::INFINITY,
-//!     receiver: None,
-//!     polarization: Polarization::Vv,
-//!     bounces: 3,
-//!     nodes: NodeRule::Middle,
-//!     sides: Sides::Two,
-//!     edges: Edges::Ignored,
-//!     surface: Surface::Flat,
-//!     accuracy: Accuracy::from_db(-40.0),
-//! };
+//! // Far away and from ahead, all else as `wayside rcs` has it.
+//! let ahead = RcsRequest::over(vec![77e9], vec![0.0], vec![0.0]);
 //! let amplitude_m = rcs(&plate, &ahead, &|_, _| {})?.amplitude_m[0];
 //! assert!((10.0 * amplitude_m.norm_sqr().log10() - 38.2703).abs() < 1e-3);
 //! # Ok::<(), bart_rcs::BartError>(())

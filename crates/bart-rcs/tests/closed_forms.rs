@@ -7,7 +7,7 @@
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::NodeRule;
 use bart_rcs::{RcsRequest, RcsResult, Standpoint, rcs};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -19,18 +19,10 @@ const K: f64 = TAU / WAVELENGTH_M;
 
 fn request() -> RcsRequest {
     RcsRequest {
-        frequency_hz: vec![FREQUENCY_HZ],
-        elevation_rad: vec![0.0],
-        azimuth_rad: vec![0.0],
-        range_m: f64::INFINITY,
-        receiver: None,
-        polarization: Polarization::Vv,
         bounces: 1,
         nodes: NodeRule::Middle,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-60.0),
+        ..RcsRequest::over(vec![FREQUENCY_HZ], vec![0.0], vec![0.0])
     }
 }
 

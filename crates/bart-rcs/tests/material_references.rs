@@ -7,7 +7,7 @@ use artifact::Accuracy;
 use artifact::material::{Backing, Layer, Material, Thickness};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{NodeRule, Sides};
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use num_complex::Complex64;
 use po_sbr::{Aspect, Bracket, ReferenceError, po, sbr};
@@ -82,18 +82,17 @@ fn standpoint(azimuth_deg: f64, elevation_deg: f64) -> Standpoint {
 fn bart(mesh: &Mesh, aspect: &Aspect, bounces: u8, nodes: NodeRule) -> Vec<Vec<Matrix>> {
     let of = |polarization| {
         let request = RcsRequest {
-            frequency_hz: FREQUENCIES_HZ.to_vec(),
-            elevation_rad: vec![aspect.transmitter.elevation_rad],
-            azimuth_rad: vec![aspect.transmitter.azimuth_rad],
             range_m: RANGE_M,
             receiver: (aspect.receiver != aspect.transmitter).then_some(aspect.receiver),
             polarization,
             bounces,
             nodes,
-            sides: Sides::Two,
-            edges: Edges::Ignored,
-            surface: Surface::Flat,
             accuracy: Accuracy::from_db(ACCURACY_DB),
+            ..RcsRequest::over(
+                FREQUENCIES_HZ.to_vec(),
+                vec![aspect.transmitter.elevation_rad],
+                vec![aspect.transmitter.azimuth_rad],
+            )
         };
         rcs(mesh, &request, &|_, _| {}).unwrap().by_order_m
     };

@@ -6,7 +6,7 @@ use artifact::Accuracy;
 use artifact::material::{Backing, Layer, Makeup, Material, Thickness, Transmission};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::NodeRule;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use num_complex::Complex64;
@@ -68,18 +68,13 @@ fn dihedral(opening_deg: f64, roll_deg: f64) -> [Vec<[f64; 3]>; 2] {
 
 fn request(azimuth_deg: f64, elevation_deg: f64) -> RcsRequest {
     RcsRequest {
-        frequency_hz: vec![FREQUENCY_HZ],
-        elevation_rad: vec![elevation_deg.to_radians()],
-        azimuth_rad: vec![azimuth_deg.to_radians()],
-        range_m: f64::INFINITY,
-        receiver: None,
-        polarization: Polarization::Vv,
-        bounces: 3,
         nodes: NodeRule::Middle,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-60.0),
+        ..RcsRequest::over(
+            vec![FREQUENCY_HZ],
+            vec![elevation_deg.to_radians()],
+            vec![azimuth_deg.to_radians()],
+        )
     }
 }
 

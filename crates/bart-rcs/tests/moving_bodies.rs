@@ -11,12 +11,8 @@ mod bodies;
 
 use artifact::Accuracy;
 use artifact::paths::PathsFrame;
-use artifact::radar::Polarization;
 use artifact::scene::{Mesh, Meshes, Pose, SceneFrame, SceneHeader, Target, TargetKind};
-use artifact::settings::Surface;
-use bart_rcs::{
-    FrameSurroundings, MOMENTS_MAX, PathView, RcsRequest, Standpoint, Tracer, rcs, scattering_of_paths,
-};
+use bart_rcs::{FrameSurroundings, MOMENTS_MAX, PathView, RcsRequest, Tracer, rcs, scattering_of_paths};
 use bodies::scenes::scene;
 use bodies::{car, cuboid};
 use glam::{DMat3, DVec3};
@@ -75,18 +71,13 @@ fn anew(scene: &Scene, seconds: f64) -> Vec<Complex64> {
     let way = RADAR_M - ORIGIN_M;
     let fidelity = &scene.0.fidelity;
     let request = RcsRequest {
-        frequency_hz: frequencies_hz(),
-        azimuth_rad: vec![way.y.atan2(way.x)],
-        elevation_rad: vec![(way.z / way.length()).asin()],
         range_m: way.length(),
-        receiver: None::<Standpoint>,
-        polarization: Polarization::Vv,
         bounces: fidelity.bounces,
         nodes: fidelity.nodes,
         sides: fidelity.sides,
         edges: fidelity.edges,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-50.0),
+        ..RcsRequest::over(frequencies_hz(), vec![(way.z / way.length()).asin()], vec![way.y.atan2(way.x)])
     };
     rcs(&at(scene, seconds), &request, &|_, _| ()).unwrap().amplitude_m
 }

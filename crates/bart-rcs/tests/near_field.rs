@@ -5,9 +5,8 @@
 )]
 
 use artifact::Accuracy;
-use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::Sides;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::{BartError, RcsRequest, RcsResult, Standpoint, rcs};
 use glam::DVec3;
@@ -53,20 +52,7 @@ fn sphere() -> Mesh {
 }
 
 fn request(range_m: f64) -> RcsRequest {
-    RcsRequest {
-        frequency_hz: vec![FREQUENCY_HZ],
-        elevation_rad: vec![0.05],
-        azimuth_rad: vec![0.1],
-        range_m,
-        receiver: None,
-        polarization: Polarization::Vv,
-        bounces: 3,
-        nodes: NodeRule::OwnEdge,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
-        accuracy: Accuracy::from_db(-40.0),
-    }
+    RcsRequest { range_m, ..RcsRequest::over(vec![FREQUENCY_HZ], vec![0.05], vec![0.1]) }
 }
 
 fn antenna_m(request: &RcsRequest) -> DVec3 {

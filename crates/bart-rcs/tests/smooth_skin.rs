@@ -9,9 +9,8 @@ mod bodies;
 
 use artifact::Accuracy;
 use artifact::material::{Backing, Layer, Material, Thickness};
-use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{NodeRule, Surface};
 use bart_rcs::{RcsRequest, Role, Skin, Standpoint, World, rcs};
 use bodies::{Triangles, sphere};
 use glam::DVec3;
@@ -24,18 +23,15 @@ const K: f64 = TAU / WAVELENGTH_M;
 
 fn request(azimuth_deg: f64, elevation_deg: f64, accuracy_db: f64) -> RcsRequest {
     RcsRequest {
-        frequency_hz: vec![FREQUENCY_HZ],
-        elevation_rad: vec![elevation_deg.to_radians()],
-        azimuth_rad: vec![azimuth_deg.to_radians()],
-        range_m: f64::INFINITY,
-        receiver: None,
-        polarization: Polarization::Vv,
         bounces: 1,
         nodes: NodeRule::Middle,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
         surface: Surface::Smooth,
         accuracy: Accuracy::from_db(accuracy_db),
+        ..RcsRequest::over(
+            vec![FREQUENCY_HZ],
+            vec![elevation_deg.to_radians()],
+            vec![azimuth_deg.to_radians()],
+        )
     }
 }
 

@@ -9,7 +9,7 @@ mod bodies;
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::Edges;
 use bart_rcs::{
     Keeper, MemoryLimit, NothingKept, Piece, RcsRequest, RcsResult, RcsSeconds, Surroundings, Unheard, rcs,
     rcs_within,
@@ -22,18 +22,12 @@ use std::sync::Mutex;
 /// `count` azimuths over the circle, far away, three bounces.
 fn request(count: usize, accuracy_db: f64) -> RcsRequest {
     RcsRequest {
-        frequency_hz: vec![76.5e9, 77e9, 77.5e9],
-        elevation_rad: vec![0.1],
-        azimuth_rad: (0..count).map(|i| TAU * i as f64 / count as f64).collect(),
-        range_m: f64::INFINITY,
-        receiver: None,
-        polarization: Polarization::Vv,
-        bounces: 3,
-        nodes: NodeRule::OwnEdge,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(accuracy_db),
+        ..RcsRequest::over(
+            vec![76.5e9, 77e9, 77.5e9],
+            vec![0.1],
+            (0..count).map(|i| TAU * i as f64 / count as f64).collect(),
+        )
     }
 }
 

@@ -15,14 +15,14 @@ const MOST_ALIKE: usize = 4;
 const COVERED: f64 = 0.95;
 
 /// Lengths that differ by less than this share of the body's radius are one.
-const ALIKE: f64 = 1e-3;
+const SAME_LENGTH_SHARE: f64 = 1e-3;
 
 /// Whether each of some triangles (metres from a point of the axis, which is y) is of a body of revolution.
 pub(crate) fn are_of_revolution(triangles_m: &[[DVec3; 3]]) -> Vec<bool> {
     let outlines: Vec<Outline> = triangles_m.iter().map(Outline::of).collect();
     let radius_m = triangles_m.iter().flatten().map(|p| p.x.hypot(p.z)).fold(0.0, f64::max);
     let mut is_round = vec![false; triangles_m.len()];
-    for alike in alike(&outlines, ALIKE * radius_m) {
+    for alike in alike(&outlines, SAME_LENGTH_SHARE * radius_m) {
         if closes_a_ring(&outlines, &alike) {
             alike.into_iter().for_each(|i| is_round[i] = true);
         }
@@ -32,8 +32,14 @@ pub(crate) fn are_of_revolution(triangles_m: &[[DVec3; 3]]) -> Vec<bool> {
 
 /// Measures of a triangle that turning about the axis leaves as they are, and where it stands about it.
 struct Outline {
-    /// Distances from the axis and places along it, mean and greatest, and the perimeter, m.
-    lengths_m: [f64; 5],
+    /// Mean and greatest distance of the corners from the axis.
+    mean_radius_m: f64,
+    greatest_radius_m: f64,
+    /// Mean and greatest place of the corners along the axis.
+    mean_along_m: f64,
+    greatest_along_m: f64,
+    /// Length of the three sides.
+    perimeter_m: f64,
     /// Middle of the angles that it covers: of a quadrilateral's halves the same, whichever way it is split.
     angle_rad: f64,
     /// Angle that it covers.
@@ -48,18 +54,18 @@ impl Outline {
         let middle_rad = angle(middle);
         let from_middle = |p: &DVec3| (angle(*p) - middle_rad + 1.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
         // A corner on the axis has no angle.
-        let off_axis =
-            corners_m.iter().zip(radii_m).filter(|(_, radius)| *radius > ALIKE * radii_m[0].max(radii_m[1]));
+        let off_axis = corners_m
+            .iter()
+            .zip(radii_m)
+            .filter(|(_, radius)| *radius > SAME_LENGTH_SHARE * radii_m[0].max(radii_m[1]));
         let angles = off_axis.map(|(p, _)| from_middle(p));
         let (low, high) = angles.fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
         Self {
-            lengths_m: [
-                radii_m.iter().sum::<f64>() / 3.0,
-                radii_m.into_iter().fold(0.0, f64::max),
-                middle.y,
-                a.y.max(b.y).max(c.y),
-                a.distance(b) + b.distance(c) + c.distance(a),
-            ],
+            mean_radius_m: radii_m.iter().sum::<f64>() / 3.0,
+            greatest_radius_m: radii_m.into_iter().fold(0.0, f64::max),
+            mean_along_m: middle.y,
+            greatest_along_m: a.y.max(b.y).max(c.y),
+            perimeter_m: a.distance(b) + b.distance(c) + c.distance(a),
             angle_rad: (middle_rad + 0.5 * (low + high)).rem_euclid(TAU),
             width_rad: high - low,
         }
@@ -73,8 +79,15 @@ fn angle(p: DVec3) -> f64 {
 /// Groups of triangles whose lengths are alike.
 fn alike(outlines: &[Outline], tolerance_m: f64) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = vec![(0..outlines.len()).collect()];
-    for k in 0..5 {
-        let of = |i: usize| outlines[i].lengths_m[k];
+    let lengths: [fn(&Outline) -> f64; 5] = [
+        |outline| outline.mean_radius_m,
+        |outline| outline.greatest_radius_m,
+        |outline| outline.mean_along_m,
+        |outline| outline.greatest_along_m,
+        |outline| outline.perimeter_m,
+    ];
+    for length_m in lengths {
+        let of = |i: usize| length_m(&outlines[i]);
         groups = groups.into_iter().flat_map(|group| parted(group, of, tolerance_m)).collect();
     }
     groups

@@ -8,7 +8,7 @@
 //! A [`Receiver`] is made once of a header, which it checks, and then takes frames:
 //!
 //! - [`Receiver::range_doppler`]: the map of every transmit–receive pair `[channel, doppler, range]`, zero
-//!   velocity at N/2, and the cells that a cell-averaging CFAR tested and found
+//!   velocity at N/2, and the cells that the CFAR asked for (CA, GO, SO or OS) tested and found
 //!   ([`RdmFrame`](artifact::rdm::RdmFrame));
 //! - [`Receiver::detect`], or [`Receiver::detect_refined`] where the samples are at hand: points with range,
 //!   radial velocity, azimuth, elevation and world position, and the objects that they form
@@ -82,8 +82,8 @@ pub use crops::signature::Signatures;
 pub use detection::cfar;
 pub use direction::angle;
 pub use direction::calibration::mean_errors;
+pub use direction::multipath_ghost::multipath_ghost;
 pub use direction::point_sources::{Source, least_errors, sources};
-pub use direction::two_ways::two_ways;
 pub use error::{Axis, DspError};
 pub use estimation::cramer_rao::cramer_rao;
 pub use numerics::incomplete_gamma::gamma_tail;

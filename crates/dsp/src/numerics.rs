@@ -1,5 +1,6 @@
-//! Mathematics that knows no radar: each file is a textbook's algorithm, by its name. Why it is written out
-//! and what libraries measure beside it: docs/decisions/numerics.md.
+//! Mathematics that knows no radar: a textbook's algorithm a file, by its name, behind two files about numbers
+//! themselves (`finite`, `precision`). Why it is written out and what libraries measure beside it:
+//! docs/decisions/numerics.md.
 
 pub(crate) mod finite; // the first value that is no number
 pub(crate) mod precision; // single and double

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 /// Cells from the peak within which a tone counts: the main lobe of all windows here and a sidelobe.
 pub(crate) const REACH_CELLS: f64 = 4.0;
 /// Tabulated places of a cell: finer than what a point is placed to.
-const STEPS: usize = 64;
+const PLACES_PER_CELL: usize = 64;
 
 /// Response along the rows of a radar's map.
 pub(crate) enum DopplerResponse {
@@ -83,8 +83,8 @@ impl Staggered {
 
     /// Amplitude so many rows beside a tone, about the frame's middle.
     fn at(&self, rows: f64) -> Complex64 {
-        let step = (rows * STEPS as f64).round();
-        let turns = step / STEPS as f64;
+        let step = (rows * PLACES_PER_CELL as f64).round();
+        let turns = step / PLACES_PER_CELL as f64;
         let value = |(first, late): &(usize, f64)| {
             let part = &self.parts[*first];
             part[step.rem_euclid(part.len() as f64) as usize] * Complex64::cis(TAU * turns * (late - 0.5))
@@ -95,7 +95,7 @@ impl Staggered {
 
 /// Σ over chirps first, first + P, … of w_m·e^{j2πdm/N}/N, d at steps from 0 to N.
 fn part(taper: &[f64], first: usize, delays: usize) -> Vec<Complex64> {
-    let (rows, length) = (taper.len(), taper.len() * STEPS);
+    let (rows, length) = (taper.len(), taper.len() * PLACES_PER_CELL);
     let turns: Vec<Complex64> = (0..length).map(|i| Complex64::cis(TAU * i as f64 / length as f64)).collect();
     let own = || taper.iter().enumerate().skip(first).step_by(delays);
     let sum = |step: usize| own().map(|(m, w)| turns[step * m % length] * w).sum::<Complex64>();
@@ -120,16 +120,16 @@ pub(crate) fn reached(cell: f64) -> std::ops::Range<i64> {
 
 /// Amplitude of a tabulated response so many cells from its centre.
 pub(crate) fn at(response: &[f64], cells: f64) -> f64 {
-    response.get((cells.abs() * STEPS as f64).round() as usize).copied().unwrap_or(0.0)
+    response.get((cells.abs() * PLACES_PER_CELL as f64).round() as usize).copied().unwrap_or(0.0)
 }
 
 /// Amplitude that a tone so far from a cell's centre leaves in it, about the window's middle, where it is
 /// real.
 pub(crate) fn response(taper: &[f64]) -> Vec<f64> {
     let length = taper.len() as f64;
-    let steps = REACH_CELLS as usize * STEPS;
+    let steps = REACH_CELLS as usize * PLACES_PER_CELL;
     let of = |step: usize| {
-        let turn = TAU / STEPS as f64 * step as f64 / length;
+        let turn = TAU / PLACES_PER_CELL as f64 * step as f64 / length;
         taper.iter().enumerate().map(|(n, w)| w * (turn * (n as f64 - 0.5 * length)).cos()).sum::<f64>()
             / length
     };

@@ -27,7 +27,7 @@ mod measured; // a radar's numbers in a sensor's axes
 pub mod traffic; // ground truth read as traffic
 mod sensor; // detections and reflections written
 mod ros; // points and tracks written
-pub mod table; // rows as Parquet
+pub mod parquet_table; // rows as Parquet
 
 pub use ros::RosRecording;
 pub use sensor::{SensorDataTrace, SensorViewTrace};

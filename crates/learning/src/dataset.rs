@@ -11,9 +11,10 @@ mod shots;
 mod observed_frame;
 mod maker;
 mod shard;
+pub(crate) mod scene_line;
 pub(crate) mod lines;
 mod resumption;
-mod conclusion;
+mod summary;
 mod cost;
 
 use layout::{Layout, PlannedShard};
@@ -43,7 +44,7 @@ pub struct Settings<'a> {
 /// What is done of a dataset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Task {
-    /// The shards of a part, from 1, of so many; and the conclusion, where all shards are there then.
+    /// The shards of a part, from 1, of so many; and the summary of all, where all shards are there then.
     Make {
         /// Number and count of parts.
         shard: [u32; 2],
@@ -66,15 +67,15 @@ pub fn run(settings: &Settings) -> Result<(), Failure> {
         cost::lines(&recipe, &layout, settings.memory)?.iter().for_each(|line| (settings.tell)(line));
         return Ok(());
     }
-    files::claim(&conclusion::files_of(&settings.out))?;
-    let conclude = || conclusion::conclude(&layout, &settings.out, settings.tell);
+    files::claim(&summary::files_of(&settings.out))?;
+    let conclude = || summary::conclude(&layout, &settings.out, settings.tell);
     let Task::Make { shard: [number, of] } = settings.task else {
-        let lacking = conclusion::lacking(&recipe, &layout, usize::MAX)?;
+        let lacking = summary::lacking(&recipe, &layout, usize::MAX)?;
         lacking.first().map_or(Ok(()), |first| Err(unfinished(first, lacking.len(), &layout)))?;
         return conclude();
     };
     make(&recipe, layout.part(number, of).collect(), settings.memory)?;
-    match conclusion::lacking(&recipe, &layout, 1)?.first() {
+    match summary::lacking(&recipe, &layout, 1)?.first() {
         None => conclude(),
         Some(lines) => {
             (settings.tell)(&format!("{}: not made yet (another part of --shard)", lines.display()));

@@ -1,11 +1,11 @@
 //! Plan of the physics that a scene needs, by one number: a look tells what each part of the echo is to
 //! all of it, and what the accuracy can spare is left out (`docs/planning.md`).
 
-pub(crate) mod part; // what is modelled or left out
-pub(crate) mod look; // what each part is, over the frames looked at
+pub(crate) mod physics_part; // what is modelled or left out
+pub(crate) mod echo_shares; // what each part is, over the frames looked at
 pub(crate) mod choice; // what is modelled, of these shares alone
 pub(crate) mod costs; // processor seconds of each part
-pub mod told; // lines and figures of a plan
+pub mod plan_figures; // lines and figures of a plan
 pub(crate) mod below_road; // bodies that the road does not hide
 
 use crate::chain::cache::Cache;
@@ -18,11 +18,11 @@ use artifact::scene::SceneHeader;
 use artifact::settings::{EchoMode, NodeRule, Sides};
 use choice::{Budget, Choice, Fixed};
 use costs::PartCosts;
-use look::Shares;
-use part::Part;
+use echo_shares::Shares;
+use physics_part::Part;
+use plan_figures::{Chosen, PlanFigures};
 use scene::{Planning, SaidPhysics};
 use std::slice;
-use told::{Chosen, PlanFigures};
 
 /// Scene that is run, with the plan of its physics where one was asked for.
 pub struct PlannedScene {
@@ -108,8 +108,8 @@ fn planned(
         return Err(Failure::refused(rule));
     }
     let _under_way = Work::begin("looking at what the echo consists of");
-    let tracer = look::tracer(header, memory)?;
-    let Some(shares) = look::shares(header, said, &tracer)? else { return Ok(None) };
+    let tracer = echo_shares::tracer(header, memory)?;
+    let Some(shares) = echo_shares::shares(header, said, &tracer)? else { return Ok(None) };
     let asked = header.fidelity.accuracy;
     let fixed = fixed(header, said, &shares);
     let budget = Budget::of(asked.amplitude(), &shares);

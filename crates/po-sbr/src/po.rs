@@ -82,10 +82,14 @@ struct SamplingJob<'a> {
 const CELLS_PER_PATCH_EDGE: f64 = 64.0;
 
 /// Cells, or rays, of an aspect: some hours of one processor.
-const MOST: f64 = 1e10;
+const MOST_SAMPLES: f64 = 1e10;
 
 pub(crate) fn check_count(what: &'static str, count: f64) -> Result<(), ReferenceError> {
-    if count <= MOST { Ok(()) } else { Err(ReferenceError::TooMany { what, count, most: MOST }) }
+    if count <= MOST_SAMPLES {
+        Ok(())
+    } else {
+        Err(ReferenceError::TooMany { what, count, most: MOST_SAMPLES })
+    }
 }
 
 impl SamplingJob<'_> {

@@ -31,7 +31,7 @@ use artifact::scene::{Placed, Target, TargetKind, Traffic, Vehicle};
 use artifact::seed;
 use artifact::settings::{Class, Course};
 use glam::DVec2;
-use osi_types::{Default as TypeDefault, WITH_DEFAULT, default_of};
+use osi_types::{StandIn, stand_in_of, with_stand_in};
 use source::{Source, StepReader};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
@@ -331,11 +331,11 @@ impl Recording<'_> {
         size_m: Option<[f64; 3]>,
         models: &mut Models,
     ) -> Option<PlacedModel> {
-        let name = match default_of(&vehicle.kind) {
-            Some(TypeDefault::NearestOf(classes, name)) => {
+        let name = match stand_in_of(&vehicle.kind) {
+            Some(StandIn::NearestOf(classes, name)) => {
                 size_m.and_then(|size_m| nearest_in_size(classes, size_m)).unwrap_or(name)
             }
-            Some(TypeDefault::PassedOver) => return None,
+            Some(StandIn::PassedOver) => return None,
             None => {
                 self.keep_unknown(vehicle);
                 return None;
@@ -372,7 +372,7 @@ impl Recording<'_> {
         let own = self.models.keys().map(String::as_str);
         let known: BTreeSet<&str> = match self.source {
             Source::Fcd(_) => own.chain(DEFAULT_MODELS.map(|(name, _)| name)).collect(),
-            Source::Osi(_) => own.chain(WITH_DEFAULT).collect(),
+            Source::Osi(_) => own.chain(with_stand_in()).collect(),
         };
         let known = known.into_iter().map(str::to_owned).collect();
         FcdRule::UnknownTypes { found: std::mem::take(&mut self.unknown), known }

@@ -44,7 +44,7 @@ fn vehicle([x, y]: [f64; 2], angle_deg: f64) -> FcdVehicle {
         kind,
         front_m: [x, y, 0.0],
         angle_deg,
-        velocity: ToldVelocity::Ahead { mps: 10.0 },
+        velocity: ToldVelocity::Ahead { speed_mps: 10.0 },
         line: 1,
     }
 }

@@ -261,7 +261,7 @@ fn velocity_is_the_derivative_of_position_in_turns_and_lane_changes() {
         kind: "car".into(),
         front_m: [x, y, 0.0],
         angle_deg,
-        velocity: ToldVelocity::Ahead { mps: speed_mps },
+        velocity: ToldVelocity::Ahead { speed_mps },
         line: 1,
     };
     let last_mps = 10.0 * 0.08_f64.hypot(1.0);
@@ -303,7 +303,11 @@ fn velocity_is_the_derivative_of_position_in_turns_and_lane_changes() {
 #[test]
 fn a_velocity_told_whole_keeps_its_direction_and_one_that_is_not_told_is_that_of_the_way() {
     let drift = [1.0, -8.0, 0.5];
-    let told = [ToldVelocity::Whole { mps: drift }, ToldVelocity::Nothing, ToldVelocity::Ahead { mps: 0.0 }];
+    let told = [
+        ToldVelocity::Whole { velocity_mps: drift },
+        ToldVelocity::Nothing,
+        ToldVelocity::Ahead { speed_mps: 0.0 },
+    ];
     for (velocity, way_mps, expected) in [
         (told[0], drift, drift),
         (told[1], drift, drift),
@@ -327,7 +331,7 @@ fn a_velocity_told_whole_keeps_its_direction_and_one_that_is_not_told_is_that_of
 
 /// A car that drives towards −y.
 fn driving(front_m: [f64; 3], mps: f64) -> FcdVehicle {
-    let velocity = ToldVelocity::Ahead { mps };
+    let velocity = ToldVelocity::Ahead { speed_mps: mps };
     FcdVehicle { id: "a".into(), kind: "car".into(), front_m, angle_deg: 180.0, velocity, line: 1 }
 }
 

@@ -2,9 +2,8 @@
 
 use artifact::Accuracy;
 use artifact::paths::Path;
-use artifact::radar::Polarization;
 use artifact::scene::{Mesh, SceneHeader};
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{NodeRule, Sides};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::{PathView, RcsRequest, RcsResult, Standpoint, scattering_of_paths};
 use glam::DVec3;
@@ -38,18 +37,14 @@ pub(super) fn about_first_body(
 /// One aspect from infinity, first order, asked for at −60 dB.
 pub(super) fn first_order(azimuth_deg: f64, elevation_deg: f64) -> RcsRequest {
     RcsRequest {
-        frequency_hz: vec![FREQUENCY_HZ],
-        elevation_rad: vec![elevation_deg.to_radians()],
-        azimuth_rad: vec![azimuth_deg.to_radians()],
-        range_m: f64::INFINITY,
-        receiver: None,
-        polarization: Polarization::Vv,
         bounces: 1,
         nodes: NodeRule::Middle,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-60.0),
+        ..RcsRequest::over(
+            vec![FREQUENCY_HZ],
+            vec![elevation_deg.to_radians()],
+            vec![azimuth_deg.to_radians()],
+        )
     }
 }
 

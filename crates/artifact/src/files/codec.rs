@@ -13,11 +13,22 @@ pub(crate) fn encode<T: Serialize>(value: &T) -> Result<Vec<u8>, bincode::error:
     bincode::serde::encode_to_vec(value, configuration())
 }
 
+/// Reason why bytes are no record.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum DecodeError {
+    /// Values that the record does not have, or a length beyond the bound.
+    #[error(transparent)]
+    Content(#[from] bincode::error::DecodeError),
+    /// More bytes than the record has.
+    #[error("{0} bytes left over")]
+    LeftOver(usize),
+}
+
 /// A record from exactly these bytes; left-over bytes are an error.
 ///
 /// A length inside claims no more memory than a bound that grows with the bytes: the smallest power of 16
 /// that has room for every number that they can hold (a byte may stand for one of eight bytes).
-pub(crate) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, String> {
+pub(crate) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, DecodeError> {
     match 16 * bytes.len() {
         0..=0x1_0000 => decode_within::<T, 0x1_0000>(bytes),
         0x1_0001..=0x10_0000 => decode_within::<T, 0x10_0000>(bytes),
@@ -28,10 +39,13 @@ pub(crate) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, String> {
     }
 }
 
-fn decode_within<T: DeserializeOwned, const BOUND: usize>(bytes: &[u8]) -> Result<T, String> {
+fn decode_within<T: DeserializeOwned, const BOUND: usize>(bytes: &[u8]) -> Result<T, DecodeError> {
     let bounded = bincode::config::standard().with_limit::<BOUND>();
-    let (value, used) = bincode::serde::decode_from_slice(bytes, bounded).map_err(|e| e.to_string())?;
-    if used == bytes.len() { Ok(value) } else { Err(format!("{} bytes left over", bytes.len() - used)) }
+    let (value, used) = bincode::serde::decode_from_slice(bytes, bounded)?;
+    match bytes.len() - used {
+        0 => Ok(value),
+        left => Err(DecodeError::LeftOver(left)),
+    }
 }
 
 #[cfg(test)]

@@ -43,7 +43,7 @@ impl SeenFile {
     /// As [`SeenFile::of`].
     pub fn is_unchanged(&mut self) -> Result<bool> {
         let now = Stamp::of(&self.file)?;
-        if self.stamp.is_settled && now.told == self.stamp.told {
+        if self.stamp.is_settled && now.fingerprint == self.stamp.fingerprint {
             return Ok(true);
         }
         let is_same = named_hash(&self.file)?.1 == self.named.1;
@@ -58,10 +58,10 @@ impl SeenFile {
 /// time.
 const SETTLED: Duration = Duration::from_secs(3);
 
-/// What the system says of a file's content.
+/// Fingerprint of a file by what the system says of it, without its content.
 #[derive(Debug, Clone)]
 struct Stamp {
-    told: Told,
+    fingerprint: Fingerprint,
     /// Whether it was last written so long ago that its times would tell another writing.
     is_settled: bool,
 }
@@ -70,16 +70,16 @@ impl Stamp {
     fn of(file: &Path) -> Result<Self> {
         let about = std::fs::metadata(file)?;
         let age = about.modified().ok().and_then(|written| SystemTime::now().duration_since(written).ok());
-        Ok(Self { told: told(&about), is_settled: age.is_some_and(|age| age > SETTLED) })
+        Ok(Self { fingerprint: fingerprint(&about), is_settled: age.is_some_and(|age| age > SETTLED) })
     }
 }
 
 /// Device and number, length, and when content and entry were last changed.
 #[cfg(unix)]
-type Told = [i128; 7];
+type Fingerprint = [i128; 7];
 
 #[cfg(unix)]
-fn told(about: &Metadata) -> Told {
+fn fingerprint(about: &Metadata) -> Fingerprint {
     use std::os::unix::fs::MetadataExt;
     let [mtime, ctime] = [[about.mtime(), about.mtime_nsec()], [about.ctime(), about.ctime_nsec()]];
     [
@@ -95,10 +95,10 @@ fn told(about: &Metadata) -> Told {
 
 /// Length, and when it was last written.
 #[cfg(not(unix))]
-type Told = (u64, Option<SystemTime>);
+type Fingerprint = (u64, Option<SystemTime>);
 
 #[cfg(not(unix))]
-fn told(about: &Metadata) -> Told {
+fn fingerprint(about: &Metadata) -> Fingerprint {
     (about.len(), about.modified().ok())
 }
 

@@ -1,5 +1,10 @@
 //! Randomness is a function of (seed, stage, index): independent of threads, order and other stages.
 
+use std::ops::RangeInclusive;
+
+/// Seeds that are taken, wherever one is asked for: the whole numbers of TOML.
+pub const SEEDS: RangeInclusive<u64> = 0..=i64::MAX as u64;
+
 /// The 32-byte key of one random stream, for a generator that takes one (ChaCha).
 ///
 /// `stage` names the use (`"fmcw-echo/noise"`), `index` says which stream of it (frame, channel, chirp …).

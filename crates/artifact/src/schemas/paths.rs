@@ -190,11 +190,6 @@ impl Span {
     pub fn share(&self, seconds: f64) -> f64 {
         lagrange(self.moment, self.moments, (seconds - self.first_s) / self.step_s)
     }
-
-    /// Time at which the path was traced, from the frame's first sample.
-    pub fn traced_at_s(&self) -> f64 {
-        self.first_s + f64::from(self.moment) * self.step_s
-    }
 }
 
 impl ArraySpan {
@@ -329,7 +324,7 @@ mod tests {
 
     fn blended(moments: u32, of: impl Fn(f64) -> f64, seconds: f64) -> f64 {
         let span = |moment: u32| Span { first_s: 1.0, step_s: 0.25, moments, moment };
-        (0..moments).map(|i| span(i).share(seconds) * of(span(i).traced_at_s())).sum()
+        (0..moments).map(|i| span(i).share(seconds) * of(1.0 + 0.25 * f64::from(i))).sum()
     }
 
     #[test]

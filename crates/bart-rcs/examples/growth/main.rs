@@ -10,9 +10,8 @@ mod stl;
 mod picture;
 
 use artifact::Accuracy;
-use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::NodeRule;
 use bart_rcs::{RcsRequest, rcs};
 use processor_time::processor_seconds;
 use std::fmt::Write as _;
@@ -97,18 +96,11 @@ fn measured(value: f64, mesh: &Mesh, request: &RcsRequest) -> Result<(f64, u64, 
 
 fn request(frequency_hz: f64, range_m: f64, bounces: u8) -> RcsRequest {
     RcsRequest {
-        frequency_hz: vec![frequency_hz],
-        elevation_rad: vec![0.15],
-        azimuth_rad: vec![0.4],
         range_m,
-        receiver: None,
-        polarization: Polarization::Vv,
         bounces,
         nodes: NodeRule::Middle,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-30.0),
+        ..RcsRequest::over(vec![frequency_hz], vec![0.15], vec![0.4])
     }
 }
 

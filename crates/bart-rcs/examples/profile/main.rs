@@ -5,9 +5,8 @@
 mod processor_time;
 mod stl;
 
-use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::Edges;
 use artifact::{Accuracy, units};
 use bart_rcs::{Antenna, BeamTree, RcsRequest, TraceSettings, World, rcs};
 use glam::DVec3;
@@ -60,17 +59,13 @@ fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<f64, Box<dyn std::error::
 /// The middle of the 76–78 GHz band, and as many frequencies about it as a chirp of 1 GHz has samples.
 fn request(azimuth_deg: f64, range_m: f64, frequencies: usize, bounces: u8) -> RcsRequest {
     RcsRequest {
-        frequency_hz: (0..frequencies).map(|i| 77e9 + 1e9 * (i as f64 / frequencies as f64)).collect(),
-        elevation_rad: vec![0.15],
-        azimuth_rad: vec![azimuth_deg.to_radians()],
         range_m,
-        receiver: None,
-        polarization: Polarization::Vv,
         bounces,
-        nodes: NodeRule::OwnEdge,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-30.0),
+        ..RcsRequest::over(
+            (0..frequencies).map(|i| 77e9 + 1e9 * (i as f64 / frequencies as f64)).collect(),
+            vec![0.15],
+            vec![azimuth_deg.to_radians()],
+        )
     }
 }

@@ -1,7 +1,7 @@
 //! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its
 //! own frame.
 
-use crate::bodies::deaf_side::DeafSide;
+use crate::bodies::behind_array::BehindArray;
 use crate::bodies::models::{BodyMesh, Models};
 use crate::bodies::motion::{Motion, MovingPlane, RigidMotion};
 use crate::bodies::rolling::WheelsApart;
@@ -531,10 +531,10 @@ impl Body {
     fn is_heard(&self, header: &SceneHeader) -> bool {
         let speed_mps = self.fastest_mps()
             + self.motion.of_origin.acceleration_mps2.length() * header.radar.frame_duration_s();
-        let Some(deaf) = DeafSide::of(&header.radar, speed_mps) else { return true };
+        let Some(behind) = BehindArray::of(&header.radar, speed_mps) else { return true };
         let is_on = |body: &Self| {
             let corners = body.mesh.skin.triangles_m.iter().flatten();
-            deaf.holds(corners.map(|corner| body.motion.origin_m + body.world_from_body * *corner))
+            behind.holds(corners.map(|corner| body.motion.origin_m + body.world_from_body * *corner))
         };
         !is_on(self) || (header.road.is_some() && !is_on(&self.below_road()))
     }

@@ -86,14 +86,14 @@ impl<'a> Looks<'a> {
     ///
     /// Runs of paths are added in their order: the same bits on any number of threads.
     pub(crate) fn field(&self, paths: &[Path]) -> Vec<Complex64> {
-        const RUN: usize = 1024;
+        const PATHS_PER_RUN: usize = 1024;
         let zero = || vec![Complex64::ZERO; self.len()];
         let of_run = |run: &[Path]| {
             let mut sums = zero();
             run.iter().for_each(|path| self.add(path, &mut sums));
             sums
         };
-        let runs: Vec<Vec<Complex64>> = paths.par_chunks(RUN).map(of_run).collect();
+        let runs: Vec<Vec<Complex64>> = paths.par_chunks(PATHS_PER_RUN).map(of_run).collect();
         runs.iter().fold(zero(), |sums, run| sums.iter().zip(run).map(|(a, b)| a + b).collect())
     }
 

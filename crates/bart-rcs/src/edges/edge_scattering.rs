@@ -45,11 +45,11 @@ pub(crate) fn over_band<T: Sync>(
         run.iter().for_each(|share| add(share, &band, &mut groups));
         groups
     };
-    band.sum(shares.par_chunks(RUN).map(of_run).collect())
+    band.sum(shares.par_chunks(EDGE_JOINTS_PER_RUN).map(of_run).collect())
 }
 
 /// Joints that are added by one thread.
-pub(crate) const RUN: usize = 64;
+pub(crate) const EDGE_JOINTS_PER_RUN: usize = 64;
 
 /// Adds the parts of a joint to their groups, its reverse included.
 fn add_joint(
@@ -106,7 +106,7 @@ fn sum_at_each(
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Vec<Amplitude> {
-    band::sum_at_each(joints, RUN, integration.wavenumbers_per_m.len(), |joint| {
+    band::sum_at_each(joints, EDGE_JOINTS_PER_RUN, integration.wavenumbers_per_m.len(), |joint| {
         edge_share(scatterer, joint, origin_m, integration).value
     })
 }

@@ -40,7 +40,7 @@ const FACES: usize = 4;
 const FAINTEST: f64 = 0.02;
 /// Share of the accuracy to which waves over a second face and further ones are integrated: there are more of
 /// them.
-const SHARE: f64 = 0.1;
+const FURTHER_FACES_SHARE: f64 = 0.1;
 /// Accuracy of these integrals at best; what they err by is told.
 const FINEST: f64 = 1e-4;
 
@@ -77,8 +77,11 @@ impl Following<'_, '_> {
         for Run { span_m: piece_m, exit } in self.waves(crossed, sense).runs(span_m) {
             exit_by(crossed, Some(exit));
             let waves = self.waves(crossed, sense);
-            let accuracy =
-                if crossed.len() > 1 { (SHARE * self.accuracy).max(FINEST) } else { self.accuracy };
+            let accuracy = if crossed.len() > 1 {
+                (FURTHER_FACES_SHARE * self.accuracy).max(FINEST)
+            } else {
+                self.accuracy
+            };
             let give = &mut *self.give;
             for_each_piece(&waves, piece_m, self.highest_per_m, accuracy, &mut |part, error| {
                 give(part, error);

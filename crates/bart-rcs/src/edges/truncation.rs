@@ -12,7 +12,7 @@
 //! in place of |g|², h = 1/L₁ + 1/L₂, keeps it finite at a stationary point, where the polygon has it.
 
 use crate::edges::edge_node::{EdgePart, PER_ROOT_PI, amplitude_of};
-use crate::edges::edge_scattering::{RUN, WholeWay, over_band};
+use crate::edges::edge_scattering::{EDGE_JOINTS_PER_RUN, WholeWay, over_band};
 use crate::edges::line_integral::{Integrand, Piece, for_each_piece};
 use crate::edges::mirror_window::{FlatPatch, OutlineSide, Window};
 use crate::geometry::antenna::Antenna;
@@ -144,7 +144,7 @@ fn sum_at_each(
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Vec<Amplitude> {
-    band::sum_at_each(truncations, RUN, integration.wavenumbers_per_m.len(), |truncation| {
+    band::sum_at_each(truncations, EDGE_JOINTS_PER_RUN, integration.wavenumbers_per_m.len(), |truncation| {
         truncation_share(scatterer, truncation, origin_m, integration)
     })
 }

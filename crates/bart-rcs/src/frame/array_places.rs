@@ -86,7 +86,7 @@ impl ArrayRow {
 
 /// Distances from the radar's position that differ by less than this part of their root mean square are
 /// alike.
-const ALIKE: f64 = 0.1;
+const SAME_DISTANCE_SHARE: f64 = 0.1;
 /// Least part by which a pair has to show more of what changes to be taken for the first one.
 const MORE: f64 = 1.01;
 /// Elements nearer to one another see the same of a body, which is then traced from their middle alone: half
@@ -133,7 +133,7 @@ pub(super) fn checked_from_m(
         (away_m(pair) - away_rms_m).abs() + of_distance
     };
     let least = pairs_m.iter().map(miss).fold(f64::INFINITY, f64::min);
-    let alike = pairs_m.iter().copied().filter(|pair| miss(pair) <= least + ALIKE * away_rms_m);
+    let alike = pairs_m.iter().copied().filter(|pair| miss(pair) <= least + SAME_DISTANCE_SHARE * away_rms_m);
     let turned = |pair: &[DVec3; 2]| -> f64 {
         poses.iter().map(|pose| turned(pose, [(centre_m, middle_s), (middle_m(pair), check_s)])).sum()
     };

@@ -21,8 +21,9 @@ use artifact::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Frequencies that the comparison is made at: more would repeat what the extent of a vehicle correlates,
-/// c/(2·5 m) = 30 MHz of the 625 MHz of the narrowest band of Table 2.
+/// Frequencies that the comparison is made at. In the narrowest band of Table 2, 625 MHz, they are 52 MHz
+/// apart, more than the c/(2·5 m) = 30 MHz within which the echo of a vehicle of 5 m repeats itself: none is
+/// spent on what its neighbour tells. The band has room for 21 such; what so few leave open is in [`MARGIN`].
 const CHECKED_FREQUENCIES: usize = 12;
 
 /// The frame's bodies at the moment of the check.
@@ -58,12 +59,13 @@ pub(crate) struct FrameError {
 /// Powers that do not come from the comparison.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GivenUp {
-    pub(crate) paths_power: f64,
+    /// Power of the paths that were dropped, |S|² as [`element_over_band`] sees it.
+    pub(crate) paths_power_m2: f64,
     /// Area across the wave of beams over L₁L₂ of the nearest facet, as S is over that of [`Plan::view`]:
     /// with independent phases, with equal ones.
     pub(crate) beams: [f64; 2],
     /// Mean over the frame of the power that blends miss beyond what they do at the moment of the check.
-    pub(crate) blends_power: f64,
+    pub(crate) blends_power_m2: f64,
 }
 
 /// Bodies of another moment, traced and integrated anew.
@@ -192,15 +194,15 @@ impl FrameError {
         // The reference is integrated as finely as the paths: what both err by is added.
         let integration_power = reference.integration.power;
         let compared = second.map_or(first, |second| 0.5 * (first + second));
-        let error_power = compared + integration_power + given_up.blends_power;
+        let error_power = compared + integration_power + given_up.blends_power_m2;
         let [beams, beams_at_most] = given_up.beams;
         let wavenumber_per_m = TAU / plan.band.wavelength_m();
         let scale = (plan.gains.largest() * wavenumber_per_m).powi(2) / std::f64::consts::PI;
         Self {
             total: relative(error_power),
             integration: relative(integration_power),
-            dropped: relative(given_up.paths_power + scale * beams.powi(2)),
-            dropped_at_most: relative(given_up.paths_power + scale * beams_at_most.powi(2)),
+            dropped: relative(given_up.paths_power_m2 + scale * beams.powi(2)),
+            dropped_at_most: relative(given_up.paths_power_m2 + scale * beams_at_most.powi(2)),
         }
     }
 

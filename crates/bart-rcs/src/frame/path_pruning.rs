@@ -18,7 +18,7 @@ pub(crate) struct Kept {
 }
 
 /// Share of the accuracy asked for that may be dropped, as an amplitude.
-const SHARE: f64 = 0.3;
+const DROPPED_SHARE: f64 = 0.3;
 /// Frequencies that the sum of dropped paths is looked at.
 const FREQUENCIES: usize = 12;
 /// Times the power of independent phases that their sum may have: over twelve frequencies, four of them
@@ -34,7 +34,7 @@ const RUNS: usize = 64;
 /// each and in phase with their neighbours.
 pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
     let view = plan.view(plan.middle_s);
-    let most = (SHARE * plan.asked()).powi(2);
+    let most = (DROPPED_SHARE * plan.asked()).powi(2);
     let powers: Vec<f64> = paths.iter().map(|path| power(path, plan, &view)).collect();
     let mut keep = vec![true; paths.len()];
     let mut dropped_power = 0.0;

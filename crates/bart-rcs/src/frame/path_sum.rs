@@ -63,7 +63,7 @@ pub(crate) fn element_over_band(
     hearing: Hearing<'_>,
     frequencies_hz: &[f64],
 ) -> Vec<Complex64> {
-    const RUN: usize = 4096;
+    const PATHS_PER_RUN: usize = 4096;
     let (Some(&first_hz), Some(&last_hz)) = (frequencies_hz.first(), frequencies_hz.last()) else {
         return Vec::new();
     };
@@ -87,7 +87,7 @@ pub(crate) fn element_over_band(
         }
         sums
     };
-    let runs: Vec<Vec<Complex64>> = paths.par_chunks(RUN).map(of_run).collect();
+    let runs: Vec<Vec<Complex64>> = paths.par_chunks(PATHS_PER_RUN).map(of_run).collect();
     runs.iter().fold(zero(), |sums, run| sums.iter().zip(run).map(|(a, b)| a + b).collect())
 }
 

@@ -278,7 +278,8 @@ impl<'a> Fit<'a> {
         let Kept { mut paths, dropped_power, strongest_dropped } =
             self.parts.paths(cell_m, &integration.accuracy_of_body, others)?;
         paths.extend_from_slice(self.points);
-        let given_up = GivenUp { paths_power: dropped_power, beams: self.beams_given_up, blends_power: 0.0 };
+        let given_up =
+            GivenUp { paths_power_m2: dropped_power, beams: self.beams_given_up, blends_power_m2: 0.0 };
         let error = FrameError::measured_on(self.parts.plan, &paths, self.points, self.reference, &given_up);
         let of = |(target, accuracy): (&Target, &f64)| IntegralFineness {
             body: target.id.clone(),

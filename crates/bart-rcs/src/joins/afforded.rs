@@ -49,7 +49,8 @@ fn fits<'j>(
         Some(())
     };
     for joints in joints {
-        let all = joints.list.par_iter().with_min_len(RUN).try_for_each(|joint| of_joint(joints, joint));
+        let all =
+            joints.list.par_iter().with_min_len(JOINTS_PER_RUN).try_for_each(|joint| of_joint(joints, joint));
         if all.is_none() {
             return false;
         }
@@ -75,7 +76,7 @@ pub(crate) fn are_few_tiles<'j>(
 }
 
 /// Joints that one thread counts in turn.
-const RUN: usize = 64;
+const JOINTS_PER_RUN: usize = 64;
 
 #[cfg(test)]
 mod tests {

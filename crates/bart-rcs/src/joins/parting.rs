@@ -64,8 +64,9 @@ impl Parting {
     /// as if their lengths were spread by this.
     pub(crate) fn turning_m(&self) -> f64 {
         /// Beyond e⁻³⁶ nothing is left that could change.
-        const MOST: f64 = 36.0;
-        let exponent = if self.clear == 0.0 { 0.0 } else { self.exponent(self.highest_per_m).min(MOST) };
+        const MOST_EXPONENT: f64 = 36.0;
+        let exponent =
+            if self.clear == 0.0 { 0.0 } else { self.exponent(self.highest_per_m).min(MOST_EXPONENT) };
         2.0 * exponent / self.highest_per_m.max(f64::MIN_POSITIVE)
     }
 

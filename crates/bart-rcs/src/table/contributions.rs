@@ -206,7 +206,7 @@ mod tests {
     use super::*;
     use crate::rcs;
     use artifact::Accuracy;
-    use artifact::settings::{Edges, NodeRule, Sides, Surface};
+    use artifact::settings::{Edges, NodeRule};
 
     fn corner() -> Mesh {
         let vertices_m = vec![
@@ -222,18 +222,11 @@ mod tests {
 
     fn request() -> RcsRequest {
         RcsRequest {
-            frequency_hz: vec![77e9, 78e9],
-            elevation_rad: vec![0.1],
-            azimuth_rad: vec![0.7, 0.9],
             range_m: 25.0,
-            receiver: None,
-            polarization: Polarization::Vv,
             bounces: 2,
             nodes: NodeRule::Middle,
-            sides: Sides::Two,
-            edges: Edges::Ignored,
-            surface: Surface::Flat,
             accuracy: Accuracy::from_db(-60.0),
+            ..RcsRequest::over(vec![77e9, 78e9], vec![0.1], vec![0.7, 0.9])
         }
     }
 

@@ -43,7 +43,7 @@ pub(crate) fn sum_of_joints(
         }
         groups
     };
-    band.sum(joints.list.par_chunks(RUN).map(of_run).collect())
+    band.sum(joints.list.par_chunks(JOINTS_PER_RUN).map(of_run).collect())
 }
 
 /// Sums at every frequency for itself: what the interpolation is compared with.
@@ -54,9 +54,9 @@ pub(crate) fn sum_at_each(
     integration: &Integration<'_>,
 ) -> Vec<Amplitude> {
     let (done, all) = (AtomicUsize::new(0), joints.list.len());
-    band::sum_at_each(&joints.list, RUN, integration.wavenumbers_per_m.len(), |joint| {
+    band::sum_at_each(&joints.list, JOINTS_PER_RUN, integration.wavenumbers_per_m.len(), |joint| {
         let number = done.fetch_add(1, Ordering::Relaxed);
-        if number.is_multiple_of(RUN) {
+        if number.is_multiple_of(JOINTS_PER_RUN) {
             scatterer.at(number, all);
         }
         scatterer.scattering(joint, joints.polygon(joint), origin_m, integration).value
@@ -64,7 +64,7 @@ pub(crate) fn sum_at_each(
 }
 
 /// Joints that are added by one thread.
-const RUN: usize = 256;
+const JOINTS_PER_RUN: usize = 256;
 
 #[cfg(test)]
 mod tests {

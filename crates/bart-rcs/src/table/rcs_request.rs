@@ -43,6 +43,26 @@ pub struct RcsRequest {
 }
 
 impl RcsRequest {
+    /// S over three axes, all else as `wayside rcs` has it where nothing is said: one antenna for both ways,
+    /// infinitely far; vv; three bounces, the nodes' own edges; two sides of flat facets without diffraction;
+    /// −40 dB.
+    pub fn over(frequency_hz: Vec<f64>, elevation_rad: Vec<f64>, azimuth_rad: Vec<f64>) -> Self {
+        Self {
+            frequency_hz,
+            elevation_rad,
+            azimuth_rad,
+            range_m: f64::INFINITY,
+            receiver: None,
+            polarization: Polarization::Vv,
+            bounces: 3,
+            nodes: NodeRule::OwnEdge,
+            sides: Sides::Two,
+            edges: Edges::Ignored,
+            surface: Surface::Flat,
+            accuracy: Accuracy::from_db(-40.0),
+        }
+    }
+
     /// Wavenumbers k = 2πf/c.
     pub(crate) fn wavenumbers_per_m(&self) -> Vec<f64> {
         self.frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect()

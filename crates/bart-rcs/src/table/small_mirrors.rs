@@ -35,7 +35,7 @@ use std::f64::consts::PI;
 
 /// Followed mirrors that tell of one order, or every n-th so that at least half as many do: the sums of their
 /// shares are known to a third or better, as a few in a hundred make them, and cost a twentieth of an aspect.
-const MOST: usize = 2048;
+const MIRRORS_PER_ORDER: usize = 2048;
 /// Largest area of these mirrors over the smallest that is followed: they are at most four times as
 /// long.
 const LARGEST: f64 = 16.0;
@@ -98,9 +98,11 @@ impl SmallMirrors {
             MirrorProbe { scatterer, samples: &self.samples, wavenumber_per_m, integration, polarization };
         let joints = &meeting.facets;
         let of_joint = |joint: &Joint| look.hits(joint, joints.polygon(joint));
-        let of_facets: Vec<Vec<Hit>> = joints.list.par_iter().with_min_len(RUN).map(of_joint).collect();
+        let of_facets: Vec<Vec<Hit>> =
+            joints.list.par_iter().with_min_len(JOINTS_PER_RUN).map(of_joint).collect();
         let of_edge = |joint: &EdgeJoint| look.edge_hits(joint);
-        let of_edges: Vec<Vec<Hit>> = meeting.edges.par_iter().with_min_len(RUN).map(of_edge).collect();
+        let of_edges: Vec<Vec<Hit>> =
+            meeting.edges.par_iter().with_min_len(JOINTS_PER_RUN).map(of_edge).collect();
         of_facets.into_iter().chain(of_edges).flatten().collect()
     }
 
@@ -148,7 +150,7 @@ fn ends(trees: Trees<'_>) -> impl Iterator<Item = &BeamTree> {
 }
 
 /// Joints that one thread looks at in turn.
-const RUN: usize = 256;
+const JOINTS_PER_RUN: usize = 256;
 
 impl TreeSample {
     /// Sample of an order; `None` where nothing of it was left unfollowed.
@@ -161,7 +163,7 @@ impl TreeSample {
         let is_small = |index: &u32| (least_m2..LARGEST * least_m2).contains(&area(*index));
         let mirrors: Vec<u32> = (start as u32..stop as u32).filter(is_small).collect();
         let mirrors: Vec<u32> =
-            mirrors.iter().copied().step_by(mirrors.len().div_ceil(MOST).max(1)).collect();
+            mirrors.iter().copied().step_by(mirrors.len().div_ceil(MIRRORS_PER_ORDER).max(1)).collect();
         let shares = vec![0.0; mirrors.len()];
         let edge_shares = shares.clone();
         (area_m2 > 0.0).then_some(Self { end, order, mirrors, area_m2, shares, edge_shares })

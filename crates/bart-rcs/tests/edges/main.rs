@@ -9,7 +9,7 @@ mod seams;
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{Edges, NodeRule};
 use bart_rcs::{RcsRequest, RcsResult, Standpoint, rcs};
 use num_complex::Complex64;
 
@@ -56,18 +56,13 @@ fn run(
 
 fn request(sent: Standpoint, pol: Polarization) -> RcsRequest {
     RcsRequest {
-        frequency_hz: vec![FREQUENCY_HZ],
-        elevation_rad: vec![sent.elevation_rad],
-        azimuth_rad: vec![sent.azimuth_rad],
         range_m: sent.range_m,
-        receiver: None,
         polarization: pol,
         bounces: 1,
         nodes: NodeRule::Middle,
-        sides: Sides::Two,
         edges: Edges::FirstOrder,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-80.0),
+        ..RcsRequest::over(vec![FREQUENCY_HZ], vec![sent.elevation_rad], vec![sent.azimuth_rad])
     }
 }
 

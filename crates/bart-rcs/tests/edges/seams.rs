@@ -4,7 +4,7 @@
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::Edges;
 use bart_rcs::{RcsRequest, rcs};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -41,18 +41,12 @@ fn rewritten(mesh: &Mesh) -> Vec<Mesh> {
 
 fn amplitude(mesh: &Mesh, [az_deg, el_deg]: [f64; 2], range_m: f64, edges: Edges) -> Complex64 {
     let request = RcsRequest {
-        frequency_hz: vec![60e9],
-        elevation_rad: vec![el_deg.to_radians()],
-        azimuth_rad: vec![az_deg.to_radians()],
         range_m,
-        receiver: None,
         polarization: Polarization::Hh,
         bounces: 2,
-        nodes: NodeRule::OwnEdge,
-        sides: Sides::Two,
         edges,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-60.0),
+        ..RcsRequest::over(vec![60e9], vec![el_deg.to_radians()], vec![az_deg.to_radians()])
     };
     rcs(mesh, &request, &|_, _| ()).unwrap().amplitude_m[0]
 }

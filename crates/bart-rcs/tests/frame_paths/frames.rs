@@ -137,9 +137,6 @@ pub(crate) fn exact(
     };
     let transmitter = place(tx_m);
     let request = RcsRequest {
-        frequency_hz: frequency_hz.to_vec(),
-        elevation_rad: vec![transmitter.elevation_rad],
-        azimuth_rad: vec![transmitter.azimuth_rad],
         range_m: transmitter.range_m,
         receiver: (tx_m != rx_m).then(|| place(rx_m)),
         polarization,
@@ -147,8 +144,12 @@ pub(crate) fn exact(
         nodes: scene.0.fidelity.nodes,
         sides: scene.0.fidelity.sides,
         edges: scene.0.fidelity.edges,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-45.0),
+        ..RcsRequest::over(
+            frequency_hz.to_vec(),
+            vec![transmitter.elevation_rad],
+            vec![transmitter.azimuth_rad],
+        )
     };
     rcs(&scene.0.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m
 }

@@ -19,10 +19,10 @@ use artifact::Accuracy;
 use artifact::paths::{ErrorOrigin, PathsFrame};
 use artifact::radar::Polarization;
 use artifact::scene::{Pose, SceneFrame, SceneHeader};
-use artifact::settings::{BetweenBodies, Edges, NodeRule, Sides, Surface};
+use artifact::settings::{BetweenBodies, Edges, NodeRule};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::{
-    BartError, FrameSurroundings, MemoryLimit, PathView, RcsRequest, Standpoint, Tracer, Unheard, rcs,
+    BartError, FrameSurroundings, MemoryLimit, PathView, RcsRequest, Tracer, Unheard, rcs,
     scattering_of_paths,
 };
 use bodies::carts::{cart, joined, mesh, parallelogram};
@@ -372,18 +372,14 @@ fn a_frames_table_holds_the_far_field_amplitude_and_says_how_far_from_the_spheri
     let table = &tables.tables[0];
     let (last_el, last_az) = (table.elevation_rad.len() - 1, table.azimuth_rad.len() - 1);
     let request = RcsRequest {
-        frequency_hz: table.frequency_hz.clone(),
-        elevation_rad: vec![table.elevation_rad[last_el]],
-        azimuth_rad: vec![table.azimuth_rad[last_az]],
-        range_m: f64::INFINITY,
-        receiver: None::<Standpoint>,
-        polarization: Polarization::Vv,
         bounces: 2,
         nodes: NodeRule::Middle,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-20.0),
+        ..RcsRequest::over(
+            table.frequency_hz.clone(),
+            vec![table.elevation_rad[last_el]],
+            vec![table.azimuth_rad[last_az]],
+        )
     };
     let exact = rcs(&header.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m;
     let columns = table.elevation_rad.len() * table.azimuth_rad.len();

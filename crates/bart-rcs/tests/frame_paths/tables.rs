@@ -2,10 +2,10 @@
 //! thousand.
 
 use crate::frames::{pose, scene};
+use artifact::Accuracy;
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::{Mesh, RoadWheel, SceneFrame, SceneHeader, TargetKind, Wheel};
 use artifact::settings::{Edges, Surface, Wheels};
-use artifact::{Accuracy, radar::Polarization};
 use bart_rcs::{RcsRequest, Tracer, Unheard, rcs};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -32,18 +32,17 @@ fn tables((header, frame): &(SceneHeader, SceneFrame)) -> RcsFrame {
 fn error_of(table: &RcsTable, header: &SceneHeader) -> f64 {
     let (edges, surface) = (header.fidelity.edges, header.fidelity.surface);
     let request = RcsRequest {
-        frequency_hz: table.frequency_hz.clone(),
-        elevation_rad: vec![table.elevation_rad[0]],
-        azimuth_rad: vec![table.azimuth_rad[0]],
-        range_m: f64::INFINITY,
-        receiver: None,
-        polarization: Polarization::Vv,
         bounces: header.fidelity.bounces,
         nodes: header.fidelity.nodes,
         sides: header.fidelity.sides,
         edges,
         surface,
         accuracy: Accuracy::from_db(-60.0),
+        ..RcsRequest::over(
+            table.frequency_hz.clone(),
+            vec![table.elevation_rad[0]],
+            vec![table.azimuth_rad[0]],
+        )
     };
     let exact = rcs(&header.meshes[0], &request, &|_, _| ()).unwrap().amplitude_m;
     let columns = table.elevation_rad.len() * table.azimuth_rad.len();

@@ -103,7 +103,9 @@ fn a_plate_on_a_rolling_wheel_goes_as_the_cycloid_does() {
         let frame = trace(&scene);
         assert!(!frame.paths.is_empty());
         for path in &frame.paths {
-            let seconds = path.curve.span.map_or(scene.0.radar.frame_middle_s(), |span| span.traced_at_s());
+            let seconds = path.curve.span.map_or(scene.0.radar.frame_middle_s(), |span| {
+                span.first_s + f64::from(span.moment) * span.step_s
+            });
             let place = |t: f64| {
                 // x = x₀ + vt, z = r; the rim turns from up to forward.
                 let hub_m = DVec3::from_array(start.position_m) + HUB_M + DVec3::new(v_mps * t, 0.0, 0.0);

@@ -1,8 +1,8 @@
 //! The threshold factor of cell averaging over M summed channels.
 //!
 //! The cell under test is a sum of M unit exponentials (square law), the training sum one of N·M: their ratio
-//! makes P_fa = I_x(NM, M) with x = N/(N + α), the regularised incomplete beta function (`physics` of
-//! CA-CFAR: Richards, Fundamentals of Radar Signal Processing, 2014, §6.5; M = 1 returns α = N(P_fa^{−1/N} −
+//! makes P_fa = I_x(NM, M) with x = N/(N + α), the regularised incomplete beta function (`docs/physics.md`
+//! §8; Richards, Fundamentals of Radar Signal Processing, 2014, §6.5; M = 1 returns α = N(P_fa^{−1/N} −
 //! 1)).
 
 /// Finds α, the factor on the mean of the training cells at which noise passes with probability

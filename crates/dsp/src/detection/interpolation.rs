@@ -21,7 +21,7 @@ pub(crate) type Trio = [Complex64; 3];
 
 /// Offsets from −½ to ½ at which the curve is kept. Linear reading between them leaves (1/64)²/8 of its
 /// curvature, which is at most 3 per cell (rect): 1e-4 cells.
-const STEPS: usize = 64;
+const OFFSETS: usize = 64;
 
 impl Interpolator {
     /// Prepares for peaks that a window of these weights makes.
@@ -31,21 +31,21 @@ impl Interpolator {
             let [before, here, after] = [1.0, 0.0, -1.0].map(|cell| transform(taper, offset + cell));
             ratio([[before, here, after]].into_iter())
         };
-        Self { ratios: (0..=STEPS).map(ratio).collect() }
+        Self { ratios: (0..=OFFSETS).map(ratio).collect() }
     }
 
     /// Offset of the peak from its cell in cells, −0.5…0.5, from the values of all channels.
     pub(crate) fn offset(&self, channels: impl Iterator<Item = Trio>) -> f64 {
         let found = ratio(channels);
-        let above = self.ratios.partition_point(|ratio| *ratio < found).clamp(1, STEPS);
+        let above = self.ratios.partition_point(|ratio| *ratio < found).clamp(1, OFFSETS);
         let (low, high) = (self.ratios[above - 1], self.ratios[above]);
         let part = if high > low { (found - low) / (high - low) } else { 0.5 };
-        offset_of(((above - 1) as f64 + part).clamp(0.0, STEPS as f64))
+        offset_of(((above - 1) as f64 + part).clamp(0.0, OFFSETS as f64))
     }
 }
 
 fn offset_of(step: f64) -> f64 {
-    step / STEPS as f64 - 0.5
+    step / OFFSETS as f64 - 0.5
 }
 
 /// Ratio q of three cells, every channel weighted by its power: noise of a channel then counts once.

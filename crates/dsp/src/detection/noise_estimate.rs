@@ -117,16 +117,16 @@ impl Steps {
             high *= 1.1;
         }
         // About 30 steps per standard deviation: the midpoint rule errs by (αt·h)²/24 < 1e-3 at αt = 20.
-        let ratio = (high / low).powf(1.0 / STEPS as f64);
+        let ratio = (high / low).powf(1.0 / LEVELS as f64);
         let mut reached = 0.0;
         let step = |i: i32| {
             let t = low * ratio.powi(i);
-            let now = if i == STEPS { 1.0 } else { below(t) };
+            let now = if i == LEVELS { 1.0 } else { below(t) };
             let share = now - reached;
             reached = now;
             (t / ratio.sqrt(), share)
         };
-        Self { steps: (0..=STEPS).map(step).collect() }
+        Self { steps: (0..=LEVELS).map(step).collect() }
     }
 
     fn false_alarm_rate(&self, factor: f64, cell: &CellPower) -> f64 {
@@ -134,7 +134,7 @@ impl Steps {
     }
 }
 
-const STEPS: i32 = 256;
+const LEVELS: i32 = 256;
 
 #[cfg(test)]
 mod tests {

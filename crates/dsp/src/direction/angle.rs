@@ -2,9 +2,9 @@
 //!
 //! A target at direction cosine u along the row makes the phase e^{−j2πp·u/λ} on an element at p (the mixer's
 //! sign: a target on the + side is nearer to + elements), so the angle spectrum is Σ x e^{+j2πp·u/λ}. The
-//! FFT, over elements snapped to a lattice, only finds the right lobe; the peak is then climbed on the beam
-//! with the exact distances to every element, which a 0.34 m row needs at 25 m (0.9 rad of curvature) and a
-//! list of odd positions needs always.
+//! FFT, over elements snapped to a lattice, only finds the right lobe of the array's point-spread function;
+//! the peak is then climbed on the beam with the exact distances to every element, which a 0.34 m row needs at
+//! 25 m (0.9 rad of curvature) and a list of odd positions needs always.
 
 use crate::spectrum::axes::Axes;
 use crate::spectrum::code_division;
@@ -66,7 +66,7 @@ impl Direction {
 /// Values of all channels in one cell, free of the phases of time and code division.
 pub type Snapshot = Vec<Complex64>;
 
-/// Parabola steps of the climb: each quarters the step, so the last is 1/1000 of a lobe and its rest far
+/// Parabola steps of the climb: each quarters the step, so the last is 1/1000 of a beam and its rest far
 /// below 1e-4 of u.
 const CLIMBS: usize = 5;
 
@@ -195,7 +195,8 @@ impl VirtualArray {
         self.beam(snapshot, &self.steering(direction, range_m)).norm_sqr() / snapshot.len() as f64
     }
 
-    /// Turns that bring the echo of a point at this direction and range into phase on all channels.
+    /// Conjugate steering vector of a point at this direction and range: the weights that bring its echo into
+    /// phase on all channels.
     pub fn steering(&self, direction: Direction, range_m: f64) -> Vec<Complex64> {
         self.excess_m(direction, range_m)
             .into_iter()
@@ -223,8 +224,8 @@ impl VirtualArray {
         self.assumed_height_m
     }
 
-    /// The same turns of each end alone: of transmit elements, and of receive elements.
-    pub(crate) fn element_turns(&self, direction: Direction, range_m: f64) -> [Vec<Complex64>; 2] {
+    /// Conjugate steering vectors of each end alone: of transmit elements, and of receive elements.
+    pub(crate) fn element_steering(&self, direction: Direction, range_m: f64) -> [Vec<Complex64>; 2] {
         let point = self.point(direction, range_m);
         let turn = |element: DVec3| turned_back(excess_m(point, element, range_m) / self.wavelength_m);
         let tx =

@@ -33,7 +33,7 @@ const WEAKEST_SHARE: f64 = 1e-3;
 /// Starts left and right of an echo that may be two, in beams (λ over the array's extent).
 const SPLITS: [f64; 3] = [0.15, 0.4, 0.9];
 /// Gauss–Newton steps: from these starts the residual settles to 1e-6 of the noise within about ten.
-const STEPS: usize = 16;
+const GAUSS_NEWTON_STEPS: usize = 16;
 
 /// Echoes of a cell, strongest first, at least one; `noise` is the mean noise power of one channel.
 pub fn sources(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise: f64) -> Vec<Source> {
@@ -94,11 +94,11 @@ pub fn least_errors(
     noise: f64,
 ) -> Option<Vec<[f64; 2]>> {
     let directions: Vec<Direction> = echoes.iter().map(|(direction, _)| *direction).collect();
-    let turns: Vec<Vec<Complex64>> = directions.iter().map(|d| array.steering(*d, range_m)).collect();
+    let steering: Vec<Vec<Complex64>> = directions.iter().map(|d| array.steering(*d, range_m)).collect();
     let sum = |c: usize| -> Complex64 {
-        echoes.iter().zip(&turns).map(|((_, a), turns)| a * turns[c].conj()).sum()
+        echoes.iter().zip(&steering).map(|((_, a), steering)| a * steering[c].conj()).sum()
     };
-    let noiseless: Vec<Complex64> = (0..turns.first()?.len()).map(sum).collect();
+    let noiseless: Vec<Complex64> = (0..steering.first()?.len()).map(sum).collect();
     let slopes = AmplitudeFit::new(array, &noiseless, range_m, &directions)?.slopes(array, range_m);
     let mut information = [[0.0; PARAMETERS]; PARAMETERS];
     for (i, a) in slopes.iter().enumerate().take(PARAMETERS) {
@@ -161,7 +161,7 @@ fn settled(
     mut fit: AmplitudeFit,
 ) -> AmplitudeFit {
     let mut damping = 1e-3;
-    for _ in 0..STEPS {
+    for _ in 0..GAUSS_NEWTON_STEPS {
         let moved = fit.step(array, range_m, damping).and_then(|step| {
             let at = |(i, d): (usize, &Direction)| shifted(shifted(*d, 0, step[2 * i]), 1, step[2 * i + 1]);
             let directions: Vec<Direction> = fit.directions.iter().enumerate().map(at).collect();
@@ -245,13 +245,13 @@ impl AmplitudeFit {
     /// Change of the echoes with each direction cosine, what the amplitudes can follow taken out.
     fn slopes(&self, array: &VirtualArray, range_m: f64) -> Vec<Vec<Complex64>> {
         let of_echo = |(direction, amplitude): (&Direction, &Complex64)| {
-            let turns = array.steering(*direction, range_m);
+            let steering = array.steering(*direction, range_m);
             let excess = array.excess_slopes_m(*direction, range_m);
             [0, 1].map(|axis: usize| {
                 let per_cosine = |(turn, excess): (&Complex64, &[f64; 2])| {
                     turn.conj() * amplitude * Complex64::new(0.0, TAU * excess[axis] / array.wavelength_m())
                 };
-                let mut slope: Vec<Complex64> = turns.iter().zip(&excess).map(per_cosine).collect();
+                let mut slope: Vec<Complex64> = steering.iter().zip(&excess).map(per_cosine).collect();
                 self.basis.iter().for_each(|q| {
                     take_out(q, &mut slope);
                 });

@@ -22,7 +22,7 @@ const PARAMETERS: usize = 4;
 const PASSES: usize = 2;
 /// Scoring steps of a pass. From a tenth of a cell each leaves the square of what it finds: 0.3 rad becomes
 /// 1e-6 in four.
-const STEPS: usize = 6;
+const SCORING_STEPS: usize = 6;
 
 /// The echo that fits the samples best, near `start`; `None` where they do not settle within a cell of it.
 pub(crate) fn refined(plan: &Plan, samples: &[Complex32], start: PointEcho) -> Option<PointEcho> {
@@ -40,7 +40,7 @@ pub(crate) fn refined(plan: &Plan, samples: &[Complex32], start: PointEcho) -> O
 fn best_step(plan: &Plan, blocks: &[Block], at: &PointEcho) -> Option<[f64; PARAMETERS]> {
     let slopes = centred(phase_slopes(plan, blocks, at), blocks);
     let mut step = [0.0; PARAMETERS];
-    for _ in 0..STEPS {
+    for _ in 0..SCORING_STEPS {
         let turned: Vec<Complex64> = blocks
             .iter()
             .zip(&slopes)

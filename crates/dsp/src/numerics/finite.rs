@@ -4,12 +4,12 @@ use num_complex::Complex32;
 use rayon::prelude::*;
 
 /// Values that are looked at together.
-const RUN: usize = 4096;
+const VALUES_PER_RUN: usize = 4096;
 
 /// Index of the first value that is infinite or NaN.
 pub(crate) fn first_not_finite(values: &[Complex32]) -> Option<usize> {
-    let run = values.par_chunks(RUN).position_first(|run| !all_finite(run))?;
-    let start = run * RUN;
+    let run = values.par_chunks(VALUES_PER_RUN).position_first(|run| !all_finite(run))?;
+    let start = run * VALUES_PER_RUN;
     values[start..].iter().position(|v| !v.is_finite()).map(|at| start + at)
 }
 
@@ -28,9 +28,9 @@ mod tests {
 
     #[test]
     fn the_first_of_several_is_found_wherever_it_is() {
-        let mut values = vec![Complex32::ONE; 3 * RUN + 7];
+        let mut values = vec![Complex32::ONE; 3 * VALUES_PER_RUN + 7];
         assert_eq!(first_not_finite(&values), None);
-        for at in [3 * RUN + 6, 2 * RUN, RUN - 1, 0] {
+        for at in [3 * VALUES_PER_RUN + 6, 2 * VALUES_PER_RUN, VALUES_PER_RUN - 1, 0] {
             values[at].im = if at % 2 == 0 { f32::NAN } else { f32::NEG_INFINITY };
             assert_eq!(first_not_finite(&values), Some(at));
         }

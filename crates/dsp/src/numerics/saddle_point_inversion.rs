@@ -61,7 +61,7 @@ fn lower_tail(form: &[WeightedGamma], t: f64) -> f64 {
         ((exponent(form, t, s) - peak).exp() * step).im
     };
     let mut sum = 0.5 * term(0.0);
-    for i in 1..STEPS {
+    for i in 1..TRAPEZOIDS {
         let value = term(f64::from(i) * STEP);
         sum += value;
         // The slowest forms (Σn = 1) fall by e^{−x}: what is left is of the size of the last term over STEP.
@@ -75,7 +75,7 @@ fn lower_tail(form: &[WeightedGamma], t: f64) -> f64 {
 /// The integrand has no pole within 0.4 of the real axis of x: the rule's error is below e^{−2π·0.4/STEP} =
 /// 1e-11.
 const STEP: f64 = 0.1;
-const STEPS: i32 = 400;
+const TRAPEZOIDS: i32 = 400;
 
 /// Exponent of the integrand, st − Σ n ln(1 + s·w) − ln s.
 fn exponent(form: &[WeightedGamma], t: f64, s: Complex64) -> Complex64 {

@@ -1,8 +1,8 @@
 //! Located points of a map and the objects they form.
 //!
 //! One point per detected cell, as in the paper's clouds (14, 15, 18 points for a car; its flow sends every
-//! cell that passes the detector to the angle FFT). The cells under one main lobe, about 3 × 3 with Hann
-//! windows, are one measurement: its peak is placed between cells, the others stand at their cells' centres.
+//! cell that passes the detector to the angle FFT). The cells under one main lobe (of the point-spread
+//! function; about 3 × 3 with Hann windows) are one measurement: its peak is placed between cells, the others stand at their cells' centres.
 //! Objects are made of peaks alone.
 
 use crate::ambiguity::ambiguous_velocities::{ambiguity_mps, folds_are_told, no_other_is_driven};
@@ -12,9 +12,9 @@ use crate::detection::empty_band::fold_is_certain;
 use crate::detection::peaks::Peak;
 use crate::direction::angle::{Direction, Snapshot, VirtualArray};
 use crate::direction::directional_peaks::Beams;
+use crate::direction::multipath_ghost::{self, multipath_ghost};
 use crate::direction::point_sources::sources;
 use crate::direction::position::{Place, place};
-use crate::direction::two_ways::{self, two_ways};
 use crate::error::DspError;
 use crate::estimation::isolation::{Neighbours, fits_alone};
 use crate::estimation::point_echo::PointEcho;
@@ -130,7 +130,7 @@ impl View<'_> {
     }
 
     fn two_ways_rad(&self, s: &Sighting) -> Option<[f64; 2]> {
-        let found = two_ways(self.array, &s.snapshot, s.range_m, s.direction, self.channel_noise());
+        let found = multipath_ghost(self.array, &s.snapshot, s.range_m, s.direction, self.channel_noise());
         let azimuth = |direction| place(self.array, direction, s.range_m).azimuth_rad;
         found.map(|two| two.directions.map(azimuth))
     }
@@ -445,7 +445,7 @@ impl View<'_> {
             points: points.len() as u32,
             range_extent_m: extent(points.iter().map(|p| p.range_m)),
             velocity_extent_mps: extent(points.iter().map(|p| near_strongest(p.radial_velocity_mps))),
-            ghost_share: two_ways::can_tell(self.array).then(|| {
+            ghost_share: multipath_ghost::can_tell(self.array).then(|| {
                 weighted_mean(peaks.iter().map(|s| f64::from(u8::from(s.two_ways_rad.is_some()))), &weights)
             }),
             stationary: self.stationary(peaks.iter().copied()),

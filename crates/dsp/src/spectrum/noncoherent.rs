@@ -67,13 +67,13 @@ impl Levels {
 }
 
 /// Cells that one thread adds up, over all channels in their order.
-const RUN: usize = 4096;
+const CELLS_PER_RUN: usize = 4096;
 
 pub(crate) fn sum_over_channels(values: &[Complex32], cells: usize) -> Vec<f64> {
     let mut sum = vec![0.0; cells];
-    sum.par_chunks_mut(RUN).enumerate().for_each(|(run, sum)| {
+    sum.par_chunks_mut(CELLS_PER_RUN).enumerate().for_each(|(run, sum)| {
         for channel in values.chunks_exact(cells) {
-            for (total, value) in sum.iter_mut().zip(&channel[run * RUN..]) {
+            for (total, value) in sum.iter_mut().zip(&channel[run * CELLS_PER_RUN..]) {
                 *total += f64::from(value.re).powi(2) + f64::from(value.im).powi(2);
             }
         }

@@ -5,7 +5,7 @@ use super::common::*;
 use artifact::cube::CubeHeader;
 use artifact::seed::key;
 use dsp::angle::VirtualArray;
-use dsp::two_ways;
+use dsp::multipath_ghost;
 use glam::DVec3;
 use num_complex::Complex64;
 use rand::{Rng, SeedableRng};
@@ -62,7 +62,7 @@ impl Site {
     /// Cosines of what is found in a cell.
     pub(crate) fn found(&self, values: &[Complex64], range_m: f64) -> Option<[f64; 2]> {
         let direct = self.array.direction(&[values.to_vec()], range_m);
-        two_ways(&self.array, values, range_m, direct, 1.0).map(|two| two.directions.map(|d| d.right))
+        multipath_ghost(&self.array, values, range_m, direct, 1.0).map(|two| two.directions.map(|d| d.right))
     }
 
     fn amplitude(&mut self, snr_db: f64) -> Complex64 {

@@ -24,7 +24,7 @@ pub struct Oscillator {
 }
 
 /// Steps of a sample: eight neighbours tell what lies between them to 1.5e-4 of the fastest part.
-const STEPS: usize = 4;
+const STEPS_PER_SAMPLE: usize = 4;
 /// Values around a moment that its phase is told from.
 const NEIGHBOURS: usize = 8;
 /// Time before the frame's first sample that is held: the way to 1.5 km and back. Where echoes take longer,
@@ -51,13 +51,17 @@ impl Oscillator {
         let rate = |(k, power): (usize, &f64)| 2.0 * power * (TAU * (k + 1) as f64 * step_hz).powi(2);
         let rate_square: f64 = powers.iter().enumerate().map(rate).sum();
         let mut stream = NoiseStream::of(seed, "fmcw-echo/phase-noise", &[u64::from(frame)]);
-        let mut spectrum = vec![Complex64::ZERO; STEPS * count];
+        let mut spectrum = vec![Complex64::ZERO; STEPS_PER_SAMPLE * count];
         for (part, power) in spectrum[1..].iter_mut().zip(powers) {
             *part = stream.next_sample(power);
         }
         FftPlanner::new().plan_fft_inverse(spectrum.len()).process(&mut spectrum);
         let phase_rad = spectrum.into_iter().map(|value| 2.0 * value.re).collect();
-        Some(Self { phase_rad, steps_per_s: STEPS as f64 * rate_hz, rate_rms_rad_per_s: rate_square.sqrt() })
+        Some(Self {
+            phase_rad,
+            steps_per_s: STEPS_PER_SAMPLE as f64 * rate_hz,
+            rate_rms_rad_per_s: rate_square.sqrt(),
+        })
     }
 
     /// Phase φ, rad, `time_s` after the frame's first sample, a little before it too.
@@ -78,7 +82,7 @@ impl Oscillator {
         let length = self.phase_rad.len();
         let first = (below as i64 - (NEIGHBOURS as i64 / 2 - 1)).rem_euclid(length as i64) as usize;
         let at = |sample: usize| {
-            let start = (first + sample * STEPS) % length;
+            let start = (first + sample * STEPS_PER_SAMPLE) % length;
             let value = |(i, share): (usize, &f64)| share * self.phase_rad[(start + i) % length];
             shares.iter().enumerate().map(value).sum()
         };
@@ -94,7 +98,8 @@ impl Oscillator {
 /// Bytes of the phase and of the transform it comes from, of echoes from within the waveform's range.
 pub(crate) fn memory_estimate_bytes(radar: &Radar) -> u64 {
     let delay_s = 2.0 * radar.waveform.range_max_m() / SPEED_OF_LIGHT_MPS;
-    let needed = if radar.hardware.phase_noise.is_empty() { 0 } else { samples_of(radar, delay_s) * STEPS };
+    let needed =
+        if radar.hardware.phase_noise.is_empty() { 0 } else { samples_of(radar, delay_s) * STEPS_PER_SAMPLE };
     (needed * (size_of::<f64>() + 2 * size_of::<Complex64>())) as u64
 }
 

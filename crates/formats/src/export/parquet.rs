@@ -5,7 +5,7 @@ use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
 use artifact::points::{Point, Points, PointsFrame, PointsHeader};
 use artifact::settings::Class;
-use interchange::table::{Kind, Table, Value};
+use interchange::parquet_table::{Kind, Table, Value};
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;

@@ -5,11 +5,11 @@ use crate::dataset::layout::PlannedShard;
 use crate::dataset::lines as told;
 use crate::dataset::maker::maker;
 use crate::dataset::recipe::Recipe;
+use crate::dataset::scene_line::SceneLine;
 use artifact::dataset::{Dataset, Sample};
 use artifact::{ArtifactError, Fault, Reader};
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use serde_json::Value;
 use std::path::Path;
 
 /// Whether a shard need not be made; a damaged one is named and made anew. Refused where the folder is
@@ -53,9 +53,9 @@ pub(super) fn is_there(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Fa
 }
 
 /// Lines of a shard, one for each of its scenes, in their order; `None` where they tell of others.
-pub(super) fn lines(shard: &PlannedShard) -> Option<Vec<Value>> {
+pub(super) fn lines(shard: &PlannedShard) -> Option<Vec<SceneLine>> {
     let lines = told::read(&shard.lines).ok()?;
-    let numbers = lines.iter().map(|line| line["scene"].as_u64());
+    let numbers = lines.iter().map(|line| line.scene);
     numbers.eq(shard.scenes.clone().map(Some)).then_some(lines)
 }
 
@@ -95,8 +95,8 @@ fn opened(recipe: &Recipe, shard: &Path) -> Result<Reader<Dataset>, Obstacle> {
 }
 
 /// Whether there is a sample for every vehicle that was found.
-fn tells_of(lines: &[Value], samples: &[Sample]) -> bool {
-    let vehicles = lines.iter().flat_map(told::vehicles).map(|(_, vehicle)| vehicle);
-    let found = vehicles.filter(|vehicle| told::is_found(vehicle)).map(|vehicle| vehicle["id"].as_str());
-    found.eq(samples.iter().map(|sample| Some(sample.id.as_str())))
+fn tells_of(lines: &[SceneLine], samples: &[Sample]) -> bool {
+    let vehicles = lines.iter().flat_map(SceneLine::vehicles).map(|(_, vehicle)| vehicle);
+    let found = vehicles.filter(|vehicle| vehicle.estimate.is_some()).map(|vehicle| &vehicle.id);
+    found.eq(samples.iter().map(|sample| &sample.id))
 }

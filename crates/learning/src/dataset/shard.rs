@@ -49,7 +49,9 @@ pub(super) fn make(making: &ShardMaking, shard: &PlannedShard) -> Result<(), Fai
         let mut shots = work.shots(&others, &errors, &done)?;
         for shot in places.iter().filter_map(|place| measured.remove(place).or_else(|| shots.remove(place))) {
             shot.samples.iter().try_for_each(|sample| writer.write(sample))?;
-            text.push_str(&format!("{}\n", lines::sealed(shot.line)));
+            let line =
+                lines::sealed(&shot.line).map_err(|error| Failure::system(&shard.lines, "write", error))?;
+            text.push_str(&format!("{line}\n"));
         }
     }
     writer.finish()?;

@@ -4,6 +4,7 @@ use crate::dataset::draws::Drawn;
 use crate::dataset::lines;
 use crate::dataset::observed_frame::{SeenFrame, seen};
 use crate::dataset::recipe::Recipe;
+use crate::dataset::scene_line::SceneLine;
 use crate::dataset::staging::{Staged, stage};
 use artifact::dataset::{Crop, Sample};
 use pipeline::chain::link::Chain;
@@ -11,7 +12,6 @@ use pipeline::chain::measured_frames::Known;
 use pipeline::host::failure::Failure;
 use pipeline::host::in_order::AtOnce;
 use pipeline::host::memory::Allowance;
-use serde_json::Value;
 use std::sync::Arc;
 
 /// A scene after it was computed.
@@ -19,7 +19,7 @@ pub(super) struct Shot {
     /// Samples of every vehicle that was found, frame by frame.
     pub(super) samples: Vec<Sample>,
     /// Truth and estimates.
-    pub(super) line: Value,
+    pub(super) line: SceneLine,
     /// Errors that scenes of the same kind take over.
     pub(super) measured: Measured,
 }

@@ -2,11 +2,11 @@
 //! line of sight, radar.
 
 use crate::dataset::lines;
+use crate::dataset::scene_line::{EstimateLine, SceneLine, VehicleLine};
 use classifier::TrackKey;
 use glam::DVec2;
 use pipeline::host::dataset_folders::{DatasetFolder, lines_of};
 use pipeline::host::failure::Failure;
-use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
@@ -47,19 +47,16 @@ pub(super) fn untold() -> Conditions {
     vec![("line beside the shard", (0, "none".into()))]
 }
 
-fn of_scene(dataset: usize, scene: &Value, all: &mut BTreeMap<TrackKey, Conditions>) {
-    let Some(number) = scene["scene"].as_u64() else { return };
+fn of_scene(dataset: usize, scene: &SceneLine, all: &mut BTreeMap<TrackKey, Conditions>) {
+    let Some(number) = scene.scene else { return };
     let stand = Standpoint::of(scene);
-    for vehicles in
-        scene["frames"].as_array().into_iter().flatten().flat_map(|frame| frame["vehicles"].as_array())
-    {
+    for vehicles in scene.frames.iter().map(|frame| &frame.vehicles) {
         let company = vehicles.len();
-        for vehicle in vehicles.iter().filter(|vehicle| !vehicle["estimate"].is_null()) {
-            let target = vehicle["target"].as_u64().unwrap_or_default() as u32;
+        for (vehicle, estimate) in vehicles.iter().filter_map(|of| Some((of, of.estimate.as_ref()?))) {
             let is_behind = vehicles.iter().any(|other| stand.stands_before(other, vehicle));
             let sight = if is_behind { (1, "behind another".into()) } else { (0, "free".into()) };
-            all.entry((dataset, number, target))
-                .or_insert_with(|| of_vehicle(scene, company, sight, vehicle));
+            all.entry((dataset, number, vehicle.target))
+                .or_insert_with(|| of_vehicle(scene, company, sight, vehicle, estimate));
         }
     }
 }
@@ -72,18 +69,18 @@ struct Standpoint {
 }
 
 impl Standpoint {
-    fn of(scene: &Value) -> Self {
-        let [x_m, y_m] = ["radar_x_m", "radar_y_m"].map(|key| scene[key].as_f64().unwrap_or(0.0));
-        Self { radar_m: DVec2::new(x_m, y_m), lanes_azimuth_rad: lines::lanes_azimuth_rad(scene) }
+    fn of(scene: &SceneLine) -> Self {
+        let [x_m, y_m] = [scene.radar_x_m, scene.radar_y_m].map(|place_m| place_m.unwrap_or(0.0));
+        Self { radar_m: DVec2::new(x_m, y_m), lanes_azimuth_rad: scene.lanes_azimuth_rad() }
     }
 
     /// Way from the radar to a vehicle's middle.
-    fn way_m(&self, vehicle: &Value) -> DVec2 {
-        DVec2::new(number(&vehicle["x_m"]), number(&vehicle["y_m"])) - self.radar_m
+    fn way_m(&self, vehicle: &VehicleLine) -> DVec2 {
+        DVec2::new(number(vehicle.x_m), number(vehicle.y_m)) - self.radar_m
     }
 
     /// Another one's middle is nearer, and less than a body's width off the way from the radar to this one's.
-    fn stands_before(&self, other: &Value, vehicle: &Value) -> bool {
+    fn stands_before(&self, other: &VehicleLine, vehicle: &VehicleLine) -> bool {
         const WIDTH_M: f64 = 2.0;
         let [own, its] = [vehicle, other].map(|of| self.way_m(of));
         let direction = own.normalize_or_zero();
@@ -91,31 +88,37 @@ impl Standpoint {
     }
 
     /// 0 shows the front, 180 the rear.
-    fn aspect_deg(&self, vehicle: &Value) -> f64 {
-        let yaw_rad = number(&vehicle["yaw_deg"]).to_radians() - self.lanes_azimuth_rad - FRAC_PI_2;
+    fn aspect_deg(&self, vehicle: &VehicleLine) -> f64 {
+        let yaw_rad = number(vehicle.yaw_deg).to_radians() - self.lanes_azimuth_rad - FRAC_PI_2;
         let way_m = self.way_m(vehicle);
         let cosine = -way_m.dot(DVec2::from_angle(yaw_rad)) / way_m.length();
         cosine.clamp(-1.0, 1.0).acos().to_degrees()
     }
 }
 
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or(f64::NAN)
+fn number(value: Option<f64>) -> f64 {
+    value.unwrap_or(f64::NAN)
 }
 
-fn of_vehicle(scene: &Value, company: usize, sight: Bin, vehicle: &Value) -> Conditions {
-    let queue = if scene["is_queue"] == true { "in a queue" } else { "driving" };
+fn of_vehicle(
+    scene: &SceneLine,
+    company: usize,
+    sight: Bin,
+    vehicle: &VehicleLine,
+    estimate: &EstimateLine,
+) -> Conditions {
+    let queue = if scene.is_queue { "in a queue" } else { "driving" };
     vec![
-        ("SNR, dB", bin(number(&vehicle["estimate"]["snr_db"]), &SNR_DB)),
-        ("noise added, dB", bin(number(&scene["extra_noise_db"]), &NOISE_DB)),
-        ("range, m", bin(number(&vehicle["range_m"]), &RANGE_M)),
+        ("SNR, dB", bin(number(estimate.snr_db), &SNR_DB)),
+        ("noise added, dB", bin(number(scene.extra_noise_db), &NOISE_DB)),
+        ("range, m", bin(number(vehicle.range_m), &RANGE_M)),
         ("aspect, °", bin(Standpoint::of(scene).aspect_deg(vehicle), &ASPECT_DEG)),
         ("vehicles of the scene", (company, company.to_string())),
         ("line of sight", sight),
         ("traffic", (0, queue.into())),
-        ("height of the radar, m", bin(number(&scene["radar_height_m"]), &HEIGHT_M)),
-        ("tilt, °", bin(number(&scene["tilt_deg"]), &TILT_DEG)),
-        ("radar", (0, scene["base"].as_str().unwrap_or("–").trim_end_matches(".toml").into())),
+        ("height of the radar, m", bin(number(scene.radar_height_m), &HEIGHT_M)),
+        ("tilt, °", bin(number(scene.tilt_deg), &TILT_DEG)),
+        ("radar", (0, scene.base.as_deref().unwrap_or("–").trim_end_matches(".toml").into())),
     ]
 }
 
@@ -134,28 +137,35 @@ fn bin(value: f64, ends: &[f64]) -> Bin {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
+
+    fn vehicle(x_m: f64, y_m: f64, yaw_deg: f64) -> VehicleLine {
+        VehicleLine { x_m: Some(x_m), y_m: Some(y_m), yaw_deg: Some(yaw_deg), ..VehicleLine::default() }
+    }
 
     #[test]
     fn a_vehicle_that_comes_shows_its_front_and_one_that_leaves_its_rear() {
-        let aspect_deg = |vehicle: &Value| Standpoint::of(&Value::Null).aspect_deg(vehicle);
-        let at = |yaw_deg: f64| aspect_deg(&json!({"x_m": 0.0, "y_m": 40.0, "yaw_deg": yaw_deg}));
+        let aspect_deg = |vehicle: &VehicleLine| Standpoint::of(&SceneLine::default()).aspect_deg(vehicle);
+        let at = |yaw_deg: f64| aspect_deg(&vehicle(0.0, 40.0, yaw_deg));
         assert!(at(0.0) < 1e-6 && (at(180.0) - 180.0).abs() < 1e-5 && (at(-90.0) - 90.0).abs() < 1e-9);
-        let beside = json!({"x_m": 40.0, "y_m": 40.0, "yaw_deg": 0.0});
-        assert!((aspect_deg(&beside) - 45.0).abs() < 1e-9);
+        assert!((aspect_deg(&vehicle(40.0, 40.0, 0.0)) - 45.0).abs() < 1e-9);
     }
 
     #[test]
     fn aspects_and_lines_of_sight_are_those_from_the_radar_by_the_way_along_its_lanes() {
         // Lanes towards +x, the radar 20 m along one of them: its vehicles drive towards −x.
-        let scene = json!({"radar_x_m": 20.0, "radar_y_m": 10.0, "lanes_azimuth_deg": 90.0});
+        let scene = SceneLine {
+            radar_x_m: Some(20.0),
+            radar_y_m: Some(10.0),
+            lanes_azimuth_deg: Some(90.0),
+            ..SceneLine::default()
+        };
         let stand = Standpoint::of(&scene);
-        let at = |x: f64, yaw_deg: f64| json!({"x_m": x, "y_m": 10.0, "yaw_deg": yaw_deg});
+        let at = |x_m: f64, yaw_deg: f64| vehicle(x_m, 10.0, yaw_deg);
         let aspects = [at(50.0, 0.0), at(50.0, 180.0), at(0.0, 0.0), at(50.0, 90.0)];
         let expected = [0.0, 180.0, 180.0, 90.0];
         for (vehicle, expected) in aspects.iter().zip(expected) {
             // The arc cosine of a rounded one is off by 1e-6°.
-            assert!((stand.aspect_deg(vehicle) - expected).abs() < 1e-5, "{vehicle}");
+            assert!((stand.aspect_deg(vehicle) - expected).abs() < 1e-5, "{vehicle:?}");
         }
         assert!(stand.stands_before(&at(30.0, 0.0), &at(50.0, 0.0)));
         assert!(!stand.stands_before(&at(0.0, 0.0), &at(50.0, 0.0)), "on the radar's other side");
@@ -163,8 +173,9 @@ mod tests {
 
     #[test]
     fn a_nearer_vehicle_less_than_a_width_off_the_line_of_sight_stands_before_another() {
-        let stands_before = |a: &Value, b: &Value| Standpoint::of(&Value::Null).stands_before(a, b);
-        let at = |x: f64, y: f64| json!({"x_m": x, "y_m": y});
+        let stands_before =
+            |a: &VehicleLine, b: &VehicleLine| Standpoint::of(&SceneLine::default()).stands_before(a, b);
+        let at = |x_m: f64, y_m: f64| vehicle(x_m, y_m, 0.0);
         assert!(
             stands_before(&at(2.0, 30.0), &at(2.0, 40.0)) && !stands_before(&at(2.0, 40.0), &at(2.0, 30.0))
         );

@@ -8,7 +8,7 @@ use artifact::dataset::{Crop, Sample};
 use artifact::model::{Learner, ModelHeader, Weights};
 use artifact::points::PointsFrame;
 use artifact::rdm::RdmFrame;
-use classifier::{Classifier, SignatureClassifier};
+use classifier::{Classifier, ClassifierError, SignatureClassifier};
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -21,7 +21,7 @@ pub struct LoadedModel {
     header: ModelHeader,
     weights: Weights,
     hash: String,
-    ready: OnceLock<Result<Ready, String>>,
+    ready: OnceLock<Result<Ready, ClassifierError>>,
 }
 
 /// A model that answers.
@@ -104,14 +104,11 @@ impl LoadedModel {
 
     fn ready(&self) -> Result<&Ready, Failure> {
         let (header, weights) = (&self.header, &self.weights);
-        let build = || {
-            match header.learner {
-                Learner::CropNetwork(_) => Classifier::from_model(header, weights).map(Ready::Crops),
-                Learner::BoostedTrees { .. } => {
-                    SignatureClassifier::from_model(header, weights).map(Ready::Signatures)
-                }
+        let build = || match header.learner {
+            Learner::CropNetwork(_) => Classifier::from_model(header, weights).map(Ready::Crops),
+            Learner::BoostedTrees { .. } => {
+                SignatureClassifier::from_model(header, weights).map(Ready::Signatures)
             }
-            .map_err(|e| e.to_string())
         };
         self.ready.get_or_init(build).as_ref().map_err(Failure::refused)
     }

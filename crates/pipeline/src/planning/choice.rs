@@ -1,7 +1,7 @@
 //! Choices of what is modelled, made from what each part of the echo is to all of it.
 
-use crate::planning::look::Shares;
-use crate::planning::part::Part;
+use crate::planning::echo_shares::Shares;
+use crate::planning::physics_part::Part;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Physics that the scene itself says, and of which nothing is chosen.

@@ -6,7 +6,7 @@ use crate::chain::plan::FramePlan;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use crate::planning::choice::Fixed;
-use crate::planning::part::Part;
+use crate::planning::physics_part::Part;
 use artifact::scene::SceneHeader;
 use bart_rcs::Tracer;
 use std::collections::BTreeMap;

@@ -6,11 +6,11 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 /// Angles left and right of the boresight, at its elevation, up to which an element's gain is no more than 3
 /// dB below that along it; a right angle at most, since an array cannot tell before from behind.
 pub(crate) fn half_angles_rad(radar: &Radar) -> [f64; 2] {
-    const STEPS: u32 = 360;
+    const ARC_STEPS: u32 = 360;
     let gain = |angle: f64| radar.array.pattern.amplitude([angle.sin(), angle.cos(), 0.0]);
     let least = FRAC_1_SQRT_2 * gain(0.0);
     [-1.0, 1.0].map(|side| {
-        let angles = (1..=STEPS).map(|step| FRAC_PI_2 * f64::from(step) / f64::from(STEPS));
+        let angles = (1..=ARC_STEPS).map(|step| FRAC_PI_2 * f64::from(step) / f64::from(ARC_STEPS));
         angles.take_while(|angle| gain(side * angle) >= least).last().unwrap_or(0.0)
     })
 }

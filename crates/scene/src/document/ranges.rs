@@ -1,9 +1,10 @@
 //! Ranges of numbers that several tables share.
 
 use crate::wording::allowed::Allowed;
+use artifact::seed::SEEDS as SEEDS_TAKEN;
 
-/// TOML's whole numbers end there.
-pub(crate) const SEEDS: Allowed = Allowed::Between(0.0, i64::MAX as f64);
+/// Seeds that are taken everywhere.
+pub(crate) const SEEDS: Allowed = Allowed::Between(0.0, *SEEDS_TAKEN.end() as f64);
 
 /// Coordinates beyond this are a slip of units; within it f64 resolves 1.5e-11 m, 4e-9 of a wavelength at 77
 /// GHz.

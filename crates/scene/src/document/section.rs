@@ -182,9 +182,9 @@ fn unknown_key(found: &str, table: &Table) -> Rule {
         return Rule::WrongTable { found: found_here, table: home };
     }
     // Four letters in five alike are no chance; less may be, and a word of others is none.
-    const ALIKE: f64 = 0.85;
+    const LEAST_LIKENESS: f64 = 0.85;
     let known: Vec<&str> = table.names().collect();
-    match (nearest_from(ALIKE, found, &known), synonyms::meant_elsewhere(found)) {
+    match (nearest_from(LEAST_LIKENESS, found, &known), synonyms::meant_elsewhere(found)) {
         (None, Some(meant)) => {
             Rule::UnknownKey { found: found_here, nearest: Some(meant), home: keys::home_of(meant, table) }
         }

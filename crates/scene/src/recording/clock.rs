@@ -49,8 +49,8 @@ impl Clock {
         let time_s = self.at(self.next);
         let is_known = !self.is_done() && time_s >= self.first_s - ROUNDING_S && time_s <= end_s + ROUNDING_S;
         if is_known && self.next == FRAME_LIMIT {
-            let (begin, interval) = (self.begin_s, self.times.interval_s);
-            return Err(FcdRule::TooManyFrames { begin, interval, limit: FRAME_LIMIT });
+            let (begin_s, interval_s) = (self.begin_s, self.times.interval_s);
+            return Err(FcdRule::TooManyFrames { begin_s, interval_s, limit: FRAME_LIMIT });
         }
         self.next += u32::from(is_known);
         Ok(is_known.then_some(time_s))
@@ -68,15 +68,16 @@ impl Clock {
 
     /// Refuses a recording that ended before all frames asked for were there, and frames that were to end
     /// before it begins.
-    pub(crate) fn checked(&self, last: f64) -> Result<(), FcdRule> {
-        let first = self.first_s;
-        if let Some(end) = self.times.end_s.filter(|end_s| first > end_s + ROUNDING_S) {
-            return Err(FcdRule::EndsBeforeRecording { end, first, last });
+    pub(crate) fn checked(&self, last_s: f64) -> Result<(), FcdRule> {
+        let first_s = self.first_s;
+        if let Some(end_s) = self.times.end_s.filter(|end_s| first_s > end_s + ROUNDING_S) {
+            return Err(FcdRule::EndsBeforeRecording { end_s, first_s, last_s });
         }
-        if let Some((frames, end)) = self.times.frames.zip(self.times.end_s).filter(|_| !self.is_within_end())
+        if let Some((frames, end_s)) =
+            self.times.frames.zip(self.times.end_s).filter(|_| !self.is_within_end())
         {
-            let (begin, found) = (self.begin_s, self.at(frames - 1));
-            return Err(FcdRule::FramesBeyondEnd { frames, begin, found, end, first, last });
+            let (begin_s, found_s) = (self.begin_s, self.at(frames - 1));
+            return Err(FcdRule::FramesBeyondEnd { frames, begin_s, found_s, end_s, first_s, last_s });
         }
         let until_s = match (self.times.frames, self.times.end_s) {
             (Some(frames), Some(end_s)) => self.at(frames - 1).max(end_s),
@@ -86,7 +87,7 @@ impl Clock {
         };
         let are_unbounded = self.times.frames.is_none() && self.times.end_s.is_none();
         let is_there = self.is_complete() || (are_unbounded && self.next > 0);
-        let rule = FcdRule::OutsideRecording { first, last, begin: self.begin_s, end: until_s };
+        let rule = FcdRule::OutsideRecording { first_s, last_s, begin_s: self.begin_s, end_s: until_s };
         if is_there { Ok(()) } else { Err(rule) }
     }
 }

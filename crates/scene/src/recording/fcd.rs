@@ -30,7 +30,7 @@ impl FcdStep {
         let ids = self.vehicles.iter().map(|vehicle| (vehicle.id.as_str(), vehicle.line));
         order.check(self.time_s, ids).map_err(|disorder| match disorder {
             Disorder::TimeNotGrowing { before_s } => {
-                (self.line, FcdRule::TimeNotGrowing { found: self.time_s, before: before_s })
+                (self.line, FcdRule::TimeNotGrowing { found_s: self.time_s, before_s })
             }
             Disorder::Twice { id, line } => (line, FcdRule::Twice(id)),
         })
@@ -60,12 +60,12 @@ pub enum ToldVelocity {
     /// Speed along the heading, as SUMO tells it.
     Ahead {
         /// Speed.
-        mps: f64,
+        speed_mps: f64,
     },
     /// All of it, as OSI tells it.
     Whole {
         /// Along world x, y and z.
-        mps: [f64; 3],
+        velocity_mps: [f64; 3],
     },
     /// Nothing, which OSI allows.
     Nothing,
@@ -75,8 +75,8 @@ impl ToldVelocity {
     /// Speed, 0 where nothing is told.
     pub fn speed_mps(self) -> f64 {
         match self {
-            Self::Ahead { mps } => mps,
-            Self::Whole { mps } => DVec3::from(mps).length(),
+            Self::Ahead { speed_mps } => speed_mps,
+            Self::Whole { velocity_mps } => DVec3::from(velocity_mps).length(),
             Self::Nothing => 0.0,
         }
     }
@@ -172,13 +172,13 @@ pub enum FcdRule {
     },
     /// A recording that goes on for longer than any run.
     #[error(
-        "from {begin} s on, every {interval} s, it holds more than {limit} frames: say `frames`, `end_s` or a longer `frame_interval_s`"
+        "from {begin_s} s on, every {interval_s} s, it holds more than {limit} frames: say `frames`, `end_s` or a longer `frame_interval_s`"
     )]
     TooManyFrames {
         /// Time of the first frame.
-        begin: f64,
+        begin_s: f64,
         /// Interval from one frame to the next.
-        interval: f64,
+        interval_s: f64,
         /// Most frames that are made.
         limit: u32,
     },
@@ -218,12 +218,12 @@ pub enum FcdRule {
         allowed: &'static str,
     },
     /// Time that stands still or runs back.
-    #[error("the step's time {found} s does not come after {before} s")]
+    #[error("the step's time {found_s} s does not come after {before_s} s")]
     TimeNotGrowing {
         /// Time of this step.
-        found: f64,
+        found_s: f64,
         /// Time of the step before.
-        before: f64,
+        before_s: f64,
     },
     /// Two vehicles of one name in one step.
     #[error("vehicle `{0}` is there twice in one step")]
@@ -255,45 +255,49 @@ pub enum FcdRule {
     #[error("vehicle `{0}` has the id of a [[target]] of the scene")]
     IdOfTarget(String),
     /// The recording does not reach the time asked for.
-    #[error("the recording runs from {first} s to {last} s; frames from {begin} s to {end} s were asked for")]
+    #[error(
+        "the recording runs from {first_s} s to {last_s} s; frames from {begin_s} s to {end_s} s were asked for"
+    )]
     OutsideRecording {
         /// Time of the first step.
-        first: f64,
+        first_s: f64,
         /// Time of the last step read.
-        last: f64,
+        last_s: f64,
         /// Time of the first frame.
-        begin: f64,
+        begin_s: f64,
         /// Time of the last frame.
-        end: f64,
+        end_s: f64,
     },
     /// Frames that were to end before the recording begins.
-    #[error("`end_s` is {end} s, before the recording begins: the recording runs from {first} s to {last} s")]
+    #[error(
+        "`end_s` is {end_s} s, before the recording begins: the recording runs from {first_s} s to {last_s} s"
+    )]
     EndsBeforeRecording {
         /// Time of the last frame at most.
-        end: f64,
+        end_s: f64,
         /// Time of the first step.
-        first: f64,
+        first_s: f64,
         /// Time of the last step.
-        last: f64,
+        last_s: f64,
     },
     /// Frames of which the last is later than they were to end.
     #[error(
-        "{frames} frames from {begin} s on reach to {found:.6} s, beyond `end_s`, {end} s: the recording runs from \
-         {first} s to {last} s"
+        "{frames} frames from {begin_s} s on reach to {found_s:.6} s, beyond `end_s`, {end_s} s: the recording runs from \
+         {first_s} s to {last_s} s"
     )]
     FramesBeyondEnd {
         /// Number of frames asked for.
         frames: u32,
         /// Time of the first frame.
-        begin: f64,
+        begin_s: f64,
         /// Time of the last frame.
-        found: f64,
+        found_s: f64,
         /// Time of the last frame at most.
-        end: f64,
+        end_s: f64,
         /// Time of the first step.
-        first: f64,
+        first_s: f64,
         /// Time of the last step read.
-        last: f64,
+        last_s: f64,
     },
     /// Steps, but not one.
     #[error("there is no <timestep> in it")]
@@ -465,7 +469,8 @@ fn vehicle(tag: &BytesStart<'_>, line: u64) -> Result<FcdVehicle, FcdRule> {
         front_m: [coordinate("x")?, coordinate("y")?, z],
         angle_deg: attributes.number("angle", "degrees within ±3600", |a| a.abs() <= 3600.0)?,
         velocity: ToldVelocity::Ahead {
-            mps: attributes.number("speed", "m/s from 0 to 340", |v| (0.0..=SPEED_LIMIT_MPS).contains(&v))?,
+            speed_mps: attributes
+                .number("speed", "m/s from 0 to 340", |v| (0.0..=SPEED_LIMIT_MPS).contains(&v))?,
         },
         line,
     })

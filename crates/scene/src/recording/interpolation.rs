@@ -68,7 +68,7 @@ impl Bumper {
     fn as_told(vehicle: &FcdVehicle) -> Self {
         let yaw_rad = yaw_rad(vehicle.angle_deg);
         let velocity_mps = match vehicle.velocity {
-            ToldVelocity::Whole { mps } => mps.into(),
+            ToldVelocity::Whole { velocity_mps } => velocity_mps.into(),
             told => heading(yaw_rad).extend(0.0) * told.speed_mps(),
         };
         Self { front_m: vehicle.front_m.into(), velocity_mps, yaw_rad, yaw_radps: 0.0 }
@@ -223,11 +223,15 @@ fn velocity(vehicle: &FcdVehicle, way_m: DVec3, step_s: f64) -> DVec3 {
     const SHORT_M: f64 = 0.15;
     let length_m = way_m.length();
     match vehicle.velocity {
-        ToldVelocity::Ahead { mps } if (length_m - mps * step_s).abs() <= ROUNDING_M => {
+        ToldVelocity::Ahead { speed_mps } if (length_m - speed_mps * step_s).abs() <= ROUNDING_M => {
             let ahead = heading(yaw_rad(vehicle.angle_deg)).extend(0.0);
-            mps * if length_m > SHORT_M { way_m / length_m } else { ahead }
+            speed_mps * if length_m > SHORT_M { way_m / length_m } else { ahead }
         }
-        ToldVelocity::Whole { mps } if way_m.distance(DVec3::from(mps) * step_s) <= ROUNDING_M => mps.into(),
+        ToldVelocity::Whole { velocity_mps }
+            if way_m.distance(DVec3::from(velocity_mps) * step_s) <= ROUNDING_M =>
+        {
+            velocity_mps.into()
+        }
         _ => way_m / step_s,
     }
 }

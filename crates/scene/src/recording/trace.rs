@@ -54,7 +54,9 @@ fn vehicle(object: TrafficObject, message: u64) -> FcdVehicle {
         kind: object.kind,
         front_m: object.foot_m,
         angle_deg: 90.0 - object.yaw_rad.to_degrees(),
-        velocity: object.velocity_mps.map_or(ToldVelocity::Nothing, |mps| ToldVelocity::Whole { mps }),
+        velocity: object
+            .velocity_mps
+            .map_or(ToldVelocity::Nothing, |velocity_mps| ToldVelocity::Whole { velocity_mps }),
         line: message,
     }
 }

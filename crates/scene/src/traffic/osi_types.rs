@@ -3,60 +3,63 @@
 use artifact::settings::Class;
 
 /// Stand-in for objects of a type where `models` says nothing.
-pub(crate) enum Default {
+#[derive(Clone, Copy)]
+pub(crate) enum StandIn {
     /// The vehicle of these classes that is nearest in size; where no size is told, the one of the name.
     NearestOf(&'static [Class], &'static str),
     /// Nothing: it is passed over.
     PassedOver,
 }
 
-/// Default of a type; `None` for one that needs a model of its own.
-pub(crate) fn default_of(kind: &str) -> Option<Default> {
-    use Class::{Bus, Car, Motorcycle, Truck};
-    let (classes, name): (&'static [Class], _) = match kind {
-        "TYPE_SMALL_CAR" | "TYPE_COMPACT_CAR" | "TYPE_MEDIUM_CAR" | "TYPE_LUXURY_CAR" => {
-            (&[Car], "car-sedan")
-        }
-        "TYPE_VAN" => (&[Car, Truck], "truck-box"),
-        "TYPE_HEAVY_TRUCK" | "TYPE_SEMITRACTOR" | "TYPE_SEMITRAILER" | "TYPE_TRAILER" => {
-            (&[Truck], "truck-box")
-        }
-        "TYPE_BUS" => (&[Bus], "bus-city"),
-        "TYPE_MOTORCYCLE" => (&[Motorcycle], "motorcycle-street"),
-        "TYPE_UNKNOWN" | "TYPE_OTHER" | "TYPE_VEHICLE" | "TYPE_LAND_VEHICLE" => (&Class::ALL, "car-sedan"),
-        "TYPE_PEDESTRIAN" | "TYPE_ANIMAL" => return Some(Default::PassedOver),
-        _ => return None,
-    };
-    Some(Default::NearestOf(classes, name))
-}
+const CAR: StandIn = StandIn::NearestOf(&[Class::Car], "car-sedan");
+const VAN: StandIn = StandIn::NearestOf(&[Class::Car, Class::Truck], "truck-box");
+const TRUCK: StandIn = StandIn::NearestOf(&[Class::Truck], "truck-box");
+const BUS: StandIn = StandIn::NearestOf(&[Class::Bus], "bus-city");
+const MOTORCYCLE: StandIn = StandIn::NearestOf(&[Class::Motorcycle], "motorcycle-street");
+const ANY: StandIn = StandIn::NearestOf(&Class::ALL, "car-sedan");
 
-/// Types that have a default, for an error that names them.
-pub(crate) const WITH_DEFAULT: [&str; 15] = [
-    "TYPE_SMALL_CAR",
-    "TYPE_COMPACT_CAR",
-    "TYPE_MEDIUM_CAR",
-    "TYPE_LUXURY_CAR",
-    "TYPE_VAN",
-    "TYPE_HEAVY_TRUCK",
-    "TYPE_SEMITRACTOR",
-    "TYPE_SEMITRAILER",
-    "TYPE_TRAILER",
-    "TYPE_BUS",
-    "TYPE_MOTORCYCLE",
-    "TYPE_UNKNOWN",
-    "TYPE_OTHER",
-    "TYPE_VEHICLE",
-    "TYPE_LAND_VEHICLE",
+/// Types that have a stand-in, in the order in which errors name those that are placed.
+const STAND_INS: [(&str, StandIn); 17] = [
+    ("TYPE_SMALL_CAR", CAR),
+    ("TYPE_COMPACT_CAR", CAR),
+    ("TYPE_MEDIUM_CAR", CAR),
+    ("TYPE_LUXURY_CAR", CAR),
+    ("TYPE_VAN", VAN),
+    ("TYPE_HEAVY_TRUCK", TRUCK),
+    ("TYPE_SEMITRACTOR", TRUCK),
+    ("TYPE_SEMITRAILER", TRUCK),
+    ("TYPE_TRAILER", TRUCK),
+    ("TYPE_BUS", BUS),
+    ("TYPE_MOTORCYCLE", MOTORCYCLE),
+    ("TYPE_UNKNOWN", ANY),
+    ("TYPE_OTHER", ANY),
+    ("TYPE_VEHICLE", ANY),
+    ("TYPE_LAND_VEHICLE", ANY),
+    ("TYPE_PEDESTRIAN", StandIn::PassedOver),
+    ("TYPE_ANIMAL", StandIn::PassedOver),
 ];
 
-#[cfg(test)]
+/// Stand-in of a type; `None` for one that needs a model of its own.
+pub(crate) fn stand_in_of(kind: &str) -> Option<StandIn> {
+    STAND_INS.into_iter().find(|(name, _)| *name == kind).map(|(_, stand_in)| stand_in)
+}
+
+/// Types that a vehicle stands in for, for an error that names them.
+pub(crate) fn with_stand_in() -> Vec<&'static str> {
+    let placed = STAND_INS.into_iter().filter(|(_, stand_in)| matches!(stand_in, StandIn::NearestOf(..)));
+    placed.map(|(name, _)| name).collect()
+}
+
+#[cfg(all(test, feature = "interchange"))]
 mod tests {
     use super::*;
+    use crate::recording::trace::type_names;
 
     #[test]
-    fn every_type_that_is_told_to_have_a_default_has_one() {
-        let is_placed = |kind: &&str| matches!(default_of(kind), Some(Default::NearestOf(..)));
-        assert!(WITH_DEFAULT.iter().all(is_placed));
-        assert!(default_of("TYPE_TRAM").is_none());
+    fn every_type_with_a_stand_in_is_one_by_which_objects_are_told() {
+        for (name, _) in STAND_INS {
+            assert!(type_names().any(|known| known == name), "{name}");
+        }
+        assert!(stand_in_of("TYPE_TRAM").is_none());
     }
 }

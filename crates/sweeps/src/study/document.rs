@@ -5,6 +5,7 @@ use crate::study::axes;
 use crate::study::axis::Axis;
 use crate::study::fields::{Fields, nearest, number};
 use crate::study::page::Page;
+use artifact::seed::SEEDS;
 use pipeline::host::failure::Failure;
 use scene::toml_text;
 use std::path::{Path, PathBuf};
@@ -110,7 +111,7 @@ impl Study {
                 root.text("scene")?,
             )?),
             radar: root.text("radar")?.map(str::to_owned),
-            seed: root.whole("seed", 0..=i64::MAX as u64)?.unwrap_or(1),
+            seed: root.whole("seed", SEEDS)?.unwrap_or(1),
             repeats: root.whole("repeats", 1..=REPEATS_LIMIT)?.unwrap_or(1) as u32,
             confidence,
             goal: read_goal(&required(root, "goal", goal)?, &measures)?,

@@ -134,9 +134,9 @@ fn unknown_key(found: &str, known: &[&str]) -> String {
 
 /// Words appended to a sentence on an unknown word: the known one that is spelt alike, or all.
 pub(crate) fn nearest(found: &str, known: &[&str]) -> String {
-    const ALIKE: f64 = 0.6; // as of a scene's keys: one wrong or missing letter in three
+    const LEAST_LIKENESS: f64 = 0.6; // as of a scene's keys: one wrong or missing letter in three
     let alike = known.iter().map(|word| (strsim::jaro_winkler(found, word), *word));
-    let best = alike.filter(|(likeness, _)| *likeness >= ALIKE).max_by(|a, b| a.0.total_cmp(&b.0));
+    let best = alike.filter(|(likeness, _)| *likeness >= LEAST_LIKENESS).max_by(|a, b| a.0.total_cmp(&b.0));
     match best {
         Some((_, word)) => format!("; the nearest is `{word}`"),
         None => format!("; there are {}", known.join(", ")),

@@ -18,6 +18,7 @@ use crate::program::values::{full_scale, scale, shard, step};
 use crate::stepwise::bounds::BOUNCES;
 use artifact::material::Transmission;
 use artifact::radar::Polarization;
+use artifact::seed::SEEDS;
 use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use clap::{Args, Parser, Subcommand};
 use formats::devices::{Board, IqOrder, Lanes};
@@ -139,7 +140,7 @@ pub(crate) struct SceneArguments {
     #[arg(long, value_name = "ID")]
     pub(crate) radar: Option<String>,
     /// Replaces the scene's seed.
-    #[arg(long, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
+    #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: Option<u64>,
     /// Replaces the scene's accuracy, dB; what the scene does not say itself of the physics is chosen by it.
     #[arg(long, value_name = "DB", value_parser = accuracy_db)]
@@ -352,7 +353,7 @@ pub struct SweepArguments {
     #[arg(long, conflicts_with = "shard")]
     pub(crate) conclude: bool,
     /// Replaces the study's seed.
-    #[arg(long, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
+    #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: Option<u64>,
     /// Model of the classifier [default: the one that ships with the program].
     #[arg(long, value_name = "FILE.model")]
@@ -486,7 +487,7 @@ pub struct VehiclesArguments {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// 0 gives the nominal dimensions, others spread them over real ranges.
-    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
+    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: u64,
     /// Number of vehicles of each model: the first is that of the seed, the others have seeds of their own,
     /// which the manifest tells.
@@ -536,6 +537,22 @@ mod tests {
                 Some(name) => assert!(told.contains(&format!("'{name}'")), "{typed}: {told}"),
                 None => assert!(!told.contains("similar"), "{typed}: {told}"),
             }
+        }
+    }
+
+    #[cfg(feature = "classifier")]
+    #[test]
+    fn commands_take_the_seeds_that_a_scene_takes_and_refuse_others_with_the_range() {
+        let commands =
+            ["run s", "sweep s --out d", "vehicles --out d", "dataset r --out d", "train d --out m"];
+        for command in commands {
+            let parsed = |seed: u64| {
+                let words = format!("wayside {command} --seed {seed}");
+                Arguments::command().try_get_matches_from(words.split(' '))
+            };
+            assert!(parsed(*SEEDS.end()).is_ok(), "{command}");
+            let told = parsed(SEEDS.end() + 1).unwrap_err().render().to_string();
+            assert!(told.contains("is not in 0..=9223372036854775807"), "{command}: {told}");
         }
     }
 

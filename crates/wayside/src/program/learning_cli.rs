@@ -2,6 +2,7 @@
 
 use crate::program::terminal::Results;
 use crate::program::values::{Shard, shard};
+use artifact::seed::SEEDS;
 use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -58,7 +59,7 @@ pub struct DatasetArguments {
     #[arg(long, conflicts_with_all = ["conclude", "shard"])]
     pub(crate) dry_run: bool,
     /// Replaces the recipe's seed.
-    #[arg(long)]
+    #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: Option<u64>,
 }
 
@@ -75,7 +76,7 @@ pub struct TrainArguments {
     #[arg(long, value_enum, default_value_t = LearnerWord::Trees)]
     pub(crate) learner: LearnerWord,
     /// Seed of every draw: examples and features of trees, initial weights, the order of samples.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: u64,
     /// Steps of the network's optimizer [default: 1440, the paper's number].
     #[arg(long, value_name = "N")]

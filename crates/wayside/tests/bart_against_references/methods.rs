@@ -5,9 +5,8 @@
 use super::processor_time::processor_seconds;
 use artifact::Accuracy;
 use artifact::paths::Amplitude;
-use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{NodeRule, Sides};
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use num_complex::Complex64;
 use po_sbr::{Aspect, Bracket};
@@ -29,18 +28,11 @@ pub(crate) fn request(
     db: f64,
 ) -> RcsRequest {
     RcsRequest {
-        frequency_hz: frequencies_hz.to_vec(),
-        elevation_rad: vec![place.elevation_rad],
-        azimuth_rad: vec![place.azimuth_rad],
         range_m: place.range_m,
-        receiver: None,
-        polarization: Polarization::Vv,
         bounces,
         nodes,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(db),
+        ..RcsRequest::over(frequencies_hz.to_vec(), vec![place.elevation_rad], vec![place.azimuth_rad])
     }
 }
 

@@ -350,6 +350,11 @@ fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
         (recipe("tilt_deg = [-4.0, -2.0, 0.0]\n"), "invalid length 3, expected [least, greatest]"),
         (recipe("vehicles_per_scene = [1, 2, 3]\n"), "invalid length 3, expected [least, greatest]"),
         (recipe("yaw_deg = [1.0]\n"), "invalid length 1, expected [least, greatest]"),
+        (
+            recipe("").replace("seed = 1", "seed = 9223372036854775808"),
+            "seed must be from 0 to 9223372036854775807, is 9223372036854775808",
+        ),
+        (recipe("vehicle_seeds = 18446744073709551615\n"), "vehicle_seeds must be from 0 to"),
         (recipe("frames = 0\n"), "frames must be from 1 to 1000, is 0"),
         (recipe("frame_interval_s = 1e-6\n"), "frame_interval_s must be from"),
         (recipe("vehicles_per_scene = [2, 1]\n"), "vehicles_per_scene must be"),

@@ -3,11 +3,9 @@
 use crate::bench::cases::timing::{FULL, Sizes, timed};
 use crate::bench::comparison::Comparison;
 use crate::bench::programs::{Job, Language};
-use artifact::Accuracy;
 use artifact::paths::Amplitude;
-use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{NodeRule, Sides};
 use bart_rcs::{Antenna, BeamTree, RcsRequest, RcsResult, Standpoint, TraceSettings, World};
 use glam::DVec3;
 use num_complex::Complex64;
@@ -29,18 +27,10 @@ pub(super) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
 
 fn traced(case: &BodyCase<'_>, bounces: u8, nodes: NodeRule) -> Result<RcsResult, Failure> {
     let request = RcsRequest {
-        frequency_hz: vec![case.frequency_hz],
-        elevation_rad: vec![ELEVATION_RAD],
-        azimuth_rad: vec![AZIMUTH_RAD],
         range_m: RANGE_M,
-        receiver: None,
-        polarization: Polarization::Vv,
         bounces,
         nodes,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
-        accuracy: Accuracy::from_db(-40.0),
+        ..RcsRequest::over(vec![case.frequency_hz], vec![ELEVATION_RAD], vec![AZIMUTH_RAD])
     };
     bart_rcs::rcs(case.mesh, &request, &|_, _| ()).map_err(Failure::refused)
 }

@@ -207,7 +207,7 @@ impl Stream {
         if checksum(&bytes) != sum {
             return Err(Fault::Checksum { record, offset });
         }
-        codec::decode(&bytes).map_err(|why| Fault::Shape { record, offset, why })
+        codec::decode(&bytes).map_err(|error| Fault::Shape { record, offset, why: error.to_string() })
     }
 
     fn take<const N: usize>(&mut self) -> Result<[u8; N], Fault> {

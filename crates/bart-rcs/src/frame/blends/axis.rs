@@ -10,7 +10,7 @@ use glam::DVec3;
 pub(crate) const FINEST: u32 = WHEEL_STEPS;
 /// Steps of the grids that are tried, the last where wheels turn. The first blends by a parabola, the others
 /// by cubics.
-pub(crate) const STEPS: [u32; 6] = [2, 4, 8, 16, MOMENTS_MAX - 1, WHEEL_STEPS];
+pub(crate) const GRID_STEPS: [u32; 6] = [2, 4, 8, 16, MOMENTS_MAX - 1, WHEEL_STEPS];
 /// Steps of the first grid of which the places that are looked at are nodes: finer ones err at the place of
 /// the check as they do over the frame.
 pub(crate) const STEPS_OF_LOOKS: u32 = 8;
@@ -88,7 +88,8 @@ mod tests {
         let span =
             |moment: u32| Span { first_s: 0.0, step_s: 1.0 / f64::from(steps), moments: steps + 1, moment };
         let square = |t: f64| {
-            let of_nodes = (0..=steps).map(|i| span(i).share(t) * span(i).traced_at_s().powi(power));
+            let traced_at_s = |i: u32| f64::from(i) * (1.0 / f64::from(steps));
+            let of_nodes = (0..=steps).map(|i| span(i).share(t) * traced_at_s(i).powi(power));
             (of_nodes.sum::<f64>() - t.powi(power)).powi(2)
         };
         let over_frame = (0..4800).map(|i| square((f64::from(i) + 0.5) / 4800.0)).sum::<f64>() / 4800.0;
@@ -98,7 +99,7 @@ mod tests {
 
     #[test]
     fn at_the_moment_of_the_check_grids_of_nine_and_more_err_as_over_the_frame() {
-        for steps in STEPS.into_iter().filter(|steps| *steps >= STEPS_OF_LOOKS) {
+        for steps in GRID_STEPS.into_iter().filter(|steps| *steps >= STEPS_OF_LOOKS) {
             let [over_frame, check, looks] = squares(steps, 4);
             let of_check_db = 10.0 * (check / over_frame).log10();
             println!("{steps} steps: {of_check_db:.2} dB");
@@ -108,7 +109,7 @@ mod tests {
 
     #[test]
     fn coarser_grids_err_no_more_than_the_check_and_the_looks_tell_together() {
-        for steps in STEPS.into_iter().filter(|steps| *steps < STEPS_OF_LOOKS) {
+        for steps in GRID_STEPS.into_iter().filter(|steps| *steps < STEPS_OF_LOOKS) {
             let [over_frame, check, looks] = squares(steps, if steps == 2 { 3 } else { 4 });
             let [alone_db, told_db] =
                 [check, check + SHARE_OF_LOOKS * looks].map(|told| 10.0 * (told / over_frame).log10());

@@ -2,7 +2,7 @@
 //! accuracy.
 
 use crate::frame::band_power::power_over_frame;
-use crate::frame::blends::axis::{BlendAxis, FINEST, STEPS, STEPS_OF_LOOKS};
+use crate::frame::blends::axis::{BlendAxis, FINEST, GRID_STEPS, STEPS_OF_LOOKS};
 use crate::frame::blends::changing_ways::{bodies, found, least_missed, named};
 use crate::frame::blends::nodes::{Nodes, Surroundings};
 use crate::frame::frame_error::{FrameError, GivenUp, Reference};
@@ -59,7 +59,7 @@ pub(crate) fn split_alike(
             BlendAxis::Array => (fineness.places, &fineness.ways_of_places),
         };
         let ways = found(ways, scenery.plan);
-        let steps = nodes.checked_sub(1).filter(|steps| STEPS.contains(steps) && !ways.is_empty());
+        let steps = nodes.checked_sub(1).filter(|steps| GRID_STEPS.contains(steps) && !ways.is_empty());
         if let Some(steps) = steps {
             let mut nodes = Nodes::of(&surroundings, axis, ways, &middle);
             nodes.fill(steps, along.iter().map(Nodes::paths).sum())?;
@@ -101,7 +101,7 @@ impl<'a> Blending<'a> {
         let power = power_over_frame(self.middle, self.plan);
         let most = if surroundings.scenery.turns_wheels() { FINEST } else { MOMENTS_MAX - 1 };
         let mut best_steps = None;
-        for steps in STEPS.into_iter().filter(|steps| *steps <= most) {
+        for steps in GRID_STEPS.into_iter().filter(|steps| *steps <= most) {
             if before + nodes.of_middle() * steps as usize > PATHS_MAX {
                 break;
             }
@@ -128,8 +128,8 @@ impl<'a> Blending<'a> {
     fn measure(&mut self, nodes: &Nodes<'a>) -> (f64, bool) {
         let along: Vec<&Nodes<'_>> = self.along.iter().chain([nodes]).collect();
         let paths = blended(self.middle, &along);
-        let blends_power = along.iter().map(|nodes| nodes.missed_beside_check()).sum();
-        let given_up = GivenUp { blends_power, ..self.best.given_up };
+        let blends_power_m2 = along.iter().map(|nodes| nodes.missed_beside_check()).sum();
+        let given_up = GivenUp { blends_power_m2, ..self.best.given_up };
         let error = FrameError::measured_on(self.plan, &paths, self.points, self.reference, &given_up);
         let is_best = error.measured() < self.best.error.measured();
         if is_best {

@@ -1,5 +1,6 @@
 //! Rules of a recipe, broken.
 
+use artifact::seed::SEEDS;
 use artifact::settings::Class;
 use pipeline::host::toml_text::TomlFault;
 
@@ -33,6 +34,9 @@ pub(super) enum RecipeError {
         found[1]
     )]
     Span { key: &'static str, least: f64, most: f64, found: [f64; 2] },
+    /// A seed that no scene takes.
+    #[error("{key} must be from {} to {}, is {found}", SEEDS.start(), SEEDS.end())]
+    Seed { key: &'static str, found: u64 },
     /// No variant of a vehicle, or no scene, is asked for.
     #[error("vehicle_seeds and scenes_per_class must be at least 1")]
     NoSeedsOrScenes,

@@ -3,6 +3,7 @@
 use crate::dataset::recipe::document::{Base, Document};
 use crate::dataset::recipe::error::RecipeError;
 use artifact::scene::SceneHeader;
+use artifact::seed::SEEDS;
 use artifact::settings::Noise;
 
 /// Scenes of a class: at a second a scene a week and a half.
@@ -46,6 +47,11 @@ fn check_span(key: &'static str, found: [f64; 2], [least, most]: [f64; 2]) -> Re
 }
 
 fn check_counts(asked: &Document) -> Result<(), RecipeError> {
+    // Variants of own vehicles are seeds too.
+    let seeds = [("seed", asked.seed), ("vehicle_seeds", asked.vehicle_seeds)];
+    if let Some((key, found)) = seeds.into_iter().find(|(_, found)| !SEEDS.contains(found)) {
+        return Err(RecipeError::Seed { key, found });
+    }
     if asked.vehicle_seeds == 0 || asked.scenes_per_class == 0 {
         return Err(RecipeError::NoSeedsOrScenes);
     }

@@ -6,8 +6,6 @@ use crate::chain::keys::Key;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::processor_time;
-use artifact::radar::Polarization;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use artifact::{Accuracy, Schema};
 use bart_rcs::RcsRequest;
 use std::sync::OnceLock;
@@ -80,17 +78,9 @@ pub fn measured() -> Result<f64, Failure> {
 
 fn request() -> RcsRequest {
     RcsRequest {
-        frequency_hz: vec![77e9],
-        elevation_rad: vec![0.15],
-        azimuth_rad: vec![0.4],
         range_m: 30.0,
-        receiver: None,
-        polarization: Polarization::Vv,
         bounces: 2,
-        nodes: NodeRule::OwnEdge,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
         accuracy: Accuracy::from_db(-20.0),
+        ..RcsRequest::over(vec![77e9], vec![0.15], vec![0.4])
     }
 }

@@ -11,8 +11,8 @@ use artifact::settings::EchoMode;
 use bart_rcs::MemoryLimit;
 use std::sync::OnceLock;
 
-/// A session of a stage, or the sentence by which the scene was refused.
-type Session<T> = OnceLock<Result<T, String>>;
+/// A session of a stage, or the error by which the stage refused the scene.
+type Session<T, E> = OnceLock<Result<T, E>>;
 
 /// Sessions of the stages of one scene.
 pub(super) struct StageSessions<'a> {
@@ -20,10 +20,10 @@ pub(super) struct StageSessions<'a> {
     /// The radar and its processing, as the maps' stage takes them.
     pub(super) cube_header: CubeHeader,
     echo_header: CubeHeader,
-    tracer: Session<bart_rcs::Tracer>,
+    tracer: Session<bart_rcs::Tracer, bart_rcs::BartError>,
     limited: OnceLock<bart_rcs::Tracer>,
-    synthesizer: Session<fmcw_echo::Synthesizer>,
-    receiver: Session<dsp::Receiver>,
+    synthesizer: Session<fmcw_echo::Synthesizer, fmcw_echo::EchoError>,
+    receiver: Session<dsp::Receiver, dsp::DspError>,
 }
 
 impl<'a> StageSessions<'a> {
@@ -52,7 +52,7 @@ impl<'a> StageSessions<'a> {
         memory.check(memory::mib(bart_rcs::memory_estimate_bytes(triangles, 0, 0)))?;
         let build = || {
             let _under_way = Work::begin("building the hierarchies of the meshes");
-            bart_rcs::Tracer::new(self.header).map_err(|error| error.to_string())
+            bart_rcs::Tracer::new(self.header)
         };
         self.tracer.get_or_init(build).as_ref().map_err(Failure::refused)
     }
@@ -78,13 +78,11 @@ impl<'a> StageSessions<'a> {
             let accuracy = fmcw_echo::sum_accuracy(fidelity.accuracy);
             fmcw_echo::Synthesizer::new(&self.echo_header, *seed, accuracy, ground)
         };
-        let build = || build().map_err(|error: fmcw_echo::EchoError| error.to_string());
         self.synthesizer.get_or_init(build).as_ref().map_err(Failure::refused)
     }
 
     /// Receiver that makes maps and points of the scene's cubes.
     pub(super) fn receiver(&self) -> Result<&dsp::Receiver, Failure> {
-        let build = || dsp::Receiver::new(&self.cube_header).map_err(|error| error.to_string());
-        self.receiver.get_or_init(build).as_ref().map_err(Failure::refused)
+        self.receiver.get_or_init(|| dsp::Receiver::new(&self.cube_header)).as_ref().map_err(Failure::refused)
     }
 }

@@ -5,7 +5,7 @@ use crate::host::files;
 use crate::outcome::summary::frame::FrameSummary;
 use crate::outcome::summary::radar::{LaneSummary, RadarSummary};
 use crate::outcome::summary::words::StaticWord;
-use crate::planning::told::PlanFigures;
+use crate::planning::plan_figures::PlanFigures;
 use artifact::scene::SceneHeader;
 use artifact::settings::StaticEchoes;
 use evaluation::Metrics;

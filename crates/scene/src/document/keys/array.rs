@@ -110,7 +110,7 @@ pub(crate) const PATTERN: Key<Words<PatternForm>, Or<PatternForm>> = Key::new(
     }),
     "gain over direction: everywhere that of [radar.link], falling off the boresight, or from a file. \
      Bodies wholly behind an array that hears nothing there are not traced \
-     ([deaf_side.rs](../crates/bart-rcs/src/bodies/deaf_side.rs))",
+     ([behind_array.rs](../crates/bart-rcs/src/bodies/behind_array.rs))",
 )
 .or(PatternForm::Isotropic);
 

@@ -57,14 +57,14 @@ fn aside(errors: &[Complex64], radar: &Radar) -> Option<f64> {
     /// none of eight.
     const IN_PHASE: f64 = 0.99;
     const APART: f64 = 0.7;
-    const STEPS: i32 = 2000;
+    const COSINE_STEPS: i32 = 2000;
     let places = places_along_row(radar);
     let amplitudes: f64 = errors.iter().map(|error| error.norm()).sum();
     let in_phase = |cosine: f64| {
         let turned = errors.iter().zip(&places).map(|(e, x)| e * Complex64::cis(PI * x * cosine));
         turned.sum::<Complex64>().norm() / amplitudes
     };
-    let cosines = (-STEPS..=STEPS).map(|i| f64::from(i) / f64::from(STEPS));
+    let cosines = (-COSINE_STEPS..=COSINE_STEPS).map(|i| f64::from(i) / f64::from(COSINE_STEPS));
     let best = cosines.max_by(|a, b| in_phase(*a).total_cmp(&in_phase(*b)))?;
     (errors.len() >= 4 && in_phase(best) > IN_PHASE && in_phase(0.0) < APART).then_some(best)
 }

@@ -190,3 +190,21 @@ fn receiver(arguments: &RcsArguments) -> Option<Standpoint> {
     let range_m = arguments.rx_range_m.unwrap_or(arguments.range_m);
     Some(Standpoint { azimuth_rad: azimuth.to_radians(), elevation_rad: elevation.to_radians(), range_m })
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests unwrap what they made")]
+
+    use super::*;
+    use crate::program::cli::{Arguments, Command};
+    use clap::Parser;
+
+    #[test]
+    fn a_command_that_says_nothing_asks_for_what_a_request_over_its_axes_has() {
+        let words = "wayside rcs m.glb --freq-ghz 77 --az-deg 0 --out s.npy";
+        let Command::Rcs(arguments) = Arguments::try_parse_from(words.split(' ')).unwrap().command else {
+            unreachable!("`rcs` was asked for");
+        };
+        assert_eq!(request(&arguments).unwrap(), RcsRequest::over(vec![77e9], vec![0.0], vec![0.0]));
+    }
+}

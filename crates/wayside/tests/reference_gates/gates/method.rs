@@ -4,7 +4,7 @@ use artifact::Accuracy;
 use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{Edges, NodeRule};
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use num_complex::Complex64;
 
@@ -77,18 +77,17 @@ impl<'a> Bart<'a> {
     /// `[order − 1][antenna]` of antennas at one elevation and range.
     fn by_order(&self, run: &[Standpoint], polarization: Polarization) -> Vec<Vec<Complex64>> {
         let request = RcsRequest {
-            frequency_hz: vec![self.frequency_hz],
-            elevation_rad: vec![run[0].elevation_rad],
-            azimuth_rad: run.iter().map(|a| a.azimuth_rad).collect(),
             range_m: run[0].range_m,
-            receiver: None,
             polarization,
             bounces: self.bounces,
             nodes: self.nodes,
-            sides: Sides::Two,
             edges: self.edges,
-            surface: Surface::Flat,
             accuracy: Accuracy::from_db(self.accuracy_db),
+            ..RcsRequest::over(
+                vec![self.frequency_hz],
+                vec![run[0].elevation_rad],
+                run.iter().map(|a| a.azimuth_rad).collect(),
+            )
         };
         rcs(self.mesh, &request, &|_, _| {}).unwrap().by_order_m
     }

@@ -16,7 +16,7 @@ use wayside::chain::loading;
 use wayside::host::failure::Failure;
 use wayside::host::files;
 use wayside::host::processor_time;
-use wayside::planning::told::PlanFigures;
+use wayside::planning::plan_figures::PlanFigures;
 use wayside::{Allowance, SceneSource};
 
 /// A planned scene beside its truth.

@@ -1,7 +1,8 @@
 //! Whether the accuracy asked for was reached over all scenes of a dataset.
 
+use crate::dataset::scene_line::SceneLine;
 use pipeline::outcome::error_figures::decibels;
-use serde_json::Value;
+use pipeline::outcome::verdict::AccuracyVerdict;
 use std::collections::BTreeMap;
 
 /// Accuracy of the scenes in which it was measured, one after the other.
@@ -11,19 +12,18 @@ pub(super) struct ReachedAccuracy {
     measured: usize,
     met: usize,
     /// Verdict on the scene of the greatest error.
-    worst: Option<Value>,
+    worst: Option<AccuracyVerdict>,
     /// Number of scenes that missed it by each cause, and what would help.
     causes: BTreeMap<String, (usize, String)>,
 }
 
 impl ReachedAccuracy {
     /// Takes a scene's line in.
-    pub(super) fn add(&mut self, scene: &Value) {
+    pub(super) fn add(&mut self, scene: &SceneLine) {
         self.scenes += 1;
-        let told = &scene["frames"][0]["accuracy"];
-        let Some(met) = told["met"].as_bool().filter(|_| scene["measured_in"] == scene["scene"]) else {
-            return;
-        };
+        let told = scene.frames.first().map(|frame| &frame.accuracy);
+        let told = told.filter(|_| scene.measured_in == scene.scene);
+        let Some((told, met)) = told.and_then(|told| Some((told, told.met?))) else { return };
         self.measured += 1;
         self.met += usize::from(met);
         if self.worst.as_ref().is_none_or(|worst| reached_db(worst) <= reached_db(told)) {
@@ -31,7 +31,7 @@ impl ReachedAccuracy {
         }
         if !met {
             let [cause, advice] =
-                ["limited_by", "advice"].map(|key| told[key].as_str().unwrap_or_default().to_owned());
+                [&told.limited_by, &told.advice].map(|word| word.clone().unwrap_or_default());
             self.causes.entry(cause).or_insert((0, advice)).0 += 1;
         }
     }
@@ -41,8 +41,8 @@ impl ReachedAccuracy {
     pub(super) fn lines(&self) -> Vec<String> {
         let Some(worst) = &self.worst else { return vec!["numerical errors were not estimated".into()] };
         // What was measured and has no level is no error at all.
-        let reached = worst["reached_db"].as_f64().map_or("none".into(), decibels);
-        let asked = decibels(worst["asked_db"].as_f64());
+        let reached = worst.reached_db.map_or("none".into(), decibels);
+        let asked = decibels(worst.asked_db);
         let Self { scenes, measured, met, .. } = self;
         let missed = measured - met;
         let mut lines = vec![format!(
@@ -54,21 +54,32 @@ impl ReachedAccuracy {
     }
 }
 
-fn reached_db(told: &Value) -> f64 {
-    told["reached_db"].as_f64().unwrap_or(f64::NEG_INFINITY)
+fn reached_db(told: &AccuracyVerdict) -> f64 {
+    told.reached_db.unwrap_or(f64::NEG_INFINITY)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
+    use crate::dataset::scene_line::FrameLine;
 
     #[test]
     fn scenes_that_missed_the_accuracy_are_counted_with_what_limits_them() {
-        let scene = |number: u64, measured_in: u64, accuracy: &Value| json!({ "scene": number, "measured_in": measured_in, "frames": [{ "accuracy": accuracy }] });
-        let met = json!({ "asked_db": -20.0, "reached_db": -25.0, "met": true, "advice": null });
-        let missed = json!({ "asked_db": -20.0, "reached_db": -12.5, "met": false, "limited_by": "freezing",
-            "advice": "Limited by freezing." });
+        let scene = |number: u64, measured_in: u64, accuracy: &AccuracyVerdict| SceneLine {
+            scene: Some(number),
+            measured_in: Some(measured_in),
+            frames: vec![FrameLine { accuracy: accuracy.clone(), ..FrameLine::default() }],
+            ..SceneLine::default()
+        };
+        let asked = AccuracyVerdict { asked_db: -20.0, ..AccuracyVerdict::default() };
+        let met = AccuracyVerdict { reached_db: Some(-25.0), met: Some(true), ..asked.clone() };
+        let missed = AccuracyVerdict {
+            reached_db: Some(-12.5),
+            met: Some(false),
+            limited_by: Some("freezing".into()),
+            advice: Some("Limited by freezing.".into()),
+            ..asked
+        };
         let mut reached = ReachedAccuracy::default();
         [scene(0, 0, &met), scene(1, 1, &missed), scene(2, 0, &met)].iter().for_each(|s| reached.add(s));
         let told = reached.lines();

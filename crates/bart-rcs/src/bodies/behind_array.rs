@@ -8,16 +8,16 @@ use crate::geometry::plane::Plane;
 use artifact::Radar;
 use glam::DVec3;
 
-/// Side of the array where nothing is heard.
-pub(crate) struct DeafSide {
+/// Half-space behind the array, where its pattern has no gain.
+pub(crate) struct BehindArray {
     /// Plane through the middle of the array, positive ahead.
     aperture: Plane,
     /// Elements stand off it by at most this, as does what moves during a frame.
     slack_m: f64,
 }
 
-impl DeafSide {
-    /// Deaf side of a radar, if it has one; `fastest_mps` is the speed of what moves.
+impl BehindArray {
+    /// Half-space behind a radar's array, if it hears nothing there; `fastest_mps` is the speed of what moves.
     pub(crate) fn of(radar: &Radar, fastest_mps: f64) -> Option<Self> {
         if radar.array.pattern.hears_behind() {
             return None;
@@ -31,7 +31,7 @@ impl DeafSide {
         Some(Self { aperture: Plane { normal, offset_m: normal.dot(centre) }, slack_m })
     }
 
-    /// Whether all of these places are on the deaf side.
+    /// Whether all of these places are behind the array.
     pub(crate) fn holds(&self, mut places_m: impl Iterator<Item = DVec3>) -> bool {
         places_m.all(|at_m| self.aperture.distance_m(at_m) < -self.slack_m)
     }

@@ -1,7 +1,7 @@
 //! Estimate against truth over all vehicles of a dataset, as a table.
 
+use crate::dataset::scene_line::VehicleLine;
 use artifact::settings::Class;
-use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Median and 90 % point say more than a mean here: an object that took a ghost along is far off.
@@ -21,7 +21,7 @@ pub(super) struct DetectionTable(BTreeMap<Counted, VehicleRow>);
 enum Counted {
     /// The class of this index in [`Class::ALL`].
     OfClass(usize),
-    InLane(u64),
+    InLane(u8),
     /// This many of [`BOUNDS_M`] and farther.
     Beyond(usize),
     All,
@@ -33,14 +33,14 @@ struct VehicleRow {
     vehicles: usize,
     found: usize,
     lane_right: usize,
-    range: Vec<f64>,
-    velocity: Vec<f64>,
-    lateral: Vec<f64>,
+    range_m: Vec<f64>,
+    velocity_mps: Vec<f64>,
+    lateral_m: Vec<f64>,
 }
 
 impl DetectionTable {
     /// Takes a vehicle in.
-    pub(super) fn add(&mut self, vehicle: &Value) {
+    pub(super) fn add(&mut self, vehicle: &VehicleLine) {
         Counted::those_with(vehicle).for_each(|counted| self.0.entry(counted).or_default().add(vehicle));
     }
 
@@ -58,12 +58,11 @@ impl DetectionTable {
 
 impl Counted {
     /// Rows that count a vehicle.
-    fn those_with(vehicle: &Value) -> impl Iterator<Item = Self> {
-        let class = Class::ALL.iter().position(|class| vehicle["class"] == class.name());
-        let range_m = vehicle["range_m"].as_f64();
-        let bound = range_m.map(|range_m| BOUNDS_M.iter().filter(|bound_m| **bound_m <= range_m).count());
-        let lane = vehicle["lane"].as_u64();
-        let rows = [class.map(Self::OfClass), lane.map(Self::InLane), bound.map(Self::Beyond)];
+    fn those_with(vehicle: &VehicleLine) -> impl Iterator<Item = Self> {
+        let class = Class::ALL.iter().position(|class| vehicle.class == class.name());
+        let beyond = |range_m: f64| BOUNDS_M.iter().filter(|bound_m| **bound_m <= range_m).count();
+        let bound = vehicle.range_m.map(beyond);
+        let rows = [class.map(Self::OfClass), vehicle.lane.map(Self::InLane), bound.map(Self::Beyond)];
         rows.into_iter().flatten().chain([Self::All])
     }
 
@@ -82,19 +81,16 @@ impl Counted {
 }
 
 impl VehicleRow {
-    fn add(&mut self, vehicle: &Value) {
+    fn add(&mut self, vehicle: &VehicleLine) {
         self.vehicles += 1;
-        let estimate = &vehicle["estimate"];
-        if estimate.is_null() {
-            return;
-        }
+        let Some(estimate) = &vehicle.estimate else { return };
         self.found += 1;
-        self.lane_right += usize::from(estimate["lane"] == vehicle["lane"]);
-        self.range.extend(error(&estimate["range_m"], &vehicle["echo_range_m"]));
-        self.velocity.extend(error(&estimate["velocity_mps"], &vehicle["echo_velocity_mps"]));
+        self.lane_right += usize::from(estimate.lane == vehicle.lane);
+        self.range_m.extend(error(estimate.range_m, vehicle.echo_range_m));
+        self.velocity_mps.extend(error(estimate.velocity_mps, vehicle.echo_velocity_mps));
         // Lines of earlier versions tell no places across the lanes.
-        let [across, along_x] = ["across_m", "x_m"].map(|key| error(&estimate[key], &vehicle[key]));
-        self.lateral.extend(across.or(along_x));
+        let across_m = error(estimate.across_m, vehicle.across_m);
+        self.lateral_m.extend(across_m.or(error(estimate.x_m, vehicle.x_m)));
     }
 
     fn markdown(&self, name: &str) -> String {
@@ -102,10 +98,10 @@ impl VehicleRow {
             "| {name} | {} | {} | {}, {} | {} | {} | {} |\n",
             self.vehicles,
             share(self.found, self.vehicles),
-            bias(&self.range),
-            spread(&self.range),
-            spread(&self.velocity),
-            spread(&self.lateral),
+            bias(&self.range_m),
+            spread(&self.range_m),
+            spread(&self.velocity_mps),
+            spread(&self.lateral_m),
             share(self.lane_right, self.found),
         )
     }
@@ -124,8 +120,8 @@ fn bias(errors: &[f64]) -> String {
     }
 }
 
-fn error(estimate: &Value, truth: &Value) -> Option<f64> {
-    Some(estimate.as_f64()? - truth.as_f64()?)
+fn error(estimate: Option<f64>, truth: Option<f64>) -> Option<f64> {
+    Some(estimate? - truth?)
 }
 
 /// Median and 90 % point of the absolute values.

@@ -1,4 +1,4 @@
-//! End of a dataset: what is made of all of its shards, by whichever process finds them all there. Shards are
+//! Summary of a dataset: what is made of all of its shards, by whichever process finds them all there. Shards are
 //! read one by one, so that memory does not grow with lines.
 
 mod detection;
@@ -8,17 +8,17 @@ use crate::dataset::layout::{Layout, PlannedShard};
 use crate::dataset::lines;
 use crate::dataset::recipe::Recipe;
 use crate::dataset::resumption;
+use crate::dataset::scene_line::SceneLine;
 use accuracy::ReachedAccuracy;
 use detection::DetectionTable;
 use pipeline::host::dataset_folders::CONCLUSION;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress::Work;
-use serde_json::Value;
 use std::io::{Error, Write};
 use std::path::{Path, PathBuf};
 
-/// Files of the conclusion in a dataset's folder.
+/// Files of the summary in a dataset's folder.
 pub(super) fn files_of(out: &Path) -> [PathBuf; 3] {
     CONCLUSION.map(|name| out.join(name))
 }
@@ -49,15 +49,17 @@ pub(super) fn conclude(layout: &Layout, out: &Path, tell: &dyn Fn(&str)) -> Resu
     let _work = Work::begin("concluding");
     let [manifest, scenes, table] = files_of(out);
     files::write_with(&manifest, |stream| {
-        each_line(layout, |line| lines::samples(&line).try_for_each(|sample| writeln!(stream, "{sample}")))
+        each_line(layout, |line| {
+            lines::samples(&line)?.iter().try_for_each(|sample| writeln!(stream, "{sample}"))
+        })
     })?;
     let mut reached = ReachedAccuracy::default();
     let mut detected = DetectionTable::default();
     files::write_with(&scenes, |stream| {
         each_line(layout, |line| {
             reached.add(&line);
-            lines::vehicles(&line).for_each(|(_, vehicle)| detected.add(vehicle));
-            writeln!(stream, "{line}")
+            line.vehicles().for_each(|(_, vehicle)| detected.add(vehicle));
+            writeln!(stream, "{}", lines::text(&line)?)
         })
     })?;
     files::write_file(&table, detected.markdown().as_bytes())?;
@@ -69,11 +71,14 @@ pub(super) fn conclude(layout: &Layout, out: &Path, tell: &dyn Fn(&str)) -> Resu
 }
 
 /// Hands out the lines of all shards in the order of their scenes.
-fn each_line(layout: &Layout, mut use_line: impl FnMut(Value) -> std::io::Result<()>) -> std::io::Result<()> {
+fn each_line(
+    layout: &Layout,
+    mut use_line: impl FnMut(SceneLine) -> std::io::Result<()>,
+) -> std::io::Result<()> {
     layout.all().try_for_each(|shard| of_shard(&shard)?.into_iter().try_for_each(&mut use_line))
 }
 
-fn of_shard(shard: &PlannedShard) -> std::io::Result<Vec<Value>> {
+fn of_shard(shard: &PlannedShard) -> std::io::Result<Vec<SceneLine>> {
     let changed = || Error::other(format!("{}: was there and is not any more", shard.lines.display()));
     resumption::lines(shard).ok_or_else(changed)
 }

@@ -2,8 +2,8 @@
 
 use crate::planning::choice::{Budget, Choice, Fixed, Limit};
 use crate::planning::costs::Seconds;
-use crate::planning::look::{Shares, together};
-use crate::planning::part::Part;
+use crate::planning::echo_shares::{Shares, together};
+use crate::planning::physics_part::Part;
 use artifact::Accuracy;
 use artifact::scene::SceneHeader;
 use artifact::settings::NodeRule;

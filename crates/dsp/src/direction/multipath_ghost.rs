@@ -1,5 +1,5 @@
-//! Whether an echo went out by one direction and came back by another: a ghost, made by two bodies and
-//! standing at neither.
+//! Whether an echo's direction of departure is another than that of its arrival: a multipath ghost, made by
+//! two bodies and standing at neither.
 //!
 //! Between two bodies a wave runs both ways round, equally long and, with transmitters and receivers side by
 //! side, equally strong (reciprocity): with t(u) and r(u) the phases of transmit and receive elements towards
@@ -16,9 +16,10 @@ use crate::direction::angle::{Direction, VirtualArray};
 use crate::direction::point_sources::direct_fit;
 use num_complex::Complex64;
 
-/// The two directions and how much better they explain a cell.
+/// A multipath ghost: the directions of departure and of arrival, which its wave went both ways round, and how
+/// much better they explain a cell than direct echoes do.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TwoWays {
+pub struct MultipathGhost {
     /// Directions of the two bodies.
     pub directions: [Direction; 2],
     /// Log-likelihood over that of direct echoes, each less half its parameters times ln of the real samples
@@ -30,11 +31,13 @@ pub struct TwoWays {
 const FALSE_RATE: f64 = 1e-4;
 /// A pair nearer than this many beams is one direction.
 const LEAST_APART_BEAMS: f64 = 0.5;
-/// Steps of the search for the pair, in beams, and how often they are halved.
+/// Steps of the search for the pair, in beams.
 const STEP_BEAMS: f64 = 0.5;
-const HALVINGS: usize = 7;
-/// Steps of the climb: which of the pair, along which axis, to which side.
-const STEPS: [(usize, usize, f64); 8] = [
+/// Passes of the climb, and what each leaves of its step: that of the last is 0.012 beams.
+const PASSES: usize = 7;
+const SHRINKAGE: f64 = 0.6;
+/// Steps of a pass: which of the pair, along which axis, to which side.
+const CLIMB_STEPS: [(usize, usize, f64); 8] = [
     (0, 0, 1.0),
     (0, 0, -1.0),
     (1, 0, 1.0),
@@ -59,13 +62,13 @@ pub(crate) fn can_tell(array: &VirtualArray) -> bool {
 
 /// The pair of directions that a cell's echo went by; `None` where direct echoes explain it, or the array
 /// cannot tell. `direct` is the direction of the strongest beam, `noise` the mean noise power of one channel.
-pub fn two_ways(
+pub fn multipath_ghost(
     array: &VirtualArray,
     snapshot: &[Complex64],
     range_m: f64,
     direct: Direction,
     noise: f64,
-) -> Option<TwoWays> {
+) -> Option<MultipathGhost> {
     let rows = Rows::of(array, snapshot, range_m)?;
     let start = rows.coarse(direct.up)?;
     let (pair, by_waves) = rows.climbed(start);
@@ -85,7 +88,7 @@ pub fn two_ways(
     let [of_pair, of_direct] = [2 + 2 * axes, directions * (2 + axes)].map(|count| count as f64);
     let evidence = (directly - (total - by_waves)) / noise
         - 0.5 * (of_pair - of_direct) * (2.0 * snapshot.len() as f64).ln();
-    (evidence > least_evidence).then_some(TwoWays { directions: pair, evidence })
+    (evidence > least_evidence).then_some(MultipathGhost { directions: pair, evidence })
 }
 
 /// A cell's channels by transmit and receive elements.
@@ -96,8 +99,8 @@ struct Rows<'a> {
     range_m: f64,
 }
 
-/// Phases that bring a wave of one direction together, of transmit and of receive elements.
-struct Turns {
+/// Conjugate steering vectors of one direction, of transmit and of receive elements.
+struct SteeringVectors {
     direction: Direction,
     tx: Vec<Complex64>,
     rx: Vec<Complex64>,
@@ -115,9 +118,9 @@ impl<'a> Rows<'a> {
         })
     }
 
-    fn turns(&self, direction: Direction, range_m: f64) -> Turns {
-        let [tx, rx] = self.array.element_turns(direction, range_m);
-        Turns { direction, tx, rx }
+    fn steering(&self, direction: Direction, range_m: f64) -> SteeringVectors {
+        let [tx, rx] = self.array.element_steering(direction, range_m);
+        SteeringVectors { direction, tx, rx }
     }
 
     /// The best pair of a grid over all that is visible at one elevation.
@@ -129,8 +132,9 @@ impl<'a> Rows<'a> {
             return None;
         }
         let direction = |i: i64| Direction { right: i as f64 * STEP_BEAMS * beam, up };
-        let grid: Vec<Turns> = (-count..=count).map(|i| self.turns(direction(i), self.range_m)).collect();
-        let from_tx: Vec<Vec<Complex64>> = grid.iter().map(|turns| self.departed(turns)).collect();
+        let grid: Vec<SteeringVectors> =
+            (-count..=count).map(|i| self.steering(direction(i), self.range_m)).collect();
+        let from_tx: Vec<Vec<Complex64>> = grid.iter().map(|steering| self.departed(steering)).collect();
         let mut best: Option<(f64, [Direction; 2])> = None;
         for (i, u) in grid.iter().enumerate() {
             for (j, v) in grid.iter().enumerate().skip(i + 1) {
@@ -162,14 +166,14 @@ impl<'a> Rows<'a> {
     fn climbed_at(&self, start: [Direction; 2], range_m: f64) -> ([Direction; 2], f64) {
         let (mut pair, mut best) = (start, self.power(&start, range_m));
         let mut part = 0.5 * STEP_BEAMS;
-        for _ in 0..HALVINGS {
-            for (which, axis, side) in STEPS {
+        for _ in 0..PASSES {
+            for (which, axis, side) in CLIMB_STEPS {
                 let mut next = pair;
                 moved(&mut next[which], axis, side * part * self.array.beams()[axis]);
                 let power = self.power(&next, range_m);
                 (pair, best) = if power > best { (next, power) } else { (pair, best) };
             }
-            part *= 0.6;
+            part *= SHRINKAGE;
         }
         (pair, best)
     }
@@ -179,15 +183,15 @@ impl<'a> Rows<'a> {
         if pair.iter().any(|d| d.right.powi(2) + d.up.unwrap_or(0.0).powi(2) >= 1.0) {
             return 0.0;
         }
-        let [u, v] = pair.map(|direction| self.turns(direction, range_m));
+        let [u, v] = pair.map(|direction| self.steering(direction, range_m));
         let sum = dot(&self.departed(&u), &v.rx) + dot(&self.departed(&v), &u.rx);
         sum.norm_sqr() / norm(&u, &v)
     }
 
     /// Signal at each receive element of what left towards a direction.
-    fn departed(&self, turns: &Turns) -> Vec<Complex64> {
-        let mut sums = vec![Complex64::ZERO; turns.rx.len()];
-        for (row, turn) in self.values.iter().zip(&turns.tx) {
+    fn departed(&self, steering: &SteeringVectors) -> Vec<Complex64> {
+        let mut sums = vec![Complex64::ZERO; steering.rx.len()];
+        for (row, turn) in self.values.iter().zip(&steering.tx) {
             sums.iter_mut().zip(*row).for_each(|(sum, value)| *sum += value * turn);
         }
         sums
@@ -203,13 +207,13 @@ fn moved(direction: &mut Direction, axis: usize, by: f64) {
 }
 
 /// ‖t(u)r(v) + t(v)r(u)‖².
-fn norm(u: &Turns, v: &Turns) -> f64 {
+fn norm(u: &SteeringVectors, v: &SteeringVectors) -> f64 {
     let cross =
         |a: &[Complex64], b: &[Complex64]| a.iter().zip(b).map(|(a, b)| a * b.conj()).sum::<Complex64>();
     let channels = (u.tx.len() * u.rx.len()) as f64;
     (2.0 * channels + 2.0 * (cross(&u.tx, &v.tx) * cross(&v.rx, &u.rx)).re).max(1e-9 * channels)
 }
 
-fn dot(values: &[Complex64], turns: &[Complex64]) -> Complex64 {
-    values.iter().zip(turns).map(|(value, turn)| value * turn).sum()
+fn dot(values: &[Complex64], steering: &[Complex64]) -> Complex64 {
+    values.iter().zip(steering).map(|(value, turn)| value * turn).sum()
 }
