@@ -1,5 +1,5 @@
-//! A program that is told to stop while its threads write leaves nothing, whatever they do until it has ended;
-//! alone in its process, because all that is open there goes.
+//! A program that is told to stop while its threads write leaves nothing, whatever they do until it has
+//! ended; alone in its process, because all that is open there goes.
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::whole_file::{Durability, WholeFile, WholeFolder, abandon_all, is_temporary};

@@ -6,8 +6,6 @@
 mod bodies;
 
 use artifact::Accuracy;
-use artifact::radar::Polarization;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use bart_rcs::{Antenna, BeamTree, RcsRequest, rcs};
 use bodies::referee::silhouette;
 use bodies::sums::lit_section;
@@ -249,20 +247,8 @@ fn coincident_facets_scatter_alike_in_whatever_order_they_stand() {
         plate.clone().and(cap.clone()).and(walls.clone()),
         cap.and(plate).and(walls),
     ];
-    let request = RcsRequest {
-        frequency_hz: vec![5e9],
-        azimuth_rad: vec![220_f64.to_radians()],
-        elevation_rad: vec![66_f64.to_radians()],
-        range_m: f64::INFINITY,
-        receiver: None,
-        polarization: Polarization::Vv,
-        bounces: 2,
-        nodes: NodeRule::OwnEdge,
-        sides: Sides::Two,
-        edges: Edges::Ignored,
-        surface: Surface::Flat,
-        accuracy: Accuracy::from_db(-60.0),
-    };
+    let over = RcsRequest::over(vec![5e9], vec![66_f64.to_radians()], vec![220_f64.to_radians()]);
+    let request = RcsRequest { bounces: 2, accuracy: Accuracy::from_db(-60.0), ..over };
     let amplitudes_m =
         orders.map(|triangles| rcs(&triangles.mesh(), &request, &|_, _| ()).unwrap().amplitude_m[0]);
     for other_m in &amplitudes_m[1..] {

@@ -4,8 +4,8 @@
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Fewest sectors that are taken for a round body; hubs have five holes, rims seldom more than ten spokes, and
-/// neither closes a ring.
+/// Fewest sectors that are taken for a round body; hubs have five holes, rims seldom more than ten spokes,
+/// and neither closes a ring.
 const FEWEST_SECTORS: usize = 8;
 
 /// Triangles of one ring and one sector that may look alike.

@@ -1,6 +1,6 @@
 //! The readers of `interchange` against traces changed by their structure: lengths, tags, records, chunks and
-//! numbers. Each is read or refused with a sentence that names the file; none panics, takes a minute, or fills
-//! the memory. Longer runs and other cases: `fuzzing`.
+//! numbers. Each is read or refused with a sentence that names the file; none panics, takes a minute, or
+//! fills the memory. Longer runs and other cases: `fuzzing`.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 

@@ -25,7 +25,8 @@ pub struct Line {
     pub points: Vec<[f64; 2]>,
     /// Whether its points are marked.
     pub marked: bool,
-    /// Words of each point, shown while the pointer rests on its mark; of points beyond the last there are none.
+    /// Words of each point, shown while the pointer rests on its mark; of points beyond the last there are
+    /// none.
     pub words: Vec<String>,
 }
 

@@ -41,9 +41,9 @@
 //! The project's own [`vehicles`] and [`street`] furniture are the crate `bodies`.
 //!
 //! Rooms, to read in this order, each of which uses only those before it: below are bodies from files,
-//! [`mesh`] (glTF, STL, OBJ, and assets of OpenMATERIAL 3D), and what SUMO recorded; `document` is what a scene may say (`keys`), what is
-//! wrong with it (`faults`) and its typed values with their places (`section`); then come the rooms that read
-//! tables, and `read`, which calls them.
+//! [`mesh`] (glTF, STL, OBJ, and assets of OpenMATERIAL 3D), and what SUMO recorded; `document` is what a
+//! scene may say (`keys`), what is wrong with it (`faults`) and its typed values with their places
+//! (`section`); then come the rooms that read tables, and `read`, which calls them.
 
 mod wording; // sentences about what was read, and what it may refer to
 mod measured; // patterns and calibrations from files

@@ -1,8 +1,8 @@
 //! Studies: many designs of a scene's radar tried in the same situations, and which of them to take
 //! (`docs/sweeps.md`).
 //!
-//! A study file goes in ([`Settings`]); [`run`] makes every run of it, in parts where that is asked for, keeps
-//! each, and leaves tables, a picture and a report ([`Outcome`]).
+//! A study file goes in ([`Settings`]); [`run`] makes every run of it, in parts where that is asked for,
+//! keeps each, and leaves tables, a picture and a report ([`Outcome`]).
 //!
 //! Reading order is that of the rooms below; each uses only those that stand before it.
 

@@ -49,8 +49,8 @@ pub(crate) struct Rounds<'a> {
 pub(crate) enum Made {
     /// Everything that the answer needs.
     Whole(Ledger),
-    /// So many runs are other parts' and not made yet; with an early stop those of one repeat, as who stays is
-    /// not known before.
+    /// So many runs are other parts' and not made yet; with an early stop those of one repeat, as who stays
+    /// is not known before.
     Waiting { missing: usize },
 }
 

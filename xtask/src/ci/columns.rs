@@ -19,16 +19,24 @@ pub(super) fn check() -> Result<(), Failure> {
 
 /// Numbers of lines of prose that are too long.
 fn long_lines(text: &str) -> Vec<usize> {
-    let is_long = |line: &&str| line.chars().count() > COLUMNS && line.trim_start().starts_with("//");
-    let prose =
-        text.lines().zip(1..).filter(|(line, _)| is_long(line) && !is_table_or_program(line.trim_start()));
-    prose.map(|(_, number)| number).collect()
+    let (mut long, mut is_fenced) = (Vec::new(), false);
+    for (line, number) in text.lines().zip(1..) {
+        let Some(comment) = line.trim_start().strip_prefix("//") else {
+            is_fenced = false;
+            continue;
+        };
+        let inside = comment.trim_start_matches(['/', '!']);
+        is_fenced ^= inside.trim_start().starts_with("```");
+        if line.chars().count() > COLUMNS && !is_fenced && !is_table_or_program(inside) {
+            long.push(number);
+        }
+    }
+    long
 }
 
-/// A row of a table, a line of a program, or formulas in columns.
-fn is_table_or_program(line: &str) -> bool {
-    let inside = line.trim_start_matches(['/', '!']);
-    inside.trim_start().starts_with('|') || inside.contains([';', '#', '{']) || inside.contains("    ")
+/// A row of a table, or a line of a program or formulas in columns, which is indented.
+fn is_table_or_program(inside: &str) -> bool {
+    inside.trim_start().starts_with('|') || inside.starts_with("     ")
 }
 
 #[cfg(test)]
@@ -38,8 +46,11 @@ mod tests {
     #[test]
     fn long_comments_are_told_and_what_has_columns_of_its_own_is_not() {
         let long = "word ".repeat(30);
-        let text =
-            format!("// {long}\nlet x = \"{long}\";\n/// | {long} |\n//! let y = {long};\n    /// {long}\n");
+        let text = format!(
+            "// {long}\nlet x = \"{long}\";\n/// | {long} |\n//!     let y = {long};\n    /// {long}; so\n"
+        );
         assert_eq!(long_lines(&text), [1, 5]);
+        let fenced = format!("/// ```text\n/// {long}\n/// ```\n/// {long}\n");
+        assert_eq!(long_lines(&fenced), [4]);
     }
 }

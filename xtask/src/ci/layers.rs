@@ -1,9 +1,9 @@
 //! The layer rule: leaves depend on no crate of the workspace (`radar` and `bodies` on `artifact` alone,
-//! `po-sbr` and `interchange` on `artifact` and `radar`), stages on leaves and never on each other; `pipeline`
-//! links them. What stands on it, each crate below the next, sees stages and leaves as well: `reporting`,
-//! `sweeps`, `formats` and `learning` see it and what stands before them, `wayside` all of these. `xtask`
-//! stands above it, and so does `wayside-python`, which sees `wayside` and leaves. What teaches a stage may
-//! see it.
+//! `po-sbr` and `interchange` on `artifact` and `radar`), stages on leaves and never on each other;
+//! `pipeline` links them. What stands on it, each crate below the next, sees stages and leaves as well:
+//! `reporting`, `sweeps`, `formats` and `learning` see it and what stands before them, `wayside` all of
+//! these. `xtask` stands above it, and so does `wayside-python`, which sees `wayside` and leaves. What
+//! teaches a stage may see it.
 //! `fuzzing` is for tests alone, and its own tests see all.
 
 use crate::ci::findings::none_of;

@@ -17,7 +17,8 @@ pub(crate) struct BehindArray {
 }
 
 impl BehindArray {
-    /// Half-space behind a radar's array, if it hears nothing there; `fastest_mps` is the speed of what moves.
+    /// Half-space behind a radar's array, if it hears nothing there; `fastest_mps` is the speed of what
+    /// moves.
     pub(crate) fn of(radar: &Radar, fastest_mps: f64) -> Option<Self> {
         if radar.array.pattern.hears_behind() {
             return None;

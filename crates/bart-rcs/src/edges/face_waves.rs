@@ -396,7 +396,8 @@ impl FaceWaves<'_> {
         [0, 1].map(|p| at.width * (one[p][0] + other[p][0]))
     }
 
-    /// A span cut where rays along the last face change from one end to the next; what meets none is left out.
+    /// A span cut where rays along the last face change from one end to the next; what meets none is left
+    /// out.
     fn runs(&self, span_m: [f64; 2]) -> Vec<Run> {
         let inset_m = INSET * (span_m[1] - span_m[0]);
         let mut cuts = vec![span_m[0]];

@@ -94,8 +94,8 @@ pub(crate) fn measured_error(table: &[Scattering]) -> f64 {
 }
 
 /// Error that integrals over a band may have where layers reflect, which know frequency: their weights are
-/// taken at few frequencies, to a third of this share of the bound of the integrals; a wave that is three times
-/// as strong without the layers is allowed for.
+/// taken at few frequencies, to a third of this share of the bound of the integrals; a wave that is three
+/// times as strong without the layers is allowed for.
 pub(crate) fn interpolation_error(world: &World, frequencies: usize, bound: f64) -> f64 {
     const FEWEST_FREQUENCIES: usize = 3;
     let is_interpolated = world.knows_frequency() && frequencies >= FEWEST_FREQUENCIES;

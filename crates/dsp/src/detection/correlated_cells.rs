@@ -156,8 +156,8 @@ impl Correlation {
 
     /// The mean power of a rectangle's noise: as [`Self::mean_power`] with Gauss's rule of eight nodes.
     ///
-    /// The smaller of two means lives in the lower tail of a thin half, where the small eigenvalues decide; of
-    /// so many bands as make long work there is no thin half.
+    /// The smaller of two means lives in the lower tail of a thin half, where the small eigenvalues decide;
+    /// of so many bands as make long work there is no thin half.
     pub(crate) fn rectangle_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
         let [rows, _] = region.whole.map(|[first, last]| (last - first + 1) as usize);
         if self.bands[0].count() > 1 && rows * self.bands[0].count() > MOST_BANDS {

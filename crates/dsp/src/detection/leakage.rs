@@ -107,7 +107,8 @@ impl Sidelobes<'_> {
             let steps = steps + apart * self.band_steps;
             if apart == 0 || self.is_sidelobe(steps) { self.at(steps).sqrt() } else { 0.0 }
         };
-        // Amplitudes added up from the farthest transmitter on; a band sees as many of them as there are bands.
+        // Amplitudes added up from the farthest transmitter on; a band sees as many of them as there are
+        // bands.
         let added: Vec<f64> = std::iter::once(0.0)
             .chain((-most..=most).scan(0.0, |sum, apart| {
                 *sum += amplitude(apart);

@@ -2,8 +2,8 @@
 //!
 //! One point per detected cell, as in the paper's clouds (14, 15, 18 points for a car; its flow sends every
 //! cell that passes the detector to the angle FFT). The cells under one main lobe (of the point-spread
-//! function; about 3 × 3 with Hann windows) are one measurement: its peak is placed between cells, the others stand at their cells' centres.
-//! Objects are made of peaks alone.
+//! function; about 3 × 3 with Hann windows) are one measurement: its peak is placed between cells, the others
+//! stand at their cells' centres. Objects are made of peaks alone.
 
 use crate::ambiguity::ambiguous_velocities::{ambiguity_mps, folds_are_told, no_other_is_driven};
 use crate::ambiguity::time_division_folds::{ChosenFold, Folds};

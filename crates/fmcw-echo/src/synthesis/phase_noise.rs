@@ -2,8 +2,8 @@
 //!
 //! A path's value is turned by e^{j[φ(T) − φ(T − τ)]}. Over the delays of a frame's paths (mostly within a
 //! microsecond) the second part is smooth, of band f_s/2: it is told by its values at a few delays τ_k, which
-//! are Chebyshev's and as many as the accuracy asks for. So Σ_p x_p·e^{j[φ(T) − φ(T − τ_p)]} = Σ_k e^{j[φ(T) −
-//! φ(T − τ_k)]}·Σ_p ℓ_k(τ_p)·x_p, and the inner sums are fast ones of weighted paths. The delays τ_k move
+//! are Chebyshev's and as many as the accuracy asks for. So Σ_p x_p·e^{j[φ(T) − φ(T − τ_p)]} = Σ_k e^{j[φ(T)
+//! − φ(T − τ_k)]}·Σ_p ℓ_k(τ_p)·x_p, and the inner sums are fast ones of weighted paths. The delays τ_k move
 //! with the paths' middle one, from pair to pair of elements and from chirp to chirp; what paths move against
 //! it is bounded. Where either error is too large, paths are halved by delay; a path alone is written from
 //! the formulas.

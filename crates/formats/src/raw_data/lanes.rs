@@ -1,8 +1,8 @@
 //! Orders in which a DCA1000EVM writes the samples of a chirp: little-endian integers of 16 bits (Texas
 //! Instruments, Mmwave Radar Device ADC Raw Data Capture, SWRA581, data formats of the DCA1000).
 //!
-//! - Two lanes (xWR16xx, 18xx, 68xx): receiver after receiver; complex samples by twos, I₀ I₁ Q₀ Q₁, real ones
-//!   one after the other.
+//! - Two lanes (xWR16xx, 18xx, 68xx): receiver after receiver; complex samples by twos, I₀ I₁ Q₀ Q₁, real
+//!   ones one after the other.
 //! - Four lanes (xWR12xx, 14xx, AWR2243): sample after sample; I of the four receivers, then their Q, or of
 //!   real samples the four receivers.
 //!

@@ -27,8 +27,8 @@ const ASPECT_DEG: [f64; 4] = [20.0, 70.0, 110.0, 160.0];
 /// Conditions of tracks.
 pub(super) type OfTracks = BTreeMap<TrackKey, Conditions>;
 
-/// Conditions of every vehicle that was found, as it was in its first frame; nothing of shards beside which no
-/// lines are.
+/// Conditions of every vehicle that was found, as it was in its first frame; nothing of shards beside which
+/// no lines are.
 ///
 /// # Errors
 /// A line is damaged: file, line and rule.

@@ -61,8 +61,8 @@ pub fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(whole.finish(Durability::InCache)?)
 }
 
-/// Removes a file that describes another one, before that one is replaced; a symbolic link stays, and the file
-/// that it leads to gets `nothing_told`.
+/// Removes a file that describes another one, before that one is replaced; a symbolic link stays, and the
+/// file that it leads to gets `nothing_told`.
 pub fn take_away(file: &Path, nothing_told: &[u8]) -> std::io::Result<()> {
     match std::fs::symlink_metadata(file) {
         Err(e) if e.kind() == ErrorKind::NotFound => Ok(()),

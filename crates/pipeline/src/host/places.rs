@@ -19,8 +19,8 @@ fn project_folder_of(here: &Path) -> Option<PathBuf> {
     here.ancestors().find(is_project).map(Path::to_owned)
 }
 
-/// Folder in which frames are cached unless `--cache` says otherwise; `None` outside of the project for a user
-/// without a home.
+/// Folder in which frames are cached unless `--cache` says otherwise; `None` outside of the project for a
+/// user without a home.
 pub(crate) fn default_cache() -> Option<PathBuf> {
     let variable = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
     let of_user = || variable("XDG_CACHE_HOME").or_else(|| variable("HOME").map(|home| home.join(".cache")));

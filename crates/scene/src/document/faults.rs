@@ -53,8 +53,8 @@ impl<'s> Faults<'s> {
         Self { file, text, lines: OnceCell::new(), syntax: RefCell::default(), others: RefCell::default() }
     }
 
-    /// The document that the text says, as far as it is TOML; none where it is too deep to be walked. Noted is
-    /// what is wrong with it.
+    /// The document that the text says, as far as it is TOML; none where it is too deep to be walked. Noted
+    /// is what is wrong with it.
     pub(crate) fn document(&self) -> DeTable<'s> {
         let (document, syntax) = DeTable::parse_recoverable(self.text);
         for error in &syntax {

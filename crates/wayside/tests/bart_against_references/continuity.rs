@@ -82,8 +82,8 @@ pub(crate) type Named<'a> = (&'a str, u8, Box<Method<'a>>);
 
 type Method<'a> = dyn Fn(&Mesh, Standpoint, &[f64]) -> Run + 'a;
 
-/// Name, increment error in rad against BART 60 dB below the field with as many bounces, spectral floor in dB;
-/// the last two are the references themselves, of one bounce and of three.
+/// Name, increment error in rad against BART 60 dB below the field with as many bounces, spectral floor in
+/// dB; the last two are the references themselves, of one bounce and of three.
 pub(crate) fn rows(slide: &Slide<'_>, methods: &[Named<'_>]) -> Vec<(String, f64, f64)> {
     let fine = |bounces: u8| echoes(slide, &|mesh, place, f| bart(mesh, place, f, bounces, -60.0));
     let references = [fine(1), fine(3)];

@@ -1,8 +1,8 @@
 //! BART against the crate's two references as these converge: complex error and seconds by bounce order.
 //!
 //! The tests take the project's own vehicles at 10 GHz, where a wavelength of 3 cm keeps dense rays
-//! affordable; geometry and formulas are those of 77 GHz. At 77 GHz the same is tabulated by `cargo xtask study`
-//! (`bart-against-references`, `real-car`, `continuity`, `random-cases` and others).
+//! affordable; geometry and formulas are those of 77 GHz. At 77 GHz the same is tabulated by `cargo xtask
+//! study` (`bart-against-references`, `real-car`, `continuity`, `random-cases` and others).
 #![allow(
     clippy::unwrap_used,
     clippy::panic,

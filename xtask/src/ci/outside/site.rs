@@ -1,6 +1,6 @@
 //! The site: its pages rendered with every link followed, and every command on them run beside what they show
-//! as printed. It stands on a Python with `venv` and on PyPI; where one of them is not there it says so and is
-//! skipped.
+//! as printed. It stands on a Python with `venv` and on PyPI; where one of them is not there it says so and
+//! is skipped.
 
 use crate::ci::commands::{Tally, counted};
 use crate::ci::outside::interpreter::{Interpreter, Needs};

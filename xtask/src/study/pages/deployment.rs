@@ -18,8 +18,8 @@ pub(crate) const SOURCES: Places =
 
 const SEEDS: [u64; 2] = [1, 2];
 
-/// Answer of each seed, details of the first; the picture only of the whole study. There is no quick form: runs
-/// that are kept are not made again.
+/// Answer of each seed, details of the first; the picture only of the whole study. There is no quick form:
+/// runs that are kept are not made again.
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     let mut part = Part::default();
     let mut chosen = vec![];

@@ -17,8 +17,8 @@ pub struct WholeFolder {
 }
 
 impl WholeFolder {
-    /// Begins to fill what becomes the folder `place`, which is not there yet, or empty; a symbolic link stands
-    /// for the folder that it leads to.
+    /// Begins to fill what becomes the folder `place`, which is not there yet, or empty; a symbolic link
+    /// stands for the folder that it leads to.
     ///
     /// # Errors
     /// It holds something, is no folder, leads nowhere, or nothing can be written beside it.

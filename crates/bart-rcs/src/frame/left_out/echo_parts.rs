@@ -66,8 +66,8 @@ const TRANSMITTED_ORDERS: u8 = 2;
 const MARGIN: f64 = 1.4;
 /// Frequencies of the look: as many as errors are measured at.
 const FREQUENCIES: usize = 12;
-/// Ways of the look. Mirrors below a wavelength are not followed; those of five alone tell the fourth order of
-/// own cars 10 dB too weak.
+/// Ways of the look. Mirrors below a wavelength are not followed; those of five alone tell the fourth order
+/// of own cars 10 dB too weak.
 const WAYS: LeftOutWays = LeftOutWays { bounces: ORDERS, mirror_wavelengths: 1.0 };
 /// Order whose polygons are parted where own edges take over.
 const PARTED_ORDER: u8 = 2;

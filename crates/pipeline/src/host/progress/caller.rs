@@ -3,8 +3,8 @@
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Whoever work is done for. A thread works for one caller; threads that it begins work for the same one where
-/// they are begun by [`Caller::during`].
+/// Whoever work is done for. A thread works for one caller; threads that it begins work for the same one
+/// where they are begun by [`Caller::during`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Caller(u64);
 
