@@ -4,8 +4,10 @@ use std::fmt::Write as _;
 
 /// Sides of a plot, and the room left of one for its numbers.
 const SIDE: f64 = 230.0;
-const ROOM: f64 = 62.0;
+const ROOM: f64 = 74.0;
 const TOP: f64 = 92.0;
+/// Least room between two numbers of an axis.
+const GAP: f64 = 6.0;
 
 /// A sweep as a table has it: (value, processor seconds).
 struct Sweep {
@@ -89,8 +91,8 @@ fn plot(svg: &mut String, left: f64, sweep: &Sweep, [low, high]: [f64; 2]) -> Op
         let (px, py, words) = (x(*value), y(*seconds), grouped(*value));
         let _ = write!(line, "{px:.1},{py:.1} ");
         let _ = writeln!(svg, "<circle class=\"mark\" cx=\"{px:.1}\" cy=\"{py:.1}\" r=\"3.5\"/>");
-        let half = 3.6 * words.len() as f64;
-        if px - half > free_from {
+        let half = 3.8 * words.len() as f64;
+        if px - half > free_from + GAP {
             let _ = writeln!(
                 svg,
                 "<text x=\"{px:.1}\" y=\"{}\" text-anchor=\"middle\">{words}</text>",
