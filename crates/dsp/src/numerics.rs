@@ -1,5 +1,5 @@
-//! Mathematics that knows no radar: a textbook's algorithm a file, by its name, behind two files about numbers
-//! themselves (`finite`, `precision`). Why it is written out and what libraries measure beside it:
+//! Mathematics that knows no radar: a textbook's algorithm a file, by its name, behind two files about
+//! numbers themselves (`finite`, `precision`). Why it is written out and what libraries measure beside it:
 //! docs/decisions/numerics.md.
 
 pub(crate) mod finite; // the first value that is no number

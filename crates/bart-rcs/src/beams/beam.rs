@@ -95,8 +95,8 @@ pub struct OrderAudit {
     pub beams: u64,
     /// Area of the polygons kept, m².
     pub lit_area_m2: f64,
-    /// Sum of [`Beam::section`] over the beams kept: sr of an antenna at a place, m² of one infinitely far, as
-    /// all sections here.
+    /// Sum of [`Beam::section`] over the beams kept, as all sections here: sr of an antenna at a place, m² of
+    /// one infinitely far.
     pub lit_section: f64,
     /// Section of the beams of the order before that were reflected; at order 1 the section kept and dropped.
     pub incident_section: f64,

@@ -3,8 +3,8 @@
 //! A target at direction cosine u along the row makes the phase e^{−j2πp·u/λ} on an element at p (the mixer's
 //! sign: a target on the + side is nearer to + elements), so the angle spectrum is Σ x e^{+j2πp·u/λ}. The
 //! FFT, over elements snapped to a lattice, only finds the right lobe of the array's point-spread function;
-//! the peak is then climbed on the beam with the exact distances to every element, which a 0.34 m row needs at
-//! 25 m (0.9 rad of curvature) and a list of odd positions needs always.
+//! the peak is then climbed on the beam with the exact distances to every element, which a 0.34 m row needs
+//! at 25 m (0.9 rad of curvature) and a list of odd positions needs always.
 
 use crate::spectrum::axes::Axes;
 use crate::spectrum::code_division;

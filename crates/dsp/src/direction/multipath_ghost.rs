@@ -16,8 +16,8 @@ use crate::direction::angle::{Direction, VirtualArray};
 use crate::direction::point_sources::direct_fit;
 use num_complex::Complex64;
 
-/// A multipath ghost: the directions of departure and of arrival, which its wave went both ways round, and how
-/// much better they explain a cell than direct echoes do.
+/// A multipath ghost: the directions of departure and of arrival, which its wave went both ways round, and
+/// how much better they explain a cell than direct echoes do.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MultipathGhost {
     /// Directions of the two bodies.

@@ -1,7 +1,8 @@
 //! Lines of a dataset as they are written and read: a scene with its frames and their vehicles.
 //!
-//! Whoever reads a line names a field here, so that what no line has is an error of compilation. `None` stands
-//! where lines of earlier versions tell nothing, and for numbers without an end, which JSON does not have.
+//! Whoever reads a line names a field here, so that what no line has is an error of compilation. `None`
+//! stands where lines of earlier versions tell nothing, and for numbers without an end, which JSON does not
+//! have.
 
 use artifact::dataset::Split;
 use pipeline::outcome::verdict::AccuracyVerdict;

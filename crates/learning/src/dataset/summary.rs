@@ -1,5 +1,5 @@
-//! Summary of a dataset: what is made of all of its shards, by whichever process finds them all there. Shards are
-//! read one by one, so that memory does not grow with lines.
+//! Summary of a dataset: what is made of all of its shards, by whichever process finds them all there. Shards
+//! are read one by one, so that memory does not grow with lines.
 
 mod detection;
 mod accuracy;
