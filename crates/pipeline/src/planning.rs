@@ -50,7 +50,7 @@ pub fn scene(
 }
 
 /// The same, with what each part of the physics takes or would take
-/// ([`told::PartFigures::processor_s`]): for whoever tells it, as it takes a look for each part.
+/// ([`plan_figures::PartFigures::processor_s`]): for whoever tells it, as it takes a look for each part.
 ///
 /// # Errors
 /// Those of [`self::scene()`].

@@ -257,12 +257,8 @@ fn a_misspelt_name_of_models_is_refused_where_its_type_would_have_the_default_mo
 #[test]
 fn velocity_is_the_derivative_of_position_in_turns_and_lane_changes() {
     let at = |x: f64, y: f64, angle_deg: f64, speed_mps: f64| FcdVehicle {
-        id: "a".into(),
-        kind: "car".into(),
-        front_m: [x, y, 0.0],
         angle_deg,
-        velocity: ToldVelocity::Ahead { speed_mps },
-        line: 1,
+        ..driving([x, y, 0.0], speed_mps)
     };
     let last_mps = 10.0 * 0.08_f64.hypot(1.0);
     let path = [
@@ -303,11 +299,8 @@ fn velocity_is_the_derivative_of_position_in_turns_and_lane_changes() {
 #[test]
 fn a_velocity_told_whole_keeps_its_direction_and_one_that_is_not_told_is_that_of_the_way() {
     let drift = [1.0, -8.0, 0.5];
-    let told = [
-        ToldVelocity::Whole { velocity_mps: drift },
-        ToldVelocity::Nothing,
-        ToldVelocity::Ahead { speed_mps: 0.0 },
-    ];
+    let still = ToldVelocity::Ahead { speed_mps: 0.0 };
+    let told = [ToldVelocity::Whole { velocity_mps: drift }, ToldVelocity::Nothing, still];
     for (velocity, way_mps, expected) in [
         (told[0], drift, drift),
         (told[1], drift, drift),
@@ -330,8 +323,8 @@ fn a_velocity_told_whole_keeps_its_direction_and_one_that_is_not_told_is_that_of
 }
 
 /// A car that drives towards −y.
-fn driving(front_m: [f64; 3], mps: f64) -> FcdVehicle {
-    let velocity = ToldVelocity::Ahead { speed_mps: mps };
+fn driving(front_m: [f64; 3], speed_mps: f64) -> FcdVehicle {
+    let velocity = ToldVelocity::Ahead { speed_mps };
     FcdVehicle { id: "a".into(), kind: "car".into(), front_m, angle_deg: 180.0, velocity, line: 1 }
 }
 

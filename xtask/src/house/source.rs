@@ -53,9 +53,9 @@ fn without_scopes(text: &str) -> String {
 
 /// Replaces `super` in the file's module of tests, where it is the file itself, by `self`.
 fn in_own_words(text: &str) -> String {
-    let Some(at) =
-        text.find("#[cfg(test)]\nmod ").filter(|at| text[*at..].lines().nth(1).is_some_and(is_open))
-    else {
+    let modules = text.match_indices("#[cfg(test)]\nmod ").map(|(at, _)| at);
+    let mut with_body = modules.filter(|at| text[*at..].lines().nth(1).is_some_and(is_open));
+    let Some(at) = with_body.next() else {
         return text.to_owned();
     };
     let (own, tests) = text.split_at(at);
@@ -128,5 +128,7 @@ mod tests {
         let text = "use super::a;\n#[cfg(test)]\nmod tests {\n use super::*;\n use super::super::b;\n}\n";
         assert!(in_own_words(text).contains("use self::*;\n use super::b;"));
         assert!(in_own_words(text).starts_with("use super::a;"));
+        let behind_another = format!("#[cfg(test)]\nmod requests;\n{text}");
+        assert!(in_own_words(&behind_another).contains("use self::*;\n use super::b;"));
     }
 }

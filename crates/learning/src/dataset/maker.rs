@@ -4,13 +4,14 @@ use artifact::envelope::fingerprint;
 use pipeline::chain::stages::{SOURCES_OF_EVALUATION, Stage};
 
 /// Sources of what draws scenes and keeps samples and lines of them.
-const OWN_SOURCES: [&str; 9] = [
+const OWN_SOURCES: [&str; 10] = [
     include_str!("draws.rs"),
     include_str!("lines.rs"),
     include_str!("places.rs"),
     include_str!("recipe.rs"),
     include_str!("recipe/models.rs"),
     include_str!("observed_frame.rs"),
+    include_str!("scene_line.rs"),
     include_str!("shard.rs"),
     include_str!("shots.rs"),
     include_str!("staging.rs"),

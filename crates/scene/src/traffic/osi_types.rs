@@ -50,16 +50,23 @@ pub(crate) fn with_stand_in() -> Vec<&'static str> {
     placed.map(|(name, _)| name).collect()
 }
 
-#[cfg(all(test, feature = "interchange"))]
+#[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::trace::type_names;
 
+    #[cfg(feature = "interchange")]
     #[test]
     fn every_type_with_a_stand_in_is_one_by_which_objects_are_told() {
         for (name, _) in STAND_INS {
-            assert!(type_names().any(|known| known == name), "{name}");
+            assert!(crate::recording::trace::type_names().any(|known| known == name), "{name}");
         }
+    }
+
+    #[test]
+    fn a_tram_needs_a_model_of_its_own_and_who_walks_is_no_vehicle() {
         assert!(stand_in_of("TYPE_TRAM").is_none());
+        assert!(matches!(stand_in_of("TYPE_PEDESTRIAN"), Some(StandIn::PassedOver)));
+        let placed = with_stand_in();
+        assert!(placed.contains(&"TYPE_VAN") && !placed.contains(&"TYPE_PEDESTRIAN"));
     }
 }
