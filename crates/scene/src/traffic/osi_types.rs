@@ -10,7 +10,8 @@ pub(crate) enum Default {
     PassedOver,
 }
 
-/// Default of a type; `None` for one that needs a model of its own.
+/// Default of a type; `None` for one that needs a model of its own. Those who walk are passed over, as a
+/// `<person>` of SUMO is; a bicycle is a vehicle, and in recordings of both kinds refused without a model.
 pub(crate) fn default_of(kind: &str) -> Option<Default> {
     use Class::{Bus, Car, Motorcycle, Truck};
     let (classes, name): (&'static [Class], _) = match kind {
@@ -57,6 +58,11 @@ mod tests {
     fn every_type_that_is_told_to_have_a_default_has_one() {
         let is_placed = |kind: &&str| matches!(default_of(kind), Some(Default::NearestOf(..)));
         assert!(WITH_DEFAULT.iter().all(is_placed));
-        assert!(default_of("TYPE_TRAM").is_none());
+        for needs_model in ["TYPE_TRAM", "TYPE_BICYCLE", "TYPE_STANDUP_SCOOTER"] {
+            assert!(default_of(needs_model).is_none());
+        }
+        for passed_over in ["TYPE_PEDESTRIAN", "TYPE_ANIMAL"] {
+            assert!(matches!(default_of(passed_over), Some(Default::PassedOver)));
+        }
     }
 }
