@@ -204,5 +204,5 @@ def test_a_scene_of_several_radars_asks_which_one() -> None:
 def test_the_package_holds_the_licences_of_the_project() -> None:
     files = importlib.metadata.files("wayside") or []
     for name in ("LICENSE-APACHE", "LICENSE-MIT"):
-        of_package = [file.locate() for file in files if file.name == name]
+        of_package = [file.locate() for file in files if file.parts[-2:] == ("licenses", name)]
         assert [Path(str(file)).read_bytes() for file in of_package] == [(PROJECT / name).read_bytes()]
