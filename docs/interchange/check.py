@@ -139,7 +139,30 @@ def ground_truth(program):
         same(scene["header"]["traffic"], traffic, f"traffic of {name}")
     kinds = [vehicle["kind"]["Mesh"]["model"] for vehicle in traffic["vehicles"]]
     by_earlier_names(program)
+    by_views(program, messages, traffic)
     return f"{FRAMES} messages, .osi and MCAP by zstd, lz4 and plain, are one traffic: {', '.join(kinds)}"
+
+
+def by_views(program, messages, traffic):
+    """The same traffic out of views of a sensor, and messages of other kinds refused by their names."""
+    views = [SensorView(global_ground_truth=message) for message in messages]
+    for view, message in zip(views, messages):
+        view.timestamp.CopyFrom(message.timestamp)
+        view.sensor_id.value, view.host_vehicle_id.value = 3, 4
+        view.radar_sensor_view.add().view_configuration.emitter_frequency = 77e9
+    others = []
+    for message in messages:
+        others.append(SensorData(timestamp=message.timestamp))
+        others[-1].sensor_view.add().global_ground_truth.CopyFrom(message)
+    for name, written in [("view", views), ("data", others)]:
+        contents = [message.SerializeToString() for message in written]
+        Path(f"{name}.osi").write_bytes(b"".join(struct.pack("<I", len(c)) + c for c in contents))
+        Path(f"{name}.toml").write_text(HEAD + f'osi = "{name}.osi"\n')
+    wayside(program, "run", "view.toml", "--out", "view-run", "--no-cache")
+    same(as_json(program, "view-run/scene.scene")["header"]["traffic"], traffic, "traffic of views")
+    words = [program, "run", "data.toml", "--out", "data-run", "--no-cache"]
+    ended = subprocess.run(words, capture_output=True, text=True)
+    same((1, True), (ended.returncode, "it is a SensorData" in ended.stderr), "a message without ground truth")
 
 
 def by_earlier_names(program):

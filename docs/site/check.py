@@ -37,7 +37,7 @@ PART = re.compile(r" --shard \S+")
 PROGRESS = re.compile(r"^[\w-]+, for \d+ s|^frame \d+ of \d+$")
 # Numbers that hang on the machine: seconds, memory, threads, and the first of two that end with seconds.
 MASKED = re.compile(r"\d[\d.]*(?= (?:s|ms|MiB|threads)\b)|\d[\d.]*(?= to \d[\d.]* s\b)")
-SHELL_WORDS = ("cargo", "wayside", "pip", "python3", "python")
+SHELL_WORDS = ("cargo", "wayside", "pip", "python3", "python", "node")
 
 
 class Check:

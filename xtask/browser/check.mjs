@@ -1,9 +1,10 @@
 // Opens a report in Chromium and looks at what a reader sees: pixels, clicks, sliders, a telephone, paper.
 //
-//   node check.mjs CHROMIUM REPORT.html VIEW.html STUDY.html [FOLDER for pictures]
+//   node check.mjs CHROMIUM REPORT.html [VIEW.html [STUDY.html [FOLDER for pictures]]]
 //
 // The report is of several frames with paths of several bounces, the view of an `rcs` table over azimuth, the
-// study of several designs and situations. The last line is one of `cargo test`.
+// study of several designs and situations; a page that is not named is not looked at. The last line is one of
+// `cargo test`.
 
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -11,7 +12,13 @@ import { pathToFileURL } from "node:url";
 import { launch, pause } from "./chromium.mjs";
 
 const [program, report, body, study, folder] = process.argv.slice(2);
-const [url, urlOfBody, urlOfStudy] = [report, body, study].map((file) => pathToFileURL(resolve(file)).href);
+if (!report) {
+  console.error("node check.mjs CHROMIUM REPORT.html [VIEW.html [STUDY.html [FOLDER for pictures]]]");
+  process.exit(2);
+}
+const [url, urlOfBody, urlOfStudy] = [report, body, study].map(
+  (file) => file && pathToFileURL(resolve(file)).href,
+);
 const tally = { passed: 0, failed: 0 };
 
 function holds(claim, isTrue, seen) {
@@ -102,6 +109,7 @@ async function slidersMove(page) {
   const one = await page.value(slide("level", 0));
   holds("tells shares without powers of ten", !one.includes("e+"), one);
   await page.value(slide("level", -60));
+  if ((await page.value("waysideViewer.view.page.frames.length")) < 2) return;
   const frames = [await page.value(slide("frame", 1)), await page.value(slide("frame", 0))];
   holds("goes from frame to frame", frames[0] !== frames[1] && frames[1].startsWith(" 0 at"), frames);
 }
@@ -136,7 +144,53 @@ async function cursorIsShared(page) {
   holds("tells level, verdict and whose echo", /dB over the noise, .*echo of /.test(text), text);
 }
 
+async function pointTargetIsChosen(page) {
+  const index = await page.value("waysideViewer.view.state.frame.bodies.findIndex((b) => b.mesh === null)");
+  if (index < 0) return;
+  for (const aside of [0, 7]) {
+    await page.value("waysideViewer.choose(null)");
+    const box = await page.value(RECT("space"));
+    const [x, y] = await page.value(`waysideViewer.pixelOf(${index})`);
+    await page.click(box.x + x + aside, box.y + y);
+    await pause(100);
+    const id = await page.value(`waysideViewer.view.state.frame.bodies[${index}].id`);
+    const text = await page.value(TEXT("panel"));
+    const isChosen = (await page.value("waysideViewer.view.state.chosen")) === index;
+    const claim = `tells of ${id}, a point, when ${aside} pixels beside it are clicked`;
+    holds(claim, isChosen && text.includes(id), text);
+  }
+}
+
+/** Each cut sets its own part of the cursor, and a click holds it. */
+async function cutsMoveTheCursor(page) {
+  const cursor = "waysideViewer.view.state.cursor";
+  for (const [name, moved, kept] of [
+    ["range", "range", "velocity"],
+    ["doppler", "velocity", "range"],
+  ]) {
+    const box = await page.value(RECT(name));
+    const at = (share) => [box.x + share * box.width, box.y + share * box.height];
+    const seen = [await page.value(cursor)];
+    for (const share of [0.6, 0.4]) {
+      await page.mouse("mouseMoved", ...at(share));
+      await pause(100);
+      seen.push(await page.value(cursor));
+    }
+    const isMoved = new Set(seen.slice(1).map((of) => of[moved])).size === 2;
+    const isKept = seen.every((of) => of[kept] === seen[0][kept]);
+    holds(`moves the cursor by the ${name} cut`, isMoved && isKept, seen);
+    await page.click(...at(0.4));
+    await page.mouse("mouseMoved", ...at(0.6));
+    await pause(100);
+    const held = await page.value(cursor);
+    holds(`holds the cursor by a click on the ${name} cut`, held[moved] === seen[2][moved], [seen, held]);
+    await page.click(...at(0.6));
+  }
+}
+
+/** Pictures per second with all paths. */
 async function speed(page) {
+  await page.value(slide("level", -80));
   const seconds = await page.value(`(() => {
     const { gl } = waysideViewer.view.space.graphics;
     const wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
@@ -293,12 +347,14 @@ try {
   await heightsAreTold(page);
   await slidersMove(page);
   await vehicleIsChosen(page);
+  await pointTargetIsChosen(page);
   await cursorIsShared(page);
+  await cutsMoveTheCursor(page);
   await speed(page);
   if (folder) await takePictures(page, "report", "around");
   await telephone(page);
-  await bodyIsViewed(page);
-  await studyIsViewed(page);
+  if (urlOfBody) await bodyIsViewed(page);
+  if (urlOfStudy) await studyIsViewed(page);
   await page.open(url);
   await withoutView(page);
 } finally {

@@ -17,6 +17,7 @@ mod studies;
 mod training;
 
 use crate::cli::CiArguments;
+use crate::study;
 use commands::{Tally, counted, finished};
 use outside::{engines, interchange, python, report_view, site, training_sets};
 use std::process::Command;
@@ -44,11 +45,12 @@ const CHEAP: [(&str, Check); 12] = [
 ];
 
 /// Checks that build and run all crates.
-const WHOLE: [(&str, Check); 6] = [
+const WHOLE: [(&str, Check); 7] = [
     ("lints", |_| cargo(&["clippy", "--release", "--all-targets", "--", "-D", "warnings"])),
     ("docs", |_| documentation()),
     ("a crate outside (README)", |_| outside::check()),
     ("tests and doctests (README)", |tally| readme::tests(tally)),
+    ("real capture", |_| study::compare("real-captures")),
     ("engines", engines::check),
     ("main job (README)", |_| readme::main_job()),
 ];

@@ -191,6 +191,10 @@ pub(crate) struct DistArguments {
     /// Folder of the archive [default: out/dist].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// In place of an archive the licences of all that is linked into the Python package, put into this
+    /// folder; wheels take them from crates/wayside-python/licences.
+    #[arg(long, value_name = "DIR", conflicts_with = "out")]
+    pub(crate) licences: Option<PathBuf>,
 }
 
 /// Words of `ci`.

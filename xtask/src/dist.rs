@@ -14,32 +14,42 @@ use wayside::host::failure::Failure;
 use wayside::host::files;
 use wayside::program::terminal;
 
-/// Features of the program that is handed on: with what OSI and ROS 2 take.
-const FEATURES: &str = "interchange";
+/// Program that is handed on: its package, and its features, with what OSI and ROS 2 take.
+const PROGRAM: [&str; 2] = ["wayside", "interchange"];
+/// Python package that is handed on, likewise.
+const WHEEL: [&str; 2] = ["wayside-python", ""];
+/// Notes on what the classifier learned from, which is in both.
+const ATTRIBUTIONS: &str = "fixtures/classifier.attributions.txt";
 /// Files of the project beside the program.
-const BESIDE: [&str; 6] = [
-    "README.md",
-    "CHANGELOG.md",
-    "CITATION.cff",
-    "LICENSE-APACHE",
-    "LICENSE-MIT",
-    "fixtures/classifier.attributions.txt",
-];
+const BESIDE: [&str; 6] =
+    ["README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-APACHE", "LICENSE-MIT", ATTRIBUTIONS];
 
 /// Builds the program, gathers the archive's folder and packs it.
 pub(crate) fn run(arguments: &DistArguments) -> Result<(), Failure> {
     let target = arguments.target.clone().map_or_else(host, Ok)?;
+    if let Some(folder) = &arguments.licences {
+        return licences_of_wheel(folder, &target);
+    }
     let name = format!("wayside-{}-{target}", env!("CARGO_PKG_VERSION"));
     let out = arguments.out.clone().unwrap_or_else(|| PathBuf::from("out/dist"));
     let place = out.join(format!("{name}.tar.gz"));
     let program = build(&target)?;
-    let linked = linked_packages(&target, FEATURES)?;
+    let linked = linked_packages(&target, PROGRAM)?;
     let gathered = tempfile::tempdir().map_err(|error| Failure::system(Path::new("."), "create", error))?;
     gather(&gathered.path().join(&name), &program, &linked)?;
     let archive = packed(gathered.path(), &name)?;
     files::write_file(&place, &archive)?;
     let mib = archive.len() as f64 / f64::from(1 << 20);
     terminal::line(format_args!("{}: {mib:.1} MiB, {} packages linked", place.display(), linked.len()));
+    Ok(())
+}
+
+/// Puts the licences of what the Python package is linked with into a folder.
+fn licences_of_wheel(folder: &Path, target: &str) -> Result<(), Failure> {
+    let linked = linked_packages(target, WHEEL)?;
+    gather_licences(folder, &linked)?;
+    copy(&project_root().join(ATTRIBUTIONS), folder)?;
+    terminal::line(format_args!("{}: licences of {} packages", folder.display(), linked.len()));
     Ok(())
 }
 
@@ -55,9 +65,10 @@ fn host() -> Result<String, Failure> {
 /// it is.
 fn build(target: &str) -> Result<PathBuf, Failure> {
     let folder = project_root().join("target/dist");
-    let words = ["build", "--release", "--locked", "--package", "wayside"];
+    let [package, features] = PROGRAM;
+    let words = ["build", "--release", "--locked", "--package", package];
     let mut cargo = Command::new("cargo");
-    cargo.args(words).args(["--features", FEATURES, "--target", target]).arg("--target-dir").arg(&folder);
+    cargo.args(words).args(["--features", features, "--target", target]).arg("--target-dir").arg(&folder);
     output(cargo.current_dir(project_root()).stderr(std::process::Stdio::inherit()))?;
     let ending = if target.contains("windows") { ".exe" } else { "" };
     Ok(folder.join(target).join("release").join(format!("wayside{ending}")))
@@ -71,7 +82,11 @@ fn gather(folder: &Path, program: &Path, linked: &[LinkedPackage]) -> Result<(),
     for scene in entries(&root.join("scenes"))?.iter().filter(|file| file.is_file()) {
         copy(scene, &folder.join("scenes"))?;
     }
-    let licences = folder.join("licences");
+    gather_licences(&folder.join("licences"), linked)
+}
+
+/// Fills a folder with the licences of packages, and their list.
+fn gather_licences(licences: &Path, linked: &[LinkedPackage]) -> Result<(), Failure> {
     for package in linked {
         let of_package = licences.join(&package.name);
         package.licences.iter().try_for_each(|file| copy(file, &of_package))?;

@@ -17,5 +17,5 @@ pub(crate) mod drawn;
 mod pages;
 mod catalogue;
 
-pub(crate) use catalogue::{STUDIES, by_name, run};
+pub(crate) use catalogue::{STUDIES, by_name, compare, run};
 pub(crate) use page::Age;

@@ -1,9 +1,11 @@
 //! Ground truth of OSI read as traffic: moving objects, message by message, in plain numbers.
 //!
 //! A message is walked through, not unpacked: moving objects are taken out one by one, and lanes, signs and
-//! what else a ground truth has are passed over.
+//! what else a ground truth has are passed over. A sensor's view has a ground truth in it, which is read; of
+//! which kind a message is, its fields tell.
 
 mod walk;
+mod message_kind;
 
 pub use crate::osi::moving_object::{type_names, type_told_as};
 pub use crate::trace::{TraceError, TraceRule};
@@ -11,6 +13,7 @@ pub use crate::trace::{TraceError, TraceRule};
 use crate::osi::common::{BaseMoving, Timestamp};
 use crate::osi::moving_object::MovingObject;
 use crate::trace::Messages;
+use message_kind::MessageKind;
 use prost::Message;
 use std::path::Path;
 use walk::{Field, encoding};
@@ -48,11 +51,14 @@ pub struct GroundTruthReader {
     messages: Messages,
 }
 
-/// Name of the messages that are read.
+/// Names of the messages that are read; of an MCAP file the views are where it has no channel of the first.
 const SCHEMA: &str = "osi3.GroundTruth";
-/// Numbers of `osi3.GroundTruth`.
+const SCHEMA_OF_VIEWS: &str = "osi3.SensorView";
+/// Numbers of `osi3.GroundTruth`, of which `osi3.SensorView` shares the first.
 const TIMESTAMP: u32 = 2;
 const MOVING_OBJECT: u32 = 5;
+/// Number in `osi3.SensorView`.
+const GLOBAL_GROUND_TRUTH: u32 = 7;
 /// A country's rush hour.
 const OBJECT_LIMIT: usize = 1 << 19;
 /// Coordinates beyond this are a slip of units, or degrees of a map.
@@ -86,32 +92,85 @@ impl GroundTruthReader {
     /// The next message; `None` behind the last.
     ///
     /// # Errors
-    /// The trace is cut off, or a message breaks a rule.
+    /// The trace is cut off, or a message breaks a rule, or is of a kind that tells no ground truth.
     pub fn next_step(&mut self) -> Result<Option<TrafficStep>, TraceError> {
-        let Some(bytes) = self.messages.next()? else { return Ok(None) };
+        let Some(bytes) = self.next_message()? else { return Ok(None) };
         let message = self.messages.number();
         step(&bytes, message).map(Some).map_err(|rule| self.messages.error(rule))
+    }
+
+    fn next_message(&mut self) -> Result<Option<Vec<u8>>, TraceError> {
+        let next = self.messages.next();
+        let Err(TraceError { rule: TraceRule::NoChannel(SCHEMA), .. }) = &next else { return next };
+        let mut views = Messages::open(self.messages.file(), SCHEMA_OF_VIEWS)?;
+        match views.next() {
+            Err(TraceError { rule: TraceRule::NoChannel(_), .. }) => next,
+            found => {
+                self.messages = views;
+                found
+            }
+        }
     }
 }
 
 fn step(bytes: &[u8], message: u64) -> Result<TrafficStep, TraceRule> {
-    let (mut stamp, mut objects): (Option<Timestamp>, _) = (None, vec![]);
-    for field in walk::fields(bytes) {
-        match field? {
-            Field { number: TIMESTAMP, content: Some(content) } => {
-                stamp = Some(Timestamp::decode(content).map_err(encoding)?);
-            }
-            Field { number: MOVING_OBJECT, content: Some(content) } => {
-                if objects.len() == OBJECT_LIMIT {
-                    return Err(TraceRule::TooManyObjects(OBJECT_LIMIT));
+    let mut told = Told::default();
+    let (owner, time) = match MessageKind::of(bytes) {
+        Some(MessageKind::GroundTruth) => ("GroundTruth", told.take(bytes)?),
+        Some(MessageKind::SensorView) => ("SensorView", told.take_view(bytes)?),
+        Some(other) => return Err(TraceRule::OtherMessage(other.name())),
+        // What is damaged is told as such.
+        None => return Err(told.take(bytes).err().unwrap_or(TraceRule::NoGroundTruth)),
+    };
+    let missing = || TraceRule::Missing { owner: owner.into(), field: "timestamp" };
+    Ok(TrafficStep { time_s: time.ok_or_else(missing)?.time_s(), message, objects: told.objects })
+}
+
+/// Objects of a message so far.
+#[derive(Default)]
+struct Told {
+    objects: Vec<TrafficObject>,
+}
+
+impl Told {
+    /// Takes the objects out of a ground truth; its time.
+    fn take(&mut self, truth: &[u8]) -> Result<Option<Timestamp>, TraceRule> {
+        let mut stamp = None;
+        for field in walk::fields(truth) {
+            match field? {
+                Field { number: TIMESTAMP, content: Some(content), .. } => {
+                    stamp = Some(Timestamp::decode(content).map_err(encoding)?);
                 }
-                objects.push(object(&MovingObject::decode(content).map_err(encoding)?)?);
+                Field { number: MOVING_OBJECT, content: Some(content), .. } => {
+                    if self.objects.len() == OBJECT_LIMIT {
+                        return Err(TraceRule::TooManyObjects(OBJECT_LIMIT));
+                    }
+                    self.objects.push(object(&MovingObject::decode(content).map_err(encoding)?)?);
+                }
+                _ => {}
             }
-            _ => {}
         }
+        Ok(stamp)
     }
-    let missing = || TraceRule::Missing { owner: "GroundTruth".into(), field: "timestamp" };
-    Ok(TrafficStep { time_s: stamp.ok_or_else(missing)?.time_s(), message, objects })
+
+    /// Takes the objects out of a sensor's view; the time of the ground truth in it, or else its own.
+    fn take_view(&mut self, view: &[u8]) -> Result<Option<Timestamp>, TraceRule> {
+        let (mut of_view, mut of_truth, mut is_there) = (None, None, false);
+        for field in walk::fields(view) {
+            match field? {
+                Field { number: TIMESTAMP, content: Some(content), .. } => {
+                    of_view = Some(Timestamp::decode(content).map_err(encoding)?);
+                }
+                Field { number: GLOBAL_GROUND_TRUTH, content: Some(content), .. } => {
+                    is_there = true;
+                    of_truth = self.take(content)?.or(of_truth);
+                }
+                _ => {}
+            }
+        }
+        let missing = TraceRule::Missing { owner: "SensorView".into(), field: "global_ground_truth" };
+        if is_there { Ok(of_truth.or(of_view)) } else { Err(missing) }
+    }
 }
 
 fn object(told: &MovingObject) -> Result<TrafficObject, TraceRule> {

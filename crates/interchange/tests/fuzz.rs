@@ -8,8 +8,9 @@ use fuzzing::{Noise, Reader, change_numbers};
 use interchange::traffic::GroundTruthReader;
 use std::path::Path;
 
-const READERS: [Reader; 2] = [
-    Reader::refusing("osi", 400, |n, at| put(at, &trace(n)), read),
+const READERS: [Reader; 3] = [
+    Reader::refusing("osi", 400, |n, at| put(at, &trace(n, message)), read),
+    Reader::refusing("osi-view", 400, |n, at| put(at, &trace(n, view)), read),
     Reader::refusing("osi-mcap", 400, |n, at| put(at, &recording(n)), read),
 ];
 
@@ -98,7 +99,26 @@ fn message(noise: &mut Noise, number: u64) -> Vec<u8> {
     message
 }
 
-fn trace(noise: &mut Noise) -> Vec<u8> {
+/// A view of a sensor, with a ground truth in it now and then, or with reflections.
+fn view(noise: &mut Noise, number: u64) -> Vec<u8> {
+    let stamp = [vec![8], varint(number), vec![16], varint(500)].concat();
+    let mut message = inside(noise, 2, &stamp);
+    if noise.one_in(2) {
+        message.extend(inside(noise, 3, &[8, 3]));
+    }
+    if !noise.one_in(8) {
+        let truth = self::message(noise, number);
+        message.extend(inside(noise, 7, &truth));
+    }
+    if noise.one_in(2) {
+        message.extend(inside(noise, 8, &[8, 11]));
+    }
+    let reflections = vec![7; noise.below(50)];
+    message.extend(inside(noise, 1001, &reflections));
+    message
+}
+
+fn trace(noise: &mut Noise, message: fn(&mut Noise, u64) -> Vec<u8>) -> Vec<u8> {
     let mut bytes = vec![];
     for number in 0..1 + noise.below(4) as u64 {
         let message = message(noise, number);
@@ -125,7 +145,7 @@ fn text(text: &str) -> Vec<u8> {
 
 /// Schema, channel and messages.
 fn content(noise: &mut Noise) -> Vec<u8> {
-    let name = noise.pick(&["osi3.GroundTruth", "osi3.GroundTruth", "osi3.SensorData"]);
+    let name = noise.pick(&["osi3.GroundTruth", "osi3.GroundTruth", "osi3.SensorView", "osi3.SensorData"]);
     let schema = [vec![1, 0], text(name), text("protobuf"), text("")].concat();
     let channel = [vec![0, 0, 1, 0], text("truth"), text("protobuf"), text("")].concat();
     let mut bytes = [record(noise, 3, &schema), record(noise, 4, &channel)].concat();

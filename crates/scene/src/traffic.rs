@@ -252,7 +252,7 @@ impl Recording<'_> {
             return Err(reader.error_at(found.line, FcdRule::Misspelt { found, name }));
         }
         driven.checked().map_err(|rule| reader.error_at(1, rule))?;
-        let clock = clock.ok_or_else(|| reader.error_at(1, FcdRule::NoSteps))?;
+        let clock = clock.ok_or_else(|| reader.without_steps())?;
         clock.checked(interval.end_s()).map_err(|rule| reader.error_at(1, rule))?;
         Ok(cast.traffic)
     }

@@ -169,8 +169,8 @@ fn a_broken_recording_is_refused_with_line_and_rule() {
         (edited("time=\"0.1\"", "time=\"inf\""), "6: <timestep>: `time` is `inf`"),
         (edited(" time=\"0.1\"", ""), "6: <timestep>: attribute `time` is missing"),
         (
-            edited("type=\"car\"", "type=\"tram\""),
-            "4: type `tram` of vehicle `a` is not in `models` of [traffic]",
+            edited("type=\"car\"", "type=\"bicycle\""),
+            "4: type `bicycle` of vehicle `a` is not in `models` of [traffic]",
         ),
         (sound.replace("id=\"a\"", "id=\"a,b\""), "4: the id `a,b` holds a comma"),
         (edited("<timestep time=\"0\">\n", ""), "3: <vehicle> outside a <timestep>"),

@@ -18,9 +18,24 @@ pub(crate) fn shaped<T: Element, D: Dimension>(
     Ok(PyArray::from_owned_array(py, array))
 }
 
-/// Axis of numbers.
-pub(crate) fn axis<'py>(py: Python<'py>, values: &[f64]) -> Bound<'py, PyArray1<f64>> {
-    values.to_pyarray(py)
+/// Array that is made when it is asked for, and made anew the next time: what would be written into it would
+/// be lost.
+pub(crate) fn read_only<T>(array: Bound<'_, T>) -> PyResult<Bound<'_, T>> {
+    array.as_any().call_method1("setflags", (false,))?;
+    Ok(array)
+}
+
+/// Axis of numbers, read-only.
+pub(crate) fn axis<'py>(py: Python<'py>, values: &[f64]) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    read_only(values.to_pyarray(py))
+}
+
+/// Values of a kind, one each, read-only.
+pub(crate) fn each<'py, T: Element>(
+    py: Python<'py>,
+    values: impl Iterator<Item = T>,
+) -> PyResult<Bound<'py, PyArray1<T>>> {
+    read_only(PyArray1::from_vec(py, values.collect()))
 }
 
 /// Rows of a record array: every field is made of words of 64 bits, so that no field is out of its place.

@@ -91,7 +91,7 @@ impl Cube {
 
     /// Times of the frames' first samples, s, float64 [frame].
     #[getter]
-    fn time_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+    fn time_s<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         arrays::axis(py, &self.samples.times_s())
     }
 

@@ -1,11 +1,11 @@
 //! Class `Detections`: points and the objects that they form.
 
-use crate::arrays::{Field, Records};
+use crate::arrays::{Field, Records, read_only};
 use crate::failure;
 use crate::held::maps::Maps;
 use crate::tracks::Tracks;
 use crate::work::carry_out;
-use artifact::points::{Object, Point, Points};
+use artifact::points::{Height, Object, Point, Points};
 use artifact::tracks::Tracks as TracksSchema;
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -22,7 +22,7 @@ pub(crate) struct Detections {
     pub(crate) all: Arc<Recorded<Points>>,
 }
 
-const POINT: [Field; 10] = [
+const POINT: [Field; 11] = [
     ("frame", "i8"),
     ("range_m", "f8"),
     ("radial_velocity_mps", "f8"),
@@ -33,9 +33,10 @@ const POINT: [Field; 10] = [
     ("object", "i8"),
     ("two_ways_rad", "(2,)f8"),
     ("stationary", "i8"),
+    ("height", "i8"),
 ];
 
-const OBJECT: [Field; 13] = [
+const OBJECT: [Field; 14] = [
     ("frame", "i8"),
     ("range_m", "f8"),
     ("radial_velocity_mps", "f8"),
@@ -49,13 +50,24 @@ const OBJECT: [Field; 13] = [
     ("velocity_resolved", "i8"),
     ("ghost_share", "f8"),
     ("stationary", "i8"),
+    ("height", "i8"),
 ];
+
+/// Sources of a height by their numbers.
+fn height(told: Height) -> i64 {
+    match told {
+        Height::None => 0,
+        Height::Assumed => 1,
+        Height::Measured => 2,
+    }
+}
 
 fn add_point(records: &mut Records, frame: u32, point: &Point) {
     records.whole(frame).number(point.range_m).number(point.radial_velocity_mps);
     records.number(point.azimuth_rad).number(point.elevation_rad).numbers(&point.position_m);
     records.number(point.snr_db).whole_or_none(point.object);
     records.numbers(&point.two_ways_rad.unwrap_or([f64::NAN; 2])).whole_or_none(point.stationary);
+    records.whole(height(point.height));
 }
 
 fn add_object(records: &mut Records, frame: u32, object: &Object) {
@@ -64,6 +76,7 @@ fn add_object(records: &mut Records, frame: u32, object: &Object) {
     records.whole(object.points).whole_or_none(object.lane).numbers(&object.range_extent_m);
     records.numbers(&object.velocity_extent_mps).whole(object.velocity_resolved);
     records.number_or_nan(object.ghost_share).whole_or_none(object.stationary);
+    records.whole(height(object.height));
 }
 
 /// Classes of the objects of all frames: a probability a class, and the class that is told.
@@ -86,24 +99,27 @@ impl Detections {
     /// Points of all frames, a `numpy.recarray`: frame, range_m, radial_velocity_mps (receding positive),
     /// azimuth_rad (from +y towards +x), elevation_rad, position_m [3] in world metres, snr_db, object (index
     /// among its frame's objects, −1 of a lone one), two_ways_rad [2] (NaN where there are none), stationary
-    /// (1 yes, 0 no, −1 not asked).
+    /// (1 yes, 0 no, −1 not asked), height (index into `wayside.HEIGHTS`: 2 measured by elevation rows,
+    /// 1 assumed as `assumed_height_m` says, 0 none: no place has that height and the range, z is the radar's
+    /// own). The array is read-only.
     #[getter]
     fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut records = Records::default();
         let frames = self.all.frames.iter();
         frames.for_each(|f| f.points.iter().for_each(|point| add_point(&mut records, f.index, point)));
-        records.array(py, &POINT)
+        read_only(records.array(py, &POINT)?)
     }
 
     /// Objects of all frames, a `numpy.recarray`: frame, range_m, radial_velocity_mps, azimuth_rad,
     /// position_m [3], snr_db, points (how many), lane (−1 of none), range_extent_m [2],
-    /// velocity_extent_mps [2], velocity_resolved, ghost_share (NaN where the array cannot tell), stationary.
+    /// velocity_extent_mps [2], velocity_resolved, ghost_share (NaN where the array cannot tell), stationary,
+    /// height (as of points). The array is read-only.
     #[getter]
     fn objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut records = Records::default();
         let frames = self.all.frames.iter();
         frames.for_each(|f| f.objects.iter().for_each(|object| add_object(&mut records, f.index, object)));
-        records.array(py, &OBJECT)
+        read_only(records.array(py, &OBJECT)?)
     }
 
     /// Objects followed over the frames.

@@ -30,7 +30,7 @@ impl PathsFrame {
         of: impl Fn(&Path) -> [f64; 3],
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let paths = &self.frame().paths;
-        arrays::shaped(py, paths.iter().flat_map(of).collect(), [paths.len(), 3])
+        arrays::read_only(arrays::shaped(py, paths.iter().flat_map(of).collect(), [paths.len(), 3])?)
     }
 
     fn matrices<'py>(
@@ -40,7 +40,7 @@ impl PathsFrame {
     ) -> PyResult<Bound<'py, PyArray3<Complex64>>> {
         let paths = &self.frame().paths;
         let values = paths.iter().flat_map(|path| of(path).into_iter().flatten()).collect();
-        arrays::shaped(py, values, [paths.len(), 2, 2])
+        arrays::read_only(arrays::shaped(py, values, [paths.len(), 2, 2])?)
     }
 }
 
@@ -121,14 +121,14 @@ impl PathsFrame {
 
     /// Number of bounces, uint8 [n]; 0 of a point target.
     #[getter]
-    fn order<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u8>> {
-        PyArray1::from_vec(py, self.frame().paths.iter().map(|path| path.order).collect())
+    fn order<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<u8>>> {
+        arrays::each(py, self.frame().paths.iter().map(|path| path.order))
     }
 
     /// Index of the target in `Paths.targets`, uint32 [n]; 4,294,967,295 of the road's own backscatter.
     #[getter]
-    fn target<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
-        PyArray1::from_vec(py, self.frame().paths.iter().map(|path| path.target).collect())
+    fn target<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<u32>>> {
+        arrays::each(py, self.frame().paths.iter().map(|path| path.target))
     }
 
     /// Part of the frame and of the array that each path stands for, a `numpy.recarray` [n]: first_s, step_s,
@@ -139,23 +139,23 @@ impl PathsFrame {
     fn spans<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut records = Records::default();
         self.frame().paths.iter().for_each(|path| add_span(&mut records, path));
-        records.array(py, &SPAN)
+        arrays::read_only(records.array(py, &SPAN)?)
     }
 
     /// Delay at the frame's middle from the array's centre, s, float64 [n].
     #[getter]
-    fn delay_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+    fn delay_s<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let radar = self.all.header.radar.in_frame(self.frame().index);
         let delay = |path| delay_at_middle(&radar, path).0;
-        PyArray1::from_vec(py, self.frame().paths.iter().map(delay).collect())
+        arrays::each(py, self.frame().paths.iter().map(delay))
     }
 
     /// Rate of the delay at the frame's middle, s/s, float64 [n].
     #[getter]
-    fn delay_rate<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+    fn delay_rate<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let radar = self.all.header.radar.in_frame(self.frame().index);
         let rate = |path| delay_at_middle(&radar, path).1;
-        PyArray1::from_vec(py, self.frame().paths.iter().map(rate).collect())
+        arrays::each(py, self.frame().paths.iter().map(rate))
     }
 
     /// Numerical errors in dB relative to the echo; None where not estimated and of no error at all.

@@ -11,6 +11,7 @@ use num_complex::Complex32;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArray4};
 use pyo3::prelude::*;
 use std::sync::Arc;
+use wayside::host::progress;
 use wayside::stepwise::{Processing, Recorded};
 
 /// Range-Doppler maps of the frames of a cube.
@@ -47,13 +48,13 @@ impl RangeDoppler {
 
     /// Ranges of the columns, m, float64 [range].
     #[getter]
-    fn range_m<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+    fn range_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         arrays::axis(py, &self.maps.processing.axes().0)
     }
 
     /// Radial velocities of the rows, m/s, receding positive, float64 [doppler]; of the first sub-frame.
     #[getter]
-    fn velocity_mps<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+    fn velocity_mps<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         arrays::axis(py, &self.maps.processing.axes().1)
     }
 
@@ -63,7 +64,7 @@ impl RangeDoppler {
         let Maps { processing, frames, .. } = &*self.maps;
         let rows = processing.axes().1.len();
         let values = frames.iter().flat_map(|frame| processing.velocities_mps(frame.index)).collect();
-        arrays::shaped(py, values, [frames.len(), rows])
+        arrays::read_only(arrays::shaped(py, values, [frames.len(), rows])?)
     }
 
     /// Unit of the values: "sqrt(W)", or "ADC steps" of samples that were imported so.
@@ -74,7 +75,7 @@ impl RangeDoppler {
 
     /// Times of the frames' first samples, s, float64 [frame].
     #[getter]
-    fn time_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+    fn time_s<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         arrays::axis(py, &self.maps.samples.times_s())
     }
 
@@ -84,7 +85,8 @@ impl RangeDoppler {
         self.maps.frames.iter().map(|frame| frame.detections).collect()
     }
 
-    /// Points and objects of the maps.
+    /// Points and objects of the maps. What their directions lack (an array that tells no azimuth, points
+    /// without a height) is told to the logger `wayside`.
     #[pyo3(signature = (*, progress=None))]
     fn detect(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Detections> {
         let Maps { samples, processing, .. } = &*self.maps;
@@ -92,7 +94,9 @@ impl RangeDoppler {
         let (processing, from) = (Arc::clone(processing), processing.provenance(&samples.from));
         let all: Recorded<Points> = carry_out(py, None, progress, move |_| {
             let header = processing.points_header();
-            Ok(Recorded { from, header, frames: processing.points(&maps, &cubes)? })
+            let frames = processing.points(&maps, &cubes)?;
+            processing.remarks(&frames).into_iter().for_each(progress::note);
+            Ok(Recorded { from, header, frames })
         })?;
         Ok(Detections { maps: Arc::clone(&self.maps), all: Arc::new(all) })
     }

@@ -56,24 +56,24 @@ impl Rcs {
     fn rcs_dbsm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
         let amplitude = self.amplitude.read(py)?;
         let levels: Array3<f64> = amplitude.as_array().mapv(|s| 10.0 * s.norm_sqr().log10());
-        Ok(PyArray3::from_owned_array(py, levels))
+        arrays::read_only(PyArray3::from_owned_array(py, levels))
     }
 
     /// Frequencies, Hz, float64 [freq].
     #[getter]
-    fn freq_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+    fn freq_hz<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         arrays::axis(py, &self.request.frequency_hz)
     }
 
     /// Elevations above the body's horizon, degrees, float64 [el].
     #[getter]
-    fn el_deg<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+    fn el_deg<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         arrays::axis(py, &degrees(&self.request.elevation_rad))
     }
 
     /// Azimuths, degrees, float64 [az]; 0 looks at the body's front, growing counter-clockwise from above.
     #[getter]
-    fn az_deg<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+    fn az_deg<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         arrays::axis(py, &degrees(&self.request.azimuth_rad))
     }
 
@@ -111,9 +111,15 @@ impl Rcs {
     }
 }
 
-/// Makes S of a mesh by BART, as `wayside rcs` does. `mesh` is a file (of assets of OpenMATERIAL 3D in their
-/// own materials) or the name of an own vehicle; angles are those of the antenna in body axes. `materials` is
-/// a file that says what the mesh's names of materials stand for, else everything conducts.
+/// Makes S of a mesh by BART, as `wayside rcs` does: an `Rcs`, whose `s_m` is complex128 [freq, el, az] in
+/// metres. `mesh` is a file (of assets of OpenMATERIAL 3D in their own materials) or the name of an own
+/// vehicle. `freq_ghz` (GHz), `az_deg` and `el_deg` are a number or numbers and become the three axes.
+/// Directions are those of the antenna in body axes, in degrees: `az_deg` 0 before the front, growing
+/// counter-clockwise from above, `el_deg` above the horizon; left out they are 0°, one direction from ahead.
+/// `range_m` is the antenna's distance in metres, infinite for the far field. `rx_az_deg`, `rx_el_deg`
+/// (degrees) and `rx_range_m` are a receiver that stands still elsewhere. `materials` is a file that says
+/// what the mesh's names of materials stand for, else everything conducts; `transmission="on"` follows waves
+/// through its sheets and needs it, "off" lets nothing through.
 #[pyfunction]
 #[pyo3(signature = (mesh, freq_ghz, az_deg=None, el_deg=None, *, range_m=f64::INFINITY, pol="vv", bounces=3,
     edges="off", nodes="own-edge", surface="flat", sides="two", accuracy_db=-40.0, rx_az_deg=None,

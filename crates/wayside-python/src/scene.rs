@@ -18,7 +18,7 @@ use pyo3::types::PyDict;
 use std::path::PathBuf;
 use std::sync::Arc;
 use wayside::host::memory::Allowance;
-use wayside::stepwise::{OpenedScene, echoes, echoes_of_paths, paths, radars};
+use wayside::stepwise::{OpenedScene, echoes, echoes_of_paths, endings, paths, radars};
 use wayside::{CacheLocation, CallOff, Failure, SceneSource, Settings};
 
 /// A virtual traffic intersection and the radar that looks at it.
@@ -269,6 +269,7 @@ impl Scene {
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let Handle { document, memory, .. } = self.read();
+        endings::check_folder(&out).map_err(|failure| failure::raised(py, &failure, Some(&out)))?;
         let (scene, memory, folder) = (self.read().source_again(py)?, *memory, out.clone());
         let document = Arc::clone(document);
         let cache = cache.map(self::cache).transpose()?.flatten();

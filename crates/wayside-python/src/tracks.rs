@@ -1,6 +1,6 @@
 //! Class `Tracks`: vehicles followed over frames.
 
-use crate::arrays::{Field, Records};
+use crate::arrays::{Field, Records, read_only};
 use crate::failure;
 use artifact::tracks::{Track, Tracks as Schema};
 use pyo3::prelude::*;
@@ -46,13 +46,13 @@ impl Tracks {
     /// Tracks of all frames, a `numpy.recarray`: frame, id, state (0 tentative, 1 confirmed, 2 coasting),
     /// age_frames, missed_frames, position_m [2], velocity_mps [2], covariance [4, 4] of (x, y, v_x, v_y),
     /// velocity_resolved, lane (−1 of none), box_centre_m [2], box_length_m, box_width_m, box_heading_rad
-    /// (from world +x towards +y).
+    /// (from world +x towards +y). The array is read-only.
     #[getter]
     fn records<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut records = Records::default();
         let frames = self.all.frames.iter();
         frames.for_each(|f| f.tracks.iter().for_each(|track| add(&mut records, f.index, track)));
-        records.array(py, &TRACK)
+        read_only(records.array(py, &TRACK)?)
     }
 
     /// Writes a `.tracks` artifact, the bytes of `wayside dsp`.

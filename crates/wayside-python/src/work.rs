@@ -41,7 +41,8 @@ fn has_threads() -> PyResult<()> {
 }
 
 /// Carries work out, by all threads, while the interpreter does something else. `hears` is called with what
-/// is under way and its share, about twenty times a second.
+/// is under way and its share, about twenty times a second, and once more at the end with a share of 1; the
+/// share never falls.
 ///
 /// # Errors
 /// Exceptions of failures, of Ctrl-C, and of what hears of the progress; a process without threads.
@@ -70,17 +71,20 @@ pub(crate) fn read<T: Send + 'static>(
     let (sender, mut results) = channel();
     let (asked, caller) = (call_off.clone(), Caller::another());
     let thread = std::thread::spawn(move || sender.send(caller.during(|| work(&asked))).is_ok());
+    let mut told = 0.0;
     let result = loop {
         match within(py, &mut results, LOOK) {
             Ok(result) => break result,
             Err(RecvTimeoutError::Disconnected) => return Err(broken(thread)),
-            Err(RecvTimeoutError::Timeout) => look(py, hears, caller).inspect_err(|_| {
+            Err(RecvTimeoutError::Timeout) => look(py, (hears, &mut told), caller).inspect_err(|_| {
                 call_off.call_off();
                 let _ = within(py, &mut results, ENDING);
             })?,
         }
     };
-    result.map_err(|failure| failure::raised(py, &failure, file))
+    let result = result.map_err(|failure| failure::raised(py, &failure, file))?;
+    hears.map(|hears| hears.call1(("done", 1.0))).transpose()?;
+    Ok(result)
 }
 
 /// A result that comes within a time, for which the interpreter is let go.
@@ -99,13 +103,16 @@ fn broken(thread: std::thread::JoinHandle<bool>) -> PyErr {
     pyo3::exceptions::PyRuntimeError::new_err(format!("a bug of wayside: {said}"))
 }
 
-fn look(py: Python<'_>, hears: Option<&Bound<'_, PyAny>>, caller: Caller) -> PyResult<()> {
+fn look(
+    py: Python<'_>,
+    (hears, told): (Option<&Bound<'_, PyAny>>, &mut f64),
+    caller: Caller,
+) -> PyResult<()> {
     py.check_signals()?;
     let Some(hears) = hears else { return Ok(()) };
-    match progress::shown_to(caller, Instant::now(), Duration::ZERO) {
-        Some(shown) => hears.call1((shown.text, shown.share)).map(drop),
-        None => Ok(()),
-    }
+    let Some(shown) = progress::shown_to(caller, Instant::now(), Duration::ZERO) else { return Ok(()) };
+    *told = told.max(shown.share);
+    hears.call1((shown.text, *told)).map(drop)
 }
 
 /// Sends the remarks of the library to the logger `wayside` from now on.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import filecmp
 import json
+import logging
 from pathlib import Path
 from typing import Any
 
@@ -140,6 +141,69 @@ def test_what_is_detected_is_where_it_stands(scene: wayside.Scene) -> None:
         assert abs(nearest.radial_velocity_mps - speed * y / range_m) < scene.radar["velocity_resolution_mps"]
     assert points.position_m.shape == (len(points), 3)
     assert set(points.object) <= {-1, 0, 1}
+
+
+def changed_array(**array: Any) -> dict[str, Any]:
+    waveform = small_scene()["radar"]["waveform"]
+    return small_scene(radar={"waveform": waveform, "array": array})
+
+
+def test_points_say_what_their_heights_stand_on(scene: wayside.Scene) -> None:
+    found = scene.detect()
+    assert set(found.points.height) == set(found.objects.height) == {wayside.HEIGHTS.index("assumed")}
+    rows = {"tx_half_wavelengths": [[0, 0]], "rx_half_wavelengths": [[0, 0], [1, 0], [0, 1], [1, 1]]}
+    points = wayside.Scene(changed_array(**rows)).points()
+    assert set(points.height) == {wayside.HEIGHTS.index("measured")}
+
+
+def near_scene() -> dict[str, Any]:
+    """A reflector nearer than the assumed height is below the radar."""
+    near = {"kind": "point", "id": "near", "rcs_m2": 10.0, "position_m": [0.0, 3.5, 5.0]}
+    return small_scene(target=[near])
+
+
+def test_points_without_a_height_are_told_as_the_command_line_tells_them(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    with caplog.at_level(logging.INFO, logger="wayside"):
+        points = wayside.Scene(near_scene()).detect().points
+    without = points[points.height == wayside.HEIGHTS.index("none")]
+    assert len(without) > 0
+    assert np.allclose(without.position_m[:, 2], 6.0), "the radar's own"
+    told = f"{len(without)} of {len(points)} points are nearer than assumed_height_m is below or above the radar"
+    assert [record.message for record in caplog.records if told in record.message]
+
+
+def test_an_array_that_tells_no_azimuth_is_told(caplog: pytest.LogCaptureFixture) -> None:
+    column = {"tx_half_wavelengths": [[0, 0]], "rx_half_wavelengths": [[0, 0], [0, 1]]}
+    with caplog.at_level(logging.INFO, logger="wayside"):
+        wayside.Scene(changed_array(**column)).detect()
+    assert any("tells no azimuth" in record.message for record in caplog.records)
+
+
+def test_arrays_that_are_made_anew_each_time_are_read_only(scene: wayside.Scene) -> None:
+    frame, maps, found = scene.trace()[0], scene.range_doppler(), scene.detect()
+    made = [frame.a_m, frame.x_a_m, frame.order, frame.target, frame.delay_s, frame.spans, maps.range_m]
+    made += [maps.velocity_of_frames_mps, maps.time_s, found.points, found.objects, found.track().records]
+    for array in made:
+        assert not array.flags.writeable
+        assert array.copy().flags.writeable
+    assert maps.values.flags.writeable and maps.mask.flags.writeable
+    with pytest.raises(ValueError, match="read-only"):
+        frame.a_m[0] = 0
+
+
+def test_an_ending_of_another_format_is_refused(scene: wayside.Scene, tmp_path: Path) -> None:
+    paths, found = scene.trace(), scene.detect()
+    for result in (paths, scene.echo(paths), found, found.track()):
+        for ending, writer in (("npy", "export FILE --to npy"), ("rdm", "dsp"), ("CSV", "export FILE --to csv")):
+            with pytest.raises(wayside.WaysideError, match=f"is written by `wayside {writer}`"):
+                result.write(tmp_path / f"x.{ending}")
+    with pytest.raises(wayside.WaysideError, match="`run` writes a folder"):
+        scene.run(tmp_path / "x.npy")
+    assert not list(tmp_path.iterdir())
+    paths.write(tmp_path / "x.y")
+    assert len(wayside.Paths.read(tmp_path / "x.y")) == 2
 
 
 def test_tracks_and_classes_belong_to_objects(scene: wayside.Scene) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 from pathlib import Path
 
 import numpy as np
@@ -198,3 +199,10 @@ def test_a_scene_of_several_radars_asks_which_one() -> None:
     assert len(several.radars) == 4
     with pytest.raises(wayside.WaysideError):
         several.frames  # noqa: B018
+
+
+def test_the_package_holds_the_licences_of_the_project() -> None:
+    files = importlib.metadata.files("wayside") or []
+    for name in ("LICENSE-APACHE", "LICENSE-MIT"):
+        of_package = [file.locate() for file in files if file.parts[-2:] == ("licenses", name)]
+        assert [Path(str(file)).read_bytes() for file in of_package] == [(PROJECT / name).read_bytes()]

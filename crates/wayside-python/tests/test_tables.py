@@ -31,6 +31,7 @@ def test_paths_points_and_tracks_are_tables(scene: wayside.Scene) -> None:
     table = found.to_pandas()
     assert {"frame", "range_m", "position_m_0", "position_m_2"} <= set(table.columns)
     assert len(table) == len(found.points)
+    assert set(table["height"]) == {"assumed"}
     assert "covariance_3_3" in found.track().to_pandas().columns
 
 

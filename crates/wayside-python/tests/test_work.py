@@ -43,6 +43,16 @@ def test_progress_is_heard_and_its_exception_ends_the_work() -> None:
     assert all(text and 0 <= share <= 1 for text, share in heard)
 
 
+def test_the_share_grows_within_a_frame_and_ends_at_one() -> None:
+    scene = wayside.Scene(long_scene(frames=1))
+    for work in (scene.trace, scene.echo, scene.detect):
+        shares: list[float] = []
+        work(progress=lambda text, share, shares=shares: shares.append(share))
+        assert shares == sorted(shares)
+        assert shares[-1] == 1
+        assert any(0 < share < 1 for share in shares)
+
+
 def test_other_threads_go_on_while_the_library_works() -> None:
     ticks: list[float] = []
     ended = threading.Event()

@@ -2,6 +2,7 @@
 
 mod absolute_pattern;
 mod coarse_meshes;
+mod empty_road;
 mod off_band;
 mod still_wheels;
 mod unknown_materials;
@@ -13,7 +14,7 @@ pub(crate) use unknown_materials::without_entry;
 
 use artifact::scene::SceneHeader;
 
-/// Remarks on a scene: on its meshes, its materials and its radar.
+/// Remarks on a scene: on its meshes, its materials, its radar and its traffic.
 pub(crate) fn of_scene(header: &SceneHeader) -> Vec<String> {
     let of_road = header.road.iter().map(|road| &road.material);
     let of_meshes = header.meshes.iter().flat_map(|mesh| &mesh.makeup.materials);
@@ -21,6 +22,6 @@ pub(crate) fn of_scene(header: &SceneHeader) -> Vec<String> {
     let centre_hz = header.radar.waveform.centre_frequency_hz();
     let off_band = of_materials(materials, [centre_hz; 2]);
     let of_vehicles = vehicle_meshes::remarks(header).into_iter().chain(still_wheels::remark(header));
-    let of_radar = absolute_pattern::remark(&header.radar);
+    let of_radar = absolute_pattern::remark(&header.radar).into_iter().chain(empty_road::remark(header));
     coarse_meshes::remarks(header).into_iter().chain(of_vehicles).chain(off_band).chain(of_radar).collect()
 }

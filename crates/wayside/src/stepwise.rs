@@ -2,6 +2,7 @@
 //! files, such as the Python package. What is written of these results equals to the byte what the commands
 //! `paths`, `echo` and `dsp` write.
 
+pub mod endings; // of what is written, each with its writer
 mod recorded; // frames of an artifact, and what is told of them
 mod opened_scene; // a scene that was read and planned, and what it will cost
 mod scene_faults; // what is wrong with a scene, rule by rule

@@ -21,13 +21,17 @@ pub(super) struct LinkedPackage {
 /// Beginnings of the names of files with licences, in capitals.
 const LICENCES: [&str; 5] = ["LICENSE", "LICENCE", "COPYING", "NOTICE", "UNLICENSE"];
 
-/// Packages of others that the program stands on for a platform, in the order of their names.
-pub(super) fn linked_packages(target: &str, features: &str) -> Result<Vec<LinkedPackage>, Failure> {
+/// Packages of others that a package of the project with some features stands on for a platform, in the order
+/// of their names.
+pub(super) fn linked_packages(
+    target: &str,
+    [package, features]: [&str; 2],
+) -> Result<Vec<LinkedPackage>, Failure> {
     let mut cargo = Command::new("cargo");
     cargo.args(["metadata", "--format-version", "1", "--locked", "--filter-platform", target]);
     cargo
         .args(["--features", features, "--manifest-path"])
-        .arg(project_root().join("crates/wayside/Cargo.toml"));
+        .arg(project_root().join(format!("crates/{package}/Cargo.toml")));
     let metadata: Value = serde_json::from_slice(&output(&mut cargo)?).map_err(Failure::refused)?;
     let linked = linked_ids(&metadata);
     let is_linked = |package: &&Value| package["id"].as_str().is_some_and(|id| linked.contains(id));

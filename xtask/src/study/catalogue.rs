@@ -4,7 +4,7 @@ use crate::cli::{AtlasArguments, ChartArguments, PageArguments, StudyArguments};
 use crate::project::project_root;
 use crate::study::drawn::{self, ATLAS, CHART, LEVELS};
 use crate::study::extent::Extent;
-use crate::study::page::{Age, FEWER, part_of, with_part};
+use crate::study::page::{Age, FEWER, difference, part_of, with_part};
 use crate::study::pages::scattering::{
     continuity, estimates_of_errors, gates, published_levels, references, wheels,
 };
@@ -193,6 +193,22 @@ pub(crate) fn run(arguments: &PageArguments) -> Result<(), Failure> {
         (_, None) if arguments.kept => keeps_none("--kept"),
         (make, None) => study.make(make, arguments),
     }
+}
+
+/// Refuses figures on a page of docs/ that are other ones than its study makes now.
+///
+/// # Errors
+/// The first line that differs, and what was made; what the study itself refuses.
+pub(crate) fn compare(name: &str) -> Result<(), Failure> {
+    let refused = |rule: String| Failure::Refused(format!("{name}: {rule}"));
+    let study = by_name(name).ok_or_else(|| refused("there is no such study".into()))?;
+    let Make::Part(make) = study.make else { return Err(refused("makes no part of a page".into())) };
+    let (made, complaint) = make(Extent::Full)?.finished();
+    let place = project_root().join(study.page);
+    let page = std::fs::read_to_string(&place).map_err(|e| Failure::system(&place, "read", e))?;
+    let told = part_of(&page, name).ok_or_else(|| refused(format!("{} has no part for it", study.page)))?;
+    let differs = difference(told, &made).map(|differs| format!("{}: {differs}", study.page));
+    differs.or(complaint).map_or(Ok(()), |rule| Err(refused(rule)))
 }
 
 fn extent(arguments: &PageArguments) -> Extent {

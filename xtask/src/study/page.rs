@@ -75,6 +75,37 @@ pub(super) fn with_part(page: &str, study: &str, hash: &str, part: &str) -> Opti
     Some(format!("{before}{}\n\n{}\n\n{after}", made_by(study, hash), part.trim()))
 }
 
+/// The first line of a part that differs from what was made anew; numbers may by one of their last digit.
+pub(super) fn difference(told: &str, made: &str) -> Option<String> {
+    let words = |line: &'_ str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+    let are_alike = |(told, made): (&str, &str)| {
+        let (told, made) = (words(told), words(made));
+        told.len() == made.len() && told.iter().zip(&made).all(|(told, made)| is_alike(told, made))
+    };
+    let (told, made): (Vec<&str>, Vec<&str>) = (told.trim().lines().collect(), made.trim().lines().collect());
+    let pairs = || told.iter().copied().zip(made.iter().copied());
+    let shorter = || (told.len() != made.len()).then(|| format!("{} lines, made {}", told.len(), made.len()));
+    pairs()
+        .find(|pair| !are_alike(*pair))
+        .map(|(told, made)| format!("`{told}`, made `{made}`"))
+        .or_else(shorter)
+}
+
+/// Whether two words are one, or numbers of which the last digit differs by one.
+fn is_alike(told: &str, made: &str) -> bool {
+    let plain = |word: &str| word.trim_end_matches([',', ';', '.']).parse::<f64>().ok();
+    let is_near = |(a, b): (f64, f64)| (a - b).abs() <= 1.01 * last_digit(told);
+    told == made || plain(told).zip(plain(made)).is_some_and(is_near)
+}
+
+/// Worth of the last digit of a number as it is written.
+fn last_digit(number: &str) -> f64 {
+    let (digits, power) = number.split_once('e').unwrap_or((number, "0"));
+    let decimals =
+        digits.trim_end_matches([',', ';', '.']).split_once('.').map_or(0, |(_, d)| d.len() as i32);
+    10.0_f64.powi(power.parse().unwrap_or(0) - decimals)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -89,6 +120,18 @@ mod tests {
         assert_eq!(page, expected);
         assert_eq!(part_of(&page, "a"), Some("| new |"));
         assert_eq!(Age::of(&page, "a", "12345678"), Age::Fresh);
+    }
+
+    #[test]
+    fn a_figure_that_is_another_one_is_told_and_a_last_digit_is_none() {
+        let told = "| a | 5.221 | 4.6e-5 |\n\n155 cells, -4.8 dBsm.\n";
+        assert_eq!(difference(told, told), None);
+        assert_eq!(difference(told, "| a | 5.222 | 4.5e-5 |\n\n155 cells, -4.8 dBsm.\n"), None);
+        let other = difference(told, "| a | 5.223 | 4.6e-5 |\n\n155 cells, -4.8 dBsm.\n");
+        assert_eq!(other.unwrap(), "`| a | 5.221 | 4.6e-5 |`, made `| a | 5.223 | 4.6e-5 |`");
+        assert!(difference(told, "| a | 5.221 | 4.8e-5 |\n\n155 cells, -4.8 dBsm.\n").is_some());
+        assert!(difference(told, "| b | 5.221 | 4.6e-5 |\n\n155 cells, -4.8 dBsm.\n").is_some());
+        assert_eq!(difference(told, "| a | 5.221 | 4.6e-5 |").unwrap(), "3 lines, made 1");
     }
 
     #[test]

@@ -98,6 +98,12 @@ pub enum TraceRule {
         /// Values that may stand there.
         allowed: &'static str,
     },
+    /// A message of OSI that tells no ground truth.
+    #[error("it is a {0}; a recording of traffic consists of GroundTruth, or of SensorView with one in it")]
+    OtherMessage(&'static str),
+    /// Fields that no message of OSI has together which a trace consists of.
+    #[error("its fields are neither those of a GroundTruth of OSI nor those of a SensorView")]
+    NoGroundTruth,
     /// More moving objects than a country's rush hour has.
     #[error("more than {0} moving objects")]
     TooManyObjects(usize),

@@ -1,8 +1,10 @@
 //! Traces that are made here by hand and read back; what is wrong is refused with file, message and rule.
 
 use super::*;
-use crate::osi::common::{Dimension3d, Identifier, Orientation3d, Vector3d};
+use crate::osi::common::{Dimension3d, Identifier, MountingPosition, Orientation3d, Vector3d};
 use crate::osi::moving_object::VehicleClassification;
+use crate::osi::sensor_data::{DetectedMovingObject, FeatureData, SensorData};
+use crate::osi::sensor_view::{RadarSensorView, SensorView};
 use crate::trace::{ChannelOf, McapFile};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -47,11 +49,15 @@ fn osi(messages: &[Vec<u8>]) -> Vec<u8> {
 }
 
 fn mcap_of(topics: &[&str], messages: &[Vec<u8>]) -> Vec<u8> {
+    mcap_of_kind(SCHEMA, topics, messages)
+}
+
+fn mcap_of_kind(schema: &str, topics: &[&str], messages: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut file = McapFile::begin(&mut bytes, "").unwrap();
     let of = |topic| ChannelOf {
         topic,
-        schema: SCHEMA,
+        schema,
         schema_encoding: "protobuf",
         definition: b"",
         message_encoding: "protobuf",
@@ -63,6 +69,46 @@ fn mcap_of(topics: &[&str], messages: &[Vec<u8>]) -> Vec<u8> {
     }
     file.finish().unwrap();
     bytes
+}
+
+/// `osi3.SensorView` with a ground truth in it.
+#[derive(Clone, PartialEq, Message)]
+struct ViewOfTruth {
+    #[prost(message, optional, tag = "2")]
+    timestamp: Option<Timestamp>,
+    #[prost(message, optional, tag = "3")]
+    sensor_id: Option<Identifier>,
+    #[prost(message, optional, tag = "7")]
+    global_ground_truth: Option<GroundTruth>,
+    #[prost(message, optional, tag = "8")]
+    host_vehicle_id: Option<Identifier>,
+}
+
+/// `osi3.TrafficUpdate`.
+#[derive(Clone, PartialEq, Message)]
+struct TrafficUpdate {
+    #[prost(message, optional, tag = "2")]
+    timestamp: Option<Timestamp>,
+    #[prost(message, repeated, tag = "3")]
+    update: Vec<MovingObject>,
+}
+
+/// `osi3.StreamingUpdate`.
+#[derive(Clone, PartialEq, Message)]
+struct StreamingUpdate {
+    #[prost(message, optional, tag = "2")]
+    timestamp: Option<Timestamp>,
+    #[prost(message, repeated, tag = "4")]
+    moving_object_update: Vec<MovingObject>,
+}
+
+/// A view of all its own fields, or of as few as there may be.
+fn views_of(truth: &[u8]) -> [Vec<u8>; 2] {
+    let of_truth = GroundTruth::decode(truth).unwrap();
+    let bare = ViewOfTruth { global_ground_truth: Some(of_truth), ..ViewOfTruth::default() };
+    let (timestamp, sensor_id) = (Some(Timestamp::at(77.0)), Identifier::of(3));
+    let whole = ViewOfTruth { timestamp, sensor_id, host_vehicle_id: Identifier::of(11), ..bare.clone() };
+    [bare.encode_to_vec(), whole.encode_to_vec()]
 }
 
 /// Everything in a trace; errors without the folder.
@@ -89,6 +135,70 @@ fn moving_objects_of_both_containers_are_read_alike() {
     assert_eq!((object.id.as_str(), object.kind.as_str()), ("7", "TYPE_BUS"));
     assert_eq!((object.foot_m, object.size_m), ([1.0, 40.0, 0.0], Some([12.0, 2.5, 3.0])));
     assert_eq!(object.velocity_mps, Some([5.0 * 1.5_f64.cos(), 5.0 * 1.5_f64.sin(), 0.0]));
+}
+
+#[test]
+fn a_ground_truth_in_a_view_of_a_sensor_is_that_of_its_own_trace() {
+    let truths = [truth(0.0, vec![bus(7, [1.0, 40.0, 1.5])]), truth(0.1, vec![])];
+    let alone = read(&osi(&truths)).unwrap();
+    for kind in 0..2 {
+        let views = [0, 1].map(|place: usize| views_of(&truths[place])[kind].clone());
+        assert_eq!(read(&osi(&views)).unwrap(), alone, "{kind}");
+        assert_eq!(read(&mcap_of_kind("osi3.SensorView", &["view"], &views)).unwrap(), alone, "{kind}");
+    }
+    let timeless = GroundTruth { moving_object: vec![bus(7, [1.0, 40.0, 1.5])], ..GroundTruth::default() };
+    let views = views_of(&timeless.encode_to_vec());
+    assert_eq!(read(&osi(&[views[1].clone()])).unwrap()[0].time_s, 77.0, "the view's own");
+    let told = read(&osi(&[views[0].clone()])).unwrap_err();
+    assert_eq!(told, "trace.osi: message 1: SensorView: `timestamp` is missing");
+}
+
+/// What the program itself writes of points, tracks and paths, and what others write of parts of a road.
+fn without_truth() -> [(&'static str, Vec<u8>); 7] {
+    let mounting_position =
+        Some(MountingPosition { position: Vector3d::of([0.0, 0.0, 6.0]), orientation: None });
+    let (timestamp, sensor_id) = (Some(Timestamp::at(0.0)), Identifier::of(3));
+    let data = SensorData { timestamp, sensor_id, mounting_position, ..SensorData::default() };
+    let feature_data = Some(FeatureData::default());
+    let nameless = SensorData { timestamp, feature_data, ..SensorData::default() };
+    let moving_object = vec![DetectedMovingObject::default()];
+    let tracks = SensorData { timestamp, moving_object, ..SensorData::default() };
+    let view = SensorView { timestamp, sensor_id, mounting_position, ..SensorView::default() };
+    let radar_sensor_view = vec![RadarSensorView::default()];
+    let unmounted = SensorView { timestamp, radar_sensor_view, ..SensorView::default() };
+    let moving = vec![bus(7, [1.0, 40.0, 1.5])];
+    let update = TrafficUpdate { timestamp, update: moving.clone() };
+    let stream = StreamingUpdate { timestamp, moving_object_update: moving };
+    [
+        ("SensorData", data.encode_to_vec()),
+        ("SensorData", nameless.encode_to_vec()),
+        ("SensorData", tracks.encode_to_vec()),
+        ("SensorView", view.encode_to_vec()),
+        ("SensorView", unmounted.encode_to_vec()),
+        ("TrafficUpdate", update.encode_to_vec()),
+        ("StreamingUpdate", stream.encode_to_vec()),
+    ]
+}
+
+#[test]
+fn messages_without_a_ground_truth_are_refused_and_never_a_road_without_vehicles() {
+    for (name, message) in without_truth() {
+        let text = read(&osi(&[message])).unwrap_err();
+        let rule = match name {
+            "SensorView" => "SensorView: `global_ground_truth` is missing".to_owned(),
+            _ => format!(
+                "it is a {name}; a recording of traffic consists of GroundTruth, or of SensorView with one in it"
+            ),
+        };
+        assert_eq!(text, format!("trace.osi: message 1: {rule}"));
+    }
+    // A field 3 that is a number: `motion_request_type` of a MotionRequest.
+    let other = [&[0x12, 2, 8, 0][..], &[0x18, 1]].concat();
+    let text = read(&osi(&[other])).unwrap_err();
+    assert!(
+        text.ends_with("its fields are neither those of a GroundTruth of OSI nor those of a SensorView"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -157,7 +267,8 @@ proptest! {
     #[test]
     fn no_damage_makes_the_reader_panic(cut: usize, at: usize, flip: u8, is_whole: bool) {
         let messages = [truth(0.0, vec![bus(7, [1.0, 40.0, 1.5])]), truth(0.1, vec![])];
-        for whole in [osi(&messages), mcap_of(&["truth"], &messages)] {
+        let views = [0, 1].map(|place: usize| views_of(&messages[place])[1].clone());
+        for whole in [osi(&messages), mcap_of(&["truth"], &messages), osi(&views)] {
             damaged(&whole, if is_whole { whole.len() } else { cut }, at, flip);
         }
     }

@@ -5,9 +5,10 @@ use prost::DecodeError;
 use prost::bytes::Buf;
 use prost::encoding::{DecodeContext, WireType, decode_key, decode_varint, skip_field};
 
-/// A field: its number and, where it is a message or a text, its bytes.
+/// A field: its number, its type on the wire and, where it is a message or a text, its bytes.
 pub(crate) struct Field<'a> {
     pub(crate) number: u32,
+    pub(crate) wire: WireType,
     pub(crate) content: Option<&'a [u8]>,
 }
 
@@ -30,7 +31,7 @@ fn next<'a>(rest: &mut &'a [u8]) -> Result<Field<'a>, TraceRule> {
     let (number, wire) = decode_key(rest).map_err(encoding)?;
     if wire != WireType::LengthDelimited {
         skip_field(wire, number, rest, DecodeContext::default()).map_err(encoding)?;
-        return Ok(Field { number, content: None });
+        return Ok(Field { number, wire, content: None });
     }
     let length = decode_varint(rest).map_err(encoding)?;
     let whole: &'a [u8] = rest;
@@ -39,7 +40,7 @@ fn next<'a>(rest: &mut &'a [u8]) -> Result<Field<'a>, TraceRule> {
         || TraceRule::Encoding(format!("field {number} has {length} bytes, beyond the message's end"));
     let content = content.ok_or_else(beyond)?;
     rest.advance(content.len());
-    Ok(Field { number, content: Some(content) })
+    Ok(Field { number, wire, content: Some(content) })
 }
 
 /// The decoder's own words.

@@ -6,22 +6,22 @@ use crate::chain::plan::FramePlan;
 use crate::host::call_off::CallOff;
 use crate::host::failure::Failure;
 use crate::host::in_order::in_order;
-use crate::host::progress::Work;
+use crate::host::progress::{FrameStage, Work};
 use std::collections::HashMap;
 
 /// Hands on what is made of each of these frames, in their order and on this thread, while later ones are
-/// made: as many at a time as there are threads and memory.
+/// made: as many at a time as there are threads and memory. `stages` are those that `make` goes through.
 ///
 /// # Errors
 /// The first of `make` or `take`; called off between two frames.
 pub fn each_frame<T: Send>(
     chain: &Chain,
-    plans: &[FramePlan],
+    (plans, stages): (&[FramePlan], &[FrameStage]),
     call_off: &CallOff,
     make: impl Fn(&FramePlan) -> Result<T, Failure> + Sync,
     mut take: impl FnMut(T) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let work = Work::begin("frames");
+    let work = Work::in_stages("frames", stages);
     work.at(0, plans.len());
     let at_once = chain.frames_at_once(plans)?;
     chain.share_memory(at_once);

@@ -19,7 +19,7 @@ use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
 use crate::host::in_order::AtOnce;
 use crate::host::memory::Allowance;
-use crate::host::progress::{self, Work};
+use crate::host::progress::{self, FrameStage, Work};
 use artifact::classes::{Classes, ClassesFrame};
 use artifact::cube::{Cube, CubeFrame, CubeHeader};
 use artifact::paths::{Paths, PathsFrame};
@@ -191,7 +191,7 @@ impl<'a> Chain<'a> {
             EchoMode::RcsTable => {
                 let compute = || {
                     let (tracer, view) = (self.tracer(plan)?, scene::frame_view(self.header, scene.index));
-                    let progress = &Work::begin(format!("frame {}, tables of bodies", scene.index));
+                    let progress = &of_stage(scene.index, FrameStage::Scattering, "tables of bodies");
                     tracer.tables(&view, scene, progress).map_err(|error| refused_in(scene, &error))
                 };
                 let header = artifact_headers::rcs_header(self.header);
@@ -212,7 +212,7 @@ impl<'a> Chain<'a> {
             _ => None,
         };
         let measured = of_another_scene.as_ref().or(in_this_scene.as_ref());
-        let progress = &Work::begin(format!("frame {}, paths", scene.index));
+        let progress = &of_stage(scene.index, FrameStage::Scattering, "paths");
         let surroundings = FrameSurroundings { like: measured.map(Arc::as_ref), progress };
         let frame = tracer.paths(&view, scene, &surroundings).map_err(|error| refused_in(scene, &error))?;
         let stands = |_: &&Arc<PathsFrame>| self.plan(measured_in).keys.bart_rcs == plan.keys.bart_rcs;
@@ -262,7 +262,7 @@ impl<'a> Chain<'a> {
 
     /// The echo of paths or tables.
     pub fn synthesize(&self, scene: &SceneFrame, scattering: &Scattering) -> Result<CubeFrame, Failure> {
-        let work = Work::begin(format!("frame {}, echo, percent", scene.index));
+        let work = of_stage(scene.index, FrameStage::Echo, "echo, percent");
         let progress = |share: f64| work.at((100.0 * share) as usize, 100);
         let synthesizer = self.synthesizer()?;
         match scattering {
@@ -297,7 +297,7 @@ impl<'a> Chain<'a> {
 
     fn maps(&self, plan: &FramePlan, cube: &CubeFrame) -> Result<Step<(RdmFrame, PointsFrame)>, Failure> {
         let (key, stage) = (&plan.keys.dsp, Stage::Dsp);
-        let _under_way = Work::begin(format!("frame {}, range-Doppler map and points", plan.index));
+        let _under_way = of_stage(plan.index, FrameStage::Detection, "range-Doppler map and points");
         let compute = || self.receiver()?.range_doppler(cube).map_err(Failure::refused);
         let rdm = self.frames.step::<Rdm>(stage, (plan.index, key), self.cube_header(), compute)?;
         let detect = || self.receiver()?.detect_refined(&rdm.value, cube).map_err(Failure::refused);
@@ -333,6 +333,11 @@ impl<'a> Chain<'a> {
         let step = self.frames.step::<Classes>(stage, (plan.index, key), &model.classes_header(), compute)?;
         Ok(step.map(|frame| frame.probabilities))
     }
+}
+
+/// Work on one stage of a frame.
+fn of_stage(frame: u32, stage: FrameStage, name: &str) -> Work {
+    Work::in_stages(format!("frame {frame}, {name}"), &[stage])
 }
 
 /// Refusal of a frame that cannot be traced, with its time: bodies of traffic are elsewhere in others.

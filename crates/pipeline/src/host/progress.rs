@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use under_way::{Item, UnderWay};
 
 pub use caller::Caller;
-pub use under_way::Shown;
+pub use under_way::{FrameStage, Shown};
 
 static UNDER_WAY: Mutex<UnderWay> = Mutex::new(UnderWay::NOTHING);
 static LISTENER: OnceLock<fn(&str)> = OnceLock::new();
@@ -59,7 +59,13 @@ impl Work {
 
     /// Begins work of which `found` steps are done already.
     pub fn resumed(name: impl Into<String>, found: usize) -> Self {
-        Self(locked(&UNDER_WAY).begin(name.into(), found, Instant::now()))
+        Self(locked(&UNDER_WAY).begin(name.into(), (found, &[]), Instant::now()))
+    }
+
+    /// Begins work on frames that each go through these stages, or on one stage of a frame: what is done of a
+    /// stage counts in the share of the frames.
+    pub fn in_stages(name: impl Into<String>, stages: &[FrameStage]) -> Self {
+        Self(locked(&UNDER_WAY).begin(name.into(), (0, stages), Instant::now()))
     }
 
     /// `done` of `of` steps are done; callable from any thread.
@@ -98,7 +104,7 @@ impl bart_rcs::Progress for Work {
     fn at(&self, phase: bart_rcs::Phase, done: usize, of: usize) {
         match phase {
             bart_rcs::Phase::Aspects | bart_rcs::Phase::Bodies => self.0.at(done, of),
-            part => self.0.part_at(part_name(part), done, of, Instant::now()),
+            part => self.0.part_at((part_name(part), part_place(part)), [done, of], Instant::now()),
         }
     }
 }
@@ -111,6 +117,17 @@ fn part_name(phase: bart_rcs::Phase) -> &'static str {
         bart_rcs::Phase::Integrating => "integrating",
         bart_rcs::Phase::Checking => "checking errors",
     }
+}
+
+/// Place of a part among those of one step.
+fn part_place(phase: bart_rcs::Phase) -> [usize; 2] {
+    let at = match phase {
+        bart_rcs::Phase::Aspects | bart_rcs::Phase::Bodies | bart_rcs::Phase::Building => 0,
+        bart_rcs::Phase::Tracing => 1,
+        bart_rcs::Phase::Integrating => 2,
+        bart_rcs::Phase::Checking => 3,
+    };
+    [at, 4]
 }
 
 impl Drop for Work {

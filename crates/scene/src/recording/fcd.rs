@@ -134,7 +134,8 @@ pub enum FcdRule {
     /// A trace of OSI, by a program that was built without its reader.
     #[error(
         "this program was built without the reader of OSI; `cargo install --path crates/wayside --features \
-         interchange` in the project's folder builds one with it"
+         interchange` in the project's folder builds one with it, `pip install ./crates/wayside-python -C \
+         build-args=\"--features interchange\"` the Python package"
     )]
     WithoutInterchange,
     /// Ways that are no ways of such speeds.
@@ -302,6 +303,9 @@ pub enum FcdRule {
     /// Steps, but not one.
     #[error("there is no <timestep> in it")]
     NoSteps,
+    /// A trace of OSI without a message.
+    #[error("there is none: a trace of OSI has a GroundTruth for each step, or a SensorView with one in it")]
+    NoMessages,
 }
 
 fn named(id: &Option<String>) -> String {

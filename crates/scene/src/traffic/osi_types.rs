@@ -39,7 +39,8 @@ const STAND_INS: [(&str, StandIn); 17] = [
     ("TYPE_ANIMAL", StandIn::PassedOver),
 ];
 
-/// Stand-in of a type; `None` for one that needs a model of its own.
+/// Stand-in of a type; `None` for one that needs a model of its own. Those who walk are passed over, as a
+/// `<person>` of SUMO is; a bicycle is a vehicle, and in recordings of both kinds refused without a model.
 pub(crate) fn stand_in_of(kind: &str) -> Option<StandIn> {
     STAND_INS.into_iter().find(|(name, _)| *name == kind).map(|(_, stand_in)| stand_in)
 }
@@ -63,9 +64,13 @@ mod tests {
     }
 
     #[test]
-    fn a_tram_needs_a_model_of_its_own_and_who_walks_is_no_vehicle() {
-        assert!(stand_in_of("TYPE_TRAM").is_none());
-        assert!(matches!(stand_in_of("TYPE_PEDESTRIAN"), Some(StandIn::PassedOver)));
+    fn trams_and_bicycles_need_models_of_their_own_and_who_walks_is_no_vehicle() {
+        for needs_model in ["TYPE_TRAM", "TYPE_BICYCLE", "TYPE_STANDUP_SCOOTER"] {
+            assert!(stand_in_of(needs_model).is_none());
+        }
+        for passed_over in ["TYPE_PEDESTRIAN", "TYPE_ANIMAL"] {
+            assert!(matches!(stand_in_of(passed_over), Some(StandIn::PassedOver)));
+        }
         let placed = with_stand_in();
         assert!(placed.contains(&"TYPE_VAN") && !placed.contains(&"TYPE_PEDESTRIAN"));
     }

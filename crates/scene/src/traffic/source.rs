@@ -54,11 +54,36 @@ impl StepReader {
         }
     }
 
+    /// The error of a recording that has no step.
+    pub(crate) fn without_steps(&self) -> FcdError {
+        match self {
+            Self::Fcd(_) => self.error_at(1, FcdRule::NoSteps),
+            Self::Osi(_) => self.error_at(1, FcdRule::NoMessages),
+        }
+    }
+
     /// Length, width and height of a vehicle of the last step, where the recording tells them.
     pub(crate) fn size_m(&self, id: &str) -> Option<[f64; 3]> {
         match self {
             Self::Fcd(_) => None,
             Self::Osi(reader) => reader.size_m(id),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[cfg(feature = "interchange")]
+    #[test]
+    fn a_trace_without_a_message_is_refused_in_words_of_its_own() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("empty.osi");
+        std::fs::write(&file, "").unwrap();
+        let mut reader = super::Source::Osi(file).open().unwrap();
+        assert!(reader.next_step().unwrap().is_none());
+        let told = reader.without_steps().to_string();
+        let rule = "message 1: there is none: a trace of OSI has a GroundTruth for each step, or a SensorView with \
+                    one in it";
+        assert!(told.ends_with(&format!("empty.osi: {rule}")), "{told}");
     }
 }

@@ -14,7 +14,7 @@ A scene is a TOML file or a dictionary with the same keys; results are NumPy arr
 Signs, axes and units are those of the project's page ``docs/conventions.md``: SI units, world x across the
 lanes, y along them away from the radar, z up; approaching is a negative velocity. Work of the library lets
 the interpreter go, Ctrl-C ends it, ``progress`` is called with what is under way and the share that is
-done.
+done, and with a share of 1 at the end.
 """
 
 import atexit as _atexit
@@ -39,11 +39,15 @@ from .errors import Fault, WaysideError
 CLASSES = ("car", "bus", "truck", "motorcycle")
 """Names of the classes, in the order of probabilities."""
 
+HEIGHTS = ("none", "assumed", "measured")
+"""Sources of a height, by the numbers of the field ``height`` of points and objects."""
+
 __all__ = [
     "CLASSES",
     "Cube",
     "Detections",
     "Fault",
+    "HEIGHTS",
     "Paths",
     "PathsFrame",
     "RangeDoppler",

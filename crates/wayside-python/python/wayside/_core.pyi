@@ -65,11 +65,16 @@ def rcs(
     memory_limit_mib: int | None = None,
     progress: _Progress | None = None,
 ) -> Rcs:
-    """Makes S of a mesh by BART, as `wayside rcs` does.
+    """Makes S of a mesh by BART, as `wayside rcs` does: `s_m` of the result is [freq, el, az] in metres.
 
-    `mesh` is a file (of assets of OpenMATERIAL 3D in their own materials) or the name of an own vehicle;
-    angles are those of the antenna in body axes, degrees. `materials` is a file that says what the mesh's
-    names of materials stand for, else everything conducts; `transmission="on"` follows waves through sheets.
+    `mesh` is a file (of assets of OpenMATERIAL 3D in their own materials) or the name of an own vehicle.
+    `freq_ghz` (GHz), `az_deg` and `el_deg` are a number or numbers and become the three axes. Directions are
+    those of the antenna in body axes, in degrees: `az_deg` 0 before the front, growing counter-clockwise from
+    above, `el_deg` above the horizon; left out they are 0°, one direction from ahead. `range_m` is the
+    antenna's distance in metres, infinite for the far field. `rx_az_deg`, `rx_el_deg` (degrees) and
+    `rx_range_m` are a receiver that stands still elsewhere. `materials` is a file that says what the mesh's
+    names of materials stand for, else everything conducts; `transmission="on"` follows waves through its
+    sheets and needs it, "off" lets nothing through.
     """
 
 @final
@@ -212,7 +217,7 @@ class Paths:
     def read(file: _Path) -> Paths:
         """Reads a `.paths` artifact."""
     def write(self, file: _Path) -> None:
-        """Writes a `.paths` artifact, the bytes of `wayside paths`."""
+        """Writes a `.paths` artifact, the bytes of `wayside paths`; another format's ending is refused."""
     @property
     def targets(self) -> list[str]:
         """Ids of the scene's targets."""
@@ -245,7 +250,7 @@ class Cube:
     def read(file: _Path) -> Cube:
         """Reads a `.cube` artifact."""
     def write(self, file: _Path) -> None:
-        """Writes a `.cube` artifact, the bytes of `wayside echo`."""
+        """Writes a `.cube` artifact, the bytes of `wayside echo`; another format's ending is refused."""
     @property
     def unit(self) -> str:
         """Unit of the samples: "sqrt(W)", or "ADC steps" of a file that was imported so."""
@@ -293,7 +298,7 @@ class RangeDoppler:
     def detections(self) -> list[int]:
         """Number of cells above the detector's threshold in each frame."""
     def detect(self, *, progress: _Progress | None = None) -> Detections:
-        """Points and objects of the maps."""
+        """Points and objects of the maps; what their directions lack is told to the logger `wayside`."""
     def to_xarray(self) -> Any:
         """Maps with named axes: `xarray.Dataset`, where xarray is installed."""
     def __len__(self) -> int: ...
@@ -304,12 +309,17 @@ class Detections:
 
     @property
     def points(self) -> np.recarray[Any, Any]:
-        """Points of all frames: frame, range_m, radial_velocity_mps, azimuth_rad, elevation_rad,
-        position_m, …"""
+        """Points of all frames, read-only: frame, range_m, radial_velocity_mps, azimuth_rad, elevation_rad,
+        position_m [3], snr_db, object, two_ways_rad [2], stationary, height.
+
+        height is an index into `wayside.HEIGHTS`: 2 measured by elevation rows, 1 assumed as
+        `assumed_height_m` says, 0 none: z is then the radar's own.
+        """
     @property
     def objects(self) -> np.recarray[Any, Any]:
-        """Objects of all frames: frame, range_m, radial_velocity_mps, azimuth_rad, position_m,
-        snr_db, points, …"""
+        """Objects of all frames, read-only: frame, range_m, radial_velocity_mps, azimuth_rad, position_m [3],
+        snr_db, points, lane, range_extent_m [2], velocity_extent_mps [2], velocity_resolved, ghost_share,
+        stationary, height (as of points)."""
     def track(self) -> Tracks:
         """Objects followed over the frames."""
     def classify(
@@ -320,7 +330,7 @@ class Detections:
         told is an index among them, −1 for "unknown". `model` is a file or a folder of `wayside train`.
         """
     def write(self, file: _Path) -> None:
-        """Writes a `.points` artifact, the bytes of `wayside dsp`."""
+        """Writes a `.points` artifact, the bytes of `wayside dsp`; another format's ending is refused."""
     def to_pandas(self) -> Any:
         """Table of all points: `pandas.DataFrame`, where pandas is installed."""
     def __len__(self) -> int: ...
@@ -333,7 +343,7 @@ class Tracks:
     def records(self) -> np.recarray[Any, Any]:
         """Tracks of all frames: frame, id, state (0 tentative, 1 confirmed, 2 coasting), age_frames, …"""
     def write(self, file: _Path) -> None:
-        """Writes a `.tracks` artifact, the bytes of `wayside dsp`."""
+        """Writes a `.tracks` artifact, the bytes of `wayside dsp`; another format's ending is refused."""
     def to_pandas(self) -> Any:
         """Table of all tracks: `pandas.DataFrame`, where pandas is installed."""
     def __len__(self) -> int: ...

@@ -54,8 +54,13 @@ def rcs_to_xarray(table: Rcs) -> Any:
 
 
 def records_to_pandas(records: Any) -> Any:
-    """``pandas.DataFrame`` of a record array; a field of several values has a column for each."""
+    """``pandas.DataFrame`` of a record array; a field of several values has a column for each.
+
+    ``height`` has the words of ``export --to csv``: "measured", "assumed" or "none".
+    """
     import pandas
+
+    from . import HEIGHTS
 
     columns: dict[str, Any] = {}
     for name in records.dtype.names:
@@ -63,6 +68,8 @@ def records_to_pandas(records: Any) -> Any:
         for place in np.ndindex(values.shape[1:]):
             suffix = "".join(f"_{index}" for index in place)
             columns[name + suffix] = values[(slice(None), *place)]
+    if "height" in columns:
+        columns["height"] = np.array(HEIGHTS, dtype=object)[columns["height"]]
     return pandas.DataFrame(columns)
 
 

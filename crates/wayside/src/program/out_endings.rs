@@ -4,53 +4,17 @@
 use crate::program::cli::{Command, ExportArguments};
 use crate::program::export_formats::{is_set, name_of};
 use crate::program::option_words::FormatWord;
+use crate::stepwise::endings::{self, WRITERS};
 use pipeline::host::failure::Failure;
 use std::path::Path;
-
-/// Endings of what the program writes, each with the command that does.
-const WRITERS: [(&str, &str); 27] = [
-    ("toml", "scene-from"),
-    ("glb", "vehicles"),
-    ("scene", "run"),
-    ("paths", "paths"),
-    ("rcs", "run"),
-    ("cube", "echo"),
-    ("rdm", "dsp"),
-    ("points", "dsp"),
-    ("tracks", "dsp"),
-    ("classes", "run"),
-    ("dataset", "dataset"),
-    ("model", "train"),
-    ("npy", "export FILE --to npy"),
-    ("exr", "export FILE --to exr"),
-    ("png", "export FILE --to png"),
-    ("csv", "export FILE --to csv"),
-    ("pcd", "export FILE --to pcd"),
-    ("ply", "export FILE --to ply"),
-    ("json", "export FILE --to json"),
-    ("safetensors", "export FILE --to safetensors"),
-    ("bin", "export FILE --to dca1000"),
-    ("sigmf-meta", "export FILE --to sigmf"),
-    ("sigmf-data", "export FILE --to sigmf"),
-    ("osi", "export FILE --to osi"),
-    ("mcap", "export FILE --to mcap"),
-    ("mat", "export FILE --to uwcr"),
-    ("parquet", "export FILE --to parquet"),
-];
 
 /// Refuses a result under the ending of another format. Endings of no format of the program's are parts of
 /// names, and a folder that is there is taken.
 pub(crate) fn check(command: &Command, word: &str) -> Result<(), Failure> {
     let Some(Written { out, what, endings }) = written(command) else { return Ok(()) };
-    let told = out.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-    let writer = WRITERS.iter().find(|(ending, _)| told.as_deref() == Some(ending));
-    match writer {
-        Some((ending, writer)) if !endings.contains(ending) && !out.is_dir() => {
-            let rule = format!("{word} writes {what}; .{ending} is written by `wayside {writer}`");
-            Err(Failure::System(format!("--out {}: {rule}", out.display())))
-        }
-        _ => Ok(()),
-    }
+    let rule = endings::of_another(out, &endings);
+    let rule = rule.map(|written| format!("--out {}: {word} writes {what}; {written}", out.display()));
+    rule.map_or(Ok(()), |rule| Err(Failure::System(rule)))
 }
 
 /// Result of a command.

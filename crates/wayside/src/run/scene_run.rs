@@ -18,7 +18,7 @@ use pipeline::host::failure::Failure;
 use pipeline::host::files::{self, Writing};
 use pipeline::host::memory::Allowance;
 use pipeline::host::processor_time;
-use pipeline::host::progress::{self, Work};
+use pipeline::host::progress::{self, FrameStage, Work};
 use pipeline::outcome::console_lines;
 use pipeline::outcome::frame_truth::frame_truth;
 use pipeline::outcome::summary::{FrameSummary, Metrics, RadarsSummary, Summary};
@@ -280,7 +280,8 @@ fn compute(
             progress::during("artifacts and pictures", || products.write(chain, frame, &truth, &tracks))
         })
     };
-    each_frame(chain, plans, &settings.call_off, frame_of, write)?;
+    let stages = [FrameStage::Scattering, FrameStage::Echo, FrameStage::Detection];
+    each_frame(chain, (plans, &stages), &settings.call_off, frame_of, write)?;
     Ok((Computed { frames, metrics: tracking.metrics() }, products.finish()?))
 }
 

@@ -12,7 +12,7 @@ use pipeline::chain::plan::FramePlan;
 use pipeline::chain::stages::Stage;
 use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
-use pipeline::host::progress::Work;
+use pipeline::host::progress::{FrameStage, Work};
 
 /// Makes the cubes of every frame, as the command `echo` does: of paths or, where the scene asks for them, of
 /// tables.
@@ -29,7 +29,8 @@ pub fn echoes(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Cube>,
         frames.push(frame);
         Ok(())
     };
-    each_frame(&chain, &chain.plans(), call_off, echo, keep)?;
+    let stages = [FrameStage::Scattering, FrameStage::Echo];
+    each_frame(&chain, (&chain.plans(), &stages), call_off, echo, keep)?;
     Ok(recorded(scene, &chain, frames))
 }
 
@@ -46,7 +47,7 @@ pub fn echoes_of_paths(
     let scene = &scene.by_paths();
     let chain = scene.chain();
     paths_of_scene::check_header(&chain, (scene.files(), scene.said()), &paths.header, &paths.from)?;
-    let (work, mut frames) = (Work::begin("frames"), Vec::new());
+    let (work, mut frames) = (Work::in_stages("frames", &[FrameStage::Echo]), Vec::new());
     for (done, frame) in paths.frames.iter().enumerate() {
         call_off.check()?;
         work.at(done, paths.frames.len());

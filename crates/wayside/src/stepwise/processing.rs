@@ -10,6 +10,8 @@ use dsp::{ROAD_TRAFFIC, Receiver, Tracker};
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
+use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, without_height};
+use radar::lattice::tells_azimuth;
 
 /// Processing of the cubes of one radar, from the cubes alone.
 pub struct Processing {
@@ -84,6 +86,14 @@ impl Processing {
         let detected = maps.iter().zip(cubes).map(detect).collect::<Result<Vec<_>, _>>()?;
         let cycles = detected.chunks(self.receiver.frames_in_cycle());
         Ok(cycles.flat_map(|cycle| self.receiver.resolved(cycle.to_vec())).collect())
+    }
+
+    /// Sentences about what directions of points lack, as `dsp` and `run` tell them: azimuths, heights.
+    pub fn remarks(&self, points: &[PointsFrame]) -> Vec<String> {
+        let azimuths = (!tells_azimuth(&self.header.radar)).then(|| WITHOUT_AZIMUTH.to_owned());
+        let without = points.iter().map(PointsFrame::points_without_height).sum();
+        let heights = without_height([without, points.iter().map(|frame| frame.points.len()).sum()]);
+        azimuths.into_iter().chain(heights).collect()
     }
 
     /// Objects followed over the frames.

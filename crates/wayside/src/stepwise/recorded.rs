@@ -1,5 +1,6 @@
 //! Frames of an artifact in memory, with all that its file says.
 
+use crate::stepwise::endings;
 use artifact::{ErrorBudget, ModelError, Provenance, Reader, Schema, Writer};
 use pipeline::host::failure::Failure;
 use pipeline::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
@@ -31,8 +32,9 @@ impl<S: Schema<Header: Clone>> Recorded<S> {
     /// Writes the artifact whole or not at all.
     ///
     /// # Errors
-    /// The system's.
+    /// A file with the ending of another format; the system's.
     pub fn write(&self, file: &Path) -> Result<(), Failure> {
+        endings::check(file, S::NAME)?;
         let mut writer = Writer::<S>::create(file, &self.from, &self.header)?;
         self.frames.iter().try_for_each(|frame| writer.write(frame))?;
         Ok(writer.finish()?)

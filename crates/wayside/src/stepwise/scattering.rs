@@ -9,6 +9,7 @@ use pipeline::chain::link::artifact_headers;
 use pipeline::chain::stages::Stage;
 use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
+use pipeline::host::progress::FrameStage;
 
 /// Traces the paths of every frame, as the command `paths` does.
 ///
@@ -23,7 +24,8 @@ pub fn paths(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Paths>,
         }
         Ok(())
     };
-    each_frame(&chain, &chain.plans(), call_off, |plan| chain.scattering(plan), keep)?;
+    let stages = [FrameStage::Scattering];
+    each_frame(&chain, (&chain.plans(), &stages), call_off, |plan| chain.scattering(plan), keep)?;
     Ok(Recorded {
         from: scene.provenance(Stage::BartRcs),
         header: artifact_headers::paths_header(chain.header),

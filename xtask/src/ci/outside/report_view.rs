@@ -11,7 +11,8 @@ use wayside::host::failure::Failure;
 const SCRIPT: &str = "xtask/browser/check.mjs";
 /// Names of the browser, in the order in which they are tried; `CHROMIUM` names another one.
 const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
-/// Scene whose report is opened: two vehicles with two bounces, two frames, as coarse as the check allows.
+/// Scene whose report is opened: two vehicles with two bounces and a point target, two frames, as coarse as
+/// the check allows.
 const SCENE: &str = r#"name = "report"
 frames = 2
 frame_interval_s = 0.5
@@ -41,6 +42,12 @@ model = "motorcycle-street"
 lane = 1
 y_m = 27.0
 velocity_mps = [0.0, -4.0, 0.0]
+
+[[target]]
+kind = "point"
+id = "reflector"
+rcs_m2 = 10.0
+position_m = [-6.0, 36.0, 1.0]
 "#;
 
 /// Study whose view is opened: four designs, two situations, of the same scene with one frame and one bounce.

@@ -3,7 +3,7 @@
 use super::caller::Caller;
 use std::collections::BTreeSet;
 use std::fmt::Write;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -34,12 +34,49 @@ pub(super) struct Item {
     /// 0 where steps cannot be counted.
     of: AtomicUsize,
     part: Mutex<Option<Part>>,
+    /// Of frames, stages that each goes through; of work on one of them, the stage that it is.
+    stages: Vec<FrameStage>,
+    /// The largest share that was shown, as its bits, which are in the order of the numbers.
+    shown: AtomicU64,
+}
+
+/// Stage of a frame, as far as progress knows them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrameStage {
+    /// Paths, or tables of bodies.
+    Scattering,
+    /// The radar cube.
+    Echo,
+    /// Range-Doppler map, points and objects.
+    Detection,
+}
+
+impl FrameStage {
+    /// Parts of a frame's time that stages usually take, in the same unit.
+    fn weight(self) -> f64 {
+        match self {
+            Self::Scattering => 6.0,
+            Self::Echo => 3.0,
+            Self::Detection => 1.0,
+        }
+    }
+
+    /// Shares of a frame of these stages at which this one begins and ends.
+    fn between(self, stages: &[Self]) -> [f64; 2] {
+        let sum = |stages: &[Self]| stages.iter().map(|stage| stage.weight()).sum::<f64>();
+        let Some(at) = stages.iter().position(|stage| *stage == self) else { return [0.0; 2] };
+        [&stages[..at], &stages[..=at]].map(|before| sum(before) / sum(stages))
+    }
 }
 
 /// Part of a piece of work that is being done.
 #[derive(Clone, Copy)]
 struct Part {
     name: &'static str,
+    /// Index of this part, and how many parts one step has.
+    place: [usize; 2],
+    /// Times that the parts began anew, coarse and finer: nobody knows how many there will be.
+    round: i32,
     began: Instant,
     /// Time at which these steps began; steps of another number are counted anew.
     counted_from: Instant,
@@ -58,9 +95,15 @@ pub struct Shown {
 impl UnderWay {
     pub(super) const NOTHING: Self = Self { items: Vec::new(), last_line: None, told: BTreeSet::new() };
 
-    pub(super) fn begin(&mut self, name: String, found: usize, now: Instant) -> Arc<Item> {
+    pub(super) fn begin(
+        &mut self,
+        name: String,
+        (found, stages): (usize, &[FrameStage]),
+        now: Instant,
+    ) -> Arc<Item> {
         let (done, of, part) = (AtomicUsize::new(found), AtomicUsize::new(0), Mutex::new(None));
-        let item = Arc::new(Item { name, caller: Caller::here(), began: now, found, done, of, part });
+        let (caller, stages, shown) = (Caller::here(), stages.to_vec(), AtomicU64::new(0));
+        let item = Arc::new(Item { name, caller, began: now, found, done, of, part, stages, shown });
         self.items.push(Arc::clone(&item));
         item
     }
@@ -101,15 +144,27 @@ impl UnderWay {
     ) -> Option<Shown> {
         let items: Vec<_> = self.items.iter().filter(|item| is_told(item.caller)).cloned().collect();
         let is_long = now.saturating_duration_since(items.first()?.began) >= after;
-        let share = items.iter().find_map(|item| item.share()).unwrap_or(0.0);
-        is_long.then(|| Shown { text: text(&items, now), share })
+        is_long.then(|| Shown { text: text(&items, now), share: share(&items) })
     }
+}
+
+/// Share of the outermost work that counts, with the parts that are done of its steps under way; it never
+/// falls.
+fn share(items: &[Arc<Item>]) -> f64 {
+    let Some(at) = items.iter().position(|item| item.counts().is_some()) else { return 0.0 };
+    let (outer, within) = (&items[at], &items[at + 1..]);
+    let Some((done, of)) = outer.counts() else { return 0.0 };
+    let own = if outer.stages.is_empty() { outer.part_share() } else { 0.0 };
+    let under_way: f64 = within.iter().map(|item| item.share_of_frame(&outer.stages)).sum();
+    let share = ((done as f64 + own + under_way) / of as f64).min(1.0);
+    let before = outer.shown.fetch_max(share.to_bits(), Ordering::Relaxed);
+    share.max(f64::from_bits(before))
 }
 
 /// The outermost work, the one that counts, and the last begun.
 fn text(items: &[Arc<Item>], now: Instant) -> String {
     let last = items.len().saturating_sub(1);
-    let counting = items.iter().position(|item| item.share().is_some()).unwrap_or(last);
+    let counting = items.iter().position(|item| item.counts().is_some()).unwrap_or(last);
     let mut told = [0, counting, last].to_vec();
     told.dedup();
     let of = |index: usize| items.get(index).map(|item| item.text(now));
@@ -122,12 +177,19 @@ impl Item {
         self.done.store(done, Ordering::Relaxed);
     }
 
-    pub(super) fn part_at(&self, name: &'static str, done: usize, of: usize, now: Instant) {
+    /// Tells how far a part of the step under way is, by its name and its place among the step's parts.
+    pub(super) fn part_at(
+        &self,
+        (name, place): (&'static str, [usize; 2]),
+        [done, of]: [usize; 2],
+        now: Instant,
+    ) {
         let mut part = self.part.lock().unwrap_or_else(PoisonError::into_inner);
         let same = part.filter(|part| part.name == name);
         let began = same.map_or(now, |part| part.began);
         let counted_from = same.filter(|part| part.of == of).map_or(now, |part| part.counted_from);
-        *part = Some(Part { name, began, counted_from, done, of });
+        let round = part.map_or(0, |part| part.round + i32::from(place[0] < part.place[0]));
+        *part = Some(Part { name, place, round, began, counted_from, done, of });
     }
 
     fn part(&self) -> Option<Part> {
@@ -139,9 +201,23 @@ impl Item {
         (of > 0).then(|| (self.done.load(Ordering::Relaxed).min(of), of))
     }
 
-    /// Share of the steps that are done; `None` where they cannot be counted.
-    fn share(&self) -> Option<f64> {
-        self.counts().map(|(done, of)| done as f64 / of as f64)
+    /// Share of the step under way that its parts have done; 0 where no step has parts. Each round of them is
+    /// taken for half of what is left.
+    fn part_share(&self) -> f64 {
+        let Some(Part { place: [at, parts], round, done, of, .. }) = self.part() else { return 0.0 };
+        let of_part = if of > 0 { done.min(of) as f64 / of as f64 } else { 0.0 };
+        let of_round = ((at as f64 + of_part) / parts as f64).min(1.0);
+        let left = 0.5_f64.powi(round);
+        1.0 - left + 0.5 * left * of_round
+    }
+
+    /// Share of a frame of these stages that is done when this work is so far; 0 of work on no stage of one.
+    fn share_of_frame(&self, stages: &[FrameStage]) -> f64 {
+        let [stage] = self.stages[..] else { return 0.0 };
+        let [from, to] = stage.between(stages);
+        let (done, of) = self.counts().unwrap_or((0, 1));
+        let own = ((done as f64 + self.part_share()) / of as f64).min(1.0);
+        from + (to - from) * own
     }
 
     fn text(&self, now: Instant) -> String {
@@ -199,7 +275,7 @@ mod tests {
         let mut item = None;
         let lines = lines(25, |under_way, tenth, now| {
             if tenth == 0 {
-                item = Some(under_way.begin("reading bus.glb".into(), 0, now));
+                item = Some(under_way.begin("reading bus.glb".into(), (0, &[]), now));
             }
         });
         let expected =
@@ -212,11 +288,11 @@ mod tests {
         let mut item = None;
         let lines = lines(13, |under_way, tenth, now| {
             if tenth == 0 {
-                under_way.begin("run".into(), 0, now);
+                under_way.begin("run".into(), (0, &[]), now);
             }
             if tenth % 5 == 0 {
                 item.take().inspect(|item| under_way.end(item));
-                item = Some(under_way.begin(format!("frame {tenth} echo"), 0, now));
+                item = Some(under_way.begin(format!("frame {tenth} echo"), (0, &[]), now));
             }
         });
         assert_eq!(lines.iter().map(|(at, _)| *at).collect::<Vec<_>>(), [1.5, 11.5]);
@@ -227,11 +303,11 @@ mod tests {
     fn a_part_that_lasts_has_its_line_within_two_seconds_of_its_begin() {
         let mut item: Option<Arc<Item>> = None;
         let lines = lines(9, |under_way, tenth, now| {
-            let item = item.get_or_insert_with(|| under_way.begin("rcs".into(), 0, now));
+            let item = item.get_or_insert_with(|| under_way.begin("rcs".into(), (0, &[]), now));
             if (30..60).contains(&tenth) {
-                item.part_at("tracing", tenth as usize - 30, 60, now);
+                item.part_at(("tracing", [1, 4]), [tenth as usize - 30, 60], now);
             } else if tenth >= 60 {
-                item.part_at("checking errors", 0, 0, now);
+                item.part_at(("checking errors", [3, 4]), [0, 0], now);
             }
         });
         let at: Vec<f64> = lines.iter().map(|(at, _)| *at).collect();
@@ -242,10 +318,62 @@ mod tests {
     #[test]
     fn steps_of_an_earlier_run_took_none_of_this_ones_time() {
         let (mut under_way, start) = (UnderWay::NOTHING, Instant::now());
-        let item = under_way.begin("rcs".into(), 300, start);
+        let item = under_way.begin("rcs".into(), (300, &[]), start);
         item.at(310, 360);
         assert_eq!(text(&under_way.items, start + 5 * SECOND), "rcs: 310 of 360, about 25 s left");
         under_way.end(&item);
         assert!(under_way.line(start + 60 * SECOND).is_none(), "nothing is under way");
+    }
+
+    #[test]
+    fn parts_that_begin_anew_take_half_of_what_is_left_each_time() {
+        let (mut under_way, now) = (UnderWay::NOTHING, Instant::now());
+        let item = under_way.begin("aspects".into(), (0, &[]), now);
+        item.at(0, 1);
+        let mut shares = vec![];
+        for (name, at) in [("tracing", 1), ("checking errors", 3), ("tracing", 1), ("checking errors", 3)] {
+            item.part_at((name, [at, 4]), [1, 1], now);
+            shares.push(share(&under_way.items));
+        }
+        assert_eq!(shares, [0.25, 0.5, 0.625, 0.75]);
+    }
+
+    #[test]
+    fn the_share_has_what_is_done_of_frames_under_way_and_never_falls() {
+        use FrameStage::{Detection, Echo, Scattering};
+        let (mut under_way, now) = (UnderWay::NOTHING, Instant::now());
+        let frames = under_way.begin("frames".into(), (0, &[Scattering, Echo]), now);
+        frames.at(0, 2);
+        let mut shares = vec![share(&under_way.items)];
+        let first = under_way.begin("frame 0, paths".into(), (0, &[Scattering]), now);
+        first.part_at(("tracing", [1, 4]), [1, 2], now);
+        shares.push(share(&under_way.items));
+        let second = under_way.begin("frame 1, paths".into(), (0, &[Scattering]), now);
+        second.part_at(("tracing", [1, 4]), [1, 2], now);
+        shares.push(share(&under_way.items));
+        // Mirrors of the next order are counted anew.
+        second.part_at(("tracing", [1, 4]), [0, 9], now);
+        shares.push(share(&under_way.items));
+        under_way.end(&first);
+        let echo = under_way.begin("frame 0, echo, percent".into(), (0, &[Echo]), now);
+        echo.at(50, 100);
+        shares.push(share(&under_way.items));
+        let (of_paths, of_echo) = (6.0 / 9.0, 3.0 / 9.0);
+        let expected = [
+            0.0,
+            0.1875 * of_paths,
+            0.375 * of_paths,
+            0.375 * of_paths,
+            0.125 * of_paths + of_paths + 0.5 * of_echo,
+        ];
+        for (found, expected) in shares.iter().zip(expected) {
+            assert!((found - 0.5 * expected).abs() < 1e-12, "{shares:?}");
+        }
+        under_way.end(&echo);
+        under_way.begin("frame 0, range-Doppler map and points".into(), (0, &[Detection]), now);
+        assert_eq!(share(&under_way.items), shares[4], "no stage of these frames");
+        second.at(1, 1);
+        frames.at(2, 2);
+        assert_eq!(share(&under_way.items), 1.0);
     }
 }

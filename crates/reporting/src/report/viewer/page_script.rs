@@ -12,13 +12,13 @@ pub(in crate::report) fn json(numbers: &impl Serialize) -> Result<String, serde_
 
 /// Scripts that every view begins with, in the order in which they use each other.
 const FIRST: [&str; 7] = [
-    include_str!("script/numbers.js"),
-    include_str!("script/matrices.js"),
-    include_str!("script/camera.js"),
-    include_str!("script/graphics.js"),
-    include_str!("script/colours.js"),
-    include_str!("script/shapes.js"),
-    include_str!("script/picture.js"),
+    include_str!("script/page/numbers.js"),
+    include_str!("script/page/matrices.js"),
+    include_str!("script/page/camera.js"),
+    include_str!("script/page/graphics.js"),
+    include_str!("script/page/colours.js"),
+    include_str!("script/page/shapes.js"),
+    include_str!("script/page/picture.js"),
 ];
 
 /// Numbers and scripts: those of every view, then its own, in the order in which they use each other.

@@ -57,7 +57,7 @@ pub(crate) fn section(viewed: &Viewed, summary: &Summary) -> Markup {
             }
             p.made { "Drag turns the view, with the right button or Shift moves it, two fingers do both; the wheel comes "
                 "nearer once the picture was clicked. Keys: arrows turn, W A S D walk, + and − come nearer and go away. A click on a "
-                "vehicle or its name tells about it." }
+                "vehicle, a point target or its name tells about it." }
             (maps())
         }
         (scripts(&json, &SCRIPT))
@@ -88,7 +88,7 @@ fn maps() -> Markup {
         div.viewer-maps {
             div { canvas #viewer-map tabindex="0" role="img" aria-label="Range-Doppler map with a cursor" {}
                 p.made { i #viewer-scale {} span #viewer-scale-told {} ", all channels together; outlined cells are those that the "
-                    "detector took (CFAR), rings are objects. A click holds the cursor, a second one lets it go." } }
+                    "detector took (CFAR), rings are objects. A click here or in a cut holds the cursor, a second one lets it go." } }
             div { canvas #viewer-doppler role="img" aria-label="Doppler cut at the cursor's range" {}
                 p.made { "Doppler cut at the cursor's range." } }
             div { canvas #viewer-range role="img" aria-label="Range profile at the cursor's velocity" {}

@@ -17,7 +17,7 @@ use pipeline::chain::stages::Stage;
 use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
-use pipeline::host::progress;
+use pipeline::host::progress::{self, FrameStage};
 use pipeline::outcome::verdict::{self, Verdict};
 use pipeline::planning::{self, PlannedScene};
 use scene::SaidPhysics;
@@ -57,7 +57,8 @@ fn from_scene(chain: &Chain, writer: &mut Writer<Cube>) -> Result<Verdicts, Fail
         told.push((echo.cube.index, echo.verdict));
         Ok(writer.write(&echo.cube)?)
     };
-    each_frame(chain, &chain.plans(), &CallOff::default(), echo, write)?;
+    let stages = [FrameStage::Scattering, FrameStage::Echo];
+    each_frame(chain, (&chain.plans(), &stages), &CallOff::default(), echo, write)?;
     Ok(told)
 }
 

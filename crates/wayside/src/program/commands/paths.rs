@@ -14,6 +14,7 @@ use pipeline::chain::stages::Stage;
 use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
+use pipeline::host::progress::FrameStage;
 use pipeline::outcome::verdict::{self, Verdict};
 use pipeline::planning;
 
@@ -34,7 +35,8 @@ pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), F
         }
         Ok(())
     };
-    each_frame(&chain, &chain.plans(), &CallOff::default(), traced, write)?;
+    let stages = [FrameStage::Scattering];
+    each_frame(&chain, (&chain.plans(), &stages), &CallOff::default(), traced, write)?;
     writer.finish()?;
     verdict::of_frames(&told).into_iter().for_each(terminal::line);
     Ok(())

@@ -36,10 +36,22 @@ function atNextPicture(view, draw) {
   });
 }
 
+/** The map sets the cursor, the range profile its range alone, the Doppler cut its velocity alone. */
 function hearMap(view) {
   const { state } = view;
-  const canvas = part("map");
-  const at = (event) => cellUnder(canvas, state.frame.map, [event.offsetX, event.offsetY]);
+  hearCursor(view, part("map"), (cell) => cell);
+  hearCursor(view, part("range"), ({ range }) => ({ range, velocity: state.cursor.velocity }));
+  hearCursor(view, part("doppler"), ({ velocity }) => ({ range: state.cursor.range, velocity }));
+  part("map").addEventListener("keydown", (event) => stepCursor(view, event));
+}
+
+/** The cursor follows the pointer over a canvas, and is held by a click; `taken`: what is taken of a cell. */
+function hearCursor(view, canvas, taken) {
+  const { state } = view;
+  const at = (event) => {
+    const cell = cellUnder(canvas, state.frame.map, [event.offsetX, event.offsetY]);
+    return cell && taken(cell);
+  };
   canvas.addEventListener("pointermove", (event) => {
     const cell = at(event);
     if (!state.isHeld && cell) pointAt(view, { ...cell, source: "map" });
@@ -53,7 +65,6 @@ function hearMap(view) {
     state.isHeld = cell !== null && !state.isHeld;
     if (cell) pointAt(view, { ...cell, source: "map" });
   });
-  canvas.addEventListener("keydown", (event) => stepCursor(view, event));
 }
 
 /** Arrow keys move the cursor from cell to cell. */

@@ -109,7 +109,13 @@ function drawCursor(space, look) {
   forget(space.graphics, buffer);
 }
 
-/** The nearest body whose box the ray through a pixel meets; `null` if none. */
+/** Pixels from a point target within which it is meant. */
+const POINT_PIXELS = 10;
+
+/**
+ * The nearest body whose box the ray through a pixel meets, or a point target that is nearer and lies within
+ * a finger's width of the pixel; `null` if none.
+ */
 function thingUnder(space, [x, y]) {
   const { canvas, state } = space;
   const at = [(2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight];
@@ -122,7 +128,12 @@ function thingUnder(space, [x, y]) {
         : distanceToBox(ray, body, space.page.surroundings.meshes[body.mesh].box_m);
     if (distance < nearest) [best, nearest] = [index, distance];
   });
-  return best;
+  const { bodies } = state.frame;
+  const pixels = bodies.map(({ mesh, place_m }) => (mesh === null ? onScreen(space, place_m) : null));
+  const point = nearestTo([x, y], pixels, POINT_PIXELS);
+  if (point === null) return best;
+  const away = Math.hypot(...subtract(bodies[point].place_m, ray.from));
+  return away < nearest ? point : best;
 }
 
 /** Distance along a ray to a body's box; infinite where it misses it. */
