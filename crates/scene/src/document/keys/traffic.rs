@@ -23,8 +23,8 @@ pub(crate) const FCD: Key<Text> = Key::new(
 pub(crate) const OSI: Key<Text> = Key::new(
     "osi",
     Text("a file"),
-    "a trace of `GroundTruth` messages of ASAM OSI, `.osi` or MCAP, told by its first bytes, in place of \
-     `fcd`; read by programs built with `--features interchange`",
+    "a trace of `GroundTruth` or `SensorView` messages of ASAM OSI, `.osi` or MCAP, told by its first \
+     bytes, in place of `fcd`; read by programs built with `--features interchange`",
 );
 
 pub(crate) const NET: Key<Text> = Key::new(
