@@ -9,7 +9,7 @@ use glam::DVec3;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Patches {
     /// The patch of each triangle, named by its largest one.
-    first: Vec<u32>,
+    patch_of: Vec<u32>,
     /// Bit i of each triangle: the patch goes on beyond the edge from corner i to the next.
     inside: Vec<u8>,
     /// Curvature of each triangle's patch, 1/m.
@@ -32,16 +32,16 @@ impl Patches {
             let [seed, other] = [seed, other].map(|triangle| normals[triangle as usize]);
             seed != DVec3::ZERO && other != DVec3::ZERO && seed.cross(other).length() <= FLAT_SINE
         };
-        let first = edges.hanging_together(largest_first(triangles_m), is_flat);
-        let mut patches = Self { first, inside: vec![0; triangles_m.len()], curvature_per_m: Vec::new() };
+        let patch_of = edges.hanging_together(largest_first(triangles_m), is_flat);
+        let mut patches = Self { patch_of, inside: vec![0; triangles_m.len()], curvature_per_m: Vec::new() };
         patches.mark_inside(triangles_m, edges, &normals);
-        patches.curvature_per_m = curvatures(triangles_m, edges, &normals, &patches.first);
+        patches.curvature_per_m = curvatures(triangles_m, edges, &normals, &patches.patch_of);
         patches
     }
 
     /// The largest triangle of a triangle's patch.
     pub(crate) fn of_triangle(&self, triangle: u32) -> u32 {
-        self.first[triangle as usize]
+        self.patch_of[triangle as usize]
     }
 
     /// Whether the patch goes on beyond the edge from corner `edge` to the next.
@@ -59,10 +59,11 @@ impl Patches {
     /// does not.
     fn mark_inside(&mut self, triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3]) {
         for side in (0..triangles_m.len() as u32).flat_map(sides_of) {
-            let patch = self.first[side.triangle as usize];
+            let patch = self.patch_of[side.triangle as usize];
             let left_m3 = |triangle: u32| left_of_m3(triangles_m, side, normals[patch as usize], triangle);
             let own_m3 = left_m3(side.triangle);
-            let goes_on = |other: u32| self.first[other as usize] == patch && own_m3 * left_m3(other) < 0.0;
+            let goes_on =
+                |other: u32| self.patch_of[other as usize] == patch && own_m3 * left_m3(other) < 0.0;
             if edges.neighbours(side).any(goes_on) {
                 self.inside[side.triangle as usize] |= 1 << side.side;
             }
@@ -104,8 +105,13 @@ struct PatchSeam {
 
 /// The curvature of every triangle's patch: the largest of its bends that goes on, the same way and about as
 /// much, at another neighbour; a bend at one side alone is an edge of the body.
-fn curvatures(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], first: &[u32]) -> Vec<f64> {
-    let bends = bends(triangles_m, edges, normals, first);
+fn curvatures(
+    triangles_m: &[[DVec3; 3]],
+    edges: &MeshEdges,
+    normals: &[DVec3],
+    patch_of: &[u32],
+) -> Vec<f64> {
+    let bends = bends(triangles_m, edges, normals, patch_of);
     let mut of_patch = vec![0.0_f64; triangles_m.len()];
     for group in bends.chunk_by(|a, b| a.patch == b.patch) {
         let goes_on = |bend: &&PatchSeam| {
@@ -117,15 +123,20 @@ fn curvatures(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], 
         let curved = group.iter().filter(goes_on).map(|bend| bend.curvature_per_m);
         of_patch[group[0].patch as usize] = curved.fold(0.0, f64::max);
     }
-    first.iter().map(|&patch| of_patch[patch as usize]).collect()
+    patch_of.iter().map(|&patch| of_patch[patch as usize]).collect()
 }
 
 /// Bends of all patches that may be of a curve, by patch.
-fn bends(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], first: &[u32]) -> Vec<PatchSeam> {
-    let middles = middles(triangles_m, first);
+fn bends(
+    triangles_m: &[[DVec3; 3]],
+    edges: &MeshEdges,
+    normals: &[DVec3],
+    patch_of: &[u32],
+) -> Vec<PatchSeam> {
+    let middles = middles(triangles_m, patch_of);
     let centre_m = |triangle: u32| triangles_m[triangle as usize].iter().sum::<DVec3>() / 3.0;
     let bend = |side: TriangleSide, other: u32| {
-        let [patch, neighbour] = [side.triangle, other].map(|triangle| first[triangle as usize]);
+        let [patch, neighbour] = [side.triangle, other].map(|triangle| patch_of[triangle as usize]);
         let [from, to] = ends_m(triangles_m, side);
         let across = |x: DVec3| (x - from).reject_from(to - from);
         let [normal, other_normal] = [patch, neighbour].map(|p| normals[p as usize]);
@@ -144,10 +155,10 @@ fn bends(triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3], first
     bends
 }
 
-/// Centre of area of every patch, at the index of its first triangle.
-fn middles(triangles_m: &[[DVec3; 3]], first: &[u32]) -> Vec<DVec3> {
+/// Centre of area of every patch, at the index of its largest triangle.
+fn middles(triangles_m: &[[DVec3; 3]], patch_of: &[u32]) -> Vec<DVec3> {
     let mut sums = vec![(DVec3::ZERO, 0.0); triangles_m.len()];
-    for ([a, b, c], &patch) in triangles_m.iter().zip(first) {
+    for ([a, b, c], &patch) in triangles_m.iter().zip(patch_of) {
         let area = (*b - *a).cross(*c - *a).length();
         let sum = &mut sums[patch as usize];
         *sum = (sum.0 + area * (*a + *b + *c) / 3.0, sum.1 + area);
