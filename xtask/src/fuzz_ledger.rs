@@ -20,7 +20,7 @@ const GOAL_MINUTES: f64 = 60.0;
 /// Adds logs to the ledger and makes the table of the page anew.
 pub(crate) fn run(arguments: &FuzzLedgerArguments) -> Result<(), Failure> {
     let (ledger, page) = (project_root().join(LEDGER), project_root().join(PAGE));
-    let mut text = read_text(&ledger)?;
+    let mut text = read_own(&ledger)?;
     for log in &arguments.logs {
         let added = read_text(log)?;
         sums(&format!("{COLUMNS}\n{added}")).map_err(|rule| refused(log, &rule))?;
@@ -28,9 +28,14 @@ pub(crate) fn run(arguments: &FuzzLedgerArguments) -> Result<(), Failure> {
     }
     let all = sums(&text).map_err(|rule| refused(&ledger, &rule))?;
     let made =
-        with_table(&read_text(&page)?, &all).ok_or_else(|| refused(&page, "has no place for the table"))?;
+        with_table(&read_own(&page)?, &all).ok_or_else(|| refused(&page, "has no place for the table"))?;
     files::write_file(&ledger, text.as_bytes())?;
     files::write_file(&page, made.as_bytes())
+}
+
+/// Text of a file of the project that is written again.
+fn read_own(file: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))
 }
 
 fn refused(file: &Path, rule: &str) -> Failure {
@@ -151,8 +156,8 @@ mod tests {
 
     #[test]
     fn the_table_of_the_page_is_that_of_the_ledger() {
-        let page = read_text(&project_root().join(PAGE)).unwrap();
-        let all = sums(&read_text(&project_root().join(LEDGER)).unwrap()).unwrap();
+        let page = read_own(&project_root().join(PAGE)).unwrap();
+        let all = sums(&read_own(&project_root().join(LEDGER)).unwrap()).unwrap();
         assert!(with_table(&page, &all).unwrap() == page, "cargo xtask fuzz-ledger makes it anew");
     }
 }
