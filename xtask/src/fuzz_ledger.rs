@@ -33,7 +33,7 @@ pub(crate) fn run(arguments: &FuzzLedgerArguments) -> Result<(), Failure> {
     files::write_file(&page, made.as_bytes())
 }
 
-/// Text of a file of the project that is written again.
+/// Text of a file of the project that is written again, so that it is no input.
 fn read_own(file: &Path) -> Result<String, Failure> {
     std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))
 }

@@ -153,7 +153,7 @@ fn a_ground_truth_in_a_view_of_a_sensor_is_that_of_its_own_trace() {
     assert_eq!(told, "trace.osi: message 1: SensorView: `timestamp` is missing");
 }
 
-/// What the program itself writes of points, tracks and paths, and what others write of parts of a road.
+/// Messages that the program itself writes of points, tracks and paths, and others of parts of a road.
 fn without_truth() -> [(&'static str, Vec<u8>); 7] {
     let mounting_position =
         Some(MountingPosition { position: Vector3d::of([0.0, 0.0, 6.0]), orientation: None });

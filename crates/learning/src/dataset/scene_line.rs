@@ -83,7 +83,7 @@ pub(crate) struct VehicleLine {
     pub(crate) estimate: Option<EstimateLine>,
 }
 
-/// What the radar measured of a vehicle.
+/// Estimate of a vehicle, as the radar measured it.
 #[derive(Debug, Default, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub(crate) struct EstimateLine {

@@ -34,7 +34,7 @@ pub(super) struct Item {
     /// 0 where steps cannot be counted.
     of: AtomicUsize,
     part: Mutex<Option<Part>>,
-    /// Of frames, stages that each goes through; of work on one of them, the stage that it is.
+    /// Stages that each of the frames goes through; the one that it is, of work on one of these.
     stages: Vec<FrameStage>,
     /// The largest share that was shown, as its bits, which are in the order of the numbers.
     shown: AtomicU64,
