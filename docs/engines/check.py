@@ -1,5 +1,6 @@
 """Whether datasets and sweeps on Dask and HyperQueue, half of their workers killed half-way, have the bytes
-of one machine (docs/engines.md):
+of one machine, and whether all scripts go on with a study that knows its next runs only after the others
+(docs/engines.md):
 
     check.py PROGRAM FOLDER
 
@@ -8,6 +9,7 @@ PROGRAM is wayside, FOLDER is empty. The first difference ends it with exit code
 
 import contextlib
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -21,6 +23,21 @@ COMMANDS = {
     "dataset": (["dataset", HERE / "small.dataset.toml", "--out", OUT, "--threads", "1"], "*.jsonl", 8),
     "sweep": (["sweep", HERE / "small.sweep.toml", "--out", OUT, "--threads", "1", "--no-cache"],
               "runs/*/*.json", 8),
+}
+PARTS = 4
+ENGINES = ["dask", "hyperqueue"]
+# A task array, all of whose tasks end well.
+STAND_INS = {
+    "hyperqueue": {"hq": """[ "$1" = submit ] || exit 0
+while [ "$1" != -- ]; do case $1 in --array) range=$2;; --env) export "$2";; esac; shift; done
+shift
+for task in $(seq "${range%-*}" "${range#*-}"); do HQ_TASK_ID=$task "$@" & done
+wait
+"""},
+    "slurm": {"sbatch": """while [[ "$1" = --* ]]; do case $1 in --array=*) range=${1#*=};; esac; shift; done
+for task in $(seq "${range%-*}" "${range#*-}"); do SLURM_ARRAY_TASK_ID=$task bash "$@" & done
+wait
+"""},
 }
 
 
@@ -38,7 +55,47 @@ def main():
             files = len(held(one / OUT))
             took_s = time.monotonic() - start
             print(f"{name} on {engine}: {told}; {files} files as of one machine; {took_s:.0f} s", flush=True)
-    print("test result: ok. 4 passed; 0 failed")
+    rounds(program, folder)
+    print("test result: ok. 8 passed; 0 failed")
+
+
+def rounds(program, folder):
+    """A study with [stop] by every script, in more rounds than any number of times that one tries again."""
+    words = ["sweep", HERE / "stopped.sweep.toml", "--out", OUT, "--no-cache"]
+    command = [str(word) for word in [program, *words]]
+    one = place(folder, "stopped-one")
+    subprocess.run([*command, "--quiet"], cwd=one, check=True, stdout=subprocess.DEVNULL)
+    # That of Slurm says the threads itself, as many as a task has processors.
+    threads = {"slurm.sh": []}
+    scripts = {name: [sys.executable, HERE / f"{name}_run.py", "--parts", PARTS, "--"] for name in ENGINES}
+    scripts |= {f"{name}.sh": ["bash", HERE / f"{name}.sh", PARTS] for name in STAND_INS}
+    for name, words in scripts.items():
+        many = place(folder, f"stopped-{name}")
+        environment = {**os.environ, "PATH": f"{stand_ins(many)}:{os.environ['PATH']}"}
+        with open(many / "log", "w", encoding="utf-8") as log:
+            words_of_run = [*map(str, words), *command, *threads.get(name, ["--threads", "1"])]
+            asked = subprocess.run(words_of_run, cwd=many, env=environment, stdout=log, stderr=log,
+                                   timeout=LONGEST_S)
+        told = (many / "log").read_text()
+        # What is concluded; parts say it too, with more words.
+        lacked = len(re.findall(r" runs are not made yet, \d+ are$", told, re.MULTILINE))
+        if asked.returncode != 0 or lacked < 4:
+            sys.exit(f"{name}: exit code {asked.returncode} after {lacked} rounds\n{told}")
+        same_bytes(one / OUT, many / OUT)
+        script = next(word.name for word in words if isinstance(word, Path))
+        print(f"a study with [stop] by {script}: {lacked + 1} rounds", flush=True)
+
+
+def stand_ins(folder):
+    """Programs for those of Slurm and of HyperQueue's command line, which run a task array here, all at
+    once."""
+    (folder / "bin").mkdir()
+    for name, words in STAND_INS.items():
+        for program, text in words.items():
+            file = folder / "bin" / program
+            file.write_text(f"#!/usr/bin/env bash\n{text}")
+            file.chmod(0o755)
+    return folder / "bin"
 
 
 def place(folder, name):

@@ -22,18 +22,29 @@ def part(number, parts, command, folder):
     subprocess.run([*command, "--quiet", "--shard", f"{number}/{parts}"], cwd=folder, check=True)
 
 
+def concluded(command, folder):
+    """Whether all is there, and what lacks."""
+    asked = subprocess.run([*command, "--quiet", "--conclude"], cwd=folder, capture_output=True, text=True)
+    print(asked.stdout + asked.stderr, end="", flush=True)
+    return asked.returncode == 0, asked.stderr
+
+
 def rounds(client, parts, command, folder):
-    """Makes all parts, then concludes; again where runs lack that were not known before ([stop] of a
-    study)."""
-    for _ in range(1 + RETRIES):
+    """Makes all parts, then concludes; again where runs lack that were not known before ([stop] of a study),
+    as long as something else lacks than before."""
+    lacks = None
+    while True:
         numbers = range(1, parts + 1)
         of_all = client.map(part, numbers, parts=parts, command=command, folder=folder, retries=RETRIES,
                                pure=False)
         for future in as_completed(of_all):
             future.result()
-        if subprocess.run([*command, "--conclude"], cwd=folder).returncode == 0:
+        before = lacks
+        is_whole, lacks = concluded(command, folder)
+        if is_whole:
             return 0
-    return 1
+        if lacks == before:
+            return 1
 
 
 def main():

@@ -3,7 +3,7 @@
     hyperqueue_run.py --parts N [--workers N] -- wayside dataset RECIPE.toml --out DIR --threads 1
 
 A part whose worker dies begins again on another one, CRASH_LIMIT times at most; one that fails, or is killed,
-is submitted again.
+is submitted again, and IN_VAIN times more where nothing was made.
 """
 
 import argparse
@@ -15,7 +15,7 @@ from hyperqueue import Job, LocalCluster
 from hyperqueue.cluster import WorkerConfig
 
 CRASH_LIMIT = 5
-ROUNDS = 4
+IN_VAIN = 3
 
 
 def submitted(client, numbers, parts, command):
@@ -27,19 +27,30 @@ def submitted(client, numbers, parts, command):
     return client.submit(job)
 
 
+def concluded(command):
+    """Whether all is there, and what lacks."""
+    asked = subprocess.run([*command, "--quiet", "--conclude"], capture_output=True, text=True)
+    print(asked.stdout + asked.stderr, end="", flush=True)
+    return asked.returncode == 0, asked.stderr
+
+
 def rounds(client, parts, command):
-    """Makes all parts, then concludes; failed ones again, and all where runs lack ([stop] of a study)."""
-    numbers = range(1, parts + 1)
-    for _ in range(ROUNDS):
+    """Makes all parts, then concludes; failed ones again, and all where none failed and runs lack ([stop] of
+    a study), as long as something else lacks than before."""
+    numbers, lacks, in_vain = range(1, parts + 1), None, 0
+    while True:
         job = submitted(client, numbers, parts, command)
-        if not client.wait_for_jobs([job], raise_on_error=False):
-            numbers = [numbers[task] for task in sorted(client.get_failed_tasks(job))]
-            print(f"again: {len(numbers)} of {parts} parts", flush=True)
-            continue
-        numbers = range(1, parts + 1)
-        if subprocess.run([*command, "--conclude"]).returncode == 0:
+        is_done = client.wait_for_jobs([job], raise_on_error=False)
+        before = lacks
+        is_whole, lacks = concluded(command)
+        if is_whole:
             return 0
-    return 1
+        in_vain = in_vain + 1 if lacks == before else 0
+        if in_vain > (0 if is_done else IN_VAIN):
+            return 1
+        failed = [] if is_done else [numbers[task] for task in sorted(client.get_failed_tasks(job))]
+        numbers = failed or range(1, parts + 1)
+        print(f"again: {len(numbers)} of {parts} parts", flush=True)
 
 
 def main():

@@ -2,9 +2,9 @@
 
 python3 docs/validation/class_profiles.py OUT.png --own TABLE.csv... --real TABLE.csv...
 
-Each TABLE is what `cargo xtask export DIR/shard-N.dataset --to csv` writes: features of signatures. Drawn are medians and
-quartiles, over the sightings of a class, of the cross section in zones behind the leading edge (crates/classifier/src/signatures/features.rs),
-and of how much of the vehicle's length is visible.
+Each TABLE is what `cargo xtask export DIR/shard-N.dataset --to csv` writes: features of signatures. Drawn are
+medians and quartiles, over the sightings of a class, of the cross section in zones behind the leading edge
+(crates/classifier/src/signatures/features.rs).
 """
 
 import argparse

@@ -224,6 +224,34 @@ fn without_a_road_its_cost_is_added_up_and_with_one_it_is_not() {
     assert!(printed > true_error && printed < 1.85 * 1.25 * true_error);
 }
 
+/// A corner of three bounces that opens towards the radar and upwards: two walls and a square floor.
+fn trihedral(side_m: f64) -> Mesh {
+    let mut mesh = corner(side_m, [0.3, 0.3 + side_m]);
+    let floor = [[-side_m, 0.0], [0.0, -side_m], [side_m, 0.0], [0.0, side_m]];
+    mesh.vertices_m.extend(floor.map(|[x, y]| [x, y, 0.3]));
+    mesh.triangles.extend([[8, 9, 10], [8, 10, 11]]);
+    mesh
+}
+
+#[test]
+fn the_road_s_cost_beside_a_corner_of_three_bounces_is_that_of_all_its_orders() {
+    let of = |road: Option<Road>| {
+        let at = ([0.0, 25.0, 0.0], -std::f64::consts::FRAC_PI_2 + 0.1, [0.0; 3]);
+        let (mut header, frame) = bodies::scenes::scene(&trihedral(0.3), &[at]);
+        (header.road, header.fidelity.bounces) = (road, 3);
+        header.fidelity.accuracy = Accuracy::from_db(-50.0);
+        Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE).unwrap()
+    };
+    let road = Road { material: Material::HalfSpace { permittivity: ASPHALT }, rms_height_m: 5e-4 };
+    let alone = of(None);
+    let (direct, all) = (sum(&alone.paths)[0][0], sum(&of(Some(road)).paths)[0][0]);
+    let power = |order: u8| sum(alone.paths.iter().filter(|path| path.order == order))[0][0].norm_sqr();
+    assert!(power(3) > 10.0 * (power(1) + power(2)), "a corner of three bounces");
+    let (printed, true_error) = (alone.model_error.road.unwrap(), (all - direct).norm() / direct.norm());
+    println!("road left out of a trihedral: printed {printed:.4}, true {true_error:.4}");
+    assert!(printed > true_error && printed < 1.85 * 1.5 * true_error.max(0.02));
+}
+
 #[test]
 fn edges_over_a_road_are_those_of_the_ways_that_do_not_meet_it() {
     // Walls off their specular, so that own edges take over from polygons.

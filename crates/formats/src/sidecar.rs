@@ -100,20 +100,14 @@ fn name(file: &Path) -> String {
 /// Refuses where `place` holds what is no sidecar of `file`: what was asked for is replaced, and what stands
 /// beside it only if it is this file's own.
 fn keep_foreign(place: &Path, file: &Path) -> Result<(), Failure> {
-    if !place.is_file() {
-        return Ok(()); // what is neither missing nor a plain file is refused by its writer
-    }
-    let told = text_of(|| std::fs::File::open(place), place);
-    let is_own = told.is_some_and(|told| match told.get(OF).and_then(Value::as_str) {
-        Some(of) => of == name(file),
-        None => is_of_a_table(&told),
-    });
-    if is_own {
-        return Ok(());
-    }
-    let rule =
-        format!("does not belong to {}, beside which it would be written; choose another --out", name(file));
-    Err(Failure::System(format!("{}: {rule}", place.display())))
+    let rule = format!("does not belong to {}, beside which it would be written", name(file));
+    files::keep_unless(place, &rule, || {
+        let told = text_of(|| std::fs::File::open(place), place);
+        told.is_some_and(|told| match told.get(OF).and_then(Value::as_str) {
+            Some(of) => of == name(file),
+            None => is_of_a_table(&told),
+        })
+    })
 }
 
 fn is_of_a_table(told: &Value) -> bool {

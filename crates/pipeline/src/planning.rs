@@ -22,6 +22,7 @@ use echo_shares::Shares;
 use physics_part::Part;
 use plan_figures::{Chosen, PlanFigures};
 use scene::{Planning, SaidPhysics};
+use std::path::Path;
 use std::slice;
 
 /// Scene that is run, with the plan of its physics where one was asked for.
@@ -92,6 +93,19 @@ fn chosen(
     }
     let plan = planned(&mut loaded.header, &said, memory, part_costs)?;
     Ok(PlannedScene { loaded, plan, is_looked_at: true, said })
+}
+
+/// Remark on a scene that asks for a plan, where `work` traces it as its keys are said; `None` where it asks
+/// for none.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn unplanned(file: &Path, work: &str) -> Result<Option<String>, Failure> {
+    let said = scene::said_physics(file, &[]).map_err(loading::of_scene)?;
+    Ok((said.planning == Planning::ByAccuracy).then(|| {
+        let name = file.display();
+        format!("note: {name}: {work} makes no plan: scenes are traced as the keys of [fidelity] say")
+    }))
 }
 
 /// Chooses the physics of a scene; `None`, and nothing chosen, where nothing scatters in the frames looked

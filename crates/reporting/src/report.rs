@@ -3,8 +3,10 @@
 pub mod figures;
 pub(crate) mod provenance_paragraph;
 mod accuracy;
+mod echo_errors;
 mod false_objects;
 mod page;
+mod plan;
 mod radars;
 pub mod rcs_view;
 pub mod sweep_view;

@@ -4,21 +4,29 @@
 use crate::runs::ledger::Ledger;
 use crate::statistics::contest;
 use crate::statistics::interval::Mean;
+use crate::statistics::pairs;
 use crate::study::axis::Pick;
 use crate::study::document::Study;
 
 /// Answer of a study; designs by their numbers.
 pub(crate) struct Answer {
     pub(crate) standings: Vec<Standing>,
-    /// The design of the best mean; `None` where the metric was never known.
+    /// The best design by pairs ([`pairs::best`]), which is that of the best mean where all know the metric
+    /// in the same situations; `None` where the metric was never known.
     pub(crate) best: Option<usize>,
     /// Designs that are not told apart from the best and are behind it by no more than the margin, else by
     /// one standard error (Breiman, Friedman, Olshen, Stone 1984, §3.4.3); the best is among them.
     pub(crate) candidates: Vec<usize>,
     /// The cheapest of the candidates.
     pub(crate) chosen: Option<usize>,
-    /// Designs than which none is both better and no dearer, the cheapest first.
+    /// Designs than which none is both better and no dearer, the cheapest first: of each cost the best, where
+    /// it is ahead of all that are cheaper and here.
     pub(crate) front: Vec<usize>,
+    /// Situations in which all designs know the goal's metric, but for those that never do.
+    pub(crate) shared: Vec<usize>,
+    /// Scores by which designs are compared: where all know the metric in the same situations their worth,
+    /// else by situation, so that two are compared over those that both know.
+    compared: Vec<Vec<Option<f64>>>,
     /// Confidence of each comparison, so that all hold together at the study's.
     pub(crate) jointly: f64,
 }
@@ -35,12 +43,15 @@ pub(crate) struct Standing {
     /// the situations that the best has seen; of a design that was left before, whose situations may be
     /// harder or easier than the rest, the best's less the distance behind it.
     pub(crate) worth: Option<f64>,
+    /// Number of situations in which it does not know the goal's metric and another design does.
+    pub(crate) lacks: usize,
 }
 
 impl Answer {
     pub(crate) fn of(study: &Study, ledger: &Ledger) -> Self {
         let scores = scores(study, ledger);
-        let best = contest::best(&scores, &ledger.open);
+        let lacks = pairs::lacking(&scores);
+        let best = pairs::best(&scores, &ledger.open);
         let jointly = contest::jointly(study.confidence, ledger.designs().saturating_sub(1));
         let rising = |design: usize| Mean::of_known(&scores[design], study.confidence).map(|mean| mean.value);
         let of_best = best.and_then(rising);
@@ -60,13 +71,22 @@ impl Answer {
                     .map(|m| m.value),
                 behind,
                 worth: if has_seen_less { less_behind() } else { rising(design) },
+                lacks: lacks[design],
             }
         };
         let standings: Vec<Standing> = (0..ledger.designs()).map(standing).collect();
         let candidates = candidates(study, ledger, &standings, best);
-        let chosen = cheapest(&standings, &candidates);
-        let front = front(&standings);
-        Self { standings, best, candidates, chosen, front, jointly }
+        let shared = pairs::shared(&scores);
+        let worth = || standings.iter().map(|standing| vec![standing.worth]).collect();
+        let compared = if lacks.iter().all(|lacks| *lacks == 0) { worth() } else { scores };
+        let chosen = cheapest(&standings, &compared, &candidates);
+        let front = front(&standings, &compared);
+        Self { standings, best, candidates, chosen, front, shared, compared, jointly }
+    }
+
+    /// Whether some designs know the goal's metric in fewer situations than others.
+    pub(crate) fn is_by_pairs(&self) -> bool {
+        self.standings.iter().any(|standing| standing.lacks > 0)
     }
 }
 
@@ -89,30 +109,35 @@ fn candidates(study: &Study, ledger: &Ledger, standings: &[Standing], best: Opti
     ledger.open.iter().copied().filter(is_candidate).collect()
 }
 
-/// The cheapest, of equally dear ones the best, of equally good ones the first.
-fn cheapest(standings: &[Standing], candidates: &[usize]) -> Option<usize> {
-    let order = |a: &usize, b: &usize| by_cost(&standings[*a], &standings[*b]);
-    candidates.iter().copied().filter(|d| standings[*d].cost.is_some()).min_by(order)
+/// The cheapest, of equally dear ones the best.
+fn cheapest(standings: &[Standing], compared: &[Vec<Option<f64>>], candidates: &[usize]) -> Option<usize> {
+    let by_cost = by_cost(standings, candidates);
+    by_cost.chunk_by(|a, b| a.1 == b.1).next().and_then(|cheapest| best_of(compared, cheapest))
 }
 
-/// The cheaper first, of equally dear ones the better.
-fn by_cost(a: &Standing, b: &Standing) -> std::cmp::Ordering {
-    let worth = |s: &Standing| s.worth.unwrap_or(f64::NEG_INFINITY);
-    let cost = |s: &Standing| s.cost.unwrap_or(f64::INFINITY);
-    cost(a).total_cmp(&cost(b)).then(worth(b).total_cmp(&worth(a)))
-}
-
-fn front(standings: &[Standing]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..standings.len()).filter(|d| standings[*d].cost.is_some()).collect();
-    order.sort_by(|a, b| by_cost(&standings[*a], &standings[*b]));
-    let mut reached = f64::NEG_INFINITY;
-    order.retain(|design| {
-        let worth = standings[*design].worth;
-        let is_better = worth.is_some_and(|worth| worth > reached);
-        reached = worth.filter(|_| is_better).unwrap_or(reached);
-        is_better
-    });
+/// Designs that have a cost with it, the cheapest first, equally dear ones in their order.
+fn by_cost(standings: &[Standing], designs: &[usize]) -> Vec<(usize, f64)> {
+    let with_cost = |design: &usize| Some((*design, standings[*design].cost?));
+    let mut order: Vec<(usize, f64)> = designs.iter().filter_map(with_cost).collect();
+    order.sort_by(|a, b| a.1.total_cmp(&b.1));
     order
+}
+
+fn best_of(compared: &[Vec<Option<f64>>], designs: &[(usize, f64)]) -> Option<usize> {
+    pairs::best(compared, &designs.iter().map(|(design, _)| *design).collect::<Vec<_>>())
+}
+
+fn front(standings: &[Standing], compared: &[Vec<Option<f64>>]) -> Vec<usize> {
+    let all: Vec<usize> = (0..standings.len()).collect();
+    let mut front: Vec<usize> = vec![];
+    for equally_dear in by_cost(standings, &all).chunk_by(|a, b| a.1 == b.1) {
+        let Some(best) = best_of(compared, equally_dear) else { continue };
+        let is_behind = |cheaper: &usize| pairs::behind(&compared[*cheaper], &compared[best]) > 0.0;
+        if front.iter().rev().all(is_behind) {
+            front.push(best);
+        }
+    }
+    front
 }
 
 /// Worth of one value of an axis.
@@ -120,7 +145,7 @@ pub(crate) struct Effect {
     pub(crate) label: String,
     /// Designs with it.
     pub(crate) designs: usize,
-    /// Mean of the goal's metric over these designs, in the situations that every design has seen.
+    /// Mean of the goal's metric over these designs, in the situations in which every design knows it.
     pub(crate) mean: Option<f64>,
     /// The best of these designs.
     pub(crate) best: Option<usize>,
@@ -135,17 +160,50 @@ pub(crate) fn effects(
     axis: usize,
 ) -> Vec<Effect> {
     let picks = study.vary[axis].listed().unwrap_or_default();
-    let worth: Vec<Vec<Option<f64>>> = answer.standings.iter().map(|s| vec![s.worth]).collect();
     let with = |pick: &Pick| (0..designs.len()).filter(|d| designs[*d][axis] == *pick).collect::<Vec<_>>();
     let effect = |pick: &Pick| {
         let with = with(pick);
         let values = |design: &usize| {
-            let values = ledger.metric(*design, study.goal.metric);
-            Mean::of_known(&values[..ledger.common()], 0.5).map(|mean| mean.value)
+            let all = ledger.metric(*design, study.goal.metric);
+            let shared: Vec<Option<f64>> = answer.shared.iter().map(|at| all[*at]).collect();
+            Mean::of_known(&shared, 0.5).map(|mean| mean.value)
         };
         let means: Vec<f64> = with.iter().filter_map(values).collect();
         let mean = Mean::of(&means, 0.5).map(|mean| mean.value);
-        Effect { label: pick.label.clone(), designs: with.len(), mean, best: contest::best(&worth, &with) }
+        let best = pairs::best(&answer.compared, &with);
+        Effect { label: pick.label.clone(), designs: with.len(), mean, best }
     };
     picks.iter().map(effect).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Standings of designs of these costs.
+    fn standings(costs: &[f64]) -> Vec<Standing> {
+        let of = |cost: &f64| Standing { mean: None, cost: Some(*cost), behind: None, worth: None, lacks: 0 };
+        costs.iter().map(of).collect()
+    }
+
+    #[test]
+    fn the_front_is_the_best_of_each_cost_that_is_better_than_all_cheaper_ones() {
+        let standings = standings(&[4.0, 12.0, 4.0, 12.0, 1.0, 48.0, 48.0]);
+        let worth = [0.5, 0.9, 0.7, 0.9, 0.7, 0.8, 1.0].map(|worth| vec![Some(worth)]);
+        assert_eq!(front(&standings, &worth), [4, 1, 6]);
+        assert_eq!(cheapest(&standings, &worth, &[0, 1, 2, 3]), Some(2), "of equally dear ones the better");
+        assert_eq!(cheapest(&standings, &worth, &[1, 3]), Some(1), "of equally good ones the first");
+    }
+
+    /// The first finds one situation of two, in which the second, as dear, is better; in the other this is
+    /// worse than anything. The third is dearer and better than both in what they share.
+    #[test]
+    fn the_front_and_the_cheapest_are_those_of_pairs() {
+        let scores = [vec![Some(-0.3), None], vec![Some(-0.2), Some(-9.0)], vec![Some(-0.1), Some(-8.0)]];
+        let standings = standings(&[4.0, 4.0, 12.0]);
+        assert_eq!(front(&standings, &scores), [1, 2]);
+        assert_eq!(cheapest(&standings, &scores, &[0, 1, 2]), Some(1));
+        let worse = [scores[0].clone(), scores[1].clone(), vec![Some(-0.25), Some(-9.5)]];
+        assert_eq!(front(&standings, &worse), [1]);
+    }
 }

@@ -2,11 +2,12 @@
 //! asked.
 
 use crate::statistics::interval::{Mean, Scale, known};
+use artifact::radar::Radar;
 use artifact::settings::Class;
 use pipeline::outcome::summary::{Cause, Estimate, Predicted, Summary, TargetSummary};
 
 /// Version of what the metrics mean: kept runs of another one are made anew.
-pub(crate) const VERSION: u32 = 1;
+pub(crate) const VERSION: u32 = 2;
 
 /// The better of two values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,7 +35,15 @@ struct Measure {
     name: String,
     better: Better,
     scale: Scale,
-    of: Box<OfRun>,
+    of: Of,
+}
+
+/// Source of a metric's value.
+enum Of {
+    /// Summary of a run.
+    Run(Box<OfRun>),
+    /// Radar of a design.
+    Radar(fn(&Radar) -> f64),
 }
 
 /// Value of a metric in a run.
@@ -67,9 +76,13 @@ impl Measures {
         Mean::on_scale(&known(values), self.scale(metric), confidence)
     }
 
-    /// All values of a run.
-    pub(crate) fn values(&self, summary: &Summary) -> Vec<Option<f64>> {
-        self.all.iter().map(|measure| (measure.of)(summary).filter(|value| value.is_finite())).collect()
+    /// All values of a run of a radar.
+    pub(crate) fn values(&self, radar: &Radar, summary: &Summary) -> Vec<Option<f64>> {
+        let value = |measure: &Measure| match &measure.of {
+            Of::Run(of) => of(summary),
+            Of::Radar(of) => Some(of(radar)),
+        };
+        self.all.iter().map(|measure| value(measure).filter(|value| value.is_finite())).collect()
     }
 }
 
@@ -78,7 +91,7 @@ fn measure(
     better: Better,
     of: impl Fn(&Summary) -> Option<f64> + Send + Sync + 'static,
 ) -> Measure {
-    Measure { name: name.into(), better, scale: Scale::Any, of: Box::new(of) }
+    Measure { name: name.into(), better, scale: Scale::Any, of: Of::Run(Box::new(of)) }
 }
 
 /// A share, of which more is better.
@@ -147,19 +160,25 @@ fn wrong() -> impl Iterator<Item = Measure> {
 
 /// Costs, which a design has in whichever situation.
 fn costs() -> impl Iterator<Item = Measure> {
-    let cost = |name, of: fn(&Summary) -> f64| {
-        let measure = measure(name, Better::Lower, move |s| Some(of(s)));
-        Measure { scale: Scale::Fixed, ..measure }
+    let cost = |name: &str, of| Measure {
+        name: name.to_owned(),
+        better: Better::Lower,
+        scale: Scale::Fixed,
+        of: Of::Radar(of),
     };
     [
-        cost("channels", |s| s.radar.channels as f64),
-        cost("values_per_frame", |s| {
-            let (chirps, samples) = (f64::from(s.radar.chirps), f64::from(s.radar.samples_per_chirp));
-            s.radar.channels as f64 * chirps * samples
-        }),
-        cost("bandwidth_ghz", |s| s.radar.bandwidth_hz * 1e-9),
+        cost("channels", |radar| radar.virtual_channels() as f64),
+        cost("values_per_frame", values_per_frame),
+        cost("bandwidth_ghz", |radar| radar.waveform.bandwidth_hz().abs() * 1e-9),
     ]
     .into_iter()
+}
+
+/// Samples of the cubes of a frame, one for each of its sub-frames.
+fn values_per_frame(radar: &Radar) -> f64 {
+    let waveform = &radar.waveform;
+    let cube = radar.cube_channels() as f64 * f64::from(waveform.chirps) * f64::from(waveform.samples);
+    cube * f64::from(radar.schedule.sub_frames())
 }
 
 fn targets(summary: &Summary) -> impl Iterator<Item = &TargetSummary> {

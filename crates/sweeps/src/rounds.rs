@@ -49,9 +49,9 @@ pub(crate) struct Rounds<'a> {
 pub(crate) enum Made {
     /// Everything that the answer needs.
     Whole(Ledger),
-    /// So many runs are other parts' and not made yet; with an early stop those of one repeat, as who stays
-    /// is not known before.
-    Waiting { missing: usize },
+    /// So many runs are other parts' and not made yet, beside those that are; with an early stop those of one
+    /// repeat, as who stays is not known before.
+    Waiting { missing: usize, made: usize },
 }
 
 /// Errors of one run, once they are measured.
@@ -79,9 +79,10 @@ impl Rounds<'_> {
     /// Goes through all repeats and makes what lacks of this part.
     fn gone_through(&self) -> Result<Made, Failure> {
         let mut ledger = Ledger::of(self.designs.len());
-        let mut missing = 0;
+        let (mut missing, mut made) = (0, 0);
         for (repeat, situations) in self.situations.iter().enumerate() {
             let runs = self.round(repeat, situations, &ledger.open)?;
+            made += runs.iter().flatten().count();
             missing += runs.iter().filter(|run| run.is_none()).count();
             match (missing, self.study.stop) {
                 (0, _) => self.enter(&mut ledger, situations, runs),
@@ -92,7 +93,7 @@ impl Rounds<'_> {
                 break;
             }
         }
-        Ok(if missing == 0 { Made::Whole(ledger) } else { Made::Waiting { missing } })
+        Ok(if missing == 0 { Made::Whole(ledger) } else { Made::Waiting { missing, made } })
     }
 
     /// Enters a repeat of which no run lacks.
@@ -186,10 +187,9 @@ impl Rounds<'_> {
         let measured = self.not_measured_yet(jobs, situations);
         let make = |job: &Job| {
             self.call_off.check()?;
-            let (summary, errors) = self.summary(job, situations, &measured, &means)?;
+            let run = self.run(job, situations, &measured, &means)?;
             self.kept.check_unchanged()?;
-            let (values, accuracy) = (self.study.measures.values(&summary), Reached::of(&summary, errors));
-            self.kept.put(self.study, &job.key, &Run { values, accuracy })?;
+            self.kept.put(self.study, &job.key, &run)?;
             self.put.fetch_add(1, Ordering::Relaxed);
             work.at(done.fetch_add(1, Ordering::Relaxed) + 1, jobs.len());
             Ok(())
@@ -206,17 +206,22 @@ impl Rounds<'_> {
         jobs.iter().map(|job| (self.measured_in(job.number, situations), Measuring::default())).collect()
     }
 
-    fn summary(
+    /// Makes a run and measures it.
+    fn run(
         &self,
         job: &Job,
         situations: &[Situation],
         measured: &BTreeMap<usize, Measuring>,
         means: &Means,
-    ) -> Result<(Summary, Errors), Failure> {
+    ) -> Result<Run, Failure> {
         let first = self.measured_in(job.number, situations);
         let header = self.scene(job.number, situations)?;
+        let run_of = |(summary, errors): (Summary, Errors)| Run {
+            values: self.study.measures.values(&header.radar, &summary),
+            accuracy: Reached::of(&summary, errors),
+        };
         if first == job.number {
-            return one_run::summary(&header, None, means);
+            return one_run::summary(&header, None, means).map(run_of);
         }
         // Whoever comes first measures; the others wait.
         let mut place = measured[&first].lock().unwrap_or_else(PoisonError::into_inner);
@@ -226,7 +231,7 @@ impl Rounds<'_> {
         };
         *place = Some(like.clone());
         drop(place);
-        one_run::summary(&header, Some(&like), means)
+        one_run::summary(&header, Some(&like), means).map(run_of)
     }
 
     /// The scene of a run. Of a file that is no scene any more since the study began it is said that it was

@@ -3,4 +3,5 @@
 pub(crate) mod student;
 pub(crate) mod interval;
 mod bets;
+pub(crate) mod pairs;
 pub(crate) mod contest;

@@ -17,7 +17,7 @@ use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 use pipeline::host::files::{self, Writing};
 use pipeline::host::memory::Allowance;
-use pipeline::host::progress::Work;
+use pipeline::host::progress::{self, Work};
 use plotting::form::{Figure, Form};
 use reporting::pictures;
 use reporting::report;
@@ -78,7 +78,9 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     let (designs, situations) = (designs::designs(&study), situations::situations(&study));
     let work = Work::begin("reading the scenes of all designs");
     acceptance::check(&study, &designs, situations.first().map_or(&[], Vec::as_slice))?;
+    let remarks = acceptance::remarks(&study)?;
     drop(work);
+    remarks.iter().for_each(|remark| progress::note(format!("note: {remark}")));
     let model = loading::model(settings.classifier.as_deref())?;
     // All inputs are known now, and no run is made.
     files::claim(&RESULTS.map(|name| settings.out.join(name)))?;
@@ -98,12 +100,14 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     };
     let ledger = match rounds.made()? {
         Made::Whole(ledger) => ledger,
-        Made::Waiting { missing } if settings.shard.is_none() => {
+        Made::Waiting { missing, made } if settings.shard.is_none() => {
             let out = settings.out.display();
-            return Err(Failure::System(format!("{out}: {missing} runs are not made yet")));
+            return Err(Failure::System(format!("{out}: {missing} runs are not made yet, {made} are")));
         }
-        Made::Waiting { missing } => {
-            (settings.tell)(&format!("{missing} runs are not made yet (another part of --shard)"));
+        Made::Waiting { missing, made } => {
+            (settings.tell)(&format!(
+                "{missing} runs are not made yet, {made} are (what lacks is of another part of --shard)"
+            ));
             return Ok(None);
         }
     };
@@ -113,7 +117,7 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     let out = |name: &str| settings.out.join(name);
     files::write_file(&out("sweep.csv"), tables::runs(&study, &designs, &all, &ledger).as_bytes())?;
     files::write_file(&out("designs.csv"), tables::designs(&study, &designs, &ledger, &answer).as_bytes())?;
-    let done = Done { study: &study, designs: &designs, ledger: &ledger, answer: &answer };
+    let done = Done { study: &study, designs: &designs, ledger: &ledger, answer: &answer, remarks: &remarks };
     conclude(settings, &done, &all).map(Some)
 }
 

@@ -3,6 +3,7 @@
 mod absolute_pattern;
 mod coarse_meshes;
 mod empty_road;
+pub(crate) mod forward_scattering;
 mod off_band;
 mod still_wheels;
 mod unknown_materials;

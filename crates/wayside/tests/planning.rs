@@ -35,6 +35,25 @@ fn a_plan_tells_each_part_with_its_share_and_what_it_leaves_out_keeps_the_budget
 }
 
 #[test]
+fn a_planned_run_says_what_was_asked_and_the_part_of_it_that_is_planned() {
+    let place = Workplace::new();
+    with_fidelity(&place, "planned.toml", "for = \"class\"\nplan = \"accuracy\"");
+    let told = place.run("run planned.toml --no-cache --out out");
+    let summary = place.summary("out/summary.json");
+    let (accuracy, plan) = (&summary["frames"][0]["accuracy"], &summary["plan"]);
+    let asked_db = artifact::goal::Goal::Class.accuracy().db();
+    assert!((accuracy["asked_db"].as_f64().unwrap() - asked_db).abs() < 1e-9, "{accuracy}");
+    let [planned_db, numerical_db] =
+        [&accuracy["planned_db"], &plan["numerical_db"]].map(|db| db.as_f64().unwrap());
+    assert!((planned_db - numerical_db).abs() < 1e-9, "{accuracy}, {plan}");
+    let kept = accuracy["reached_db"].as_f64().unwrap() <= planned_db;
+    assert_eq!(accuracy["met"] == true, kept && plan["limited_by"] == "asked", "{accuracy}, {plan}");
+    assert!(told.contains(" dB planned for −20.0 dB asked for \"class\": "), "{told}");
+    let report = std::fs::read_to_string(place.path("out/report.html")).unwrap();
+    assert!(report.contains("Plan of the physics") && report.contains("ways by the road"));
+}
+
+#[test]
 fn seconds_of_parts_are_told_where_somebody_reads_along_and_no_look_is_spent_on_them_else() {
     let place = Workplace::new();
     let told = place.run("run small.toml --accuracy-db -20 --dry-run --no-cache");

@@ -14,7 +14,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 11;
+    const VERSION: u32 = 12;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 
@@ -285,13 +285,31 @@ pub struct Fineness {
     pub ways_of_places: Vec<Vec<String>>,
 }
 
-/// Fineness of the integrals on one body.
+/// Fineness of the integrals on one body, and the error of its echo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct IntegralFineness {
     /// The body's id: in another frame it may stand elsewhere among the targets.
     pub body: String,
     /// Accuracy of each integral, relative to the largest that it could be.
     pub accuracy: f64,
+    /// Error of the body's echo, relative to it, in the frame that was measured; `None` of a point target
+    /// and of what has no echo.
+    pub echo_error: Option<f64>,
+}
+
+impl Fineness {
+    /// The same with the errors of the bodies' echoes, in their order.
+    pub fn with_errors(mut self, errors: Vec<Option<f64>>) -> Self {
+        for (body, error) in self.integrals.iter_mut().zip(errors) {
+            body.echo_error = error;
+        }
+        self
+    }
+
+    /// Error of the echo of the body with this id, relative to it; `None` where it was not measured.
+    pub fn echo_error(&self, body: &str) -> Option<f64> {
+        self.integrals.iter().find(|of| of.body == body)?.echo_error
+    }
 }
 
 /// Whether a frame's errors were measured in it.

@@ -5,6 +5,8 @@
 //! Visibility, amplitudes and apparent velocities err in proportion to the time from the frame's middle; the
 //! moment T/√12 after it has the mean square of the whole frame.
 
+pub(crate) mod target_error;
+
 use crate::frame::band_power::{MARGIN, frequencies_hz, mean, mean_difference, power_over_frame, total};
 use crate::frame::integration_error::{IntegrationError, integration_error, of_order};
 use crate::frame::path_plan::Plan;
@@ -132,6 +134,15 @@ impl Reference {
         }
     }
 
+    /// Orders, from the first, by which all of them are told: `few` where these hold half of the power or
+    /// more, else every order. First orders that are next to nothing (a corner of three bounces) tell nothing
+    /// of the later ones.
+    pub(crate) fn telling_orders(&self, few: u8) -> u8 {
+        let power = |orders: &[Vec<Complex64>]| orders.iter().map(|order| mean(order)).sum::<f64>();
+        let (first, later) = self.by_order_m.split_at(self.by_order_m.len().min(few.into()));
+        if power(first) >= power(later) { first.len() as u8 } else { self.by_order_m.len() as u8 }
+    }
+
     /// Ratio ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, with what the later orders are taken to
     /// gain ([`with_later_orders`]). `of` gives S of an order over the wavenumbers. `None` where nothing
     /// scatters.
@@ -163,9 +174,7 @@ impl Reference {
 }
 
 /// Power that is added to all orders, where so much is added to the first ones: the later ones gain as much
-/// of their own power as these do, but no more than it. First orders that are next to nothing beside what is
-/// added to them (a van of plain plates, all of whose echo is a corner of three bounces) tell nothing of the
-/// later ones.
+/// of their own power as these do, but no more than it.
 fn with_later_orders(added: f64, [first, later]: [f64; 2]) -> f64 {
     added + later * (added / first.max(f64::MIN_POSITIVE)).min(1.0)
 }
@@ -262,7 +271,7 @@ mod tests {
     fn later_orders_gain_as_the_first_ones_do_and_never_more_than_they_have() {
         // A tenth is added to the first orders: a tenth to all.
         assert!((with_later_orders(0.1, [1.0, 4.0]) - 0.5).abs() < 1e-12);
-        // Four hundred times of next to nothing tell nothing of an echo of three bounces.
+        // No order gains more than it has.
         assert!((with_later_orders(0.4, [0.001, 9.0]) - 9.4).abs() < 1e-12);
         assert_eq!(with_later_orders(0.3, [0.0, 2.0]), 2.3);
         assert_eq!(with_later_orders(0.0, [0.0, 2.0]), 0.0);

@@ -19,6 +19,17 @@ pub(crate) struct IntegrationError {
     pub(crate) accuracy_of_body: Vec<f64>,
     /// Mean over the checked frequencies of the square of what these integrals err by.
     pub(crate) power: f64,
+    /// Echo of each body, in the order of the targets.
+    pub(crate) bodies: Vec<BodyEcho>,
+}
+
+/// Echo of one body alone: all orders of the ways that meet no other.
+#[derive(Debug, Clone)]
+pub(crate) struct BodyEcho {
+    /// S over the checked frequencies.
+    pub(crate) amplitude_m: Vec<Complex64>,
+    /// Mean square of what its integrals err by.
+    pub(crate) integration_power: f64,
 }
 
 /// Bounds of integrals over those of the coarser ones that they are compared with.
@@ -66,7 +77,9 @@ pub(crate) fn integration_error(
         }
     }
     let accuracy_of_body = bodies.iter().map(|body| body.accuracy).collect();
-    (IntegrationError { accuracy_of_body, power: look.error_power(&bodies) }, look.by_order(&bodies))
+    let echoes = bodies.iter().enumerate().map(|(index, body)| look.echo(index, body)).collect();
+    let error = IntegrationError { accuracy_of_body, power: look.error_power(&bodies), bodies: echoes };
+    (error, look.by_order(&bodies))
 }
 
 /// Accuracy of the integrals that are tried first where so much is asked for.
@@ -118,6 +131,22 @@ impl Look<'_> {
             of_meeting(self.scatterer, self.plan, &meeting.on_body(self.scatterer, body), &integration)
         };
         self.meetings.iter().map(of_order).collect()
+    }
+
+    /// Echo of one body, without the ways between it and others.
+    fn echo(&self, index: usize, body: &OfBody) -> BodyEcho {
+        let count = self.wavenumbers_per_m.len();
+        let bracket = bracket_of(self.plan.header.fidelity.nodes);
+        let integration =
+            Integration { wavenumbers_per_m: self.wavenumbers_per_m, accuracy: body.accuracy, bracket };
+        let between = |meeting: &OrderJoints| {
+            let part = meeting.on_body(self.scatterer, index).between_vehicles(self.scatterer);
+            (part.count() > 0).then(|| of_meeting(self.scatterer, self.plan, &part, &integration))
+        };
+        let of_others = total(self.meetings.iter().filter_map(between), count);
+        let all = total(body.by_order.iter().cloned(), count);
+        let amplitude_m = all.iter().zip(&of_others).map(|(all, between)| all - between).collect();
+        BodyEcho { amplitude_m, integration_power: mean(&body.error) }
     }
 
     /// S of all bodies by order.

@@ -5,6 +5,7 @@ use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
 use crate::bodies::road::check_road;
 use crate::frame::blends::blending::{split, split_alike};
+use crate::frame::frame_error::target_error::target_errors;
 use crate::frame::frame_error::{Reference, reference};
 use crate::frame::left_out::between_bodies::between_bodies_left_out;
 use crate::frame::left_out::road::road_left_out;
@@ -87,11 +88,13 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
         })?;
         (FrameFindings::of(&snapshot, plan), table, !snapshot.world.facets().is_empty())
     };
+    let errors = target_errors(plan, &table, &reference);
+    let fineness = table.fineness.with_errors(errors);
     let measured = Measured {
         error: ErrorBudget { tessellation, ..table.error.budget() },
         model_error: left_out,
         dropped_power_ratio: table.error.dropped_at_most.powi(2),
-        fineness: has_bodies.then_some(table.fineness),
+        fineness: has_bodies.then_some(fineness),
         origin: ErrorOrigin::Measured,
         // The moments are traced beside the frame's middle.
         bytes: check_bytes.max(second_bytes).max(table.bytes + seen.bytes),

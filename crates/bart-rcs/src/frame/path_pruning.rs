@@ -10,9 +10,9 @@ use num_complex::Complex64;
 /// Paths kept, in their order, and the power of the others.
 pub(crate) struct Kept {
     pub(crate) paths: Vec<Path>,
-    /// Power of the dropped paths in the radar's polarization: the larger of Σ|a·R²/(L₁L₂)|², as if their
-    /// phases were independent, and of their sum over the band.
-    pub(crate) dropped_power: f64,
+    /// Power of the dropped paths of each target in the radar's polarization: the larger of
+    /// Σ|a·R²/(L₁L₂)|², as if their phases were independent, and of their sum over the band.
+    pub(crate) dropped_powers: Vec<f64>,
     /// The strongest that was dropped of each target, its wheels among it, as power.
     pub(crate) strongest_dropped: Vec<f64>,
 }
@@ -37,8 +37,7 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
     let most = (DROPPED_SHARE * plan.asked()).powi(2);
     let powers: Vec<f64> = paths.iter().map(|path| power(path, plan, &view)).collect();
     let mut keep = vec![true; paths.len()];
-    let mut dropped_power = 0.0;
-    let mut strongest_dropped = Vec::new();
+    let (mut dropped_powers, mut strongest_dropped) = (Vec::new(), Vec::new());
     for target in 0..plan.header.targets.len() as u32 {
         let mut order: Vec<usize> =
             (0..paths.len()).filter(|&i| world.vehicle(paths[i].target) == target).collect();
@@ -54,11 +53,11 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
         let (count, together) = negligible_together(&weak, &paths, plan, BY_CHANCE * budget);
         let dropped = &weak[..count];
         dropped.iter().for_each(|&i| keep[i] = false);
-        dropped_power += together.max(dropped.iter().map(|&i| powers[i]).sum());
+        dropped_powers.push(together.max(dropped.iter().map(|&i| powers[i]).sum()));
         strongest_dropped.push(dropped.last().map_or(0.0, |&i| powers[i]));
     }
     let paths = paths.into_iter().zip(keep).filter_map(|(path, keep)| keep.then_some(path)).collect();
-    Kept { paths, dropped_power, strongest_dropped }
+    Kept { paths, dropped_powers, strongest_dropped }
 }
 
 /// Most of the first of these paths whose sum over the band and the array has no more than a power, and that

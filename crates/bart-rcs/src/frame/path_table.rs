@@ -25,6 +25,8 @@ pub(crate) struct PathTable {
     pub(crate) fineness: Fineness,
     pub(crate) error: FrameError,
     pub(crate) given_up: GivenUp,
+    /// Power of the dropped paths of each target, as of [`Kept`].
+    pub(crate) dropped_powers: Vec<f64>,
     /// Power of the strongest path of each target that was dropped, as of [`Kept`].
     pub(crate) strongest_dropped: Vec<f64>,
     /// Most bytes held by the moments that it was blended from.
@@ -168,6 +170,21 @@ type Attempt<'a> = dyn Fn(f64, u64) -> Result<PathTable, BartError> + 'a;
 /// Paths of a table from which on no finer one is tried once moments were: minutes and gigabytes are spent on
 /// more.
 const REFINED_PATHS_MAX: usize = 200_000;
+
+/// Limits of the search for a table of smaller cells.
+#[derive(Clone, Copy)]
+struct SearchLimits {
+    /// Paths of a table from which on no finer one is tried.
+    tried: usize,
+    /// Paths that the next table may have, as their number grows with the inverse square of the cells' size.
+    next: usize,
+}
+
+/// Limits of a search for cells to blend.
+const BLENDED: SearchLimits = SearchLimits { tried: REFINED_PATHS_MAX, next: PATHS_MAX };
+/// Limits where neither cells nor moments did: an echo of which next to nothing is left beside what its parts
+/// scatter (a flat side off its specular) would take any number of paths, and is not known by a million.
+const LAST: SearchLimits = SearchLimits { tried: REFINED_PATHS_MAX, next: 2 * REFINED_PATHS_MAX };
 /// Smaller cells are not tried where none of any size would make the error less than so many times smaller
 /// and meet the accuracy: 1 dB.
 const WORTH_TRYING: f64 = 1.12;
@@ -210,21 +227,21 @@ impl<'a> Fit<'a> {
         let split_to = |cell_m: f64, others: u64| split(self.table_of(cell_m, others)?, others);
         if scatterer.world.fastest_wheel_radps() > 0.0 {
             let largest = split_to(largest_m, 0)?;
-            return Ok(self.with_smaller_cells(largest, REFINED_PATHS_MAX, 0, &split_to)?.0);
+            return Ok(self.with_smaller_cells(largest, BLENDED, 0, &split_to)?.0);
         }
         let largest = alone(largest_m, 0)?;
         let most = largest.paths.len().saturating_mul(MOMENTS_MAX as usize);
-        let (best, tried) = self.with_smaller_cells(largest, most, 0, &alone)?;
+        let limits = SearchLimits { tried: most, next: PATHS_MAX };
+        let (best, tried) = self.with_smaller_cells(largest, limits, 0, &alone)?;
         if self.is_met(&best) || tried <= most.min(PATHS_MAX / MOMENTS_USUAL as usize) {
             return split(best, 0);
         }
         let blended = split_to(largest_m, best.paths_bytes())?;
         if blended.fineness.moments.max(blended.fineness.places) == 1 {
             drop(blended);
-            return Ok(self.with_smaller_cells(best, REFINED_PATHS_MAX, 0, &alone)?.0);
+            return Ok(self.with_smaller_cells(best, LAST, 0, &alone)?.0);
         }
-        let (blended, _) =
-            self.with_smaller_cells(blended, REFINED_PATHS_MAX, best.paths_bytes(), &split_to)?;
+        let (blended, _) = self.with_smaller_cells(blended, BLENDED, best.paths_bytes(), &split_to)?;
         Ok(if blended.error.measured() < best.error.measured() { blended } else { best })
     }
 
@@ -238,7 +255,7 @@ impl<'a> Fit<'a> {
     fn with_smaller_cells(
         &self,
         largest: PathTable,
-        most_paths: usize,
+        limits: SearchLimits,
         others: u64,
         table: &Attempt<'_>,
     ) -> Result<(PathTable, usize), BartError> {
@@ -250,13 +267,13 @@ impl<'a> Fit<'a> {
         let mut best = largest;
         for _ in 1..ATTEMPTS {
             let error = best.error.measured();
-            if error <= asked || size_m <= plan.band.wavelength_m() || tried > most_paths {
+            if error <= asked || size_m <= plan.band.wavelength_m() || tried > limits.tried {
                 break;
             }
             // Errors of freezing and of the straight line over frequency grow with the first to second power
             // of the size.
             let factor = (0.7 * asked / error).sqrt().clamp(0.4, 0.8);
-            if tried as f64 > PATHS_MAX as f64 * factor * factor {
+            if tried as f64 > limits.next as f64 * factor * factor {
                 break;
             }
             size_m *= factor;
@@ -275,21 +292,25 @@ impl<'a> Fit<'a> {
 
     fn table_of(&self, cell_m: f64, others: u64) -> Result<PathTable, BartError> {
         let integration = &self.reference.integration;
-        let Kept { mut paths, dropped_power, strongest_dropped } =
+        let Kept { mut paths, dropped_powers, strongest_dropped } =
             self.parts.paths(cell_m, &integration.accuracy_of_body, others)?;
         paths.extend_from_slice(self.points);
-        let given_up =
-            GivenUp { paths_power_m2: dropped_power, beams: self.beams_given_up, blends_power_m2: 0.0 };
+        let given_up = GivenUp {
+            paths_power_m2: dropped_powers.iter().sum(),
+            beams: self.beams_given_up,
+            blends_power_m2: 0.0,
+        };
         let error = FrameError::measured_on(self.parts.plan, &paths, self.points, self.reference, &given_up);
         let of = |(target, accuracy): (&Target, &f64)| IntegralFineness {
             body: target.id.clone(),
             accuracy: *accuracy,
+            echo_error: None,
         };
         let integrals =
             self.parts.plan.header.targets.iter().zip(&integration.accuracy_of_body).map(of).collect();
         let fineness =
             Fineness { cell_m, integrals, moments: 1, ways: vec![], places: 1, ways_of_places: vec![] };
-        Ok(PathTable { paths, fineness, error, given_up, strongest_dropped, bytes: 0 })
+        Ok(PathTable { paths, fineness, error, given_up, dropped_powers, strongest_dropped, bytes: 0 })
     }
 }
 

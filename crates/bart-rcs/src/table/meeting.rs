@@ -50,11 +50,27 @@ impl OrderJoints {
 
     /// Part of the meeting that has its node on one body.
     pub(crate) fn on_body(&self, scatterer: &Scatterer<'_>, body: usize) -> Self {
-        let is_there = |forward: u32| scatterer.node_body(forward) == body;
+        self.filtered(|forward, _| scatterer.node_body(forward) == body)
+    }
+
+    /// Part of the meeting whose ways meet more than one vehicle.
+    pub(crate) fn between_vehicles(&self, scatterer: &Scatterer<'_>) -> Self {
+        let vehicle = |facet: u32| scatterer.world.vehicle(scatterer.world.facet(facet).id.body);
+        self.filtered(|forward, backward| {
+            let vehicles: Vec<u32> =
+                sequence(scatterer, forward, backward).into_iter().map(vehicle).collect();
+            vehicles.windows(2).any(|pair| pair[0] != pair[1])
+        })
+    }
+
+    /// Part of the meeting that is meant, by the beams of both ends.
+    fn filtered(&self, is_meant: impl Fn(u32, u32) -> bool) -> Self {
+        let edges = self.edges.iter().filter(|joint| is_meant(joint.forward, joint.backward));
+        let ends = self.truncations.iter().filter(|end| is_meant(end.forward, end.backward));
         Self {
-            facets: self.facets.filtered(|joint| is_there(joint.forward)),
-            edges: self.edges.iter().filter(|joint| is_there(joint.forward)).copied().collect(),
-            truncations: self.truncations.iter().filter(|end| is_there(end.forward)).cloned().collect(),
+            facets: self.facets.filtered(|joint| is_meant(joint.forward, joint.backward)),
+            edges: edges.copied().collect(),
+            truncations: ends.cloned().collect(),
         }
     }
 
@@ -71,25 +87,10 @@ impl OrderJoints {
     /// Part of the meeting that is among some ways.
     pub(crate) fn along(&self, scatterer: &Scatterer<'_>, ways: &BodyWays) -> Self {
         let body = |facet: u32| scatterer.world.facet(facet).id.body;
-        let is_there = |forward: u32, backward: u32| {
+        self.filtered(|forward, backward| {
             let bodies: Vec<u32> = sequence(scatterer, forward, backward).into_iter().map(body).collect();
             ways.contain(&bodies)
-        };
-        Self {
-            facets: self.facets.filtered(|joint| is_there(joint.forward, joint.backward)),
-            edges: self
-                .edges
-                .iter()
-                .filter(|joint| is_there(joint.forward, joint.backward))
-                .copied()
-                .collect(),
-            truncations: self
-                .truncations
-                .iter()
-                .filter(|end| is_there(end.forward, end.backward))
-                .cloned()
-                .collect(),
-        }
+        })
     }
 
     /// S over frequency, 2 × 2, its phase referred to `origin_m`.

@@ -11,6 +11,7 @@ mod frames;
 mod patterns;
 mod sidelobes;
 mod tables;
+mod target_errors;
 mod turning;
 mod wheels;
 mod wide_arrays;

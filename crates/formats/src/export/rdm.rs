@@ -52,12 +52,9 @@ fn mask_beside(out: &Path) -> PathBuf {
 /// Refuses to replace what is no mask of maps: an array of bytes with three axes, without a description of
 /// its own.
 fn keep_what_is_no_mask(place: &Path, out: &Path) -> Result<(), Failure> {
-    if !place.is_file() || is_mask(place) && !sidecar::beside(place).exists() {
-        return Ok(());
-    }
     let name = out.file_name().unwrap_or_default().to_string_lossy();
-    let rule = format!("is no mask of {name}, beside which it would be written; choose another --out");
-    Err(Failure::System(format!("{}: {rule}", place.display())))
+    let rule = format!("is no mask of {name}, beside which it would be written");
+    files::keep_unless(place, &rule, || is_mask(place) && !sidecar::beside(place).exists())
 }
 
 /// Whether the head of a file is that of a mask as it is written here.

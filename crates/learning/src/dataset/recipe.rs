@@ -16,7 +16,9 @@ use document::Document;
 use error::RecipeError;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
+use pipeline::host::progress;
 use pipeline::host::toml_text;
+use pipeline::planning;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -76,5 +78,6 @@ impl Recipe {
 
 fn base(scene: &Path) -> Result<Base, Failure> {
     let name = scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    planning::unplanned(scene, "a dataset")?.into_iter().for_each(progress::note);
     Ok(Base { name, header: loading::radar_only(scene, None)? })
 }

@@ -24,14 +24,17 @@ pub fn claim(places: &[PathBuf]) -> Result<(), Failure> {
 /// Refuses, before the work, to replace a file that nobody named and that is not what an earlier run of this
 /// program has left there: more than `limit` bytes, or not its own by what it holds.
 pub fn keep_foreign(place: &Path, limit: u64, is_own: impl FnOnce(&[u8]) -> bool) -> Result<(), Failure> {
-    if !place.is_file() {
-        return Ok(()); // what is neither missing nor a plain file is refused by its writer
-    }
-    if read_own(place, limit).is_ok_and(|bytes| is_own(&bytes)) {
+    let rule = "was not written by this program, and would be replaced";
+    keep_unless(place, rule, || read_own(place, limit).is_ok_and(|bytes| is_own(&bytes)))
+}
+
+/// Refuses, before the work, to replace a plain file that nobody named, unless it may be; `rule` is what the
+/// refusal says of it. What is neither missing nor a plain file is refused by its writer.
+pub fn keep_unless(place: &Path, rule: &str, may_be: impl FnOnce() -> bool) -> Result<(), Failure> {
+    if !place.is_file() || may_be() {
         return Ok(());
     }
-    let rule = "was not written by this program, and would be replaced; choose another --out";
-    Err(Failure::System(format!("{}: {rule}", place.display())))
+    Err(Failure::System(format!("{}: {rule}; choose another --out", place.display())))
 }
 
 /// Writes `file` whole or not at all; folders that are missing are made.

@@ -190,7 +190,9 @@ fn in_full(number: usize, frame: &FrameSummary) -> Vec<String> {
 
 /// Objects that the radar tells to be at rest: how many of which causes.
 fn standing(all: &[FalseObject]) -> Option<String> {
-    (!all.is_empty()).then(|| format!("  {} objects at rest and of no target: {}", all.len(), causes(all)))
+    let objects = if all.len() == 1 { "object" } else { "objects" };
+    let told = || format!("  {} {objects} at rest and of no target: {}", all.len(), causes(all));
+    (!all.is_empty()).then(told)
 }
 
 /// The strongest, and how many more of which causes.

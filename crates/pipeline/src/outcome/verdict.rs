@@ -2,6 +2,8 @@
 
 use crate::outcome::error_figures::{ErrorFigures, db, decibels};
 use crate::outcome::useful_accuracy::OfUse;
+use crate::planning::choice::Limit;
+use crate::planning::plan_figures::{PlanFigures, limit_name};
 use artifact::accuracy::ModelError;
 use artifact::goal::Goal;
 use artifact::paths::PathsFrame;
@@ -18,12 +20,17 @@ pub(crate) const FRAMES_IN_FULL: usize = 4;
 pub struct AccuracyVerdict {
     /// The largest error allowed, dB relative to the echo.
     pub asked_db: f64,
+    /// Part of it that a plan gives to what is computed, dB, beside what the plan leaves out; `None` without
+    /// a plan.
+    #[serde(default)]
+    pub planned_db: Option<f64>,
     /// Result whose need that is; `None` where an accuracy was asked for itself.
     #[serde(rename = "for")]
     pub goal: Option<Goal>,
     /// The error's total, dB; `None` where it was not estimated, and with `met` of no error at all.
     pub reached_db: Option<f64>,
-    /// Whether the error is no larger than was asked; `None` where it was not estimated.
+    /// Whether the error is no larger than was asked, or with a plan: than the part that it gives to what is
+    /// computed, where the plan spends no more than was asked. `None` where it was not estimated.
     pub met: Option<bool>,
     /// The name of the largest share of the error.
     pub limited_by: Option<String>,
@@ -45,6 +52,42 @@ pub struct Verdict {
     /// Most nodes of an axis, moments of the frame or places of the array, at which ways were traced, and the
     /// number of all paths; `None` where that is not known.
     nodes: Option<(u32, u64)>,
+    plan: Option<Planned>,
+}
+
+/// Accuracy that a plan was made for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Planned {
+    asked_db: f64,
+    /// Reason that the plan spends more than was asked; `None` where it does not.
+    beyond: Option<Beyond>,
+}
+
+/// A limit that makes an accuracy finer than it of no use.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Beyond {
+    spent_db: f64,
+    is_noise: bool,
+}
+
+impl Planned {
+    fn of(plan: &PlanFigures) -> Self {
+        let is_beyond = plan.limited_by != limit_name(Limit::Asked);
+        let is_noise = plan.limited_by == limit_name(Limit::Noise);
+        let beyond = is_beyond.then_some(Beyond { spent_db: plan.spent_db, is_noise });
+        Self { asked_db: plan.asked_db, beyond }
+    }
+
+    fn advice(&self) -> Option<String> {
+        let Beyond { spent_db, is_noise } = self.beyond?;
+        let level = decibels(Some(spent_db));
+        Some(match is_noise {
+            true => format!("The plan spends {level}: what is below that lies in the noise of the map."),
+            false => format!(
+                "The plan spends {level}: the node rules differ by twice as much, so that nothing finer is of use."
+            ),
+        })
+    }
 }
 
 /// Place in which a person asks for an accuracy, for the words of advice.
@@ -77,7 +120,7 @@ impl AccuracyVerdict {
 impl Verdict {
     /// Compares a frame's numerical errors with the accuracy asked for; what the model leaves out is zero.
     pub fn of(asked: Accuracy, error: &ErrorBudget) -> Self {
-        Self { asked, goal: None, error: *error, model: ModelError::default(), nodes: None }
+        Self { asked, goal: None, error: *error, model: ModelError::default(), nodes: None, plan: None }
     }
 
     /// Makes the verdict of a frame; its paths, where they are known, tell the number of nodes.
@@ -98,8 +141,20 @@ impl Verdict {
         Self { model: *model, ..self }
     }
 
-    /// Whether the error is no larger than was asked; `None` where it was not estimated.
+    /// Makes the same verdict of a scene whose physics was planned: what its settings ask for is the part of
+    /// the accuracy that the plan gives to what is computed.
+    pub fn in_plan(self, plan: Option<&PlanFigures>) -> Self {
+        Self { plan: plan.map(Planned::of), ..self }
+    }
+
+    /// Whether the error is no larger than was asked, with a plan: of it; `None` where it was not estimated.
     fn is_met(&self) -> Option<bool> {
+        let is_within = self.plan.is_none_or(|plan| plan.beyond.is_none());
+        self.is_kept().map(|is_kept| is_kept && is_within)
+    }
+
+    /// Whether the error is no larger than the settings ask; `None` where it was not estimated.
+    fn is_kept(&self) -> Option<bool> {
         // An accuracy that went through decibels and back may differ by rounding.
         self.error.total().map(|total| total <= self.asked.amplitude() * (1.0 + 1e-9))
     }
@@ -113,7 +168,8 @@ impl Verdict {
     /// Makes the verdict as `summary.json` has it.
     pub fn told(&self, asking: Asking) -> AccuracyVerdict {
         AccuracyVerdict {
-            asked_db: self.asked.db(),
+            asked_db: self.plan.map_or(self.asked.db(), |plan| plan.asked_db),
+            planned_db: self.plan.map(|_| self.asked.db()),
             goal: self.goal,
             reached_db: db(self.error.total()),
             met: self.is_met(),
@@ -134,8 +190,8 @@ impl Verdict {
 
     /// Advice on what limits the accuracy, and on which one is of use; `None` where there is none to give.
     fn advice(&self, asking: Asking) -> Option<String> {
-        let sentences: Vec<String> =
-            [self.advice_on_limit(asking), self.advice_on_use(asking)].into_iter().flatten().collect();
+        let of_use = self.plan.map_or_else(|| self.advice_on_use(asking), |plan| plan.advice());
+        let sentences: Vec<String> = [self.advice_on_limit(asking), of_use].into_iter().flatten().collect();
         (!sentences.is_empty()).then(|| sentences.join(" "))
     }
 
@@ -156,7 +212,7 @@ impl Verdict {
     /// Advice on what limits the accuracy and what would help; `None` where it was reached or nothing is
     /// known.
     fn advice_on_limit(&self, asking: Asking) -> Option<String> {
-        let limited_by = self.limited_by().filter(|_| self.is_met() == Some(false))?;
+        let limited_by = self.limited_by().filter(|_| self.is_kept() == Some(false))?;
         let (what, help) = match (limited_by, self.nodes) {
             ("freezing", Some((nodes, paths))) => of_nodes(nodes, paths),
             _ => cause_and_help(limited_by, asking),
@@ -210,7 +266,8 @@ pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<
 /// The accuracy that was asked for, and the result that asks for it.
 pub(crate) fn asked_in_words(accuracy: &AccuracyVerdict) -> String {
     let goal = accuracy.goal.map_or(String::new(), |goal| format!(" for \"{}\"", goal.name()));
-    format!("{} asked{goal}", decibels(accuracy.asked_db))
+    let asked = format!("{} asked{goal}", decibels(accuracy.asked_db));
+    accuracy.planned_db.map_or(asked.clone(), |db| format!("{} planned for {asked}", decibels(db)))
 }
 
 /// Shares within 10 dB of the largest, largest first: each of the others changes the total by less than half
@@ -266,7 +323,7 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
 fn of_nodes(nodes: u32, paths: u64) -> (&'static str, &'static str) {
     if bart_rcs::paths_are_at_limit(nodes, paths) {
         (
-            "bodies are so near that more moments of the frame, or places of the array, would be more paths than are held",
+            "more moments of the frame, or places of the array, would be more paths than are held: bodies are near, or little is left of an echo whose parts cancel (a flat side off its specular)",
             "a shorter frame (fewer chirps, shorter intervals), a smaller array, or a looser accuracy, which larger cells meet",
         )
     } else if nodes >= bart_rcs::MOMENTS_MAX {
@@ -319,6 +376,24 @@ mod tests {
         let unknown = Verdict::of(Accuracy::from_db(-20.0), &ErrorBudget::default()).told(Asking::Scene);
         assert_eq!((unknown.met, unknown.limited_by, unknown.reached_db), (None, None, None));
         assert!((unknown.asked_db + 20.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_planned_scene_is_measured_by_its_plan_s_part_and_has_reached_what_the_plan_promises() {
+        let plan = |spent_db: f64, limited_by: &str| PlanFigures {
+            limited_by: limited_by.into(),
+            ..PlanFigures { asked_db: -30.0, spent_db, ..PlanFigures::default() }
+        };
+        let told = |spent_db, limited_by| of(0.05, 0.06).in_plan(Some(&plan(spent_db, limited_by)));
+        let kept = told(-30.0, "asked").told(Asking::Scene);
+        assert_eq!((kept.asked_db, kept.met, kept.advice), (-30.0, Some(true), None));
+        assert!((kept.planned_db.unwrap() + 20.0).abs() < 1e-12);
+        let limited = told(-17.8, "nodes");
+        assert_eq!(limited.told(Asking::Scene).met, Some(false));
+        let lines = limited.lines(Asking::Scene).join("\n");
+        assert!(lines.contains("−20.0 dB planned for −30.0 dB asked: NOT REACHED"), "{lines}");
+        assert!(lines.contains("node rules") && lines.contains("spends −17.8 dB"), "{lines}");
+        assert!(told(-5.0, "noise").lines(Asking::Scene)[1].contains("noise of the map"));
     }
 
     #[test]

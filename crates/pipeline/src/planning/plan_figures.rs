@@ -11,7 +11,7 @@ use artifact::units::db_from_amplitude;
 use serde::{Deserialize, Serialize};
 
 /// Plan of a scene's physics in figures.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct PlanFigures {
     /// Accuracy asked for, dB.
     pub asked_db: f64,
@@ -142,7 +142,8 @@ impl PlanFigures {
         lines
     }
 
-    fn first_line(&self) -> String {
+    /// Line of the accuracy that the plan was made for, and of what limits it.
+    pub fn first_line(&self) -> String {
         let (asked, finer) = (level(Some(self.asked_db)), level(Some(self.spent_db)));
         match self.limited_by.as_str() {
             "nodes" => format!(
@@ -155,13 +156,18 @@ impl PlanFigures {
 }
 
 impl PartFigures {
-    fn line(&self) -> String {
-        let verdict = match (self.modelled, self.said) {
+    /// Words for whether the part is modelled, and by whose choice.
+    pub fn verdict(&self) -> &'static str {
+        match (self.modelled, self.said) {
             (true, true) => "modelled, as the scene says",
             (false, true) => "left out, as the scene says",
             (true, false) => "modelled",
             (false, false) => "left out",
-        };
+        }
+    }
+
+    fn line(&self) -> String {
+        let verdict = self.verdict();
         let cost = self.processor_s.map_or(String::new(), |seconds| match self.modelled {
             true => format!(", takes {}", spent(seconds)),
             false => format!(", would take {}", spent(seconds)),
@@ -179,7 +185,8 @@ fn share(part: Part, shares: &Shares) -> Option<f64> {
     }
 }
 
-fn limit_name(limit: Limit) -> &'static str {
+/// Word for a limit, as [`PlanFigures::limited_by`] has it.
+pub(crate) fn limit_name(limit: Limit) -> &'static str {
     match limit {
         Limit::Asked => "asked",
         Limit::Nodes => "nodes",

@@ -17,6 +17,9 @@ pub(super) fn section(of: &str, accuracy: &AccuracyVerdict) -> Markup {
     let asked_for = accuracy.goal.map_or(String::new(), |goal| format!(", for \"{}\"", goal.name()));
     let rows = html! { table { tbody {
         tr { th { "Asked" } td { (rounded(accuracy.asked_db, 1)) " dB" (asked_for) } }
+        @if accuracy.planned_db.is_some() {
+            tr { th { "Planned for what is computed" } td { (level(accuracy.planned_db)) } }
+        }
         tr { th { "Reached" } td.bad[is_missed] { (accuracy.reached_in_words()) } }
         tr { th { "As good as asked" } td.bad[is_missed] { (words) } }
         tr { th { "Largest share" } td { (accuracy.limited_by.as_deref().unwrap_or("–")) } }

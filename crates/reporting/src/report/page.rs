@@ -2,8 +2,10 @@
 
 use crate::pictures::FrameFigures;
 use crate::report::accuracy;
+use crate::report::echo_errors;
 use crate::report::false_objects;
 use crate::report::figures::Figures;
+use crate::report::plan;
 use crate::report::provenance_paragraph::{Making, PICTURES, made};
 use crate::report::tables;
 use crate::report::tracks;
@@ -26,6 +28,7 @@ pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making) -> Str
             (made(making, &written))
             (viewer::section(&figures.viewed, summary))
             (tables::radar(&summary.radar, frames))
+            @if let Some(told) = &summary.plan { (plan::section(told)) }
             @if frames.len() > 1 { (tracks::section(metrics)) }
             @if !figures.strip.is_empty() { (strip(frames, figures)) }
             @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
@@ -82,7 +85,7 @@ fn lead(frames: &[FrameSummary], metrics: &Metrics) -> String {
     let Agreement { found, missed, false_ones, stationary, removed, .. } = metrics.objects;
     let over = if frames.len() == 1 { "one frame".into() } else { format!("{} frames", frames.len()) };
     let objects = if false_ones == 1 { "object is" } else { "objects are" };
-    let more = [(stationary, "objects at rest are no body's"), (removed, "bodies at rest were removed")];
+    let more = [(stationary, "at rest and of no target"), (removed, "removed as echoes at rest")];
     let more = more.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("; {count} {what}"));
     format!(
         "{found} of {} bodies with an echo found in {over}; {false_ones} {objects} false{}; {points} points detected.",
@@ -111,6 +114,7 @@ fn section(number: usize, frame: &FrameSummary, figures: Option<&FrameFigures>) 
                 div { h3 { "Error budget of this frame" } (tables::errors(frame)) }
                 div { h3 { "What each stage cost" } (tables::costs(frame)) }
             }
+            (echo_errors::section(&frame.targets))
         }
     }
 }

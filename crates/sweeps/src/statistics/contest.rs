@@ -2,6 +2,7 @@
 
 use crate::statistics::bets::capital;
 use crate::statistics::interval::{Mean, Scale};
+use crate::statistics::pairs::{best, by_mean};
 
 /// Rule by which a design is given up.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,7 +18,7 @@ pub(crate) struct Rule {
 }
 
 /// Designs that stay of those that are `open`, in their order; `scores` has each design's by situation, more
-/// is better. The one of the greatest mean stays, and each that is not worse than others by paired
+/// is better. The best by pairs ([`best`]) stays, and each that is not worse than others by paired
 /// differences. Of values with bounds a design is worse where a capital that bets against it and for each
 /// other one has grown enough ([`capital`]): whatever the distribution, at however many looks. Of others it
 /// is worse than the best by Student's interval, at a confidence that all comparisons with every other
@@ -44,9 +45,7 @@ pub(crate) fn staying(scores: &[Vec<Option<f64>>], open: &[usize], rule: &Rule) 
 /// in the average and wins nothing, so that the more that are good are compared, the sooner a bad one goes.
 fn ranked(scores: &[Vec<Option<f64>>], open: &[usize]) -> Vec<usize> {
     const RIVALS: usize = 64;
-    let mut known: Vec<_> = means(scores, open).collect();
-    known.sort_by(|a, b| b.1.total_cmp(&a.1));
-    known.iter().take(RIVALS).map(|(design, _)| *design).collect()
+    by_mean(scores, open).iter().take(RIVALS).map(|(design, _)| *design).collect()
 }
 
 /// Capital that bets for one design and against another, whose differences are at most `span`; none before
@@ -55,18 +54,6 @@ fn bets_for(scores: &[Vec<Option<f64>>], [design, against]: [usize; 2], span: f6
     let pairs = scores[design].iter().zip(&scores[against]);
     let differences = pairs.filter_map(|(a, b)| Some(((*a)? - (*b)?) / span));
     if differences.clone().count() < least { 0.0 } else { capital(differences) }
-}
-
-/// The design of the greatest mean, of equal ones the first; `None` where nothing is known.
-pub(crate) fn best(scores: &[Vec<Option<f64>>], open: &[usize]) -> Option<usize> {
-    let better = |best: (usize, f64), other: (usize, f64)| if other.1 > best.1 { other } else { best };
-    means(scores, open).reduce(better).map(|(design, _)| design)
-}
-
-/// Designs of which something is known, with their means.
-fn means(scores: &[Vec<Option<f64>>], open: &[usize]) -> impl Iterator<Item = (usize, f64)> {
-    let mean = |design: &usize| Mean::of_known(&scores[*design], 0.5).map(|mean| (*design, mean.value));
-    open.iter().filter_map(mean)
 }
 
 /// Confidence of each of some statements that all hold together at a confidence (Bonferroni). A two-sided

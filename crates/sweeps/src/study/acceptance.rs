@@ -9,7 +9,7 @@ use artifact::scene::SceneHeader;
 use artifact::settings::Fidelity;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
-use scene::{Change, Meshes, ReadOptions, SceneErrors};
+use scene::{Change, Meshes, Planning, ReadOptions, Rule, SceneErrors};
 use std::collections::BTreeMap;
 
 /// Reads the scene of every design in the first situation and of the first design in all situations of the
@@ -80,7 +80,10 @@ fn alike(study: &Study, designs: &[Vec<Pick>], [first, second]: [usize; 2]) -> F
 /// Reads the scene of a design in a situation; a refusal is as that of [`check`].
 pub(crate) fn check_one(study: &Study, design: &[Pick], situation: &Situation) -> Result<(), Failure> {
     let all = || study.vary.iter().zip(design).chain(study.conditions.iter().zip(&situation.picks));
-    let refusal = |changes: &[Change]| try_scene(study, changes, Meshes::NamesOnly).err();
+    let refusal = |changes: &[Change]| {
+        let errors = try_scene(study, changes, Meshes::NamesOnly).err()?;
+        Some(unknown_list(study, changes).unwrap_or(errors))
+    };
     let Some(errors) = refusal(&changes(all())) else { return Ok(()) };
     let alone = |chosen: &(_, _)| Some((*chosen, refusal(&changes(std::iter::once(*chosen)))?));
     Err(match all().find_map(|chosen| alone(&chosen)) {
@@ -89,9 +92,40 @@ pub(crate) fn check_one(study: &Study, design: &[Pick], situation: &Situation) -
     })
 }
 
+/// Sentences on what the scene says and no run of a study takes from it.
+///
+/// # Errors
+/// The scene cannot be read.
+pub(crate) fn remarks(study: &Study) -> Result<Vec<String>, Failure> {
+    let said = scene::said_physics(&study.scene, &[]).map_err(loading::of_scene)?;
+    let remark = || {
+        format!(
+            "{}: `plan = \"accuracy\"` of [fidelity] is not followed: in a study physics that the scene \
+             leaves out are the defaults of their keys, the same in all runs.",
+            study.scene.display()
+        )
+    };
+    Ok((said.planning == Planning::ByAccuracy).then(remark).into_iter().collect())
+}
+
 fn try_scene(study: &Study, changes: &[Change], meshes: Meshes) -> Result<SceneHeader, SceneErrors> {
     let options = ReadOptions { model: None, radar: study.radar.clone(), meshes };
     scene::read_changed(&study.scene, changes, &options)
+}
+
+/// The scene's sentences on an unknown key before the number of an entry, which it takes for that of a list
+/// that it leaves out: asked for a list under it, it tells the key that is spelt alike.
+fn unknown_list(study: &Study, changes: &[Change]) -> Option<SceneErrors> {
+    let is_number = |name: &str| !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_digit());
+    let list_of = |change: &Change| {
+        let names: Vec<&str> = change.key.split('.').collect();
+        let count = names.iter().position(|name| is_number(name)).filter(|count| *count > 0)?;
+        Some(Change { key: names[..count].join("."), value: "[]".to_owned() })
+    };
+    let is_unknown =
+        |errors: &SceneErrors| errors.0.iter().any(|error| matches!(error.rule, Rule::UnknownKey { .. }));
+    let refusal = |change| try_scene(study, &[change], Meshes::NamesOnly).err();
+    changes.iter().filter_map(list_of).filter_map(refusal).find(is_unknown)
 }
 
 fn refused(study: &Study, chosen: &[(&Axis, &Pick)], errors: &SceneErrors) -> Failure {

@@ -88,11 +88,19 @@ fn labels(fields: &Fields<'_>, groups: &[Vec<String>]) -> Result<Vec<String>, Fa
             format!("`labels` has to have one for each of {} `values`, has {}", groups.len(), labels.len());
         return Err(fields.refused_whole(&rule));
     }
-    texts(fields, "labels", &labels)
+    let texts = texts(fields, "labels", &labels)?;
+    let twice = (1..texts.len()).find(|number| texts[..*number].contains(&texts[*number]));
+    let refused = |number: usize| {
+        let rule = format!("`labels` has `{}` twice: the two could not be told apart", texts[number]);
+        fields.refused(labels[number].span().start, &rule)
+    };
+    twice.map_or(Ok(()), |number| Err(refused(number)))?;
+    Ok(texts)
 }
 
 fn drawn(draw: &Fields<'_>) -> Result<Source, Failure> {
-    let wanted = "`draw` has to be one of { uniform = [least, greatest] } and { whole = [least, greatest] }";
+    let wanted = "`draw` has to be one of { uniform = [least, greatest] } and { whole = [least, greatest] }, \
+                  with the least below the greatest";
     let refused = || draw.refused_whole(wanted);
     match (draw.list("uniform")?, draw.list("whole")?) {
         (Some(ends), None) => Ok(Source::Uniform(ends_of(&ends).ok_or_else(refused)?)),

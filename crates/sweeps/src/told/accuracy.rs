@@ -74,7 +74,7 @@ fn of_candidates(ledger: &Ledger, candidates: &[usize], count: fn(&Ledger, usize
     let more = if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
     match resting.len() {
         0 => "no candidate rests on them.".into(),
-        _ => format!("of the candidates rest on them: {listed}{more}."),
+        _ => format!("these candidates rest on them: {listed}{more}."),
     }
 }
 
@@ -105,7 +105,7 @@ mod tests {
         assert_eq!(
             told[0],
             "2 of 6 runs did NOT REACH the accuracy that they asked for, the worst, of design 1, 3.6 dB for −20.0 dB \
-             asked: with a finer one the answer may be another; of the candidates rest on them: 0."
+             asked: with a finer one the answer may be another; these candidates rest on them: 0."
         );
         assert!(told[1].contains("not known of 1 of 6 runs"), "{told:?}");
         assert!(sentences(&missed, &[2])[0].ends_with("no candidate rests on them."));

@@ -20,7 +20,9 @@ pub(crate) fn draw(study: &Study, answer: &Answer, form: Form) -> Svg {
     let mut sheet = Svg::new(title.clone(), form.width_px(), 0.0);
     let note =
         "A disc is a design; numbers are those of designs.csv, bars the intervals of the front's means.";
-    let top = head(&mut sheet, &title, &[note.to_owned()]);
+    let gaps = "Means are of the situations that a design knows; the front is by those that two both know.";
+    let notes = [note].into_iter().chain(answer.is_by_pairs().then_some(gaps));
+    let top = head(&mut sheet, &title, &notes.map(str::to_owned).collect::<Vec<_>>());
     let axes = axes(answer, form, top);
     axes.draw_with(&mut sheet, [cost, metric], [&costs(answer, &axes), &numbers(&axes)]);
     let legend = marks(&mut sheet, answer, &axes);

@@ -7,6 +7,7 @@ use crate::study::axis::Pick;
 use crate::study::document::Study;
 use crate::told::accuracy;
 use crate::told::blocks::Block;
+use crate::told::gaps;
 use plotting::axes::tick_text;
 
 /// A study with all that was measured.
@@ -15,6 +16,8 @@ pub(crate) struct Done<'a> {
     pub(crate) designs: &'a [Vec<Pick>],
     pub(crate) ledger: &'a Ledger,
     pub(crate) answer: &'a Answer,
+    /// Sentences on what a study does not take from its scene.
+    pub(crate) remarks: &'a [String],
 }
 
 /// Parts of the report before its picture: the answer.
@@ -40,11 +43,12 @@ pub(crate) fn details(done: &Done) -> Vec<Block> {
 }
 
 impl Done<'_> {
-    /// The answer in sentences, the first of which names the design, and what it is worth by the accuracy of
-    /// the runs.
+    /// The answer in sentences, the first of which names the design, and what it is worth by the situations
+    /// that it stands on and the accuracy of the runs.
     pub(crate) fn sentences(&self) -> Vec<String> {
+        let gaps = gaps::sentence(&self.answer.standings, |design| self.seen(design), self.metric());
         let accuracy = accuracy::sentences(self.ledger, &self.answer.candidates);
-        self.choice().into_iter().chain(accuracy).collect()
+        self.choice().into_iter().chain(gaps).chain(accuracy).chain(self.remarks.iter().cloned()).collect()
     }
 
     fn choice(&self) -> Vec<String> {
@@ -56,19 +60,42 @@ impl Done<'_> {
         let first = format!("Answer: {}.", self.named(chosen));
         let worth = format!(
             "It has a {metric} of {} and costs {} {cost}.",
-            text(self.answer.standings[chosen].mean),
+            self.mean(chosen),
             number(self.answer.standings[chosen].cost),
         );
         let others = match candidates {
             1 => "It is the best, and no other is as near to it as would do.".to_owned(),
             _ => format!(
-                "It is the cheapest of {candidates} that {}; the best mean has {}: {}.",
+                "It is the cheapest of {candidates} that {}; {} {}: {}.",
                 self.bound(),
+                if self.answer.is_by_pairs() { "the best by pairs is" } else { "the best mean has" },
                 self.named(best),
-                text(self.answer.standings[best].mean),
+                self.mean(best),
             ),
         };
         vec![first, worth, others]
+    }
+
+    /// Situations that a design has seen.
+    fn seen(&self, design: usize) -> usize {
+        self.ledger.runs(design).len()
+    }
+
+    /// Mean of the goal's metric, with the situations that it is of where these are not all.
+    fn mean(&self, design: usize) -> String {
+        let mean = self.answer.standings[design].mean;
+        text(mean) + &gaps::of_fewer(mean, self.seen(design))
+    }
+
+    /// Paired distance behind the best, with the situations that both know where these are not all.
+    fn behind(&self, design: usize) -> String {
+        let behind = self.answer.standings[design].behind;
+        match self.answer.best {
+            Some(best) if best != design => {
+                text(behind) + &gaps::of_fewer(behind, self.seen(design).min(self.seen(best)))
+            }
+            _ => "–".to_owned(),
+        }
     }
 
     /// Values that the candidates have in common.
@@ -105,8 +132,7 @@ impl Done<'_> {
     fn row(&self, design: usize) -> Vec<String> {
         let standing = &self.answer.standings[design];
         let picks = self.designs[design].iter().map(|pick| pick.label.clone());
-        let behind = if Some(design) == self.answer.best { "–".to_owned() } else { text(standing.behind) };
-        let seen = self.ledger.runs(design).len().to_string();
+        let seen = self.seen(design).to_string();
         let counts = [accuracy::missed, accuracy::not_measured].map(|count| count(self.ledger, design));
         let missed = match counts {
             [0, 0] => "–".to_owned(),
@@ -114,17 +140,17 @@ impl Done<'_> {
             [0, unknown] => format!("not measured in {unknown}"),
             [missed, unknown] => format!("in {missed}, not measured in {unknown}"),
         };
-        let rest = [number(standing.cost), text(standing.mean), behind, seen, missed];
+        let rest = [number(standing.cost), self.mean(design), self.behind(design), seen, missed];
         [design.to_string()].into_iter().chain(picks).chain(rest).collect()
     }
 
     fn by_axis(&self, name: &str, effects: &[Effect]) -> Block {
         let head = [name, "designs", "mean over them", "the best of them", "has"].map(str::to_owned).to_vec();
         let row = |effect: &Effect| {
-            let worth = effect.best.and_then(|best| self.answer.standings[best].mean);
+            let worth = effect.best.map_or("–".to_owned(), |best| self.mean(best));
             let best = effect.best.map_or("–".to_owned(), |best| best.to_string());
             let designs = effect.designs.to_string();
-            vec![effect.label.clone(), designs, number(effect.mean), best, text(worth)]
+            vec![effect.label.clone(), designs, number(effect.mean), best, worth]
         };
         Block::Table(format!("By {name}"), head, effects.iter().map(row).collect())
     }
@@ -132,10 +158,13 @@ impl Done<'_> {
     /// All metrics of the chosen design beside those of the best.
     fn metrics(&self) -> Block {
         let shown: Vec<usize> = self.answer.chosen.into_iter().chain(self.answer.best).collect();
-        let titles = ["the answer", "the best mean"].map(str::to_owned);
+        let best = if self.answer.is_by_pairs() { "the best by pairs" } else { "the best mean" };
+        let titles = ["the answer", best].map(str::to_owned);
         let head = ["metric".to_owned()].into_iter().chain(titles.into_iter().take(shown.len())).collect();
         let mean = |design: usize, metric: usize| {
-            text(self.study.measures.mean(metric, &self.ledger.metric(design, metric), self.study.confidence))
+            let values = self.ledger.metric(design, metric);
+            let mean = self.study.measures.mean(metric, &values, self.study.confidence);
+            text(mean) + &gaps::of_fewer(mean, self.seen(design))
         };
         let row = |(metric, name): (usize, &str)| {
             let means = shown.iter().map(|design| mean(*design, metric));
@@ -155,13 +184,23 @@ impl Done<'_> {
         format!(
             "{} designs in up to {most} situations, {runs} runs, seed {}; all designs see the same situations. Intervals \
              are Student's at {} % over situations, of shares and their differences that agree in all situations Clopper's and Pearson's; those behind the best are of paired differences, each at {} %, so \
-             that all hold together.{stopped} Means by value are over the {} situations that every design has seen.",
+             that all hold together.{stopped} Means by value are over the {}.",
             self.ledger.designs(),
             self.study.seed,
             percent(self.study.confidence),
             percent(self.answer.jointly),
-            self.ledger.common(),
+            self.of_values(),
         )
+    }
+
+    /// Situations that means by value are over.
+    fn of_values(&self) -> String {
+        match self.answer.is_by_pairs() {
+            true => {
+                format!("{} situations in which all designs know {}", self.answer.shared.len(), self.metric())
+            }
+            false => format!("{} situations that every design has seen", self.ledger.common()),
+        }
     }
 }
 

@@ -37,26 +37,30 @@ pub(crate) fn runs(
 
 /// All designs: the value of every key, how many situations it has seen, the mean of every metric with its
 /// interval, how far it is behind the best, whether it is on the front and a candidate, how many of its runs
-/// did not reach the accuracy that they asked for, and of how many it is not known, as their errors are those
-/// of other runs.
+/// did not reach the accuracy that they asked for, of how many it is not known, as their errors are those of
+/// other runs, and in how many situations each mean is known.
 pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, answer: &Answer) -> String {
     let of_metric = |name: &str| [name.to_owned(), format!("{name}_low"), format!("{name}_high")];
     let behind = ["behind", "behind_low", "behind_high", "front", "candidate"];
     let behind = behind.into_iter().chain(["accuracy_missed", "accuracy_taken_over"]).map(str::to_owned);
+    let counts = study.measures.names().chain(["behind"]).map(|name| format!("{name}_situations"));
     let head = ["design".to_owned()].into_iter().chain(keys(&study.vary)).chain(["situations".to_owned()]);
-    let mut table = row(head.chain(study.measures.names().flat_map(of_metric)).chain(behind));
+    let mut table = row(head.chain(study.measures.names().flat_map(of_metric)).chain(behind).chain(counts));
     for (number, design) in designs.iter().enumerate() {
         let seen = ledger.runs(number).len();
         let values = design.iter().flat_map(|pick| pick.values.iter().map(|value| plain(value)));
         let mean = |metric| study.measures.mean(metric, &ledger.metric(number, metric), study.confidence);
-        let means = (0..study.measures.names().count()).flat_map(|metric| interval(mean(metric)));
-        let behind = interval(answer.standings[number].behind);
+        let means: Vec<Option<Mean>> = (0..study.measures.names().count()).map(mean).collect();
+        let behind = answer.standings[number].behind;
+        let count = |mean: &Option<Mean>| mean.map_or(0, |mean| mean.count).to_string();
+        let counts = means.iter().chain([&behind]).map(count);
         let is_in = |designs: &[usize]| if designs.contains(&number) { "yes" } else { "no" }.to_owned();
         let missed = accuracy::missed(ledger, number).to_string();
         let taken_over = accuracy::not_measured(ledger, number).to_string();
         let verdict = [is_in(&answer.front), is_in(&answer.candidates), missed, taken_over];
         let first = [number.to_string()].into_iter().chain(values).chain([seen.to_string()]);
-        table += &row(first.chain(means).chain(behind).chain(verdict));
+        let intervals = means.iter().chain([&behind]).flat_map(|mean| interval(*mean));
+        table += &row(first.chain(intervals).chain(verdict).chain(counts));
     }
     table
 }

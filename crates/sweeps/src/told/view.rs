@@ -74,7 +74,7 @@ fn design(
     situation: Option<&Situation>,
     situations: usize,
 ) -> Result<Design, Failure> {
-    let Done { study, designs, ledger, answer } = done;
+    let Done { study, designs, ledger, answer, remarks: _ } = done;
     let mean = |metric| {
         let mean = study.measures.mean(metric, &ledger.metric(number, metric), study.confidence);
         mean.map(|mean| (mean.value, mean.half_width))

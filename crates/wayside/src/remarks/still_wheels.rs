@@ -14,8 +14,8 @@ pub(super) fn remark(header: &SceneHeader) -> Option<String> {
     let names = without.iter().copied().collect::<Vec<_>>().join(", ");
     (header.fidelity.wheels == Wheels::Turning && !without.is_empty()).then(|| {
         format!(
-            "note: {names}: no node, mesh or material is named as a wheel, and none turns \
-             (docs/decisions/wheels.md)"
+            "note: {names}: no wheel turns: none is named as one by its node, mesh or material, or what is named \
+             so is round, off the ground or far from its fellow on the axle (docs/decisions/wheels.md)"
         )
     })
 }
@@ -35,7 +35,7 @@ mod tests {
         header.fidelity.wheels = Wheels::Turning;
         header.meshes = vec![without.clone()].into();
         let told = remark(&header).unwrap();
-        assert!(told.starts_with("note: car-suv: no node, mesh or material is named as a wheel"), "{told}");
+        assert!(told.starts_with("note: car-suv: no wheel turns"), "{told}");
         header.meshes = vec![with_wheels].into();
         assert_eq!(remark(&header), None);
         (header.fidelity.wheels, header.meshes) = (Wheels::Still, vec![without].into());

@@ -129,9 +129,10 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     if let (Some(run), Some(planned)) = (runs.first(), planned.first()) {
         remark(&run.scene, &planned.loaded.header);
     }
-    let mut of_radars = vec![];
-    for ((run, planned), out) in runs.iter().zip(&planned).zip(&outs) {
-        if runs.len() > 1 {
+    let (mut of_radars, work) = (vec![], (runs.len() > 1).then(|| Work::begin("radars")));
+    for (number, ((run, planned), out)) in runs.iter().zip(&planned).zip(&outs).enumerate() {
+        if let Some(work) = &work {
+            work.at(number, runs.len());
             (settings.tell)(&format!("radar {}", run.scene.radar.as_deref().unwrap_or_default()));
         }
         of_radars.extend(one_radar(settings, planned, cache.as_ref(), model.as_ref(), out)?);
@@ -228,7 +229,7 @@ fn one_radar(
         return Ok(None);
     }
     let (start, begin) = (Instant::now(), processor_time::of_process());
-    let (computed, figures) = compute(&chain, loaded, &plans, settings, out)?;
+    let (computed, figures) = compute(&chain, planned, &plans, settings, out)?;
     let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
     let took = RunTook { seconds: start.elapsed().as_secs_f64(), processor };
     if let Some(cache) = cache {
@@ -256,12 +257,12 @@ struct Computed {
 /// order while later ones are computed.
 fn compute(
     chain: &Chain,
-    loaded: &LoadedScene,
+    planned: &PlannedScene,
     plans: &[FramePlan],
     settings: &Settings,
     out: &Path,
 ) -> Result<(Computed, Figures), Failure> {
-    let mut products = Products::create(chain, out, &loaded.files)?;
+    let mut products = Products::create(chain, out, &planned.loaded.files)?;
     let mut tracking = Tracking::of(chain)?;
     let (mut frames, mut cycle) = (Vec::new(), Vec::new());
     let frame_of = |plan: &FramePlan| {
@@ -269,14 +270,15 @@ fn compute(
         chain.frame(plan)
     };
     let write = |frame: FrameProducts| {
-        cycle.push(with_scene(frame, loaded));
+        cycle.push(with_scene(frame, &planned.loaded));
         if cycle.len() < chain.header.radar.schedule.sub_frames() as usize {
             return Ok(());
         }
         resolved(chain, std::mem::take(&mut cycle))?.into_iter().try_for_each(|frame| {
             let truth = frame_truth(chain, &frame)?;
             let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
-            frames.push(FrameSummary::of(&frame.view, &frame.result, &truth, told_of_tracks));
+            let (plan, told) = (planned.plan.as_ref(), (&frame.result, &truth));
+            frames.push(FrameSummary::of_planned(&frame.view, plan, told, told_of_tracks));
             progress::during("artifacts and pictures", || products.write(chain, frame, &truth, &tracks))
         })
     };

@@ -1,5 +1,6 @@
 //! S of a mesh over frequency and aspect, in memory.
 
+use crate::remarks;
 use crate::stepwise::meshes::far_field_from_m;
 use artifact::scene::Mesh;
 use artifact::{ErrorBudget, ModelError};
@@ -8,7 +9,7 @@ use num_complex::Complex64;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use pipeline::host::processor_time::WorkClock;
-use pipeline::host::progress::Work;
+use pipeline::host::progress::{self, Work};
 
 /// S in metres and what is known of it.
 pub struct RcsTable {
@@ -31,6 +32,7 @@ pub struct RcsTable {
 pub fn rcs(mesh: &Mesh, request: &RcsRequest, memory: Allowance) -> Result<RcsTable, Failure> {
     let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
     check_size(shape)?;
+    remarks::forward_scattering::remark(request).into_iter().for_each(progress::note);
     let (work, clock) = (Work::begin("aspects"), WorkClock::start());
     let clock_s = &|| clock.seconds();
     let surroundings =

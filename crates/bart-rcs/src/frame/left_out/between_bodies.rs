@@ -1,5 +1,5 @@
-//! Error of leaving out the ways between bodies: two bounces on two bodies, added up beside what was
-//! traced.
+//! Error of leaving out the ways between bodies: two bounces on two bodies, or more where most of the echo
+//! has more, added up beside what was traced.
 
 use crate::bodies::world::World;
 use crate::frame::frame_error::Reference;
@@ -11,8 +11,10 @@ use crate::joins::scatterer::{Scatterer, sequence};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::Phase;
 
-/// Settings of these ways: what one body throws on another comes off its panels.
-const WAYS: LeftOutWays = LeftOutWays { bounces: 2, mirror_wavelengths: 10.0 };
+/// Orders that are added up where they hold half of the echo.
+const BOUNCES: u8 = 2;
+/// Smaller mirrors are not followed: what one body throws on another comes off its panels.
+const MIRROR_WAVELENGTHS: f64 = 10.0;
 
 /// Ratio ‖S between bodies‖ over ‖S‖ at the moment and the place of the check, with the margin of the
 /// measurement.
@@ -24,14 +26,16 @@ pub(crate) fn between_bodies_left_out(
     plan: &Plan<'_>,
     reference: &Reference,
 ) -> Result<Option<f64>, BartError> {
-    if !world.leaves_bodies_apart() || plan.header.fidelity.bounces < WAYS.bounces {
+    if !world.leaves_bodies_apart() || plan.header.fidelity.bounces < BOUNCES {
         return Ok(None);
     }
     let world = world.joined()?;
-    let Some(tree) = WAYS.tree(&world, plan)? else { return Ok(None) };
+    let bounces = reference.telling_orders(BOUNCES);
+    let ways = LeftOutWays { bounces, mirror_wavelengths: MIRROR_WAVELENGTHS };
+    let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
     let snapshot = Snapshot::of(world, tree);
     let scatterer = snapshot.scatterer(plan, Phase::Checking);
-    Ok(WAYS.relative(&scatterer, plan, reference, |joint| meets_several_bodies(&scatterer, joint)))
+    Ok(ways.relative(&scatterer, plan, reference, |joint| meets_several_bodies(&scatterer, joint)))
 }
 
 /// Whether a joint's way meets more than one body.

@@ -16,14 +16,15 @@ use num_complex::Complex64;
 /// with the margin of the measurement.
 ///
 /// One and two bounces on bodies by the middle rule, facets alone, to a quarter of each integral; what has
-/// more bounces is taken to gain as much as these do. `None` where a road is there, or no body; where ways by
+/// more bounces is taken to gain as much as these do, and counted too where most of the echo is its own
+/// ([`Reference::telling_orders`]). `None` where a road is there, or no body; where ways by
 /// it could not be followed; and where their beams would take more memory than the frame may.
 pub(crate) fn road_left_out(
     world: &World,
     plan: &Plan<'_>,
     reference: &Reference,
 ) -> Result<Option<f64>, BartError> {
-    let bounces = plan.header.fidelity.bounces.min(BOUNCES);
+    let bounces = reference.telling_orders(BOUNCES);
     let of = |scatterer: &Scatterer<'_>, ways: &LeftOutWays| {
         ways.relative(scatterer, plan, reference, |joint| scatterer.goes_by_road(joint))
     };
@@ -70,7 +71,7 @@ fn over_usual_road<T>(
     Ok(Some(of(&scatterer, &ways)))
 }
 
-/// Orders that are added up.
+/// Orders that are added up where they hold half of the echo.
 const BOUNCES: u8 = 2;
 /// Smaller mirrors are not followed: geometrical optics between bounces ends there (`docs/bart.md` §11), and
 /// a sedan's frame takes 42 % longer for this figure instead of 56 %, which moves by 0.3 dB.

@@ -148,24 +148,24 @@ impl UnderWay {
     }
 }
 
-/// Share of the outermost work that counts, with the parts that are done of its steps under way; it never
-/// falls.
+/// Share of the outermost work that counts, with what is done of its steps under way; it never falls.
 fn share(items: &[Arc<Item>]) -> f64 {
     let Some(at) = items.iter().position(|item| item.counts().is_some()) else { return 0.0 };
     let (outer, within) = (&items[at], &items[at + 1..]);
     let Some((done, of)) = outer.counts() else { return 0.0 };
-    let own = if outer.stages.is_empty() { outer.part_share() } else { 0.0 };
-    let under_way: f64 = within.iter().map(|item| item.share_of_frame(&outer.stages)).sum();
-    let share = ((done as f64 + own + under_way) / of as f64).min(1.0);
+    let share = ((done as f64 + outer.under_way(within)) / of as f64).min(1.0);
     let before = outer.shown.fetch_max(share.to_bits(), Ordering::Relaxed);
     share.max(f64::from_bits(before))
 }
 
-/// The outermost work, the one that counts, and the last begun.
+/// The outermost work, the one that counts, the one that counts a step of it, and the last begun.
 fn text(items: &[Arc<Item>], now: Instant) -> String {
     let last = items.len().saturating_sub(1);
-    let counting = items.iter().position(|item| item.counts().is_some()).unwrap_or(last);
-    let mut told = [0, counting, last].to_vec();
+    let counts = |from: usize| (from..items.len()).find(|&index| items[index].counts().is_some());
+    let counting = counts(0).unwrap_or(last);
+    let is_of_steps = items.get(counting).is_some_and(|item| item.stages.is_empty());
+    let of_step = counts(counting + 1).filter(|_| is_of_steps).unwrap_or(counting);
+    let mut told = [0, counting, of_step, last].to_vec();
     told.dedup();
     let of = |index: usize| items.get(index).map(|item| item.text(now));
     told.into_iter().filter_map(of).collect::<Vec<_>>().join("; ")
@@ -199,6 +199,15 @@ impl Item {
     fn counts(&self) -> Option<(usize, usize)> {
         let of = self.of.load(Ordering::Relaxed);
         (of > 0).then(|| (self.done.load(Ordering::Relaxed).min(of), of))
+    }
+
+    /// Steps under way that are done, given the work begun since: of frames by what is done of each one's
+    /// stages; of other steps by the parts of one, or by the work within it that counts.
+    fn under_way(&self, within: &[Arc<Item>]) -> f64 {
+        if self.stages.is_empty() {
+            return self.part_share().max(share(within));
+        }
+        within.iter().map(|item| item.share_of_frame(&self.stages)).sum()
     }
 
     /// Share of the step under way that its parts have done; 0 where no step has parts. Each round of them is
@@ -336,6 +345,26 @@ mod tests {
             shares.push(share(&under_way.items));
         }
         assert_eq!(shares, [0.25, 0.5, 0.625, 0.75]);
+    }
+
+    #[test]
+    fn frames_of_one_of_several_radars_count_in_the_share_of_the_radars() {
+        let (mut under_way, start) = (UnderWay::NOTHING, Instant::now());
+        under_way.begin("run".into(), (0, &[]), start);
+        let radars = under_way.begin("radars".into(), (0, &[]), start);
+        let mut shares = vec![];
+        for radar in 0..2 {
+            radars.at(radar, 2);
+            let frames = under_way.begin("frames".into(), (0, &[FrameStage::Echo]), start);
+            for done in [0, 3, 4] {
+                frames.at(done, 4);
+                shares.push(share(&under_way.items));
+            }
+            let told = text(&under_way.items, start + 4 * SECOND);
+            assert!(told.contains("radars: ") && told.ends_with("frames: 4 of 4, about 0 s left"), "{told}");
+            under_way.end(&frames);
+        }
+        assert_eq!(shares, [0.0, 0.375, 0.5, 0.5, 0.875, 1.0]);
     }
 
     #[test]

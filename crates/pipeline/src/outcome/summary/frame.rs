@@ -10,6 +10,7 @@ use crate::outcome::summary::targets::{ClutterSummary, TargetSummary};
 use crate::outcome::summary::tracks::TrackSummary;
 use crate::outcome::summary::words::DetailWord;
 use crate::outcome::verdict::{AccuracyVerdict, Asking, Verdict};
+use crate::planning::plan_figures::PlanFigures;
 use artifact::paths::{self, PathsFrame};
 use artifact::points::PointsFrame;
 use artifact::scene::{Role, SceneHeader};
@@ -100,6 +101,16 @@ impl FrameSummary {
         truth: &FrameTruth,
         tracks: Vec<TrackSummary>,
     ) -> Self {
+        Self::of_planned(header, None, (result, truth), tracks)
+    }
+
+    /// The same of a scene whose physics was planned, or may have been.
+    pub fn of_planned(
+        header: &SceneHeader,
+        plan: Option<&PlanFigures>,
+        (result, truth): (&FrameResult, &FrameTruth),
+        tracks: Vec<TrackSummary>,
+    ) -> Self {
         let (paths, points) = (result.scattering.paths(), &result.points);
         let error_measured_in = paths.map(|paths| errors_of_frame(header, result.scene.index, paths));
         let header = &header.in_frame(result.scene.index);
@@ -120,6 +131,7 @@ impl FrameSummary {
                 && points.objects.iter().all(|o| o.velocity_resolved),
             accuracy: Verdict::of_paths(&header.fidelity, &result.error, paths)
                 .beside(&result.model_error)
+                .in_plan(plan)
                 .told(Asking::Scene),
             error_db: ErrorFigures::of(&result.error),
             error_measured_in,

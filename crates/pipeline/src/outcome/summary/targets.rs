@@ -3,6 +3,7 @@
 use crate::chain::class_rule::Predicted;
 use crate::chain::frame_result::FrameResult;
 use crate::outcome::summary::classes::Probabilities;
+use crate::outcome::summary::echo_error::EchoError;
 use crate::outcome::summary::tracks::TrackSummary;
 use artifact::points::Object;
 use artifact::scene::SceneHeader;
@@ -24,6 +25,10 @@ pub struct TargetSummary {
     pub truth: TruthSummary,
     /// Estimate of the object that is the target's; `None` without one.
     pub estimate: Option<Estimate>,
+    /// Error of the target's own echo, and what of it reaches the estimate; `None` where it was not measured:
+    /// of point targets, which are exact, of tables, and where wheels turn.
+    #[serde(default)]
+    pub error: Option<EchoError>,
     /// Whether the target has an object; `None` where it is not to be found: hidden, without an echo of its
     /// own, or out of range.
     pub found: Option<bool>,
@@ -133,6 +138,7 @@ impl TargetSummary {
             model,
             truth: TruthSummary::of(truth),
             estimate: object.map(Estimate::of),
+            error: EchoError::of(header, result, (index, chosen)),
             found: frame.pairing.shown.contains(&index).then_some(object.is_some()),
             removed: frame.pairing.removed.contains(&index),
             object: chosen,

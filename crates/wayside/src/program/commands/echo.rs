@@ -24,7 +24,8 @@ use scene::SaidPhysics;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Failure> {
-    let PlannedScene { mut loaded, said, .. } = planning::scene(&arguments.scene.source(), None, memory)?;
+    let PlannedScene { mut loaded, plan, said, .. } =
+        planning::scene(&arguments.scene.source(), None, memory)?;
     if arguments.paths.is_some() {
         loaded.header.fidelity.echo = EchoMode::Paths;
     }
@@ -40,6 +41,8 @@ pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Fa
     };
     loading::check_unchanged(&mut traced)?;
     writer.finish()?;
+    let in_plan = |(frame, verdict): (u32, Verdict)| (frame, verdict.in_plan(plan.as_ref()));
+    let told: Verdicts = told.into_iter().map(in_plan).collect();
     verdict::of_frames(&told).into_iter().for_each(terminal::line);
     Ok(())
 }

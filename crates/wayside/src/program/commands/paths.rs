@@ -16,10 +16,10 @@ use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use pipeline::host::progress::FrameStage;
 use pipeline::outcome::verdict::{self, Verdict};
-use pipeline::planning;
+use pipeline::planning::{self, PlannedScene};
 
 pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), Failure> {
-    let mut loaded = planning::scene(&arguments.scene.source(), None, memory)?.loaded;
+    let PlannedScene { mut loaded, plan, .. } = planning::scene(&arguments.scene.source(), None, memory)?;
     loaded.header.fidelity.echo = EchoMode::Paths; // that is what was asked for
     let chain = Chain::of(&loaded.header, None, None, memory);
     let from = provenance(Stage::BartRcs, &loaded.header, loaded.files.clone());
@@ -31,7 +31,7 @@ pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), F
         if let Scattering::Paths(frame) = scattering.numbered_as_in(chain.header) {
             writer.write(&frame)?;
             let verdict = Verdict::of_paths(&loaded.header.fidelity, &frame.error, Some(&frame));
-            told.push((index, verdict.beside(&frame.model_error)));
+            told.push((index, verdict.beside(&frame.model_error).in_plan(plan.as_ref())));
         }
         Ok(())
     };

@@ -146,8 +146,10 @@ fn traced(
     .map_err(Failure::refused)
 }
 
-/// Remarks on materials whose permittivities are those of other frequencies.
+/// Remarks on materials whose permittivities are those of other frequencies, and on a receiver behind the
+/// body.
 fn remark(mesh: &Mesh, request: &RcsRequest) {
+    remarks::forward_scattering::remark(request).into_iter().for_each(progress::note);
     let ends = [f64::min, f64::max].map(|end| request.frequency_hz.iter().copied().reduce(end));
     if let [Some(lowest_hz), Some(highest_hz)] = ends {
         remarks::of_materials(mesh.makeup.materials.iter(), [lowest_hz, highest_hz])

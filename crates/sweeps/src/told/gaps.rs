@@ -1,0 +1,66 @@
+//! Sentences about means that are not over all situations.
+
+use crate::answer::Standing;
+use crate::statistics::interval::Mean;
+
+/// A sentence on how many designs know the metric in fewer situations than others, with the one that lacks
+/// most, and what that makes of the answer; none where all know it in the same.
+pub(crate) fn sentence(
+    standings: &[Standing],
+    seen: impl Fn(usize) -> usize,
+    metric: &str,
+) -> Option<String> {
+    let lacks = |design: &usize| standings[*design].lacks;
+    let count = (0..standings.len()).filter(|design| lacks(design) > 0).count();
+    // The first of those that lack as many.
+    let worst = (0..standings.len()).rev().max_by_key(lacks).filter(|design| lacks(design) > 0)?;
+    let known = standings[worst].mean.map_or(0, |mean| mean.count);
+    let all = standings.len();
+    let know = if count == 1 { "knows" } else { "know" };
+    Some(format!(
+        "{count} of {all} designs {know} {metric} in FEWER SITUATIONS than others, design {worst} in \
+         {known} of {}: two designs are compared in those that both know, so one that finds less is judged \
+         by what it finds alone. Look at a detection rate or a coverage as well (another [goal] makes no run \
+         anew).",
+        seen(worst),
+    ))
+}
+
+/// Words appended to a mean that is over fewer situations than it could be.
+pub(crate) fn of_fewer(mean: Option<Mean>, seen: usize) -> String {
+    match mean {
+        Some(mean) if mean.count < seen => format!(" (in {} of {seen})", mean.count),
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn standing(known: usize, lacks: usize) -> Standing {
+        let mean = Mean::of(&vec![1.0; known], 0.95);
+        Standing { mean, cost: None, behind: None, worth: None, lacks }
+    }
+
+    #[test]
+    fn the_designs_that_know_less_are_counted_and_the_one_that_lacks_most_is_named() {
+        let told = |standings: &[Standing]| sentence(standings, |_| 24, "range_error_m");
+        assert_eq!(told(&[standing(24, 0), standing(24, 0)]), None);
+        let one = told(&[standing(12, 12), standing(24, 0)]).unwrap();
+        assert!(one.starts_with("1 of 2 designs knows range_error_m in FEWER SITUATIONS"), "{one}");
+        let some = told(&[standing(20, 4), standing(12, 12), standing(12, 12), standing(24, 0)]).unwrap();
+        let begin =
+            "3 of 4 designs know range_error_m in FEWER SITUATIONS than others, design 1 in 12 of 24: ";
+        assert!(some.starts_with(begin), "{some}");
+        let none = told(&[standing(0, 24), standing(24, 0)]).unwrap();
+        assert!(none.contains("design 0 in 0 of 24"), "{none}");
+    }
+
+    #[test]
+    fn a_mean_over_all_situations_needs_no_words_and_one_over_fewer_tells_them() {
+        let mean = Mean::of(&[1.0, 2.0], 0.95);
+        assert_eq!([2, 5].map(|seen| of_fewer(mean, seen)), ["", " (in 2 of 5)"]);
+        assert_eq!(of_fewer(None, 5), "");
+    }
+}
