@@ -538,7 +538,7 @@ mod tests {
                 let aspect = Aspect {
                     transmit: (transmitter, DVec3::Y),
                     receive: Some((receiver, DVec3::Y)),
-                    is_along_sheet: false,
+                    is_along_face: false,
                 };
                 let checks = Checks { integrals: IntegralsCheck::Compared, model };
                 let [own, shared] = [None, Some(&tree)].map(|received| {
