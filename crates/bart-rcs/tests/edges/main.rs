@@ -5,6 +5,7 @@
 )]
 
 mod left_out;
+mod near_by;
 mod seams;
 
 use artifact::Accuracy;
