@@ -89,7 +89,7 @@ mod tests {
     }
 
     fn lines_of(sheets: &[[[DVec3; 3]; 2]], near_m: f64) -> usize {
-        let edges = body_edges(sheets.as_flattened(), &[]).edges;
+        let edges = body_edges(sheets.as_flattened(), &[], 0.0).edges;
         let mut lines = lines(&edges, near_m);
         lines.sort_unstable();
         lines.dedup();
