@@ -342,8 +342,8 @@ impl World {
 
     /// The edges that diffract at about this wavenumber; found when they are first asked for, once per mesh.
     ///
-    /// A world serves one band: the first wavenumber asked for decides which sides are thin, and which seams of
-    /// rounded files are closed.
+    /// A world serves one band: the first wavenumber asked for decides which sides are thin, and which seams
+    /// of rounded files are closed.
     pub(crate) fn edges(&self, wavenumber_per_m: f64) -> &WorldEdges {
         /// Distances that no wave tells, in wavelengths: twice that way is a phase of 0.013.
         const UNTOLD_WAVELENGTHS: f64 = 1e-3;
