@@ -53,7 +53,7 @@ pub(crate) fn part_sequences(
     truncations
 }
 
-/// How far sequences of two patches are parted from their specular.
+/// Partings of sequences of two patches from their specular.
 #[derive(Default)]
 pub(crate) struct Partings(BTreeMap<[LitPatch; 2], Parting>);
 

@@ -33,7 +33,7 @@ pub(crate) struct Scattering {
     pub(crate) error_power: Option<f64>,
     /// Power |S|² over frequency of the first order that is left out, where it was measured.
     pub(crate) left_out_power: Option<f64>,
-    /// What edges that are left out would change, where it was measured.
+    /// Change by edges that are left out, where it was measured.
     pub(crate) left_out_edges: Option<LeftOutEdges>,
     /// Power over frequency of the whole scattering matrix, all polarizations, order by order, m².
     pub(crate) whole_power: f64,
@@ -416,7 +416,7 @@ struct OfOrder {
     edges_m: Vec<Complex64>,
     /// Power over frequency of the whole matrix, of facets and of edges, m².
     whole_power: f64,
-    /// How far its double reflections are parted from their specular.
+    /// Partings of its double reflections from their specular.
     partings: Partings,
     /// Area of overlaps given up, as in [`Joints::given_up`](crate::joins::joint::Joints).
     given_up: [f64; 2],

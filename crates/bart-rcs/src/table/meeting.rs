@@ -140,7 +140,7 @@ impl MeetingSettings {
         OrderJoints { facets: Joints::default(), edges, truncations: Vec::new() }
     }
 
-    /// What edges would change in all orders up to `bounces`, of a request at one wavenumber.
+    /// Change by edges in all orders up to `bounces`, of a request at one wavenumber.
     pub(crate) fn left_out_edges(
         &self,
         scatterer: &Scatterer<'_>,
