@@ -198,8 +198,10 @@ impl BodyMesh {
         self.materials.iter().flatten().any(|material| matches!(**material, Material::Layers { .. }))
     }
 
-    pub(crate) fn edges(&self) -> &BodyEdges {
-        self.edges.get_or_init(|| body_edges(&self.skin.triangles_m, &self.skin.corner_normals))
+    /// Edges that diffract; the first distance asked for that no wave tells decides which seams are closed.
+    pub(crate) fn edges(&self, untold_m: f64) -> &BodyEdges {
+        let find = || body_edges(&self.skin.triangles_m, &self.skin.corner_normals, untold_m);
+        self.edges.get_or_init(find)
     }
 }
 

@@ -342,14 +342,18 @@ impl World {
 
     /// The edges that diffract at about this wavenumber; found when they are first asked for, once per mesh.
     ///
-    /// A world serves one band: the first wavenumber asked for decides which sides are thin.
+    /// A world serves one band: the first wavenumber asked for decides which sides are thin, and which seams
+    /// of rounded files are closed.
     pub(crate) fn edges(&self, wavenumber_per_m: f64) -> &WorldEdges {
+        /// Distances that no wave tells, in wavelengths: twice that way is a phase of 0.013.
+        const UNTOLD_WAVELENGTHS: f64 = 1e-3;
         self.edges.get_or_init(|| {
+            let untold_m = UNTOLD_WAVELENGTHS * std::f64::consts::TAU / wavenumber_per_m;
             let mut all = WorldEdges::for_facets(self.facets.len());
             for body in &self.bodies {
                 let place =
                     BodyPlacement { world_from_body: body.world_from_body, position_m: body.motion.origin_m };
-                all.add(body.mesh.edges(), &place, body.first_facet, 1.0 / wavenumber_per_m);
+                all.add(body.mesh.edges(untold_m), &place, body.first_facet, 1.0 / wavenumber_per_m);
             }
             all
         })

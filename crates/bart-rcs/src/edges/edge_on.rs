@@ -1,9 +1,10 @@
-//! Antennas in the plane of a sheet: there no polygon of it is lit and its edges are silent, while the field
-//! goes on from one side to the other. Such an antenna is moved out of the plane by less than any phase
-//! tells.
+//! Antennas in the plane of a face, of a sheet or of a closed body's wall: there no polygon of it is lit, and
+//! edges that no other lit face has are silent, while the field goes on from one side to the other. Such an
+//! antenna is moved out of the plane by less than any phase tells.
 
 use crate::edges::fringe::{EDGE_ON_RAD, LEAST_SINE};
 use crate::geometry::antenna::Antenna;
+use crate::mesh::wedges::wedge::Wedge;
 use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
 use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
@@ -12,16 +13,19 @@ use std::f64::consts::PI;
 /// plane aslant, and over 10 m at 77 GHz a phase of 3e-4 rad.
 const ASIDE_RAD: f64 = 2e-8;
 /// Sheets whose planes are nearer show slivers that may be dropped as too small, with their edges, rad.
-const SLIVER_RAD: f64 = 1e-3;
-/// Directions tried in which an antenna leaves the planes of sheets.
+const SLIVER_OF_SHEET_RAD: f64 = 1e-3;
+/// Walls of closed bodies whose planes are nearer do, rad: of bodies with some thousand walls one of thirty
+/// aspects is that near to one.
+const SLIVER_OF_WALL_RAD: f64 = 1e-5;
+/// Directions tried in which an antenna leaves the planes of faces.
 const DIRECTIONS: u32 = 16;
 
-/// The antenna, outside of the planes of all sheets that have an edge across its line of sight.
-pub(crate) fn off_sheets(antenna: Antenna, edges: &WorldEdges) -> Antenna {
+/// The antenna, outside of the planes of all faces that have an edge across its line of sight.
+pub(crate) fn off_faces(antenna: Antenna, edges: &WorldEdges) -> Antenna {
     let in_plane: Vec<(DVec3, &EdgeGeometry)> = edges
         .edges
         .iter()
-        .filter_map(|edge| Some((normal_if_edge_on(antenna, edge, EDGE_ON_RAD)?, edge)))
+        .flat_map(|edge| normals_if_edge_on(antenna, edge, |_| EDGE_ON_RAD).map(move |normal| (normal, edge)))
         .collect();
     let Some((first, edge)) = in_plane.first() else { return antenna };
     let middle_m = edge.point_m(0.5 * edge.length_m);
@@ -36,18 +40,26 @@ pub(crate) fn off_sheets(antenna: Antenna, edges: &WorldEdges) -> Antenna {
     }
 }
 
-/// Whether the antenna sees a sheet so much along its plane that it shows a sliver alone.
-pub(crate) fn sees_along_sheet(antenna: Antenna, edges: &WorldEdges) -> bool {
-    edges.edges.iter().any(|edge| normal_if_edge_on(antenna, edge, SLIVER_RAD).is_some())
+/// Whether the antenna sees a face so much along its plane that it shows a sliver alone.
+pub(crate) fn sees_along_face(antenna: Antenna, edges: &WorldEdges) -> bool {
+    let within_rad =
+        |wedge: &Wedge| if wedge.is_of_sheet() { SLIVER_OF_SHEET_RAD } else { SLIVER_OF_WALL_RAD };
+    edges.edges.iter().any(|edge| normals_if_edge_on(antenna, edge, within_rad).next().is_some())
 }
 
-/// Normal of the sheet that ends at an edge, where the antenna stands in its plane to an angle and sees the
-/// edge.
-fn normal_if_edge_on(antenna: Antenna, edge: &EdgeGeometry, within_rad: f64) -> Option<DVec3> {
-    let (wedge, sight) = (&edge.wedge, antenna.travel_direction_at(edge.point_m(0.5 * edge.length_m)));
-    let is_edge_on = wedge.normal[0].dot(sight).abs() < within_rad;
+/// Normals of the faces that meet at an edge, where the antenna stands in their planes to an angle and sees
+/// the edge.
+fn normals_if_edge_on(
+    antenna: Antenna,
+    edge: &EdgeGeometry,
+    within_rad: impl Fn(&Wedge) -> f64,
+) -> impl Iterator<Item = DVec3> {
+    let (wedge, sight) = (edge.wedge, antenna.travel_direction_at(edge.point_m(0.5 * edge.length_m)));
+    let within_rad = within_rad(&wedge);
     let is_seen = wedge.along.cross(sight).length() > LEAST_SINE;
-    (wedge.is_of_sheet() && is_edge_on && is_seen).then_some(wedge.normal[0])
+    let faces = if wedge.is_of_sheet() { 1 } else { 2 };
+    let is_edge_on = move |normal: &DVec3| is_seen && normal.dot(sight).abs() < within_rad;
+    wedge.normal.into_iter().take(faces).filter(is_edge_on)
 }
 
 #[cfg(test)]
@@ -77,13 +89,13 @@ mod tests {
     fn an_antenna_leaves_the_planes_of_all_sheets_that_it_sees_edge_on_and_no_other_moves() {
         let world = sheets();
         let edges = world.edges(1600.0);
-        let Antenna::Direction(moved) = off_sheets(Antenna::Direction(DVec3::X), edges) else { panic!() };
+        let Antenna::Direction(moved) = off_faces(Antenna::Direction(DVec3::X), edges) else { panic!() };
         assert!(moved.y.abs() > 5.0 * EDGE_ON_RAD && moved.z.abs() > 5.0 * EDGE_ON_RAD, "{moved}");
         assert!(moved.distance(DVec3::X) < 1.01 * ASIDE_RAD);
         let aslant = Antenna::Direction(DVec3::new(0.6, 0.48, 0.64));
-        assert_eq!(off_sheets(aslant, edges), aslant);
+        assert_eq!(off_faces(aslant, edges), aslant);
         let near = Antenna::Point(DVec3::new(9.0, 0.0, 0.5));
-        let Antenna::Point(moved) = off_sheets(near, edges) else { panic!() };
+        let Antenna::Point(moved) = off_faces(near, edges) else { panic!() };
         assert!(moved.y.abs() > 5e-8 && moved.distance(DVec3::new(9.0, 0.0, 0.5)) < 2e-7, "{moved}");
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! An edge is lit where a lit polygon of one of its facets reaches it: exactly what is lit of the facets, by
 //! the same shadows, straight or through mirrors. Only edges in the plane of vision itself (their facets
-//! edge-on to the antenna to rounding) have no polygon.
+//! edge-on to the antenna to rounding) have no polygon. Of the edges of one line (rims of a double skin,
+//! [`crate::mesh::wedges::side_by_side`]) the nearest to the antenna alone is lit, place by place.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::beams::image_tree::goes_by_road;
@@ -55,9 +56,10 @@ pub(crate) fn tree_order_with(edges: Edges, bounces: u8, rule: NodeRule) -> u8 {
 pub(crate) fn edge_joints(world: &World, edges: &WorldEdges, trees: Trees<'_>, order: u8) -> Vec<EdgeJoint> {
     let forward = lit_edges(world, edges, trees.transmit(), order);
     match trees {
-        Trees::Shared(_) => joints_of(&forward, &forward, order, Pairs::Unordered),
+        Trees::Shared(_) => joints_of(edges, [&forward, &forward], order, Pairs::Unordered),
         Trees::Apart(..) | Trees::ByRoad(..) => {
-            joints_of(&forward, &lit_edges(world, edges, trees.receive(), order), order, Pairs::Ordered)
+            let backward = lit_edges(world, edges, trees.receive(), order);
+            joints_of(edges, [&forward, &backward], order, Pairs::Ordered)
         }
     }
 }
@@ -81,11 +83,63 @@ pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_
             found.extend(reached.map(lit));
         }
     }
-    let key = |lit: &LitEdge| (lit.edge, lit.order, lit.mirrors);
+    let line = |lit: &LitEdge| edges.edges[lit.edge as usize].line.first;
+    let key = |lit: &LitEdge| (line(lit), lit.order, lit.mirrors, lit.edge);
     found.sort_by(|a, b| {
         key(a).cmp(&key(b)).then(a.span_m[0].total_cmp(&b.span_m[0])).then(a.beam.cmp(&b.beam))
     });
-    united(found, world.tolerance_m())
+    let united = united(found, world.tolerance_m());
+    let of_way = united.chunk_by(|a, b| (line(a), a.order, a.mirrors) == (line(b), b.order, b.mirrors));
+    of_way.flat_map(|ways| nearest_of_line(edges, tree, ways)).collect()
+}
+
+/// Parts of the edges of one line without those before which a nearer edge is lit in the same way.
+fn nearest_of_line(edges: &WorldEdges, tree: &BeamTree, lit: &[LitEdge]) -> Vec<LitEdge> {
+    if lit.iter().all(|other| other.edge == lit[0].edge) {
+        return lit.to_vec();
+    }
+    let seen = |one: &LitEdge| {
+        let before = lit.iter().filter(|other| is_before(edges, tree, other, one));
+        let hidden = before.map(|other| edges.on_line_m(other.edge, other.span_m)).collect();
+        let left = without(edges.on_line_m(one.edge, one.span_m), hidden);
+        left.into_iter().map(|span_m| LitEdge { span_m: edges.on_edge_m(one.edge, span_m), ..*one }).collect()
+    };
+    lit.iter().flat_map(|one| -> Vec<LitEdge> { seen(one) }).collect()
+}
+
+/// Whether an edge is nearer to the antenna than another one of its line, in the middle of what is lit of
+/// both.
+fn is_before(edges: &WorldEdges, tree: &BeamTree, one: &LitEdge, other: &LitEdge) -> bool {
+    let [a, b] = [one, other].map(|lit| edges.on_line_m(lit.edge, lit.span_m));
+    let overlap_m = [a[0].max(b[0]), a[1].min(b[1])];
+    if one.edge == other.edge || overlap_m[0] >= overlap_m[1] {
+        return false;
+    }
+    let place = |lit: &LitEdge| {
+        let middle_m = edges.on_edge_m(lit.edge, [0.5 * (overlap_m[0] + overlap_m[1]); 2])[0];
+        edges.edges[lit.edge as usize].point_m(middle_m)
+    };
+    let (x, y) = (place(one), place(other));
+    let travel = tree.beams[one.beam as usize].image.travel_direction_at(0.5 * (x + y));
+    let ahead_m = (y - x).dot(travel);
+    ahead_m > 0.0 || (ahead_m == 0.0 && one.edge < other.edge)
+}
+
+/// A span without parts of it.
+fn without(span_m: [f64; 2], mut parts_m: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    parts_m.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let (mut left, mut from_m) = (Vec::new(), span_m[0]);
+    for [start_m, end_m] in parts_m {
+        if start_m > from_m {
+            left.push([from_m, start_m.min(span_m[1])]);
+        }
+        from_m = from_m.max(end_m);
+    }
+    if from_m < span_m[1] {
+        left.push([from_m, span_m[1]]);
+    }
+    left.retain(|part| part[0] < part[1]);
+    left
 }
 
 fn mirrors_of(world: &World, tree: &BeamTree, beam: &Beam) -> Mirrors {
@@ -142,23 +196,30 @@ enum Pairs {
     Ordered,
 }
 
-/// Overlaps on every edge of what both ends light with `order` + 1 facets between them.
-fn joints_of(forward: &[LitEdge], backward: &[LitEdge], order: u8, pairs: Pairs) -> Vec<EdgeJoint> {
+/// Overlaps on every line of what both ends light with `order` + 1 facets between them; of two edges of one
+/// line the first has them.
+fn joints_of(
+    edges: &WorldEdges,
+    [forward, backward]: [&[LitEdge]; 2],
+    order: u8,
+    pairs: Pairs,
+) -> Vec<EdgeJoint> {
+    let line = |lit: &LitEdge| edges.edges[lit.edge as usize].line.first;
     let mut joints = Vec::new();
     let mut start = 0;
-    for of_edge in forward.chunk_by(|a, b| a.edge == b.edge) {
-        let edge = of_edge[0].edge;
-        start += backward[start..].partition_point(|lit| lit.edge < edge);
-        let others = &backward[start..start + backward[start..].partition_point(|lit| lit.edge == edge)];
-        for (i, f) in of_edge.iter().enumerate() {
-            for (j, b) in others.iter().enumerate() {
+    for of_line in forward.chunk_by(|a, b| line(a) == line(b)) {
+        let here = line(&of_line[0]);
+        start += backward[start..].partition_point(|lit| line(lit) < here);
+        let others = &backward[start..start + backward[start..].partition_point(|lit| line(lit) == here)];
+        for (i, f) in of_line.iter().enumerate() {
+            for (j, b) in others.iter().enumerate().filter(|(_, b)| f.order + b.order == order + 1) {
                 let reverse = match pairs {
                     Pairs::Unordered if j < i => continue,
                     Pairs::Unordered if j > i => Reverse::Included,
                     Pairs::Unordered | Pairs::Ordered => Reverse::Apart,
                 };
-                let span_m = [f.span_m[0].max(b.span_m[0]), f.span_m[1].min(b.span_m[1])];
-                if f.order + b.order == order + 1 && span_m[0] < span_m[1] {
+                let (edge, span_m) = edges.overlap_m([(f.edge, f.span_m), (b.edge, b.span_m)]);
+                if span_m[0] < span_m[1] {
                     joints.push(EdgeJoint { edge, forward: f.beam, backward: b.beam, span_m, reverse });
                 }
             }

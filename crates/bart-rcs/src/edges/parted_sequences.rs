@@ -53,6 +53,35 @@ pub(crate) fn part_sequences(
     truncations
 }
 
+/// Partings of sequences of two patches from their specular.
+#[derive(Default)]
+pub(crate) struct Partings(BTreeMap<[LitPatch; 2], Parting>);
+
+impl Partings {
+    /// Partings that joints of order two have been given.
+    pub(crate) fn of(scatterer: &Scatterer<'_>, joints: &Joints) -> Self {
+        let is_parted = |joint: &Joint| joint.parting.clear > 0.0;
+        if !joints.list.iter().any(is_parted) {
+            return Self::default();
+        }
+        let of_members = |members: &[Member]| joints.list[members[0].joint].parting;
+        let all = sequences(scatterer, joints).into_iter();
+        let known = all.map(|(sequence, members)| (sequence, of_members(&members)));
+        Self(known.filter(|(_, parting)| parting.clear > 0.0).collect())
+    }
+
+    /// Parts joints of order two, by any node, as the same sequences have been.
+    pub(crate) fn give_to(&self, scatterer: &Scatterer<'_>, joints: &mut Joints) {
+        if self.0.is_empty() {
+            return;
+        }
+        for (sequence, members) in sequences(scatterer, joints) {
+            let Some(parting) = self.0.get(&sequence) else { continue };
+            members.iter().for_each(|member| joints.list[member.joint].parting = *parting);
+        }
+    }
+}
+
 /// A lit side of a patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct LitPatch {

@@ -6,7 +6,7 @@
 
 use crate::geometry::plane::Plane;
 use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, TriangleSide, parts};
-use crate::mesh::t_junction::cut_at_corners;
+use crate::mesh::t_junction::{Nearness, cut_at_corners};
 use crate::mesh::welding::Welding;
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -45,8 +45,9 @@ pub(crate) struct Blade {
 }
 
 impl<'a> Topology<'a> {
-    /// Topology of triangles in one frame; corners nearer than `tolerance_m` are one.
-    pub(crate) fn of(triangles_m: &'a [[DVec3; 3]], tolerance_m: f64) -> Self {
+    /// Topology of triangles in one frame; corners within the rounding are one.
+    pub(crate) fn of(triangles_m: &'a [[DVec3; 3]], near: Nearness) -> Self {
+        let tolerance_m = near.rounding_m;
         let points_m = triangles_m.as_flattened();
         let names = Welding::Within(tolerance_m).places(points_m);
         let (names, _) = names.as_chunks::<3>();
@@ -54,10 +55,10 @@ impl<'a> Topology<'a> {
         let with_plane = |(names, normal): (&[u32; 3], &DVec3)| (*normal != DVec3::ZERO).then_some(*names);
         let places: Vec<Option<[u32; 3]>> = names.iter().zip(&normals).map(with_plane).collect();
         let mut parts = parts(&places);
-        cut_at_corners(&mut parts, points_m, tolerance_m);
+        cut_at_corners(&mut parts, points_m, near);
         let edges = MeshEdges::of_parts(parts, triangles_m.len());
         let mut topology = Self { triangles_m, edges, normals, patch_of: Vec::new(), patches: 0 };
-        topology.grow_patches(tolerance_m);
+        topology.grow_patches(near);
         topology
     }
 
@@ -120,7 +121,7 @@ impl<'a> Topology<'a> {
     }
 
     /// Patches from the largest facet on: what hangs together and lies in the plane of the first.
-    fn grow_patches(&mut self, tolerance_m: f64) {
+    fn grow_patches(&mut self, near: Nearness) {
         let doubled_m2 = |t: u32| {
             let [a, b, c] = self.triangles_m[t as usize];
             (b - a).cross(c - a).length()
@@ -129,7 +130,7 @@ impl<'a> Topology<'a> {
         let mut seeds: Vec<u32> = (0..self.triangles_m.len() as u32).filter(with_plane).collect();
         seeds.sort_by(|&a, &b| doubled_m2(b).total_cmp(&doubled_m2(a)).then(a.cmp(&b)));
         let in_plane =
-            |seed: u32, other: u32| self.lies_in_plane_of(seed as usize, other as usize, 2.0 * tolerance_m);
+            |seed: u32, other: u32| self.lies_in_plane_of(seed as usize, other as usize, near.of_plane_m());
         let mut patch_of = self.edges.hanging_together(seeds.iter().copied(), in_plane);
         let mut number = vec![MeshEdges::NO_SEED; patch_of.len()];
         for seed in seeds.into_iter().filter(|seed| patch_of[*seed as usize] == *seed) {
@@ -179,10 +180,10 @@ fn normal_of(corners_m: &[DVec3; 3], tolerance_m: f64) -> DVec3 {
 mod tests {
     use super::*;
 
-    const TOLERANCE_M: f64 = 1e-6;
+    const NEAR: Nearness = Nearness { rounding_m: 1e-6, untold_m: 0.0 };
 
     fn topology(triangles_m: &[[DVec3; 3]]) -> Topology<'_> {
-        Topology::of(triangles_m, TOLERANCE_M)
+        Topology::of(triangles_m, NEAR)
     }
 
     fn at(x: f64, y: f64, z: f64) -> DVec3 {

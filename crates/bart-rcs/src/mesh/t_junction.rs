@@ -6,10 +6,33 @@ use crate::mesh::mesh_edges::SidePart;
 use glam::DVec3;
 use std::ops::ControlFlow;
 
+/// Distances within which corners lie on a side.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Nearness {
+    /// Within the rounding of the file any corner does.
+    pub(crate) rounding_m: f64,
+    /// Within this and a hundredth of the side's length corners do as well: files of rounded coordinates have
+    /// them beside it, and a wave does not tell.
+    pub(crate) untold_m: f64,
+}
+
+impl Nearness {
+    /// Distance within which corners lie on a side of this length.
+    fn of_side_m(self, length_m: f64) -> f64 {
+        const OF_LENGTH: f64 = 0.01;
+        self.rounding_m.max(self.untold_m.min(OF_LENGTH * length_m))
+    }
+
+    /// Distance within which corners lie in a plane.
+    pub(crate) fn of_plane_m(self) -> f64 {
+        2.0 * self.rounding_m.max(self.untold_m)
+    }
+}
+
 /// Cuts sides that no other facet shares where corners of such sides lie on them: T-junctions.
 ///
 /// `points_m` are those of the places that the sides name.
-pub(crate) fn cut_at_corners(sides: &mut Vec<SidePart>, points_m: &[DVec3], tolerance_m: f64) {
+pub(crate) fn cut_at_corners(sides: &mut Vec<SidePart>, points_m: &[DVec3], near: Nearness) {
     sides.sort_unstable();
     let open = alone(sides);
     let mut corners: Vec<u32> = open.iter().flat_map(|side| sides[*side].ends).collect();
@@ -20,7 +43,7 @@ pub(crate) fn cut_at_corners(sides: &mut Vec<SidePart>, points_m: &[DVec3], tole
     let mut parts = Vec::new();
     for &index in &open {
         let side = sides[index];
-        let mut on_side = corners_on(&side, &hierarchy, &corners, points_m, tolerance_m, &mut stack);
+        let mut on_side = corners_on(&side, &hierarchy, &corners, points_m, near, &mut stack);
         if on_side.is_empty() {
             continue;
         }
@@ -52,12 +75,13 @@ fn corners_on(
     hierarchy: &Hierarchy,
     corners: &[u32],
     points_m: &[DVec3],
-    tolerance_m: f64,
+    near: Nearness,
     stack: &mut Stack,
 ) -> Vec<u32> {
     let [a, b] = side.ends.map(|end| points_m[end as usize]);
     let Some(along) = (b - a).try_normalize() else { return Vec::new() };
     let length_m = a.distance(b);
+    let tolerance_m = near.of_side_m(length_m);
     let planes = tube_around(a, along, length_m, tolerance_m);
     let mut found: Vec<(f64, u32)> = Vec::new();
     let _ = hierarchy.inside(&planes, None, along, stack, |index| {

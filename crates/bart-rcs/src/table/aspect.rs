@@ -4,6 +4,7 @@
 use crate::beams::beam::BeamTree;
 use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
+use crate::edges::parted_sequences::Partings;
 use crate::geometry::antenna::Antenna;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
@@ -13,7 +14,7 @@ use crate::oversight::progress::{Phase, Progress, Unheard};
 use crate::oversight::work_meter::WorkMeter;
 use crate::table::aspect_settings::{AspectSettings, Check, Checks, Finer, IntegralsCheck};
 use crate::table::end_tree::EndTree;
-use crate::table::meeting::OrderJoints;
+use crate::table::meeting::{LeftOutEdges, OrderJoints};
 use crate::table::rcs_request::Aspect;
 use crate::table::small_mirrors::SmallMirrors;
 use artifact::settings::{Edges, NodeRule};
@@ -32,8 +33,8 @@ pub(crate) struct Scattering {
     pub(crate) error_power: Option<f64>,
     /// Power |S|² over frequency of the first order that is left out, where it was measured.
     pub(crate) left_out_power: Option<f64>,
-    /// Power |S of the edges that are left out|² at the middle frequency.
-    pub(crate) edges_power: Option<f64>,
+    /// Change by edges that are left out, where it was measured.
+    pub(crate) left_out_edges: Option<LeftOutEdges>,
     /// Power over frequency of the whole scattering matrix, all polarizations, order by order, m².
     pub(crate) whole_power: f64,
     pub(crate) beams: Vec<u64>,
@@ -92,10 +93,13 @@ pub(crate) fn scattering_with(
     let [dropped_m, dropped_at_most_m] = ends.dropped_m(&chosen, &mirrors, settings);
     ends.phase = Phase::Checking;
     let finer_m = is_measured.then(|| ends.finer(&chosen, aspect, (finer, settings))).transpose()?;
-    let edges_power = (checks.model == Check::Measured).then(|| ends.edges_power(settings)).flatten();
-    let (other_m, left_out_power) = match checks.model {
-        Check::Measured => (Some(ends.by_other_rule(&chosen, settings)?), ends.left_out_power(settings)),
-        Check::Skipped => (None, None),
+    let (other_m, left_out_power, left_out_edges) = match checks.model {
+        Check::Measured => (
+            Some(ends.by_other_rule(&chosen, settings)?),
+            ends.left_out_power(settings),
+            ends.left_out_edges(settings),
+        ),
+        Check::Skipped => (None, None, None),
     };
     let whole_power = chosen.iter().map(|order| order.whole_power).sum();
     let chosen_m: Vec<Vec<Complex64>> = chosen.into_iter().map(|order| order.s_m).collect();
@@ -114,7 +118,7 @@ pub(crate) fn scattering_with(
         other_m,
         error_power,
         left_out_power,
-        edges_power,
+        left_out_edges,
         whole_power,
         beams: ends.beams(),
         accuracy,
@@ -192,9 +196,7 @@ impl<'a> Ends<'a> {
         settings: &AspectSettings,
     ) -> Result<Vec<Vec<Complex64>>, BartError> {
         let scatterer = self.scatterer();
-        let meetings = meetings(&scatterer, from, rule, settings);
-        let settings = &settings.afforded(&scatterer, &meetings, rule)?;
-        Ok(meetings.par_iter().map(|meeting| of_meeting(&scatterer, meeting, rule, settings).s_m).collect())
+        sums(&scatterer, &meetings(&scatterer, from, rule, settings), rule, settings)
     }
 
     /// Every order by the rule asked for, with what its errors are told by.
@@ -267,7 +269,8 @@ impl<'a> Ends<'a> {
         Ok((1..=settings.bounces).zip(chosen).map(with_edges).collect())
     }
 
-    /// Edges are no mirrors: what they add is the same by any rule.
+    /// Edges are no mirrors: what they add is the same by any rule, and so is what ends of double reflections
+    /// take of their polygons.
     fn by_other_rule(
         &mut self,
         chosen: &[OfOrder],
@@ -277,7 +280,13 @@ impl<'a> Ends<'a> {
         self.grow_to(tree_order(settings.bounces, other))?;
         // One bounce has one node.
         let mut other_m: Vec<_> = chosen.iter().take(1).map(|order| order.s_m.clone()).collect();
-        let facets = self.orders(2, other, &AspectSettings { edges: Edges::Ignored, ..settings.clone() })?;
+        let (scatterer, plain) =
+            (self.scatterer(), AspectSettings { edges: Edges::Ignored, ..settings.clone() });
+        let mut meetings = meetings(&scatterer, 2, other, &plain);
+        if let (Some(meeting), Some(own)) = (meetings.first_mut(), chosen.get(1)) {
+            own.partings.give_to(&scatterer, &mut meeting.facets);
+        }
+        let facets = sums(&scatterer, &meetings, other, &plain)?;
         let both = |(facets_m, order): (&Vec<Complex64>, &OfOrder)| {
             facets_m.iter().zip(&order.edges_m).map(|(facets, edges)| facets + edges).collect()
         };
@@ -285,9 +294,9 @@ impl<'a> Ends<'a> {
         Ok(other_m)
     }
 
-    /// Power |S|² of the edges seen straight at the middle frequency, where they are left out and cheap to
-    /// ask for.
-    fn edges_power(&self, settings: &AspectSettings) -> Option<f64> {
+    /// Power |S|² at the middle frequency of what edges would change in all orders, where they are left out
+    /// and cheap to ask for; the trees are as deep as the last order is then, as both rules have been asked.
+    fn left_out_edges(&self, settings: &AspectSettings) -> Option<LeftOutEdges> {
         let wavenumber_per_m = *settings.wavenumbers_per_m.get(settings.wavenumbers_per_m.len() / 2)?;
         if settings.edges == Edges::FirstOrder || self.world.facets().len() > FACETS_WITH_CHEAP_EDGES {
             return None;
@@ -298,7 +307,12 @@ impl<'a> Ends<'a> {
             accuracy: EDGES_LEFT_OUT_ACCURACY,
             ..settings.clone()
         };
-        Some(edges_of_order(&self.scatterer(), 1, &cheap)[0].norm_sqr())
+        let is_small = self.world.facets().len() <= FACETS_WITH_CHEAP_WAVES;
+        let all = self.scatterer();
+        let scatterer = if is_small { all } else { all.with_waves_over_own_faces() };
+        let integration = cheap.integration(cheap.nodes);
+        let meeting = cheap.meeting(cheap.nodes);
+        Some(meeting.left_out_edges(&scatterer, cheap.bounces, cheap.polarization, &integration))
     }
 
     /// Power |S|² over frequency of the order after the last, if the trees hold its nodes.
@@ -313,6 +327,9 @@ impl<'a> Ends<'a> {
 /// Most facets on which edges are cheap: on more they cost more than a tenth of a second, as much as
 /// the rest of an aspect.
 const FACETS_WITH_CHEAP_EDGES: usize = 2_000;
+/// Most facets on which waves of edges over further faces are cheap; on more, whose level they change by a
+/// decibel at most, they would take half of what edges take.
+const FACETS_WITH_CHEAP_WAVES: usize = 100;
 /// Accuracy of what edges would add: it is told to 10 %.
 const EDGES_LEFT_OUT_ACCURACY: f64 = 0.1;
 
@@ -341,6 +358,17 @@ fn meetings(
     (from..=settings.bounces).into_par_iter().map(of_order).collect()
 }
 
+/// S by order of the meetings, then frequency.
+fn sums(
+    scatterer: &Scatterer<'_>,
+    meetings: &[OrderJoints],
+    rule: NodeRule,
+    settings: &AspectSettings,
+) -> Result<Vec<Vec<Complex64>>, BartError> {
+    let settings = &settings.afforded(scatterer, meetings, rule)?;
+    Ok(meetings.par_iter().map(|meeting| of_meeting(scatterer, meeting, rule, settings).s_m).collect())
+}
+
 /// One order's S over frequency, in the polarization asked for.
 fn of_meeting(
     scatterer: &Scatterer<'_>,
@@ -354,7 +382,11 @@ fn of_meeting(
     let whole_power = whole_power / sums[0].len().max(1) as f64;
     let [mut s_m, edges_m] = sums.map(|sum| sum.iter().map(|s| s[p][q]).collect::<Vec<_>>());
     s_m.iter_mut().zip(&edges_m).for_each(|(s, edges)| *s += edges);
-    OfOrder { s_m, edges_m, whole_power, given_up: meeting.facets.given_up }
+    let partings = match meeting.truncations.is_empty() {
+        true => Partings::default(),
+        false => Partings::of(scatterer, &meeting.facets),
+    };
+    OfOrder { s_m, edges_m, whole_power, partings, given_up: meeting.facets.given_up }
 }
 
 /// Scattering amplitude of the edges in one order.
@@ -384,6 +416,8 @@ struct OfOrder {
     edges_m: Vec<Complex64>,
     /// Power over frequency of the whole matrix, of facets and of edges, m².
     whole_power: f64,
+    /// Partings of its double reflections from their specular.
+    partings: Partings,
     /// Area of overlaps given up, as in [`Joints::given_up`](crate::joins::joint::Joints).
     given_up: [f64; 2],
 }
@@ -409,16 +443,23 @@ impl Scattering {
         power_between(&self.chosen_m[..1], &other.chosen_m[..1])
     }
 
-    /// Power |S(this rule) − S(the other)|² of one order (from 0) over frequency, where both are known.
+    /// Power |S(this rule) − S(the other)|² of one order (from 0) over frequency, where both are known; of
+    /// double reflections with what taking them at their ends would change, where edges are left out.
     pub(crate) fn order_spread_power(&self, order: usize) -> Option<f64> {
         let other_m = &self.other_m.as_ref()?[order];
-        Some(mean_over_frequencies(self.frequencies(), |f| self.chosen_m[order][f] - other_m[f]))
+        let ends_power = if order == 1 { self.ends_power() } else { 0.0 };
+        let difference = |f: usize| self.chosen_m[order][f] - other_m[f];
+        Some(mean_over_frequencies(self.frequencies(), difference) + ends_power)
     }
 
     /// Power of the difference between both rules, as [`Self::order_spread_power`], for the sum of all
     /// orders.
     pub(crate) fn node_spread_power(&self) -> Option<f64> {
-        self.other_m.as_ref().map(|other_m| power_between(&self.chosen_m, other_m))
+        self.other_m.as_ref().map(|other_m| power_between(&self.chosen_m, other_m) + self.ends_power())
+    }
+
+    fn ends_power(&self) -> f64 {
+        self.left_out_edges.map_or(0.0, |edges| edges.ends_power)
     }
 
     fn frequencies(&self) -> usize {
@@ -497,7 +538,7 @@ mod tests {
                 let aspect = Aspect {
                     transmit: (transmitter, DVec3::Y),
                     receive: Some((receiver, DVec3::Y)),
-                    is_along_sheet: false,
+                    is_along_face: false,
                 };
                 let checks = Checks { integrals: IntegralsCheck::Compared, model };
                 let [own, shared] = [None, Some(&tree)].map(|received| {

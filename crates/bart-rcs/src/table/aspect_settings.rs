@@ -28,9 +28,9 @@ pub(crate) struct AspectSettings {
 }
 
 impl AspectSettings {
-    /// Settings with which an aspect is traced: along a sheet no sliver is dropped.
+    /// Settings with which an aspect is traced: along a face no sliver is dropped.
     pub(crate) fn seen_from(&self, aspect: &Aspect) -> Self {
-        let least_area_m2 = if aspect.is_along_sheet { 0.0 } else { self.trace.least_area_m2 };
+        let least_area_m2 = if aspect.is_along_face { 0.0 } else { self.trace.least_area_m2 };
         Self { trace: TraceSettings { least_area_m2, ..self.trace }, ..self.clone() }
     }
 

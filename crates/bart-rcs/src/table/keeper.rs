@@ -2,6 +2,7 @@
 
 use crate::table::aspect::Scattering;
 use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
+use crate::table::meeting::LeftOutEdges;
 use num_complex::Complex64;
 
 /// Keeps the aspects of a table as they are done, for a run that goes on where another one ended.
@@ -41,9 +42,12 @@ impl Scattering {
         let mut words = Words::default();
         words.orders(&self.chosen_m);
         words.option(self.other_m.as_ref(), |words, orders| words.orders(orders));
-        for power in [self.error_power, self.left_out_power, self.edges_power] {
+        for power in [self.error_power, self.left_out_power] {
             words.option(power, |words, power| words.number(power));
         }
+        words.option(self.left_out_edges, |words, edges| {
+            [edges.power, edges.ends_power].iter().for_each(|power| words.number(*power));
+        });
         words.count(self.beams.len());
         self.beams.iter().for_each(|n| words.0.push(*n));
         [self.whole_power, self.accuracy, self.dropped_m, self.dropped_at_most_m]
@@ -63,7 +67,7 @@ impl Scattering {
             other_m: words.option(Reading::orders)?,
             error_power: words.option(Reading::number)?,
             left_out_power: words.option(Reading::number)?,
-            edges_power: words.option(Reading::number)?,
+            left_out_edges: words.option(Reading::left_out_edges)?,
             beams: words.list(Reading::word)?,
             whole_power: words.number()?,
             accuracy: words.number()?,
@@ -133,6 +137,10 @@ impl Reading<'_> {
         self.word().map(f64::from_bits)
     }
 
+    fn left_out_edges(&mut self) -> Option<LeftOutEdges> {
+        Some(LeftOutEdges { power: self.number()?, ends_power: self.number()? })
+    }
+
     fn option<T>(&mut self, value: impl FnOnce(&mut Self) -> Option<T>) -> Option<Option<T>> {
         match self.word()? {
             0 => Some(None),
@@ -165,7 +173,7 @@ mod tests {
             other_m: Some(vec![order(0.1), vec![]]),
             error_power: None,
             left_out_power: Some(1e-300),
-            edges_power: Some(0.0),
+            left_out_edges: Some(LeftOutEdges { power: 0.0, ends_power: 1e-9 }),
             beams: vec![7, u64::MAX],
             whole_power: 2.0,
             accuracy: 1e-2,

@@ -7,11 +7,15 @@ use crate::edges::parted_sequences::part_sequences;
 use crate::edges::truncation::{Truncation, sum_of_truncations};
 use crate::joins::band::add;
 use crate::joins::joint::Joints;
-use crate::joins::scatterer::{Integration, Scatterer, sequence};
+use crate::joins::parting::Parting;
+use crate::joins::scatterer::{Integration, Scatterer, scaled, sequence};
 use crate::table::joint_sum::sum_of_joints;
 use artifact::paths::Amplitude;
+use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
+use num_complex::Complex64;
+use rayon::prelude::*;
 
 /// The joints of one order.
 pub(crate) struct OrderJoints {
@@ -135,6 +139,52 @@ impl MeetingSettings {
         }
         let edges = edge_meetings(scatterer, order, self);
         OrderJoints { facets: Joints::default(), edges, truncations: Vec::new() }
+    }
+
+    /// Change by edges in all orders up to `bounces`, of a request at one wavenumber.
+    pub(crate) fn left_out_edges(
+        &self,
+        scatterer: &Scatterer<'_>,
+        bounces: u8,
+        polarization: Polarization,
+        integration: &Integration<'_>,
+    ) -> LeftOutEdges {
+        let (p, q) = polarization.indices();
+        let of_order = |order: u8| {
+            let meeting = match order {
+                2 if self.follows_ends() => OrderJoints::of(scatterer, order, self),
+                _ => self.on_edges(scatterer, order),
+            };
+            let fringes = sum_of_edges(scatterer, &meeting.edges, DVec3::ZERO, integration);
+            [fringes, meeting.ends_less_polygons(scatterer, integration)].map(|sum| sum[0][p][q])
+        };
+        let by_order: Vec<[Complex64; 2]> = (1..=bounces).into_par_iter().map(of_order).collect();
+        let [fringes, ends] = [0, 1].map(|part| by_order.iter().map(|of| of[part]).sum::<Complex64>());
+        LeftOutEdges { power: (fringes + ends).norm_sqr(), ends_power: ends.norm_sqr() }
+    }
+}
+
+/// Powers |S|² of what edges would change where they are left out, m².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LeftOutEdges {
+    /// Power of all orders together.
+    pub(crate) power: f64,
+    /// Power of the ends of double reflections, less what their polygons lose to them.
+    pub(crate) ends_power: f64,
+}
+
+impl OrderJoints {
+    /// Ends at own edges less what polygons lose to them.
+    fn ends_less_polygons(&self, scatterer: &Scatterer<'_>, integration: &Integration<'_>) -> Vec<Amplitude> {
+        let sum = |joints: &Joints| sum_of_joints(scatterer, joints, DVec3::ZERO, integration);
+        let parted = self.facets.filtered(|joint| joint.parting.clear > 0.0);
+        let mut whole = parted.filtered(|_| true);
+        whole.list.iter_mut().for_each(|joint| joint.parting = Parting::NONE);
+        let mut ends = sum_of_truncations(scatterer, &self.truncations, DVec3::ZERO, integration);
+        add(&mut ends, &sum(&parted));
+        let lost: Vec<Amplitude> = sum(&whole).iter().map(|s| scaled(s, Complex64::from(-1.0))).collect();
+        add(&mut ends, &lost);
+        ends
     }
 }
 

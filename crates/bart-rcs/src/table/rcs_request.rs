@@ -1,7 +1,7 @@
 //! Request of a table of S, and the antennas of its aspects.
 
 use crate::bodies::world::World;
-use crate::edges::edge_on::{off_sheets, sees_along_sheet};
+use crate::edges::edge_on::{off_faces, sees_along_face};
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
 use artifact::Accuracy;
@@ -90,9 +90,9 @@ pub(crate) struct Aspect {
     pub(crate) transmit: (Antenna, DVec3),
     /// Receiver; `None` where it is the transmitter.
     pub(crate) receive: Option<(Antenna, DVec3)>,
-    /// Whether an antenna sees a sheet along its plane: what is lit of that is a sliver, and its edges count
+    /// Whether an antenna sees a face along its plane: what is lit of that is a sliver, and its edges count
     /// all the same.
-    pub(crate) is_along_sheet: bool,
+    pub(crate) is_along_face: bool,
 }
 
 impl Aspect {
@@ -122,7 +122,7 @@ pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
         Aspect {
             transmit: (antenna(&transmitter), zenith_h(azimuth_rad)),
             receive: request.receiver.map(|r| (antenna(&r), zenith_h(r.azimuth_rad))),
-            is_along_sheet: false,
+            is_along_face: false,
         }
     };
     request
@@ -132,22 +132,20 @@ pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
         .collect()
 }
 
-/// Aspects as they are traced: with edges on, no antenna stands in the plane of a sheet.
+/// Aspects as they are traced: with edges on, no antenna stands in the plane of a face.
 pub(crate) fn traced_aspects(request: &RcsRequest, world: &World) -> Vec<Aspect> {
     let asked = aspects(request);
     if request.edges == Edges::Ignored {
         return asked;
     }
     let edges = world.edges(request.wavenumbers_per_m().into_iter().fold(0.0, f64::max));
-    let off = |(antenna, zenith_h): (Antenna, DVec3)| (off_sheets(antenna, edges), zenith_h);
+    let off = |(antenna, zenith_h): (Antenna, DVec3)| (off_faces(antenna, edges), zenith_h);
     let aspect = |asked: Aspect| {
         let mut antennas = [Some(asked.transmit), asked.receive].into_iter().flatten();
-        match antennas.any(|(antenna, _)| sees_along_sheet(antenna, edges)) {
-            true => Aspect {
-                transmit: off(asked.transmit),
-                receive: asked.receive.map(off),
-                is_along_sheet: true,
-            },
+        match antennas.any(|(antenna, _)| sees_along_face(antenna, edges)) {
+            true => {
+                Aspect { transmit: off(asked.transmit), receive: asked.receive.map(off), is_along_face: true }
+            }
             false => asked,
         }
     };

@@ -467,7 +467,7 @@ fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
         model_error: ModelError {
             nodes: Some(spread(&Scattering::node_spread_power)),
             bounces: left_out(table, |s| s.left_out_power),
-            edges: left_out(table, |s| s.edges_power),
+            edges: left_out(table, |s| s.left_out_edges.map(|edges| edges.power)),
             ..ModelError::default()
         },
         node_spread: (0..orders).map(|order| spread(&|s| s.order_spread_power(order))).collect(),

@@ -4,6 +4,7 @@
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
 use crate::mesh::mesh_edges::{MeshEdge, TriangleSide};
 use crate::mesh::surface_topology::{Blade, Topology};
+use crate::mesh::t_junction::Nearness;
 use crate::mesh::wedges::wedge::Wedge;
 use crate::mesh::welding::rounding_m;
 use glam::DVec3;
@@ -59,16 +60,20 @@ const LEAST_BEND_RAD: f64 = 1.0 * PI / 180.0;
 const SHADED_BEND_RAD: f64 = 65.0 * PI / 180.0;
 
 /// The edges of a mesh; `corner_normals` are those stored for the corners of its triangles, empty where there
-/// are none.
-pub(crate) fn body_edges(triangles_m: &[[DVec3; 3]], corner_normals: &[[DVec3; 3]]) -> BodyEdges {
-    let tolerance_m = rounding_m(triangles_m.as_flattened());
-    let topology = Topology::of(triangles_m, tolerance_m);
+/// are none. Seams and planes are closed within `untold_m`, which no wave tells.
+pub(crate) fn body_edges(
+    triangles_m: &[[DVec3; 3]],
+    corner_normals: &[[DVec3; 3]],
+    untold_m: f64,
+) -> BodyEdges {
+    let near = Nearness { rounding_m: rounding_m(triangles_m.as_flattened()), untold_m };
+    let topology = Topology::of(triangles_m, near);
     let bends: Vec<DiffractingLine> =
         topology.lines().filter_map(|line| DiffractingLine::of(&topology, &line)).collect();
     let by_patch = by_patch(&bends, topology.patches());
     let is_edge = |bend: &&DiffractingLine| !is_curve(bend, &bends, &by_patch, corner_normals);
     let pieces: Vec<BodyEdge> = bends.iter().filter(is_edge).map(|bend| bend.edge.clone()).collect();
-    let edges = merged(pieces, tolerance_m);
+    let edges = merged(pieces, 0.5 * near.of_plane_m());
     BodyEdges { patches: ends_of_patches(&topology, &edges), edges }
 }
 
@@ -281,13 +286,13 @@ mod tests {
     #[test]
     fn a_plate_has_its_outline_and_a_cube_twelve_right_angles() {
         let plate = quad([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
-        let edges = body_edges(&plate, &[]);
+        let edges = body_edges(&plate, &[], 0.0);
         assert_eq!(edges.edges.len(), 4);
         assert!((length_of(&edges) - 6.0).abs() < 1e-12);
         assert!(
             edges.edges.iter().all(|e| e.wedge.exterior == 2.0 && e.wedge.normal[0] == -e.wedge.normal[1])
         );
-        let edges = body_edges(&cube(), &[]);
+        let edges = body_edges(&cube(), &[], 0.0);
         assert_eq!(edges.edges.len(), 12);
         let centre = DVec3::splat(0.5);
         for edge in &edges.edges {
@@ -307,7 +312,7 @@ mod tests {
         let mut triangles = cube();
         triangles.iter_mut().step_by(3).for_each(|t| t.swap(1, 2));
         triangles.extend(cube());
-        let edges = body_edges(&triangles, &[]);
+        let edges = body_edges(&triangles, &[], 0.0);
         assert_eq!(edges.edges.len(), 12);
         assert!(edges.edges.iter().all(|e| (e.wedge.exterior - 1.5).abs() < 1e-12));
     }
@@ -317,7 +322,7 @@ mod tests {
         let floor = quad([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
         let wall = quad([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]]);
         let both: Vec<_> = floor.into_iter().chain(wall).collect();
-        let edges = body_edges(&both, &[]);
+        let edges = body_edges(&both, &[], 0.0);
         let folded = edges.edges.iter().filter(|e| e.wedge.exterior < 1.9).count();
         // The fold is a wedge from behind, six rims are open.
         assert_eq!((folded, edges.edges.len()), (1, 7));
@@ -335,11 +340,11 @@ mod tests {
 
     #[test]
     fn a_tessellated_cylinder_has_its_rims_alone() {
-        let edges = body_edges(&prism(32), &[]);
+        let edges = body_edges(&prism(32), &[], 0.0);
         assert_eq!(edges.edges.len(), 64);
         assert!(edges.edges.iter().all(|e| e.wedge.exterior == 2.0));
         // Six sides are a prism: its long edges count.
-        assert_eq!(body_edges(&prism(6), &[]).edges.len(), 18);
+        assert_eq!(body_edges(&prism(6), &[], 0.0).edges.len(), 18);
     }
 
     #[test]
@@ -352,10 +357,10 @@ mod tests {
         let round = |t: &[DVec3; 3]| t.map(|c| DVec3::new(c.x, c.y, 0.0).normalize_or_zero());
         let normals: Vec<_> = hexagon.iter().map(round).collect();
         assert_eq!(
-            (body_edges(&hexagon, &[]).edges.len(), body_edges(&hexagon, &normals).edges.len()),
+            (body_edges(&hexagon, &[], 0.0).edges.len(), body_edges(&hexagon, &normals, 0.0).edges.len()),
             (18, 12)
         );
-        assert_eq!(body_edges(&triangles, &flat).edges.len(), 24, "flat shading tells nothing");
+        assert_eq!(body_edges(&triangles, &flat, 0.0).edges.len(), 24, "flat shading tells nothing");
     }
 
     #[test]
@@ -363,7 +368,7 @@ mod tests {
         let left = quad([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 1.0, -0.2], [-1.0, 0.0, -0.2]]);
         let right = quad([[0.0, 0.0, 0.0], [1.0, 0.0, -0.2], [1.0, 1.0, -0.2], [0.0, 1.0, 0.0]]);
         let both: Vec<_> = left.into_iter().chain(right).collect();
-        let edges = body_edges(&both, &[]);
+        let edges = body_edges(&both, &[], 0.0);
         assert_eq!(edges.edges.iter().filter(|e| e.wedge.exterior < 1.9).count(), 1);
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::mesh::wedges::body_edges::{BodyEdge, BodyEdges, EdgeSide, Patch, PatchEnd};
 use crate::mesh::wedges::face_end::FaceEnds;
+use crate::mesh::wedges::side_by_side::lines;
 use crate::mesh::wedges::wedge::Wedge;
 use glam::{DMat3, DVec2, DVec3};
 
@@ -21,8 +22,19 @@ pub(crate) struct EdgeGeometry {
     pub(crate) from_m: DVec3,
     pub(crate) length_m: f64,
     pub(crate) wedge: Wedge,
+    /// The line that it runs along with others, of double skins; of most it is the only one.
+    pub(crate) line: EdgeLine,
     /// Patches of face 1 and face 2.
     patches: [u32; 2],
+}
+
+/// Place of an edge on a line.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EdgeLine {
+    /// The first edge of the line.
+    pub(crate) first: u32,
+    /// Beginning of the edge, counted along the line's first one from its beginning, m.
+    pub(crate) from_m: f64,
 }
 
 /// A side of a facet that is (a part of) an edge.
@@ -57,20 +69,26 @@ impl WorldEdges {
     /// Appends the edges of a body; its facets come after those of the bodies before.
     ///
     /// The wedge beside a side narrower than `thin_m` is the open edge of its other face
-    /// ([`seen_from_afar`]).
+    /// ([`seen_from_afar`]), and open edges nearer to each other are of one line ([`lines`]).
     pub(crate) fn add(&mut self, body: &BodyEdges, place: &BodyPlacement, first_facet: u32, thin_m: f64) {
         let BodyPlacement { world_from_body, position_m } = *place;
         let seen: Vec<BodyEdge> =
             body.edges.iter().map(|edge| seen_from_afar(edge, &body.patches, thin_m)).collect();
         let (first_edge, first_patch) = (self.edges.len() as u32, self.patches.len() as u32);
         let place = |x: DVec3| position_m + world_from_body * x;
-        let posed = |edge: &BodyEdge| EdgeGeometry {
+        let on_line = |edge: &BodyEdge, first: u32| {
+            let line = &seen[first as usize];
+            let from_m = (edge.ends_m[0] - line.ends_m[0]).dot(line.wedge.along);
+            EdgeLine { first: first_edge + first, from_m }
+        };
+        let posed = |(edge, first): (&BodyEdge, u32)| EdgeGeometry {
             from_m: place(edge.ends_m[0]),
             length_m: edge.ends_m[0].distance(edge.ends_m[1]),
             wedge: edge.wedge.turned(world_from_body),
+            line: on_line(edge, first),
             patches: edge.patches.map(|patch| first_patch + patch),
         };
-        self.edges.extend(seen.iter().map(posed));
+        self.edges.extend(seen.iter().zip(lines(&seen, thin_m)).map(posed));
         let posed_end = |end: &PatchEnd| PatchEnd {
             ends_m: end.ends_m.map(place),
             edge: end.edge.map(|edge| first_edge + edge),
@@ -90,6 +108,28 @@ impl WorldEdges {
     /// Ends of the currents on face 0 or 1 of an edge.
     pub(crate) fn ends_of_face(&self, edge: &EdgeGeometry, face: usize) -> &[PatchEnd] {
         &self.patches[edge.patches[face] as usize].ends
+    }
+
+    /// A span of an edge, counted on its line.
+    pub(crate) fn on_line_m(&self, edge: u32, span_m: [f64; 2]) -> [f64; 2] {
+        span_m.map(|at_m| at_m + self.edges[edge as usize].line.from_m)
+    }
+
+    /// The span of an edge that is this one of its line, not beyond its ends.
+    pub(crate) fn on_edge_m(&self, edge: u32, span_m: [f64; 2]) -> [f64; 2] {
+        let EdgeGeometry { line, length_m, .. } = &self.edges[edge as usize];
+        span_m.map(|at_m| (at_m - line.from_m).clamp(0.0, *length_m))
+    }
+
+    /// Overlap of spans of two edges of one line, on the first of both edges.
+    pub(crate) fn overlap_m(&self, [one, other]: [(u32, [f64; 2]); 2]) -> (u32, [f64; 2]) {
+        let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
+        if one.0 == other.0 {
+            return (one.0, common(one.1, other.1));
+        }
+        let edge = one.0.min(other.0);
+        let [a, b] = [one, other].map(|(edge, span_m)| self.on_line_m(edge, span_m));
+        (edge, self.on_edge_m(edge, common(a, b)))
     }
 
     /// The sides of a facet that are edges.
