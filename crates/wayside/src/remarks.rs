@@ -7,6 +7,7 @@ pub(crate) mod forward_scattering;
 mod off_band;
 mod still_wheels;
 mod unknown_materials;
+pub(crate) mod untrained_radar;
 mod vehicle_meshes;
 mod vehicles;
 

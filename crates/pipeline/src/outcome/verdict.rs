@@ -22,7 +22,7 @@ pub struct AccuracyVerdict {
     pub asked_db: f64,
     /// Part of it that a plan gives to what is computed, dB, beside what the plan leaves out; `None` without
     /// a plan.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planned_db: Option<f64>,
     /// Result whose need that is; `None` where an accuracy was asked for itself.
     #[serde(rename = "for")]

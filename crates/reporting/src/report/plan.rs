@@ -10,7 +10,7 @@ pub(super) fn section(plan: &PlanFigures) -> Markup {
     let heading = "Plan of the physics";
     html! {
         h3 { (heading) }
-        p { (plan.first_line()) ". Left out in all: " (decibels(plan.left_out_db)) " of the echo; integrals, cells and "
+        p { "The " (plan.first_line()) ". Left out in all: " (decibels(plan.left_out_db)) " of the echo; integrals, cells and "
             "echo: " (decibels(plan.numerical_db)) "." }
         (scrolled(heading, html! { table {
             thead { tr { th { "Part" } th { "Share of the echo" } th { "In this run" } } }

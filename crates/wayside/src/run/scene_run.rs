@@ -128,6 +128,9 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     let _writing = (!settings.dry_run).then(|| begin(&planned, &outs, above)).transpose()?;
     if let (Some(run), Some(planned)) = (runs.first(), planned.first()) {
         remark(&run.scene, &planned.loaded.header);
+        if model.is_some() && settings.classifier.is_none() {
+            remarks::untrained_radar::remark(&planned.loaded.header).into_iter().for_each(progress::note);
+        }
     }
     let (mut of_radars, work) = (vec![], (runs.len() > 1).then(|| Work::begin("radars")));
     for (number, ((run, planned), out)) in runs.iter().zip(&planned).zip(&outs).enumerate() {
