@@ -25,9 +25,9 @@ pub(crate) fn behind(design: &[Option<f64>], other: &[Option<f64>]) -> f64 {
 }
 
 /// The design that is behind no other one; where each is behind some, as pairs over different situations
-/// allow, the one whose greatest distance behind another is least (the minimax rule: Simpson, J. R. Stat.
-/// Soc. B 31 (1969) 126; Kramer, J. Econ. Theory 16 (1977) 310). Of equals the one of the greatest mean, then
-/// the first; `None` where nothing is known. Where all know the same situations it is the greatest mean.
+/// allow, the one whose greatest distance behind another is least (the minimax rule: Simpson, Q. J. Econ. 83
+/// (1969) 478; Kramer, J. Econ. Theory 16 (1977) 310). Of equals the one of the greatest mean, then the
+/// first; `None` where nothing is known. Where all know the same situations it is the greatest mean.
 pub(crate) fn best(scores: &[Vec<Option<f64>>], designs: &[usize]) -> Option<usize> {
     let order: Vec<usize> = by_mean(scores, designs).into_iter().map(|(design, _)| design).collect();
     let mut best: Option<(usize, f64)> = None;
