@@ -95,16 +95,19 @@ fn chosen(
     Ok(PlannedScene { loaded, plan, is_looked_at: true, said })
 }
 
-/// Remark on a scene that asks for a plan, where `work` traces it as its keys are said; `None` where it asks
-/// for none.
+/// Sentence on a scene that asks for a plan, where `work` takes its keys as they are said; `None` where it
+/// asks for none.
 ///
 /// # Errors
 /// The file cannot be read.
 pub fn unplanned(file: &Path, work: &str) -> Result<Option<String>, Failure> {
     let said = scene::said_physics(file, &[]).map_err(loading::of_scene)?;
     Ok((said.planning == Planning::ByAccuracy).then(|| {
-        let name = file.display();
-        format!("note: {name}: {work} makes no plan: scenes are traced as the keys of [fidelity] say")
+        format!(
+            "{}: `plan = \"accuracy\"` of [fidelity] is not followed: in {work} physics that the scene leaves \
+             out are the defaults of their keys, the same in all runs.",
+            file.display()
+        )
     }))
 }
 

@@ -18,6 +18,7 @@ use pipeline::host::failure::Failure;
 use pipeline::host::files::{self, Writing};
 use pipeline::host::memory::Allowance;
 use pipeline::host::progress::{self, Work};
+use pipeline::planning;
 use plotting::form::{Figure, Form};
 use reporting::pictures;
 use reporting::report;
@@ -78,7 +79,7 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     let (designs, situations) = (designs::designs(&study), situations::situations(&study));
     let work = Work::begin("reading the scenes of all designs");
     acceptance::check(&study, &designs, situations.first().map_or(&[], Vec::as_slice))?;
-    let remarks = acceptance::remarks(&study)?;
+    let remarks: Vec<String> = planning::unplanned(&study.scene, "a study")?.into_iter().collect();
     drop(work);
     remarks.iter().for_each(|remark| progress::note(format!("note: {remark}")));
     let model = loading::model(settings.classifier.as_deref())?;

@@ -138,9 +138,12 @@ impl Reference {
     /// more, else every order. First orders that are next to nothing (a corner of three bounces) tell nothing
     /// of the later ones.
     pub(crate) fn telling_orders(&self, few: u8) -> u8 {
-        let power = |orders: &[Vec<Complex64>]| orders.iter().map(|order| mean(order)).sum::<f64>();
         let (first, later) = self.by_order_m.split_at(self.by_order_m.len().min(few.into()));
-        if power(first) >= power(later) { first.len() as u8 } else { self.by_order_m.len() as u8 }
+        if power_of_orders(first) >= power_of_orders(later) {
+            first.len() as u8
+        } else {
+            self.by_order_m.len() as u8
+        }
     }
 
     /// Ratio ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, with what the later orders are taken to
@@ -153,8 +156,8 @@ impl Reference {
     ) -> Option<f64> {
         let wavenumbers = wavenumbers_per_m(&self.frequencies_hz);
         let added = total((1..=orders).map(|order| of(order, &wavenumbers)), wavenumbers.len());
-        let power = |orders: &[Vec<Complex64>]| orders.iter().map(|order| mean(order)).sum::<f64>();
-        let (first, all) = (power(&self.by_order_m[..usize::from(orders)]), power(&self.by_order_m));
+        let first = power_of_orders(&self.by_order_m[..usize::from(orders)]);
+        let all = power_of_orders(&self.by_order_m);
         let gained = with_later_orders(mean(&added), [first, all - first]);
         let whole = mean(&self.total_m());
         (whole > 0.0).then(|| MARGIN * (gained / whole).sqrt())
@@ -171,6 +174,11 @@ impl Reference {
     fn total_m(&self) -> Vec<Complex64> {
         total(self.by_order_m.iter().cloned(), self.frequencies_hz.len())
     }
+}
+
+/// Sum of the powers of some orders, each for itself.
+fn power_of_orders(orders: &[Vec<Complex64>]) -> f64 {
+    orders.iter().map(|order| mean(order)).sum()
 }
 
 /// Power that is added to all orders, where so much is added to the first ones: the later ones gain as much

@@ -77,8 +77,8 @@ pub(crate) fn integration_error(
         }
     }
     let accuracy_of_body = bodies.iter().map(|body| body.accuracy).collect();
-    let echoes = bodies.iter().enumerate().map(|(index, body)| look.echo(index, body)).collect();
-    let error = IntegrationError { accuracy_of_body, power: look.error_power(&bodies), bodies: echoes };
+    let error =
+        IntegrationError { accuracy_of_body, power: look.error_power(&bodies), bodies: look.echoes(&bodies) };
     (error, look.by_order(&bodies))
 }
 
@@ -133,17 +133,26 @@ impl Look<'_> {
         self.meetings.iter().map(of_order).collect()
     }
 
-    /// Echo of one body, without the ways between it and others.
-    fn echo(&self, index: usize, body: &OfBody) -> BodyEcho {
+    /// Echoes of all bodies, without the ways between them.
+    fn echoes(&self, bodies: &[OfBody]) -> Vec<BodyEcho> {
+        let between: Vec<OrderJoints> = match bodies.len() {
+            0 | 1 => vec![],
+            _ => self.meetings.iter().map(|meeting| meeting.between_vehicles(self.scatterer)).collect(),
+        };
+        bodies.iter().enumerate().map(|(index, body)| self.echo((index, body), &between)).collect()
+    }
+
+    /// Echo of one body, without these ways between bodies.
+    fn echo(&self, (index, body): (usize, &OfBody), between: &[OrderJoints]) -> BodyEcho {
         let count = self.wavenumbers_per_m.len();
         let bracket = bracket_of(self.plan.header.fidelity.nodes);
         let integration =
             Integration { wavenumbers_per_m: self.wavenumbers_per_m, accuracy: body.accuracy, bracket };
-        let between = |meeting: &OrderJoints| {
-            let part = meeting.on_body(self.scatterer, index).between_vehicles(self.scatterer);
+        let on_body = |meeting: &OrderJoints| {
+            let part = meeting.on_body(self.scatterer, index);
             (part.count() > 0).then(|| of_meeting(self.scatterer, self.plan, &part, &integration))
         };
-        let of_others = total(self.meetings.iter().filter_map(between), count);
+        let of_others = total(between.iter().filter_map(on_body), count);
         let all = total(body.by_order.iter().cloned(), count);
         let amplitude_m = all.iter().zip(&of_others).map(|(all, between)| all - between).collect();
         BodyEcho { amplitude_m, integration_power: mean(&body.error) }

@@ -467,6 +467,13 @@ pub(crate) fn sequence(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -
     facets
 }
 
+/// Whether a path meets more than one vehicle, by the beams of both ends.
+pub(crate) fn meets_several_vehicles(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> bool {
+    let vehicle = |facet: u32| scatterer.world.vehicle(scatterer.world.facet(facet).id.body);
+    let vehicles: Vec<u32> = sequence(scatterer, forward, backward).into_iter().map(vehicle).collect();
+    vehicles.windows(2).any(|pair| pair[0] != pair[1])
+}
+
 /// Trees traced as far as an order and a rule need.
 pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
     let most = artifact::paths::MAX_ORDER as u8;

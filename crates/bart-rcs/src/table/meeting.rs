@@ -8,7 +8,7 @@ use crate::edges::truncation::{Truncation, sum_of_truncations};
 use crate::joins::band::add;
 use crate::joins::joint::Joints;
 use crate::joins::parting::Parting;
-use crate::joins::scatterer::{Integration, Scatterer, scaled, sequence};
+use crate::joins::scatterer::{Integration, Scatterer, meets_several_vehicles, scaled, sequence};
 use crate::table::joint_sum::sum_of_joints;
 use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
@@ -59,12 +59,7 @@ impl OrderJoints {
 
     /// Part of the meeting whose ways meet more than one vehicle.
     pub(crate) fn between_vehicles(&self, scatterer: &Scatterer<'_>) -> Self {
-        let vehicle = |facet: u32| scatterer.world.vehicle(scatterer.world.facet(facet).id.body);
-        self.filtered(|forward, backward| {
-            let vehicles: Vec<u32> =
-                sequence(scatterer, forward, backward).into_iter().map(vehicle).collect();
-            vehicles.windows(2).any(|pair| pair[0] != pair[1])
-        })
+        self.filtered(|forward, backward| meets_several_vehicles(scatterer, forward, backward))
     }
 
     /// Part of the meeting that is meant, by the beams of both ends.

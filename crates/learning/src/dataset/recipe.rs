@@ -78,6 +78,7 @@ impl Recipe {
 
 fn base(scene: &Path) -> Result<Base, Failure> {
     let name = scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    planning::unplanned(scene, "a dataset")?.into_iter().for_each(progress::note);
+    let unplanned = planning::unplanned(scene, "a dataset")?;
+    unplanned.into_iter().for_each(|sentence| progress::note(format!("note: {sentence}")));
     Ok(Base { name, header: loading::radar_only(scene, None)? })
 }

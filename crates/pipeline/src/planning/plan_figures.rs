@@ -202,7 +202,8 @@ fn rule_name(rule: NodeRule) -> &'static str {
     }
 }
 
-fn level(db: Option<f64>) -> String {
+/// Text of a level, dB, as lines of a plan have it.
+pub fn level(db: Option<f64>) -> String {
     match db {
         None => "not told".into(),
         Some(db) if db <= artifact::units::LOWEST_DB => "nothing".into(),

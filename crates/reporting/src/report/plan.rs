@@ -1,17 +1,17 @@
 //! Section on the plan of a scene's physics: what is modelled, what is left out, and what each part is of
 //! the echo.
 
-use crate::report::tables::{rounded, scrolled};
+use crate::report::tables::scrolled;
 use maud::{Markup, html};
-use pipeline::planning::plan_figures::{PartFigures, PlanFigures};
+use pipeline::planning::plan_figures::{PartFigures, PlanFigures, level};
 
 /// Section on a plan: what was asked, what is spent, and every part of the physics.
 pub(super) fn section(plan: &PlanFigures) -> Markup {
     let heading = "Plan of the physics";
     html! {
         h3 { (heading) }
-        p { "The " (plan.first_line()) ". Left out in all: " (decibels(plan.left_out_db)) " of the echo; integrals, cells and "
-            "echo: " (decibels(plan.numerical_db)) "." }
+        p { "The " (plan.first_line()) ". Left out in all: " (level(Some(plan.left_out_db))) " of the echo; integrals, cells and "
+            "echo: " (level(Some(plan.numerical_db))) "." }
         (scrolled(heading, html! { table {
             thead { tr { th { "Part" } th { "Share of the echo" } th { "In this run" } } }
             tbody { @for part in &plan.parts { (row(part)) } }
@@ -20,10 +20,5 @@ pub(super) fn section(plan: &PlanFigures) -> Markup {
 }
 
 fn row(part: &PartFigures) -> Markup {
-    let share = part.share_db.map_or("not told".into(), decibels);
-    html! { tr { th { (part.name) } td { (share) } td { (part.verdict()) } } }
-}
-
-fn decibels(db: f64) -> String {
-    if db <= artifact::units::LOWEST_DB { "nothing".into() } else { format!("{} dB", rounded(db, 1)) }
+    html! { tr { th { (part.name) } td { (level(part.share_db)) } td { (part.verdict()) } } }
 }

@@ -9,7 +9,7 @@ use artifact::scene::SceneHeader;
 use artifact::settings::Fidelity;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
-use scene::{Change, Meshes, Planning, ReadOptions, Rule, SceneErrors};
+use scene::{Change, Meshes, ReadOptions, Rule, SceneErrors};
 use std::collections::BTreeMap;
 
 /// Reads the scene of every design in the first situation and of the first design in all situations of the
@@ -90,22 +90,6 @@ pub(crate) fn check_one(study: &Study, design: &[Pick], situation: &Situation) -
         Some((chosen, errors)) => refused(study, &[chosen], &errors),
         None => refused(study, &all().collect::<Vec<_>>(), &errors),
     })
-}
-
-/// Sentences on what the scene says and no run of a study takes from it.
-///
-/// # Errors
-/// The scene cannot be read.
-pub(crate) fn remarks(study: &Study) -> Result<Vec<String>, Failure> {
-    let said = scene::said_physics(&study.scene, &[]).map_err(loading::of_scene)?;
-    let remark = || {
-        format!(
-            "{}: `plan = \"accuracy\"` of [fidelity] is not followed: in a study physics that the scene \
-             leaves out are the defaults of their keys, the same in all runs.",
-            study.scene.display()
-        )
-    };
-    Ok((said.planning == Planning::ByAccuracy).then(remark).into_iter().collect())
 }
 
 fn try_scene(study: &Study, changes: &[Change], meshes: Meshes) -> Result<SceneHeader, SceneErrors> {

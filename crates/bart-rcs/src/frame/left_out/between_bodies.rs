@@ -6,8 +6,7 @@ use crate::frame::frame_error::Reference;
 use crate::frame::left_out::ways::LeftOutWays;
 use crate::frame::path_plan::Plan;
 use crate::frame::snapshot::Snapshot;
-use crate::joins::joint::Joint;
-use crate::joins::scatterer::{Scatterer, sequence};
+use crate::joins::scatterer::meets_several_vehicles;
 use crate::oversight::error::BartError;
 use crate::oversight::progress::Phase;
 
@@ -35,13 +34,7 @@ pub(crate) fn between_bodies_left_out(
     let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
     let snapshot = Snapshot::of(world, tree);
     let scatterer = snapshot.scatterer(plan, Phase::Checking);
-    Ok(ways.relative(&scatterer, plan, reference, |joint| meets_several_bodies(&scatterer, joint)))
-}
-
-/// Whether a joint's way meets more than one body.
-pub(crate) fn meets_several_bodies(scatterer: &Scatterer<'_>, joint: &Joint) -> bool {
-    let facets = sequence(scatterer, joint.forward, joint.backward);
-    let vehicle = |facet: u32| scatterer.world.vehicle(scatterer.world.facet(facet).id.body);
-    let bodies: Vec<u32> = facets.into_iter().map(vehicle).collect();
-    bodies.windows(2).any(|pair| pair[0] != pair[1])
+    Ok(ways.relative(&scatterer, plan, reference, |joint| {
+        meets_several_vehicles(&scatterer, joint.forward, joint.backward)
+    }))
 }

@@ -6,12 +6,11 @@ use crate::bodies::models::Models;
 use crate::bodies::world::World;
 use crate::frame::band_power::{frequencies_hz, mean, mean_difference, total};
 use crate::frame::integration_error::of_meeting;
-use crate::frame::left_out::between_bodies::meets_several_bodies;
 use crate::frame::left_out::road::ways_by_road;
 use crate::frame::left_out::ways::{ACCURACY, ANY_RULE_ORDERS, LeftOutWays, WaysByRule, orders_by_rule};
 use crate::frame::path_plan::Plan;
 use crate::frame::snapshot::Snapshot;
-use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
+use crate::joins::scatterer::{Integration, Scatterer, bracket_of, meets_several_vehicles};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::{Phase, Progress};
 use crate::table::aspect::other;
@@ -159,7 +158,7 @@ impl<'a> Look<'a> {
         let Self { scatterer, plan, wavenumbers_per_m, nodes } = self;
         let ways = WaysByRule { scatterer, plan, wavenumbers_per_m };
         orders_by_rule(bounces, *nodes, |order, rule| {
-            ways.parted(order, rule, |joint| meets_several_bodies(scatterer, joint))
+            ways.parted(order, rule, |joint| meets_several_vehicles(scatterer, joint.forward, joint.backward))
         })
     }
 
