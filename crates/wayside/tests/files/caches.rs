@@ -57,6 +57,11 @@ fn a_folder_without_the_mark_is_neither_cleared_nor_used() {
     assert!(!place.path("a").exists());
 }
 
+/// A folder of the cache's own naming (two digits of a key) that no entry of it lies in.
+fn free_folder(stage: &Path) -> PathBuf {
+    (0..=u8::MAX).map(|digits| stage.join(format!("{digits:02x}"))).find(|folder| !folder.exists()).unwrap()
+}
+
 #[test]
 fn only_files_with_the_names_of_a_cache_are_removed_from_one() {
     let place = Workplace::new();
@@ -74,20 +79,18 @@ fn only_files_with_the_names_of_a_cache_are_removed_from_one() {
     std::fs::write(place.path("cache/dsp/notes.txt"), "mine").unwrap();
     std::fs::write(place.path("cache/README"), "mine").unwrap();
     std::fs::write(own.with_file_name("thesis.cube"), "mine").unwrap();
-    symlink(place.path("mine"), place.path("cache/dsp/ff")).unwrap();
+    let linked = free_folder(&place.path("cache/dsp"));
+    symlink(place.path("mine"), &linked).unwrap();
     symlink(place.path("mine"), place.path("cache/mine")).unwrap();
     symlink(place.path("mine/file"), own.with_file_name(&name)).unwrap();
     for words in ["run small.toml --out b --quiet --cache-limit-mib 0", "cache --clear"] {
         place.run(words);
     }
-    let mut left: Vec<String> = files(&place.path("cache"))
-        .iter()
-        .map(|file| file.strip_prefix(place.path("cache")).unwrap().display().to_string())
-        .collect();
+    let in_cache = |file: &Path| file.strip_prefix(place.path("cache")).unwrap().display().to_string();
+    let mut left: Vec<String> = files(&place.path("cache")).iter().map(|file| in_cache(file)).collect();
     left.retain(|file| !file.contains(&name));
-    let beside = own.with_file_name("thesis.cube");
-    let beside = beside.strip_prefix(place.path("cache")).unwrap().display().to_string();
-    assert_eq!(left, ["CACHEDIR.TAG", "README", "dsp/ff", "dsp/notes.txt", &beside, "mine"]);
+    let (linked, beside) = (in_cache(&linked), in_cache(&own.with_file_name("thesis.cube")));
+    assert_eq!(left, ["CACHEDIR.TAG", "README", &linked, "dsp/notes.txt", &beside, "mine"]);
     assert_eq!(place.bytes("mine/file"), b"mine");
     assert_eq!(place.bytes(&format!("mine/aa/{name}")), b"mine");
 }
