@@ -12,5 +12,6 @@ pub(crate) mod tiling; // how far a polygon must be cut
 pub(crate) mod tile_integrals; // of the phase over a tile
 pub(crate) mod lossy_node; // weights with reflection coefficients
 pub(crate) mod physical_optics; // the integral over a lit polygon
+pub(crate) mod critical_points; // the same off its specular: its corners and sides
 #[cfg(test)]
 pub(crate) mod test_quadrature; // a rule to compare with

@@ -58,10 +58,13 @@ fn difference(of: impl Fn(&mut SceneHeader)) -> f64 {
     difference_of(&header, &frame, of)
 }
 
+/// The same of a scene; both frames are finer than the shares looked at, as each has cells of its own.
 fn difference_of(header: &SceneHeader, frame: &SceneFrame, of: impl Fn(&mut SceneHeader)) -> f64 {
+    let mut header = header.clone();
+    header.fidelity.accuracy = Accuracy::from_db(-55.0);
     let mut changed = header.clone();
     of(&mut changed);
-    let [whole, less] = [header, &changed].map(|header| over_band(header, &traced(header, frame)));
+    let [whole, less] = [&header, &changed].map(|header| over_band(header, &traced(header, frame)));
     let power = |values: &mut dyn Iterator<Item = Complex64>| values.map(|s| s.norm_sqr()).sum::<f64>();
     (power(&mut whole.iter().zip(&less).map(|(a, b)| a - b)) / power(&mut whole.iter().copied())).sqrt()
 }

@@ -4,6 +4,7 @@ use crate::beams::beam::TraceSettings;
 use crate::beams::sampled_tree::{SampledTree, sample};
 use crate::bodies::models::Models;
 use crate::bodies::world::World;
+use crate::frame::cells::critical_cells::is_large;
 use crate::frame::cells::path_cells::cut_into_squares;
 use crate::frame::integration_error::{FINER, first_accuracy};
 use crate::frame::path_plan::Plan;
@@ -11,8 +12,10 @@ use crate::frame::path_table::largest_cell_of_world_m;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::bounds;
 use crate::geometry::plane_frame::{PlaneFrame, area_m2};
+use crate::integral::field::Field;
+use crate::integral::physical_optics::for_each_tile;
 use crate::joins::joint::Trees;
-use crate::joins::scatterer::{Scatterer, ZenithH, bracket_of};
+use crate::joins::scatterer::{Part, Scatterer, ZenithH, bracket_of};
 use crate::oversight::error::BartError;
 use crate::oversight::progress::Unheard;
 use artifact::scene::{SceneFrame, SceneHeader};
@@ -176,18 +179,55 @@ impl<'a> Lit<'a> {
     fn tiles(&self, accuracy: f64) -> f64 {
         let step = self.parts.len().div_ceil(PARTS).max(1);
         let highest_per_m = self.plan.band.wavenumbers_per_m()[2];
-        let bracket = bracket_of(self.plan.header.fidelity.nodes);
         let of_part = |part: &Vec<DVec2>| {
             let corners_m: Vec<DVec3> = part.iter().map(|c| self.frame.to_world(*c)).collect();
-            self.scatterer.count_tiles(self.beam, &corners_m, bracket, highest_per_m, accuracy) as f64
+            let mut count = 0;
+            self.with_field(&corners_m, highest_per_m, accuracy, |field| {
+                for_each_tile(field, highest_per_m, &mut |_, _| count += 1);
+            });
+            f64::from(count)
         };
         let looked_at = self.parts.iter().step_by(step);
         let count = looked_at.len().max(1) as f64;
         looked_at.map(of_part).sum::<f64>() * self.parts.len() as f64 / count
     }
 
-    /// Pieces between the lines of a square grid, about.
+    fn with_field<T>(
+        &self,
+        corners_m: &[DVec3],
+        wavenumber_per_m: f64,
+        accuracy: f64,
+        of: impl FnOnce(&Field<'_>) -> T,
+    ) -> T {
+        let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
+        let bracket = bracket_of(self.plan.header.fidelity.nodes);
+        let part = Part { corners_m, reference_m, bracket };
+        self.scatterer.with_field_of_beam(self.beam, &part, (&[wavenumber_per_m], accuracy), of)
+    }
+
+    /// Cells of some size of it, about.
     fn cells(&self, size_m: f64) -> f64 {
+        let accuracy = first_accuracy(self.plan.asked());
+        if is_large(self.extent_m, size_m) {
+            self.critical_cells(size_m, accuracy)
+        } else {
+            self.squares(size_m)
+        }
+    }
+
+    /// Terms of its corners and sides, and cells of what is not among them.
+    fn critical_cells(&self, size_m: f64, accuracy: f64) -> f64 {
+        let wavenumber_per_m = self.plan.band.wavenumbers_per_m()[1];
+        let corners_m = self.scatterer.trees.transmit();
+        let corners_m = corners_m.polygon(&corners_m.beams[self.beam as usize]);
+        self.with_field(corners_m, wavenumber_per_m, accuracy, |field| {
+            let polygon: Vec<DVec2> = corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
+            field.count_parted(&polygon, size_m, wavenumber_per_m)
+        })
+    }
+
+    /// Pieces between the lines of a square grid, about.
+    fn squares(&self, size_m: f64) -> f64 {
         let lines = (self.extent_m / size_m).ceil().max(DVec2::ONE);
         let full = (self.area_m2 / (self.extent_m.x * self.extent_m.y)).clamp(0.0, 1.0);
         // Of a grid's cells a polygon touches its share and those along its border.

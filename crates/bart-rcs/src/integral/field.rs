@@ -55,6 +55,11 @@ impl<'a> Field<'a> {
         SurfacePoint { x_m: x_m + height_m * up, area, slope, up }
     }
 
+    /// The surface over a point of the world near the polygon's plane.
+    pub(crate) fn surface_about(&self, x_m: DVec3) -> SurfacePoint {
+        self.surface_at(self.frame.plane_from_world(x_m))
+    }
+
     pub(crate) fn is_bent(&self) -> bool {
         self.node.bend.is_some()
     }

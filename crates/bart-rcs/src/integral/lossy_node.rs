@@ -11,6 +11,7 @@
 use crate::integral::chebyshev::{self, Chebyshev, middle_and_half};
 use crate::integral::field::{Field, SurfacePoint};
 use crate::integral::node::{Bracket, Leg};
+use crate::integral::physical_optics::weighed;
 use crate::integral::tiling::Tile;
 use crate::materials::surface_response::{reflected_fields, reflection, turning_length_m};
 use artifact::material::Material;
@@ -55,6 +56,20 @@ impl Field<'_> {
                 sums[i].iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral_m2);
             }
         });
+    }
+
+    /// Integrals of the phase times the weights of their points.
+    pub(crate) fn weigh_lossy<const N: usize>(
+        &self,
+        points: &[SurfacePoint; N],
+        wavenumbers_per_m: &[f64],
+        integrals_m2: &[[Complex64; N]],
+        sums: &mut [Weights],
+    ) {
+        let weights = self.lossy_weights(points, wavenumbers_per_m);
+        for (i, (sum, integrals_m2)) in sums.iter_mut().zip(integrals_m2).enumerate() {
+            *sum = weighed(&weights.at(wavenumbers_per_m[i], i), integrals_m2);
+        }
     }
 
     /// Weights of some points at every wavenumber, taken at few where the materials turn little over the

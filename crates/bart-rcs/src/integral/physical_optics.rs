@@ -58,6 +58,18 @@ fn amplitude_of(integrals_m2: &[Complex64; 4], wavenumber_per_m: f64) -> Amplitu
     [[vv, vh], [hv, hh]]
 }
 
+/// Sum of integrals, each times its weights.
+pub(crate) fn weighed<const N: usize>(
+    weights: &[[Complex64; 4]; N],
+    integrals_m2: &[Complex64; N],
+) -> [Complex64; 4] {
+    let mut sum = [Complex64::ZERO; 4];
+    for (weights, integral_m2) in weights.iter().zip(integrals_m2) {
+        sum.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight * integral_m2);
+    }
+    sum
+}
+
 impl Field<'_> {
     /// Bracket times 1/(L₁L₂), relative to 1/(L₁L₂) at the reference point: [vv, vh, hv, hh], receiver first.
     pub(crate) fn weights(&self, at: &SurfacePoint) -> [f64; 4] {
@@ -91,6 +103,25 @@ impl Field<'_> {
             ],
         };
         weights.map(|weight| spread * weight)
+    }
+
+    /// Amplitudes of a part whose integrals of e^{−jkL} are known, each weighed as at its point.
+    pub(crate) fn amplitudes_of<const N: usize>(
+        &self,
+        points: &[SurfacePoint; N],
+        wavenumbers_per_m: &[f64],
+        integrals_m2: &[[Complex64; N]],
+    ) -> Vec<Amplitude> {
+        let mut sums = vec![[Complex64::ZERO; 4]; wavenumbers_per_m.len()];
+        if self.is_perfect() {
+            let weights = points.map(|at| self.weights(&at).map(Complex64::from));
+            for (sum, integrals_m2) in sums.iter_mut().zip(integrals_m2) {
+                *sum = weighed(&weights, integrals_m2);
+            }
+        } else {
+            self.weigh_lossy(points, wavenumbers_per_m, integrals_m2, &mut sums);
+        }
+        sums.iter().zip(wavenumbers_per_m).map(|(sum, k)| amplitude_of(sum, *k)).collect()
     }
 
     /// Calls `give` with the index of every wavenumber and the amplitude of a tile alone, as in

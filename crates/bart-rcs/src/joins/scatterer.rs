@@ -155,11 +155,29 @@ impl<'a> Scatterer<'a> {
         let node = self.node(joint, part);
         let accuracy = self.accuracy(joint.forward, &node, part.reference_m, (wavenumbers_per_m, accuracy));
         let mut estimate = node_amplitudes(&node, part.reference_m, wavenumbers_per_m, accuracy);
+        Self::weigh(joint, wavenumbers_per_m, &mut estimate);
+        estimate
+    }
+
+    /// Multiplies amplitudes by a joint's weight.
+    pub(crate) fn weigh(joint: &Joint, wavenumbers_per_m: &[f64], estimate: &mut Estimate<Vec<Amplitude>>) {
         estimate.error *= joint.weight;
         for (amplitude, k) in estimate.value.iter_mut().zip(wavenumbers_per_m) {
             amplitude.iter_mut().flatten().for_each(|a| *a *= joint.weight_at(*k));
         }
-        estimate
+    }
+
+    /// The integrand over a part of a joint's polygon, as accurate as is asked for at some wavenumbers.
+    pub(crate) fn with_field<T>(
+        &self,
+        joint: &Joint,
+        part: &Part<'_>,
+        asked: (&[f64], f64),
+        of: impl FnOnce(&Field<'_>) -> T,
+    ) -> T {
+        let node = self.node(joint, part);
+        let accuracy = self.accuracy(joint.forward, &node, part.reference_m, asked);
+        of(&Field::new(&node, part.reference_m, accuracy))
     }
 
     /// A joint's share of S, its reverse included: every amplitude with R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)},
@@ -251,30 +269,26 @@ impl<'a> Scatterer<'a> {
         }
     }
 
-    /// Tiles of a polygon on a transmitter's beam, as if it came back by the way that it went.
-    pub(crate) fn count_tiles(
+    /// The integrand over a part of a transmitter's beam, as if it came back by the way that it went.
+    pub(crate) fn with_field_of_beam<T>(
         &self,
         beam: u32,
-        corners_m: &[DVec3],
-        bracket: Bracket,
-        highest_per_m: f64,
-        accuracy: f64,
-    ) -> usize {
-        let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
+        part: &Part<'_>,
+        asked: (&[f64], f64),
+        of: impl FnOnce(&Field<'_>) -> T,
+    ) -> T {
         let (lit, leg) = (&self.trees.transmit().beams[beam as usize], &self.transmit_legs[beam as usize]);
         let node = Node {
-            corners_m,
+            corners_m: part.corners_m,
             normal: lit.lit_normal,
             material: self.world.lossy_material(lit.facet).map(Arc::as_ref),
             bend: self.world.bend(lit.facet),
             transmit: leg,
             receive: leg,
-            bracket,
+            bracket: part.bracket,
         };
-        let accuracy = self.accuracy(beam, &node, reference_m, (&[highest_per_m], accuracy));
-        let mut count = 0;
-        for_each_tile(&Field::new(&node, reference_m, accuracy), highest_per_m, &mut |_, _| count += 1);
-        count
+        let accuracy = self.accuracy(beam, &node, part.reference_m, asked);
+        of(&Field::new(&node, part.reference_m, accuracy))
     }
 
     /// R_tR_r/(L₁L₂), times the gains, and L₁ + L₂ − R_t − R_r of a node on a transmitter's and a receiver's

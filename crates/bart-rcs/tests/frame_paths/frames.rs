@@ -107,6 +107,9 @@ pub(crate) fn of_paths(
     scattering_of_paths(&frame.paths, &view, frequency_hz)
 }
 
+/// Accuracy of the integrals of [`exact`]: what errs by less is not told apart from it.
+pub(crate) const EXACT_DB: f64 = -45.0;
+
 /// S of the first body alone, traced and integrated where it is at that moment.
 pub(crate) fn anew(
     scene: &(SceneHeader, SceneFrame),
@@ -144,7 +147,7 @@ pub(crate) fn exact(
         nodes: scene.0.fidelity.nodes,
         sides: scene.0.fidelity.sides,
         edges: scene.0.fidelity.edges,
-        accuracy: Accuracy::from_db(-45.0),
+        accuracy: Accuracy::from_db(EXACT_DB),
         ..RcsRequest::over(
             frequency_hz.to_vec(),
             vec![transmitter.elevation_rad],

@@ -7,6 +7,7 @@
 
 #[path = "../bodies/mod.rs"]
 mod bodies;
+mod flat_sides;
 mod frames;
 mod patterns;
 mod sidelobes;

@@ -3,14 +3,15 @@
 use crate::edges::edge_scattering::part_amplitudes;
 use crate::edges::lit_edge::EdgeJoint;
 use crate::edges::truncation::{Truncation, truncation_amplitudes};
-use crate::frame::cells::path_cells::{Cell, CellSettings, facets_of, joined, motions, padded, reversed};
+use crate::frame::cells::path_cells::{
+    Cell, CellKind, CellSettings, as_area_m2, facets_of, joined, motions, padded, reversed,
+};
 use crate::integral::node::Estimate;
 use crate::joins::joint::Reverse;
 use crate::joins::scatterer::Scatterer;
 use artifact::paths::Amplitude;
 use glam::DVec3;
 use rayon::prelude::*;
-use std::f64::consts::TAU;
 
 /// Cells of all joints, the reverse ones behind their own; in the order of the joints.
 pub(crate) fn edge_cells(
@@ -83,8 +84,9 @@ impl CutLine {
                 apparent_m: scatterer.legs(forward, backward).map(|leg| leg.mirrors.unfolded(middle_m)),
                 motion: motions(scatterer, forward, backward, middle_m),
                 amplitudes_m: estimate.value,
-                area_m2: as_area_m2(span_m, settings),
+                area_m2: as_area_m2(span_m[1] - span_m[0], settings),
                 error_m: estimate.error,
+                kind: CellKind::Part,
             });
         }
         if self.reverse == Reverse::Included {
@@ -93,10 +95,4 @@ impl CutLine {
         }
         cells
     }
-}
-
-/// The area whose largest amplitude, kA/√π, is the edge's length/√π: the weight of its place among polygons.
-fn as_area_m2(span_m: [f64; 2], settings: &CellSettings<'_>) -> f64 {
-    let highest = settings.wavenumbers_per_m.iter().copied().fold(TAU, f64::max);
-    (span_m[1] - span_m[0]) / highest
 }

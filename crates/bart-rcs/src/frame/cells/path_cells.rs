@@ -7,17 +7,20 @@ use crate::bodies::motion::Motion;
 use crate::bodies::road::Half;
 use crate::bodies::world::World;
 use crate::frame::cells::cell_room::CellRoom;
+use crate::frame::cells::critical_cells::{PartedPolygon, parted};
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::{bounds, left_of};
 use crate::geometry::plane_frame::{PlaneFrame, area_m2, centroid_m};
+use crate::integral::critical_points::CriticalPart;
 use crate::integral::field::length_difference_m;
-use crate::integral::node::Bracket;
+use crate::integral::node::{Bracket, Estimate};
 use crate::joins::joint::{Joint, Joints, Reverse};
 use crate::joins::scatterer::{Part, Scatterer, scaled, sequence, sum, transposed};
 use artifact::paths::{Amplitude, Facet, MAX_ORDER, Path};
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
 use rayon::prelude::*;
+use std::f64::consts::TAU;
 
 /// A part of the scattering with one node: amplitudes at several frequencies, apparent points and their
 /// velocities.
@@ -33,6 +36,16 @@ pub(crate) struct Cell {
     pub(crate) area_m2: f64,
     /// Bound of the error of every amplitude.
     pub(crate) error_m: f64,
+    pub(crate) kind: CellKind,
+}
+
+/// Kinds of cells, which are not gathered with each other: the node of a corner is the corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum CellKind {
+    /// A part of an area, or a diffracting edge.
+    Part,
+    /// A term of a large polygon's corners and sides.
+    Critical,
 }
 
 /// Bytes of a cell with its amplitudes at three frequencies where it is made, in a list that has grown to
@@ -99,33 +112,73 @@ fn cells_of(
     corners_m: &[DVec3],
     settings: &CellSettings<'_>,
 ) -> Vec<Cell> {
-    let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
     let facets = facets_of(scatterer, joint.forward, joint.backward);
     let accuracy = settings.accuracy_of_body[scatterer.node_body(joint.forward)];
-    let mut cells = Vec::new();
-    for piece in cut_into_squares(&frame, corners_m, settings.side_m(scatterer.world, &facets)) {
-        if !settings.room.take(joint.reverse.ways()) {
-            break;
-        }
-        let reference_m = frame.to_world(centroid_m(&piece));
-        let in_world_m: Vec<DVec3> = piece.iter().map(|c| frame.to_world(*c)).collect();
-        let part = Part { corners_m: &in_world_m, reference_m, bracket: settings.bracket };
-        let estimate = scatterer.amplitudes(joint, &part, settings.wavenumbers_per_m, accuracy);
-        cells.push(Cell {
-            order: facets.len() as u8,
-            facets: padded(&facets),
-            apparent_m: scatterer.apparent_m(joint, reference_m),
-            motion: motions(scatterer, joint.forward, joint.backward, reference_m),
-            amplitudes_m: estimate.value,
-            area_m2: area_m2(&piece),
-            error_m: estimate.error,
-        });
-    }
+    let side_m = settings.side_m(scatterer.world, &facets);
+    let PartedPolygon { near_m, terms } = parted(scatterer, joint, corners_m, (side_m, accuracy), settings);
+    let of_joint = CellsOfJoint { scatterer, joint, facets, settings, side_m, accuracy };
+    let mut cells: Vec<Cell> = near_m.iter().flat_map(|polygon_m| of_joint.squares(polygon_m)).collect();
+    cells.extend(terms.into_iter().map_while(|term| of_joint.term(term)));
     if joint.reverse == Reverse::Included {
         let back: Vec<Cell> = cells.iter().map(reversed).collect();
         cells.extend(back);
     }
     cells
+}
+
+/// Cells of a joint, as long as there is room for them.
+struct CellsOfJoint<'a> {
+    scatterer: &'a Scatterer<'a>,
+    joint: &'a Joint,
+    facets: Vec<Facet>,
+    settings: &'a CellSettings<'a>,
+    side_m: f64,
+    accuracy: f64,
+}
+
+impl CellsOfJoint<'_> {
+    fn squares(&self, corners_m: &[DVec3]) -> Vec<Cell> {
+        let frame = PlaneFrame::new(corners_m[0], self.scatterer.forward(self.joint).lit_normal);
+        let square = |piece: Vec<DVec2>| {
+            let reference_m = frame.to_world(centroid_m(&piece));
+            let corners_m: Vec<DVec3> = piece.iter().map(|c| frame.to_world(*c)).collect();
+            let part = Part { corners_m: &corners_m, reference_m, bracket: self.settings.bracket };
+            let (joint, wavenumbers_per_m) = (self.joint, self.settings.wavenumbers_per_m);
+            let estimate = self.scatterer.amplitudes(joint, &part, wavenumbers_per_m, self.accuracy);
+            self.cell(CellKind::Part, reference_m, area_m2(&piece), estimate)
+        };
+        let squares = cut_into_squares(&frame, corners_m, self.side_m);
+        squares.into_iter().map_while(|piece| self.has_room().then(|| square(piece))).collect()
+    }
+
+    fn term(&self, CriticalPart { at_m, length_m, amplitudes }: CriticalPart) -> Option<Cell> {
+        let area_m2 = as_area_m2(length_m, self.settings);
+        self.has_room().then(|| self.cell(CellKind::Critical, at_m, area_m2, amplitudes))
+    }
+
+    fn has_room(&self) -> bool {
+        self.settings.room.take(self.joint.reverse.ways())
+    }
+
+    fn cell(&self, kind: CellKind, node_m: DVec3, area_m2: f64, estimate: Estimate<Vec<Amplitude>>) -> Cell {
+        Cell {
+            order: self.facets.len() as u8,
+            facets: padded(&self.facets),
+            apparent_m: self.scatterer.apparent_m(self.joint, node_m),
+            motion: motions(self.scatterer, self.joint.forward, self.joint.backward, node_m),
+            amplitudes_m: estimate.value,
+            area_m2,
+            error_m: estimate.error,
+            kind,
+        }
+    }
+}
+
+/// The area whose largest amplitude, kA/√π, is an edge's length/√π, or that of a corner, 1/k√π: its weight
+/// among polygons.
+pub(crate) fn as_area_m2(length_m: f64, settings: &CellSettings<'_>) -> f64 {
+    let highest = settings.wavenumbers_per_m.iter().copied().fold(TAU, f64::max);
+    (length_m + 1.0 / highest) / highest
 }
 
 /// The cell of the way back.
@@ -195,14 +248,14 @@ fn cut_along(polygon: Vec<DVec2>, axis: DVec2, size_m: f64) -> Vec<Vec<DVec2>> {
 }
 
 /// Key that cells must have in common to be gathered.
-type Key = (u8, [u32; MAX_ORDER], [[i64; 3]; 4]);
+type Key = (u8, CellKind, [u32; MAX_ORDER], [[i64; 3]; 4]);
 
 /// Cubes are counted from the antennas, so that a scene moved as a whole keeps its cells.
 fn key(cell: &Cell, ends: [Antenna; 2], side_m: f64, quantum_mps: f64) -> Key {
     let cube = |v: DVec3, side: f64| (v / side).round().to_array().map(|x| x as i64);
     let places = [0, 1].map(|end| cube(-ends[end].towards(cell.apparent_m[end]), side_m));
     let speeds = cell.motion.map(|motion| cube(motion.velocity_mps, quantum_mps));
-    (cell.order, cell.facets.map(|facet| facet.body), [places[0], places[1], speeds[0], speeds[1]])
+    (cell.order, cell.kind, cell.facets.map(|facet| facet.body), [places[0], places[1], speeds[0], speeds[1]])
 }
 
 /// The sum of a group as seen from its centre of area; named by its strongest member.

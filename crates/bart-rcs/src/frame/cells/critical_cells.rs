@@ -1,0 +1,54 @@
+//! Large lit polygons off their specular: terms of their corners and sides in place of cells.
+
+use crate::frame::cells::path_cells::CellSettings;
+use crate::geometry::convex_intersection::bounds;
+use crate::geometry::plane_frame::PlaneFrame;
+use crate::integral::critical_points::CriticalPart;
+use crate::joins::joint::Joint;
+use crate::joins::scatterer::{Part, Scatterer};
+use glam::{DVec2, DVec3};
+
+/// Cells that a polygon would be cut into from which on its corners and sides are looked at. Fewer are as
+/// good: on a car's panels of 12 cells and more, corners leave twice the error that cells do.
+const MANY_CELLS: f64 = 64.0;
+
+/// Whether a polygon would be cut into many cells.
+pub(crate) fn is_large(extent_m: DVec2, size_m: f64) -> bool {
+    (extent_m / size_m).ceil().max(DVec2::ONE).element_product() > MANY_CELLS
+}
+
+/// A polygon in parts, each to be cut into cells, and terms of what is not among them.
+pub(crate) struct PartedPolygon {
+    pub(crate) near_m: Vec<Vec<DVec3>>,
+    pub(crate) terms: Vec<CriticalPart>,
+}
+
+/// A joint's polygon as cells of `size_m` take it; amplitudes of the terms have the joint's weight.
+pub(crate) fn parted(
+    scatterer: &Scatterer<'_>,
+    joint: &Joint,
+    corners_m: &[DVec3],
+    (size_m, accuracy): (f64, f64),
+    settings: &CellSettings<'_>,
+) -> PartedPolygon {
+    let lit = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
+    let [low, high] = bounds(&corners_m.iter().map(|c| lit.plane_from_world(*c)).collect::<Vec<_>>());
+    if !is_large(high - low, size_m) {
+        return PartedPolygon { near_m: vec![corners_m.to_vec()], terms: vec![] };
+    }
+    let wavenumbers_per_m = settings.wavenumbers_per_m;
+    let part = Part { corners_m, reference_m: corners_m[0], bracket: settings.bracket };
+    let mut terms = Vec::new();
+    let near_m = scatterer.with_field(joint, &part, (wavenumbers_per_m, accuracy), |field| {
+        let polygon: Vec<DVec2> = corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
+        let parted = field.parted(&polygon, wavenumbers_per_m[wavenumbers_per_m.len() / 2]);
+        for far in &parted.far {
+            field.for_each_critical_part(far, size_m, wavenumbers_per_m, &mut |term| terms.push(term));
+        }
+        let in_world = |polygon: &Vec<DVec2>| polygon.iter().map(|c| field.frame.to_world(*c)).collect();
+        parted.near.iter().map(in_world).collect()
+    });
+    let amplitudes = terms.iter_mut().map(|term| &mut term.amplitudes);
+    amplitudes.for_each(|estimate| Scatterer::weigh(joint, wavenumbers_per_m, estimate));
+    PartedPolygon { near_m, terms }
+}

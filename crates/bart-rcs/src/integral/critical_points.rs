@@ -1,0 +1,534 @@
+//! The integral over a flat polygon far from where its phase is stationary, as terms of its corners and of
+//! the parts of its sides along which the wave arrives at once.
+//!
+//! With L the length, g its gradient along the plane, c = g·t its slope along a side t with the outward
+//! normal ν, integration by parts (the divergence theorem, twice) leaves the critical points of the second
+//! and third kind (Felsen, Marcuvitz 1973, ch. 4; James 1976, ch. 2):
+//!
+//! ```text
+//! ∫ w·e^{−jkL} dA = (j/k) ∮ w·(g·ν)/|g|² · e^{−jkL} ds + …,   |…| ≤ ∫ (h/k|g|² + |w′|/k|g|)
+//! ∫ w·(g·ν)/|g|² · e^{−jkL} ds = [(j/k) w·(g·ν)/(|g|²c) · e^{−jkL}] + …
+//! ```
+//! h ≥ ‖∇∇L‖ is Σ 1/Lᵢ of the nearest point, and L is convex: what is left out falls with the distance from
+//! the stationary point, so one rectangle about it holds all of the plane where it is more than is allowed,
+//! and one interval all of a side. There the polygon, or the side, is integrated as ever.
+//!
+//! A side off its specular has next to no echo of its own, and that little comes from its corners. As cells,
+//! each with the phase of its middle, it is a difference of thousands of terms that are each stronger than
+//! all of it, and no size of cells follows how it changes in a frame; as corners it is a few terms whose
+//! phases are exact.
+
+use crate::geometry::antenna::Antenna;
+use crate::geometry::convex_intersection::left_of;
+use crate::geometry::plane_frame::{area_m2, centroid_m};
+use crate::integral::field::Field;
+use crate::integral::node::Estimate;
+use artifact::paths::Amplitude;
+use glam::{DVec2, DVec3};
+use num_complex::Complex64;
+
+/// A polygon's parts about the point where its phase is stationary and far from it, all convex.
+#[derive(Debug, Default, PartialEq)]
+pub(crate) struct Parted {
+    pub(crate) near: Vec<Vec<DVec2>>,
+    pub(crate) far: Vec<Vec<DVec2>>,
+}
+
+/// A term of a far part.
+#[derive(Debug)]
+pub(crate) struct CriticalPart {
+    /// Its node: a corner, or the middle of a piece of a side.
+    pub(crate) at_m: DVec3,
+    /// Length of the side that it stands for; zero of a corner.
+    pub(crate) length_m: f64,
+    pub(crate) amplitudes: Estimate<Vec<Amplitude>>,
+}
+
+/// Bounds of what varies over a polygon, and of what may be left out.
+struct Variation {
+    /// Bound h of the second derivatives of the length, 1/m.
+    second_per_m: f64,
+    /// Bound of the weight's relative derivative, 1/m.
+    weight_per_m: f64,
+    wavenumber_per_m: f64,
+    /// Share of a term that may be left out beside it.
+    allowed: f64,
+}
+
+/// Largest share of a term that is left out beside it, however coarse an integral may be.
+const COARSEST: f64 = 0.01;
+/// Second derivatives that a slope along a side may be divided by, of the side's own term and of its weight.
+const ALONG_SIDE: f64 = 4.0;
+
+impl Variation {
+    /// `None` where an antenna is infinitely far away, or straight above, where polarizations turn without
+    /// limit.
+    fn over(field: &Field<'_>, corners_m: &[DVec2], wavenumber_per_m: f64) -> Option<Self> {
+        let centre_m = centroid_m(corners_m);
+        let x_m = field.frame.to_world(centre_m);
+        let reach_m = corners_m.iter().map(|c| c.distance(centre_m)).fold(0.0, f64::max);
+        let heights_m = heights_m(field)?;
+        let nearest_m =
+            field.ranges_m(x_m).into_iter().zip(heights_m).map(|(l, height)| (l - reach_m).max(height));
+        let second_per_m = nearest_m.map(f64::recip).sum::<f64>();
+        let weight_per_m = field.weight_turns(wavenumber_per_m)[0] * field.turning_per_m(x_m, reach_m);
+        let allowed = field.accuracy.clamp(f64::EPSILON, COARSEST);
+        let of = Self { second_per_m, weight_per_m, wavenumber_per_m, allowed };
+        (second_per_m + weight_per_m).is_finite().then_some(of)
+    }
+
+    /// Least gradient g with (n·h/g² + w/g)/k as small as is allowed.
+    fn least_gradient(&self, seconds: f64) -> f64 {
+        let scale = self.wavenumber_per_m * self.allowed;
+        let root = (self.weight_per_m.powi(2) + 4.0 * seconds * self.second_per_m * scale).sqrt();
+        0.5 * (self.weight_per_m + root) / scale
+    }
+
+    /// Longest piece of a side over which the phase is as good as linear: kh·l²/8 is the error.
+    fn longest_m(&self) -> f64 {
+        (8.0 * self.allowed / (self.wavenumber_per_m * self.second_per_m)).sqrt()
+    }
+}
+
+/// Heights of both antennas above the plane; `None` of one infinitely far away.
+fn heights_m(field: &Field<'_>) -> Option<[f64; 2]> {
+    let of = |antenna: Antenna| match antenna {
+        Antenna::Point(p) => Some((p - field.frame.to_world(DVec2::ZERO)).dot(field.node.normal).abs()),
+        Antenna::Direction(_) => None,
+    };
+    let [there, back] = field.of_both(|leg| leg.image).map(of);
+    Some([there?, back?])
+}
+
+impl Field<'_> {
+    fn gradient_at(&self, plane_m: DVec2) -> DVec2 {
+        self.length_gradient(&self.surface_at(plane_m))
+    }
+
+    /// Point of the plane where the length is stationary: it parts the feet of both antennas as their
+    /// heights.
+    fn stationary_m(&self, heights_m: [f64; 2]) -> DVec2 {
+        let foot_m = |antenna: Antenna| match antenna {
+            Antenna::Point(p) => self.frame.plane_from_world(p),
+            Antenna::Direction(_) => DVec2::ZERO,
+        };
+        let [there, back] = self.of_both(|leg| leg.image).map(foot_m);
+        let sum_m = heights_m[0] + heights_m[1];
+        there.lerp(back, if sum_m > 0.0 { heights_m[0] / sum_m } else { 0.5 })
+    }
+
+    /// The part of a polygon about the stationary point, and the parts where terms of corners and sides tell
+    /// the integral to the field's accuracy; all of a bent one is near.
+    pub(crate) fn parted(&self, corners_m: &[DVec2], wavenumber_per_m: f64) -> Parted {
+        let all_near = || Parted { near: vec![corners_m.to_vec()], far: vec![] };
+        let heights_m = heights_m(self).filter(|_| !self.is_bent());
+        let variation = Variation::over(self, corners_m, wavenumber_per_m);
+        let (Some(heights_m), Some(variation)) = (heights_m, variation) else { return all_near() };
+        let stationary_m = self.stationary_m(heights_m);
+        let farthest_m = corners_m.iter().map(|c| c.distance(stationary_m)).fold(0.0, f64::max);
+        match self.radius_m(stationary_m, variation.least_gradient(1.0), farthest_m) {
+            Some(radius_m) => cut_about(corners_m, stationary_m, radius_m),
+            None => all_near(),
+        }
+    }
+
+    /// Distance from the stationary point, below `farthest_m`, from which on the gradient is no smaller than
+    /// some: along a ray it only grows.
+    fn radius_m(&self, stationary_m: DVec2, least: f64, farthest_m: f64) -> Option<f64> {
+        const RAYS: u32 = 16;
+        const HALVINGS: u32 = 12;
+        let rays =
+            (0..RAYS).map(|i| DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / f64::from(RAYS)));
+        let slopes =
+            |radius_m: f64| rays.clone().map(move |r| self.gradient_at(stationary_m + radius_m * r).dot(r));
+        let is_steep = |radius_m: f64| slopes(radius_m).all(|slope| slope >= least);
+        if !is_steep(farthest_m) {
+            return None;
+        }
+        let halved = |[low, high]: [f64; 2]| {
+            let middle = 0.5 * (low + high);
+            if is_steep(middle) { [low, middle] } else { [middle, high] }
+        };
+        Some((0..HALVINGS).fold([0.0, farthest_m], |span, _| halved(span))[1])
+    }
+
+    /// Number of terms and cells of some size that a polygon takes.
+    pub(crate) fn count_parted(&self, corners_m: &[DVec2], size_m: f64, wavenumber_per_m: f64) -> f64 {
+        let Parted { near, far } = self.parted(corners_m, wavenumber_per_m);
+        let of_near = |polygon: &Vec<DVec2>| (area_m2(polygon) / (size_m * size_m)).max(1.0);
+        let of_far = |polygon: &Vec<DVec2>| {
+            let polygon = &distinct(polygon);
+            let Some(variation) = Variation::over(self, polygon, wavenumber_per_m) else { return 0.0 };
+            let of_side = |side: Side| {
+                let [from, to] = self.slow_span_m(&side, &variation);
+                ((to - from) / size_m).ceil()
+            };
+            polygon.len() as f64 + sides(polygon).map(of_side).sum::<f64>()
+        };
+        near.iter().map(of_near).sum::<f64>() + far.iter().map(of_far).sum::<f64>()
+    }
+
+    /// Calls `give` with the terms of a far part; pieces of sides are no longer than `size_m`.
+    pub(crate) fn for_each_critical_part(
+        &self,
+        corners_m: &[DVec2],
+        size_m: f64,
+        wavenumbers_per_m: &[f64],
+        give: &mut dyn FnMut(CriticalPart),
+    ) {
+        let middle_per_m = wavenumbers_per_m[wavenumbers_per_m.len() / 2];
+        let Some(variation) = Variation::over(self, corners_m, middle_per_m) else { return };
+        let corners_m = &distinct(corners_m);
+        let mut of_corners = vec![0.0; corners_m.len()];
+        for (index, side) in sides(corners_m).enumerate() {
+            let span_m = self.slow_span_m(&side, &variation);
+            let next = (index + 1) % corners_m.len();
+            self.add_ends(&side, span_m, [index, next], &mut of_corners, &mut |at_m, term| {
+                give(self.corner(at_m, term, wavenumbers_per_m, variation.allowed));
+            });
+            let count = ((span_m[1] - span_m[0]) / size_m).ceil() as u32;
+            let place = |i: u32| span_m[0] + (span_m[1] - span_m[0]) * f64::from(i) / f64::from(count);
+            for i in 0..count {
+                give(self.piece(&side, [place(i), place(i + 1)], wavenumbers_per_m, &variation));
+            }
+        }
+        for (corner_m, term) in corners_m.iter().zip(of_corners).filter(|(_, term)| *term != 0.0) {
+            give(self.corner(*corner_m, term, wavenumbers_per_m, variation.allowed));
+        }
+    }
+
+    /// Terms at the ends of a side's steep parts, without 1/k²: to its corners' sums, or, where a steep part
+    /// ends on the side, to `give`.
+    fn add_ends(
+        &self,
+        side: &Side,
+        [from_m, to_m]: [f64; 2],
+        corners: [usize; 2],
+        of_corners: &mut [f64],
+        give: &mut dyn FnMut(DVec2, f64),
+    ) {
+        if from_m >= to_m {
+            of_corners[corners[0]] += self.end_term(side, 0.0);
+            of_corners[corners[1]] -= self.end_term(side, side.length_m);
+            return;
+        }
+        if from_m > 0.0 {
+            of_corners[corners[0]] += self.end_term(side, 0.0);
+            give(side.at(from_m), -self.end_term(side, from_m));
+        }
+        if to_m < side.length_m {
+            give(side.at(to_m), self.end_term(side, to_m));
+            of_corners[corners[1]] -= self.end_term(side, side.length_m);
+        }
+    }
+
+    /// Term (g·ν)/(|g|²c) of a point of a side.
+    fn end_term(&self, side: &Side, at_m: f64) -> f64 {
+        let gradient = self.gradient_at(side.at(at_m));
+        gradient.dot(side.outward()) / (gradient.length_squared() * gradient.dot(side.along))
+    }
+
+    /// Interval of a side where its slope is less than it has to be; empty where there is none.
+    fn slow_span_m(&self, side: &Side, variation: &Variation) -> [f64; 2] {
+        let least = variation.least_gradient(ALONG_SIDE);
+        let slope = |at_m: f64| self.gradient_at(side.at(at_m)).dot(side.along);
+        let [first, last] = [slope(0.0), slope(side.length_m)];
+        if first >= least || last <= -least {
+            return [0.0; 2];
+        }
+        let from_m = if first > -least { 0.0 } else { root_m(side, |at_m| slope(at_m) + least) };
+        let to_m = if last < least { side.length_m } else { root_m(side, |at_m| slope(at_m) - least) };
+        [from_m, to_m]
+    }
+
+    fn corner(&self, at_m: DVec2, term: f64, wavenumbers_per_m: &[f64], allowed: f64) -> CriticalPart {
+        let integrals_m2: Vec<[Complex64; 2]> =
+            wavenumbers_per_m.iter().map(|k| [Complex64::from(0.5 * term / (k * k)); 2]).collect();
+        self.critical_part(at_m, 0.0, [at_m; 2], wavenumbers_per_m, &integrals_m2, allowed)
+    }
+
+    /// Term of a piece of a side: over its parts the phase is linear, and so is what it is weighed with.
+    fn piece(
+        &self,
+        side: &Side,
+        [from_m, to_m]: [f64; 2],
+        wavenumbers_per_m: &[f64],
+        variation: &Variation,
+    ) -> CriticalPart {
+        let (length_m, middle_m) = (to_m - from_m, side.at(0.5 * (from_m + to_m)));
+        let at_middle_m = self.length_m(self.frame.to_world(middle_m));
+        let count = (length_m / variation.longest_m()).ceil().max(1.0);
+        let half_m = 0.5 * length_m / count;
+        let flux = |at_m: f64| {
+            let gradient = self.gradient_at(side.at(at_m));
+            gradient.dot(side.outward()) / gradient.length_squared()
+        };
+        // Weights go from those at the one end to those at the other.
+        let mut integrals_m2 = vec![[Complex64::ZERO; 2]; wavenumbers_per_m.len()];
+        for i in 0..count as u32 {
+            let at_m = from_m + f64::from(2 * i + 1) * half_m;
+            let [first, last] = [at_m - half_m, at_m + half_m].map(flux);
+            let share = (at_m - from_m) / length_m;
+            let (mean, slope) = (0.5 * (first + last), 0.5 * (last - first) / half_m);
+            let ends = [
+                [mean * (1.0 - share), slope * (1.0 - share) - mean / length_m],
+                [mean * share, slope * share + mean / length_m],
+            ];
+            let further_m = self.length_m(self.frame.to_world(side.at(at_m))) - at_middle_m;
+            let half_turn_m = half_m * self.gradient_at(side.at(at_m)).dot(side.along);
+            for (sums, k) in integrals_m2.iter_mut().zip(wavenumbers_per_m) {
+                let turn = Complex64::i() / k * Complex64::cis(-k * further_m);
+                for (sum, weight) in sums.iter_mut().zip(ends) {
+                    *sum += turn * linear_m(weight, half_m, k * half_turn_m);
+                }
+            }
+        }
+        let points = [side.at(from_m), side.at(to_m)];
+        self.critical_part(middle_m, length_m, points, wavenumbers_per_m, &integrals_m2, variation.allowed)
+    }
+
+    /// Part with its node at `at_m`, of integrals that are weighed as at two points.
+    fn critical_part(
+        &self,
+        at_m: DVec2,
+        length_m: f64,
+        points_m: [DVec2; 2],
+        wavenumbers_per_m: &[f64],
+        integrals_m2: &[[Complex64; 2]],
+        allowed: f64,
+    ) -> CriticalPart {
+        let at_m = self.frame.to_world(at_m);
+        let of_node = Field::new(self.node, at_m, self.accuracy);
+        let points = points_m.map(|point_m| of_node.surface_about(self.frame.to_world(point_m)));
+        let value = of_node.amplitudes_of(&points, wavenumbers_per_m, integrals_m2);
+        let largest = value.iter().flatten().flatten().map(|a| a.norm()).fold(0.0, f64::max);
+        CriticalPart { at_m, length_m, amplitudes: Estimate { value, error: allowed * largest } }
+    }
+}
+
+/// Integral of (w₀ + w₁s)·e^{−jus/a} over s from −a to a.
+fn linear_m([middle, slope]: [f64; 2], half_m: f64, half_turn: f64) -> Complex64 {
+    // (sin u/u − cos u)/u = u/3 − u³/30 + …
+    let (even, odd) = if half_turn.abs() < 1e-3 {
+        (1.0 - half_turn * half_turn / 6.0, half_turn / 3.0)
+    } else {
+        let (sin, cos) = half_turn.sin_cos();
+        (sin / half_turn, (sin / half_turn - cos) / half_turn)
+    };
+    2.0 * half_m * Complex64::new(middle * even, -half_m * slope * odd)
+}
+
+/// Corners without those that lie on the one before.
+fn distinct(corners_m: &[DVec2]) -> Vec<DVec2> {
+    let mut corners_m = corners_m.to_vec();
+    corners_m.dedup();
+    if corners_m.len() > 1 && corners_m.first() == corners_m.last() {
+        corners_m.pop();
+    }
+    corners_m
+}
+
+/// A side of a polygon in its plane.
+struct Side {
+    start_m: DVec2,
+    along: DVec2,
+    length_m: f64,
+}
+
+impl Side {
+    fn at(&self, at_m: f64) -> DVec2 {
+        self.start_m + at_m * self.along
+    }
+
+    fn outward(&self) -> DVec2 {
+        -self.along.perp()
+    }
+}
+
+fn sides(corners_m: &[DVec2]) -> impl Iterator<Item = Side> {
+    let ends = corners_m.iter().copied().zip(corners_m.iter().copied().cycle().skip(1));
+    let of = |(start_m, end_m): (DVec2, DVec2)| {
+        let length_m = start_m.distance(end_m);
+        Side { start_m, along: (end_m - start_m) / length_m, length_m }
+    };
+    ends.map(of)
+}
+
+/// Place on a side where a function that grows along it is zero.
+fn root_m(side: &Side, of: impl Fn(f64) -> f64) -> f64 {
+    const HALVINGS: u32 = 40;
+    let halved = |[low, high]: [f64; 2]| {
+        let middle = 0.5 * (low + high);
+        if of(middle) > 0.0 { [low, middle] } else { [middle, high] }
+    };
+    let [low, high] = (0..HALVINGS).fold([0.0, side.length_m], |span, _| halved(span));
+    0.5 * (low + high)
+}
+
+/// The square of a half side about a point, and what is left of a polygon around it.
+fn cut_about(corners_m: &[DVec2], centre_m: DVec2, half_m: f64) -> Parted {
+    let mut parted = Parted::default();
+    let mut rest = corners_m.to_vec();
+    for out in [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y] {
+        let line_m = centre_m + half_m * out;
+        parted.far.push(left_of(&rest, line_m, -out.perp()));
+        rest = left_of(&rest, line_m, out.perp());
+    }
+    parted.near.push(rest);
+    for parts in [&mut parted.near, &mut parted.far] {
+        parts.retain(|part| area_m2(part) > 0.0);
+    }
+    parted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integral::node::{Bracket, Leg, Node};
+    use crate::integral::polarization::Mirrors;
+    use crate::integral::steps::Steps;
+    use crate::integral::test_quadrature::gauss_legendre;
+
+    const WAVENUMBER_PER_M: f64 = std::f64::consts::TAU * 77e9 / artifact::units::SPEED_OF_LIGHT_MPS;
+
+    fn leg(antenna_m: [f64; 3]) -> Leg {
+        Leg {
+            image: Antenna::Point(DVec3::from_array(antenna_m)),
+            mirrors: Mirrors::NONE,
+            steps: Steps::default(),
+            zenith_h: DVec3::Y,
+        }
+    }
+
+    /// A quadrilateral in the plane x = 0 and two antennas before it.
+    struct Case {
+        name: &'static str,
+        corners_m: [[f64; 2]; 4],
+        antennas_m: [[f64; 3]; 2],
+    }
+
+    impl Case {
+        fn with_node<T>(&self, of: impl FnOnce(&Node<'_>) -> T) -> T {
+            let [transmit, receive] = self.antennas_m.map(leg);
+            let corners_m = self.corners_m.map(|[y, z]| DVec3::new(0.0, y, z));
+            let (normal, bend, material, bracket) = (DVec3::X, None, None, Bracket::Symmetrised);
+            let (transmit, receive) = (&transmit, &receive);
+            of(&Node { corners_m: &corners_m, normal, bend, material, transmit, receive, bracket })
+        }
+
+        /// The same with antennas so many times as far away.
+        fn from_afar(&self, times: f64) -> Self {
+            Self { antennas_m: self.antennas_m.map(|at_m| at_m.map(|x| times * x)), ..*self }
+        }
+
+        fn by_quadrature(&self) -> Complex64 {
+            self.with_node(|node| {
+                let field = Field::new(node, DVec3::ZERO, 1.0);
+                let corners_m = node.corners_m.iter().map(|c| field.frame.plane_from_world(*c));
+                by_quadrature(&field, &corners_m.collect::<Vec<_>>())
+            })
+        }
+
+        /// The integral as of the origin, sides in pieces of 2 cm.
+        fn by_parts(&self, accuracy: f64) -> Sums {
+            self.with_node(|node| {
+                let field = Field::new(node, DVec3::ZERO, accuracy);
+                let polygon: Vec<DVec2> =
+                    node.corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
+                let parted = field.parted(&polygon, WAVENUMBER_PER_M);
+                let (mut terms, mut strongest) = (0, 0.0_f64);
+                let mut sum = Complex64::ZERO;
+                for far in &parted.far {
+                    field.for_each_critical_part(far, 0.02, &[WAVENUMBER_PER_M], &mut |part| {
+                        terms += 1;
+                        let turn = Complex64::cis(-WAVENUMBER_PER_M * field.length_m(part.at_m));
+                        let spread: f64 = field.spread(part.at_m).iter().product();
+                        let amplitude = part.amplitudes.value[0][1][1];
+                        strongest = strongest.max(amplitude.norm());
+                        sum += spread * turn * amplitude;
+                    });
+                }
+                let of_near: Complex64 = parted.near.iter().map(|near| by_quadrature(&field, near)).sum();
+                Sums { by_parts: sum + of_near, strongest, terms, near: parted.near.len() }
+            })
+        }
+    }
+
+    /// Amplitudes hh of a polygon, with the strongest term and counts.
+    struct Sums {
+        by_parts: Complex64,
+        strongest: f64,
+        terms: usize,
+        near: usize,
+    }
+
+    /// Amplitude hh of a polygon, point by point.
+    fn by_quadrature(field: &Field<'_>, corners_m: &[DVec2]) -> Complex64 {
+        let (nodes, weights) = gauss_legendre(500);
+        let mut sum = Complex64::ZERO;
+        for pair in corners_m[1..].windows(2) {
+            let [a, b, c] = [corners_m[0], pair[0], pair[1]];
+            let doubled_area_m2 = (b - a).perp_dot(c - a);
+            for (u, wu) in nodes.iter().zip(&weights) {
+                for (v, wv) in nodes.iter().zip(&weights) {
+                    let (s, t) = (0.5 * (u + 1.0), 0.5 * (v + 1.0));
+                    let at = field.surface_at(a + s * (b.lerp(c, t) - a));
+                    let turn = Complex64::cis(-WAVENUMBER_PER_M * field.length_m(at.x_m));
+                    sum += 0.25 * wu * wv * s * doubled_area_m2 * field.weights(&at)[3] * turn;
+                }
+            }
+        }
+        Complex64::i() * WAVENUMBER_PER_M / std::f64::consts::PI.sqrt() * sum
+    }
+
+    const SIDE_M: [[f64; 2]; 4] = [[-0.2, -0.1], [0.25, -0.1], [0.25, 0.08], [-0.2, 0.08]];
+    const CASES: [Case; 6] = [
+        Case { name: "oblique", corners_m: SIDE_M, antennas_m: [[1.2, 0.9, 0.4]; 2] },
+        Case { name: "side along the wave", corners_m: SIDE_M, antennas_m: [[1.2, 0.03, 0.9]; 2] },
+        Case { name: "specular on it", corners_m: SIDE_M, antennas_m: [[2.0, 0.04, 0.01]; 2] },
+        Case { name: "specular at its side", corners_m: SIDE_M, antennas_m: [[1.5, 0.3, 0.03]; 2] },
+        Case {
+            name: "bistatic, of no right angles",
+            corners_m: [[-0.15, -0.09], [0.14, -0.12], [0.2, 0.07], [-0.08, 0.11]],
+            antennas_m: [[1.4, 0.8, 0.2], [0.9, 0.3, -0.6]],
+        },
+        Case { name: "nearly along it", corners_m: SIDE_M, antennas_m: [[0.1, 2.1, 0.2]; 2] },
+    ];
+
+    /// Errors are told beside the strongest term: of four corners little may be left.
+    #[test]
+    fn corners_and_sides_are_the_integral_to_the_accuracy_asked() {
+        for case in CASES.iter().flat_map(|case| [1.0, 10.0].map(|times| case.from_afar(times))) {
+            let exact = case.by_quadrature();
+            for accuracy in [1e-2, 3e-3, 1e-3, 1e-4] {
+                let Sums { by_parts, strongest, terms, near } = case.by_parts(accuracy);
+                let error = (by_parts - exact).norm() / strongest.max(exact.norm());
+                println!("{}: asked {accuracy:.0e}, got {error:.1e}, {terms} terms, {near} near", case.name);
+                assert!(error <= accuracy, "{}: asked {accuracy:e}, got {error:e}", case.name);
+            }
+        }
+    }
+
+    #[test]
+    fn a_polygon_far_from_its_specular_is_its_four_corners() {
+        let sums = CASES[0].from_afar(10.0).by_parts(1e-2);
+        assert_eq!((sums.terms, sums.near), (4, 0));
+    }
+
+    #[test]
+    fn an_antenna_infinitely_far_away_or_straight_above_leaves_all_to_be_integrated() {
+        let overhead = Case { name: "overhead", corners_m: SIDE_M, antennas_m: [[0.0, 0.0, 9.0]; 2] };
+        overhead.with_node(|node| {
+            let field = Field::new(node, DVec3::ZERO, 1e-2);
+            let polygon = [DVec2::ZERO, DVec2::X, DVec2::Y];
+            assert_eq!(field.parted(&polygon, WAVENUMBER_PER_M).far, Vec::<Vec<DVec2>>::new());
+        });
+        let far = Leg { image: Antenna::Direction(DVec3::new(0.8, 0.6, 0.0)), ..leg([1.0, 0.0, 0.0]) };
+        CASES[0].with_node(|node| {
+            let node = Node { transmit: &far, receive: &far, ..*node };
+            let field = Field::new(&node, DVec3::ZERO, 1e-2);
+            let polygon = [DVec2::ZERO, DVec2::X, DVec2::Y];
+            assert_eq!(field.parted(&polygon, WAVENUMBER_PER_M).near, [polygon.to_vec()]);
+        });
+    }
+}
