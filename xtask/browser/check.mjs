@@ -188,8 +188,42 @@ async function cutsMoveTheCursor(page) {
   }
 }
 
-/** Pictures per second with all paths. */
-async function speed(page) {
+/** Paths of which the view has to be quick enough to be turned. */
+const MANY = 50_000;
+
+// Each path so many times, a hand's breadth beside the one before, weakest last as before; returns those that
+// were there.
+const TILED = (times) => `(() => {
+  const { shown } = waysideViewer.view.page.frames[0];
+  const own = shown.paths;
+  const again = (list) => Array.from(list).flatMap((value) => Array(${times}).fill(value));
+  const { corners, orders, targets, ranges_m, velocities_mps, levels_dbw } = own;
+  const many = { corners, orders, targets, ranges_m, velocities_mps, levels_dbw };
+  Object.keys(many).forEach((name) => (many[name] = again(many[name])));
+  let first = 0;
+  many.places_m = Array.from(corners).flatMap((count) => {
+    const places = Array.from(own.places_m.slice(3 * first, 3 * (first += count)));
+    return Array.from({ length: ${times} }, (_, copy) => places.map((place) => place + 0.1 * copy)).flat();
+  });
+  shown.paths = { ...own, ...many, all: ${times} * own.all };
+  globalThis.ownPaths = own;
+})()`;
+
+/** Pictures per second with all paths, and with many. */
+async function speeds(page) {
+  await speed(page, 10);
+  const shown = await page.value("waysideViewer.view.state.shown");
+  const times = Math.ceil(MANY / Math.max(1, shown));
+  await page.value(TILED(times));
+  await page.value(slide("frame", 0));
+  await speed(page, 3);
+  const many = await page.value("waysideViewer.view.state.shown");
+  holds("draws fifty thousand paths", many >= MANY, many);
+  await page.value("waysideViewer.view.page.frames[0].shown.paths = ownPaths, null");
+  await page.value(slide("frame", 0));
+}
+
+async function speed(page, pictures) {
   await page.value(slide("level", -80));
   const seconds = await page.value(`(() => {
     const { gl } = waysideViewer.view.space.graphics;
@@ -197,12 +231,12 @@ async function speed(page) {
     waysideViewer.draw();
     wait();
     const begin = performance.now();
-    for (let i = 0; i < 10; i++) {
+    for (let i = 0; i < ${pictures}; i++) {
       waysideViewer.view.state.camera.azimuth += 0.01;
       waysideViewer.draw();
       wait();
     }
-    return (performance.now() - begin) / 1e4;
+    return (performance.now() - begin) / 1e3 / ${pictures};
   })()`);
   const shown = await page.value("waysideViewer.view.state.shown");
   console.log(`report: ${shown} paths, ${(1 / seconds).toFixed(1)} pictures per second`);
@@ -350,7 +384,7 @@ try {
   await pointTargetIsChosen(page);
   await cursorIsShared(page);
   await cutsMoveTheCursor(page);
-  await speed(page);
+  await speeds(page);
   if (folder) await takePictures(page, "report", "around");
   await telephone(page);
   if (urlOfBody) await bodyIsViewed(page);

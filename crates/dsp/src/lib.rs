@@ -80,6 +80,7 @@ pub use crops::crop::{Cropper, PAPER_CROP};
 pub use crops::grayscale::rdm_grayscale;
 pub use crops::signature::Signatures;
 pub use detection::cfar;
+pub use detection::range_doppler::has_noise;
 pub use direction::angle;
 pub use direction::calibration::mean_errors;
 pub use direction::multipath_ghost::multipath_ghost;

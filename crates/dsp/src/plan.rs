@@ -4,6 +4,7 @@ use crate::detection::censored::Censoring;
 use crate::detection::cfar::Cfar;
 use crate::detection::cfar_threshold::threshold_factor;
 use crate::detection::peaks::PeakFinder;
+use crate::detection::range_doppler::Floor;
 use crate::direction::angle::VirtualArray;
 use crate::error::DspError;
 use crate::spectrum::map_transform::RangeDoppler;
@@ -12,7 +13,7 @@ use crate::spectrum::window::{noise_bandwidth_bins, taper};
 use artifact::Radar;
 use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
-use artifact::settings::{DspSettings, Lanes, Noise};
+use artifact::settings::{DspSettings, Lanes};
 use radar::lattice::tells_azimuth;
 use std::sync::Arc;
 
@@ -61,8 +62,8 @@ pub(crate) struct Plan {
     pub(crate) radar: Radar,
     /// Settings of detection.
     pub(crate) settings: DspSettings,
-    /// Noise of the samples, if they have any.
-    pub(crate) noise: Noise,
+    /// Origin of the noise that thresholds stand on.
+    pub(crate) floor: Floor,
     /// Samples to maps.
     pub(crate) transform: RangeDoppler,
     /// Shared with the other sub-frames.
@@ -86,9 +87,9 @@ impl Plan {
         let plan = |(header, transform): (CubeHeader, RangeDoppler)| Self {
             array: VirtualArray::new(&header),
             lanes: told_lanes(&header),
+            floor: Floor::of(&header),
             radar: header.radar,
             settings: header.dsp,
-            noise: header.noise,
             transform,
             thresholds: Arc::clone(&thresholds),
         };

@@ -58,7 +58,7 @@ impl Receiver {
     /// Samples of another number or sampling than the radar's, and values that are no numbers.
     pub fn range_doppler(&self, cube: &CubeFrame) -> Result<RdmFrame, DspError> {
         let plan = self.plan(cube.index);
-        range_doppler(&plan.transform, &plan.thresholds.detector, plan.noise, cube)
+        range_doppler(&plan.transform, &plan.thresholds.detector, plan.floor, cube)
     }
 
     /// Points of a map, strongest first, and objects in the order of their strongest peaks.

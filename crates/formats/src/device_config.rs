@@ -31,14 +31,24 @@ const LIMIT_BYTES: u64 = 16 << 20;
 /// Settings that a configuration tells, for the board that was asked for, else the one that it names.
 pub fn read(file: &Path, board: Option<Board>) -> Result<DeviceSettings, Failure> {
     let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-    let settings = settings(&text, board).map_err(|Fault { line, rule }| {
-        let place = line.map_or_else(String::new, |line| format!(":{line}"));
-        Failure::Refused(format!("{}{place}: {rule}", file.display()))
-    })?;
+    let settings = settings(&text, board).map_err(|fault| refused(file, fault))?;
     for Remark { line, text } in &settings.remarks {
         progress::note(format!("note: {}:{line}: {text}", file.display()));
     }
     Ok(settings)
+}
+
+/// Refuses a configuration by which a capture card's file holds more than samples.
+///
+/// # Errors
+/// The command that has other words sent, with its line.
+pub fn check_stream(file: &Path, settings: &DeviceSettings) -> Result<(), Failure> {
+    settings.check_stream().map_err(|fault| refused(file, fault))
+}
+
+fn refused(file: &Path, Fault { line, rule }: Fault) -> Failure {
+    let place = line.map_or_else(String::new, |line| format!(":{line}"));
+    Failure::Refused(format!("{}{place}: {rule}", file.display()))
 }
 
 fn settings(text: &str, board: Option<Board>) -> Result<DeviceSettings, Fault> {

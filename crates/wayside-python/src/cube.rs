@@ -32,6 +32,10 @@ impl Cube {
 /// Samples as complex64 `[frame, channel, chirp, sample]`; the very array where it is that already.
 fn four_axes<'py>(samples: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray4<Complex32>>> {
     let numpy = samples.py().import("numpy")?;
+    if samples.py().import("numpy.ma")?.call_method1("is_masked", (samples,))?.is_truthy()? {
+        let rule = "it is a masked array, and what its mask hides has no value: fill it, samples.filled(0)";
+        return Err(failure::of_argument("samples", rule));
+    }
     let as_they_are_read = ["C_CONTIGUOUS", "ALIGNED", "ENSUREARRAY"];
     let array = numpy.call_method1("require", (samples, numpy.getattr("complex64")?, as_they_are_read))?;
     let axes: usize = array.getattr("ndim")?.extract()?;

@@ -15,6 +15,16 @@ pub(crate) fn raised(py: Python<'_>, failure: &Failure, file: Option<&Path>) -> 
     exception(py, kind(failure), &text, fault.into_iter().collect())
 }
 
+/// The file, of those that were given, with whose name the sentence of a failure begins.
+pub(crate) fn named<'a>(failure: &Failure, given: impl IntoIterator<Item = &'a Path>) -> Option<&'a Path> {
+    let text = failure.to_string();
+    let begins = |file: &&Path| {
+        let behind = text.strip_prefix(&file.display().to_string());
+        behind.is_some_and(|behind| behind.starts_with([':', '/']))
+    };
+    given.into_iter().find(begins)
+}
+
 /// Exception of a scene's broken rules; a scene from a dictionary has no file, and lines mean nothing.
 pub(crate) fn of_scene(
     py: Python<'_>,

@@ -273,13 +273,19 @@ impl Scene {
         let (scene, memory, folder) = (self.read().source_again(py)?, *memory, out.clone());
         let document = Arc::clone(document);
         let cache = cache.map(self::cache).transpose()?.flatten();
-        let ended = carry_out(py, self.read().shown(), progress, move |call_off| {
+        let of_cache = cache.as_ref().and_then(|cache| cache.folder.clone());
+        let given: Vec<PathBuf> =
+            [Some(out.clone()), classifier.clone(), of_cache].into_iter().flatten().collect();
+        let ended = carry_out(py, None, progress, move |call_off| {
             let of_file = Settings::of(&scene.file, folder);
             let call_off = call_off.clone();
             let settings = Settings { scene, cache, classifier, memory, call_off, ..of_file };
-            wayside::run(&settings).map(drop).map_err(|failure| document.told(failure))
-        });
-        ended?;
+            Ok(wayside::run(&settings).map(drop).map_err(|failure| document.told(failure)))
+        })?;
+        ended.map_err(|failure| {
+            let file = failure::named(&failure, given.iter().map(PathBuf::as_path));
+            failure::raised(py, &failure, file.or(self.read().shown()))
+        })?;
         told::json(py, &std::fs::read_to_string(out.join("summary.json"))?)
     }
 

@@ -250,6 +250,43 @@ def test_samples_that_are_not_the_radars_are_refused(scene: wayside.Scene) -> No
         wayside.Cube(samples[0, 0], scene)
 
 
+def test_samples_that_no_such_radar_gives_are_refused(scene: wayside.Scene) -> None:
+    samples = scene.echo().samples
+    steps = np.round(samples / np.abs(samples).max() * 2000)
+    with pytest.raises(wayside.WaysideError, match="a part is beyond the full scale of 100"):
+        wayside.Cube(steps, scene, full_scale=100)
+    words = [part.astype(np.int16).view(np.uint16) for part in (steps.real, steps.imag)]
+    with pytest.raises(wayside.WaysideError, match="words without sign[?] cast them to int16"):
+        wayside.Cube(words[0] + 1j * words[1], scene)
+    with pytest.raises(wayside.WaysideError, match=r'sampling = "real" in \[radar.receiver\]'):
+        wayside.Cube(samples.real, scene)
+    with pytest.raises(wayside.WaysideError, match="there is no frame"):
+        wayside.Cube(samples[:0], scene)
+
+
+def test_samples_behind_a_mask_have_no_value(scene: wayside.Scene) -> None:
+    samples = scene.echo().samples
+    with pytest.raises(ValueError, match="samples: it is a masked array"):
+        wayside.Cube(np.ma.masked_greater(samples.real, 0) + 1j * samples.imag, scene)
+    assert np.array_equal(wayside.Cube(np.ma.masked_array(samples), scene).samples, samples)
+
+
+def test_a_recording_by_a_scene_without_noise_has_the_noise_of_its_map(
+    scene: wayside.Scene, caplog: pytest.LogCaptureFixture
+) -> None:
+    silent = small_scene()
+    del silent["noise"]
+    samples = scene.echo().samples
+    steps = np.round(samples / np.abs(samples).max() * 32000)
+    with caplog.at_level(logging.INFO, logger="wayside"):
+        cubes = [wayside.Cube(steps, told) for told in (scene, silent)]
+        expected, found = (cube.range_doppler().detect().points.snr_db for cube in cubes)
+        assert np.array_equal(expected, found)
+        assert not any("there is no noise" in record.message for record in caplog.records)
+        wayside.Cube(samples, silent).range_doppler().detect()
+    assert any("there is no noise: a floor 60 dB below" in record.message for record in caplog.records)
+
+
 def test_a_tone_lands_in_its_cell_of_the_map(scene: wayside.Scene) -> None:
     chirp, sample = np.mgrid[0:32, 0:64]
     tone = np.exp(2j * np.pi * (20 * sample / 64 + 4 * chirp / 32))

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from wayside.compat import radarsimpy
 from wayside.compat.radarsimpy import (
     NotSupported,
     Radar,
@@ -248,6 +249,20 @@ def test_targets_are_checked_wherever_they_are(target: dict[str, Any], name: str
         sim_radar(fmcw_radar(), [target])
 
 
+def test_codes_that_change_nothing_are_taken() -> None:
+    place = {"location": (0, 0, 0)}
+    neutral = {"pulse_amp": [1, 1], "pulse_phs": [0, 360], "mod_t": [0, 1e-6], "amp": [1, 1], "phs": [0, 0]}
+    plain, coded = (
+        sim_radar(Radar(chirps(pulses=2, channels=[{**place, **code}]), Receiver(fs=4e6)), [target])
+        for code, target in (({}, TARGETS[2]), (neutral, {**TARGETS[2], "phase": 360}))
+    )
+    assert np.array_equal(plain["baseband"], coded["baseband"])
+
+
+def test_a_name_that_is_none_of_theirs_is_no_attribute() -> None:
+    assert not hasattr(radarsimpy, "sim_sonar")
+
+
 def chirps(**changes: Any) -> Transmitter:
     return Transmitter(**({"f": [76e9, 77e9], "t": 20e-6} | changes))
 
@@ -275,6 +290,21 @@ def chirps(**changes: Any) -> Transmitter:
         (lambda: fmcw_radar(seed=-1), "seed: must be 0 or more, is -1"),
         (lambda: sim_radar(fmcw_radar(), [], level="nonsense"), "level"),
         (lambda: sim_radar(fmcw_radar(), [], frame_time=np.inf), "frame_time"),
+        (lambda: sim_radar(fmcw_radar(), TARGETS[0]), "targets: a list of dictionaries"),
+        (lambda: sim_radar(fmcw_radar(), [TARGETS]), r"targets\[0\]: a dictionary"),
+        (lambda: sim_radar(fmcw_radar(), [{"location": (9, 0, 0)}]), r"target\['rcs'\]: is needed"),
+        (lambda: sim_radar(fmcw_radar(), [{**TARGETS[0], "rcs": None}]), r"target\['rcs'\]: is needed"),
+        (lambda: sim_radar(fmcw_radar(), [{**TARGETS[0], "rcs": "a"}]), r"target\['rcs'\]: must be a"),
+        (lambda: sim_radar(fmcw_radar(), [{**TARGETS[0], "rcs": "a"}]), r"target\['rcs'\]: must be a number"),
+        (lambda: sim_radar(fmcw_radar(), [{"rcs": 20}]), r"target\['location'\]: is needed"),
+        (lambda: chirps(channels=[{"delay": 0}]), r"tx channel\['location'\]: is needed"),
+        (lambda: chirps(channels={"location": (0, 0, 0)}), "tx channel: a list of dictionaries"),
+        (lambda: chirps(pulses=2, prp=[3e-5] * 3), "prp: one number is needed, or 2"),
+        (lambda: chirps(tx_power="strong"), "tx_power: must be a number, is 'strong'"),
+        (lambda: Receiver(fs=4e6, channels=[{}]), r"rx channel\['location'\]: is needed"),
+        (lambda: sim_rcs([{}], 77e9, 0, 90), r"target\['model'\]: is needed"),
+        (lambda: sim_rcs({"model": "a.stl"}, 77e9, 0, 90), "targets: a list of dictionaries"),
+        (lambda: sim_rcs([{"model": "a.stl"}], 77e9, np.nan, 90), "phi: must be finite"),
     ],
 )
 def test_a_value_that_is_none_is_refused_by_its_name(call: Any, name: str) -> None:
@@ -289,7 +319,7 @@ def test_a_value_that_is_none_is_refused_by_its_name(call: Any, name: str) -> No
         (lambda: Transmitter(f=[1e9, 2e9, 3e9], t=[0, 1e-6, 2e-6]), "f"),
         (lambda: Transmitter(f=[1e9, 2e9], t=1e-6, pulses=2, prp=[1e-6, 2e-6]), "prp"),
         (
-            lambda: Transmitter(f=[1e9, 2e9], t=1e-6, channels=[{"location": (0, 0, 0), "pulse_phs": [0]}]),
+            lambda: Transmitter(f=[1e9, 2e9], t=1e-6, channels=[{"location": (0, 0, 0), "pulse_phs": [90]}]),
             "pulse_phs",
         ),
         (lambda: Receiver(fs=1e6, channels=[{"location": (0, 0, 0), "gain": 3}]), "gain"),
@@ -303,6 +333,19 @@ def test_a_value_that_is_none_is_refused_by_its_name(call: Any, name: str) -> No
         ),
         (lambda: sim_rcs([{"model": "a.stl", "permittivity": 3 + 1j}], 77e9, 0, 90), "permittivity"),
         (lambda: processing.cfar_ca_2d, "cfar_ca_2d"),
+        (
+            lambda: sim_radar(fmcw_radar(), [{**TARGETS[0], "rcs": np.full((1, 256, 160), 20)}]),
+            r"target\['rcs'\]: not supported",
+        ),
+        (lambda: chirps(tx_power=[10, 11]), "tx_power: not supported"),
+        (lambda: chirps(pulses=2, channels=[{"location": (0, 0, 0), "pulse_amp": [1, 0]}]), "pulse_amp"),
+        (lambda: Receiver(fs=[1e6, 2e6]), "fs: not supported"),
+        (lambda: fmcw_radar(location=3), "location: not supported"),
+        (lambda: sim_rcs([{"model": "a.stl"}], [76e9, 77e9], 0, 90), "f: not supported"),
+        (lambda: sim_rcs([{"model": 3}], 77e9, 0, 90), "model"),
+        (lambda: radarsimpy.sim_lidar, "sim_lidar: not supported"),
+        (lambda: radarsimpy.tools, "tools: not supported"),
+        (lambda: radarsimpy.rt, "rt: not supported"),
     ],
 )
 def test_what_is_not_supported_is_refused_by_its_name(call: Any, name: str) -> None:

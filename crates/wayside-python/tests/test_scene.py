@@ -55,6 +55,21 @@ def test_a_file_that_is_missing_is_the_systems_fault() -> None:
     assert refused.value.file == "no-such-scene.toml"
 
 
+def test_a_path_that_was_given_to_a_run_is_the_file_of_its_failure(tmp_path: Path) -> None:
+    plain, missing = tmp_path / "plain", tmp_path / "none.model"
+    plain.write_text("mine")
+    scene = wayside.Scene(small_scene())
+    for out, options, file in (
+        (plain, {}, plain),
+        (tmp_path / "out", {"classifier": missing}, missing),
+        (tmp_path / "out", {"cache": plain}, plain),
+    ):
+        with pytest.raises(wayside.WaysideError) as refused:
+            scene.run(out, **options)
+        assert refused.value.file == str(file), str(refused.value)
+    assert plain.read_text() == "mine"
+
+
 def test_a_file_that_a_dictionary_names_is_missing_and_no_file_of_ours_is_told() -> None:
     target = {"kind": "mesh", "id": "x", "model": "nope.glb", "position_m": [0.0, 30.0, 0.0]}
     with pytest.raises(wayside.WaysideError) as refused:

@@ -53,7 +53,7 @@ def test_maps_of_sub_frames_have_each_their_own_velocities() -> None:
 
 def test_samples_that_are_steps_are_not_told_as_powers(program: list[str], tmp_path: Path) -> None:
     steps = np.arange(4 * 32 * 64).reshape(1, 4, 32, 64) % 100
-    np.save(tmp_path / "steps.npy", steps.astype("<c8"))
+    np.save(tmp_path / "steps.npy", (steps * (1 - 2j)).astype("<c8"))
     (tmp_path / "scene.toml").write_text(wayside.Scene(small_scene()).toml)
     call([*program, "import", "steps.npy", "--scene", "scene.toml", "--out", "steps.cube"], tmp_path)
     cube = wayside.Cube.read(tmp_path / "steps.cube")

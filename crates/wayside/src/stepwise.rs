@@ -22,7 +22,7 @@ pub use meshes::{dressed, far_field_from_m, materials, mesh, middle_hz};
 pub use opened_scene::{Cost, OpenedScene, inputs, radars};
 pub use processing::{Answered, Processing};
 pub use recorded::{Recorded, error_figures, model_error_figures};
-pub use samples::{cubes_of_samples, sound, unit_of_floats};
+pub use samples::{check_parts, cubes_of_samples, sound, unit_of_floats};
 pub use scattering::paths;
 pub use scene_faults::{SceneFault, file_keys, scene_faults};
 pub use tables::{RcsTable, check_size, rcs};

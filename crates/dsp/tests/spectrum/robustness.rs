@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::common::*;
-use artifact::cube::{CubeFrame, CubeHeader};
+use artifact::cube::{CubeFrame, CubeHeader, SampleUnit};
 use artifact::dataset::CropFormat;
 use artifact::radar::Multiplexing;
 use artifact::settings::{Noise, Window};
@@ -181,6 +181,21 @@ fn a_noise_free_map_says_what_floor_it_took() {
         Receiver::new(&header).unwrap().range_doppler(&cube(&header, &[target], 1)).unwrap().assumed_floor,
         None
     );
+}
+
+/// A scene that says nothing of noise is taken for noise-free: a recording made by it never is.
+#[test]
+fn samples_that_a_converter_counted_have_noise_whatever_their_scene_says() {
+    let (mut header, frame) = small();
+    let mapped = |header: &CubeHeader| Receiver::new(header).unwrap().range_doppler(&frame).unwrap();
+    let told = mapped(&header);
+    header.noise = Noise::Absent;
+    assert!(mapped(&header).assumed_floor.is_some() && !dsp::has_noise(&header));
+    for unit in [SampleUnit::Steps, SampleUnit::FullScale(32768.0)] {
+        header.unit = unit;
+        let map = mapped(&header);
+        assert!(dsp::has_noise(&header) && map == told, "{unit:?}");
+    }
 }
 
 #[test]

@@ -63,6 +63,21 @@ impl Board {
         }
     }
 
+    /// Noise figure in dB of chirps that reach up to a frequency, and the data sheet that has it: typical
+    /// values of the table "RF Specification", of a 77 GHz device by its two oscillators, below 77 GHz and
+    /// above.
+    pub(super) fn noise_figure(self, highest_ghz: f64) -> (f64, &'static str) {
+        let ([below, above], sheet) = match self {
+            Self::Xwr1243 => ([14.0, 15.0], "SWRS188"),
+            Self::Xwr1443 => ([14.0, 15.0], "SWRS202"),
+            Self::Xwr1642 => ([14.0, 15.0], "SWRS203"),
+            Self::Xwr1843 => ([14.0, 15.0], "SWRS222"),
+            Self::Awr2243 => ([12.0, 13.0], "SWRS223"),
+            Self::Xwr6843 => ([12.0, 12.0], "SWRS219"),
+        };
+        (if highest_ghz > 77.0 { above } else { below }, sheet)
+    }
+
     /// Codes count 3.6 GHz/2²⁶ of a 77 GHz device and 2.7 GHz/2²⁶ of a 60 GHz one, slopes 900 times that a
     /// microsecond (mmWave radar interface control document, profile configuration).
     pub(super) fn band(self) -> Band {

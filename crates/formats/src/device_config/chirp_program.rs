@@ -19,6 +19,10 @@ pub struct DeviceSettings {
     pub(super) sampling: Sampling,
     /// Bits of the converter.
     pub(super) bits: u32,
+    /// Command that tells of the converter; `None` where its bits are taken.
+    pub(super) converter: Option<&'static str>,
+    /// Words that a recording has between its samples.
+    stream: Option<InLine<&'static str>>,
     lanes: Option<Lanes>,
     /// The part of a sample that comes first; `None` where the file says nothing.
     pub iq_order: Option<IqOrder>,
@@ -54,6 +58,13 @@ impl DeviceSettings {
         self.bits
     }
 
+    /// Refuses settings by which a capture card's file holds more than samples.
+    pub(super) fn check_stream(&self) -> Result<(), Fault> {
+        let Some(stream) = &self.stream else { return Ok(()) };
+        let between = stream.value;
+        Err(stream.fault(format!("a recording has {between} between its samples; samples alone are read")))
+    }
+
     /// Lanes that the file tells, else those of the board.
     pub fn lanes(&self) -> Option<Lanes> {
         self.lanes.or(self.board.map(Board::lanes))
@@ -76,7 +87,7 @@ pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result
     })?;
     let profile = program.profile(&frame)?;
     let turns = program.turns(&frame, &channels)?;
-    let (bits, sampling) = program.converter()?;
+    let (converter, (bits, sampling)) = program.converter()?;
     if profile.value.shifts_phases && turns.len() > 1 {
         return Err(profile.fault("phases of several transmitters are not read: 0 alone"));
     }
@@ -97,7 +108,10 @@ pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result
         channels,
         sampling,
         bits,
+        converter,
+        stream: program.stream(),
     };
+    check_period(&settings)?;
     check_board(&settings)?;
     Ok(settings)
 }
@@ -136,8 +150,15 @@ impl Program<'_> {
         self.find(told).ok_or_else(|| Fault { line: None, rule: format!("there is no {names}") })
     }
 
-    /// Bits and samples of the converter; refused where a buffer passes on other ones.
-    fn converter(&self) -> Result<(u32, Sampling), Fault> {
+    /// Words between the samples, if the last command about the stream has some sent.
+    fn stream(&self) -> Option<InLine<&'static str>> {
+        let last = self.find(|told| if let Told::Stream(between) = told { Some(*between) } else { None })?;
+        last.value.map(|value| InLine { line: last.line, name: last.name, value })
+    }
+
+    /// Bits and samples of the converter, with the command that tells them; refused where a buffer passes on
+    /// other ones.
+    fn converter(&self) -> Result<(Option<&'static str>, (u32, Sampling)), Fault> {
         let told = self.find(|told| match told {
             Told::Converter { bits, sampling } => Some((*bits, *sampling)),
             _ => None,
@@ -149,7 +170,8 @@ impl Program<'_> {
                 let InLine { line, name, .. } = told;
                 Err(buffer.fault(format!("its samples are {passed}, those of {name} of line {line} {made}")))
             }
-            _ => Ok(told.map_or((16, Sampling::Complex), |told| told.value)),
+            (Some(told), _) => Ok((Some(told.name), told.value)),
+            (None, buffer) => Ok((None, (16, buffer.map_or(Sampling::Complex, |buffer| buffer.value)))),
         }
     }
 
@@ -226,6 +248,22 @@ fn lone_transmitter(index: u32, chirp: &InLine<Chirps>, channels: &InLine<Channe
             mask.count_ones()
         ))),
     }
+}
+
+/// Refuses a frame that would have to end before its chirps do, within a millionth: codes of times have
+/// steps.
+fn check_period(settings: &DeviceSettings) -> Result<(), Fault> {
+    let (frame, profile) = (&settings.frame, &settings.profile.value);
+    let chirps = f64::from(settings.chirps) * settings.turns.len() as f64;
+    let (chirp_us, period_ms) = (profile.idle_us + profile.ramp_end_us, frame.value.period_ms);
+    let sent_ms = 1e-3 * chirps * chirp_us;
+    if period_ms >= sent_ms * (1.0 - 1e-6) {
+        return Ok(());
+    }
+    Err(frame.fault(format!(
+        "its period is {period_ms} ms; its {chirps} chirps of {chirp_us} µs take {:.3} ms",
+        sent_ms
+    )))
 }
 
 /// Refuses channels and frequencies that the board does not have.

@@ -122,10 +122,22 @@ fn draft(settings: &DeviceSettings, board: Board, from: &Path) -> Draft {
         }
         draft.told_key(&format!("{} = {}", entry.key, entry.value), &entry.remark, Some(entry.command));
     }
+    noise(&mut draft, settings, board);
     draft.line("", None);
     draft.line("[dsp]", None);
     draft.told_key("assumed_height_m = 1.0", "as high as the board, until you say otherwise", None);
     draft
+}
+
+/// Noise of the receivers: without it a scene has none, and a recording that is imported by it would be taken
+/// for noise-free.
+fn noise(draft: &mut Draft, settings: &DeviceSettings, board: Board) {
+    let profile = &settings.profile.value;
+    let (figure_db, sheet) = board.noise_figure(profile.start_ghz.max(profile.last_sample_ghz()));
+    draft.line("", None);
+    draft.line("[noise]", None);
+    let remark = format!("typical, data sheet {sheet}; a recording's own level is taken from its map");
+    draft.told_key(&format!("noise_figure_db = {}", decimal(figure_db)), &remark, None);
 }
 
 /// Name of the scene: that of the file, as far as it is one of a scene and of a folder.
@@ -160,7 +172,8 @@ pub(super) fn entries(settings: &DeviceSettings) -> Vec<Entry> {
         Sampling::Complex => "I and Q",
         Sampling::Real => "I alone",
     };
-    let remark = format!("{parts}, {} bits", settings.bits);
+    let taken = if settings.converter.is_none() { ": taken, the file does not say" } else { "" };
+    let remark = format!("{parts}, {} bits{taken}", settings.bits);
     let of_profile = Command::from(&settings.profile);
     all.push(entry("radar.receiver", "sampling", format!("\"{word}\""), remark, of_profile));
     all

@@ -22,12 +22,13 @@ pub(super) fn statements(text: &str) -> Result<Vec<Statement>, Fault> {
 type Reads = fn(&Arguments<'_>) -> Result<Vec<Told>, Fault>;
 
 fn command(name: &str) -> Option<(&'static str, Reads)> {
-    const COMMANDS: [(&str, Reads); 13] = [
+    const COMMANDS: [(&str, Reads); 14] = [
         ("flushCfg", |_| Ok(vec![Told::Flush])),
         ("dfeDataOutputMode", mode),
         ("channelCfg", channels),
         ("adcCfg", converter),
         ("adcbufCfg", buffer),
+        ("lvdsStreamCfg", stream),
         ("profileCfg", profile),
         ("chirpCfg", chirps),
         ("frameCfg", frame),
@@ -50,6 +51,7 @@ fn mode(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
 
 fn channels(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(2)?;
+    arguments.at_most(3)?;
     let (receivers, transmitters) = (
         arguments.whole(0, "the mask of receivers", 15)?,
         arguments.whole(1, "the mask of transmitters", 15)?,
@@ -79,6 +81,22 @@ fn buffer(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     Ok(vec![Told::Buffer(sampling), Told::Order(order)])
 }
 
+/// Sub-frame, header, format of what the hardware sends (0 nothing, 1 samples, 4 samples between parameters
+/// and quality of the chirp), stream of the software (the same guide, `lvdsStreamCfg`).
+fn stream(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
+    arguments.at_least(4)?;
+    let header = arguments.whole(1, "the switch of the header", 1)?;
+    let format = arguments.whole(2, "the format of the stream", u32::from(u8::MAX))?;
+    let software = arguments.whole(3, "the switch of the software's stream", 1)?;
+    let between = match (header, format, software) {
+        (_, _, 1) => Some("words of the software"),
+        (_, 0, _) | (0, 1, _) => None,
+        (_, 1, _) => Some("a header for each chirp"),
+        _ => Some("parameters and quality of each chirp"),
+    };
+    Ok(vec![Told::Stream(between)])
+}
+
 fn profile(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(14)?;
     let columns = ProfileColumns { phases: [6, 7], slope: 7, samples: 9, rate: 10 };
@@ -99,8 +117,10 @@ fn chirps(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     })])
 }
 
+/// Chirps, loops, frames, period, trigger, its delay; later devices have the samples before the period.
 fn frame(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(5)?;
+    arguments.at_most(7)?;
     Ok(vec![Told::Frame(Frame {
         first: arguments.whole(0, "the first chirp", CHIRPS_MAX - 1)?,
         last: arguments.whole(1, "the last chirp", CHIRPS_MAX - 1)?,

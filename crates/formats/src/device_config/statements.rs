@@ -37,6 +37,8 @@ pub(super) enum Told {
     Order(IqOrder),
     /// Samples that are passed on, of the converter's.
     Buffer(Sampling),
+    /// Words that a recording has between its samples.
+    Stream(Option<&'static str>),
     Lanes(Lanes),
     Profile(Profile),
     Chirps(Chirps),
@@ -133,6 +135,16 @@ impl Arguments<'_> {
         } else {
             Err(self.fault(format!("it has {count} numbers, {found} are here")))
         }
+    }
+
+    /// Refuses more words than the command has: those of another command of the same name.
+    pub(super) fn at_most(&self, count: usize) -> Result<(), Fault> {
+        let found = self.words.len();
+        if found <= count {
+            return Ok(());
+        }
+        Err(self
+            .fault(format!("it has {count} numbers, {found} are here: those of other devices are not read")))
     }
 
     /// The word at an index, from 0, as a number.

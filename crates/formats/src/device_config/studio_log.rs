@@ -44,7 +44,7 @@ pub(super) fn statements(text: &str, board: Option<Board>) -> Result<(Vec<Statem
 /// Calls after which samples are recorded.
 const STARTS: [&str; 2] = ["SensorStart", "StartFrame"];
 
-const COMMANDS: [&str; 13] = [
+const COMMANDS: [&str; 14] = [
     "select_chip_version",
     "SelectChipVersion",
     "deviceVariantSelection",
@@ -52,6 +52,7 @@ const COMMANDS: [&str; 13] = [
     "ChannelConfig",
     "AdcOutConfig",
     "DataFmtConfig",
+    "DataPathConfig",
     "LaneConfig",
     "LVDSLaneConfig",
     "ProfileConfig",
@@ -213,6 +214,7 @@ impl LogReader {
             "ChannelConfig" => channels(arguments)?,
             "AdcOutConfig" => arguments.converter(0, arguments.whole(1, FORMAT, u32::MAX)?)?,
             "DataFmtConfig" if log => order(arguments)?,
+            "DataPathConfig" => data_path(arguments)?,
             "LaneConfig" if log => lanes(arguments, arguments.whole(0, "the mask of lanes", 15)?)?,
             "LVDSLaneConfig" if !log => lanes(arguments, mask(arguments, 1..5, "the switch of a lane")?)?,
             "ProfileConfig" if log => self.profile_of_codes(arguments)?,
@@ -298,6 +300,21 @@ fn order(arguments: &Arguments<'_>) -> Result<Told, Fault> {
         0 => IqOrder::InPhaseFirst,
         _ => IqOrder::QuadratureFirst,
     }))
+}
+
+/// Interface, contents of packets 0 and 1, each in the lower bits of its word (a script has sizes above
+/// them): samples alone are 1, nothing is 0, and these have parameters (CP) or quality (CQ) of the chirp: CP
+/// and samples, samples and CP, all three, CP and CQ, CQ and CP (mmWaveLink, `rlDevDataPathCfg_t`).
+fn data_path(arguments: &Arguments<'_>) -> Result<Told, Fault> {
+    const BETWEEN: [u32; 5] = [0b000110, 0b001001, 0b110110, 0b001110, 0b001011];
+    let mut between = None;
+    for index in 0..arguments.words.len().min(3) {
+        let content = arguments.whole(index, "the content of a packet", u32::MAX)? & 0b111111;
+        if BETWEEN.contains(&content) {
+            between = Some("parameters and quality of each chirp");
+        }
+    }
+    Ok(Told::Stream(between))
 }
 
 fn lanes(arguments: &Arguments<'_>, mask: u32) -> Result<Told, Fault> {

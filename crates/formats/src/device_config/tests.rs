@@ -75,6 +75,15 @@ fn what_is_not_read_is_refused_by_name_with_its_line() {
         (with("bpmCfg -1 0", "bpmCfg -1 1"), at("bpmCfg"), "binary phases"),
         (with("dfeDataOutputMode 1", "dfeDataOutputMode 3"), at("dfeDataOutputMode"), "advanced frames"),
         (with("channelCfg 15 5 0", "channelCfg 15 5 1"), at("channelCfg"), "cascades"),
+        (
+            with("channelCfg 15 5 0", "channelCfg 15 5 0 0 0"),
+            at("channelCfg"),
+            "it has 3 numbers, 5 are here",
+        ),
+        (with(" 128 0 50 1 0", " 128 0 128 50 1 0"), at("frameCfg"), "it has 7 numbers, 8 are here"),
+        (with(" 0 50 1 0", " 0 23.5 1 0"), at("frameCfg"), "256 chirps of 92 µs take 23.552 ms"),
+        (with(" 0 50 1 0", " 0 0 1 0"), at("frameCfg"), "its period is 0 ms"),
+        (with("lowPower 0 0", "lvdsStreamCfg -1 0"), at("lowPower"), "it has 4 numbers, 2 are here"),
         (with(" 128 2500 ", " 128 nan "), at("profileCfg"), "the sample rate is `nan`"),
         (with(" 128 2500 ", " 200 2500 "), at("profileCfg"), "the ramp, which ends after 62"),
         (with("profileCfg 0 77", "profileCfg 0 60"), at("profileCfg"), "chirps begin at 60 GHz"),
@@ -127,16 +136,76 @@ fn the_scene_that_is_written_is_one_with_that_radar() {
 fn a_configuration_that_no_scene_may_have_is_refused_with_its_line_and_the_rule() {
     let at = |name: &str| 1 + SDK.lines().position(|line| line.starts_with(name)).unwrap();
     let profile = format!("a.cfg:{}: profileCfg: [radar.waveform]: ", at("profileCfg"));
-    let frame = format!("a.cfg:{}: frameCfg: ", at("frameCfg"));
-    for (from, to, told) in [
-        (" 0 50 1 0", " 0 0 1 0", format!("{frame}`frame_interval_s` must be a number above 0")),
-        (" 0 50 1 0", " 0 -5 1 0", format!("{frame}`frame_interval_s` must be a number above 0")),
-        (" 128 2500 ", " 3 2500 ", format!("{profile}`samples` must be a number from 8")),
+    let settings = settings(&SDK.replace(" 128 2500 ", " 3 2500 "), Some(Board::Xwr1843)).unwrap();
+    let error = scene_text(&settings, Path::new("a.cfg")).unwrap_err().to_string();
+    assert!(error.starts_with(&format!("{profile}`samples` must be a number from 8")), "{error}");
+}
+
+#[test]
+fn a_scene_that_is_made_has_the_noise_of_the_boards_data_sheet() {
+    let noise = |text: &str, board| {
+        let scene = scene_of(text, Some(board));
+        let line = scene.lines().find(|line| line.starts_with("noise_figure_db")).unwrap().to_owned();
+        assert!(line.contains("a recording's own level is taken from its map"), "{line}");
+        line
+    };
+    let low = SDK.replace("profileCfg 0 77", "profileCfg 0 76").replace(" 0 0 60 1 ", " 0 0 15 1 ");
+    let sixty = SDK.replace("profileCfg 0 77", "profileCfg 0 60").replace(" 0 0 60 1 ", " 0 0 50 1 ");
+    for (text, board, told) in [
+        (SDK, Board::Xwr1843, "noise_figure_db = 15.0 "),
+        (&low, Board::Xwr1843, "noise_figure_db = 14.0 "),
+        (&sixty, Board::Xwr6843, "noise_figure_db = 12.0 "),
     ] {
-        assert!(SDK.contains(from), "{from}");
-        let settings = settings(&SDK.replace(from, to), Some(Board::Xwr1843)).unwrap();
-        let error = scene_text(&settings, Path::new("a.cfg")).unwrap_err().to_string();
-        assert!(error.starts_with(&told), "{to}: {error}");
+        let line = noise(text, board);
+        assert!(line.starts_with(told), "{line}");
+    }
+}
+
+#[test]
+fn a_converter_that_no_command_tells_of_is_taken_with_a_remark() {
+    let without = SDK.replace("adcCfg 2 1\n", "");
+    let told = "sampling = \"complex\"            # I and Q, 16 bits";
+    for (text, remark) in [(SDK, "\n"), (&without, ": taken, the file does not say\n")] {
+        let scene = scene_of(text, Some(Board::Xwr1843));
+        assert!(scene.contains(&format!("{told}{remark}")), "{scene}");
+    }
+    // What is passed on are samples of the converter.
+    let real = without.replace("adcbufCfg -1 0 0 1 1", "adcbufCfg -1 1 0 1 1");
+    assert_eq!(settings(&real, Some(Board::Xwr1843)).unwrap().sampling, artifact::radar::Sampling::Real);
+}
+
+#[test]
+fn words_between_the_samples_of_a_recording_are_refused_with_the_command_that_has_them_sent() {
+    let stream = |text: &str, board| {
+        let told = check_stream(Path::new("a.cfg"), &settings(text, board).unwrap());
+        told.map_err(|failure| failure.to_string())
+    };
+    let line = 1 + SDK.lines().position(|line| line == "lowPower 0 0").unwrap();
+    for (words, between) in [
+        ("-1 0 0 0", None),
+        ("-1 0 1 0", None),
+        ("-1 1 0 0", None),
+        ("-1 1 1 0", Some("a header for each chirp")),
+        ("-1 0 4 0", Some("parameters and quality of each chirp")),
+        ("-1 0 1 1", Some("words of the software")),
+    ] {
+        let text = SDK.replace("lowPower 0 0", &format!("lvdsStreamCfg {words}"));
+        let told = between.map_or(Ok(()), |between| {
+            let rule = format!("a recording has {between} between its samples; samples alone are read");
+            Err(format!("a.cfg:{line}: lvdsStreamCfg: {rule}"))
+        });
+        assert_eq!(stream(&text, Some(Board::Xwr1843)), told, "{words}");
+    }
+    let again = SDK.replace("lowPower 0 0", "lvdsStreamCfg -1 1 1 0\nlvdsStreamCfg -1 0 1 0");
+    assert_eq!(stream(&again, Some(Board::Xwr1843)), Ok(()), "the last one counts");
+    for (path, is_read) in [("513, 1216644097, 0", true), ("513, 1216644150, 0", false)] {
+        let told = stream(&script(FRAME, &format!("ar1.DataPathConfig({path})\n{FRAME}")), None);
+        assert_eq!(told.is_ok(), is_read, "{told:?}");
+        assert!(told.err().is_none_or(|told| told.contains("DataPathConfig: a recording has parameters")));
+    }
+    for (path, is_read) in [("1,1,0,", true), ("1,54,0,", false), ("1,6,0,", false), ("1,1,14,", false)] {
+        let of_log = LOG.replace("API:LaneConfig", &format!("API:DataPathConfig,{path}\n2: API:LaneConfig"));
+        assert_eq!(stream(&of_log, None).is_ok(), is_read, "{path}");
     }
 }
 

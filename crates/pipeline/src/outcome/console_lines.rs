@@ -42,7 +42,7 @@ pub fn lines(summary: &Summary) -> Vec<String> {
     let frames = &summary.frames[..];
     if frames.len() <= FRAMES_IN_FULL {
         let in_full = frames.iter().enumerate().flat_map(|(number, frame)| in_full(number, frame));
-        return in_full.chain(of_clutter(summary)).chain(of_directions(summary)).collect();
+        return in_full.chain(of_clutter(summary)).chain(of_what_lacks(summary)).collect();
     }
     let mut lines: Vec<String> =
         frames.iter().take(FRAMES_TOLD).enumerate().map(|(number, frame)| in_a_line(number, frame)).collect();
@@ -51,7 +51,7 @@ pub fn lines(summary: &Summary) -> Vec<String> {
     }
     lines.extend(together(frames));
     lines.extend(of_clutter(summary));
-    lines.extend(of_directions(summary));
+    lines.extend(of_what_lacks(summary));
     lines
 }
 
@@ -60,6 +60,11 @@ pub const WITHOUT_AZIMUTH: &str = "the array has no two elements side by side an
                                    are the boresight's, objects are in no lane and are a target's by range and \
                                    velocity alone";
 
+/// Sentence about maps without noise, whose levels over it are those over a floor that stands in.
+pub const WITHOUT_NOISE: &str = "there is no noise: a floor 60 dB below the map's peak stands for it, and \
+                                 thresholds, SNRs and objects hang on that floor. A recording always has \
+                                 noise, which is taken from its map where the scene of its radar has [noise]";
+
 /// What points tell that no place on the ground has the range of; `None` where there are none.
 pub fn without_height([points, of]: [usize; 2]) -> Option<String> {
     (points > 0).then(|| {
@@ -67,12 +72,13 @@ pub fn without_height([points, of]: [usize; 2]) -> Option<String> {
     })
 }
 
-/// Lines about what directions lack: azimuths, or heights.
-fn of_directions(summary: &Summary) -> impl Iterator<Item = String> {
+/// Lines about what echoes and directions lack: noise, azimuths, or heights.
+fn of_what_lacks(summary: &Summary) -> impl Iterator<Item = String> {
     let sum = |count: fn(&FrameSummary) -> usize| summary.frames.iter().map(count).sum();
     let heights = without_height([sum(|frame| frame.points_without_height), sum(|frame| frame.points)]);
     let azimuths = (!summary.radar.tells_azimuth).then(|| WITHOUT_AZIMUTH.to_owned());
-    azimuths.into_iter().chain(heights)
+    let noise = (!summary.radar.has_noise).then(|| WITHOUT_NOISE.to_owned());
+    noise.into_iter().chain(azimuths).chain(heights)
 }
 
 /// Advice that would take clutter out of the false objects, where some of them are that and nobody asked for

@@ -6,11 +6,11 @@ use artifact::points::{PointsFrame, PointsHeader};
 use artifact::rdm::RdmFrame;
 use artifact::settings::Class;
 use artifact::tracks::{TracksFrame, TracksHeader};
-use dsp::{ROAD_TRAFFIC, Receiver, Tracker};
+use dsp::{ROAD_TRAFFIC, Receiver, Tracker, has_noise};
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
-use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, without_height};
+use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use radar::lattice::tells_azimuth;
 
 /// Processing of the cubes of one radar, from the cubes alone.
@@ -88,12 +88,13 @@ impl Processing {
         Ok(cycles.flat_map(|cycle| self.receiver.resolved(cycle.to_vec())).collect())
     }
 
-    /// Sentences about what directions of points lack, as `dsp` and `run` tell them: azimuths, heights.
+    /// Sentences about what points lack, as `dsp` and `run` tell them: noise, azimuths, heights.
     pub fn remarks(&self, points: &[PointsFrame]) -> Vec<String> {
+        let noise = (!has_noise(&self.header)).then(|| WITHOUT_NOISE.to_owned());
         let azimuths = (!tells_azimuth(&self.header.radar)).then(|| WITHOUT_AZIMUTH.to_owned());
         let without = points.iter().map(PointsFrame::points_without_height).sum();
         let heights = without_height([without, points.iter().map(|frame| frame.points.len()).sum()]);
-        azimuths.into_iter().chain(heights).collect()
+        noise.into_iter().chain(azimuths).chain(heights).collect()
     }
 
     /// Objects followed over the frames.

@@ -13,8 +13,8 @@ use pipeline::host::failure::Failure;
 /// [`unit_of_floats`] finds.
 ///
 /// # Errors
-/// Another shape than the radar's, samples that are not finite, complex ones of a radar that samples I alone,
-/// and a full scale that is not above 0.
+/// Another shape than the radar's, or no frame; samples that are not [`sound`]; samples in a unit that
+/// [`unit_of_floats`] refuses, or of which [`check_parts`] does; a full scale that is not above 0.
 pub fn cubes_of_samples(
     scene: &OpenedScene,
     shape: [usize; 4],
@@ -24,17 +24,20 @@ pub fn cubes_of_samples(
     if full_scale.is_some_and(|steps| !(steps > 0.0 && steps.is_finite())) {
         return Err(Failure::refused("full_scale must be a number of steps above 0"));
     }
-    let header = CubeHeader { unit: unit_of_floats(samples, full_scale), ..scene.cube_header() };
+    let header = CubeHeader { unit: unit_of_floats(samples, full_scale)?, ..scene.cube_header() };
     let of_radar = header.shape();
     if shape[1..] != of_radar {
         let found = &shape[1..];
         let text = format!("[channel, chirp, sample] is {found:?}, the scene's radar has {of_radar:?}");
         return Err(Failure::refused(text));
     }
-    let sampling = header.radar.waveform.sampling;
+    if samples.is_empty() {
+        return Err(Failure::refused("samples: there is no frame, they hold no values"));
+    }
+    check_parts(samples, header.radar.waveform.sampling)?;
     let length = of_radar.iter().product::<usize>().max(1);
     let frame = |(index, samples): (usize, &[Complex32])| {
-        sound(index, samples, of_radar, sampling)?;
+        sound(index, samples, &header)?;
         let (index, samples) = (index as u32, samples.to_vec());
         let time_s = scene.header().frame_time_s(index);
         Ok(CubeFrame { index, time_s, samples, error: ErrorBudget::default() })
@@ -45,42 +48,77 @@ pub fn cubes_of_samples(
 
 /// Unit of samples that are no integers: steps of a converter whose full scale is told, steps of one that
 /// nobody tells of where all are whole numbers and some is not 0, else √W.
+///
+/// # Errors
+/// Whole numbers of no told full scale that are never negative and too large for 16 bits with a sign: the
+/// words of a file that were taken for numbers without one.
 pub fn unit_of_floats<'a>(
     samples: impl IntoIterator<Item = &'a Complex32>,
     full_scale: Option<f64>,
-) -> SampleUnit {
+) -> Result<SampleUnit, Failure> {
     if let Some(steps) = full_scale {
-        return SampleUnit::FullScale(steps);
+        return Ok(SampleUnit::FullScale(steps));
     }
-    let is_whole = |x: f32| x.fract() == 0.0;
-    let mut is_silent = true;
-    let are_whole = samples.into_iter().all(|v| {
-        is_silent &= *v == Complex32::ZERO;
-        is_whole(v.re) && is_whole(v.im)
+    let [mut least, mut most] = [0.0_f32; 2];
+    let are_whole = samples.into_iter().flat_map(|v| [v.re, v.im]).all(|part| {
+        (least, most) = (least.min(part), most.max(part));
+        part.fract() == 0.0
     });
-    if are_whole && !is_silent { SampleUnit::Steps } else { SampleUnit::RootWatts }
+    if !are_whole || (least, most) == (0.0, 0.0) {
+        return Ok(SampleUnit::RootWatts);
+    }
+    if least >= 0.0 && most > f32::from(i16::MAX) {
+        return Err(Failure::refused(format!(
+            "samples are whole numbers from 0 to {most}: are these words without sign? cast them to int16, or \
+             tell the full scale"
+        )));
+    }
+    Ok(SampleUnit::Steps)
 }
 
-/// Refuses a frame's samples that are not finite, and those with an imaginary part where the radar's have
-/// none.
+/// Refuses real samples of a radar that samples I and Q: each echo would show twice, once with its velocity
+/// and once, mirrored, with another.
+///
+/// # Errors
+/// Every imaginary part is 0, and some real part is not.
+pub fn check_parts<'a>(
+    samples: impl IntoIterator<Item = &'a Complex32>,
+    sampling: Sampling,
+) -> Result<(), Failure> {
+    let mut is_silent = true;
+    let are_real = samples.into_iter().all(|v| {
+        is_silent &= v.re == 0.0;
+        v.im == 0.0
+    });
+    match sampling {
+        Sampling::Complex if are_real && !is_silent => Err(Failure::refused(REAL)),
+        Sampling::Complex | Sampling::Real => Ok(()),
+    }
+}
+
+/// Refuses a frame's samples that are not finite, those with an imaginary part where the radar's have none,
+/// and those beyond the full scale of their converter.
 ///
 /// # Errors
 /// The first one, with its place.
-pub fn sound(
-    frame: usize,
-    samples: &[Complex32],
-    shape: [usize; 3],
-    sampling: Sampling,
-) -> Result<(), Failure> {
+pub fn sound(frame: usize, samples: &[Complex32], header: &CubeHeader) -> Result<(), Failure> {
+    let shape = header.shape();
     let is_finite = |v: &Complex32| v.re.is_finite() && v.im.is_finite();
     refuse(frame, samples, shape, |v| !is_finite(v), "samples must be finite")?;
-    match sampling {
-        Sampling::Complex => Ok(()),
-        Sampling::Real => refuse(frame, samples, shape, |v| v.im != 0.0, IMAGINARY),
+    if header.radar.waveform.sampling == Sampling::Real {
+        refuse(frame, samples, shape, |v| v.im != 0.0, IMAGINARY)?;
     }
+    let SampleUnit::FullScale(steps) = header.unit else { return Ok(()) };
+    // What was rounded to integers of 16 bits and made steps of another converter errs by half of one.
+    let most = steps * (1.0 + 1.0 / 32768.0);
+    let is_beyond = |v: &Complex32| f64::from(v.re.abs().max(v.im.abs())) > most;
+    let rule = format!("a part is beyond the full scale of {steps}; words without sign are cast to int16");
+    refuse(frame, samples, shape, is_beyond, &rule)
 }
 
 const IMAGINARY: &str = "the scene's radar has sampling = \"real\": samples without an imaginary part";
+const REAL: &str = "every imaginary part is 0, which would show each echo twice: real samples are those of a \
+                    scene with sampling = \"real\" in [radar.receiver]";
 
 fn refuse(
     frame: usize,
@@ -98,13 +136,23 @@ fn refuse(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use artifact::settings::Noise;
+
+    fn of_parts(parts: &[f32]) -> Vec<Complex32> {
+        parts.iter().map(|x| Complex32::new(*x, 0.0)).collect()
+    }
+
+    /// Header of two channels, three chirps, eight samples.
+    fn header(sampling: Sampling, unit: SampleUnit) -> CubeHeader {
+        let elements = [radar::aperture::row(1, 1.0), radar::aperture::row(2, 1.0)];
+        let mut radar = radar::paper::radar([0.0; 3], radar::paper::waveform(8, 3), elements);
+        radar.waveform.sampling = sampling;
+        CubeHeader { radar, noise: Noise::Absent, dsp: radar::paper::processing(), unit }
+    }
 
     #[test]
     fn whole_numbers_are_steps_of_a_converter_and_what_else_nobody_tells_of_is_root_watts() {
-        let of = |parts: &[f32], full_scale| {
-            let samples: Vec<Complex32> = parts.iter().map(|x| Complex32::new(*x, 0.0)).collect();
-            unit_of_floats(&samples, full_scale)
-        };
+        let of = |parts: &[f32], full_scale| unit_of_floats(&of_parts(parts), full_scale).unwrap();
         assert_eq!(of(&[0.0, -3.0, 1200.0], None), SampleUnit::Steps);
         assert_eq!(of(&[0.0, -3.0, 1200.5], None), SampleUnit::RootWatts);
         assert_eq!(of(&[0.0; 3], None), SampleUnit::RootWatts, "silence is in any unit");
@@ -112,16 +160,52 @@ mod tests {
     }
 
     #[test]
+    fn words_without_sign_are_refused_where_nobody_tells_their_full_scale() {
+        let of = |parts: &[f32], full_scale| unit_of_floats(&of_parts(parts), full_scale);
+        let told = of(&[3.0, 65533.0, 0.0], None).unwrap_err().to_string();
+        assert!(told.contains("from 0 to 65533: are these words without sign? cast them to int16"), "{told}");
+        assert_eq!(of(&[3.0, 32767.0, 0.0], None).unwrap(), SampleUnit::Steps);
+        assert_eq!(of(&[-3.0, 65533.0, 0.0], None).unwrap(), SampleUnit::Steps, "a sign is there");
+        assert_eq!(of(&[3.0, 65533.5, 0.0], None).unwrap(), SampleUnit::RootWatts);
+        assert_eq!(of(&[65533.0], Some(65536.0)).unwrap(), SampleUnit::FullScale(65536.0));
+    }
+
+    #[test]
+    fn real_samples_of_a_radar_that_samples_both_parts_are_refused_by_the_key_that_tells_of_them() {
+        let mut samples = of_parts(&[1.0, -2.0, 0.0]);
+        let told = check_parts(&samples, Sampling::Complex).unwrap_err().to_string();
+        assert!(told.contains("sampling = \"real\" in [radar.receiver]"), "{told}");
+        assert!(check_parts(&samples, Sampling::Real).is_ok());
+        assert!(check_parts(&of_parts(&[0.0; 3]), Sampling::Complex).is_ok(), "silence");
+        samples[2].im = 1e-9;
+        assert!(check_parts(&samples, Sampling::Complex).is_ok());
+    }
+
+    #[test]
     fn a_sample_that_is_no_number_is_refused_with_its_place() {
-        let mut samples = vec![Complex32::new(1.0, 0.0); 24];
-        let sound = |samples: &[Complex32], sampling| sound(2, samples, [2, 3, 4], sampling);
-        assert!(sound(&samples, Sampling::Real).is_ok());
-        samples[12 + 4 + 3].im = f32::NAN;
-        let told = sound(&samples, Sampling::Complex).unwrap_err().to_string();
+        let mut samples = vec![Complex32::new(1.0, 0.0); 48];
+        let of = |samples: &[Complex32], sampling| sound(2, samples, &header(sampling, SampleUnit::Steps));
+        assert!(of(&samples, Sampling::Real).is_ok());
+        samples[24 + 8 + 3].im = f32::NAN;
+        let told = of(&samples, Sampling::Complex).unwrap_err().to_string();
         assert!(told.contains("(2, 1, 1, 3): samples must be finite"), "{told}");
-        samples[12 + 4 + 3].im = 0.5;
-        assert!(sound(&samples, Sampling::Complex).is_ok());
-        let told = sound(&samples, Sampling::Real).unwrap_err().to_string();
+        samples[24 + 8 + 3].im = 0.5;
+        assert!(of(&samples, Sampling::Complex).is_ok());
+        let told = of(&samples, Sampling::Real).unwrap_err().to_string();
         assert!(told.contains("(2, 1, 1, 3): the scene's radar has sampling = \"real\""), "{told}");
+    }
+
+    #[test]
+    fn a_sample_beyond_the_full_scale_is_refused_with_its_place_and_value() {
+        let mut samples = vec![Complex32::new(-32768.0, 0.0); 48];
+        let of = |samples: &[Complex32], unit| sound(0, samples, &header(Sampling::Complex, unit));
+        let full_scale = SampleUnit::FullScale(32768.0);
+        assert!(of(&samples, full_scale).is_ok(), "the least integer of 16 bits");
+        samples[24 + 5].im = 65000.0;
+        let told = of(&samples, full_scale).unwrap_err().to_string();
+        let expected = "-32768+65000i at [frame, channel, chirp, sample] (0, 1, 0, 5): a part is beyond the full \
+                        scale of 32768; words without sign are cast to int16";
+        assert_eq!(told, expected);
+        assert!(of(&samples, SampleUnit::Steps).is_ok(), "nobody tells a full scale");
     }
 }

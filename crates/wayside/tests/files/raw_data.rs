@@ -309,3 +309,97 @@ fn the_mask_of_a_map_is_named_by_the_whole_name_of_the_map() {
         ["map.1.mask.npy", "map.2.mask.npy", "map.mask.npy"].iter().all(|name| place.path(name).is_file())
     );
 }
+
+/// Where the values of an `.npy` begin: version 1.0 tells the head's length in bytes 8 and 9.
+fn head_of(bytes: &[u8]) -> usize {
+    10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]))
+}
+
+/// The values of `a.npy` under another name, each part of them changed.
+fn changed(place: &Workplace, name: &str, part: impl Fn(usize, f32) -> f32) {
+    let bytes = place.bytes("a.npy");
+    let (head, values) = bytes.split_at(head_of(&bytes));
+    let parts = values.as_chunks::<4>().0.iter().map(|part| f32::from_le_bytes(*part));
+    let values = parts.enumerate().flat_map(|(index, value)| part(index, value).to_le_bytes());
+    std::fs::write(place.path(name), [head.to_vec(), values.collect()].concat()).unwrap();
+}
+
+#[test]
+fn samples_that_no_converter_of_the_radar_gives_are_refused_with_what_is_to_be_done() {
+    let place = Workplace::new();
+    place.run("echo small.toml --out a.cube --quiet");
+    place.run("export a.cube --to npy --out a.npy --quiet");
+    let bytes = place.bytes("a.npy");
+    let parts = bytes[head_of(&bytes)..].as_chunks::<4>().0.iter().map(|part| f32::from_le_bytes(*part));
+    let peak = parts.fold(0.0_f32, |peak, part| peak.max(part.abs()));
+    let word = |part: f32| (part / peak * 900.0) as i16;
+    changed(&place, "words.npy", |_, part| f32::from(word(part).cast_unsigned()));
+    changed(&place, "signed.npy", |_, part| f32::from(word(part)));
+    changed(&place, "real.npy", |index, part| if index % 2 == 0 { part } else { 0.0 });
+    for (command, told) in [
+        ("import words.npy", "words.npy: samples are whole numbers from 0 to 65"),
+        ("import words.npy", "are these words without sign? cast them to int16"),
+        ("import words.npy --full-scale 32768", "(0, 0, 0, "),
+        ("import words.npy --full-scale 32768", "a part is beyond the full scale of 32768"),
+        ("import signed.npy --full-scale 100", "a part is beyond the full scale of 100"),
+        ("import real.npy", "real samples are those of a scene with sampling = \"real\" in [radar.receiver]"),
+    ] {
+        let output = place.try_run(&format!("{command} --scene small.toml --out b.cube"));
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{command}: {error}");
+        assert!(error.contains(told) && !place.path("b.cube").exists(), "{command}: {error}");
+    }
+    place.run("import signed.npy --full-scale 900 --scene small.toml --out b.cube --quiet");
+    let real =
+        crate::common::SMALL_SCENE.replace("[noise]", "[radar.receiver]\nsampling = \"real\"\n\n[noise]");
+    std::fs::write(place.path("real.toml"), real).unwrap();
+    place.run("import real.npy --scene real.toml --out b.cube --quiet");
+}
+
+#[test]
+fn a_recording_by_a_scene_without_noise_has_its_level_taken_from_the_map_and_an_echo_says_what_it_lacks() {
+    let place = Workplace::new();
+    let quiet = crate::common::SMALL_SCENE.replace("[noise]\nnoise_figure_db = 12.0\n", "");
+    std::fs::write(place.path("quiet.toml"), quiet).unwrap();
+    place.run("echo small.toml --out a.cube --quiet");
+    place.run("export a.cube --to dca1000 --out a.bin --quiet");
+    std::fs::remove_file(place.path("a.bin.json")).unwrap();
+    let told = "there is no noise: a floor 60 dB below the map's peak stands for it";
+    let found = |scene: &str, step: &str| {
+        place.run(&format!("import a.bin --scene {scene} {step} --out b.cube --quiet"));
+        place.run("dsp b.cube --out d --quiet")
+    };
+    assert_eq!(found("quiet.toml", ""), found("small.toml", ""));
+    assert!(!found("quiet.toml", "").contains(told));
+    // Of powers nobody knows whether they were recorded.
+    assert!(found("quiet.toml", "--step 1e-9").contains(told));
+    assert!(place.run("inspect d/b.rdm").contains(told));
+    place.run("echo quiet.toml --out q.cube --quiet");
+    assert!(place.run("dsp q.cube --out d --quiet").contains(told));
+    assert!(place.run("run quiet.toml --out out --quiet").contains(told));
+    assert_eq!(place.summary("out/summary.json")["radar"]["has_noise"], false);
+    assert!(!place.run("run small.toml --out out --quiet").contains(told));
+    // Settings of another scene leave a cube's noise as it is.
+    for (cube, scene, is_passed_over) in [("q", "small", true), ("q", "quiet", false), ("a", "small", false)]
+    {
+        let output = place.try_run(&format!("dsp {cube}.cube --scene {scene}.toml --out d"));
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        let passed_over = format!("{scene}.toml: [noise] is passed over");
+        assert_eq!(said.contains(&passed_over), is_passed_over, "{cube}.cube, {scene}.toml: {said}");
+    }
+}
+
+#[test]
+fn a_recording_with_other_words_between_its_samples_is_refused_by_the_command_that_had_them_sent() {
+    let place = Workplace::new();
+    std::fs::write(place.path("b.cfg"), format!("{BOARD}lvdsStreamCfg -1 1 1 0\n")).unwrap();
+    std::fs::write(place.path("bare.toml"), "name = \"bare\"\n").unwrap();
+    std::fs::write(place.path("x.bin"), vec![1; 4 * 8 * 64 * 4]).unwrap();
+    let output = place.try_run("import x.bin --scene bare.toml --config b.cfg --device xwr1443 --out x.cube");
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    let told = "b.cfg:6: lvdsStreamCfg: a recording has a header for each chirp between its samples";
+    assert!(output.status.code() == Some(1) && error.contains(told), "{error}");
+    assert!(!place.path("x.cube").exists());
+    // The radar is as it says all the same.
+    place.run("scene-from b.cfg --device xwr1443 --out b.toml --quiet");
+}

@@ -3,6 +3,7 @@
 use crate::outcome::summary::words::SamplingWord;
 use artifact::radar::{ElementError, Sampling};
 use artifact::scene::SceneHeader;
+use artifact::settings::Noise;
 use radar::lattice::tells_azimuth;
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +28,9 @@ pub struct RadarSummary {
     /// Whether the array tells azimuths: it has elements in more than one place along the row.
     #[serde(default = "by_older_summaries")]
     pub tells_azimuth: bool,
+    /// Whether echoes have noise: where they have none, a floor below the map's peak stands in.
+    #[serde(default = "by_older_summaries")]
+    pub has_noise: bool,
     /// Errors of the array's elements; `None` of an ideal array.
     pub element_errors: Option<ElementErrors>,
     /// Range resolution of the sampled sweep, m.
@@ -72,7 +76,7 @@ pub struct LaneSummary {
     pub width_m: f64,
 }
 
-/// Arrays whose summaries did not tell had azimuths, or were taken to have them.
+/// Arrays of summaries that did not tell had azimuths and noise, or were taken to have them.
 fn by_older_summaries() -> bool {
     true
 }
@@ -90,6 +94,7 @@ impl RadarSummary {
             chirps: waveform.chirps,
             channels: radar.virtual_channels(),
             tells_azimuth: tells_azimuth(radar),
+            has_noise: header.noise != Noise::Absent,
             element_errors: ElementErrors::of(header),
             range_resolution_m: waveform.range_resolution_m(),
             range_max_m: waveform.range_max_m(),

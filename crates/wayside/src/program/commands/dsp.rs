@@ -5,15 +5,15 @@ use crate::program::terminal;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::points::{Points, PointsFrame, PointsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
-use artifact::settings::DspSettings;
+use artifact::settings::{DspSettings, Noise};
 use artifact::tracks::{Tracks, TracksFrame, TracksHeader};
 use artifact::{Provenance, Reader, Writer};
-use dsp::{ROAD_TRAFFIC, Receiver, Tracker};
+use dsp::{ROAD_TRAFFIC, Receiver, Tracker, has_noise};
 use pipeline::chain::loading;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, without_height};
+use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use radar::lattice::tells_azimuth;
 use reporting::pictures;
 use std::path::{Path, PathBuf};
@@ -23,8 +23,9 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let mut header = reader.header().clone();
     let of_scene = arguments.scene.as_deref().map(|file| settings_of(file, arguments.radar.as_deref()));
     let mut inputs = reader.preamble().provenance.inputs.clone();
-    if let Some((settings, hashed)) = of_scene.transpose()? {
+    if let Some(OfScene { settings, noise, hashed }) = of_scene.transpose()? {
         header.dsp = settings;
+        remark_on_noise(arguments, noise, header.noise);
         inputs.extend(hashed.into_iter().filter(|file| !reader.preamble().provenance.inputs.contains(file)));
     }
     let from = provenance_of(&reader, &header, inputs);
@@ -52,6 +53,9 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     }
     // A recording may end within a cycle.
     products.write(cycle)?;
+    if !has_noise(&header) {
+        terminal::line(WITHOUT_NOISE);
+    }
     if !tells_azimuth(&header.radar) {
         terminal::line(WITHOUT_AZIMUTH);
     }
@@ -111,11 +115,28 @@ fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {
     Failure::Refused(format!("{}: {error}", file.display()))
 }
 
-/// Settings of a scene, and the names and hashes of the files that tell them.
-fn settings_of(file: &Path, radar: Option<&str>) -> Result<(DspSettings, Vec<(String, String)>), Failure> {
+/// Words of a scene about a cube that was made of another one.
+struct OfScene {
+    settings: DspSettings,
+    noise: Noise,
+    /// Names and hashes of the files that tell them.
+    hashed: Vec<(String, String)>,
+}
+
+fn settings_of(file: &Path, radar: Option<&str>) -> Result<OfScene, Failure> {
     let files = scene::inputs_but_models(file, &[], radar).map_err(loading::of_scene)?;
     let (scene, hashed) = loading::read_of(&files, || loading::radar_only(file, radar))?;
-    Ok((scene.dsp, hashed))
+    Ok(OfScene { settings: scene.dsp, noise: scene.noise, hashed })
+}
+
+/// A cube has its noise from the scene that it was made of.
+fn remark_on_noise(arguments: &DspArguments, said: Noise, of_cube: Noise) {
+    if let (Some(file), true) = (&arguments.scene, said != Noise::Absent && said != of_cube) {
+        progress::note(format!(
+            "note: {}: [noise] is passed over: a cube has that of the scene which it was made or imported by",
+            file.display()
+        ));
+    }
 }
 
 fn provenance_of(reader: &Reader<Cube>, header: &CubeHeader, inputs: Vec<(String, String)>) -> Provenance {

@@ -49,8 +49,7 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let of = frames.len();
     for (index, samples) in progress::counted("frames", frames, of).enumerate() {
         let time_s = scene.frame_time_s(index as u32);
-        let sound = stepwise::sound(index, &samples, header.shape(), header.radar.waveform.sampling);
-        sound.map_err(|failure| failure.about(&arguments.array))?;
+        stepwise::sound(index, &samples, &header).map_err(|failure| failure.about(&arguments.array))?;
         writer.write(&CubeFrame { index: index as u32, time_s, samples, error: ErrorBudget::default() })?;
     }
     Ok(writer.finish()?)
@@ -70,6 +69,9 @@ fn samples(arguments: &ImportArguments, kind: Kind) -> Result<Samples, Failure> 
     let (file, mut header) = (arguments.array.as_path(), cube_header(&scene));
     let Imported { frames, step } = match kind {
         Kind::CaptureCard => {
+            if let (Some(file), Some(settings)) = (&arguments.config, &settings) {
+                device_config::check_stream(file, settings)?;
+            }
             dca1000::read(file, &header, arguments.step, layout(arguments, settings.as_ref()))?
         }
         Kind::Sigmf => sigmf::read(file, &header, arguments.step)?,
@@ -80,7 +82,9 @@ fn samples(arguments: &ImportArguments, kind: Kind) -> Result<Samples, Failure> 
     };
     options::check_samples(arguments, header.radar.waveform.sampling, &step)?;
     let told = Told { full_scale: arguments.full_scale, bits: settings.as_ref().map(DeviceSettings::bits) };
-    header.unit = unit_of(&step, &frames, told);
+    let of_file = |failure: Failure| failure.about(file);
+    header.unit = unit_of(&step, &frames, told).map_err(of_file)?;
+    stepwise::check_parts(frames.iter().flatten(), header.radar.waveform.sampling).map_err(of_file)?;
     Ok(Samples { scene, header, frames, step })
 }
 
@@ -106,17 +110,17 @@ struct Told {
 /// Unit of samples: √W where a step is told, and of floats; of a converter's integers its steps. Floats that
 /// are whole numbers are such steps too, of a converter that nobody tells of. A full scale is what the
 /// command says, else what the file of the step does, else what the configuration's bits make it.
-fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> SampleUnit {
+fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> Result<SampleUnit, Failure> {
     let of_bits = |bits: u32| f64::from(1 << (bits - 1));
-    match (step, told.full_scale) {
+    Ok(match (step, told.full_scale) {
         (IntegerStep::Asked(_) | IntegerStep::Told(..), _) => SampleUnit::RootWatts,
         (_, Some(steps)) => SampleUnit::FullScale(steps),
         (IntegerStep::Unknown, None) => SampleUnit::FullScale(of_bits(told.bits.unwrap_or(16))),
         (IntegerStep::Counted { full_scale, .. }, None) => {
             full_scale.or(told.bits.map(of_bits)).map_or(SampleUnit::Steps, SampleUnit::FullScale)
         }
-        (IntegerStep::Floats, None) => stepwise::unit_of_floats(frames.iter().flatten(), None),
-    }
+        (IntegerStep::Floats, None) => stepwise::unit_of_floats(frames.iter().flatten(), None)?,
+    })
 }
 
 /// The scene, with what the board's configuration alone says of its radar.

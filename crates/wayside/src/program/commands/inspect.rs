@@ -17,7 +17,7 @@ use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, without_height};
+use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use radar::lattice::tells_azimuth;
 use std::path::Path;
 
@@ -193,6 +193,9 @@ fn cube(reader: Reader<Cube>) -> Result<(), Failure> {
 fn rdm(reader: Reader<Rdm>) -> Result<(), Failure> {
     let header: CubeHeader = reader.header().clone();
     radar(&header.radar);
+    if !dsp::has_noise(&header) {
+        line(format!("noise        {WITHOUT_NOISE}"));
+    }
     let shape = artifact::rdm::shape(&header);
     line(format!("shape        [channel, doppler, range] = {shape:?}, {}", header.unit.words()));
     for frame in progress::frames(reader) {

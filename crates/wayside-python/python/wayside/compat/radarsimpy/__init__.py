@@ -9,10 +9,12 @@ tables.
 The code is wayside's own, by the public description of the interface; nothing of RadarSimPy is in it.
 """
 
+from typing import Any
+
 from . import processing, simulator
 from .radar import Radar
 from .receiver import Receiver
-from .refusal import NotSupported
+from .refusal import NotSupported, refuse
 from .simulator import sim_radar, sim_rcs
 from .transmitter import Transmitter
 
@@ -26,3 +28,15 @@ __all__ = [
     "sim_rcs",
     "simulator",
 ]
+
+_ELSEWHERE = {
+    "sim_lidar": "no lidar is simulated",
+    "tools": "false alarms and detections are those of a scene's detector, docs/validation/README.md",
+    "rt": "sim_radar and sim_rcs are here by their own names",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name in _ELSEWHERE:
+        raise refuse(name, _ELSEWHERE[name])
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

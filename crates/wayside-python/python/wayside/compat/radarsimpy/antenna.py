@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .refusal import refuse, refuse_keys, vector
+from .refusal import dictionaries, needed, refuse, refuse_keys, vector
 
 _KEYS = {
     "location",
@@ -27,13 +27,14 @@ class Antennas:
 
     def __init__(self, channels: Sequence[dict[str, Any]] | None, where: str, more: set[str]) -> None:
         alone: list[dict[str, Any]] = [{"location": (0, 0, 0)}]
-        self.channels = alone if channels is None else list(channels)
+        self.channels = alone if channels is None else dictionaries(channels, where)
         if not self.channels:
             raise ValueError(f"{where}: at least one is needed")
         for channel in self.channels:
             refuse_keys(channel, _KEYS | more, where)
         self.where = where
-        self.locations = np.array([vector(c["location"], f"{where}['location']") for c in self.channels])
+        places = [needed(channel, "location", where) for channel in self.channels]
+        self.locations = np.array([vector(place, f"{where}['location']") for place in places])
         if np.any(self.locations[:, 0] != 0):
             raise refuse(f"{where}['location']", "elements stand in one plane, x = 0")
 

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
 from .antenna import Antennas
-from .refusal import above_zero, finite
+from .refusal import above_zero, number
 
 
 class Receiver:
@@ -34,7 +32,7 @@ class Receiver:
         above_zero(load_resistor, "load_resistor")
         gains = {"noise_figure": noise_figure, "rf_gain": rf_gain, "baseband_gain": baseband_gain}
         for name, value in gains.items():
-            finite(np.asarray(value, dtype=float), name)
+            number(value, name)
         self.antennas = Antennas(channels, "rx channel", set())
         self.rf_prop = {"rf_gain": rf_gain, "noise_figure": noise_figure}
         self.bb_prop: dict[str, Any] = {

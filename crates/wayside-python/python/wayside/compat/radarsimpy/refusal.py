@@ -24,12 +24,41 @@ def refuse_keys(of: dict[str, Any], known: set[str], where: str) -> None:
             raise refuse(f"{where}[{key!r}]", f"the keys are {', '.join(sorted(known))}")
 
 
+def dictionaries(value: Any, name: str) -> list[dict[str, Any]]:
+    """A list of dictionaries; one alone is none."""
+    if isinstance(value, (dict, str)) or not hasattr(value, "__iter__"):
+        raise ValueError(f"{name}: a list of dictionaries is needed, is {value!r}")
+    every = list(value)
+    for index, one in enumerate(every):
+        if not isinstance(one, dict):
+            raise ValueError(f"{name}[{index}]: a dictionary is needed, is {one!r}")
+    return every
+
+
+def needed(of: dict[str, Any], key: str, where: str) -> Any:
+    """The value of a key that has to be there."""
+    if of.get(key) is None:
+        raise ValueError(f"{where}[{key!r}]: is needed")
+    return of[key]
+
+
+def number(value: Any, name: str) -> float:
+    """One finite number; several, one for each sample or pulse, are refused."""
+    try:
+        values = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name}: must be a number, is {value!r}") from None
+    if values.ndim:
+        raise refuse(name, "one number is needed, and none that changes from sample to sample")
+    return float(finite(values, name))
+
+
 def vector(value: Any, name: str) -> NDArray[np.float64]:
     """Three numbers; values that change over the frame are refused."""
-    parts = [np.asarray(part, dtype=float) for part in value]
-    if len(parts) != 3 or any(part.ndim for part in parts):
+    parts = list(value) if hasattr(value, "__iter__") else [value]
+    if len(parts) != 3 or any(np.ndim(part) for part in parts):
         raise refuse(name, "three numbers are needed, and none that changes from sample to sample")
-    return finite(np.array(parts), name)
+    return np.array([number(part, name) for part in parts])
 
 
 def finite(values: NDArray[np.float64], name: str) -> NDArray[np.float64]:
@@ -41,10 +70,10 @@ def finite(values: NDArray[np.float64], name: str) -> NDArray[np.float64]:
 
 def above_zero(value: Any, name: str) -> float:
     """A number above 0."""
-    number = float(finite(np.asarray(value, dtype=float), name))
-    if number <= 0:
-        raise ValueError(f"{name}: must be above 0, is {number:g}")
-    return number
+    told = number(value, name)
+    if told <= 0:
+        raise ValueError(f"{name}: must be above 0, is {told:g}")
+    return told
 
 
 def nothing(value: Any, name: str, why: str) -> None:

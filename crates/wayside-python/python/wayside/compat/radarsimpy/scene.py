@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .radar import Radar
-from .refusal import nothing, refuse, refuse_keys, vector
+from .refusal import needed, nothing, number, refuse, refuse_keys, vector
 
 _C_MPS = 299_792_458.0
 _POINT = {"location", "speed", "rcs", "phase"}
@@ -150,11 +150,13 @@ def _target(radar: Radar, target: dict[str, Any], index: int, time_s: float) -> 
     moving = {"id": f"target-{index}", "velocity_mps": _of_scene(speed)}
     if "model" not in target:
         refuse_keys(target, _POINT, "target")
-        nothing(target.get("phase"), "target['phase']", "a point scatters +√rcs")
+        needed(target, "location", "target")
+        turn = np.mod(np.asarray(target.get("phase", 0), dtype=float), 360)
+        nothing(turn, "target['phase']", "a point scatters +√rcs")
         return {
             **moving,
             "kind": "point",
-            "rcs_m2": 10 ** (float(target["rcs"]) / 10),
+            "rcs_m2": 10 ** (number(needed(target, "rcs", "target"), "target['rcs']") / 10),
             "position_m": _of_scene(place),
         }
     return {**moving, **_mesh(radar, target, place)}
@@ -166,14 +168,22 @@ def _mesh(radar: Radar, target: dict[str, Any], place: NDArray[np.float64]) -> d
 
     yaw_deg = yaw_of(target) - np.degrees(radar.radar_prop["rotation"][0])
     scale = scale_of(target)
-    low, high = mesh_bounds_m(os.fspath(target["model"]), scale)
+    low, high = mesh_bounds_m(model_of(target), scale)
     middle = np.array([0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), low[2]])
     yaw = np.radians(yaw_deg)
     turn = np.array([[np.cos(yaw), -np.sin(yaw), 0], [np.sin(yaw), np.cos(yaw), 0], [0, 0, 1]])
     # A body's yaw is from world +x towards +y; their x axis is a scene's y axis.
-    told = {"kind": "mesh", "model": os.path.abspath(target["model"]), "yaw_deg": float(yaw_deg + 90.0)}
+    told = {"kind": "mesh", "model": os.path.abspath(model_of(target)), "yaw_deg": float(yaw_deg + 90.0)}
     told["position_m"] = _of_scene(place + turn @ middle)
     return told if scale is None else {**told, "unit_scale": scale}
+
+
+def model_of(target: dict[str, Any]) -> str:
+    """Path of a body's file."""
+    model = needed(target, "model", "target")
+    if not isinstance(model, (str, os.PathLike)):
+        raise refuse("target['model']", f"a path is needed, is {model!r}")
+    return os.fspath(model)
 
 
 def yaw_of(target: dict[str, Any]) -> float:

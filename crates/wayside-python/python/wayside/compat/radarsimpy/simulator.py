@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import tempfile
 from typing import Any
 
@@ -11,8 +10,8 @@ from numpy.typing import NDArray
 
 from .pattern import pattern_of
 from .radar import Radar, times
-from .refusal import refuse
-from .scene import Look, channels_of, scale_of, scene_of, yaw_of
+from .refusal import dictionaries, finite, number, refuse
+from .scene import Look, channels_of, model_of, scale_of, scene_of, yaw_of
 
 _UPRIGHT = (0, 0, 1)
 # Of a sine's root mean square: the samples that RadarSimPy's own tests expect are peaks
@@ -46,6 +45,7 @@ def sim_radar(
     left out.
     """
     del density, debug
+    targets = dictionaries(targets, "targets")
     if level not in _LEVELS:
         raise ValueError(f"level: must be None, 'frame', 'pulse' or 'sample', is {level!r}")
     for name, value in (("interf", interf), ("ray_filter", ray_filter), ("log_path", log_path)):
@@ -147,6 +147,7 @@ def sim_rcs(
     seen from the body. ``density`` sets rays there and has no meaning here.
     """
     del density
+    frequency_hz, targets = number(f, "f"), dictionaries(targets, "targets")
     if len(targets) != 1:
         raise refuse("targets", "one body; several stand in a scene")
     polarization = _letter(inc_pol if obs_pol is None else obs_pol, "obs_pol") + _letter(inc_pol, "inc_pol")
@@ -162,7 +163,7 @@ def sim_rcs(
         raise ValueError("incident and observed angles have different lengths")
     pairs = zip(incident.tolist(), observed.tolist())
     values = [
-        _cross_section(target, f, yaw, sent, None if is_monostatic else heard, polarization)
+        _cross_section(target, frequency_hz, yaw, sent, None if is_monostatic else heard, polarization)
         for sent, heard in pairs
     ]
     return values[0] if len(values) == 1 else np.array(values)
@@ -174,7 +175,7 @@ def _cross_section(
     from wayside import rcs
 
     table = rcs(
-        os.fspath(target["model"]),
+        model_of(target),
         f / 1e9,
         sent[0] - yaw,
         90.0 - sent[1],
@@ -190,7 +191,7 @@ def _aspects(phi: Any, theta: Any) -> NDArray[np.float64]:
     azimuths, angles = np.atleast_1d(np.asarray(phi, float)), np.atleast_1d(np.asarray(theta, float))
     if azimuths.shape != angles.shape:
         raise ValueError("phi and theta have different lengths")
-    return np.stack([azimuths, angles], axis=-1)
+    return np.stack([finite(azimuths, "phi"), finite(angles, "theta")], axis=-1)
 
 
 def _letter(polarization: Any, name: str) -> str:

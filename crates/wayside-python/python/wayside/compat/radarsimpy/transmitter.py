@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .antenna import Antennas
-from .refusal import above_zero, finite, nothing, refuse
+from .refusal import above_zero, finite, nothing, number, refuse
 
 _MODULATION = ("pulse_amp", "pulse_phs", "mod_t", "phs", "amp")
 
@@ -35,17 +35,17 @@ class Transmitter:
     ) -> None:
         sweep, length = _sweep(f), _length(t)
         nothing(f_offset, "f_offset", "all chirps have one sweep")
-        finite(np.asarray(tx_power, dtype=float), "tx_power")
-        if int(pulses) != pulses or pulses < 1:
+        power, count = number(tx_power, "tx_power"), number(pulses, "pulses")
+        if int(count) != count or count < 1:
             raise ValueError(f"pulses: must be a whole number of 1 or more, is {pulses}")
         self.antennas = Antennas(channels, "tx channel", {"delay", "grid", *_MODULATION})
         for channel in self.antennas.channels:
             for key in _MODULATION:
-                if channel.get(key) is not None:
+                if not _is_neutral(key, channel.get(key)):
                     raise refuse(f"tx channel[{key!r}]", 'use multiplexing = "ddm" or "bpm" of a scene')
         intervals = _intervals(prp, length, int(pulses))
         pn_f, pn_power = _phase_noise(pn_f, pn_power)
-        self.rf_prop = {"tx_power": tx_power, "pn_f": pn_f, "pn_power": pn_power}
+        self.rf_prop = {"tx_power": power, "pn_f": pn_f, "pn_power": pn_power}
         self.waveform_prop: dict[str, Any] = {
             "f": sweep,
             "t": np.array([0.0, length]),
@@ -66,6 +66,8 @@ class Transmitter:
 def _intervals(prp: Any, length: float, pulses: int) -> NDArray[np.float64]:
     """Time from each pulse to the next, s."""
     told = finite(np.asarray(length if prp is None else prp, dtype=float), "prp")
+    if told.shape not in ((), (1,), (pulses,)):
+        raise ValueError(f"prp: one number is needed, or {pulses}, has the shape {told.shape}")
     intervals = np.broadcast_to(told, (pulses,))
     if np.any(intervals < length):
         raise ValueError("prp must not be less than the length of a pulse")
@@ -88,7 +90,20 @@ def _phase_noise(pn_f: Any, pn_power: Any) -> tuple[Any, Any]:
 
 
 def _delay(channel: dict[str, Any]) -> float:
-    return float(finite(np.asarray(channel.get("delay", 0), dtype=float), "tx channel['delay']"))
+    return number(channel.get("delay", 0), "tx channel['delay']")
+
+
+def _is_neutral(key: str, code: Any) -> bool:
+    """Whether a code changes nothing: amplitudes of 1, phases of whole turns in degrees, and their times."""
+    if code is None or key == "mod_t":
+        return True
+    try:
+        values = np.asarray(code, dtype=complex)
+    except (TypeError, ValueError):
+        return False
+    if key in ("pulse_amp", "amp"):
+        return bool(np.all(values == 1))
+    return bool(np.all(values.imag == 0) and np.all(np.mod(values.real, 360) == 0))
 
 
 def _sweep(f: Any) -> Any:
