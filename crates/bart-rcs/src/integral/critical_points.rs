@@ -417,7 +417,7 @@ mod tests {
         }
 
         /// The same with antennas so many times as far away.
-        fn from_afar(&self, times: f64) -> Self {
+        fn seen_from_afar(&self, times: f64) -> Self {
             Self { antennas_m: self.antennas_m.map(|at_m| at_m.map(|x| times * x)), ..*self }
         }
 
@@ -498,7 +498,7 @@ mod tests {
     /// Errors are told beside the strongest term: of four corners little may be left.
     #[test]
     fn corners_and_sides_are_the_integral_to_the_accuracy_asked() {
-        for case in CASES.iter().flat_map(|case| [1.0, 10.0].map(|times| case.from_afar(times))) {
+        for case in CASES.iter().flat_map(|case| [1.0, 10.0].map(|times| case.seen_from_afar(times))) {
             let exact = case.by_quadrature();
             for accuracy in [1e-2, 3e-3, 1e-3, 1e-4] {
                 let Sums { by_parts, strongest, terms, near } = case.by_parts(accuracy);
@@ -511,7 +511,7 @@ mod tests {
 
     #[test]
     fn a_polygon_far_from_its_specular_is_its_four_corners() {
-        let sums = CASES[0].from_afar(10.0).by_parts(1e-2);
+        let sums = CASES[0].seen_from_afar(10.0).by_parts(1e-2);
         assert_eq!((sums.terms, sums.near), (4, 0));
     }
 

@@ -1,11 +1,10 @@
 //! Large lit polygons off their specular: terms of their corners and sides in place of cells.
 
-use crate::frame::cells::path_cells::CellSettings;
 use crate::geometry::convex_intersection::bounds;
 use crate::geometry::plane_frame::PlaneFrame;
 use crate::integral::critical_points::CriticalPart;
 use crate::joins::joint::Joint;
-use crate::joins::scatterer::{Part, Scatterer};
+use crate::joins::scatterer::{Integration, Part, Scatterer};
 use glam::{DVec2, DVec3};
 
 /// Cells that a polygon would be cut into from which on its corners and sides are looked at. Fewer are as
@@ -28,16 +27,16 @@ pub(crate) fn parted(
     scatterer: &Scatterer<'_>,
     joint: &Joint,
     corners_m: &[DVec3],
-    (size_m, accuracy): (f64, f64),
-    settings: &CellSettings<'_>,
+    size_m: f64,
+    request: &Integration<'_>,
 ) -> PartedPolygon {
     let lit = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
     let [low, high] = bounds(&corners_m.iter().map(|c| lit.plane_from_world(*c)).collect::<Vec<_>>());
     if !is_large(high - low, size_m) {
         return PartedPolygon { near_m: vec![corners_m.to_vec()], terms: vec![] };
     }
-    let wavenumbers_per_m = settings.wavenumbers_per_m;
-    let part = Part { corners_m, reference_m: corners_m[0], bracket: settings.bracket };
+    let Integration { wavenumbers_per_m, accuracy, bracket } = *request;
+    let part = Part { corners_m, reference_m: corners_m[0], bracket };
     let mut terms = Vec::new();
     let near_m = scatterer.with_field(joint, &part, (wavenumbers_per_m, accuracy), |field| {
         let polygon: Vec<DVec2> = corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
