@@ -66,6 +66,13 @@ impl Results {
         std::fs::remove_file(&mark).map_err(|e| Failure::system(&mark, "remove", e))
     }
 
+    /// Takes the mark of a run that has failed away, where none of its pictures is there to be known by it.
+    pub(crate) fn forget_if_none(&self) {
+        if self.pictures().is_empty() {
+            let _ = std::fs::remove_file(self.out.join(UNFINISHED)); // it harms nobody
+        }
+    }
+
     /// Pictures here that have the names of this run's.
     fn pictures(&self) -> Vec<PathBuf> {
         let is_own = |name: &String| {
@@ -97,7 +104,11 @@ mod tests {
         assert!(!picture.exists());
         std::fs::write(&picture, "of a run that was ended").unwrap();
         results.keep_foreign().unwrap();
+        results.forget_if_none();
         results.are_whole().unwrap();
         assert!(results.keep_foreign().is_err());
+        results.outdate().unwrap();
+        results.forget_if_none();
+        assert!(results.are_whole().is_err(), "a run that failed before its first picture leaves no mark");
     }
 }

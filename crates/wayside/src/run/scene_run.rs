@@ -140,7 +140,8 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
             work.at(number, runs.len());
             (settings.tell)(&format!("radar {}", run.scene.radar.as_deref().unwrap_or_default()));
         }
-        match one_radar(settings, planned, cache.as_ref(), model.as_ref(), out)? {
+        let forget = |_: &Failure| above.iter().for_each(|out| Results::in_common(out, 1).forget_if_none());
+        match one_radar(settings, planned, cache.as_ref(), model.as_ref(), out).inspect_err(forget)? {
             OfRadar::Ran(told) => of_radars.push(*told),
             OfRadar::Expected(total) => expected.push(total),
         }
@@ -255,7 +256,8 @@ fn one_radar(
         return Ok(OfRadar::Expected(total));
     }
     let (start, begin) = (Instant::now(), processor_time::of_process());
-    let (computed, figures) = compute(&chain, planned, &plans, settings, out)?;
+    let forget = |_: &Failure| Results::of_radar(&loaded.header, out).forget_if_none();
+    let (computed, figures) = compute(&chain, planned, &plans, settings, out).inspect_err(forget)?;
     let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
     let took = RunTook { seconds: start.elapsed().as_secs_f64(), processor };
     if let Some(cache) = cache {
