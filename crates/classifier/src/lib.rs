@@ -41,7 +41,9 @@ pub use crops::tensor_name;
 pub use ensembles::boosting::{BoostingSettings, Table, boosted};
 pub use ensembles::likeness::{area_under_roc, likeness};
 pub use ensembles::signature_classifier::SignatureClassifier;
-pub use ensembles::tree_training::{Part, TrainedTrees, TreeMetrics, TreeSettings, parts, train_trees};
+pub use ensembles::tree_training::{
+    Part, TrainedTrees, TreeMetrics, TreeSettings, of_tracks, parts, train_trees,
+};
 pub use ensembles::trees::logits as tree_logits;
 pub use ensembles::vehicles::{Seen, Sightings, TrackKey};
 pub use error::ClassifierError;

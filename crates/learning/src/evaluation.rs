@@ -4,7 +4,8 @@
 use crate::training::interval_text::told_interval;
 use artifact::dataset::Sample;
 use artifact::settings::Class;
-use classifier::{Evaluation, Part, Sightings, parts};
+use classifier::{Evaluation, Logits, Part, Sightings, log_softmax, of_tracks, parts};
+use pipeline::chain::class_rule::{ClassRule, Predicted};
 use pipeline::chain::loaded_model::{LoadedModel, of_classifier_about};
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
@@ -58,8 +59,10 @@ pub fn run(settings: &Settings) -> Result<String, Failure> {
             .fold(Failure::refused(rule), |f, folder| f.about(folder)));
     }
     let seen: Vec<_> = sightings.all.iter().collect();
-    let told = parts(&seen, &logits, f64::from(model.rule().frame_correlation));
-    let page = page(&told);
+    let (rule, correlation) = (model.rule(), f64::from(model.rule().frame_correlation));
+    let of_frames: Vec<_> = seen.iter().map(|seen| seen.class).zip(logits.iter().copied()).collect();
+    let told = [of_frames, of_tracks(&seen, &logits, correlation)].map(|answers| told_by(rule, &answers));
+    let page = page(&parts(&seen, &logits, correlation), &told, rule);
     settings.out.as_ref().map_or(Ok(()), |out| files::write_file(out, page.as_bytes()))?;
     Ok(page)
 }
@@ -98,7 +101,29 @@ fn answers(model: &LoadedModel, samples: &[Sample]) -> Result<Vec<[f32; 4]>, Fai
     Ok(answers)
 }
 
-fn page([frames, tracks]: &[Part; 2]) -> String {
+/// True class of an answer, and the class that is told.
+type Told = (usize, Predicted);
+
+/// Classes that a rule tells by these answers, each with the true one.
+pub(super) fn told_by(rule: ClassRule, answers: &[(usize, Logits)]) -> Vec<Told> {
+    let probabilities = |logits: &Logits| log_softmax(logits.map(f64::from)).map(|log| log.exp() as f32);
+    answers.iter().map(|(class, logits)| (*class, rule.told(&probabilities(logits)))).collect()
+}
+
+/// Text of the shares that are told right, wrong and not at all, %.
+pub(super) fn shares(told: &[Told]) -> String {
+    let (mut counts, share) = ([0.0; 3], 100.0 / told.len().max(1) as f64);
+    for (class, predicted) in told {
+        let kind = match predicted {
+            Predicted::Class(told) => usize::from(*told != Class::ALL[*class]),
+            Predicted::Unknown => 2,
+        };
+        counts[kind] += share;
+    }
+    counts.map(|share| format!("{share:.0}")).join(" / ")
+}
+
+fn page([frames, tracks]: &[Part; 2], [of_frames, of_tracks]: &[Vec<Told>; 2], rule: ClassRule) -> String {
     let columns = [
         "answers",
         "number",
@@ -106,16 +131,24 @@ fn page([frames, tracks]: &[Part; 2]) -> String {
         "95 % over vehicles",
         "log loss",
         "calibration error",
+        "told right / wrong / unknown, %",
     ];
-    let mut page = markdown_table(&columns, [row("by frame", frames), row("by track", tracks)]);
-    for (name, part) in [("By frame", frames), ("By track", tracks)] {
-        let _ = write!(page, "\n{name}, rows true, columns told:\n\n{}", confusion(&part.evaluation));
+    let rows = [row("by frame", frames, of_frames), row("by track", tracks, of_tracks)];
+    let mut page = markdown_table(&columns, rows);
+    let _ = write!(
+        page,
+        "\nRight is an answer whose likeliest class is the true one. A class is told from a probability of \
+         {} on; below it the answer is \"unknown\".\n",
+        rule.least_probability
+    );
+    for (name, told) in [("By frame", of_frames), ("By track", of_tracks)] {
+        let _ = write!(page, "\n{name}, rows true, columns told:\n\n{}", told_confusion(told));
     }
-    let _ = write!(page, "\nBy vehicle, by track:\n\n{}", vehicles(&tracks.evaluation));
+    let _ = write!(page, "\nBy vehicle, by track, told or not:\n\n{}", vehicles(&tracks.evaluation));
     page
 }
 
-fn row(name: &str, part: &Part) -> [String; 6] {
+fn row(name: &str, part: &Part, told_classes: &[Told]) -> [String; 7] {
     let (told, evaluation) = (&part.by_vehicle, &part.evaluation);
     [
         name.to_owned(),
@@ -124,9 +157,22 @@ fn row(name: &str, part: &Part) -> [String; 6] {
         format!("{} over {}", told_interval(told.interval), told.vehicles),
         format!("{:.3}", evaluation.log_loss),
         format!("{:.1} %", 100.0 * evaluation.calibration.expected_error),
+        shares(told_classes),
     ]
 }
 
+/// Counts of told classes, and of answers without one, by the true class.
+fn told_confusion(told: &[Told]) -> String {
+    let [a, b, c, d] = Class::ALL.map(Class::name);
+    let columns = Class::ALL.map(Predicted::Class).into_iter().chain([Predicted::Unknown]);
+    let rows = Class::ALL.iter().enumerate().map(|(class, of)| {
+        let count = |column| told.iter().filter(|answer| **answer == (class, column)).count().to_string();
+        iter::once(of.name().to_owned()).chain(columns.clone().map(count)).collect::<Vec<_>>()
+    });
+    markdown_table(&["", a, b, c, d, Predicted::Unknown.name()], rows)
+}
+
+/// Counts of likeliest classes by the true one.
 pub(super) fn confusion(evaluation: &Evaluation) -> String {
     let [a, b, c, d] = Class::ALL.map(Class::name);
     let rows = Class::ALL.iter().zip(&evaluation.confusion).map(|(class, told)| {

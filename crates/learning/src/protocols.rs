@@ -8,15 +8,12 @@ mod curves;
 mod paper;
 mod settings;
 
-use crate::evaluation::{confusion, sightings_of};
+use crate::evaluation::{confusion, shares, sightings_of, told_by};
 use crate::training::{Learner, iterations_of_trees, note_lone_vehicles};
 use artifact::settings::Class;
-use classifier::{
-    Logits, Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, log_softmax,
-    train_trees,
-};
+use classifier::{Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, train_trees};
 use conditions::{OfTracks, conditions};
-use pipeline::chain::class_rule::{ClassRule, Predicted};
+use pipeline::chain::class_rule::ClassRule;
 use pipeline::chain::loaded_model::{of_classifier, of_classifier_about};
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
@@ -201,26 +198,14 @@ fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
     };
     let rows = protocols.iter().map(|protocol| {
         let answers = answers(protocol, trained, |_| true);
-        line(&protocol.name, &|least| shares(&answers, least))
+        let answers: Vec<_> = answers.iter().map(|(seen, logits)| (seen.class, *logits)).collect();
+        let rule = |least| ClassRule { least_probability: least, ..ClassRule::default() };
+        line(&protocol.name, &|least| shares(&told_by(rule(least), &answers)))
     });
     let table = markdown_table(&line("protocol", &|least| format!("from {least}")), rows);
     format!(
         "\nTold right / wrong / unknown in % of the frames, by the least probability of an answer, seed 1:\n\n{table}"
     )
-}
-
-fn shares(answers: &[(&Seen, Logits)], least: f32) -> String {
-    let rule = ClassRule { least_probability: least, ..ClassRule::default() };
-    let mut counts = [0.0; 3];
-    for (seen, logits) in answers {
-        let told = rule.told(&log_softmax(logits.map(f64::from)).map(|log| log.exp() as f32));
-        let kind = match told {
-            Predicted::Class(class) => usize::from(class != Class::ALL[seen.class]),
-            Predicted::Unknown => 2,
-        };
-        counts[kind] += 100.0 / answers.len().max(1) as f64;
-    }
-    counts.map(|share| format!("{share:.0}")).join(" / ")
 }
 
 /// Table of how often a protocol's vehicles are told right, by what their sightings were like; a row of its

@@ -15,7 +15,7 @@ mod tracks;
 pub(crate) mod viewer;
 
 use crate::report::figures::Figures;
-pub use page::{figure, sheet};
+pub use page::{figure, is_report, sheet};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::outcome::summary::{RadarsSummary, Summary};

@@ -7,6 +7,7 @@ use crate::study::document::{RUNS_LIMIT, Study};
 use crate::study::situations::Situation;
 use crate::study::{acceptance, designs, kinds, situations};
 use crate::told::blocks::{markdown, on_page};
+use crate::told::earlier_study;
 use crate::told::report::{Done, answer as answer_of, details};
 use crate::told::{picture, tables, view};
 use maud::html;
@@ -85,6 +86,7 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     let model = loading::model(settings.classifier.as_deref())?;
     // All inputs are known now, and no run is made.
     files::claim(&RESULTS.map(|name| settings.out.join(name)))?;
+    earlier_study::keep_foreign(&settings.out)?;
     let first_of_kinds = kinds::first_of_kinds(&study, &designs);
     let rounds = Rounds {
         study: &study,
@@ -114,7 +116,8 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     };
     let answer = Answer::of(&study, &ledger);
     let all: Vec<&Situation> = situations.iter().flatten().collect();
-    let _writing = Writing::into_folder(&settings.out)?;
+    let _writing = Writing::in_turn_into(&settings.out)?;
+    files::outdate(RESULTS.map(|name| settings.out.join(name)))?;
     let out = |name: &str| settings.out.join(name);
     files::write_file(&out("sweep.csv"), tables::runs(&study, &designs, &all, &ledger).as_bytes())?;
     files::write_file(&out("designs.csv"), tables::designs(&study, &designs, &ledger, &answer).as_bytes())?;

@@ -6,4 +6,5 @@ pub(crate) mod tables;
 pub(crate) mod picture;
 pub(crate) mod blocks;
 pub(crate) mod report;
+pub(crate) mod earlier_study;
 pub(crate) mod view;

@@ -2,6 +2,7 @@
 
 mod products;
 mod leftovers;
+mod earlier_results;
 mod several_radars;
 mod scene_run;
 

@@ -315,6 +315,11 @@ fn tracks<'a>(seen: &[&'a Seen], logits: &[Logits]) -> Vec<Track<'a>> {
     tracks.into_values().collect()
 }
 
+/// Class and answer of each track, the answers of its frames joined.
+pub fn of_tracks(seen: &[&Seen], logits: &[Logits], correlation: f64) -> Vec<(usize, Logits)> {
+    tracks(seen, logits).iter().map(|track| (track.class, track.joined(correlation))).collect()
+}
+
 /// Measures frame by frame, and by track.
 pub fn parts(seen: &[&Seen], logits: &[Logits], correlation: f64) -> [Part; 2] {
     let frames: Vec<(usize, &str)> = seen.iter().map(|s| (s.class, s.model.as_str())).collect();

@@ -298,7 +298,7 @@ impl Tracker {
             missed_frames: followed.missed_frames,
             position_m: [state.mean.x, state.mean.y],
             velocity_mps: [state.mean.z, state.mean.w],
-            covariance: state.covariance.transpose().to_cols_array_2d(),
+            covariance: followed.bank.covariance().transpose().to_cols_array_2d(),
             velocity_resolved: followed.bank.is_resolved(),
             lane: self.lanes.at([x_m, y_m, 0.0]),
             footprint,

@@ -74,14 +74,17 @@ impl Cache {
         Ok(cache)
     }
 
-    /// Refuses to be one of the folders that results are written into: these are for good, a cache is not,
-    /// and one folder cannot be both.
+    /// Refuses to hold a folder that results are written into, or to be one: these are for good, a cache is
+    /// not, and what has the names of its own files it removes. A cache below a folder of results is no
+    /// result's name.
     pub fn apart_from<'a>(&self, outs: impl IntoIterator<Item = &'a Path>) -> Result<(), Failure> {
         let root = places::resolved(&self.root);
-        match outs.into_iter().find(|out| places::resolved(out) == root) {
-            Some(out) => {
-                Err(Failure::System(format!("{}: --out and --cache have to be two folders", out.display())))
-            }
+        match outs.into_iter().find(|out| places::resolved(out).starts_with(&root)) {
+            Some(out) => Err(Failure::System(format!(
+                "{}: --out and --cache have to be two folders, and no result lies within a cache ({})",
+                out.display(),
+                self.root.display()
+            ))),
             None => Ok(()),
         }
     }

@@ -51,33 +51,90 @@ impl Expectation {
     }
 }
 
-/// Lines about the plans: the stages that run in each frame, and the expected time and memory of all.
-pub fn lines(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) -> Result<Vec<String>, Failure> {
-    let of_frame = |plan: &FramePlan| {
-        let running: Vec<&str> =
-            plan.steps.iter().filter(|(_, why)| why.is_some()).map(|(stage, _)| stage.name()).collect();
-        let stages = if running.is_empty() { "nothing".into() } else { running.join(", ") };
-        format!("frame {}: runs {stages}", plan.index)
+/// Expected time and memory of runs one after the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Total {
+    frames: usize,
+    seconds: f64,
+    start_seconds: f64,
+    expected_memory_mib: f64,
+    memory_mib: f64,
+}
+
+impl Total {
+    /// Total of one run of so many frames.
+    pub fn of(expected: &Expectation, frames: usize) -> Self {
+        let Expectation { seconds, start_seconds, expected_memory_mib, memory_mib, .. } = *expected;
+        Self { frames, seconds, start_seconds, expected_memory_mib, memory_mib }
+    }
+
+    /// Total of both: the program starts once, and the memory of one run is free when the next one begins.
+    pub fn and(self, next: Self) -> Self {
+        Self {
+            frames: self.frames + next.frames,
+            seconds: self.seconds + next.seconds - next.start_seconds,
+            start_seconds: self.start_seconds,
+            expected_memory_mib: self.expected_memory_mib.max(next.expected_memory_mib),
+            memory_mib: self.memory_mib.max(next.memory_mib),
+        }
+    }
+
+    /// The last line of a dry run.
+    pub fn line(&self) -> String {
+        let threads = rayon::current_num_threads();
+        format!(
+            "{} frames: {} s, {} to {} s of processor time; about {} s on {threads} threads; about {:.0} \
+             MiB, at most {:.0} MiB",
+            self.frames,
+            told(self.seconds),
+            told(self.seconds / rates::SPREAD),
+            told(self.seconds * rates::SPREAD),
+            told(rates::wall_seconds(self.seconds, threads)),
+            self.expected_memory_mib,
+            self.memory_mib,
+        )
+    }
+}
+
+/// Lines about the stages that run in each frame; neighbours that run the same have one.
+pub fn lines(plans: &[FramePlan]) -> Vec<String> {
+    let running = |plan: &FramePlan| -> Vec<&'static str> {
+        plan.steps.iter().filter(|(_, why)| why.is_some()).map(|(stage, _)| stage.name()).collect()
     };
-    let mut lines: Vec<String> = plans.iter().map(of_frame).collect();
-    let expected = Expectation::of(chain, cache, plans)?;
-    let threads = rayon::current_num_threads();
-    lines.push(format!(
-        "{} frames: {} s, {} to {} s of processor time; about {} s on {threads} threads; about {:.0} \
-         MiB, at most {:.0} MiB",
-        plans.len(),
-        told(expected.seconds),
-        told(expected.seconds / rates::SPREAD),
-        told(expected.seconds * rates::SPREAD),
-        told(rates::wall_seconds(expected.seconds, threads)),
-        expected.expected_memory_mib,
-        expected.memory_mib,
-    ));
-    Ok(lines)
+    let alike = plans.chunk_by(|a, b| running(a) == running(b));
+    let line = |plans: &[FramePlan]| {
+        let [first, .., last] = plans else {
+            return plans.first().map(|plan| format!("frame {}: runs {}", plan.index, named(&running(plan))));
+        };
+        Some(format!("frames {} to {}: runs {}", first.index, last.index, named(&running(first))))
+    };
+    alike.filter_map(line).collect()
+}
+
+fn named(stages: &[&str]) -> String {
+    if stages.is_empty() { "nothing".into() } else { stages.join(", ") }
 }
 
 /// Text of seconds to two digits.
 fn told(seconds: f64) -> String {
     let digits = (1.0 - seconds.max(0.1).log10().floor()).max(0.0) as usize;
     format!("{seconds:.digits$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn runs_one_after_the_other_start_once_and_hold_what_the_largest_holds() {
+        let of = |frames, seconds, memory_mib| Total {
+            frames,
+            seconds,
+            start_seconds: 0.5,
+            expected_memory_mib: 0.5 * memory_mib,
+            memory_mib,
+        };
+        assert_eq!(of(2, 3.0, 400.0).and(of(5, 2.0, 700.0)), of(7, 4.5, 700.0));
+        assert!(of(7, 4.5, 700.0).line().starts_with("7 frames: 4.5 s, "));
+    }
 }

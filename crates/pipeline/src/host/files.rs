@@ -1,12 +1,17 @@
 //! Writing of files that are there whole or not at all, and reading of what earlier runs have left.
 
+mod taken;
+mod writing;
+
 use crate::host::failure::Failure;
 use artifact::ArtifactError;
 use artifact::whole_file::{self, Durability, WholeFile};
 use std::collections::BTreeSet;
 use std::io::{Error, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use taken::{one_name, taken};
+
+pub use writing::Writing;
 
 /// Refuses what could not be written, before the work that it is the result of: no plain file, an input, a
 /// place without permission, or one place for two results.
@@ -64,6 +69,19 @@ pub fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(whole.finish(Durability::InCache)?)
 }
 
+/// Removes what earlier commands have left in these places, before the first of them is written anew: a
+/// command that is ended then leaves fewer files, and never some of its own beside some of theirs.
+pub fn outdate(places: impl IntoIterator<Item = PathBuf>) -> Result<(), Failure> {
+    for place in places {
+        // Of what cannot be replaced its writer tells.
+        if place.is_file() {
+            whole_file::check(&place)?;
+            take_away(&place, &[]).map_err(|e| Failure::system(&place, "remove", e))?;
+        }
+    }
+    Ok(())
+}
+
 /// Removes a file that describes another one, before that one is replaced; a symbolic link stays, and the
 /// file that it leads to gets `nothing_told`.
 pub fn take_away(file: &Path, nothing_told: &[u8]) -> std::io::Result<()> {
@@ -109,67 +127,11 @@ fn write(
     Ok(whole.finish(durability)?)
 }
 
-/// A run that writes into a folder: it writes no file twice, and no other one of this process writes there
-/// meanwhile. When it ends, a later one may write the same files again.
-pub struct Writing {
-    folder: PathBuf,
-}
-
-impl Writing {
-    /// Begins to write into a folder, which need not be there.
-    ///
-    /// # Errors
-    /// Another run of this process is writing there.
-    pub fn into_folder(folder: &Path) -> Result<Self, Failure> {
-        let folder = std::path::absolute(folder).map_err(|e| Failure::system(folder, "write", e))?;
-        if !taken().folders.insert(one_name(&folder)) {
-            let rule = "is being written by another run of this program";
-            return Err(Failure::System(format!("{}: {rule}", folder.display())));
-        }
-        Ok(Self { folder })
-    }
-}
-
-impl Drop for Writing {
-    fn drop(&mut self) {
-        let mut taken = taken();
-        // What was not there at the beginning has its whole name now.
-        for name in [one_name(&self.folder), self.folder.clone()] {
-            taken.folders.remove(&name);
-            taken.files.retain(|file| !file.starts_with(&name));
-        }
-    }
-}
-
-/// Names that what is under way has taken.
-struct Taken {
-    /// Files that were written.
-    files: BTreeSet<PathBuf>,
-    /// Folders into which runs write.
-    folders: BTreeSet<PathBuf>,
-}
-
-static TAKEN: Mutex<Taken> = Mutex::new(Taken { files: BTreeSet::new(), folders: BTreeSet::new() });
-
-fn taken() -> MutexGuard<'static, Taken> {
-    TAKEN.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
 fn twice(place: &Path) -> Failure {
     Failure::System(format!(
         "{}: cannot be written: two results of this command have this name",
         place.display()
     ))
-}
-
-/// Name that all ways to a file share, where its folder exists.
-fn one_name(place: &Path) -> PathBuf {
-    let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    match (std::fs::canonicalize(place), std::fs::canonicalize(folder), place.file_name()) {
-        (Ok(whole), _, _) => whole,
-        (_, Ok(folder), Some(name)) => folder.join(name),
-        _ => place.to_owned(),
-    }
 }
 
 #[cfg(test)]
@@ -201,16 +163,13 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_that_a_run_writes_into_is_refused_to_another_run_until_it_ends() {
+    fn results_that_are_outdated_are_gone_and_what_is_none_of_a_writers_stays() {
         let folder = tempfile::tempdir().unwrap();
-        let out = folder.path().join("out");
-        let first = Writing::into_folder(&out).unwrap();
-        std::fs::create_dir(&out).unwrap();
-        let refused = Writing::into_folder(&folder.path().join("out/../out")).err().unwrap().to_string();
-        assert!(refused.contains("out: is being written by another run of this program"), "{refused}");
-        drop(Writing::into_folder(folder.path()).unwrap());
-        drop(first);
-        drop(Writing::into_folder(&out).unwrap());
+        let place = |name: &str| folder.path().join(name);
+        std::fs::write(place("old"), "old").unwrap();
+        std::fs::create_dir(place("folder")).unwrap();
+        outdate(["old", "none", "folder"].map(place)).unwrap();
+        assert!(!place("old").exists() && place("folder").is_dir());
     }
 
     #[cfg(unix)]

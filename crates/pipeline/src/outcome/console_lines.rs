@@ -224,11 +224,17 @@ fn causes<'a>(objects: impl IntoIterator<Item = &'a FalseObject>) -> String {
 /// nothing of it was estimated.
 fn left_out(frame: &FrameSummary) -> Option<String> {
     let estimated = frame.model_error_db.sources().into_iter().filter_map(|(name, db)| Some((name, db?)));
-    let of_tables =
-        shading_left_out(frame).then(|| "shading between bodies, which is not estimated".to_owned());
+    let of_tables = shading_left_out(frame).then_some("shading between bodies, which is not estimated");
+    let of_bounces = higher_orders_unknown(frame).then_some("bounces not estimated (one order alone)");
+    let others = of_bounces.into_iter().chain(of_tables).map(str::to_owned);
     let named: Vec<String> =
-        estimated.map(|(name, db)| format!("{name} {}", decibels(db))).chain(of_tables).collect();
+        estimated.map(|(name, db)| format!("{name} {}", decibels(db))).chain(others).collect();
     (!named.is_empty()).then(|| format!("  left out by the model: {}", named.join(", ")))
+}
+
+/// Whether the bounces left out are unknown: their estimate is the decay of orders, and one alone has none.
+pub fn higher_orders_unknown(frame: &FrameSummary) -> bool {
+    frame.bounces == 1 && frame.model_error_db.bounces.is_none()
 }
 
 /// Whether bodies would hide each other but for far-field tables, which are of each body alone.
@@ -307,6 +313,8 @@ fn cause(object: &FalseObject) -> String {
         Cause::Misplaced => format!("echo of {bodies}, too far from it in place or velocity{bounces}"),
         Cause::Clutter if object.bodies.is_empty() => "clutter: the road".into(),
         Cause::Clutter => format!("clutter: {bodies}"),
+        Cause::Interference => "interference by another radar".into(),
+        Cause::Receiver => "the receiver: its converter or its phase noise".into(),
         cause @ (Cause::Noise | Cause::Unknown) => cause.name().into(),
     }
 }

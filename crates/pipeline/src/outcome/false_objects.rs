@@ -1,9 +1,10 @@
 //! Objects that belong to no body, false or at rest, and what made each of them in truth.
 
 use crate::chain::frame_result::FrameResult;
-use artifact::points::{Label, Object};
+use artifact::points::{Label, Object, Point};
 use artifact::scene::{Role, SceneHeader};
 use artifact::units::power_from_db;
+use dsp::gamma_tail;
 use evaluation::{FrameTruth, GATE_M, Origin, place};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -47,7 +48,11 @@ pub enum Cause {
     Clutter,
     /// No path: a false alarm.
     Noise,
-    /// Echoes of tables have no paths to tell by.
+    /// No path, and more than noise makes: another radar that the scene names.
+    Interference,
+    /// No path, no other radar, and more than noise makes: a converter that clips or rounds, or phase noise.
+    Receiver,
+    /// Echoes of tables have no paths to tell by; or no path, more than noise makes, and an ideal receiver.
     #[default]
     Unknown,
 }
@@ -61,6 +66,8 @@ impl Cause {
             Self::Misplaced => "misplaced",
             Self::Clutter => "clutter",
             Self::Noise => "noise",
+            Self::Interference => "interference",
+            Self::Receiver => "receiver",
             Self::Unknown => "unknown",
         }
     }
@@ -116,16 +123,21 @@ fn made(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth, index: u
     let mut powers: BTreeMap<Made, f64> = BTreeMap::new();
     let points = result.points.points.iter().zip(&truth.origins);
     for (point, origin) in points.filter(|(point, _)| point.object == Some(index as u32)) {
-        let made = of_point(header, truth, &result.points.objects[index], origin);
+        let made = of_point(header, truth, &result.points.objects[index], (point, origin));
         *powers.entry(made).or_default() += power_from_db(point.snr_db);
     }
     let strongest = powers.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
     strongest.map(|(made, _)| made).unwrap_or_default()
 }
 
-fn of_point(header: &SceneHeader, truth: &FrameTruth, object: &Object, origin: &Origin) -> Made {
+fn of_point(
+    header: &SceneHeader,
+    truth: &FrameTruth,
+    object: &Object,
+    (point, origin): (&Point, &Origin),
+) -> Made {
     let (label, bodies) = match origin {
-        Origin::Noise => return Made { cause: Cause::Noise, ..Made::default() },
+        Origin::Noise => return Made { cause: of_no_path(header, point), ..Made::default() },
         Origin::Ground => return Made { cause: Cause::Clutter, ..Made::default() },
         Origin::Echo { label, bodies } => (label, bodies),
     };
@@ -136,6 +148,27 @@ fn of_point(header: &SceneHeader, truth: &FrameTruth, object: &Object, origin: &
         0 | 1 => of_one_body(truth, object, label),
         _ => Made { cause: Cause::Ghost, bodies: bodies.clone(), bounces: Some(bounces) },
     }
+}
+
+/// Cause of a point that no path explains.
+fn of_no_path(header: &SceneHeader, point: &Point) -> Cause {
+    let hardware = &header.radar.hardware;
+    match point {
+        _ if noise_reaches(header, point.snr_db) => Cause::Noise,
+        _ if !hardware.interferers.is_empty() => Cause::Interference,
+        _ if hardware.adc.is_some() || !hardware.phase_noise.is_empty() => Cause::Receiver,
+        _ => Cause::Unknown,
+    }
+}
+
+/// Whether noise alone reaches such a level in more than one of a million maps. The power of a cell, over
+/// M channels, is a sum of M exponentials: M times its mean and more has the probability Q(M, M(1 + ρ)), ρ
+/// the level over the noise.
+fn noise_reaches(header: &SceneHeader, snr_db: f64) -> bool {
+    let (radar, channels) = (&header.radar, header.radar.virtual_channels());
+    let cells = f64::from(radar.waveform.samples) * f64::from(radar.waveform.chirps);
+    let in_a_map = cells * gamma_tail(channels, channels as f64 * (1.0 + power_from_db(snr_db)));
+    in_a_map > 1e-6
 }
 
 /// An echo of one target alone, in an object that is not the target's.

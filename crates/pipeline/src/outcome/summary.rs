@@ -20,7 +20,7 @@ pub use classes::Probabilities;
 pub use echo_error::EchoError;
 pub use evaluation::{Agreement, IdentityMetrics, Metrics};
 pub use frame::{FrameSummary, MapState, TargetDetail};
-pub use one_radar::Summary;
+pub use one_radar::{Summary, is_summary};
 pub use radar::{ElementErrorSummary, ElementErrors, LaneSummary, RadarSummary};
 pub use several_radars::{CommonFrame, CommonTarget, OneOfRadars, RadarsSummary, common_times_s};
 pub use targets::{ClutterSummary, Estimate, TargetSummary, TruthSummary};

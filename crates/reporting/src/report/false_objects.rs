@@ -69,6 +69,8 @@ fn cause(object: &FalseObject) -> String {
         Cause::Split => format!("a further part of {bodies}, which has its object"),
         Cause::Misplaced => format!("echo of {bodies}, seen too far from it in place or velocity"),
         Cause::Noise => "noise".into(),
+        Cause::Interference => "interference by another radar".into(),
+        Cause::Receiver => "the receiver: its converter or its phase noise".into(),
         Cause::Unknown => "not known".into(),
     }
 }

@@ -44,6 +44,20 @@ pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making) -> Str
     )
 }
 
+/// Mark by which a page of this program is known.
+const GENERATOR: &str = "wayside";
+
+/// Whether a page was made here: by its mark, or by the title of earlier versions; an empty one holds nothing
+/// of anybody's.
+pub fn is_report(page: &[u8]) -> bool {
+    let head = String::from_utf8_lossy(&page[..page.len().min(HEAD_BYTES)]);
+    let mark = format!("name=\"generator\" content=\"{GENERATOR}\"");
+    page.is_empty() || [mark.as_str(), "<title>Wayside: "].iter().any(|told| head.contains(told))
+}
+
+/// More than stands before the title.
+const HEAD_BYTES: usize = 1024;
+
 /// A page of this name around its content; what users called things has no controls on it.
 pub fn sheet(name: &str, content: Markup) -> String {
     let markup = html! {
@@ -52,6 +66,7 @@ pub fn sheet(name: &str, content: Markup) -> String {
             head {
                 meta charset="utf-8";
                 meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="generator" content=(GENERATOR);
                 title { "Wayside: " (name) }
                 style { (PreEscaped(STYLE)) (PreEscaped(plotting::svg::style())) (PreEscaped(viewer::STYLE)) }
             }

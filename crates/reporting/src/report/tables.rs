@@ -147,6 +147,9 @@ pub(super) fn errors(frame: &FrameSummary) -> Markup {
         tbody {
             @for (name, db) in known { tr { td { (name) } td { (rounded(db, 1)) } } }
             @for (name, db) in of_model { tr { td { "model: " (name) } td { (rounded(db, 1)) } } }
+            @if console_lines::higher_orders_unknown(frame) {
+                tr { td { "model: bounces" } td { "not estimated (one order alone)" } }
+            }
         }
     } };
     html! {

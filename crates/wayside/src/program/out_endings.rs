@@ -3,6 +3,8 @@
 
 use crate::program::cli::{Command, ExportArguments};
 use crate::program::export_formats::{is_set, name_of};
+#[cfg(feature = "classifier")]
+use crate::program::learning_cli::LearningCommand;
 use crate::program::option_words::FormatWord;
 use crate::stepwise::endings::{self, WRITERS};
 use pipeline::host::failure::Failure;
@@ -26,7 +28,7 @@ struct Written<'a> {
     endings: Vec<&'a str>,
 }
 
-/// `None` of commands whose result has any name: datasets, models and pages of text.
+/// `None` of commands whose result is a new folder or none: datasets, models.
 fn written(command: &Command) -> Option<Written<'_>> {
     let of = |out, what: &str, endings: &[&'static str]| {
         Some(Written { out, what: what.to_owned(), endings: endings.to_vec() })
@@ -45,11 +47,17 @@ fn written(command: &Command) -> Option<Written<'_>> {
         Command::SceneFrom(arguments) => of(&arguments.out, "a scene file (.toml)", &["toml"]),
         Command::Calibrate(arguments) => of(&arguments.out, "a table (.csv)", &["csv"]),
         Command::Export(arguments) => exported(arguments),
+        #[cfg(feature = "classifier")]
+        Command::Learning(LearningCommand::Evaluate(arguments)) => of(arguments.out.as_deref()?, PAGE, &[]),
+        #[cfg(feature = "classifier")]
+        Command::Learning(LearningCommand::Protocols(arguments)) => of(arguments.out.as_deref()?, PAGE, &[]),
         _ => None,
     }
 }
 
 const FOLDER: &str = "a folder";
+#[cfg(feature = "classifier")]
+const PAGE: &str = "a page of text (.md, .txt)";
 
 /// `None` of SigMF, which has its endings added to any name, of OSI, which is asked for one of two, and of
 /// folders of sets.

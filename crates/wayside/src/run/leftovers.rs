@@ -16,9 +16,8 @@ pub(super) fn remark(out: &Path, artifacts: &[&str], is_own: impl Fn(&str, u32) 
 fn said(out: &Path, artifacts: &[&str], is_own: impl Fn(&str, u32) -> bool) -> Option<String> {
     let kinds = [EchoMode::Paths, EchoMode::RcsTable].map(scattering_name);
     let others = kinds.into_iter().filter(|name| !artifacts.contains(name) && out.join(name).is_file());
-    let pictures = std::fs::read_dir(out.join("pictures")).into_iter().flatten().flatten();
-    let names = pictures.filter_map(|entry| entry.file_name().into_string().ok());
-    let beyond = names.filter(|name| frame_of(name).is_some_and(|(kind, number)| !is_own(kind, number)));
+    let beyond = names_of_pictures(out)
+        .filter(|name| frame_of(name).is_some_and(|(kind, number)| !is_own(kind, number)));
     let mut left: Vec<String> =
         others.map(str::to_owned).chain(beyond.map(|name| format!("pictures/{name}"))).collect();
     left.sort();
@@ -31,8 +30,14 @@ fn said(out: &Path, artifacts: &[&str], is_own: impl Fn(&str, u32) -> bool) -> O
     ))
 }
 
+/// Names of the files in the folder of a run's pictures.
+pub(super) fn names_of_pictures(out: &Path) -> impl Iterator<Item = String> {
+    let pictures = std::fs::read_dir(out.join("pictures")).into_iter().flatten().flatten();
+    pictures.filter_map(|entry| entry.file_name().into_string().ok())
+}
+
 /// Kind and frame of a picture; `None` of a name that no run gives.
-fn frame_of(name: &str) -> Option<(&str, u32)> {
+pub(super) fn frame_of(name: &str) -> Option<(&str, u32)> {
     let (stem, ending) = name.split_once('.')?;
     let (kind, number) = stem.split_once('-')?;
     let is_of_run = matches!((kind, ending), ("scene" | "rdm" | "points", "png") | ("rdm", "exr"));

@@ -1,12 +1,13 @@
 //! `run`: a scene to everything that can be known of it.
 
 use crate::remarks;
+use crate::run::earlier_results::Results;
 use crate::run::leftovers;
 use crate::run::products::{self, Products};
 use crate::run::several_radars::{self, Told};
 use artifact::scene::SceneHeader;
 use pipeline::chain::cache::{Cache, CacheLocation};
-use pipeline::chain::expectation;
+use pipeline::chain::expectation::{self, Expectation, Total};
 use pipeline::chain::frames::{each_frame, resolved};
 use pipeline::chain::link::{Chain, FrameProducts};
 use pipeline::chain::loaded_model::LoadedModel;
@@ -132,13 +133,22 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
             remarks::untrained_radar::remark(&planned.loaded.header).into_iter().for_each(progress::note);
         }
     }
-    let (mut of_radars, work) = (vec![], (runs.len() > 1).then(|| Work::begin("radars")));
+    let (mut of_radars, mut expected) = (vec![], vec![]);
+    let work = (runs.len() > 1).then(|| Work::begin("radars"));
     for (number, ((run, planned), out)) in runs.iter().zip(&planned).zip(&outs).enumerate() {
         if let Some(work) = &work {
             work.at(number, runs.len());
             (settings.tell)(&format!("radar {}", run.scene.radar.as_deref().unwrap_or_default()));
         }
-        of_radars.extend(one_radar(settings, planned, cache.as_ref(), model.as_ref(), out)?);
+        let forget = |_: &Failure| above.iter().for_each(|out| Results::in_common(out, 1).forget_if_none());
+        match one_radar(settings, planned, cache.as_ref(), model.as_ref(), out).inspect_err(forget)? {
+            OfRadar::Ran(told) => of_radars.push(*told),
+            OfRadar::Expected(total) => expected.push(total),
+        }
+    }
+    if let Some(total) = expected.into_iter().reduce(Total::and).filter(|_| runs.len() > 1) {
+        (settings.tell)("all radars");
+        (settings.tell)(&total.line());
     }
     let conclude = || several_radars::conclude(&of_radars, &settings.making, settings.tell);
     let of_all = (is_of_all && !of_radars.is_empty()).then(conclude).transpose()?;
@@ -172,6 +182,11 @@ fn begin(planned: &[PlannedScene], outs: &[PathBuf], above: Option<&Path>) -> Re
     let in_common = above.into_iter().flat_map(|out| several_radars::places(out, frames as usize));
     let places: Vec<PathBuf> = planned.iter().zip(outs).flat_map(of_radar).chain(in_common).collect();
     files::claim(&places)?;
+    let in_common = above.map(|out| Results::in_common(out, frames));
+    let of_radar = |(planned, out): (&PlannedScene, &PathBuf)| Results::of_radar(&planned.loaded.header, out);
+    planned.iter().zip(outs).map(of_radar).try_for_each(|results| results.keep_foreign())?;
+    in_common.iter().try_for_each(Results::keep_foreign)?;
+    in_common.map_or(Ok(()), |results| results.outdate())?;
     Ok(writing)
 }
 
@@ -207,14 +222,22 @@ fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
     Ok(radars.into_iter().map(run).collect())
 }
 
-/// Everything that is known through one radar; `None` where it is only told what would be done.
+/// Result of one radar.
+enum OfRadar {
+    /// Everything that is known through it.
+    Ran(Box<Told>),
+    /// What its frames would take, where only that is asked.
+    Expected(Total),
+}
+
+/// Runs the scene through one radar, or tells what that would take.
 fn one_radar(
     settings: &Settings,
     planned: &PlannedScene,
     cache: Option<&Cache>,
     model: Option<&LoadedModel>,
     out: &Path,
-) -> Result<Option<Told>, Failure> {
+) -> Result<OfRadar, Failure> {
     let loaded = &planned.loaded;
     let chain = Chain::of(&loaded.header, cache, model, settings.memory);
     let plans = chain.plans();
@@ -228,18 +251,20 @@ fn one_radar(
         plans.iter().flat_map(FramePlan::explained).for_each(|line| (settings.tell)(&line));
     }
     if settings.dry_run {
-        expectation::lines(&chain, cache, &plans)?.iter().for_each(|line| (settings.tell)(line));
-        return Ok(None);
+        let total = Total::of(&Expectation::of(&chain, cache, &plans)?, plans.len());
+        expectation::lines(&plans).iter().chain([&total.line()]).for_each(|line| (settings.tell)(line));
+        return Ok(OfRadar::Expected(total));
     }
     let (start, begin) = (Instant::now(), processor_time::of_process());
-    let (computed, figures) = compute(&chain, planned, &plans, settings, out)?;
+    let forget = |_: &Failure| Results::of_radar(&loaded.header, out).forget_if_none();
+    let (computed, figures) = compute(&chain, planned, &plans, settings, out).inspect_err(forget)?;
     let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
     let took = RunTook { seconds: start.elapsed().as_secs_f64(), processor };
     if let Some(cache) = cache {
         cache.trim();
     }
     let summary = conclude(planned, computed, took, &figures, settings, out)?;
-    Ok(Some(Told { summary, seen: figures.seen, out: out.to_owned() }))
+    Ok(OfRadar::Ran(Box::new(Told { summary, seen: figures.seen, out: out.to_owned() })))
 }
 
 /// Time that all frames took, to the last picture's end.
@@ -268,6 +293,7 @@ fn compute(
     let mut products = Products::create(chain, out, &planned.loaded.files)?;
     let mut tracking = Tracking::of(chain)?;
     let (mut frames, mut cycle) = (Vec::new(), Vec::new());
+    let mut earlier = Some(Results::of_radar(chain.header, out));
     let frame_of = |plan: &FramePlan| {
         progress::note(format!("frame {} of {}", plan.index + 1, plans.len()));
         chain.frame(plan)
@@ -282,7 +308,10 @@ fn compute(
             let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
             let (plan, told) = (planned.plan.as_ref(), (&frame.result, &truth));
             frames.push(FrameSummary::of_planned(&frame.view, plan, told, told_of_tracks));
-            progress::during("artifacts and pictures", || products.write(chain, frame, &truth, &tracks))
+            progress::during("artifacts and pictures", || {
+                earlier.take().map_or(Ok(()), |earlier| earlier.outdate())?;
+                products.write(chain, frame, &truth, &tracks)
+            })
         })
     };
     let stages = [FrameStage::Scattering, FrameStage::Echo, FrameStage::Detection];
@@ -317,6 +346,7 @@ fn conclude(
     };
     files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
     report::write(&summary, figures, &settings.making, out)?;
+    Results::of_radar(&planned.loaded.header, out).are_whole()?;
     let frames = planned.loaded.header.frames;
     leftovers::remark(out, &figures.artifacts, |_, number| number < frames);
     console_lines::lines(&summary).iter().for_each(|line| (settings.tell)(line));

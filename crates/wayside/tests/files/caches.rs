@@ -238,6 +238,10 @@ fn a_folder_that_results_go_into_is_no_cache_whichever_command_writes_them() {
         ("run small.toml --out x", "./x"),
         ("run small.toml --out there/x", "link/x"),
         ("run small.toml", "out/small"),
+        // Clearing the cache took this run's summary for a file of its own.
+        ("run small.toml --out x/dsp/last", "x"),
+        ("run small.toml --out there/x/deep/er", "link/x"),
+        ("sweep study.toml --out x/of/mine", "x"),
     ] {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_wayside"));
         command.args(words.split(' ')).args(["--cache", cache]).current_dir(place.root());

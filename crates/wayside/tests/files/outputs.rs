@@ -104,6 +104,10 @@ fn a_result_is_not_written_under_the_ending_of_another_format() {
         ("export f.cube --to dca1000", "x.cube", "export writes .bin with --to dca1000"),
         (&format!("rcs corner.obj {RCS}"), "x.csv", "rcs writes an array of NumPy (.npy)"),
         ("vehicles", "x.glb", "vehicles writes a folder"),
+        // Before a model or a dataset is looked for.
+        ("evaluate none.model none", "kept.toml", "evaluate writes a page of text"),
+        ("protocols none", "kept.toml", "protocols writes a page of text"),
+        ("evaluate none.model none", "x.model", "`wayside train`"),
     ] {
         refused(&place.try_run(&format!("{words} --out {out}")), told, words);
         assert!(out == "kept.toml" || !place.path(out).exists(), "{words}");
@@ -386,6 +390,135 @@ fn a_table_is_never_described_by_that_of_an_earlier_one() {
     assert!(!place.path("s.json").exists(), "a table of 10° is described as one of 0°");
     place.run(&rcs("10"));
     assert!(String::from_utf8(place.bytes("s.json")).unwrap().contains("10.0"));
+}
+
+#[test]
+fn a_scene_that_was_edited_since_it_was_made_is_not_made_anew() {
+    let place = Workplace::new();
+    std::fs::write(place.path("b.cfg"), BOARD).unwrap();
+    let words = "scene-from b.cfg --device xwr1443 --out b.toml";
+    place.run(words);
+    place.run(words);
+    let edited = String::from_utf8(place.bytes("b.toml")).unwrap() + "# my remark\n";
+    std::fs::write(place.path("b.toml"), &edited).unwrap();
+    let output = place.try_run(words);
+    refused(&output, "b.toml: is not what scene-from would write, and would be replaced", words);
+    refused(&output, "choose another --out", words);
+    assert_eq!(place.bytes("b.toml"), edited.as_bytes());
+    place.run("scene-from b.cfg --device xwr1443 --out other.toml");
+}
+
+/// Models of one's own beside those that are asked for.
+#[test]
+fn a_model_of_another_program_is_not_replaced_by_a_vehicle() {
+    let place = Workplace::new();
+    place.run("vehicles --quiet --out v");
+    let own = String::from_utf8_lossy(&place.bytes("v/car-suv.glb")).replacen("wayside", "blender", 1);
+    std::fs::write(place.path("v/car-suv.glb"), &own).unwrap();
+    let [before, manifest] = ["v/car-hatchback.glb", "v/manifest.json"].map(|name| place.bytes(name));
+    let words = "vehicles --seed 2 --quiet --out v";
+    refused(&place.try_run(words), "car-suv.glb: was not written by this program", words);
+    assert_eq!([place.bytes("v/car-hatchback.glb"), place.bytes("v/manifest.json")], [before, manifest]);
+    assert_eq!(place.bytes("v/car-suv.glb"), own.as_bytes());
+}
+
+#[test]
+fn a_run_replaces_results_of_runs_and_nothing_of_these_names_that_is_the_users() {
+    let place = Workplace::new();
+    let run = "run small.toml --no-cache --quiet --out a";
+    std::fs::create_dir_all(place.path("a/pictures")).unwrap();
+    for (name, text) in [
+        ("report.html", "<!DOCTYPE html><html><head><title>My thesis</title></head></html>"),
+        ("summary.json", "{\"frames\": 3, \"mine\": true}"),
+        ("pictures/scene-0000.png", "a photo of mine"),
+        ("pictures/rdm-0001.exr", "a map of mine"),
+    ] {
+        let place_of = place.path("a").join(name);
+        std::fs::write(&place_of, text).unwrap();
+        refused(&place.try_run(run), &format!("{name}: was not written by this program"), name);
+        assert_eq!(place.bytes(&format!("a/{name}")), text.as_bytes());
+        std::fs::remove_file(place_of).unwrap();
+    }
+    place.run(run);
+    assert!(!place.path("a/.wayside-unfinished.txt").exists());
+    // A report of an earlier version has a title alone.
+    let page = String::from_utf8(place.bytes("a/report.html")).unwrap();
+    let mark = "<meta name=\"generator\" content=\"wayside\">";
+    assert!(page.contains(mark));
+    std::fs::write(place.path("a/report.html"), page.replace(mark, "")).unwrap();
+    place.run(run);
+    for name in ["report.html", "summary.json"] {
+        std::fs::remove_file(place.path("a").join(name)).unwrap();
+    }
+    place.run(run); // of a run that was ended before these
+}
+
+#[test]
+fn a_study_replaces_results_of_studies_alone() {
+    let place = Workplace::new();
+    let study = "scene = \"small.toml\"\nrepeats = 1\n[[vary]]\nname = \"chirps\"\n\
+                 key = \"radar.waveform.chirps\"\nvalues = [16, 32]\n[goal]\nmetric = \"coverage\"\n";
+    std::fs::write(place.path("study.toml"), study).unwrap();
+    let words = "sweep study.toml --no-cache --quiet --out u";
+    std::fs::create_dir(place.path("u")).unwrap();
+    for (name, text) in
+        [("report.md", "# My thesis\n"), ("sweep.csv", "frequency,level\n1,2\n"), ("pareto.svg", "<svg/>")]
+    {
+        std::fs::write(place.path("u").join(name), text).unwrap();
+        refused(&place.try_run(words), &format!("{name}: was not written by this program"), name);
+        assert_eq!(place.bytes(&format!("u/{name}")), text.as_bytes());
+        std::fs::remove_file(place.path("u").join(name)).unwrap();
+    }
+    place.run(words);
+    place.run(words);
+}
+
+/// A folder that another process has locked, as a run of it does.
+#[test]
+fn a_folder_that_another_run_fills_is_refused() {
+    let place = Workplace::new();
+    place.run("run small.toml --out a --no-cache --quiet");
+    place.run("vehicles --quiet --out v");
+    for (folder, words) in
+        [("a", "run small.toml --out a --no-cache --quiet"), ("v", "vehicles --quiet --out v")]
+    {
+        let lock = std::fs::File::open(place.path(folder)).unwrap();
+        lock.lock().unwrap();
+        refused(&place.try_run(words), &format!("{folder}: is being written by another run"), words);
+        drop(lock);
+        place.run(words);
+    }
+}
+
+/// Files of more than so many blocks end the program: pictures of a run, models of vehicles.
+#[test]
+fn a_command_that_is_killed_leaves_none_of_its_results_beside_those_of_an_earlier_one() {
+    let place = Workplace::new();
+    place.run("run small.toml --out a --no-cache --quiet");
+    std::fs::copy(place.path("a/frames.cube"), place.path("frames.cube")).unwrap();
+    place.run("dsp frames.cube --quiet --out d");
+    place.run("vehicles --quiet --out v");
+    let largest = |folder: &str| {
+        let sizes = std::fs::read_dir(place.path(folder)).unwrap().map(|e| e.unwrap().metadata().unwrap());
+        sizes.filter(std::fs::Metadata::is_file).map(|about| about.len()).max().unwrap()
+    };
+    for (words, largest, gone, left) in [
+        (
+            "run small.toml --seed 9 --out a --no-cache --quiet",
+            place.bytes("a/frames.cube").len() as u64,
+            &["summary.json", "report.html", "frames.cube", "frames.points", "pictures/scene-0001.png"][..],
+            "a",
+        ),
+        ("vehicles --seed 9 --quiet --out v", largest("v"), &["manifest.json"], "v"),
+        ("dsp frames.cube --quiet --out d", largest("d"), &["frames.rdm", "frames.points"], "d"),
+    ] {
+        let kib = largest / 1024 - 1;
+        let script = format!("ulimit -c 0; ulimit -f {kib}; exec {} {words}", crate::common::PROGRAM);
+        let mut bash = std::process::Command::new("bash");
+        let killed = bash.args(["-c", &script]).current_dir(place.root()).output().unwrap();
+        assert!(!killed.status.success(), "{words}");
+        gone.iter().for_each(|name| assert!(!place.path(left).join(name).exists(), "{words}: {name}"));
+    }
 }
 
 #[test]

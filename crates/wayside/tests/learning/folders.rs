@@ -120,9 +120,7 @@ fn no_page_replaces_a_file_of_a_dataset_or_of_a_model() {
     std::fs::write(place.path("a/shard-0000.jsonl"), "{\"scene\":0,\"frames\":[]}\n").unwrap();
     for (words, input) in [
         ("evaluate m a --out a/manifest.jsonl", "a/manifest.jsonl"),
-        ("evaluate m a --out a/shard-0003.dataset", "a/shard-0003.dataset"),
-        ("evaluate m a --out m/metrics.json", "m/metrics.json"),
-        ("evaluate m/weights.model a --out m/metrics.json", "m/metrics.json"),
+        ("evaluate m/weights.model a --out a/manifest.jsonl", "a/manifest.jsonl"),
         ("protocols a --seeds 1 --out a/shard-0000.jsonl", "a/shard-0000.jsonl"),
         ("protocols a --seeds 1 --out a/scenes.jsonl", "a/scenes.jsonl"),
     ] {
@@ -130,4 +128,34 @@ fn no_page_replaces_a_file_of_a_dataset_or_of_a_model() {
         refused(&place.try_run(words), "is an input of this command", words);
         assert_eq!(place.bytes(input), before, "{words}");
     }
+    for (words, of_another) in [
+        ("evaluate m a --out a/shard-0003.dataset", "a/shard-0003.dataset"),
+        ("evaluate m a --out m/metrics.json", "m/metrics.json"),
+        ("protocols a --seeds 1 --out recipe.toml", "recipe.toml"),
+    ] {
+        std::fs::write(place.path("recipe.toml"), "mine").unwrap();
+        let before = place.bytes(of_another);
+        refused(&place.try_run(words), "writes a page of text (.md, .txt)", words);
+        assert_eq!(place.bytes(of_another), before, "{words}");
+    }
+}
+
+/// What `classify` tells is what `evaluate` counts.
+#[test]
+fn answers_that_the_model_does_not_tell_are_counted_as_unknown() {
+    let place = prepared();
+    let told = place.run("classify m a");
+    let unknown = told.lines().filter(|line| line.contains("\"unknown\"")).count();
+    let answers = told.lines().count();
+    let page = place.run("evaluate m a");
+    let row = page.lines().find(|line| line.starts_with("| by frame ")).unwrap();
+    let cell = row.split('|').rev().nth(1).unwrap();
+    let share = cell.split('/').next_back().unwrap().trim().parse::<f64>().unwrap();
+    assert!((share - 100.0 * unknown as f64 / answers as f64).abs() <= 0.5, "{unknown} of {answers}: {page}");
+    let table = page.split("By frame, rows true, columns told").nth(1).unwrap();
+    assert!(table.lines().nth(2).unwrap().ends_with("| unknown |"), "{page}");
+    let rows = table.lines().skip(4).take(4);
+    let counted: usize =
+        rows.map(|row| row.split('|').rev().nth(1).unwrap().trim().parse::<usize>().unwrap()).sum();
+    assert_eq!(counted, unknown, "{page}");
 }

@@ -187,6 +187,20 @@ fn a_radar_named_like_a_file_that_stands_above_it_is_refused_before_any_work() {
 }
 
 #[test]
+fn a_dry_run_of_several_radars_ends_with_what_all_of_them_take() {
+    let folder = folder_with(&crossing());
+    let output = wayside(folder.path(), &["run", "scene.toml", "--no-cache", "--dry-run"]);
+    let told = String::from_utf8(output.stdout).unwrap();
+    let totals: Vec<&str> = told.lines().filter(|line| line.contains(" frames: ")).collect();
+    let [first, second, all] = totals[..] else { panic!("{told}") };
+    assert!(told.trim_end().ends_with(all) && told.contains("all radars\n"), "{told}");
+    let frames = |line: &str| line.split(' ').next().unwrap().parse::<u32>().unwrap();
+    assert_eq!(frames(all), frames(first) + frames(second));
+    let seconds = |line: &str| line.split(' ').nth(2).unwrap().parse::<f64>().unwrap();
+    assert!(seconds(all) > seconds(first).max(seconds(second)), "{told}");
+}
+
+#[test]
 fn the_report_of_all_radars_says_what_accuracy_each_reached_and_what_made_its_false_objects() {
     // Some of ten thousand cells are alarms of the noise alone.
     let alarms = crossing().replace("[noise]", "[dsp]\nfalse_alarm_rate = 1e-3\n[noise]");

@@ -345,3 +345,47 @@ fn an_array_that_tells_no_azimuth_finds_by_range_and_velocity_and_says_so() {
         assert!(summary.frames[0].false_objects.is_empty(), "{array}");
     }
 }
+
+/// A strong reflector alone at 30 m, before a radar of which more is told.
+fn of_a_point(more: &str) -> String {
+    let point = "kind = \"point\"\nid = \"post\"\nrcs_m2 = 1000.0\nposition_m = [2.0, 30.0, 1.0]\n";
+    format!("{}[[target]]\n{point}{more}", head("1x4", ""))
+}
+
+#[test]
+fn objects_that_another_radar_or_the_converter_makes_are_not_told_as_noise() {
+    let place = Workplace::new();
+    let same_slope = "[[radar.interferer]]\nposition_m = [0.0, 80.0, 6.0]\neirp_dbm = 30.0\n";
+    let clipped = "[radar.receiver]\nadc_bits = 8\nfull_scale_dbm = -90.0\n";
+    for (more, cause, told) in [
+        (same_slope, "interference", ": interference by another radar"),
+        (clipped, "receiver", ": the receiver: its converter or its phase noise"),
+    ] {
+        write(&place, "disturbed.toml", &of_a_point(more));
+        let lines = place.run("run disturbed.toml --out out --no-cache --quiet");
+        let summary = place.summary("out/summary.json");
+        let false_ones = items(&summary["frames"][0]["false_objects"]);
+        let strong = || false_ones.iter().filter(|object| object["snr_db"].as_f64() > Some(15.0));
+        assert!(strong().any(|object| object["cause"] == cause), "{lines}");
+        assert!(strong().all(|object| object["cause"] != "noise"), "{lines}");
+        assert!(lines.contains(told), "{lines}");
+        let page = String::from_utf8(place.bytes("out/report.html")).unwrap();
+        assert!(page.contains(&told[2..]), "{more}");
+    }
+}
+
+#[test]
+fn bodies_of_one_bounce_say_that_higher_orders_are_not_estimated() {
+    let place = Workplace::new();
+    for (bounces, is_said) in [(1, true), (2, false)] {
+        write(&place, "small.toml", &format!("{SMALL_SCENE}[fidelity]\nbounces = {bounces}\n"));
+        let told = place.run("run small.toml --out out --no-cache --quiet");
+        let frame = &place.summary("out/summary.json")["frames"][0];
+        assert_eq!(frame["bounces"], bounces);
+        assert_eq!(frame["model_error_db"]["bounces"].is_null(), is_said);
+        let page = String::from_utf8(place.bytes("out/report.html")).unwrap();
+        for text in [&told, &page] {
+            assert_eq!(text.contains("not estimated (one order alone)"), is_said, "{told}");
+        }
+    }
+}

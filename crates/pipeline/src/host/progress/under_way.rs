@@ -78,8 +78,6 @@ struct Part {
     /// Times that the parts began anew, coarse and finer: nobody knows how many there will be.
     round: i32,
     began: Instant,
-    /// Time at which these steps began; steps of another number are counted anew.
-    counted_from: Instant,
     done: usize,
     of: usize,
 }
@@ -187,9 +185,8 @@ impl Item {
         let mut part = self.part.lock().unwrap_or_else(PoisonError::into_inner);
         let same = part.filter(|part| part.name == name);
         let began = same.map_or(now, |part| part.began);
-        let counted_from = same.filter(|part| part.of == of).map_or(now, |part| part.counted_from);
         let round = part.map_or(0, |part| part.round + i32::from(place[0] < part.place[0]));
-        *part = Some(Part { name, place, round, began, counted_from, done, of });
+        *part = Some(Part { name, place, round, began, done, of });
     }
 
     fn part(&self) -> Option<Part> {
@@ -237,10 +234,10 @@ impl Item {
             None => _ = write!(text, ", for {} s", ran.as_secs()),
         }
         if let Some(part) = self.part() {
-            let ran = now.saturating_duration_since(part.counted_from);
             _ = write!(text, ", {}", part.name);
             if part.of > 0 {
-                add_counts(&mut text, [part.done.min(part.of), part.of, 0], ran);
+                // Parts begin anew, and others follow: how long this one will take says nothing of the work.
+                _ = write!(text, ": {} of {}", part.done.min(part.of), part.of);
             }
         }
         text
@@ -321,7 +318,7 @@ mod tests {
         });
         let at: Vec<f64> = lines.iter().map(|(at, _)| *at).collect();
         assert_eq!(at, [1.5, 4.5, 7.5], "{lines:?}");
-        assert_eq!(lines[1].1, "rcs, for 4 s, tracing: 15 of 60, about 4 s left");
+        assert_eq!(lines[1].1, "rcs, for 4 s, tracing: 15 of 60");
     }
 
     #[test]

@@ -50,6 +50,9 @@ pub struct FrameSummary {
     pub error_measured_in: Option<u32>,
     /// Error by what the physical model leaves out.
     pub model_error_db: ModelErrorFigures,
+    /// Bounces that ways over bodies have at most; 0 of a scene without meshes, in which nothing bounces.
+    #[serde(default)]
+    pub bounces: u8,
     /// Memory that the frame was expected to hold at most, MiB.
     pub memory_estimate_mib: f64,
     /// Largest memory of the process until the frame's end, MiB; `None` where the system does not tell.
@@ -136,6 +139,7 @@ impl FrameSummary {
             error_db: ErrorFigures::of(&result.error),
             error_measured_in,
             model_error_db: ModelErrorFigures::of(&result.model_error),
+            bounces: if header.meshes.is_empty() { 0 } else { header.fidelity.bounces },
             memory_estimate_mib: result.memory_estimate_mib,
             peak_memory_mib: peak_mib(),
             targets,

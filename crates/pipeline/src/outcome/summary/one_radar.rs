@@ -9,7 +9,9 @@ use crate::planning::plan_figures::PlanFigures;
 use artifact::scene::SceneHeader;
 use artifact::settings::StaticEchoes;
 use evaluation::Metrics;
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// A hundred thousand frames of ten targets.
@@ -75,6 +77,14 @@ impl Summary {
     pub fn json(&self) -> Result<String, Failure> {
         text(self)
     }
+}
+
+/// Whether a text is a `summary.json`, of one radar or several, by its outermost keys; an empty one holds
+/// nothing of anybody's.
+pub fn is_summary(text: &[u8]) -> bool {
+    let keys: BTreeMap<String, IgnoredAny> = serde_json::from_slice(text).unwrap_or_default();
+    let has = |key: &str| keys.contains_key(key);
+    text.is_empty() || has("scene") && has("frames") && (has("radar") || has("radars"))
 }
 
 /// Text of a summary by way of a `Value`, which has its keys in alphabetical order, as the file has them:

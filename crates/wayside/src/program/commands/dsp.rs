@@ -12,6 +12,7 @@ use dsp::{ROAD_TRAFFIC, Receiver, Tracker, has_noise};
 use pipeline::chain::loading;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
+use pipeline::host::files;
 use pipeline::host::progress;
 use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use radar::lattice::tells_azimuth;
@@ -38,6 +39,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
         header: &header,
         receiver: &receiver,
         pictures: arguments.pictures.then(|| arguments.out.join("pictures")),
+        earlier: ["rdm", "points", "tracks"].map(place).to_vec(),
         maps: Writer::create(&place("rdm"), &from, &header)?,
         clouds: Writer::create(&place("points"), &from, &cloud_header)?,
         followed: Writer::create(&place("tracks"), &from, &followed_header)?,
@@ -67,6 +69,8 @@ struct DspProducts<'a> {
     header: &'a CubeHeader,
     receiver: &'a Receiver,
     pictures: Option<PathBuf>,
+    /// Places of what the first cycle replaces.
+    earlier: Vec<PathBuf>,
     maps: Writer<Rdm>,
     clouds: Writer<Points>,
     followed: Writer<Tracks>,
@@ -76,6 +80,7 @@ struct DspProducts<'a> {
 impl DspProducts<'_> {
     /// Writes the records of a cycle, whose points tell each other's velocities.
     fn write(&mut self, cycle: Vec<(RdmFrame, PointsFrame)>) -> Result<(), Failure> {
+        files::outdate(std::mem::take(&mut self.earlier))?;
         let (rdms, points): (Vec<_>, Vec<_>) = cycle.into_iter().unzip();
         for (rdm, points) in rdms.iter().zip(self.receiver.resolved(points)) {
             let tracks = self.tracker.step(&points).map_err(Failure::refused)?;

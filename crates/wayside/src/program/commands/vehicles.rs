@@ -4,12 +4,15 @@ use crate::program::cli::VehiclesArguments;
 use crate::program::terminal;
 use artifact::scene::Mesh;
 use pipeline::host::failure::Failure;
-use pipeline::host::files;
+use pipeline::host::files::{self, Writing};
 use pipeline::host::progress::Work;
 use serde_json::{Value, json};
 
 /// A manifest of some hundred thousand vehicles.
 const LIMIT_BYTES: u64 = 256 << 20;
+
+/// More than any vehicle of this program has.
+const MODEL_LIMIT_BYTES: u64 = 64 << 20;
 
 /// Keys of a manifest's entry by which one of this program is known.
 const KEYS: [&str; 4] = ["name", "file", "seed", "triangles"];
@@ -24,9 +27,12 @@ struct Planned {
 pub(crate) fn run(arguments: &VehiclesArguments) -> Result<(), Failure> {
     let planned = planned(arguments);
     let manifest_place = arguments.out.join("manifest.json");
-    let places = planned.iter().map(|vehicle| arguments.out.join(&vehicle.file));
-    files::claim(&places.chain([manifest_place.clone()]).collect::<Vec<_>>())?;
+    let models: Vec<_> = planned.iter().map(|vehicle| arguments.out.join(&vehicle.file)).collect();
+    let _writing = Writing::into_folder(&arguments.out)?;
+    files::claim(&[&models[..], std::slice::from_ref(&manifest_place)].concat())?;
     files::keep_foreign(&manifest_place, LIMIT_BYTES, is_manifest)?;
+    models.iter().try_for_each(|place| files::keep_foreign(place, MODEL_LIMIT_BYTES, is_own_model))?;
+    files::outdate([manifest_place.clone()].into_iter().chain(models))?;
     let work = Work::begin("vehicles");
     let mut manifest = Vec::new();
     for vehicle in &planned {
@@ -64,6 +70,13 @@ fn seed_of(asked: u64, number: u64) -> u64 {
 fn is_manifest(text: &[u8]) -> bool {
     let entries: Vec<Value> = serde_json::from_slice(text).unwrap_or_default();
     !entries.is_empty() && entries.iter().all(|entry| KEYS.iter().all(|key| entry.get(key).is_some()))
+}
+
+/// Whether a `.glb` is one of this program, by the generator that its first chunk tells.
+fn is_own_model(bytes: &[u8]) -> bool {
+    let length = bytes.get(12..16).and_then(|length| length.try_into().ok()).map(u32::from_le_bytes);
+    let chunk = length.and_then(|length| bytes.get(20..)?.get(..length as usize)).unwrap_or_default();
+    serde_json::from_slice(chunk).is_ok_and(|document: Value| document["asset"]["generator"] == "wayside")
 }
 
 fn entry(vehicle: &Planned, mesh: &Mesh) -> Value {

@@ -1,0 +1,98 @@
+//! A folder of results that one command fills at a time.
+
+use super::taken::{one_name, taken};
+use crate::host::failure::Failure;
+use std::fs::{File, TryLockError};
+use std::path::{Path, PathBuf};
+
+/// A command that writes into a folder: it writes no file twice, and no other one writes there meanwhile.
+/// When it ends, a later one may write the same files again.
+///
+/// The folder itself is locked: the lock ends with its process, whatever ends that, and leaves nothing
+/// behind. Some systems open no folder and some file systems lock none: there the commands of this process
+/// alone know of each other.
+pub struct Writing {
+    folder: PathBuf,
+    lock: Option<File>,
+}
+
+impl Writing {
+    /// Begins to write into a folder, which is made where it is missing.
+    ///
+    /// # Errors
+    /// Another command is writing there, of this process or another one.
+    pub fn into_folder(folder: &Path) -> Result<Self, Failure> {
+        let writing = Self::of_process(folder)?;
+        match writing.lock.as_ref().map(File::try_lock) {
+            Some(Err(TryLockError::WouldBlock)) => Err(refused(&writing.folder)),
+            _ => Ok(writing),
+        }
+    }
+
+    /// Begins to write into a folder as [`Writing::into_folder`] does, but waits for other processes that
+    /// write there: parts of one study, of which each may be the last.
+    pub fn in_turn_into(folder: &Path) -> Result<Self, Failure> {
+        let writing = Self::of_process(folder)?;
+        if let Some(lock) = &writing.lock {
+            let _ = lock.lock(); // where none is known, none is waited for
+        }
+        Ok(writing)
+    }
+
+    /// The folder, which no other command of this process has, open to be locked where the system opens it.
+    fn of_process(folder: &Path) -> Result<Self, Failure> {
+        let folder = std::path::absolute(folder).map_err(|e| Failure::system(folder, "write", e))?;
+        std::fs::create_dir_all(&folder).map_err(|e| Failure::system(&folder, "make the folder", e))?;
+        if !taken().folders.insert(one_name(&folder)) {
+            return Err(refused(&folder));
+        }
+        let lock = File::open(&folder).ok();
+        Ok(Self { folder, lock })
+    }
+}
+
+fn refused(folder: &Path) -> Failure {
+    let rule = "is being written by another run of this program";
+    Failure::System(format!("{}: {rule}", folder.display()))
+}
+
+impl Drop for Writing {
+    fn drop(&mut self) {
+        let mut taken = taken();
+        // What was not there at the beginning has its whole name now.
+        for name in [one_name(&self.folder), self.folder.clone()] {
+            taken.folders.remove(&name);
+            taken.files.retain(|file| !file.starts_with(&name));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_that_a_run_writes_into_is_refused_to_another_run_until_it_ends() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        let first = Writing::into_folder(&out).unwrap();
+        let refused = Writing::into_folder(&folder.path().join("out/../out")).err().unwrap().to_string();
+        assert!(refused.contains("out: is being written by another run of this program"), "{refused}");
+        drop(Writing::into_folder(folder.path()).unwrap());
+        drop(first);
+        drop(Writing::into_folder(&out).unwrap());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_folder_that_another_process_writes_into_is_refused_until_that_one_ends() {
+        let folder = tempfile::tempdir().unwrap();
+        // Another open file of the folder stands for another process: locks are of open files.
+        let other = File::open(folder.path()).unwrap();
+        other.lock().unwrap();
+        assert!(Writing::into_folder(folder.path()).is_err());
+        drop(other);
+        drop(Writing::in_turn_into(folder.path()).unwrap());
+        drop(Writing::into_folder(folder.path()).unwrap());
+    }
+}

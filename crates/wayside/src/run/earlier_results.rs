@@ -1,0 +1,114 @@
+//! Results of an earlier run that a run replaces: told from the user's own files before the work, and removed
+//! before the first new one is written, so that a run that is ended leaves nothing but its own.
+
+use crate::run::leftovers::{frame_of, names_of_pictures};
+use crate::run::products;
+use artifact::scene::SceneHeader;
+use pipeline::host::failure::Failure;
+use pipeline::host::files;
+use pipeline::outcome::summary;
+use reporting::report::{self, FRAMES_DRAWN};
+use std::path::{Path, PathBuf};
+
+/// A summary or a report of a hundred thousand frames.
+const LIMIT_BYTES: u64 = 1 << 30;
+
+/// File that lies in the folder from the first result to the last: what lies beside it is a run's own.
+const UNFINISHED: &str = ".wayside-unfinished.txt";
+const SAID: &str =
+    "A run writes into this folder, or was ended before its last result: not all of it is here.\n";
+
+/// Folder of results, and the names that a run gives there.
+pub(crate) struct Results {
+    out: PathBuf,
+    artifacts: Vec<&'static str>,
+    /// Kinds of its pictures; `None`: all that there are.
+    only: Option<&'static str>,
+    frames: u32,
+}
+
+impl Results {
+    /// Results through one radar.
+    pub(crate) fn of_radar(header: &SceneHeader, out: &Path) -> Self {
+        let artifacts = products::artifacts(header).to_vec();
+        Self { out: out.to_owned(), artifacts, only: None, frames: header.frames }
+    }
+
+    /// Results that radars of so many frames have in common.
+    pub(crate) fn in_common(out: &Path, frames: u32) -> Self {
+        let frames = frames.min(FRAMES_DRAWN as u32);
+        Self { out: out.to_owned(), artifacts: vec![], only: Some("scene"), frames }
+    }
+
+    /// Refuses to replace what no run has left here: a summary or a report of another origin, and pictures
+    /// beside which nothing of a run lies.
+    pub(crate) fn keep_foreign(&self) -> Result<(), Failure> {
+        let place = |name: &str| self.out.join(name);
+        files::keep_foreign(&place(TOLD[0]), LIMIT_BYTES, summary::is_summary)?;
+        files::keep_foreign(&place(TOLD[1]), LIMIT_BYTES, report::is_report)?;
+        let of_runs = self.artifacts.iter().chain(&TOLD).chain([&UNFINISHED]);
+        if of_runs.into_iter().any(|name| place(name).is_file()) {
+            return Ok(());
+        }
+        self.pictures().iter().try_for_each(|picture| files::keep_foreign(picture, 0, |_| false))
+    }
+
+    /// Removes what will be written anew: first what tells of all the rest.
+    pub(crate) fn outdate(&self) -> Result<(), Failure> {
+        files::write_again(&self.out.join(UNFINISHED), SAID.as_bytes())?;
+        let names = TOLD.iter().chain(&self.artifacts).map(|name| self.out.join(name));
+        files::outdate(names.chain(self.pictures()))
+    }
+
+    /// Tells that all results are there.
+    pub(crate) fn are_whole(&self) -> Result<(), Failure> {
+        let mark = self.out.join(UNFINISHED);
+        std::fs::remove_file(&mark).map_err(|e| Failure::system(&mark, "remove", e))
+    }
+
+    /// Takes the mark of a run that has failed away, where none of its pictures is there to be known by it.
+    pub(crate) fn forget_if_none(&self) {
+        if self.pictures().is_empty() {
+            let _ = std::fs::remove_file(self.out.join(UNFINISHED)); // it harms nobody
+        }
+    }
+
+    /// Pictures here that have the names of this run's.
+    fn pictures(&self) -> Vec<PathBuf> {
+        let is_own = |name: &String| {
+            frame_of(name).is_some_and(|(kind, number)| {
+                number < self.frames && self.only.is_none_or(|only| only == kind)
+            })
+        };
+        names_of_pictures(&self.out).filter(is_own).map(|name| self.out.join("pictures").join(name)).collect()
+    }
+}
+
+/// Names of what tells of a run.
+const TOLD: [&str; 2] = ["summary.json", "report.html"];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_are_a_runs_own_beside_its_mark_and_the_users_without_it() {
+        let out = tempfile::tempdir().unwrap();
+        let picture = out.path().join("pictures/scene-0000.png");
+        std::fs::create_dir(out.path().join("pictures")).unwrap();
+        std::fs::write(&picture, "mine").unwrap();
+        let results = Results::in_common(out.path(), 2);
+        assert!(results.keep_foreign().unwrap_err().to_string().contains("scene-0000.png: was not written"));
+        assert!(Results::in_common(out.path(), 0).keep_foreign().is_ok(), "none of its names");
+        results.outdate().unwrap();
+        assert!(!picture.exists());
+        std::fs::write(&picture, "of a run that was ended").unwrap();
+        results.keep_foreign().unwrap();
+        results.forget_if_none();
+        results.are_whole().unwrap();
+        assert!(results.keep_foreign().is_err());
+        results.outdate().unwrap();
+        results.forget_if_none();
+        assert!(results.are_whole().is_err(), "a run that failed before its first picture leaves no mark");
+    }
+}
