@@ -94,21 +94,22 @@ fn peak_of(mut command: Command) -> (Output, f64) {
 }
 
 /// A bus before 192 channels, in ever smaller cells: what was held of other sizes, and the program, were not
-/// counted, 306 MiB under this limit.
+/// counted, 306 MiB under a limit of 250. At −20 dB, as it was then, it holds 208 MiB now that its large sides
+/// are terms of their corners (1014 before).
 #[test]
 fn no_more_is_held_than_the_memory_limit_before_a_wide_array() {
     let place = Workplace::new();
     let scene = "name = \"wide\"\n[radar.waveform]\nchirps = 32\nsamples = 256\n[radar.array]\npreset = \"12x16\"\n\
-                 [noise]\nnoise_figure_db = 12.0\n[fidelity]\naccuracy_db = -20\nbounces = 1\n\
+                 [noise]\nnoise_figure_db = 12.0\n[fidelity]\naccuracy_db = -45\nbounces = 1\n\
                  [[target]]\nkind = \"mesh\"\nid = \"m\"\nmodel = \"bus-city\"\nposition_m = [0.0, 30.0, 0.0]\n\
                  yaw_deg = -90.0\n";
     std::fs::write(place.path("wide.toml"), scene).unwrap();
-    let command = place.command("paths wide.toml --out a.paths --quiet --threads 1 --memory-limit 250");
+    let command = place.command("paths wide.toml --out a.paths --quiet --threads 1 --memory-limit 200");
     let (output, held_mib) = peak_of(command);
     let said = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("cells and paths of a frame take"), "{said}");
-    assert!(held_mib < 250.0, "{held_mib} MiB held");
+    assert!(held_mib < 200.0, "{held_mib} MiB held");
 }
 
 /// A car of glass and plastic that waves are followed through: 121 MiB were told of 380 that were held.
@@ -131,8 +132,9 @@ fn memory_is_not_told_too_low_where_waves_are_followed_through_sheets() {
     assert!(held_mib < 2.0 * expected_mib, "{held_mib} MiB held, about {expected_mib} told");
 }
 
-/// A motorcycle 5 m in front of the mast, whose frame is blended from nine moments of 98,000 paths each: they
-/// were counted once where three copies were held, 1 GB under a limit of 400 MiB.
+/// A motorcycle 5 m in front of the mast, whose frame was blended from nine moments of 98,000 paths each: they
+/// were counted once where three copies were held, 1 GB under a limit of 400 MiB. It holds 846 MiB now (1317
+/// before large polygons were terms of their corners).
 #[test]
 fn moments_of_a_frame_count_against_the_memory_limit() {
     let place = Workplace::new();
@@ -141,7 +143,7 @@ fn moments_of_a_frame_count_against_the_memory_limit() {
                  [[target]]\nkind = \"mesh\"\nid = \"m\"\nmodel = \"motorcycle-scooter\"\n\
                  position_m = [1.0, 5.0, 0.0]\nvelocity_mps = [0.0, -11.0, 0.0]\nyaw_deg = -90.0\n";
     std::fs::write(place.path("near.toml"), scene).unwrap();
-    let refused = place.try_run("paths near.toml --out a.paths --quiet --memory-limit 400");
+    let refused = place.try_run("paths near.toml --out a.paths --quiet --memory-limit 250");
     let said = String::from_utf8(refused.stderr).unwrap();
     assert_eq!(refused.status.code(), Some(1), "{said}");
     assert!(

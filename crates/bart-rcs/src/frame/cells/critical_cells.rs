@@ -7,13 +7,18 @@ use crate::joins::joint::Joint;
 use crate::joins::scatterer::{Integration, Part, Scatterer};
 use glam::{DVec2, DVec3};
 
-/// Cells that a polygon would be cut into from which on its corners and sides are looked at. Fewer are as
-/// good: on a car's panels of 12 cells and more, corners leave twice the error that cells do.
-const MANY_CELLS: f64 = 64.0;
+/// Cells that a flat side would be cut into from which on its corners and sides are looked at, and cells that
+/// a smaller polygon would. Fewer are as good: a facet of something round meets its neighbours at its
+/// corners, and what both leave there is small beside either; on a car's panels of 12 cells and more corners
+/// leave twice the error that cells do, on a motorcycle under the mast of 64 and more as much.
+const MANY_CELLS: [f64; 2] = [64.0, 256.0];
+/// Extent of a flat side.
+const FLAT_SIDE_M: f64 = 0.5;
 
 /// Whether a polygon would be cut into many cells.
 pub(crate) fn is_large(extent_m: DVec2, size_m: f64) -> bool {
-    (extent_m / size_m).ceil().max(DVec2::ONE).element_product() > MANY_CELLS
+    let many = MANY_CELLS[usize::from(extent_m.max_element() < FLAT_SIDE_M)];
+    (extent_m / size_m).ceil().max(DVec2::ONE).element_product() > many
 }
 
 /// A polygon in parts, each to be cut into cells, and terms of what is not among them.
