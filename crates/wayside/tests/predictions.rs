@@ -94,8 +94,8 @@ fn peak_of(mut command: Command) -> (Output, f64) {
 }
 
 /// A bus before 192 channels, in ever smaller cells: what was held of other sizes, and the program, were not
-/// counted, 306 MiB under a limit of 250. At −20 dB, as it was then, it holds 208 MiB now that its large sides
-/// are terms of their corners (1014 before).
+/// counted, 306 MiB under a limit of 250. At −20 dB, as it was then, it holds 208 MiB now that its large
+/// sides are terms of their corners (1014 before).
 #[test]
 fn no_more_is_held_than_the_memory_limit_before_a_wide_array() {
     let place = Workplace::new();
@@ -132,9 +132,9 @@ fn memory_is_not_told_too_low_where_waves_are_followed_through_sheets() {
     assert!(held_mib < 2.0 * expected_mib, "{held_mib} MiB held, about {expected_mib} told");
 }
 
-/// A motorcycle 5 m in front of the mast, whose frame was blended from nine moments of 98,000 paths each: they
-/// were counted once where three copies were held, 1 GB under a limit of 400 MiB. It holds 846 MiB now (1317
-/// before large polygons were terms of their corners).
+/// A motorcycle 5 m in front of the mast, whose frame was blended from nine moments of 98,000 paths each:
+/// they were counted once where three copies were held, 1 GB under a limit of 400 MiB. It holds 846 MiB now
+/// (1317 before large polygons were terms of their corners).
 #[test]
 fn moments_of_a_frame_count_against_the_memory_limit() {
     let place = Workplace::new();
