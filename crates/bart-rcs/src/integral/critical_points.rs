@@ -127,9 +127,20 @@ impl Field<'_> {
         let stationary_m = self.stationary_m(heights_m);
         let farthest_m = corners_m.iter().map(|c| c.distance(stationary_m)).fold(0.0, f64::max);
         match self.radius_m(stationary_m, variation.least_gradient(1.0), farthest_m) {
-            Some(radius_m) => cut_about(corners_m, stationary_m, radius_m),
+            Some(radius_m) => {
+                self.with_bounds(cut_about(corners_m, stationary_m, radius_m), wavenumber_per_m)
+            }
             None => all_near(),
         }
+    }
+
+    /// The same parts, those near that have no bounds of their own: the disc about a long strip may reach to
+    /// where that of the whole does not.
+    fn with_bounds(&self, Parted { mut near, far }: Parted, wavenumber_per_m: f64) -> Parted {
+        let has_bounds = |part: &Vec<DVec2>| Variation::over(self, part, wavenumber_per_m).is_some();
+        let (far, without): (Vec<_>, Vec<_>) = far.into_iter().partition(has_bounds);
+        near.extend(without);
+        Parted { near, far }
     }
 
     /// Distance from the stationary point, below `farthest_m`, from which on the gradient is no smaller than
