@@ -294,7 +294,6 @@ def chirps(**changes: Any) -> Transmitter:
         (lambda: sim_radar(fmcw_radar(), [TARGETS]), r"targets\[0\]: a dictionary"),
         (lambda: sim_radar(fmcw_radar(), [{"location": (9, 0, 0)}]), r"target\['rcs'\]: is needed"),
         (lambda: sim_radar(fmcw_radar(), [{**TARGETS[0], "rcs": None}]), r"target\['rcs'\]: is needed"),
-        (lambda: sim_radar(fmcw_radar(), [{**TARGETS[0], "rcs": "a"}]), r"target\['rcs'\]: must be a"),
         (lambda: sim_radar(fmcw_radar(), [{**TARGETS[0], "rcs": "a"}]), r"target\['rcs'\]: must be a number"),
         (lambda: sim_radar(fmcw_radar(), [{"rcs": 20}]), r"target\['location'\]: is needed"),
         (lambda: chirps(channels=[{"delay": 0}]), r"tx channel\['location'\]: is needed"),
