@@ -108,7 +108,7 @@ def main():
         truth = ["--scene", "run/scene.scene"]
         wayside(program, "export", f"run/frames.{kind}", *truth, "--to", to, "--out", to)
     checks = [ten_lines, raddet, carrada, uwcr, kitti, nuscenes, own_kit_of_nuscenes, points_as_table,
-              samples_as_table, batches, foreign_samples, foreign_clouds]
+              samples_as_table, batches, foreign_samples, foreign_tensors, foreign_clouds]
     for check in checks:
         print(f"{check.__name__}: {check(program)}", flush=True)
     print(f"test result: ok. {len(checks)} passed; 0 failed")
@@ -439,6 +439,32 @@ def foreign_samples(program):
         wayside(program, "export", f"{name}.cube", "--to", "npy", "--out", f"{name}.npy")
         same(cube, numpy.load(f"{name}.npy"), f"samples of {folder}", 0.0)
     return f"{len(cube)} frames of ours and packed doubles of SciPy's come back to the bit"
+
+
+def foreign_tensors(program):
+    """Samples by way of tensors that NumPy makes of them, of a row of eight."""
+    random = numpy.random.default_rng(5)
+    frames, channels, chirps, samples = 2, 8, 32, 64
+    cube = random.normal(size=(frames, channels, chirps, samples, 2)) @ [1.0, 1j]
+    scene = f"""name = "row"
+[radar.waveform]
+samples = {samples}
+chirps = {chirps}
+[radar.array]
+tx_half_wavelengths = [[0, 0]]
+rx_half_wavelengths = {[[i, 0] for i in range(channels)]}
+"""
+    Path("row.toml").write_text(scene)
+    Path("tensors").mkdir()
+    turns = numpy.exp(1j * math.pi * numpy.outer(2.0 * numpy.arange(256) / 256 - 1.0, numpy.arange(channels)))
+    for frame in range(frames):
+        maps = numpy.fft.fftshift(numpy.fft.fft2(cube[frame]), axes=1)
+        tensor = numpy.einsum("ac,cdr->rad", turns, maps)[::-1]
+        numpy.save(f"tensors/{frame:06}.npy", tensor.astype(numpy.complex64))
+    wayside(program, "import", "tensors", "--scene", "row.toml", "--out", "tensors.cube")
+    wayside(program, "export", "tensors.cube", "--to", "npy", "--out", "tensors.npy")
+    same(cube, numpy.load("tensors.npy"), "samples of tensors", 1e-5)
+    return f"{frames} frames of {channels} channels come back"
 
 
 def foreign_clouds(program):

@@ -117,6 +117,9 @@ pub enum DspError {
         "staggered chirps exclude Doppler and code division: no constant turn from chirp to chirp is a velocity then"
     )]
     StaggeredDivision,
+    /// A map whose samples do not follow from it by Fourier transforms alone.
+    #[error("samples follow from maps of complex samples and chirps at one interval alone")]
+    NoInverse,
     /// A false-alarm rate without a threshold.
     #[error("false_alarm_rate must lie from {least:e} to {most}, is {0:e}", least = FALSE_ALARM_RATES.start(), most = FALSE_ALARM_RATES.end())]
     FalseAlarmRate(f64),

@@ -92,6 +92,7 @@ pub use objects::foreign_points::objects_of_points;
 pub use objects::stationary::{Fold, is_at_rest, tolerance_mps};
 pub use receiver::Receiver;
 pub use spectrum::axes::{range_axis_m, velocity_axis_mps};
+pub use spectrum::inverse_transform::InverseRangeDoppler;
 pub use spectrum::map_transform::RangeDoppler;
 pub use spectrum::noncoherent::{noise_power, power_map};
 pub use spectrum::window;

@@ -16,6 +16,7 @@ pub mod npy_stream; // NumPy arrays, value after value
 pub mod mat_file; // arrays of MATLAB
 pub mod heights; // what is said of heights that were not measured
 pub mod levelled_axes; // axes of a radar, levelled
+mod azimuth_row; // the row of an array that tensors see
 pub mod device_config; // configurations of boards
 pub mod radar_cloud; // clouds of detections
 pub mod raw_data; // samples as devices record them

@@ -7,7 +7,9 @@
 mod lanes; // bytes of a capture card
 mod described_waveform; // waveforms that descriptions tell
 pub mod dca1000;
-pub mod npy;
+mod npy;
+mod raddet;
+pub mod arrays;
 pub mod sigmf;
 pub mod uwcr;
 
@@ -181,6 +183,8 @@ pub enum IntegerStep {
         /// File that says it.
         place: PathBuf,
     },
+    /// Values of a transform whose factor nobody says: no steps, no powers.
+    Unscaled,
     /// Nobody says it.
     Unknown,
 }
@@ -195,7 +199,7 @@ impl IntegerStep {
     pub fn place(&self) -> Option<&Path> {
         match self {
             Self::Told(_, place) | Self::Counted { place, .. } => Some(place),
-            Self::Floats | Self::Asked(_) | Self::Unknown => None,
+            Self::Floats | Self::Asked(_) | Self::Unscaled | Self::Unknown => None,
         }
     }
 
@@ -203,7 +207,7 @@ impl IntegerStep {
     pub(crate) fn factor(&self) -> f32 {
         match self {
             Self::Asked(step) | Self::Told(step, _) | Self::Counted { step, .. } => *step,
-            Self::Floats | Self::Unknown => 1.0,
+            Self::Floats | Self::Unscaled | Self::Unknown => 1.0,
         }
     }
 }

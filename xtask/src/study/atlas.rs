@@ -31,6 +31,9 @@ pub(super) fn rows(extent: Extent, only: Option<&str>) -> Result<Vec<CaseRow>, F
         [refusals::CASES, scattering::CASES, traffic::CASES, echo::CASES, signals::CASES, learning::CASES];
     let is_asked = |case: &&Tried| only.is_none_or(|word| case.name.contains(word));
     let cases: Vec<&Tried> = themes.into_iter().flatten().filter(is_asked).collect();
+    if let (Some(word), true) = (only, cases.is_empty()) {
+        return Err(Failure::System(format!("atlas: --only {word}: no case has that in its name")));
+    }
     let mut all = Vec::new();
     for (number, case) in cases.iter().enumerate() {
         work.at(number, cases.len());

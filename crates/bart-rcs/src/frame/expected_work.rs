@@ -171,8 +171,9 @@ impl<'a> Lit<'a> {
         let frame = PlaneFrame::new(corners_m[0], lit.lit_normal);
         let on_plane: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
         let [low, high] = bounds(&on_plane);
-        let parts = cut_into_squares(&frame, corners_m, 1.0);
-        Self { scatterer, plan, beam, frame, parts, area_m2: area_m2(&on_plane), extent_m: high - low }
+        let area_m2 = area_m2(&on_plane);
+        let parts = cut_into_squares(on_plane, 1.0);
+        Self { scatterer, plan, beam, frame, parts, area_m2, extent_m: high - low }
     }
 
     /// Tiles of the integral over it.

@@ -28,10 +28,17 @@ use glam::{DVec2, DVec3};
 use num_complex::Complex64;
 
 /// A polygon's parts about the point where its phase is stationary and far from it, all convex.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Default)]
 pub(crate) struct Parted {
     pub(crate) near: Vec<Vec<DVec2>>,
-    pub(crate) far: Vec<Vec<DVec2>>,
+    pub(crate) far: Vec<FarPart>,
+}
+
+/// A part that is told by terms of its corners and sides.
+#[derive(Debug)]
+pub(crate) struct FarPart {
+    corners_m: Vec<DVec2>,
+    variation: Variation,
 }
 
 /// A term of a far part.
@@ -45,6 +52,7 @@ pub(crate) struct CriticalPart {
 }
 
 /// Bounds of what varies over a polygon, and of what may be left out.
+#[derive(Debug)]
 struct Variation {
     /// Bound h of the second derivatives of the length, 1/m.
     second_per_m: f64,
@@ -61,13 +69,16 @@ const COARSEST: f64 = 0.01;
 const ALONG_SIDE: f64 = 4.0;
 
 impl Variation {
-    /// `None` where an antenna is infinitely far away, or straight above, where polarizations turn without
-    /// limit.
-    fn over(field: &Field<'_>, corners_m: &[DVec2], wavenumber_per_m: f64) -> Option<Self> {
+    /// `None` where an antenna is straight above, where polarizations turn without limit.
+    fn over(
+        field: &Field<'_>,
+        corners_m: &[DVec2],
+        heights_m: [f64; 2],
+        wavenumber_per_m: f64,
+    ) -> Option<Self> {
         let centre_m = centroid_m(corners_m);
         let x_m = field.frame.to_world(centre_m);
         let reach_m = corners_m.iter().map(|c| c.distance(centre_m)).fold(0.0, f64::max);
-        let heights_m = heights_m(field)?;
         let nearest_m =
             field.ranges_m(x_m).into_iter().zip(heights_m).map(|(l, height)| (l - reach_m).max(height));
         let second_per_m = nearest_m.map(f64::recip).sum::<f64>();
@@ -121,26 +132,23 @@ impl Field<'_> {
     /// the integral to the field's accuracy; all of a bent one is near.
     pub(crate) fn parted(&self, corners_m: &[DVec2], wavenumber_per_m: f64) -> Parted {
         let all_near = || Parted { near: vec![corners_m.to_vec()], far: vec![] };
-        let heights_m = heights_m(self).filter(|_| !self.is_bent());
-        let variation = Variation::over(self, corners_m, wavenumber_per_m);
-        let (Some(heights_m), Some(variation)) = (heights_m, variation) else { return all_near() };
+        let Some(heights_m) = heights_m(self).filter(|_| !self.is_bent()) else { return all_near() };
+        let variation_over = |part: &[DVec2]| Variation::over(self, part, heights_m, wavenumber_per_m);
+        let Some(variation) = variation_over(corners_m) else { return all_near() };
         let stationary_m = self.stationary_m(heights_m);
         let farthest_m = corners_m.iter().map(|c| c.distance(stationary_m)).fold(0.0, f64::max);
-        match self.radius_m(stationary_m, variation.least_gradient(1.0), farthest_m) {
-            Some(radius_m) => {
-                self.with_bounds(cut_about(corners_m, stationary_m, radius_m), wavenumber_per_m)
+        let least = variation.least_gradient(1.0);
+        let Some(radius_m) = self.radius_m(stationary_m, least, farthest_m) else { return all_near() };
+        let [about, around] = cut_about(corners_m, stationary_m, radius_m);
+        let mut parted = Parted { near: about, far: vec![] };
+        for part in around {
+            // The disc about a long strip may reach to where that of the whole does not.
+            match variation_over(&part) {
+                Some(variation) => parted.far.push(FarPart { corners_m: distinct(&part), variation }),
+                None => parted.near.push(part),
             }
-            None => all_near(),
         }
-    }
-
-    /// The same parts, those near that have no bounds of their own: the disc about a long strip may reach to
-    /// where that of the whole does not.
-    fn with_bounds(&self, Parted { mut near, far }: Parted, wavenumber_per_m: f64) -> Parted {
-        let has_bounds = |part: &Vec<DVec2>| Variation::over(self, part, wavenumber_per_m).is_some();
-        let (far, without): (Vec<_>, Vec<_>) = far.into_iter().partition(has_bounds);
-        near.extend(without);
-        Parted { near, far }
+        parted
     }
 
     /// Distance from the stationary point, below `farthest_m`, from which on the gradient is no smaller than
@@ -156,25 +164,19 @@ impl Field<'_> {
         if !is_steep(farthest_m) {
             return None;
         }
-        let halved = |[low, high]: [f64; 2]| {
-            let middle = 0.5 * (low + high);
-            if is_steep(middle) { [low, middle] } else { [middle, high] }
-        };
-        Some((0..HALVINGS).fold([0.0, farthest_m], |span, _| halved(span))[1])
+        Some(halved([0.0, farthest_m], HALVINGS, is_steep)[1])
     }
 
     /// Number of terms and cells of some size that a polygon takes.
     pub(crate) fn count_parted(&self, corners_m: &[DVec2], size_m: f64, wavenumber_per_m: f64) -> f64 {
         let Parted { near, far } = self.parted(corners_m, wavenumber_per_m);
         let of_near = |polygon: &Vec<DVec2>| (area_m2(polygon) / (size_m * size_m)).max(1.0);
-        let of_far = |polygon: &Vec<DVec2>| {
-            let polygon = &distinct(polygon);
-            let Some(variation) = Variation::over(self, polygon, wavenumber_per_m) else { return 0.0 };
+        let of_far = |FarPart { corners_m, variation }: &FarPart| {
             let of_side = |side: Side| {
-                let [from, to] = self.slow_span_m(&side, &variation);
+                let [from, to] = self.slow_span_m(&side, variation);
                 ((to - from) / size_m).ceil()
             };
-            polygon.len() as f64 + sides(polygon).map(of_side).sum::<f64>()
+            corners_m.len() as f64 + sides(corners_m).map(of_side).sum::<f64>()
         };
         near.iter().map(of_near).sum::<f64>() + far.iter().map(of_far).sum::<f64>()
     }
@@ -182,17 +184,14 @@ impl Field<'_> {
     /// Calls `give` with the terms of a far part; pieces of sides are no longer than `size_m`.
     pub(crate) fn for_each_critical_part(
         &self,
-        corners_m: &[DVec2],
+        FarPart { corners_m, variation }: &FarPart,
         size_m: f64,
         wavenumbers_per_m: &[f64],
         give: &mut dyn FnMut(CriticalPart),
     ) {
-        let middle_per_m = wavenumbers_per_m[wavenumbers_per_m.len() / 2];
-        let Some(variation) = Variation::over(self, corners_m, middle_per_m) else { return };
-        let corners_m = &distinct(corners_m);
         let mut of_corners = vec![0.0; corners_m.len()];
         for (index, side) in sides(corners_m).enumerate() {
-            let span_m = self.slow_span_m(&side, &variation);
+            let span_m = self.slow_span_m(&side, variation);
             let next = (index + 1) % corners_m.len();
             self.add_ends(&side, span_m, [index, next], &mut of_corners, &mut |at_m, term| {
                 give(self.corner(at_m, term, wavenumbers_per_m, variation.allowed));
@@ -200,7 +199,7 @@ impl Field<'_> {
             let count = ((span_m[1] - span_m[0]) / size_m).ceil() as u32;
             let place = |i: u32| span_m[0] + (span_m[1] - span_m[0]) * f64::from(i) / f64::from(count);
             for i in 0..count {
-                give(self.piece(&side, [place(i), place(i + 1)], wavenumbers_per_m, &variation));
+                give(self.piece(&side, [place(i), place(i + 1)], wavenumbers_per_m, variation));
             }
         }
         for (corner_m, term) in corners_m.iter().zip(of_corners).filter(|(_, term)| *term != 0.0) {
@@ -368,28 +367,30 @@ fn sides(corners_m: &[DVec2]) -> impl Iterator<Item = Side> {
 /// Place on a side where a function that grows along it is zero.
 fn root_m(side: &Side, of: impl Fn(f64) -> f64) -> f64 {
     const HALVINGS: u32 = 40;
-    let halved = |[low, high]: [f64; 2]| {
-        let middle = 0.5 * (low + high);
-        if of(middle) > 0.0 { [low, middle] } else { [middle, high] }
-    };
-    let [low, high] = (0..HALVINGS).fold([0.0, side.length_m], |span, _| halved(span));
+    let [low, high] = halved([0.0, side.length_m], HALVINGS, |at_m| of(at_m) > 0.0);
     0.5 * (low + high)
 }
 
+/// A span halved so often about the place from which on something holds.
+fn halved(span: [f64; 2], halvings: u32, holds: impl Fn(f64) -> bool) -> [f64; 2] {
+    (0..halvings).fold(span, |[low, high], _| {
+        let middle = 0.5 * (low + high);
+        if holds(middle) { [low, middle] } else { [middle, high] }
+    })
+}
+
 /// The square of a half side about a point, and what is left of a polygon around it.
-fn cut_about(corners_m: &[DVec2], centre_m: DVec2, half_m: f64) -> Parted {
-    let mut parted = Parted::default();
-    let mut rest = corners_m.to_vec();
+fn cut_about(corners_m: &[DVec2], centre_m: DVec2, half_m: f64) -> [Vec<Vec<DVec2>>; 2] {
+    let (mut around, mut rest) = (vec![], corners_m.to_vec());
     for out in [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y] {
         let line_m = centre_m + half_m * out;
-        parted.far.push(left_of(&rest, line_m, -out.perp()));
+        around.push(left_of(&rest, line_m, -out.perp()));
         rest = left_of(&rest, line_m, out.perp());
     }
-    parted.near.push(rest);
-    for parts in [&mut parted.near, &mut parted.far] {
+    [vec![rest], around].map(|mut parts| {
         parts.retain(|part| area_m2(part) > 0.0);
-    }
-    parted
+        parts
+    })
 }
 
 #[cfg(test)]
@@ -532,7 +533,7 @@ mod tests {
         overhead.with_node(|node| {
             let field = Field::new(node, DVec3::ZERO, 1e-2);
             let polygon = [DVec2::ZERO, DVec2::X, DVec2::Y];
-            assert_eq!(field.parted(&polygon, WAVENUMBER_PER_M).far, Vec::<Vec<DVec2>>::new());
+            assert!(field.parted(&polygon, WAVENUMBER_PER_M).far.is_empty());
         });
         let far = Leg { image: Antenna::Direction(DVec3::new(0.8, 0.6, 0.0)), ..leg([1.0, 0.0, 0.0]) };
         CASES[0].with_node(|node| {

@@ -1,20 +1,21 @@
 //! NumPy's `.npy` of complex64 (NumPy Enhancement Proposal 1), its head checked before it is believed: the
 //! values that it tells of have to be there.
 
-use ndarray::{Array4, ShapeBuilder, ShapeError};
+use ndarray::{ArrayD, IxDyn, ShapeBuilder, ShapeError};
 use num_complex::Complex32;
+use std::ops::RangeInclusive;
 
 /// Bytes of a complex64.
 const VALUE_BYTES: u64 = 8;
 /// NumPy's name of a little-endian complex64.
 const COMPLEX64: &str = "<c8";
 
-/// The values of an array of four axes, row- or column-major.
+/// The values of an array of so many axes, row- or column-major.
 ///
 /// # Errors
 /// A head that is cut off, tells of another type or number of axes, or of none or of other than the values
 /// that stand behind it.
-pub fn of_bytes(bytes: &[u8]) -> Result<Array4<Complex32>, NpyError> {
+pub(super) fn of_bytes(bytes: &[u8], axes: RangeInclusive<usize>) -> Result<ArrayD<Complex32>, NpyError> {
     let (head, values) = head_and_values(bytes).ok_or(NpyError::EndsInHead)?;
     let head = std::str::from_utf8(head).map_err(|_| NpyError::NoText)?;
     let [descr, order, shape] = told(head).ok_or(NpyError::OtherKeys)?;
@@ -28,7 +29,9 @@ pub fn of_bytes(bytes: &[u8]) -> Result<Array4<Complex32>, NpyError> {
         _ => return Err(NpyError::OtherLength { shape, bytes: values.len() }),
     }
     let sides: Vec<usize> = shape.iter().map(|side| *side as usize).collect();
-    let sides: [usize; 4] = sides.try_into().map_err(|s: Vec<usize>| NpyError::OtherAxes(s.len()))?;
+    if !axes.contains(&sides.len()) {
+        return Err(NpyError::OtherAxes(sides.len()));
+    }
     let is_column_major = match order {
         "True" => true,
         "False" => false,
@@ -37,12 +40,12 @@ pub fn of_bytes(bytes: &[u8]) -> Result<Array4<Complex32>, NpyError> {
     let part = |bytes: &[u8]| f32::from_le_bytes(std::array::from_fn(|i| bytes[i]));
     let value = |bytes: &[u8]| Complex32::new(part(bytes), part(&bytes[4..]));
     let values = values.chunks_exact(VALUE_BYTES as usize).map(value).collect();
-    Array4::from_shape_vec(sides.set_f(is_column_major), values).map_err(NpyError::Shape)
+    ArrayD::from_shape_vec(IxDyn(&sides).set_f(is_column_major), values).map_err(NpyError::Shape)
 }
 
 /// An array's file that was refused.
 #[derive(Debug, thiserror::Error)]
-pub enum NpyError {
+pub(super) enum NpyError {
     /// The file is none of NumPy's, or is shorter than its head.
     #[error("it ends within its head")]
     EndsInHead,
@@ -69,7 +72,7 @@ pub enum NpyError {
     /// The values are no complex64.
     #[error("its values are of type {0}")]
     OtherType(String),
-    /// The array has not four axes.
+    /// The array has another number of axes.
     #[error("it has {0} axes")]
     OtherAxes(usize),
     /// The order of the values is neither by rows nor by columns.
@@ -137,6 +140,7 @@ fn sides(shape: &str) -> Option<Vec<u64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ndarray::Array4;
     use ndarray_npy::WriteNpyExt;
 
     fn file(shape: &str, values: usize) -> Vec<u8> {
@@ -147,7 +151,7 @@ mod tests {
 
     #[test]
     fn a_head_is_believed_as_far_as_there_are_values() {
-        assert_eq!(of_bytes(&file("(2, 3, 1, 1)", 6)).unwrap().dim(), (2, 3, 1, 1));
+        assert_eq!(of_bytes(&file("(2, 3, 1, 1)", 6), 4..=4).unwrap().shape(), [2, 3, 1, 1]);
         for shape in [
             "(2, 4)",
             "(2, 3)",
@@ -157,11 +161,11 @@ mod tests {
             "2, 3",
             "(1.0, 6)",
         ] {
-            assert!(of_bytes(&file(shape, 6)).is_err(), "{shape}");
+            assert!(of_bytes(&file(shape, 6), 4..=4).is_err(), "{shape}");
         }
         let long = [&b"\x93NUMPY\x02\0"[..], &u32::MAX.to_le_bytes(), b"{}"].concat();
-        assert_eq!(of_bytes(&long).unwrap_err().to_string(), "it ends within its head");
-        assert!(of_bytes(b"\x93NUMPY").is_err() && of_bytes(b"").is_err());
+        assert_eq!(of_bytes(&long, 3..=4).unwrap_err().to_string(), "it ends within its head");
+        assert!(of_bytes(b"\x93NUMPY", 3..=4).is_err() && of_bytes(b"", 3..=4).is_err());
     }
 
     #[test]
@@ -171,7 +175,7 @@ mod tests {
             let length = (head.len() as u16).to_le_bytes();
             for values in [4, 16, 32] {
                 let bytes = [&b"\x93NUMPY\x01\0"[..], &length, head.as_bytes(), &vec![0; values]].concat();
-                let told = of_bytes(&bytes).unwrap_err().to_string();
+                let told = of_bytes(&bytes, 4..=4).unwrap_err().to_string();
                 assert_eq!(told, format!("its values are of type {descr}"));
             }
         }
@@ -188,7 +192,7 @@ mod tests {
         for array in [array, turned] {
             let mut bytes = Vec::new();
             array.write_npy(&mut bytes).unwrap();
-            assert_eq!(of_bytes(&bytes).unwrap(), array);
+            assert_eq!(of_bytes(&bytes, 4..=4).unwrap(), array.into_dyn());
         }
     }
 }

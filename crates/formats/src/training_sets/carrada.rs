@@ -5,10 +5,11 @@
 //! sequence, frame, instance, then of each map `box` (two corners [row, column]), `sparse` and `dense`
 //! (cells) and `label`.
 
+use crate::azimuth_row::sines;
 use crate::npy_stream::NpyStream;
 use crate::plain_name::plain_name;
 use crate::sub_frames::of_sub_frames;
-use crate::training_sets::angle_spectrum::{AngleSpectrum, Tensor, sines};
+use crate::training_sets::angle_spectrum::{AngleSpectrum, Tensor};
 use crate::training_sets::cell_boxes::{CellBox, cell_box};
 use crate::training_sets::set_folder::SetFolder;
 use crate::training_sets::truth_boxes::{TruthBox, TruthBoxes};

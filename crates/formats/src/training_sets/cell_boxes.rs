@@ -1,6 +1,6 @@
 //! Extents of boxes in cells of a range–azimuth–Doppler tensor.
 
-use crate::training_sets::angle_spectrum::AZIMUTHS;
+use crate::azimuth_row::AZIMUTHS;
 use crate::training_sets::truth_boxes::TruthBox;
 use artifact::Radar;
 use glam::DVec3;

@@ -6,9 +6,10 @@
 //! a map of the ground with as many rows as range cells and twice as many columns, the radar below its
 //! middle).
 
+use crate::azimuth_row::sines;
 use crate::npy_stream::NpyStream;
 use crate::sub_frames::of_sub_frames;
-use crate::training_sets::angle_spectrum::{AngleSpectrum, Tensor, sines};
+use crate::training_sets::angle_spectrum::{AngleSpectrum, Tensor};
 use crate::training_sets::cell_boxes::{CellBox, cell_box};
 use crate::training_sets::pickle::{Pickled, dictionary};
 use crate::training_sets::set_folder::SetFolder;

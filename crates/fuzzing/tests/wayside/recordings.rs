@@ -13,6 +13,7 @@ const SHAPE: [usize; 3] = [4, 16, 32];
 pub(crate) fn readers() -> Vec<Reader> {
     vec![
         Reader::refusing("npy", 200, write_npy, noted_of_content),
+        Reader::refusing("tensor", 40, write_tensor, noted_of_content),
         Reader::refusing("dca1000", 200, write_dca1000, noted_of_content),
         Reader::refusing("sigmf", 200, write_sigmf, noted),
         Reader::refusing("mat", 200, write_mat, noted_of_content),
@@ -57,8 +58,29 @@ fn write_npy(noise: &mut Noise, folder: &Path) {
         "(32, 16, 4, {f})",
         "({f}, 4, 16, 32,)",
     ]);
+    let array = array(noise, &shape.replace("{f}", &frames.to_string()), values);
+    put(folder, "x.npy", &array);
+    import(noise, folder, "x.npy");
+}
+
+/// Range, azimuth and Doppler of the small scene.
+fn write_tensor(noise: &mut Noise, folder: &Path) {
+    let [_, chirps, length] = SHAPE;
+    let values: Vec<u8> = (0..8 * chirps * length * 256).map(|i| (i % 61) as u8).collect();
+    let shape =
+        noise.pick(&["(32, 256, 16)", "(32, 256, 16)", "(32, 256, 16)", "(16, 256, 32)", "(32, 16, 256)"]);
+    let mut array = array(noise, shape, values);
+    if noise.one_in(3) {
+        let from = array.len() - noise.below(array.len() / 2);
+        change_numbers(noise, &mut array[from..]);
+    }
+    put(folder, "x.npy", &array);
+    import(noise, folder, "x.npy");
+}
+
+/// An array of NumPy's, its head changed now and then.
+fn array(noise: &mut Noise, shape: &str, values: Vec<u8>) -> Vec<u8> {
     let order = noise.pick(&["False", "False", "True"]);
-    let shape = shape.replace("{f}", &frames.to_string());
     let mut head = format!("{{'descr': '<c8', 'fortran_order': {order}, 'shape': {shape}, }}\n").into_bytes();
     if noise.one_in(2) {
         head = changed_text(
@@ -82,8 +104,7 @@ fn write_npy(noise: &mut Noise, folder: &Path) {
         let at = noise.below(bytes.len().min(12));
         bytes[at] ^= 1 << noise.below(8);
     }
-    put(folder, "x.npy", &bytes);
-    import(noise, folder, "x.npy");
+    bytes
 }
 
 /// An element of a MAT-file, its length told wrong now and then.

@@ -13,4 +13,5 @@ mod outputs;
 mod raw_data;
 mod recordings;
 mod resumed_tables;
+mod tensors;
 mod training_sets;

@@ -59,15 +59,28 @@ pub(in crate::study) fn page(rows: &[CaseRow], extent: Extent) -> String {
     let header =
         ["stage", "method", "case", "parameter", "value", "error, dB", "verdict", "what the program says"];
     format!(
-        "{RULE}\nMade by `{command}`. {} cases, {} rows: {}.\n{}\n![verdicts](pictures/atlas.svg)\n\n\
+        "{RULE}\nMade by `{command}`. {} cases, {} rows: {}.{}\n{}\n![verdicts](pictures/atlas.svg)\n\n\
          ## What was asked for\n\n{}\n## All rows\n\n{}",
         cases(rows).len(),
         rows.len(),
         counts.join(", "),
+        exceeded(rows),
         wrong(rows),
         coverage::table(rows),
         table::markdown(&header, rows.iter().map(fields))
     )
+}
+
+/// A sentence of the good rows whose error is more than was told; nothing where none is.
+fn exceeded(rows: &[CaseRow]) -> String {
+    let is_hidden = |row: &&CaseRow| row.verdict == Verdict::Good && row.excess.is_some();
+    match rows.iter().filter(is_hidden).count() {
+        0 => String::new(),
+        count => format!(
+            "\n{count} of the good rows err by more than the figure that is meant to hold the error, which is told\n\
+             in their last column. The answer to which they are compared may err by as much itself."
+        ),
+    }
 }
 
 /// A paragraph of what is wrong, before all tables; nothing where nothing is.

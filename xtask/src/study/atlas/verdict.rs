@@ -118,6 +118,8 @@ pub(in crate::study) struct CaseRow {
     pub(in crate::study) verdict: Verdict,
     /// Words of the program: a figure, a flag, or the refusal.
     pub(in crate::study) said: String,
+    /// Factor by which the error exceeds the figure that is meant to hold it; `None` where it does not.
+    pub(in crate::study) excess: Option<f64>,
 }
 
 /// Case that is tried, before it is known what comes of it.
@@ -132,7 +134,8 @@ pub(super) struct Trial {
 impl Trial {
     /// An answer whose error is known.
     pub(super) fn answered(self, value: impl Display, error: f64, says: Says) -> CaseRow {
-        self.row(value, Some(error), verdict(error, says), words(says))
+        let excess = excess(error, says);
+        CaseRow { excess, ..self.row(value, Some(error), verdict(error, says), words(says, excess)) }
     }
 
     /// An input that must be refused.
@@ -145,14 +148,27 @@ impl Trial {
 
     fn row(self, value: impl Display, error: Option<f64>, verdict: Verdict, said: String) -> CaseRow {
         let Self { stage, method, case, parameter } = self;
-        CaseRow { stage, method, case, parameter, value: value.to_string(), error, verdict, said }
+        let value = value.to_string();
+        CaseRow { stage, method, case, parameter, value, error, verdict, said, excess: None }
     }
 }
 
-fn words(says: Says) -> String {
+/// Factor by which an error exceeds its bound.
+fn excess(error: f64, says: Says) -> Option<f64> {
+    match says {
+        Says::AtMost(bound) if error > bound => Some(error / bound),
+        _ => None,
+    }
+}
+
+fn words(says: Says, excess: Option<f64>) -> String {
+    let exceeded = |factor: f64| format!(", exceeded by {:.1} dB", db_from_amplitude(factor));
     match says {
         Says::Nothing => String::new(),
-        Says::AtMost(bound) => format!("at most {:.1} dB", db_from_amplitude(bound)),
+        Says::AtMost(bound) => {
+            let exceeded = excess.map(exceeded).unwrap_or_default();
+            format!("at most {:.1} dB{exceeded}", db_from_amplitude(bound))
+        }
         Says::About(estimate) => format!("about {:.1} dB", db_from_amplitude(estimate)),
         Says::Words(words) => words.into(),
         Says::Page(page, words) => format!("{page}: {words}"),
@@ -172,6 +188,15 @@ mod tests {
         assert_eq!(verdict(0.2, Says::About(0.07)), Verdict::Degraded);
         assert_eq!(verdict(f64::NAN, Says::AtMost(1.0)), Verdict::Wrong);
         assert_eq!(verdict(f64::NAN, Says::Words("null")), Verdict::Wrong);
+    }
+
+    #[test]
+    fn an_error_beyond_what_was_told_is_marked_also_where_it_is_good() {
+        let trial = Trial { stage: "dsp", method: "map", case: "test", parameter: "none" };
+        let row = trial.answered(1, 0.02, Says::AtMost(0.01));
+        assert_eq!((row.verdict, row.excess), (Verdict::Good, Some(2.0)));
+        assert_eq!(row.said, "at most -40.0 dB, exceeded by 6.0 dB");
+        assert_eq!(trial.answered(1, 0.02, Says::AtMost(0.03)).excess, None);
     }
 
     #[test]

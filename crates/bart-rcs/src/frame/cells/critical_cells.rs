@@ -21,9 +21,10 @@ pub(crate) fn is_large(extent_m: DVec2, size_m: f64) -> bool {
     (extent_m / size_m).ceil().max(DVec2::ONE).element_product() > many
 }
 
-/// A polygon in parts, each to be cut into cells, and terms of what is not among them.
+/// A polygon in parts of its plane, each to be cut into cells, and terms of what is not among them.
 pub(crate) struct PartedPolygon {
-    pub(crate) near_m: Vec<Vec<DVec3>>,
+    pub(crate) frame: PlaneFrame,
+    pub(crate) near_m: Vec<Vec<DVec2>>,
     pub(crate) terms: Vec<CriticalPart>,
 }
 
@@ -35,24 +36,23 @@ pub(crate) fn parted(
     size_m: f64,
     request: &Integration<'_>,
 ) -> PartedPolygon {
-    let lit = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
-    let [low, high] = bounds(&corners_m.iter().map(|c| lit.plane_from_world(*c)).collect::<Vec<_>>());
+    let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
+    let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
+    let [low, high] = bounds(&polygon);
     if !is_large(high - low, size_m) {
-        return PartedPolygon { near_m: vec![corners_m.to_vec()], terms: vec![] };
+        return PartedPolygon { frame, near_m: vec![polygon], terms: vec![] };
     }
     let Integration { wavenumbers_per_m, accuracy, bracket } = *request;
     let part = Part { corners_m, reference_m: corners_m[0], bracket };
     let mut terms = Vec::new();
     let near_m = scatterer.with_field(joint, &part, (wavenumbers_per_m, accuracy), |field| {
-        let polygon: Vec<DVec2> = corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
         let parted = field.parted(&polygon, wavenumbers_per_m[wavenumbers_per_m.len() / 2]);
         for far in &parted.far {
             field.for_each_critical_part(far, size_m, wavenumbers_per_m, &mut |term| terms.push(term));
         }
-        let in_world = |polygon: &Vec<DVec2>| polygon.iter().map(|c| field.frame.to_world(*c)).collect();
-        parted.near.iter().map(in_world).collect()
+        parted.near
     });
     let amplitudes = terms.iter_mut().map(|term| &mut term.amplitudes);
     amplitudes.for_each(|estimate| Scatterer::weigh(joint, wavenumbers_per_m, estimate));
-    PartedPolygon { near_m, terms }
+    PartedPolygon { frame, near_m, terms }
 }

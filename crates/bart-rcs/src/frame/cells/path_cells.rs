@@ -117,9 +117,10 @@ fn cells_of(
     let side_m = settings.side_m(scatterer.world, &facets);
     let CellSettings { wavenumbers_per_m, bracket, .. } = *settings;
     let request = Integration { wavenumbers_per_m, accuracy, bracket };
-    let PartedPolygon { near_m, terms } = parted(scatterer, joint, corners_m, side_m, &request);
+    let PartedPolygon { frame, near_m, terms } = parted(scatterer, joint, corners_m, side_m, &request);
     let of_joint = CellsOfJoint { scatterer, joint, facets, settings, side_m, accuracy };
-    let mut cells: Vec<Cell> = near_m.iter().flat_map(|polygon_m| of_joint.squares(polygon_m)).collect();
+    let mut cells: Vec<Cell> =
+        near_m.into_iter().flat_map(|part_m| of_joint.squares(&frame, part_m)).collect();
     cells.extend(terms.into_iter().map_while(|term| of_joint.term(term)));
     if joint.reverse == Reverse::Included {
         let back: Vec<Cell> = cells.iter().map(reversed).collect();
@@ -139,8 +140,7 @@ struct CellsOfJoint<'a> {
 }
 
 impl CellsOfJoint<'_> {
-    fn squares(&self, corners_m: &[DVec3]) -> Vec<Cell> {
-        let frame = PlaneFrame::new(corners_m[0], self.scatterer.forward(self.joint).lit_normal);
+    fn squares(&self, frame: &PlaneFrame, polygon_m: Vec<DVec2>) -> Vec<Cell> {
         let square = |piece: Vec<DVec2>| {
             let reference_m = frame.to_world(centroid_m(&piece));
             let corners_m: Vec<DVec3> = piece.iter().map(|c| frame.to_world(*c)).collect();
@@ -149,12 +149,13 @@ impl CellsOfJoint<'_> {
             let estimate = self.scatterer.amplitudes(joint, &part, wavenumbers_per_m, self.accuracy);
             self.cell(CellKind::Part, reference_m, area_m2(&piece), estimate)
         };
-        let squares = cut_into_squares(&frame, corners_m, self.side_m);
+        let squares = cut_into_squares(polygon_m, self.side_m);
         squares.into_iter().map_while(|piece| self.has_room().then(|| square(piece))).collect()
     }
 
     fn term(&self, CriticalPart { at_m, length_m, amplitudes }: CriticalPart) -> Option<Cell> {
-        let area_m2 = as_area_m2(length_m, self.settings);
+        let corner_m = 1.0 / highest_per_m(self.settings);
+        let area_m2 = as_area_m2(length_m + corner_m, self.settings);
         self.has_room().then(|| self.cell(CellKind::Critical, at_m, area_m2, amplitudes))
     }
 
@@ -176,11 +177,14 @@ impl CellsOfJoint<'_> {
     }
 }
 
-/// The area whose largest amplitude, kA/√π, is an edge's length/√π, or that of a corner, 1/k√π: its weight
-/// among polygons.
+/// The area whose largest amplitude, kA/√π, is an edge's, length/√π: its weight among polygons. A corner's,
+/// 1/k√π, is that of an edge of 1/k.
 pub(crate) fn as_area_m2(length_m: f64, settings: &CellSettings<'_>) -> f64 {
-    let highest = settings.wavenumbers_per_m.iter().copied().fold(TAU, f64::max);
-    (length_m + 1.0 / highest) / highest
+    length_m / highest_per_m(settings)
+}
+
+fn highest_per_m(settings: &CellSettings<'_>) -> f64 {
+    settings.wavenumbers_per_m.iter().copied().fold(TAU, f64::max)
 }
 
 /// The cell of the way back.
@@ -226,9 +230,8 @@ pub(crate) fn motions(scatterer: &Scatterer<'_>, forward: u32, backward: u32, no
     [through(scatterer.trees.transmit(), forward), through(scatterer.trees.receive(), backward)]
 }
 
-/// Convex parts between the lines of a square grid about the polygon's first corner.
-pub(crate) fn cut_into_squares(frame: &PlaneFrame, corners_m: &[DVec3], size_m: f64) -> Vec<Vec<DVec2>> {
-    let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
+/// Convex parts of a polygon between the lines of a square grid.
+pub(crate) fn cut_into_squares(polygon: Vec<DVec2>, size_m: f64) -> Vec<Vec<DVec2>> {
     let strips = cut_along(polygon, DVec2::X, size_m);
     strips.into_iter().flat_map(|strip| cut_along(strip, DVec2::Y, size_m)).collect()
 }
@@ -303,8 +306,9 @@ mod tests {
     fn squares_cover_a_polygon_without_overlap() {
         let corners = [[0.0, 0.0], [1.0, 0.2], [0.7, 0.9], [0.1, 0.5]].map(|[x, y]| DVec3::new(x, y, 0.0));
         let frame = PlaneFrame::new(corners[0], DVec3::Z);
-        let whole = area_m2(&corners.map(|c| frame.plane_from_world(c)));
-        let pieces = cut_into_squares(&frame, &corners, 0.13);
+        let polygon = corners.map(|c| frame.plane_from_world(c));
+        let whole = area_m2(&polygon);
+        let pieces = cut_into_squares(polygon.to_vec(), 0.13);
         let total: f64 = pieces.iter().map(|p| area_m2(p)).sum();
         assert!((total - whole).abs() < 1e-14 && pieces.len() > 30);
         for piece in &pieces {

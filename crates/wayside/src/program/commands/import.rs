@@ -4,7 +4,6 @@ mod options;
 
 use crate::program::cli::ImportArguments;
 use crate::stepwise;
-use artifact::bounded;
 use artifact::cube::{Cube, CubeFrame, CubeHeader, SampleUnit};
 use artifact::scene::SceneHeader;
 use artifact::{ErrorBudget, Provenance, Writer};
@@ -12,12 +11,11 @@ use formats::device_config::{self, Configured, DeviceSettings, scene_with};
 use formats::devices::{IqOrder, Lanes};
 use formats::radar_cloud;
 use formats::radar_cloud::import::frames_of;
+use formats::raw_data::arrays;
 use formats::raw_data::dca1000;
-use formats::raw_data::npy;
 use formats::raw_data::sigmf;
 use formats::raw_data::uwcr;
-use formats::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
-use ndarray::{Array4, Axis};
+use formats::raw_data::{Imported, IntegerStep};
 use num_complex::Complex32;
 use options::Kind;
 use pipeline::chain::keys::cube_header;
@@ -76,9 +74,7 @@ fn samples(arguments: &ImportArguments, kind: Kind) -> Result<Samples, Failure> 
         }
         Kind::Sigmf => sigmf::read(file, &header, arguments.step)?,
         Kind::Uwcr => uwcr::read(file, &header)?,
-        Kind::Array | Kind::Clouds => {
-            Imported { frames: of_array(file, header.shape())?, step: IntegerStep::Floats }
-        }
+        Kind::Array | Kind::Clouds => arrays::read(file, &header)?,
     };
     options::check_samples(arguments, header.radar.waveform.sampling, &step)?;
     let told = Told { full_scale: arguments.full_scale, bits: settings.as_ref().map(DeviceSettings::bits) };
@@ -97,7 +93,7 @@ fn settings_of(arguments: &ImportArguments) -> Result<Option<DeviceSettings>, Fa
 fn files_of_samples(arguments: &ImportArguments, kind: Kind) -> Result<Vec<PathBuf>, Failure> {
     match kind {
         Kind::Sigmf => Ok(sigmf::pair(&arguments.array).to_vec()),
-        _ => frames_of(&arguments.array, &uwcr::ENDINGS),
+        _ => frames_of(&arguments.array, &options::FOLDER_ENDINGS),
     }
 }
 
@@ -114,6 +110,7 @@ fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> Result<
     let of_bits = |bits: u32| f64::from(1 << (bits - 1));
     Ok(match (step, told.full_scale) {
         (IntegerStep::Asked(_) | IntegerStep::Told(..), _) => SampleUnit::RootWatts,
+        (IntegerStep::Unscaled, _) => SampleUnit::Steps,
         (_, Some(steps)) => SampleUnit::FullScale(steps),
         (IntegerStep::Unknown, None) => SampleUnit::FullScale(of_bits(told.bits.unwrap_or(16))),
         (IntegerStep::Counted { full_scale, .. }, None) => {
@@ -167,29 +164,19 @@ fn provenance_of(
             arguments.array.display()
         ));
     }
+    if *step == IntegerStep::Unscaled {
+        progress::note(format!(
+            "note: {}: a tensor tells no factor of its values: samples are those of a converter to an unknown factor, and levels are no powers",
+            arguments.array.display()
+        ));
+    }
     let from = provenance(Stage::FmcwEcho, scene, hashed);
     let told = match step {
         IntegerStep::Floats => return from,
+        IntegerStep::Unscaled => "samples of a tensor, their factor not told".to_owned(),
         IntegerStep::Unknown => "sqrt_w_per_step not told: samples are steps".to_owned(),
         IntegerStep::Asked(step) | IntegerStep::Told(step, _) => format!("sqrt_w_per_step {step}"),
         IntegerStep::Counted { step, .. } => format!("adc_steps_per_step {step}"),
     };
     Provenance { settings: format!("{}, {told}", from.settings), ..from }
-}
-
-fn of_array(file: &Path, shape: [usize; 3]) -> Result<Vec<Vec<Complex32>>, Failure> {
-    let array = read(file)?;
-    let found = &array.shape()[1..];
-    if found != shape {
-        let text = format!("[channel, chirp, sample] is {found:?}, the scene's radar has {shape:?}");
-        return Err(Failure::Refused(format!("{}: {text}", file.display())));
-    }
-    Ok(array.axis_iter(Axis(0)).map(|frame| frame.iter().copied().collect()).collect())
-}
-
-fn read(file: &Path) -> Result<Array4<Complex32>, Failure> {
-    let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-    let rule = "a .npy of complex64 in the shape [frame, channel, chirp, sample] is needed";
-    let refused = |why: npy::NpyError| Failure::Refused(format!("{}: {why}: {rule}", file.display()));
-    npy::of_bytes(&bytes).map_err(refused)
 }

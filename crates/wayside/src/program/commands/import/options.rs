@@ -2,14 +2,15 @@
 
 use crate::program::cli::ImportArguments;
 use artifact::radar::Sampling;
-use formats::radar_cloud::import::ending;
-use formats::raw_data::IntegerStep;
+use formats::radar_cloud::import::{ending, frames_of};
+use formats::raw_data::{IntegerStep, arrays, uwcr};
 use pipeline::host::failure::Failure;
+use std::path::Path;
 
 /// Kind of what is imported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// A NumPy array of complex floats.
+    /// A NumPy array of complex floats, or a folder of them.
     Array,
     /// The `.bin` of a DCA1000EVM.
     CaptureCard,
@@ -29,10 +30,18 @@ impl Kind {
             Some("bin") => Self::CaptureCard,
             Some("sigmf-meta" | "sigmf-data") => Self::Sigmf,
             Some("mat") => Self::Uwcr,
-            _ if arguments.array.is_dir() => Self::Uwcr,
+            _ if arguments.array.is_dir() && !holds_arrays(&arguments.array) => Self::Uwcr,
             _ => Self::Array,
         }
     }
+}
+
+/// Endings of the frames in a folder of samples.
+pub(super) const FOLDER_ENDINGS: [&str; 2] = [uwcr::ENDINGS[0], arrays::ENDINGS[0]];
+
+fn holds_arrays(folder: &Path) -> bool {
+    let files = frames_of(folder, &FOLDER_ENDINGS).unwrap_or_default();
+    files.first().and_then(|file| ending(file)).is_some_and(|ending| arrays::ENDINGS.contains(&ending))
 }
 
 /// An option that means something of some kinds alone.
@@ -101,6 +110,11 @@ pub(super) fn check_samples(
             let rule = format!("is told already: {} has a full scale of {steps} steps", place.display());
             Err(off(arguments, "--full-scale", &rule))
         }
+        IntegerStep::Unscaled if arguments.full_scale.is_some() => Err(off(
+            arguments,
+            "--full-scale",
+            "is for samples in steps: a tensor tells no factor of its values",
+        )),
         _ if sampling == Sampling::Real && arguments.iq_order.is_some() => {
             Err(off(arguments, "--iq-order", "is for complex samples: the scene's radar has real ones"))
         }

@@ -1,0 +1,63 @@
+//! Frames of NumPy arrays: samples in a cube's shape, or range–azimuth–Doppler tensors.
+
+use crate::radar_cloud::import::frames_of;
+use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, npy, raddet};
+use artifact::bounded;
+use artifact::cube::CubeHeader;
+use ndarray::{ArrayD, Axis};
+use num_complex::Complex32;
+use pipeline::host::failure::Failure;
+use pipeline::host::progress;
+use std::path::Path;
+
+/// Ending of an array's file.
+pub const ENDINGS: [&str; 1] = ["npy"];
+
+/// Axes of samples: frame, channel, chirp, sample.
+const AXES: usize = 4;
+
+/// Frames of a file, or of a folder in the order of its files' names: of four axes `[frame, channel, chirp,
+/// sample]`, of three a [tensor of RADDet](raddet), which is one frame.
+///
+/// # Errors
+/// Files that are no such arrays, have not the sizes of the header's radar, or are not all of one kind.
+pub fn read(asked: &Path, header: &CubeHeader) -> Result<Imported, Failure> {
+    let files = frames_of(asked, &ENDINGS)?;
+    let mut imported = Imported { frames: vec![], step: IntegerStep::Floats };
+    for (index, file) in progress::counted("frames", &files, files.len()).enumerate() {
+        let array = values(file)?;
+        let step = step_of(&array);
+        if index > 0 && step != imported.step {
+            let rule = format!("has {} axes, as the first file in its folder has not", array.ndim());
+            return Err(Failure::Refused(format!("{}: {rule}", file.display())));
+        }
+        imported.step = step;
+        let frames = match array.ndim() {
+            AXES => frames_of_samples(&array, header.shape()),
+            _ => raddet::samples(&array, &header.in_frame(index as u32)).map(|frame| vec![frame]),
+        };
+        imported.frames.extend(frames.map_err(|failure| failure.about(file))?);
+    }
+    Ok(imported)
+}
+
+fn step_of(array: &ArrayD<Complex32>) -> IntegerStep {
+    if array.ndim() == AXES { IntegerStep::Floats } else { IntegerStep::Unscaled }
+}
+
+fn values(file: &Path) -> Result<ArrayD<Complex32>, Failure> {
+    let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    let rule = "a .npy of complex64 in the shape [frame, channel, chirp, sample] is needed, or a tensor \
+                [range, azimuth, Doppler]";
+    let refused = |why: npy::NpyError| Failure::Refused(format!("{}: {why}: {rule}", file.display()));
+    npy::of_bytes(&bytes, AXES - 1..=AXES).map_err(refused)
+}
+
+fn frames_of_samples(array: &ArrayD<Complex32>, shape: [usize; 3]) -> Result<Vec<Vec<Complex32>>, Failure> {
+    let found = &array.shape()[1..];
+    if found != shape {
+        let text = format!("[channel, chirp, sample] is {found:?}, the scene's radar has {shape:?}");
+        return Err(Failure::refused(text));
+    }
+    Ok(array.axis_iter(Axis(0)).map(|frame| frame.iter().copied().collect()).collect())
+}
