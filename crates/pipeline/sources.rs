@@ -3,15 +3,16 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Of all sources at these places, one after the other.
+/// Hash of what counts of all sources at these places, one after the other.
 pub(crate) fn hash_of<'a>(
     places: impl IntoIterator<Item = &'a PathBuf>,
+    counts: impl Fn(Vec<u8>) -> Vec<u8>,
 ) -> Result<blake3::Hash, SourceError> {
     let mut hasher = blake3::Hasher::new();
     for place in places {
         for file in sources(place)? {
             let bytes = std::fs::read(&file).map_err(SourceError::at(&file))?;
-            hasher.update(file.file_name().unwrap_or_default().as_encoded_bytes()).update(&bytes);
+            hasher.update(file.file_name().unwrap_or_default().as_encoded_bytes()).update(&counts(bytes));
         }
     }
     Ok(hasher.finalize())

@@ -155,10 +155,10 @@ fn conclude(settings: &Settings, done: &Done, situations: &[&Situation]) -> Resu
         html! {
             @for block in &first { (on_page(block)) }
             (report::sweep_view::section(&seen))
-            (report::figure("Designs by what they are worth and what they cost.", &figure))
+            (report::figure("Value and cost of the designs.", &figure))
             @for block in &rest { (on_page(block)) }
             p.made {
-                "Made by " code { (settings.command) } ". Beside this page: " a href="sweep.csv" { "sweep.csv" } " (every run), "
+                "Made by " code { (settings.command) } ". Files beside this page: " a href="sweep.csv" { "sweep.csv" } " (every run), "
                 a href="designs.csv" { "designs.csv" } " (every design)."
             }
         },

@@ -25,8 +25,16 @@ pub(super) const CHAIN: &[&str] = &["crates/scene", "crates/bart-rcs", "crates/f
 pub(super) fn hash(places: Places) -> Result<String, Failure> {
     let root = project_root();
     let all: Vec<_> = LEAVES.iter().chain(places.iter().copied().flatten()).map(|p| root.join(p)).collect();
-    let hash = hashed::hash_of(&all).map_err(|error| Failure::System(error.to_string()))?;
+    let hash = hashed::hash_of(&all, code_of).map_err(|error| Failure::System(error.to_string()))?;
     Ok(hash.to_hex()[..8].to_owned())
+}
+
+/// A source without what changes no figure: lines of comments, blank lines, and the tests at its end.
+fn code_of(source: Vec<u8>) -> Vec<u8> {
+    let Ok(text) = String::from_utf8(source) else { return vec![] };
+    let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let counts = |line: &&str| !line.is_empty() && !line.starts_with("//");
+    code.lines().map(str::trim).filter(counts).flat_map(|line| [line, "\n"]).collect::<String>().into_bytes()
 }
 
 #[cfg(test)]
@@ -39,5 +47,15 @@ mod tests {
         assert_eq!(signals, hash(&[SIGNALS]).unwrap());
         assert!(signals.len() == 8 && signals != scattering);
         assert!(hash(&[&["crates/nothing"]]).is_err());
+    }
+
+    #[test]
+    fn comments_and_tests_make_no_page_older() {
+        let code = "fn f() {\n    g(); // of a\n}\n";
+        let more =
+            format!("//! Of f.\n\n/// Calls g.\n{code}\n#[cfg(test)]\nmod tests {{\n    fn t() {{}}\n}}\n");
+        let of = |text: &str| code_of(text.as_bytes().to_vec());
+        assert_eq!(of(code), of(&more));
+        assert_ne!(of(code), of("fn f() {\n    h(); // of a\n}\n"));
     }
 }

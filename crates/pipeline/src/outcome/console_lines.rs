@@ -310,11 +310,11 @@ fn cause(object: &FalseObject) -> String {
     match object.cause {
         Cause::Ghost => format!("ghost by {bodies}{bounces}"),
         Cause::Split => format!("split off {bodies}, which has an object"),
-        Cause::Misplaced => format!("echo of {bodies}, too far from it in place or velocity{bounces}"),
+        Cause::Misplaced => format!("echo of {bodies}, too far from it in position or velocity{bounces}"),
         Cause::Clutter if object.bodies.is_empty() => "clutter: the road".into(),
         Cause::Clutter => format!("clutter: {bodies}"),
         Cause::Interference => "interference by another radar".into(),
-        Cause::Receiver => "the receiver: its converter or its phase noise".into(),
+        Cause::Receiver => "receiver: ADC or phase noise".into(),
         cause @ (Cause::Noise | Cause::Unknown) => cause.name().into(),
     }
 }

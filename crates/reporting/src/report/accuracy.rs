@@ -10,7 +10,7 @@ pub(super) fn section(of: &str, accuracy: &AccuracyVerdict) -> Markup {
     let (words, is_missed) = match accuracy.met {
         Some(true) => ("yes", false),
         Some(false) => ("no", true),
-        None => ("not known: not all of it was estimated", false),
+        None => ("unknown: some sources were not estimated", false),
     };
     let level = |db: Option<f64>| db.map_or("not estimated".into(), |db| format!("{} dB", rounded(db, 1)));
     let heading = format!("Accuracy asked and reached{of}");
@@ -23,7 +23,7 @@ pub(super) fn section(of: &str, accuracy: &AccuracyVerdict) -> Markup {
         tr { th { "Reached" } td.bad[is_missed] { (accuracy.reached_in_words()) } }
         tr { th { "As good as asked" } td.bad[is_missed] { (words) } }
         tr { th { "Largest share" } td { (accuracy.limited_by.as_deref().unwrap_or("–")) } }
-        tr { th { "Of use beside the model's method" } td { (level(accuracy.of_use_db)) } }
+        tr { th { "Useful beside the model's own error" } td { (level(accuracy.of_use_db)) } }
     } } };
     html! {
         h3 { (heading) }

@@ -17,8 +17,8 @@ pub(super) fn section(targets: &[TargetSummary]) -> Markup {
                 } }
                 tbody { @for (id, error) in &known { (row(id, error)) } }
             } }))
-            p { "Numerical error relative to the target's own echo, and the standard errors that it brings the estimate, "
-                "to first order; noise and what the model leaves out come on top." }
+            p { "Numerical error relative to the target's own echo, and the standard errors that it causes in the estimates, "
+                "to first order. Noise and what the model leaves out add to them." }
         }
     }
 }

@@ -7,12 +7,13 @@ use pipeline::outcome::summary::{Cause, FalseObject};
 /// A row per false object, and per object that the radar tells to be at rest; whose they are as the headings
 /// go on.
 pub(super) fn section(of: &str, objects: &[FalseObject], standing: &[FalseObject]) -> Markup {
-    let headings = ["False objects", "Objects at rest that are no body's"].map(|what| format!("{what}{of}"));
+    let headings =
+        ["False objects", "Objects at rest that belong to no body"].map(|what| format!("{what}{of}"));
     html! {
         h3 { (headings[0]) }
         @match (objects, standing) {
-            ([], []) => p { "None: every object is a body's." },
-            ([], _) => p { "None: every object that moves is a body's." },
+            ([], []) => p { "None: every object belongs to a body." },
+            ([], _) => p { "None: every moving object belongs to a body." },
             _ => {
                 (table(&headings[0], objects))
                 @if objects.iter().any(is_unmarked_ghost) {
@@ -24,7 +25,7 @@ pub(super) fn section(of: &str, objects: &[FalseObject], standing: &[FalseObject
         }
         @if !standing.is_empty() {
             h3 { (headings[1]) }
-            p { "The radar tells them to be at rest, and they claim no vehicle: they are not counted as false." }
+            p { "The radar reports them as static and assigns them to no vehicle, so they do not count as false." }
             (table(&headings[1], standing))
         }
     }
@@ -66,12 +67,12 @@ fn cause(object: &FalseObject) -> String {
         },
         Cause::Clutter if bodies.is_empty() => "clutter: the road's own backscatter".into(),
         Cause::Clutter => format!("clutter: {bodies}"),
-        Cause::Split => format!("a further part of {bodies}, which has its object"),
-        Cause::Misplaced => format!("echo of {bodies}, seen too far from it in place or velocity"),
+        Cause::Split => format!("another part of {bodies}, which already has an object"),
+        Cause::Misplaced => format!("echo of {bodies}, too far from it in position or velocity"),
         Cause::Noise => "noise".into(),
         Cause::Interference => "interference by another radar".into(),
-        Cause::Receiver => "the receiver: its converter or its phase noise".into(),
-        Cause::Unknown => "not known".into(),
+        Cause::Receiver => "receiver: ADC or phase noise".into(),
+        Cause::Unknown => "unknown".into(),
     }
 }
 
@@ -100,7 +101,7 @@ mod tests {
         assert!(text.contains("the radar's own word"), "{text}");
         let text = section(" of east", &[], &[of(5, Cause::Clutter, &["rail"], 1)]).into_string();
         assert!(
-            text.contains("every object that moves is a body's") && text.contains("clutter: rail"),
+            text.contains("every moving object belongs to a body") && text.contains("clutter: rail"),
             "{text}"
         );
         assert!(text.contains("<h3>False objects of east</h3>"), "{text}");

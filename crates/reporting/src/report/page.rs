@@ -35,7 +35,7 @@ pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making) -> Str
                 (section(number, frame, figures.frames.get(number)))
             }
             @if frames.len() > FRAMES_TOLD {
-                p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " stand in "
+                p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " are in "
                     a href="summary.json" { "summary.json" } "." }
             }
             footer { "Seed " (summary.seed) ". Ranges and velocities of the truth are power-weighted means over each "
@@ -119,9 +119,9 @@ fn section(number: usize, frame: &FrameSummary, figures: Option<&FrameFigures>) 
             (tables::targets(&frame.targets))
             (false_objects::section("", &frame.false_objects, &frame.stationary_objects))
             @if let Some(f) = figures {
-                (figure("Power of all channels together; crosses are the truth, rings what was found.", &f.rdm))
+                (figure("Power summed over all channels. Crosses mark the truth, rings the detected objects.", &f.rdm))
                 (figure("The strongest cell at each range.", &f.profile))
-                (figure("Detected points coloured by the object that they form, with the truth.", &f.points))
+                (figure("Detected points, coloured by object, with the truth.", &f.points))
             }
             h3 { "Classes" }
             (tables::classes(&frame.targets))

@@ -12,7 +12,7 @@ const FILES: [(&str, &str); 9] = [
     ("frames.points", "points and objects"),
     ("frames.tracks", "tracks"),
     ("summary.json", "all figures of this page and more"),
-    (PICTURES, "of the frames"),
+    (PICTURES, "of each frame"),
 ];
 
 /// Folder of pictures, as a page links to it.
@@ -46,12 +46,12 @@ pub(super) fn made(making: &Making, written: &[&str]) -> Markup {
     html! {
         p.made {
             "Made by " code { (making.command) } ". "
-            "Beside this page: "
+            "Files beside this page: "
             @for (number, (name, what)) in files.iter().enumerate() {
                 @if number > 0 { ", " }
                 a href=(name) { (name) } " (" (what) ")"
             }
-            ". Artifacts are read by " code { (making.program) " inspect" } " and " code { (making.program) " export" } "."
+            ". Read artifacts with " code { (making.program) " inspect" } " and " code { (making.program) " export" } "."
         }
     }
 }

@@ -223,7 +223,7 @@ fn content(view: &RcsView<'_>, numbers: &str) -> Markup {
     html! {
         p.lead { (view.aspect) ": " (format!("{:.1} dBsm", view.level_dbsm).replace('-', "−")) " from "
             (view.parts.len()) " facet sequences." }
-        noscript { p.made { "Scripts do not run here: the pictures beside this page show the same table." } }
+        noscript { p.made { "Scripts are disabled; the pictures beside this page show the same table." } }
         section #viewer hidden {
             (controls())
             div.viewer-scene {

@@ -125,10 +125,10 @@ const SCRIPT: [&str; 8] = [
 ];
 
 /// Words on reading and moving the view.
-const HOW: &str = ". A dot is a design, a plain one where the metric is not known; those of one place stand side \
-                   by side. A click on a dot, here or in the chart, chooses it: its field of view is shown, and \
-                   what it was worth. Drag turns the view, with the right button or Shift moves it; the wheel \
-                   comes nearer once the picture was clicked.";
+const HOW: &str = ". Each dot is a design; it has no colour where the metric is unknown. Designs at one place stand \
+                   side by side. Click a dot, here or in the chart, to show that design's field of view and its \
+                   metrics. Drag to turn the view; drag with the right button or Shift to move it. Click the \
+                   picture, then turn the wheel to zoom.";
 
 /// The part of the report that the view stands in; nothing of a study without a situation.
 pub fn section(view: &SweepView) -> Markup {
@@ -152,7 +152,7 @@ pub fn section(view: &SweepView) -> Markup {
             }
             canvas #viewer-chart role="img" aria-label="Designs by two metrics" {}
             p.made {
-                "Every design by two metrics: the wider ring is the answer, the other one the chosen design."
+                "Every design by two metrics. The wide ring marks the answer, the other ring the chosen design."
             }
         }
         (scripts(&numbers, &SCRIPT))

@@ -84,8 +84,8 @@ fn target_row(target: &TargetSummary) -> Markup {
         let is_missed = target.found.is_some();
         let words = match (is_missed, target.removed) {
             (true, _) => "missed",
-            (_, true) => "removed with the echoes at rest, as static in [dsp] asks",
-            _ => "not to be found: hidden, without an echo of its own, or out of range",
+            (_, true) => "removed with the static clutter, as static in [dsp] asks",
+            _ => "not detectable: hidden, without an echo of its own, or out of range",
         };
         return html! { tr { td { (id) } td.words.bad[is_missed] colspan="14" { (words) } } };
     };
@@ -154,9 +154,9 @@ pub(super) fn errors(frame: &FrameSummary) -> Markup {
     } };
     html! {
         (scrolled("Error budget", table))
-        p { "Parts without a row are no error, or were not estimated." }
+        p { "Sources without a row contribute no error or were not estimated." }
         @if console_lines::shading_left_out(frame) {
-            p { "Tables are of each body alone: what they hide of one another is left out, not estimated." }
+            p { "RCS tables describe each body alone: mutual shadowing is neglected and its error not estimated." }
         }
     }
 }
@@ -174,7 +174,7 @@ pub(super) fn costs(frame: &FrameSummary) -> Markup {
             }
             tr { td { "paths" } td { (whole(frame.paths)) } td {} }
             tr { td { "memory, MiB" } td { (rounded(frame.peak_memory_mib, 0)) }
-                td { "at most; " (rounded(frame.memory_estimate_mib, 0)) " said before" } }
+                td { "at most; " (rounded(frame.memory_estimate_mib, 0)) " predicted" } }
         }
     } };
     scrolled("What each stage cost", table)

@@ -26,7 +26,7 @@ use pipeline::chain::cache::CacheLocation;
 use pipeline::chain::loading::SceneSource;
 use std::path::PathBuf;
 
-/// From a 3D model to a vehicle class: scattering at 77 GHz, FMCW echoes, detection, classification.
+/// Radar simulator for traffic: scattering at 77 GHz, FMCW echoes, detection, tracking, classification.
 #[derive(Debug, Parser)]
 #[command(name = "wayside", bin_name = "wayside", version, max_term_width = 110)]
 pub(crate) struct Arguments {
@@ -41,14 +41,14 @@ pub(crate) struct Arguments {
 /// Options of every command.
 #[derive(Debug, Clone, Args)]
 pub struct General {
-    /// Threads to use; the result does not depend on it, to the byte.
+    /// Number of threads; results are identical for any number.
     #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Memory that tracing may take; what cannot fit is refused with figures [default: nine tenths of what is
-    /// free].
+    /// Memory limit for tracing; frames that would exceed it are refused with figures [default: nine tenths
+    /// of the free memory].
     #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
     pub memory_limit: Option<u64>,
-    /// No progress and no notes beside the results.
+    /// Suppress progress and notes.
     #[arg(long, global = true)]
     pub quiet: bool,
 }
@@ -92,39 +92,39 @@ fn with_negative_values(command: clap::Command) -> clap::Command {
 /// Commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// A scene file to every stage's artifacts, summary.json, report.html and pictures.
+    /// Run all stages on a scene; write artifacts, summary.json, report.html and pictures.
     Run(RunArguments),
-    /// A mesh to its scattering amplitude over frequency and aspect (.npy).
+    /// Compute the scattering amplitude of a mesh over frequency and aspect (.npy).
     Rcs(Box<RcsArguments>),
-    /// A scene file to the scattering paths of each frame.
+    /// Trace the scattering paths of each frame of a scene.
     Paths(PathsArguments),
-    /// A scene file, and paths if given, to radar cubes.
+    /// Synthesize the radar cubes of a scene, optionally from traced paths.
     Echo(EchoArguments),
-    /// Radar cubes to range-Doppler maps, points and tracks.
+    /// Process radar cubes into range-Doppler maps, points and tracks.
     Dsp(DspArguments),
     /// Datasets, training, classes.
     #[cfg(feature = "classifier")]
     #[command(flatten)]
     Learning(LearningCommand),
-    /// A study to the design of a radar to take, with tables, picture and report; resumes where it stopped.
+    /// Compare radar designs by a study; write tables, a chart and a report; resumes where it stopped.
     Sweep(SweepArguments),
-    /// Points and tracks of any program, and a scene, to what was found, missed and false (JSON).
+    /// Score points and tracks of any program against a scene: found, missed and false (JSON).
     Score(ScoreArguments),
-    /// Samples from anywhere (.npy, DCA1000 .bin, SigMF, .mat) to a radar cube; clouds of other programs to
-    /// points.
+    /// Import samples (.npy, DCA1000 .bin, SigMF, .mat) as a radar cube, or foreign point clouds as points.
     Import(Box<ImportArguments>),
-    /// A board's configuration (mmWave SDK .cfg, mmWave Studio log or script) to a scene file with its radar.
+    /// Write a scene file with the radar of a board configuration (mmWave SDK .cfg, mmWave Studio log or
+    /// script).
     SceneFrom(SceneFromArguments),
-    /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration`
+    /// Measure the channel errors of an array from cubes of a reflector at a known place, for `calibration`
     /// of [dsp].
     Calibrate(CalibrateArguments),
-    /// Any artifact to a format that others read.
+    /// Export an artifact to a format that other programs read.
     Export(ExportArguments),
-    /// Header, provenance, shape, units and a sanity line of any artifact.
+    /// Print header, provenance, shape, units and a sanity line of an artifact.
     Inspect(InspectArguments),
-    /// Writes the project's own vehicles (.glb) and their manifest.
+    /// Write the built-in vehicles (.glb) and their manifest.
     Vehicles(VehiclesArguments),
-    /// Lists what the cache holds, stage by stage.
+    /// List the contents of the cache by stage.
     Cache(CacheCommandArguments),
 }
 
@@ -133,27 +133,26 @@ pub(crate) struct SceneArguments {
     /// Scene file.
     #[arg(value_name = "SCENE.toml")]
     pub(crate) scene: PathBuf,
-    /// Replaces the model of every target.
+    /// Replace the model of every target.
     #[arg(long, value_name = "FILE.glb")]
     pub(crate) model: Option<PathBuf>,
-    /// Through which of several radars; `run` takes them all in turn where none is said.
+    /// Radar to use where the scene has several [default: `run` takes all in turn].
     #[arg(long, value_name = "ID")]
     pub(crate) radar: Option<String>,
-    /// Replaces the scene's seed.
+    /// Replace the scene's seed.
     #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: Option<u64>,
-    /// Replaces the scene's accuracy, dB; what the scene does not say itself of the physics is chosen by it.
+    /// Replace the scene's accuracy, dB, and choose by it all physics that the scene leaves open.
     #[arg(long, value_name = "DB", value_parser = accuracy_db)]
     pub(crate) accuracy_db: Option<f64>,
 }
 
 #[derive(Debug, Clone, Args)]
 pub(crate) struct CacheArguments {
-    /// Folder of cached frames [default: .cache of the project's folder; outside of it the user's cache
-    /// folder].
+    /// Cache folder [default: .cache in the project's folder; outside the project, the user's cache folder].
     #[arg(long, value_name = "DIR")]
     pub(crate) cache: Option<PathBuf>,
-    /// Largest size of the cache; the oldest frames go first.
+    /// Maximum size of the cache, MiB; the oldest frames are removed first.
     #[arg(long, value_name = "MIB", default_value_t = 8192, value_parser = clap::value_parser!(u64).range(..=1 << 40))]
     pub(crate) cache_limit_mib: u64,
 }
@@ -178,19 +177,19 @@ impl CacheArguments {
 pub struct RunArguments {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
-    /// Folder of all results [default: out/ and the scene's name].
+    /// Output folder [default: out/ and the scene's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
-    /// Model of the classifier [default: the one that ships with the program].
+    /// Classifier model [default: the built-in one].
     #[arg(long, value_name = "FILE.model")]
     pub(crate) classifier: Option<PathBuf>,
-    /// Says what would be done, in which time and memory, and does nothing.
+    /// Print the plan with predicted time and memory, and stop.
     #[arg(long)]
     pub(crate) dry_run: bool,
-    /// Says why each stage runs or not.
+    /// Explain why each stage runs or is taken from the cache.
     #[arg(long)]
     pub(crate) explain: bool,
-    /// Neither reads nor writes the cache.
+    /// Neither read nor write the cache.
     #[arg(long, conflicts_with_all = ["cache", "cache_limit_mib"])]
     pub(crate) no_cache: bool,
     #[command(flatten)]
@@ -200,28 +199,28 @@ pub struct RunArguments {
 /// Words of `rcs`.
 #[derive(Debug, Args)]
 pub struct RcsArguments {
-    /// Mesh (.glb, .gltf, .stl, .obj, .xoma) or the name of an own vehicle.
+    /// Mesh (.glb, .gltf, .stl, .obj, .xoma) or the name of a built-in vehicle.
     #[arg(value_name = "MESH")]
     pub(crate) mesh: PathBuf,
     /// Frequencies, GHz: one number or START:STOP:N.
     #[arg(long, value_parser = frequencies)]
     pub(crate) freq_ghz: Axis,
-    /// Azimuths, degrees; 0 looks at the front of the body.
+    /// Azimuths, degrees; 0 faces the front of the body.
     #[arg(long, value_parser = azimuths, default_value = "0:360:361")]
     pub(crate) az_deg: Axis,
     /// Elevations above the horizon, degrees.
     #[arg(long, value_parser = elevations, default_value = "0")]
     pub(crate) el_deg: Axis,
-    /// Antenna to the mesh's origin, m, or inf.
+    /// Distance from the antenna to the mesh's origin, m, or inf.
     #[arg(long, value_parser = range, default_value = "inf")]
     pub(crate) range_m: f64,
-    /// First letter receives, second transmits.
+    /// Polarization: first letter received, second transmitted.
     #[arg(long, default_value = "vv", value_parser = one_of(POLARIZATIONS))]
     pub(crate) pol: Polarization,
     /// Highest bounce order [default: 3].
     #[arg(long, value_parser = clap::value_parser!(u8).range(BOUNCES))]
     pub(crate) bounces: Option<u8>,
-    /// Beam tracing, or one of the slow references.
+    /// Method: beam tracing or one of the slow references.
     #[arg(long, value_enum, default_value = "bart")]
     pub(crate) method: MethodWord,
     /// Samples or rays per wavelength of the references [default: 6].
@@ -230,41 +229,40 @@ pub struct RcsArguments {
     /// Diffraction by edges (physical theory of diffraction).
     #[arg(long, default_value = "off", value_parser = one_of(EDGES))]
     pub(crate) edges: Edges,
-    /// Facet on which a multiple reflection is integrated [default: own-edge; of the references middle].
+    /// Facet on which a multiple reflection is integrated [default: own-edge; for the references, middle].
     #[arg(long, value_parser = one_of(NODES))]
     pub(crate) nodes: Option<NodeRule>,
-    /// Surface that the facets stand for: themselves, or the curved skin that the vertex normals tell of.
+    /// Surface model: flat facets, or the curved skin that the vertex normals define.
     #[arg(long, default_value = "flat", value_parser = one_of(SURFACES))]
     pub(crate) surface: Surface,
-    /// Table of what the mesh's materials stand for (docs/materials.md); without it everything conducts.
+    /// Table of the mesh's materials (docs/materials.md); without it everything is a perfect conductor.
     #[arg(long, value_name = "FILE.toml")]
     pub(crate) materials: Option<PathBuf>,
-    /// Whether waves are followed through sheets.
+    /// Whether to trace waves through sheets.
     #[arg(long, default_value = "off", value_parser = one_of(TRANSMISSION), requires = "materials")]
     pub(crate) transmission: Transmission,
     /// Sides from which a facet scatters.
     #[arg(long, default_value = "two", value_parser = one_of(SIDES))]
     pub(crate) sides: Sides,
-    /// Fixed receiver: azimuth, degrees.
+    /// Azimuth of a fixed receiver, degrees.
     #[arg(long, value_parser = azimuth_deg, requires = "rx_el_deg")]
     pub(crate) rx_az_deg: Option<f64>,
-    /// Fixed receiver: elevation, degrees.
+    /// Elevation of a fixed receiver, degrees.
     #[arg(long, value_parser = elevation_deg, requires = "rx_az_deg")]
     pub(crate) rx_el_deg: Option<f64>,
-    /// Fixed receiver: distance, m [default: that of the transmitter].
+    /// Distance of a fixed receiver, m [default: the transmitter's].
     #[arg(long, value_parser = range, requires = "rx_az_deg")]
     pub(crate) rx_range_m: Option<f64>,
-    /// Relative amplitude error allowed, dB [default: -40].
+    /// Allowed relative amplitude error, dB [default: -40].
     #[arg(long, value_parser = accuracy_db)]
     pub(crate) accuracy_db: Option<f64>,
     /// Metres per unit of the mesh file.
     #[arg(long, value_parser = scale)]
     pub(crate) unit_scale: Option<f64>,
-    /// Pictures beside the result: level over azimuth and frequency, range profile, ISAR image, the facets
-    /// that make the level.
+    /// Draw level over azimuth and frequency, range profile, ISAR image and the contributing facets.
     #[arg(long)]
     pub(crate) pictures: bool,
-    /// Result; S.json is written beside it.
+    /// Output file; S.json is written beside it.
     #[arg(long, value_name = "S.npy")]
     pub(crate) out: PathBuf,
 }
@@ -299,7 +297,7 @@ impl RcsArguments {
 pub struct PathsArguments {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
-    /// Result.
+    /// Output file.
     #[arg(long, value_name = "F.paths")]
     pub(crate) out: PathBuf,
 }
@@ -309,10 +307,10 @@ pub struct PathsArguments {
 pub struct EchoArguments {
     #[command(flatten)]
     pub(crate) scene: SceneArguments,
-    /// Paths to use instead of tracing them.
+    /// Traced paths to use instead of tracing anew.
     #[arg(long, value_name = "F.paths")]
     pub(crate) paths: Option<PathBuf>,
-    /// Result.
+    /// Output file.
     #[arg(long, value_name = "F.cube")]
     pub(crate) out: PathBuf,
 }
@@ -323,16 +321,16 @@ pub struct DspArguments {
     /// Radar cubes.
     #[arg(value_name = "F.cube")]
     pub(crate) cube: PathBuf,
-    /// Scene whose [dsp] replaces the settings that the cubes carry.
+    /// Scene whose [dsp] replaces the settings in the cubes.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: Option<PathBuf>,
     /// Name of one of that scene's radars, where it has several.
     #[arg(long, value_name = "ID", requires = "scene")]
     pub(crate) radar: Option<String>,
-    /// Folder of the maps and points.
+    /// Output folder.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
-    /// Pictures too.
+    /// Draw pictures too.
     #[arg(long)]
     pub(crate) pictures: bool,
 }
@@ -349,10 +347,10 @@ pub struct SweepArguments {
     /// Part K of N.
     #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
     pub(crate) shard: Shard,
-    /// Makes no runs: writes the results of all of them, or says how many lack.
+    /// Make no runs; write the results of all runs, or report how many are missing.
     #[arg(long, conflicts_with = "shard")]
     pub(crate) conclude: bool,
-    /// Replaces the study's seed.
+    /// Replace the study's seed.
     #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: Option<u64>,
     /// Model of the classifier [default: the one that ships with the program].
@@ -368,39 +366,39 @@ pub struct SweepArguments {
 /// Words of `import`.
 #[derive(Debug, Args)]
 pub struct ImportArguments {
-    /// Samples: complex64 [frame, channel, chirp, sample]; or a DCA1000EVM's .bin, or a .sigmf-meta, of
-    /// receivers; or a .mat of UWCR, or a folder of them. Where the result is F.points: a cloud of
-    /// View-of-Delft (.bin) or nuScenes (.pcd), or a folder of them.
+    /// Samples: a .npy of complex64 [frame, channel, chirp, sample] or a RADDet tensor [range, azimuth,
+    /// Doppler]; a DCA1000EVM's .bin; a .sigmf-meta; a .mat of UWCR; or a folder of .npy or .mat files. For
+    /// --out F.points: a cloud of View-of-Delft (.bin) or nuScenes (.pcd), or a folder of them.
     #[arg(value_name = "F.npy")]
     pub(crate) array: PathBuf,
-    /// √W of one step of integer samples, where no file beside them says it; without either they are counted
-    /// in steps.
+    /// Size of one step of integer samples, √W; otherwise taken from the file beside them, or samples stay in
+    /// steps.
     #[arg(long, value_name = "SQRT_W", value_parser = step)]
     pub(crate) step: Option<f32>,
-    /// Largest part of a sample, in the file's numbers, where these are a converter's steps: levels are told
-    /// against it, in dBFS [default: of 16-bit integers 32768].
+    /// Full scale of the ADC in the file's numbers; levels are then in dBFS [default: 32768 for 16-bit
+    /// integers].
     #[arg(long, value_name = "STEPS", value_parser = full_scale, conflicts_with = "step")]
     pub(crate) full_scale: Option<f64>,
-    /// Configuration of the board (mmWave SDK .cfg, mmWave Studio log or script): what the scene does not say
-    /// of the radar, and a check of what it says.
+    /// Board configuration (mmWave SDK .cfg, mmWave Studio log or script); it supplies what the scene leaves
+    /// open and checks the rest.
     #[arg(long, value_name = "FILE")]
     pub(crate) config: Option<PathBuf>,
-    /// Evaluation board of that configuration [default: that of the chip which it names].
+    /// Evaluation board of the configuration [default: the board of the chip that it names].
     #[arg(long, value_parser = boards(), requires = "config")]
     pub(crate) device: Option<Board>,
-    /// Lanes by which a DCA1000EVM recorded [default: those of the configuration, else two].
+    /// Lane layout of the DCA1000EVM recording [default: the configuration's, else two lanes].
     #[arg(long, value_parser = lanes())]
     pub(crate) layout: Option<Lanes>,
-    /// Part of a DCA1000EVM's complex samples that comes first [default: that of the configuration, else I].
+    /// Order of I and Q in complex DCA1000EVM samples [default: the configuration's, else I first].
     #[arg(long, value_parser = iq_orders())]
     pub(crate) iq_order: Option<IqOrder>,
-    /// Scene that tells the radar and the processing.
+    /// Scene with the radar and its processing.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: PathBuf,
     /// Name of one of that scene's radars, where it has several.
     #[arg(long, value_name = "ID")]
     pub(crate) radar: Option<String>,
-    /// Result.
+    /// Output file.
     #[arg(long, value_name = "F.cube|F.points")]
     pub(crate) out: PathBuf,
 }
@@ -408,13 +406,13 @@ pub struct ImportArguments {
 /// Words of `scene-from`.
 #[derive(Debug, Args)]
 pub struct SceneFromArguments {
-    /// Configuration of the board: mmWave SDK .cfg, mmWave Studio log or script.
+    /// Board configuration: mmWave SDK .cfg, mmWave Studio log or script.
     #[arg(value_name = "FILE")]
     pub(crate) config: PathBuf,
-    /// Evaluation board, with its antennas [default: that of the chip which the file names].
+    /// Evaluation board, which fixes the antennas [default: the board of the chip that the file names].
     #[arg(long, value_parser = boards())]
     pub(crate) device: Option<Board>,
-    /// Result.
+    /// Output file.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) out: PathBuf,
 }
@@ -425,10 +423,10 @@ pub struct CalibrateArguments {
     /// Radar cubes of the reflector, at rest.
     #[arg(value_name = "F.cube")]
     pub(crate) cube: PathBuf,
-    /// Place of the reflector, world metres.
+    /// Position of the reflector in world coordinates, m.
     #[arg(long, value_name = "X,Y,Z", value_parser = place)]
     pub(crate) at_m: Place,
-    /// Result.
+    /// Output file.
     #[arg(long, value_name = "F.csv")]
     pub(crate) out: PathBuf,
 }
@@ -443,14 +441,14 @@ pub struct ExportArguments {
     /// Format.
     #[arg(long)]
     pub(crate) to: FormatWord,
-    /// Whether a map's .png has axes in metres and m/s and a scale in dB, or is the paper's grey picture.
+    /// Draw a map's .png with axes in m and m/s and a dB scale, or as the paper's grey picture.
     #[arg(long, value_enum, default_value = "off")]
     pub(crate) axes: AxesWord,
-    /// Scene of these frames, the scene.scene of their run, of which a training set's boxes are made
-    /// [default: no labels].
+    /// Scene of these frames (scene.scene of their run) for the labels of a training set [default: no
+    /// labels].
     #[arg(long, value_name = "F.scene")]
     pub(crate) scene: Option<PathBuf>,
-    /// Result.
+    /// Output file.
     #[arg(long, value_name = "PATH")]
     pub(crate) out: PathBuf,
 }
@@ -461,13 +459,13 @@ pub struct ScoreArguments {
     /// Points with their objects.
     #[arg(value_name = "F.points")]
     pub(crate) points: PathBuf,
-    /// Ground truth: the scene of these points, the scene.scene of its run.
+    /// Ground truth: the scene of these points (scene.scene of their run).
     #[arg(long, value_name = "F.scene")]
     pub(crate) scene: PathBuf,
-    /// The paths of their echoes; without them every body in range is to be found, also one that is hidden.
+    /// Paths of the echoes; without them every body in range counts as detectable, even a hidden one.
     #[arg(long, value_name = "F.paths")]
     pub(crate) paths: Option<PathBuf>,
-    /// Tracks of the same frames [default: those of the objects by the tracker of `dsp`].
+    /// Tracks of the same frames [default: `dsp`'s tracker applied to the objects].
     #[arg(long, value_name = "F.tracks")]
     pub(crate) tracks: Option<PathBuf>,
 }
@@ -483,14 +481,14 @@ pub struct InspectArguments {
 /// Words of `vehicles`.
 #[derive(Debug, Args)]
 pub struct VehiclesArguments {
-    /// Folder of the vehicles.
+    /// Output folder.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
-    /// 0 gives the nominal dimensions, others spread them over real ranges.
+    /// Seed of the dimensions: 0 gives nominal ones, others draw from real ranges.
     #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: u64,
-    /// Number of vehicles of each model: the first is that of the seed, the others have seeds of their own,
-    /// which the manifest tells.
+    /// Number of vehicles of each model: the first uses the seed, the others seeds of their own, listed in
+    /// the manifest.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub(crate) count: u64,
 }
@@ -500,7 +498,7 @@ pub struct VehiclesArguments {
 pub struct CacheCommandArguments {
     #[command(flatten)]
     pub(crate) location: CacheArguments,
-    /// Empties it.
+    /// Empty the cache.
     #[arg(long)]
     pub(crate) clear: bool,
 }

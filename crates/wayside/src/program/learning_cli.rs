@@ -9,17 +9,15 @@ use std::path::PathBuf;
 /// Commands that need the classifier.
 #[derive(Debug, Subcommand)]
 pub enum LearningCommand {
-    /// A dataset recipe to labelled signatures of vehicles and crops of range-Doppler maps; resumes where it
-    /// stopped.
+    /// Make a dataset of labelled vehicle signatures and map crops from a recipe; resumes where it stopped.
     Dataset(DatasetArguments),
-    /// A dataset to a trained model with its curves and its evaluation.
+    /// Train a classifier on datasets; write the model, its curves and its evaluation.
     Train(TrainArguments),
-    /// Range-Doppler maps or a dataset to classes and probabilities, one JSON line each.
+    /// Classify the objects of range-Doppler maps or the samples of datasets, one JSON line each.
     Classify(ClassifyArguments),
-    /// A model and datasets to how often it is right, by frame and by track, with its spread over vehicles.
+    /// Evaluate a model on datasets: accuracy by frame and by track, with its spread over vehicles.
     Evaluate(EvaluateArguments),
-    /// Datasets to how right trees are that several seeds train: on unseen scenes, unseen vehicles, other
-    /// datasets.
+    /// Train and test by protocol over several seeds: on unseen scenes, unseen vehicles, other datasets.
     Protocols(ProtocolsArguments),
 }
 
@@ -46,19 +44,19 @@ pub struct DatasetArguments {
     /// Recipe.
     #[arg(value_name = "SPEC.toml")]
     pub(crate) spec: PathBuf,
-    /// Folder of the dataset.
+    /// Output folder.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// Part K of N.
     #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
     pub(crate) shard: Shard,
-    /// Makes no shards: writes what is made of all of them, or says which lack.
+    /// Make no shards; write the results of all shards, or report which are missing.
     #[arg(long, conflicts_with = "shard")]
     pub(crate) conclude: bool,
-    /// Says how many files, bytes and core-hours the whole dataset would take, and makes nothing.
+    /// Print the number of files, bytes and core-hours of the whole dataset, and stop.
     #[arg(long, conflicts_with_all = ["conclude", "shard"])]
     pub(crate) dry_run: bool,
-    /// Replaces the recipe's seed.
+    /// Replace the recipe's seed.
     #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: Option<u64>,
 }
@@ -69,20 +67,19 @@ pub struct TrainArguments {
     /// Dataset folders.
     #[arg(value_name = "DIR", required = true)]
     pub(crate) datasets: Vec<PathBuf>,
-    /// Model folder.
+    /// Output folder of the model.
     #[arg(long, value_name = "MODEL")]
     pub(crate) out: PathBuf,
-    /// Boosted trees on features of signatures, or the paper's network on crops.
+    /// Learner: boosted trees on signature features, or the paper's network on crops.
     #[arg(long, value_enum, default_value_t = LearnerWord::Trees)]
     pub(crate) learner: LearnerWord,
-    /// Seed of every draw: examples and features of trees, initial weights, the order of samples.
+    /// Seed of all random draws: examples and features of trees, initial weights, order of samples.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: u64,
     /// Steps of the network's optimizer [default: 1440, the paper's number].
     #[arg(long, value_name = "N")]
     pub(crate) iterations: Option<u32>,
-    /// Text file with a line for each source of vehicles that its licence asks to be named with the model of
-    /// trees.
+    /// Text file with one line for each vehicle source whose licence requires attribution with the model.
     #[arg(long, value_name = "FILE")]
     pub(crate) attributions: Option<PathBuf>,
 }
@@ -96,7 +93,7 @@ pub struct EvaluateArguments {
     /// Dataset folders.
     #[arg(value_name = "DIR", required = true)]
     pub(crate) datasets: Vec<PathBuf>,
-    /// Page (Markdown) that holds what is told.
+    /// Write the results to this page too (Markdown or text).
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
 }
@@ -104,26 +101,26 @@ pub struct EvaluateArguments {
 /// Words of `protocols`.
 #[derive(Debug, Clone, Args)]
 pub struct ProtocolsArguments {
-    /// Dataset folders that train; their vehicles are held out in turn.
+    /// Dataset folders to train on; their vehicles are held out in turn.
     #[arg(value_name = "DIR", required = true)]
     pub(crate) datasets: Vec<PathBuf>,
-    /// Dataset folders that never train.
+    /// Dataset folders to test on only.
     #[arg(long, value_name = "DIR")]
     pub(crate) test: Vec<PathBuf>,
-    /// Learner that is asked: trees, or the paper's network by the paper's protocol (P) and by two that keep
-    /// copies of a map apart.
+    /// Learner: trees, or the paper's network by the paper's protocol (P) and by two that keep copies of a
+    /// map apart.
     #[arg(long, value_enum, default_value = "trees")]
     pub(crate) learner: LearnerWord,
     /// Steps of the network's optimizer in each training [default: 1440, the paper's number].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) iterations: Option<u32>,
-    /// Trainings, of the seeds 1, 2, ...
+    /// Number of trainings, with the seeds 1, 2, ...
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=100))]
     pub(crate) seeds: u64,
-    /// Trains on parts of the scenes and of the vehicles too, and tables how right that is.
+    /// Add learning curves: train on parts of the scenes and of the vehicles too.
     #[arg(long)]
     pub(crate) curves: bool,
-    /// Page (Markdown) that holds what is told.
+    /// Write the results to this page too (Markdown or text).
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
 }

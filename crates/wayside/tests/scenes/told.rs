@@ -359,7 +359,7 @@ fn objects_that_another_radar_or_the_converter_makes_are_not_told_as_noise() {
     let clipped = "[radar.receiver]\nadc_bits = 8\nfull_scale_dbm = -90.0\n";
     for (more, cause, told) in [
         (same_slope, "interference", ": interference by another radar"),
-        (clipped, "receiver", ": the receiver: its converter or its phase noise"),
+        (clipped, "receiver", ": receiver: ADC or phase noise"),
     ] {
         write(&place, "disturbed.toml", &of_a_point(more));
         let lines = place.run("run disturbed.toml --out out --no-cache --quiet");

@@ -43,7 +43,7 @@ const PLACES: [(&str, &str); 3] =
 pub(crate) fn section(viewed: &Viewed, summary: &Summary) -> Markup {
     let Some(json) = viewed.json(summary) else { return html! {} };
     html! {
-        noscript { p.made { "Scripts do not run here: the drawings and tables below show the same scene." } }
+        noscript { p.made { "Scripts are disabled; the drawings and tables below show the same scene." } }
         section #viewer hidden {
             h2 { "Walk around" }
             p #viewer-told {}
@@ -55,9 +55,9 @@ pub(crate) fn section(viewed: &Viewed, summary: &Summary) -> Markup {
                 }
                 div #viewer-panel aria-live="polite" {}
             }
-            p.made { "Drag turns the view, with the right button or Shift moves it, two fingers do both; the wheel comes "
-                "nearer once the picture was clicked. Keys: arrows turn, W A S D walk, + and − come nearer and go away. A click on a "
-                "vehicle, a point target or its name tells about it." }
+            p.made { "Drag to turn the view; drag with the right button or Shift to move it; use two fingers for both. Click the "
+                "picture, then turn the wheel to zoom. Keys: arrows turn, W A S D walk, + and − zoom. Click a vehicle, a point "
+                "target or its name for details." }
             (maps())
         }
         (scripts(&json, &SCRIPT))
@@ -87,12 +87,12 @@ fn maps() -> Markup {
     html! {
         div.viewer-maps {
             div { canvas #viewer-map tabindex="0" role="img" aria-label="Range-Doppler map with a cursor" {}
-                p.made { i #viewer-scale {} span #viewer-scale-told {} ", all channels together; outlined cells are those that the "
-                    "detector took (CFAR), rings are objects. A click here or in a cut holds the cursor, a second one lets it go." } }
+                p.made { i #viewer-scale {} span #viewer-scale-told {} ", all channels summed. Outlined cells exceed the CFAR "
+                    "threshold; rings are objects. Click here or in a cut to hold the cursor, click again to release it." } }
             div { canvas #viewer-doppler role="img" aria-label="Doppler cut at the cursor's range" {}
                 p.made { "Doppler cut at the cursor's range." } }
             div { canvas #viewer-range role="img" aria-label="Range profile at the cursor's velocity" {}
-                p.made { "Range profile: at the cursor's velocity, and faintly the strongest over all velocities." } }
+                p.made { "Range profile at the cursor's velocity; the faint line is the maximum over all velocities." } }
             p #viewer-readout aria-live="polite" {}
         }
     }

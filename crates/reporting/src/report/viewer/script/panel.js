@@ -1,4 +1,4 @@
-// What is told of a vehicle that was clicked: class, place, its paths and its errors.
+// Panel of the chosen vehicle: class, position, paths and error budget.
 
 const CLASSES = ["car", "bus", "truck", "motorcycle"];
 
@@ -9,7 +9,7 @@ function fillPanel(panel, state, letGo) {
     put(
       panel,
       "p",
-      "Click on a vehicle, or on its name: its paths, its errors and its class are told here.",
+      "Click a vehicle or its name to see its class, paths and error budget here.",
     );
     return;
   }
@@ -49,7 +49,7 @@ function tellOfClass(panel, target) {
     ["probability", "frame", "track"],
     [
       ["true", target.class ?? "–", ""],
-      ["told", target.predicted_class ?? "–", target.track_class ?? "–"],
+      ["predicted", target.predicted_class ?? "–", target.track_class ?? "–"],
       ...rows,
     ],
   );
@@ -70,10 +70,10 @@ function heightOf({ frame, chosen }) {
 function tellOfPlace(panel, { truth, estimate, found }, height) {
   const range = truth.echo_range_m ?? truth.range_m;
   const velocity = truth.echo_radial_velocity_mps ?? truth.radial_velocity_mps;
-  const words = found === null ? "not to be found" : found ? "found" : "missed";
+  const words = found === null ? "not detectable" : found ? "found" : "missed";
   rowsInto(
     panel,
-    `Place (${words})`,
+    `Position (${words})`,
     ["", "true", "measured"],
     [
       ["range, m", told(range, 2), told(estimate?.range_m, 2)],
@@ -95,13 +95,13 @@ function tellOfPaths(panel, state) {
     count.toLocaleString("en"),
     told(10 * Math.log10(power_w), 1),
   ]);
-  rowsInto(panel, "Paths shown that meet it first", ["", "number", "power, dBW"], rows);
+  rowsInto(panel, "Shown paths that hit it first", ["", "number", "power, dBW"], rows);
   const share = paths.power_of_bodies_w[state.chosen] / paths.all_power_w;
   put(
     panel,
     "p",
-    `All of its paths hold ${told(100 * share, 1)} % of the frame's power; powers of paths are added ` +
-      "without their phases here.",
+    `All its paths carry ${told(100 * share, 1)} % of the frame's power. Path powers are added here ` +
+      "without their phases.",
   );
 }
 
@@ -119,8 +119,8 @@ function tellOfErrors(panel, state) {
   rowsInto(
     panel,
     "Error budget, dB",
-    ["source", "of the frame", "of it, at most"],
+    ["source", "frame", "vehicle, at most"],
     [row("total", error_db.total), ...named(error_db, ""), ...named(model_error_db, "model: ")],
   );
-  put(panel, "p", "The last column holds if all of the frame's error fell on this vehicle.");
+  put(panel, "p", "The last column assumes that all of the frame's error falls on this vehicle.");
 }

@@ -11,7 +11,7 @@ function startRcsView() {
   const state = { page, camera, chosen: null, belowDb: -30, colours: readColours(), layers: {} };
   Object.assign(state, { isHeld: true });
   const space = makeBody(part("space"), page, state);
-  if (!space) part("space-place").replaceChildren("This browser has no WebGL 2: the pictures show the body.");
+  if (!space) part("space-place").replaceChildren("This browser has no WebGL 2; the pictures below show the body.");
   const view = { page, state, space, isWaiting: false };
   hearRcsControls(view);
   if (space) hearSpace(view);
@@ -117,7 +117,7 @@ function choose(view, facet) {
 }
 
 function toldOfFacet({ levels, strongest_dbsm: strongest }, facet) {
-  if (levels[facet] === NOTHING) return "Takes part in nothing above −40 dB of the strongest sequence.";
+  if (levels[facet] === NOTHING) return "Contributes to no sequence within 40 dB of the strongest.";
   return `Its sequences' powers together: ${told(strongest + levels[facet] - 1 - SOUND_DB, 0, "dBsm")}.`;
 }
 

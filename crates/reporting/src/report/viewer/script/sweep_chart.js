@@ -87,10 +87,10 @@ function verdictOn(page, index) {
     [index === page.answer, "the answer of the study"],
     [index === page.best, "the best mean"],
     [design.is_candidate && index !== page.best, "not told apart from the best"],
-    [design.is_on_front, "on the front: none is better for as little"],
+    [design.is_on_front, "on the Pareto front: no design is better at the same or lower cost"],
   ];
   const said = words.filter(([holds]) => holds).map(([, text]) => text);
-  return said.length ? `${said.join("; ")}.` : "Another one is as good or better for as little.";
+  return said.length ? `${said.join("; ")}.` : "Dominated: another design is at least as good at the same or lower cost.";
 }
 
 /** A mean with half the width of its interval. */

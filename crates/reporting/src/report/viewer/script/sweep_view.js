@@ -26,7 +26,7 @@ function startSweepView() {
   };
   const space = makeStudy(part("space"), page, state);
   if (!space)
-    part("space-place").replaceChildren("This browser has no WebGL 2: the chart shows the designs.");
+    part("space-place").replaceChildren("This browser has no WebGL 2; the chart below shows the designs.");
   const view = { page, state, space, isWaiting: false, names: [] };
   hearSweepControls(view);
   if (space) hearSpace(view);

@@ -4,7 +4,7 @@
 function tellOfRun({ page, state }) {
   const words = page.surroundings.radar.words;
   const sentences = [
-    page.every > 1 && `Of ${page.frames_all} frames every ${ordinal(page.every)} is here.`,
+    page.every > 1 && `This page holds every ${ordinal(page.every)} of ${page.frames_all} frames.`,
     ...(state.frame.paths ? sentencesOnPaths(state.frame.paths) : []),
     ...sentencesOnMap(state.frame.map),
     sentenceOnHeights(state.frame),
@@ -22,18 +22,18 @@ function sentencesOnPaths(paths) {
   const whole = WITH_LEGS.toLocaleString("en");
   return [
     kept < paths.all &&
-      `The strongest ${some} of ${all} paths are here; the others hold ${out} of the power.`,
+      `This page holds the strongest ${some} of ${all} paths; the others carry ${out} of the power.`,
     kept > WITH_LEGS &&
-      `The strongest ${whole} are drawn from the radar on, the others where they are reflected.`,
+      `The strongest ${whole} paths are drawn in full, the others only between their reflections.`,
     paths.through_middles > 0 &&
-      `${bent} drawn through the middles of the facets, for curved skin bends them.`,
+      `${bent} drawn through facet centres, because curved skin bends them.`,
   ];
 }
 
 function sentencesOnMap({ pooled, floor_is_assumed }) {
   return [
-    pooled > 1 && `One cell of the map stands for ${pooled} × ${pooled}, by the strongest.`,
-    floor_is_assumed && "There is no noise: a floor 60 dB below the peak stands for it.",
+    pooled > 1 && `Each cell of the map shows the strongest of ${pooled} × ${pooled} cells.`,
+    floor_is_assumed && "The scene has no noise: a floor 60 dB below the peak is assumed.",
   ];
 }
 
@@ -49,7 +49,7 @@ function sentenceOnHeights({ assumed_height_m, points, objects }) {
   const assumed = assumed_height_m !== null && `at an assumed height of ${assumed_height_m} m`;
   const some = assumed ? `${own.toLocaleString("en")} of them ` : "";
   const places = [assumed, own > 0 && `${some}at the radar's own height`].filter(Boolean);
-  return `Heights of points and objects are not measured: they are drawn ${places.join(", ")}.`;
+  return `The array does not measure heights: points and objects are drawn ${places.join(", ")}.`;
 }
 
 function sentenceOnMeshes(meshes) {
@@ -71,7 +71,7 @@ function tellOfOrders({ state }) {
   }
 }
 
-/** What is told of the cursor's cell. */
+/** Description of the cell under the cursor. */
 function readout({ cursor, frame }) {
   const { map } = frame;
   const { row, column } = cellOf(map, cursor);
@@ -85,7 +85,7 @@ function readout({ cursor, frame }) {
   );
 }
 
-/** What is told of the point or the object that the cursor was set by. */
+/** Description of the point or the object on which the cursor was set. */
 function toldOfThing({ found }) {
   if (!found) return "";
   const height = told(found.place[2], 2, "m");
@@ -96,7 +96,7 @@ const ROAD = 0xffffffff;
 
 /** The kind of echo that fills a cell most. */
 function whose({ map, bodies, paths }, cell) {
-  if (!paths) return "whose echo is not known: echoes of tables";
+  if (!paths) return "source unknown: echoes come from RCS tables";
   const kind = map.kinds[map.strongest[cell] - 1];
   if (!kind) return "no echo above the noise";
   const name = kind.target === ROAD ? "the road" : (bodies[kind.target]?.id ?? "a body");

@@ -24,7 +24,7 @@ function startViewer() {
   const space = makeSpace(part("space"), page, state);
   if (!space)
     part("space-place").replaceChildren(
-      "This browser has no WebGL 2: the map below works, and the drawings show the scene.",
+      "This browser has no WebGL 2; the map below still works, and the drawings show the scene.",
     );
   const view = { page, state, space, isWaiting: false, names: [] };
   part("frame").max = page.frames.length - 1;
