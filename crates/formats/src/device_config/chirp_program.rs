@@ -1,6 +1,6 @@
 //! Settings of commands: which form of chirp is sent, by whom, how often.
 
-use super::statements::{Chirps, Fault, Frame, Profile, Statement, Told};
+use super::statements::{Chirps, Fault, Frame, Platform, Profile, Statement, Told};
 use crate::devices::{Board, IqOrder, Lanes};
 use artifact::radar::Sampling;
 
@@ -58,6 +58,18 @@ impl DeviceSettings {
         self.bits
     }
 
+    /// Layout of a capture card's recordings where it is not the one that is assumed of them otherwise.
+    pub fn unusual_layout(&self) -> Option<&'static str> {
+        let four = self.lanes() == Some(Lanes::Four);
+        let swapped = self.iq_order == Some(IqOrder::QuadratureFirst) && self.sampling == Sampling::Complex;
+        match (four, swapped) {
+            (true, true) => Some("four lanes and Q before I"),
+            (true, false) => Some("four lanes"),
+            (false, true) => Some("Q before I"),
+            (false, false) => None,
+        }
+    }
+
     /// Refuses settings by which a capture card's file holds more than samples.
     pub(super) fn check_stream(&self) -> Result<(), Fault> {
         let Some(stream) = &self.stream else { return Ok(()) };
@@ -91,8 +103,13 @@ pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result
     if profile.value.shifts_phases && turns.len() > 1 {
         return Err(profile.fault("phases of several transmitters are not read: 0 alone"));
     }
+    // Comments stand before the start that flushes the commands.
+    let platform = Program(statements).find(|told| match told {
+        Told::Platform(platform) => Some(platform.clone()),
+        _ => None,
+    });
     let named = program.find(|told| if let Told::Board(board) = told { Some(*board) } else { None });
-    let settings = DeviceSettings {
+    let mut settings = DeviceSettings {
         board: asked.or(named.as_ref().map(|named| named.value)),
         remarks: named.and_then(|named| of_another_chip(&named, asked?)).into_iter().collect(),
         chirps: frame.value.loops * (frame.value.last + 1 - frame.value.first) / turns.len() as u32,
@@ -113,6 +130,10 @@ pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result
     };
     check_period(&settings)?;
     check_board(&settings)?;
+    if let (Some(platform), Some(board)) = (platform, settings.board) {
+        check_platform(&platform, board)?;
+        settings.remarks.extend(of_another_platform(&platform, board));
+    }
     Ok(settings)
 }
 
@@ -129,6 +150,26 @@ fn of_another_chip(named: &InLine<Board>, asked: Board) -> Option<Remark> {
     let (name, chip, asked_name) = (named.name, named.value.name(), asked.name());
     let text = || format!("{name}: it names the chip of the {chip}; --device {asked_name} is taken");
     (named.value != asked).then(|| Remark { line: named.line, text: text() })
+}
+
+/// Refuses a board whose antennas are others than those of the board that is taken for it.
+fn check_platform(platform: &InLine<Platform>, board: Board) -> Result<(), Fault> {
+    if !platform.value.is_on_package {
+        return Ok(());
+    }
+    let (name, board) = (&platform.value.name, board.name());
+    Err(platform.fault(format!(
+        "antennas of {name} are not those of the {board}: leave --device out of import, and write \
+         tx_half_wavelengths and rx_half_wavelengths of [radar.array] into its scene"
+    )))
+}
+
+/// The remark that a board was asked for which is of another family than the one that a comment names.
+fn of_another_platform(platform: &InLine<Platform>, board: Board) -> Option<Remark> {
+    let (Platform { name, family, .. }, board) = (&platform.value, board.name());
+    let is_of_it = family.is_empty() || board.trim_start_matches(|c: char| !c.is_ascii_digit()).starts_with(family);
+    let text = format!("its comment names the platform {name}; the {board} is taken");
+    (!is_of_it).then_some(Remark { line: platform.line, text })
 }
 
 /// Numbers of the bits that are set.

@@ -2,7 +2,9 @@
 //! User Guide, release 3.6, "Configuration (.cfg) File Format"). What says nothing about chirps, channels and
 //! samples is passed over.
 
-use super::statements::{Arguments, CHIRPS_MAX, Chirps, Fault, Frame, ProfileColumns, Statement, Told};
+use super::statements::{
+    Arguments, CHIRPS_MAX, Chirps, Fault, Frame, Platform, ProfileColumns, Statement, Told,
+};
 use crate::devices::IqOrder;
 use artifact::radar::Sampling;
 
@@ -10,12 +12,22 @@ use artifact::radar::Sampling;
 pub(super) fn statements(text: &str) -> Result<Vec<Statement>, Fault> {
     let mut all = Vec::new();
     for (index, line) in text.lines().enumerate() {
+        if let Some(told) = platform(line) {
+            all.push(Statement { line: index + 1, name: "% Platform", told });
+        }
         let mut words = line.split('%').next().unwrap_or_default().split_whitespace();
         let Some((name, read)) = words.next().and_then(command) else { continue };
         let arguments = Arguments { line: index + 1, name, words: words.collect() };
         all.extend(read(&arguments)?.into_iter().map(|told| arguments.statement(told)));
     }
     Ok(all)
+}
+
+/// The board in a comment of the generator of such files.
+fn platform(line: &str) -> Option<Told> {
+    let name = line.trim_start().strip_prefix('%')?.trim_start().strip_prefix("Platform")?;
+    let name = name.trim_start().strip_prefix(':')?.split_whitespace().next()?;
+    Some(Told::Platform(Platform::of(name)))
 }
 
 /// Meanings of a command's words; none of what says nothing.

@@ -25,6 +25,8 @@ pub(super) enum Told {
     /// A start anew: earlier commands do not count.
     Flush,
     Board(Board),
+    /// Board that a comment names, and what it calls it.
+    Platform(Platform),
     /// Transmitters and receivers that are switched on, bit by bit.
     Channels {
         transmitters: u32,
@@ -43,6 +45,25 @@ pub(super) enum Told {
     Profile(Profile),
     Chirps(Chirps),
     Frame(Frame),
+}
+
+/// Board that the comment of a generator names (`% Platform:xWR68xx`).
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Platform {
+    pub(super) name: String,
+    /// Digits of the family that it names: `68` of `xWR68xx_AOP`.
+    pub(super) family: String,
+    /// Whether its antennas are in or on the package.
+    pub(super) is_on_package: bool,
+}
+
+impl Platform {
+    pub(super) fn of(name: &str) -> Self {
+        let family = name.chars().skip_while(|c| !c.is_ascii_digit()).take_while(char::is_ascii_digit);
+        let upper = name.to_ascii_uppercase();
+        let is_on_package = ["AOP", "ODS"].iter().any(|kind| upper.contains(kind));
+        Self { name: name.to_owned(), family: family.collect(), is_on_package }
+    }
 }
 
 /// Form of a chirp.

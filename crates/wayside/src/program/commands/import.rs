@@ -5,6 +5,7 @@ mod options;
 use crate::program::cli::ImportArguments;
 use crate::stepwise;
 use artifact::cube::{Cube, CubeFrame, CubeHeader, SampleUnit};
+use artifact::radar::Sampling;
 use artifact::scene::SceneHeader;
 use artifact::{ErrorBudget, Provenance, Writer};
 use formats::device_config::{self, Configured, DeviceSettings, scene_with};
@@ -42,7 +43,7 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let of_beside = hashed.split_off(files.len());
     let is_told = |place: &Path| step.place() == Some(place);
     hashed.extend(beside.iter().zip(of_beside).filter(|(place, _)| is_told(place)).map(|(_, told)| told));
-    let from = provenance_of(arguments, &scene, &step, hashed);
+    let from = provenance_of(arguments, &scene, (&step, header.unit), hashed);
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
     let of = frames.len();
     for (index, samples) in progress::counted("frames", frames, of).enumerate() {
@@ -70,7 +71,12 @@ fn samples(arguments: &ImportArguments, kind: Kind) -> Result<Samples, Failure> 
             if let (Some(file), Some(settings)) = (&arguments.config, &settings) {
                 device_config::check_stream(file, settings)?;
             }
-            dca1000::read(file, &header, arguments.step, layout(arguments, settings.as_ref()))?
+            let layout = layout(arguments, settings.as_ref());
+            let imported = dca1000::read(file, &header, arguments.step, layout)?;
+            if imported.step.place().is_none() {
+                note_layout(arguments, settings.as_ref(), header.radar.waveform.sampling);
+            }
+            imported
         }
         Kind::Sigmf => sigmf::read(file, &header, arguments.step)?,
         Kind::Uwcr => uwcr::read(file, &header)?,
@@ -138,6 +144,23 @@ fn layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> dca
     }
 }
 
+/// Notes the layout that is assumed of a recording where neither the command nor a configuration gives it:
+/// another one reads as other ranges and velocities, not as noise.
+fn note_layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>, sampling: Sampling) {
+    let has_lanes = arguments.layout.or(settings.and_then(DeviceSettings::lanes)).is_some();
+    let has_order = arguments.iq_order.or(settings.and_then(|s| s.iq_order)).is_some();
+    let assumed = match (has_lanes, has_order || sampling == Sampling::Real) {
+        (true, true) => return,
+        (true, false) => "I before Q is",
+        (false, true) => "two lanes are",
+        (false, false) => "two lanes and I before Q are",
+    };
+    progress::note(format!(
+        "note: {}: {assumed} assumed; the board's configuration (--config) tells, or --layout and --iq-order",
+        arguments.array.display()
+    ));
+}
+
 /// Files that tell the radar: the scene, the pattern and the calibration that it names, and the board's
 /// configuration. Of those that cannot be read the scene and the configuration, whose reader tells why.
 fn radar_files(arguments: &ImportArguments) -> Vec<PathBuf> {
@@ -155,7 +178,7 @@ fn radar_files(arguments: &ImportArguments) -> Vec<PathBuf> {
 fn provenance_of(
     arguments: &ImportArguments,
     scene: &SceneHeader,
-    step: &IntegerStep,
+    (step, unit): (&IntegerStep, SampleUnit),
     hashed: Vec<(String, String)>,
 ) -> Provenance {
     if *step == IntegerStep::Unknown {
@@ -167,6 +190,12 @@ fn provenance_of(
     if *step == IntegerStep::Unscaled {
         progress::note(format!(
             "note: {}: a tensor tells no factor of its values: samples are those of a converter to an unknown factor, and levels are no powers",
+            arguments.array.display()
+        ));
+    }
+    if *step == IntegerStep::Floats && unit != SampleUnit::RootWatts {
+        progress::note(format!(
+            "note: {}: all samples are whole numbers: they are counted in steps of a converter, and levels are no powers",
             arguments.array.display()
         ));
     }

@@ -4,6 +4,7 @@ use crate::program::cli::SceneFromArguments;
 use formats::device_config;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
+use pipeline::host::progress;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &SceneFromArguments) -> Result<(), Failure> {
@@ -14,7 +15,12 @@ pub(crate) fn run(arguments: &SceneFromArguments) -> Result<(), Failure> {
     let text = device_config::scene_text(&settings, &arguments.config).map_err(refused)?;
     files::claim(std::slice::from_ref(&arguments.out))?; // the configuration is known as an input now
     files::keep_unless(&arguments.out, EDITED, || is_text(&arguments.out, text.as_bytes()))?;
-    files::write_file(&arguments.out, text.as_bytes())
+    files::write_file(&arguments.out, text.as_bytes())?;
+    if let Some(layout) = settings.unusual_layout() {
+        let file = arguments.config.display();
+        progress::note(format!("note: {file}: recordings of it have {layout}: import them with --config {file}"));
+    }
+    Ok(())
 }
 
 /// A scene is written to be edited: its own remarks ask for what no configuration tells.
