@@ -1,7 +1,9 @@
 //! Objects of points that another program or radar has located: the groups that this one's own would form.
 //!
-//! Of such points no cells and no channels are known. A cloud of another radar is what it has detected, a
-//! body often a point: each group is an object, also a lone one, at the mean of its points weighted by power.
+//! The cells and channels of such points are unknown. A cloud may hold one point for each detected cell or one
+//! for each body, so points within a main lobe of a stronger one follow it, and only the others, the summits,
+//! are clustered, as peaks of a map are. Each group is an object, even a lone point, at the mean of its points
+//! weighted by power.
 
 use crate::objects::cluster_member::Member;
 use crate::objects::clusters::clusters;
@@ -20,7 +22,14 @@ pub fn objects_of_points(header: &CubeHeader, points: &mut [Point]) -> Vec<Objec
     let span_mps = 2.0 * header.radar.velocity_max_mps();
     let axis = DopplerAxis { span_mps, cell_mps: header.radar.velocity_resolution_mps() };
     let members: Vec<Member> = points.iter().map(|point| member(header, point, span_mps)).collect();
-    let groups = clusters(&members, &header.dsp, axis);
+    let summits = summits(header, &members, axis);
+    let own: Vec<usize> = (0..members.len()).filter(|index| summits[*index] == *index).collect();
+    let peaks: Vec<Member> = own.iter().map(|index| members[*index]).collect();
+    let group_of = |peaks: Vec<usize>| -> Vec<usize> {
+        let peaks: Vec<usize> = peaks.into_iter().map(|peak| own[peak]).collect();
+        (0..members.len()).filter(|index| peaks.contains(&summits[*index])).collect()
+    };
+    let groups: Vec<Vec<usize>> = clusters(&peaks, &header.dsp, axis).into_iter().map(group_of).collect();
     for (number, group) in groups.iter().enumerate() {
         group.iter().for_each(|index| points[*index].object = Some(number as u32));
     }
@@ -29,6 +38,28 @@ pub fn objects_of_points(header: &CubeHeader, points: &mut [Point]) -> Vec<Objec
         object(header, &own, span_mps)
     };
     groups.iter().map(object).collect()
+}
+
+/// Half a main lobe of a window like Hann's, cells.
+const LOBE_CELLS: f64 = 2.0;
+
+/// Index of the summit of each member, strongest first: the member itself, or the summit of the strongest one
+/// within a main lobe of it in range and velocity and within the reach of a cluster across.
+fn summits(header: &CubeHeader, members: &[Member], axis: DopplerAxis) -> Vec<usize> {
+    let lobe_m = LOBE_CELLS * header.radar.waveform.range_resolution_m();
+    let lobe_mps = LOBE_CELLS * axis.cell_mps;
+    let is_on_slope = |weak: &Member, strong: &Member| {
+        let apart_mps = folded_mps(weak.radial_velocity_mps - strong.radial_velocity_mps, axis.span_mps);
+        (weak.range_m - strong.range_m).abs() <= lobe_m
+            && apart_mps.abs() <= lobe_mps
+            && (weak.cross_m - strong.cross_m).abs() <= header.dsp.cluster_cross_m
+    };
+    let mut summits: Vec<usize> = Vec::with_capacity(members.len());
+    for (index, member) in members.iter().enumerate() {
+        let stronger = members[..index].iter().position(|other| is_on_slope(member, other));
+        summits.push(stronger.map_or(index, |stronger| summits[stronger]));
+    }
+    summits
 }
 
 fn member(header: &CubeHeader, point: &Point, span_mps: f64) -> Member {
@@ -95,6 +126,27 @@ mod tests {
             target: None,
             label: None,
         }
+    }
+
+    /// Every cell of a main lobe is a point, as a detector without a search for peaks gives them.
+    #[test]
+    fn all_cells_of_one_echo_are_one_object_and_an_echo_beside_it_is_another() {
+        let radar = paper::radar([0.0; 3], paper::waveform(256, 32), Preset::ThreeByFour.elements());
+        let header =
+            CubeHeader { radar, noise: Noise::Absent, dsp: paper::processing(), unit: Default::default() };
+        let (cell_m, cell_mps) =
+            (header.radar.waveform.range_resolution_m(), header.radar.velocity_resolution_mps());
+        let mut points = Vec::new();
+        for (x_m, snr_db) in [(0.0, 40.0), (9.0, 37.0)] {
+            for (i, j) in (-2..=2).flat_map(|i| (-2..=2).map(move |j| (i, j))) {
+                let down_db = 1.5 * f64::from(i * i + j * j);
+                let (y_m, mps) = (30.0 + f64::from(i) * cell_m, f64::from(j) * cell_mps);
+                points.push(point(x_m, y_m, mps, snr_db - down_db));
+            }
+        }
+        let objects = objects_of_points(&header, &mut points);
+        assert_eq!(objects.iter().map(|object| object.points).collect::<Vec<_>>(), [25, 25]);
+        assert!(objects[0].position_m[0].abs() < 1e-9 && (objects[1].position_m[0] - 9.0).abs() < 1e-9);
     }
 
     #[test]

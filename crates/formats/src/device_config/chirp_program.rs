@@ -167,7 +167,8 @@ fn check_platform(platform: &InLine<Platform>, board: Board) -> Result<(), Fault
 /// The remark that a board was asked for which is of another family than the one that a comment names.
 fn of_another_platform(platform: &InLine<Platform>, board: Board) -> Option<Remark> {
     let (Platform { name, family, .. }, board) = (&platform.value, board.name());
-    let is_of_it = family.is_empty() || board.trim_start_matches(|c: char| !c.is_ascii_digit()).starts_with(family);
+    let is_of_it =
+        family.is_empty() || board.trim_start_matches(|c: char| !c.is_ascii_digit()).starts_with(family);
     let text = format!("its comment names the platform {name}; the {board} is taken");
     (!is_of_it).then_some(Remark { line: platform.line, text })
 }

@@ -105,7 +105,10 @@ fn draft(settings: &DeviceSettings, board: Board, from: &Path) -> Draft {
         &format!("# The radar of {file} on an {} board, made by `wayside scene-from`.", board.name()),
         None,
     );
-    draft.line(&format!("# Import its recordings with --config {file}, which has their lanes and order of I and Q."), None);
+    draft.line(
+        &format!("# Import its recordings with --config {file}, which has their lanes and order of I and Q."),
+        None,
+    );
     draft.line(&format!("name = {}", serde_json::Value::from(name_of(from))), None);
     draft.told_key("frames = 1", &format!("{} of line {} asks for {asked}", frame.name, frame.line), None);
     let interval = frame_interval(settings);

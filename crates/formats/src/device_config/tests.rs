@@ -347,3 +347,35 @@ fn the_frames_of_scene_and_configuration_have_to_be_the_same() {
         assert!(error.contains(&told), "{text}: {error}");
     }
 }
+
+#[test]
+fn antennas_on_the_package_are_no_board_s_and_another_platform_is_remarked_on() {
+    let with = |platform: &str| format!("% Platform:{platform}\n{SDK}");
+    for name in ["xWR18xx_AOP", "xWR68xxODS"] {
+        let fault = settings(&with(name), Some(Board::Xwr1843)).unwrap_err();
+        assert_eq!(fault.line, Some(1));
+        assert!(
+            fault.rule.contains(&format!("antennas of {name} are not those of the xwr1843")),
+            "{fault:?}"
+        );
+        assert!(settings(&with(name), None).is_ok(), "without a board nothing is said of antennas");
+    }
+    let remarks = |platform: &str| settings(&with(platform), Some(Board::Xwr1843)).unwrap().remarks;
+    assert_eq!(remarks("xWR18xx"), []);
+    let [remark] = &remarks("xWR14xx")[..] else { panic!("no remark") };
+    assert_eq!(
+        (remark.line, remark.text.as_str()),
+        (1, "its comment names the platform xWR14xx; the xwr1843 is taken")
+    );
+}
+
+#[test]
+fn recordings_of_another_layout_than_the_assumed_one_are_told() {
+    let layout = |text: &str, board| settings(text, Some(board)).unwrap().unusual_layout();
+    assert_eq!(layout(SDK, Board::Xwr1843), None);
+    let swapped = SDK.replace("adcbufCfg -1 0 0 1 1", "adcbufCfg -1 0 1 1 1");
+    assert_eq!(layout(&swapped, Board::Xwr1843), Some("Q before I"));
+    assert_eq!(layout(SDK, Board::Xwr1443), Some("four lanes"));
+    assert_eq!(layout(&swapped, Board::Xwr1443), Some("four lanes and Q before I"));
+    assert!(scene_of(&swapped, Some(Board::Xwr1843)).contains("Import its recordings with --config a.cfg"));
+}

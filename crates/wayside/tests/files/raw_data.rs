@@ -252,6 +252,14 @@ fn a_step_is_taken_from_the_file_that_tells_of_these_samples_or_said_to_be_missi
     let (unit, said, about) = imported("x.bin", "");
     assert!(said.contains("no step is told") && about.contains("not told"), "{said}{about}");
     assert!(said.contains("nothing beside it tells the shape of a frame: 2 frames are assumed"), "{said}");
+    assert!(
+        said.contains("x.bin: two lanes and I before Q are assumed; the board's configuration"),
+        "{said}"
+    );
+    let (_, said, _) = imported("x.bin", "--layout two-lanes");
+    assert!(said.contains("x.bin: I before Q is assumed"), "{said}");
+    let (_, said, _) = imported("x.bin", "--layout two-lanes --iq-order iq");
+    assert!(!said.contains("before Q"), "{said}");
     assert_ne!(unit, right);
     let mut samples = place.bytes("x.bin");
     samples[0] ^= 1;
