@@ -56,6 +56,7 @@ pub use frame::path_table::{element_offset_m, largest_cell_m};
 pub use geometry::antenna::Antenna;
 pub use geometry::facet_geometry::FacetGeometry;
 pub use geometry::plane::Plane;
+pub use oversight::called_off::CalledOff;
 pub use oversight::error::BartError;
 pub use oversight::memory::{MemoryLimit, memory_estimate_bytes};
 pub use oversight::progress::{Phase, Progress, Unheard};

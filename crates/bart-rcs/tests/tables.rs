@@ -11,8 +11,8 @@ use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::Edges;
 use bart_rcs::{
-    Keeper, MemoryLimit, NothingKept, Piece, RcsRequest, RcsResult, RcsSeconds, Surroundings, Unheard, rcs,
-    rcs_within,
+    BartError, CalledOff, Keeper, MemoryLimit, NothingKept, Piece, RcsRequest, RcsResult, RcsSeconds,
+    Surroundings, Unheard, rcs, rcs_within,
 };
 use bodies::car;
 use std::collections::BTreeMap;
@@ -48,9 +48,13 @@ impl Keeper for Memory {
     }
 }
 
+fn kept_by<'a>(keeper: &'a dyn Keeper, called_off: CalledOff<'a>) -> Surroundings<'a> {
+    let memory_limit = MemoryLimit::NONE;
+    Surroundings { memory_limit, keeper, progress: &Unheard, clock_s: &|| 0.0, called_off }
+}
+
 fn made_with(mesh: &Mesh, request: &RcsRequest, keeper: &dyn Keeper) -> RcsResult {
-    let surroundings =
-        Surroundings { memory_limit: MemoryLimit::NONE, keeper, progress: &Unheard, clock_s: &|| 0.0 };
+    let surroundings = kept_by(keeper, CalledOff::NEVER);
     RcsResult { seconds: RcsSeconds::default(), ..rcs_within(mesh, request, &surroundings).unwrap() }
 }
 
@@ -84,6 +88,19 @@ fn a_table_that_goes_on_from_some_of_its_aspects_is_the_same_to_the_bit() {
     assert_eq!(resumed(&car(6).mesh(), &near(6)).len(), 6);
     let pieces = resumed(&car(6).mesh(), &near(12)).len();
     assert!((15..=18).contains(&pieces), "{pieces}");
+}
+
+#[test]
+fn a_table_that_is_called_off_ends_with_the_aspect_under_way() {
+    let (mesh, keeper) = (car(6).mesh(), Memory::default());
+    let is_called_off = || keeper.made.lock().unwrap().len() >= 2;
+    let ended = |request: &RcsRequest| {
+        rcs_within(&mesh, request, &kept_by(&keeper, CalledOff::by(&is_called_off))).err()
+    };
+    // Of one thread one aspect is under way at a time.
+    let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    assert_eq!(one_thread.install(|| ended(&request(48, -20.0))), Some(BartError::CalledOff));
+    assert_eq!(keeper.made.lock().unwrap().len(), 2);
 }
 
 #[test]

@@ -85,12 +85,19 @@ pub enum DspError {
         sample: usize,
     },
     /// A value of the map that is no number, or does not fit single precision.
-    #[error("cell {cell} of channel {channel} of the map is not finite")]
+    #[error(
+        "frame {frame}: channel {channel}, Doppler cell {doppler}, range cell {range} of the map is not \
+         finite"
+    )]
     ValueNotFinite {
+        /// Index of the frame.
+        frame: u32,
         /// Channel of the map.
         channel: usize,
-        /// Index of the cell, doppler · N_s + range.
-        cell: usize,
+        /// Row of the map.
+        doppler: usize,
+        /// Column of the map.
+        range: usize,
     },
     /// A map without cells or without channels.
     #[error("the radar has no {what}")]

@@ -6,7 +6,7 @@ use crate::held::handle::Handle;
 use crate::held::samples::Samples;
 use crate::range_doppler::RangeDoppler;
 use crate::told;
-use crate::work::carry_out;
+use crate::work::{Hears, carry_out};
 use artifact::cube::Cube as Schema;
 use num_complex::Complex32;
 use numpy::{PyArray1, PyArray4, PyArrayMethods, PyReadonlyArray4};
@@ -26,6 +26,17 @@ impl Cube {
     /// Hands the cubes over to Python.
     pub(crate) fn of(py: Python<'_>, recorded: Recorded<Schema>) -> PyResult<Self> {
         Ok(Self { samples: Arc::new(Samples::of(py, recorded)?) })
+    }
+
+    /// Range-Doppler maps of all channels.
+    pub(crate) fn maps(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<RangeDoppler> {
+        let (header, frames) = (self.samples.header.clone(), self.samples.frames(py)?);
+        let (processing, maps) = carry_out(py, &[], hears, move |call_off| {
+            let processing = Processing::of(&header)?;
+            let maps = processing.maps(&frames, call_off)?;
+            Ok((processing, maps))
+        })?;
+        RangeDoppler::of(py, Arc::clone(&self.samples), processing, maps)
     }
 }
 
@@ -60,7 +71,7 @@ impl Cube {
         let readonly: PyReadonlyArray4<'_, Complex32> = array.try_readonly()?;
         let shape = readonly.as_array().dim().into();
         let made = cubes_of_samples(&opened, shape, readonly.as_slice()?, full_scale);
-        let recorded = made.map_err(|failure| failure::raised(py, &failure, read.shown()))?;
+        let recorded = made.map_err(|failure| failure::raised(py, &failure, &[read.shown()]))?;
         drop(readonly);
         Ok(Self { samples: Arc::new(Samples::in_array(recorded, &array)) })
     }
@@ -70,7 +81,7 @@ impl Cube {
     #[pyo3(signature = (file))]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
         let read = py.detach(|| Recorded::read(&file));
-        Self::of(py, read.map_err(|failure| failure::raised(py, &failure, Some(&file)))?)
+        Self::of(py, read.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))?)
     }
 
     /// Writes a `.cube` artifact, the bytes of `wayside echo`.
@@ -78,7 +89,7 @@ impl Cube {
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         let recorded = self.samples.recorded(py)?;
         let written = py.detach(|| recorded.write(&file));
-        written.map_err(|failure| failure::raised(py, &failure, Some(&file)))
+        written.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))
     }
 
     /// Unit of the samples: "sqrt(W)", or "ADC steps" of a file that was imported so.
@@ -108,13 +119,7 @@ impl Cube {
     /// Range-Doppler maps of all channels, with the cells that the detector found.
     #[pyo3(signature = (*, progress=None))]
     fn range_doppler(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<RangeDoppler> {
-        let (header, frames) = (self.samples.header.clone(), self.samples.frames(py)?);
-        let (processing, maps) = carry_out(py, None, progress, move |_| {
-            let processing = Processing::of(&header)?;
-            let maps = frames.iter().map(|frame| processing.map(frame)).collect::<Result<Vec<_>, _>>()?;
-            Ok((processing, maps))
-        })?;
-        RangeDoppler::of(py, Arc::clone(&self.samples), processing, maps)
+        self.maps(py, Hears::all(progress))
     }
 
     /// Cube with named axes: `xarray.DataArray`, where xarray is installed.

@@ -4,7 +4,7 @@ use crate::arrays::{Field, Records, read_only};
 use crate::failure;
 use crate::held::maps::Maps;
 use crate::tracks::Tracks;
-use crate::work::carry_out;
+use crate::work::{Hears, carry_out};
 use artifact::points::{Height, Object, Point, Points};
 use artifact::tracks::Tracks as TracksSchema;
 use pyo3::prelude::*;
@@ -94,6 +94,34 @@ fn classes<'py>(py: Python<'py>, answers: &[(u32, Vec<Answered>)]) -> PyResult<B
     records.array(py, &fields)
 }
 
+impl Detections {
+    /// Objects followed over the frames.
+    pub(crate) fn tracked(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<Tracks> {
+        let (processing, points) = (Arc::clone(&self.maps.processing), Arc::clone(&self.all));
+        let all: Recorded<TracksSchema> = carry_out(py, &[], hears, move |call_off| {
+            let frames = processing.tracks(&points.frames, call_off)?;
+            Ok(Recorded { from: points.from.clone(), header: processing.tracks_header(), frames })
+        })?;
+        Ok(Tracks { all: Arc::new(all) })
+    }
+
+    /// Classes of the objects by a model, or by the one that ships.
+    pub(crate) fn classified<'py>(
+        &self,
+        py: Python<'py>,
+        model: Option<PathBuf>,
+        hears: Hears<'_, '_>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (maps, points) = (self.maps.frames(py)?, Arc::clone(&self.all));
+        let (processing, place) = (Arc::clone(&self.maps.processing), model.clone());
+        let answers = carry_out(py, &[model.as_deref()], hears, move |call_off| {
+            let Some(model) = loading::model(place.as_deref())? else { return Ok(vec![]) };
+            processing.classes(&model, &maps, &points.frames, call_off)
+        })?;
+        classes(py, &answers)
+    }
+}
+
 #[pymethods]
 impl Detections {
     /// Points of all frames, a `numpy.recarray`: frame, range_m, radial_velocity_mps (receding positive),
@@ -103,7 +131,7 @@ impl Detections {
     /// 1 assumed as `assumed_height_m` says, 0 none: no place has that height and the range, z is the radar's
     /// own). The array is read-only.
     #[getter]
-    fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    pub(crate) fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut records = Records::default();
         let frames = self.all.frames.iter();
         frames.for_each(|f| f.points.iter().for_each(|point| add_point(&mut records, f.index, point)));
@@ -115,7 +143,7 @@ impl Detections {
     /// velocity_extent_mps [2], velocity_resolved, ghost_share (NaN where the array cannot tell), stationary,
     /// height (as of points). The array is read-only.
     #[getter]
-    fn objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    pub(crate) fn objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut records = Records::default();
         let frames = self.all.frames.iter();
         frames.for_each(|f| f.objects.iter().for_each(|object| add_object(&mut records, f.index, object)));
@@ -124,12 +152,7 @@ impl Detections {
 
     /// Objects followed over the frames.
     fn track(&self, py: Python<'_>) -> PyResult<Tracks> {
-        let (processing, points) = (Arc::clone(&self.maps.processing), Arc::clone(&self.all));
-        let all: Recorded<TracksSchema> = carry_out(py, None, None, move |_| {
-            let frames = processing.tracks(&points.frames)?;
-            Ok(Recorded { from: points.from.clone(), header: processing.tracks_header(), frames })
-        })?;
-        Ok(Tracks { all: Arc::new(all) })
+        self.tracked(py, Hears::all(None))
     }
 
     /// Classes of the objects, a `numpy.recarray`: frame, object, a probability for each of
@@ -142,21 +165,14 @@ impl Detections {
         model: Option<PathBuf>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (maps, points) = (self.maps.frames(py)?, Arc::clone(&self.all));
-        let (processing, place) = (Arc::clone(&self.maps.processing), model.clone());
-        let answers = carry_out(py, model.as_deref(), progress, move |_| {
-            let Some(model) = loading::model(place.as_deref())? else { return Ok(vec![]) };
-            let pairs = maps.iter().zip(&points.frames);
-            pairs.map(|(map, f)| Ok((f.index, processing.classes(&model, map, f)?))).collect()
-        })?;
-        classes(py, &answers)
+        self.classified(py, model, Hears::all(progress))
     }
 
     /// Writes a `.points` artifact, the bytes of `wayside dsp`.
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         let written = py.detach(|| self.all.write(&file));
-        written.map_err(|failure| failure::raised(py, &failure, Some(&file)))
+        written.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))
     }
 
     /// Table of all points: `pandas.DataFrame`, where pandas is installed.

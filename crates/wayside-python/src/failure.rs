@@ -1,28 +1,30 @@
 //! Failures as exceptions of Python, `wayside.WaysideError`, with file, place and rule.
 
+use crate::sentences::{self, Sentence};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::path::Path;
 use wayside::Failure;
 use wayside::stepwise::SceneFault;
 
-/// Exception of a failure. `file` is the one that the work was about, where one is known.
-pub(crate) fn raised(py: Python<'_>, failure: &Failure, file: Option<&Path>) -> PyErr {
+/// Exception of a failure. `files` are those that the work was given: it is about the one with whose name its
+/// sentence begins, else about the first, where one is known.
+pub(crate) fn raised(py: Python<'_>, failure: &Failure, files: &[Option<&Path>]) -> PyErr {
     let text = failure.to_string();
+    let file = named(&text, files).or(files.first().copied().flatten());
     let name = file.map(|file| file.display().to_string());
-    let rule = name.as_ref().and_then(|name| text.strip_prefix(&format!("{name}: "))).unwrap_or(&text);
-    let fault = made(|| fault_of(py, name.as_deref(), None, None, rule));
-    exception(py, kind(failure), &text, fault.into_iter().collect())
+    let fault = |told: &Sentence<'_>| made(|| fault_of(py, name.as_deref(), told));
+    let faults = sentences::about(&text, name.as_deref()).iter().filter_map(fault).collect();
+    exception(py, kind(failure), &text, faults)
 }
 
-/// The file, of those that were given, with whose name the sentence of a failure begins.
-pub(crate) fn named<'a>(failure: &Failure, given: impl IntoIterator<Item = &'a Path>) -> Option<&'a Path> {
-    let text = failure.to_string();
+/// The file, of those that were given, with whose name a sentence begins.
+fn named<'a>(text: &str, given: &[Option<&'a Path>]) -> Option<&'a Path> {
     let begins = |file: &&Path| {
         let behind = text.strip_prefix(&file.display().to_string());
         behind.is_some_and(|behind| behind.starts_with([':', '/']))
     };
-    given.into_iter().find(begins)
+    given.iter().copied().flatten().find(begins)
 }
 
 /// Exception of a scene's broken rules; a scene from a dictionary has no file, and lines mean nothing.
@@ -42,7 +44,9 @@ pub(crate) fn of_scene(
     let text = faults.iter().map(sentence).collect::<Vec<_>>().join("\n");
     let position = |fault: &SceneFault| fault.position.filter(|_| name.is_some());
     let of = |fault: &SceneFault| {
-        fault_of(py, name.as_deref(), position(fault), fault.place.as_deref(), &fault.rule)
+        let [line, column] = [0, 1].map(|at| position(fault).map(|position| position[at]));
+        let told = Sentence { line, column, place: fault.place.as_deref(), rule: &fault.rule };
+        fault_of(py, name.as_deref(), &told)
     };
     let told = faults.iter().filter_map(|fault| made(|| of(fault))).collect();
     exception(py, kind(failure), &text, told)
@@ -57,20 +61,14 @@ fn made<'py>(make: impl FnOnce() -> PyResult<Bound<'py, PyDict>>) -> Option<Boun
     make().ok()
 }
 
-fn fault_of<'py>(
-    py: Python<'py>,
-    file: Option<&str>,
-    position: Option<[u32; 2]>,
-    place: Option<&str>,
-    rule: &str,
-) -> PyResult<Bound<'py, PyDict>> {
-    let told = PyDict::new(py);
-    told.set_item("file", file)?;
-    told.set_item("line", position.map(|[line, _]| line))?;
-    told.set_item("column", position.map(|[_, column]| column))?;
-    told.set_item("place", place)?;
-    told.set_item("rule", rule)?;
-    Ok(told)
+fn fault_of<'py>(py: Python<'py>, file: Option<&str>, told: &Sentence<'_>) -> PyResult<Bound<'py, PyDict>> {
+    let fault = PyDict::new(py);
+    fault.set_item("file", file)?;
+    fault.set_item("line", told.line)?;
+    fault.set_item("column", told.column)?;
+    fault.set_item("place", told.place)?;
+    fault.set_item("rule", told.rule)?;
+    Ok(fault)
 }
 
 fn exception(py: Python<'_>, kind: &str, text: &str, faults: Vec<Bound<'_, PyDict>>) -> PyErr {

@@ -23,7 +23,7 @@ impl Paths {
     #[pyo3(signature = (file))]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
         let read = py.detach(|| Recorded::read(&file));
-        let all = read.map_err(|failure| failure::raised(py, &failure, Some(&file)))?;
+        let all = read.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))?;
         Ok(Self { all: Arc::new(all) })
     }
 
@@ -31,7 +31,7 @@ impl Paths {
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         let written = py.detach(|| self.all.write(&file));
-        written.map_err(|failure| failure::raised(py, &failure, Some(&file)))
+        written.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))
     }
 
     /// Ids of the scene's targets.

@@ -4,7 +4,7 @@ use crate::arrays;
 use crate::detections::Detections;
 use crate::held::maps::Maps;
 use crate::held::samples::Samples;
-use crate::work::carry_out;
+use crate::work::{Hears, carry_out};
 use artifact::points::Points;
 use artifact::rdm::RdmFrame;
 use num_complex::Complex32;
@@ -29,6 +29,20 @@ impl RangeDoppler {
         frames: Vec<RdmFrame>,
     ) -> PyResult<Self> {
         Ok(Self { maps: Arc::new(Maps::of(py, samples, processing, frames)?) })
+    }
+
+    /// Points and objects of the maps.
+    pub(crate) fn found(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<Detections> {
+        let Maps { samples, processing, .. } = &*self.maps;
+        let (cubes, maps) = (samples.frames(py)?, self.maps.frames(py)?);
+        let (processing, from) = (Arc::clone(processing), processing.provenance(&samples.from));
+        let all: Recorded<Points> = carry_out(py, &[], hears, move |call_off| {
+            let header = processing.points_header();
+            let frames = processing.points(&maps, &cubes, call_off)?;
+            processing.remarks(&frames).into_iter().for_each(progress::note);
+            Ok(Recorded { from, header, frames })
+        })?;
+        Ok(Detections { maps: Arc::clone(&self.maps), all: Arc::new(all) })
     }
 }
 
@@ -89,16 +103,7 @@ impl RangeDoppler {
     /// without a height) is told to the logger `wayside`.
     #[pyo3(signature = (*, progress=None))]
     fn detect(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Detections> {
-        let Maps { samples, processing, .. } = &*self.maps;
-        let (cubes, maps) = (samples.frames(py)?, self.maps.frames(py)?);
-        let (processing, from) = (Arc::clone(processing), processing.provenance(&samples.from));
-        let all: Recorded<Points> = carry_out(py, None, progress, move |_| {
-            let header = processing.points_header();
-            let frames = processing.points(&maps, &cubes)?;
-            processing.remarks(&frames).into_iter().for_each(progress::note);
-            Ok(Recorded { from, header, frames })
-        })?;
-        Ok(Detections { maps: Arc::clone(&self.maps), all: Arc::new(all) })
+        self.found(py, Hears::all(progress))
     }
 
     /// Maps with named axes: `xarray.Dataset`, where xarray is installed.

@@ -6,7 +6,7 @@ use crate::given::document;
 use crate::given::numbers;
 use crate::held::values::Values;
 use crate::told;
-use crate::work::carry_out;
+use crate::work::{Hears, carry_out};
 use artifact::Accuracy;
 use artifact::material::Transmission;
 use artifact::radar::Polarization;
@@ -21,6 +21,7 @@ use std::path::{Path, PathBuf};
 use wayside::host::memory::Allowance;
 use wayside::stepwise::bounds::{AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, UNIT_SCALES};
 use wayside::stepwise::{self, RcsRequest, RcsTable, Standpoint};
+use wayside::{CallOff, Failure};
 
 /// Scattering amplitude S of a mesh over frequency, elevation and azimuth.
 #[pyclass(frozen, module = "wayside")]
@@ -166,15 +167,36 @@ pub(crate) fn rcs(
         surface: word("surface", surface, &[("flat", Surface::Flat), ("smooth", Surface::Smooth)])?,
         accuracy: Accuracy::from_db(document::accuracy_db(accuracy_db)?),
     };
-    let (asked, place) = (request.clone(), mesh.clone());
     let memory = Allowance::of(numbers::memory_mib(memory_limit_mib)?);
-    let table = carry_out(py, Some(&mesh), progress, move |_| {
-        let mesh = stepwise::mesh(&place, unit_scale)?;
-        let map = stepwise::materials(materials.as_deref(), transmission, &asked.frequency_hz)?;
-        let mesh = stepwise::dressed(mesh, &place, &map, &asked.frequency_hz)?;
-        stepwise::rcs(&mesh, &asked, memory).map_err(|failure| failure.about(&place))
-    })?;
+    let (asked, body) = (request.clone(), Body { mesh, unit_scale, materials, transmission });
+    let given = body.clone();
+    let files = [Some(given.mesh.as_path()), given.materials.as_deref()];
+    let table =
+        carry_out(py, &files, Hears::all(progress), move |call_off| body.table(&asked, memory, call_off))?;
     Rcs::of(py, table, request)
+}
+
+/// A body of which a table is made, as it was given.
+#[derive(Clone)]
+struct Body {
+    mesh: PathBuf,
+    unit_scale: Option<f64>,
+    materials: Option<PathBuf>,
+    transmission: Transmission,
+}
+
+impl Body {
+    fn table(
+        &self,
+        request: &RcsRequest,
+        memory: Allowance,
+        call_off: &CallOff,
+    ) -> Result<RcsTable, Failure> {
+        let mesh = stepwise::mesh(&self.mesh, self.unit_scale)?;
+        let map = stepwise::materials(self.materials.as_deref(), self.transmission, &request.frequency_hz)?;
+        let mesh = stepwise::dressed(mesh, &self.mesh, &map, &request.frequency_hz)?;
+        stepwise::rcs(&mesh, request, memory, call_off).map_err(|failure| failure.about(&self.mesh))
+    }
 }
 
 /// Lowest and highest coordinates of a mesh in metres, body axes as its file has them, float64 [2, 3].
@@ -187,7 +209,7 @@ pub(crate) fn mesh_bounds_m(
 ) -> PyResult<Bound<'_, PyArray2<f64>>> {
     let unit_scale = scale(unit_scale)?;
     let read = py.detach(|| stepwise::mesh(&mesh, unit_scale));
-    let read = read.map_err(|failure| failure::raised(py, &failure, Some(&mesh)))?;
+    let read = read.map_err(|failure| failure::raised(py, &failure, &[Some(&mesh)]))?;
     let along = |axis: usize| read.vertices_m.iter().map(move |vertex| vertex[axis]);
     let low = (0..3).map(|axis| along(axis).fold(f64::INFINITY, f64::min));
     let high = (0..3).map(|axis| along(axis).fold(f64::NEG_INFINITY, f64::max));

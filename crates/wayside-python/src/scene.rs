@@ -12,7 +12,7 @@ use crate::paths::Paths;
 use crate::range_doppler::RangeDoppler;
 use crate::told;
 use crate::tracks::Tracks;
-use crate::work::{carry_out, claim_threads, read};
+use crate::work::{Hears, carry_out, claim_threads, read};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
@@ -36,34 +36,43 @@ impl Scene {
     fn with_opened<T: Send + 'static>(
         &self,
         py: Python<'_>,
-        progress: Option<&Bound<'_, PyAny>>,
+        hears: Hears<'_, '_>,
         work: impl FnOnce(&OpenedScene, &CallOff) -> Result<T, Failure> + Send + 'static,
     ) -> PyResult<T> {
         let opened = self.read().opened(py)?;
         let document = Arc::clone(&self.read().document);
-        carry_out(py, self.read().shown(), progress, move |call_off| {
+        carry_out(py, &[self.read().shown()], hears, move |call_off| {
             work(&opened, call_off).map_err(|failure| document.told(failure))
         })
     }
 
-    /// Maps of all frames, with all that stands before them.
-    fn maps<'py>(
-        slf: &Bound<'py, Self>,
-        progress: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, RangeDoppler>> {
-        let cube = Bound::new(slf.py(), slf.get().echo(slf.py(), None, progress)?)?;
-        let options = PyDict::new(slf.py());
-        options.set_item("progress", progress)?;
-        Ok(cube.call_method("range_doppler", (), Some(&options))?.cast_into()?)
+    /// Cubes of all frames, of paths where these are given.
+    fn cubes(&self, py: Python<'_>, of: Option<&Bound<'_, Paths>>, hears: Hears<'_, '_>) -> PyResult<Cube> {
+        let traced = of.map(|paths| Arc::clone(&paths.get().all));
+        let recorded = self.with_opened(py, hears, move |opened, call_off| match traced {
+            Some(traced) => echoes_of_paths(opened, &traced, call_off),
+            None => echoes(opened, call_off),
+        })?;
+        Cube::of(py, recorded)
     }
 
-    fn found<'py>(
-        slf: &Bound<'py, Self>,
-        progress: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, Detections>> {
-        Ok(Self::maps(slf, progress)?.call_method0("detect")?.cast_into()?)
+    /// Maps of all frames, with all that stands before them.
+    fn maps(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<RangeDoppler> {
+        let cube = self.cubes(py, None, hears.part(BEFORE_LAST))?;
+        cube.maps(py, hears.part(LAST))
+    }
+
+    /// Points and objects of all frames, likewise.
+    fn found(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<Detections> {
+        let maps = self.maps(py, hears.part(BEFORE_LAST))?;
+        maps.found(py, hears.part(LAST))
     }
 }
+
+/// Shares of the work between which all stages but the last one are, as a rule.
+const BEFORE_LAST: [f64; 2] = [0.0, 0.95];
+/// Shares of the work between which the last of its stages is, as a rule.
+const LAST: [f64; 2] = [0.95, 1.0];
 
 /// Opens a scene; nothing is opened of one that has several radars of which none was asked for.
 fn opened(source: &SceneSource, memory: Allowance) -> Result<(Reading, Option<Arc<OpenedScene>>), Failure> {
@@ -103,7 +112,8 @@ impl Scene {
         let document = Arc::new(Document::of(source, folder)?);
         let source = SceneSource { file: document.file.clone(), model, radar, seed, accuracy_db };
         let asked = source.clone();
-        let opened = read(py, document.shown(), progress, move |_| Ok(opened(&asked, memory)))?;
+        let opened =
+            read(py, &[document.shown()], Hears::all(progress), move |_| Ok(opened(&asked, memory)))?;
         let refused = |failure| raised(py, &document.told(failure), &document, &source);
         let (reading, scene) = opened.map_err(refused)?;
         if scene.as_ref().is_some_and(|scene| scene.is_looked_at()) {
@@ -166,7 +176,7 @@ impl Scene {
     /// processor_from_s, processor_to_s (nine of ten runs lie between), wall_s, threads, expected_memory_mib
     /// (held when most is), memory_mib (no more is held).
     fn cost<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let cost = self.with_opened(py, None, |opened, _| opened.cost())?;
+        let cost = self.with_opened(py, Hears::all(None), |opened, _| opened.cost())?;
         let [from, to] = cost.processor_between_s;
         let told = PyDict::new(py);
         told.set_item("frames", cost.frames)?;
@@ -183,7 +193,7 @@ impl Scene {
     /// Scattering paths of every frame, as `wayside paths` traces them.
     #[pyo3(signature = (*, progress=None))]
     fn trace(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Paths> {
-        Ok(Paths { all: Arc::new(self.with_opened(py, progress, paths)?) })
+        Ok(Paths { all: Arc::new(self.with_opened(py, Hears::all(progress), paths)?) })
     }
 
     /// Radar cubes of every frame, as `wayside echo` makes them; of `paths` where they are given.
@@ -194,67 +204,58 @@ impl Scene {
         paths: Option<&Bound<'_, Paths>>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Cube> {
-        let traced = paths.map(|paths| Arc::clone(&paths.get().all));
-        let recorded = self.with_opened(py, progress, move |opened, call_off| match traced {
-            Some(traced) => echoes_of_paths(opened, &traced, call_off),
-            None => echoes(opened, call_off),
-        })?;
-        Cube::of(py, recorded)
+        self.cubes(py, paths, Hears::all(progress))
     }
 
     /// Range-Doppler maps of every frame.
     #[pyo3(signature = (*, progress=None))]
-    fn range_doppler<'py>(
-        slf: &Bound<'py, Self>,
-        progress: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, RangeDoppler>> {
-        Self::maps(slf, progress)
+    fn range_doppler(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<RangeDoppler> {
+        self.maps(py, Hears::all(progress))
     }
 
     /// Points and objects of every frame.
     #[pyo3(signature = (*, progress=None))]
-    fn detect<'py>(
-        slf: &Bound<'py, Self>,
-        progress: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, Detections>> {
-        Self::found(slf, progress)
+    fn detect(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Detections> {
+        self.found(py, Hears::all(progress))
     }
 
     /// Points of every frame, as `Detections.points`.
     #[pyo3(signature = (*, progress=None))]
     fn points<'py>(
-        slf: &Bound<'py, Self>,
+        &self,
+        py: Python<'py>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        Self::found(slf, progress)?.getattr("points")
+        self.found(py, Hears::all(progress))?.points(py)
     }
 
     /// Objects of every frame, as `Detections.objects`.
     #[pyo3(signature = (*, progress=None))]
     fn objects<'py>(
-        slf: &Bound<'py, Self>,
+        &self,
+        py: Python<'py>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        Self::found(slf, progress)?.getattr("objects")
+        self.found(py, Hears::all(progress))?.objects(py)
     }
 
     /// Objects followed over the frames.
     #[pyo3(signature = (*, progress=None))]
-    fn track<'py>(
-        slf: &Bound<'py, Self>,
-        progress: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, Tracks>> {
-        Ok(Self::found(slf, progress)?.call_method0("track")?.cast_into()?)
+    fn track(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Tracks> {
+        let hears = Hears::all(progress);
+        self.found(py, hears.part(BEFORE_LAST))?.tracked(py, hears.part(LAST))
     }
 
     /// Classes of the objects, as `Detections.classify`.
     #[pyo3(signature = (model=None, *, progress=None))]
     fn classify<'py>(
-        slf: &Bound<'py, Self>,
+        &self,
+        py: Python<'py>,
         model: Option<PathBuf>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        Self::found(slf, progress)?.call_method1("classify", (model,))
+        let hears = Hears::all(progress);
+        self.found(py, hears.part(BEFORE_LAST))?.classified(py, model, hears.part(LAST))
     }
 
     /// Runs everything and writes the files of `wayside run` into the folder `out`; returns summary.json as
@@ -269,22 +270,17 @@ impl Scene {
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let Handle { document, memory, .. } = self.read();
-        endings::check_folder(&out).map_err(|failure| failure::raised(py, &failure, Some(&out)))?;
+        endings::check_folder(&out).map_err(|failure| failure::raised(py, &failure, &[Some(&out)]))?;
         let (scene, memory, folder) = (self.read().source_again(py)?, *memory, out.clone());
-        let document = Arc::clone(document);
+        let (document, model) = (Arc::clone(document), classifier.clone());
         let cache = cache.map(self::cache).transpose()?.flatten();
         let of_cache = cache.as_ref().and_then(|cache| cache.folder.clone());
-        let given: Vec<PathBuf> =
-            [Some(out.clone()), classifier.clone(), of_cache].into_iter().flatten().collect();
-        let ended = carry_out(py, None, progress, move |call_off| {
+        let files = [self.read().shown(), Some(out.as_path()), model.as_deref(), of_cache.as_deref()];
+        carry_out(py, &files, Hears::all(progress), move |call_off| {
             let of_file = Settings::of(&scene.file, folder);
             let call_off = call_off.clone();
             let settings = Settings { scene, cache, classifier, memory, call_off, ..of_file };
-            Ok(wayside::run(&settings).map(drop).map_err(|failure| document.told(failure)))
-        })?;
-        ended.map_err(|failure| {
-            let file = failure::named(&failure, given.iter().map(PathBuf::as_path));
-            failure::raised(py, &failure, file.or(self.read().shown()))
+            wayside::run(&settings).map(drop).map_err(|failure| document.told(failure))
         })?;
         told::json(py, &std::fs::read_to_string(out.join("summary.json"))?)
     }

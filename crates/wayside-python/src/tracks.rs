@@ -59,7 +59,7 @@ impl Tracks {
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         let written = py.detach(|| self.all.write(&file));
-        written.map_err(|failure| failure::raised(py, &failure, Some(&file)))
+        written.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))
     }
 
     /// Table of all tracks: `pandas.DataFrame`, where pandas is installed.

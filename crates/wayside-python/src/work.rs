@@ -40,20 +40,56 @@ fn has_threads() -> PyResult<()> {
     Err(pyo3::exceptions::PyRuntimeError::new_err(rule))
 }
 
-/// Carries work out, by all threads, while the interpreter does something else. `hears` is called with what
-/// is under way and its share, about twenty times a second, and once more at the end with a share of 1; the
-/// share never falls.
+/// A listener of progress, and the part of the whole that the work is which it hears of.
+#[derive(Clone, Copy)]
+pub(crate) struct Hears<'a, 'py> {
+    listener: Option<&'a Bound<'py, PyAny>>,
+    from: f64,
+    to: f64,
+}
+
+impl<'a, 'py> Hears<'a, 'py> {
+    /// Hears of the work as of the whole.
+    pub(crate) fn all(listener: Option<&'a Bound<'py, PyAny>>) -> Self {
+        Self { listener, from: 0.0, to: 1.0 }
+    }
+
+    /// Hears of a part of this work, between these two shares of it.
+    pub(crate) fn part(self, shares: [f64; 2]) -> Self {
+        let [from, to] = shares.map(|share| self.of_whole(share));
+        Self { from, to, ..self }
+    }
+
+    fn of_whole(self, share: f64) -> f64 {
+        (self.from + share * (self.to - self.from)).min(self.to)
+    }
+
+    fn tell(self, text: &str, share: f64) -> PyResult<()> {
+        let Some(listener) = self.listener else { return Ok(()) };
+        listener.call1((text, self.of_whole(share))).map(drop)
+    }
+
+    /// Tells that the whole is done, where this was its last part.
+    fn end(self) -> PyResult<()> {
+        if self.to >= 1.0 { self.tell("done", 1.0) } else { Ok(()) }
+    }
+}
+
+/// Carries work out, by all threads, while the interpreter does something else. `hears` is told what is under
+/// way and its share, about twenty times a second, and once more at the end with a share of 1; the share
+/// never falls. `files` are those that the work was given, first the one that a failure is about which names
+/// none.
 ///
 /// # Errors
 /// Exceptions of failures, of Ctrl-C, and of what hears of the progress; a process without threads.
 pub(crate) fn carry_out<T: Send + 'static>(
     py: Python<'_>,
-    file: Option<&Path>,
-    hears: Option<&Bound<'_, PyAny>>,
+    files: &[Option<&Path>],
+    hears: Hears<'_, '_>,
     work: impl FnOnce(&CallOff) -> Result<T, Failure> + Send + 'static,
 ) -> PyResult<T> {
     claim_threads()?;
-    read(py, file, hears, work)
+    read(py, files, hears, work)
 }
 
 /// Carries work out that needs no other threads, as [`carry_out`] does: a process may be forked after it.
@@ -62,8 +98,8 @@ pub(crate) fn carry_out<T: Send + 'static>(
 /// Those of [`carry_out`].
 pub(crate) fn read<T: Send + 'static>(
     py: Python<'_>,
-    file: Option<&Path>,
-    hears: Option<&Bound<'_, PyAny>>,
+    files: &[Option<&Path>],
+    hears: Hears<'_, '_>,
     work: impl FnOnce(&CallOff) -> Result<T, Failure> + Send + 'static,
 ) -> PyResult<T> {
     has_threads()?;
@@ -82,8 +118,8 @@ pub(crate) fn read<T: Send + 'static>(
             })?,
         }
     };
-    let result = result.map_err(|failure| failure::raised(py, &failure, file))?;
-    hears.map(|hears| hears.call1(("done", 1.0))).transpose()?;
+    let result = result.map_err(|failure| failure::raised(py, &failure, files))?;
+    hears.end()?;
     Ok(result)
 }
 
@@ -103,16 +139,11 @@ fn broken(thread: std::thread::JoinHandle<bool>) -> PyErr {
     pyo3::exceptions::PyRuntimeError::new_err(format!("a bug of wayside: {said}"))
 }
 
-fn look(
-    py: Python<'_>,
-    (hears, told): (Option<&Bound<'_, PyAny>>, &mut f64),
-    caller: Caller,
-) -> PyResult<()> {
+fn look(py: Python<'_>, (hears, told): (Hears<'_, '_>, &mut f64), caller: Caller) -> PyResult<()> {
     py.check_signals()?;
-    let Some(hears) = hears else { return Ok(()) };
     let Some(shown) = progress::shown_to(caller, Instant::now(), Duration::ZERO) else { return Ok(()) };
     *told = told.max(shown.share);
-    hears.call1((shown.text, *told)).map(drop)
+    hears.tell(&shown.text, *told)
 }
 
 /// Sends the remarks of the library to the logger `wayside` from now on.

@@ -250,6 +250,14 @@ def test_samples_that_are_not_the_radars_are_refused(scene: wayside.Scene) -> No
         wayside.Cube(samples[0, 0], scene)
 
 
+def test_a_value_of_a_map_that_is_no_number_is_refused_with_its_frame_and_cell(scene: wayside.Scene) -> None:
+    maps = scene.range_doppler()
+    maps.values[1, 2, 3, 4] = np.nan
+    told = "frame 1: channel 2, Doppler cell 3, range cell 4 of the map is not finite"
+    with pytest.raises(wayside.WaysideError, match=told):
+        maps.detect()
+
+
 def test_samples_that_no_such_radar_gives_are_refused(scene: wayside.Scene) -> None:
     samples = scene.echo().samples
     steps = np.round(samples / np.abs(samples).max() * 2000)

@@ -114,6 +114,38 @@ def test_transmission_needs_materials(plate: Path) -> None:
     assert refused.value.kind == "system"
 
 
+def test_broken_rules_of_materials_name_their_file_and_their_places(plate: Path) -> None:
+    file = plate.with_name("m.toml")
+    file.write_text('[materials]\npaint = { substance = "glas" }\nback = { substance = "metl" }\n')
+    with pytest.raises(wayside.WaysideError) as refused:
+        wayside.rcs(plate, 77.0, materials=file)
+    error = refused.value
+    places = [(fault["file"], fault["line"], fault["column"], fault["place"]) for fault in error.faults]
+    assert places == [(str(file), 2, 23, "material `paint`"), (str(file), 3, 22, "material `back`")]
+    assert (error.kind, error.rule) == ("refused", "there is no substance `glas`; the nearest is `glass`")
+    assert str(error).splitlines()[0] == f"{file}:2:23: material `paint`: {error.rule}"
+
+
+def test_materials_that_are_missing_are_the_file_of_their_failure(plate: Path) -> None:
+    with pytest.raises(wayside.WaysideError) as refused:
+        wayside.rcs(plate, 77.0, materials="nope.toml")
+    error = refused.value
+    assert (error.kind, error.file, error.line, error.place) == ("system", "nope.toml", None, None)
+    assert str(error) == f"nope.toml: {error.rule}"
+
+
+def test_a_broken_mesh_is_refused_with_its_line(tmp_path: Path) -> None:
+    file = tmp_path / "b.obj"
+    file.write_text("v 0 0 0\nv 0 1 0\nf 1 2 5\n")
+    for work in (lambda: wayside.rcs(file, 77.0), lambda: wayside.mesh_bounds_m(file)):
+        with pytest.raises(wayside.WaysideError) as refused:
+            work()
+        error = refused.value
+        assert (error.file, error.line, error.column, error.place) == (str(file), 3, None, None)
+        assert error.rule is not None and error.rule.startswith("vertex index 5 is out of range")
+        assert str(error) == f"{file}:3: {error.rule}"
+
+
 def test_a_mesh_that_is_missing_is_named() -> None:
     with pytest.raises(wayside.WaysideError, match="no-such-mesh.stl") as refused:
         wayside.rcs("no-such-mesh.stl", 77.0)

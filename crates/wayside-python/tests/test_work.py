@@ -10,6 +10,7 @@ import threading
 import time
 from typing import Any
 
+import numpy as np
 import pytest
 from conftest import small_scene
 
@@ -51,6 +52,57 @@ def test_the_share_grows_within_a_frame_and_ends_at_one() -> None:
         assert shares == sorted(shares)
         assert shares[-1] == 1
         assert any(0 < share < 1 for share in shares)
+
+
+def many_frames() -> dict[str, Any]:
+    """Frames with false alarms enough that each stage after the echo lasts for some looks at it."""
+    radar = {"waveform": {"samples": 512, "chirps": 128}, "array": {"preset": "1x4"}}
+    return small_scene(frames=60, radar=radar, dsp={"false_alarm_rate": 1e-3})
+
+
+def raise_enough(text: str, share: float) -> None:
+    raise RuntimeError(f"enough at {share}")
+
+
+def is_at_rest_within(seconds: float) -> bool:
+    """Whether the threads of this process have nothing to do any more."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        before = time.process_time()
+        time.sleep(0.3)
+        if time.process_time() - before < 0.05:
+            return True
+    return False
+
+
+def test_a_table_that_was_called_off_begins_no_further_aspect() -> None:
+    azimuths_deg = np.linspace(0, 360, 20_000, endpoint=False)
+    with pytest.raises(RuntimeError, match="enough"):
+        wayside.rcs("car-suv", 77.0, azimuths_deg, progress=raise_enough)
+    # Aspects under way go on to their end; all of them take many minutes.
+    assert is_at_rest_within(60.0)
+
+
+def test_stages_of_a_receiver_tell_of_each_frame_and_can_be_called_off() -> None:
+    cube = wayside.Scene(many_frames()).echo()
+    maps = cube.range_doppler()
+    for work in (cube.range_doppler, maps.detect):
+        shares: list[float] = []
+        work(progress=lambda text, share, shares=shares: shares.append(share))
+        assert shares == sorted(shares)
+        assert shares[-1] == 1
+        assert any(0 < share < 1 for share in shares)
+        with pytest.raises(RuntimeError, match=r"enough at 0\."):
+            work(progress=raise_enough)
+
+
+def test_the_share_never_falls_from_one_stage_of_a_scene_to_the_next() -> None:
+    scene = wayside.Scene(many_frames())
+    for work in (scene.range_doppler, scene.detect, scene.track):
+        shares: list[float] = []
+        work(progress=lambda text, share, shares=shares: shares.append(share))
+        assert shares == sorted(shares)
+        assert (shares[-1], shares.count(1)) == (1, 1)
 
 
 def test_other_threads_go_on_while_the_library_works() -> None:

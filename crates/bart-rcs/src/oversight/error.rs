@@ -3,6 +3,9 @@
 /// Reason that a scene cannot be traced.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BartError {
+    /// Whoever asked for the work called it off.
+    #[error("called off")]
+    CalledOff,
     /// A choice of the interface that this version does not have.
     #[error("{choice} is not built yet; docs/interface.md says what is")]
     NotBuilt {

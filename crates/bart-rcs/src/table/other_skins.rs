@@ -2,6 +2,7 @@
 //! pass.
 
 use crate::bodies::world::World;
+use crate::oversight::called_off::CalledOff;
 use crate::oversight::error::BartError;
 use crate::surface::skin::{COARSER, FinerSkin, Skin, cut_for_apart, told_error};
 use crate::table::aspect::{Scattering, scattering};
@@ -28,6 +29,7 @@ pub(crate) struct OtherSkins<'a> {
     pub(crate) aspects: &'a [Aspect],
     pub(crate) settings: &'a AspectSettings,
     pub(crate) table: &'a [Scattering],
+    pub(crate) called_off: CalledOff<'a>,
 }
 
 /// Aspects of a table that are traced over coarser facets as well.
@@ -48,6 +50,7 @@ impl OtherSkins<'_> {
         let (mut differing, mut whole, mut apart_rad) = (0.0, 0.0, 0.0_f64);
         let compared = strongest(self.table, COMPARED);
         for &index in &compared {
+            self.called_off.check()?;
             apart_rad = apart_rad.max(self.aspects[index].apart_rad());
             let found = scattering(&coarser, &self.aspects[index], &settings, UNCHECKED)?;
             differing += found.difference(&self.table[index]);
@@ -55,8 +58,10 @@ impl OtherSkins<'_> {
         }
         if let Some((finer, over_difference)) = self.finer(world, &coarser)? {
             let turn_rad = (world.facets().len() <= FEW_FACETS).then(|| self.lobe_rad());
-            let by_finer =
-                |&index: &usize| differing_about(&self.aspects[index], turn_rad, [world, &finer], &settings);
+            let by_finer = |&index: &usize| {
+                self.called_off.check()?;
+                differing_about(&self.aspects[index], turn_rad, [world, &finer], &settings)
+            };
             let powers = compared.iter().map(by_finer).collect::<Result<Vec<_>, _>>()?;
             differing = differing.max(over_difference.powi(2) * powers.iter().sum::<f64>());
         }
@@ -98,6 +103,7 @@ impl OtherSkins<'_> {
         let first = AspectSettings { bounces: 1, ..self.settings.clone() };
         let (mut missing, mut whole) = (0.0, 0.0);
         for i in checked {
+            self.called_off.check()?;
             let through = scattering(&world, &self.aspects[i], &first, UNCHECKED)?;
             missing += through.first_order_difference(&self.table[i]);
             whole += through.mean_power();

@@ -5,6 +5,7 @@ use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::check_order;
+use crate::oversight::called_off::CalledOff;
 use crate::oversight::error::BartError;
 use crate::oversight::memory::{MemoryLimit, memory_estimate_bytes};
 use crate::oversight::progress::{Phase, Progress};
@@ -109,7 +110,13 @@ pub fn rcs(
     rcs_within(
         mesh,
         request,
-        &Surroundings { memory_limit, keeper: &NothingKept, progress: &aspects, clock_s },
+        &Surroundings {
+            memory_limit,
+            keeper: &NothingKept,
+            progress: &aspects,
+            clock_s,
+            called_off: CalledOff::NEVER,
+        },
     )
 }
 
@@ -124,6 +131,8 @@ pub struct Surroundings<'a> {
     pub progress: &'a dyn Progress,
     /// Seconds that the program has worked so far, on all processors: what [`RcsSeconds`] are told by.
     pub clock_s: &'a (dyn Fn() -> f64 + Sync),
+    /// Asked before each aspect is begun; a table that was called off is none.
+    pub called_off: CalledOff<'a>,
 }
 
 /// Makes the table as [`rcs`] does, in surroundings that may limit it and keep what is done.
@@ -175,10 +184,12 @@ pub fn rcs_within(
     result.error.integration = result.error.integration.map(|error| error.max(interpolation));
     let start_s = meter.total_s();
     surroundings.progress.at(Phase::Checking, 0, 0);
-    let other = OtherSkins { mesh, request, aspects: &aspects, settings: &settings, table: &table };
+    let called_off = surroundings.called_off;
+    let other =
+        OtherSkins { mesh, request, aspects: &aspects, settings: &settings, table: &table, called_off };
     result.error.tessellation = other.tessellation(&world)?;
     result.model_error.transmission = other.transmission_left_out()?;
-    result.far_field = far_field_error(&world, request, &settings, &table)?;
+    result.far_field = far_field_error(&world, request, &settings, &table, called_off)?;
     result.seconds.trace += trace;
     result.seconds.check += meter.total_s() - start_s;
     Ok(result)
@@ -368,7 +379,9 @@ impl SharedByAspects<'_> {
         let one = |&index: &usize| {
             let received = self.received.filter(|_| mirrors.is_first(index));
             let checks = self.checks(index, integrals);
-            let found = self.aspect(index, received, &mirrors.settings(index, settings), checks, pass);
+            let settings = mirrors.settings(index, settings);
+            let wanted = self.surroundings.called_off.check();
+            let found = wanted.and_then(|()| self.aspect(index, received, &settings, checks, pass));
             self.surroundings.progress.at(
                 Phase::Aspects,
                 done.fetch_add(1, Ordering::Relaxed) + 1,

@@ -12,7 +12,7 @@ pub(crate) fn measured(header: &CubeHeader, frame: &CubeFrame) -> Vec<Measuremen
     let transform = RangeDoppler::new(header).unwrap();
     let of =
         |what: &str, seconds: f64| Measurement { job: job(header, what), program: "ours".into(), seconds };
-    let maps = quickest_s(|| transform.all_channels(&frame.samples).unwrap());
+    let maps = quickest_s(|| transform.all_channels(frame).unwrap());
     // Copies 16 bytes a value, as a transform must at least.
     let copy = quickest_s(|| frame.samples.clone());
     let map = dsp::Receiver::new(header).unwrap().range_doppler(frame).unwrap();

@@ -44,7 +44,7 @@ pub(crate) fn range_doppler(
     floor: Floor,
     frame: &CubeFrame,
 ) -> Result<RdmFrame, DspError> {
-    let values = transform.all_channels(&frame.samples)?;
+    let values = transform.all_channels(frame)?;
     let power = sum_over_channels(&values, transform.cells());
     let assumed_floor = assumed_floor(floor, &power);
     let mut mask = detector.mask(&power, assumed_floor.unwrap_or(0.0));

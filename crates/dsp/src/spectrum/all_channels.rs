@@ -4,18 +4,19 @@ use crate::error::DspError;
 use crate::spectrum::code_division;
 use crate::spectrum::doppler_bands::source_of;
 use crate::spectrum::map_transform::{RangeDoppler, Workspace};
+use artifact::cube::CubeFrame;
 use artifact::radar::Multiplexing;
 use num_complex::Complex32;
 use rayon::prelude::*;
 
 impl RangeDoppler<f32> {
-    /// Maps `[channel, doppler, range]` of a cube's samples, before any detection; 16 bytes of memory traffic
-    /// a value at least.
+    /// Maps `[channel, doppler, range]` of a frame's samples, before any detection; 16 bytes of memory
+    /// traffic a value at least.
     ///
     /// # Errors
     /// Samples of another number or sampling than the radar's, and values that are no numbers.
-    pub fn all_channels(&self, samples: &[Complex32]) -> Result<Vec<Complex32>, DspError> {
-        let (shapes, division) = (self.shapes(), self.division());
+    pub fn all_channels(&self, frame: &CubeFrame) -> Result<Vec<Complex32>, DspError> {
+        let (shapes, division, samples) = (self.shapes(), self.division(), frame.samples.as_slice());
         shapes.check_samples(samples)?;
         let mut values = blank(division.map_channels * self.cells());
         let fill = |work: &mut Workspace<f32>, (channel, map): (usize, &mut [Complex32])| {
@@ -27,7 +28,7 @@ impl RangeDoppler<f32> {
         if division.multiplexing == Multiplexing::Bpm {
             values = code_division::codes_of_slots(division, [shapes.map[1], shapes.map[2]], &values);
         }
-        shapes.check_values(&values)?;
+        shapes.check_values(frame.index, &values)?;
         Ok(values)
     }
 }

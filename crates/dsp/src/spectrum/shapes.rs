@@ -69,16 +69,15 @@ impl Shapes {
                 return Err(DspError::MapSize { what, expected, found });
             }
         }
-        self.check_values(&map.values)
+        self.check_values(map.index, &map.values)
     }
 
-    /// Whether the values of a map are numbers.
-    pub(crate) fn check_values(&self, values: &[Complex32]) -> Result<(), DspError> {
-        let cells = self.cells();
-        match first_not_finite(values) {
-            None => Ok(()),
-            Some(at) => Err(DspError::ValueNotFinite { channel: at / cells, cell: at % cells }),
-        }
+    /// Whether the values of a frame's map are numbers.
+    pub(crate) fn check_values(&self, frame: u32, values: &[Complex32]) -> Result<(), DspError> {
+        let Some(at) = first_not_finite(values) else { return Ok(()) };
+        let [_, rows, columns] = self.map;
+        let [channel, doppler, range] = [at / (rows * columns), at / columns % rows, at % columns];
+        Err(DspError::ValueNotFinite { frame, channel, doppler, range })
     }
 }
 

@@ -36,6 +36,19 @@ fn samples_too_large_for_single_precision_maps_are_named() {
 }
 
 #[test]
+fn a_value_of_a_map_that_is_no_number_is_named_by_frame_and_cell() {
+    let (header, mut frame) = small();
+    frame.index = 7;
+    let receiver = Receiver::new(&header).unwrap();
+    let mut map = receiver.range_doppler(&frame).unwrap();
+    map.values[(3 * 16 + 5) * 32 + 9].im = f32::NAN;
+    let refused = receiver.detect(&map).unwrap_err();
+    assert_eq!(refused, DspError::ValueNotFinite { frame: 7, channel: 3, doppler: 5, range: 9 });
+    let told = "frame 7: channel 3, Doppler cell 5, range cell 9 of the map is not finite";
+    assert_eq!(refused.to_string(), told);
+}
+
+#[test]
 fn a_frame_of_the_wrong_length_is_refused_with_both_lengths() {
     let (header, mut frame) = small();
     frame.samples.pop();

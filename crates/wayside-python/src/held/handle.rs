@@ -68,7 +68,7 @@ pub(crate) fn opened_by(source: &SceneSource, memory: Allowance) -> Result<Arc<O
 pub(crate) fn raised(py: Python<'_>, failure: &Failure, document: &Document, source: &SceneSource) -> PyErr {
     let faults = scene_faults(source);
     match faults.is_empty() {
-        true => failure::raised(py, failure, document.shown()),
+        true => failure::raised(py, failure, &[document.shown()]),
         false => failure::of_scene(py, failure, &faults, document.shown()),
     }
 }

@@ -9,7 +9,9 @@ use artifact::tracks::{TracksFrame, TracksHeader};
 use dsp::{ROAD_TRAFFIC, Receiver, Tracker, has_noise};
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::chain::stages::Stage;
+use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
+use pipeline::host::progress;
 use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use radar::lattice::tells_azimuth;
 
@@ -69,21 +71,26 @@ impl Processing {
         dsp::velocity_axis_mps(&self.header.in_frame(frame))
     }
 
-    /// Range-Doppler map of a frame, with the cells that the detector tested and found.
+    /// Range-Doppler maps of all frames, with the cells that the detector tested and found.
     ///
     /// # Errors
-    /// Samples that are not the radar's.
-    pub fn map(&self, cube: &CubeFrame) -> Result<RdmFrame, Failure> {
-        self.receiver.range_doppler(cube).map_err(Failure::refused)
+    /// Samples that are not the radar's; called off between two frames.
+    pub fn maps(&self, cubes: &[CubeFrame], call_off: &CallOff) -> Result<Vec<RdmFrame>, Failure> {
+        each(cubes.iter(), call_off, |cube| self.receiver.range_doppler(cube).map_err(Failure::refused))
     }
 
     /// Points and objects of all frames, the velocities of sub-frames resolved by each other.
     ///
     /// # Errors
-    /// Maps and cubes that are not the radar's.
-    pub fn points(&self, maps: &[RdmFrame], cubes: &[CubeFrame]) -> Result<Vec<PointsFrame>, Failure> {
+    /// Maps and cubes that are not the radar's; called off between two frames.
+    pub fn points(
+        &self,
+        maps: &[RdmFrame],
+        cubes: &[CubeFrame],
+        call_off: &CallOff,
+    ) -> Result<Vec<PointsFrame>, Failure> {
         let detect = |(map, cube)| self.receiver.detect_refined(map, cube).map_err(Failure::refused);
-        let detected = maps.iter().zip(cubes).map(detect).collect::<Result<Vec<_>, _>>()?;
+        let detected = each(maps.iter().zip(cubes), call_off, detect)?;
         let cycles = detected.chunks(self.receiver.frames_in_cycle());
         Ok(cycles.flat_map(|cycle| self.receiver.resolved(cycle.to_vec())).collect())
     }
@@ -100,17 +107,28 @@ impl Processing {
     /// Objects followed over the frames.
     ///
     /// # Errors
-    /// Settings that nothing can be followed by.
-    pub fn tracks(&self, points: &[PointsFrame]) -> Result<Vec<TracksFrame>, Failure> {
+    /// Settings that nothing can be followed by; called off between two frames.
+    pub fn tracks(&self, points: &[PointsFrame], call_off: &CallOff) -> Result<Vec<TracksFrame>, Failure> {
         let mut tracker = Tracker::new(&self.header, ROAD_TRAFFIC).map_err(Failure::refused)?;
-        points.iter().map(|frame| tracker.step(frame).map_err(Failure::refused)).collect()
+        each(points.iter(), call_off, |frame| tracker.step(frame).map_err(Failure::refused))
     }
 
-    /// Classes of the objects of a frame, in their order.
+    /// Classes of the objects of all frames, each with its index, objects in their order.
     ///
     /// # Errors
-    /// A model that cannot answer about these maps.
+    /// A model that cannot answer about these maps; called off between two frames.
     pub fn classes(
+        &self,
+        model: &LoadedModel,
+        maps: &[RdmFrame],
+        points: &[PointsFrame],
+        call_off: &CallOff,
+    ) -> Result<Vec<(u32, Vec<Answered>)>, Failure> {
+        let pairs = maps.iter().zip(points);
+        each(pairs, call_off, |(map, frame)| Ok((frame.index, self.classes_in(model, map, frame)?)))
+    }
+
+    fn classes_in(
         &self,
         model: &LoadedModel,
         map: &RdmFrame,
@@ -125,5 +143,45 @@ impl Processing {
     /// Names of the classes.
     pub fn class_names() -> [&'static str; 4] {
         Class::ALL.map(Class::name)
+    }
+}
+
+/// Results of frames one after the other, told of as they are begun; none is begun once the work was called
+/// off.
+fn each<F, T>(
+    frames: impl ExactSizeIterator<Item = F>,
+    call_off: &CallOff,
+    mut make: impl FnMut(F) -> Result<T, Failure>,
+) -> Result<Vec<T>, Failure> {
+    let of = frames.len();
+    let make = |frame| call_off.check().and_then(|()| make(frame));
+    progress::counted("frames", frames, of).map(make).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::{Duration, Instant};
+
+    #[test]
+    fn no_frame_is_begun_once_the_work_was_called_off() {
+        let (call_off, mut begun) = (CallOff::default(), vec![]);
+        let made = each([3, 4, 5, 6].iter(), &call_off, |frame| {
+            begun.push(*frame);
+            if *frame == 4 {
+                call_off.call_off();
+            }
+            Ok(())
+        });
+        assert!(matches!(made, Err(Failure::CalledOff)));
+        assert_eq!(begun, [3, 4]);
+    }
+
+    #[test]
+    fn frames_are_told_of_as_they_are_begun() {
+        let caller = progress::Caller::another();
+        let share = || progress::shown_to(caller, Instant::now(), Duration::ZERO).map(|shown| shown.share);
+        let shares = caller.during(|| each([0; 4].iter(), &CallOff::default(), |_| Ok(share())));
+        assert_eq!(shares.unwrap(), [Some(0.0), Some(0.25), Some(0.5), Some(0.75)]);
     }
 }

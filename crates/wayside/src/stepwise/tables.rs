@@ -4,8 +4,9 @@ use crate::remarks;
 use crate::stepwise::meshes::far_field_from_m;
 use artifact::scene::Mesh;
 use artifact::{ErrorBudget, ModelError};
-use bart_rcs::{NothingKept, RcsRequest, Surroundings};
+use bart_rcs::{BartError, CalledOff, NothingKept, RcsRequest, Surroundings};
 use num_complex::Complex64;
+use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use pipeline::host::processor_time::WorkClock;
@@ -28,16 +29,27 @@ pub struct RcsTable {
 /// Makes the table of a mesh by BART, as the command `rcs` does.
 ///
 /// # Errors
-/// A request out of range, a mesh that cannot be traced, memory that does not suffice.
-pub fn rcs(mesh: &Mesh, request: &RcsRequest, memory: Allowance) -> Result<RcsTable, Failure> {
+/// A request out of range, a mesh that cannot be traced, memory that does not suffice; called off between two
+/// aspects.
+pub fn rcs(
+    mesh: &Mesh,
+    request: &RcsRequest,
+    memory: Allowance,
+    call_off: &CallOff,
+) -> Result<RcsTable, Failure> {
     let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
     check_size(shape)?;
     remarks::forward_scattering::remark(request).into_iter().for_each(progress::note);
     let (work, clock) = (Work::begin("aspects"), WorkClock::start());
-    let clock_s = &|| clock.seconds();
-    let surroundings =
-        Surroundings { memory_limit: memory.limit(), keeper: &NothingKept, progress: &work, clock_s };
-    let result = bart_rcs::rcs_within(mesh, request, &surroundings).map_err(Failure::refused)?;
+    let is_called_off = || call_off.check().is_err();
+    let surroundings = Surroundings {
+        memory_limit: memory.limit(),
+        keeper: &NothingKept,
+        progress: &work,
+        clock_s: &|| clock.seconds(),
+        called_off: CalledOff::by(&is_called_off),
+    };
+    let result = bart_rcs::rcs_within(mesh, request, &surroundings).map_err(of_bart)?;
     Ok(RcsTable {
         shape,
         amplitude_m: result.amplitude_m,
@@ -45,6 +57,13 @@ pub fn rcs(mesh: &Mesh, request: &RcsRequest, memory: Allowance) -> Result<RcsTa
         model_error: result.model_error,
         far_field_from_m: far_field_from_m(mesh, &request.frequency_hz),
     })
+}
+
+fn of_bart(error: BartError) -> Failure {
+    match error {
+        BartError::CalledOff => Failure::CalledOff,
+        refused => Failure::refused(refused),
+    }
 }
 
 /// Values of a table: 16 bytes each, a gibibyte and what measuring its errors takes beside.

@@ -21,7 +21,7 @@ use artifact::Accuracy;
 use artifact::envelope::fingerprint;
 use artifact::scene::Mesh;
 use artifact::settings::NodeRule;
-use bart_rcs::{RcsRequest, Standpoint, Surroundings};
+use bart_rcs::{CalledOff, RcsRequest, Standpoint, Surroundings};
 use formats::npy_stream::NpyStream;
 use formats::sidecar;
 use num_complex::Complex64;
@@ -137,13 +137,11 @@ fn traced(
 ) -> Result<Answer, Failure> {
     let work = Work::resumed("aspects", checkpoint.aspects());
     let (memory_limit, clock_s) = (memory.limit(), &|| clock.seconds());
-    bart_rcs::rcs_within(
-        mesh,
-        request,
-        &Surroundings { memory_limit, keeper: checkpoint, progress: &work, clock_s },
-    )
-    .map(Answer::of_bart)
-    .map_err(Failure::refused)
+    // An interrupt ends the program; aspects that are done are in the checkpoint.
+    let called_off = CalledOff::NEVER;
+    let surroundings =
+        Surroundings { memory_limit, keeper: checkpoint, progress: &work, clock_s, called_off };
+    bart_rcs::rcs_within(mesh, request, &surroundings).map(Answer::of_bart).map_err(Failure::refused)
 }
 
 /// Remarks on materials whose permittivities are those of other frequencies, and on a receiver behind the

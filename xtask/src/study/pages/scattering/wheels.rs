@@ -116,9 +116,9 @@ impl Seen {
         let cubes = echoes_of_paths(&scene, &paths, &never)?;
         let processor_s = processor_time::of_process().unwrap_or(0.0) - before_s;
         let processing = Processing::of(&cubes.header)?;
-        let map = processing.map(&cubes.frames[0])?;
+        let maps = processing.maps(&cubes.frames[..1], &never)?;
         let (ranges_m, velocities_mps) = processing.axes();
-        let power = power(&map, [velocities_mps.len(), ranges_m.len()]);
+        let power = power(&maps[0], [velocities_mps.len(), ranges_m.len()]);
         let header = scene.header().clone();
         Ok(Self { header, paths: paths.frames[0].clone(), ranges_m, velocities_mps, power, processor_s })
     }
