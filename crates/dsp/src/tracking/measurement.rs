@@ -52,7 +52,7 @@ pub struct Measurement {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct DirectionError {
     cosine_variance: f64,
-    /// cos² ε.
+    /// Factor cos² ε.
     flatness2: f64,
     boresight_az_rad: f64,
     across_variance: f64,
