@@ -45,8 +45,8 @@ pub(crate) struct EdgeJoint {
     pub(crate) reverse: Reverse,
 }
 
-/// Highest order of beams that `bounces` need by a rule: an edge is no mirror, and one end may come to it
-/// over all the others, whatever node is taken of facets.
+/// Maximum order of beams needed for `bounces` under a rule: an edge is no mirror, and one end may reach it
+/// via all other facets, whatever node is taken for facets.
 pub(crate) fn tree_order_with(edges: Edges, bounces: u8, rule: NodeRule) -> u8 {
     let of_facets = tree_order(bounces, rule);
     if edges == Edges::FirstOrder { of_facets.max(bounces) } else { of_facets }
