@@ -26,7 +26,7 @@ pub(crate) enum RowEnds {
     Transmitters,
     /// The receivers.
     Receivers,
-    /// Both: the midpoint of a transmitter and a receiver counts.
+    /// Both ends: the midpoint of a transmitter and a receiver counts.
     Both,
 }
 

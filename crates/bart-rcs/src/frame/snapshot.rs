@@ -38,11 +38,11 @@ pub(crate) struct Snapshot {
 
 /// Beams of the receiver.
 enum Arriving {
-    /// Those of the transmitter, which is at the same place.
+    /// Beams of the transmitter, which is at the same place.
     AsSent,
-    /// Those of the transmitter and of its image below the road.
+    /// Beams of the transmitter and of its image below the road.
     WithImage(Received),
-    /// Its own, at another place; over a road with those of its image.
+    /// Separate beams, at another place; over a road with those of its image.
     Apart(BeamTree),
 }
 

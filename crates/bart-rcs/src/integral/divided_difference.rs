@@ -389,7 +389,8 @@ mod tests {
         assert_eq!(a, b);
     }
 
-    /// All at once compared with one by one, for every combination of series and recursion.
+    /// The six second moments at once compared with one by one, for every combination of series and
+    /// recursion.
     #[test]
     fn the_six_second_moments_at_once_are_those_one_by_one() {
         let mut worst = 0.0_f64;
