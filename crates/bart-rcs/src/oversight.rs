@@ -1,7 +1,6 @@
-//! Limits and listeners of a run: what it refuses, the memory that it may take, and who hears how far
-//! it is.
+//! Limits and reporting of a run: errors, memory limits, progress.
 
-pub(crate) mod error; // what can be wrong with a body or an antenna
-pub(crate) mod memory; // expected, watched, refused
-pub(crate) mod progress; // who hears how far work is
-pub(crate) mod work_meter; // whose work the processors' time was
+pub(crate) mod error; // errors of a body or an antenna
+pub(crate) mod memory; // prediction, monitoring and limits
+pub(crate) mod progress; // progress reports
+pub(crate) mod work_meter; // processor time by aspect
