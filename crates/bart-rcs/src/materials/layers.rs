@@ -140,8 +140,8 @@ impl MeanPowers {
 
     /// Adds a layer in front, with one-way factor e^{−jkds} `way`, and the boundary before it.
     ///
-    /// Between two boundaries the passages add as powers: R = |r|² + |1 − r²|²a²R′/(1 − |r|²a²R′) and T = |1
-    /// + r|²a·T′/(1 − |r|²a²R′), a = |e^{−jkds}|² the power left after one way.
+    /// Between two boundaries the passages add as powers: R = |r|² + |1 − r²|²a²R′/(1 − |r|²a²R′) and
+    /// T = |1 + r|²a·T′/(1 − |r|²a²R′), a = |e^{−jkds}|² the power left after one way.
     fn after_layer(self, first: Complex64, way: Complex64) -> Self {
         let (a, r) = (way.norm_sqr(), first.norm_sqr());
         let echoes = 1.0 - r * a * a * self.reflected;

@@ -198,8 +198,8 @@ impl BentTriangle {
     }
 
     /// Whether sides 1 and 2 are rulings of a cone that meet at its apex, which has no meaningful normal, so
-    /// that any line between them is a ruling too. They rise from their chords by less than a quarter of side
-    /// 0.
+    /// that any line between them is a ruling too. They rise from their chords by less than a quarter of that
+    /// of side 0.
     fn is_fan(&self) -> bool {
         let [base, left, right] = self.sides.each_ref().map(|side| side.edge.sagitta_m());
         left.max(right) < 0.25 * base

@@ -7,7 +7,7 @@
 //! systematically with probabilities proportional to their powers (Hansen and Hurwitz, Ann. Math. Statist. 14
 //! (1943) 333): those that contain the centres of equal parts of the table's power. Two of the others are
 //! measured in addition. The error of all others is taken as the larger of two: the same share of their power
-//! as for the strong ones, and the mean error of those two.
+//! as for the strong ones, and as much per aspect as for those two.
 
 use crate::bodies::world::World;
 use crate::joins::band::INTERPOLATION_ERROR;

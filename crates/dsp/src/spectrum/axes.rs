@@ -101,7 +101,8 @@ impl Axes {
         self.column_at(self.on_axis(range_m + self.coupling_m(velocity_mps)))
     }
 
-    /// Fractional column of a range; the sign of the chirp slope is removed when the map is made.
+    /// Fractional column of a range, the round-trip delay times c/2; the sign of the chirp slope is removed
+    /// when the map is made.
     pub(crate) fn column_at(&self, range_m: f64) -> f64 {
         range_m / self.range_cell_m
     }

@@ -14,8 +14,7 @@ use rand::rand_core::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// Number of samples compared: their mean power is known to 1/√48 (0.6 dB), the cost is that of 48 of 400
-/// 000.
+/// Number of samples compared: their mean power is known to 1/√48 (0.6 dB), at the cost of 48 of 400 000.
 const PROBES: u64 = 48;
 
 /// Relative error ‖x − x_ref‖/‖x_ref‖ over a few samples of the noise-free cube as stored; `None` if the
