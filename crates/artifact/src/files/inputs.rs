@@ -4,7 +4,6 @@
 //! by any name: a hard link, a symbolic link or another path to the same folder. Anything but a plain file (a
 //! FIFO, a device, a socket, a folder) is refused before it is opened, since opening a FIFO waits for its
 //! writer and reading a device may never end.
-//! a FIFO waits for its writer and reading a device may never end.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{File, FileType, Metadata};

@@ -49,7 +49,7 @@ fn left_by_others(header: &SceneHeader, error: &ErrorBudget) -> f64 {
     if others < asked { (asked.powi(2) - others.powi(2)).sqrt() } else { BEYOND_SHARE * others }
 }
 
-/// Share of other errors that already exceed the requested accuracy: √(1 + 0.2²) is 1.02 of them.
+/// Share of the other errors allotted to a level if they already exceed the accuracy: √(1 + 0.2²) is 1.02.
 const BEYOND_SHARE: f64 = 0.2;
 
 fn with(targets: Vec<Made>, frame: PathsFrame) -> PathsFrame {
@@ -81,7 +81,7 @@ struct Made {
     measured: Option<MissedPower>,
 }
 
-/// Power that reduced paths miss relative to that of all paths.
+/// Power missed by reduced paths, and power of all paths.
 #[derive(Debug, Clone, Copy)]
 struct MissedPower {
     missed: f64,
@@ -118,8 +118,8 @@ struct LevelWithError {
     measured: MissedPower,
 }
 
-/// Target of the next attempt relative to the allowed error: a level's error falls about as fast as its
-/// setting.
+/// Target of the next attempt relative to the allowed error, a little lower: a level's error falls about as
+/// fast as its setting.
 const AIM: f64 = 0.7;
 
 impl<'a> Choice<'a> {

@@ -4,7 +4,6 @@
 //! that each step takes the centre that leaves the smallest residual (orthogonal least squares; Chen,
 //! Billings, Luo (1989)). Blocks of range are fitted separately, since centres cells apart do not contribute
 //! to the same samples.
-//! samples' fit.
 
 use crate::detail::looks::{Looks, power};
 use crate::detail::merged_paths::{Extents, PathTurns, merged};

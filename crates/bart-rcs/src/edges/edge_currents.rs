@@ -21,7 +21,6 @@ use num_complex::Complex64;
 ///
 /// `accuracy` bounds the error of every element as a fraction of length/√π, the amplitude of an edge at
 /// normal incidence; `error` is the bound reached, m.
-/// seen square; `error` is the bound reached, m.
 pub(crate) fn edge_amplitudes(
     node: &EdgeNode<'_>,
     reference_m: DVec3,

@@ -33,7 +33,6 @@ const RUNS: usize = 64;
 ///
 /// Both their summed power and the power of their sum count: cells of a smooth face, such as a kerb's or a
 /// rail's, are weak individually but in phase with their neighbours.
-/// each and in phase with their neighbours.
 pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
     let view = plan.view(plan.middle_s);
     let most = (DROPPED_SHARE * plan.asked()).powi(2);

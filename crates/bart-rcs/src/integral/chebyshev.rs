@@ -6,7 +6,6 @@
 //! Theory and Approximation Practice (2013), theorem 8.2). n points of the first kind match a sum of
 //! exponentials e^{jtx}, |t| ≤ θ, whose magnitudes add up to 1, to θⁿ/(n!·2ⁿ⁻¹): its n-th derivative is at
 //! most θⁿ, and their node polynomial stays below 2¹⁻ⁿ.
-//! most θⁿ, and their polynomial stays below 2¹⁻ⁿ.
 
 use std::f64::consts::PI;
 

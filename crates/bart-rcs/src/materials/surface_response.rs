@@ -23,8 +23,6 @@ pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64
 /// The thickness lies on the side of the incident wave: t_slab relates points of both faces straight behind
 /// one another, and the line continued behind the sheet already includes the phase of the distance d·cosθ
 /// travelled in glass.
-/// behind one another, and the line that goes on behind the sheet already has the phase of the way d·cosθ
-/// that the wave did in glass.
 pub(crate) fn transmission(material: &Material, cosine: f64, wavenumber_per_m: f64) -> PolarizationPair {
     let PolarizationPair { te, tm } = passed(material, cosine, wavenumber_per_m).transmitted;
     let thickness_m: f64 = layers_of(material).iter().map(|layer| layer.thickness_m).sum();

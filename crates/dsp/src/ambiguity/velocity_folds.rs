@@ -8,7 +8,6 @@
 //! of an object find partners in the other sub-frame; vehicles that share range cells are decided jointly, so
 //! that no echo serves two. Range contributes as well: a hypothesis one span higher is f_c/μ·span nearer
 //! (0.11 m at 17.6 m/s) and moves on between the sub-frames.
-//! between the sub-frames.
 
 use crate::ambiguity::ambiguous_velocities::{FASTEST_MPS, ambiguity_mps};
 use crate::direction::angle::Direction;

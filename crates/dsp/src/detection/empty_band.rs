@@ -4,7 +4,6 @@
 //! A target at Doppler f fills the bands f, f + 1/M, … f + (N_tx − 1)/M and leaves f − 1/M empty. Summed over
 //! channels, a wrong fold retains N_tx − 1 of N_tx echoes: too many to be rejected by a threshold, but its
 //! empty band is full.
-//! band is full.
 
 use crate::detection::cfar::{DETECTED, TESTED};
 use crate::spectrum::division::Division;

@@ -52,7 +52,6 @@ pub(crate) fn ordered_factor(cells: usize, rank: usize, cell: &CellPower, rate: 
 /// κ_ij^n, c_n the coefficients of the step at t in Laguerre polynomials. It equals that of n = N·(N u(1 −
 /// u))/variance independent cells, each counted N/n times, of which k′ − ½ = (k − ½)·n/N are required (½:
 /// counts are integers).
-/// count is whole).
 pub(crate) fn correlated_ordered_factor(
     correlation: &Correlation,
     region: &Region,

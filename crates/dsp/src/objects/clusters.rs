@@ -24,8 +24,6 @@
 //! follower of similar strength stays its own object; one that is twenty times weaker, that near and at equal
 //! speed, is lost to the one ahead; at ten times, the fading of two equal cars 6 m apart sufficed to lose
 //! one. A weaker group beside the front is its far corner: a bus is as wide as the strip.
-//! in speed is lost to the one ahead; at ten times, the fading of two like cars 6 m apart was enough to lose
-//! one. Weaker and beside the front is its far corner: a bus is as wide as the strip.
 
 use crate::objects::cluster_member::Member;
 use crate::objects::rigid_pieces::drive_as_one;

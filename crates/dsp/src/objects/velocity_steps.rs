@@ -6,7 +6,6 @@
 //! more, and by more than the errors of that many velocities. A body that drives across the line of sight has
 //! a different velocity at every echo; the caller must check whether one motion explains both sides
 //! (`rigid_pieces.rs`).
-//! both sides (`rigid_pieces.rs`).
 
 use crate::objects::cluster_member::Member;
 use crate::objects::rigid_pieces::VELOCITY_ERROR_MPS;

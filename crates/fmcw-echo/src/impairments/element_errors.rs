@@ -26,8 +26,8 @@ fn add(errors: &mut Vec<ElementError>, elements: usize, more: impl Fn(u64) -> El
     }
 }
 
-/// Error of an element of one end, 0 for transmitters: from its own random stream, so that additional
-/// elements leave it unchanged.
+/// Error of element `of`, [end, index] with end 0 the transmitters: from its own random stream, so that
+/// additional elements leave it unchanged.
 fn error(spread: ElementSpread, seed: u64, of: [u64; 2]) -> ElementError {
     // Mean power 2: real and imaginary part are independent, with variance 1.
     let normal = NoiseStream::of(seed, "fmcw-echo/element-errors", &of).next_sample(2.0);

@@ -102,7 +102,6 @@ impl Synthesizer {
     /// # Errors
     /// Those of [`Self::frame`], and tables with another polarization, with an invalid shape, or without the
     /// required aspects.
-    /// aspects needed.
     pub fn frame_of_tables(
         &self,
         poses: &[Pose],

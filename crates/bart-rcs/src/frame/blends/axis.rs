@@ -24,7 +24,6 @@ pub(crate) const SHARE_OF_LOOKS: f64 = 0.6;
 /// well: whole cycles from the middle nothing seems to be missed. At both of these places that happens for 8,
 /// 16 … cycles per frame, at both ends of the frame for 2, 4, 6 … (for a van behind a bus, three bounces, 4
 /// dB less were missed there than over the frame, and nothing seemed to change).
-/// than over the frame, and no way seemed to change).
 pub(crate) const LOOKED_AT: [u32; 2] = [FINEST / 8, 3 * FINEST / 4];
 
 /// Axis along which some paths are traced.

@@ -4,7 +4,6 @@
 //! grid is transformed, and each chirp and sample is divided by the kernel's transform. Several sets of
 //! strengths share the tones: their cells are interleaved, so that one weight serves all of them. Only
 //! Doppler rows reached by a tone are stored.
-//! them. Only Doppler rows that a tone reaches exist.
 
 use crate::sums::fast::instants::Tone;
 use crate::sums::fast::kernel::{CELLS_MAX, Kernel};
