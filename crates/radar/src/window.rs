@@ -167,7 +167,7 @@ mod tests {
         let (length, padded) = (64, 64 * 32);
         let mut spectrum: Vec<Complex64> =
             taper(Window::Chebyshev(80.0), length).unwrap().iter().map(|&w| w.into()).collect();
-        spectrum.push(spectrum[0]); // point that restores the symmetry
+        spectrum.push(spectrum[0]); // the point that makes it symmetric again
         spectrum.resize(padded, Complex64::ZERO);
         FftPlanner::new().plan_fft_forward(padded).process(&mut spectrum);
         let level = |k: usize| 20.0 * (spectrum[k].norm() / spectrum[0].norm()).log10();

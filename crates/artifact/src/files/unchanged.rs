@@ -22,7 +22,7 @@ impl SeenFile {
     /// # Errors
     /// The file is unreadable or not plain.
     pub fn of(file: &Path) -> Result<Self> {
-        let stamp = Stamp::of(file)?; // before the hash, so that a change during hashing is noticed later
+        let stamp = Stamp::of(file)?; // before the hash: what changes while it is taken is seen later
         Ok(Self { file: file.to_owned(), stamp, named: named_hash(file)? })
     }
 
@@ -136,7 +136,7 @@ mod tests {
         let file = folder.path().join("m.obj");
         std::fs::write(&file, "one").unwrap();
         let mut seen = SeenFile::of(&file).unwrap();
-        std::fs::write(&file, "two").unwrap(); // perhaps with the same time as reported by the system
+        std::fs::write(&file, "two").unwrap(); // perhaps at the same time, as the system tells it
         assert!(!seen.is_unchanged().unwrap() && !seen.stamp.is_settled);
     }
 

@@ -101,7 +101,7 @@ mod tests {
     fn thermal_noise_of_5_12_mhz_is_minus_136_9_dbw_plus_the_noise_figure() {
         for noise_figure_db in [0.0, 12.0, 14.0] {
             let dbw = 10.0 * thermal_variance_w(noise_figure_db, 290.0, 5.12e6).unwrap().log10();
-            assert!((dbw - noise_figure_db + 136.9).abs() < 0.05, "{dbw}"); // physics.md §9 has one decimal
+            assert!((dbw - noise_figure_db + 136.9).abs() < 0.05, "{dbw}"); // physics.md §9 gives one decimal
         }
         assert!(matches!(thermal_variance_w(f64::NAN, 290.0, 1.0), Err(EchoError::Noise { .. })));
         assert!(matches!(

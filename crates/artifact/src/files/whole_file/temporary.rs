@@ -39,7 +39,7 @@ pub(super) struct Temporary(Option<TempPath>);
 impl Temporary {
     /// Creates a temporary file in the folder of `target`, and that folder if it is missing.
     pub(super) fn beside(target: &Path) -> Result<(File, Self), Fault> {
-        let mut open = open_files(); // locked before creation: every existing file is listed
+        let mut open = open_files(); // before it is made: what is there is listed
         let (handle, path) = locked(folder_of(target)?, &prefix(target)).map_err(Fault::system("create"))?;
         open.insert(path.to_path_buf());
         Ok((handle, Self(Some(path))))
@@ -93,7 +93,7 @@ impl TemporaryFolder {
     /// Renames the folder to `target`, where nothing but an empty folder may exist.
     pub(super) fn persist(mut self, target: &Path) -> std::io::Result<()> {
         let mut open = open_files();
-        let _ = std::fs::remove_dir(target); // removes an empty folder only
+        let _ = std::fs::remove_dir(target); // an empty one; of anything else it takes nothing
         std::fs::rename(self.path(), target)?;
         if let Some(folder) = self.folder.take() {
             open.remove(&folder.keep());
