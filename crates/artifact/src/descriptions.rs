@@ -1,8 +1,8 @@
-//! Descriptions that several artifacts share: the radar, what is asked of the stages, and materials.
+//! Descriptions shared by several artifacts: the radar, the settings of the stages, and materials.
 
 pub mod pattern; // gain of an element over direction
 pub mod radar; // waveform, array, link
-pub mod goal; // what a scene is run for
-pub mod settings; // what a scene asks of the stages
-pub mod material; // what bodies are made of
-pub mod permittivity; // of substances
+pub mod goal; // goal of a run
+pub mod settings; // settings of the stages
+pub mod material; // materials of bodies
+pub mod permittivity; // permittivities of substances

@@ -1,4 +1,4 @@
-//! Artifacts that the stages hand to each other: plain data, no physics.
+//! Artifacts passed between the stages: plain data, no physics.
 //!
 //! Five stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) know this crate and not each other.
 //! Each reads one kind of artifact and writes the next:
@@ -7,10 +7,9 @@
 //! scene.toml → .scene → .paths (or .rcs) → .cube → .rdm → .points → crops → classes
 //! ```
 //!
-//! An artifact is one [`envelope`]: what it is, where it came from, a header, then one record per radar
-//! frame, each with its length and checksum, then an end mark. It is written as a stream and renamed when
-//! whole; it is read as a stream with bounded memory. Signs, axes and units are those of
-//! `docs/conventions.md`.
+//! An artifact is one [`envelope`]: kind, origin, a header, then one record per radar frame, each with its
+//! length and checksum, then an end mark. It is written as a stream and renamed when complete; it is read as
+//! a stream with bounded memory. Signs, axes and units are those of `docs/conventions.md`.
 //!
 //! ```
 //! use artifact::{Provenance, Reader, Writer, points::{Points, PointsFrame, PointsHeader}};
@@ -25,8 +24,8 @@
 //! ```
 
 mod quantities; // numbers with units
-mod files; // read and written
-mod descriptions; // what several artifacts describe alike
+mod files; // reading and writing
+mod descriptions; // descriptions shared by artifacts
 mod schemas; // the artifacts
 
 pub use descriptions::radar::{Radar, Waveform};

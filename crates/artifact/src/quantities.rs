@@ -1,5 +1,5 @@
-//! Numbers with units, the accuracy they have, and seeds.
+//! Units, accuracy and seeds.
 
 pub mod units; // constants and conversions
-pub mod accuracy; // asked for, and returned
-pub mod seed; // what randomness is a function of
+pub mod accuracy; // requested accuracy and estimated error
+pub mod seed; // random streams

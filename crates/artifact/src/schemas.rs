@@ -1,4 +1,4 @@
-//! The artifacts, in the order in which stages make them.
+//! The artifacts in the order in which the stages produce them.
 
 pub mod scene; // bodies and the radar
 pub mod paths; // scattering paths
@@ -7,7 +7,7 @@ pub mod cube; // IF samples
 pub mod rdm; // range-Doppler maps
 pub mod points; // detected points and objects
 pub mod tracks; // vehicles over frames
-pub mod signature; // of an object, cell by cell
+pub mod signature; // an object, cell by cell
 pub mod dataset; // signatures and crops with labels
 pub mod model; // a trained classifier
-pub mod classes; // what it says
+pub mod classes; // classes and probabilities of objects

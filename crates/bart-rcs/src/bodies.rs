@@ -1,11 +1,11 @@
-//! Posed meshes, and the road under them.
+//! Posed meshes, and the road below them.
 
 pub(crate) mod road_mirror; // the plane z = 0
-pub(crate) mod motion; // how bodies, and their images in each other, move
-pub(crate) mod behind_array; // where antennas hear nothing
-pub(crate) mod models; // meshes in their own axes, wheels that turn apart
-pub(crate) mod body_gains; // how much of each body's echo is heard
-pub(crate) mod rolling; // wheels as bodies of their own, and their paths their vehicles' again
+pub(crate) mod motion; // motion of bodies and of their images
+pub(crate) mod behind_array; // half-space without gain
+pub(crate) mod models; // meshes in their own axes, rotating wheels separate
+pub(crate) mod body_gains; // weight of each body's echo
+pub(crate) mod rolling; // wheels as separate bodies, joined to their vehicles again
 pub(crate) mod world; // facets of posed bodies
-pub(crate) mod road; // bodies and their images, unfolded
-pub(crate) mod stand_off; // where an antenna may stand
+pub(crate) mod road; // unfolded images of bodies
+pub(crate) mod stand_off; // permitted positions of antennas

@@ -1,9 +1,9 @@
-//! Levels of detail: fewer paths for the same echo, at an error that is measured; the stage that makes them.
+//! Levels of detail: fewer paths for the same echo, with a measured error; and the stage that produces them.
 
-pub(crate) mod looks; // path tables as some samples of a cube see them
-pub(crate) mod merged_paths; // paths that turn alike become one
+pub(crate) mod looks; // fields of path tables at samples of a cube
+pub(crate) mod merged_paths; // merging of paths with like phase rotation
 pub(crate) mod scattering_centres; // orthogonal matching pursuit
-pub(crate) mod statistical_points; // points drawn like the body's own
+pub(crate) mod statistical_points; // random points with the body's statistics
 pub(crate) mod detail_cost; // processor seconds of each level
-pub(crate) mod level; // the cheapest level that meets the accuracy
-pub(crate) mod tracer; // the stage: paths, tables and their cost of a scene's frames
+pub(crate) mod level; // cheapest level that meets the accuracy
+pub(crate) mod tracer; // the stage: paths and tables of frames, and their cost

@@ -1,12 +1,12 @@
-//! Beams of both ends meet on a facet.
+//! Joins of beams from both ends on a facet.
 
-pub(crate) mod outline; // of what both ends light
+pub(crate) mod outline; // outline of the overlap of two beams
 pub(crate) mod shadow_sides; // borders along lines that cut out shadows
-pub(crate) mod parting; // how far from its specular a double reflection is
-pub(crate) mod joint; // what both ends light of a facet
+pub(crate) mod parting; // separation of a double reflection from its specular
+pub(crate) mod joint; // parts of a facet lit from both ends
 pub(crate) mod own_edge; // weights of a sequence's nodes
-pub(crate) mod join; // beams of both ends meet on a facet
-pub(crate) mod group; // shares that turn alike
-pub(crate) mod scatterer; // joints with the way to them
-pub(crate) mod afforded; // how exactly their integrals can be had
+pub(crate) mod join; // joins of beams from both ends
+pub(crate) mod group; // contributions of similar length
+pub(crate) mod scatterer; // joints with their legs
+pub(crate) mod afforded; // affordable accuracy of their integrals
 pub(crate) mod band; // many frequencies from few

@@ -1,9 +1,9 @@
 //! Scattering of vehicles at millimetre waves by bidirectional analytic ray tracing (BART; Xu and Jin, IEEE
 //! T-AP 57 (2009) 1495).
 //!
-//! A mesh goes in, the scattering amplitude S in metres comes out ([`rcs`]); |S|² is the radar cross section
-//! in m². Or a scene's frame goes in and its scattering paths come out ([`Tracer::paths`]), from which echoes
-//! are made. Signs, axes and units: `docs/conventions.md`; formulas: `docs/physics.md`.
+//! Input is a mesh, output the scattering amplitude S in metres ([`rcs`]); |S|² is the radar cross section in
+//! m². Alternatively a scene's frame yields its scattering paths ([`Tracer::paths`]), from which echoes are
+//! made. Signs, axes and units: `docs/conventions.md`; formulas: `docs/physics.md`.
 //!
 //! ```
 //! use artifact::scene::Mesh;
@@ -21,26 +21,26 @@
 //! # Ok::<(), bart_rcs::BartError>(())
 //! ```
 //!
-//! How it works, and in which order to read: a [`World`] holds every facet of every body at one instant. From
-//! an [`Antenna`] a [`BeamTree`] grows: each facet is clipped exactly against those that hide it, and each
-//! lit polygon is a mirror for the next order. No ray is sampled; what is lit is the silhouette to rounding.
-//! The tree knows no frequency and no polarization. Where a beam from the transmitter and one from the
-//! receiver end on the same facet, they are joined, and physical optics is integrated over the common polygon
-//! in closed form. Slow, obvious rivals that share none of this are the crate `po-sbr`.
+//! Method and reading order: a [`World`] holds every facet of every body at one instant. From an [`Antenna`]
+//! a [`BeamTree`] grows: each facet is clipped exactly against those that hide it, and each lit polygon is a
+//! mirror for the next order. No rays are sampled; the lit part is the silhouette to rounding. The tree is
+//! independent of frequency and polarization. If a beam from the transmitter and one from the receiver end on
+//! the same facet, they are joined, and physical optics is integrated over the common polygon in closed form.
+//! The crate `po-sbr` has slow, obvious reference methods that share none of this.
 
-mod oversight; // what can be wrong, how much memory, who hears how far it is
+mod oversight; // errors, memory limits, progress
 mod geometry; // points, planes, polygons
-mod mesh; // what belongs together in a mesh, and where it has edges
+mod mesh; // topology and edges of a mesh
 mod materials; // reflection and transmission
-mod surface; // what facets stand for: themselves, or a curved surface
-mod bodies; // posed meshes, and the road under them
+mod surface; // surface that facets stand for: flat, or curved
+mod bodies; // posed meshes, and the road below them
 mod beams; // lit polygons and their mirrors
-mod integral; // a field over a lit polygon, in closed form
-mod joins; // beams of both ends meet on a facet
-mod edges; // what edges add to physical optics
+mod integral; // integration over a lit polygon, in closed form
+mod joins; // joins of beams from both ends
+mod edges; // contributions of edges to physical optics
 mod table; // S at aspects, over frequency
 mod frame; // paths of a frame, or its table
-mod detail; // fewer paths for the same echo; the stage that makes them of a scene's frames
+mod detail; // fewer paths for the same echo; the stage that makes them from a scene's frames
 
 pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use bodies::road::usual_road;

@@ -1,9 +1,9 @@
-//! Surface that facets stand for: themselves, or a curved one.
+//! Surface that facets represent: flat, or curved.
 
-pub(crate) mod made_normals; // creases, and normals where a mesh stores none
-pub(crate) mod curved_edge; // an edge bent by the normals at its ends
-pub(crate) mod bend; // the skin's height over a facet
-pub(crate) mod refinement; // bent triangles cut until they are flat
-pub(crate) mod skin_triangles; // the triangles that stand for a mesh
-pub(crate) mod curved_skin; // a mesh's triangles, bent
-pub(crate) mod skin; // what facets stand for
+pub(crate) mod made_normals; // creases, and estimated normals
+pub(crate) mod curved_edge; // an edge curved by the normals at its ends
+pub(crate) mod bend; // height of the skin over a facet
+pub(crate) mod refinement; // subdivision of curved triangles
+pub(crate) mod skin_triangles; // triangles that represent a mesh
+pub(crate) mod curved_skin; // a mesh's triangles, curved
+pub(crate) mod skin; // surface represented by facets

@@ -1,5 +1,5 @@
-//! Velocities that look alike in a map.
+//! Velocity ambiguity of a map.
 
-pub(crate) mod ambiguous_velocities; // which do, and which no vehicle drives
-pub(crate) mod time_division_folds; // told by the phases between slots
-pub(crate) mod velocity_folds; // told by two sub-frames
+pub(crate) mod ambiguous_velocities; // indistinguishable velocities, and which a vehicle can drive
+pub(crate) mod time_division_folds; // folds from the phases between slots
+pub(crate) mod velocity_folds; // folds from two sub-frames

@@ -1,13 +1,13 @@
-//! Errors in a cube, in a map, or in what is asked of them.
+//! Errors in a cube, in a map, or in the settings of their processing.
 
 use artifact::settings::FALSE_ALARM_RATES;
 use radar::lattice::TooManyDirections;
 use std::fmt;
 
-/// Reason why a cube or a map could not be processed; every field is a fact about the input.
+/// Reason that a cube or a map could not be processed; every field is a fact about the input.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum DspError {
-    /// Samples said to be real that have an imaginary part.
+    /// Samples declared as real with an imaginary part.
     #[error(
         "sample {sample} of channel {channel}, chirp {chirp} has an imaginary part; the radar's sampling is real"
     )]
@@ -19,59 +19,59 @@ pub enum DspError {
         /// Sample.
         sample: usize,
     },
-    /// Calibration of another array.
+    /// Calibration that belongs to another array.
     #[error("the calibration has {found} channels, the array {expected}")]
     Calibration {
-        /// Transmit–receive pairs.
+        /// Number of transmit–receive pairs.
         expected: usize,
-        /// Factors, or finite ones.
+        /// Number of factors, or of finite ones.
         found: usize,
     },
     /// An object that the frame does not have.
     #[error("the frame has no object {object}")]
     NoSuchObject {
-        /// Index among its objects.
+        /// Index among the frame's objects.
         object: u32,
     },
-    /// A place that no cell holds.
+    /// Reflector position outside all cells.
     #[error("a reflector {range_m} m away lies outside the map, which ends at {limit_m} m")]
     ReflectorRange {
         /// Distance from the array's centre.
         range_m: f64,
-        /// Range at which the map of the waveform ends.
+        /// Maximum range of the waveform's map.
         limit_m: f64,
     },
-    /// An echo that tells no phases.
+    /// Echo too weak to measure phases.
     #[error(
         "the weakest channel at {range_m:.2} m and rest is {snr_db:.1} dB over its noise; calibration needs {least_db} dB"
     )]
     WeakReflector {
-        /// Range at which the reflector was looked for.
+        /// Range at which the reflector was searched.
         range_m: f64,
-        /// Signal over noise of the weakest channel.
+        /// SNR of the weakest channel.
         snr_db: f64,
-        /// Least signal over noise that calibration needs.
+        /// Minimum SNR for calibration.
         least_db: f64,
     },
-    /// Refinement on samples that are not one tone an echo.
+    /// Refinement on samples where an echo is not a single tone.
     #[error("peaks are refined on complex samples whose transmitters are told apart without codes")]
     Refinement,
-    /// The cube's length is not that of its radar.
+    /// Length of a cube that does not match its radar.
     #[error("a frame holds {found} samples, its radar makes {expected} (channels × chirps × samples)")]
     SampleCount {
-        /// Samples that the header asks for.
+        /// Number of samples required by the header.
         expected: usize,
-        /// Samples in the frame.
+        /// Number of samples in the frame.
         found: usize,
     },
-    /// The map's length is not that of its radar.
+    /// Length of a map that does not match its radar.
     #[error("a map holds {found} {what}, its radar makes {expected}")]
     MapSize {
-        /// Values or mask cells.
+        /// Affected array: values or mask cells.
         what: &'static str,
-        /// Values that the header asks for.
+        /// Number of values required by the header.
         expected: usize,
-        /// Values in the frame.
+        /// Number of values in the frame.
         found: usize,
     },
     /// A NaN or an infinite sample.
@@ -84,7 +84,7 @@ pub enum DspError {
         /// Sample.
         sample: usize,
     },
-    /// A value of the map that is no number, or does not fit single precision.
+    /// A non-finite value of the map, or one beyond single precision.
     #[error(
         "frame {frame}: channel {channel}, Doppler cell {doppler}, range cell {range} of the map is not \
          finite"
@@ -102,67 +102,67 @@ pub enum DspError {
     /// A map without cells or without channels.
     #[error("the radar has no {what}")]
     Missing {
-        /// Samples, chirps, transmitters or receivers.
+        /// Missing items: samples, chirps, transmitters or receivers.
         what: &'static str,
     },
-    /// A cube of more values than any stage holds.
+    /// A cube with more values than any stage can hold.
     #[error("channels × chirps × samples of the radar are more than {}", artifact::cube::CUBE_LIMIT)]
     TooLarge,
-    /// An array of more directions than are looked at.
+    /// An array with too many directions to search.
     #[error("{0}")]
     Directions(#[source] TooManyDirections),
-    /// A property of the radar that no axis can be made from.
+    /// A property of the radar from which no axis can be computed.
     #[error("{quantity} must be finite, not zero and, but for a slope, not negative; it is {value}")]
     Radar {
-        /// Named with its unit.
+        /// Name of the property with its unit.
         quantity: &'static str,
-        /// The value as found.
+        /// Value found.
         value: f64,
     },
-    /// Chirps at changing intervals, transmitters told apart by Doppler or by codes.
+    /// Staggered chirps combined with Doppler or code division.
     #[error(
         "staggered chirps exclude Doppler and code division: no constant turn from chirp to chirp is a velocity then"
     )]
     StaggeredDivision,
-    /// A map whose samples do not follow from it by Fourier transforms alone.
+    /// A map that is not a plain Fourier transform of its samples.
     #[error("samples follow from maps of complex samples and chirps at one interval alone")]
     NoInverse,
-    /// A false-alarm rate without a threshold.
+    /// A false-alarm rate outside the range of thresholds.
     #[error("false_alarm_rate must lie from {least:e} to {most}, is {0:e}", least = FALSE_ALARM_RATES.start(), most = FALSE_ALARM_RATES.end())]
     FalseAlarmRate(f64),
-    /// Nothing to estimate the noise from.
+    /// No cells to estimate the noise from.
     #[error("training_cells are [0, 0]: no cell is left to estimate the noise from")]
     NoTrainingCells,
-    /// Guard and training cells do not fit the map.
+    /// Guard and training cells that do not fit the map.
     #[error("guard and training cells need {needed} cells along {axis}, the map has {cells}")]
     CfarWindow {
-        /// Side of the map that is too short.
+        /// Axis of the map that is too short.
         axis: Axis,
-        /// 2·(guard + training) + 1.
+        /// Number of cells needed, 2·(guard + training) + 1.
         needed: u64,
-        /// Cells of the map.
+        /// Number of cells of the map.
         cells: usize,
     },
-    /// A Chebyshev window that cannot be made.
+    /// An infeasible Chebyshev window.
     #[error("chebyshev sidelobes must lie between 10 and 300 dB below the peak, asked are {0}")]
     Sidelobes(f64),
-    /// A crop without pixels or extent, or one of more cells than any stage holds.
+    /// A crop without pixels or extent, or with more cells than any stage can hold.
     #[error(
         "a crop needs a side of 1 to 8192 pixels, positive spans of no more than {} cells and a ceiling above \
          its floor",
         artifact::cube::CUBE_LIMIT
     )]
     CropFormat,
-    /// An object that no crop can be centred on and no track can follow.
+    /// An object with a non-finite value, which cannot be cropped or tracked.
     #[error("the object's {quantity} is not finite")]
     ObjectNotFinite {
-        /// Range, velocity or position.
+        /// Affected quantity: range, velocity or position.
         quantity: &'static str,
     },
-    /// A frame that cannot follow the one before it.
+    /// A frame that is not later than the one before it.
     #[error("a frame at {found_s} s cannot follow one at {last_s:?} s: tracks go forward in time")]
     FrameTime {
-        /// Time of the frame before, if there was one.
+        /// Time of the preceding frame, if any.
         last_s: Option<f64>,
         /// Time of the frame.
         found_s: f64,
@@ -172,9 +172,9 @@ pub enum DspError {
 /// An axis of a range-Doppler map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Axis {
-    /// Rows.
+    /// Doppler axis, the rows.
     Doppler,
-    /// Columns.
+    /// Range axis, the columns.
     Range,
 }
 

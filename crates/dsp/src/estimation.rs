@@ -1,6 +1,6 @@
-//! Echoes that stand alone, estimated on the samples.
+//! Maximum-likelihood estimation of isolated echoes on the samples.
 
-pub(crate) mod point_echo; // its samples, as a model
-pub(crate) mod isolation; // whether it stands alone
-pub(crate) mod refinement; // its range, velocity and direction
-pub(crate) mod cramer_rao; // how well that can be done
+pub(crate) mod point_echo; // model of the echo's samples
+pub(crate) mod isolation; // whether an echo is isolated
+pub(crate) mod refinement; // range, velocity and direction
+pub(crate) mod cramer_rao; // minimum errors of estimates

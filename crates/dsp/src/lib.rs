@@ -1,33 +1,33 @@
-//! Signal processing of radar cubes: range-Doppler maps, detections, located points, objects and crops for a
+//! Signal processing of radar cubes: range-Doppler maps, detections, located points, objects, and crops for a
 //! classifier.
 //!
-//! In goes a [`CubeHeader`](artifact::cube::CubeHeader) (the radar and the settings of its processing) and a
-//! [`CubeFrame`](artifact::cube::CubeFrame) (IF samples `[channel, chirp, sample]`, √W). No truth is in
-//! either, so none is in what comes out:
+//! Inputs are a [`CubeHeader`](artifact::cube::CubeHeader) (the radar and the settings of its processing) and
+//! [`CubeFrame`](artifact::cube::CubeFrame)s (IF samples `[channel, chirp, sample]`, √W). Neither contains
+//! truth, so the outputs contain none.
 //!
-//! A [`Receiver`] is made once of a header, which it checks, and then takes frames:
+//! A [`Receiver`] is constructed from a header, which it checks, and then processes frames:
 //!
 //! - [`Receiver::range_doppler`]: the map of every transmit–receive pair `[channel, doppler, range]`, zero
-//!   velocity at N/2, and the cells that the CFAR asked for (CA, GO, SO or OS) tested and found
+//!   velocity at N/2, and the cells tested and detected by the requested CFAR (CA, GO, SO or OS)
 //!   ([`RdmFrame`](artifact::rdm::RdmFrame));
-//! - [`Receiver::detect`], or [`Receiver::detect_refined`] where the samples are at hand: points with range,
+//! - [`Receiver::detect`], or [`Receiver::detect_refined`] if the samples are available: points with range,
 //!   radial velocity, azimuth, elevation and world position, and the objects that they form
 //!   ([`PointsFrame`](artifact::points::PointsFrame)); [`Receiver::process`] does both,
-//!   [`Receiver::resolved`] tells the velocities of a cycle's sub-frames by each other;
+//!   [`Receiver::resolved`] resolves the velocities of a cycle's sub-frames from each other;
 //! - [`Receiver::cropper`]: 24 m × 8 m/s around an object on the map beamformed to it, 451 × 451 grey levels
-//!   of fixed decibels over the noise, which a classifier sees; [`Receiver::signatures`]: its echo along
-//!   range;
-//! - [`objects_of_points`]: the objects of points that another program or radar has located;
-//! - [`Tracker`]: vehicles followed over frames, with identity, velocity, box and lane
+//!   in fixed decibels above the noise, as input of a classifier; [`Receiver::signatures`]: the object's echo
+//!   along range;
+//! - [`objects_of_points`]: objects from points located by another program or radar;
+//! - [`Tracker`]: vehicles tracked over frames, with identity, velocity, box and lane
 //!   ([`TracksFrame`](artifact::tracks::TracksFrame));
-//! - [`power_map`], [`rdm_grayscale`], [`range_axis_m`], [`velocity_axis_mps`], [`noise_power`] for whoever
-//!   draws or measures a map.
+//! - [`power_map`], [`rdm_grayscale`], [`range_axis_m`], [`velocity_axis_mps`], [`noise_power`]: tools for
+//!   drawing or measuring a map.
 //!
-//! Signs, axes and units: `docs/conventions.md`. A growing range is a positive velocity; a target on the +
-//! side of the array reads a positive direction cosine. Everything wrong with an input is a [`DspError`];
+//! Signs, axes and units are those of `docs/conventions.md`. A growing range is a positive velocity; a target
+//! on the + side of the array has a positive direction cosine. Every fault of an input is a [`DspError`];
 //! nothing panics.
 //!
-//! Reading order is that of the rooms below; each uses only those that stand before it.
+//! The modules are listed in reading order; each uses only those before it.
 //!
 //! ```
 //! use artifact::cube::{CubeFrame, CubeHeader};
@@ -62,17 +62,17 @@
 //! # Ok::<(), dsp::DspError>(())
 //! ```
 
-mod error; // what can be wrong with an input
-mod numerics; // mathematics that knows no radar
+mod error; // errors of inputs
+mod numerics; // mathematics independent of radar
 mod spectrum; // samples to maps
-mod detection; // which cells hold echoes
-mod direction; // where they come from
-mod plan; // what all frames of a radar share
-mod estimation; // those that stand alone, on the samples
-mod ambiguity; // velocities that look alike
-mod objects; // points, and what they form
+mod detection; // cells that contain echoes
+mod direction; // directions and positions
+mod plan; // data shared by all frames of a radar
+mod estimation; // isolated echoes, on the samples
+mod ambiguity; // velocity folds
+mod objects; // points and objects
 mod tracking; // objects over frames
-mod crops; // what a classifier sees
+mod crops; // input of a classifier
 mod receiver; // the stage: all of the above for one radar
 
 pub use ambiguity::time_division_folds::least_loss;

@@ -1,9 +1,9 @@
-//! Mathematics that knows no radar: a textbook's algorithm a file, by its name, behind two files about
-//! numbers themselves (`finite`, `precision`). Why it is written out and what libraries measure beside it:
-//! docs/decisions/numerics.md.
+//! Mathematics independent of radar: one textbook algorithm per file, named after it, preceded by two files
+//! about numbers themselves (`finite`, `precision`). Reasons for this implementation and comparisons with
+//! libraries: docs/decisions/numerics.md.
 
-pub(crate) mod finite; // the first value that is no number
-pub(crate) mod precision; // single and double
+pub(crate) mod finite; // first non-finite value
+pub(crate) mod precision; // single and double precision
 pub(crate) mod summed_area_table; // sums over rectangles of a map (integral image, box filter)
 pub(crate) mod regula_falsi; // roots (Illinois)
 pub(crate) mod incomplete_gamma; // P(M, x), Q(M, x)

@@ -1,4 +1,4 @@
-//! Values worked out once for all frames of a radar: of its windows and settings, and of each sub-frame.
+//! Values computed once for all frames of a radar: from its windows and settings, and for each sub-frame.
 
 use crate::detection::censored::Censoring;
 use crate::detection::cfar::Cfar;
@@ -17,24 +17,24 @@ use artifact::settings::{DspSettings, Lanes};
 use radar::lattice::tells_azimuth;
 use std::sync::Arc;
 
-/// Lanes that places may be told to lie in: those of the road. An array without extent along the row tells
-/// no azimuth, and no lane.
+/// Lanes that positions can be assigned to: those of the road. An array without extent along the row measures
+/// no azimuth, and so no lane.
 pub(crate) fn told_lanes(header: &CubeHeader) -> Lanes {
     let road = header.dsp.road.clone();
     if tells_azimuth(&header.radar) { road } else { Lanes { lanes: vec![], courses: vec![], ..road } }
 }
 
-/// Values that follow from windows, settings and numbers of cells, whatever the chirp interval.
+/// Values that follow from windows, settings and numbers of cells, independent of the chirp interval.
 pub(crate) struct Thresholds {
-    /// Detector of cells.
+    /// Cell detector.
     pub(crate) detector: Cfar,
-    /// Finder of the cells that stronger echoes hide from the detector.
+    /// Retesting of cells that stronger echoes hide from the detector.
     pub(crate) censoring: Censoring,
-    /// Finder of the places of peaks between cells, and of what leaks from them.
+    /// Interpolation of peaks between cells, and their leakage.
     pub(crate) finder: PeakFinder,
-    /// Noise bandwidth of a cell by its two windows, in cells.
+    /// Noise bandwidth of a cell under both windows, in cells.
     pub(crate) bandwidth_cells: f64,
-    /// Threshold over noise that is known: that of infinitely many training cells.
+    /// Threshold over known noise: that of infinitely many training cells.
     pub(crate) of_known_noise: f64,
 }
 
@@ -56,29 +56,29 @@ impl Thresholds {
     }
 }
 
-/// Values that the frames of one sub-frame share.
+/// Values shared by the frames of one sub-frame.
 pub(crate) struct Plan {
-    /// The radar as it is in this sub-frame.
+    /// Radar of this sub-frame.
     pub(crate) radar: Radar,
-    /// Settings of detection.
+    /// Detection settings.
     pub(crate) settings: DspSettings,
-    /// Origin of the noise that thresholds stand on.
+    /// Origin of the noise level that thresholds are based on.
     pub(crate) floor: Floor,
-    /// Samples to maps.
+    /// Transform from samples to maps.
     pub(crate) transform: RangeDoppler,
-    /// Shared with the other sub-frames.
+    /// Thresholds, shared with the other sub-frames.
     pub(crate) thresholds: Arc<Thresholds>,
-    /// Channels to directions.
+    /// Array, which turns channels into directions.
     pub(crate) array: VirtualArray,
-    /// Lanes that objects may be in.
+    /// Lanes that objects can be assigned to.
     pub(crate) lanes: Lanes,
 }
 
 impl Plan {
-    /// Plans of every sub-frame of a cycle, at least one.
+    /// Plans of all sub-frames of a cycle, at least one.
     ///
     /// # Errors
-    /// What of the radar or its settings no map or no threshold can be made of.
+    /// Radar parameters or settings from which no map or no threshold can be computed.
     pub(crate) fn of_cycle(header: &CubeHeader) -> Result<Vec<Self>, DspError> {
         let sub_frames = 0..header.radar.schedule.sub_frames();
         let own: Vec<CubeHeader> = sub_frames.map(|index| header.in_frame(index)).collect();
@@ -99,7 +99,7 @@ impl Plan {
     /// Powers of a map of this sub-frame.
     ///
     /// # Errors
-    /// The map has another shape, or holds values that are no numbers.
+    /// The map has another shape, or contains non-finite values.
     pub(crate) fn levels(&self, map: &RdmFrame) -> Result<Levels, DspError> {
         Levels::of(self.transform.shapes(), map)
     }

@@ -1,4 +1,5 @@
-//! The stage of one radar: made once of a header, it takes cubes to maps, points, velocities and crops.
+//! Processing stage of one radar: constructed from a header, it turns cubes into maps, points, velocities and
+//! crops.
 
 use crate::ambiguity::velocity_folds;
 use crate::crops::crop::Cropper;
@@ -16,18 +17,18 @@ use artifact::rdm::RdmFrame;
 use artifact::settings::Refine;
 use num_complex::Complex64;
 
-/// A radar's receiver: its header checked, its windows, transforms, thresholds and array worked out once, for
-/// each sub-frame. A frame belongs to the sub-frame that its index says.
+/// A radar's receiver: its header is checked, and its windows, transforms, thresholds and array are computed
+/// once per sub-frame. The frame index determines the sub-frame.
 pub struct Receiver {
     /// Plans by sub-frame, at least one.
     plans: Vec<Plan>,
 }
 
 impl Receiver {
-    /// Makes the receiver of the cubes that this header describes.
+    /// Constructs the receiver for cubes with this header.
     ///
     /// # Errors
-    /// What of the radar or its settings no map or no threshold can be made of.
+    /// Radar parameters or settings from which no map or no threshold can be computed.
     pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
         Ok(Self { plans: Plan::of_cycle(header)? })
     }
@@ -37,12 +38,12 @@ impl Receiver {
         &self.plans[index as usize % self.plans.len()]
     }
 
-    /// Frame records that belong together: the sub-frames of a cycle.
+    /// Number of frame records that belong together: the sub-frames of a cycle.
     pub fn frames_in_cycle(&self) -> usize {
         self.plans.len()
     }
 
-    /// The map and the points of one frame.
+    /// Computes the map and the points of one frame.
     ///
     /// # Errors
     /// Those of [`Self::range_doppler`] and [`Self::detect_refined`].
@@ -52,29 +53,29 @@ impl Receiver {
         Ok((map, points))
     }
 
-    /// The map of one frame, with the cells that the header's detector tested and those it found.
+    /// Computes the map of one frame, with the cells tested and detected by the header's detector.
     ///
     /// # Errors
-    /// Samples of another number or sampling than the radar's, and values that are no numbers.
+    /// Samples whose number or sampling is not the radar's, and non-finite values.
     pub fn range_doppler(&self, cube: &CubeFrame) -> Result<RdmFrame, DspError> {
         let plan = self.plan(cube.index);
         range_doppler(&plan.transform, &plan.thresholds.detector, plan.floor, cube)
     }
 
-    /// Points of a map, strongest first, and objects in the order of their strongest peaks.
+    /// Detects the points of a map, strongest first, and objects in the order of their strongest peaks.
     ///
     /// # Errors
-    /// The map has another shape, or holds values that are no numbers.
+    /// The map has another shape, or contains non-finite values.
     pub fn detect(&self, map: &RdmFrame) -> Result<PointsFrame, DspError> {
         located(self.plan(map.index), map, None)
     }
 
-    /// [`Self::detect`] with the samples that the map was made of: where the settings ask for it, peaks that
-    /// stand alone are refined on them.
+    /// [`Self::detect`] with the samples of the map: if the settings request it, isolated peaks are refined
+    /// on them.
     ///
     /// # Errors
-    /// Those of [`Self::detect`]; samples that are not the radar's, or are no single tone an echo where they
-    /// are asked for.
+    /// Those of [`Self::detect`]; samples that do not match the radar, or, if refinement is requested, in
+    /// which an echo is not a single tone.
     pub fn detect_refined(&self, map: &RdmFrame, cube: &CubeFrame) -> Result<PointsFrame, DspError> {
         let plan = self.plan(map.index);
         plan.transform.shapes().check_samples(&cube.samples)?;
@@ -85,9 +86,9 @@ impl Receiver {
         located(plan, map, refines.then_some(cube.samples.as_slice()))
     }
 
-    /// The points of a whole cycle with their velocities resolved, each sub-frame's by the next one's other
-    /// chirp interval. Left as they are where there is one sub-frame, and under time division of chirps at
-    /// changing intervals: there a velocity's fold would turn the directions too.
+    /// Points of a whole cycle with resolved velocities, each sub-frame's by the other chirp interval of the
+    /// next. Unchanged if there is only one sub-frame, and under time division with varying chirp intervals,
+    /// where a velocity's fold would also change the directions.
     pub fn resolved(&self, cycle: Vec<PointsFrame>) -> Vec<PointsFrame> {
         velocity_folds::resolved(|index| self.plan(index), cycle)
     }
@@ -95,7 +96,7 @@ impl Receiver {
     /// Crops of the objects of one map.
     ///
     /// # Errors
-    /// A format without extent, a map of another shape, or values that are no numbers.
+    /// A format without extent, a map of another shape, or non-finite values.
     pub fn cropper<'a>(&'a self, map: &'a RdmFrame, format: &CropFormat) -> Result<Cropper<'a>, DspError> {
         Cropper::new(self.plan(map.index), map, format)
     }
@@ -103,17 +104,17 @@ impl Receiver {
     /// Signatures of the objects of one map.
     ///
     /// # Errors
-    /// The map has another shape, or holds values that are no numbers.
+    /// The map has another shape, or contains non-finite values.
     pub fn signatures<'a>(&'a self, map: &'a RdmFrame) -> Result<Signatures<'a>, DspError> {
         Signatures::new(self.plan(map.index), map)
     }
 
-    /// Gain and phase of each transmit–receive pair, tx·N_rx + rx, against an ideal one, from a reflector at
-    /// rest at `position_m`, world metres; their mean power is 1, their sum real. The header's calibration is
-    /// not used.
+    /// Gain and phase of each transmit–receive pair, tx·N_rx + rx, relative to an ideal one, from a reflector
+    /// at rest at `position_m`, world metres; their mean power is 1, their sum is real. The header's
+    /// calibration is not used.
     ///
     /// # Errors
-    /// The map has another shape, or the reflector is outside of it or too weak.
+    /// The map has another shape, or the reflector is outside it or too weak.
     pub fn channel_errors(&self, map: &RdmFrame, position_m: [f64; 3]) -> Result<Vec<Complex64>, DspError> {
         let plan = self.plan(map.index);
         calibration::channel_errors(&plan.array, &plan.levels(map)?, map, position_m)

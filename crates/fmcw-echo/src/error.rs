@@ -1,12 +1,12 @@
-//! Errors of the echo, told as facts.
+//! Errors of the echo, described by facts.
 
 use artifact::paths::ArraySpan;
 
-/// Reason why no echo is made.
+/// Reason that no echo can be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum EchoError {
-    /// A waveform value that no sample can be made from, or an interval shorter than the sampled part of a
-    /// chirp.
+    /// A waveform value from which no sample can be computed, or an interval shorter than the sampled part of
+    /// a chirp.
     #[error("radar waveform: {quantity} is {value}, which makes no chirps that follow each other")]
     Waveform {
         /// Name of the value.
@@ -14,81 +14,81 @@ pub enum EchoError {
         /// The value.
         value: f64,
     },
-    /// Staggered chirps of which one would start within another, or the first not at 0.
+    /// Staggered chirps that overlap, or the first of which is delayed.
     #[error(
         "radar schedule: chirp {chirp} of the stagger starts {later_s} s late: the first must start at 0, none within another"
     )]
     Stagger {
         /// Index in the stagger.
         chirp: usize,
-        /// Lateness of that chirp, as given.
+        /// Delay of that chirp, as given.
         later_s: f64,
     },
-    /// Power, gain, boresight or an element position that is NaN or infinite.
+    /// A NaN or infinite power, gain, boresight or element position.
     #[error("radar: {quantity} is not finite")]
     NonFiniteRadar {
         /// Name of the value.
         quantity: &'static str,
     },
-    /// An antenna pattern that does not tell a gain.
+    /// An invalid antenna pattern.
     #[error(
         "radar array: the antenna pattern has numbers that are not finite, axes that do not grow, or not one value a direction"
     )]
     Pattern,
-    /// Phase noise that is no density over growing offsets from the carrier.
+    /// Phase noise that is not a density over increasing offsets from the carrier.
     #[error("radar: phase noise needs finite levels at growing offsets above 0 Hz")]
     PhaseNoise,
-    /// Phase noise is drawn for a whole frame at once.
+    /// A frame too long to draw its phase noise at once.
     #[error("radar: with phase noise a frame lasts at most {limit} sample intervals, this one {samples:.0}")]
     OscillatorTooLong {
-        /// Sample intervals in the frame.
+        /// Number of sample intervals in the frame.
         samples: f64,
-        /// Most of them.
+        /// Maximum number of them.
         limit: usize,
     },
-    /// Another radar that sends no chirps one after the other, or from where ours stands.
+    /// An interferer without consecutive chirps, or at the position of this radar.
     #[error("interferer {index}: {quantity}")]
     Interferer {
         /// Index in the list.
         index: usize,
-        /// Property that is broken.
+        /// Invalid property.
         quantity: &'static str,
     },
-    /// An array without a transmitter or without a receiver.
+    /// An array without transmitters or without receivers.
     #[error(
         "radar array: {transmitters} transmitters and {receivers} receivers; at least one of each is needed"
     )]
     NoElements {
-        /// Transmit elements given.
+        /// Number of transmit elements.
         transmitters: usize,
-        /// Receive elements given.
+        /// Number of receive elements.
         receivers: usize,
     },
-    /// The cube would not fit into one record of its file.
+    /// A cube that does not fit into one record of its file.
     #[error(
         "cube of {channels} channels × {chirps} chirps × {samples} samples takes {bytes} bytes; the limit is {limit}"
     )]
     CubeTooLarge {
-        /// Channels.
+        /// Number of channels.
         channels: usize,
-        /// Chirps.
+        /// Number of chirps.
         chirps: usize,
-        /// Samples of a chirp.
+        /// Number of samples per chirp.
         samples: usize,
-        /// Bytes that the cube would take.
+        /// Size of the cube, bytes.
         bytes: u128,
-        /// Most bytes that a record may take.
+        /// Maximum size of a record, bytes.
         limit: u64,
     },
-    /// Patches of the ground beyond any memory.
+    /// Too many ground patches for memory.
     #[error("the ground takes {patches} patches at this range resolution and beam; the limit is {limit}")]
     GroundTooFine {
-        /// Two to a range cell, times two to a beam.
+        /// Number of patches: two per range cell, times two per beam.
         patches: usize,
-        /// Most that are made.
+        /// Maximum number of patches.
         limit: usize,
     },
-    /// A noise setting that gives no power.
+    /// A noise setting that yields no power.
     #[error("noise: {quantity} is {value}")]
     Noise {
         /// Name of the setting.
@@ -96,85 +96,86 @@ pub enum EchoError {
         /// The setting's value.
         value: f64,
     },
-    /// `snr_db` refers to the peak of the noise-free map, and there is none.
+    /// A silent frame, where `snr_db` has no peak of the noise-free map to refer to.
     #[error("snr_db is set, but frame {frame} has no echo that it could refer to; use noise_figure_db")]
     NoPeak {
-        /// Frame.
+        /// Index of the frame.
         frame: u32,
     },
-    /// A path with NaN, infinity, or a number too large for the echo's f32 samples.
+    /// A path with a NaN, an infinity, or a number too large for the echo's f32 samples.
     #[error("path {path} of frame {frame}: {quantity} is not finite")]
     NonFinitePath {
-        /// Frame.
+        /// Index of the frame.
         frame: u32,
         /// Index in the frame's list.
         path: usize,
-        /// Name of the part of the path that is not finite.
+        /// Name of the non-finite part of the path.
         quantity: &'static str,
     },
-    /// A path that stands for a moment that is none of its frame's.
+    /// A path for a moment that does not exist in its frame.
     #[error(
         "path {path} of frame {frame} stands for moment {moment} of {moments} from {first_s} s on every {step_s} s: there is none"
     )]
     NoSuchMoment {
-        /// Frame.
+        /// Index of the frame.
         frame: u32,
         /// Index in the frame's list.
         path: usize,
-        /// Counted from 0.
+        /// Index of the moment, from 0.
         moment: u32,
         /// Number of moments in the frame.
         moments: u32,
-        /// The first.
+        /// First moment.
         first_s: f64,
         /// Interval from one moment to the next.
         step_s: f64,
     },
-    /// A path that stands for a place of the array that is none of its frame's.
+    /// A path for a place of the array that does not exist in its frame.
     #[error(
         "path {path} of frame {frame} stands for place {} of {} from {} m on every {} m of the array: there is none",
         span.place, span.places, span.first_m, span.step_m
     )]
     NoSuchPlace {
-        /// Frame.
+        /// Index of the frame.
         frame: u32,
         /// Index in the frame's list.
         path: usize,
-        /// The part of the array.
+        /// Part of the array that the path represents.
         span: ArraySpan,
     },
-    /// A path's apparent point comes closer to an element than a wavelength, where 1/(L₁L₂) means nothing.
+    /// A path whose apparent point comes closer to an element than a wavelength, where 1/(L₁L₂) is
+    /// meaningless.
     #[error(
         "path {path} of frame {frame} passes {distance_m} m from {element} element {index}: less than a wavelength"
     )]
     PathThroughAntenna {
-        /// Frame.
+        /// Index of the frame.
         frame: u32,
         /// Index in the frame's list.
         path: usize,
-        /// "transmit" or "receive".
+        /// Kind of element, "transmit" or "receive".
         element: &'static str,
         /// Index of the element.
         index: usize,
         /// Closest approach.
         distance_m: f64,
     },
-    /// A speed that nothing on a road has and that the scattering time is not solved for.
+    /// A speed beyond road traffic, for which the scattering time is not solved accurately.
     #[error("path {path} of frame {frame} moves at {speed_mps} m/s; the limit is {limit_mps} m/s")]
     TooFast {
-        /// Frame.
+        /// Index of the frame.
         frame: u32,
         /// Index in the frame's list.
         path: usize,
-        /// The path's speed.
+        /// Speed of the path.
         speed_mps: f64,
-        /// The limit.
+        /// Maximum speed.
         limit_mps: f64,
     },
-    /// A sample left the range of f32.
+    /// A sample beyond the range of f32.
     #[error("frame {frame}: sample {sample} of channel {channel}, chirp {chirp} does not fit into f32")]
     SampleOverflow {
-        /// Frame.
+        /// Index of the frame.
         frame: u32,
         /// Channel.
         channel: usize,
@@ -183,27 +184,27 @@ pub enum EchoError {
         /// Sample.
         sample: usize,
     },
-    /// A table of a target that the scene does not have.
+    /// A table of a target that does not exist in the scene.
     #[error("RCS table {table} is of target {target}, but there are {targets} poses")]
     TargetMissing {
         /// Index of the table.
         table: usize,
-        /// The target it names.
+        /// Index of the target named by it.
         target: u32,
         /// Number of targets.
         targets: usize,
     },
-    /// A table of another polarization than the array's.
+    /// A table whose polarization differs from the array's.
     #[error("RCS table {table} has polarization {found:?}, the array {wanted:?}")]
     TablePolarization {
         /// Index of the table.
         table: usize,
-        /// The table's.
+        /// Polarization of the table.
         found: artifact::radar::Polarization,
-        /// The array's.
+        /// Polarization of the array.
         wanted: artifact::radar::Polarization,
     },
-    /// A table whose axes do not grow, are empty or do not fit its values.
+    /// A table whose axes are empty, not increasing, or do not match its values.
     #[error(
         "RCS table {table}: {axis} is empty, not growing, not finite, or does not fit the number of values"
     )]
@@ -213,14 +214,14 @@ pub enum EchoError {
         /// Name of the axis, or "amplitude".
         axis: &'static str,
     },
-    /// A frequency or aspect that the table does not hold.
+    /// A frequency or aspect outside the table.
     #[error("RCS table {table}: {axis} {value} lies outside {first} … {last} by more than one step")]
     OutsideTable {
         /// Index of the table.
         table: usize,
         /// Name of the axis.
         axis: &'static str,
-        /// Value that was asked for.
+        /// Requested value.
         value: f64,
         /// Start of the axis.
         first: f64,
@@ -230,7 +231,7 @@ pub enum EchoError {
 }
 
 impl EchoError {
-    /// Index of the path that is refused, in its frame's list.
+    /// Index of the refused path in its frame's list.
     pub fn path(&self) -> Option<usize> {
         match self {
             Self::NonFinitePath { path, .. }

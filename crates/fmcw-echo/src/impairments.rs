@@ -1,7 +1,7 @@
 //! Effects of receivers, oscillators, elements, converters and other radars on samples.
 
-pub mod noise; // of the receiver
-pub mod oscillator; // its phase noise
-pub mod element_errors; // that the seed draws
-pub mod interference; // of other radars
-pub mod adc; // the converter
+pub mod noise; // receiver noise
+pub mod oscillator; // phase noise of the oscillator
+pub mod element_errors; // random element errors from the seed
+pub mod interference; // interference by other radars
+pub mod adc; // analogue-to-digital converter

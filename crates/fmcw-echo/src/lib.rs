@@ -1,23 +1,23 @@
 //! FMCW echoes of scattering paths on an antenna array.
 //!
-//! Scattering paths of a frame go in ([`artifact::paths`]), the radar cube comes out ([`artifact::cube`]):
-//! one complex IF sample in √W for every channel, chirp and sample, receiver noise included. A path has its
-//! own exact delay to every element at every instant while the body moves; its IF value is eq. (13) of the
-//! paper with the amplitude of the radar equation applied once. Signs, axes and units are those of
-//! `docs/conventions.md`.
+//! Input are the scattering paths of a frame ([`artifact::paths`]), output is the radar cube
+//! ([`artifact::cube`]): one complex IF sample in √W for every channel, chirp and sample, receiver noise
+//! included. A path has its own exact delay to every element at every instant while the body moves; its IF
+//! value is eq. (13) of the paper with the amplitude of the radar equation applied once. Signs, axes and
+//! units are those of `docs/conventions.md`.
 //!
-//! Three forms of the sum stand side by side: [`mod@reference`] writes each sample from the formulas,
-//! [`direct_sum`] advances the phase of a chirp by a quadratic recurrence, [`fast_sum`] transforms all tones
-//! at once to an accuracy asked for, a hundred times faster, and is what [`Synthesizer::frame`] uses.
-//! [`Synthesizer::frame_of_tables`] is the paper's other way, far-field tables over aspect and frequency
+//! There are three implementations of the sum: [`mod@reference`] evaluates the formulas for each sample,
+//! [`direct_sum`] advances the phase of a chirp by a quadratic recurrence, and [`fast_sum`] transforms all
+//! tones at once to a requested accuracy, a hundred times faster, and is used by [`Synthesizer::frame`].
+//! [`Synthesizer::frame_of_tables`] is the paper's alternative, far-field tables over aspect and frequency
 //! ([`rcs_table`]).
 //!
-//! To read: [`multiplexing`] (which transmissions make a row of the cube), `radar::link` (radar equation,
-//! pattern), [`mod@reference`], [`direct_sum`], [`fast_sum`], [`rcs_table`], [`ground`] (paths of the road
-//! itself), [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`];
+//! Reading order: [`multiplexing`] (transmissions that make a row of the cube), `radar::link` (radar
+//! equation, pattern), [`mod@reference`], [`direct_sum`], [`fast_sum`], [`rcs_table`], [`ground`] (paths of
+//! the road itself), [`oscillator`] and [`phase_noise`], then noise: [`noise`], [`snr_reference`];
 //! [`interference`] and [`adc`] come last.
 //!
-//! A point target that recedes at 10 m/s turns by 4π·v·T_c/λ from chirp to chirp:
+//! The phase of a point target that recedes at 10 m/s turns by 4π·v·T_c/λ from chirp to chirp:
 //!
 //! ```
 //! use artifact::cube::CubeHeader;
@@ -43,10 +43,10 @@
 //! # Ok::<(), fmcw_echo::EchoError>(())
 //! ```
 
-mod error; // what is refused, and where
+mod error; // refusals and their locations
 mod links; // transmissions, levels
 mod impairments; // noise, oscillators, elements, converters, other radars
-mod sums; // three forms of the sum over paths
+mod sums; // three implementations of the sum over paths
 mod sources; // tables, and the road
 mod synthesis; // a frame of samples
 

@@ -1,4 +1,4 @@
-//! The radar as an echo meets it: transmissions, and the level that noise is measured against.
+//! Transmissions of a radar, and the reference level for noise.
 
-pub mod multiplexing; // which transmissions make a row of the cube
-pub mod snr_reference; // its peak cell
+pub mod multiplexing; // transmissions that make a row of the cube
+pub mod snr_reference; // peak cell of the noise-free map

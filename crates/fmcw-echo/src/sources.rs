@@ -1,4 +1,4 @@
-//! Echoes of other than paths: far-field tables, and the road.
+//! Echoes from other sources than paths: far-field tables, and the road.
 
-pub mod rcs_table; // sections by aspect and frequency
+pub mod rcs_table; // scattering by aspect and frequency
 pub mod ground; // patches of the road

@@ -1,6 +1,6 @@
-//! A frame of paths becomes a frame of samples.
+//! Synthesis of a frame of samples from a frame of paths.
 
-pub mod phase_noise; // echoes with it, by a few sums without
-pub(crate) mod admission; // what is looked at first
-pub(crate) mod synthesis_error; // measured in the run
-pub(crate) mod synthesizer; // all of it
+pub mod phase_noise; // phase noise from a few sums without it
+pub(crate) mod admission; // checks before synthesis
+pub(crate) mod synthesis_error; // error measured in the run
+pub(crate) mod synthesizer; // the complete stage

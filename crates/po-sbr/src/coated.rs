@@ -1,8 +1,7 @@
-//! The node and the mirror where something is no perfect conductor, from the tangential fields of both
-//! polarizations.
+//! Nodes and mirrors that are not perfect conductors, from the tangential fields of both polarizations.
 //!
-//! Where r_TE of E and r_TM of H are reflected (ŝ = unit(n × d) across the plane of incidence, p̂ = ŝ × d in
-//! it), the incident and the reflected wave together have (`docs/physics.md` §5)
+//! If r_TE of E and r_TM of H are reflected (ŝ = unit(n × d) across the plane of incidence, p̂ = ŝ × d in
+//! it), the sum of the incident and the reflected wave has (`docs/physics.md` §5)
 //!
 //! ```text
 //! n×E = (1 + r_TE)(e·ŝ) n×ŝ + (1 − r_TM)(e·p̂) n×p̂      n×H = (1 + r_TM)(e·p̂) n×ŝ − (1 − r_TE)(e·ŝ) n×p̂
@@ -17,15 +16,15 @@ use glam::DVec3;
 use num_complex::Complex64;
 use radar::complex_vector::ComplexVector;
 
-/// Fields of sent v and h, by frequency.
+/// Fields for transmitted v and h, by frequency.
 pub(crate) type Fields = Vec<[ComplexVector; 2]>;
 
-/// Real fields are the same at every frequency.
+/// Copies real fields to every frequency.
 pub(crate) fn fields_at_all(fields: [DVec3; 2], wavenumbers_per_m: &[f64]) -> Fields {
     vec![fields.map(ComplexVector::from); wavenumbers_per_m.len()]
 }
 
-/// Weight of a node: what it adds to S per square metre at one frequency, in place of [`Node::weight`];
+/// Weight of a node: its contribution to S per square metre at one frequency, replacing [`Node::weight`];
 /// `sent` are the fields of the forward wave.
 pub(crate) fn weight(
     node: &Node,
@@ -55,7 +54,7 @@ pub(crate) struct Surface<'a> {
     pub(crate) wavenumber_per_m: f64,
 }
 
-/// Tangential fields, turned by n×.
+/// Tangential fields, rotated by n×.
 #[derive(Clone, Copy)]
 struct Current {
     n_by_e: ComplexVector,
@@ -63,7 +62,7 @@ struct Current {
 }
 
 impl Surface<'_> {
-    /// The field of a wave after the reflection.
+    /// Field of a wave after the reflection.
     pub(crate) fn reflected(&self, normal: DVec3, travel: DVec3, e: ComplexVector) -> ComplexVector {
         let ([across, within], [te, tm]) = self.of(normal, travel);
         ComplexVector::of(across, te * e.along(across))
@@ -80,10 +79,10 @@ impl Surface<'_> {
         }
     }
 
-    /// Vectors ŝ and p̂ of a direction of travel, and r_TE and r_TM; along the normal any ŝ is one.
+    /// Vectors ŝ and p̂ for a direction of travel, and r_TE and r_TM; along the normal any ŝ will do.
     fn of(&self, normal: DVec3, travel: DVec3) -> ([DVec3; 2], [Complex64; 2]) {
         let cross = normal.cross(travel);
-        // Where ŝ is rounding both polarizations reflect alike to its square.
+        // Where ŝ is dominated by rounding both polarizations reflect alike to its square.
         let across =
             if cross.length() > 1e-9 { cross / cross.length() } else { travel.any_orthonormal_vector() };
         let r = reflection(self.material, normal.dot(travel).abs(), self.wavenumber_per_m);

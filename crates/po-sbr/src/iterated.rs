@@ -1,13 +1,13 @@
-//! Iterated physical optics of two bounces by dense sampling: the currents of every facet in the near field
-//! of the currents of all facets of other patches (Burkholder and Lundin, IEEE T-AP 53 (2005) 793, first
+//! Iterated physical optics of two bounces by dense sampling: the currents on every facet in the near field
+//! of the currents on all facets of other patches (Burkholder and Lundin, IEEE T-AP 53 (2005) 793, first
 //! iteration).
 //!
-//! No mirrors, no stationary phase and no nodes: what [`crate::po`] has on a point x radiates
+//! It uses no mirrors, no stationary phase and no nodes: the currents of [`crate::po`] at a point x radiate
 //!
 //! ```text
 //! H(y) = Σ J × R̂ (jk + 1/R) e^{−jkR}/(4πR) dA        J = 2 n × H
 //! ```
-//! to every point y that it sees on its lit side, and the currents there radiate to the receiver. Slow:
+//! to every point y visible on its lit side, and the currents there radiate to the receiver. It is slow:
 //! samples of one patch times samples of the others.
 
 use crate::node;
@@ -22,24 +22,24 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// A complex vector by its real and imaginary part.
+/// A complex vector as its real and imaginary part.
 type Vector = [DVec3; 2];
 
-/// A small part of a facet.
+/// A sample of a facet.
 struct Sample {
     at_m: DVec3,
     area_m2: f64,
     normal: DVec3,
     facet: u32,
-    /// Facets of one plane are one patch: they do not light each other.
+    /// Patch index; facets in one plane are one patch and do not light each other.
     patch: usize,
 }
 
-/// S of two bounces, metres: of the sequences of two facets in different planes alone, both sides of a facet
-/// scattering. Perfect conductors; far away or at finite range.
+/// Scattering amplitude S of two bounces, metres: only of sequences of two facets in different planes, both
+/// sides of which scatter. For perfect conductors, in the far field or at finite range.
 ///
-/// `per_wavelength` samples lie on a wavelength; 8 leave 1 % (`iterated` tests). Not reciprocal by itself:
-/// the mean of both ways is what [`crate::Bracket::Symmetrised`] stands for.
+/// There are `per_wavelength` samples per wavelength; 8 leave an error of 1 % (`iterated` tests). Not
+/// reciprocal by itself: the mean over both directions is what [`crate::Bracket::Symmetrised`] represents.
 pub fn double_bounce(
     mesh: &Mesh,
     aspect: &Aspect,
@@ -57,7 +57,7 @@ pub fn double_bounce(
     Ok(optics.amplitude(&ends.transmitter, ends.receiver()))
 }
 
-/// Centres of small equal triangles of every facet.
+/// Samples at the centres of small equal triangles of every facet.
 fn samples(body: &Body, edge_m: f64) -> Vec<Sample> {
     let mut all = Vec::new();
     let mut planes: Vec<(DVec3, f64)> = Vec::new();
@@ -83,7 +83,7 @@ fn is_one_plane(a: &(DVec3, f64), b: &(DVec3, f64)) -> bool {
     (a.0 - sign * b.0).length() < 1e-9 && (a.1 - sign * b.1).abs() < 1e-9
 }
 
-/// Centres of the count² triangles that a triangle is cut into by lines along its sides.
+/// Centres of the count² triangles into which lines parallel to its sides divide a triangle.
 fn centres([a, b, c]: [DVec3; 3], count: u32) -> Vec<DVec3> {
     let n = f64::from(count);
     let at = |i: f64, j: f64| a + (b - a) * (i / n) + (c - a) * (j / n);
@@ -106,10 +106,10 @@ struct Optics<'a> {
     wavenumber_per_m: f64,
 }
 
-/// Currents J·dA of a sample for sent v and for sent h, times Z₀ over the field sent.
+/// Currents J·dA of a sample for transmitted v and h, times Z₀ over the transmitted field.
 type Currents = [Vector; 2];
 
-/// Currents in the field of the transmitter.
+/// Currents due to the transmitter's field.
 #[derive(Default)]
 struct FirstCurrents {
     currents: Currents,
@@ -143,7 +143,7 @@ impl Optics<'_> {
         FirstCurrents { currents, lit_normal }
     }
 
-    /// What a sample's current in the field of all first currents adds to S.
+    /// Contribution to S of a sample's current in the field of all first currents.
     fn share(&self, to: &Sample, first: &[FirstCurrents], receiver: &Post) -> Amplitude {
         let mut share = Amplitude::default();
         if !self.body.is_clear(to.at_m, to.facet, receiver) {
@@ -162,7 +162,7 @@ impl Optics<'_> {
         share
     }
 
-    /// Field Z₀H at a sample, of the first currents whose lit side it sees from the side of `out`.
+    /// Field Z₀H at a sample, due to the first currents whose lit side is visible from the side of `out`.
     fn second_field(&self, to: &Sample, out: DVec3, first: &[FirstCurrents]) -> Currents {
         let mut sum = Currents::default();
         for (from, FirstCurrents { currents, lit_normal }) in self.samples.iter().zip(first) {

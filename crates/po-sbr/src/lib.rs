@@ -1,10 +1,10 @@
-//! Slow obvious references: [`po`] (first order, dense sampling), [`sbr`] (shooting and bouncing rays) and
-//! [`iterated`] (two bounces without mirrors: currents in the near field of currents).
+//! Slow, obvious reference methods: [`po`] (first order, dense sampling), [`sbr`] (shooting and bouncing
+//! rays) and [`iterated`] (two bounces without mirrors: currents in the near field of currents).
 //!
-//! A mesh, an aspect and frequencies go in, the scattering amplitude S in metres comes out, 2 × 2 over
-//! polarization. They share no visibility and no integration code with the beam tracer: rays of their own
-//! decide what is lit, and sums over small cells take the place of closed forms; reflection by materials has
-//! formulas of its own. They are right as their density grows, and are compared as they converge.
+//! Input are a mesh, an aspect and frequencies; output is the scattering amplitude S in metres, 2 × 2 over
+//! polarization. Visibility and integration share no code with the beam tracer: separate rays decide what is
+//! lit, and sums over small cells replace closed forms; reflection by materials has its own formulas. The
+//! references are exact in the limit of high density, and are compared as they converge.
 //!
 //! ```
 //! use artifact::{scene::Mesh, settings::Sides};

@@ -7,36 +7,36 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
-/// Form of the vector part: how the two directions at a node enter it.
+/// Form of the vector part: how both directions at a node enter it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bracket {
-    /// The form e_p·[d₁ (n·e_q) − e_q (n·d₁)]: physical optics of the wave that arrives, reciprocal at the
-    /// specular only.
+    /// The form e_p·[d₁ (n·e_q) − e_q (n·d₁)]: physical optics of the incident wave, reciprocal only in the
+    /// specular direction.
     Plain,
-    /// Mean of that and of the same with both ways exchanged: reciprocal everywhere.
+    /// Mean of the plain form and the same with both directions exchanged: reciprocal everywhere.
     Symmetrised,
 }
 
-/// A wave that arrives at a surface point.
+/// A wave incident at a surface point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Arrival {
     /// Unit direction of travel d.
     pub(crate) travel: DVec3,
-    /// Unit fields of sent v and h.
+    /// Unit fields for transmitted v and h.
     pub(crate) fields: [DVec3; 2],
-    /// Length of the way less R.
+    /// Path length less R.
     pub(crate) excess_m: f64,
-    /// Length of the way; infinite at infinite range.
+    /// Path length; infinite at infinite range.
     pub(crate) length_m: f64,
 }
 
-/// Integrand at a node: what it adds to S per square metre, without frequency, S = Σ
+/// Integrand at a node: its contribution to S per square metre, without frequency, S = Σ
 /// j√(4π)/λ·`weight`·e^{−jk·excess}·dA.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Node {
-    /// Weight on a perfect conductor, by waves that have met nothing else.
+    /// Weight on a perfect conductor, for waves that have met only perfect conductors.
     pub(crate) weight: [[f64; 2]; 2],
-    /// R_t·R_r over the lengths of both ways.
+    /// Product R_t·R_r over the lengths of both legs.
     pub(crate) spreading: f64,
     /// Unit normal of the facet, on the side of both waves.
     pub(crate) normal: DVec3,
@@ -46,13 +46,13 @@ pub(crate) struct Node {
 }
 
 impl Arrival {
-    /// The wave that came straight from an antenna along `leg` with its polarization vectors.
+    /// Wave directly from an antenna along `leg` with its polarization vectors.
     pub(crate) fn direct(leg: &Leg, fields: [DVec3; 2]) -> Self {
         Self { travel: -leg.towards, fields, excess_m: leg.excess_m, length_m: leg.length_m }
     }
 }
 
-/// The node between a forward and a backward wave on a facet of unit normal `normal`; `None` where they meet
+/// Node between a forward and a backward wave on a facet with unit normal `normal`; `None` if they meet
 /// different sides of it.
 pub(crate) fn node(
     ends: &Ends,
@@ -88,17 +88,17 @@ fn one_way(travel: DVec3, field_in: DVec3, field_out: DVec3, normal: DVec3) -> f
     field_out.dot(travel * normal.dot(field_in) - field_in * normal.dot(travel))
 }
 
-/// Wavenumber k of each frequency.
+/// Wavenumber k for each frequency.
 pub(crate) fn wavenumbers(frequencies_hz: &[f64]) -> Vec<f64> {
     frequencies_hz.iter().map(|f| 2.0 * PI * f / SPEED_OF_LIGHT_MPS).collect()
 }
 
-/// Shortest wavelength of the band: what densities refer to.
+/// Shortest wavelength of the band, to which densities refer.
 pub(crate) fn shortest_wavelength_m(frequencies_hz: &[f64]) -> f64 {
     SPEED_OF_LIGHT_MPS / frequencies_hz.iter().copied().fold(f64::MIN_POSITIVE, f64::max)
 }
 
-/// Phasor e^{−jk·excess} with the cycles reduced before the sine.
+/// Phasor e^{−jk·excess}, with the cycles reduced before the sine.
 pub(crate) fn phasor(wavenumber_per_m: f64, excess_m: f64) -> Complex64 {
     let cycles = wavenumber_per_m * excess_m / (2.0 * PI);
     Complex64::cis(-2.0 * PI * (cycles - cycles.round()))
@@ -117,7 +117,7 @@ pub(crate) fn add(sum: &mut Amplitude, term: &Amplitude) {
     }
 }
 
-/// Adds `value`·`weight` to `sum`, weights with phase.
+/// Adds `value`·`weight` to `sum`, with complex weights.
 pub(crate) fn add_with_phase(sum: &mut Amplitude, weight: &Amplitude, value: Complex64) {
     add(sum, &weight.map(|row| row.map(|w| w * value)));
 }

@@ -1,13 +1,13 @@
-//! Reflection by plane layers, by characteristic matrices (Born, Wolf, Principles of Optics, 1.6): the
-//! way of the beam tracer is a recursion of reflections from the back, and the two share no formula.
+//! Reflection by plane layers from characteristic matrices (Born, Wolf, Principles of Optics, 1.6): the beam
+//! tracer uses a recursion of reflections from the back, and the two share no formula.
 //!
 //! ```text
 //! M = Π ½ [1 + P, (1 − P)/q; q(1 − P), 1 + P]     P = e^{−2jkds}     s = √(ε − sin²θ)     q = s (TE), s/ε (TM)
 //! (b, c) = M·(what is behind)     r = (b·cosθ − c)/(b·cosθ + c)
 //! ```
-//! On E for TE, on H for TM; each matrix is without its factor e^{jkds}, which would overflow in thick lossy
-//! layers and leaves r as it is. Behind is (1, q) of a half-space or of air, and of metal where E (TE) or H's
-//! partner (TM) ends: (0, 1) and (1, 0).
+//! Coefficients are of E for TE and of H for TM; each matrix lacks its factor e^{jkds}, which would overflow
+//! in thick lossy layers and does not affect r. Behind is (1, q) for a half-space or for air; for metal,
+//! where E (TE) or H's partner (TM) vanishes: (0, 1) and (1, 0).
 
 use artifact::material::{Backing, Layer, Material, Thickness};
 use num_complex::Complex64;
@@ -48,12 +48,11 @@ struct Wave {
     wavenumber_per_m: f64,
 }
 
-/// Phases that stand for all: the mean over so many equal steps errs by the power of what goes to and fro,
-/// |r|³².
+/// Number of equal phase steps of the mean: it errs by the power of the multiply reflected wave, |r|³².
 const PHASES: usize = 16;
 
 impl Wave {
-    /// Parameter s of the wave inside; forwards and decaying is the principal root, as Im ε ≤ 0.
+    /// Parameter s of the wave inside; the forward, decaying wave is the principal root, since Im ε ≤ 0.
     fn cosine_inside(&self, permittivity: Complex64) -> Complex64 {
         (permittivity - (1.0 - self.cosine * self.cosine)).sqrt()
     }
@@ -66,7 +65,7 @@ impl Wave {
         }
     }
 
-    /// Fields at the first face, each layer's way back and forth turned by a phase, rad.
+    /// Fields at the first face, with a phase in rad added to each layer's round trip.
     fn in_front_of(&self, layers: &[Layer], backing: Backing, phases: &[f64]) -> [Complex64; 2] {
         let behind = match backing {
             Backing::Metal => METAL[self.polarization as usize],
@@ -85,8 +84,7 @@ impl Wave {
         (b * self.cosine - c) / (b * self.cosine + c)
     }
 
-    /// The root of the mean power over all phases of every layer, with the phase of the first face, or of
-    /// metal behind.
+    /// Root mean power over all phases of every layer, with the phase of the first face, or of metal behind.
     fn averaged(&self, layers: &[Layer], backing: Backing) -> Complex64 {
         let cases = PHASES.pow(layers.len() as u32);
         let phase = |case: usize, layer: usize| (case / PHASES.pow(layer as u32) % PHASES) as f64;

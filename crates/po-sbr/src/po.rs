@@ -1,5 +1,5 @@
-//! First-order physical optics by dense sampling: every facet is cut into small cells, a shadow ray goes from
-//! each cell to the antennas, and the integrand is taken as it is at the points of a quadrature rule.
+//! First-order physical optics by dense sampling: every facet is divided into small cells, a shadow ray is
+//! cast from each cell to the antennas, and the integrand is evaluated at the points of a quadrature rule.
 
 use crate::coated::{self, Surface};
 use crate::node::{self, Arrival, Bracket};
@@ -13,23 +13,23 @@ use num_complex::Complex64;
 use radar::complex_vector::ComplexVector;
 use rayon::prelude::*;
 
-/// Density of the samples.
+/// Sampling density.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sampling {
-    /// Cells have no edge longer than a wavelength over this (the shortest wavelength asked for).
+    /// Cells per shortest wavelength: no edge is longer than that wavelength over this.
     pub per_wavelength: f64,
-    /// A cell across a shadow's border is halved this many times; 0 asks one shadow ray of each cell.
+    /// Number of halvings of a cell across a shadow boundary; 0 casts one shadow ray per cell.
     pub shadow_levels: u32,
     /// Sides of a facet that scatter.
     pub sides: Sides,
-    /// Vector part where transmitter and receiver are apart; together they are equal.
+    /// Form of the vector part where transmitter and receiver are apart; in one place all forms are equal.
     pub bracket: Bracket,
 }
 
-/// S of first order at each frequency, metres, by `interface.md`.
+/// First-order S at each frequency, metres, as defined in `interface.md`.
 ///
-/// Inside a lit cell the rule is of degree 5, so that what converges slowly is the border of shadows: its
-/// error falls as (cell edge)^1.5, and `shadow_levels` makes the cells there finer without the rest.
+/// Inside a lit cell the rule has degree 5, so the slowest convergence is at shadow boundaries: the error
+/// falls as (cell edge)^1.5, and `shadow_levels` refines the cells there alone.
 pub fn amplitude(
     mesh: &Mesh,
     aspect: &Aspect,
@@ -78,10 +78,10 @@ struct SamplingJob<'a> {
     sampling: &'a Sampling,
 }
 
-/// A patch is one unit of parallel work: this many cells long.
+/// Edge length in cells of a patch, the unit of parallel work.
 const CELLS_PER_PATCH_EDGE: f64 = 64.0;
 
-/// Cells, or rays, of an aspect: some hours of one processor.
+/// Maximum number of cells, or rays, per aspect: some hours on one processor.
 const MOST_SAMPLES: f64 = 1e10;
 
 pub(crate) fn check_count(what: &'static str, count: f64) -> Result<(), ReferenceError> {
@@ -93,14 +93,14 @@ pub(crate) fn check_count(what: &'static str, count: f64) -> Result<(), Referenc
 }
 
 impl SamplingJob<'_> {
-    /// Two cells for a square of their edge, over all facets.
+    /// Checks the number of cells over all facets, with two cells for a square of their edge.
     fn check_count(&self) -> Result<(), ReferenceError> {
         let area_m2 = |facet| Cell { facet: 0, corners_m: facet }.area_m2();
         let all_m2: f64 = self.body.facets.iter().map(|facet| area_m2(facet.corners_m)).sum();
         check_count("cells of physical optics", 2.0 * all_m2 / (self.edge_m * self.edge_m))
     }
 
-    /// A facet cut into units of work; nothing where the facet cannot scatter from one antenna to the other.
+    /// Divides a facet into units of work; empty if the facet cannot scatter from one antenna to the other.
     fn patches(&self, facet: u32) -> Vec<Cell> {
         let corners_m = self.body.facets[facet as usize].corners_m;
         let travel = |post: &Post| -post.leg_from(corners_m[0]).towards;
@@ -118,7 +118,7 @@ impl SamplingJob<'_> {
         sums
     }
 
-    /// A cell that is lit in part is halved while levels are left.
+    /// Adds a cell; a partly lit one is halved while levels remain.
     fn add_cell(&self, cell: &Cell, levels: u32, sums: &mut [Amplitude]) {
         let lit = self.is_lit(cell, cell.at([1.0 / 3.0; 3]));
         let border = levels > 0 && PROBES.iter().any(|probe| self.is_lit(cell, cell.at(*probe)) != lit);
@@ -163,10 +163,10 @@ impl SamplingJob<'_> {
     }
 }
 
-/// Points at which a cell asks whether it is lit all over, beside its middle.
+/// Points, besides its centre, at which a cell tests whether it is completely lit.
 const PROBES: [[f64; 3]; 3] = [[0.9, 0.05, 0.05], [0.05, 0.9, 0.05], [0.05, 0.05, 0.9]];
 
-/// Radon's rule of degree 5 with 7 points: barycentric coordinates and share of the area (Abramowitz & Stegun
+/// Radon's rule of degree 5 with 7 points: barycentric coordinates and area weights (Abramowitz & Stegun
 /// 25.4.63).
 fn quadrature_points() -> [([f64; 3], f64); 7] {
     let root = 15.0_f64.sqrt();
@@ -194,13 +194,13 @@ impl Cell {
         0.5 * (b - a).cross(c - a).length()
     }
 
-    /// Index of the corner that starts the longest edge.
+    /// Index of the corner at which the longest edge starts.
     fn longest_edge(&self) -> usize {
         let length = |i: usize| self.corners_m[i].distance_squared(self.corners_m[(i + 1) % 3]);
         (1..3).fold(0, |best, i| if length(i) > length(best) { i } else { best })
     }
 
-    /// Both halves of the cell, cut at the middle of its longest edge: needles become compact.
+    /// Both halves of the cell, divided at the middle of its longest edge: needles become compact.
     fn halves(&self) -> [Self; 2] {
         let i = self.longest_edge();
         let [a, b, c] = [0, 1, 2].map(|j| self.corners_m[(i + j) % 3]);
@@ -208,7 +208,7 @@ impl Cell {
         [[a, middle, c], [middle, b, c]].map(|corners_m| Self { facet: self.facet, corners_m })
     }
 
-    /// Hands out the parts of the cell that have no edge longer than `edge_m`.
+    /// Passes on the parts of the cell that have no edge longer than `edge_m`.
     fn split_to(&self, edge_m: f64, take: &mut impl FnMut(Self)) {
         let i = self.longest_edge();
         if self.corners_m[i].distance(self.corners_m[(i + 1) % 3]) <= edge_m {

@@ -1,4 +1,4 @@
-//! The references' own ray caster: obvhs finds candidates in single precision, a hit is decided in double
+//! Ray caster of the references: obvhs finds candidates in single precision, hits are decided in double
 //! precision.
 
 use crate::standpoint::Post;
@@ -13,26 +13,26 @@ use obvhs::ray::{Ray, RayHit};
 use robust::{Coord3D, orient3d};
 use std::time::Duration;
 
-/// Reason that a reference did not start.
+/// Reason that a reference computation cannot start.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReferenceError {
-    /// A coordinate is NaN or infinite: obvhs would panic on it.
+    /// A NaN or infinite coordinate, on which obvhs would panic.
     #[error("vertex {vertex} is not finite")]
     NotFinite {
         /// Index of the vertex.
         vertex: usize,
     },
-    /// A triangle names a vertex that is not there.
+    /// A triangle with a vertex index out of range.
     #[error("triangle {triangle} names vertex {vertex} of {vertices}")]
     IndexOutOfRange {
         /// Index of the triangle.
         triangle: usize,
-        /// Index of the vertex that it names.
+        /// Vertex index used by it.
         vertex: u32,
         /// Number of vertices.
         vertices: usize,
     },
-    /// Rays are shot over the silhouette, which needs a view from outside.
+    /// An antenna within the body's circumscribed sphere: rays over the silhouette need a view from outside.
     #[error(
         "the antenna at {distance_m} m from the body's middle is inside its circumscribed sphere of {radius_m} m"
     )]
@@ -42,13 +42,13 @@ pub enum ReferenceError {
         /// Radius of the sphere.
         radius_m: f64,
     },
-    /// The references reflect at a sheet and follow nothing through it.
+    /// A sheet with transmission, which the references do not model.
     #[error("material `{material}` is a sheet, and waves through sheets are for --method bart alone")]
     Transmission {
         /// Name of the material.
         material: String,
     },
-    /// A permittivity that grows waves, or a layer without a thickness.
+    /// A permittivity with gain, or a layer without thickness.
     #[error(
         "material `{material}`: permittivities need a real part of 1 or more and no gain, layers a thickness"
     )]
@@ -56,19 +56,19 @@ pub enum ReferenceError {
         /// Name of the material.
         material: String,
     },
-    /// Sampling that would not end.
+    /// Sampling that would take too long.
     #[error(
         "{what}: one aspect would take {count:.1e} of them, at most {most:.0e} are allowed: ask for a lower density"
     )]
     TooMany {
         /// Name of what is counted.
         what: &'static str,
-        /// Number that is expected.
+        /// Expected number.
         count: f64,
-        /// Number that is allowed.
+        /// Maximum number.
         most: f64,
     },
-    /// Densities and frequencies are positive and finite.
+    /// A density or frequency that is not positive and finite.
     #[error("{what} must be positive and finite, is {value}")]
     NotPositive {
         /// Name of the quantity.
@@ -83,18 +83,18 @@ pub enum ReferenceError {
 pub(crate) struct Facet {
     pub(crate) corners_m: [DVec3; 3],
     pub(crate) normal: DVec3,
-    /// Index of its triangle in the mesh.
+    /// Index of the triangle in the mesh.
     triangle: u32,
 }
 
-/// Facet that a ray meets first.
+/// First facet hit by a ray.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hit {
     pub(crate) facet: u32,
     pub(crate) distance_m: f64,
 }
 
-/// A mesh that rays can be cast at.
+/// A mesh for ray casting.
 pub(crate) struct Body {
     pub(crate) facets: Vec<Facet>,
     pub(crate) centre_m: DVec3,
@@ -105,11 +105,11 @@ pub(crate) struct Body {
     slot_of_triangle: Vec<u16>,
 }
 
-/// Coincident facets count as touching within this share of the body's radius: their hit distances differ by
-/// rounding, 1e-15 of it, and real gaps of vehicles are 1e-5 of it and more.
+/// Distance, as a share of the body's radius, within which facets count as touching: hit distances on
+/// coincident facets differ by rounding, 1e-15 of it, while real gaps of vehicles are 1e-5 of it and more.
 const TOUCHING: f64 = 1e-10;
-/// Boxes grow by this share of the radius. Single precision moves a box's side by 6e-8 and a ray of two radii
-/// by 3e-7 of the radius (its start, its direction and obvhs's least direction component of 1.2e-7).
+/// Margin of boxes as a share of the radius. Single precision moves a box's side by 6e-8 and a ray of two
+/// radii by 3e-7 of the radius (its start, its direction and obvhs's least direction component of 1.2e-7).
 const BOX_MARGIN: f64 = 2e-6;
 
 impl Body {
@@ -134,8 +134,8 @@ impl Body {
         Some(self.makeup.material(slot)).filter(|material| **material != Material::Conductor)
     }
 
-    /// The first facet that a ray from `origin_m` along unit `direction` meets beyond the touching zone,
-    /// other than `left`. Of coincident facets it is the one of lowest index.
+    /// First facet hit beyond the touching zone by a ray from `origin_m` along unit `direction`, other than
+    /// `left`; among coincident facets the one with the lowest index.
     pub(crate) fn nearest(&self, origin_m: DVec3, direction: DVec3, left: Option<u32>) -> Option<Hit> {
         // The single-precision ray starts where the line enters the circumscribed sphere, so that it stays
         // short.
@@ -165,8 +165,8 @@ impl Body {
         ahead_m > self.touching_m || (ahead_m.abs() <= self.touching_m && facet < than.facet)
     }
 
-    /// Whether the straight line from a point of `facet` to the antenna is free. A facet that touches the
-    /// point hides it only if its index is lower: of coincident facets exactly one is lit.
+    /// Whether the straight line from a point of `facet` to the antenna is unobstructed. A facet that touches
+    /// the point hides it only if its index is lower, so that exactly one of coincident facets is lit.
     pub(crate) fn is_clear(&self, point_m: DVec3, facet: u32, post: &Post) -> bool {
         let leg = post.leg_from(point_m);
         let ray = self.single_precision(point_m, leg.towards, f32::INFINITY);
@@ -180,7 +180,7 @@ impl Body {
         })
     }
 
-    /// Whether a wave travelling along `travel` is scattered by `facet`, by the sides that scatter.
+    /// Whether `facet` scatters a wave travelling along `travel`, given the sides that scatter.
     pub(crate) fn scatters(&self, facet: u32, travel: DVec3, sides: Sides) -> bool {
         let cosine = self.facets[facet as usize].normal.dot(travel);
         match sides {
@@ -194,7 +194,7 @@ impl Body {
         Ray::new(Vec3A::from(start), Vec3A::from(direction.as_vec3()), 0.0, longest_m)
     }
 
-    /// Distance along the line at which it meets a facet, from just behind its origin on.
+    /// Distance along the line to its intersection with a facet, from just behind the origin on.
     fn distance(&self, origin_m: DVec3, direction: DVec3, facet: u32) -> Option<f64> {
         let Facet { corners_m: [a, b, c], normal, .. } = self.facets[facet as usize];
         let sides = [(a, b), (b, c), (c, a)].map(|(from, to)| side(origin_m, direction, from, to));
@@ -207,8 +207,8 @@ impl Body {
     }
 }
 
-/// Side of the line from–to on which a ray passes: the sign is exact, so that no ray slips between the
-/// facets at an edge or around a corner (rounded signs let rays aimed at corners pass).
+/// Side of the line from–to on which a ray passes: the sign is exact, so that no ray slips between the facets
+/// at an edge or around a corner (rounded signs let rays aimed at corners pass).
 fn side(origin_m: DVec3, direction: DVec3, from: DVec3, to: DVec3) -> f64 {
     let coordinates = |p: DVec3| Coord3D { x: p.x, y: p.y, z: p.z };
     let [origin, through, from, to] = [origin_m, origin_m + direction, from, to].map(coordinates);

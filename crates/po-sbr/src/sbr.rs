@@ -1,12 +1,12 @@
-//! Shooting and bouncing rays (Ling, Chou, Lee 1989): rays on a grid over the silhouette, reflected as by
-//! mirrors; where each meets the body, the physical-optics integral over its tube's footprint, if the
-//! receiver sees it.
+//! Shooting and bouncing rays (Ling, Chou, Lee 1989): rays on a grid over the silhouette, specularly
+//! reflected; at each hit the physical-optics integral over the ray tube's footprint, if the receiver sees
+//! it.
 //!
 //! The node is the last facet of every sequence (exit node). Facets are flat, so a tube spreads as from the
-//! image of the antenna: dA = dΩ·L²/|n·d| after a way of length L (dA = da/|n·d| at infinite range). The
-//! footprint is the parallelogram of a = L(g_u − d (n·g_u)/(n·d)) and b alike, g_u = ∂d/∂u·Δu reflected along
-//! with the ray; the phase is taken as linear over it, which gives sinc(w·a/2)·sinc(w·b/2), w = −k(d₁ + d₂)
-//! (their shape function).
+//! image of the antenna: dA = dΩ·L²/|n·d| after a path of length L (dA = da/|n·d| at infinite range). The
+//! footprint is the parallelogram of a = L(g_u − d (n·g_u)/(n·d)) and b likewise, g_u = ∂d/∂u·Δu reflected
+//! with the ray; the phase is linearised over it, which gives sinc(w·a/2)·sinc(w·b/2), w = −k(d₁ + d₂) (their
+//! shape function).
 
 use crate::coated::{self, Fields, Surface, fields_at_all};
 use crate::node::{self, Arrival, Bracket, Node};
@@ -21,30 +21,29 @@ use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// Number of rays, and of their bounces.
+/// Density of rays, and number of bounces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shooting {
-    /// Rays along a wavelength at the body's middle, across the line of sight (the shortest wavelength asked
-    /// for).
+    /// Rays per shortest wavelength at the body's centre, across the line of sight.
     pub per_wavelength: f64,
     /// Highest bounce order.
     pub bounces: u8,
     /// Sides of a facet that scatter; the other side absorbs.
     pub sides: Sides,
-    /// Vector part at the exit node.
+    /// Form of the vector part at the exit node.
     pub bracket: Bracket,
 }
 
-/// Amplitudes of one aspect.
+/// Amplitudes for one aspect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ByOrder {
-    /// Scattering amplitude S in metres of each bounce order alone, `[order − 1][frequency]`.
+    /// Scattering amplitude S of each bounce order separately, metres, `[order − 1][frequency]`.
     pub orders: Vec<Vec<Amplitude>>,
-    /// Rays shot.
+    /// Number of rays.
     pub rays: u64,
 }
 
-/// S of each bounce order at each frequency, metres, by `interface.md`, with exit nodes.
+/// S of each bounce order at each frequency, metres, as defined in `interface.md`, with exit nodes.
 pub fn amplitude(
     mesh: &Mesh,
     aspect: &Aspect,
@@ -71,7 +70,7 @@ pub fn amplitude(
 /// Sums `[order − 1][frequency]`, without j√(4π)/λ.
 type Orders = Vec<Vec<Amplitude>>;
 
-/// Rays on a plane through the body's middle, across the line of sight.
+/// Rays on a plane through the body's centre, across the line of sight.
 struct Grid {
     antenna_m: Option<DVec3>,
     centre_m: DVec3,
@@ -83,7 +82,7 @@ struct Grid {
     columns: u64,
 }
 
-/// A ray and how its direction (finite range) or its place (infinite range) changes to the next ray of the
+/// A ray, and the change of its direction (finite range) or position (infinite range) to the next ray of the
 /// grid.
 #[derive(Clone, Copy)]
 struct Tube {
@@ -95,7 +94,7 @@ struct Tube {
     excess_m: f64,
 }
 
-/// The grid is turned against the body by this angle: rows along an edge would gain or lose a whole row at
+/// Angle by which the grid is rotated against the body: rows along an edge would gain or lose a whole row at
 /// once, and convergence would be of first order (a plate: error ∝ spacing instead of spacing^1.5).
 const GRID_TURN_RAD: f64 = 0.5;
 
@@ -126,7 +125,7 @@ impl Grid {
         Ok(grid)
     }
 
-    /// The least rectangle of the grid that holds the body's projection.
+    /// Smallest rectangle of the grid that contains the body's projection.
     fn cover(&mut self, body: &Body) {
         let mut most = [f64::NEG_INFINITY; 2];
         for corner in body.facets.iter().flat_map(|f| f.corners_m) {
@@ -140,7 +139,7 @@ impl Grid {
         (self.rows, self.columns) = (count(0), count(1));
     }
 
-    /// A point of the body, along its ray onto the grid's plane, from the grid's middle.
+    /// A point of the body projected along its ray onto the grid's plane, relative to the grid's centre.
     fn projected(&self, point_m: DVec3) -> DVec3 {
         let Some(antenna_m) = self.antenna_m else { return point_m - self.centre_m };
         let ray = point_m - antenna_m;
@@ -191,10 +190,10 @@ impl ShootingJob<'_> {
         sums
     }
 
-    /// One ray from the antenna through its reflections.
+    /// Follows one ray from the antenna through its reflections.
     fn follow(&self, mut tube: Tube, sums: &mut Orders) {
         let mut left = None;
-        // From the first reflection on that no perfect conductor made.
+        // Set from the first reflection by anything but a perfect conductor on.
         let mut coated: Option<Fields> = None;
         for (order, sum) in sums.iter_mut().enumerate() {
             let Some(hit) = self.body.nearest(tube.origin_m, tube.travel, left) else { return };
@@ -209,7 +208,7 @@ impl ShootingJob<'_> {
         }
     }
 
-    /// Fields behind a reflection where they differ from those between perfect conductors.
+    /// Fields after a reflection, if they differ from those between perfect conductors.
     fn reflected(&self, tube: &Tube, coated: Option<Fields>, facet: u32) -> Option<Fields> {
         const CONDUCTOR: &Material = &Material::Conductor;
         let material = self.body.material(facet);
@@ -225,7 +224,7 @@ impl ShootingJob<'_> {
         Some(fields)
     }
 
-    /// Physical optics over the tube's footprint, where the receiver sees it.
+    /// Adds physical optics over the tube's footprint, if the receiver sees it.
     fn add_footprint(&self, tube: &Tube, coated: Option<&Fields>, facet: u32, sums: &mut [Amplitude]) {
         let x_m = tube.origin_m;
         let receiver = self.ends.receiver();
@@ -275,7 +274,7 @@ impl ShootingJob<'_> {
     }
 }
 
-/// Two waves on a facet, one of which has met something else than perfect conductors.
+/// Two waves on a facet, one of which has met something other than perfect conductors.
 struct Met<'a> {
     tube: &'a Tube,
     sent: &'a Fields,
@@ -283,20 +282,20 @@ struct Met<'a> {
     material: &'a Material,
 }
 
-/// Integral of e^{−jk·way} over the parallelogram of a footprint.
+/// Integral of e^{−jk·path length} over the parallelogram of a footprint.
 fn integral(node: &Node, [a, b]: [DVec3; 2], wavenumber_per_m: f64) -> Complex64 {
     let shape = [a, b].map(|edge| sinc(0.5 * wavenumber_per_m * node.travel_sum.dot(edge)));
     node::phasor(wavenumber_per_m, node.excess_m) * (a.cross(b).length() * shape[0] * shape[1])
 }
 
 impl Tube {
-    /// Moves on to the facet that was hit.
+    /// Advances to the facet that was hit.
     fn advance(&mut self, hit: &Hit, transmitter: &Post, order: usize) {
         self.origin_m += hit.distance_m * self.travel;
         self.length_m += hit.distance_m;
         if order == 0 {
-            // From the point itself: r − R keeps its digits, and at infinite range the ray's start does not
-            // matter.
+            // Computed from the point itself: r − R keeps its digits, and at infinite range the ray's start
+            // does not matter.
             self.excess_m = transmitter.leg_from(self.origin_m).excess_m;
         } else {
             self.excess_m += hit.distance_m;
@@ -310,13 +309,13 @@ impl Tube {
         Arrival { travel: self.travel, fields: self.fields, excess_m: self.excess_m, length_m: self.length_m }
     }
 
-    /// Edges of the parallelogram that the tube lights on a plane of this normal.
+    /// Edges of the parallelogram lit by the tube on a plane with this normal.
     fn footprint(&self, normal: DVec3) -> [DVec3; 2] {
         let spread = if self.length_m.is_finite() { self.length_m } else { 1.0 };
         self.gradients.map(|g| (g - self.travel * (normal.dot(g) / normal.dot(self.travel))) * spread)
     }
 
-    /// Reflects the ray as by a mirror; a field tangential to a perfect conductor turns its sign: e → −e +
+    /// Reflects the ray specularly; the field tangential to a perfect conductor changes its sign: e → −e +
     /// 2n(n·e).
     fn reflect(&mut self, normal: DVec3) {
         let mirrored = |v: DVec3| v - 2.0 * normal.dot(v) * normal;
@@ -327,6 +326,6 @@ impl Tube {
 }
 
 fn sinc(x: f64) -> f64 {
-    // The series' next term, x⁴/120, is below rounding here.
+    // The next term of the series, x⁴/120, is below rounding here.
     if x.abs() < 1e-3 { 1.0 - x * x / 6.0 } else { x.sin() / x }
 }

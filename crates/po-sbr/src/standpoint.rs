@@ -6,9 +6,9 @@ use radar::standpoint::Standpoint;
 /// A transmitter and a receiver.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aspect {
-    /// Standpoint that the wave comes from.
+    /// Standpoint of the transmitter.
     pub transmitter: Standpoint,
-    /// Standpoint that receives it.
+    /// Standpoint of the receiver.
     pub receiver: Standpoint,
 }
 
@@ -24,28 +24,28 @@ pub(crate) struct Leg {
 }
 
 impl Aspect {
-    /// One antenna sends and receives.
+    /// Monostatic aspect: one antenna transmits and receives.
     pub fn monostatic(standpoint: Standpoint) -> Self {
         Self { transmitter: standpoint, receiver: standpoint }
     }
 }
 
-/// An antenna ready for many legs.
+/// An antenna prepared for many legs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Post {
     /// Unit vector r̂ from the origin to the antenna.
     pub(crate) towards: DVec3,
-    /// Place of an antenna at finite range.
+    /// Position of an antenna at finite range.
     pub(crate) antenna_m: Option<DVec3>,
     range_m: f64,
     zenith_h: DVec3,
 }
 
-/// Both ends of a way.
+/// Both ends of a path.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Ends {
     pub(crate) transmitter: Post,
-    /// Receiver; `None` where it is the transmitter.
+    /// Receiver; `None` if it is the transmitter.
     apart: Option<Post>,
 }
 
@@ -59,7 +59,7 @@ impl Ends {
         self.apart.as_ref().unwrap_or(&self.transmitter)
     }
 
-    /// Each antenna once.
+    /// Both antennas, or the single one.
     pub(crate) fn antennas(&self) -> impl Iterator<Item = &Post> {
         [&self.transmitter].into_iter().chain(&self.apart)
     }
@@ -87,15 +87,15 @@ impl Post {
         Leg { towards: line / length_m, excess_m, length_m }
     }
 
-    /// R/r of a length r; 1 at infinite range.
+    /// Ratio R/r for a length r; 1 at infinite range.
     pub(crate) fn spreading(&self, length_m: f64) -> f64 {
         if self.antenna_m.is_some() { self.range_m / length_m } else { 1.0 }
     }
 
     /// Vectors v̂ and ĥ of a path that reaches the antenna along `towards`: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ;
-    /// straight above or below, the azimuth asked for decides.
+    /// straight above or below, the requested azimuth decides.
     pub(crate) fn polarizations(&self, towards: DVec3) -> [DVec3; 2] {
-        // Below 1e-9 rad off the zenith ẑ × r̂ is rounding.
+        // Within 1e-9 rad of the zenith ẑ × r̂ is rounding.
         let horizontal = DVec3::Z.cross(towards);
         let length = horizontal.length();
         let h = if length > 1e-9 { horizontal / length } else { self.zenith_h };

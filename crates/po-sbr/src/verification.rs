@@ -1,4 +1,4 @@
-//! Tests of both references against closed forms, as their densities grow.
+//! Tests of both references against closed forms with increasing density.
 
 use crate::po;
 use crate::ray_cast::Body;
@@ -41,7 +41,7 @@ fn dbsm(s: Complex64) -> f64 {
     10.0 * s.norm_sqr().log10()
 }
 
-/// Convex polygons of corners in metres, as fans of triangles.
+/// Convex polygons, given by corners in metres, as triangle fans.
 fn mesh_of(polygons: &[Vec<[f64; 3]>]) -> Mesh {
     let mut mesh = Mesh::default();
     for polygon in polygons {
@@ -63,7 +63,7 @@ fn square(side_m: f64) -> Mesh {
     mesh_of(&[screen(0.0, [-half, half], [-half, half])])
 }
 
-/// Faces of width and height `side_m` that meet in the z axis and open to +x.
+/// Faces of width and height `side_m` that meet in the z axis and open towards +x.
 fn dihedral(side_m: f64, opening_deg: f64) -> Mesh {
     let half = 0.5 * side_m;
     let (sin, cos) = (0.5 * opening_deg).to_radians().sin_cos();
@@ -80,7 +80,7 @@ fn triangular_trihedral(side_m: f64) -> Mesh {
     mesh_of(&[(0, 1), (1, 2), (2, 0)].map(|(i, j)| vec![[0.0; 3], tip(i), tip(j)]))
 }
 
-/// S of a plate in the plane x = 0 far away (physics.md P1): j√(4π)/λ·cos·∬e^{2jk r̂·x} over `y` and `z`
+/// Far-field S of a plate in the plane x = 0 (physics.md P1): j√(4π)/λ·cos·∬e^{2jk r̂·x} over `y` and `z`
 /// limits.
 fn screen_far(az_deg: f64, el_deg: f64, x: f64, y: [f64; 2], z: [f64; 2]) -> Complex64 {
     let k = 2.0 * PI / WAVELENGTH_M;
@@ -102,7 +102,7 @@ fn po_of_a_plate_converges_to_the_closed_form_at_any_angle() {
         let exact = screen_far(az, el, 0.0, half, half);
         let error =
             |density: f64| (by_po(&square(side), &far(az, el), density, 0)[0][0] - exact).norm() / peak;
-        // Degree 5: twice the density is 2⁶ smaller.
+        // Degree 5: twice the density reduces the error by 2⁶.
         let (coarse, fine) = (error(2.0), error(8.0));
         assert!(
             fine < 1e-7 && (fine < coarse / 64.0 || coarse < 1e-9),
@@ -116,14 +116,15 @@ fn po_of_a_plate_at_finite_range_has_the_published_levels() {
     // P2 and the plate anchors: 0.3 m square, dBsm.
     for (range_m, level) in [(1e3, 38.2703), (100.0, 38.1685), (30.0, 37.1286), (5.0, 19.7382)] {
         let got = by_po(&square(0.3), &Aspect::monostatic(standpoint(0.0, 0.0, range_m)), 0.5, 0);
-        // At 1 km the Fresnel term is still there: 1e-3 dB.
+        // At 1 km the Fresnel term still contributes 1e-3 dB.
         assert!((dbsm(got[0][0]) - level).abs() < 1.1e-3, "{range_m} m: {}", dbsm(got[0][0]));
         assert!((got[0][0] - got[1][1]).norm() < 1e-12 * got[0][0].norm());
         assert!(got[0][1].norm() < 1e-12 * got[0][0].norm());
     }
 }
 
-/// A screen hides the middle of a larger one behind it; seen square the shadow is the screen itself.
+/// A screen hides the middle of a larger one behind it; seen at normal incidence the shadow is the screen
+/// itself.
 fn hidden_middle() -> (Mesh, Complex64) {
     let (small, large) = ([-0.0071, 0.0083], [-0.02, 0.02]);
     let mesh = mesh_of(&[screen(0.0, small, small), screen(-0.1, large, large)]);
@@ -138,7 +139,7 @@ fn a_shadow_converges_with_density_and_faster_with_refined_borders() {
         (by_po(&mesh, &far(0.0, 0.0), density, levels)[0][0] - exact).norm() / exact.norm()
     };
     // A border cell is wrong by at most its own area and there are 4·15.4 mm/edge of them: edge·61.6 mm over
-    // the lit 1363 mm² at the very worst, a tenth of it where they cancel as they do.
+    // the lit 1363 mm² in the worst case, a tenth of it with the cancellation that occurs.
     let edge_m = |density: f64, levels: u32| WAVELENGTH_M / density / (0.5 * f64::from(levels)).exp2();
     for (density, levels) in [(4.0, 0), (16.0, 0), (4.0, 6), (4.0, 10)] {
         let worst = edge_m(density, levels) * 0.0616 / 1.363e-3;
@@ -156,7 +157,8 @@ fn sbr_of_first_order_converges_to_po() {
     let errors = [2.0, 8.0, 32.0].map(|density| {
         (by_sbr(&mesh, &far(0.0, 0.0), density, Bracket::Plain)[0][0][0] - exact).norm() / exact.norm()
     });
-    // (spacing)^1.5 from borders at random places; the constant is of order one of borders·spacing^1.5/√area.
+    // (spacing)^1.5 from borders at random positions; the constant is of order one of
+    // borders·spacing^1.5/√area.
     assert!(errors[2] < 2e-3 && errors[2] < errors[0] / 8.0, "{errors:?}");
     let near = Aspect::monostatic(standpoint(10.0, 5.0, 2.0));
     let po = by_po(&mesh, &near, 8.0, 8)[0][0];
@@ -235,8 +237,7 @@ fn the_same_bytes_on_any_number_of_threads() {
     assert_eq!(run(1), run(3));
 }
 
-/// An octahedron cut finer `levels` times and blown up to a unit sphere: closed, shared corners are equal to
-/// the bit.
+/// A unit sphere from an octahedron subdivided `levels` times: closed, with shared corners equal to the bit.
 fn ball(levels: u32) -> Mesh {
     let tip = |axis: usize, sign: f64| std::array::from_fn(|j| if j == axis { sign } else { 0.0 });
     let mut faces = Vec::new();
@@ -269,7 +270,7 @@ fn no_ray_aimed_at_an_edge_or_a_corner_of_a_closed_mesh_passes_it() {
         let [a, b, c] = facet.corners_m;
         for aim in [a, 0.5 * (a + b), 0.3 * b + 0.7 * c, 0.99 * c + 0.01 * a] {
             let direction = (aim - origin).try_normalize().unwrap();
-            // Points on the outline may be missed by rounding: only those well inside of it are asked for.
+            // Points on the outline may be missed by rounding: only those well inside it are required.
             if aim.cross(direction).length() < 0.99 {
                 let hit = body.nearest(origin, direction, None);
                 let met = hit.is_some_and(|h| h.distance_m < aim.distance(origin) + 1e-9);
@@ -281,8 +282,8 @@ fn no_ray_aimed_at_an_edge_or_a_corner_of_a_closed_mesh_passes_it() {
 
 #[test]
 fn a_ball_meets_a_grid_of_rays_over_its_cross_section() {
-    // First-order S at zero frequency's limit: long waves leave ∬dA cosine = the silhouette, half of the ball
-    // is lit.
+    // First-order S in the limit of zero frequency: long waves leave ∬dA cosine = the silhouette, half of the
+    // ball is lit.
     let mesh = ball(5);
     let low_hz = 1.0;
     let aspect = far(33.0, 21.0);
@@ -297,7 +298,8 @@ fn a_ball_meets_a_grid_of_rays_over_its_cross_section() {
     let shooting =
         sbr::Shooting { per_wavelength: 3e10, bounces: 1, sides: Sides::Two, bracket: Bracket::Symmetrised };
     let sbr = sbr::amplitude(&mesh, &aspect, &[low_hz], &shooting).unwrap().orders[0][0][0][0];
-    // Chords of 2⁻⁵·π/2 leave a polygon whose area is short by ⅔·sagitta ≈ 1e-3; the grid's border adds 2e-4.
+    // Chords of 2⁻⁵·π/2 leave a polygon whose area is too small by ⅔·sagitta ≈ 1e-3; the grid's border adds
+    // 2e-4.
     for (name, silhouette) in [("po", po.norm() / scale), ("sbr", sbr.norm() / scale)] {
         assert!((silhouette / PI - 1.0).abs() < 1.5e-3, "{name}: {}", silhouette / PI);
     }
@@ -324,7 +326,7 @@ fn bad_input_is_refused_with_its_place() {
     assert_eq!(run(&Mesh::default(), 77e9), Ok(vec![Amplitude::default()]));
 }
 
-/// Two squares of `side` wavelengths that stand square on a common edge along z and open to +x.
+/// Two squares of `side` wavelengths at right angles on a common edge along z, opening towards +x.
 fn corner(side: f64) -> Mesh {
     let (a, h) = (side * WAVELENGTH_M * 0.5_f64.sqrt(), 0.5 * side * WAVELENGTH_M);
     let leaf = |sign: f64| vec![[0.0, 0.0, -h], [a, sign * a, -h], [a, sign * a, h], [0.0, 0.0, h]];
@@ -345,7 +347,7 @@ fn iterated_currents_converge_with_their_density() {
 
 #[test]
 fn iterated_currents_of_a_corner_on_its_specular_come_to_the_closed_form() {
-    // σ = 8πa⁴/λ²·cos²: S_hh = +j√(4π)·√2·a²/λ (docs/physics.md §2), edges of the mirror left out.
+    // σ = 8πa⁴/λ²·cos²: S_hh = +j√(4π)·√2·a²/λ (docs/physics.md §2), without edges of the mirror.
     let error = |side: f64| {
         let got = iterated::double_bounce(&corner(side), &far(0.0, 0.0), FREQUENCY_HZ, 4.0).unwrap();
         let side_m = side * WAVELENGTH_M;
@@ -354,6 +356,6 @@ fn iterated_currents_of_a_corner_on_its_specular_come_to_the_closed_form() {
     };
     let errors = [1.5, 3.0, 6.0].map(error);
     println!("corners of 1.5, 3, 6 wavelengths: {errors:.3?}");
-    // Edge waves are as 1/√(side in wavelengths) of it.
+    // Edge waves are about 1/√(side in wavelengths) of it.
     assert!(errors[2] < errors[1] && errors[1] < errors[0] && errors[2] < 0.2);
 }

@@ -1,4 +1,4 @@
-//! Places of an antenna's elements and its orientation: aperture axes, rows of elements, mounting.
+//! Positions of an antenna's elements and its orientation: aperture axes, rows of elements, mounting.
 
 use artifact::radar::{Array, Radar};
 use glam::DVec3;
@@ -6,8 +6,8 @@ use glam::DVec3;
 /// Elements in half wavelengths, [right, up] as seen along the boresight.
 pub type Elements = Vec<[f64; 2]>;
 
-/// Unit vectors to the right (horizontal), ahead along the boresight, and up, of a boresight at an azimuth
-/// (from +y towards +x) and an elevation (above the horizon), rad.
+/// Unit vectors to the right (horizontal), ahead along the boresight, and up, for a boresight azimuth (from
+/// +y towards +x) and elevation (above the horizon), rad.
 pub fn axes_looking(azimuth_rad: f64, elevation_rad: f64) -> [DVec3; 3] {
     let (sin_az, cos_az) = azimuth_rad.sin_cos();
     let (sin_el, cos_el) = elevation_rad.sin_cos();
@@ -16,7 +16,7 @@ pub fn axes_looking(azimuth_rad: f64, elevation_rad: f64) -> [DVec3; 3] {
     [right, ahead, right.cross(ahead)]
 }
 
-/// The aperture axes of a radar: right, ahead, up.
+/// Aperture axes of a radar: right, ahead, up.
 pub fn axes(radar: &Radar) -> [DVec3; 3] {
     axes_looking(radar.boresight_az_rad, radar.boresight_el_rad)
 }
@@ -27,7 +27,7 @@ pub fn pattern_amplitude(radar: &Radar, axes: &[DVec3; 3], direction: DVec3) -> 
     radar.array.pattern.amplitude(axes.map(|axis| axis.dot(direction)))
 }
 
-/// A horizontal row of elements, equally spaced by so many half wavelengths.
+/// A horizontal row of `count` elements with equal `spacing` in half wavelengths.
 pub fn row(count: u8, spacing: f64) -> Elements {
     (0..count).map(|i| [f64::from(i) * spacing, 0.0]).collect()
 }
@@ -38,23 +38,23 @@ pub fn golomb_rows() -> Elements {
     [0.0, 1.0, 4.0, 6.0].iter().flat_map(|up| [[0.0, *up], [1.0, *up]]).collect()
 }
 
-/// Array that has a name, transmit by receive elements (physics.md §7).
+/// A named array, transmit by receive elements (physics.md §7).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Preset {
-    /// One element at each end.
+    /// One transmitter, one receiver.
     OneByOne,
     /// One transmitter, a row of four receivers.
     OneByFour,
-    /// Three transmitters by four receivers, a filled virtual row of twelve: the paper's.
+    /// Three transmitters by four receivers, a filled virtual row of twelve: the array of the paper.
     ThreeByFour,
-    /// Six transmitters by two columns of four receivers, which tell elevation too.
+    /// Six transmitters by two columns of four receivers, which also resolve elevation.
     SixByEight,
     /// Twelve transmitters by sixteen receivers, a filled virtual row of 192.
     TwelveBySixteen,
 }
 
 impl Preset {
-    /// All arrays that have a name with it, from the smallest to the largest.
+    /// All presets with their names, from the smallest to the largest.
     pub const ALL: [(&str, Self); 5] = [
         ("1x1", Self::OneByOne),
         ("1x4", Self::OneByFour),
@@ -75,7 +75,7 @@ impl Preset {
     }
 }
 
-/// World positions of a row's elements, m: their mean, the row's phase centre, lies at the radar's position.
+/// World positions of a row's elements, m; their mean, the row's phase centre, is at the radar's position.
 pub fn world_positions_m(radar: &Radar, elements: &[[f64; 2]]) -> Vec<[f64; 3]> {
     let [right, _, up] = axes(radar);
     let half_wavelength_m = 0.5 * radar.waveform.wavelength_m();
@@ -89,8 +89,8 @@ pub fn world_positions_m(radar: &Radar, elements: &[[f64; 2]]) -> Vec<[f64; 3]> 
         .collect()
 }
 
-/// The radar with its elements where its position, boresight, wavelength and the elements' places in half
-/// wavelengths put them.
+/// Radar with its elements placed according to position, boresight, wavelength and the element positions in
+/// half wavelengths.
 pub fn mounted(radar: Radar) -> Radar {
     let array = Array {
         tx_m: world_positions_m(&radar, &radar.array.tx_half_wavelengths),
@@ -100,7 +100,7 @@ pub fn mounted(radar: Radar) -> Radar {
     Radar { array, ..radar }
 }
 
-/// The same radar at another height (m) and tilt (rad above the horizon), its elements where they then are.
+/// The same radar at another height (m) and tilt (rad above the horizon), with its elements placed anew.
 pub fn remounted(radar: &Radar, height_m: f64, boresight_el_rad: f64) -> Radar {
     let [x_m, y_m, _] = radar.position_m;
     mounted(Radar { position_m: [x_m, y_m, height_m], boresight_el_rad, ..radar.clone() })
@@ -118,7 +118,7 @@ mod tests {
         near(right, [1.0, 0.0, 0.0]);
         near(ahead, [0.0, 1.0, 0.0]);
         near(up, [0.0, 0.0, 1.0]);
-        // Towards +x, and 45° up: what is up leans back towards −x.
+        // Looking towards +x, and 45° up: the up axis leans back towards −x.
         let [right, ahead, up] = axes_looking(FRAC_PI_2, FRAC_PI_4);
         let half = 0.5_f64.sqrt();
         near(right, [0.0, -1.0, 0.0]);

@@ -1,17 +1,17 @@
 //! Optimal assignment of rows to columns, the Hungarian or Kuhn–Munkres algorithm: shortest augmenting paths
 //! with dual prices (Kuhn 1955, Munkres 1957; in the form of Jonker and Volgenant, Computing 38 (1987) 325).
 //!
-//! O(n²·(rows + columns)), n the fewer of both: a dozen tracks and objects take microseconds, thousands of
-//! bodies beside one object milliseconds. A row may stay without a column at a price, which is what gates and
-//! the cut-off of a metric ask for.
+//! The cost is O(n²·(rows + columns)), n the smaller of both: microseconds for a dozen tracks and objects,
+//! milliseconds for thousands of bodies and one object. A row may stay unassigned at a price, as needed for
+//! gates and for the cut-off of a metric.
 
 use ndarray::ArrayView2;
 
-/// Finds for each row a column, or `None`, so that Σ of `costs[(row, column)]` over assigned rows plus
-/// `unassigned` for every other row is least. Columns are used once at most.
+/// Assigns each row a column, or `None`, so that Σ of `costs[(row, column)]` over assigned rows plus
+/// `unassigned` for every other row is minimal. Each column is used at most once.
 ///
-/// A cost that is not finite, or not below `unassigned`, is never chosen. Of equally good answers always the
-/// same one.
+/// A cost that is not finite, or not below `unassigned`, is never chosen. Ties are resolved
+/// deterministically.
 pub fn assignment(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>> {
     let (rows, columns) = costs.dim();
     if rows == 0 || !unassigned.is_finite() {
@@ -29,10 +29,10 @@ pub fn assignment(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>>
     column_of
 }
 
-/// [`assignment`] where there are no fewer columns than rows.
+/// [`assignment`] for at least as many columns as rows.
 fn fewer_rows(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>> {
     let (rows, columns) = costs.dim();
-    // Every row could have a column of its own that stands for none.
+    // Every row has an additional column of its own that stands for no assignment.
     let cost = |row: usize, column: usize| match costs.get((row, column)) {
         Some(cost) if cost.is_finite() && *cost < unassigned => *cost - unassigned,
         _ => 0.0,
@@ -51,13 +51,13 @@ fn fewer_rows(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>> {
     column_of
 }
 
-/// Dual variables: cost − row price − column price is never negative, and zero on assigned pairs.
+/// Dual variables: cost − row price − column price is non-negative, and zero for assigned pairs.
 struct Prices {
     row: Vec<f64>,
     column: Vec<f64>,
 }
 
-/// Gives a free row a column, along the path of least reduced cost to a free one (Dijkstra).
+/// Assigns a column to a free row, along the path of minimum reduced cost to a free column (Dijkstra).
 fn augment(
     cost: &impl Fn(usize, usize) -> f64,
     start: usize,
@@ -75,7 +75,7 @@ fn augment(
                 (distance[column], before[column]) = (through, last);
             }
         }
-        // There are at least as many columns as rows, so one is always left.
+        // There are at least as many columns as rows, so one always remains.
         let Some(next) =
             (0..count).filter(|c| !done[*c]).min_by(|a, b| distance[*a].total_cmp(&distance[*b]))
         else {
@@ -100,7 +100,7 @@ fn augment(
     turn_over(start, free, &before, row_of);
 }
 
-/// Every row on the path takes the column after it.
+/// Moves every row on the path to the column after it.
 fn turn_over(start: usize, free: usize, before: &[Option<usize>], row_of: &mut [Option<usize>]) {
     let mut column = free;
     while let Some(earlier) = before[column] {
@@ -116,7 +116,7 @@ mod tests {
     use ndarray::Array2;
     use proptest::prelude::*;
 
-    /// Least sum of [`assignment`]'s costs, found by trying every way: the reference.
+    /// Minimum of [`assignment`]'s sum by exhaustive search: the reference.
     fn by_trying_all(costs: ArrayView2<f64>, unassigned: f64) -> f64 {
         fn least(costs: ArrayView2<f64>, unassigned: f64, row: usize, used: &mut Vec<bool>) -> f64 {
             if row == costs.nrows() {
@@ -144,7 +144,7 @@ mod tests {
         fn the_total_is_that_of_trying_every_way(
             rows in 0_usize..6, columns in 0_usize..6, seed in prop::collection::vec(-4.0_f64..9.0, 36)
         ) {
-            // Steps of a half make ties; above 8 a pair is forbidden.
+            // Steps of a half produce ties; above 8 a pair is forbidden.
             let cost = |(r, c): (usize, usize)| Some((2.0 * seed[6 * r + c]).round() / 2.0).filter(|v| *v < 8.0);
             let costs = Array2::from_shape_fn((rows, columns), |at| cost(at).unwrap_or(f64::INFINITY));
             let chosen = assignment(costs.view(), 5.0);
@@ -154,14 +154,14 @@ mod tests {
             unique.dedup();
             prop_assert_eq!(unique.len(), columns_used.len());
             let [asked, got] = [by_trying_all(costs.view(), 5.0), total(costs.view(), 5.0, &chosen)];
-            // Sums of at most six numbers of at most 9.
+            // Sums of at most six numbers of at most 9 each.
             prop_assert!((asked - got).abs() < 1e-12, "asked {} got {}", asked, got);
         }
     }
 
     #[test]
     fn four_thousand_rows_beside_one_column_take_no_time() {
-        // As cubes of the rows it would be 10¹¹ steps, minutes.
+        // An algorithm cubic in the rows would take 10¹¹ steps, minutes.
         let costs = Array2::from_shape_fn((4000, 1), |(row, _)| if row == 1234 { 1.0 } else { 2.0 });
         let begun = std::time::Instant::now();
         let chosen = assignment(costs.view(), 5.0);

@@ -2,20 +2,20 @@
 
 use artifact::radar::Waveform;
 
-/// Phase of an IF sample in cycles: f₀τ + μtτ − ½μτ², `t` seconds into the sampled sweep, of an echo delayed
+/// Phase of an IF sample in cycles, f₀τ + μtτ − ½μτ², `t` seconds into the sampled sweep, for an echo delayed
 /// by `tau` seconds (eq. 13).
 pub fn if_cycles(waveform: &Waveform, t: f64, tau: f64) -> f64 {
     let (f0, mu) = (waveform.start_frequency_hz, waveform.slope_hz_per_s);
     f0 * tau + mu * t * tau - 0.5 * mu * tau * tau
 }
 
-/// The same phase in the middle of the sampled sweep: f_cτ − ½μτ².
+/// Phase in the middle of the sampled sweep, in cycles: f_cτ − ½μτ².
 pub fn mid_sweep_cycles(waveform: &Waveform, tau: f64) -> f64 {
     waveform.centre_frequency_hz() * tau - 0.5 * waveform.slope_hz_per_s * tau * tau
 }
 
-/// Range–Doppler coupling: a receding target's beat frequency is f_c·τ̇ higher, and shows this much farther
-/// away (61.9 mm at 10 m/s and 12.5 MHz/µs; `docs/conventions.md`, eq. 13 of the paper).
+/// Range–Doppler coupling: the beat frequency of a receding target is f_c·τ̇ higher, so it appears this much
+/// farther away (61.9 mm at 10 m/s and 12.5 MHz/µs; `docs/conventions.md`, eq. 13 of the paper).
 pub fn coupling_m(waveform: &Waveform, velocity_mps: f64) -> f64 {
     velocity_mps * waveform.centre_frequency_hz() / waveform.slope_hz_per_s
 }
@@ -26,8 +26,8 @@ mod tests {
     use artifact::radar::Sampling;
     use artifact::units::SPEED_OF_LIGHT_MPS;
 
-    /// The phase's derivative by time is the beat frequency μτ, and moving by a metre a second shifts the
-    /// range at which it shows by the coupling.
+    /// The time derivative of the phase is the beat frequency μτ, and a velocity of one metre a second shifts
+    /// the apparent range by the coupling.
     #[test]
     fn the_beat_frequency_is_slope_times_delay_and_shifts_with_velocity() {
         let waveform = Waveform {
@@ -51,9 +51,9 @@ mod tests {
         assert!((shown_m(beat_hz(0.0)) - range_m).abs() < 1e-6);
         let tau = delay_s(0.0, 0.0);
         let apart = mid_sweep_cycles(&waveform, tau) - if_cycles(&waveform, 0.5 * sweep_s, tau);
-        // Of 2e4 cycles.
+        // Relative to 2e4 cycles.
         assert!(apart.abs() < 1e-10, "{apart}");
-        // A delay behind the sweep's centre lowers the frequency by μτ: 3 MHz of 77 GHz.
+        // A delay after the sweep's centre lowers the frequency by μτ: 3 MHz of 77 GHz.
         let shift_m = shown_m(beat_hz(10.0)) - shown_m(beat_hz(0.0));
         assert!((shift_m / coupling_m(&waveform, 10.0) - 1.0).abs() < 1e-4, "{shift_m}");
     }

@@ -1,4 +1,4 @@
-//! Fields with phase: complex vectors that are only turned, projected and scaled.
+//! Complex field vectors that are only rotated, projected and scaled.
 
 use glam::{DMat3, DVec3};
 use num_complex::Complex64;
@@ -17,12 +17,12 @@ impl ComplexVector {
         Complex64::new(self.re.dot(direction), self.im.dot(direction))
     }
 
-    /// A real direction times a complex amplitude.
+    /// Product of a real direction and a complex amplitude.
     pub fn of(direction: DVec3, amplitude: Complex64) -> Self {
         Self { re: direction * amplitude.re, im: direction * amplitude.im }
     }
 
-    /// Product Σ aᵢbᵢ, nothing conjugated: reciprocity knows no direction of time.
+    /// Product Σ aᵢbᵢ without conjugation, as in reciprocity.
     pub fn dot(self, other: Self) -> Complex64 {
         Complex64::new(
             self.re.dot(other.re) - self.im.dot(other.im),
@@ -30,17 +30,17 @@ impl ComplexVector {
         )
     }
 
-    /// The vector turned over at a plane z = const.
+    /// The vector mirrored at a plane z = const.
     pub fn with_z_turned(self) -> Self {
         Self { re: self.re.with_z(-self.re.z), im: self.im.with_z(-self.im.z) }
     }
 
-    /// The product of a matrix and the vector.
+    /// Product of a matrix and the vector.
     pub fn turned(self, by: DMat3) -> Self {
         Self { re: by * self.re, im: by * self.im }
     }
 
-    /// The product `direction` × self.
+    /// Cross product `direction` × self.
     pub fn crossed_by(self, direction: DVec3) -> Self {
         Self { re: direction.cross(self.re), im: direction.cross(self.im) }
     }

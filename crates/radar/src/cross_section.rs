@@ -1,4 +1,4 @@
-//! Radar cross section of a detection by the radar equation, where the noise is known.
+//! Radar cross section of a detection from the radar equation, where the noise is known.
 
 use crate::aperture::{axes, axes_looking};
 use crate::link::link_amplitude;
@@ -9,24 +9,24 @@ use artifact::radar::{Multiplexing, Sampling};
 use artifact::settings::Noise;
 use artifact::units::{BOLTZMANN_J_PER_K, db_from_power, power_from_db};
 
-/// Cross section in dBsm: σ = (ρ − 1)·P·B·R⁴/(N_sN_c·(l·g²)²), ρ the power over noise in a cell of one
-/// channel, P = k·T·F·f_s, B the windows' noise bandwidths in cells, l the link's amplitude, g the element's
-/// pattern. `None` where the noise is not thermal, where samples are real or where transmitters have codes.
+/// Cross section in dBsm: σ = (ρ − 1)·P·B·R⁴/(N_sN_c·(l·g²)²), with ρ the power over noise in a cell of one
+/// channel, P = k·T·F·f_s, B the windows' noise bandwidths in cells, l the link amplitude, g the element
+/// pattern. `None` if the noise is not thermal, if samples are real or if transmitters use codes.
 ///
-/// An echo between two cells shows up to 1.4 dB less for each axis with windows like Hann's.
+/// An echo between two cells appears up to 1.4 dB weaker per axis with windows like Hann's.
 pub fn cross_section_dbsm(header: &CubeHeader, point: &Point) -> Option<f64> {
     let section = (power_from_db(point.snr_db) - 1.0) * section_of_noise_m2(header, point)?;
     (section > 0.0 && section.is_finite()).then(|| db_from_power(section))
 }
 
-/// Power over noise in dB that an echo of this cross section in dBsm has at the point's place: the inverse of
+/// Power over noise, dB, of an echo with this cross section in dBsm at the point's position: the inverse of
 /// [`cross_section_dbsm`].
 pub fn snr_db_of(header: &CubeHeader, point: &Point, dbsm: f64) -> Option<f64> {
     let ratio = power_from_db(dbsm) / section_of_noise_m2(header, point)? + 1.0;
     (ratio.is_finite() && ratio > 0.0).then(|| db_from_power(ratio))
 }
 
-/// The cross section whose echo from the point's place is as strong as the noise, m².
+/// Cross section whose echo from the point's position equals the noise, m².
 fn section_of_noise_m2(header: &CubeHeader, point: &Point) -> Option<f64> {
     let (radar, waveform) = (&header.radar, &header.radar.waveform);
     let Noise::Figure { noise_figure_db, temperature_k } = header.noise else { return None };

@@ -1,20 +1,20 @@
-//! Doppler ambiguity: velocities that differ by whole spans 2·v_max = λ/2T look alike, as on a circle.
+//! Doppler ambiguity: velocities that differ by whole spans 2·v_max = λ/2T are indistinguishable.
 
 use artifact::radar::Radar;
 
-/// A velocity as a map's axis has it, in [−span/2, span/2), m/s.
+/// A velocity wrapped to a map's axis, [−span/2, span/2), m/s.
 pub fn wrapped_mps(velocity_mps: f64, span_mps: f64) -> f64 {
     let half = 0.5 * span_mps;
     (velocity_mps + half).rem_euclid(span_mps) - half
 }
 
-/// A velocity, or a difference of two, folded by whole spans to the one nearest to zero, m/s; what is within
-/// half a span is left as it is to the last bit.
+/// A velocity, or a difference of two, folded by whole spans to the value nearest to zero, m/s; values within
+/// half a span are returned bit for bit.
 pub fn folded_mps(velocity_mps: f64, span_mps: f64) -> f64 {
     velocity_mps - span_mps * (velocity_mps / span_mps).round()
 }
 
-/// A velocity as a radar's map shows it: folded into −v_max … +v_max, m/s.
+/// A velocity as it appears in a radar's map: folded into −v_max … +v_max, m/s.
 pub fn shown_mps(radar: &Radar, velocity_mps: f64) -> f64 {
     folded_mps(velocity_mps, 2.0 * radar.velocity_max_mps())
 }
@@ -29,7 +29,7 @@ mod tests {
             assert_eq!(folded_mps(velocity_mps, 10.0), folded, "{velocity_mps}");
             assert_eq!(wrapped_mps(velocity_mps, 10.0), folded, "{velocity_mps}");
         }
-        // The end of the axis is its beginning.
+        // Both ends of the axis are the same velocity.
         assert_eq!((wrapped_mps(5.0, 10.0), wrapped_mps(-5.0, 10.0)), (-5.0, -5.0));
     }
 }

@@ -1,25 +1,26 @@
-//! Regular grids that an array's virtual elements are snapped to, one along each axis of the aperture: over
-//! them an FFT searches all directions that an echo can come from.
+//! Regular grids to which an array's virtual elements are snapped, one along each axis of the aperture: an
+//! FFT over them searches all directions of arrival.
 
 use crate::aperture::axes;
 use artifact::radar::Radar;
 use glam::DVec3;
 
-/// Most directions that are looked at for an echo, cells of the grids along right and up multiplied: each
-/// echo takes this many steps, and 12 bytes of each.
+/// Maximum number of directions searched for an echo, the product of the grid cells along right and up: each
+/// echo takes this many steps, and 12 bytes per step.
 pub const DIRECTIONS_LIMIT: u64 = 1 << 22;
 
-/// Cells of the angle FFT per null-to-null half lobe: the climb starts within an eighth of the lobe's width.
+/// Cells of the angle FFT per null-to-null half lobe, so that the climb starts within an eighth of the lobe's
+/// width.
 const OVERSAMPLING: usize = 4;
 /// Spacing for positions that share no grid: a phase error of at most π/8 at the edge of the visible region,
 /// in the coarse search only.
 const FINE_SPACING: f64 = 0.125;
-/// Longest grid; a wider array is snapped to as many places.
+/// Maximum number of grid places; a wider array is snapped to this many.
 const MOST_PLACES: f64 = 4096.0;
-/// Positions within this part of a wavelength are one.
+/// Fraction of a wavelength within which positions coincide.
 const SAME: f64 = 1e-4;
 
-/// Element positions along one axis as places on a regular grid, wavelengths.
+/// Element positions along one axis as indices on a regular grid, wavelengths.
 pub struct Lattice {
     spacing: f64,
     places: Vec<usize>,
@@ -40,30 +41,30 @@ pub fn lattices(radar: &Radar) -> [Lattice; 2] {
     })
 }
 
-/// Whether the array tells azimuths: its virtual elements stand in more than one place along the row.
+/// Whether the array resolves azimuth: its virtual elements have more than one position along the row.
 pub fn tells_azimuth(radar: &Radar) -> bool {
     lattices(radar)[0].has_extent()
 }
 
-/// Refuses an array whose directions are more than [`DIRECTIONS_LIMIT`].
+/// Refuses an array with more than [`DIRECTIONS_LIMIT`] directions.
 ///
 /// # Errors
-/// How many they would be along right and up.
+/// The number of directions along right and up.
 pub fn check_directions(radar: &Radar) -> Result<(), TooManyDirections> {
     let [right, up] = lattices(radar).map(|lattice| lattice.cells() as u64);
     if right * up > DIRECTIONS_LIMIT { Err(TooManyDirections { right, up }) } else { Ok(()) }
 }
 
-/// An array that spans so many wavelengths along both axes that too many directions could be told apart.
+/// An array so wide in wavelengths along both axes that it would resolve too many directions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error(
     "the array spans so many wavelengths that echoes would be looked for in {right} × {up} directions \
      (right × up); the limit is {DIRECTIONS_LIMIT}"
 )]
 pub struct TooManyDirections {
-    /// Cells of the grid along right.
+    /// Number of grid cells along right.
     pub right: u64,
-    /// Cells of the grid along up.
+    /// Number of grid cells along up.
     pub up: u64,
 }
 
@@ -77,12 +78,12 @@ impl Lattice {
         Self { spacing, places, extent }
     }
 
-    /// Place of each channel on the grid.
+    /// Grid index of each channel.
     pub fn places(&self) -> &[usize] {
         &self.places
     }
 
-    /// Whether there is more than one place.
+    /// Whether there is more than one grid place.
     pub fn has_extent(&self) -> bool {
         self.extent > 0
     }
@@ -92,7 +93,7 @@ impl Lattice {
         if self.has_extent() { (OVERSAMPLING * (self.extent + 1)).next_power_of_two() } else { 1 }
     }
 
-    /// Cells of the FFT that are directions: those of a direction cosine up to 1.
+    /// FFT cells within the visible region: direction cosines up to 1.
     pub fn visible(&self) -> Vec<usize> {
         (0..self.cells()).filter(|cell| self.cosine(*cell).abs() <= 1.0).collect()
     }
@@ -107,18 +108,18 @@ impl Lattice {
         signed * self.step()
     }
 
-    /// Direction cosine from one FFT cell to the next.
+    /// Step in direction cosine between FFT cells.
     pub fn step(&self) -> f64 {
         1.0 / (self.cells() as f64 * self.spacing)
     }
 
-    /// Width of a beam in direction cosines, λ over the extent; infinite without extent.
+    /// Beamwidth in direction cosines, λ over the extent; infinite without extent.
     pub fn beam(&self) -> f64 {
         if self.has_extent() { 1.0 / (self.spacing * (self.extent + 1) as f64) } else { f64::INFINITY }
     }
 }
 
-/// The smallest gap between positions, if all are multiples of it and it is no smaller than the fine grid.
+/// Smallest gap between positions, if all are multiples of it and it is no smaller than the fine grid.
 fn regular_spacing(positions: &[f64], low: f64) -> Option<f64> {
     let mut sorted = positions.to_vec();
     sorted.sort_by(f64::total_cmp);

@@ -1,14 +1,14 @@
-//! Motion of a body: it accelerates and turns evenly (constant turn rate and acceleration, CTRA).
+//! Motion of a body with constant turn rate and acceleration (CTRA).
 
 use artifact::scene::Pose;
 
-/// The pose `elapsed_s` later (or earlier, where negative); of a body that does not turn it is rounded once,
-/// to half a unit in the last place.
+/// Pose after `elapsed_s` (before, if negative); for a body that does not turn it is rounded once, to half a
+/// unit in the last place.
 pub fn pose_after(pose: &Pose, elapsed_s: f64) -> Pose {
     if pose.yaw_radps == 0.0 { straight_on(pose, elapsed_s) } else { around(pose, elapsed_s) }
 }
 
-/// Acceleration at the moment of the pose, with what turning adds: a + ω × v.
+/// Acceleration at the moment of the pose, including the contribution of turning: a + ω × v.
 pub fn whole_acceleration_mps2(pose: &Pose) -> [f64; 3] {
     let ([ax, ay, az], [vx, vy, _]) = (pose.acceleration_mps2, pose.velocity_mps);
     [ax - pose.yaw_radps * vy, ay + pose.yaw_radps * vx, az]
@@ -27,7 +27,8 @@ fn straight_on(pose: &Pose, elapsed_s: f64) -> Pose {
     }
 }
 
-/// The way is ∫R(ωs)(v + as)ds, for the velocity is R(ωt)(v + at); upwards nothing turns.
+/// Pose of a turning body after `t`: it moves by ∫R(ωs)(v + as)ds at the velocity R(ωt)(v + at); the vertical
+/// components do not turn.
 fn around(pose: &Pose, t: f64) -> Pose {
     let (angle_rad, straight) = (pose.yaw_radps * t, straight_on(pose, t));
     let [of_velocity, of_acceleration] = [means(angle_rad), ramp_means(angle_rad)];
@@ -46,12 +47,12 @@ fn around(pose: &Pose, t: f64) -> Pose {
     }
 }
 
-/// Turned about the vertical by the angle of this cosine and sine.
+/// Rotates a vector about the vertical by the angle with this cosine and sine.
 fn turned([x, y, z]: [f64; 3], [cos, sin]: [f64; 2]) -> [f64; 3] {
     [cos * x - sin * y, sin * x + cos * y, z]
 }
 
-/// Means of cosine and sine from 0 to an angle: sin θ/θ and (1 − cos θ)/θ.
+/// Means of cosine and sine over angles from 0 to `angle`: sin θ/θ and (1 − cos θ)/θ.
 fn means(angle: f64) -> [f64; 2] {
     if angle == 0.0 {
         return [1.0, 0.0];
@@ -60,7 +61,7 @@ fn means(angle: f64) -> [f64; 2] {
     [angle.sin() / angle, 2.0 * half * half / angle]
 }
 
-/// ∫s·cos and ∫s·sin of an angle that grows evenly from 0, s from 0 to 1; by their series where the closed
+/// Integrals ∫s·cos and ∫s·sin of an angle growing linearly from 0, s from 0 to 1; by series where the closed
 /// form would cancel.
 fn ramp_means(angle: f64) -> [f64; 2] {
     let square = angle * angle;
@@ -87,7 +88,7 @@ mod tests {
         }
     }
 
-    /// Two hundred thousand steps, by the middle of each.
+    /// Sums two hundred thousand steps by the midpoint rule.
     #[test]
     fn a_bend_is_the_sum_of_many_small_steps() {
         for yaw_radps in [0.001, 0.4, -3.0] {

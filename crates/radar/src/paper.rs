@@ -1,5 +1,5 @@
-//! The radar of the paper's Table 2 and how a scene processes its cubes where it says nothing of it, which
-//! examples and tests begin with.
+//! The radar of the paper's Table 2 and a scene's default processing, a starting point for examples and
+//! tests.
 
 use crate::aperture::{Elements, mounted};
 use artifact::radar::{
@@ -8,7 +8,7 @@ use artifact::radar::{
 use artifact::settings::{Angle, Detector, DspSettings, Lanes, Refine, StaticEchoes, Window};
 use artifact::units::watts_from_dbm;
 
-/// Waveform of Table 2 with `samples` a chirp: 77 GHz, 12.5 MHz/µs, complex samples at 5.12 MHz, 10 µs idle
+/// Waveform of Table 2 with `samples` per chirp: 77 GHz, 12.5 MHz/µs, complex samples at 5.12 MHz, 10 µs idle
 /// between chirps.
 pub fn waveform(samples: u32, chirps: u32) -> Waveform {
     let sample_rate_hz = 5.12e6;
@@ -23,7 +23,7 @@ pub fn waveform(samples: u32, chirps: u32) -> Waveform {
     }
 }
 
-/// A radar at `position_m` that looks along +y, each row of elements (half wavelengths) centred on it:
+/// A radar at `position_m` looking along +y, with both rows of elements (half wavelengths) centred on it:
 /// isotropic elements of 10 dBi and 12 dBm, vv, all transmitters at once (`docs/physics.md`, link budget).
 pub fn radar(position_m: [f64; 3], waveform: Waveform, [tx, rx]: [Elements; 2]) -> Radar {
     mounted(Radar {
@@ -46,7 +46,7 @@ pub fn radar(position_m: [f64; 3], waveform: Waveform, [tx, rx]: [Elements; 2]) 
     })
 }
 
-/// The defaults of a scene's `[dsp]`, without lanes: Hann windows, cell averaging, transforms over the array.
+/// Defaults of a scene's `[dsp]`, without lanes: Hann windows, cell averaging, transforms over the array.
 pub fn processing() -> DspSettings {
     DspSettings {
         range_window: Window::Hann,

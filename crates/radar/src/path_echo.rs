@@ -1,4 +1,4 @@
-//! Echo of one path, as an IF sample has it.
+//! Echo of one path as an IF sample.
 
 use crate::aperture::{axes, pattern_amplitude};
 use crate::beat::mid_sweep_cycles;
@@ -16,7 +16,7 @@ pub fn gain_along(radar: &Radar, legs: &[Leg; 2]) -> f64 {
     legs.iter().map(|leg| pattern_amplitude(radar, &axes, leg.direction)).product()
 }
 
-/// IF value of a path's echo in the middle of frame and sweep at the array's centre, √W.
+/// IF value of a path's echo at mid-frame and mid-sweep for the array's centre, √W.
 pub fn echo_value(radar: &Radar, path: &Path) -> Complex64 {
     let [there, back] = legs(radar, path);
     let delay_s = (there.length_m + back.length_m) / SPEED_OF_LIGHT_MPS;
@@ -37,7 +37,7 @@ mod tests {
     use artifact::pattern::Pattern;
     use glam::DVec3;
 
-    /// A ghost that is sent ahead and comes back from 60° aside: cos³ is an eighth there.
+    /// Ghost that departs straight ahead and returns from 60° aside, where cos³ is an eighth.
     #[test]
     fn each_leg_of_an_echo_has_the_gain_of_its_own_direction() {
         let mut radar = paper::radar([0.0; 3], paper::waveform(64, 16), Preset::OneByOne.elements());

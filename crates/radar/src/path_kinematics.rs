@@ -1,22 +1,22 @@
-//! Apparent place of a path's node in the frame's middle, seen from the radar's position, and the share of
-//! the frame that the path stands for.
+//! Apparent position of a path's node at mid-frame, seen from the radar's position, and the share of the
+//! frame that the path represents.
 
 use artifact::paths::{Path, Rim};
 use artifact::radar::Radar;
 use glam::DVec3;
 
-/// The one-way leg from an antenna to a node as it appears from there.
+/// One-way leg from an antenna to the apparent position of a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
     /// Length of the leg, m.
     pub length_m: f64,
-    /// Rate of change of the length, m/s: positive where it grows.
+    /// Rate of change of the length, m/s, positive when it grows.
     pub rate_mps: f64,
-    /// Unit vector away from the radar.
+    /// Unit vector pointing away from the radar.
     pub direction: DVec3,
 }
 
-/// The legs from the transmitter and from the receiver in the frame's middle.
+/// Legs from the transmitter and from the receiver at mid-frame.
 pub fn legs(radar: &Radar, path: &Path) -> [Leg; 2] {
     nodes(radar, path).map(|(at_m, mps)| {
         let away = at_m - DVec3::from(radar.position_m);
@@ -25,7 +25,7 @@ pub fn legs(radar: &Radar, path: &Path) -> [Leg; 2] {
     })
 }
 
-/// Place and velocity of a path's node in the frame's middle, as it appears from the transmitter and from the
+/// Apparent position and velocity of a path's node at mid-frame, as seen from the transmitter and from the
 /// receiver.
 pub fn nodes(radar: &Radar, path: &Path) -> [(DVec3, DVec3); 2] {
     let (curve, middle_s) = (&path.curve, radar.frame_middle_s());
@@ -42,23 +42,24 @@ pub fn nodes(radar: &Radar, path: &Path) -> [(DVec3, DVec3); 2] {
     ]
 }
 
-/// Vector from the hub of a rolling wheel to the point on its rim, `way_m` after the frame's first sample:
-/// r·(cos φ·forward + sin φ·up), φ = φ₀ − (way along forward)/r.
+/// Vector from the hub of a rolling wheel to the point on its rim, after a displacement `way_m` since the
+/// frame's first sample: r·(cos φ·forward + sin φ·up), φ = φ₀ − (displacement along forward)/r.
 pub fn from_hub_m(rim: &Rim, way_m: DVec3) -> DVec3 {
     let forward = DVec3::from(rim.forward);
     let (sin, cos) = (rim.angle_rad - way_m.dot(forward) / rim.radius_m).sin_cos();
     rim.radius_m * (cos * forward + sin * DVec3::Z)
 }
 
-/// The point on the rim of a wheel that has rolled `way_m` and whose hub is at a place with a velocity: it
-/// turns about the axle, from up towards forward, at the hub's speed over the radius.
+/// Position and velocity of the rim point of a wheel that has rolled `way_m`, from the position and velocity
+/// of its hub: it rotates about the axle, from up towards forward, at the hub's speed over the radius.
 fn on_rim(rim: &Rim, way_m: DVec3, (hub_m, hub_mps): (DVec3, DVec3)) -> (DVec3, DVec3) {
     let (forward, from_hub_m) = (DVec3::from(rim.forward), from_hub_m(rim, way_m));
     let turn_radps = DVec3::Z.cross(forward) * (hub_mps.dot(forward) / rim.radius_m);
     (hub_m + from_hub_m, hub_mps + turn_radps.cross(from_hub_m))
 }
 
-/// Mean of a path's share of the echo over the frame and over pairs of elements: 1 where it stands for all.
+/// Mean share of the echo that a path represents, over the frame and over pairs of elements: 1 if it
+/// represents all.
 pub fn mean_share(radar: &Radar, path: &Path) -> f64 {
     const SAMPLES: usize = 128;
     if path.curve.span.is_none() && path.curve.array_span.is_none() {
@@ -81,7 +82,7 @@ mod tests {
     use artifact::paths::Curve;
     use std::f64::consts::FRAC_PI_2;
 
-    /// A wheel of 0.33 m whose hub is in the frame's middle at 30 m and drives at 8 m/s towards the radar.
+    /// Wheel of 0.33 m whose hub is at 30 m at mid-frame and approaches the radar at 8 m/s.
     fn wheel(angle_rad: f64) -> (Radar, Path) {
         let radar = paper::radar([0.0, 0.0, 6.0], paper::waveform(256, 128), Preset::OneByOne.elements());
         let (mps, way_m) = ([0.0, -8.0, 0.0], 8.0 * radar.frame_middle_s());

@@ -1,8 +1,8 @@
-//! Where an antenna stands, seen from a body.
+//! Position of an antenna relative to a body.
 
 use glam::DVec3;
 
-/// Place of an antenna, seen from the body.
+/// Position of an antenna, seen from the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Standpoint {
     /// Azimuth from body x towards body y.

@@ -6,16 +6,16 @@ use num_complex::Complex64;
 use rustfft::FftPlanner;
 use std::f64::consts::{PI, TAU};
 
-/// A Dolph–Chebyshev window was asked for that no FFT axis can use.
+/// Error of a Dolph–Chebyshev window with a sidelobe level that no FFT axis can use.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("a Chebyshev window has sidelobes from 10 to 300 dB below its peak, not {0}")]
 pub struct Sidelobes(
-    /// Asked for, dB.
+    /// Requested sidelobe level, dB.
     pub f64,
 );
 
-/// Weights of a window over `length` samples, mean 1, so that a tone of amplitude A on a bin centre gives
-/// |A|·N.
+/// Weights of a window over `length` samples, with mean 1, so that a tone of amplitude A at a bin centre
+/// yields |A|·N.
 pub fn taper(window: Window, length: usize) -> Result<Vec<f64>, Sidelobes> {
     let raw = match window {
         Window::Rect => vec![1.0; length],
@@ -26,8 +26,8 @@ pub fn taper(window: Window, length: usize) -> Result<Vec<f64>, Sidelobes> {
         Window::Chebyshev(sidelobe_db) => dolph_chebyshev(sidelobe_db, length)?,
     };
     let mean = raw.iter().sum::<f64>() / length as f64;
-    // Short tapers can vanish (Hann of one sample): without weight there is nothing to normalise, so they are
-    // flat.
+    // Short tapers can vanish (Hann of one sample) and then cannot be normalised; they are replaced by flat
+    // ones.
     Ok(if mean > 0.0 { raw.iter().map(|w| w / mean).collect() } else { vec![1.0; length] })
 }
 
@@ -38,18 +38,19 @@ pub fn noise_bandwidth_bins(taper: &[f64]) -> f64 {
     taper.len() as f64 * energy / (sum * sum)
 }
 
-/// Power that a tone `offset_bins` from a cell's centre leaves in it, 1 at the centre.
+/// Power response of a cell to a tone `offset_bins` from its centre, 1 at the centre.
 pub fn response(taper: &[f64], offset_bins: f64) -> f64 {
     transform(taper, offset_bins).norm_sqr() / (taper.len() as f64).powi(2)
 }
 
-/// W(δ) = Σ wₙ e^{j2πδn/N}: what a tone δ cells above a cell's centre leaves in it.
+/// W(δ) = Σ wₙ e^{j2πδn/N}: response of a cell to a tone δ cells above its centre.
 pub fn transform(taper: &[f64], offset_bins: f64) -> Complex64 {
     let step = TAU * offset_bins / taper.len() as f64;
     taper.iter().enumerate().map(|(n, w)| Complex64::from_polar(*w, step * n as f64)).sum()
 }
 
-/// |ρ|² between the noise of two cells `lag_bins` apart: white samples keep the correlation of the window squared.
+/// Noise correlation |ρ|² between two cells `lag_bins` apart, which for white samples is that of the squared
+/// window.
 pub fn noise_correlation(taper: &[f64], lag_bins: f64) -> f64 {
     let squared: Vec<f64> = taper.iter().map(|w| w * w).collect();
     let energy: f64 = squared.iter().sum();

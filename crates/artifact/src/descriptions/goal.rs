@@ -1,32 +1,32 @@
-//! Results that a scene is run for, and the accuracy that each needs.
+//! Goals that a scene is run for, and the accuracy that each requires.
 
 use crate::quantities::accuracy::Accuracy;
 use serde::{Deserialize, Serialize};
 
-/// Tenth of the amplitude, an agreement.
+/// Accuracy of the cube, dB: a tenth of the amplitude, by convention.
 const CUBE_DB: f64 = -20.0;
-/// Accuracy below which cars in a queue come and go, dB (`docs/validation/sensitivity.md`).
+/// Accuracy below which cars in a queue appear and disappear, dB (`docs/validation/sensitivity.md`).
 const QUEUES_DB: f64 = -20.0;
 
-/// Result that a scene is run for; the accuracy asked of the run is the one that it needs.
+/// Result that a scene is run for; it sets the accuracy requested of the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Goal {
-    /// Echo itself, cell by cell.
+    /// The echo itself, cell by cell.
     Cube,
     /// Objects of a frame: which are found, and their range, velocity, direction and lane.
     Detection,
-    /// Tracks over frames: which are followed, and their place, velocity and lane.
+    /// Tracks over frames: which vehicles are followed, and their position, velocity and lane.
     Tracks,
     /// Classes of objects, and their probabilities.
     Class,
 }
 
 impl Goal {
-    /// Every goal, the most demanding first.
+    /// All goals, the most demanding first.
     pub const ALL: [Self; 4] = [Self::Cube, Self::Detection, Self::Tracks, Self::Class];
 
-    /// Name as people write it.
+    /// Name in scene files and messages.
     pub fn name(self) -> &'static str {
         match self {
             Self::Cube => "cube",
@@ -36,8 +36,8 @@ impl Goal {
         }
     }
 
-    /// Accuracy that the result needs: the cube's is an agreement, the others are the coarsest of those
-    /// measured that leave the result as it is (`docs/validation/sensitivity.md`).
+    /// Accuracy that the result requires: that of the cube is a convention, the others are the coarsest
+    /// measured that leave the result unchanged (`docs/validation/sensitivity.md`).
     pub fn accuracy(self) -> Accuracy {
         Accuracy::from_db(self.accuracy_db())
     }

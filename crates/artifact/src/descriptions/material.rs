@@ -1,33 +1,33 @@
 //! Materials of bodies: a conductor, a half-space, or layers on air or metal.
 //!
-//! Plain data; `bart-rcs` computes with it, `scene` reads it from TOML (`docs/materials.md`). Permittivities
-//! are relative, ε = ε′ − jε″ with e^{jωt}, and do not depend on frequency: within 76–81 GHz they change by
-//! less than they are known.
+//! This is plain data: `scene` reads it from TOML (`docs/materials.md`), `bart-rcs` computes with it.
+//! Permittivities are relative, ε = ε′ − jε″ with e^{jωt}, and independent of frequency: within 76–81 GHz
+//! they vary by less than their uncertainty.
 
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 
-/// Materials of a mesh, and whether waves go through its sheets.
+/// Materials of a mesh, and whether waves are transmitted through its sheets.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Makeup {
-    /// Material of each name of [`Mesh::materials`](crate::schemas::scene::Mesh::materials); empty:
-    /// everything conducts.
+    /// Material of each name of [`Mesh::materials`](crate::schemas::scene::Mesh::materials); if empty, every
+    /// facet is a perfect conductor.
     pub materials: Vec<Material>,
-    /// Whether waves are followed through sheets.
+    /// Whether waves are traced through sheets.
     pub transmission: Transmission,
 }
 
-/// Materials of a scene by their names; a name that is not there is a perfect conductor.
+/// Materials of a scene by name; a name that is absent is a perfect conductor.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct MaterialMap {
-    /// Name and material; names are unique.
+    /// Pairs of name and material; names are unique.
     pub by_name: Vec<(String, Material)>,
-    /// Whether waves are followed through sheets.
+    /// Whether waves are traced through sheets.
     pub transmission: Transmission,
 }
 
 impl MaterialMap {
-    /// The makeup of a mesh with these names of materials.
+    /// Makeup of a mesh whose materials have these names.
     pub fn makeup(&self, names: &[String]) -> Makeup {
         let known =
             |name: &String| self.by_name.iter().find(|(known, _)| known == name).map(|(_, m)| m.clone());
@@ -42,7 +42,7 @@ pub enum Material {
     /// A perfect conductor.
     #[default]
     Conductor,
-    /// Filled with one substance, thick enough that nothing comes back from inside.
+    /// A half-space of one substance, thick enough that nothing returns from inside.
     HalfSpace {
         /// Relative permittivity ε′ − jε″.
         permittivity: Complex64,
@@ -67,10 +67,10 @@ pub struct Layer {
     pub permittivity: Complex64,
 }
 
-/// Medium that layers lie on.
+/// Medium behind the last layer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Backing {
-    /// Air: a sheet that waves pass.
+    /// Air: the layers are a sheet that waves pass through.
     Air,
     /// A perfect conductor.
     Metal,
@@ -79,30 +79,30 @@ pub enum Backing {
 /// Precision to which a thickness is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Thickness {
-    /// The thickness is exact: reflections of both faces interfere.
+    /// Exact thickness: reflections from both faces interfere.
     Exact,
-    /// The thickness is known only roughly: powers are averaged over it. 4 mm of glass reflects between −15
-    /// and −4 dB with a period of 0.76 mm at 77 GHz, which no drawing tells.
+    /// Roughly known thickness: powers are averaged over it. 4 mm of glass reflects between −15 and −4 dB
+    /// with a period of 0.76 mm at 77 GHz, which no drawing resolves.
     Averaged,
 }
 
-/// Whether a wave that meets a sheet goes on behind it.
+/// Whether a wave that meets a sheet continues behind it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Transmission {
-    /// A sheet reflects, and hides what is behind it.
+    /// A sheet reflects and shadows what is behind it.
     #[default]
     Ignored,
-    /// The wave goes on along its line, weakened and shifted, and comes back the same way.
+    /// The wave continues along its line, attenuated and phase-shifted, and returns the same way.
     Followed,
 }
 
 impl Material {
-    /// Whether waves pass the material: layers on air.
+    /// Whether waves pass through the material, which then is layers on air.
     pub fn is_sheet(&self) -> bool {
         matches!(self, Self::Layers { backing: Backing::Air, .. })
     }
 
-    /// Permittivities of what the material consists of; none of a conductor.
+    /// Permittivities of the material's substances; empty for a conductor.
     pub fn permittivities(&self) -> Vec<Complex64> {
         match self {
             Self::Conductor => vec![],
@@ -111,8 +111,8 @@ impl Material {
         }
     }
 
-    /// Whether the material is possible: no permittivity below that of air or with a gain, and layers with
-    /// a thickness.
+    /// Whether the material is physical: no permittivity below that of air or with gain, and layers of
+    /// finite, positive thickness.
     pub fn is_sound(&self) -> bool {
         let can_be = |e: Complex64| e.is_finite() && e.re >= 1.0 && e.im <= 0.0;
         match self {
@@ -127,7 +127,7 @@ impl Material {
 }
 
 impl Makeup {
-    /// The material of a slot; a conductor where nothing is said.
+    /// Material of a slot; a perfect conductor where none is given.
     pub fn material(&self, slot: u16) -> &Material {
         self.materials.get(usize::from(slot)).unwrap_or(&Material::Conductor)
     }
@@ -138,12 +138,12 @@ impl Makeup {
     }
 }
 
-/// The road as a plane z = 0 that reflects.
+/// The road as a reflecting plane z = 0.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Road {
     /// Material of the road.
     pub material: Material,
-    /// Root mean square of the road's height, m: the coherent reflection loses e^{−g²/2}, g = 4πσ sinψ/λ
-    /// (Ament 1953).
+    /// Root-mean-square height of the road, m: the coherent reflection is reduced by e^{−g²/2}, g = 4πσ
+    /// sinψ/λ (Ament 1953).
     pub rms_height_m: f64,
 }

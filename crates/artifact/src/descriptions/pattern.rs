@@ -1,5 +1,4 @@
-//! Gain of an antenna element over direction: what every stage that needs one asks, so that all have the
-//! same.
+//! Gain of an antenna element over direction, shared by all stages.
 
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
@@ -9,18 +8,18 @@ use std::f64::consts::FRAC_PI_2;
 pub enum Pattern {
     /// Equal gain in every direction.
     Isotropic,
-    /// Amplitude cosⁿ of the angle off boresight, nothing behind.
+    /// Amplitude cosⁿ of the angle off boresight, zero behind.
     Cosine {
         /// Exponent n.
         exponent: f64,
     },
-    /// Measured table; no gain beyond it.
+    /// Measured table; the gain is zero outside it.
     Table(PatternTable),
 }
 
 /// Gain measured over azimuth (from the boresight to the right as seen along it) and elevation (above the
-/// plane of boresight and right). An axis has one value, which holds for every angle, or three and more,
-/// growing.
+/// plane of boresight and right). An axis has either one value, valid for every angle, or at least three in
+/// increasing order.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PatternTable {
     /// Azimuths of the table, −π … π.
@@ -32,7 +31,7 @@ pub struct PatternTable {
 }
 
 impl Pattern {
-    /// Amplitude towards a unit direction, as [right, along the boresight, up] of the array.
+    /// Amplitude towards a unit direction, given as [right, along the boresight, up] of the array.
     pub fn amplitude(&self, [right, ahead, up]: [f64; 3]) -> f64 {
         match self {
             Self::Isotropic => 1.0,
@@ -49,7 +48,7 @@ impl Pattern {
 }
 
 impl Pattern {
-    /// Whether there may be gain towards directions at a right angle to the boresight and behind.
+    /// Whether the gain can be non-zero at right angles to the boresight or behind.
     pub fn hears_behind(&self) -> bool {
         match self {
             Self::Isotropic => true,
@@ -63,9 +62,9 @@ impl Pattern {
 }
 
 impl PatternTable {
-    /// Amplitude by cubic interpolation along both axes, continuous with its slope; nothing beyond the
-    /// table. Of steps h it errs by at most h³·max|f‴|/(36√3) + O(h⁴) an axis: the slopes are those of
-    /// parabolas, wrong by h²f‴/6, and reach a value with h·t(1−t)(1−2t) ≤ h/(6√3).
+    /// Amplitude by cubic interpolation along both axes, with continuous slope; zero outside the table. For
+    /// steps h the error per axis is at most h³·max|f‴|/(36√3) + O(h⁴): the slopes are those of parabolas,
+    /// wrong by h²f‴/6, and enter a value with h·t(1−t)(1−2t) ≤ h/(6√3).
     pub fn amplitude_at(&self, azimuth_rad: f64, elevation_rad: f64) -> f64 {
         let (Some(columns), Some(rows)) =
             (Stencil::of(&self.azimuth_rad, azimuth_rad), Stencil::of(&self.elevation_rad, elevation_rad))
@@ -77,15 +76,15 @@ impl PatternTable {
     }
 }
 
-/// Shares of neighbouring values of an axis in a value between them.
+/// Weights of neighbouring values of an axis in an interpolated value.
 struct Stencil {
     first: usize,
     shares: [f64; 4],
 }
 
 impl Stencil {
-    /// Hermite's cubic between two values, its slopes there those of the parabolas through them and their
-    /// neighbours.
+    /// Cubic Hermite interpolation between two values, with the slopes of the parabolas through each value
+    /// and its neighbours.
     fn of(axis: &[f64], at: f64) -> Option<Self> {
         let last = axis.len() - 1;
         if last == 0 {
@@ -106,7 +105,7 @@ impl Stencil {
         Some(stencil)
     }
 
-    /// Adds `factor` times the slope at `place` of the parabola through it and its neighbours.
+    /// Adds `factor` times the slope at `place` of the parabola through that value and its neighbours.
     fn add_slope(&mut self, axis: &[f64], place: usize, factor: f64) {
         let middle = place.clamp(1, axis.len() - 2);
         let [p, q, r] = [middle - 1, middle, middle + 1];
@@ -128,7 +127,7 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
-    /// The amplitude cosⁿ of the angle off boresight is cosⁿ(az)·cosⁿ(el).
+    /// Table of the amplitude cosⁿ of the angle off boresight, which is cosⁿ(az)·cosⁿ(el).
     fn cosine(exponent: f64, steps: usize) -> Pattern {
         let half = 0.5 * PI;
         let angles: Vec<f64> = (0..=steps).map(|i| half * (2.0 * i as f64 / steps as f64 - 1.0)).collect();
@@ -158,7 +157,7 @@ mod tests {
                 let to = direction(share(0.618_034), share(0.414_214));
                 worst = worst.max((table.amplitude(to) - Pattern::Cosine { exponent }.amplitude(to)).abs());
             }
-            // Along the other axis the shares' sizes add up to 1.25 at most.
+            // Along the other axis the weights' magnitudes add up to 1.25 at most.
             let bound = 2.25 * of_an_axis;
             println!("cos^{exponent}, {steps} steps: {worst:.2e}, bound {bound:.2e}");
             assert!(worst <= bound, "{worst:e} beyond {bound:e}");
@@ -170,7 +169,7 @@ mod tests {
         let table = cosine(2.0, 36);
         assert_eq!(table.amplitude(direction(0.6 * PI, 0.0)), 0.0);
         assert_eq!(table.amplitude([0.0, -1.0, 0.0]), 0.0);
-        // Parabolas lie on the cubics whatever the steps, up to the ends; one value holds for every
+        // The cubic reproduces parabolas for any steps, up to the ends; a single value holds for every
         // elevation.
         let azimuth_rad = vec![-1.0, -0.7, 0.1, 0.2, 0.9];
         let parabola = |x: f64| 2.0 - 0.3 * x - 0.8 * x * x;

@@ -1,8 +1,7 @@
-//! Permittivities of substances at 76–81 GHz, from the literature: the one table that material maps draw
-//! from.
+//! Permittivities of substances at 76–81 GHz from the literature: the single table that material maps use.
 //!
-//! Values carry ±10 % (batch, fillers, temperature, moisture, and where the source ends below 76 GHz the way
-//! up): put a measured value into the map where one is at hand.
+//! Values have an uncertainty of ±10 % (batch, fillers, temperature, moisture, and extrapolation where the
+//! source ends below 76 GHz): prefer a measured value in the map where there is one.
 
 use num_complex::Complex64;
 
@@ -13,16 +12,16 @@ pub struct Substance {
     pub name: &'static str,
     /// Relative permittivity ε′ − jε″; `None` is a perfect conductor.
     pub permittivity: Option<Complex64>,
-    /// Meaning of the name, in a few words.
+    /// Short description of the substance.
     pub meaning: &'static str,
     /// Source of the value.
     pub source: &'static str,
 }
 
-/// Lowest and highest frequency that the table's values are told for, Hz.
+/// Lowest and highest frequency for which the table's values are given, Hz.
 pub const BAND_HZ: [f64; 2] = [76e9, 81e9];
 
-/// All substances of the table, by name.
+/// All substances of the table, sorted by name.
 pub const SUBSTANCES: [Substance; 17] = [
     dielectric("abs", [2.7, 0.03], "acrylonitrile-butadiene-styrene: grilles, mirror caps", RIDDLE),
     dielectric("acrylic", [2.56, 0.019], "PMMA: lamp covers", ZHEKOV),
@@ -76,7 +75,7 @@ const LIEBE: &str =
 const ESTIMATE: &str =
     "no measurement at 77 GHz found; from the polymer's value below 40 GHz and the share of air";
 
-/// The substance of that name.
+/// Looks up a substance by name.
 pub fn substance(name: &str) -> Option<&'static Substance> {
     SUBSTANCES.iter().find(|substance| substance.name == name)
 }

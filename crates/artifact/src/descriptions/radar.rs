@@ -1,10 +1,10 @@
-//! The radar: waveform, antenna array and link, as every stage needs them.
+//! The radar: waveform, antenna array and link, as used by every stage.
 
 pub use crate::descriptions::pattern::{Pattern, PatternTable};
 use crate::quantities::units::SPEED_OF_LIGHT_MPS;
 use serde::{Deserialize, Serialize};
 
-/// A radar in its place.
+/// A radar at its position.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Radar {
     /// Centre of the transmit row and of the receive row, world metres.
@@ -13,11 +13,11 @@ pub struct Radar {
     pub boresight_az_rad: f64,
     /// Elevation of the boresight above the horizon.
     pub boresight_el_rad: f64,
-    /// Waveform that is sent.
+    /// Transmitted waveform.
     pub waveform: Waveform,
-    /// Schedule of the chirps, where they do not follow each other at one interval.
+    /// Schedule of the chirps, where they do not follow at one constant interval.
     pub schedule: Schedule,
-    /// Antenna elements that send and receive.
+    /// Transmit and receive antenna elements.
     pub array: Array,
     /// Power and gain.
     pub link: Link,
@@ -25,23 +25,23 @@ pub struct Radar {
     pub hardware: Hardware,
 }
 
-/// Linear chirps. Sampled time runs from the start of the sampled part of a chirp (`docs/conventions.md`).
+/// Linear chirps; sampled time runs from the start of the sampled part of a chirp (`docs/conventions.md`).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Waveform {
     /// Start frequency f₀: instantaneous frequency at the first sample.
     pub start_frequency_hz: f64,
     /// Slope μ of a chirp.
     pub slope_hz_per_s: f64,
-    /// Sample rate f_s, of complex or of real samples.
+    /// Sample rate f_s, of complex or real samples.
     pub sample_rate_hz: f64,
     /// Part of the mixer's product that is sampled.
     pub sampling: Sampling,
     /// Samples of a chirp, N_s.
     pub samples: u32,
     /// Chirp interval T_c, from one chirp of any transmitter to the next; the mean where there are several
-    /// ([`Schedule`]).
+    /// intervals ([`Schedule`]).
     pub chirp_interval_s: f64,
-    /// Chirps that each transmitter sends in a frame, N_c; with codes blocks of chirps.
+    /// Chirps that each transmitter sends in a frame, N_c; blocks of chirps for [`Multiplexing::Bpm`].
     pub chirps: u32,
 }
 
@@ -66,8 +66,8 @@ impl Waveform {
         SPEED_OF_LIGHT_MPS / (2.0 * self.bandwidth_hz().abs())
     }
 
-    /// Range at which the beat frequency folds: at f_s where samples are complex, c·f_s/2|μ|; at half of it
-    /// where they are real.
+    /// Range at which the beat frequency aliases: at f_s for complex samples, c·f_s/2|μ|; at half of it for
+    /// real ones.
     pub fn range_max_m(&self) -> f64 {
         let band_hz = match self.sampling {
             Sampling::Complex => self.sample_rate_hz,
@@ -76,7 +76,7 @@ impl Waveform {
         SPEED_OF_LIGHT_MPS * band_hz / (2.0 * self.slope_hz_per_s.abs())
     }
 
-    /// Range cells of a map: with real samples the half of the spectrum that is not the other's image.
+    /// Range cells of a map; for real samples one half of the spectrum, since the other is its image.
     pub fn range_cells(&self) -> usize {
         match self.sampling {
             Sampling::Complex => self.samples as usize,
@@ -88,21 +88,21 @@ impl Waveform {
 /// Part of the mixer's product that is sampled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Sampling {
-    /// Both parts, of an I and a Q channel.
+    /// Complex samples, from an I and a Q channel.
     Complex,
     /// The real part alone; imaginary parts of a cube's samples are 0. Noise of the image band folds in (3
     /// dB).
     Real,
 }
 
-/// Starts of chirps that do not follow each other at one interval; by default they do.
+/// Start times of chirps that do not follow at one interval; uniform by default.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Schedule {
-    /// T_c of each sub-frame, which follow each other without a pause; each is a frame record of its own
-    /// ([`Radar::in_frame`]). Empty: there is one, of the waveform's T_c.
+    /// T_c of each sub-frame; sub-frames follow each other without a pause, each as a frame record of its own
+    /// ([`Radar::in_frame`]). If empty, there is one sub-frame, with the waveform's T_c.
     pub sub_frame_intervals_s: Vec<f64>,
-    /// Delay of chirp k of any transmitter after k·T_c, s, at the index k modulo their number; the first is
-    /// 0. Empty: no chirp is late.
+    /// Delay of chirp k of any transmitter after k·T_c, s, at index k modulo the length; the first is 0. If
+    /// empty, no chirp is delayed.
     pub stagger_s: Vec<f64>,
 }
 
@@ -118,50 +118,51 @@ impl Schedule {
     }
 }
 
-/// Imperfections of a radar, and of the air that it listens to; by default none. The headers of cubes
-/// that a scene is made into leave it out: a detector knows it no more than that of a real radar.
+/// Imperfections of a radar and its interference environment; none by default. The headers of cubes
+/// synthesised from a scene omit them: a detector knows them no more than those of a real radar.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Hardware {
-    /// Error of each transmit element; empty: ideal.
+    /// Error of each transmit element; if empty, all are ideal.
     pub tx: Vec<ElementError>,
-    /// Error of each receive element; empty: ideal.
+    /// Error of each receive element; if empty, all are ideal.
     pub rx: Vec<ElementError>,
-    /// Spread of the random errors that are added to those of every element, drawn from the scene's seed.
+    /// Spread of the random errors added to every element's, drawn from the scene's seed.
     pub spread: ElementSpread,
-    /// Converter of the samples; `None`: they are not rounded.
+    /// Analogue-to-digital converter; `None` if samples are not quantized.
     pub adc: Option<Adc>,
-    /// Phase noise of the oscillator that all elements share, growing in offset; empty: none.
+    /// Phase noise of the oscillator shared by all elements, in order of increasing offset; if empty, none.
     pub phase_noise: Vec<PhaseNoise>,
-    /// Other radars that are heard.
+    /// Other radars that are received.
     pub interferers: Vec<Interferer>,
 }
 
-/// Another FMCW radar: chirps that follow each other at one interval, before the scene's first sample too.
+/// Another FMCW radar: its chirps follow at one interval, also before the scene's first sample.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Interferer {
     /// Position at the scene's first sample, world metres.
     pub position_m: [f64; 3],
     /// Velocity in world axes, constant.
     pub velocity_mps: [f64; 3],
-    /// Transmit power times antenna gain, in our direction.
+    /// Transmit power times antenna gain towards this radar.
     pub eirp_w: f64,
-    /// Frequency at which its chirps begin.
+    /// Start frequency of the chirps.
     pub start_frequency_hz: f64,
-    /// Slope of the chirps; 0 is a tone.
+    /// Slope of the chirps; 0 for a tone.
     pub slope_hz_per_s: f64,
     /// Length of a chirp.
     pub sweep_s: f64,
-    /// Time from the beginning of one chirp to that of the next.
+    /// Time from the start of one chirp to the start of the next.
     pub chirp_interval_s: f64,
-    /// Beginning of one of the chirps after the scene's first sample.
+    /// Start of one of the chirps after the scene's first sample.
     pub offset_s: f64,
 }
 
-/// Sample intervals of the longest frame of which an oscillator's phase is drawn at once, pauses included.
+/// Maximum number of sample intervals of a frame, pauses included, over which an oscillator's phase is drawn
+/// at once.
 pub const OSCILLATOR_SAMPLES_LIMIT: usize = 1 << 20;
 
-/// Single-sideband phase noise at an offset from the carrier: straight in dB over the offset's logarithm from
-/// one to the next, constant before the first and behind the last.
+/// Single-sideband phase noise at an offset from the carrier; linearly interpolated in dB over the logarithm
+/// of the offset, constant outside the first and last offset.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PhaseNoise {
     /// Offset from the carrier.
@@ -177,7 +178,7 @@ pub struct ElementError {
     pub gain_db: f64,
     /// Error of the phase of the IF value of its echoes.
     pub phase_rad: f64,
-    /// Delay of its line.
+    /// Delay of the element's feed line.
     pub delay_s: f64,
 }
 
@@ -199,29 +200,29 @@ pub struct Adc {
     pub full_scale: f64,
 }
 
-/// Multiplexing: how the transmitters share the air.
+/// Multiplexing: how the transmitters share the medium.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Multiplexing {
     /// Ideal orthogonal transmitters (the paper's).
     Simultaneous,
     /// One transmitter at a time: chirp m of transmitter i starts at (m·N_tx + i)·T_c.
     Tdm,
-    /// All transmitters at once, told apart by Doppler: transmitter i turns by e^{+j2πim/M} in the IF, M =
-    /// N_tx + 1.
+    /// All transmitters at once, separated by Doppler: transmitter i is rotated in phase by e^{+j2πim/M} in
+    /// the IF, M = N_tx + 1.
     Ddm,
-    /// All transmitters at once, told apart by binary codes over a block of M chirps, M the power of two
-    /// from N_tx on: transmitter i has the sign [`code_sign`] in chirp s of block m, which starts at (m·M +
-    /// s)·T_c.
+    /// All transmitters at once, separated by binary codes over a block of M chirps, M the smallest power of
+    /// two that is at least N_tx: transmitter i has the sign [`code_sign`] in chirp s of block m, which
+    /// starts at (m·M + s)·T_c.
     Bpm,
 }
 
-/// Sylvester's Hadamard matrix, (−1)^(ones that `code` and `slot` share): rows are orthogonal over slots 0 …
-/// M − 1.
+/// Sylvester's Hadamard matrix, (−1)^(number of ones that `code` and `slot` share); its rows are orthogonal
+/// over slots 0 … M − 1.
 pub fn code_sign(code: usize, slot: usize) -> f64 {
     if (code & slot).count_ones().is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
-/// Polarization of transmission and reception: the first letter receives, the second transmits (`vh`: h sent,
+/// Polarization of reception and transmission: the first letter receives, the second transmits (`vh`: h sent,
 /// v received).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Polarization {
@@ -246,7 +247,7 @@ impl Polarization {
         }
     }
 
-    /// Whether the other polarization is received than is sent.
+    /// Whether the received polarization differs from the transmitted one.
     pub fn is_crossed(self) -> bool {
         let (receive, transmit) = self.indices();
         receive != transmit
@@ -260,11 +261,9 @@ pub struct Array {
     pub tx_m: Vec<[f64; 3]>,
     /// Receive elements, world metres.
     pub rx_m: Vec<[f64; 3]>,
-    /// The transmit elements in half wavelengths [right, up] as seen along the boresight, as the scene gave
-    /// them.
+    /// Transmit elements in half wavelengths [right, up] as seen along the boresight, as given by the scene.
     pub tx_half_wavelengths: Vec<[f64; 2]>,
-    /// The receive elements in half wavelengths [right, up] as seen along the boresight, as the scene gave
-    /// them.
+    /// Receive elements in half wavelengths [right, up] as seen along the boresight, as given by the scene.
     pub rx_half_wavelengths: Vec<[f64; 2]>,
     /// Multiplexing of the transmitters.
     pub multiplexing: Multiplexing,
@@ -274,23 +273,23 @@ pub struct Array {
     pub pattern: Pattern,
 }
 
-/// Power and gain; linear where computed with, decibels where a person gave them.
+/// Power and gain; linear where used in computations, in decibels where entered by a user.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Link {
-    /// P_t of each transmitter, W.
+    /// Transmit power P_t of each transmitter, W.
     pub transmit_power_w: f64,
-    /// G_t = G_r of each element at boresight, dBi.
+    /// Gain G_t = G_r of each element at boresight, dBi.
     pub antenna_gain_db: f64,
 }
 
 impl Radar {
-    /// Transmit–receive pairs: the elements of the virtual array, channel = tx·N_rx + rx.
+    /// Number of transmit–receive pairs: the elements of the virtual array, channel = tx·N_rx + rx.
     pub fn virtual_channels(&self) -> usize {
         self.array.tx_m.len() * self.array.rx_m.len()
     }
 
-    /// Channels of a range-Doppler map: the transmit–receive pairs, and with codes behind them code·N_rx + rx
-    /// of the codes that no transmitter has.
+    /// Number of channels of a range-Doppler map: the transmit–receive pairs, followed with codes by
+    /// code·N_rx + rx of the codes that no transmitter uses.
     pub fn map_channels(&self) -> usize {
         match self.array.multiplexing {
             Multiplexing::Bpm => self.slots() * self.array.rx_m.len(),
@@ -298,8 +297,8 @@ impl Radar {
         }
     }
 
-    /// Channels of a radar cube: with Doppler division the receivers, with codes slot·N_rx + rx, else the
-    /// transmit–receive pairs.
+    /// Number of channels of a radar cube: the receivers with Doppler division, slot·N_rx + rx with codes,
+    /// else the transmit–receive pairs.
     pub fn cube_channels(&self) -> usize {
         match self.array.multiplexing {
             Multiplexing::Ddm => self.array.rx_m.len(),
@@ -307,7 +306,7 @@ impl Radar {
         }
     }
 
-    /// Chirps in the air from one chirp of a cube's channel to its next.
+    /// Number of chirps sent from one chirp of a cube's channel to its next.
     pub fn slots(&self) -> usize {
         match self.array.multiplexing {
             Multiplexing::Tdm => self.array.tx_m.len(),
@@ -321,7 +320,7 @@ impl Radar {
         self.waveform.chirp_interval_s * self.slots() as f64
     }
 
-    /// Maximum unambiguous velocity λ/4T, T the repetition of one channel, m/s.
+    /// Maximum unambiguous velocity λ/4T, with T the repetition interval of one channel, m/s.
     pub fn velocity_max_mps(&self) -> f64 {
         self.waveform.wavelength_m() / (4.0 * self.repetition_interval_s())
     }
@@ -331,7 +330,7 @@ impl Radar {
         2.0 * self.velocity_max_mps() / f64::from(self.waveform.chirps)
     }
 
-    /// Start of chirp `chirp` of transmitter `turn`, with codes of slot `turn` of block `chirp`, from the
+    /// Start of chirp `chirp` of transmitter `turn` (with codes: of slot `turn` of block `chirp`) after the
     /// frame's first sample, s.
     pub fn chirp_start_s(&self, turn: usize, chirp: usize) -> f64 {
         self.slot_start_s(match self.array.multiplexing {
@@ -345,13 +344,12 @@ impl Radar {
         self.slot_start_s(self.waveform.chirps as usize * self.slots())
     }
 
-    /// The moment, from the frame's first sample, that truth and frozen paths refer to, s.
+    /// Reference time of truth and frozen paths, from the frame's first sample, s.
     pub fn frame_middle_s(&self) -> f64 {
         0.5 * self.frame_duration_s()
     }
 
-    /// The radar as it is in frame record `index`: its sub-frame's chirp interval, and no sub-frames beside
-    /// it.
+    /// The radar of frame record `index`: with the chirp interval of that sub-frame and no other sub-frames.
     pub fn in_frame(&self, index: u32) -> Self {
         let mut radar = self.clone();
         let intervals_s = std::mem::take(&mut radar.schedule.sub_frame_intervals_s);
@@ -371,7 +369,7 @@ impl Radar {
         (0..self.schedule.sub_frames()).map(|index| self.in_frame(index).frame_duration_s()).sum()
     }
 
-    /// Start of the chirp that any transmitter sends as number `slot`, s.
+    /// Start of chirp number `slot`, counted over all transmitters, s.
     fn slot_start_s(&self, slot: usize) -> f64 {
         let stagger_s = &self.schedule.stagger_s;
         let later_s = if stagger_s.is_empty() { 0.0 } else { stagger_s[slot % stagger_s.len()] };

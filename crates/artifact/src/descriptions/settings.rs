@@ -1,4 +1,4 @@
-//! Settings that a scene asks of the stages.
+//! Settings of a scene for the stages.
 
 use crate::descriptions::goal::Goal;
 use crate::quantities::accuracy::Accuracy;
@@ -8,46 +8,45 @@ use serde::{Deserialize, Serialize};
 /// Receiver noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Noise {
-    /// No noise; the detector then takes a floor 60 dB below the map's peak, and says so.
+    /// No noise; the detector then assumes a floor 60 dB below the map's peak, and reports it.
     Absent,
-    /// Thermal: k·T·F·f_s per complex sample.
+    /// Thermal noise, k·T·F·f_s per complex sample.
     Figure {
         /// Noise figure F, dB.
         noise_figure_db: f64,
         /// Noise temperature T.
         temperature_k: f64,
     },
-    /// Noise-free peak cell over mean noise power, one channel, windows as set, dB.
+    /// Noise-free peak cell over mean noise power, for one channel with the windows as set, dB.
     SnrDb(f64),
 }
 
-/// Form in which scattering reaches the echo.
+/// Form in which scattering is passed to the echo.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum EchoMode {
-    /// Path by path, spherical waves.
+    /// Individual paths with spherical waves.
     Paths,
     /// The paper's far-field table over aspect and frequency.
     RcsTable,
 }
 
-/// Level of detail: how much of a frame's paths the echo is made of
-/// (`docs/decisions/levels-of-detail.md`).
+/// Level of detail: how many of a frame's paths the echo is made of (`docs/decisions/levels-of-detail.md`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Detail {
-    /// The cheapest of the next three that keeps the accuracy asked for.
+    /// The cheapest of the next three that meets the requested accuracy.
     Auto,
-    /// All paths that were traced.
+    /// All traced paths.
     Paths,
-    /// Paths whose phases stay together as one.
+    /// Paths whose phases stay together, merged into one.
     Merged,
-    /// Scattering centres, fitted.
+    /// Fitted scattering centres.
     Centres,
-    /// Points drawn like the body's own: another field of the same mean level.
+    /// Points drawn from the body's own statistics: another field of the same mean level.
     Statistical,
 }
 
 impl Detail {
-    /// Name as people write it.
+    /// Name in scene files and messages.
     pub fn name(self) -> &'static str {
         match self {
             Self::Auto => "auto",
@@ -62,7 +61,7 @@ impl Detail {
 /// Diffraction by edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Edges {
-    /// Diffraction is left out.
+    /// No diffraction.
     Ignored,
     /// Fringe currents of open edges and wedges, first order (physical theory of diffraction).
     FirstOrder,
@@ -73,45 +72,45 @@ pub enum Edges {
 pub enum Surface {
     /// The flat facets themselves.
     Flat,
-    /// The curved skin that the vertex normals tell of.
+    /// The curved skin that the vertex normals describe.
     Smooth,
 }
 
 /// Sides from which a facet scatters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Sides {
-    /// Either side: the meshes that people have are open and their winding is unreliable.
+    /// Either side: real meshes are often open and their winding is unreliable.
     Two,
-    /// The side alone from which the winding is counter-clockwise.
+    /// Only the side from which the winding is counter-clockwise.
     One,
 }
 
-/// Whether ways are followed from one body to another.
+/// Whether paths from one body to another are traced.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum BetweenBodies {
-    /// Ways from body to body are traced like those within a body.
+    /// Paths between bodies are traced like those within a body.
     #[default]
     Traced,
-    /// Bodies shade one another; what one reflects into another is left out, multipath ghosts by two vehicles
-    /// with it.
+    /// Bodies shadow one another, but reflections from one into another are omitted, and with them multipath
+    /// ghosts between vehicles.
     LeftOut,
 }
 
-/// Whether wheels of meshes turn as their vehicles roll.
+/// Whether wheels of meshes rotate as their vehicles roll.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Wheels {
     /// Wheels are part of the rigid body.
     #[default]
     Still,
-    /// Wheels turn about their hubs as vehicles roll without slipping: micro-Doppler.
+    /// Wheels rotate about their hubs as vehicles roll without slipping: micro-Doppler.
     Turning,
 }
 
-/// Rule for the facet of a multiple reflection on which the integral is taken
+/// Rule that selects the facet of a multiple reflection on which the integral is taken
 /// (`docs/decisions/node-rule.md`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum NodeRule {
-    /// The middle of the sequence; even orders the symmetrised mean of both middles.
+    /// The middle of the sequence; for even orders the symmetrised mean of both middles.
     Middle,
     /// The last facet, as shooting and bouncing rays do.
     Exit,
@@ -119,12 +118,12 @@ pub enum NodeRule {
     OwnEdge,
 }
 
-/// Accuracy asked of a run and the physics it shall hold.
+/// Accuracy requested of a run and the physics that it models.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Fidelity {
     /// Relative amplitude error allowed.
     pub accuracy: Accuracy,
-    /// Result whose need that accuracy is; `None` where the scene asks for an accuracy itself.
+    /// Goal that sets the accuracy; `None` where the scene requests an accuracy itself.
     pub goal: Option<Goal>,
     /// Highest bounce order.
     pub bounces: u8,
@@ -140,16 +139,16 @@ pub struct Fidelity {
     pub echo: EchoMode,
     /// Level of detail: how much of the paths the echo is made of.
     pub detail: Detail,
-    /// Ways that meet several bodies.
+    /// Paths over several bodies.
     pub between_bodies: BetweenBodies,
-    /// Wheels of meshes that tell of any.
+    /// Wheels of meshes that declare any.
     pub wheels: Wheels,
-    /// The error of the paths is measured in every n-th frame
+    /// Interval n: the error of the paths is measured in every n-th frame
     /// ([`SceneHeader::measured_in`](crate::schemas::scene::SceneHeader)).
     pub measured_every: u32,
 }
 
-/// Taper of an FFT axis, periodic, of unit coherent gain.
+/// Taper of an FFT axis, periodic, with unit coherent gain.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Window {
     /// No taper.
@@ -160,7 +159,7 @@ pub enum Window {
     Hamming,
     /// Blackman window.
     Blackman,
-    /// Dolph–Chebyshev with this sidelobe level below the peak, dB.
+    /// Dolph–Chebyshev window with this sidelobe level below the peak, dB.
     Chebyshev(f64),
 }
 
@@ -177,38 +176,37 @@ pub enum Detector {
     OsCfar,
 }
 
-/// Method by which directions are found in a cell.
+/// Direction-finding method for a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Angle {
-    /// One echo a cell: the strongest beam, by FFT over the array.
+    /// One echo per cell: the strongest beam, by FFT over the array.
     Fft,
-    /// Up to three echoes a cell, nearer than a beam, by maximum likelihood.
+    /// Up to three echoes per cell, closer than a beamwidth, by maximum likelihood.
     MaximumLikelihood,
 }
 
-/// Estimates that are made finer than the map's peaks.
+/// Estimates that are refined beyond the map's peaks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Refine {
-    /// No estimate: peaks are placed between cells.
+    /// No refinement: peaks are interpolated between cells.
     Off,
-    /// Range, velocity and direction of peaks that stand alone, by maximum likelihood on the unwindowed
-    /// samples.
+    /// Range, velocity and direction of isolated peaks, by maximum likelihood on the unwindowed samples.
     Isolated,
 }
 
-/// Treatment of echoes at rest, as the ground, kerbs and rails send them back, and vehicles that wait.
+/// Treatment of echoes at rest: ground, kerbs, rails and waiting vehicles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum StaticEchoes {
-    /// Echoes at rest are points and objects like others, and nothing is told of it.
+    /// Echoes at rest are points and objects like others, and are not marked.
     Keep,
-    /// Points and objects tell whether they are at rest, and are otherwise kept.
+    /// Points and objects are marked as at rest or not, and otherwise kept.
     Mark,
-    /// Echoes at rest are no points, and no objects are formed of them.
+    /// Echoes at rest yield no points and no objects.
     Remove,
 }
 
 impl StaticEchoes {
-    /// Name as people write it.
+    /// Name in scene files and messages.
     pub fn name(self) -> &'static str {
         match self {
             Self::Keep => "keep",
@@ -218,52 +216,52 @@ impl StaticEchoes {
     }
 }
 
-/// False alarms per tested cell for which there is a threshold. A radar that tests 10⁸ cells a second has one
-/// of the smallest in 10¹⁴ years, and searches for thresholds still find it in f64; with more than the
-/// largest a detection says nothing.
+/// Valid false-alarm rates per tested cell. At the smallest, a radar that tests 10⁸ cells a second has one
+/// false alarm in 10¹⁴ years, and threshold searches still converge in f64; above the largest a detection is
+/// meaningless.
 pub const FALSE_ALARM_RATES: std::ops::RangeInclusive<f64> = 1e-30..=0.5;
 
 /// Signal processing of a radar cube.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DspSettings {
-    /// Taper over samples.
+    /// Taper over the samples of a chirp.
     pub range_window: Window,
     /// Taper over chirps.
     pub doppler_window: Window,
     /// Detector of echoes in the map.
     pub detector: Detector,
-    /// False alarms asked for per tested cell; within [`FALSE_ALARM_RATES`].
+    /// Requested false alarms per tested cell, within [`FALSE_ALARM_RATES`].
     pub false_alarm_rate: f64,
-    /// Cells on each side that stay out of the noise estimate, [doppler, range].
+    /// Cells on each side excluded from the noise estimate, [doppler, range].
     pub guard_cells: [u32; 2],
-    /// Cells on each side beyond the guard that make the noise estimate, [doppler, range].
+    /// Cells on each side beyond the guard cells that form the noise estimate, [doppler, range].
     pub training_cells: [u32; 2],
-    /// Method by which directions are found.
+    /// Direction-finding method.
     pub angle: Angle,
-    /// Estimates that are made finer than by peaks.
+    /// Estimates that are refined beyond the map's peaks.
     pub refine: Refine,
-    /// Correction of each transmit–receive pair, tx·N_rx + rx: the factor of its values before directions
-    /// are looked for, since its elements were measured to differ from ideal ones. Empty: all are taken as
-    /// ideal.
+    /// Calibration of each transmit–receive pair, tx·N_rx + rx: the factor applied to its values before
+    /// directions are estimated, from the measured errors of its elements. If empty, all elements are taken
+    /// as ideal.
     pub calibration: Vec<Complex64>,
     /// Treatment of echoes at rest.
     pub static_echoes: StaticEchoes,
-    /// Range below which nothing is detected: what leaks from transmitters to receivers shows there.
+    /// Range below which nothing is detected, since leakage from transmitters to receivers appears there.
     pub nearest_m: f64,
-    /// Height given to points where the array has no elevation rows.
+    /// Height assigned to points where the array has no elevation rows.
     pub assumed_height_m: f64,
-    /// Detections closer than this join one object, m in range.
+    /// Range distance below which detections join one object, m.
     pub cluster_range_m: f64,
-    /// Detections closer than this join one object, m/s.
+    /// Velocity difference below which detections join one object, m/s.
     pub cluster_velocity_mps: f64,
-    /// Detections closer than this join one object, m across the lanes.
+    /// Distance across the lanes below which detections join one object, m.
     pub cluster_cross_m: f64,
-    /// The road that points and objects are told by.
+    /// Road to which points and objects are assigned.
     pub road: Lanes,
 }
 
-/// Lanes that points, objects and tracks are told by, none of them where a scene has none; and a straight
-/// road in coordinates of its own: across it to the right, and along it.
+/// Lanes to which points, objects and tracks are assigned (none if the scene has none), and a straight road
+/// with its own coordinates: across it to the right, and along it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Lanes {
     /// Origin of the coordinates across and along, world x and y.
@@ -272,16 +270,16 @@ pub struct Lanes {
     pub azimuth_rad: f64,
     /// Straight lanes, side by side along the road.
     pub lanes: Vec<Lane>,
-    /// Lanes of a network, each with a line of its own.
+    /// Lanes of a network, each with its own centreline.
     pub courses: Vec<Course>,
 }
 
 /// A lane along a road.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Lane {
-    /// Number of the lane, counted from 1 at the radar.
+    /// Number of the lane, counted from 1 nearest the radar.
     pub number: u8,
-    /// Place of the lane's middle across the road.
+    /// Position of the centreline across the road.
     pub centre_m: f64,
     /// Width across the lane.
     pub width_m: f64,
@@ -296,12 +294,12 @@ pub struct Course {
     pub name: String,
     /// Width across the lane.
     pub width_m: f64,
-    /// Middle of the lane: world x and y of two places or more, in driving direction.
+    /// Centreline: world x and y of two or more points, in driving direction.
     pub line_m: Vec<[f64; 2]>,
 }
 
 impl Course {
-    /// Distance of a place from the lane's middle; `None` before its beginning and behind its end.
+    /// Distance of a position from the centreline; `None` before its start and beyond its end.
     pub fn distance_m(&self, place_m: [f64; 2]) -> Option<f64> {
         let last = self.line_m.len().saturating_sub(2);
         let parts = self.line_m.windows(2).enumerate();
@@ -314,8 +312,8 @@ impl Course {
     }
 }
 
-/// Place on a straight part that is nearest to another, as a share of the part's length that may lie
-/// beyond both ends, and the distance from the part itself; `None` of a part without length.
+/// Nearest point of the line through a straight segment, as a fraction of its length (which may lie beyond
+/// both ends), and the distance from the segment itself; `None` for a segment without length.
 fn beside([x, y]: [f64; 2], [[ax, ay], [bx, by]]: [[f64; 2]; 2]) -> Option<(f64, f64)> {
     let (dx, dy) = (bx - ax, by - ay);
     let square = dx * dx + dy * dy;
@@ -325,21 +323,21 @@ fn beside([x, y]: [f64; 2], [[ax, ay], [bx, by]]: [[f64; 2]; 2]) -> Option<(f64,
 }
 
 impl Lanes {
-    /// A place of the world, whatever its height, as [across, along].
+    /// A world position, regardless of its height, as [across, along].
     pub fn across_along_m(&self, position_m: [f64; 3]) -> [f64; 2] {
         let [right, ahead] = [0, 1].map(|axis: usize| position_m[axis] - self.origin_m[axis]);
         let (sin, cos) = self.azimuth_rad.sin_cos();
         [right * cos - ahead * sin, right * sin + ahead * cos]
     }
 
-    /// The world's x and y of a place across and along the road.
+    /// World x and y of a position across and along the road.
     pub fn world_m(&self, [across_m, along_m]: [f64; 2]) -> [f64; 2] {
         let (sin, cos) = self.azimuth_rad.sin_cos();
         [self.origin_m[0] + across_m * cos + along_m * sin, self.origin_m[1] - across_m * sin + along_m * cos]
     }
 
-    /// The lane that holds a place, if any; of a network's lanes that lie across one another the one whose
-    /// middle is nearest.
+    /// The lane that contains a position, if any; where lanes of a network cross, the one whose centreline is
+    /// nearest.
     pub fn at(&self, position_m: [f64; 3]) -> Option<u8> {
         let [across_m, _] = self.across_along_m(position_m);
         let straight = self.lanes.iter().find(|l| (across_m - l.centre_m).abs() <= 0.5 * l.width_m);
@@ -353,7 +351,7 @@ impl Lanes {
     }
 }
 
-/// Kind of vehicle that the classifier tells apart.
+/// Vehicle class distinguished by the classifier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Class {
@@ -363,7 +361,7 @@ pub enum Class {
     Bus,
     /// Goods vehicles.
     Truck,
-    /// Two wheels.
+    /// Two-wheelers.
     Motorcycle,
 }
 
@@ -371,7 +369,7 @@ impl Class {
     /// All classes, in the order of every table and network output.
     pub const ALL: [Self; 4] = [Self::Car, Self::Bus, Self::Truck, Self::Motorcycle];
 
-    /// Name as people write it.
+    /// Name in scene files and messages.
     pub fn name(self) -> &'static str {
         match self {
             Self::Car => "car",

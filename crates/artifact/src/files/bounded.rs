@@ -1,15 +1,14 @@
-//! The one way in which files of a user are read: plain files alone, whole and of bounded length.
+//! Reading of user files: only plain files, whole and of bounded length.
 //!
-//! A limit counts the bytes that were read, not the length that the system tells: that is 0 of some endless
-//! files, and a file may grow while it is read. What is no plain file is refused before it is opened
-//! ([`open`]).
+//! A limit counts the bytes read, not the length reported by the system, which is 0 for some endless files,
+//! and a file may grow while it is read. Anything but a plain file is refused before it is opened ([`open`]).
 
 use std::io::{self, Read};
 use std::path::Path;
 
 pub use crate::files::inputs::open;
 
-/// Reason that a file was not read whole.
+/// Reason that a file could not be read whole.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadFault {
     /// The file is missing, unreadable, or no plain file.
@@ -18,45 +17,45 @@ pub enum ReadFault {
     /// The file is longer than its reader allows.
     #[error("has more than {limit} bytes, the most that are read")]
     TooLong {
-        /// Most bytes that are allowed.
+        /// Maximum number of bytes allowed.
         limit: u64,
     },
     /// The file is not text.
     #[error("is not UTF-8 text from byte {byte} on")]
     NotText {
-        /// Index of the first byte that does not fit, from 0.
+        /// Index of the first invalid byte, from 0.
         byte: usize,
     },
 }
 
 impl ReadFault {
-    /// Whether the machine is at fault, not the content of the file.
+    /// Whether the system is at fault, rather than the content of the file.
     pub fn is_system(&self) -> bool {
         matches!(self, Self::System(_))
     }
 }
 
-/// All bytes of a plain file, at most `limit`.
+/// Reads all bytes of a plain file, at most `limit`.
 ///
 /// # Errors
-/// It is longer, unreadable, or no plain file.
+/// The file is longer, unreadable, or no plain file.
 pub fn read(file: &Path, limit: u64) -> Result<Vec<u8>, ReadFault> {
     let handle = open(file)?;
     let told = handle.metadata()?.len();
     read_at_most(handle, told, limit)
 }
 
-/// The text of a plain file of at most `limit` bytes.
+/// Reads the text of a plain file of at most `limit` bytes.
 ///
 /// # Errors
-/// As [`read`]; and where it is no UTF-8.
+/// Those of [`read`], and text that is not UTF-8.
 pub fn read_text(file: &Path, limit: u64) -> Result<String, ReadFault> {
     let bytes = read(file, limit)?;
     String::from_utf8(bytes).map_err(|error| ReadFault::NotText { byte: error.utf8_error().valid_up_to() })
 }
 
-/// Reads all of `source`, at most `limit` bytes; the length `told` only refuses early and reserves
-/// room.
+/// Reads all of `source`, at most `limit` bytes; the reported length `told` serves only for early refusal and
+/// to reserve memory.
 fn read_at_most(source: impl Read, told: u64, limit: u64) -> Result<Vec<u8>, ReadFault> {
     let too_long = ReadFault::TooLong { limit };
     if told > limit {

@@ -1,33 +1,33 @@
-//! Use of bincode 2 behind one module: the day it has to go, it goes here
+//! Encoding by bincode 2, confined to this module so that it can be replaced
 //! (docs/decisions/serialization.md).
 
 use serde::{Serialize, de::DeserializeOwned};
 
-/// Fixed configuration: little endian, variable-length integers. Part of the format.
+/// Fixed configuration, part of the format: little endian, variable-length integers.
 fn configuration() -> impl bincode::config::Config {
     bincode::config::standard()
 }
 
-/// Bytes of a record.
+/// Encodes a record.
 pub(crate) fn encode<T: Serialize>(value: &T) -> Result<Vec<u8>, bincode::error::EncodeError> {
     bincode::serde::encode_to_vec(value, configuration())
 }
 
-/// Reason why bytes are no record.
+/// Reason that bytes are not a valid record.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum DecodeError {
-    /// Values that the record does not have, or a length beyond the bound.
+    /// Invalid values, or a length beyond the bound.
     #[error(transparent)]
     Content(#[from] bincode::error::DecodeError),
-    /// More bytes than the record has.
+    /// Bytes left over after the record.
     #[error("{0} bytes left over")]
     LeftOver(usize),
 }
 
-/// A record from exactly these bytes; left-over bytes are an error.
+/// Decodes a record from exactly these bytes; left-over bytes are an error.
 ///
-/// A length inside claims no more memory than a bound that grows with the bytes: the smallest power of 16
-/// that has room for every number that they can hold (a byte may stand for one of eight bytes).
+/// A length inside may claim no more memory than a bound that grows with the bytes: the smallest power of 16
+/// with room for every number that they can hold (a byte may stand for one of eight bytes).
 pub(crate) fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, DecodeError> {
     match 16 * bytes.len() {
         0..=0x1_0000 => decode_within::<T, 0x1_0000>(bytes),

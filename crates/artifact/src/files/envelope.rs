@@ -9,8 +9,8 @@
 //! ```
 //!
 //! Integers are little endian, checksums the first half of BLAKE3. A reader refuses a newer version naming
-//! both, a wrong checksum, a missing end (looked for before the first frame is handed out), and any length
-//! beyond the schema's limit or the file's size before it allocates.
+//! both, a wrong checksum, a missing end mark (checked before the first frame is returned), and, before it
+//! allocates, any length beyond the schema's limit or the file's size.
 
 mod writer;
 mod reader;
@@ -24,51 +24,51 @@ use serde::{Deserialize, Serialize, de::DeserializeOwned};
 pub(crate) const MAGIC: &[u8; 8] = b"WAYSIDE\n";
 pub(crate) const CHECKSUM_BYTES: usize = 16;
 pub(crate) const END_BYTES: u64 = 1 + 8 + CHECKSUM_BYTES as u64;
-/// Provenance is a handful of hashes; more is damage.
+/// Maximum length of a preamble: provenance is a handful of hashes, more is damage.
 pub(crate) const PREAMBLE_LIMIT: u64 = 1 << 20;
 
 /// A kind of artifact: the names and types that its envelope holds.
 pub trait Schema {
     /// Name in the envelope, and the file extension.
     const NAME: &'static str;
-    /// Version of the schema, raised when `Header` or `Frame` change shape.
+    /// Version of the schema, incremented when `Header` or `Frame` change shape.
     const VERSION: u32;
-    /// Longest record that a reader allocates for, bytes.
+    /// Maximum record length that a reader allocates, bytes.
     const RECORD_LIMIT: u64 = 4 << 30;
     /// Header, common to all frames.
     type Header: Serialize + DeserializeOwned;
     /// One radar frame.
     type Frame: Serialize + DeserializeOwned;
 
-    /// Contradiction between a frame and its header or its own rules, in words that follow "frame 1 is not of
-    /// the schema's shape: "; `None` of a sound one. A reader refuses such a frame.
+    /// Contradiction between a frame and its header or its own rules, worded to follow "frame 1 is not of the
+    /// schema's shape: "; `None` for a valid frame. A reader refuses a frame with a contradiction.
     fn contradiction(_header: &Self::Header, _frame: &Self::Frame) -> Option<String> {
         None
     }
 
-    /// Fewest bytes that a frame of this header takes. A file too short for the frames that it tells of is
-    /// refused when it is opened, before anything is planned by its header.
+    /// Minimum size in bytes of a frame with this header. A file too short for the number of frames that it
+    /// claims is refused when opened, before anything is planned from its header.
     fn least_frame_bytes(_header: &Self::Header) -> u64 {
         0
     }
 }
 
-/// Origin of an artifact: no clock, no host, so that equal work gives equal bytes.
+/// Origin of an artifact; without clock or host, so that equal work gives equal bytes.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Provenance {
-    /// Stage that wrote it.
+    /// Stage that wrote the artifact.
     pub stage: String,
     /// Version of the program.
     pub program_version: String,
-    /// Name and BLAKE3 of each input.
+    /// Name and BLAKE3 hash of each input.
     pub inputs: Vec<(String, String)>,
     /// The settings as used, as text.
     pub settings: String,
-    /// Seed of everything random.
+    /// Seed of all randomness.
     pub seed: u64,
 }
 
-/// Description of an artifact that stands before its content.
+/// Description of an artifact that precedes its content.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Preamble {
     /// Name of the schema, [`Schema::NAME`].
@@ -79,8 +79,7 @@ pub struct Preamble {
     pub provenance: Provenance,
 }
 
-/// BLAKE3 of a value as it would be written: equal values, equal fingerprints, on every machine. For cache
-/// keys.
+/// BLAKE3 hash of a value's encoding, for cache keys: equal values have equal fingerprints on every machine.
 pub fn fingerprint<T: Serialize>(value: &T) -> String {
     match crate::files::codec::encode(value) {
         Ok(bytes) => blake3::hash(&bytes).to_hex().to_string(),

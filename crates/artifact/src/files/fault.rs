@@ -1,39 +1,39 @@
-//! A file and what is wrong with it.
+//! A file and its fault.
 
 use crate::files::place_rule::PlaceRule;
 use std::path::{Path, PathBuf};
 
-/// A file and what is wrong with it.
+/// A file and its fault.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {fault}", file.display())]
 pub struct ArtifactError {
     /// The artifact.
     pub file: PathBuf,
-    /// The rule it broke, or what the system answered.
+    /// The rule that it breaks, or the system's error.
     pub fault: Fault,
 }
 
 /// Fault of an artifact.
 #[derive(Debug, thiserror::Error)]
 pub enum Fault {
-    /// The system refused: missing, unreadable, unwritable, disk full.
+    /// System error: missing, unreadable, unwritable, disk full.
     #[error("cannot {doing}: {cause}")]
     System {
-        /// Action that was tried.
+        /// Attempted action.
         doing: &'static str,
         /// The system's answer.
         cause: std::io::Error,
     },
-    /// An output that may not be put where it was asked for.
+    /// An output that may not be placed at the requested path.
     #[error("cannot be written: {0}")]
     Place(PlaceRule),
-    /// The first bytes are not the envelope's.
+    /// The first bytes are not those of the envelope.
     #[error("not a Wayside artifact (the first 8 bytes are not its magic)")]
     Magic,
-    /// The file holds another kind of artifact than asked for.
+    /// The file holds another kind of artifact than requested.
     #[error("is a `{found}` artifact where a `{expected}` artifact is needed")]
     Schema {
-        /// Kind that was asked for.
+        /// Requested kind.
         expected: &'static str,
         /// Kind in the file.
         found: String,
@@ -45,7 +45,7 @@ pub enum Fault {
         schema: String,
         /// Version in the file.
         found: u32,
-        /// Version known here.
+        /// Version supported here.
         known: u32,
     },
     /// Bytes changed since they were written.
@@ -59,12 +59,12 @@ pub enum Fault {
     /// The file is cut off, or still being written by a program that died.
     #[error("has no end mark: the file is cut off")]
     MissingEnd,
-    /// The end mark tells of another number of frames.
+    /// The end mark states another number of frames.
     #[error("holds {found} frames where its end mark tells of {told}")]
     Count {
-        /// Frames read.
+        /// Number of frames read.
         found: u64,
-        /// Frames told.
+        /// Number of frames stated.
         told: u64,
     },
     /// A length that the file or the schema cannot hold.
@@ -76,25 +76,25 @@ pub enum Fault {
         offset: u64,
         /// Length that the record claims.
         length: u64,
-        /// Length that is allowed.
+        /// Maximum length allowed.
         limit: u64,
     },
-    /// A record of the right checksum that is not of the schema's shape.
+    /// A record with a correct checksum that does not fit the schema.
     #[error("byte {offset}: {record} is not of the schema's shape: {why}")]
     Shape {
         /// Name of the record.
         record: String,
         /// Byte of the file at which the record starts.
         offset: u64,
-        /// The decoder's words.
+        /// Message of the decoder.
         why: String,
     },
-    /// Bytes where a record should begin that begin none.
+    /// A byte that starts no record, where a record should start.
     #[error("byte {offset}: no record begins with {found:#04x}")]
     Marker {
-        /// Byte of the file at which they stand.
+        /// Offset of the byte in the file.
         offset: u64,
-        /// The byte.
+        /// The byte found.
         found: u8,
     },
 }
@@ -110,8 +110,8 @@ impl Fault {
 }
 
 impl ArtifactError {
-    /// Whether the system refused (missing, unreadable, disk full) or the place of an output, not the
-    /// content.
+    /// Whether the system (missing, unreadable, disk full) or the place of an output is at fault, rather than
+    /// the content.
     pub fn is_system(&self) -> bool {
         matches!(self.fault, Fault::System { .. } | Fault::Place(_))
     }

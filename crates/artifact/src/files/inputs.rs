@@ -1,9 +1,9 @@
-//! Files that are inputs of this program: no output may take the place of one of them.
+//! Registry of the files that this program reads as inputs: no output may replace one of them.
 //!
-//! Whatever opens a user's file for reading does it here, so that [`whole_file`](crate::files::whole_file)
-//! knows it whatever name it is asked for by: a hard link, a symbolic link or another way to the same folder.
-//! What is no plain file (a FIFO, a device, a socket, a folder) is refused before it is opened, since opening
-//! a FIFO waits for its writer and reading a device may never end.
+//! Every user file is opened for reading here, so that [`whole_file`](crate::files::whole_file) recognises it
+//! by any name: a hard link, a symbolic link or another path to the same folder. Anything but a plain file (a
+//! FIFO, a device, a socket, a folder) is refused before it is opened, since opening a FIFO waits for its
+//! writer and reading a device may never end.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{File, FileType, Metadata};
@@ -11,11 +11,11 @@ use std::io::{self, Read, Result};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Opens a plain file for reading and remembers it as an input, which no output may replace; its reader sees
-/// to a bound.
+/// Opens a plain file for reading and registers it as an input, which no output may replace; the caller
+/// bounds the length read.
 ///
 /// # Errors
-/// The system's, and [`io::ErrorKind::InvalidInput`] where it is no plain file.
+/// The system's, and [`io::ErrorKind::InvalidInput`] if it is no plain file.
 pub fn open(file: &Path) -> Result<File> {
     plain(std::fs::metadata(file)?.file_type())?;
     let handle = File::open(file)?;
@@ -24,26 +24,26 @@ pub fn open(file: &Path) -> Result<File> {
     Ok(handle)
 }
 
-/// Remembers a file that is open for reading.
+/// Registers a file that is open for reading.
 pub fn remember(file: &Path, handle: &File) -> Result<()> {
     keep(file, &handle.metadata()?);
     Ok(())
 }
 
-/// Remembers a file that will be read later; one that is missing is left to its reader.
+/// Registers a file that will be read later; a missing one is left to its reader to report.
 pub fn note(file: &Path) {
     if let Ok(about) = std::fs::metadata(file) {
         keep(file, &about);
     }
 }
 
-/// The name of a plain file and the BLAKE3 hash of its content, as
-/// [`Provenance::inputs`](crate::Provenance::inputs) holds them.
+/// Name of a plain file and BLAKE3 hash of its content, as stored in
+/// [`Provenance::inputs`](crate::Provenance::inputs).
 ///
-/// The file is read by pieces: a recording may be larger than memory.
+/// The file is read in pieces, since a recording may be larger than memory.
 ///
 /// # Errors
-/// It is unreadable, no plain file, or has no end: files of `/proc` are plain, and some of them go on.
+/// The file is unreadable, not plain, or endless: files of `/proc` are plain, and some never end.
 pub fn named_hash(file: &Path) -> Result<(String, String)> {
     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let mut hasher = blake3::Hasher::new();
@@ -57,27 +57,27 @@ pub fn named_hash(file: &Path) -> Result<(String, String)> {
     Ok((name, hasher.finalize().to_hex().to_string()))
 }
 
-/// Bytes that a file may have beyond those that the system tells of it: more may be appended meanwhile.
+/// Bytes that a file may have beyond its reported length, since more may be appended meanwhile.
 const GROWTH_LIMIT_BYTES: u64 = 256 << 20;
 
-/// The name by which a file was read that `about` tells of, if it is an input.
+/// Name by which the file with the metadata `about` was read, if it is an input.
 pub(crate) fn known(file: &Path, about: &Metadata) -> Option<PathBuf> {
     let asked = identity(file, about)?;
     let inputs = remembered().get(&asked)?.clone();
-    // An input that is gone has left its number to other files.
+    // The number of a deleted input may have been reused for another file.
     let is_still_there = |input: &PathBuf| {
         std::fs::metadata(input).is_ok_and(|now| identity(input, &now).as_ref() == Some(&asked))
     };
     inputs.into_iter().find(is_still_there)
 }
 
-/// Identity of a file, one and the same however it is named.
+/// Identity of a file, independent of its name.
 #[cfg(unix)]
 type Identity = (u64, u64);
 #[cfg(not(unix))]
 type Identity = PathBuf;
 
-/// Files with the names they were read by.
+/// Files with the names by which they were read.
 type Remembered = BTreeMap<Identity, BTreeSet<PathBuf>>;
 
 static REMEMBERED: Mutex<Remembered> = Mutex::new(BTreeMap::new());

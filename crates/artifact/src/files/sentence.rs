@@ -1,19 +1,18 @@
-//! Sentences about files, short enough for a reader whatever a file says: the word of megabytes of a damaged
-//! one is repeated neither in one line nor in many.
+//! Messages about files, kept short whatever a file contains: a damaged file's value of megabytes is not
+//! repeated, neither in one line nor in many.
 
 use std::borrow::Cow;
 
-/// Longest line of a sentence, in bytes: a list of all vehicles fits, a damaged file's word of megabytes not.
+/// Maximum line length of a message, bytes: room for a list of all vehicles, but not for megabytes of damage.
 const LINE_BYTES: usize = 4096;
-/// Bytes of a longer line that stay of its beginning and of its end, where file and rule stand.
+/// Bytes kept of the start and end of a longer line, where file and rule are named.
 const KEPT_BYTES: [usize; 2] = [3072, 512];
-/// Most lines of a sentence: a hundred broken rules of a scene, and what is said around them.
+/// Maximum number of lines of a message: a hundred broken rules of a scene and their context.
 const LINES: usize = 128;
-/// Lines of a longer sentence that stay of its beginning and of its end.
+/// Lines kept of the start and end of a longer message.
 const KEPT_LINES: [usize; 2] = [112, 8];
 
-/// The sentence, with what is too long for a reader left out of the middle of its lines, and lines that are
-/// too many out of the middle of these.
+/// Shortens a message: cuts out the middle of overlong lines, and the middle of an overlong list of lines.
 pub fn readable(text: &str) -> Cow<'_, str> {
     let lines: Vec<&str> = text.lines().collect();
     if lines.len() <= LINES && lines.iter().all(|line| line.len() <= LINE_BYTES) {

@@ -1,6 +1,6 @@
-//! Files that work began with: the hash that names each in provenance and keys, and whether it still is the
-//! file that was hashed. What is read of a file after its hash was taken may be of another one: an editor or
-//! an exporter has put it there meanwhile.
+//! Detection of changed input files: the hash that names each file in provenance and keys, and whether the
+//! file is still the one that was hashed. An editor or exporter may replace a file after it was hashed, so
+//! later reads may see other content.
 
 use crate::files::inputs::named_hash;
 use std::fs::Metadata;
@@ -8,7 +8,7 @@ use std::io::Result;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// A file as it was when it was hashed.
+/// A file at the time it was hashed.
 #[derive(Debug, Clone)]
 pub struct SeenFile {
     file: PathBuf,
@@ -20,27 +20,27 @@ impl SeenFile {
     /// Hashes a file.
     ///
     /// # Errors
-    /// It is unreadable or no plain file.
+    /// The file is unreadable or not plain.
     pub fn of(file: &Path) -> Result<Self> {
         let stamp = Stamp::of(file)?; // before the hash: what changes while it is taken is seen later
         Ok(Self { file: file.to_owned(), stamp, named: named_hash(file)? })
     }
 
-    /// Place of the file.
+    /// Path of the file.
     pub fn file(&self) -> &Path {
         &self.file
     }
 
-    /// Name and hash, as [`named_hash`] tells them.
+    /// Name and hash, as returned by [`named_hash`].
     pub fn named(&self) -> &(String, String) {
         &self.named
     }
 
-    /// Whether it has the same content still; it is read again where the system does not vouch for that, and
-    /// then known by the times that it has now.
+    /// Whether the content is unchanged; if the metadata cannot prove it, the file is hashed again and, if it
+    /// is the same, its current times are adopted.
     ///
     /// # Errors
-    /// As [`SeenFile::of`].
+    /// Those of [`SeenFile::of`].
     pub fn is_unchanged(&mut self) -> Result<bool> {
         let now = Stamp::of(&self.file)?;
         if self.stamp.is_settled && now.fingerprint == self.stamp.fingerprint {
@@ -54,15 +54,15 @@ impl SeenFile {
     }
 }
 
-/// Times are coarse on some file systems: what was written so shortly before may be written again at the same
-/// time.
+/// Age below which a file's times prove nothing: they are coarse on some file systems, so a second write may
+/// have the same time.
 const SETTLED: Duration = Duration::from_secs(3);
 
-/// Fingerprint of a file by what the system says of it, without its content.
+/// Fingerprint of a file from its metadata, without its content.
 #[derive(Debug, Clone)]
 struct Stamp {
     fingerprint: Fingerprint,
-    /// Whether it was last written so long ago that its times would tell another writing.
+    /// Whether the last write is old enough that another one would change the times.
     is_settled: bool,
 }
 
@@ -74,7 +74,7 @@ impl Stamp {
     }
 }
 
-/// Device and number, length, and when content and entry were last changed.
+/// Device, file number, length, and times of the last change of content and of metadata.
 #[cfg(unix)]
 type Fingerprint = [i128; 7];
 
@@ -93,7 +93,7 @@ fn fingerprint(about: &Metadata) -> Fingerprint {
     ]
 }
 
-/// Length, and when it was last written.
+/// Length and time of the last write.
 #[cfg(not(unix))]
 type Fingerprint = (u64, Option<SystemTime>);
 
@@ -106,7 +106,7 @@ fn fingerprint(about: &Metadata) -> Fingerprint {
 mod tests {
     use super::*;
 
-    /// Writes a file that was last written an hour ago, as far as its times tell.
+    /// Writes a file with its times set back by an hour.
     fn write(file: &Path, text: &str) {
         std::fs::write(file, text).unwrap();
         let hour_ago = SystemTime::now() - Duration::from_secs(3600);

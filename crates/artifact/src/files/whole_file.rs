@@ -1,9 +1,9 @@
-//! A file that is written whole or not at all: a temporary one beside its place, renamed when it is done.
+//! A file that is written whole or not at all: first a temporary file beside it, renamed when complete.
 //!
-//! Whatever this program writes goes through here, so that one rule holds for all of it: what is no plain
-//! file is never replaced, nor is an input ([`inputs`](crate::files::inputs)), nor a file that is
-//! write-protected (the `destination`); and what a killed program left behind is removed by the next one that
-//! writes into the same folder (the `temporary`).
+//! All output of this program is written here, so that the same rules hold everywhere: only plain files are
+//! replaced, and neither an input ([`inputs`](crate::files::inputs)) nor a write-protected file (the
+//! `destination`); leftovers of a killed program are removed by the next one that writes into the same folder
+//! (the `temporary`).
 
 mod destination;
 mod temporary;
@@ -20,9 +20,9 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use temporary::Temporary;
 
-/// A stream to a temporary file; [`WholeFile::finish`] puts it in its place.
+/// A stream to a temporary file; [`WholeFile::finish`] renames it to its destination.
 ///
-/// Dropped before `finish`, it leaves nothing behind and an older file of the name untouched.
+/// If dropped before `finish`, it leaves nothing behind and an older file of that name untouched.
 pub struct WholeFile {
     place: PathBuf,
     target: PathBuf,
@@ -30,18 +30,18 @@ pub struct WholeFile {
     temporary: Temporary,
 }
 
-/// Whether a finished file outlives a loss of power.
+/// Whether a finished file survives a loss of power.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Durability {
     /// Finishing waits for the disk.
     OnDisk,
-    /// The file is as durable as the system's own time table makes it: enough for what can be made again.
+    /// Durability as provided by the system's write-back: sufficient for files that can be made again.
     InCache,
 }
 
 impl WholeFile {
-    /// Opens the stream; folders that are missing are made. A symbolic link to a plain file stays, the file
-    /// is replaced.
+    /// Opens the stream; missing folders are created. A symbolic link to a plain file stays, its target is
+    /// replaced.
     pub fn create(place: &Path) -> Result<Self, ArtifactError> {
         Self::open(place).map_err(|fault| fault.of(place))
     }
@@ -55,20 +55,20 @@ impl WholeFile {
         Ok(Self { place: place.to_owned(), target, stream: BufWriter::new(handle), temporary })
     }
 
-    /// Puts the file in its place.
+    /// Renames the file to its destination.
     pub fn finish(self, durability: Durability) -> Result<(), ArtifactError> {
         let place = self.place.clone();
         self.put(durability).map_err(|fault| fault.of(&place))
     }
 
-    /// The handle, and with it the lock, is held until the file has its name.
+    /// Renames the file; the handle, and with it the lock, is held until then.
     fn put(self, durability: Durability) -> Result<(), Fault> {
         let handle = self.stream.into_inner().map_err(|e| Fault::system("write")(e.into_error()))?;
         match durability {
             Durability::OnDisk => handle.sync_all().map_err(Fault::system("write"))?,
             Durability::InCache => {}
         }
-        // Inputs may have been opened since, and the place may have changed.
+        // Inputs may have been opened meanwhile, and the destination may have changed.
         Destination::of(&self.target)?;
         self.temporary.persist(&self.target).map_err(Fault::system("rename into place"))
     }
@@ -91,8 +91,8 @@ pub fn write(place: &Path, bytes: &[u8], durability: Durability) -> Result<(), A
     file.finish(durability)
 }
 
-/// Whether a file could be written there: all that [`WholeFile::create`] refuses is told before the work that
-/// it is the result of. Folders that are missing are made.
+/// Checks before the work is done that its result can be written: returns all that [`WholeFile::create`]
+/// would refuse. Missing folders are created.
 pub fn check(place: &Path) -> Result<(), ArtifactError> {
     WholeFile::create(place).map(drop)
 }

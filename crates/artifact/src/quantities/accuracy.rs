@@ -1,54 +1,53 @@
-//! The accuracy that is asked for and the error that is returned.
+//! Requested accuracy and estimated error.
 //!
-//! Error of an amplitude over a set of values (frequencies, aspects, cells): e = ‖S − S_ref‖₂ / ‖S_ref‖₂,
-//! complex, nothing aligned or scaled first; 20·log₁₀ e in dB (`docs/conventions.md`).
+//! The error of an amplitude over a set of values (frequencies, aspects, cells) is e = ‖S − S_ref‖₂ /
+//! ‖S_ref‖₂, complex, without prior alignment or scaling; 20·log₁₀ e in dB (`docs/conventions.md`).
 
 use crate::quantities::units::{amplitude_from_db, db_from_amplitude};
 use serde::{Deserialize, Serialize};
 
-/// The relative amplitude error that a stage may make against the same physics carried to convergence.
+/// Relative amplitude error that a stage may make against the same physics at convergence.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize, Deserialize)]
 pub struct Accuracy {
     amplitude: f64,
 }
 
 impl Accuracy {
-    /// Accuracy of a level in dB: −20 dB allows an error of 10 % of the amplitude.
+    /// Accuracy from a level in dB: −20 dB allows an error of 10 % of the amplitude.
     pub fn from_db(db: f64) -> Self {
         Self { amplitude: amplitude_from_db(db) }
     }
 
-    /// The error allowed, as a fraction of the amplitude.
+    /// Allowed error as a fraction of the amplitude.
     pub fn amplitude(self) -> f64 {
         self.amplitude
     }
 
-    /// The error allowed, in dB.
+    /// Allowed error in dB.
     pub fn db(self) -> f64 {
         db_from_amplitude(self.amplitude)
     }
 
-    /// A named share of this error, for one source among several.
+    /// A fraction of this error, for one source among several.
     pub fn share(self, fraction: f64) -> Self {
         Self { amplitude: self.amplitude * fraction }
     }
 }
 
-/// Numerical error of one run as it believes it: relative amplitude errors by source, `None` where not
-/// estimated.
+/// Estimated numerical error of one run: relative amplitude errors by source, `None` where not estimated.
 ///
-/// Every figure is computed from the run that prints it.
+/// Every figure is computed by the run that prints it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorBudget {
     /// Flat facets in place of the skin that the mesh's normals describe.
     pub tessellation: Option<f64>,
     /// Physical-optics integral over lit polygons in place of the exact one.
     pub integration: Option<f64>,
-    /// Beams and slivers given up.
+    /// Discarded beams and slivers.
     pub dropped: Option<f64>,
     /// Paths frozen for a frame while the bodies move.
     pub freezing: Option<f64>,
-    /// Fewer paths in place of all that were traced.
+    /// Fewer paths in place of all traced ones.
     pub detail: Option<f64>,
     /// Echo synthesis in place of the exact sum over paths.
     pub synthesis: Option<f64>,
@@ -67,14 +66,14 @@ impl ErrorBudget {
         ]
     }
 
-    /// Root of the sum of squares of the shares that were estimated (their phases are independent); `None` if
-    /// none was.
+    /// Root of the sum of squares of the estimated shares (their phases are independent); `None` if there are
+    /// none.
     pub fn total(&self) -> Option<f64> {
         let squares: Vec<f64> = self.shares().iter().filter_map(|(_, e)| e.map(|e| e * e)).collect();
         (!squares.is_empty()).then(|| squares.iter().sum::<f64>().sqrt())
     }
 
-    /// This budget with the shares that `later` has estimated put in their places.
+    /// This budget with the shares that `later` has estimated replaced.
     pub fn joined(self, later: Self) -> Self {
         Self {
             tessellation: later.tessellation.or(self.tessellation),
@@ -87,13 +86,13 @@ impl ErrorBudget {
     }
 }
 
-/// Error of the physical model by what it leaves out: relative amplitude errors by source, `None` where
-/// not estimated.
+/// Error of the physical model from what it omits: relative amplitude errors by source, `None` where not
+/// estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelError {
-    /// Higher bounces than were traced.
+    /// Bounce orders above those traced.
     pub bounces: Option<f64>,
-    /// Spread between the node rules of a multiple reflection; on average a lower bound of that model's
+    /// Spread between the node rules of a multiple reflection; on average a lower bound on that model's
     /// error.
     pub nodes: Option<f64>,
     /// Diffraction by edges.
@@ -102,9 +101,9 @@ pub struct ModelError {
     pub far_field: Option<f64>,
     /// Reflections by the road.
     pub road: Option<f64>,
-    /// Ways that meet several bodies.
+    /// Paths over several bodies.
     pub between_bodies: Option<f64>,
-    /// Echoes from behind sheets, where waves are not followed through them.
+    /// Echoes from behind sheets, where waves are not traced through them.
     pub transmission: Option<f64>,
 }
 

@@ -1,13 +1,13 @@
-//! Randomness is a function of (seed, stage, index): independent of threads, order and other stages.
+//! Randomness as a function of (seed, stage, index), independent of threads, order and other stages.
 
 use std::ops::RangeInclusive;
 
-/// Seeds that are taken, wherever one is asked for: the whole numbers of TOML.
+/// Valid seeds: the non-negative integers of TOML.
 pub const SEEDS: RangeInclusive<u64> = 0..=i64::MAX as u64;
 
-/// The 32-byte key of one random stream, for a generator that takes one (ChaCha).
+/// The 32-byte key of one random stream, for a generator such as ChaCha.
 ///
-/// `stage` names the use (`"fmcw-echo/noise"`), `index` says which stream of it (frame, channel, chirp …).
+/// `stage` names the use (`"fmcw-echo/noise"`), `index` selects one of its streams (frame, channel, chirp …).
 pub fn key(seed: u64, stage: &str, index: &[u64]) -> [u8; 32] {
     let mut hasher = blake3::Hasher::new();
     hasher.update(&seed.to_le_bytes());
@@ -19,14 +19,14 @@ pub fn key(seed: u64, stage: &str, index: &[u64]) -> [u8; 32] {
     *hasher.finalize().as_bytes()
 }
 
-/// A random number of 64 bits that is a function of the same three.
+/// A random 64-bit number as a function of the same three arguments.
 pub fn number(seed: u64, stage: &str, index: &[u64]) -> u64 {
     let key = key(seed, stage, index);
     u64::from_le_bytes(std::array::from_fn(|i| key[i]))
 }
 
-/// A seed that another one leads to. It has 53 bits: readers of JSON and tables that know but f64 keep them
-/// all.
+/// A seed derived from another one; it has 53 bits, so that readers of JSON and tables that only know f64
+/// preserve it.
 pub fn derived(seed: u64, stage: &str, index: &[u64]) -> u64 {
     number(seed, stage, index) >> 11
 }

@@ -1,23 +1,23 @@
-//! Constants and conversions at the rim: inside, everything is SI, radians and linear.
+//! Constants and conversions for inputs and outputs; internally all quantities are SI, radians and linear.
 
-/// Speed of light in vacuum (SI definition; air is 3e-4 slower and left out), m/s.
+/// Speed of light in vacuum (SI definition; in air it is 3e-4 lower, which is neglected), m/s.
 pub const SPEED_OF_LIGHT_MPS: f64 = 299_792_458.0;
 /// Boltzmann constant (SI definition), J/K.
 pub const BOLTZMANN_J_PER_K: f64 = 1.380_649e-23;
-/// The lowest decibel value that is printed: what a relative error of zero becomes in a table or in JSON.
+/// Lowest decibel value that is printed: a relative error of zero in a table or in JSON.
 pub const LOWEST_DB: f64 = -300.0;
 
-/// Decibels of a power ratio; never below [`LOWEST_DB`].
+/// Decibels of a power ratio, at least [`LOWEST_DB`].
 pub fn db_from_power(ratio: f64) -> f64 {
     (10.0 * ratio.log10()).max(LOWEST_DB)
 }
 
-/// Decibels of an amplitude ratio; never below [`LOWEST_DB`].
+/// Decibels of an amplitude ratio, at least [`LOWEST_DB`].
 pub fn db_from_amplitude(ratio: f64) -> f64 {
     (20.0 * ratio.log10()).max(LOWEST_DB)
 }
 
-/// Amplitude ratio of two powers; 0 of nothing.
+/// Amplitude ratio of two powers; 0 if the whole is 0.
 pub fn amplitude_ratio(part: f64, whole: f64) -> f64 {
     if whole > 0.0 { (part / whole).sqrt() } else { 0.0 }
 }

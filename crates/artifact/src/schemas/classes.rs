@@ -1,10 +1,10 @@
-//! Classes of a frame's objects, as the classifier tells them.
+//! Classes of a frame's objects from the classifier.
 
 use crate::descriptions::settings::Class;
 use crate::files::envelope::Schema;
 use serde::{Deserialize, Serialize};
 
-/// The `.classes` artifact: what a cache keeps of the classifier.
+/// The `.classes` artifact: the cached output of the classifier.
 pub struct Classes;
 
 impl Schema for Classes {

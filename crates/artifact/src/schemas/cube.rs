@@ -26,12 +26,12 @@ impl Schema for Cube {
     }
 }
 
-/// Bytes of as many values as a shape has, each of some bytes; at most the largest number.
+/// Minimum number of bytes of an array of this shape; saturates at the largest number.
 pub(crate) fn least_bytes(shape: [usize; 3], value_bytes: u64) -> u64 {
     shape.iter().fold(value_bytes, |product, n| product.saturating_mul(*n as u64))
 }
 
-/// Sentence about values that are not as many as a shape has.
+/// Message about a number of values that does not match a shape.
 pub(crate) fn wrong_count(what: &str, shape: [usize; 3], found: usize) -> Option<String> {
     let expected = shape.iter().try_fold(1_usize, |product, n| product.checked_mul(*n));
     let [channels, rows, columns] = shape;
@@ -39,16 +39,16 @@ pub(crate) fn wrong_count(what: &str, shape: [usize; 3], found: usize) -> Option
         .then(|| format!("{found} {what} where the header's radar has {channels} × {rows} × {columns}"))
 }
 
-/// Header with what a detector may know: the radar and its settings, no truth.
+/// Header with the information available to a detector: the radar and its settings, no truth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CubeHeader {
     /// The radar.
     pub radar: Radar,
-    /// Whether there is noise to estimate.
+    /// Receiver noise, to be estimated if there is any.
     pub noise: Noise,
-    /// Settings that the cube carries for its processing.
+    /// Settings for the processing of the cube.
     pub dsp: DspSettings,
-    /// Unit of the samples, and of what is made of them.
+    /// Unit of the samples and of quantities derived from them.
     pub unit: SampleUnit,
 }
 
@@ -58,15 +58,15 @@ pub enum SampleUnit {
     /// √W at the receiver.
     #[default]
     RootWatts,
-    /// Steps of a converter whose largest part of a sample has so many: levels are told against it.
+    /// Steps of a converter with this full-scale value; levels are relative to it.
     FullScale(f64),
-    /// Steps of a converter that nobody tells more of.
+    /// Steps of a converter of unknown full scale.
     Steps,
 }
 
 impl SampleUnit {
-    /// Level of a power in this unit squared, in [`Self::level_unit`]: 0 dBFS is a sample as long as the full
-    /// scale.
+    /// Level of a power in this unit squared, in [`Self::level_unit`]; 0 dBFS is a sample with the magnitude
+    /// of full scale.
     pub fn level_db(self, power: f64) -> f64 {
         match self {
             Self::RootWatts | Self::Steps => db_from_power(power),
@@ -92,7 +92,7 @@ impl SampleUnit {
         }
     }
 
-    /// Unit of samples as tables for other programs have it.
+    /// Unit of samples in tables for other programs.
     pub fn name(self) -> &'static str {
         match self {
             Self::RootWatts => "sqrt(W)",
@@ -100,7 +100,7 @@ impl SampleUnit {
         }
     }
 
-    /// Steps of the full scale, where they are told.
+    /// Full scale in steps, where known.
     pub fn full_scale(self) -> Option<f64> {
         match self {
             Self::FullScale(steps) => Some(steps),
@@ -109,7 +109,7 @@ impl SampleUnit {
     }
 }
 
-/// Values of a frame's cube: at 8 bytes each one GiB, of which the stages hold a few.
+/// Maximum number of values of a frame's cube: one GiB at 8 bytes each, of which the stages hold a few.
 pub const CUBE_LIMIT: u64 = 1 << 27;
 
 /// Samples of one frame.
@@ -119,21 +119,22 @@ pub struct CubeFrame {
     pub index: u32,
     /// Time of the frame's first sample.
     pub time_s: f64,
-    /// Samples in the header's unit, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (with ddm:
-    /// rx; with bpm: slot·N_rx + rx).
+    /// Samples in the header's unit, row-major `[channel, chirp, sample]`, channel = tx·N_rx + rx (rx with
+    /// ddm; slot·N_rx + rx with bpm).
     pub samples: Vec<Complex32>,
-    /// Numerical error of the stages up to here.
+    /// Numerical error accumulated over the stages so far.
     pub error: ErrorBudget,
 }
 
 impl CubeHeader {
-    /// The header of frame record `index` alone: its sub-frame's radar ([`Radar::in_frame`]).
+    /// Header of frame record `index`, with the radar of its sub-frame ([`Radar::in_frame`]).
     pub fn in_frame(&self, index: u32) -> Self {
         Self { radar: self.radar.in_frame(index), ..self.clone() }
     }
 
-    /// Level of a cell of a map whose power is added over so many channels, in the unit's own decibels. Maps
-    /// are not scaled; against a full scale their mean over channels is, so that a tone of it has 0 dBFS.
+    /// Level of a map cell whose power is summed over `channels`, in the unit's own decibels. Maps are not
+    /// scaled, but relative to a full scale their mean over channels is, so that a full-scale tone has 0
+    /// dBFS.
     pub fn map_level_db(&self, power: f64, channels: usize) -> f64 {
         let gain = f64::from(self.radar.waveform.chirps) * f64::from(self.radar.waveform.samples);
         match self.unit {

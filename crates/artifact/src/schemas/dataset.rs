@@ -5,7 +5,7 @@ use crate::files::envelope::Schema;
 use crate::schemas::signature::Signature;
 use serde::{Deserialize, Serialize};
 
-/// The `.dataset` artifact: one record a sample.
+/// The `.dataset` artifact: one record per sample.
 pub struct Dataset;
 
 impl Schema for Dataset {
@@ -16,18 +16,18 @@ impl Schema for Dataset {
     type Frame = Sample;
 }
 
-/// Scale of a crop: fixed metres, m/s and decibels, so that level and extent stay comparable.
+/// Scale of a crop: fixed metres, m/s and decibels, so that levels and extents stay comparable.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CropFormat {
-    /// Pixels on a side: the paper's 451.
+    /// Pixels per side: 451 in the paper.
     pub side: u32,
     /// Extent along range (columns), m.
     pub range_span_m: f64,
     /// Extent along velocity (rows), m/s.
     pub velocity_span_mps: f64,
-    /// Level of grey 0, dB over the map's noise.
+    /// Level of grey 0, dB above the map's noise.
     pub floor_db: f64,
-    /// Level of grey 255, dB over the map's noise.
+    /// Level of grey 255, dB above the map's noise.
     pub ceiling_db: f64,
 }
 
@@ -49,21 +49,21 @@ pub struct Sample {
     pub id: String,
     /// Signature of the object in its map.
     pub signature: Signature,
-    /// The image; `None` of a dataset without images.
+    /// The image; `None` in a dataset without images.
     pub crop: Option<Crop>,
-    /// Truth; `None` where unknown.
+    /// True class; `None` where unknown.
     pub class: Option<Class>,
     /// Vehicle model.
     pub model: String,
     /// Number of the variant of the model's dimensions.
     pub variant: u64,
-    /// Scene it was cut from: splits go by scene.
+    /// Scene that the sample was cut from; datasets are split by scene.
     pub scene: u64,
     /// Index of the vehicle among those of its scene.
     pub target: u32,
-    /// Frame of its scene: those of one target are a track.
+    /// Frame of the scene; the frames of one target form a track.
     pub frame: u32,
-    /// Part of a split that the sample belongs to.
+    /// Part of the split that the sample belongs to.
     pub split: Split,
     /// True range of the body's origin.
     pub range_m: f64,
@@ -71,7 +71,7 @@ pub struct Sample {
     pub radial_velocity_mps: f64,
     /// True lane.
     pub lane: Option<u8>,
-    /// Seed of its scene.
+    /// Seed of the scene.
     pub seed: u64,
 }
 
@@ -79,10 +79,10 @@ pub struct Sample {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Split {
-    /// Weights are fitted to it.
+    /// Part to which weights are fitted.
     Train,
-    /// Epochs are chosen by it.
+    /// Part by which epochs are selected.
     Validation,
-    /// The test is seen once, at the end.
+    /// Part that is evaluated once, at the end.
     Test,
 }

@@ -5,7 +5,7 @@ use crate::files::envelope::Schema;
 use crate::schemas::dataset::CropFormat;
 use serde::{Deserialize, Serialize};
 
-/// The `.model` artifact: one record.
+/// The `.model` artifact: a single record.
 pub struct Model;
 
 impl Schema for Model {
@@ -16,19 +16,19 @@ impl Schema for Model {
     type Frame = Weights;
 }
 
-/// Header of a model: what it looks at and what it answers.
+/// Header of a model: its inputs and outputs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ModelHeader {
-    /// Classes in the order of its outputs.
+    /// Classes in the order of the outputs.
     pub classes: Vec<Class>,
-    /// Kind of the model, what it looks at, and its shape.
+    /// Kind of the model, its inputs and its shape.
     pub learner: Learner,
-    /// Probability from which on the likeliest class is told; below it the answer is "unknown".
+    /// Minimum probability of the likeliest class; below it the answer is "unknown".
     pub least_probability: f32,
-    /// Share that the answers of a track's frames have in common: 0 is nothing, 1 all.
+    /// Correlation of the answers over a track's frames, from 0 (independent) to 1 (identical).
     pub frame_correlation: f32,
-    /// Sources of the vehicles that it learned from, a line each, as their licences ask; empty: the
-    /// project's own.
+    /// Sources of the vehicles in the training set, one line each, as their licences require; empty if only
+    /// the project's own were used.
     pub attributions: Vec<String>,
 }
 
@@ -37,15 +37,15 @@ pub struct ModelHeader {
 pub enum Learner {
     /// The paper's network on crops.
     CropNetwork(NetworkShape),
-    /// Boosted decision trees on features of signatures, by their names.
+    /// Boosted decision trees on named features of signatures.
     BoostedTrees {
-        /// Names of the features, in the order of the columns that trees ask for.
+        /// Names of the features, in the order of the trees' column numbers.
         features: Vec<String>,
     },
 }
 
 impl Learner {
-    /// Name as people write it.
+    /// Name in files and messages.
     pub fn name(&self) -> &'static str {
         match self {
             Self::CropNetwork(_) => "paper",
@@ -54,43 +54,43 @@ impl Learner {
     }
 }
 
-/// Shape of a network and of the crops that it expects.
+/// Shape of a network and of its input crops.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct NetworkShape {
-    /// Crops it was trained on.
+    /// Format of the crops in the training set.
     pub format: CropFormat,
-    /// Name of the network's layout.
+    /// Name of the network's architecture.
     pub architecture: String,
-    /// Channels of its convolutions.
+    /// Numbers of channels of the convolutions.
     pub channels: Vec<u32>,
-    /// Side that crops are pooled to before the first convolution.
+    /// Side length to which crops are pooled before the first convolution.
     pub input_side: u32,
 }
 
 /// Parameters of a model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Weights {
-    /// A network's: a safetensors file, its metadata cleared so that equal weights are equal bytes.
+    /// A network's weights: a safetensors file with cleared metadata, so that equal weights are equal bytes.
     Network {
-        /// The file.
+        /// Content of the file.
         safetensors: Vec<u8>,
     },
     /// Boosted trees.
     Trees(BoostedTrees),
 }
 
-/// Trees whose leaves are added up.
+/// Trees whose leaves are summed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BoostedTrees {
     /// Logits before the first tree.
     pub prior: [f32; 4],
-    /// Divisor of the sum of logits.
+    /// Divisor of the summed logits.
     pub temperature: f32,
-    /// Trees in the order in which they were grown.
+    /// Trees in training order.
     pub trees: Vec<Tree>,
 }
 
-/// A decision tree: the first node is its root, children stand behind their parents.
+/// A decision tree: the first node is the root, children follow their parents.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Tree {
     /// Nodes of all levels.
@@ -100,15 +100,15 @@ pub struct Tree {
 /// A node of a tree.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Node {
-    /// Goes on at `above` where the feature is greater than the threshold, else at `below`.
+    /// Continues at `above` where the feature exceeds the threshold, else at `below`.
     Split {
-        /// Number of the feature.
+        /// Index of the feature.
         feature: u32,
         /// Threshold between two values of the feature.
         threshold: f32,
-        /// Number of the node for values up to the threshold.
+        /// Index of the node for values up to the threshold.
         below: u32,
-        /// Number of the node for greater values.
+        /// Index of the node for greater values.
         above: u32,
     },
     /// Addends to the logits.

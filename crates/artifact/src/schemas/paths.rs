@@ -27,11 +27,11 @@ impl Schema for Paths {
 /// Header of the artifact, the same for all frames.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PathsHeader {
-    /// The radar the paths were traced for.
+    /// Radar for which the paths were traced.
     pub radar: Radar,
     /// Frequency f_c of the amplitudes and their slopes: the centre of the sampled sweep.
     pub centre_frequency_hz: f64,
-    /// Ids of the scene's targets; [`Path::target`] points here.
+    /// Ids of the scene's targets, indexed by [`Path::target`].
     pub targets: Vec<String>,
 }
 
@@ -42,11 +42,11 @@ pub struct PathsFrame {
     pub index: u32,
     /// Time of the frame's first sample.
     pub time_s: f64,
-    /// Paths in the tracer's order: body, facet sequence, cell, and behind them what was traced at several
-    /// nodes, one after the other; where detail was taken from them, target by target.
+    /// Paths in the tracer's order: body, facet sequence, cell, followed by those traced at several nodes,
+    /// node by node; after a reduction of detail, target by target.
     pub paths: Vec<Path>,
-    /// Nearest lit surface of each body from the radar's position at the frame's middle, m, in the order of
-    /// the scene frame's poses; `None` if all is hidden.
+    /// Range of each body's nearest lit surface from the radar's position at the frame's middle, m, in the
+    /// order of the scene frame's poses; `None` if the body is completely hidden.
     pub nearest_range_m: Vec<Option<f64>>,
     /// Numerical error of this frame's paths.
     pub error: ErrorBudget,
@@ -57,7 +57,7 @@ pub struct PathsFrame {
 }
 
 impl PathsFrame {
-    /// The frame with every body, target or reflector, numbered anew.
+    /// Frame with the index of every body, target or reflector, mapped by `number`.
     pub fn renumbered(mut self, number: impl Fn(u32) -> u32) -> Self {
         for path in &mut self.paths {
             path.target = number(path.target);
@@ -68,7 +68,7 @@ impl PathsFrame {
     }
 }
 
-/// The [`Path::target`] of the road's own backscatter.
+/// Value of [`Path::target`] for the road's own backscatter.
 pub const GROUND: u32 = u32::MAX;
 
 /// Highest bounce order that a path record holds.
@@ -86,16 +86,16 @@ pub struct Facet {
     pub triangle: u32,
 }
 
-/// One way from transmitter to receiver.
+/// One propagation path from transmitter to receiver.
 ///
 /// Its node appears from the transmitter at x_a and from the receiver at x_b, unfolded through the
 /// reflections; with L₁ = |x_a − p_t|, L₂ = |x_b − p_r| the scattering amplitude of interface.md is S = Σ
-/// a·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)}: `a` holds neither its own delay's phase nor 1/length.
+/// a·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)}: `a` contains neither the phase of its own delay nor 1/length.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Path {
     /// Index of the target (of the first facet).
     pub target: u32,
-    /// Bounces; 0 for a point target.
+    /// Number of bounces; 0 for a point target.
     pub order: u8,
     /// Apparent point x_a at the frame's first sample, world metres.
     pub apparent_tx_m: [f64; 3],
@@ -109,32 +109,32 @@ pub struct Path {
     pub amplitude_m: Amplitude,
     /// Slope a′ = da/df, m/Hz: a(f) = a + (f − f_c)·a′.
     pub slope_m_per_hz: Amplitude,
-    /// The facets in the order of travel; the first `order` are meant.
+    /// Facets in the order of travel; only the first `order` are valid.
     pub facets: [Facet; MAX_ORDER],
-    /// Changes of the path within the frame, beside a constant velocity.
+    /// Changes of the path within the frame beyond a constant velocity.
     pub curve: Curve,
 }
 
-/// Changes of a path within the frame, beside a constant velocity; none by default.
+/// Changes of a path within the frame beyond a constant velocity; none by default.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Curve {
     /// Acceleration of x_a, constant.
     pub apparent_tx_mps2: [f64; 3],
     /// Acceleration of x_b, constant.
     pub apparent_rx_mps2: [f64; 3],
-    /// The node goes round with a wheel; x_a and x_b are then where its hub appears.
+    /// Rotation of the node with a wheel; x_a and x_b are then the apparent positions of its hub.
     pub rim: Option<Rim>,
-    /// The part of the frame that the path stands for; `None` for all of it.
+    /// Part of the frame that the path represents; `None` for all of it.
     pub span: Option<Span>,
-    /// The part of the array that the path stands for; `None` for all of it.
+    /// Part of the array that the path represents; `None` for all of it.
     pub array_span: Option<ArraySpan>,
 }
 
-/// The part of a frame that a path stands for, where some ways were traced at several moments of it: at any
-/// time the paths of the nearest moments are blended, each with its [`Span::share`].
+/// The part of a frame that a path represents, where some propagation paths were traced at several moments:
+/// at any time the paths of the nearest moments are blended, each with its [`Span::share`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Span {
-    /// The first of the moments, from the frame's first sample.
+    /// First moment, from the frame's first sample.
     pub first_s: f64,
     /// Step from one moment to the next.
     pub step_s: f64,
@@ -144,14 +144,14 @@ pub struct Span {
     pub moment: u32,
 }
 
-/// The part of an array that a path stands for, where some ways were traced from several places along its
-/// row: for any pair of elements the paths of the nearest places are blended, each with its
+/// The part of an array that a path represents, where some propagation paths were traced from several places
+/// along its row: for any pair of elements the paths of the nearest places are blended, each with its
 /// [`ArraySpan::share`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ArraySpan {
-    /// Vector d_t: a pair of elements is at d_t·p_t + d_r·p_r along the row, world metres.
+    /// Vector d_t, world metres: a pair of elements lies at d_t·p_t + d_r·p_r along the row.
     pub transmit: [f64; 3],
-    /// Vector d_r.
+    /// Vector d_r, defined likewise.
     pub receive: [f64; 3],
     /// Coordinate of the first place.
     pub first_m: f64,
@@ -163,10 +163,10 @@ pub struct ArraySpan {
     pub place: u32,
 }
 
-/// Nodes that a blend is made of, where there are as many: a cubic.
+/// Number of blended nodes, where there are enough: a cubic.
 const BLENDED: u32 = 4;
 
-/// Lagrange's polynomial of a node through the four of `count` nodes at 0, 1, 2 … about `place`: 1 at its own
+/// Lagrange polynomial of a node through the four of `count` nodes at 0, 1, 2 … nearest to `place`: 1 at that
 /// node and 0 at the others.
 fn lagrange(node: u32, count: u32, place: f64) -> f64 {
     let blended = blended_at(count, place);
@@ -177,7 +177,7 @@ fn lagrange(node: u32, count: u32, place: f64) -> f64 {
     blended.filter(|n| *n != node).map(|n| (place - f64::from(n)) / (own - f64::from(n))).product()
 }
 
-/// The nodes that are blended at a place: two before and two behind it, but at the ends.
+/// Nodes that are blended at a place: two before and two behind it, except at the ends.
 fn blended_at(count: u32, place: f64) -> Range<u32> {
     let blended = BLENDED.min(count);
     let first = ((place.floor() - 1.0).max(0.0) as u32).min(count - blended);
@@ -185,16 +185,16 @@ fn blended_at(count: u32, place: f64) -> Range<u32> {
 }
 
 impl Span {
-    /// Factor of the path's amplitude: Lagrange's polynomial through the four moments about `seconds`, 1 at
-    /// its own moment and 0 at the others. The shares of all moments add up to 1.
+    /// Factor of the path's amplitude: Lagrange polynomial through the four moments around `seconds`, 1 at
+    /// the path's own moment and 0 at the others. The shares of all moments add up to 1.
     pub fn share(&self, seconds: f64) -> f64 {
         lagrange(self.moment, self.moments, (seconds - self.first_s) / self.step_s)
     }
 }
 
 impl ArraySpan {
-    /// Factor of the path's amplitude from a transmit element to a receive element: Lagrange's polynomial
-    /// through the four places about where the pair is. The shares of all places add up to 1.
+    /// Factor of the path's amplitude between a transmit and a receive element: Lagrange polynomial through
+    /// the four places around that of the pair. The shares of all places add up to 1.
     pub fn share(&self, [tx_m, rx_m]: [[f64; 3]; 2]) -> f64 {
         let along_m: f64 = (0..3).map(|i| self.transmit[i] * tx_m[i] + self.receive[i] * rx_m[i]).sum();
         lagrange(self.place, self.places, (along_m - self.first_m) / self.step_m)
@@ -202,8 +202,8 @@ impl ArraySpan {
 }
 
 impl Curve {
-    /// Factor of the path's amplitude some `seconds` after the frame's first sample, from a transmit element
-    /// to a receive element at these places: 1 where the path stands for all of the frame and the array.
+    /// Factor of the path's amplitude `seconds` after the frame's first sample, between a transmit and a
+    /// receive element at these positions: 1 if the path represents the whole frame and array.
     pub fn share(&self, seconds: f64, ends_m: [[f64; 3]; 2]) -> f64 {
         let over_time = self.span.map_or(1.0, |span| span.share(seconds));
         over_time * self.array_span.map_or(1.0, |span| span.share(ends_m))
@@ -211,7 +211,7 @@ impl Curve {
 }
 
 /// A point on the rim of a wheel that rolls upright without slipping: hub + r·(cos φ·forward + sin φ·up), φ =
-/// φ₀ − (way of the hub along forward)/r.
+/// φ₀ − (distance of the hub along forward)/r.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Rim {
     /// Radius r.
@@ -223,7 +223,7 @@ pub struct Rim {
 }
 
 impl Path {
-    /// Path of a point of target 0, the same at all frequencies.
+    /// Path of a point of target 0, with the same amplitude at all frequencies.
     pub fn of_point(position_m: [f64; 3], velocity_mps: [f64; 3], amplitude_m: Amplitude) -> Self {
         Self {
             apparent_tx_m: position_m,
@@ -235,12 +235,12 @@ impl Path {
         }
     }
 
-    /// The facets in the order of travel.
+    /// Facets in the order of travel.
     pub fn sequence(&self) -> &[Facet] {
         &self.facets[..self.facets_met()]
     }
 
-    /// Number of facets met; a damaged record may tell of more than it holds.
+    /// Number of facets met, limited to what the record holds, since a damaged one may claim more.
     fn facets_met(&self) -> usize {
         usize::from(self.order).min(MAX_ORDER)
     }
@@ -255,50 +255,50 @@ pub struct TraceStatistics {
     pub beams: Vec<u64>,
     /// Paths by bounce order, from order 1.
     pub paths: Vec<u64>,
-    /// Upper bound of the power of all beams given up over the power kept.
+    /// Upper bound on the power of all discarded beams relative to the power kept.
     pub dropped_power_ratio: f64,
-    /// Bytes that the tracer's own structures held at most, estimated.
+    /// Estimated peak memory of the tracer's own structures, bytes.
     pub bytes: u64,
-    /// Fineness to which bodies were cut and integrated; `None` where there was no body.
+    /// Fineness to which bodies were subdivided and integrated; `None` if there were no bodies.
     pub fineness: Option<Fineness>,
     /// Origin of `error` and `model_error`.
     pub origin: ErrorOrigin,
-    /// Reduction of each target's paths; empty where nothing was asked of them.
+    /// Reduction of each target's paths; empty if none was requested.
     pub detail: Vec<TargetDetail>,
 }
 
-/// Fineness that the accuracy asked for turned out to need.
+/// Fineness required by the requested accuracy.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Fineness {
-    /// Largest side of the parts of a facet that are one path.
+    /// Maximum side length of the part of a facet that forms one path.
     pub cell_m: f64,
     /// Fineness of the integrals on each body.
     pub integrals: Vec<IntegralFineness>,
-    /// Number of moments of the frame at which `ways` were traced; 1 where the frame's middle is enough.
+    /// Number of moments of the frame at which `ways` were traced; 1 where the frame's middle suffices.
     pub moments: u32,
-    /// Ways that were traced at all moments: ids of the bodies in the order of travel, ways back among
-    /// them.
+    /// Paths that were traced at all moments: ids of the bodies in the order of travel; the reverse paths are
+    /// included.
     pub ways: Vec<Vec<String>>,
-    /// Number of places of the array from which `ways_of_places` were traced; 1 where its middle is enough.
+    /// Number of places of the array from which `ways_of_places` were traced; 1 where its centre suffices.
     pub places: u32,
-    /// Ways that were traced from all places.
+    /// Paths that were traced from all places.
     pub ways_of_places: Vec<Vec<String>>,
 }
 
-/// Fineness of the integrals on one body, and the error of its echo.
+/// Fineness of the integrals on one body, and the resulting error of its echo.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct IntegralFineness {
-    /// The body's id: in another frame it may stand elsewhere among the targets.
+    /// The body's id, since its index among the targets may differ in another frame.
     pub body: String,
-    /// Accuracy of each integral, relative to the largest that it could be.
+    /// Accuracy of each integral, relative to its largest possible value.
     pub accuracy: f64,
-    /// Error of the body's echo, relative to it, in the frame that was measured; `None` of a point target
-    /// and of what has no echo.
+    /// Relative error of the body's echo, in the frame that was measured; `None` for a point target and for a
+    /// body without echo.
     pub echo_error: Option<f64>,
 }
 
 impl Fineness {
-    /// The same with the errors of the bodies' echoes, in their order.
+    /// Fineness with the errors of the bodies' echoes replaced, in order.
     pub fn with_errors(mut self, errors: Vec<Option<f64>>) -> Self {
         for (body, error) in self.integrals.iter_mut().zip(errors) {
             body.echo_error = error;
@@ -306,32 +306,32 @@ impl Fineness {
         self
     }
 
-    /// Error of the echo of the body with this id, relative to it; `None` where it was not measured.
+    /// Relative error of the echo of the body with this id; `None` if it was not measured.
     pub fn echo_error(&self, body: &str) -> Option<f64> {
         self.integrals.iter().find(|of| of.body == body)?.echo_error
     }
 }
 
-/// Whether a frame's errors were measured in it.
+/// Origin of a frame's errors.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ErrorOrigin {
-    /// The errors were measured in this frame.
+    /// Measured in this frame.
     #[default]
     Measured,
-    /// The errors are those of another frame, whose fineness this one has.
+    /// Taken over from another frame, together with its fineness.
     TakenOver,
 }
 
 /// A target's level of detail.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TargetDetail {
-    /// Level of detail, never `Auto`.
+    /// Level of detail; never `Auto`.
     pub level: Detail,
-    /// Paths that were traced.
+    /// Number of traced paths.
     pub traced: u64,
-    /// Paths of the frame.
+    /// Number of paths in the frame.
     pub kept: u64,
-    /// Error of the target's echo against that of all its paths, relative amplitude; `None` where these
+    /// Error of the target's echo relative to that of all its paths, as a relative amplitude; `None` if all
     /// were kept.
     pub error: Option<f64>,
 }

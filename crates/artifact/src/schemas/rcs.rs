@@ -19,9 +19,9 @@ impl Schema for Rcs {
 /// Header of the artifact, the same for all frames.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RcsHeader {
-    /// The radar the tables were made for; `None` for a table of a mesh alone.
+    /// Radar for which the tables were made; `None` for a table of a mesh alone.
     pub radar: Option<Radar>,
-    /// Ids of the scene's targets; [`RcsTable::target`] points here.
+    /// Ids of the scene's targets, indexed by [`RcsTable::target`].
     pub targets: Vec<String>,
 }
 
@@ -32,7 +32,7 @@ pub struct RcsFrame {
     pub index: u32,
     /// Time of the frame's first sample.
     pub time_s: f64,
-    /// One for each target in view.
+    /// Tables, one for each target in view.
     pub tables: Vec<RcsTable>,
     /// Numerical error of the tables.
     pub error: ErrorBudget,
@@ -40,18 +40,19 @@ pub struct RcsFrame {
     pub model_error: ModelError,
 }
 
-/// S in metres over frequency × elevation × azimuth, phase at the body's origin.
+/// Scattering amplitude S in metres over frequency × elevation × azimuth, phase referred to the body's
+/// origin.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RcsTable {
     /// Index of the target.
     pub target: u32,
     /// Axis 0.
     pub frequency_hz: Vec<f64>,
-    /// Axis 1: above the horizon, body axes.
+    /// Axis 1, above the horizon in body axes.
     pub elevation_rad: Vec<f64>,
-    /// Axis 2: from body x towards body y.
+    /// Axis 2, from body x towards body y.
     pub azimuth_rad: Vec<f64>,
-    /// Antenna to origin; infinite for the far field.
+    /// Distance from the antenna to the origin; infinite for the far field.
     pub range_m: f64,
     /// Polarization of `amplitude_m`.
     pub polarization: Polarization,

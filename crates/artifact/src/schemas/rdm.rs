@@ -1,4 +1,4 @@
-//! Range-Doppler maps of all channels, and what the detector made of them.
+//! Range-Doppler maps of all channels, and the detector's result on them.
 
 use crate::files::envelope::Schema;
 use crate::schemas::cube::{CubeHeader, least_bytes, wrong_count};
@@ -33,17 +33,17 @@ pub struct RdmFrame {
     pub index: u32,
     /// Time of the frame's first sample.
     pub time_s: f64,
-    /// Map values, row-major `[channel, doppler, range]`; zero velocity at N/2, the first of the range
-    /// cells where samples are real; channels are those of [`Radar::map_channels`](crate::Radar).
+    /// Map values, row-major `[channel, doppler, range]`; zero velocity at N/2, for real samples only the
+    /// first half of the range cells; channels are those of [`Radar::map_channels`](crate::Radar).
     pub values: Vec<Complex32>,
     /// State of each cell, row-major `[doppler, range]`: 0 untested, 1 tested, 2 above the detector's
     /// threshold.
     pub mask: Vec<u8>,
-    /// Cells above the threshold, before any grouping.
+    /// Number of cells above the threshold, before any grouping.
     pub detections: u64,
-    /// Cells tested.
+    /// Number of tested cells.
     pub cells: u64,
-    /// The floor that stood in for noise in a noise-free map, power; `None` where noise was estimated.
+    /// Power of the floor assumed in place of noise in a noise-free map; `None` where noise was estimated.
     pub assumed_floor: Option<f64>,
 }
 

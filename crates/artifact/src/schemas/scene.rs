@@ -1,4 +1,4 @@
-//! Scene snapshot: bodies, each with its own mesh, pose and velocity, and the radar that looks at them.
+//! Scene snapshot: bodies, each with its own mesh, pose and velocity, and the radar that observes them.
 
 use crate::descriptions::material::{Makeup, MaterialMap, Road};
 use crate::descriptions::radar::Radar;
@@ -22,13 +22,13 @@ impl Schema for Scene {
 /// Header of the artifact, the same for all frames.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneHeader {
-    /// Name as the scene file gives it.
+    /// Name in the scene file.
     pub name: String,
-    /// Seed of noise and of everything random.
+    /// Seed of noise and all other randomness.
     pub seed: u64,
-    /// Number of frame records: of radar frames, or of their sub-frames.
+    /// Number of frame records: radar frames, or their sub-frames.
     pub frames: u32,
-    /// Time from one radar frame's first sample to the next's.
+    /// Time from the first sample of one radar frame to that of the next.
     pub frame_interval_s: f64,
     /// The radar.
     pub radar: Radar,
@@ -36,39 +36,39 @@ pub struct SceneHeader {
     pub noise: Noise,
     /// Signal processing.
     pub dsp: DspSettings,
-    /// Accuracy and physics asked for.
+    /// Requested accuracy and physics.
     pub fidelity: Fidelity,
     /// The road's lanes.
     pub intersection: Intersection,
-    /// Materials that the meshes' names stand for; each mesh has its own share as [`Mesh::makeup`].
+    /// Materials for the meshes' material names; each mesh holds its own in [`Mesh::makeup`].
     pub materials: MaterialMap,
-    /// The road as a mirror; `None` leaves its reflections out.
+    /// The road as a mirror; `None` omits its reflections.
     pub road: Option<Road>,
-    /// Backscatter of the road itself; `None` leaves it out.
+    /// Backscatter of the road itself; `None` omits it.
     pub backscatter: Option<Backscatter>,
-    /// Meshes that targets share.
+    /// Meshes shared by targets.
     pub meshes: Meshes,
-    /// Targets that are there in every frame; they come first in [`SceneFrame::poses`].
+    /// Targets present in every frame; they come first in [`SceneFrame::poses`].
     pub targets: Vec<Target>,
-    /// Recorded traffic, if any; in [`SceneFrame::poses`] it follows the targets.
+    /// Recorded traffic, if any; it follows the targets in [`SceneFrame::poses`].
     pub traffic: Option<Traffic>,
 }
 
-/// Recorded traffic, as far as the radar has it in view.
+/// Recorded traffic, as far as it is in the radar's view.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Traffic {
-    /// Every vehicle that is in view in some frame, in the order of appearance.
+    /// Vehicles in view in some frame, in order of appearance.
     pub vehicles: Vec<Vehicle>,
-    /// Vehicles in view for each frame of the scene, in the order of the recording.
+    /// Vehicles in view in each frame of the scene, in the order of the recording.
     pub frames: Vec<Vec<Placed>>,
 }
 
 /// A vehicle of recorded traffic.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Vehicle {
-    /// The recording's, unique in the scene.
+    /// Id from the recording, unique in the scene.
     pub id: String,
-    /// Mesh or point that scatters.
+    /// Scattering mesh or point.
     pub kind: TargetKind,
 }
 
@@ -81,7 +81,7 @@ pub struct Placed {
     pub pose: Pose,
 }
 
-/// Meshes of a scene; copies of a header share them.
+/// Meshes of a scene, shared by copies of a header.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Meshes(Arc<Vec<Mesh>>);
 
@@ -118,19 +118,19 @@ impl<'d> Deserialize<'d> for Meshes {
 }
 
 impl SceneHeader {
-    /// First sample of frame record `index`, from that of the first.
+    /// Time of the first sample of frame record `index`, from that of record 0.
     pub fn frame_time_s(&self, index: u32) -> f64 {
         let cycle = index / self.radar.schedule.sub_frames();
         f64::from(cycle) * self.frame_interval_s + self.radar.sub_frame_start_s(index)
     }
 
-    /// The frame record whose measured error record `index` takes over; itself where its own is measured.
+    /// Frame record whose measured error record `index` takes over; `index` itself if its own is measured.
     pub fn measured_in(&self, index: u32) -> u32 {
         let sub_frames = self.radar.schedule.sub_frames();
         index - index / sub_frames % self.fidelity.measured_every.max(1) * sub_frames
     }
 
-    /// The scene of frame record `index` alone: its sub-frame's radar ([`Radar::in_frame`]).
+    /// Scene of frame record `index`, with the radar of its sub-frame ([`Radar::in_frame`]).
     pub fn in_frame(&self, index: u32) -> Cow<'_, Self> {
         if self.radar.schedule.sub_frames() == 1 {
             return Cow::Borrowed(self);
@@ -138,15 +138,15 @@ impl SceneHeader {
         Cow::Owned(Self { radar: self.radar.in_frame(index), ..self.clone() })
     }
 
-    /// Every body, in the order in which artifacts number bodies: targets, then the vehicles of traffic that
-    /// are in view in some frame.
+    /// All bodies in the order in which artifacts number them: targets, then the vehicles of traffic that are
+    /// in view in some frame.
     pub fn bodies(&self) -> impl Iterator<Item = (&String, &TargetKind)> {
         let vehicles = self.traffic.iter().flat_map(|traffic| &traffic.vehicles);
         let vehicles = vehicles.map(|vehicle| (&vehicle.id, &vehicle.kind));
         self.targets.iter().map(|target| (&target.id, &target.kind)).chain(vehicles)
     }
 
-    /// Pose in which each of the [`bodies`](Self::bodies) is first in view; `None` where no frame has it.
+    /// Pose in which each of the [`bodies`](Self::bodies) is first in view; `None` if it never is.
     pub fn first_poses(&self) -> Vec<Option<Pose>> {
         let mut poses: Vec<_> = self.targets.iter().map(|target| Some(target.start)).collect();
         let Some(traffic) = &self.traffic else { return poses };
@@ -159,56 +159,56 @@ impl SceneHeader {
         poses
     }
 
-    /// Mesh of a body; `None` of a point.
+    /// Mesh of a body; `None` for a point.
     pub fn mesh_of(&self, kind: &TargetKind) -> Option<&Mesh> {
         self.meshes.get(kind.mesh()? as usize)
     }
 }
 
-/// The crossing road of Table 1 (lanes are in [`DspSettings::road`]).
+/// The crossing road of Table 1; its lanes are in [`DspSettings::road`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Intersection {
-    /// Width of the crossing road along y; 0 where there is none.
+    /// Width of the crossing road along y; 0 if there is none.
     pub width_m: f64,
 }
 
-/// The road's own backscatter: the plane z = 0 with σ⁰ = γ·sin ψ, ψ the grazing angle, in vv and hh alike.
+/// The road's own backscatter: the plane z = 0 with σ⁰ = γ·sin ψ, ψ the grazing angle, for both vv and hh.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Backscatter {
-    /// Coefficient γ, of power.
+    /// Power coefficient γ.
     pub gamma: f64,
 }
 
-/// A target of the scene, or what stands about.
+/// A target of the scene, or a piece of clutter.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Target {
     /// Name of the target, unique in the scene.
     pub id: String,
-    /// Whether the radar is to find it.
+    /// Whether the radar is expected to find it.
     pub role: Role,
-    /// Mesh or point that scatters.
+    /// Scattering mesh or point.
     pub kind: TargetKind,
-    /// Pose at the first frame's first sample; acceleration and yaw rate stay as they are from then on.
+    /// Pose at the first frame's first sample; acceleration and yaw rate stay constant from then on.
     pub start: Pose,
 }
 
-/// Whether a body is what the radar is to find. For all that scatters it is the same.
+/// Role of a body in the evaluation; scattering does not depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Role {
-    /// A target proper: results are compared with it.
+    /// A true target, with which results are compared.
     Target,
-    /// A pole, a rail, a kerb: nothing is asked of it.
+    /// Clutter such as a pole, a rail or a kerb, which is not evaluated.
     Clutter,
 }
 
-/// Mesh or point that a target is.
+/// Geometry of a target: mesh or point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum TargetKind {
     /// A body with a mesh.
     Mesh {
-        /// Class told by the scene, truth for the classifier.
+        /// Class given by the scene, the truth for the classifier.
         class: Option<Class>,
-        /// Name of the own vehicle, or file name.
+        /// Name of the built-in vehicle, or file name.
         model: String,
         /// Index into [`SceneHeader::meshes`].
         mesh: u32,
@@ -217,14 +217,14 @@ pub enum TargetKind {
     Point {
         /// Cross section σ.
         rcs_m2: f64,
-        /// Wheel that the point goes round with, its pose then that of the hub; `None` for a point that does
-        /// not.
+        /// Wheel on which the point rotates, in which case its pose is that of the hub; `None` for a point
+        /// that does not rotate.
         wheel: Option<Wheel>,
     },
 }
 
 impl TargetKind {
-    /// Class that the scene tells; `None` of a point.
+    /// Class given by the scene; `None` for a point.
     pub fn class(&self) -> Option<Class> {
         match self {
             Self::Mesh { class, .. } => *class,
@@ -232,7 +232,7 @@ impl TargetKind {
         }
     }
 
-    /// Name of the model; `None` of a point.
+    /// Name of the model; `None` for a point.
     pub fn model(&self) -> Option<&String> {
         match self {
             Self::Mesh { model, .. } => Some(model),
@@ -240,7 +240,7 @@ impl TargetKind {
         }
     }
 
-    /// Index into [`SceneHeader::meshes`]; `None` of a point.
+    /// Index into [`SceneHeader::meshes`]; `None` for a point.
     pub fn mesh(&self) -> Option<u32> {
         match self {
             Self::Mesh { mesh, .. } => Some(*mesh),
@@ -249,7 +249,7 @@ impl TargetKind {
     }
 }
 
-/// A wheel that rolls along its yaw without slipping, and the place on its rim that scatters.
+/// A wheel that rolls along its yaw without slipping, and the scattering point on its rim.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Wheel {
     /// Radius of the rim.
@@ -269,31 +269,32 @@ pub struct SceneFrame {
     pub poses: Vec<Pose>,
 }
 
-/// Place of a body and its motion; `world = position + Rz(yaw)·body`.
+/// Position and motion of a body; `world = position + Rz(yaw)·body`.
 ///
-/// While it turns, its velocity and its acceleration turn with it: a body that drives a bend ahead.
+/// Velocity and acceleration turn with the body, as they do for a vehicle that drives forwards through a
+/// bend.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Body origin, world metres.
     pub position_m: [f64; 3],
-    /// Body x axis (forward) from world +x towards +y.
+    /// Angle of the body x axis (forward) from world +x towards +y.
     pub yaw_rad: f64,
     /// Rate of `yaw_rad`, constant.
     pub yaw_radps: f64,
     /// Velocity at the moment of the pose.
     pub velocity_mps: [f64; 3],
-    /// Acceleration at the moment of the pose, constant as the body sees it; without what turning adds.
+    /// Acceleration at the moment of the pose, constant in body axes; excludes the contribution of turning.
     pub acceleration_mps2: [f64; 3],
 }
 
 /// Triangles in body axes: x forward, y left, z up, origin at the centre of the bounding box on the ground.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mesh {
-    /// Own vehicle or file.
+    /// Name of the built-in vehicle or of the file.
     pub name: String,
-    /// Body metres.
+    /// Vertices in body axes, metres.
     pub vertices_m: Vec<[f64; 3]>,
-    /// Unit normals per vertex, as many as vertices, or empty where the file stores none.
+    /// Unit normals per vertex, as many as vertices; empty if the file stores none.
     pub normals: Vec<[f32; 3]>,
     /// Indices into `vertices_m`.
     pub triangles: Vec<[u32; 3]>,
@@ -301,16 +302,16 @@ pub struct Mesh {
     pub material_of_triangle: Vec<u16>,
     /// Names of materials; an empty name is a perfect conductor.
     pub materials: Vec<String>,
-    /// Materials that these names stand for.
+    /// Materials of these names.
     pub makeup: Makeup,
-    /// Road wheels that the model tells of by name; empty where it tells of none.
+    /// Road wheels that the model names; empty if there are none.
     pub wheels: Vec<RoadWheel>,
-    /// Findings of the reader of a mesh.
+    /// Findings of the mesh reader.
     pub statistics: MeshStatistics,
 }
 
 impl Mesh {
-    /// Least and greatest corner of the bounding box, body metres; zero for a mesh without vertices.
+    /// Minimum and maximum corner of the bounding box, body metres; zero for a mesh without vertices.
     pub fn bounds_m(&self) -> [[f64; 3]; 2] {
         [f64::min, f64::max].map(|pick: fn(f64, f64) -> f64| {
             [0, 1, 2].map(|axis| self.vertices_m.iter().map(|v| v[axis]).reduce(pick).unwrap_or(0.0))
@@ -333,22 +334,22 @@ impl Mesh {
 /// A road wheel of a mesh, its axle along the body's y axis.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct RoadWheel {
-    /// Place on the axle in the middle of the wheel, body metres.
+    /// Centre of the wheel on its axle, body metres.
     pub hub_m: [f64; 3],
     /// Rolling radius.
     pub radius_m: f64,
-    /// Its triangles, ascending, but for those of bodies of revolution about the axle: these look the same
-    /// however far they have turned.
+    /// Triangles of the wheel, ascending, without those of bodies of revolution about the axle, which look
+    /// the same at any rotation.
     pub triangles: Vec<u32>,
 }
 
-/// Findings of the reader of a mesh.
+/// Findings of the mesh reader.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct MeshStatistics {
     /// Triangles in the file.
     pub triangles_read: u64,
-    /// Triangles that were dropped for want of area.
+    /// Triangles dropped because they have no area.
     pub degenerate: u64,
-    /// Edges with one triangle only (by position).
+    /// Edges with a single triangle (by position).
     pub open_edges: u64,
 }

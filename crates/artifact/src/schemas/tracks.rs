@@ -1,4 +1,4 @@
-//! Vehicles followed over frames.
+//! Vehicles tracked over frames.
 
 use crate::files::envelope::Schema;
 use crate::schemas::cube::CubeHeader;
@@ -17,7 +17,7 @@ impl Schema for Tracks {
 /// Header of the artifact, the same for all frames.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct TracksHeader {
-    /// The radar and settings whose objects were followed; `None` for tracks from elsewhere.
+    /// The radar and settings whose objects were tracked; `None` for tracks from elsewhere.
     pub cube: Option<CubeHeader>,
 }
 
@@ -28,50 +28,51 @@ pub struct TracksFrame {
     pub index: u32,
     /// Time of the frame's first sample.
     pub time_s: f64,
-    /// Tracks that are alive, in the order of their birth.
+    /// Live tracks in order of creation.
     pub tracks: Vec<Track>,
 }
 
-/// A vehicle that is followed, at the frame's middle.
+/// A tracked vehicle at the frame's middle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Track {
-    /// Number of the track, counted from 0 over the scene; never given twice.
+    /// Number of the track, counted from 0 over the scene; never reused.
     pub id: u32,
-    /// Stage of the track's life.
+    /// State in the track's life cycle.
     pub state: TrackState,
-    /// Frames since its birth, this one included.
+    /// Frames since its creation, this one included.
     pub age_frames: u32,
-    /// Frames in a row without an object of its own; 0 where it has one.
+    /// Consecutive frames without an object of its own; 0 where it has one.
     pub missed_frames: u32,
-    /// Mean place of what reflects: x, y in world metres.
+    /// Mean position of the reflecting parts: x, y in world metres.
     pub position_m: [f64; 2],
-    /// World m/s.
+    /// Velocity in world axes.
     pub velocity_mps: [f64; 2],
-    /// Covariance of (x, y, v_x, v_y), row by row.
+    /// Covariance of (x, y, v_x, v_y), row-major.
     pub covariance: [[f64; 4]; 4],
-    /// Whether one multiple of the velocity span is left; else `velocity_mps` is the likeliest.
+    /// Whether a single multiple of the velocity span remains possible; otherwise `velocity_mps` is the
+    /// likeliest.
     pub velocity_resolved: bool,
-    /// Lane that holds the box's middle.
+    /// Lane that contains the footprint's centre.
     pub lane: Option<u8>,
-    /// Rectangle on the road where the body stands.
+    /// Rectangle on the road occupied by the body.
     pub footprint: Footprint,
-    /// Indices of the frame's objects that are its own.
+    /// Indices of the frame's objects associated with the track.
     pub objects: Vec<u32>,
 }
 
-/// Stages of a track's life.
+/// States of a track.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TrackState {
-    /// The track has too few frames to be believed.
+    /// Too few frames to confirm the track.
     Tentative,
-    /// Believed, and seen in this frame.
+    /// Confirmed, and seen in this frame.
     Confirmed,
-    /// Believed, predicted where nothing was seen.
+    /// Confirmed, predicted without an object in this frame.
     Coasting,
 }
 
 impl TrackState {
-    /// Name as people write it.
+    /// Name in files and messages.
     pub fn name(self) -> &'static str {
         match self {
             Self::Tentative => "tentative",
@@ -81,15 +82,15 @@ impl TrackState {
     }
 }
 
-/// A rectangle on the road, its length along the heading.
+/// A rectangle on the road, with its length along the heading.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Footprint {
-    /// Place of the middle, world metres.
+    /// Centre, world metres.
     pub centre_m: [f64; 2],
-    /// Extent along the heading: as far as it was seen, and no shorter than a car of 4 m.
+    /// Extent along the heading: as observed, but at least that of a car of 4 m.
     pub length_m: f64,
-    /// Extent across the heading; assumed, for no beam here is as narrow as a vehicle.
+    /// Extent across the heading; assumed, since no beam here is as narrow as a vehicle.
     pub width_m: f64,
-    /// Heading from world +x towards +y, as a body's yaw.
+    /// Heading from world +x towards +y, like a body's yaw.
     pub heading_rad: f64,
 }

@@ -1,7 +1,7 @@
-//! Beam trees: the facets that an antenna lights, and those that these light as mirrors.
+//! Beam trees: the facets lit by an antenna, and those lit by them as mirrors.
 //!
-//! A beam is a convex lit polygon on a facet, seen straight from the antenna's image behind the facets before
-//! it. Frequency and polarization enter later, in the integration.
+//! A beam is a convex lit polygon on a facet, seen along straight lines from the antenna's image behind the
+//! preceding facets. Frequency and polarization enter later, in the integration.
 
 use crate::beams::body_ways::BodyWays;
 use crate::beams::brute_force::EveryFacet;
@@ -25,16 +25,17 @@ use std::sync::{Mutex, PoisonError};
 /// Settings of a beam tree.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TraceSettings {
-    /// Highest number of facets in a beam's sequence: 1 is what the antenna lights directly.
+    /// Maximum number of facets in a beam's sequence; 1 is what the antenna lights directly.
     pub max_order: u8,
     /// Sides of a facet that scatter.
     pub sides: Sides,
-    /// Beams of less area across the wave (area·cosθ) are dropped, and counted in [`Audit`]; m².
+    /// Area across the wave (area·cosθ) below which beams are dropped, and counted in [`Audit`]; m².
     ///
     /// A beam scatters at most |S| = √(4π)/λ · area·cosθ · R²/(L₁L₂), so a bound on S over the expected
     /// number of dropped beams gives this bound. Physics §2 has λ²/100 · accuracy.
     pub least_area_m2: f64,
-    /// Beams of less area across the wave are kept but not reflected further; m², at least `least_area_m2`.
+    /// Area across the wave below which beams are kept but not reflected further; m², at least
+    /// `least_area_m2`.
     pub least_mirror_area_m2: f64,
 }
 
@@ -43,95 +44,95 @@ pub struct TraceSettings {
 pub struct Beam {
     /// Index of the beam that was reflected into this one; `None` at order 1.
     pub parent: Option<u32>,
-    /// Facets in the sequence, this one included.
+    /// Number of facets in the sequence, this one included.
     pub order: u8,
     /// Index into [`World::facets`].
     pub facet: u32,
     /// Unit normal of the facet on the lit side.
     pub lit_normal: DVec3,
-    /// The antenna mirrored in the facets before this one: it lights `facet` straight.
+    /// Image of the antenna in the preceding facets, from which straight lines lead to `facet`.
     pub image: Antenna,
-    /// Area of the polygon across the wave, area·cosθ at its middle, m².
+    /// Area of the polygon across the wave, area·cosθ at its centre, m².
     pub across_m2: f64,
     /// Solid angle from the image, sr, or area across the direction, m².
     pub section: f64,
-    /// Sheets that the wave has passed since the mirror before, in its order: indices into [`World::facets`].
+    /// Sheets passed by the wave since the preceding mirror, in its order: indices into [`World::facets`].
     pub sheets: Vec<u32>,
-    /// Corners in the tree's vertices.
+    /// Range of the corners in the tree's vertices.
     pub(crate) polygon: Range<u32>,
 }
 
-/// Every beam of one antenna.
+/// All beams of one antenna.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BeamTree {
-    /// Antenna that the tree was traced from.
+    /// Antenna from which the tree was traced.
     pub antenna: Antenna,
-    /// Parents before children; by order, parent, facet and piece.
+    /// Beams, parents before children; sorted by order, parent, facet and piece.
     pub beams: Vec<Beam>,
     /// Corners of all polygons, world metres.
     pub(crate) vertices_m: Vec<DVec3>,
-    /// Border of a polygon from each vertex to the next: what ends it there.
+    /// Border of a polygon from each vertex to the next: what ends the polygon there.
     pub(crate) borders: Vec<BorderLine>,
-    /// Sheets that the ways of all beams pass.
+    /// Total number of sheets passed on the paths of all beams.
     pub(crate) passed: usize,
-    /// Power kept, dropped and escaped.
+    /// Power kept, dropped and lost.
     pub audit: Audit,
 }
 
-/// Power of a tree by order (index 0 is order 1): how much was kept, dropped and lost.
+/// Power of a tree by order (index 0 is order 1): kept, dropped and lost.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Audit {
-    /// One entry per order traced.
+    /// Audit of each order traced.
     pub orders: Vec<OrderAudit>,
 }
 
-/// Power of one order: how much of it was kept, dropped and lost.
+/// Power of one order: kept, dropped and lost.
 ///
-/// "Section" is what an antenna's wave front loses to a polygon: the solid angle at a finite range, sr, or
-/// the area across the direction, m². A mirror leaves it as it is.
+/// "Section" is the part of an antenna's wave front intercepted by a polygon: the solid angle at a finite
+/// range, sr, or the area across the direction, m². A mirror preserves it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct OrderAudit {
-    /// Beams kept.
+    /// Number of beams kept.
     pub beams: u64,
-    /// Area of the polygons kept, m².
+    /// Area of the kept polygons, m².
     pub lit_area_m2: f64,
-    /// Sum of [`Beam::section`] over the beams kept: sr of an antenna at a place, m² of one infinitely far,
-    /// as all sections here.
+    /// Sum of [`Beam::section`] over the beams kept: sr for an antenna at a finite range, m² for one
+    /// infinitely far away, like all sections here.
     pub lit_section: f64,
-    /// Section of the beams of the order before that were reflected; at order 1 the section kept and dropped.
+    /// Section of the preceding order's reflected beams; at order 1 the section kept and dropped.
     pub incident_section: f64,
-    /// Section that met no facet, or another body where bodies are left apart: incident − lit − dropped; 0 at
-    /// order 1.
+    /// Section that met no facet, or another body if paths between bodies are left out: incident − lit −
+    /// dropped; 0 at order 1.
     pub escaped_section: f64,
-    /// Polygons given up for their size.
+    /// Number of polygons dropped for their size.
     pub dropped: u64,
-    /// Area of the polygons given up, m².
+    /// Area of the dropped polygons, m².
     pub dropped_area_m2: f64,
-    /// Area across the wave of the polygons given up, Σ area·cosθ, m²: |S| dropped ≤ √(4π)/λ · this ·
+    /// Area across the wave of the dropped polygons, Σ area·cosθ, m²: |S| dropped ≤ √(4π)/λ · this ·
     /// R²/(L₁L₂).
     pub dropped_across_m2: f64,
-    /// Sum of the squares of these areas, m⁴: with independent phases the square of what they scatter goes
-    /// with it.
+    /// Sum of the squares of these areas, m⁴: with independent phases the square of the scattered amplitude
+    /// is proportional to it.
     pub dropped_across_squared_m4: f64,
-    /// Section of the polygons given up.
+    /// Section of the dropped polygons.
     pub dropped_section: f64,
-    /// Beams of this order kept but too small to be reflected further.
+    /// Number of beams of this order kept but too small to be reflected further.
     pub unreflected: u64,
     /// Area across the wave of the beams that are not reflected further, m².
     pub unreflected_across_m2: f64,
     /// Sum of the squares of these areas, m⁴.
     pub unreflected_across_squared_m4: f64,
-    /// The same of fourth powers, m⁸.
+    /// Sum of the fourth powers of these areas, m⁸.
     pub(crate) unreflected_across_fourth_m8: f64,
 }
 
 impl BeamTree {
-    /// Everything that `antenna` lights, up to `settings.max_order`.
+    /// Traces everything lit by `antenna`, up to `settings.max_order`.
     pub fn trace(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<Self, BartError> {
         Self::trace_heard(world, antenna, settings, &Unheard)
     }
 
-    /// Traces as [`BeamTree::trace`] does, and tells `progress` how far it is.
+    /// Traces like [`BeamTree::trace`], and reports to `progress`.
     pub(crate) fn trace_heard(
         world: &World,
         antenna: Antenna,
@@ -141,8 +142,8 @@ impl BeamTree {
         trace_by::<ByHierarchy>(world, Growth::new(antenna, settings, progress))
     }
 
-    /// Traces only some ways: no other is followed further than its first facet. Of those asked for the
-    /// tree holds what the whole tree does.
+    /// Traces only the given sequences of bodies; others are not followed beyond their first facet. For the
+    /// given ones the tree is complete.
     pub(crate) fn trace_along(
         world: &World,
         antenna: Antenna,
@@ -156,7 +157,7 @@ impl BeamTree {
         )
     }
 
-    /// Traces by the slow obvious way: every facet is cut by every other. For tests.
+    /// Traces by the slow, obvious method, clipping every facet against every other. For tests.
     pub fn trace_by_brute_force(
         world: &World,
         antenna: Antenna,
@@ -165,7 +166,7 @@ impl BeamTree {
         trace_by::<EveryFacet>(world, Growth::new(antenna, settings, &Unheard))
     }
 
-    /// The lit polygon: convex, counter-clockwise about the lit normal, world metres.
+    /// Lit polygon: convex, counter-clockwise about the lit normal, world metres.
     pub fn polygon(&self, beam: &Beam) -> &[DVec3] {
         &self.vertices_m[beam.polygon.start as usize..beam.polygon.end as usize]
     }
@@ -175,7 +176,7 @@ impl BeamTree {
         &self.borders[beam.polygon.start as usize..beam.polygon.end as usize]
     }
 
-    /// Facets from the antenna to this beam, its own last: indices into [`World::facets`].
+    /// Facets from the antenna to this beam, its own last, as indices into [`World::facets`].
     pub fn sequence(&self, beam: &Beam) -> Vec<u32> {
         let mut facets: Vec<u32> = self.way_back(beam).map(|b| b.facet).collect();
         facets.reverse();
@@ -189,19 +190,19 @@ impl BeamTree {
         bodies
     }
 
-    /// A beam, that of its mirror, and so on to the antenna.
+    /// A beam, that of its mirror, and so on back to the antenna.
     pub(crate) fn way_back<'a>(&'a self, beam: &'a Beam) -> impl Iterator<Item = &'a Beam> {
         std::iter::successors(Some(beam), |b| b.parent.map(|parent| &self.beams[parent as usize]))
     }
 
-    /// Bytes held, about.
+    /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         self.beams.len() * size_of::<Beam>()
             + self.vertices_m.len() * (size_of::<DVec3>() + size_of::<BorderLine>())
             + self.passed * BYTES_PER_SHEET
     }
 
-    /// Sheets that the way of a beam passes.
+    /// Number of sheets on the path of a beam.
     pub(crate) fn passed(&self, beam: &Beam) -> usize {
         self.way_back(beam).map(|of_way| of_way.sheets.len()).sum()
     }
@@ -215,14 +216,14 @@ fn trace_by<V: Visibility>(world: &World, mut growth: Growth<'_>) -> Result<Beam
     Ok(growth.tree)
 }
 
-/// A tree that grows as its orders are needed.
+/// A tree that is grown as its orders are needed.
 pub(crate) struct GrowingTree<'a> {
     world: &'a World,
     growth: Growth<'a>,
 }
 
 impl<'a> GrowingTree<'a> {
-    /// A tree of no order yet.
+    /// A tree without any order yet.
     pub(crate) fn new(
         world: &'a World,
         antenna: Antenna,
@@ -236,7 +237,7 @@ impl<'a> GrowingTree<'a> {
         }
     }
 
-    /// Traces up to an order, which is not above that of the settings.
+    /// Traces up to an order, which must not exceed that of the settings.
     pub(crate) fn grow_to(&mut self, order: u8) -> Result<(), BartError> {
         grow_to::<ByHierarchy>(self.world, order.min(self.growth.settings.max_order), &mut self.growth)
     }
@@ -264,10 +265,10 @@ fn grow_to<V: Visibility>(world: &World, order: u8, growth: &mut Growth<'_>) -> 
     (done.max(1) + 1..=order).try_for_each(|order| grow_order::<V>(world, order, growth))
 }
 
-/// Beams that are reflected at a time, so that unfinished work stays small beside the tree.
+/// Number of beams reflected at a time, so that intermediate results stay small beside the tree.
 const BATCH: usize = 4096;
 
-/// Reflects every beam of the order before.
+/// Reflects every beam of the preceding order.
 fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> Result<(), BartError> {
     let parents = growth.begin_order(world);
     let mut incident_section = 0.0;
@@ -289,8 +290,8 @@ fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> R
     Ok(())
 }
 
-/// Buffers that go back to where they came from: they have a place for every facet of the world, and to make
-/// them anew for every part of every batch was a fifth of the work on two million facets.
+/// Pool of reusable buffers: each has an entry for every facet of the world, and allocating them for every
+/// part of every batch was a fifth of the work on two million facets.
 struct Lent<'p> {
     buffers: Buffers,
     pool: &'p Mutex<Vec<Buffers>>,
@@ -310,14 +311,14 @@ impl Drop for Lent<'_> {
     }
 }
 
-/// A tree that is being grown, and what only its last orders need.
+/// A tree during growth, with data needed only for its last orders.
 pub(crate) struct Growth<'a> {
     pub(crate) tree: BeamTree,
     pub(crate) settings: &'a TraceSettings,
     progress: &'a dyn Progress,
-    /// Ways that are followed; `None` for all.
+    /// Sequences of bodies that are followed; `None` for all.
     ways: Option<&'a BodyWays>,
-    /// The edges of the two last orders' polygons, from vertex `first_edge` of the tree on.
+    /// Edges of the last two orders' polygons, from vertex `first_edge` of the tree on.
     edges: Vec<(Plane, BorderLine)>,
     first_edge: usize,
     /// Index of the last order's first beam.
@@ -339,7 +340,7 @@ impl<'a> Growth<'a> {
         Self { tree, settings, progress, ways: None, edges, first_edge: 0, first_beam: 0, audit }
     }
 
-    /// Starts an order; gives the beams of the order before that are to be reflected.
+    /// Starts an order; returns the beams of the preceding order that are to be reflected.
     pub(crate) fn begin_order(&mut self, world: &World) -> Vec<u32> {
         let last = self.first_beam..self.tree.beams.len();
         let first_edge = self.tree.beams.get(last.start).map_or(0, |beam| beam.polygon.start as usize);
@@ -356,7 +357,7 @@ impl<'a> Growth<'a> {
         last.filter(reflected).map(|index| index as u32).collect()
     }
 
-    /// View of a beam of the order before as a mirror; `None` for a beam of an older order.
+    /// View from a beam of the preceding order as a mirror; `None` for a beam of an older order.
     pub(crate) fn view<'w>(&'w self, world: &'w World, index: u32) -> Option<View<'w>> {
         let beam = &self.tree.beams[index as usize];
         let facet = world.facet(beam.facet);
@@ -374,7 +375,7 @@ impl<'a> Growth<'a> {
         ))
     }
 
-    /// Adds what one view shows.
+    /// Adds the lit parts of one view.
     pub(crate) fn take(
         &mut self,
         parent: Option<u32>,
@@ -413,13 +414,13 @@ impl<'a> Growth<'a> {
         Ok(())
     }
 
-    /// Refuses a tree that has outgrown the world's limit.
+    /// Refuses a tree that exceeds the world's limit.
     fn check_memory(&self, world: &World, order: u8) -> Result<(), BartError> {
         let bytes = self.tree.bytes() + self.edges.capacity() * size_of::<(Plane, BorderLine)>();
         world.memory_limit().check_tree(order, self.tree.beams.len(), bytes)
     }
 
-    /// Closes the books of an order.
+    /// Completes the audit of an order.
     fn end_order(&mut self, incident_section: Option<f64>) {
         let mut audit = std::mem::take(&mut self.audit);
         let found = audit.lit_section + audit.dropped_section;
@@ -430,9 +431,9 @@ impl<'a> Growth<'a> {
 }
 
 impl OrderAudit {
-    /// Area across the wave of what was dropped and of mirrors that were not followed: its sum, m², and the
-    /// sum of its squares, m⁴, those of mirrors times the share of them that scatters. The last order is not
-    /// reflected at all: nothing is missing behind its mirrors.
+    /// Area across the wave of dropped polygons and of mirrors that were not followed: its sum, m², and the
+    /// sum of its squares, m⁴, those of mirrors times their scattering share. The last order is not reflected
+    /// at all: nothing is missing behind its mirrors.
     pub(crate) fn given_up(&self, mirrors: Mirroring) -> [f64; 2] {
         match mirrors {
             Mirroring::Followed { share: MirrorShare { mean, spread } } => [
@@ -469,25 +470,27 @@ impl OrderAudit {
 /// Whether an order's beams are reflected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Mirroring {
-    /// Large enough mirrors are followed; of the power that the others could scatter at most they would
-    /// scatter this share.
+    /// Sufficiently large mirrors are followed; the others scatter this share of the maximum power that they
+    /// could.
     Followed {
         share: MirrorShare,
     },
     Last,
 }
 
-/// Share of the power that mirrors could scatter at most.
+/// Share of the maximum power that mirrors could scatter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MirrorShare {
     /// Mean over mirrors.
     pub(crate) mean: f64,
-    /// Excess over it that one mirror has in 5 of 100 cases: few mirrors are no mean.
+    /// Excess of a single mirror over the mean, with a probability of 5 %: a mean does not describe few
+    /// mirrors.
     pub(crate) spread: f64,
 }
 
 impl Audit {
-    /// [`OrderAudit::given_up`] of the first `needed` orders together; `share` tells of each from 1.
+    /// Sum of [`OrderAudit::given_up`] over the first `needed` orders; `share` gives the mirror share of
+    /// each, counted from 1.
     pub(crate) fn given_up(&self, needed: u8, share: impl Fn(u8) -> MirrorShare) -> [f64; 2] {
         let mirrors = |order: u8| {
             if order < needed { Mirroring::Followed { share: share(order) } } else { Mirroring::Last }
@@ -497,7 +500,7 @@ impl Audit {
     }
 }
 
-/// Vertices and beams are counted in 32 bits.
+/// Converts a count of vertices or beams to 32 bits.
 fn index(count: usize) -> Result<u32, BartError> {
     u32::try_from(count).map_err(|_| BartError::TreeTooLarge { vertices: count })
 }

@@ -1,5 +1,5 @@
-//! The slow obvious reference of [`crate::beams::visibility`]: every facet is cut by every other, without
-//! hierarchy or lists.
+//! Slow, obvious reference of [`crate::beams::visibility`]: every facet is clipped against every other,
+//! without hierarchy or lists.
 
 use crate::beams::sight::lit_parts::LitParts;
 use crate::beams::sight::shadow::{Hides, Shadow};
@@ -8,7 +8,7 @@ use crate::beams::visibility::{Buffers, Visibility};
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, split};
 
-/// Tries all pairs.
+/// Visibility by testing all pairs.
 pub(crate) struct EveryFacet;
 
 impl Visibility for EveryFacet {
@@ -41,7 +41,7 @@ fn parts_in(view: &View) -> LitParts {
     parts
 }
 
-/// The parts of a piece outside one shadow.
+/// Parts of a piece outside one shadow.
 fn outside(piece: Vec<Corner>, occluder: &Shadow, hides: Hides, tolerance_m: f64) -> Vec<Vec<Corner>> {
     if hides == Hides::Nothing {
         return vec![piece];
@@ -81,8 +81,8 @@ mod tests {
     const ANTENNAS: [Antenna; 2] =
         [Antenna::Point(DVec3::new(7.0, 2.0, 3.0)), Antenna::Direction(DVec3::new(0.36, 0.48, 0.8))];
 
-    /// A ball of radius 1 m with triangles strewn about its middle, some through its skin; every `missing`-th
-    /// of the ball's own is left out, and every third turned over.
+    /// A ball of radius 1 m with triangles strewn around its centre, some through its skin; every
+    /// `missing`-th of the ball's own is left out, and every third reversed.
     fn filled_ball(missing: usize) -> Mesh {
         let turn = |i: u32, n: u32| f64::from(i) / f64::from(n) * std::f64::consts::PI;
         let at = |i: u32, j: u32| {

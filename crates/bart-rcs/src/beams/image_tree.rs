@@ -1,20 +1,21 @@
-//! The beams of the antenna's image below the road, beside the antenna's own.
+//! Beams of the antenna's image below the road, beside the antenna's own.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::road::Half;
 use crate::bodies::road_mirror::{below, image};
 use crate::bodies::world::World;
 
-/// Beams that arrive at the antenna, straight and by the road.
+/// Beams that arrive at the antenna, directly and via the road.
 pub(crate) struct Received {
-    /// The beams of the antenna and of its image as those of one antenna, by order.
+    /// Beams of the antenna and of its image as those of one antenna, by order.
     pub(crate) tree: BeamTree,
-    /// Twin of every beam: itself among the antenna's, or the one whose image it is.
+    /// Twin of every beam: for the antenna's own the beam itself, for the image's the beam that it mirrors.
     pub(crate) twins: Vec<u32>,
 }
 
 impl Received {
-    /// The antenna's image sees the images of what the antenna sees: its beams are not traced but mirrored.
+    /// Adds the beams of the antenna's image. It sees the images of what the antenna sees, so they are
+    /// mirrored rather than traced.
     pub(crate) fn with_image(world: &World, direct: &BeamTree) -> Self {
         let mut tree = BeamTree { beams: Vec::new(), passed: 2 * direct.passed, ..direct.clone() };
         let mut twins = Vec::with_capacity(2 * direct.beams.len());
@@ -39,17 +40,17 @@ impl Received {
         Self { tree, twins }
     }
 
-    /// Bytes held, about.
+    /// Approximate memory, bytes.
     pub(crate) fn bytes(&self) -> usize {
         self.tree.bytes() + self.twins.len() * size_of::<u32>()
     }
 }
 
-/// The image of a beam, its corners put behind those of `tree`.
+/// Image of a beam, its corners appended to those of `tree`.
 fn below_road(world: &World, direct: &BeamTree, beam: &Beam, tree: &mut BeamTree) -> Beam {
     let start = tree.vertices_m.len();
     tree.vertices_m.extend(direct.polygon(beam).iter().rev().map(|corner| below(*corner)));
-    // Seen from the other side the edge from a corner to the next runs from the next to the corner.
+    // Seen from the other side the edge from a corner to the next runs in reverse.
     tree.borders.extend(direct.borders(beam).iter().rev());
     tree.borders[start..].rotate_left(1);
     Beam {
@@ -62,13 +63,14 @@ fn below_road(world: &World, direct: &BeamTree, beam: &Beam, tree: &mut BeamTree
     }
 }
 
-/// Whether a leg of the way to a beam meets the road: its image sent it, or a facet on it is an image.
+/// Whether a leg of the path to a beam meets the road: it starts at the antenna's image, or a facet on it is
+/// an image.
 pub(crate) fn goes_by_road(world: &World, tree: &BeamTree, beam: &Beam) -> bool {
     world.road().is_some()
         && (origin(tree, beam) != Half::Above || tree.way_back(beam).any(|met| world.is_image(met.facet)))
 }
 
-/// Antenna, the real one or its image, that a beam came from.
+/// Half-space of the antenna, the real one or its image, from which a beam came.
 pub(crate) fn origin(tree: &BeamTree, beam: &Beam) -> Half {
     let is_direct = tree.way_back(beam).last().is_none_or(|first| first.image == tree.antenna);
     if is_direct { Half::Above } else { Half::Below }

@@ -1,4 +1,4 @@
-//! Trees of antennas that stand outside of bodies; others are refused.
+//! Trees of antennas that stand outside bodies; others are refused.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::stand_off::{check_enclosed, check_stand};
@@ -8,8 +8,7 @@ use crate::oversight::error::BartError;
 use crate::oversight::progress::Progress;
 
 impl BeamTree {
-    /// [`BeamTree::trace`] while somebody listens, of an antenna that may stand where it does at this
-    /// wavelength.
+    /// [`BeamTree::trace`] with progress, for an antenna whose position is permitted at this wavelength.
     pub(crate) fn trace_from_outside(
         world: &World,
         antenna: Antenna,
@@ -23,10 +22,10 @@ impl BeamTree {
         Ok(tree)
     }
 
-    /// Refuses an antenna that is shut in, by what it lights straight.
+    /// Refuses an enclosed antenna, judged by the facets that it lights directly.
     pub(crate) fn check_open(&self, world: &World) -> Result<(), BartError> {
         match (self.antenna, self.audit.orders.first()) {
-            // Through sheets it lights what stands behind them as well, and waves leave.
+            // With sheets it also lights what is behind them, and waves escape.
             (Antenna::Point(_), Some(first)) if !world.has_sheets() => {
                 let lit = self.beams.iter().take_while(|beam| beam.order == 1);
                 check_enclosed(world, first.incident_section, lit.map(|beam| (beam.facet, beam.section)))

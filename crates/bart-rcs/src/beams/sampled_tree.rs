@@ -1,5 +1,5 @@
-//! A few beams of a tree, each with the number of beams that it stands for (Knuth, Mathematics of Computation
-//! 29 (1975) 121): how large a tree will be, for a small part of its cost.
+//! Sampled beams of a tree, each weighted by the number of beams that it represents (Knuth, Mathematics of
+//! Computation 29 (1975) 121): an estimate of the tree's size for a small part of its cost.
 
 use crate::beams::beam::{BeamTree, Growth, TraceSettings};
 use crate::beams::sheets::parted;
@@ -12,20 +12,20 @@ use crate::oversight::error::BartError;
 use crate::oversight::progress::Unheard;
 use rayon::prelude::*;
 
-/// Beams and the number that each stands for.
+/// Sampled beams with their weights.
 pub(crate) struct SampledTree {
     pub(crate) tree: BeamTree,
-    /// Number of beams that each beam stands for; the expectation of their sum over beams of any kind is
-    /// the number of such beams in the whole tree.
+    /// Number of beams that each beam represents; the expectation of the sum over beams of any kind is the
+    /// number of such beams in the whole tree.
     pub(crate) stands_for: Vec<f64>,
-    /// Facets that may be seen straight.
+    /// Number of facets that may be directly visible.
     pub(crate) in_sight: usize,
-    /// Mirrors that the whole tree looks into, by order of the beam that is reflected.
+    /// Number of mirrors in the whole tree, by order of the reflected beam.
     pub(crate) mirrors: Vec<f64>,
 }
 
 impl SampledTree {
-    /// About `most` facets in sight, and of each order's mirrors about as many.
+    /// Samples about `most` facets in direct view, and about as many mirrors of each order.
     pub(crate) fn trace(
         world: &World,
         antenna: Antenna,
@@ -64,7 +64,7 @@ fn first_order(
     Ok(in_sight)
 }
 
-/// Gives the number of mirrors that the whole tree has.
+/// Returns the number of mirrors in the whole tree.
 fn next_order(
     world: &World,
     order: u8,
@@ -91,9 +91,9 @@ fn next_order(
     Ok(count)
 }
 
-/// About `most` of some things, each with the number that it stands for, the inverse of its chance to be
-/// taken: half of the chances are equal, half go by size, so that neither the many small nor the few large
-/// are missed. In their order, at even steps.
+/// Samples about `most` items, each with the number that it represents, the inverse of its probability: half
+/// of the probability is uniform, half proportional to size, so that neither the many small nor the few large
+/// are missed. Systematic sampling, in order.
 pub(crate) fn sample(sizes: &[f64], most: usize) -> Vec<(usize, f64)> {
     let total: f64 = sizes.iter().sum();
     let by_number = 0.5 * most as f64 / sizes.len().max(1) as f64;
@@ -151,7 +151,7 @@ mod tests {
             let of_order = |beams: &[Beam]| beams.iter().filter(|beam| beam.order == order).count();
             let beams = sampled.tree.beams.iter().zip(&sampled.stands_for);
             let expected: f64 = beams.filter(|(beam, _)| beam.order == order).map(|(_, each)| each).sum();
-            // 200 of them err by 7 % in each order, were they independent; three times the three orders'
+            // 200 of them err by 7 % in each order, if independent; three times that of the three orders
             // together.
             let ratio = expected / of_order(&whole.beams) as f64;
             assert!((ratio - 1.0).abs() < 3.0 * 0.07 * f64::from(order).sqrt(), "order {order}: × {ratio}");

@@ -1,8 +1,8 @@
-//! Parting of lit polygons by the sheets that their waves have passed.
+//! Division of lit polygons by the sheets that their waves have passed.
 //!
-//! Where waves are followed through sheets, these hide nothing. Each polygon is then cut along the outlines
-//! of the sheets before it, so that every piece has passed the same ones, and remembers them. What a sheet
-//! makes of the field is for the integration.
+//! If waves are traced through sheets, these hide nothing. Each polygon is then cut along the outlines of the
+//! sheets before it, so that every piece has passed one set of sheets, and records them. Their effect on the
+//! field is left to the integration.
 
 use crate::beams::sight::lit_parts::LitParts;
 use crate::beams::sight::shadow::{Cover, Hides, Shadow};
@@ -19,7 +19,7 @@ struct SheetPiece {
     sheets: Vec<u32>,
 }
 
-/// The polygons of a view parted by the sheets before them.
+/// Polygons of a view divided by the sheets before them.
 pub(crate) fn parted(view: &View, parts: LitParts) -> LitParts {
     if view.world.sheets().is_empty() {
         return parts;
@@ -39,7 +39,7 @@ pub(crate) fn parted(view: &View, parts: LitParts) -> LitParts {
     all
 }
 
-/// Sheets that may reach between the antenna and a polygon, by index.
+/// Sheets that may extend between the antenna and a polygon, by index.
 fn sheets_about(view: &View, polygon: &[Corner], target: &Shadow, walk: &mut VisitBuffers) -> Vec<Shadow> {
     let mut found = Vec::new();
     let planes = polygon.iter().map(|corner| corner.edge).chain([target.front]);
@@ -74,7 +74,7 @@ fn part_one(view: &View, polygon: &[Corner], target: &Shadow, sheets: &[Shadow],
 }
 
 impl SheetPiece {
-    /// The parts that have passed the sheet, and those that have not.
+    /// Parts that have passed the sheet, and parts that have not.
     fn behind(mut self, sheet: &Shadow, before: Hides, tolerance_m: f64) -> Vec<Self> {
         match sheet.cover(before, &self.corners, tolerance_m) {
             Cover::Apart => return vec![self],
@@ -88,7 +88,7 @@ impl SheetPiece {
         let mut inside = self.corners.clone();
         for plane in sheet.planes(before) {
             let mut corners = inside.clone();
-            // The lit surface goes on beyond such an edge.
+            // The lit surface continues beyond such an edge.
             match split(&mut corners, 0..inside.len(), &plane, Border::Inner, tolerance_m, &mut Vec::new()) {
                 Split::Inside => {}
                 Split::Outside => return vec![self],
@@ -104,7 +104,7 @@ impl SheetPiece {
     }
 }
 
-/// The sheets of a piece as a wave to its middle meets them; equal distances by index.
+/// Sheets of a piece in the order in which a wave to its centre meets them; ties by index.
 fn in_order(view: &View, piece: &SheetPiece) -> Vec<u32> {
     let middle = piece.corners.iter().map(|c| c.point_m).sum::<DVec3>() / piece.corners.len().max(1) as f64;
     let back = view.antenna.towards(middle).try_normalize().unwrap_or(DVec3::ZERO);

@@ -1,12 +1,12 @@
-//! Facets as an antenna sees them: where they appear, what they hide, and what their shadows are tested by.
+//! Facets as seen by an antenna: their projections, what they hide, and the tests of their shadows.
 
-pub(crate) mod depth_order; // which of two facets is in front, decided once
-pub(crate) mod view; // from where and through which hole
-pub(crate) mod shadow; // what one facet hides
-pub(crate) mod window; // what the view leaves of a facet
-pub(crate) mod lit_parts; // what it shows
-pub(crate) mod prospect; // where facets appear across a view
-pub(crate) mod outline; // and which cells of it they touch
-pub(crate) mod solid_cells; // what facets that hang together hide of it
-pub(crate) mod projected_triangle; // and whether two are apart
-pub(crate) mod projection_grid; // what may stand before what in a direct view
+pub(crate) mod depth_order; // depth order of two facets, decided once
+pub(crate) mod view; // viewpoint and opening
+pub(crate) mod shadow; // part hidden by one facet
+pub(crate) mod window; // part of a facet inside the view
+pub(crate) mod lit_parts; // lit polygons of a view
+pub(crate) mod prospect; // projection of facets across a view
+pub(crate) mod outline; // cells of the view touched by a facet
+pub(crate) mod solid_cells; // cells filled by connected facets
+pub(crate) mod projected_triangle; // test of separation
+pub(crate) mod projection_grid; // candidate occluders in a direct view

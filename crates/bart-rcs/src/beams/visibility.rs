@@ -1,9 +1,9 @@
-//! Visibility from an antenna: every facet clipped to the view, less what other facets hide, as convex
-//! polygons.
+//! Visibility from an antenna: every facet clipped to the view, less the parts hidden by other facets, as
+//! convex polygons.
 //!
-//! For each facet the hierarchy proposes what may stand in front. The facet's polygon is then cut by one
-//! occluder after the other, the largest first, and every piece carries on only those that may still reach
-//! it: a facet behind a dense mesh costs the outline of its shadow, not the number of facets in front.
+//! For each facet the hierarchy proposes possible occluders. The facet's polygon is then cut by one occluder
+//! after another, the largest first, and every piece keeps only those that may still reach it: a facet behind
+//! a dense mesh costs the outline of its shadow, not the number of facets in front.
 
 use crate::beams::sight::lit_parts::LitParts;
 use crate::beams::sight::projection_grid::ProjectionGrid;
@@ -20,18 +20,18 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
 
-/// A way to find what a view shows. All give the same up to how they cut it.
+/// Algorithm to find the lit parts of a view. All give the same result up to how it is divided.
 pub(crate) trait Visibility {
-    /// Lit polygons of all facets seen straight, by facet.
+    /// Lit polygons of all directly visible facets, by facet.
     fn direct(view: &View) -> Vec<LitParts>;
-    /// Lit polygons that a reflected beam meets.
+    /// Lit polygons met by a reflected beam.
     fn reflected(view: &View, buffers: &mut Buffers) -> LitParts;
 }
 
-/// Visibility by the bodies' hierarchies.
+/// Visibility using the bodies' hierarchies.
 pub(crate) struct ByHierarchy;
 
-/// Memory that is used again from view to view.
+/// Buffers reused from view to view.
 #[derive(Default)]
 pub(crate) struct Buffers {
     walk: VisitBuffers,
@@ -41,8 +41,8 @@ pub(crate) struct Buffers {
     cutter: Cutter,
 }
 
-/// Beams with more facets than this in view sort them into a grid of their own, or walk the hierarchy again
-/// for each of them where there can be none; below, trying all pairs is cheaper.
+/// Number of facets in view above which beams sort them into a grid of their own, or, if there can be none,
+/// traverse the hierarchy again for each of them; below, testing all pairs is cheaper.
 const MANY_IN_VIEW: usize = 24;
 const NO_SLOT: u32 = u32::MAX;
 
@@ -66,8 +66,7 @@ impl Visibility for ByHierarchy {
     }
 }
 
-/// Lit polygons of those of the facets in sight that `choose` gives the places of, seen straight, in
-/// its order.
+/// Directly lit polygons of the visible facets selected by `choose` (as slots), in its order.
 pub(crate) fn direct_of(view: &View, choose: impl FnOnce(&[Shadow]) -> Vec<u32>) -> Vec<LitParts> {
     let (shadows, grid) = in_sight(view);
     let mut slot_of_facet = vec![NO_SLOT; view.world.facets().len()];
@@ -82,7 +81,7 @@ pub(crate) fn direct_of(view: &View, choose: impl FnOnce(&[Shadow]) -> Vec<u32>)
     slots.map_init(Default::default, lit).collect()
 }
 
-/// Shadows of all facets that may be seen straight, in their order.
+/// Shadows of all facets that may be directly visible, in their order.
 fn in_sight(view: &View) -> (Vec<Shadow>, Option<ProjectionGrid>) {
     let Some(prospect) = Prospect::of_all(view) else {
         let facets = (0..view.world.facets().len() as u32).into_par_iter();
@@ -96,13 +95,13 @@ fn in_sight(view: &View) -> (Vec<Shadow>, Option<ProjectionGrid>) {
 }
 
 impl Buffers {
-    /// Shadows of all facets that reach into the view, in the order of the facets.
+    /// Shadows of all facets that reach into the view, in facet order.
     fn gather(&mut self, view: &View) {
         self.slot_of_facet.resize(view.world.facets().len(), NO_SLOT);
         self.found.clear();
         let planes =
             view.window.iter().map(|(plane, _)| *plane).chain(view.mirror.map(|mirror| mirror.front));
-        // Most of what the hierarchy proposes is outside, and a shadow costs more than to see that.
+        // Most proposals of the hierarchy are outside, and a shadow costs more than this test.
         let found = |facet| {
             if view.reaches(view.world.facet(facet)) {
                 self.found.push(facet);
@@ -122,15 +121,15 @@ impl Buffers {
     }
 }
 
-/// Shadows of what is in view.
+/// Shadows of the facets in view.
 struct Table<'a> {
     shadows: &'a [Shadow],
     slot_of_facet: &'a [u32],
-    /// Grid of a direct view with all facets before the antenna.
+    /// Grid of a direct view with all facets in front of the antenna.
     grid: Option<&'a ProjectionGrid>,
 }
 
-/// Appends what is seen of the facet in `slot`.
+/// Appends the visible part of the facet in `slot`.
 fn see_facet(
     view: &View,
     table: &Table,
@@ -155,7 +154,7 @@ fn see_facet(
     }
 }
 
-/// The search for what hides a polygon.
+/// Search for the occluders of a polygon.
 struct Search<'a> {
     view: &'a View<'a>,
     table: &'a Table<'a>,
@@ -175,7 +174,7 @@ struct Occluder {
 }
 
 impl Search<'_> {
-    /// Collects what may hide some of the polygon, the largest first; breaks where one facet hides all of it.
+    /// Collects possible occluders of the polygon, largest first; breaks if one facet hides all of it.
     fn find_occluders(&mut self, walk: &mut VisitBuffers) -> ControlFlow<()> {
         if let Some(grid) = self.table.grid {
             grid.visit_before(self.slot, |slot| self.suspect(slot))?;
@@ -189,10 +188,10 @@ impl Search<'_> {
         ControlFlow::Continue(())
     }
 
-    /// Suspects all that may stand between the antenna and the polygon, about from the antenna on.
+    /// Tests all facets that may lie between the antenna and the polygon, roughly from the antenna on.
     fn walk(&mut self, walk: &mut VisitBuffers) -> ControlFlow<()> {
         let front = self.target.front;
-        // Nearer to the facet's plane than the antenna is.
+        // Nearer to the facet's plane than the antenna.
         let nearer = match self.view.antenna {
             Antenna::Point(p) => Some(Plane { normal: -front.normal, offset_m: -front.normal.dot(p) }),
             Antenna::Direction(_) => None,
@@ -207,7 +206,7 @@ impl Search<'_> {
         })
     }
 
-    /// Takes a facet among the occluders if it may hide some of the polygon; breaks if it hides all of it.
+    /// Adds a facet to the occluders if it may hide some of the polygon; breaks if it hides all of it.
     fn suspect(&mut self, slot: u32) -> ControlFlow<()> {
         if slot == self.slot {
             return ControlFlow::Continue(());
@@ -233,7 +232,7 @@ impl Search<'_> {
         ControlFlow::Continue(())
     }
 
-    /// Whether a facet lies wholly outside one of the planes through the antenna and the polygon's edges.
+    /// Whether a facet lies completely outside one of the planes through the antenna and the polygon's edges.
     fn is_beside(&self, facet: u32) -> bool {
         let (corners_m, tolerance_m) = (&self.view.world.facet(facet).corners_m, self.view.tolerance_m());
         self.polygon.iter().any(|corner| corner.edge.extent_m(corners_m).1 <= tolerance_m)
@@ -243,11 +242,11 @@ impl Search<'_> {
 /// Subtracts occluders from a polygon.
 #[derive(Default)]
 struct Cutter {
-    /// Polygons, those of the open pieces first.
+    /// Polygons, with those of the open pieces first.
     corners: Vec<Corner>,
     distances_m: Vec<f64>,
     occluders: Vec<Occluder>,
-    /// Lists of indices into `occluders`, those of the open pieces first.
+    /// Lists of indices into `occluders`, with those of the open pieces first.
     lists: Vec<u32>,
     open: Vec<OpenPiece>,
 }
@@ -260,8 +259,7 @@ struct OpenPiece {
 }
 
 impl Cutter {
-    /// Calls `lit` with every piece of `corners[polygon]` that no occluder hides; all occluders reach the
-    /// polygon.
+    /// Calls `lit` with every unhidden piece of `corners[polygon]`; all occluders reach the polygon.
     fn cut(
         &mut self,
         polygon: Range<usize>,
@@ -276,7 +274,7 @@ impl Cutter {
             return lit(&self.corners[polygon]);
         }
         while let Some(piece) = self.open.pop() {
-            // What was appended after this piece belonged to pieces that are done.
+            // Anything appended after this piece belonged to finished pieces.
             self.corners.truncate(piece.polygon.end);
             self.lists.truncate(piece.list.end);
             if self.list_what_reaches(&piece, shadows, tolerance_m).is_continue()
@@ -287,7 +285,7 @@ impl Cutter {
         }
     }
 
-    /// Appends those of the piece's occluders that still reach it to the lists; breaks where one hides all of
+    /// Appends those of the piece's occluders that still reach it to the lists; breaks if one hides all of
     /// it.
     fn list_what_reaches(
         &mut self,
@@ -309,7 +307,7 @@ impl Cutter {
     }
 
     /// Opens the parts of the polygon outside the first occluder of the last list that really overlaps it;
-    /// `false` where none does.
+    /// returns `false` if none does.
     fn subtract_first_of(
         &mut self,
         list_start: usize,
@@ -331,8 +329,7 @@ impl Cutter {
         false
     }
 
-    /// Cuts the polygon by an occluder's planes, one after the other; `false` where nothing but rounding is
-    /// hidden.
+    /// Cuts the polygon by an occluder's planes in turn; returns `false` if only rounding is hidden.
     fn open_outside_parts(
         &mut self,
         planes: impl Iterator<Item = Plane>,

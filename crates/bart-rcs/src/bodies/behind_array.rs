@@ -1,8 +1,8 @@
-//! Bodies that the antennas have no gain towards: a frame is made without them.
+//! Bodies in the half-space without antenna gain, which frames omit.
 //!
-//! Their echoes are zeros, and they hide nothing that is heard: between the antennas and a place ahead there
-//! is nothing that is behind. Left out with them are ways from a body ahead over one behind to a body ahead
-//! again, of three bounces and more.
+//! Their echoes are zero, and they hide nothing that is received: nothing behind the antennas lies between
+//! them and a place ahead. Paths from a body ahead via one behind to a body ahead, of three bounces and more,
+//! are omitted with them.
 
 use crate::geometry::plane::Plane;
 use artifact::Radar;
@@ -10,15 +10,15 @@ use glam::DVec3;
 
 /// Half-space behind the array, where its pattern has no gain.
 pub(crate) struct BehindArray {
-    /// Plane through the middle of the array, positive ahead.
+    /// Plane through the centre of the array, positive ahead.
     aperture: Plane,
-    /// Elements stand off it by at most this, as does what moves during a frame.
+    /// Maximum distance of elements from the plane, including motion during a frame.
     slack_m: f64,
 }
 
 impl BehindArray {
-    /// Half-space behind a radar's array, if it hears nothing there; `fastest_mps` is the speed of what
-    /// moves.
+    /// Half-space behind a radar's array, if it has no gain there; `fastest_mps` is the maximum speed of
+    /// moving bodies.
     pub(crate) fn of(radar: &Radar, fastest_mps: f64) -> Option<Self> {
         if radar.array.pattern.hears_behind() {
             return None;
@@ -32,7 +32,7 @@ impl BehindArray {
         Some(Self { aperture: Plane { normal, offset_m: normal.dot(centre) }, slack_m })
     }
 
-    /// Whether all of these places are behind the array.
+    /// Whether all of these positions are behind the array.
     pub(crate) fn holds(&self, mut places_m: impl Iterator<Item = DVec3>) -> bool {
         places_m.all(|at_m| self.aperture.distance_m(at_m) < -self.slack_m)
     }

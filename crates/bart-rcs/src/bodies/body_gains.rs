@@ -1,9 +1,9 @@
-//! Gain of the antennas towards each body: as much of its echo is heard.
+//! Antenna gains towards each body, which weight its echo.
 //!
-//! Paths have the amplitudes of antennas of unit gain, and the echo weighs them by the pattern. An error
-//! counts as it is heard: a truck beside the beam that scatters ten times as much as the car in it is next to
-//! nothing of the echo, and tells nothing of what the car's echo errs by. One gain stands for each body, on
-//! the paths and on what they are compared with alike, so that the comparison itself has no error of it.
+//! Paths have the amplitudes of antennas of unit gain, and the echo weights them by the pattern. Errors count
+//! as received: a truck beside the beam that scatters ten times as much as the car in it contributes almost
+//! nothing to the echo, nor to knowledge of the error of the car's echo. One gain represents each body, on
+//! the paths and on their reference alike, so that the comparison itself has no error from it.
 
 use crate::bodies::models::Models;
 use crate::bodies::motion::RigidMotion;
@@ -15,20 +15,20 @@ use artifact::scene::{Pose, SceneFrame, SceneHeader, Target};
 use glam::{DMat3, DVec3};
 use radar::aperture::{axes, pattern_amplitude};
 
-/// Amplitude gains of an element, one way, by the bodies of a scene.
+/// Amplitude gains of an element, one-way, by the bodies of a scene.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct BodyGains {
-    /// Empty where the gain is one in every direction.
+    /// Gains by body; empty if the gain is one in every direction.
     of_body: Vec<f64>,
 }
 
-/// Triangles are cut into parts that the antenna sees under no larger an angle than this, rad, and into no
-/// more than so many along each side.
+/// Maximum angle subtended at the antenna by the parts of a triangle, rad, and the maximum number of parts
+/// along each side.
 const PART_RAD: f64 = 0.035;
 const PARTS_MAX: f64 = 16.0;
 
 impl BodyGains {
-    /// Gains towards the bodies of a frame, as they are in its middle.
+    /// Gains towards the bodies of a frame, at its middle.
     pub(crate) fn of(models: &Models, header: &SceneHeader, frame: &SceneFrame) -> Result<Self, BartError> {
         if header.radar.array.pattern == Pattern::Isotropic {
             return Ok(Self::default());
@@ -42,17 +42,17 @@ impl BodyGains {
         Ok(Self { of_body })
     }
 
-    /// Whether it is one towards every body.
+    /// Whether the gain is one towards every body.
     pub(crate) fn are_one(&self) -> bool {
         self.of_body.is_empty()
     }
 
-    /// Product of both ends' gains of a way that meets these bodies first and last.
+    /// Product of both ends' gains for a path whose first and last bodies are these.
     pub(crate) fn of_way(&self, ends: [u32; 2]) -> f64 {
         ends.iter().map(|body| self.of_body.get(*body as usize).copied().unwrap_or(1.0)).product()
     }
 
-    /// Product of both ends' gains of a path.
+    /// Product of both ends' gains for a path.
     pub(crate) fn of_path(&self, path: &Path) -> f64 {
         match path.sequence() {
             [] => self.of_way([path.target; 2]),
@@ -61,15 +61,15 @@ impl BodyGains {
         }
     }
 
-    /// The largest product of both ends' gains.
+    /// Largest product of both ends' gains.
     pub(crate) fn largest(&self) -> f64 {
         let largest = self.of_body.iter().copied().fold(0.0, f64::max);
         if self.are_one() { 1.0 } else { largest * largest }
     }
 }
 
-/// Gain whose fourth power, as that of an echo's power, is the mean over the surface of a body; over its
-/// place where it has none.
+/// Gain whose fourth power, like that of an echo's power, is the mean over the surface of a body; over its
+/// position if it has no surface.
 fn towards(radar: &Radar, pose: &Pose, triangles_m: &[[DVec3; 3]]) -> f64 {
     let seconds = radar.frame_middle_s();
     let origin_m = RigidMotion::of(pose, seconds).origin_m;
@@ -95,7 +95,7 @@ fn towards(radar: &Radar, pose: &Pose, triangles_m: &[[DVec3; 3]]) -> f64 {
     if area_m2 > 0.0 { (sum / area_m2).sqrt().sqrt() } else { gain(origin_m) }
 }
 
-/// Middles of the equal triangles that a triangle is cut into, as shares of two of its sides.
+/// Centres of the equal triangles into which a triangle is divided, as shares of two of its sides.
 fn middles(parts: u32) -> impl Iterator<Item = [f64; 2]> {
     let of = move |thirds: u32| f64::from(thirds) / f64::from(3 * parts);
     let upright = (0..parts).flat_map(move |i| (0..parts - i).map(move |j| [3 * i + 1, 3 * j + 1]));

@@ -1,5 +1,5 @@
-//! Meshes of a scene in their own axes, each with its hierarchy and what is known of its facets; wheels that
-//! turn are meshes of their own.
+//! Meshes of a scene in their own axes, each with its hierarchy and facet data; rotating wheels are separate
+//! meshes.
 
 use crate::geometry::bvh::Hierarchy;
 use crate::mesh::mesh_edges::{MeshEdges, exact_places};
@@ -18,38 +18,38 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
-/// The meshes of a scene, each with its hierarchy, shared by all frames and poses.
+/// Meshes of a scene, each with its hierarchy, shared by all frames and poses.
 #[derive(Clone)]
 pub(crate) struct Models {
-    /// Meshes of the scene, and behind them those of wheels that turn.
+    /// Meshes of the scene, followed by those of rotating wheels.
     meshes: Vec<Arc<BodyMesh>>,
-    /// Wheels of each of the scene's meshes that turn: index of the mesh and place of the hub.
+    /// Rotating wheels of each of the scene's meshes: index of the mesh and position of the hub.
     wheels: Vec<Vec<(u32, DVec3)>>,
     pub(crate) memory_limit: MemoryLimit,
 }
 
 impl Models {
-    /// Builds all meshes of the header, with the skin that it asks for.
+    /// Builds all meshes of the header with the requested skin.
     pub(crate) fn build(header: &SceneHeader) -> Result<Self, BartError> {
         Self::build_with(header, skin(header))
     }
 
-    /// Builds them with a skin that is cut for this relative amplitude error.
+    /// Builds all meshes with a skin subdivided for this relative amplitude error.
     pub(crate) fn build_coarser(header: &SceneHeader, error: f64) -> Result<Self, BartError> {
         Self::build_with(header, skin(header).coarser(error))
     }
 
-    /// Builds them with a skin that is cut for so many times less error.
+    /// Builds all meshes with a skin subdivided for an error `times` smaller.
     pub(crate) fn build_finer(header: &SceneHeader, times: f64) -> Result<Self, BartError> {
         Self::build_with(header, skin(header).finer(times))
     }
 
-    /// Builds one of its meshes with a skin that is cut for this relative amplitude error.
+    /// Builds one of the meshes with a skin subdivided for this relative amplitude error.
     pub(crate) fn coarser_of(header: &SceneHeader, mesh: &Mesh, error: f64) -> Result<BodyMesh, BartError> {
         body_alone(header, mesh, skin(header).coarser(error))
     }
 
-    /// Builds one of its meshes with a skin that is cut for so many times less error.
+    /// Builds one of the meshes with a skin subdivided for an error `times` smaller.
     pub(crate) fn finer_of(header: &SceneHeader, mesh: &Mesh, times: f64) -> Result<BodyMesh, BartError> {
         body_alone(header, mesh, skin(header).finer(times))
     }
@@ -71,7 +71,7 @@ impl Models {
         Ok(Self { meshes, wheels, memory_limit: MemoryLimit::NONE })
     }
 
-    /// Wheels of a target that turn: index of the mesh and place of the hub.
+    /// Rotating wheels of a target: index of the mesh and position of the hub.
     pub(crate) fn wheels_of(&self, target: &Target) -> impl Iterator<Item = (u32, DVec3)> {
         let of_mesh = match target.kind {
             TargetKind::Mesh { mesh, .. } => self.wheels.get(mesh as usize),
@@ -80,7 +80,7 @@ impl Models {
         of_mesh.into_iter().flatten().copied()
     }
 
-    /// These models with a limit of what the bodies and beams of a frame may hold.
+    /// These models with a limit on the memory of a frame's bodies and beams.
     pub(crate) fn within(self, limit: MemoryLimit) -> Self {
         Self { memory_limit: limit, ..self }
     }
@@ -94,12 +94,12 @@ impl Models {
     }
 }
 
-/// Whether wheels of a mesh turn.
+/// Whether wheels of a mesh rotate.
 fn turns(header: &SceneHeader, mesh: &Mesh) -> bool {
     header.fidelity.wheels == Wheels::Turning && !mesh.wheels.is_empty()
 }
 
-/// A mesh of a scene, less the wheels that turn.
+/// A mesh of a scene without its rotating wheels.
 fn body_alone(header: &SceneHeader, mesh: &Mesh, skin: Skin) -> Result<BodyMesh, BartError> {
     match turns(header, mesh) {
         true => BodyMesh::without_wheels(mesh, skin),
@@ -107,7 +107,7 @@ fn body_alone(header: &SceneHeader, mesh: &Mesh, skin: Skin) -> Result<BodyMesh,
     }
 }
 
-/// Skin that a scene asks for.
+/// Skin requested by a scene.
 fn skin(header: &SceneHeader) -> Skin {
     let (fidelity, wavelength_m) = (&header.fidelity, header.radar.waveform.wavelength_m());
     Skin::of(fidelity.surface, fidelity.accuracy, wavelength_m, fidelity.bounces)
@@ -120,16 +120,16 @@ pub(crate) struct BodyMesh {
     pub(crate) neighbours: Neighbours,
     pub(crate) hierarchy: Hierarchy,
     edges: OnceLock<BodyEdges>,
-    /// Materials by slot, `None` for a perfect conductor; empty where all are.
+    /// Materials by slot, `None` for a perfect conductor; empty if all are perfect conductors.
     pub(crate) materials: Vec<Option<Arc<Material>>>,
-    /// Slots of the mesh's own triangles.
+    /// Material slots of the mesh's own triangles.
     slot_of_triangle: Vec<u16>,
-    /// Radius that it rolls on; `None` where it is no wheel.
+    /// Rolling radius; `None` if it is not a wheel.
     pub(crate) rolls_on_m: Option<f64>,
 }
 
 impl BodyMesh {
-    /// The mesh but for the wheels that turn; triangles keep their numbers.
+    /// The mesh without rotating wheels; triangles keep their numbers.
     fn without_wheels(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
         let turning: BTreeSet<u32> = mesh.wheels.iter().flat_map(|wheel| &wheel.triangles).copied().collect();
         let rest: Vec<u32> = (0..mesh.triangles.len() as u32).filter(|i| !turning.contains(i)).collect();
@@ -142,7 +142,7 @@ impl BodyMesh {
         Ok(Self { rolls_on_m: Some(wheel.radius_m), ..part })
     }
 
-    /// Some triangles of a mesh about another origin.
+    /// A subset of a mesh's triangles, relative to another origin.
     fn of_part(mesh: &Mesh, triangles: &[u32], origin_m: DVec3, skin: Skin) -> Result<Self, BartError> {
         let none = || BartError::WheelNotSound { mesh: mesh.name.clone(), triangles: mesh.triangles.len() };
         let corners = |i: &u32| mesh.triangles.get(*i as usize).copied().ok_or_else(none);
@@ -161,7 +161,7 @@ impl BodyMesh {
 
     pub(crate) fn build(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
         check_materials(mesh)?;
-        // obvhs panics on infinite and swallows NaN coordinates; single precision ends at 3.4e38.
+        // obvhs panics on infinite and accepts NaN coordinates; single precision ends at 3.4e38.
         let not_finite = |v: &[f64; 3]| v.iter().any(|x| !(*x as f32).is_finite());
         if let Some(vertex) = mesh.vertices_m.iter().position(not_finite) {
             return Err(BartError::VertexNotFinite { mesh: mesh.name.clone(), vertex });
@@ -193,12 +193,13 @@ impl BodyMesh {
         self.materials.get(usize::from(*slot))?.as_ref()
     }
 
-    /// Whether some material of the mesh reflects by layers, whose phase turns with frequency.
+    /// Whether some material of the mesh reflects by layers, with a phase that depends on frequency.
     pub(crate) fn has_layers(&self) -> bool {
         self.materials.iter().flatten().any(|material| matches!(**material, Material::Layers { .. }))
     }
 
-    /// Edges that diffract; the first distance asked for that no wave tells decides which seams are closed.
+    /// Diffracting edges; the first `untold_m` passed, a distance negligible for any wave, decides which
+    /// seams are closed.
     pub(crate) fn edges(&self, untold_m: f64) -> &BodyEdges {
         let find = || body_edges(&self.skin.triangles_m, &self.skin.corner_normals, untold_m);
         self.edges.get_or_init(find)

@@ -1,29 +1,29 @@
-//! Motion of bodies within a frame, and of their images in mirrors that move themselves.
+//! Motion of bodies within a frame, and of their images in moving mirrors.
 
 use crate::bodies::road_mirror::below;
 use artifact::scene::Pose;
 use glam::DVec3;
 use radar::motion::{pose_after, whole_acceleration_mps2};
 
-/// Velocity of a point at one instant, and an acceleration that stays as it is.
+/// Velocity of a point at one instant, and its constant acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Motion {
     pub(crate) velocity_mps: DVec3,
     pub(crate) acceleration_mps2: DVec3,
 }
 
-/// Motion of a rigid body at one instant: of its origin, and its turning about an axis through it.
+/// Motion of a rigid body at one instant: that of its origin, and rotation about an axis through it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RigidMotion {
     pub(crate) origin_m: DVec3,
     pub(crate) of_origin: Motion,
-    /// Rate of turning ω: along the vertical of a vehicle, with its axle's of a wheel.
+    /// Angular velocity ω: along the vertical for a vehicle, plus along the axle for a wheel.
     pub(crate) turn_radps: DVec3,
-    /// Rate of ω.
+    /// Angular acceleration, the rate of ω.
     pub(crate) turn_radps2: DVec3,
 }
 
-/// A point of a plane and the plane's normal, on a body.
+/// A point of a plane and the plane's normal, fixed to a body.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MovingPlane {
     pub(crate) point_m: DVec3,
@@ -54,12 +54,12 @@ impl RigidMotion {
         Self { origin_m, of_origin, turn_radps, turn_radps2: DVec3::ZERO }
     }
 
-    /// The same body while it rolls on a wheel of some radius, whose axle is along `axle` (to the left).
+    /// The same body rolling on a wheel of this radius, with its axle along `axle` (to the left).
     pub(crate) fn rolling(self, axle: DVec3, radius_m: f64) -> Self {
         let ahead = axle.cross(DVec3::Z);
         let [radps, radps2] = [
             self.of_origin.velocity_mps.dot(ahead) / radius_m,
-            // What a bend adds points along the axle.
+            // The contribution of a bend is along the axle.
             self.of_origin.acceleration_mps2.dot(ahead) / radius_m,
         ];
         let turning_axle = self.turn_radps.cross(axle);
@@ -83,12 +83,12 @@ impl RigidMotion {
         }
     }
 
-    /// Rate of a vector that is fixed to the body: ω × v.
+    /// Rate of a vector fixed to the body: ω × v.
     fn turning(&self, vector: DVec3) -> DVec3 {
         self.turn_radps.cross(vector)
     }
 
-    /// Second derivative of a vector that is fixed to the body, whose first is `turning`.
+    /// Second derivative of a vector fixed to the body, given its first, `turning`.
     fn turning_on(&self, vector: DVec3, turning: DVec3) -> DVec3 {
         if self.turn_radps2 == DVec3::ZERO {
             return self.turning(turning);
@@ -100,8 +100,8 @@ impl RigidMotion {
         self.origin_m.is_finite() && self.of_origin.is_finite() && self.turn_radps.is_finite()
     }
 
-    /// Motion of the image in the road's mirror: about the vertical it turns as the body does, about a level
-    /// axis the other way.
+    /// Motion of the image in the road's mirror: it rotates about the vertical like the body, about a
+    /// horizontal axis in the opposite sense.
     pub(crate) fn below_road(&self) -> Self {
         let (origin_m, of_origin) = (below(self.origin_m), self.of_origin.below_road());
         let [turn_radps, turn_radps2] = [self.turn_radps, self.turn_radps2].map(|turn| -below(turn));
@@ -110,7 +110,7 @@ impl RigidMotion {
 }
 
 impl MovingPlane {
-    /// Image of a point that moves, and its motion.
+    /// Image of a moving point, and its motion.
     ///
     /// With d = (x − p)·n the image is x − 2dn, its velocity v − 2ḋn − 2dṅ with ḋ = (v − v_p)·n + (x − p)·ṅ
     /// and ṅ = ω × n, its acceleration a − 2d̈n − 4ḋṅ − 2dn̈ with d̈ = (a − a_p)·n + 2(v − v_p)·ṅ + (x −
@@ -152,7 +152,7 @@ impl Motion {
         self.each(below)
     }
 
-    /// Place and velocity, `seconds` later (earlier, where negative), of a point that is at `at_m` now.
+    /// Position and velocity after `seconds` (before, if negative) of a point now at `at_m`.
     pub(crate) fn after(&self, at_m: DVec3, seconds: f64) -> (DVec3, DVec3) {
         let gained_mps = seconds * self.acceleration_mps2;
         (at_m + seconds * (self.velocity_mps + 0.5 * gained_mps), self.velocity_mps + gained_mps)
@@ -191,7 +191,7 @@ mod tests {
     use super::*;
     use glam::DMat3;
 
-    /// Comparison with the mirror images of both ends of a second, made of places alone.
+    /// Comparison with the mirror images at both ends of a second, computed from positions alone.
     #[test]
     fn motion_in_a_moving_mirror_is_that_of_the_image() {
         let n = DVec3::new(0.36, 0.48, 0.8);
@@ -222,7 +222,7 @@ mod tests {
         }
     }
 
-    /// Differences of images that are made of places alone, in a mirror on a body that drives a bend.
+    /// Differences of images computed from positions alone, in a mirror on a body that drives through a bend.
     #[test]
     fn motion_in_a_mirror_that_turns_is_that_of_the_image() {
         let pose = IN_A_BEND;

@@ -1,14 +1,14 @@
-//! The road as a mirror: bodies and antenna have images below the plane z = 0, and the plane is taken away.
+//! The road as a mirror: bodies and antenna have images below the plane z = 0, and the plane is removed.
 //!
-//! Unfolded at the road, every way is straight: a wave that crosses z = 0 has been reflected there. So bodies
-//! and their images are traced together from the antenna, and from its image, which sees the same the other
-//! way up; what hides a way before the road hides it in the picture too. A path begins at the antenna and
+//! Unfolded at the road, every path is straight: a wave that crosses z = 0 has been reflected there. Bodies
+//! and their images are therefore traced together from the antenna, and from its image, which sees the same
+//! upside down; an obstacle before the road also hides the unfolded path. A path starts at the antenna and
 //! ends there or at the image, and each is counted once: direct, vehicle–road, road–vehicle,
 //! road–vehicle–road, and the road between two bounces on vehicles.
 //!
-//! Where a leg crosses, the field takes the road's coefficients. Seen unfolded, r_TE stays on E across the
-//! plane of incidence and r_TM changes its sign, for the mirror turns the other vector over
-//! (`docs/physics.md` §5).
+//! At each crossing the field is multiplied by the road's coefficients. In the unfolded geometry, r_TE
+//! applies to E across the plane of incidence, while r_TM changes its sign, since the mirror reverses the
+//! other vector (`docs/physics.md` §5).
 
 use crate::bodies::world::World;
 use crate::materials::reflection_coefficients::PolarizationPair;
@@ -19,8 +19,8 @@ use artifact::permittivity::substance;
 use artifact::scene::SceneHeader;
 use artifact::settings::{EchoMode, Sides};
 
-/// Factors of a field, seen unfolded, where it crosses z = 0: r_TE and −r_TM, weakened by e^{−g²/2}, g
-/// = 2kσ sinψ (Ament 1953).
+/// Factors of the unfolded field at its crossing of z = 0: r_TE and −r_TM, reduced by e^{−g²/2}, g = 2kσ sinψ
+/// (Ament 1953).
 pub(crate) fn crossing(
     road: &Material,
     rms_height_m: f64,
@@ -33,16 +33,16 @@ pub(crate) fn crossing(
     PolarizationPair { te: loss * te, tm: -loss * tm }
 }
 
-/// Half of space above or below the road.
+/// Half-space above or below the road.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Half {
-    /// Half with the vehicles.
+    /// Half-space of the vehicles.
     Above,
-    /// Half with their images.
+    /// Half-space of their images.
     Below,
 }
 
-/// Refuses by name what the road cannot go with.
+/// Refuses, by name, settings that are incompatible with the road.
 pub(crate) fn check_road(header: &SceneHeader) -> Result<(), BartError> {
     let refused = |choice| Err(BartError::NotBuilt { choice });
     let fidelity = &header.fidelity;
@@ -57,13 +57,13 @@ pub(crate) fn check_road(header: &SceneHeader) -> Result<(), BartError> {
     }
 }
 
-/// Dry asphalt of 0.5 mm: what a scene without a road is told to leave out.
+/// Dry asphalt with a roughness of 0.5 mm: the road that a scene without one is reported to leave out.
 pub fn usual_road() -> Option<Road> {
     let asphalt = Material::HalfSpace { permittivity: substance("asphalt")?.permittivity? };
     Some(Road { material: asphalt, rms_height_m: 5e-4 })
 }
 
-/// Half of space that a facet is in.
+/// Half-space that contains a facet.
 pub(crate) fn half_of(world: &World, facet: u32) -> Half {
     if world.is_image(facet) { Half::Below } else { Half::Above }
 }

@@ -1,9 +1,9 @@
-//! Wheels that turn as bodies of their own: each behind the bodies of its scene, its hub on its vehicle,
-//! which rolls without slipping.
+//! Rotating wheels as separate bodies: they are listed after the bodies of their scene, with their hubs on
+//! vehicles that roll without slipping.
 //!
-//! A frame is traced with them apart, so that whatever lights or shades them is followed as between any
-//! bodies that move against each other ([`crate::frame::moments`]); then their paths are their vehicle's
-//! again.
+//! A frame is traced with separate wheels, so that whatever lights or shades them is treated as for any
+//! bodies in relative motion ([`crate::frame::moments`]); afterwards their paths are assigned to their
+//! vehicles again.
 
 use crate::bodies::models::Models;
 use artifact::paths::PathsFrame;
@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3};
 use std::borrow::Cow;
 use std::iter::repeat_n;
 
-/// A scene and a frame of it with every wheel that turns as a body of its own.
+/// A scene and a frame of it with every rotating wheel as a separate body.
 pub(crate) struct WheelsApart<'a> {
     pub(crate) view: Cow<'a, SceneHeader>,
     pub(crate) frame: Cow<'a, SceneFrame>,
@@ -21,7 +21,7 @@ pub(crate) struct WheelsApart<'a> {
 }
 
 impl<'a> WheelsApart<'a> {
-    /// The scene as it is where no wheel of it turns.
+    /// Separates the wheels; the scene is unchanged if none rotates.
     pub(crate) fn of(models: &Models, view: &'a SceneHeader, frame: &'a SceneFrame) -> Self {
         let vehicles = models.vehicles_of_wheels(view);
         if vehicles.is_empty() || frame.poses.len() != view.targets.len() {
@@ -37,7 +37,7 @@ impl<'a> WheelsApart<'a> {
         Self { view: Cow::Owned(apart), frame: Cow::Owned(posed), vehicles }
     }
 
-    /// A frame's paths with those of wheels among their vehicles'.
+    /// Paths of a frame, with those of wheels assigned to their vehicles.
     pub(crate) fn joined(&self, frame: PathsFrame) -> PathsFrame {
         if self.vehicles.is_empty() {
             return frame;
@@ -58,7 +58,7 @@ impl<'a> WheelsApart<'a> {
 }
 
 impl Models {
-    /// Index of the vehicle of each wheel of a scene that turns.
+    /// Index of the vehicle of each rotating wheel of a scene.
     pub(crate) fn vehicles_of_wheels(&self, view: &SceneHeader) -> Vec<u32> {
         let of = |(vehicle, target): (u32, &Target)| repeat_n(vehicle, self.wheels_of(target).count());
         (0..).zip(&view.targets).flat_map(of).collect()
@@ -74,7 +74,7 @@ fn wheel_target(vehicle: &Target, number: usize, mesh: u32, hub_m: DVec3) -> Tar
     }
 }
 
-/// Pose of a body whose origin is a point of another: in a bend it goes round with it.
+/// Pose of a body whose origin is a point of another, and follows its turning in a bend.
 fn pose_at(pose: &Pose, at_m: DVec3) -> Pose {
     let from_origin_m = DMat3::from_rotation_z(pose.yaw_rad) * at_m;
     let gained_mps = (DVec3::Z * pose.yaw_radps).cross(from_origin_m);

@@ -1,10 +1,10 @@
-//! Places where an antenna may stand among bodies: a wavelength away from every facet, and not shut in
-//! by them.
+//! Permitted positions of an antenna among bodies: a wavelength away from every facet, and not enclosed by
+//! them.
 //!
-//! Waves are taken as spherical and transverse. The field of a dipole has terms of 1/kr and 1/(kr)² beside:
-//! they are 0.16 (−16 dB) of the wave at r = λ and grow from there on, and what stands so near changes the
-//! antenna itself. Inside a closed body no wave leaves, so that no order of bounces is the last and nothing
-//! comes back from a distance R: S, its (R/r)² and its phase say nothing there.
+//! Waves are taken as spherical and transverse. The field of a dipole has further terms of 1/kr and 1/(kr)²:
+//! they are 0.16 (−16 dB) of the wave at r = λ and grow below that, and a body that near changes the antenna
+//! itself. From inside a closed body no wave escapes, so that no order of bounces is the last and nothing
+//! returns from a distance R: S, its (R/r)² and its phase are meaningless there.
 
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
@@ -15,8 +15,8 @@ use glam::DVec3;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-/// Refuses an antenna nearer to a facet than a wavelength, or inside a closed body whose facets are wound one
-/// way round.
+/// Refuses an antenna nearer to a facet than a wavelength, or inside a closed body with consistently wound
+/// facets.
 pub(crate) fn check_stand(world: &World, antenna: Antenna, wavelength_m: f64) -> Result<(), BartError> {
     let Antenna::Point(at_m) = antenna else { return Ok(()) };
     let Some(reach) = world.facets().iter().map(bounds).reduce(joined) else { return Ok(()) };
@@ -32,8 +32,8 @@ pub(crate) fn check_stand(world: &World, antenna: Antenna, wavelength_m: f64) ->
     check_enclosed(world, taken_sr.sum::<f64>().abs(), parts)
 }
 
-/// Refuses an antenna that facets surround on all sides, by what they take of all directions, sr; `parts` of
-/// it are those of single facets, by which the bodies are named.
+/// Refuses an antenna surrounded by facets, judged by their total solid angle, sr; `parts` are the solid
+/// angles of single facets, by which the bodies are named.
 pub(crate) fn check_enclosed(
     world: &World,
     taken_sr: f64,
@@ -49,8 +49,8 @@ pub(crate) fn check_enclosed(
     parts.for_each(|(facet, sr)| *by_body.entry(world.id_of_body(facet)).or_default() += sr);
     let mut walls: Vec<(&str, f64)> = by_body.into_iter().map(|(body, sr)| (body, sr.abs())).collect();
     walls.sort_by(|(_, a), (_, b)| b.total_cmp(a));
-    // As many as leave no more than the gap: a closed body elsewhere takes as much with its front as with its
-    // back.
+    // As many bodies as leave no more than the gap: a closed body elsewhere takes as much with its front as
+    // with its back.
     let mut left_sr = 4.0 * PI;
     let is_needed = |&(_, sr): &(&str, f64)| {
         let is_needed = left_sr > GAP_SR;
@@ -61,7 +61,7 @@ pub(crate) fn check_enclosed(
     Err(BartError::AntennaEnclosed { bodies, share: taken_sr / (4.0 * PI) })
 }
 
-/// An antenna's distance from the box about all facets, and the box's diagonal, m.
+/// Distance of an antenna from the box around all facets, and the box's diagonal, m.
 pub(crate) fn distance_and_diagonal_m(world: &World, antenna: Antenna) -> (f64, f64) {
     let Some([low, high]) = world.facets().iter().map(bounds).reduce(joined) else {
         return (f64::INFINITY, 0.0);
@@ -101,7 +101,7 @@ fn distance_to_box_m(at_m: DVec3, [low, high]: [DVec3; 2]) -> f64 {
     at_m.distance(at_m.clamp(low, high))
 }
 
-/// Distance to the foot on the plane where it lies inside, else to the nearest side.
+/// Distance to the perpendicular foot if it lies inside, else to the nearest side.
 fn distance_to_triangle_m(at_m: DVec3, corners_m: &[DVec3; 3]) -> f64 {
     let [a, b, c] = *corners_m;
     let normal = (b - a).cross(c - a);
@@ -125,7 +125,7 @@ mod tests {
     use super::*;
     use artifact::scene::Mesh;
 
-    /// A cube of 1 m about the origin, all facets outward.
+    /// A cube of 1 m around the origin, with all facets facing outwards.
     fn cube() -> World {
         let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 0.5 } else { -0.5 });
         let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];

@@ -1,5 +1,5 @@
-//! The geometry of one instant: every facet of every body in world metres, and each body's hierarchy in its
-//! own frame.
+//! Geometry at one instant: every facet of every body in world metres, and each body's hierarchy in its own
+//! frame.
 
 use crate::bodies::behind_array::BehindArray;
 use crate::bodies::models::{BodyMesh, Models};
@@ -27,7 +27,7 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
-/// Bodies posed at one instant. Facets are counted through all bodies in the order of the targets.
+/// Bodies posed at one instant. Facets are numbered through all bodies in the order of the targets.
 pub struct World {
     facets: Vec<FacetGeometry>,
     bodies: Vec<Body>,
@@ -35,31 +35,31 @@ pub struct World {
     vehicles: Vec<u32>,
     /// Whether every body is a perfect conductor.
     is_conductor: bool,
-    /// The road, where there is one: the second half of the bodies and facets are then images of the first.
+    /// The road, if any: the second half of the bodies and facets are then images of the first.
     road: Option<Road>,
-    /// Facets that waves are followed through, ascending.
+    /// Facets with transmission, ascending.
     sheets: Vec<u32>,
-    /// Whether a mirror lights other bodies.
+    /// Whether paths between bodies are traced.
     between_bodies: BetweenBodies,
     tolerance_m: f64,
-    /// Limit of every tree.
+    /// Memory limit of every tree.
     memory_limit: MemoryLimit,
     edges: OnceLock<WorldEdges>,
 }
 
 impl World {
-    /// Every mesh target of a frame that antennas have gain towards, `seconds_into_frame` after the frame's
-    /// first sample.
+    /// World of all mesh targets of a frame towards which antennas have gain, `seconds_into_frame` after the
+    /// frame's first sample.
     ///
-    /// Builds the hierarchies of all meshes: for many frames a [`crate::Tracer`] builds them once.
+    /// This builds the hierarchies of all meshes; for many frames a [`crate::Tracer`] builds them only once.
     pub fn at(header: &SceneHeader, frame: &SceneFrame, seconds_into_frame: f64) -> Result<Self, BartError> {
         let models = Models::build(header)?;
         let apart = WheelsApart::of(&models, header, frame);
         Self::posed(&models, &apart.view, &apart.frame, seconds_into_frame)
     }
 
-    /// Builds the world as [`World::at`] does, with models that were built before from the same header, of a
-    /// scene whose wheels stand apart where they turn.
+    /// Like [`World::at`], with models built before from the same header; rotating wheels are already
+    /// separate bodies of the scene.
     pub(crate) fn posed(
         models: &Models,
         header: &SceneHeader,
@@ -97,18 +97,18 @@ impl World {
         Ok(Self { between_bodies: header.fidelity.between_bodies, ..world.within(limit) })
     }
 
-    /// A mesh alone as it is, its body axes the world's; the target's index is 0.
+    /// World of a single mesh, with world axes equal to body axes; the target's index is 0.
     pub fn of_mesh(mesh: &Mesh) -> Result<Self, BartError> {
         Self::of_skin(mesh, Skin::Flat)
     }
 
-    /// Builds the world of a mesh alone with its facets bent.
+    /// World of a single mesh with curved facets.
     pub fn of_skin(mesh: &Mesh, skin: Skin) -> Result<Self, BartError> {
         let body = Body::posed(0, Arc::new(BodyMesh::build(mesh, skin)?), &AT_ORIGIN, 0.0, &mesh.name)?;
         Ok(Self::of_bodies(vec![body], None)?.with_sheets(mesh.makeup.transmission))
     }
 
-    /// The model of a target alone in its own axes, as [`World::of_skin`] of its mesh.
+    /// Model of a single target in its own axes, like [`World::of_skin`] of its mesh.
     pub(crate) fn alone(
         model: Arc<BodyMesh>,
         target: &Target,
@@ -118,14 +118,14 @@ impl World {
         Ok(Self::of_bodies(vec![body], None)?.with_sheets(transmission))
     }
 
-    /// These bodies over a road, with their images below it.
+    /// World of these bodies over a road, with their images below it.
     pub(crate) fn over(&self, road: &Road) -> Result<Self, BartError> {
         let images = self.bodies.iter().map(Body::below_road);
         let bodies = self.bodies.iter().cloned().chain(images).collect();
         Ok(Self { between_bodies: self.between_bodies, ..self.of_other_bodies(bodies, Some(road.clone()))? })
     }
 
-    /// Refuses a body that lies wholly below the road z = 0.
+    /// Refuses a body that lies completely below the road z = 0.
     pub(crate) fn check_above_road(&self) -> Result<(), BartError> {
         let below = self.facets.chunk_by(|a, b| a.id.body == b.id.body).find_map(|facets| {
             let heights_m = facets.iter().flat_map(|facet| facet.corners_m).map(|corner| corner.z);
@@ -139,31 +139,31 @@ impl World {
         })
     }
 
-    /// These bodies, with ways followed from one to another.
+    /// World of these bodies with paths between bodies traced.
     pub(crate) fn joined(&self) -> Result<Self, BartError> {
         self.of_other_bodies(self.bodies.clone(), self.road.clone())
     }
 
-    /// World of other bodies, their sheets and memory as of this world's.
+    /// World of other bodies, with this world's settings for sheets and memory.
     fn of_other_bodies(&self, bodies: Vec<Body>, road: Option<Road>) -> Result<Self, BartError> {
         let transmission =
             if self.sheets.is_empty() { Transmission::Ignored } else { Transmission::Followed };
         Ok(Self::of_bodies(bodies, road)?.with_sheets(transmission).within(self.memory_limit))
     }
 
-    /// Whether ways between several bodies are left out.
+    /// Whether paths over several bodies are left out.
     pub(crate) fn leaves_bodies_apart(&self) -> bool {
         let is_other = |body: &Body| body.vehicle != self.bodies[0].vehicle;
         self.between_bodies == BetweenBodies::LeftOut && self.bodies.iter().any(is_other)
     }
 
-    /// Whether what one facet reflects is followed to another.
+    /// Whether reflections from one facet to another are traced.
     pub(crate) fn is_followed(&self, from: &FacetGeometry, to: u32) -> bool {
         let (from, to) = (from.id.body, self.facet(to).id.body);
         self.between_bodies == BetweenBodies::Traced || from == to || self.vehicle(from) == self.vehicle(to)
     }
 
-    /// The vehicle that a body is a wheel of; the body itself where it is none.
+    /// Vehicle to which a wheel belongs; for other bodies the body itself.
     pub(crate) fn vehicle(&self, body: u32) -> u32 {
         self.vehicles.get(body as usize).copied().unwrap_or(body)
     }
@@ -183,7 +183,7 @@ impl World {
         self.is_conductor
     }
 
-    /// The road that bodies have images below, if any.
+    /// The road below which bodies have images, if any.
     pub(crate) fn road(&self) -> Option<&Road> {
         self.road.as_ref()
     }
@@ -193,23 +193,23 @@ impl World {
         facet as usize >= self.triangles()
     }
 
-    /// The image of a facet below the road, or the facet whose image it is; where there is a road.
+    /// Image of a facet below the road, or the facet of which it is the image; requires a road.
     pub(crate) fn image_of(&self, facet: u32) -> u32 {
         let half = self.triangles() as u32;
         if facet < half { facet + half } else { facet - half }
     }
 
-    /// Facets without the images below the road.
+    /// Number of facets without the images below the road.
     pub(crate) fn triangles(&self) -> usize {
         if self.road.is_some() { self.facets.len() / 2 } else { self.facets.len() }
     }
 
-    /// Facets that waves are followed through, ascending.
+    /// Facets with transmission, ascending.
     pub(crate) fn sheets(&self) -> &[u32] {
         &self.sheets
     }
 
-    /// Whether waves are followed through a facet.
+    /// Whether waves are transmitted through a facet.
     pub(crate) fn is_passed(&self, facet: u32) -> bool {
         !self.sheets.is_empty() && self.sheets.binary_search(&facet).is_ok()
     }
@@ -224,128 +224,128 @@ impl World {
         self
     }
 
-    /// Material of a facet; `None` is a perfect conductor.
+    /// Material of a facet; `None` for a perfect conductor.
     pub(crate) fn lossy_material(&self, facet: u32) -> Option<&Arc<Material>> {
         let body = self.body_of(facet).filter(|_| !self.is_conductor)?;
         body.mesh.material(facet - body.first_facet)
     }
 
-    /// Whether some body reflects in another way at another frequency.
+    /// Whether the reflection of some body depends on frequency.
     pub(crate) fn knows_frequency(&self) -> bool {
         !self.is_conductor && self.bodies.iter().any(|body| body.mesh.has_layers())
     }
 
-    /// The flat patch that a facet is part of, by its first facet.
+    /// Flat patch of a facet, identified by the patch's first facet.
     pub(crate) fn patch(&self, facet: u32) -> u32 {
         self.body_of(facet)
             .map_or(facet, |body| body.first_facet + body.mesh.patches.of_triangle(facet - body.first_facet))
     }
 
-    /// Curvature of the surface that a facet is part of, 1/m; 0 where it stands for itself.
+    /// Curvature of the surface that a facet belongs to, 1/m; 0 if it is flat.
     pub(crate) fn curvature_per_m(&self, facet: u32) -> f64 {
         self.body_of(facet).map_or(0.0, |body| body.mesh.patches.curvature_per_m(facet - body.first_facet))
     }
 
-    /// Whether a patch goes on beyond the facet's edge from corner `edge` to the next.
+    /// Whether a patch continues beyond the facet's edge from corner `edge` to the next.
     pub(crate) fn is_inside_patch(&self, facet: u32, edge: usize) -> bool {
         self.body_of(facet).is_some_and(|body| body.mesh.patches.is_inside(facet - body.first_facet, edge))
     }
 
-    /// The facet across the side from corner `side` to the next, and how it is wound; `None` where there is
-    /// none or several.
+    /// Facet across the side from corner `side` to the next, and its winding; `None` if there is none or
+    /// several.
     pub(crate) fn across(&self, facet: u32, side: usize) -> Option<(u32, Winding)> {
         let body = self.body_of(facet)?;
         let (triangle, winding) = body.mesh.neighbours.across(facet - body.first_facet, side)?;
         Some((body.first_facet + triangle, winding))
     }
 
-    /// Motion of a point of the body that a facet belongs to.
+    /// Motion of a point fixed to the body of a facet.
     pub(crate) fn motion(&self, facet: u32, at_m: DVec3) -> Motion {
         self.body_of(facet).map_or(Motion::REST, |body| body.motion.at(at_m))
     }
 
-    /// The plane of a facet, and how it moves.
+    /// Plane of a facet, and its motion.
     pub(crate) fn moving_plane(&self, facet: u32) -> MovingPlane {
         let body = self.body_of(facet).map_or(RigidMotion::REST, |body| body.motion);
         let mirror = self.facet(facet);
         MovingPlane { point_m: mirror.corners_m[0], normal: mirror.normal(), body }
     }
 
-    /// Speed of the fastest point of all bodies but wheels at most, m/s.
+    /// Upper bound on the speed of all bodies' points except those of wheels, m/s.
     pub(crate) fn fastest_mps(&self) -> f64 {
         self.bodies.iter().filter(|body| !body.is_wheel()).map(Body::fastest_mps).fold(0.0, f64::max)
     }
 
-    /// Rate of the fastest turn of all bodies but wheels, rad/s.
+    /// Maximum rate of rotation of all bodies except wheels, rad/s.
     pub(crate) fn fastest_turn_radps(&self) -> f64 {
         let bodies = self.bodies.iter().filter(|body| !body.is_wheel());
         bodies.map(|body| body.motion.turn_radps.z.abs()).fold(0.0, f64::max)
     }
 
-    /// Rate of the fastest turn of all wheels, rad/s; 0 where none turns.
+    /// Maximum rate of rotation of all wheels, rad/s; 0 if none rotates.
     pub(crate) fn fastest_wheel_radps(&self) -> f64 {
         let wheels = self.bodies.iter().filter(|body| body.is_wheel());
         wheels.map(|wheel| wheel.motion.turn_radps.length()).fold(0.0, f64::max)
     }
 
-    /// Speed at which a facet of a wheel goes round its hub, m/s; 0 where it is of no wheel.
+    /// Speed of a wheel's facet around its hub, m/s; 0 if it belongs to no wheel.
     pub(crate) fn turning_mps(&self, facet: u32) -> f64 {
         let Some(body) = self.body_of(facet).filter(|body| body.is_wheel()) else { return 0.0 };
         let of_facet = body.motion.at(self.facet(facet).corners_m[0]);
         of_facet.velocity_mps.distance(body.motion.of_origin.velocity_mps)
     }
 
-    /// Whether a body of this scene is a wheel that turns.
+    /// Whether a body of this scene is a rotating wheel.
     pub(crate) fn is_wheel(&self, body: u32) -> bool {
         self.vehicle(body) != body
     }
 
-    /// Distances below this are rounding, m: points so near a plane count as on it.
+    /// Distances below this are rounding, m: points this near to a plane count as on it.
     ///
     /// Rounding of a coordinate is ½ε of the largest, C; the plane through three rounded corners adds as much
-    /// for each length of its triangle that one goes outside, and a point that was constructed by a cut has
-    /// it twice: 256 εC covers triangles seen from 60 of their own lengths away (3.4e-12 m at C = 60 m, far
-    /// below the 3.9e-3 m of a wavelength).
+    /// for each length of its triangle outside it, and a point constructed by a cut has it twice: 256 εC
+    /// covers triangles seen from 60 of their own lengths away (3.4e-12 m at C = 60 m, far below the 3.9e-3 m
+    /// of a wavelength).
     pub fn tolerance_m(&self) -> f64 {
         self.tolerance_m
     }
 
-    /// Relative amplitude error that facets in place of a skin were cut for; 0 where they are the surface.
+    /// Relative amplitude error to which facets approximate the skin; 0 if they are the surface.
     pub fn skin_error(&self) -> f64 {
         self.bodies.iter().map(|body| body.mesh.skin.error).fold(0.0, f64::max)
     }
 
-    /// The skin over a facet; `None` where the facet is the surface.
+    /// Skin over a facet; `None` if the facet is the surface.
     pub(crate) fn bend(&self, facet: u32) -> Option<Bend> {
         let body = self.body_of(facet)?;
         let heights_m = body.mesh.skin.heights_m.get((facet - body.first_facet) as usize)?;
-        // Heights are along the winding's normal, which turns over in the road's mirror.
+        // Heights are along the normal by winding, which is reversed in the road's mirror.
         let up = if self.is_image(facet) { -1.0 } else { 1.0 };
         Bend::over(self.facet(facet), &heights_m.map(|h| up * h))
     }
 
-    /// Root mean square of the areas of the bent facets beside this one, m²; 0 on a body that has none.
+    /// Root mean square area of the curved facets around this one, m²; 0 for a body without any.
     pub(crate) fn bent_area_m2(&self, facet: u32) -> f64 {
         self.body_of(facet).map_or(0.0, |body| body.mesh.skin.bent_area_m2)
     }
 
-    /// Bytes held, about.
+    /// Approximate memory, bytes.
     pub fn bytes(&self) -> usize {
         let models: usize = self.bodies.iter().map(|body| body.mesh.bytes()).sum();
         self.placed_bytes() + models
     }
 
-    /// Bytes of its facets where they are, without the models that all moments of a frame share.
+    /// Memory of the posed facets, without the models shared by all moments of a frame, bytes.
     pub(crate) fn placed_bytes(&self) -> usize {
         self.facets.len() * size_of::<FacetGeometry>()
     }
 
-    /// The edges that diffract at about this wavenumber; found when they are first asked for, once per mesh.
+    /// Edges that diffract at about this wavenumber; computed when first requested, once per mesh.
     ///
-    /// A world serves one band: the first wavenumber asked for decides which sides are thin, and which seams
-    /// of rounded files are closed.
+    /// A world serves one band: the first wavenumber passed decides which sides are thin, and which seams of
+    /// rounded files are closed.
     pub(crate) fn edges(&self, wavenumber_per_m: f64) -> &WorldEdges {
-        /// Distances that no wave tells, in wavelengths: twice that way is a phase of 0.013.
+        /// Distance negligible for any wave, in wavelengths: twice that path is a phase of 0.013.
         const UNTOLD_WAVELENGTHS: f64 = 1e-3;
         self.edges.get_or_init(|| {
             let untold_m = UNTOLD_WAVELENGTHS * std::f64::consts::TAU / wavenumber_per_m;
@@ -359,19 +359,19 @@ impl World {
         })
     }
 
-    /// This world with a limit of what one tree and its joints may hold.
+    /// This world with a limit on the memory of one tree and its joints.
     pub fn within(self, limit: MemoryLimit) -> Self {
         Self { memory_limit: limit, ..self }
     }
 
-    /// Limit of what one tree and its joints may hold.
+    /// Limit on the memory of one tree and its joints.
     pub(crate) fn memory_limit(&self) -> MemoryLimit {
         self.memory_limit
     }
 
-    /// Calls `visit` with every facet that may reach the positive side of all `planes` (world) and what a
-    /// wave lights behind an `opening`, body by body and about from the far end of `nearer` on, until it
-    /// breaks. It decides nothing.
+    /// Calls `visit` with every facet that may reach the positive side of all `planes` (world) and the region
+    /// that a wave lights behind an `opening`, body by body and roughly from the far end of `nearer` on,
+    /// until it breaks. It only proposes candidates.
     pub(crate) fn visit_inside(
         &self,
         planes: impl Iterator<Item = Plane>,
@@ -402,12 +402,12 @@ impl World {
         })
     }
 
-    /// Name of a facet's body: the target's id, or the name of a mesh alone.
+    /// Name of a facet's body: the target's id, or the name of a single mesh.
     pub(crate) fn id_of_body(&self, facet: u32) -> &str {
         self.body_of(facet).map_or("", |body| &body.id)
     }
 
-    /// Whether waves are followed through some facets.
+    /// Whether any facets have transmission.
     pub(crate) fn has_sheets(&self) -> bool {
         !self.sheets.is_empty()
     }
@@ -468,11 +468,11 @@ const AT_ORIGIN: Pose = Pose {
     acceleration_mps2: [0.0; 3],
 };
 
-/// A mesh at its place.
+/// A posed mesh.
 #[derive(Clone)]
 struct Body {
     target: u32,
-    /// The target that it is a wheel of; itself where it is none.
+    /// Target to which a wheel belongs; itself for other bodies.
     vehicle: u32,
     id: Arc<str>,
     mesh: Arc<BodyMesh>,
@@ -500,12 +500,12 @@ impl Body {
         Ok(body.rolled(pose))
     }
 
-    /// A wheel as far round as it has rolled from the world's origin, in a frame that begins at a pose;
-    /// other bodies as they are.
+    /// A wheel rotated by the distance rolled from the world's origin, in a frame that starts at a pose;
+    /// other bodies are unchanged.
     fn rolled(self, pose: &Pose) -> Self {
         let Some(radius_m) = self.mesh.rolls_on_m else { return self };
         let ahead = self.world_from_body * DVec3::X;
-        // Where it bends the way to the frame's begin is another, which no one can tell from the frame.
+        // In a bend the distance to the frame's start differs, but cannot be known from the frame.
         let start_m = DVec3::from_array(pose.position_m);
         let way_m = start_m.dot(DMat3::from_rotation_z(pose.yaw_rad) * DVec3::X)
             + (self.motion.origin_m - start_m).dot(ahead);
@@ -519,7 +519,7 @@ impl Body {
         self.mesh.rolls_on_m.is_some()
     }
 
-    /// Speed of its fastest point at most: of its origin, and what turning adds where it reaches farthest.
+    /// Upper bound on the speed of its points: that of its origin, plus that of rotation at its reach.
     fn fastest_mps(&self) -> f64 {
         let speed_mps = self.motion.of_origin.velocity_mps.length();
         if self.motion.turn_radps == DVec3::ZERO {
@@ -531,7 +531,7 @@ impl Body {
         speed_mps + self.motion.turn_radps.length() * reach_m
     }
 
-    /// Whether antennas have gain towards any of it, or of its image below the road, during a frame.
+    /// Whether antennas have gain towards any part of it, or of its image below the road, during a frame.
     fn is_heard(&self, header: &SceneHeader) -> bool {
         let speed_mps = self.fastest_mps()
             + self.motion.of_origin.acceleration_mps2.length() * header.radar.frame_duration_s();
@@ -543,7 +543,7 @@ impl Body {
         !is_on(self) || (header.road.is_some() && !is_on(&self.below_road()))
     }
 
-    /// Image of the body in the plane z = 0; windings turn over with it.
+    /// Image of the body in the plane z = 0, with windings reversed.
     fn below_road(&self) -> Self {
         Self {
             target: self.target,
@@ -564,7 +564,7 @@ impl Body {
         })
     }
 
-    /// A world plane in this body's frame, moved back by `slack_m` so that rounding loses nothing.
+    /// A world plane in this body's frame, moved back by `slack_m` to allow for rounding.
     fn plane_in_body(&self, plane: &Plane, slack_m: f64) -> Plane {
         let normal = self.world_from_body.transpose() * plane.normal;
         Plane { normal, offset_m: plane.offset_m - plane.normal.dot(self.motion.origin_m) - slack_m }

@@ -1,25 +1,24 @@
-//! Costs of levels of detail, in processor seconds: figures of one machine, so that the same scene
-//! takes the same level on every machine and any number of threads. Measured:
-//! docs/validation/levels-of-detail.md.
+//! Costs of levels of detail in processor seconds: measured on one machine, so that the same scene takes the
+//! same level on every machine with any number of threads. Measurements: docs/validation/levels-of-detail.md.
 
 use artifact::Radar;
 
-/// Cost of the sum over paths one by one, for each path and sample of the cube.
+/// Cost of the sum over paths one by one, per path and sample of the cube.
 const ONE_BY_ONE_S: f64 = 1.1e-9;
-/// Cost of transforms, for each sample of the cube: some instants of two-dimensional transforms on
-/// grids four times as large.
+/// Cost of transforms, per sample of the cube: several instants of two-dimensional transforms on grids four
+/// times as large.
 const TRANSFORMS_S: f64 = 4e-8;
-/// Cost of a path's values and its share of the grids, for each pair of elements.
+/// Cost of a path's values and its spreading to the grids, per pair of elements.
 const VALUES_S: f64 = 2e-7;
-/// Paths of one target from which on transforms are taken, at −60 dB.
+/// Number of paths of one target from which transforms are used, at −60 dB.
 const TRANSFORMED: usize = 40;
-/// Cost of finding a path its cell and comparing the tables, all attempts.
+/// Cost per path of assigning it to a cell and comparing the tables, over all attempts.
 const MERGING_S: f64 = 5.5e-6;
-/// Cost of fitting centres to anything, and to a path's field with twelve pairs of elements, comparing
-/// the tables, all attempts.
+/// Cost of fitting centres: a fixed part, and a part per path with twelve pairs of elements, including
+/// comparison of the tables, over all attempts.
 const FITTING_LEAST_S: f64 = 3e-3;
 const FITTING_S: f64 = 7e-6;
-/// Wider arrays are looked at from more pairs, up to 64 of them.
+/// Numbers of pairs of elements from which an array is sampled; wider arrays use more, up to 64.
 const FITTING_PAIRS: [f64; 2] = [12.0, 64.0];
 
 /// Cost of the echo of one target's paths.

@@ -1,5 +1,5 @@
-//! The cheapest level of detail whose error, measured in the run and added to the frame's others, is within
-//! the accuracy asked for.
+//! Selection of the cheapest level of detail whose error, measured in the run and added to the frame's
+//! others, is within the requested accuracy.
 
 use crate::detail::detail_cost::{centres_s, echo_s, merging_s};
 use crate::detail::looks::{Looks, difference, power};
@@ -12,14 +12,14 @@ use artifact::settings::Detail;
 use artifact::{ErrorBudget, Radar};
 use num_complex::Complex64;
 
-/// A frame's paths with no more detail than the scene asks for: fewer paths for the same echo.
+/// Reduces a frame's paths to the detail that the scene requests: fewer paths for the same echo.
 ///
-/// Each target has its own level, and none loses more of itself than the frame may. `Detail::Auto` reduces
-/// where that is cheaper than the echo of all paths, and by no more than what the frame's other errors leave
-/// of the accuracy asked for; where these are beyond it already, by a fifth of them, which adds 2 %. A level
-/// asked for by name may take 0.3 of the accuracy at least, statistical points as much as they need. Point
-/// targets stay as they are. `error.detail` is measured: reduced paths against all of them, at pairs of
-/// elements, moments and frequencies other than those that they were made with. `trace.detail` tells each
+/// Each target has its own level, and none loses a larger share of itself than the frame may. `Detail::Auto`
+/// reduces where that is cheaper than the echo of all paths, by no more than what the frame's other errors
+/// leave of the requested accuracy; if these exceed it already, by a fifth of them, which adds 2 %. A level
+/// requested by name may take at least 0.3 of the accuracy, statistical points as much as they need. Point
+/// targets are unchanged. `error.detail` is measured by comparing reduced paths with all of them, at pairs of
+/// elements, moments and frequencies other than those used in making them. `trace.detail` reports each
 /// target's level.
 pub fn reduced(header: &SceneHeader, frame: PathsFrame) -> PathsFrame {
     let asked = header.fidelity.detail;
@@ -39,17 +39,17 @@ pub fn reduced(header: &SceneHeader, frame: PathsFrame) -> PathsFrame {
     with(targets, frame)
 }
 
-/// Share of the accuracy asked for that a level may take at least when it was asked for by name.
+/// Minimum share of the requested accuracy that a level requested by name may take.
 const LEAST_SHARE: f64 = 0.3;
 
-/// Error that the other errors of a frame leave of the accuracy asked for, as an amplitude.
+/// Error that the other errors of a frame leave of the requested accuracy, as an amplitude.
 fn left_by_others(header: &SceneHeader, error: &ErrorBudget) -> f64 {
     let asked = header.fidelity.accuracy.amplitude();
     let others = error.total().unwrap_or(0.0);
     if others < asked { (asked.powi(2) - others.powi(2)).sqrt() } else { BEYOND_SHARE * others }
 }
 
-/// Share of other errors that are beyond the accuracy asked for: √(1 + 0.2²) is 1.02 of them.
+/// Share of the other errors allotted to a level if they already exceed the accuracy: √(1 + 0.2²) is 1.02.
 const BEYOND_SHARE: f64 = 0.2;
 
 fn with(targets: Vec<Made>, frame: PathsFrame) -> PathsFrame {
@@ -77,33 +77,33 @@ struct Made {
     level: Detail,
     traced: usize,
     paths: Vec<Path>,
-    /// Measured error of the level; `None` of all paths.
+    /// Measured error of the level; `None` for all paths.
     measured: Option<MissedPower>,
 }
 
-/// Power that reduced paths miss of what all of them have.
+/// Power missed by reduced paths, and power of all paths.
 #[derive(Debug, Clone, Copy)]
 struct MissedPower {
     missed: f64,
     power: f64,
 }
 
-/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n)
-/// degrees of freedom. The looks are taken anywhere in the frame: of their 192 samples about 32 are
-/// independent where a vehicle fills few cells of range and angle, and 95 of 100 ratios stay below F(0.95;
-/// 64, 64) = 1.51, as an amplitude 1.23.
+/// Margin of a measured error. The ratio of two mean powers of n complex Gaussian samples follows the F
+/// distribution with (2n, 2n) degrees of freedom. Looks are spread over the whole frame: of their 192 samples
+/// about 32 are independent if a vehicle fills few cells of range and angle, and 95 of 100 ratios stay below
+/// F(0.95; 64, 64) = 1.51, as an amplitude 1.23.
 const MARGIN: f64 = 1.23;
 const LOOKS: usize = 12;
 const INSTANTS: usize = 16;
 
 impl MissedPower {
-    /// Relative amplitude error, with the margin of the measurement; 0 of what scatters nothing.
+    /// Relative amplitude error, with the margin of the measurement; 0 if nothing scatters.
     fn error(self) -> f64 {
         if self.power > 0.0 { MARGIN * (self.missed / self.power).sqrt() } else { 0.0 }
     }
 }
 
-/// One target's paths, and what a level may miss of them.
+/// Paths of one target, and the error allowed for a level.
 struct Choice<'a> {
     radar: &'a Radar,
     paths: Vec<Path>,
@@ -118,8 +118,8 @@ struct LevelWithError {
     measured: MissedPower,
 }
 
-/// A level's error falls about as fast as its setting; the next attempt aims a little lower than what is
-/// allowed.
+/// Target of the next attempt relative to the allowed error, a little lower: a level's error falls about as
+/// fast as its setting.
 const AIM: f64 = 0.7;
 
 impl<'a> Choice<'a> {
@@ -146,8 +146,8 @@ impl<'a> Choice<'a> {
         }
     }
 
-    /// The cheapest level that is found; nothing is tried whose making costs more than what it may be
-    /// expected to save. Centres come first: they are fewer than merged paths.
+    /// Cheapest level found; levels that cost more to make than they are expected to save are not tried.
+    /// Centres come first: they are fewer than merged paths.
     fn cheapest(&self) -> Option<LevelWithError> {
         let count = self.paths.len();
         let echo = |paths: usize| echo_s(self.radar, paths);
@@ -162,7 +162,7 @@ impl<'a> Choice<'a> {
         fitted.or_else(|| is_merging_worth_it.then(|| self.merged(&field)).flatten().filter(saved))
     }
 
-    /// Field of all paths, as the looks see it.
+    /// Field of all paths at the looks.
     fn field(&self) -> Vec<Complex64> {
         self.looks.field(&self.paths)
     }
@@ -172,8 +172,7 @@ impl<'a> Choice<'a> {
         LevelWithError { level, paths, measured: MissedPower { missed, power: power(field) } }
     }
 
-    /// The first of several tables that misses no more than is allowed, each made with a finer setting than
-    /// the last.
+    /// First of several tables within the allowed error, each made with a finer setting than the last.
     fn first_within(
         &self,
         first: f64,
@@ -192,18 +191,18 @@ impl<'a> Choice<'a> {
         None
     }
 
-    /// Merged paths; `None` where no merging of few enough paths is within what is allowed.
+    /// Merged paths; `None` if no merging to few enough paths is within the allowed error.
     fn merged(&self, field: &[Complex64]) -> Option<LevelWithError> {
         const ATTEMPTS: usize = 6;
-        // Phases in a cell are spread evenly and cancel: their mean is off by less than a quarter of the
-        // spread.
+        // Phases in a cell are uniformly distributed and cancel: their mean is off by less than a quarter of
+        // the spread.
         self.first_within((4.0 * self.allowed).min(1.0), ATTEMPTS, &|spread_rad| {
             let paths = merged(self.radar, &self.paths, spread_rad);
             (paths.len() < self.paths.len()).then(|| self.found(Detail::Merged, paths, field))
         })
     }
 
-    /// Scattering centres; `None` where no few of them are within what is allowed.
+    /// Scattering centres; `None` if no small number of them is within the allowed error.
     fn centres(&self, field: &[Complex64]) -> Option<LevelWithError> {
         const ATTEMPTS: usize = 4;
         let finest_rad = CANDIDATES_RAD * (self.allowed / 0.1).powf(0.25).min(1.0);
@@ -226,12 +225,12 @@ impl<'a> Choice<'a> {
     }
 }
 
-/// A car's centres at −20 dB; merging keeps half of the paths where it succeeds
+/// Number of centres of a car at −20 dB; merging keeps half of the paths where it succeeds
 /// (docs/validation/levels-of-detail.md).
 const FEW_CENTRES: usize = 15;
 
-/// Phases of the paths that are merged into one candidate, at −20 dB: about two candidates for each cell that
-/// samples tell apart. Values between candidates are interpolated from them, the better the denser they are.
+/// Phase spread of the paths merged into one candidate, at −20 dB: about two candidates per cell resolved by
+/// samples. Values between candidates are interpolated from them, the better the denser they are.
 const CANDIDATES_RAD: f64 = 0.6;
 
 #[cfg(test)]
@@ -252,7 +251,7 @@ mod tests {
         radar
     }
 
-    /// Paths anywhere in a car 40 m ahead that approaches at 10 m/s, the nearer end stronger; every third
+    /// Paths throughout a car 40 m ahead that approaches at 10 m/s, stronger at the nearer end; every third
     /// with two bounces.
     fn body(count: u32) -> Vec<Path> {
         let path = |i: u32| {
@@ -274,7 +273,7 @@ mod tests {
         (0..count).map(path).collect()
     }
 
-    /// Relative error at looks that no level was made or measured with.
+    /// Relative error at looks not used for making or measuring any level.
     fn error_elsewhere(radar: &Radar, paths: &[Path], all: &[Path]) -> f64 {
         let looks = Looks::new(radar, 40, 29, 0.271_828);
         let field = looks.field(all);
@@ -334,8 +333,8 @@ mod tests {
         let one = merged(&radar, &near, 0.1);
         let sum: Complex64 = near.iter().map(|path| path.amplitude_m[1][0]).sum();
         assert_eq!(one.len(), 1);
-        // The band's line is fitted to three points: rounding of 27 amplitudes of about 1, and of phases of
-        // 0.
+        // The line over the band is fitted to three points: rounding of 27 amplitudes of about 1, and of
+        // phases of 0.
         assert!(
             (one[0].amplitude_m[1][0] - sum).norm() < 1e-12
                 && one[0].amplitude_m[0][0] == one[0].amplitude_m[1][1]
@@ -352,13 +351,13 @@ mod tests {
         let draw = |seed: u64| choice.statistical(&field, seed, 0).unwrap().paths;
         assert_eq!(draw(1), draw(1));
         assert_ne!(draw(1), draw(2));
-        // Of 100 draws; each field's power over the looks is spread by its own mean at most, their mean by a
+        // Over 100 draws; each field's power over the looks has at most its own mean as spread, their mean a
         // tenth of it: three times that.
         let mean = (0..100).map(|seed| power(&looks.field(&draw(seed)))).sum::<f64>() / 100.0;
         assert!((mean / exact - 1.0).abs() < 0.3, "{}", mean / exact);
         let error =
             (0..100).map(|seed| error_elsewhere(&radar, &draw(seed), &all).powi(2)).sum::<f64>() / 100.0;
-        // Two independent fields of one power: 2, as above.
+        // Two independent fields of equal power: 2, as above.
         assert!((error - 2.0).abs() < 0.6, "{error}");
     }
 

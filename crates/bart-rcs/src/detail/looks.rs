@@ -1,5 +1,5 @@
-//! Path tables as some samples of a cube see them: pairs of elements, moments of the frame, instants of the
-//! sweep.
+//! Fields of path tables at selected samples of a cube: pairs of elements, moments of the frame, instants of
+//! the sweep.
 
 use crate::frame::path_sum::apparent_m;
 use artifact::Radar;
@@ -11,7 +11,7 @@ use radar::aperture::{axes, pattern_amplitude};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 
-/// A pair of elements at a moment after the frame's first sample.
+/// A pair of elements at a time after the frame's first sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Look {
     pub(crate) tx_m: DVec3,
@@ -32,21 +32,21 @@ impl Look {
         [from_tx_m - self.tx_m, from_rx_m - self.rx_m]
     }
 
-    /// Factor of a path that stands for a part of the frame.
+    /// Share of a path that represents a part of the frame.
     fn share(&self, path: &Path) -> f64 {
         let ends_m = [self.tx_m.to_array(), self.rx_m.to_array()];
         path.curve.share(self.seconds, ends_m)
     }
 }
 
-/// Both elements' gain over L₁L₂, 1/m².
+/// Product of both elements' gains over L₁L₂, 1/m².
 pub(crate) fn strength(radar: &Radar, legs_m: [DVec3; 2]) -> f64 {
     let axes = axes(radar);
     let gain = |leg: &DVec3| pattern_amplitude(radar, &axes, *leg / leg.length());
     legs_m.iter().map(|leg| gain(leg) / leg.length()).product()
 }
 
-/// Looks, each over equally spaced instants of the sampled sweep.
+/// Looks, each over equidistant instants of the sampled sweep.
 pub(crate) struct Looks<'a> {
     radar: &'a Radar,
     looks: Vec<Look>,
@@ -54,16 +54,17 @@ pub(crate) struct Looks<'a> {
 }
 
 impl<'a> Looks<'a> {
-    /// `count` looks evenly spread over pairs and moments; sequences of different `start`s share no look.
+    /// Makes `count` looks evenly spread over pairs and moments; sequences with different `start`s share no
+    /// look.
     ///
-    /// Moments crowd at the frame's ends, as Chebyshev's points do: a fit that knows them does not run away
-    /// between.
+    /// Moments are denser at the frame's ends, like Chebyshev points, so that a fit does not diverge between
+    /// them.
     pub(crate) fn new(radar: &'a Radar, count: usize, instants: usize, start: f64) -> Self {
         let pick = |list: &[[f64; 3]], share: f64| {
             let element = list.get((share * list.len() as f64) as usize);
             DVec3::from_array(*element.unwrap_or(&radar.position_m))
         };
-        // The plastic number's powers: the lowest discrepancy known for three dimensions (M. Roberts 2018).
+        // Powers of the plastic number: the lowest discrepancy known for three dimensions (M. Roberts 2018).
         let look = |i: usize| {
             let share = |step: f64| (start + step * (i as f64 + 1.0)).fract();
             let moment = 0.5 - 0.5 * (PI * share(0.819_172_513)).cos();
@@ -81,10 +82,10 @@ impl<'a> Looks<'a> {
         self.looks.len() * self.instants
     }
 
-    /// The conjugate IF samples of all paths without the link's amplitude, in the radar's polarization,
+    /// Conjugate IF samples of all paths without the link amplitude, in the radar's polarization,
     /// `[look][instant]`.
     ///
-    /// Runs of paths are added in their order: the same bits on any number of threads.
+    /// Runs of paths are summed in order, so the result is bit-identical for any number of threads.
     pub(crate) fn field(&self, paths: &[Path]) -> Vec<Complex64> {
         const PATHS_PER_RUN: usize = 1024;
         let zero = || vec![Complex64::ZERO; self.len()];
@@ -97,7 +98,7 @@ impl<'a> Looks<'a> {
         runs.iter().fold(zero(), |sums, run| sums.iter().zip(run).map(|(a, b)| a + b).collect())
     }
 
-    /// The field of a path of a = 1 m, and of one of a′ = 1 m per half of the band.
+    /// Fields of a path of a = 1 m, and of one of a′ = 1 m per half of the band.
     pub(crate) fn columns(&self, path: &Path) -> [Vec<Complex64>; 2] {
         let mut columns = [Vec::with_capacity(self.len()), Vec::with_capacity(self.len())];
         let half_band_hz = self.half_band_hz();
@@ -128,7 +129,7 @@ impl<'a> Looks<'a> {
         }
     }
 
-    /// A path through the sweep: e^{−j2π[(f₀ + μt)τ − ½μτ²]} at f = f₀ + μ(t − τ).
+    /// Phase of a path through the sweep: e^{−j2π[(f₀ + μt)τ − ½μτ²]} at f = f₀ + μ(t − τ).
     fn tone(&self, look: &Look, path: &Path) -> Tone {
         let waveform = &self.radar.waveform;
         let legs_m = look.legs_m(path);
@@ -150,7 +151,7 @@ impl<'a> Looks<'a> {
     }
 }
 
-/// A unit path at an instant of the sweep.
+/// A unit path at one instant of the sweep.
 struct Tone {
     value: Complex64,
     turn: Complex64,

@@ -1,4 +1,4 @@
-//! Paths whose phases stay together over band, elements and frame become one path.
+//! Merging of paths whose phases stay together over band, elements and frame.
 
 use crate::detail::looks::{Look, strength};
 use crate::frame::path_plan::SampledBand;
@@ -12,16 +12,16 @@ use num_complex::Complex64;
 use radar::aperture::axes;
 use std::f64::consts::{PI, TAU};
 
-/// Turns of a path's phase: what paths must have in common to be merged.
+/// Phase rotation of a path, the criterion for merging.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PathTurns {
     /// Length L₁ + L₂ at the frame's middle from the radar's position, m.
     pub(crate) length_m: f64,
-    /// Cycles over the frame, over the transmit row [right, up], over the receive row.
+    /// Cycles over the frame, over the transmit row [right, up] and over the receive row.
     pub(crate) cycles: [f64; 5],
 }
 
-/// Extents over which turns are counted.
+/// Extents over which phase rotations are counted.
 pub(crate) struct Extents<'a> {
     radar: &'a Radar,
     middle: Look,
@@ -64,11 +64,10 @@ impl<'a> Extents<'a> {
     }
 }
 
-/// Paths of one target, order and part of the frame whose phases differ by at most about `spread_rad` from
-/// their mean's at the ends of band, rows and frame are merged into one; in the order of their cells.
+/// Merges paths of one target, order and part of the frame whose phases differ by at most about `spread_rad`
+/// from their mean's at the ends of band, rows and frame; in the order of their cells.
 ///
-/// With slope a′ a path follows a straight line over the band: of a phase that runs over ±θ there it leaves
-/// θ²/4.
+/// The slope a′ makes a path linear over the band: for a phase that varies by ±θ there the error is θ²/4.
 pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path> {
     let extents = Extents::of(radar);
     let band_m = SPEED_OF_LIGHT_MPS / radar.waveform.bandwidth_hz().abs();
@@ -93,8 +92,7 @@ pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path
     groups.iter().map(|group| one_of(radar, &band, &extents.middle, group)).collect()
 }
 
-/// The sum of a group as seen from the mean of its points, which are weighed by amplitude; named by its
-/// strongest member.
+/// Sum of a group at the amplitude-weighted mean of its points; named after its strongest member.
 fn one_of(radar: &Radar, band: &SampledBand, middle: &Look, group: &[&Path]) -> Path {
     if let [alone] = group {
         return **alone;
@@ -127,7 +125,7 @@ fn one_of(radar: &Radar, band: &SampledBand, middle: &Look, group: &[&Path]) -> 
     one
 }
 
-/// Shares of the radar's polarization in the group's amplitudes; equal ones where it has none.
+/// Weights of the group's amplitudes in the radar's polarization; equal if all are zero.
 fn weights(radar: &Radar, group: &[&Path]) -> Vec<f64> {
     let (p, q) = radar.array.polarization.indices();
     let of: Vec<f64> = group.iter().map(|path| path.amplitude_m[p][q].norm()).collect();
@@ -135,7 +133,7 @@ fn weights(radar: &Radar, group: &[&Path]) -> Vec<f64> {
     if total > 0.0 { of.iter().map(|w| w / total).collect() } else { vec![1.0 / of.len() as f64; of.len()] }
 }
 
-/// A path from the middle of the radar.
+/// A path seen from the centre of the radar.
 struct SeenPath {
     length_m: f64,
     strength: f64,
@@ -147,7 +145,7 @@ impl SeenPath {
         Self { length_m: legs_m[0].length() + legs_m[1].length(), strength: strength(radar, legs_m) }
     }
 
-    /// Amplitude that `node` takes over; 0 of what no element hears.
+    /// Amplitude referred to `node`; 0 if no element receives it.
     fn over(&self, node: &Self) -> f64 {
         if node.strength > 0.0 { self.strength / node.strength } else { 0.0 }
     }

@@ -1,9 +1,9 @@
-//! Scattering centres of a target: orthogonal matching pursuit over band, elements and frame.
+//! Scattering centres of a target by orthogonal matching pursuit over band, elements and frame.
 //!
-//! Pati, Rezaiifar, Krishnaprasad (1993); here with every candidate kept orthogonal to what was taken, so
-//! that each step takes the centre that leaves the least (orthogonal least squares; Chen, Billings, Luo
-//! (1989)). Blocks of range are fitted one by one: what lies cells apart does not take part in the same
-//! samples' fit.
+//! Pati, Rezaiifar, Krishnaprasad (1993); here every candidate is kept orthogonal to those already taken, so
+//! that each step takes the centre that leaves the smallest residual (orthogonal least squares; Chen,
+//! Billings, Luo (1989)). Blocks of range are fitted separately, since centres cells apart do not contribute
+//! to the same samples.
 
 use crate::detail::looks::{Looks, power};
 use crate::detail::merged_paths::{Extents, PathTurns, merged};
@@ -13,23 +13,22 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// Length of a block in range cells: longer ones have more candidates for each sample, shorter ones more
-/// ends.
+/// Length of a block in range cells: longer ones have more candidates per sample, shorter ones more ends.
 const BLOCK_CELLS: f64 = 6.0;
-/// A column of which less is new, of its amplitude, is left: its coefficient would be twenty times what it
-/// adds, and cancel others.
+/// Minimum new amplitude of a column, relative to its own: with less, its coefficient would be twenty times
+/// what it adds, and cancel others.
 const LEAST_NEW: f64 = 0.05;
 
-/// Paths of one target that stand close in range, and what they are fitted at.
+/// Paths of one target close together in range, and the samples for their fit.
 struct Block<'a> {
     paths: Vec<Path>,
     looks: Looks<'a>,
 }
 
-/// Centres of a target's paths that leave at most `allowed` of their power where they are fitted; candidates
-/// are the paths merged with `spread_rad`.
+/// Centres of a target's paths, with a residual power of at most the share `allowed` at the fitted samples;
+/// candidates are the paths merged with `spread_rad`.
 ///
-/// They hold the radar's own polarization alone: that is what is fitted.
+/// Only the radar's own polarization is fitted and contained in the centres.
 pub(crate) fn centres(radar: &Radar, paths: &[Path], spread_rad: f64, allowed: f64) -> Vec<Path> {
     let blocks = blocks(radar, paths);
     let fields: Vec<Vec<Complex64>> = blocks.iter().map(|block| block.looks.field(&block.paths)).collect();
@@ -60,7 +59,7 @@ fn blocks<'a>(radar: &'a Radar, paths: &[Path]) -> Vec<Block<'a>> {
     placed.chunk_by(|a, b| number(&a.0) == number(&b.0)).map(of).collect()
 }
 
-/// Twice as many looks and instants as what the paths spread over needs, and some for the ends.
+/// Looks and instants for a fit: twice as many as the spread of the paths requires, and some for the ends.
 fn looks<'a>(radar: &'a Radar, paths: &[(PathTurns, &Path)]) -> Looks<'a> {
     let extent = |of: &dyn Fn(&PathTurns) -> f64| {
         let (low, high) =
@@ -68,7 +67,7 @@ fn looks<'a>(radar: &'a Radar, paths: &[(PathTurns, &Path)]) -> Looks<'a> {
         high - low
     };
     let cells = extent(&|t| t.length_m) * radar.waveform.bandwidth_hz().abs() / SPEED_OF_LIGHT_MPS;
-    // From one node to the next a blend turns by half a cycle at most.
+    // Between two nodes the phase of a blend turns by half a cycle at most.
     let moments = paths.iter().filter_map(|(_, path)| path.curve.span).map(|span| span.moments).max();
     let places = paths.iter().filter_map(|(_, path)| path.curve.array_span).map(|span| span.places).max();
     let blended = 0.5 * f64::from(moments.unwrap_or(0) + places.unwrap_or(0));
@@ -76,7 +75,7 @@ fn looks<'a>(radar: &'a Radar, paths: &[(PathTurns, &Path)]) -> Looks<'a> {
     Looks::new(radar, (10.0 + 4.0 * across).min(64.0) as usize, (8.0 + 2.0 * cells).ceil() as usize, 0.5)
 }
 
-/// Candidates taken one by one, the best first, until what is left is below `allowed` power or nothing helps.
+/// Takes candidates one by one, the best first, until the residual is below `allowed` power or none helps.
 fn pursued(
     radar: &Radar,
     looks: &Looks<'_>,
@@ -107,7 +106,7 @@ fn centre(radar: &Radar, candidate: &Path, [value, slope]: [Complex64; 2], looks
     Path { amplitude_m: alone(value), slope_m_per_hz: alone(slope / looks.half_band_hz()), ..*candidate }
 }
 
-/// A direction among the samples, and of which candidate's column it is what was new.
+/// An orthonormal direction among the samples, and the candidate's column from which it was made.
 struct Direction {
     column: (usize, usize),
     unit: Vec<Complex64>,
@@ -116,7 +115,7 @@ struct Direction {
 struct Pursuit {
     /// Columns of the candidates: value, slope.
     columns: Vec<[Vec<Complex64>; 2]>,
-    /// Columns less what the directions hold.
+    /// Columns less their projections on the directions.
     new: Vec<[Vec<Complex64>; 2]>,
     taken: Vec<usize>,
     directions: Vec<Direction>,
@@ -137,7 +136,7 @@ impl Pursuit {
         }
     }
 
-    /// Takes the candidate that leaves the least; false where none leaves less than now.
+    /// Takes the candidate that leaves the smallest residual; returns false if none reduces it.
     fn take_best(&mut self) -> bool {
         let gains = (0..self.columns.len()).map(|i| (i, self.gain(i)));
         let greater = |best: (usize, f64), one: (usize, f64)| if one.1 > best.1 { one } else { best };
@@ -152,7 +151,7 @@ impl Pursuit {
         true
     }
 
-    /// Power that a candidate would take from what is left.
+    /// Power by which a candidate would reduce the residual.
     fn gain(&self, index: usize) -> f64 {
         if self.taken.contains(&index) {
             return 0.0;
@@ -167,7 +166,7 @@ impl Pursuit {
         of_value.norm_sqr() + of_slope
     }
 
-    /// Part of a column that is new, of length 1; `None` where that is too little.
+    /// New part of a column, with length 1; `None` if it is too small.
     fn unit(&self, index: usize, column: usize) -> Option<Vec<Complex64>> {
         let (new, whole) = (&self.new[index][column], &self.columns[index][column]);
         let norm = power(new).sqrt();
@@ -183,8 +182,8 @@ impl Pursuit {
         self.directions.push(direction);
     }
 
-    /// Least-squares coefficients on the columns of the directions: these are the columns' QR factors, so
-    /// that back substitution is left. Both directions of a candidate follow one another.
+    /// Least-squares coefficients of the directions' columns: QR factors are available, so only back
+    /// substitution remains. Both directions of a candidate are consecutive.
     fn coefficients(&self) -> Vec<(usize, [Complex64; 2])> {
         let column = |d: &Direction| &self.columns[d.column.0][d.column.1];
         let mut rest = self.field.clone();

@@ -1,8 +1,8 @@
-//! A body as points drawn like its own: their number, the distribution of their levels and where they lie
-//! come from its paths, the rest from the seed.
+//! A body as random points with its own statistics: their number, level distribution and positions come from
+//! its paths, the rest from the seed.
 //!
-//! It keeps the mean level and what of range, angle and velocity the body fills; its field is another one, so
-//! that its complex error is that of two independent fields of one power, +3 dB.
+//! The mean level and the body's extent in range, angle and velocity are preserved; the field is another
+//! realisation, so that its complex error is that of two independent fields of equal power, +3 dB.
 
 use crate::detail::looks::{Looks, power};
 use crate::detail::merged_paths::merged;
@@ -12,27 +12,27 @@ use artifact::seed;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
-/// Phases that differ by less stay within one cell of range, Doppler and angle: such paths are one centre
+/// Phase difference within which paths stay in one cell of range, Doppler and angle, and count as one centre
 /// with one level.
 const CENTRE_RAD: f64 = 0.5 * PI;
-/// Share of the centres' power that those carry whose number and levels are told.
+/// Share of the power carried by the centres that determine number and levels.
 const TOLD: f64 = 0.99;
 
-/// Statistics of a body: of its centres that carry 99 % of the power.
+/// Statistics of a body, from its centres that carry 99 % of the power.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PointModel {
     pub(crate) points: usize,
-    /// Mean and standard deviation of ln σ: levels of a vehicle's centres are spread by tens of decibels, as
-    /// log-normal ones.
+    /// Mean and standard deviation of ln σ: levels of a vehicle's centres spread over tens of decibels,
+    /// log-normally.
     pub(crate) log_level: [f64; 2],
-    /// Places where a point can be, with the share of points there.
+    /// Possible positions of points, with their probabilities.
     places: Vec<Path>,
-    /// Mean power of the whole, as the looks see it.
+    /// Mean power of the whole body at the looks.
     power: f64,
 }
 
 impl PointModel {
-    /// Model of the paths of one target; `None` where they scatter nothing.
+    /// Model of the paths of one target; `None` if they scatter nothing.
     pub(crate) fn of(radar: &Radar, paths: &[Path], looks: &Looks<'_>) -> Option<Self> {
         let mut places = merged(radar, paths, CENTRE_RAD);
         places.sort_by(|a, b| level(radar, b).total_cmp(&level(radar, a)));
@@ -57,15 +57,14 @@ impl PointModel {
         })
     }
 
-    /// Points of `seed` and `target`, all of one bounce order of the place that they were drawn for; their
-    /// mean power is the body's.
+    /// Draws points from `seed` and `target`, each with the bounce order of its position; their mean power is
+    /// the body's.
     ///
-    /// Levels are log-normal, phases even, places drawn among the body's own by equal chance.
+    /// Levels are log-normal, phases uniform, positions drawn uniformly from the body's own.
     pub(crate) fn drawn(&self, radar: &Radar, looks: &Looks<'_>, seed: u64, target: u32) -> Vec<Path> {
         let mut points: Vec<Path> =
             (0..self.points as u64).map(|i| self.point(radar, seed, target, i)).collect();
-        // Of independent phases the powers add up: what the draw of the levels missed is put right for all
-        // alike.
+        // Powers of independent phases add up: the deviation of the drawn levels is corrected for all alike.
         let drawn: f64 = points.iter().map(|point| power(&looks.field(std::slice::from_ref(point)))).sum();
         let factor = if drawn > 0.0 { (self.power / drawn).sqrt() } else { 0.0 };
         points.iter_mut().flat_map(|point| point.amplitude_m.as_flattened_mut()).for_each(|a| *a *= factor);
@@ -74,7 +73,7 @@ impl PointModel {
 
     fn point(&self, radar: &Radar, seed: u64, target: u32, index: u64) -> Path {
         let [place, phase, radius, angle] = shares(seed, target, index);
-        // Box and Muller (1958); 1 − radius is never 0.
+        // Box–Muller (1958); 1 − radius is never 0.
         let normal = (-2.0 * (1.0 - radius).ln()).sqrt() * (TAU * angle).cos();
         let [mean, deviation] = self.log_level;
         let root = (0.5 * (mean + deviation * normal)).exp();
@@ -92,7 +91,7 @@ fn level(radar: &Radar, path: &Path) -> f64 {
     path.amplitude_m[p][q].norm_sqr()
 }
 
-/// Four numbers in [0, 1).
+/// Four uniform numbers in [0, 1).
 fn shares(seed: u64, target: u32, index: u64) -> [f64; 4] {
     let key = seed::key(seed, "bart-rcs/statistical points", &[target.into(), index]);
     let mut shares = [0.0; 4];

@@ -1,4 +1,5 @@
-//! The stage of one scene: made once of a header, it takes frames to paths, tables, and what they will cost.
+//! Processing stage of one scene: constructed from a header, it turns frames into paths or tables, and
+//! predicts their cost.
 
 use crate::bodies::models::Models;
 use crate::bodies::rolling::WheelsApart;
@@ -14,28 +15,28 @@ use artifact::paths::PathsFrame;
 use artifact::rcs::RcsFrame;
 use artifact::scene::{SceneFrame, SceneHeader};
 
-/// What traces the frames of a scene: its meshes, each with its hierarchy, and a limit of what a frame may
-/// hold. A `view` is the scene with the bodies that one frame has in view, their meshes those of the scene.
+/// Tracer of a scene's frames: its meshes, each with its hierarchy, and a memory limit per frame. A `view` is
+/// the scene with the bodies that one frame has in view, using the meshes of the scene.
 #[derive(Clone)]
 pub struct Tracer {
     models: Models,
 }
 
 impl Tracer {
-    /// Makes the tracer of all meshes of a scene, with the skin that it asks for, and without a limit.
+    /// Constructs the tracer for all meshes of a scene, with the requested skin and without a memory limit.
     ///
     /// # Errors
-    /// Meshes and materials that nothing can be computed of.
+    /// Unusable meshes and materials.
     pub fn new(header: &SceneHeader) -> Result<Self, BartError> {
         Ok(Self { models: Models::build(header)? })
     }
 
-    /// This tracer with a limit of what the bodies and beams of a frame may hold.
+    /// This tracer with a limit on the memory of a frame's bodies and beams.
     pub fn within(self, limit: MemoryLimit) -> Self {
         Self { models: self.models.within(limit) }
     }
 
-    /// Paths of one frame with no more detail than the scene asks for.
+    /// Paths of one frame, reduced to the detail that the scene requests.
     ///
     /// # Errors
     /// Those of [`Self::all_paths`].
@@ -48,22 +49,21 @@ impl Tracer {
         Ok(reduced(view, self.all_paths(view, frame, surroundings)?))
     }
 
-    /// Paths of one frame from the radar's position and back, referred to the frame's first sample, in all
+    /// Paths of one frame from the radar's position and back, referred to the frame's first sample, in full
     /// detail.
     ///
-    /// The world is frozen at the frame's middle; what is lit then is lit all through. Where that errs by
-    /// more than the accuracy asked for, the ways that change most are traced at several moments of the frame
-    /// and blended ([`artifact::paths::Span`]). Amplitudes are fitted over the sampled sweep. A point target
-    /// is a path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as large as the accuracy
-    /// asked for lets them be, by measurement: paths are compared with the bodies traced and integrated anew
-    /// at another moment of the frame and from another element of the array, and that is the error that is
-    /// returned: shadows move with both, and the paths of one tree do not follow ("freezing").
-    /// `error.tessellation` is the bound that a smooth surface was cut to; `None` where facets are the
+    /// The world is frozen at the frame's middle, and what is lit then is lit throughout. If that errs by
+    /// more than the requested accuracy, the sequences of bodies that change most are traced at several
+    /// moments of the frame and blended ([`artifact::paths::Span`]). Amplitudes are fitted over the sampled
+    /// sweep. A point target is a path of order 0 with +√σ in vv and hh; bodies do not hide it. Cells are as
+    /// large as the requested accuracy permits, by measurement: paths are compared with the bodies traced and
+    /// integrated anew at another moment of the frame and from another element of the array, which yields the
+    /// returned error: shadows move with both, and the paths of one tree do not follow ("freezing").
+    /// `error.tessellation` is the bound to which a smooth surface was subdivided; `None` if facets are the
     /// surface itself.
     ///
     /// # Errors
-    /// Bodies that do not fit into the memory that a frame may hold, and poses that are not those of the
-    /// view.
+    /// Bodies that do not fit into the memory of a frame, and poses that do not match the view.
     pub fn all_paths(
         &self,
         view: &SceneHeader,
@@ -77,14 +77,14 @@ impl Tracer {
     /// Far-field tables of one frame, one per target.
     ///
     /// The tree is traced at the frame's middle; over the milliradians of a frame the same facets stay lit.
-    /// Axes are so fine that linear interpolation meets the accuracy asked, up to 9 azimuths, 5 elevations
-    /// and 256 frequencies. Bodies neither hide one another nor is the wave spherical:
+    /// Axes are fine enough for linear interpolation to meet the requested accuracy, up to 9 azimuths, 5
+    /// elevations and 256 frequencies. Bodies do not hide one another, and the wave is not spherical:
     /// `model_error.far_field` compares each table's middle with the spherical wave. A point target has a
     /// table of one value, +√σ.
     ///
     /// # Errors
-    /// Those of [`Self::all_paths`]; a scene with wheels that turn, or points on wheels: tables hold bodies
-    /// that are rigid while a frame lasts.
+    /// Those of [`Self::all_paths`]; a scene with rotating wheels, or points on wheels, since tables hold
+    /// bodies that are rigid during a frame.
     pub fn tables(
         &self,
         view: &SceneHeader,
@@ -94,10 +94,10 @@ impl Tracer {
         rcs_frame(&self.models, view, frame, progress)
     }
 
-    /// The work of the beams and integrals of one moment of a frame.
+    /// Predicted work for the beams and integrals of one moment of a frame.
     ///
-    /// A sample of beams is traced as [`crate::BeamTree::trace`] traces all, and each counts for those that
-    /// it stands for: of 256 facets a count errs by some 10 %.
+    /// A sample of beams is traced like all beams in [`crate::BeamTree::trace`], and each counts for those
+    /// that it represents: with 256 facets a count errs by some 10 %.
     ///
     /// # Errors
     /// Those of [`Self::all_paths`].
@@ -106,12 +106,12 @@ impl Tracer {
         expected_work(&self.models, &apart.view, &apart.frame)
     }
 
-    /// What the parts of a frame's echo are to all of it, by a coarse look: orders of reflection, ways
-    /// between bodies and by the road, edges, sheets, whatever of it the scene asks for.
+    /// Shares of a frame's echo by a coarse computation: orders of reflection, paths between bodies and via
+    /// the road, edges and sheets, whichever of these the scene requests.
     ///
-    /// Integrals are taken to a quarter, mirrors smaller than five wavelengths are not followed: a figure is
-    /// good to a few decibels. `None` where nothing scatters, and where the beams would take more memory than
-    /// the frame may.
+    /// Integrals are taken to a quarter, mirrors smaller than five wavelengths are not followed: results are
+    /// good to a few decibels. `None` if nothing scatters, or if the beams would exceed the memory of a
+    /// frame.
     ///
     /// # Errors
     /// Those of [`Self::all_paths`].

@@ -1,12 +1,12 @@
-//! The fringe integral along an edge: what an edge scatters beyond physical optics, as the amplitude of a
-//! path whose node is a point of the edge.
+//! Fringe integral along an edge: scattering of an edge beyond physical optics, as the amplitude of a path
+//! whose node is a point of the edge.
 //!
-//! Two parts: the fringe currents of both faces without end; and what becomes of them at the ends of faces,
-//! where they stop and give rise to others ([`crate::edges::face_waves`]).
+//! It has two parts: the fringe currents on both faces taken as unbounded, and the effects at the ends of the
+//! faces, where these currents stop and excite others ([`crate::edges::face_waves`]).
 //!
-//! S_pq = ∫ R_tR_r/(L₁L₂)·K_pq e^{−jk(L₁+L₂−R_t−R_r)} dl, K the mean of both directions of travel, ½(K(tx →
-//! rx) + K(rx → tx)ᵀ): nature has S(tx, rx) = S(rx, tx)ᵀ, the fringe currents have it at right angles to the
-//! edge only (docs/physics.md §4).
+//! S_pq = ∫ R_tR_r/(L₁L₂)·K_pq e^{−jk(L₁+L₂−R_t−R_r)} dl, K the mean over both directions of travel, ½(K(tx →
+//! rx) + K(rx → tx)ᵀ): physically S(tx, rx) = S(rx, tx)ᵀ, which the fringe currents satisfy only at right
+//! angles to the edge (docs/physics.md §4).
 
 use crate::edges::edge_node::{EdgeNode, EdgePart, PER_ROOT_PI, amplitude_of, spread};
 use crate::edges::face_waves;
@@ -17,10 +17,10 @@ use artifact::paths::Amplitude;
 use glam::DVec3;
 use num_complex::Complex64;
 
-/// Amplitudes about `reference_m` at several wavenumbers.
+/// Amplitudes referred to `reference_m` at several wavenumbers.
 ///
-/// `accuracy` bounds the error of every element as a fraction of length/√π, the amplitude of an edge that is
-/// seen square; `error` is the bound reached, m.
+/// `accuracy` bounds the error of every element as a fraction of length/√π, the amplitude of an edge at
+/// normal incidence; `error` is the bound reached, m.
 pub(crate) fn edge_amplitudes(
     node: &EdgeNode<'_>,
     reference_m: DVec3,
@@ -37,8 +37,8 @@ pub(crate) fn edge_amplitudes(
     Estimate { value: sums.iter().map(amplitude_of).collect(), error: error_m * PER_ROOT_PI }
 }
 
-/// Calls `give` with the parts of an edge's integrals, cut for `highest_per_m`, and a bound of the error of
-/// each, √π·m: together they are [`edge_amplitudes`].
+/// Calls `give` with the parts of an edge's integrals, divided for `highest_per_m`, and an error bound for
+/// each, √π·m: their sum is [`edge_amplitudes`].
 pub(crate) fn for_each_part(
     node: &EdgeNode<'_>,
     reference_m: DVec3,
@@ -52,7 +52,7 @@ pub(crate) fn for_each_part(
     face_waves::for_each_part(node, reference_m, highest_per_m, accuracy, give);
 }
 
-/// Fringe currents of both faces, each without end.
+/// Fringe currents on both faces, taken as unbounded.
 struct Fringe<'a> {
     node: &'a EdgeNode<'a>,
     reference_m: DVec3,
@@ -98,7 +98,7 @@ impl Fringe<'_> {
             .map(|twice| 0.5 * twice)
     }
 
-    /// Field received for the field sent, from one end to the other: [field received][field sent].
+    /// Received field per transmitted field in one direction of travel: [field received][field sent].
     fn one_way(&self, sent: &(DVec3, [DVec3; 2]), received: &(DVec3, [DVec3; 2])) -> [f64; 4] {
         let (travel, out) = (sent.0, -received.0);
         let Some(faces) = self.node.edge.wedge.faces(travel, out) else { return [0.0; 4] };
@@ -123,7 +123,7 @@ mod tests {
     use artifact::scene::Mesh;
     use std::f64::consts::{PI, TAU};
 
-    /// Lengths in wavelengths: x = 0…3, 2 long along z; the long edges alone, their currents without end.
+    /// Lengths in wavelengths: x = 0…3, 2 long along z; only the long edges, with unbounded currents.
     #[test]
     fn e3_a_strip_with_its_two_long_edges_has_the_known_amplitude() {
         let vertices_m = vec![[0.0, 0.0, -1.0], [3.0, 0.0, -1.0], [3.0, 0.0, 1.0], [0.0, 0.0, 1.0]];

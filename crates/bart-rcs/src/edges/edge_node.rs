@@ -1,4 +1,4 @@
-//! A part of an edge with the legs that lead to it, and what its integrals are cut into.
+//! A part of an edge with the legs that lead to it, and the parts of its integrals.
 
 use crate::edges::line_integral::{Integrand, Piece};
 use crate::geometry::antenna::Antenna;
@@ -13,17 +13,17 @@ use num_complex::Complex64;
 #[derive(Clone, Copy)]
 pub(crate) struct EdgeNode<'a> {
     pub(crate) edge: &'a EdgeGeometry,
-    /// Edges of the world, which its faces end at.
+    /// Edges of the world, at which its faces end.
     pub(crate) edges: &'a WorldEdges,
     pub(crate) span_m: [f64; 2],
     pub(crate) transmit: &'a Leg,
     pub(crate) receive: &'a Leg,
-    /// Extent to which its waves over faces are followed.
+    /// Extent to which its waves across faces are followed.
     pub(crate) waves: EdgeWaves,
 }
 
 impl EdgeNode<'_> {
-    /// The reference point of its amplitudes.
+    /// Reference point of its amplitudes.
     pub(crate) fn middle_m(&self) -> DVec3 {
         self.edge.point_m(0.5 * (self.span_m[0] + self.span_m[1]))
     }
@@ -32,7 +32,7 @@ impl EdgeNode<'_> {
         [self.transmit, self.receive]
     }
 
-    /// Whether the way back is the way there.
+    /// Whether the return leg equals the outgoing leg.
     pub(crate) fn has_one_leg(&self) -> bool {
         std::ptr::eq(self.transmit, self.receive)
     }
@@ -40,9 +40,9 @@ impl EdgeNode<'_> {
 
 /// A part of an edge's integrals.
 pub(crate) trait EdgePart {
-    /// Length L₁ + L₂ of its middle, less that of the reference point.
+    /// Length L₁ + L₂ at its centre, less that at the reference point.
     fn way(&self) -> Way;
-    /// Adds √π·S without the way of the reference point: [vv, vh, hv, hh].
+    /// Adds √π·S without the phase of the reference point: [vv, vh, hv, hh].
     fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]);
 }
 
@@ -59,7 +59,7 @@ impl<I: Integrand> EdgePart for Piece<'_, I> {
 /// Factor 1/√π.
 pub(crate) const PER_ROOT_PI: f64 = std::f64::consts::FRAC_2_SQRT_PI * 0.5;
 
-/// Amplitude of the sum that [`EdgePart::add_to`] adds to.
+/// Amplitude from the sum built by [`EdgePart::add_to`].
 pub(crate) fn amplitude_of(sum: &[Complex64; 4]) -> Amplitude {
     let [vv, vh, hv, hh] = sum.map(|s| s * PER_ROOT_PI);
     [[vv, vh], [hv, hh]]

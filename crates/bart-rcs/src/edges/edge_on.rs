@@ -1,6 +1,6 @@
-//! Antennas in the plane of a face, of a sheet or of a closed body's wall: there no polygon of it is lit, and
-//! edges that no other lit face has are silent, while the field goes on from one side to the other. Such an
-//! antenna is moved out of the plane by less than any phase tells.
+//! Antennas in the plane of a face, of a sheet or of a closed body's wall: no polygon of the face is lit
+//! there, and edges without another lit face are silent, while the field is continuous from one side to the
+//! other. Such an antenna is moved out of the plane by a distance that is negligible in phase.
 
 use crate::edges::fringe::{EDGE_ON_RAD, LEAST_SINE};
 use crate::geometry::antenna::Antenna;
@@ -9,18 +9,19 @@ use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
 use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 
-/// Angle by which an antenna is moved, rad: beyond what counts as edge-on (fringe.rs, 1e-9) where it leaves a
-/// plane aslant, and over 10 m at 77 GHz a phase of 3e-4 rad.
+/// Angle by which an antenna is moved, rad: beyond the edge-on limit (fringe.rs, 1e-9) even if it leaves a
+/// plane obliquely, and over 10 m at 77 GHz a phase of 3e-4 rad.
 const ASIDE_RAD: f64 = 2e-8;
-/// Sheets whose planes are nearer show slivers that may be dropped as too small, with their edges, rad.
+/// Angle to the plane of a sheet within which it shows slivers that may be dropped as too small, with their
+/// edges, rad.
 const SLIVER_OF_SHEET_RAD: f64 = 1e-3;
-/// Walls of closed bodies whose planes are nearer do, rad: of bodies with some thousand walls one of thirty
-/// aspects is that near to one.
+/// The same angle for walls of closed bodies, rad: for bodies with some thousand walls one of thirty aspects
+/// is that near to one.
 const SLIVER_OF_WALL_RAD: f64 = 1e-5;
-/// Directions tried in which an antenna leaves the planes of faces.
+/// Number of directions tried for moving an antenna out of the planes of faces.
 const DIRECTIONS: u32 = 16;
 
-/// The antenna, outside of the planes of all faces that have an edge across its line of sight.
+/// Antenna moved out of the planes of all faces that have an edge across its line of sight.
 pub(crate) fn off_faces(antenna: Antenna, edges: &WorldEdges) -> Antenna {
     let in_plane: Vec<(DVec3, &EdgeGeometry)> = edges
         .edges
@@ -40,15 +41,14 @@ pub(crate) fn off_faces(antenna: Antenna, edges: &WorldEdges) -> Antenna {
     }
 }
 
-/// Whether the antenna sees a face so much along its plane that it shows a sliver alone.
+/// Whether the antenna sees a face at such a grazing angle that it shows only a sliver.
 pub(crate) fn sees_along_face(antenna: Antenna, edges: &WorldEdges) -> bool {
     let within_rad =
         |wedge: &Wedge| if wedge.is_of_sheet() { SLIVER_OF_SHEET_RAD } else { SLIVER_OF_WALL_RAD };
     edges.edges.iter().any(|edge| normals_if_edge_on(antenna, edge, within_rad).next().is_some())
 }
 
-/// Normals of the faces that meet at an edge, where the antenna stands in their planes to an angle and sees
-/// the edge.
+/// Normals of the faces at an edge whose planes contain the antenna to within an angle, if it sees the edge.
 fn normals_if_edge_on(
     antenna: Antenna,
     edge: &EdgeGeometry,

@@ -1,4 +1,4 @@
-//! S of all edges that both ends light.
+//! Scattering amplitude S of all edges lit from both ends.
 
 use crate::edges::edge_currents::{edge_amplitudes, for_each_part};
 use crate::edges::edge_node::{EdgeNode, EdgePart, amplitude_of};
@@ -12,10 +12,10 @@ use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// S of the edges in ways of `order` over frequency, 2 × 2, its phase referred to `origin_m`: as that of
-/// facets, from few frequencies (see [`crate::joins::band`]).
+/// S of the edges on paths of `order` over frequency, 2 × 2, with its phase referred to `origin_m`: like that
+/// of facets, from few frequencies (see [`crate::joins::band`]).
 ///
-/// Fixed runs are added in their order: the same bits on any number of threads.
+/// Fixed runs are summed in order, so the result is bit-identical for any number of threads.
 pub(crate) fn sum_of_edges(
     scatterer: &Scatterer<'_>,
     joints: &[EdgeJoint],
@@ -28,8 +28,8 @@ pub(crate) fn sum_of_edges(
     })
 }
 
-/// Sum of shares over frequency: `add` puts each into the groups of the band; `at_each` is their sum at every
-/// frequency for itself, where there are too few to save any.
+/// Sum of contributions over frequency: `add` puts each into the groups of the band; `at_each` is their sum
+/// at every frequency separately, used if there are too few to save any.
 pub(crate) fn over_band<T: Sync>(
     shares: &[T],
     integration: &Integration<'_>,
@@ -48,10 +48,10 @@ pub(crate) fn over_band<T: Sync>(
     band.sum(shares.par_chunks(EDGE_JOINTS_PER_RUN).map(of_run).collect())
 }
 
-/// Joints that are added by one thread.
+/// Number of joints summed by one thread.
 pub(crate) const EDGE_JOINTS_PER_RUN: usize = 64;
 
-/// Adds the parts of a joint to their groups, its reverse included.
+/// Adds the parts of a joint, including its reverse, to their groups.
 fn add_joint(
     scatterer: &Scatterer<'_>,
     joint: &EdgeJoint,
@@ -69,7 +69,7 @@ fn add_joint(
     });
 }
 
-/// The way of a share's reference point: R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r.
+/// Factor and length of a contribution's reference point: R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r.
 pub(crate) struct WholeWay {
     pub(crate) spread: f64,
     pub(crate) length_m: f64,
@@ -77,8 +77,8 @@ pub(crate) struct WholeWay {
 }
 
 impl WholeWay {
-    /// Adds a part of the share to its group, its reverse included; `some` is room for its values, which one
-    /// part leaves to the next.
+    /// Adds a part of the contribution, including its reverse, to its group; `some` is a buffer for its
+    /// values, reused from part to part.
     pub(crate) fn add_part(
         &self,
         part: &dyn EdgePart,
@@ -99,7 +99,7 @@ impl WholeWay {
     }
 }
 
-/// Sums at every frequency for itself: what the interpolation is compared with.
+/// Sums at every frequency separately: the reference of the interpolation.
 fn sum_at_each(
     scatterer: &Scatterer<'_>,
     joints: &[EdgeJoint],
@@ -111,7 +111,7 @@ fn sum_at_each(
     })
 }
 
-/// Amplitudes of a part of a joint about its middle, at that middle; the reverse is not included.
+/// Amplitudes of a part of a joint referred to its centre; the reverse is not included.
 pub(crate) fn part_amplitudes(
     scatterer: &Scatterer<'_>,
     joint: &EdgeJoint,
@@ -136,13 +136,13 @@ fn node<'a>(
     EdgeNode { edge, edges, span_m, transmit, receive, waves }
 }
 
-/// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r of a joint's reference point.
+/// Factor R_tR_r/(L₁L₂) and length L₁ + L₂ − R_t − R_r of a joint's reference point.
 fn way_from(scatterer: &Scatterer<'_>, joint: &EdgeJoint, middle_m: DVec3, origin_m: DVec3) -> (f64, f64) {
     let apparent_m = scatterer.legs(joint.forward, joint.backward).map(|leg| leg.mirrors.unfolded(middle_m));
     scatterer.way_from(origin_m, [joint.forward, joint.backward], apparent_m)
 }
 
-/// An edge's share of S, its reverse included.
+/// Contribution of an edge to S, including its reverse.
 pub(crate) fn edge_share(
     scatterer: &Scatterer<'_>,
     joint: &EdgeJoint,
@@ -173,8 +173,8 @@ mod tests {
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
 
-    /// Panels of 2 mm to 2 m, each with a fin of half its height that stands on it: open edges, ends of faces
-    /// at edges and walls, edges seen in mirrors.
+    /// Panels of 2 mm to 2 m, each with an upright fin of half its height: open edges, ends of faces at edges
+    /// and walls, edges seen in mirrors.
     fn panels() -> World {
         let mut mesh = Mesh::default();
         let mut quad = |at: DVec3, u: DVec3, v: DVec3| {
@@ -198,7 +198,7 @@ mod tests {
     #[test]
     fn edges_at_many_frequencies_from_few_are_those_of_every_one_over_seven_decades() {
         let world = panels();
-        // A chirp, all of 76 to 81 GHz, and a band of 1 : 3, in which √k is no line.
+        // A chirp, all of 76 to 81 GHz, and a band of 1 : 3, in which √k is not linear.
         let bands = [(1603.0, 21.0, 40), (1592.9, 104.8, 40), (600.0, 1200.0, 60)];
         let places =
             [Antenna::Point(DVec3::new(6.0, 1.1, 0.9)), Antenna::Direction(DVec3::new(0.96, 0.0, 0.28))];
@@ -221,8 +221,8 @@ mod tests {
             );
             let edges = world.edges(low + width);
             let joints = [1, 2].map(|order| edge_joints(&world, edges, scatterer.trees, order)).concat();
-            // Accuracy is a part of this: every edge seen square. No integral of the two is exact, but both
-            // are the same one.
+            // Accuracy is relative to this: every edge at normal incidence. Neither integral is exact, but
+            // both are of the same integrand.
             let length_m: f64 = joints.iter().map(|joint| joint.span_m[1] - joint.span_m[0]).sum();
             for accuracy in [1e-1, 1e-3, 1e-5, 1e-7] {
                 let integration = Integration {

@@ -1,17 +1,17 @@
-//! Radiation of the fringe current beyond the end of a face: a face of finite width has it no more.
+//! Radiation of the fringe current beyond the end of a face, which a face of finite width lacks.
 //!
-//! The fringe current on a face is an edge wave. On a half plane it is known exactly (docs/physics.md §4):
+//! The fringe current on a face is an edge wave. On a half-plane it is known exactly (docs/physics.md §4):
 //! with x from the edge, κ = k sin²β′, μ the receiver's cosine, a = cosφ′ + μ, b = 1 − μ and W(x) =
-//! e^{jx²}erfc(e^{jπ/4}x), the current beyond a way d along the face radiates, at the phase of a ray that
-//! runs along the face and leaves at its end, as
+//! e^{jx²}erfc(e^{jπ/4}x), the current beyond a distance d along the face radiates, at the phase of a ray
+//! that runs along the face and leaves at its end, as
 //!
 //! ```text
 //! ∫_d^∞ F dσ = ±τ/jκ      τ = [√((a + b)/b) W(√(κdb)) − W(√(κd(a + b)))]/a      ∫_d^∞ Q dσ = √(2/b) W(√(κdb))/sinβ′
 //! ```
-//! both finite at the reflection boundary a = 0. On a wedge the same functions are taken times the ratio of
-//! its edge wave to that of the half plane far from the edge (r_h of the value, r_s of the slope on the
+//! both finite at the reflection boundary a = 0. On a wedge the same functions are multiplied by the ratio of
+//! its edge wave to that of the half-plane far from the edge (r_h for the value, r_s for the slope on the
 //! face): exact for N = 2, uniform through the shadow boundary φ′ = π (where both ratios are 1), and at μ = 1
-//! the singularities of the endless face and of its rest cancel.
+//! the singularities of the unbounded face and of its remainder cancel.
 
 use crate::edges::fresnel::edge_wave;
 use crate::edges::fringe::{FaceView, Lighting};
@@ -19,7 +19,7 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
-/// Current beyond a way along a face as √π·dS/dl, its phase that of the ray along the face to there.
+/// Current beyond a distance along a face as √π·dS/dl, with the phase of the ray along the face to there.
 #[derive(Clone)]
 pub(crate) struct EndCurrent {
     /// Parameters a + b = 1 + cosφ′ and b.
@@ -29,16 +29,16 @@ pub(crate) struct EndCurrent {
     /// Factors of τ and of √(2/b)·W by `[received][sent]`.
     of_wave: [f64; 4],
     of_edge: [f64; 4],
-    /// The current along the ray far from the edge over W(√(κd(a + b))), by what was sent; per unit Z·H.
+    /// Current along the ray far from the edge over W(√(κd(a + b))), by the transmitted field; per unit Z·H.
     pub(crate) along_ray: [f64; 2],
 }
 
 impl EndCurrent {
-    /// Current of a face for both incident fields and both unit fields of the receiver.
+    /// Current on a face for both incident fields and both unit fields of the receiver.
     pub(crate) fn new(face: &FaceView, travel: DVec3, sent: &[DVec3; 2], received: &[DVec3; 2]) -> Self {
         let (n, s) = (face.exterior, face.sin_in);
         let half = 0.5 * (PI - face.angle_in);
-        // cosφ′/N − cosπ/N = 2 sin((π + φ′)/2N) sin((π − φ′)/2N), so that φ′ = π is no special case.
+        // cosφ′/N − cosπ/N = 2 sin((π + φ′)/2N) sin((π − φ′)/2N), so that φ′ = π needs no special case.
         let widened = if half.abs() < 1e-9 { n } else { half.sin() / (half / n).sin() };
         let ratio = (PI / n).sin() / n * widened / (0.5 * (PI + face.angle_in) / n).sin();
         let sign = if face.lighting() == Lighting::Lit { 1.0 } else { -1.0 };
@@ -58,13 +58,13 @@ impl EndCurrent {
         Self { ab, b, square_in: s * s, of_wave, of_edge, along_ray }
     }
 
-    /// Root of κd(a + b)/k after a way: the wave has fallen off as W of it times √k.
+    /// Root of κd(a + b)/k after a distance: the wave has decayed by W of it times √k.
     pub(crate) fn falloff_root(&self, way_m: f64) -> f64 {
         (self.square_in * way_m * self.ab).sqrt()
     }
 
-    /// Current beyond a way by `[received][sent]`, and W(√(κd(a + b))): how the edge wave has fallen off
-    /// after the way.
+    /// Current beyond a distance by `[received][sent]`, and W(√(κd(a + b))), the decay of the edge wave over
+    /// the distance.
     pub(crate) fn beyond(&self, way_m: f64, wavenumber_per_m: f64) -> ([Complex64; 4], Complex64) {
         let kd = wavenumber_per_m * self.square_in * way_m;
         let [edge, falloff] = [self.b, self.ab].map(|share| edge_wave((kd * share).sqrt()));
@@ -76,7 +76,7 @@ impl EndCurrent {
         let of = |ab: f64, falloff: Complex64| ((ab / self.b).sqrt() * edge - falloff) / (ab - self.b);
         let step = 1e-4 * self.b;
         let a = self.ab - self.b;
-        // 0/0 at the reflection boundary; the straight line between both sides errs by (1e-4)² of it.
+        // 0/0 at the reflection boundary; linear interpolation between both sides errs by (1e-4)² of it.
         if a.abs() < step {
             let share = 0.5 * (1.0 + a / step);
             let at = |ab: f64| of(ab, edge_wave((kd * ab).sqrt()));
@@ -96,7 +96,7 @@ mod tests {
         Wedge { along: DVec3::Z, inward: [DVec3::X; 2], normal: [DVec3::Y, -DVec3::Y], exterior: 2.0 }
     }
 
-    /// The current beyond 0 is the whole one: what the half plane's edge current is made of.
+    /// The current beyond 0 is the entire one, which constitutes the half-plane's edge current.
     #[test]
     fn the_current_of_a_whole_half_plane_is_its_fringe_current_from_any_direction() {
         let unit = |x: f64, y: f64, z: f64| DVec3::new(x, y, z) / DVec3::new(x, y, z).length();

@@ -1,10 +1,10 @@
-//! Waves that run over faces from edge to edge: where they end, and what they give rise to there.
+//! Waves across faces from edge to edge: where they end, and the waves that they excite there.
 //!
-//! The fringe current of an edge runs along its face as a wave. Where the face ends, what of it would lie
-//! beyond is taken away, and the edge there sends waves of its own, over both of its faces; each of these
-//! ends again where its face does. For H ∥: the wave of E ∥ vanishes on the face. Near grazing all of them
-//! count: on a strip seen along its plane the waves of first and higher orders cancel one by one, so that S
-//! vanishes as the square of the angle (docs/decisions/edges.md).
+//! The fringe current of an edge travels along its face as a wave. Where the face ends, the part that would
+//! lie beyond is subtracted, and the edge there launches waves of its own, over both of its faces; each of
+//! these ends again where its face does. This concerns H ∥: for E ∥ the wave vanishes on the face. Near
+//! grazing all of them count: on a strip seen along its plane the waves of first and higher orders cancel one
+//! by one, so that S vanishes as the square of the angle (docs/decisions/edges.md).
 
 use crate::edges::edge_node::{EdgeNode, EdgePart, spread};
 use crate::edges::end_current::EndCurrent;
@@ -20,31 +20,32 @@ use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
 
-/// Direction of travel along a way.
+/// Direction of travel along a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Sense {
-    /// The wave runs from the transmitter to the receiver.
+    /// The wave travels from the transmitter to the receiver.
     Forth,
-    /// The wave runs from the receiver to the transmitter, transposed.
+    /// The wave travels from the receiver to the transmitter, transposed.
     Back,
-    /// Both directions with one antenna: back is forth, transposed.
+    /// Both directions with one antenna: one is the transpose of the other.
     Both,
 }
 
-/// Faces that a wave runs over, at most: over each further one, 5 λ wide, it loses nine tenths and more.
+/// Maximum number of faces that a wave crosses: over each further one, 5 λ wide, it loses nine tenths and
+/// more.
 const FACES: usize = 4;
-/// Current, over that of the field sent, from which on a wave is followed past the end of its face; up to
-/// twice as much it fades in, place by place along its edge, so that nothing jumps and nothing depends on
-/// where runs are cut. What is left out is below −34 dB of the amplitude of an edge that is seen square, and
-/// edges without terms of their corners are no better.
+/// Minimum current, relative to the transmitted field, for a wave to be followed past the end of its face; up
+/// to twice as much it is faded in, point by point along its edge, so that nothing jumps and nothing depends
+/// on the division into runs. The neglected part is below −34 dB of the amplitude of an edge at normal
+/// incidence, and edges without corner terms are no better.
 const FAINTEST: f64 = 0.02;
-/// Share of the accuracy to which waves over a second face and further ones are integrated: there are more of
-/// them.
+/// Share of the accuracy to which waves over a second and further faces are integrated, since there are more
+/// of them.
 const FURTHER_FACES_SHARE: f64 = 0.1;
-/// Accuracy of these integrals at best; what they err by is told.
+/// Finest accuracy of these integrals; their error is reported.
 const FINEST: f64 = 1e-4;
 
-/// Calls `give` with the parts of all waves that begin at an edge, and a bound of the error of each, √π·m.
+/// Calls `give` with the parts of all waves that start at an edge, and an error bound for each, √π·m.
 pub(crate) fn for_each_part(
     node: &EdgeNode<'_>,
     reference_m: DVec3,
@@ -62,7 +63,7 @@ pub(crate) fn for_each_part(
     }
 }
 
-/// Waves of an edge on their way.
+/// Waves of an edge being followed.
 struct Following<'a, 'g> {
     node: &'a EdgeNode<'a>,
     reference_m: DVec3,
@@ -72,7 +73,7 @@ struct Following<'a, 'g> {
 }
 
 impl Following<'_, '_> {
-    /// Gives the ends of the waves over the last face, then those of the waves that they give rise to.
+    /// Passes on the ends of the waves over the last face, then those of the waves that they excite.
     fn follow(&mut self, crossed: &mut Vec<Crossed>, sense: Sense, span_m: [f64; 2]) {
         for Run { span_m: piece_m, exit } in self.waves(crossed, sense).runs(span_m) {
             exit_by(crossed, Some(exit));
@@ -109,9 +110,8 @@ impl Following<'_, '_> {
     }
 }
 
-/// The edge at which the waves from a span end, and the parts of the span whose waves give rise to others. A
-/// face with a wall on it has waves that the wall reflects, which are not told: there the second order is the
-/// last.
+/// Edge at which the waves from a span end, and the parts of the span whose waves excite others. On a face
+/// with a wall the waves reflected by the wall are not modelled, so the second order is the last there.
 fn worth_following(waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, Vec<[f64; 2]>)> {
     let is_free = waves.crossed.last().is_some_and(|face| face.is_free);
     let most = match waves.node.waves {
@@ -126,47 +126,46 @@ fn worth_following(waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, Vec<
     (!loud_m.is_empty()).then_some((edge, loud_m))
 }
 
-/// A face that a wave runs over, from one of its edges.
+/// A face crossed by a wave, from one of its edges.
 struct Crossed {
     edge: EdgeGeometry,
     face: usize,
     ends: FaceEnds,
-    /// Share by which the waves over it count.
+    /// Weight of the waves over it.
     share: f64,
-    /// Whether it ends at edges alone and no wall rises on it.
+    /// Whether it ends at edges only and no wall rises on it.
     is_free: bool,
-    /// The end that all rays over it meet; `None` while each meets its own nearest.
+    /// End met by all rays over it; `None` while each meets its own nearest.
     exit: Option<usize>,
 }
 
-/// A part of the first edge from which all rays over the last face meet the same end of it.
+/// A part of the first edge from which all rays over the last face meet the same end.
 #[derive(Debug, Clone, Copy)]
 struct Run {
     span_m: [f64; 2],
     exit: usize,
 }
 
-/// Sets the end that all rays over the last of some faces meet.
+/// Sets the end met by all rays over the last crossed face.
 fn exit_by(crossed: &mut [Crossed], exit: Option<usize>) {
     if let Some(last) = crossed.last_mut() {
         last.exit = exit;
     }
 }
 
-/// Share of a span that its ends are looked at from within, so that rounding does not tell where a ray meets
-/// a corner.
+/// Relative inset from the ends of a span for tests, so that rounding does not decide where a ray meets a
+/// corner.
 const INSET: f64 = 1e-11;
-/// Halvings that find where rays change from one end to the next, to 2⁻⁴⁰ of a span.
+/// Bisections that find where rays change from one end to the next, to 2⁻⁴⁰ of a span.
 const CHANGE_HALVINGS: u32 = 40;
-/// Places of a part of a span, as shares of it, at which rays are asked for the end that they meet, and the
-/// most ends between two of them.
+/// Positions, as shares of a span, at which the end met by rays is determined, and the maximum number of ends
+/// between two of them.
 const RUN_LOOKS: [f64; 5] = [0.0, 0.125, 0.5, 0.875, 1.0];
 const ENDS_BETWEEN: usize = 4;
-/// Number of parts of a span between places that are asked whether their waves are loud enough to be
-/// followed.
+/// Number of parts of a span between positions tested for waves strong enough to be followed.
 const LOUD_LOOKS: f64 = 8.0;
 
-/// The place between two up to which something holds that holds at the first of them.
+/// Position between two up to which a condition holds that holds at the first.
 fn change_between([mut from_m, mut to_m]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..CHANGE_HALVINGS {
         let middle_m = 0.5 * (from_m + to_m);
@@ -180,8 +179,8 @@ fn change_between([mut from_m, mut to_m]: [f64; 2], holds: impl Fn(f64) -> bool)
 }
 
 impl Crossed {
-    /// Faces of an edge, on which waves count by a share. Both sides of a sheet have the same fringe current:
-    /// one of them stands for both, where it ends at edges of sheets alone.
+    /// Faces of an edge, on which waves have a weight. Both sides of a sheet carry the same fringe current:
+    /// one represents both if it ends at edges of sheets only.
     fn faces_of(edges: &WorldEdges, edge: &EdgeGeometry, share: f64) -> Vec<Self> {
         let mut ends_at = edges.ends_of_face(edge, 0).iter().filter_map(|end| end.edge);
         let is_of_sheet = |end: u32| edges.edges[end as usize].wedge.is_of_sheet();
@@ -194,14 +193,14 @@ impl Crossed {
     fn of(edges: &WorldEdges, edge: &EdgeGeometry, face: usize, share: f64) -> Self {
         let Wedge { along, inward, normal, .. } = edge.wedge;
         let of_face = edges.ends_of_face(edge, face);
-        // The edge of a corner looks away from what the corner encloses.
+        // The edge of a corner faces away from what the corner encloses.
         let looks = |end: u32| edges.edges[end as usize].wedge.has_face(normal[face]);
         let is_free = of_face.iter().all(|end| end.edge.is_some_and(looks));
         let ends = FaceEnds::seen_from(edge.from_m, along, inward[face], of_face);
         Self { edge: edge.clone(), face, ends, share, is_free, exit: None }
     }
 
-    /// Direction of a wave along the face in the coordinates of its ends.
+    /// Direction of a wave along the face in the coordinates of the face's ends.
     fn direction(&self, view: &FaceView) -> DVec2 {
         DVec2::new(view.sin_in, view.along_face().dot(self.edge.wedge.along))
     }
@@ -210,7 +209,7 @@ impl Crossed {
         (x_m - self.edge.from_m).dot(self.edge.wedge.along)
     }
 
-    /// Meeting of a wave from a place of the edge with the end of the face.
+    /// Intersection of a wave from a position on the edge with the end of the face.
     fn met_from(&self, at_m: f64, view: &FaceView) -> Option<Met> {
         let direction = self.direction(view);
         match self.exit {
@@ -220,8 +219,8 @@ impl Crossed {
     }
 }
 
-/// Amplitude of the currents beyond the end of the last of some faces, which is taken away, and of what the
-/// edge there adds.
+/// Amplitude of the currents beyond the end of the last crossed face, which is subtracted, and of the
+/// contribution of the edge there.
 struct FaceWaves<'a> {
     node: &'a EdgeNode<'a>,
     reference_m: DVec3,
@@ -233,33 +232,33 @@ struct FaceWaves<'a> {
 /// A wave over the last face, from one point of the first edge.
 #[derive(Clone)]
 struct Wave {
-    /// The face, as the wave's edge sees it.
+    /// Face as seen by the wave's edge.
     view: FaceView,
-    /// The end of the face, and where it is met.
+    /// End of the face, and where it is met.
     met: Met,
     end_m: DVec3,
-    /// Distance over all faces.
+    /// Path length over all faces.
     way_m: f64,
     current: EndCurrent,
-    /// Factor of the current at the last edge for each field sent: of one over a first face.
+    /// Factor of the current at the last edge for each transmitted field: one over a first face.
     arriving: [f64; 2],
     before: FallenOff,
 }
 
-/// The end of a wave at an edge, per unit of its current.
+/// End of a wave at an edge, per unit of its current.
 struct Arrival {
-    /// Faces of the edge, as the wave sees them.
+    /// Faces of the edge as seen by the wave.
     faces: [FaceView; 2],
     travel: DVec3,
     field: DVec3,
     /// Direction to the receiver, and its unit fields.
     out: DVec3,
     received: [DVec3; 2],
-    /// Length of the edge before over the length that its waves meet here.
+    /// Length of the preceding edge over the length met by its waves here.
     width: f64,
 }
 
-/// Waves over the faces before the last: how each has fallen off, to be told of a wavenumber.
+/// Decay of the waves over the faces before the last, to be evaluated at a wavenumber.
 #[derive(Debug, Clone, Copy, Default)]
 struct FallenOff {
     /// Roots of κd(1 + cosφ′)/k by face.
@@ -286,19 +285,19 @@ struct Ended {
     length_m: f64,
     spread: f64,
     wave: Wave,
-    /// Kernel √π·K of the edge at the end for a current along the ray of one, by what is received.
+    /// Kernel √π·K of the edge at the end for a unit current along the ray, by received field.
     next: [f64; 2],
 }
 
 impl FaceWaves<'_> {
-    /// Legs of the waves: where they come from and where they go.
+    /// Legs of the waves, in and out.
     fn legs(&self) -> [&Leg; 2] {
         let EdgeNode { transmit, receive, .. } = *self.node;
         if self.sense == Sense::Back { [receive, transmit] } else { [transmit, receive] }
     }
 
-    /// The wave over the last face that begins at a point of the first edge; `None` where an edge on the way
-    /// sends none, or a face has no end.
+    /// Wave over the last face from a point of the first edge; `None` if an edge on the path launches none,
+    /// or a face has no end.
     fn wave_from(&self, at_m: f64) -> Option<Wave> {
         let (first, others) = self.crossed.split_first()?;
         let mut wave = self.first_wave(first, at_m)?;
@@ -308,7 +307,7 @@ impl FaceWaves<'_> {
         Some(wave)
     }
 
-    /// The wave that the incident field gives rise to.
+    /// Wave excited by the incident field.
     fn first_wave(&self, crossed: &Crossed, at_m: f64) -> Option<Wave> {
         let [from, to] = self.legs();
         let x_m = crossed.edge.point_m(at_m);
@@ -328,10 +327,10 @@ impl FaceWaves<'_> {
         })
     }
 
-    /// A wave as it meets the edge of a wedge at the end of its face; `None` where the edge is silent.
+    /// A wave arriving at the edge of a wedge at the end of its face; `None` if the edge is silent.
     ///
-    /// A wave that grazes a conductor has the current 2H: E = ½J·n. Its own current up to the edge is there
-    /// already, so the fringe of grazing incidence is what the edge adds.
+    /// A wave grazing a conductor has the current 2H: E = ½J·n. Its own current up to the edge is already
+    /// present, so the edge contributes the fringe of grazing incidence.
     fn arrival(&self, wave: &Wave, wedge: &Wedge) -> Option<Arrival> {
         let to = self.legs()[1];
         let (travel, back) = (wave.view.along_face(), to.image.travel_direction_at(wave.end_m));
@@ -341,7 +340,7 @@ impl FaceWaves<'_> {
         Some(Arrival { faces, travel, field: 0.5 * wave.view.normal, out: -back, received, width })
     }
 
-    /// The wave that an arriving one gives rise to, over a face of the edge at which that ends.
+    /// Wave excited by an arriving one, over a face of the edge at which that ends.
     fn next_wave(&self, wave: &Wave, crossed: &Crossed) -> Option<Wave> {
         let Arrival { faces, travel, field, received, width, .. } =
             self.arrival(wave, &crossed.edge.wedge)?;
@@ -358,12 +357,12 @@ impl FaceWaves<'_> {
         })
     }
 
-    /// Share by which the waves count that one gives rise to: 0 to 1.
+    /// Weight of the waves excited by this one: 0 to 1.
     fn share_of_next(&self, wave: &Wave) -> f64 {
         (wave.strength(self.highest_per_m) / FAINTEST - 1.0).clamp(0.0, 1.0)
     }
 
-    /// Parts of a span whose waves give rise to others, told by a few places.
+    /// Parts of a span whose waves excite others, determined at a few positions.
     fn loud_spans(&self, [from_m, to_m]: [f64; 2]) -> Vec<[f64; 2]> {
         let is_loud = |at_m: f64| self.wave_from(at_m).is_some_and(|wave| self.share_of_next(&wave) > 0.0);
         let inset_m = INSET * (to_m - from_m);
@@ -386,8 +385,8 @@ impl FaceWaves<'_> {
         spans
     }
 
-    /// Kernel √π·K of the edge where the face ends, for a wave that arrives along the face with a current
-    /// of one, per length of the edge before; by what is received.
+    /// Kernel √π·K of the edge where the face ends, for a wave arriving along the face with unit current, per
+    /// length of the preceding edge; by received field.
     fn next_edge(&self, wave: &Wave) -> [f64; 2] {
         let wedge = wave.met.edge.map(|edge| &self.node.edges.edges[edge as usize].wedge);
         let Some(at) = wedge.and_then(|wedge| self.arrival(wave, wedge)) else { return [0.0; 2] };
@@ -396,8 +395,8 @@ impl FaceWaves<'_> {
         [0, 1].map(|p| at.width * (one[p][0] + other[p][0]))
     }
 
-    /// A span cut where rays along the last face change from one end to the next; what meets none is left
-    /// out.
+    /// Divides a span where rays along the last face change from one end to the next; parts that meet none
+    /// are left out.
     fn runs(&self, span_m: [f64; 2]) -> Vec<Run> {
         let inset_m = INSET * (span_m[1] - span_m[0]);
         let mut cuts = vec![span_m[0]];
@@ -407,7 +406,8 @@ impl FaceWaves<'_> {
         wide.flat_map(|pair| self.runs_between(pair[0], pair[1], inset_m)).collect()
     }
 
-    /// Runs of a part of the span: cut anew where near antennas make rays change beside the place expected.
+    /// Runs of a part of the span: divided again if, for near antennas, rays do not change at the expected
+    /// position.
     fn runs_between(&self, from_m: f64, to_m: f64, inset_m: f64) -> Vec<Run> {
         let looks =
             RUN_LOOKS.map(|share| (from_m + share * (to_m - from_m)).clamp(from_m + inset_m, to_m - inset_m));
@@ -435,9 +435,9 @@ impl FaceWaves<'_> {
         self.wave_from(at_m).map(|wave| wave.met.end)
     }
 
-    /// Places on the first edge from which rays over all faces meet a corner of the last one's ends. A ray's
-    /// place on a later edge is a linear function of that on the first for an antenna far away, and nearly
-    /// so near by.
+    /// Positions on the first edge from which rays over all faces meet a corner of the last face's ends. A
+    /// ray's position on a later edge is a linear function of that on the first for a distant antenna, and
+    /// nearly so for a near one.
     fn changes_m(&self, span_m: [f64; 2]) -> Vec<f64> {
         let Some(last) = self.crossed.last() else { return Vec::new() };
         let [from, middle, to] = [0.01, 0.5, 0.99].map(|share| span_m[0] + share * (span_m[1] - span_m[0]));
@@ -463,15 +463,15 @@ impl FaceWaves<'_> {
 }
 
 impl Wave {
-    /// Current that arrives at the end of the last face at a wavenumber, per field sent: a bound of what the
-    /// edge there can add.
+    /// Current arriving at the end of the last face at a wavenumber, per transmitted field: a bound on the
+    /// contribution of the edge there.
     fn strength(&self, wavenumber_per_m: f64) -> f64 {
         let ray = [0, 1].map(|q| self.ray(q).abs()).into_iter().fold(0.0, f64::max);
         let falloff = edge_wave(self.current.falloff_root(self.met.way_m) * wavenumber_per_m.sqrt());
         ray * (self.before.at(wavenumber_per_m) * falloff).norm()
     }
 
-    /// Current along the ray over its fall-off, for a field sent.
+    /// Current along the ray without decay, for a transmitted field.
     fn ray(&self, q: usize) -> f64 {
         self.arriving[q] * self.current.along_ray[q]
     }

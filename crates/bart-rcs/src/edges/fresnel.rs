@@ -1,5 +1,4 @@
-//! The Fresnel integral in the form that edge waves take, which is the Faddeeva function on a diagonal:
-//! W(x) = w(j·e^{jπ/4}·x).
+//! Fresnel integral in the form of edge waves, the Faddeeva function on a diagonal: W(x) = w(j·e^{jπ/4}·x).
 
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
@@ -8,11 +7,12 @@ use std::sync::OnceLock;
 /// Phasor of an eighth of a turn, e^{jπ/4}.
 pub(crate) const EIGHTH_TURN: Complex64 = Complex64::new(FRAC_1_SQRT_2, FRAC_1_SQRT_2);
 
-/// W(x) = e^{jx²} erfc(e^{jπ/4} x) for x ≥ 0: 1 at 0, e^{−jπ/4}/(√π x) far off, without oscillation between.
+/// Edge wave W(x) = e^{jx²} erfc(e^{jπ/4} x) for x ≥ 0: 1 at 0, e^{−jπ/4}/(√π x) in the limit, without
+/// oscillation between.
 ///
-/// Relative error below 1e-14 beside [`edge_wave_by_series`]. W/u is smooth in u = 1/(1 + x) up to u = 0 (its
-/// series there is that of 1/x), so polynomials on 64 pieces of 0 ≤ u ≤ 1 have it: 20 ns where the series and
-/// fractions take a microsecond.
+/// Relative error below 1e-14 against [`edge_wave_by_series`]. W/u is smooth in u = 1/(1 + x) up to u = 0
+/// (its series there is that of 1/x), and is represented by polynomials on 64 pieces of 0 ≤ u ≤ 1: 20 ns
+/// where series and fractions take a microsecond.
 pub(crate) fn edge_wave(x: f64) -> Complex64 {
     static PIECES: OnceLock<Vec<Coefficients>> = OnceLock::new();
     let pieces = PIECES.get_or_init(|| (0..PIECES_OF_UNIT).map(coefficients).collect());
@@ -23,11 +23,11 @@ pub(crate) fn edge_wave(x: f64) -> Complex64 {
 }
 
 const PIECES_OF_UNIT: usize = 64;
-/// Number of Chebyshev coefficients: ten on a 64th leave 1e-18.
+/// Number of Chebyshev coefficients: ten on a 64th leave an error of 1e-18.
 const TERMS: usize = 10;
 type Coefficients = [Complex64; TERMS];
 
-/// Chebyshev coefficients of W/u on a piece, through its Chebyshev points of the first kind.
+/// Chebyshev coefficients of W/u on a piece, from its Chebyshev points of the first kind.
 fn coefficients(piece: usize) -> Coefficients {
     let angles: [f64; TERMS] = std::array::from_fn(|i| PI * (i as f64 + 0.5) / TERMS as f64);
     let values = angles.map(|angle| {
@@ -49,10 +49,10 @@ fn clenshaw(c: &Coefficients, t: f64) -> Complex64 {
     c[0] + next * t - after
 }
 
-/// W(x) as its definition gives it: what the polynomials are made of and compared with.
+/// W(x) by its definition: the source and the reference of the polynomials.
 ///
-/// Error below 1e-13 (tested against quadrature): the power series of erf loses e^{x²} = 500 ε at the switch;
-/// Laplace's continued fraction for erfc (Abramowitz and Stegun 7.1.14) takes over.
+/// Error below 1e-13 (tested against quadrature): the power series of erf loses e^{x²} = 500 ε at the switch
+/// to Laplace's continued fraction for erfc (Abramowitz and Stegun 7.1.14).
 fn edge_wave_by_series(x: f64) -> Complex64 {
     let z = EIGHTH_TURN * x;
     if x < SERIES_END { (-erf_series(z) + 1.0) * Complex64::cis(x * x) } else { continued_fraction(z) }
@@ -71,8 +71,8 @@ fn erf_series(z: Complex64) -> Complex64 {
     z * sum * 2.0 / PI.sqrt()
 }
 
-/// Laplace's continued fraction, e^{z²} erfc z = 1/(√π(z + ½/(z + 1/(z + 3⁄2/(z + …))))), from the far
-/// end on; it converges as e^{−c|z|√n}.
+/// Laplace's continued fraction, e^{z²} erfc z = 1/(√π(z + ½/(z + 1/(z + 3⁄2/(z + …))))), evaluated
+/// backwards; it converges as e^{−c|z|√n}.
 fn continued_fraction(z: Complex64) -> Complex64 {
     let terms = 16 + (360.0 / z.norm_sqr()) as u32;
     let tail = (1..=terms).rev().fold(z, |tail, n| z + 0.5 * f64::from(n) / tail);
@@ -111,7 +111,7 @@ mod tests {
     fn the_polynomials_are_the_series_and_the_fraction_from_zero_to_far_off() {
         let mut worst = 0.0_f64;
         for step in 0..=20_000 {
-            // 0, then 1e-8 to 1e12 in equal ratios.
+            // 0, then 1e-8 to 1e12 in geometric steps.
             let x = if step == 0 { 0.0 } else { 10_f64.powf(f64::from(step) * 1e-3 - 8.0) };
             let known = edge_wave_by_series(x);
             worst = worst.max((edge_wave(x) - known).norm() / known.norm());

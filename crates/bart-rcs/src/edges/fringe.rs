@@ -1,17 +1,17 @@
-//! Fringe currents of a wedge: the difference of the current at an edge from physical optics, as a line
+//! Fringe currents of a wedge: the difference between the current at an edge and physical optics, as a line
 //! source along it.
 //!
-//! Michaeli's equivalent currents for any direction (IEEE T-AP 34 (1986) 912, 34 (1986) 1252) in the form of
-//! docs/physics.md §4, with the removable singularities gone: with ψ = π − α, h = (ψ − φ′)/2, m = (ψ + φ′)/2
-//! and c(z) = cot(z/N)/N − U cot z, which is smooth at 0,
+//! Michaeli's equivalent currents for arbitrary directions (IEEE T-AP 34 (1986) 912, 34 (1986) 1252) in the
+//! form of docs/physics.md §4, with the removable singularities eliminated: with ψ = π − α, h = (ψ − φ′)/2, m
+//! = (ψ + φ′)/2 and c(z) = cot(z/N)/N − U cot z, which is smooth at 0,
 //!
 //! ```text
 //! D − U sinφ′/(cosφ′ + μ) = ½[c(h) − c(m)]        G − U/(cosφ′ + μ) = ½[c(h) + c(m)]/sinψ
 //! ```
-//! so that the reflection boundary (cosφ′ + μ = 0; monostatically φ′ = 90°) is no special case. At cosines of
-//! α below −1 ψ is imaginary, c(h) = −conj c(m), and both stay real. Left is μ = 1, the direction in which
-//! the wave along the face travels: there the current of a face without end has no finite sum, and
-//! [`LEAST_GRAZING`] clamps it.
+//! so that the reflection boundary (cosφ′ + μ = 0; monostatically φ′ = 90°) needs no special case. At cosines
+//! of α below −1, ψ is imaginary, c(h) = −conj c(m), and both stay real. The remaining singularity is μ = 1,
+//! the direction of travel of the wave along the face: there the current on an unbounded face has no finite
+//! sum, and is clamped by [`LEAST_GRAZING`].
 
 use crate::mesh::wedges::wedge::Wedge;
 use glam::DVec3;
@@ -27,12 +27,12 @@ pub(crate) struct FaceView {
     pub(crate) inward: DVec3,
     pub(crate) normal: DVec3,
     pub(crate) along: DVec3,
-    /// Angle φ′ of the incident wave, from this face.
+    /// Angle φ′ of the incident wave from this face.
     pub(crate) angle_in: f64,
-    /// Cosine and sine of β′, the angle of the incident wave's direction of travel to ẑ.
+    /// Cosine and sine of β′, the angle between the incident wave's direction of travel and ẑ.
     pub(crate) cos_in: f64,
     pub(crate) sin_in: f64,
-    /// The direction of the receiver in these axes, sinβ·(cosφ, sinφ) and cosβ.
+    /// Direction of the receiver in these axes, sinβ·(cosφ, sinφ) and cosβ.
     pub(crate) out: DVec3,
     /// Distance 1 − μ of the receiver from the direction of the wave along the face, 1 − ŝ·σ̂ over sin²β′.
     pub(crate) off_grazing: f64,
@@ -45,18 +45,17 @@ pub(crate) enum Lighting {
     Shadowed,
 }
 
-/// Nearest that a receiver may be to the direction of a wave along a face, as 1 − μ: 0.3 mrad at right
-/// angles. Where the face ends, the wave's end is subtracted with the same value, and what is left is exact
+/// Minimum distance of a receiver from the direction of a wave along a face, as 1 − μ: 0.3 mrad at right
+/// angles. Where the face ends, the wave's end is subtracted with the same value, and the remainder is exact
 /// to 1e-16/√1e-9.
 const LEAST_GRAZING: f64 = 1e-9;
-/// Directions are rounded to ε, and facets nearer to edge-on than 16 ε have no shadow and no light
-/// (shadow.rs).
+/// Angle within which a facet counts as edge-on: directions are rounded to ε, and facets within 16 ε have no
+/// shadow and no light (shadow.rs).
 pub(crate) const EDGE_ON_RAD: f64 = 1e-9;
-/// A leg along the edge itself has no angle φ; within this sine of it the edge is left out (its amplitude is
-/// bounded).
+/// Sine within which a leg along the edge, which has no angle φ, is left out (its amplitude is bounded).
 pub(crate) const LEAST_SINE: f64 = 1e-6;
 
-/// Planes of one flat patch differ by less.
+/// Cosine above which planes belong to one flat patch.
 const SAME_FACE_COSINE: f64 = 0.999;
 
 impl Wedge {
@@ -67,8 +66,8 @@ impl Wedge {
         if angle < 0.0 { angle + TAU } else { angle }
     }
 
-    /// Views of both faces for a wave that travels along `travel` and leaves along `out`; `None` where a
-    /// leg lies along the edge or runs inside the wedge.
+    /// Views of both faces for a wave that arrives along `travel` and leaves along `out`; `None` if a leg
+    /// lies along the edge or inside the wedge.
     pub(crate) fn faces(&self, travel: DVec3, out: DVec3) -> Option<[FaceView; 2]> {
         let span = self.exterior * PI;
         let (angle_in, angle_out) = (self.angle_of(-travel), self.angle_of(out));
@@ -84,13 +83,13 @@ impl Wedge {
         self.exterior == 2.0
     }
 
-    /// Whether one of its faces looks along `normal`.
+    /// Whether one of its faces has this normal.
     pub(crate) fn has_face(&self, normal: DVec3) -> bool {
         self.normal.iter().any(|n| n.dot(normal) > SAME_FACE_COSINE)
     }
 
-    /// Views of both faces for a wave that comes along `travel` on the face that looks along `normal`, at
-    /// grazing incidence; `None` as for [`Self::faces`], and where no face of the wedge looks that way.
+    /// Views of both faces for a wave arriving along `travel` on the face with this normal, at grazing
+    /// incidence; `None` as for [`Self::faces`], and if no face of the wedge has this normal.
     pub(crate) fn faces_from_face(&self, travel: DVec3, normal: DVec3, out: DVec3) -> Option<[FaceView; 2]> {
         let span = self.exterior * PI;
         let is_seen = self.angle_of(out) <= span;
@@ -123,7 +122,7 @@ impl Wedge {
 }
 
 impl FaceView {
-    /// Lighting U of the face; one that is edge-on to rounding has no lit polygon either.
+    /// Lighting U of the face; one that is edge-on to within rounding has no lit polygon either.
     pub(crate) fn lighting(&self) -> Lighting {
         if (0.0..PI - EDGE_ON_RAD).contains(&self.angle_in) { Lighting::Lit } else { Lighting::Shadowed }
     }
@@ -138,8 +137,8 @@ impl FaceView {
         [field.dot(self.along), travel.cross(field).dot(self.along)]
     }
 
-    /// Share of this face, without end, in √π·dS/dl: for incident fields with E and Z·H along the edge, seen
-    /// along `out` by each of the unit fields `received`; by `[received][sent]`.
+    /// Contribution of this face, taken as unbounded, in √π·dS/dl: for incident fields with E and Z·H along
+    /// the edge, received along `out` in each of the unit fields `received`; by `[received][sent]`.
     ///
     /// S = (1/√π)∫[−A p·t + B p·(s×t)]dl with A, B the currents of docs/physics.md §4 without their 2j/k.
     pub(crate) fn coefficients<const N: usize>(
@@ -169,7 +168,7 @@ impl FaceView {
     fn fringe_functions(&self) -> (f64, f64) {
         let of = |z: Complex64| cotangents(z, self.exterior, self.lighting());
         let mut mu = 1.0 - self.off_grazing;
-        // At μ = −1 both functions are regular and sinψ is 0: a step of 1e-6 rad aside.
+        // At μ = −1 both functions are regular and sinψ is 0: evaluated 1e-6 rad aside.
         if (mu + 1.0).abs() < 1e-12 {
             mu = -1.0 + 1e-12;
         }
@@ -203,7 +202,7 @@ fn cotangents(z: Complex64, n: f64, lighting: Lighting) -> Complex64 {
 mod tests {
     use super::*;
 
-    /// An edge along z whose face 1 lies along x and looks along y.
+    /// An edge along z whose face 1 lies along x with normal y.
     pub(crate) fn wedge(n: f64) -> Wedge {
         let (sin, cos) = (n * PI).sin_cos();
         Wedge {
@@ -299,7 +298,7 @@ mod tests {
         }
     }
 
-    /// The reference data of wedges beside the checkout, or `None` with a word about it.
+    /// Reference data of wedges beside the checkout, or `None` with a message.
     fn wedge_rows(file: &str) -> Option<Vec<Vec<String>>> {
         let beside = || concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared").to_owned();
         let shared = std::env::var("WAYSIDE_SHARED").unwrap_or_else(|_| beside());
@@ -330,8 +329,8 @@ mod tests {
         assert!(rows.len() > 400 && worst < 1e-6);
     }
 
-    /// Near the shadow boundary behind the wedge the table's own optics part is another convention's; see the
-    /// file's README.
+    /// Near the shadow boundary behind the wedge the table's own optics part follows another convention; see
+    /// the file's README.
     #[test]
     fn every_row_of_the_bistatic_wedge_table_is_met_to_1e_minus_6() {
         let Some(rows) = wedge_rows("bistatic.csv") else { return };

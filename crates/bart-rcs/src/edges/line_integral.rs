@@ -1,11 +1,11 @@
-//! Integrals of a slowly varying weight under a fast phase along a straight line (Filon 1928), cut where the
-//! weight or the phase's curvature asks for it.
+//! Integrals of a slowly varying weight with a fast phase along a straight line (Filon 1928), divided where
+//! the weight or the phase's curvature requires it.
 
 use num_complex::Complex64;
 
 /// Weight and length along a line.
 pub(crate) trait Integrand {
-    /// Values of a point that cost once for all wavenumbers.
+    /// Values at a point that are computed once for all wavenumbers.
     type Sample: Clone;
     /// Sample at a coordinate along the line, m.
     fn sample(&self, at_m: f64) -> Self::Sample;
@@ -15,16 +15,16 @@ pub(crate) trait Integrand {
     fn weights(&self, sample: &Self::Sample, wavenumber_per_m: f64) -> [Complex64; 4];
 }
 
-/// Number of halvings: at 2⁻²⁴ of a line, where a weight jumps, what is left is below any accuracy
-/// asked.
+/// Maximum number of halvings: at 2⁻²⁴ of a line, where a weight jumps, the remainder is below any requested
+/// accuracy.
 const HALVINGS_MAX: u32 = 24;
 
-/// A piece may spend this share of the error, however small it is: a root at an end would be halved without
-/// end.
+/// Minimum share of the error allotted to a piece, however small: a root at an end would otherwise be halved
+/// without end.
 const SMALLEST_SHARE: f64 = 1.0 / 64.0;
 
-/// Adds ∫ weight·e^{−jkL} over `span_m` for every wavenumber to `sums`; gives a bound of the error of
-/// every element, m.
+/// Adds ∫ weight·e^{−jkL} over `span_m` for every wavenumber to `sums`; returns an error bound for every
+/// element, m.
 #[cfg(test)]
 pub(crate) fn add_line_integral<I: Integrand>(
     integrand: &I,
@@ -42,13 +42,13 @@ pub(crate) fn add_line_integral<I: Integrand>(
     error_m
 }
 
-/// Cuts a line into pieces fit for wavenumbers up to `highest_per_m`; `give` gets each with a bound of its
-/// error, m.
+/// Divides a line into pieces suitable for wavenumbers up to `highest_per_m`; `give` receives each with its
+/// error bound, m.
 ///
-/// A piece takes weight times the remainder of the phase as the quadratic through its ends and middle,
-/// exactly under the linear phase; it is halved until the values at its quarters, at the highest wavenumber,
-/// are met to `accuracy`. A cubic error has 97 % of its greatest value there: h³/16 of h³/9√3 times a sixth
-/// of its third derivative.
+/// A piece approximates the weight times the residual phase by the quadratic through its ends and centre,
+/// integrated exactly with the linear phase; it is halved until the values at its quarters, at the highest
+/// wavenumber, are matched to `accuracy`. A cubic error has 97 % of its maximum there: h³/16 of h³/9√3 times
+/// a sixth of its third derivative.
 pub(crate) fn for_each_piece<I: Integrand>(
     integrand: &I,
     span_m: [f64; 2],
@@ -60,7 +60,7 @@ pub(crate) fn for_each_piece<I: Integrand>(
     let ends = [from, 0.5 * (from + to), to].map(|at| integrand.sample(at));
     let mut left = vec![(span_m, ends, 0)];
     while let Some(([from, to], samples, halvings)) = left.pop() {
-        // A weight that jumps at an end leaves a piece between neighbouring numbers.
+        // A weight that jumps at an end leaves a piece between adjacent numbers.
         if to - from <= 1e-12 * (span_m[1] - span_m[0]).max(to.abs()) {
             continue;
         }
@@ -80,7 +80,7 @@ pub(crate) fn for_each_piece<I: Integrand>(
     }
 }
 
-/// A part of a line by its start, middle and end, with the linear phase between the ends taken out.
+/// A part of a line given by its start, middle and end, with the linear phase between the ends removed.
 pub(crate) struct Piece<'a, I: Integrand> {
     integrand: &'a I,
     samples: &'a [I::Sample; 3],
@@ -88,11 +88,11 @@ pub(crate) struct Piece<'a, I: Integrand> {
     middle_length_m: f64,
     /// Slope dL/ds of the straight line between the ends.
     slope: f64,
-    /// Length L of the ends beyond that line, the same at both.
+    /// Excess of L at both ends over the line of this slope through the middle.
     bend_m: f64,
 }
 
-/// Weights of the quadratic through three values, at the quarters.
+/// Weights of the quadratic through three values, evaluated at the quarters.
 const AT_QUARTERS: [[f64; 3]; 2] = [[0.375, 0.75, -0.125], [-0.125, 0.75, 0.375]];
 
 impl<'a, I: Integrand> Piece<'a, I> {
@@ -103,29 +103,29 @@ impl<'a, I: Integrand> Piece<'a, I> {
         Self { integrand, samples, half_m, middle_length_m, slope, bend_m }
     }
 
-    /// Length L in the middle.
+    /// Length L at the middle.
     pub(crate) fn length_m(&self) -> f64 {
         self.middle_length_m
     }
 
-    /// Samples of its start, middle and end.
+    /// Samples at its start, middle and end.
     pub(crate) fn samples(&self) -> &'a [I::Sample; 3] {
         self.samples
     }
 
-    /// Greatest difference of L on the piece from that in the middle.
+    /// Maximum difference of L on the piece from that at the middle.
     pub(crate) fn extent_m(&self) -> f64 {
         self.slope.abs() * self.half_m + self.bend_m.abs()
     }
 
-    /// Values weight·e^{−jk(L − linear part)} at the ends and in the middle.
+    /// Values weight·e^{−jk(L − linear part)} at the ends and at the middle.
     fn values(&self, wavenumber_per_m: f64) -> [[Complex64; 4]; 3] {
         let turned = Complex64::cis(-wavenumber_per_m * self.bend_m);
         let at = |i: usize| self.integrand.weights(&self.samples[i], wavenumber_per_m);
         [at(0).map(|weight| weight * turned), at(1), at(2).map(|weight| weight * turned)]
     }
 
-    /// Greatest difference between a quarter's value and the quadratic.
+    /// Maximum difference between a quarter's value and the quadratic.
     fn missed_by(&self, quarters: &[I::Sample; 2], wavenumber_per_m: f64) -> f64 {
         let values = self.values(wavenumber_per_m);
         let missed = |(i, quarter): (usize, &I::Sample)| {
@@ -138,7 +138,7 @@ impl<'a, I: Integrand> Piece<'a, I> {
         quarters.iter().enumerate().map(missed).fold(0.0, f64::max)
     }
 
-    /// Adds ∫ quadratic·e^{−jkL} for every wavenumber, the phase of the middle included.
+    /// Adds ∫ quadratic·e^{−jkL} for every wavenumber, including the phase at the middle.
     pub(crate) fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
         for (k, sum) in wavenumbers_per_m.iter().zip(sums) {
             let [m0, m1, m2] = moments(k * self.slope * self.half_m);
@@ -155,7 +155,8 @@ impl<'a, I: Integrand> Piece<'a, I> {
 
 /// Moments ∫cos θu, ∫u sin θu, ∫u² cos θu over −1 < u < 1.
 fn moments(theta: f64) -> [f64; 3] {
-    // Below, the closed forms lose ε/θ³; the series' next terms are θ⁸/181440 and below: 4e-10·ε... at 0.1.
+    // Below this, the closed forms lose ε/θ³; the series' next terms are θ⁸/181440 and below: 4e-10·ε... at
+    // 0.1.
     if theta.abs() < 0.1 {
         let t2 = theta * theta;
         return [
@@ -174,7 +175,7 @@ mod tests {
     use super::*;
     use crate::integral::test_quadrature::gauss_legendre;
 
-    /// A spherical wave's phase from `distance_m` beside the line, and a weight with a bend of its own.
+    /// Phase of a spherical wave from `distance_m` beside the line, with a curved weight.
     struct Wave {
         distance_m: f64,
         foot_m: f64,

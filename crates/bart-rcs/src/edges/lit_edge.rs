@@ -1,9 +1,9 @@
-//! Parts of edges that a beam tree lights, and where both ends meet on an edge.
+//! Parts of edges lit by a beam tree, and the parts lit from both ends.
 //!
-//! An edge is lit where a lit polygon of one of its facets reaches it: exactly what is lit of the facets, by
-//! the same shadows, straight or through mirrors. Only edges in the plane of vision itself (their facets
-//! edge-on to the antenna to rounding) have no polygon. Of the edges of one line (rims of a double skin,
-//! [`crate::mesh::wedges::side_by_side`]) the nearest to the antenna alone is lit, place by place.
+//! An edge is lit where a lit polygon of one of its facets reaches it: exactly the lit part of the facets,
+//! with the same shadows, directly or via mirrors. Only edges whose facets are edge-on to the antenna to
+//! within rounding have no polygon. Among edges on one line (rims of a double skin,
+//! [`crate::mesh::wedges::side_by_side`]) only the nearest to the antenna is lit, point by point.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::beams::image_tree::goes_by_road;
@@ -15,26 +15,26 @@ use artifact::paths::MAX_ORDER;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 
-/// A part of an edge that one end lights along one way.
+/// A part of an edge lit from one end along one path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LitEdge {
     pub(crate) edge: u32,
-    /// Facets on the way, the edge's own included.
+    /// Number of facets on the path, including the edge's own.
     pub(crate) order: u8,
-    /// Patches of the mirrors before it, the nearest first.
+    /// Patches of the preceding mirrors, nearest first.
     mirrors: Mirrors,
-    /// A beam that reaches the edge: its leg is the way there.
+    /// A beam that reaches the edge: its leg leads to the edge.
     pub(crate) beam: u32,
     /// Span along the edge, m.
     pub(crate) span_m: [f64; 2],
 }
 
-/// Patches of the mirrors of a way; [`NO_MIRROR`] behind the last. Light of one mirror comes in pieces
-/// wherever a seam lies on it, and its ways are one.
+/// Patches of a path's mirrors; [`NO_MIRROR`] after the last. Light from one mirror comes in pieces wherever
+/// a seam lies on it, and these count as one path.
 type Mirrors = [u32; MAX_ORDER];
 const NO_MIRROR: u32 = u32::MAX;
 
-/// A part of an edge that both ends light.
+/// A part of an edge lit from both ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct EdgeJoint {
     pub(crate) edge: u32,
@@ -45,14 +45,15 @@ pub(crate) struct EdgeJoint {
     pub(crate) reverse: Reverse,
 }
 
-/// Highest order of beams that `bounces` need by a rule: an edge is no mirror, and one end may come to it
-/// over all the others, whatever node is taken of facets.
+/// Maximum order of beams needed for `bounces` under a rule: an edge is no mirror, and one end may reach it
+/// via all other facets, whatever node is taken for facets.
 pub(crate) fn tree_order_with(edges: Edges, bounces: u8, rule: NodeRule) -> u8 {
     let of_facets = tree_order(bounces, rule);
     if edges == Edges::FirstOrder { of_facets.max(bounces) } else { of_facets }
 }
 
-/// Every way of `order` reflections and one edge; each counts, as an edge is no mirror (docs/physics.md §2).
+/// All paths of `order` reflections and one edge; each counts, since an edge is no mirror (docs/physics.md
+/// §2).
 pub(crate) fn edge_joints(world: &World, edges: &WorldEdges, trees: Trees<'_>, order: u8) -> Vec<EdgeJoint> {
     let forward = lit_edges(world, edges, trees.transmit(), order);
     match trees {
@@ -64,8 +65,8 @@ pub(crate) fn edge_joints(world: &World, edges: &WorldEdges, trees: Trees<'_>, o
     }
 }
 
-/// Parts of edges that a tree's beams up to `max_order` reach; by edge, order, mirror and place. What comes
-/// by the road is not followed to edges.
+/// Parts of edges reached by a tree's beams up to `max_order`, sorted by edge, order, mirror and position.
+/// Beams via the road are not followed to edges.
 pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_order: u8) -> Vec<LitEdge> {
     let mut found = Vec::new();
     let beams = (0..).zip(&tree.beams).take_while(|(_, beam)| beam.order <= max_order);
@@ -93,7 +94,7 @@ pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_
     of_way.flat_map(|ways| nearest_of_line(edges, tree, ways)).collect()
 }
 
-/// Parts of the edges of one line without those before which a nearer edge is lit in the same way.
+/// Parts of the edges of one line, without those hidden by a nearer edge that is lit in the same way.
 fn nearest_of_line(edges: &WorldEdges, tree: &BeamTree, lit: &[LitEdge]) -> Vec<LitEdge> {
     if lit.iter().all(|other| other.edge == lit[0].edge) {
         return lit.to_vec();
@@ -107,8 +108,8 @@ fn nearest_of_line(edges: &WorldEdges, tree: &BeamTree, lit: &[LitEdge]) -> Vec<
     lit.iter().flat_map(|one| -> Vec<LitEdge> { seen(one) }).collect()
 }
 
-/// Whether an edge is nearer to the antenna than another one of its line, in the middle of what is lit of
-/// both.
+/// Whether an edge is nearer to the antenna than another one on its line, at the middle of their common lit
+/// part.
 fn is_before(edges: &WorldEdges, tree: &BeamTree, one: &LitEdge, other: &LitEdge) -> bool {
     let [a, b] = [one, other].map(|lit| edges.on_line_m(lit.edge, lit.span_m));
     let overlap_m = [a[0].max(b[0]), a[1].min(b[1])];
@@ -125,7 +126,7 @@ fn is_before(edges: &WorldEdges, tree: &BeamTree, one: &LitEdge, other: &LitEdge
     ahead_m > 0.0 || (ahead_m == 0.0 && one.edge < other.edge)
 }
 
-/// A span without parts of it.
+/// A span with some parts removed.
 fn without(span_m: [f64; 2], mut parts_m: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     parts_m.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let (mut left, mut from_m) = (Vec::new(), span_m[0]);
@@ -149,7 +150,7 @@ fn mirrors_of(world: &World, tree: &BeamTree, beam: &Beam) -> Mirrors {
     mirrors
 }
 
-/// Spans of an edge that sides of a beam's polygon cover.
+/// Spans of an edge covered by sides of a beam's polygon.
 fn reached_m<'a>(
     world: &World,
     tree: &'a BeamTree,
@@ -160,7 +161,7 @@ fn reached_m<'a>(
     let corners_m = world.facet(beam.facet).corners_m;
     let (from, to) = (corners_m[usize::from(side.side)], corners_m[(usize::from(side.side) + 1) % 3]);
     let along = (to - from).try_normalize().unwrap_or(DVec3::ZERO);
-    // Corners of polygons are cut along the facet's sides: they keep the line to a rounding or two.
+    // Corners of polygons are cut along the facet's sides: they stay on the line to a rounding or two.
     let tolerance_m = 4.0 * world.tolerance_m();
     let is_on_side = move |x: &DVec3| (*x - from).cross(along).length() <= tolerance_m;
     let polygon = tree.polygon(beam);
@@ -172,7 +173,7 @@ fn reached_m<'a>(
     })
 }
 
-/// Parts that touch become one.
+/// Merges touching parts.
 fn united(found: Vec<LitEdge>, tolerance_m: f64) -> Vec<LitEdge> {
     let mut united: Vec<LitEdge> = Vec::with_capacity(found.len());
     for lit in found {
@@ -191,13 +192,13 @@ fn united(found: Vec<LitEdge>, tolerance_m: f64) -> Vec<LitEdge> {
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Pairs {
-    /// One tree: a pair stands for its reverse.
+    /// One tree: a pair also represents its reverse.
     Unordered,
     Ordered,
 }
 
-/// Overlaps on every line of what both ends light with `order` + 1 facets between them; of two edges of one
-/// line the first has them.
+/// Overlaps on every line of the parts lit from both ends with `order` + 1 facets between them; of two edges
+/// on one line they are assigned to the first.
 fn joints_of(
     edges: &WorldEdges,
     [forward, backward]: [&[LitEdge]; 2],

@@ -1,15 +1,15 @@
-//! The field behind a mirror of finite size: what a flat patch reflects to a point, with the Fresnel
+//! Field behind a mirror of finite size: the reflection of a flat patch to a point, with the Fresnel
 //! transition at its edges.
 //!
-//! The mirrored wave arrives at x as from the image, through the point of the patch between them. Near the
-//! edge of the patch the field goes over from whole to nothing as behind any straight edge:
+//! The reflected wave arrives at x as from the image, through the point of the patch between them. Near the
+//! edge of the patch the field changes from full to zero as behind any straight edge:
 //!
 //! ```text
 //! Φ = 1 − ½ e^{−jkδ} W(√(kδ)) inside      ½ e^{−jkδ} W(√(kδ)) outside
 //! ```
-//! with δ the detour by the edge, exactly: the least length over it less that over the mirror point, and W
-//! of [`crate::edges::fresnel`]. On the edge itself, as on the fold of a corner, it is ½. The nearest edge
-//! alone is taken, by its detour. (Ufimtsev ch. 3 for the half plane; the window of a patch is ours,
+//! with δ the detour via the edge, exactly: the minimum length via it less that via the mirror point, and W
+//! of [`crate::edges::fresnel`]. On the edge itself, as on the fold of a corner, it is ½. Only the nearest
+//! edge, by its detour, is taken. (Ufimtsev ch. 3 for the half-plane; the window of a patch is ours,
 //! docs/decisions/node-rule.md.)
 
 use crate::bodies::world::World;
@@ -36,26 +36,26 @@ pub(crate) struct FlatPatch {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OutlineSide {
     pub(crate) ends_m: [DVec3; 2],
-    /// Unit vector in the patch's plane, out of the patch.
+    /// Unit vector in the patch's plane, pointing out of the patch.
     pub(crate) outward: DVec3,
-    /// The facet beyond the side, where there is just one.
+    /// Facet beyond the side, if there is exactly one.
     pub(crate) beyond: Option<u32>,
     ends_in_plane_m: [DVec2; 2],
 }
 
-/// Place of a point behind a mirror.
+/// Position of a point behind a mirror.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Window {
-    /// The mirror point lies on the patch; the detour by its nearest edge, m.
+    /// The mirror point lies on the patch; with the detour via its nearest edge, m.
     Inside(f64),
-    /// It lies beside the patch.
+    /// The mirror point lies beside the patch.
     Outside(f64),
     /// There is no mirror point: the point is behind the mirror.
     Dark,
 }
 
 impl Window {
-    /// The field there, relative to that of an endless mirror.
+    /// Field there relative to that of an unbounded mirror.
     pub(crate) fn field(self, wavenumber_per_m: f64) -> Complex64 {
         let half = |detour_m: f64| {
             let phase_rad = wavenumber_per_m * detour_m;
@@ -77,7 +77,7 @@ impl Window {
 }
 
 impl FlatPatch {
-    /// The patch of some facets of one plane.
+    /// Patch of coplanar facets.
     pub(crate) fn of(world: &World, facets: Vec<u32>) -> Self {
         let largest = facets.iter().copied().fold(facets[0], |best, facet| {
             if world.facet(facet).area_m2 > world.facet(best).area_m2 { facet } else { best }
@@ -95,7 +95,7 @@ impl FlatPatch {
         }
     }
 
-    /// The place of `x_m` behind the patch as a mirror of `antenna`.
+    /// Position of `x_m` behind the patch as a mirror of `antenna`.
     pub(crate) fn window(&self, antenna: Antenna, x_m: DVec3) -> Window {
         let Some(mirror_m) = self.mirror_point_m(antenna.mirrored(&self.plane), x_m) else {
             return Window::Dark;
@@ -105,7 +105,7 @@ impl FlatPatch {
         if self.holds(mirror_m) { Window::Inside(least_m) } else { Window::Outside(least_m) }
     }
 
-    /// Where the straight way from an image to `x_m` meets the plane; `None` if it does not.
+    /// Intersection of the straight line from an image to `x_m` with the plane; `None` if there is none.
     pub(crate) fn mirror_point_m(&self, image: Antenna, x_m: DVec3) -> Option<DVec3> {
         let distance_m = self.plane.distance_m(x_m);
         if distance_m.abs() <= self.tolerance_m {
@@ -116,7 +116,7 @@ impl FlatPatch {
         (share.is_finite() && share > 0.0).then(|| x_m + share * towards)
     }
 
-    /// Whether a point of the plane lies on the patch (by crossings of its outline).
+    /// Whether a point of the plane lies on the patch (by crossing number).
     fn holds(&self, x_m: DVec3) -> bool {
         let x = self.frame.plane_from_world(x_m);
         let crosses = |side: &&OutlineSide| {
@@ -143,14 +143,14 @@ fn side_of(world: &World, frame: &PlaneFrame, facet: u32, side: usize) -> Option
 }
 
 impl OutlineSide {
-    /// Least length from an antenna over the side to `x_m`, less that over `mirror_m`.
+    /// Minimum length from an antenna via the side to `x_m`, less that via `mirror_m`.
     fn detour_m(&self, antenna: Antenna, mirror_m: DVec3, x_m: DVec3) -> f64 {
         let over_m = self.shortest_over_m(antenna, x_m);
         let to_x_m = over_m.distance(x_m) - mirror_m.distance(x_m);
         length_difference_m(antenna, over_m, mirror_m) + to_x_m
     }
 
-    /// The point of the side on the shortest way: both angles with the side are equal there.
+    /// Point of the side on the shortest path, where both angles with the side are equal.
     fn shortest_over_m(&self, antenna: Antenna, x_m: DVec3) -> DVec3 {
         let [from, to] = self.ends_m;
         let length_m = from.distance(to);
@@ -211,7 +211,7 @@ mod tests {
                 let at = |i: u32| side.ends_m[0].lerp(side.ends_m[1], f64::from(i) / 1e4);
                 let least_m = (0..=10_000).map(|i| over(at(i))).fold(f64::INFINITY, f64::min);
                 let got_m = side.detour_m(antenna, mirror_m, x_m) + over(mirror_m);
-                // Ways are stationary there: a ten-thousandth off is 1e-8 longer.
+                // Lengths are stationary there: a ten-thousandth off is 1e-8 longer.
                 assert!((got_m - least_m).abs() < 2e-8 && got_m < least_m + 1e-15, "{got_m} {least_m}");
             }
         }
@@ -233,7 +233,7 @@ mod tests {
     #[test]
     fn the_edge_of_a_mirror_is_that_of_kirchhoffs_half_plane() {
         let patch = square();
-        // 0.2 m before the mirror, seen straight: (1 + j)/2 ∫ e^{−jπt²/2} dt, t from −√(2/λz)·(distance
+        // 0.2 m before the mirror, at normal incidence: (1 + j)/2 ∫ e^{−jπt²/2} dt, t from −√(2/λz)·(distance
         // inside) on; by the trapezoidal rule with a Gaussian end.
         let (k, z) = (1613.8, 0.2);
         for inside_m in [-0.02, -0.004, 0.003, 0.01, 0.03] {

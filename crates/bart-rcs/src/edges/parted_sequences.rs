@@ -1,8 +1,8 @@
-//! Double reflections off their specular: how far their polygons are parted from it, and the own edges that
-//! take over.
+//! Double reflections off their specular direction: the separation of their polygons from it, and the own
+//! edges that take over.
 //!
-//! For sequences of two flat conducting patches of a square wavelength or more, that do not go by the road,
-//! without sheets and bent skin, from which no third facet rises and whose sight nothing else is in: the lit
+//! This applies to sequences of two flat conducting patches of at least a square wavelength, without the
+//! road, sheets or curved skin, from which no third facet rises and whose line of sight is clear: the lit
 //! polygons, seen from the mirror's image in the mirror's plane, are as large as the overlap of both patches
 //! there.
 
@@ -22,8 +22,8 @@ use glam::{DMat3, DVec2, DVec3};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-/// Sets how far all joints of order two are parted from their specular, and gives the own edges that take
-/// over, by sequence.
+/// Sets the separation of all joints of order two from their specular point, and returns the own edges that
+/// take over, by sequence.
 pub(crate) fn part_sequences(
     scatterer: &Scatterer<'_>,
     joints: &mut Joints,
@@ -53,12 +53,12 @@ pub(crate) fn part_sequences(
     truncations
 }
 
-/// Partings of sequences of two patches from their specular.
+/// Separations of sequences of two patches from their specular point.
 #[derive(Default)]
 pub(crate) struct Partings(BTreeMap<[LitPatch; 2], Parting>);
 
 impl Partings {
-    /// Partings that joints of order two have been given.
+    /// Separations already set on joints of order two.
     pub(crate) fn of(scatterer: &Scatterer<'_>, joints: &Joints) -> Self {
         let is_parted = |joint: &Joint| joint.parting.clear > 0.0;
         if !joints.list.iter().any(is_parted) {
@@ -70,7 +70,7 @@ impl Partings {
         Self(known.filter(|(_, parting)| parting.clear > 0.0).collect())
     }
 
-    /// Parts joints of order two, by any node, as the same sequences have been.
+    /// Sets the separations of joints of order two, for any node, to those of the same sequences.
     pub(crate) fn give_to(&self, scatterer: &Scatterer<'_>, joints: &mut Joints) {
         if self.0.is_empty() {
             return;
@@ -82,23 +82,23 @@ impl Partings {
     }
 }
 
-/// A lit side of a patch.
+/// A side of a patch that is lit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct LitPatch {
     patch: u32,
-    /// Whether the lit side is that of the winding.
+    /// Whether the lit side is that of counter-clockwise winding.
     is_front: bool,
 }
 
-/// A joint of a sequence, and on which of its two patches it has its node.
+/// A joint of a sequence, and which of its two patches holds its node.
 #[derive(Clone, Copy)]
 struct Member {
     joint: usize,
     node: usize,
 }
 
-/// Joints of every sequence of two patches, in the order of their names; where both ends are one antenna a
-/// sequence is its own way back.
+/// Joints of every sequence of two patches, in the order of their names; if both ends are one antenna a
+/// sequence is its own reverse.
 fn sequences(scatterer: &Scatterer<'_>, joints: &Joints) -> BTreeMap<[LitPatch; 2], Vec<Member>> {
     let mut all: BTreeMap<[LitPatch; 2], Vec<Member>> = BTreeMap::new();
     let direct = joints.list.iter().enumerate().filter(|(_, joint)| !scatterer.goes_by_road(joint));
@@ -116,7 +116,7 @@ fn sequences(scatterer: &Scatterer<'_>, joints: &Joints) -> BTreeMap<[LitPatch; 
     all
 }
 
-/// The beam that a joint of order two has on its mirror, and the antenna that lights it.
+/// Beam that a joint of order two has on its mirror, and the antenna that lights it.
 fn mirror_of<'a>(scatterer: &'a Scatterer<'_>, joint: &Joint) -> (&'a Beam, Antenna) {
     let (transmit, receive) = (scatterer.trees.transmit(), scatterer.trees.receive());
     let of = |tree: &'a BeamTree, beam: u32| {
@@ -132,12 +132,12 @@ fn lit_patch(world: &World, beam: &Beam) -> LitPatch {
     LitPatch { patch: world.patch(beam.facet), is_front }
 }
 
-/// Flat patches by name, made when they are first asked for.
+/// Flat patches by name, constructed when first requested.
 struct FlatPatches<'a> {
     world: &'a World,
     facets: HashMap<u32, Vec<u32>>,
     known: HashMap<u32, Option<Arc<FlatPatch>>>,
-    /// Smaller ones are no mirrors, m².
+    /// Minimum area of a mirror, m².
     least_m2: f64,
 }
 
@@ -168,14 +168,14 @@ impl<'a> FlatPatches<'a> {
     }
 }
 
-/// What is lit of one node, all its pieces together.
+/// Lit part of one node, all pieces together.
 struct LitNode {
     area_m2: f64,
     across_m2: f64,
-    /// Sums of place and of its squares over the area, about the first corner.
+    /// Area integrals of position and of its square, about the first corner.
     moment_m3: DVec3,
     second_moment_m4: DMat3,
-    /// The least gradient of the length, and the bend there.
+    /// Minimum gradient of the length, and the bend there.
     gradient: Option<(DVec3, f64)>,
     origin_m: DVec3,
 }
@@ -244,8 +244,8 @@ impl LitNode {
     }
 }
 
-/// The point of a convex polygon nearest to where its plane mirrors one image into the other; any, where
-/// both waves are plane.
+/// Point of a convex polygon nearest to where its plane mirrors one image into the other; any, if both waves
+/// are plane.
 fn nearest_to_specular_m(images: [Antenna; 2], normal: DVec3, corners_m: &[DVec3]) -> DVec3 {
     let height = |image: Antenna| image.towards(corners_m[0]).dot(normal);
     let (Antenna::Point(p), Antenna::Point(q)) = (images[0], images[1]) else { return corners_m[0] };
@@ -254,7 +254,7 @@ fn nearest_to_specular_m(images: [Antenna; 2], normal: DVec3, corners_m: &[DVec3
     nearest_m(corners_m, normal, foot_m)
 }
 
-/// The point of a convex polygon nearest to one of its plane.
+/// Point of a convex polygon nearest to a point of its plane.
 fn nearest_m(corners_m: &[DVec3], normal: DVec3, x_m: DVec3) -> DVec3 {
     if is_over(x_m, corners_m, normal) {
         return x_m;
@@ -263,10 +263,11 @@ fn nearest_m(corners_m: &[DVec3], normal: DVec3, x_m: DVec3) -> DVec3 {
     sides(corners_m).map(|(a, b)| on_segment_m(x_m, a, b)).reduce(nearer).unwrap_or(corners_m[0])
 }
 
-/// At this share that is hidden of what both patches would show each other alone, polygons are left alone.
+/// Hidden share, of the area that both patches alone would show each other, from which polygons are left
+/// unchanged.
 const MISSED: f64 = 0.05;
 
-/// How clear the sight over both nodes of a sequence is.
+/// Clearness of the line of sight via both nodes of a sequence.
 fn clear_sight(
     world: &World,
     scatterer: &Scatterer<'_>,
@@ -288,7 +289,7 @@ fn clear_sight(
     of_node(0).zip(of_node(1)).map_or(0.0, |(a, b)| a * b)
 }
 
-/// A polygon on the plane of the mirror that it is seen through.
+/// A polygon projected on the plane of the mirror through which it is seen.
 fn seen_through(mirror: &FlatPatch, image: Antenna, corners_m: &[DVec3]) -> Option<Vec<DVec2>> {
     let place = |x: &DVec3| Some(mirror.frame.plane_from_world(mirror.mirror_point_m(image, *x)?));
     corners_m.iter().map(place).collect()
@@ -298,8 +299,8 @@ fn through_m2(mirror: &FlatPatch, image: Antenna, corners_m: &[DVec3]) -> f64 {
     seen_through(mirror, image, corners_m).map_or(0.0, |seen| area_m2(&seen).abs())
 }
 
-/// Area in which a patch is seen through its mirror from an image, in the mirror's plane; infinite where it
-/// is in part behind.
+/// Area of a patch visible through its mirror from an image, in the mirror's plane; infinite if the patch is
+/// partly behind.
 fn overlap_m2(world: &World, on: &FlatPatch, mirror: &FlatPatch, image: Antenna) -> f64 {
     let counter_clockwise = |mut polygon: Vec<DVec2>| {
         if area_m2(&polygon) < 0.0 {
@@ -327,8 +328,8 @@ fn overlap([low, high]: [DVec2; 2], [other_low, other_high]: [DVec2; 2]) -> bool
     low.cmplt(other_high).all() && other_low.cmplt(high).all()
 }
 
-/// Whether a third facet rises from the lit side of either patch, as in a corner of three: what its fold ends
-/// goes on in sequences with that facet.
+/// Whether a third facet rises from the lit side of either patch, as in a trihedral corner: what ends at its
+/// fold continues in sequences with that facet.
 fn has_third_facet(world: &World, sequence: &[LitPatch; 2], pair: &[Arc<FlatPatch>; 2]) -> bool {
     (0..2).any(|node| {
         let (patch, other) = (&pair[node], &pair[1 - node]);
@@ -342,7 +343,7 @@ fn has_third_facet(world: &World, sequence: &[LitPatch; 2], pair: &[Arc<FlatPatc
     })
 }
 
-/// Tolerances within which a neighbour lies in a patch's plane.
+/// Factor on the tolerance within which a neighbour lies in a patch's plane.
 const ONE_PLANE: f64 = 1e4;
 
 /// Own edges of both patches of a sequence.

@@ -1,15 +1,15 @@
-//! Ends of a double reflection at the own edges of its facets.
+//! Truncation of a double reflection at the own edges of its facets.
 //!
 //! Physical optics ends the current of a facet at its edge. Along an own edge of the node's facet the
-//! integral over the polygon has the boundary term (Gordon 1975; Stokes' theorem with the weight taken as
-//! slow)
+//! integral over the polygon has the boundary term (Gordon 1975; Stokes' theorem with a slowly varying
+//! weight)
 //!
 //! ```text
 //! S_pq = −(1/√π) ∫ R_tR_r/(L₁L₂) · bracket · (g·ν)/|g|² · Φ · e^{−jk(L₁+L₂−R_t−R_r)} dl
 //! ```
 //! with g the gradient of L₁ + L₂ along the plane, ν the outward normal in it, the bracket of
 //! [`crate::integral::physical_optics`] and Φ the field behind the other facet, [`Window::field`]. |g|² + h/k
-//! in place of |g|², h = 1/L₁ + 1/L₂, keeps it finite at a stationary point, where the polygon has it.
+//! in place of |g|², h = 1/L₁ + 1/L₂, keeps it finite at a stationary point, which belongs to the polygon.
 
 use crate::edges::edge_node::{EdgePart, PER_ROOT_PI, amplitude_of};
 use crate::edges::edge_scattering::{EDGE_JOINTS_PER_RUN, WholeWay, over_band};
@@ -30,12 +30,12 @@ use std::sync::Arc;
 /// An own edge of the node's facet in a sequence of two.
 #[derive(Debug, Clone)]
 pub(crate) struct Truncation {
-    /// Beams whose legs lead to the node's facet; one of them comes over the mirror.
+    /// Beams whose legs lead to the node's facet; one of them comes via the mirror.
     pub(crate) forward: u32,
     pub(crate) backward: u32,
     pub(crate) reverse: Reverse,
     pub(crate) side: OutlineSide,
-    /// The other facet, with the antenna that it mirrors.
+    /// Other facet, with the antenna that it mirrors.
     pub(crate) mirror: Arc<FlatPatch>,
     pub(crate) mirrored: Antenna,
     pub(crate) parting: Parting,
@@ -46,15 +46,15 @@ impl Truncation {
         self.side.ends_m[0].distance(self.side.ends_m[1])
     }
 
-    /// The point at `at_m` from the side's beginning.
+    /// Point at `at_m` from the side's start.
     pub(crate) fn point_m(&self, at_m: f64) -> DVec3 {
         self.side.ends_m[0].lerp(self.side.ends_m[1], at_m / self.length_m())
     }
 }
 
-/// Amplitudes of a part of a truncation about its middle, at that middle; the reverse is not included.
+/// Amplitudes of a part of a truncation referred to its centre; the reverse is not included.
 ///
-/// `accuracy` bounds the error as that of [`crate::edges::edge_currents::edge_amplitudes`].
+/// `accuracy` bounds the error as in [`crate::edges::edge_currents::edge_amplitudes`].
 pub(crate) fn truncation_amplitudes(
     scatterer: &Scatterer<'_>,
     truncation: &Truncation,
@@ -74,8 +74,8 @@ pub(crate) fn truncation_amplitudes(
     (middle_m, Estimate { value, error: error_m * PER_ROOT_PI })
 }
 
-/// Calls `give` with the parts of a truncation's integral over `span_m`, and a bound of the error of each,
-/// √π·m; phases are those about the span's middle.
+/// Calls `give` with the parts of a truncation's integral over `span_m`, and an error bound for each, √π·m;
+/// phases are relative to the span's middle.
 fn for_each_end_part(
     scatterer: &Scatterer<'_>,
     truncation: &Truncation,
@@ -99,7 +99,7 @@ fn for_each_end_part(
 /// A part of a truncation's integral.
 struct EndPart<'a, 'b, 'c> {
     piece: &'a Piece<'b, PatchEdge<'c>>,
-    /// Turning of its share over the band, as a spread of lengths.
+    /// Phase rotation of its weight over the band, as a spread of lengths.
     turning_m: f64,
 }
 
@@ -116,8 +116,8 @@ impl EdgePart for EndPart<'_, '_, '_> {
     }
 }
 
-/// S of truncations over frequency, 2 × 2, its phase referred to `origin_m`: from few frequencies, as that of
-/// edges.
+/// S of truncations over frequency, 2 × 2, with its phase referred to `origin_m`: from few frequencies, like
+/// that of edges.
 pub(crate) fn sum_of_truncations(
     scatterer: &Scatterer<'_>,
     truncations: &[Truncation],
@@ -137,7 +137,7 @@ pub(crate) fn sum_of_truncations(
     })
 }
 
-/// Sums at every frequency for itself: what the interpolation is compared with.
+/// Sums at every frequency separately: the reference of the interpolation.
 fn sum_at_each(
     scatterer: &Scatterer<'_>,
     truncations: &[Truncation],
@@ -149,7 +149,7 @@ fn sum_at_each(
     })
 }
 
-/// R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r of a truncation's middle.
+/// Factor R_tR_r/(L₁L₂) and length L₁ + L₂ − R_t − R_r of a truncation's middle.
 fn way_from(scatterer: &Scatterer<'_>, truncation: &Truncation, origin_m: DVec3) -> (f64, f64) {
     let middle_m = truncation.point_m(0.5 * truncation.length_m());
     let legs = scatterer.legs(truncation.forward, truncation.backward);
@@ -170,7 +170,8 @@ fn node<'a>(scatterer: &Scatterer<'_>, truncation: &Truncation, legs: [&'a Leg; 
     }
 }
 
-/// A truncation's share of S over frequency, its reverse included, its phase referred to `origin_m`.
+/// Contribution of a truncation to S over frequency, including its reverse, with its phase referred to
+/// `origin_m`.
 pub(crate) fn truncation_share(
     scatterer: &Scatterer<'_>,
     truncation: &Truncation,
@@ -188,7 +189,7 @@ pub(crate) fn truncation_share(
     estimate.value.iter().zip(wavenumbers_per_m).map(whole).collect()
 }
 
-/// The boundary term along an own edge.
+/// Boundary term along an own edge.
 struct PatchEdge<'a> {
     field: &'a Field<'a>,
     truncation: &'a Truncation,
@@ -196,7 +197,7 @@ struct PatchEdge<'a> {
     outward: DVec2,
 }
 
-/// Values of a point of the edge that know no frequency.
+/// Frequency-independent values at a point of the edge.
 #[derive(Clone)]
 struct EdgePoint {
     length_m: f64,

@@ -1,5 +1,5 @@
-//! Places of the array: the row that ways are traced along, and the pair that a frame's paths are checked
-//! with.
+//! Positions on the array: the row along which paths are traced, and the pairs of elements with which a
+//! frame's paths are checked.
 
 use crate::bodies::motion::RigidMotion;
 use artifact::Radar;
@@ -8,33 +8,33 @@ use artifact::scene::Pose;
 use glam::{DMat3, DVec3};
 use radar::aperture::axes;
 
-/// Row of elements that an array is widest along, about the radar's position.
+/// Row of elements along which an array is widest, relative to the radar's position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ArrayRow {
     /// Unit vector along the row, world.
     pub(crate) axis: DVec3,
-    /// Greatest distance of the row's elements, or of the middles of their pairs, from the radar's position
+    /// Maximum distance of the row's elements, or of the midpoints of their pairs, from the radar's position
     /// along it.
     pub(crate) half_m: f64,
     pub(crate) ends: RowEnds,
 }
 
-/// Elements that stand along a row.
+/// Elements that form a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum RowEnds {
-    /// The transmitters; receivers are all near the radar's position.
+    /// The transmitters; all receivers are near the radar's position.
     Transmitters,
     /// The receivers.
     Receivers,
-    /// Both: the middle of a transmitter and a receiver is what counts.
+    /// Both ends: the midpoint of a transmitter and a receiver counts.
     Both,
 }
 
-/// A row so many times wider than the other's is traced along alone.
+/// Ratio of widths from which only the wider row is traced.
 const WIDER: f64 = 2.0;
 
 impl RowEnds {
-    /// Part of a place along the row by which transmitter and receiver are moved.
+    /// Factors by which transmitter and receiver move with a position along the row.
     pub(crate) fn moves(self) -> [f64; 2] {
         match self {
             Self::Transmitters => [1.0, 0.0],
@@ -43,7 +43,7 @@ impl RowEnds {
         }
     }
 
-    /// Parts of the transmitter's and the receiver's place that a place along the row is made of.
+    /// Weights of the transmitter's and the receiver's position in a position along the row.
     pub(crate) fn weights(self) -> [f64; 2] {
         match self {
             Self::Both => [0.5, 0.5],
@@ -53,7 +53,7 @@ impl RowEnds {
 }
 
 impl ArrayRow {
-    /// The row of a scene's array.
+    /// Row of a scene's array.
     pub(crate) fn of(radar: &Radar) -> Self {
         let [right, up, _] = axes(radar);
         let [across, upright] = [right, up].map(|axis| Self::along(axis, radar));
@@ -75,7 +75,7 @@ impl ArrayRow {
         Self { axis, half_m, ends }
     }
 
-    /// The part of the array that one place of a grid stands for, about the radar's position.
+    /// Part of the array represented by one place of a grid, relative to the radar's position.
     pub(super) fn span(&self, position_m: DVec3, (place, steps): (u32, u32)) -> ArraySpan {
         let [transmit, receive] = self.ends.weights().map(|weight| (weight * self.axis).to_array());
         let step_m = 2.0 * self.half_m / f64::from(steps);
@@ -84,31 +84,31 @@ impl ArrayRow {
     }
 }
 
-/// Distances from the radar's position that differ by less than this part of their root mean square are
-/// alike.
+/// Share of their root mean square by which distances from the radar's position may differ and still count as
+/// equal.
 const SAME_DISTANCE_SHARE: f64 = 0.1;
-/// Least part by which a pair has to show more of what changes to be taken for the first one.
+/// Minimum ratio by which a pair must show more change to be preferred to the first one.
 const MORE: f64 = 1.01;
-/// Elements nearer to one another see the same of a body, which is then traced from their middle alone: half
-/// the work. Not so in the cross polarization, most of which may be what a wave turns by from one element to
-/// the other.
+/// Distance below which elements see the same of a body, which is then traced only from their midpoint: half
+/// the work. Not so in the cross polarization, which may consist mostly of the rotation of a wave from one
+/// element to the other.
 const TOGETHER_M: f64 = 0.05;
-/// Elements nearer to one another stand in one place.
+/// Distance below which elements count as coincident.
 const ONE_PLACE_M: f64 = 1e-6;
 
-/// The transmitter and the receiver of the array that a frame's paths are checked with: of those whose middle
-/// is about as far from the radar's position as the root mean square of all pairs', and which are as far from
-/// each other. As with time, what errs in proportion to a distance errs there as the whole array does.
+/// Transmitter and receiver of the array with which a frame's paths are checked: among pairs whose midpoint
+/// is about as far from the radar's position as the root mean square over all pairs, and which are equally
+/// far apart. As with time, errors proportional to a distance are there as large as over the whole array.
 ///
-/// Of such pairs the one is taken to which bodies, at the moment of the check, show most of another side than
-/// they do to the middle at the frame's middle: from an element that a body drives past at its pace nothing
-/// would seem to change. Where they are near each other both stand in their middle.
+/// Of such pairs, the one is taken that sees, at the moment of the check, the largest change of aspect of the
+/// bodies relative to the array's centre at the frame's middle: from an element that a body passes at its own
+/// pace nothing would seem to change. If the elements are near each other both are placed at their midpoint.
 ///
-/// In the cross polarization each end is as far off as the root mean square of its own elements: of pairs as
-/// far from each other as most, one end is in the middle, where nothing tells what its distance turns.
+/// In the cross polarization each end is as far off as the root mean square of its own elements: for the most
+/// frequent separation one end would be at the centre, where the effect of its distance vanishes.
 ///
-/// Of a wide array a second pair is told, on the other side: what its ends see differs by more than one pair
-/// tells.
+/// For a wide array a second pair is returned, on the other side, since what its ends see differs by more
+/// than one pair reveals.
 pub(super) fn checked_from_m(
     radar: &Radar,
     poses: &[Pose],
@@ -160,8 +160,8 @@ fn pairs_m(radar: &Radar) -> Vec<[DVec3; 2]> {
     radar.array.tx_m.iter().flat_map(of_tx).collect()
 }
 
-/// Square of the angle between what a body shows from two places at two moments, over that of its distance:
-/// what is near is most of the echo.
+/// Square of the angle between a body's aspects from two positions at two moments, over that of its distance:
+/// near bodies contribute most of the echo.
 fn turned(pose: &Pose, views: [(DVec3, f64); 2]) -> f64 {
     let [(from, near_m), (to, _)] = views.map(|(place_m, seconds)| {
         let away_m = place_m - RigidMotion::of(pose, seconds).origin_m;
@@ -196,8 +196,8 @@ mod tests {
         checked_from_m(&radar(array), poses, [5e-3, 8e-3]).0
     }
 
-    /// A body that drives to the right shows its left: from an element to the left of the middle more of it,
-    /// from one to the right, which it passes at its pace, what it showed before.
+    /// A body that moves to the right shows its left side: more of it from an element left of the centre, the
+    /// former aspect from one to the right, which it passes at its own pace.
     #[test]
     fn a_frame_is_checked_from_the_side_that_its_bodies_leave() {
         for array in [Preset::ThreeByFour, Preset::TwelveBySixteen] {
@@ -214,7 +214,7 @@ mod tests {
         let [tx_m, rx_m] = checked_m(Preset::ThreeByFour, &[]);
         assert_eq!(tx_m, rx_m, "elements of 23 mm stand together");
         let [tx_m, rx_m] = checked_m(Preset::TwelveBySixteen, &[]);
-        // Transmitters 16 half wavelengths apart: 12 of them are 101 mm rms from receivers about the middle.
+        // Transmitters 16 half wavelengths apart: 12 of them are 101 mm rms from receivers around the centre.
         assert!((0.08..0.13).contains(&tx_m.distance(rx_m)), "{}", tx_m.distance(rx_m));
         let (first, second) = checked_from_m(&radar(Preset::TwelveBySixteen), &[], [5e-3, 8e-3]);
         let [first, second] = [first, second.unwrap()].map(|pair| middle_m(&pair).x);

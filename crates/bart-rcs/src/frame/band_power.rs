@@ -5,18 +5,19 @@ use crate::frame::path_sum::element_over_band;
 use artifact::paths::Path;
 use num_complex::Complex64;
 
-/// The ratio of two mean powers of n complex Gaussian samples follows the F distribution with (2n, 2n)
-/// degrees of freedom. Scatterers of one vehicle that lie in a few range cells leave about 4 of the 12
-/// frequencies independent: 95 of 100 ratios stay below F(0.95; 8, 8) = 3.44, as an amplitude 1.85.
+/// Margin of a measured error. The ratio of two mean powers of n complex Gaussian samples follows the F
+/// distribution with (2n, 2n) degrees of freedom. Scatterers of one vehicle in a few range cells leave about
+/// 4 of the 12 frequencies independent: 95 of 100 ratios stay below F(0.95; 8, 8) = 3.44, as an amplitude
+/// 1.85.
 pub(crate) const MARGIN: f64 = 1.85;
 
-/// Middles of equal parts of the sampled sweep.
+/// Centres of equal parts of the sampled sweep.
 pub(crate) fn frequencies_hz(centre_hz: f64, bandwidth_hz: f64, count: usize) -> Vec<f64> {
     (0..count).map(|i| centre_hz + bandwidth_hz * ((i as f64 + 0.5) / count as f64 - 0.5)).collect()
 }
 
 /// Mean power of the sum over the band at the frame's ends and middle, between the pairs of elements that
-/// stand for the array.
+/// represent the array.
 pub(crate) fn power_over_frame(paths: &[Path], plan: &Plan<'_>) -> f64 {
     const FREQUENCIES: usize = 24;
     let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);

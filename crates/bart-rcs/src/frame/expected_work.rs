@@ -1,4 +1,4 @@
-//! Work that a frame will take, told from a sample of its beams before it is traced.
+//! Prediction of a frame's work from a sample of its beams, before it is traced.
 
 use crate::beams::beam::TraceSettings;
 use crate::beams::sampled_tree::{SampledTree, sample};
@@ -21,54 +21,55 @@ use crate::oversight::progress::Unheard;
 use artifact::scene::{SceneFrame, SceneHeader};
 use glam::{DVec2, DVec3};
 
-/// Counts of what a frame's time goes into, expected.
+/// Expected counts that determine a frame's computing time.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct ExpectedWork {
-    /// Facets of all bodies that are heard, their images below a road among them.
+    /// Number of facets of all bodies within antenna gain, including their images below a road.
     pub facets: f64,
-    /// Facets that may be seen straight, before any is cut.
+    /// Number of facets that may be directly visible, before clipping.
     pub in_sight: f64,
-    /// Lit polygons of the first order and of later ones.
+    /// Numbers of lit polygons of the first order and of later ones.
     pub beams: [f64; 2],
-    /// Mirrors that are looked into.
+    /// Number of mirrors whose view is traced.
     pub mirrors: f64,
-    /// Tiles of the integrals of the first and of later orders, as fine as is tried first.
+    /// Numbers of tiles of the integrals of the first and of later orders, at the fineness tried first.
     pub tiles: [f64; 2],
-    /// Tiles of the integrals four times as fine, which are taken where those err by too much.
+    /// Numbers of tiles of the integrals four times as fine, used where the first err by too much.
     pub fine_tiles: [f64; 2],
-    /// Lit polygons that waves reach through sheets.
+    /// Number of lit polygons reached through sheets.
     pub beams_through_sheets: f64,
-    /// Share of these tiles on polygons longer than 2 m: where large parts cancel, integrals are taken
-    /// again and finer.
+    /// Share of these tiles on polygons longer than 2 m: where large parts cancel, integrals are repeated at
+    /// higher fineness.
     pub long_tiles: f64,
-    /// Cells of all orders at the largest size that is tried.
+    /// Number of cells of all orders at the largest size tried.
     pub largest_cells: f64,
-    /// Cells of all orders at a third of the largest size, which is about the smallest.
+    /// Number of cells of all orders at a third of the largest size, which is about the smallest.
     pub smaller_cells: f64,
-    /// Lit polygons of ways between bodies that move against each other, times the wavelengths by which these
-    /// slide past each other during the frame.
+    /// Number of lit polygons on paths between bodies in relative motion, times the wavelengths by which
+    /// these slide past each other during the frame.
     pub sliding_beams: f64,
-    /// Tiles of the paths on such ways, times the same wavelengths.
+    /// Number of tiles of such paths, times the same wavelengths.
     pub sliding_tiles: f64,
-    /// Lit polygons of ways between bodies that move against each other, however far these slide.
+    /// Number of lit polygons on paths between bodies in relative motion, however far these slide.
     pub moving_beams: f64,
-    /// Tiles of the paths on ways between bodies that move against each other, however far these slide.
+    /// Number of tiles on paths between bodies in relative motion, however far these slide.
     pub moving_tiles: f64,
-    /// Smaller cells on ways between bodies that move against each other, however far these slide.
+    /// Number of smaller cells on paths between bodies in relative motion, however far these slide.
     pub moving_cells: f64,
 }
 
-/// Kerbs, rails and the like have such polygons, vehicles but for their largest panels do not.
+/// Length from which polygons count as long: kerbs, rails and the like have them, vehicles only in their
+/// largest panels.
 const LONG_M: f64 = 2.0;
 
-/// Wavelengths that bodies have to slide past each other for a frame to be split in time: an eighth there and
+/// Wavelengths that bodies must slide past each other for a frame to be divided in time: an eighth out and
 /// back is a quarter cycle.
 const LEAST_SLIDE: f64 = 0.125;
 
-/// Facets and mirrors of an order that are looked at.
+/// Number of facets and mirrors sampled per order.
 const SAMPLE: usize = 256;
 
-/// [`crate::Tracer::expected_work`] of these models.
+/// [`crate::Tracer::expected_work`] for these models.
 pub(crate) fn expected_work(
     models: &Models,
     header: &SceneHeader,
@@ -136,8 +137,8 @@ impl ExpectedWork {
     }
 }
 
-/// Greatest distance by which the bodies of a beam's way slide past each other during the frame, in
-/// wavelengths, and at which a wheel of it turns; 0 within one body that is no wheel.
+/// Maximum distance by which the bodies on a beam's path slide past each other during the frame, in
+/// wavelengths, and by which a wheel on it rotates; 0 within one body that is not a wheel.
 fn slide_wavelengths(sampled: &SampledTree, beam: usize, world: &World, plan: &Plan<'_>) -> f64 {
     let tree = &sampled.tree;
     let mps = |facet: u32| world.motion(facet, world.facet(facet).corners_m[0]).velocity_mps;
@@ -148,19 +149,19 @@ fn slide_wavelengths(sampled: &SampledTree, beam: usize, world: &World, plan: &P
     fastest_mps * plan.header.radar.frame_duration_s() / plan.band.wavelength_m()
 }
 
-/// A lit polygon that stands for others.
+/// A lit polygon that represents others.
 struct Lit<'a> {
     scatterer: &'a Scatterer<'a>,
     plan: &'a Plan<'a>,
     beam: u32,
     frame: PlaneFrame,
-    /// Convex parts of at most a metre, in the order of a grid.
+    /// Convex parts of at most a metre, in grid order.
     parts: Vec<Vec<DVec2>>,
     area_m2: f64,
     extent_m: DVec2,
 }
 
-/// Parts of a large polygon that are looked at.
+/// Number of parts of a large polygon that are sampled.
 const PARTS: usize = 6;
 
 impl<'a> Lit<'a> {
@@ -176,7 +177,7 @@ impl<'a> Lit<'a> {
         Self { scatterer, plan, beam, frame, parts, area_m2, extent_m: high - low }
     }
 
-    /// Tiles of the integral over it.
+    /// Number of tiles of the integral over it.
     fn tiles(&self, accuracy: f64) -> f64 {
         let step = self.parts.len().div_ceil(PARTS).max(1);
         let highest_per_m = self.plan.band.wavenumbers_per_m()[2];
@@ -206,7 +207,7 @@ impl<'a> Lit<'a> {
         self.scatterer.with_field_of_beam(self.beam, &part, (&[wavenumber_per_m], accuracy), of)
     }
 
-    /// Cells of some size of it, about.
+    /// Approximate number of its cells of this size.
     fn cells(&self, size_m: f64) -> f64 {
         let accuracy = first_accuracy(self.plan.asked());
         if is_large(self.extent_m, size_m) {
@@ -216,7 +217,7 @@ impl<'a> Lit<'a> {
         }
     }
 
-    /// Terms of its corners and sides, and cells of what is not among them.
+    /// Number of terms of its corners and sides, and of cells of the remainder.
     fn critical_cells(&self, size_m: f64, accuracy: f64) -> f64 {
         let wavenumber_per_m = self.plan.band.wavenumbers_per_m()[1];
         let corners_m = self.scatterer.trees.transmit();
@@ -227,11 +228,11 @@ impl<'a> Lit<'a> {
         })
     }
 
-    /// Pieces between the lines of a square grid, about.
+    /// Approximate number of pieces between the lines of a square grid.
     fn squares(&self, size_m: f64) -> f64 {
         let lines = (self.extent_m / size_m).ceil().max(DVec2::ONE);
         let full = (self.area_m2 / (self.extent_m.x * self.extent_m.y)).clamp(0.0, 1.0);
-        // Of a grid's cells a polygon touches its share and those along its border.
+        // A polygon touches its share of a grid's cells plus those along its border.
         (lines.x * lines.y * full + 0.5 * (lines.x + lines.y)).min(lines.x * lines.y).max(1.0)
     }
 }

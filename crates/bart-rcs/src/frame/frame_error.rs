@@ -1,9 +1,9 @@
-//! Measured error of a frame's paths: they are compared with the same bodies traced and integrated anew
-//! at another moment and from another element of the array.
+//! Measured error of a frame's paths, from a comparison with the same bodies traced and integrated anew at
+//! another moment and from another element of the array.
 //!
-//! A map's error is that of its samples (Parseval), so it is enough to look at some frequencies and moments.
-//! Visibility, amplitudes and apparent velocities err in proportion to the time from the frame's middle; the
-//! moment T/√12 after it has the mean square of the whole frame.
+//! A map's error is that of its samples (Parseval), so some frequencies and moments suffice. Visibility,
+//! amplitudes and apparent velocities err in proportion to the time from the frame's middle; at the moment
+//! T/√12 after it the error has the mean square of the whole frame.
 
 pub(crate) mod target_error;
 
@@ -23,54 +23,54 @@ use artifact::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Frequencies that the comparison is made at. In the narrowest band of Table 2, 625 MHz, they are 52 MHz
-/// apart, more than the c/(2·5 m) = 30 MHz within which the echo of a vehicle of 5 m repeats itself: none is
-/// spent on what its neighbour tells. The band has room for 21 such; what so few leave open is in [`MARGIN`].
+/// Number of frequencies of the comparison. In the narrowest band of Table 2, 625 MHz, they are 52 MHz apart,
+/// more than the c/(2·5 m) = 30 MHz over which the echo of a vehicle of 5 m is correlated, so that none
+/// repeats its neighbour. The band has room for 21 such; the uncertainty of so few is covered by [`MARGIN`].
 const CHECKED_FREQUENCIES: usize = 12;
 
-/// The frame's bodies at the moment of the check.
+/// Reference: the frame's bodies at the moment of the check.
 pub(crate) struct Reference {
     frequencies_hz: Vec<f64>,
     /// Scattering amplitude by order from 1, then frequency.
     by_order_m: Vec<Vec<Complex64>>,
-    /// Scattering amplitude by the other node rule, where there is a choice and the tree reaches that far:
-    /// by order from 1.
+    /// Scattering amplitude by the other node rule, by order from 1, where there is a choice and the tree has
+    /// the orders.
     other_m: Vec<Option<Vec<Complex64>>>,
-    /// Scattering amplitude of the order after the last by the middle rule, facets alone, where the tree
-    /// reaches that far.
+    /// Scattering amplitude of the order after the last by the middle rule, facets alone, if the tree has
+    /// that order.
     left_out_m: Option<Vec<Complex64>>,
-    /// Fineness of its integrals, and of those of the paths that are compared with it.
+    /// Fineness of the reference's integrals, and of those of the paths compared with it.
     pub(crate) integration: IntegrationError,
-    /// All orders together as a second pair of elements sees them.
+    /// Sum over all orders for a second pair of elements.
     second: Option<(PathView, Vec<Complex64>)>,
 }
 
 /// Measured errors of one table of paths, as amplitudes relative to the frame's.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FrameError {
-    /// Error against the reference, with the reference's own, at the moment of the check.
+    /// Error relative to the reference, including the reference's own, at the moment of the check.
     total: f64,
     /// Error of the integrals alone, at the same moment.
     integration: f64,
-    /// Paths and beams given up, with independent phases.
+    /// Dropped paths and beams, with independent phases.
     dropped: f64,
-    /// Paths and beams given up, with equal phases of the beams.
+    /// Dropped paths and beams, with equal phases of the beams.
     pub(crate) dropped_at_most: f64,
 }
 
-/// Powers that do not come from the comparison.
+/// Powers that the comparison does not contain.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GivenUp {
-    /// Power of the paths that were dropped, |S|² as [`element_over_band`] sees it.
+    /// Power of the dropped paths, |S|² as in [`element_over_band`].
     pub(crate) paths_power_m2: f64,
-    /// Area across the wave of beams over L₁L₂ of the nearest facet, as S is over that of [`Plan::view`]:
-    /// with independent phases, with equal ones.
+    /// Area across the wave of beams over L₁L₂ of the nearest facet, relative to [`Plan::view`] like S: with
+    /// independent phases, with equal ones.
     pub(crate) beams: [f64; 2],
-    /// Mean over the frame of the power that blends miss beyond what they do at the moment of the check.
+    /// Mean over the frame of the power missed by blends beyond that at the moment of the check.
     pub(crate) blends_power_m2: f64,
 }
 
-/// Bodies of another moment, traced and integrated anew.
+/// Bodies at another moment, traced and integrated anew.
 pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference {
     let fidelity = &plan.header.fidelity;
     let frequencies_hz = checked_frequencies_hz(plan);
@@ -99,13 +99,14 @@ fn wavenumbers_per_m(frequencies_hz: &[f64]) -> Vec<f64> {
 }
 
 impl Reference {
-    /// The same, and what a second pair of elements sees from a place and at a moment.
+    /// This reference extended by a second pair of elements at a position and moment.
     pub(crate) fn with_second(self, scatterer: &Scatterer<'_>, plan: &Plan<'_>, view: PathView) -> Self {
         let seen_m = self.of_other_beams(scatterer, plan);
         Self { second: Some((view, seen_m)), ..self }
     }
 
-    /// Scattering amplitude by other beams, all orders together, by the rule asked for and as fine.
+    /// Scattering amplitude with other beams, summed over all orders, by the requested rule with the same
+    /// fineness.
     fn of_other_beams(&self, other: &Scatterer<'_>, plan: &Plan<'_>) -> Vec<Complex64> {
         let wavenumbers = wavenumbers_per_m(&self.frequencies_hz);
         let (settings, accuracies) = (plan.meetings(), &self.integration.accuracy_of_body);
@@ -113,15 +114,15 @@ impl Reference {
         total((1..=plan.header.fidelity.bounces).map(of), wavenumbers.len())
     }
 
-    /// Mean power between both pairs of elements of a wide array, 0 of one that is not: paths that miss the
-    /// field off the array's middle are no measure of what they miss.
+    /// Mean power between both pairs of elements of a wide array, 0 otherwise: paths that miss the field off
+    /// the array's centre are no measure of their own error.
     fn power_over_array(&self) -> f64 {
         let of_second = |(_, second): &(PathView, Vec<Complex64>)| mean(second);
         self.second.as_ref().map(of_second).map_or(0.0, |second| 0.5 * (mean(&self.total_m()) + second))
     }
 
-    /// Spread between the node rules where both are known, and the first order that is missing; both relative
-    /// to all orders.
+    /// Spread between the node rules where both are known, and the first missing order, both relative to all
+    /// orders.
     pub(crate) fn model_error(&self) -> ModelError {
         let power = mean(&self.total_m());
         let relative = |part: f64| amplitude_ratio(part, power);
@@ -134,9 +135,9 @@ impl Reference {
         }
     }
 
-    /// Orders, from the first, by which all of them are told: `few` where these hold half of the power or
-    /// more, else every order. First orders that are next to nothing (a corner of three bounces) tell nothing
-    /// of the later ones.
+    /// Number of orders, from the first, that represent all: `few` if these contain at least half of the
+    /// power, else every order. Negligible first orders (a corner of three bounces) do not represent the
+    /// later ones.
     pub(crate) fn telling_orders(&self, few: u8) -> u8 {
         let (first, later) = self.by_order_m.split_at(self.by_order_m.len().min(few.into()));
         if power_of_orders(first) >= power_of_orders(later) {
@@ -146,8 +147,8 @@ impl Reference {
         }
     }
 
-    /// Ratio ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, with what the later orders are taken to
-    /// gain ([`with_later_orders`]). `of` gives S of an order over the wavenumbers. `None` where nothing
+    /// Ratio ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, including the assumed gain of the later
+    /// orders ([`with_later_orders`]). `of` gives S of an order over the wavenumbers. `None` if nothing
     /// scatters.
     pub(crate) fn relative_to_first_orders(
         &self,
@@ -163,32 +164,32 @@ impl Reference {
         (whole > 0.0).then(|| MARGIN * (gained / whole).sqrt())
     }
 
-    /// Ratio ‖S − S(of other beams)‖ over ‖S‖ of all orders together, by the rule asked for.
+    /// Ratio ‖S − S(of other beams)‖ over ‖S‖, summed over all orders, by the requested rule.
     pub(crate) fn difference(&self, other: &Scatterer<'_>, plan: &Plan<'_>) -> f64 {
         let other_m = self.of_other_beams(other, plan);
         let total_m = self.total_m();
         amplitude_ratio(mean_difference(&total_m, &other_m), mean(&total_m))
     }
 
-    /// Scattering amplitude of all orders together, over frequency.
+    /// Scattering amplitude summed over all orders, over frequency.
     fn total_m(&self) -> Vec<Complex64> {
         total(self.by_order_m.iter().cloned(), self.frequencies_hz.len())
     }
 }
 
-/// Sum of the powers of some orders, each for itself.
+/// Sum of the powers of several orders, each by itself.
 fn power_of_orders(orders: &[Vec<Complex64>]) -> f64 {
     orders.iter().map(|order| mean(order)).sum()
 }
 
-/// Power that is added to all orders, where so much is added to the first ones: the later ones gain as much
-/// of their own power as these do, but no more than it.
+/// Power added to all orders if `added` is added to the first ones: the later ones gain the same share of
+/// their own power, but no more than all of it.
 fn with_later_orders(added: f64, [first, later]: [f64; 2]) -> f64 {
     added + later * (added / first.max(f64::MIN_POSITIVE)).min(1.0)
 }
 
 impl FrameError {
-    /// Errors of `paths` against the reference; `points` are among them, and exact.
+    /// Errors of `paths` relative to the reference; `points` are among them, and exact.
     pub(crate) fn measured_on(
         plan: &Plan<'_>,
         paths: &[Path],
@@ -208,7 +209,7 @@ impl FrameError {
         };
         let first = missed(&plan.check_view(), &reference.total_m());
         let second = reference.second.as_ref().map(|(view, bodies)| missed(view, bodies));
-        // The reference is integrated as finely as the paths: what both err by is added.
+        // The reference is integrated as finely as the paths: the errors of both are added.
         let integration_power = reference.integration.power;
         let compared = second.map_or(first, |second| 0.5 * (first + second));
         let error_power = compared + integration_power + given_up.blends_power_m2;
@@ -223,23 +224,23 @@ impl FrameError {
         }
     }
 
-    /// The error of the frame that is covered with the margin of the measurement.
+    /// Error of the frame, including the margin of the measurement.
     pub(crate) fn measured(&self) -> f64 {
         MARGIN * self.total
     }
 
-    /// Whether neither integration nor what was dropped is as much.
+    /// Whether freezing exceeds both the integration and the dropped error.
     pub(crate) fn is_mostly_freezing(&self) -> bool {
         self.freezing() >= self.integration.max(self.dropped)
     }
 
-    /// Error that is neither integration nor dropped.
+    /// Error due to neither integration nor dropping.
     fn freezing(&self) -> f64 {
         let known = self.integration.powi(2) + self.dropped.powi(2);
         (self.total.powi(2) - known).max(0.0).sqrt()
     }
 
-    /// Named shares: what is neither integration nor dropped is freezing.
+    /// Named shares: the error due to neither integration nor dropping is freezing.
     pub(crate) fn budget(&self) -> ErrorBudget {
         ErrorBudget {
             integration: Some(MARGIN * self.integration),
@@ -250,7 +251,7 @@ impl FrameError {
     }
 }
 
-/// [`GivenUp::beams`], as much of the mirrors that were not followed as their likes scatter.
+/// [`GivenUp::beams`], with the share of unfollowed mirrors that similar ones scatter.
 pub(crate) fn dropped_sections(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
@@ -277,9 +278,9 @@ mod tests {
 
     #[test]
     fn later_orders_gain_as_the_first_ones_do_and_never_more_than_they_have() {
-        // A tenth is added to the first orders: a tenth to all.
+        // A tenth added to the first orders is a tenth added to all.
         assert!((with_later_orders(0.1, [1.0, 4.0]) - 0.5).abs() < 1e-12);
-        // No order gains more than it has.
+        // No order gains more than all of its power.
         assert!((with_later_orders(0.4, [0.001, 9.0]) - 9.4).abs() < 1e-12);
         assert_eq!(with_later_orders(0.3, [0.0, 2.0]), 2.3);
         assert_eq!(with_later_orders(0.0, [0.0, 2.0]), 0.0);

@@ -1,8 +1,9 @@
-//! Fineness of the integrals on each body, by measurement: no finer than the frame's accuracy needs.
+//! Fineness of the integrals on each body, determined by measurement: no finer than the frame's accuracy
+//! requires.
 //!
-//! Bounds of tiles are relative to what tiles could scatter at most, and where large parts of a body cancel,
-//! what is left of its sum is known to less. What a body errs by counts against what the frame as a whole
-//! scatters: a kerb of −48 dBsm, long and smooth, need not be known as well as the car beside it.
+//! Bounds of tiles are relative to the maximum scattering of a tile, and if large parts of a body cancel, the
+//! remaining sum is known less accurately. A body's error counts relative to the scattering of the whole
+//! frame: a kerb of −48 dBsm, long and smooth, need not be as accurate as the car beside it.
 
 use crate::frame::band_power::{MARGIN, mean, total};
 use crate::frame::path_plan::Plan;
@@ -12,46 +13,46 @@ use crate::table::meeting::{MeetingSettings, OrderJoints};
 use artifact::settings::Edges;
 use num_complex::Complex64;
 
-/// Accuracies that were found, with the error that they leave.
+/// Accuracies found, with the error that they leave.
 #[derive(Debug, Clone)]
 pub(crate) struct IntegrationError {
     /// Accuracy of every node integral on a body, in the order of the targets.
     pub(crate) accuracy_of_body: Vec<f64>,
-    /// Mean over the checked frequencies of the square of what these integrals err by.
+    /// Mean square error of these integrals over the checked frequencies.
     pub(crate) power: f64,
     /// Echo of each body, in the order of the targets.
     pub(crate) bodies: Vec<BodyEcho>,
 }
 
-/// Echo of one body alone: all orders of the ways that meet no other.
+/// Echo of a single body: all orders of the paths that meet no other.
 #[derive(Debug, Clone)]
 pub(crate) struct BodyEcho {
     /// S over the checked frequencies.
     pub(crate) amplitude_m: Vec<Complex64>,
-    /// Mean square of what its integrals err by.
+    /// Mean square error of its integrals.
     pub(crate) integration_power: f64,
 }
 
-/// Bounds of integrals over those of the coarser ones that they are compared with.
+/// Ratio of the bounds of integrals to those of the coarser ones that they are compared with.
 pub(crate) const FINER: f64 = 0.25;
-/// Error of the finer integrals over their difference from the coarser: a third, where errors go with bounds,
-/// FINER/(1 − FINER), and more is taken, as in tables ([`crate::table::aspect_settings`]).
+/// Error of the finer integrals relative to their difference from the coarser: a third if errors scale with
+/// bounds, FINER/(1 − FINER); a larger value is used, as in tables ([`crate::table::aspect_settings`]).
 const OVER_DIFFERENCE: f64 = 0.5;
 const OVER_DIFFERENCE_WITH_EDGES: f64 = 0.75;
-/// Bounds of the coarser integrals that are tried first, over the accuracy asked for: tiles err by a tenth of
-/// their bounds and less, and mostly cancel. Beyond [`COARSEST`] bounds tell little of errors.
+/// Bounds of the coarser integrals tried first, relative to the requested accuracy: tiles err by a tenth of
+/// their bounds and less, and mostly cancel. Beyond [`COARSEST`] bounds say little about errors.
 const FIRST: f64 = 2.0;
 const COARSEST: f64 = 0.25;
-/// Most meetings on a body whose integrals are compared with far finer ones instead.
+/// Maximum number of meetings on a body whose integrals are compared with much finer ones instead.
 const FEW: usize = 64;
-/// Share of the accuracy asked for that integrals may take; freezing and what is dropped have the rest,
-/// √(1 − 0.7²) = 0.71.
+/// Share of the requested accuracy allotted to integrals; freezing and dropping have the rest, √(1 − 0.7²) =
+/// 0.71.
 const INTEGRATION_SHARE: f64 = 0.7;
-/// Steps by which integrals that err by too much are made finer.
+/// Maximum number of refinements of integrals that err by too much.
 const FINER_MOST: usize = 4;
 
-/// Every body as fine as is tried first; where that leaves too much, those finer that leave most. With S by
-/// order from 1, over `wavenumbers_per_m`.
+/// Takes every body at the fineness tried first; if the error is too large, refines those that contribute
+/// most. Also returns S by order from 1, over `wavenumbers_per_m`.
 pub(crate) fn integration_error(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
@@ -82,12 +83,13 @@ pub(crate) fn integration_error(
     (error, look.by_order(&bodies))
 }
 
-/// Accuracy of the integrals that are tried first where so much is asked for.
+/// Accuracy of the integrals tried first for a requested accuracy.
 pub(crate) fn first_accuracy(asked: f64) -> f64 {
     FINER * (FIRST * asked).min(COARSEST.max(asked))
 }
 
-/// S of one order over frequency, as the radar sees it, the integrals on each body as fine as is said.
+/// S of one order over frequency in the radar's polarization, with the given accuracy of the integrals on
+/// each body.
 pub(crate) fn of_order(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
@@ -103,7 +105,7 @@ pub(crate) fn of_order(
     total(accuracy_of_body.iter().enumerate().map(of_body), wavenumbers_per_m.len())
 }
 
-/// S of one order over frequency, as the radar sees it.
+/// S of one order over frequency in the radar's polarization.
 pub(crate) fn of_meeting(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
@@ -114,7 +116,7 @@ pub(crate) fn of_meeting(
     amplitudes.iter().map(|s| plan.seen(s)).collect()
 }
 
-/// Meetings that integrals are measured on.
+/// Meetings on which integrals are measured.
 struct Look<'a> {
     scatterer: &'a Scatterer<'a>,
     plan: &'a Plan<'a>,
@@ -133,7 +135,7 @@ impl Look<'_> {
         self.meetings.iter().map(of_order).collect()
     }
 
-    /// Echoes of all bodies, without the ways between them.
+    /// Echoes of all bodies, without paths between them.
     fn echoes(&self, bodies: &[OfBody]) -> Vec<BodyEcho> {
         let between: Vec<OrderJoints> = match bodies.len() {
             0 | 1 => vec![],
@@ -142,7 +144,7 @@ impl Look<'_> {
         bodies.iter().enumerate().map(|(index, body)| self.echo((index, body), &between)).collect()
     }
 
-    /// Echo of one body, without these ways between bodies.
+    /// Echo of one body, without these paths between bodies.
     fn echo(&self, (index, body): (usize, &OfBody), between: &[OrderJoints]) -> BodyEcho {
         let count = self.wavenumbers_per_m.len();
         let bracket = bracket_of(self.plan.header.fidelity.nodes);
@@ -165,13 +167,13 @@ impl Look<'_> {
         (0..self.meetings.len()).map(of_order).collect()
     }
 
-    /// Mean square of the error of all these bodies together.
+    /// Mean square error of all these bodies together.
     fn error_power(&self, bodies: &[OfBody]) -> f64 {
         mean(&total(bodies.iter().map(|body| body.error.clone()), self.wavenumbers_per_m.len()))
     }
 
-    /// Error of S of the nodes on one body over frequency, all orders together: by what far finer integrals
-    /// differ where its meetings are few, else by what coarser ones do.
+    /// Error of S of the nodes on one body over frequency, summed over orders: from the difference to much
+    /// finer integrals if its meetings are few, else to coarser ones.
     fn error(
         &self,
         (body, accuracy): (usize, f64),
@@ -197,7 +199,7 @@ impl Look<'_> {
         total(self.of_body(body, accuracy).into_iter(), self.wavenumbers_per_m.len())
     }
 
-    /// Whether the meetings on a body are few, and of few tiles.
+    /// Whether the meetings on a body are few, with few tiles.
     fn has_few_tiles(&self, body: usize, accuracy: f64) -> bool {
         let on_body: Vec<OrderJoints> =
             self.meetings.iter().map(|meeting| meeting.on_body(self.scatterer, body)).collect();
@@ -213,7 +215,7 @@ struct OfBody {
     accuracy: f64,
     /// S by order.
     by_order: Vec<Vec<Complex64>>,
-    /// Error of all orders together.
+    /// Error summed over all orders.
     error: Vec<Complex64>,
 }
 
@@ -222,7 +224,7 @@ impl OfBody {
         Self::beside(look, (body, accuracy), || look.of_all_orders(body, accuracy / FINER))
     }
 
-    /// Finer integrals, compared with these.
+    /// Finer integrals, with their error from the comparison with these.
     fn finer(&self, look: &Look<'_>, body: usize) -> Self {
         let count = look.wavenumbers_per_m.len();
         Self::beside(look, (body, FINER * self.accuracy), || total(self.by_order.iter().cloned(), count))

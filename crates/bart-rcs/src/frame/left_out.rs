@@ -1,6 +1,6 @@
-//! Error of ways that are not traced: what they would add to a frame.
+//! Error of paths that are not traced: what they would contribute to a frame.
 
-pub(crate) mod ways; // some ways added up beside what was traced
-pub(crate) mod road; // those by a road
-pub(crate) mod between_bodies; // those between bodies
-pub(crate) mod echo_parts; // all of them at once, coarsely: what a plan of the physics stands on
+pub(crate) mod ways; // selected paths summed in addition to the traced ones
+pub(crate) mod road; // paths via a road
+pub(crate) mod between_bodies; // paths between bodies
+pub(crate) mod echo_parts; // all of them at once, coarsely, for planning

@@ -1,5 +1,5 @@
-//! The path table of a frame: bodies frozen at the frame's middle, or traced at several moments where
-//! they change, every cell of their lit facets a path that moves.
+//! Path table of a frame: bodies frozen at the frame's middle, or traced at several moments where they
+//! change, with every cell of their lit facets as a moving path.
 
 use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
@@ -25,23 +25,23 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Surroundings that a frame is made in.
+/// Context in which a frame is made.
 #[derive(Clone, Copy)]
 pub struct FrameSurroundings<'a> {
-    /// As fine as this frame of the scene near this one was: what was measured there is told as this one's
-    /// errors. Nothing is traced or integrated twice then, which makes a frame three to six times cheaper.
-    /// Where that frame had no bodies this one is measured itself; `trace.origin` says so.
+    /// Nearby frame of the scene whose fineness is used and whose measured errors are reported for this one.
+    /// Nothing is then traced or integrated twice, which makes a frame three to six times cheaper. If that
+    /// frame had no bodies this one is measured itself, as reported by `trace.origin`.
     pub like: Option<&'a PathsFrame>,
-    /// Listener that hears how far it is.
+    /// Receiver of progress reports.
     pub progress: &'a dyn Progress,
 }
 
 impl FrameSurroundings<'static> {
-    /// Measured itself, and heard by nobody.
+    /// Measured itself, without progress reports.
     pub const ALONE: Self = Self { like: None, progress: &Unheard };
 }
 
-/// [`crate::Tracer::all_paths`] of these models.
+/// [`crate::Tracer::all_paths`] for these models.
 pub(crate) fn trace_frame(
     models: &Models,
     header: &SceneHeader,
@@ -63,7 +63,7 @@ pub(crate) fn trace_frame(
 fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
     let (plan, frame) = (scenery.plan, scenery.frame);
     let header = plan.header;
-    // One moment's bodies and beams at a time.
+    // Bodies and beams of one moment at a time.
     let (reference, left_out, skin, check_bytes) = {
         let check = scenery.at(plan.check_s, plan.check_ends_m)?;
         let reference = reference(&check.scatterer(plan, Phase::Checking), plan);
@@ -96,13 +96,14 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
         dropped_power_ratio: table.error.dropped_at_most.powi(2),
         fineness: has_bodies.then_some(fineness),
         origin: ErrorOrigin::Measured,
-        // The moments are traced beside the frame's middle.
+        // The moments are traced while the frame's middle is held.
         bytes: check_bytes.max(second_bytes).max(table.bytes + seen.bytes),
     };
     Ok(paths_frame(plan, frame, seen, table.paths, measured))
 }
 
-/// The reference with a second pair of elements, where the array is wide; and the bytes that took.
+/// Extends the reference by a second pair of elements if the array is wide; also returns the memory used,
+/// bytes.
 fn with_second(scenery: &Scenery<'_>, reference: Reference) -> Result<(Reference, u64), BartError> {
     let plan = scenery.plan;
     let Some((ends_m, seconds)) = plan.second_check else { return Ok((reference, 0)) };
@@ -111,9 +112,9 @@ fn with_second(scenery: &Scenery<'_>, reference: Reference) -> Result<(Reference
     Ok((reference.with_second(&second.scatterer(plan, Phase::Checking), plan, view), second.bytes()))
 }
 
-/// Ratio ‖S(of facets cut for [`COARSER`] times the error) − S‖ over ‖S‖ at the moment of the check, or of
-/// finer ones where these tell more ([`FinerSkin`]), where `reference` was made of so many facets cut for an
-/// error; `None` where facets are the surface.
+/// Ratio ‖S(of facets subdivided for [`COARSER`] times the error) − S‖ over ‖S‖ at the moment of the check,
+/// or with finer facets where these show more ([`FinerSkin`]), for a `reference` of this number of facets
+/// subdivided for an error; `None` if facets are the surface.
 fn tessellation(
     scenery: &Scenery<'_>,
     reference: &Reference,
@@ -163,18 +164,18 @@ fn traced_like(
     Ok(paths_frame(plan, frame, seen, paths, taken_over))
 }
 
-/// Errors and statistics that are told of a frame's paths.
+/// Errors and statistics reported for a frame's paths.
 struct Measured {
     error: ErrorBudget,
     model_error: ModelError,
     dropped_power_ratio: f64,
     fineness: Option<Fineness>,
     origin: ErrorOrigin,
-    /// Most bytes held by what they were compared with.
+    /// Peak memory of the comparison, bytes.
     bytes: u64,
 }
 
-/// Findings about the bodies and beams at the frame's middle.
+/// Findings on the bodies and beams at the frame's middle.
 struct FrameFindings {
     nearest_range_m: Vec<Option<f64>>,
     triangles: u64,
@@ -238,7 +239,7 @@ fn point_paths(header: &SceneHeader, frame: &SceneFrame) -> Vec<Path> {
     targets.filter_map(of).collect()
 }
 
-/// The rim as it has rolled since the scene's beginning.
+/// Rim after rolling since the scene's start.
 fn rim(wheel: &Wheel, start: &Pose, pose: &Pose) -> Rim {
     let (sin, cos) = pose.yaw_rad.sin_cos();
     let forward = DVec3::new(cos, sin, 0.0);

@@ -1,4 +1,4 @@
-//! Plan of a frame's paths: what they are traced with, fixed by the scene's header.
+//! Plan of a frame's paths: the tracing parameters fixed by the scene's header.
 
 use crate::beams::beam::TraceSettings;
 use crate::bodies::body_gains::BodyGains;
@@ -17,24 +17,24 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Most nodes that a frame of rigid bodies is blended from along one axis (`frame/blends.rs`).
+/// Maximum number of nodes along one axis from which a frame of rigid bodies is blended (`frame/blends.rs`).
 pub const MOMENTS_MAX: u32 = 33;
 
-/// Number of moments of a frame of which it is not known yet how few do.
+/// Number of moments of a frame assumed before it is known how few suffice.
 pub(crate) const MOMENTS_USUAL: u32 = 9;
 
-/// Paths of a frame from which on no finer table is tried, of cells or of moments: 0.9 GB of them, in three
-/// or four copies while they are measured.
+/// Number of paths of a frame from which no finer table is tried, of cells or of moments: 0.9 GB of them, in
+/// three or four copies while they are measured.
 pub(crate) const PATHS_MAX: usize = 2_000_000;
 
-/// Whether a frame of so many moments and paths may have so many paths that no finer grid of moments was
-/// tried: were all of them on ways that change, they would be more than a frame may have.
+/// Whether a frame with these numbers of moments and paths may have had too many paths for a finer grid of
+/// moments to be tried: if all of them were variable, they would exceed the limit.
 pub fn paths_are_at_limit(moments: u32, paths: u64) -> bool {
     let finer = if moments == 1 { MOMENTS_USUAL } else { 2 * moments - 1 };
     moments < MOMENTS_MAX && paths / u64::from(moments) * u64::from(finer) > PATHS_MAX as u64
 }
 
-/// Most steps from moment to moment of a frame in which wheels turn.
+/// Maximum number of steps between moments of a frame with rotating wheels.
 pub(crate) const WHEEL_STEPS: u32 = 96;
 
 /// Plan of a frame's paths, from its header.
@@ -43,18 +43,18 @@ pub(crate) struct Plan<'a> {
     pub(crate) position_m: DVec3,
     pub(crate) band: SampledBand,
     pub(crate) trace: TraceSettings,
-    /// Times after the frame's first sample at which paths are traced, and at which they are checked.
+    /// Times after the frame's first sample at which paths are traced and checked.
     pub(crate) middle_s: f64,
     pub(crate) check_s: f64,
-    /// Places of the transmitter and the receiver that they are checked with.
+    /// Positions of the transmitter and the receiver of the check.
     pub(crate) check_ends_m: [DVec3; 2],
-    /// Those of a second pair, of a wide array, and their time.
+    /// Positions of a second pair, for a wide array, and its time.
     pub(crate) second_check: Option<([DVec3; 2], f64)>,
-    /// Row that the array's pairs of elements stand along.
+    /// Row along which the array's pairs of elements lie.
     pub(crate) row: ArrayRow,
-    /// Gains towards the bodies: errors are told of what is heard.
+    /// Gains towards the bodies: errors are those of the received echo.
     pub(crate) gains: BodyGains,
-    /// Hears how far the frame is.
+    /// Receiver of the frame's progress.
     pub(crate) progress: &'a dyn Progress,
 }
 
@@ -94,30 +94,30 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// The plan of a radar that has these gains towards the bodies.
+    /// Plan of a radar with these gains towards the bodies.
     pub(crate) fn with_gains(self, gains: BodyGains) -> Self {
         Self { gains, ..self }
     }
 
-    /// Relative amplitude error that the frame's paths may have: what facets in place of a skin leave of the
-    /// accuracy asked for.
+    /// Relative amplitude error allowed for the frame's paths: what the approximation of a skin by facets
+    /// leaves of the requested accuracy.
     pub(crate) fn asked(&self) -> f64 {
         let Fidelity { accuracy, surface, .. } = self.header.fidelity;
         share_beside(surface) * accuracy.amplitude()
     }
 
-    /// The element of a 2 × 2 amplitude that the radar's antennas send and receive: errors are told of it.
+    /// Element of a 2 × 2 amplitude in the radar's polarization, to which errors refer.
     pub(crate) fn seen(&self, amplitude: &Amplitude) -> Complex64 {
         let (receive, transmit) = self.header.radar.array.polarization.indices();
         amplitude[receive][transmit]
     }
 
-    /// The part of paths that the radar hears.
+    /// Part of paths that the radar receives.
     pub(crate) fn hearing(&self) -> Hearing<'_> {
         Hearing { element: self.header.radar.array.polarization.indices(), gains: &self.gains }
     }
 
-    /// Settings of the meetings: what of the bodies scatters.
+    /// Settings of the meetings: which parts of the bodies scatter.
     pub(crate) fn meetings(&self) -> MeetingSettings {
         let Fidelity { nodes, edges, .. } = self.header.fidelity;
         let wavenumber_per_m = TAU / self.band.wavelength_m();
@@ -130,15 +130,15 @@ impl<'a> Plan<'a> {
         DVec3::new(-azimuth_rad.cos(), azimuth_rad.sin(), 0.0)
     }
 
-    /// Place and time at which paths are summed; R_t and R_r are about 1 m, as only ratios are looked at.
+    /// Position and time at which paths are summed; R_t and R_r are about 1 m, since only ratios matter.
     pub(crate) fn view(&self, seconds: f64) -> PathView {
         self.view_from([self.position_m; 2], seconds)
     }
 
-    /// Pairs of elements whose mean power stands for the array's. What a wave turns by from one element to
-    /// another is all that flat plates have of the cross polarization, and it vanishes at the array's middle:
-    /// there the pairs of both checks are taken, which are about as far off it as the root mean square of
-    /// all.
+    /// Pairs of elements whose mean power represents the array's. For flat plates the cross polarization
+    /// consists only of the rotation of a wave from one element to another, which vanishes at the array's
+    /// centre: there the pairs of both checks are used, whose distance from it is about the root mean square
+    /// over all.
     pub(crate) fn pairs_of_array_m(&self) -> Vec<[DVec3; 2]> {
         match self.second_check {
             Some((second_m, _)) if self.is_cross_polarized() => vec![self.check_ends_m, second_m],
@@ -146,22 +146,22 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Whether the radar receives the other polarization than it sends.
+    /// Whether the received polarization differs from the transmitted one.
     pub(crate) fn is_cross_polarized(&self) -> bool {
         self.header.radar.array.polarization.is_crossed()
     }
 
-    /// Middle of the places of the check.
+    /// Midpoint of the positions of the check.
     pub(crate) fn check_middle_m(&self) -> DVec3 {
         0.5 * (self.check_ends_m[0] + self.check_ends_m[1])
     }
 
-    /// The moment and the place of the check.
+    /// Moment and position of the check.
     pub(crate) fn check_view(&self) -> PathView {
         self.view_from(self.check_ends_m, self.check_s)
     }
 
-    /// Places of the transmitter and the receiver, and a moment.
+    /// View from positions of the transmitter and the receiver at a time.
     pub(crate) fn view_from(&self, [transmitter_m, receiver_m]: [DVec3; 2], seconds: f64) -> PathView {
         PathView {
             transmitter_m,
@@ -173,11 +173,11 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// Sampled sweep: amplitudes are taken at the Chebyshev points of its band, where a straight line errs least.
+/// Sampled sweep: amplitudes are taken at the Chebyshev points of its band, where the linear fit errs least.
 pub(crate) struct SampledBand {
     pub(crate) centre_hz: f64,
     pub(crate) bandwidth_hz: f64,
-    /// Offset from the centre to the outer points.
+    /// Frequency offset from the centre to the outer points.
     offset_hz: f64,
 }
 
@@ -199,7 +199,7 @@ impl SampledBand {
         [-1.0, 0.0, 1.0].map(|side| TAU * (self.centre_hz + side * self.offset_hz) / SPEED_OF_LIGHT_MPS)
     }
 
-    /// Value at the centre and slope of the straight line nearest to three samples.
+    /// Value at the centre and slope of the best line through three samples.
     pub(crate) fn line(&self, samples: &[Amplitude]) -> (Amplitude, Amplitude) {
         let of = |fit: &dyn Fn(usize, usize) -> Complex64| [0, 1].map(|p| [0, 1].map(|q| fit(p, q)));
         let value = of(&|p, q| samples.iter().map(|a| a[p][q]).sum::<Complex64>() / samples.len() as f64);
@@ -211,7 +211,7 @@ impl SampledBand {
     }
 }
 
-/// The moment after the frame's middle whose error is the root mean square of the frame's.
+/// Time after the frame's middle at which the error is the root mean square over the frame.
 pub(crate) fn check_offset_s(frame_duration_s: f64) -> f64 {
     frame_duration_s / 12.0_f64.sqrt()
 }

@@ -1,4 +1,4 @@
-//! Paths too weak to matter: a table is no larger than the accuracy asked for needs.
+//! Removal of negligible paths: a table is no larger than the requested accuracy requires.
 
 use crate::bodies::world::World;
 use crate::frame::band_power::{frequencies_hz, mean, power_over_frame};
@@ -7,31 +7,32 @@ use crate::frame::path_sum::{PathView, apparent_m, element_over_band};
 use artifact::paths::Path;
 use num_complex::Complex64;
 
-/// Paths kept, in their order, and the power of the others.
+/// Kept paths, in their order, and the power of the others.
 pub(crate) struct Kept {
     pub(crate) paths: Vec<Path>,
     /// Power of the dropped paths of each target in the radar's polarization: the larger of
     /// Σ|a·R²/(L₁L₂)|², as if their phases were independent, and of their sum over the band.
     pub(crate) dropped_powers: Vec<f64>,
-    /// The strongest that was dropped of each target, its wheels among it, as power.
+    /// Power of the strongest dropped path of each target, including its wheels.
     pub(crate) strongest_dropped: Vec<f64>,
 }
 
-/// Share of the accuracy asked for that may be dropped, as an amplitude.
+/// Share of the requested accuracy that may be dropped, as an amplitude.
 const DROPPED_SHARE: f64 = 0.3;
-/// Frequencies that the sum of dropped paths is looked at.
+/// Number of frequencies at which the sum of dropped paths is tested.
 const FREQUENCIES: usize = 12;
-/// Times the power of independent phases that their sum may have: over twelve frequencies, four of them
-/// independent, the mean power of such a sum exceeds this in one of twenty (χ² of 8 degrees of freedom).
+/// Ratio of the power of their sum to that with independent phases that is tolerated: over twelve
+/// frequencies, four of them independent, the mean power of such a sum exceeds this in one of twenty cases
+/// (χ² with 8 degrees of freedom).
 const BY_CHANCE: f64 = 1.94;
-/// Parts in which paths are dropped, after each of which their sum is looked at.
+/// Number of runs in which paths are dropped, after each of which their sum is tested.
 const RUNS: usize = 64;
 
 /// Drops the weakest paths of every target as long as their power is less than (0.3·accuracy)² of that
-/// target's: a weak target loses no more of itself than a strong one. Wheels are part of their vehicle.
+/// target's: a weak target loses no larger share than a strong one. Wheels are part of their vehicle.
 ///
-/// It is their power alone and that of their sum: cells of one smooth face, a kerb's or a rail's, are weak
-/// each and in phase with their neighbours.
+/// Both their summed power and the power of their sum count: cells of a smooth face, such as a kerb's or a
+/// rail's, are weak individually but in phase with their neighbours.
 pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
     let view = plan.view(plan.middle_s);
     let most = (DROPPED_SHARE * plan.asked()).powi(2);
@@ -60,10 +61,10 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
     Kept { paths, dropped_powers, strongest_dropped }
 }
 
-/// Most of the first of these paths whose sum over the band and the array has no more than a power, and that
-/// of the sum.
+/// Largest number of the first of these paths whose sum over the band and the array stays within a power, and
+/// the power of that sum.
 ///
-/// Sums of fewer may have more: cells of a face whose borders tell all of its echo cancel only together.
+/// Sums of fewer may have more: cells of a face whose echo comes only from its borders cancel only together.
 fn negligible_together(weak: &[usize], paths: &[Path], plan: &Plan<'_>, budget: f64) -> (usize, f64) {
     let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
     let pairs = plan.pairs_of_array_m();
@@ -85,7 +86,7 @@ fn negligible_together(weak: &[usize], paths: &[Path], plan: &Plan<'_>, budget: 
     most
 }
 
-/// Paths of another moment of the frame, without those that are no stronger than what was dropped.
+/// Paths at another moment of the frame, without those no stronger than the dropped ones.
 pub(crate) fn pruned_alike(
     paths: Vec<Path>,
     plan: &Plan<'_>,

@@ -1,4 +1,4 @@
-//! Scattering amplitude from path records, by their definition.
+//! Scattering amplitude from path records, by definition.
 
 use crate::bodies::body_gains::BodyGains;
 use crate::bodies::motion::Motion;
@@ -9,14 +9,14 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Place and time at which paths are summed.
+/// Position and time at which paths are summed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PathView {
-    /// Place p_t of the transmitter.
+    /// Position p_t of the transmitter.
     pub transmitter_m: DVec3,
-    /// Place p_r of the receiver.
+    /// Position p_r of the receiver.
     pub receiver_m: DVec3,
-    /// Point that R_t and R_r lead to.
+    /// Point to which R_t and R_r lead.
     pub origin_m: DVec3,
     /// Time after the frame's first sample.
     pub seconds: f64,
@@ -24,17 +24,17 @@ pub struct PathView {
     pub centre_frequency_hz: f64,
 }
 
-/// The part of paths that a radar hears.
+/// Part of paths that a radar receives.
 #[derive(Clone, Copy)]
 pub(crate) struct Hearing<'a> {
     /// Polarization, received and transmitted, as indices of an amplitude.
     pub(crate) element: (usize, usize),
-    /// Gains of its antennas.
+    /// Gains of the radar's antennas.
     pub(crate) gains: &'a BodyGains,
 }
 
-/// S = Σ a(f)·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} with a(f) = a + (f − f_c)·a′, metres, 2 × 2; of paths that
-/// stand for a part of the frame what their share is then.
+/// S = Σ a(f)·R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} with a(f) = a + (f − f_c)·a′, metres, 2 × 2; paths that
+/// represent a part of the frame are weighted by their share at that time.
 pub fn scattering_of_paths<'a>(
     paths: impl IntoIterator<Item = &'a Path>,
     view: &PathView,
@@ -53,10 +53,10 @@ pub fn scattering_of_paths<'a>(
     total
 }
 
-/// One element of [`scattering_of_paths`], paths weighed by gains, at equally spaced frequencies: one turn
-/// per path leads from each to the next.
+/// One element of [`scattering_of_paths`], with paths weighted by gains, at equidistant frequencies: one
+/// rotation per path leads from each to the next.
 ///
-/// Runs of paths are added in their order: the same bits on any number of threads.
+/// Runs of paths are summed in order, so the result is bit-identical for any number of threads.
 pub(crate) fn element_over_band(
     paths: &[Path],
     view: &PathView,
@@ -95,13 +95,12 @@ fn wavenumber_per_m(frequency_hz: f64) -> f64 {
     TAU * frequency_hz / SPEED_OF_LIGHT_MPS
 }
 
-/// Apparent points x_a and x_b some seconds after the frame's first sample; of a wheel those of its
-/// hub.
+/// Apparent points x_a and x_b some `seconds` after the frame's first sample; for a wheel those of its hub.
 pub(crate) fn apparent_m(path: &Path, seconds: f64) -> [DVec3; 2] {
     moved_to(path, seconds).map(|(at_m, _)| at_m)
 }
 
-/// Apparent points x_a and x_b with their velocities some seconds after the frame's first sample.
+/// Apparent points x_a and x_b with their velocities some `seconds` after the frame's first sample.
 pub(crate) fn moved_to(path: &Path, seconds: f64) -> [(DVec3, DVec3); 2] {
     let Path { apparent_tx_m, apparent_tx_mps, apparent_rx_m, apparent_rx_mps, curve, .. } = path;
     let after = |at_m: &[f64; 3], mps: &[f64; 3], mps2: [f64; 3]| {
@@ -119,12 +118,12 @@ impl PathView {
         Complex64::from_polar(spread, -wavenumber_per_m(frequency_hz) * length_m)
     }
 
-    /// Places of both ends.
+    /// Positions of both ends.
     pub(crate) fn ends_m(&self) -> [[f64; 3]; 2] {
         [self.transmitter_m.to_array(), self.receiver_m.to_array()]
     }
 
-    /// R_tR_r/(L₁L₂) times the path's share then, and L₁ + L₂ − R_t − R_r.
+    /// Factor R_tR_r/(L₁L₂) times the path's share at that time, and length L₁ + L₂ − R_t − R_r.
     fn spread_and_length_m(&self, path: &Path) -> (f64, f64) {
         let [from_tx_m, from_rx_m] = apparent_m(path, self.seconds);
         let (l1, l2) = (from_tx_m.distance(self.transmitter_m), from_rx_m.distance(self.receiver_m));

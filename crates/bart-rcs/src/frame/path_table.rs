@@ -1,4 +1,4 @@
-//! The path table with the largest cells that the accuracy asked for lets be.
+//! Path table with the largest cells that the requested accuracy permits.
 
 use crate::beams::body_ways::BodyWays;
 use crate::bodies::world::World;
@@ -19,34 +19,34 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Paths with what was measured of them.
+/// Paths with their measured error.
 pub(crate) struct PathTable {
     pub(crate) paths: Vec<Path>,
     pub(crate) fineness: Fineness,
     pub(crate) error: FrameError,
     pub(crate) given_up: GivenUp,
-    /// Power of the dropped paths of each target, as of [`Kept`].
+    /// Power of the dropped paths of each target, as in [`Kept`].
     pub(crate) dropped_powers: Vec<f64>,
-    /// Power of the strongest path of each target that was dropped, as of [`Kept`].
+    /// Power of the strongest dropped path of each target, as in [`Kept`].
     pub(crate) strongest_dropped: Vec<f64>,
-    /// Most bytes held by the moments that it was blended from.
+    /// Peak memory of the moments from which it was blended, bytes.
     pub(crate) bytes: u64,
 }
 
 impl PathTable {
-    /// Bytes of its paths.
+    /// Memory of its paths, bytes.
     fn paths_bytes(&self) -> u64 {
         paths_bytes(self.paths.len())
     }
 }
 
-/// Bytes of so many paths.
+/// Memory of a number of paths, bytes.
 pub(crate) fn paths_bytes(paths: usize) -> u64 {
     (size_of::<Path>() * paths) as u64
 }
 
-/// Paths of bodies at the frame's middle as fine as was enough in another frame, in no larger cells than this
-/// frame's motion and band allow.
+/// Paths of bodies at the frame's middle with the fineness of another frame, in cells no larger than this
+/// frame's motion and band permit.
 pub(crate) fn paths_as_fine(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
@@ -56,17 +56,17 @@ pub(crate) fn paths_as_fine(
     BodyParts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness), 0)
 }
 
-/// Another moment of the frame, or another place of the array.
+/// Another moment of the frame, or another position on the array.
 pub(crate) struct Node<'a> {
-    /// Ways that are traced; all of them where none are named.
+    /// Sequences of bodies to trace; all of them if none are named.
     pub(crate) ways: Option<&'a BodyWays>,
-    /// Seconds after the frame's first sample.
+    /// Time after the frame's first sample, s.
     pub(crate) seconds: f64,
-    /// Places of the transmitter and the receiver.
+    /// Positions of the transmitter and the receiver.
     pub(crate) ends_m: [DVec3; 2],
 }
 
-/// Paths as they are at another node, nothing dropped.
+/// Paths at another node, with nothing dropped.
 pub(crate) fn paths_along(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
@@ -78,7 +78,7 @@ pub(crate) fn paths_along(
     parts.found(cell_m, &accuracy_of_body(plan, fineness), (node.seconds, node.ends_m), &parts.room())
 }
 
-/// Accuracy of each body; one that was not there yet is taken as finely as the finest.
+/// Accuracy of each body; a new body is given the finest.
 fn accuracy_of_body(plan: &Plan<'_>, fineness: &Fineness) -> Vec<f64> {
     let finest = fineness.integrals.iter().map(|of| of.accuracy).fold(plan.asked(), f64::min);
     let of_body =
@@ -86,7 +86,7 @@ fn accuracy_of_body(plan: &Plan<'_>, fineness: &Fineness) -> Vec<f64> {
     plan.header.targets.iter().map(|target| of_body(&target.id)).collect()
 }
 
-/// Parts of bodies that paths are cut from.
+/// Parts of bodies from which paths are made.
 struct BodyParts<'a> {
     scatterer: &'a Scatterer<'a>,
     plan: &'a Plan<'a>,
@@ -100,7 +100,7 @@ impl<'a> BodyParts<'a> {
         Self { scatterer, plan, meetings: (1..=plan.header.fidelity.bounces).map(of_order).collect() }
     }
 
-    /// Parts on some ways alone.
+    /// Parts on some sequences of bodies alone.
     fn along(scatterer: &'a Scatterer<'a>, plan: &'a Plan<'a>, ways: Option<&BodyWays>) -> Self {
         let Some(ways) = ways else { return Self::of(scatterer, plan) };
         let orders = (1..=plan.header.fidelity.bounces).filter(|order| ways.have_order(*order));
@@ -108,21 +108,21 @@ impl<'a> BodyParts<'a> {
         Self { scatterer, plan, meetings: orders.map(of_order).collect() }
     }
 
-    /// Paths beside other tables of so many bytes.
+    /// Paths while other tables of `others` bytes are held.
     fn paths(&self, cell_m: f64, accuracy_of_body: &[f64], others: u64) -> Result<Kept, BartError> {
         let at = (self.plan.middle_s, [self.plan.position_m; 2]);
         let paths = self.found(cell_m, accuracy_of_body, at, &self.room().holding(others))?;
         Ok(pruned(paths, self.plan, self.scatterer.world))
     }
 
-    /// Room for cells beside the beams.
+    /// Memory available for cells besides the beams.
     fn room(&self) -> CellRoom {
         let (trees, limit) = (self.scatterer.trees, self.scatterer.world.memory_limit());
         CellRoom::beside(with_joints(trees.bytes()), limit, BYTES_PER_CELL)
     }
 
-    /// Paths of all parts, of bodies as they are some `seconds` after the frame's first sample, from a
-    /// transmitter to a receiver.
+    /// Paths of all parts, for bodies some `seconds` after the frame's first sample, from a transmitter to a
+    /// receiver.
     fn found(
         &self,
         cell_m: f64,
@@ -162,40 +162,44 @@ impl<'a> BodyParts<'a> {
     }
 }
 
-/// Function that blends a table from several nodes, where that helps, beside other tables of so many bytes.
+/// Function that blends a table from several nodes, if that helps, while other tables of a number of bytes
+/// are held.
 pub(crate) type Split<'a> = dyn Fn(PathTable, u64) -> Result<PathTable, BartError> + 'a;
-/// Function that makes a table of cells of some size, beside other tables of so many bytes.
+/// Function that makes a table with cells of a given size, while other tables of a number of bytes are held.
 type Attempt<'a> = dyn Fn(f64, u64) -> Result<PathTable, BartError> + 'a;
 
-/// Paths of a table from which on no finer one is tried once moments were: minutes and gigabytes are spent on
-/// more.
+/// Number of paths of a table from which no finer one is tried once moments were: more take minutes and
+/// gigabytes.
 const REFINED_PATHS_MAX: usize = 200_000;
 
 /// Limits of the search for a table of smaller cells.
 #[derive(Clone, Copy)]
 struct SearchLimits {
-    /// Paths of a table from which on no finer one is tried.
+    /// Number of paths of a table from which no finer one is tried.
     tried: usize,
-    /// Paths that the next table may have, as their number grows with the inverse square of the cells' size.
+    /// Maximum number of paths expected for the next table, given that their number grows with the inverse
+    /// square of the cell size.
     next: usize,
 }
 
-/// Limits of a search for cells to blend.
+/// Limits of a search for cells to be blended.
 const BLENDED: SearchLimits = SearchLimits { tried: REFINED_PATHS_MAX, next: PATHS_MAX };
-/// Limits where neither cells nor moments did: an echo of which next to nothing is left beside what its parts
-/// scatter (a flat side off its specular) would take any number of paths, and is not known by a million.
+/// Limits where neither cells nor moments met the accuracy: an echo that almost vanishes relative to the
+/// scattering of its parts (a flat side off its specular direction) would take any number of paths, and is
+/// not accurate with a million.
 const LAST: SearchLimits = SearchLimits { tried: REFINED_PATHS_MAX, next: 2 * REFINED_PATHS_MAX };
-/// Smaller cells are not tried where none of any size would make the error less than so many times smaller
-/// and meet the accuracy: 1 dB.
+/// Minimum ratio, 1 dB, by which smaller cells of any size could reduce the error and meet the accuracy, for
+/// them to be tried.
 const WORTH_TRYING: f64 = 1.12;
-/// Cells larger than so many times the first ones tell nothing of smaller ones: a few paths meet or miss the
-/// check's moment by chance, and what moments leave of large cells is not known before it is tried.
+/// Cell size relative to the first above which cells do not predict the error of smaller ones: a few paths
+/// match or miss the check's moment by chance, and the error that moments leave of large cells is not known
+/// before it is tried.
 const TELLING: f64 = 0.35;
 
-/// Start of every attempt at a table.
+/// Common inputs of every attempt at a table.
 pub(crate) struct Fit<'a> {
     parts: BodyParts<'a>,
-    /// Paths of point targets: exact, and part of the frame.
+    /// Paths of point targets, which are exact and part of the frame.
     points: &'a [Path],
     reference: &'a Reference,
     beams_given_up: [f64; 2],
@@ -213,13 +217,13 @@ impl<'a> Fit<'a> {
         Self { parts, points, reference, beams_given_up }
     }
 
-    /// The table with the largest cells that meet the accuracy; the best found where none does within a few
+    /// Table with the largest cells that meet the accuracy; the best found if none does within a few
     /// attempts.
     ///
-    /// Smaller cells follow what turns while the frame lasts, and where they do not meet the accuracy,
-    /// `split` blends their table from several moments. Large cells are blended at once where wheels turn,
-    /// which no cells follow, and where smaller ones would be more paths than all moments have, or too many
-    /// to be blended.
+    /// Smaller cells follow phases that rotate during the frame, and if they do not meet the accuracy,
+    /// `split` blends their table from several moments. Large cells are blended at once if wheels rotate,
+    /// which no cells follow, and if smaller ones would have more paths than all moments together, or too
+    /// many to be blended.
     pub(crate) fn table(&self, split: &Split<'_>) -> Result<PathTable, BartError> {
         let BodyParts { scatterer, plan, .. } = self.parts;
         let largest_m = largest_cell_of_world_m(plan, scatterer.world);
@@ -249,9 +253,9 @@ impl<'a> Fit<'a> {
         table.error.measured() <= self.parts.plan.asked()
     }
 
-    /// The best of a few tables of ever smaller cells, until one meets the accuracy, has more paths than
-    /// some, or promises nothing of smaller ones; and the number of paths of the last. Other tables of so
-    /// many bytes are held beside them.
+    /// Best of a few tables with ever smaller cells, until one meets the accuracy, has more paths than a
+    /// limit, or shows that smaller ones would not help; and the number of paths of the last. Other tables of
+    /// a number of bytes are held meanwhile.
     fn with_smaller_cells(
         &self,
         largest: PathTable,
@@ -270,8 +274,8 @@ impl<'a> Fit<'a> {
             if error <= asked || size_m <= plan.band.wavelength_m() || tried > limits.tried {
                 break;
             }
-            // Errors of freezing and of the straight line over frequency grow with the first to second power
-            // of the size.
+            // Errors of freezing and of the linear fit over frequency grow with the first to second power of
+            // the size.
             let factor = (0.7 * asked / error).sqrt().clamp(0.4, 0.8);
             if tried as f64 > limits.next as f64 * factor * factor {
                 break;
@@ -314,23 +318,23 @@ impl<'a> Fit<'a> {
     }
 }
 
-/// Error that cells of no size would leave of an error `coarse` that cells `factor` times as large have made
-/// `fine`: their part of the power falls with the square of their size at least.
+/// Error that infinitely small cells would leave, if cells `factor` times as large changed an error `coarse`
+/// to `fine`: their part of the power falls at least with the square of their size.
 fn left_without_cells(coarse: f64, fine: f64, factor: f64) -> f64 {
     let by_cells = (coarse.powi(2) - fine.powi(2)) / (1.0 - factor.powi(2));
     (coarse.powi(2) - by_cells.max(0.0)).max(0.0).sqrt()
 }
 
-/// Largest side of the cells that one node, one amplitude and its slope may stand for; smaller ones are tried
-/// where the measured error asks for it.
+/// Maximum side of the cells that one node, one amplitude and its slope may represent; smaller ones are tried
+/// if the measured error requires it.
 ///
-/// Within D/2 of its node a lit point's length differs from the node's by up to D, there and back: over the
-/// band, ±Δk with Δk = πB/c, its phase runs over ±ΔkD, and a straight line over frequency leaves at most
+/// Within D/2 of its node the two-way length of a lit point differs from the node's by up to D: over the
+/// band, ±Δk with Δk = πB/c, its phase varies by ±ΔkD, and a linear fit over frequency leaves at most
 /// (ΔkD)²/4 of it. While the node moves by vT/2 at a right angle, or is seen from an element δ off the
-/// radar's position, both legs turn by (vT/2 + δ)/R: the phase between node and point runs over kD(vT/2 +
+/// radar's position, both legs rotate by (vT/2 + δ)/R: the phase between node and point varies by kD(vT/2 +
 /// δ)/R. Neighbouring cells cancel most of both (physics.md §6 has −41 dB with cells of 12 cm where this
-/// bound says −14 dB), so either may reach four times the accuracy asked. A body that turns by ωT/2 turns the
-/// line from node to point as much against both legs.
+/// bound gives −14 dB), so either may reach four times the requested accuracy. A body that rotates by ωT/2
+/// rotates the line from node to point equally against both legs.
 pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64, turn_radps: f64) -> f64 {
     let waveform = &header.radar.waveform;
     let allowed = 4.0 * header.fidelity.accuracy.amplitude();
@@ -340,17 +344,18 @@ pub fn largest_cell_m(header: &SceneHeader, nearest_m: f64, fastest_mps: f64, tu
     let half_frame_s = 0.5 * header.radar.frame_duration_s();
     let way_m = half_frame_s * fastest_mps + element_offset_m(header) + half_frame_s * turn_radps * nearest_m;
     let by_motion = allowed * nearest_m / (wavenumber * way_m);
-    // Of a sweep over more than a quarter of its carrier range cells are finer than two wavelengths.
+    // For a sweep over more than a quarter of its carrier, range cells are finer than two wavelengths.
     let smallest_m = 2.0 * waveform.wavelength_m();
     by_band.min(by_motion).clamp(smallest_m, waveform.range_resolution_m().max(smallest_m))
 }
 
-/// Largest side of cells on wheels, where other cells are so large; smaller as these are.
+/// Maximum side of cells on wheels, where other cells have side `cell_m`; smaller cells scale along.
 ///
-/// While a wheel turns, a point D/2 off its node turns against it by kDω·t there and back, which no path's
-/// own motion follows. Wheels are traced at several moments where that matters, and a cubic through moments
-/// between which it turns by θ errs by 3/128·θ⁴ ([`crate::frame::blends`]): D is what half as fine a grid
-/// as the finest follows to the accuracy asked for. Outlines of shadows turn faster than cells do.
+/// While a wheel rotates, the phase of a point D/2 off its node rotates relative to it by kDω·t two-way,
+/// which no path's own motion follows. Wheels are traced at several moments where that matters, and a cubic
+/// through moments between which the phase rotates by θ errs by 3/128·θ⁴ ([`crate::frame::blends`]): D is
+/// such that a grid half as fine as the finest meets the requested accuracy. Outlines of shadows rotate
+/// faster than cells do.
 fn wheel_cell_m(plan: &Plan<'_>, world: &World, cell_m: f64) -> f64 {
     let wheel_radps = world.fastest_wheel_radps();
     if wheel_radps == 0.0 {
@@ -364,14 +369,14 @@ fn wheel_cell_m(plan: &Plan<'_>, world: &World, cell_m: f64) -> f64 {
     (finer * largest_m).max(wavelength_m)
 }
 
-/// Largest side of cells for the bodies of a world.
+/// Maximum side of cells for the bodies of a world.
 pub(crate) fn largest_cell_of_world_m(plan: &Plan<'_>, world: &World) -> f64 {
     let ranges_m = world.facets().iter().map(|f| plan.position_m.distance(f.corners_m[0]));
     let nearest_m = ranges_m.fold(f64::INFINITY, f64::min);
     largest_cell_m(plan.header, nearest_m, world.fastest_mps(), world.fastest_turn_radps())
 }
 
-/// Greatest distance of an element from the radar's position.
+/// Maximum distance of an element from the radar's position.
 pub fn element_offset_m(header: &SceneHeader) -> f64 {
     let array = &header.radar.array;
     let centre = DVec3::from_array(header.radar.position_m);
@@ -379,14 +384,14 @@ pub fn element_offset_m(header: &SceneHeader) -> f64 {
     elements.map(|p| DVec3::from_array(*p).distance(centre)).fold(0.0, f64::max)
 }
 
-/// Velocities that differ by less leave a phase of k·Δv·T/2 in each leg below the accuracy.
+/// Velocity difference below which the phase k·Δv·T/2 of each leg stays below the accuracy.
 fn velocity_quantum_mps(header: &SceneHeader) -> f64 {
     let half_frame_s = 0.5 * header.radar.frame_duration_s();
     let wavenumber = TAU / header.radar.waveform.wavelength_m();
     header.fidelity.accuracy.amplitude() / (2.0 * wavenumber * half_frame_s)
 }
 
-/// Path of a cell that is as it is some `seconds` after the frame's first sample.
+/// Path of a cell in its state some `seconds` after the frame's first sample.
 fn path_of(cell: &Cell, band: &SampledBand, seconds: f64) -> Path {
     let (amplitude_m, slope_m_per_hz) = band.line(&cell.amplitudes_m);
     let at_first_sample = [0, 1].map(|end| cell.motion[end].after(cell.apparent_m[end], -seconds));
@@ -413,13 +418,13 @@ mod tests {
 
     #[test]
     fn smaller_cells_leave_what_cells_do_not_make() {
-        // Cells make all of it, in proportion to their size.
+        // Cells cause all of it, in proportion to their size.
         assert!(left_without_cells(0.3, 0.15, 0.5) < 1e-9);
-        // 0.3 of √(0.3² + 0.4²) = 0.5 are of cells; √(0.15² + 0.4²) with cells of half the size.
+        // Of √(0.3² + 0.4²) = 0.5, 0.3 is due to cells; √(0.15² + 0.4²) with cells of half the size.
         assert!(
             (left_without_cells(0.5, (0.15_f64.powi(2) + 0.4_f64.powi(2)).sqrt(), 0.5) - 0.4).abs() < 1e-12
         );
-        // Nothing of it: what is left is what there was, also where chance made it a little more.
+        // Cells cause none of it: the error remains, even if chance increased it slightly.
         assert_eq!(left_without_cells(0.7, 0.7, 0.4), 0.7);
         assert!((left_without_cells(0.7, 0.71, 0.4) - 0.7).abs() < 1e-12);
     }

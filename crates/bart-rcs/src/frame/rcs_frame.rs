@@ -1,5 +1,4 @@
-//! The paper's σ_f for one frame: far-field tables of every target over frequency and the aspects that it
-//! sweeps.
+//! The paper's σ_f for one frame: far-field tables of every target over frequency and the range of aspects.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::body_gains::BodyGains;
@@ -34,7 +33,7 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// [`crate::Tracer::tables`] of these models.
+/// [`crate::Tracer::tables`] for these models.
 pub(crate) fn rcs_frame(
     models: &Models,
     header: &SceneHeader,
@@ -78,7 +77,7 @@ pub(crate) fn rcs_frame(
     })
 }
 
-/// Refuses what goes round on a body: a table holds one that is rigid while a frame lasts.
+/// Refuses rotating parts: a table holds a body that is rigid during a frame.
 fn check_wheels(models: &Models, header: &SceneHeader) -> Result<(), BartError> {
     let refused = |choice| Err(BartError::NotBuilt { choice });
     let on_wheel = |target: &Target| matches!(target.kind, TargetKind::Point { wheel: Some(_), .. });
@@ -91,18 +90,19 @@ fn check_wheels(models: &Models, header: &SceneHeader) -> Result<(), BartError> 
     }
 }
 
-/// Most values of an axis, odd: beyond it interpolation errs more than was asked, and the echo's own check
-/// says how much.
+/// Maximum number of values of an axis, odd: beyond it interpolation exceeds the requested error, as reported
+/// by the echo's own check.
 const AZIMUTHS_MAX: usize = 9;
 const ELEVATIONS_MAX: usize = 5;
 const FREQUENCIES_MAX: usize = 257;
-/// Instants of a frame that its aspects are looked for at. An extreme between two of them lies beyond theirs
-/// by an eightieth of the whole turn at most, and the echo draws a table on by a step of it.
+/// Number of instants of a frame at which aspects are evaluated. An extreme between two of them exceeds
+/// theirs by at most an eightieth of the whole rotation, and the echo extrapolates a table by one step.
 const INSTANTS: usize = 9;
-/// Turn of phase below which an aspect stays as it is; the rounding of angles turns a body of 100 m by less.
+/// Phase rotation below which an aspect counts as constant; rounding of angles rotates a body of 100 m by
+/// less.
 const STILL_RAD: f64 = 1e-6;
 
-/// A body in its own frame and the aspects it shows the radar during the frame.
+/// A body in its own frame and its aspects towards the radar during the frame.
 struct TabledBody<'a> {
     header: &'a SceneHeader,
     target: &'a Target,
@@ -114,22 +114,21 @@ struct TabledBody<'a> {
     gain: f64,
 }
 
-/// Sums over bodies of powers at the middle aspect, as they are received: over 1/R⁴, with the gains.
+/// Sums over bodies of received powers at the middle aspect: over 1/R⁴, with the gains.
 #[derive(Default)]
 struct Powers {
     total: f64,
     by_order: Vec<f64>,
-    /// Error of the integrals, as measured or by what they may have over frequency.
+    /// Error of the integrals, measured or from their allowance over frequency.
     integration: f64,
-    /// Difference to coarser facets in place of a skin, and what the facets were cut for.
+    /// Difference to coarser facets in place of a skin, and the error for which the facets were subdivided.
     tessellation: f64,
     cut_for: f64,
-    /// Power of all beams given up, with independent phases.
+    /// Power of all dropped beams, with independent phases.
     dropped: f64,
     /// Error of frozen shadows at the end of the sweep.
     freezing: f64,
-    /// Difference from the spherical wave, and that wave's own power: the truth that a relative error is told
-    /// of.
+    /// Difference from the spherical wave, and that wave's own power, to which the relative error refers.
     far_field: f64,
     spherical: f64,
 }
@@ -148,7 +147,7 @@ impl<'a> TabledBody<'a> {
         Self { gain, ..self }
     }
 
-    /// One tree at the middle aspect serves the table and what its errors are told from.
+    /// One tree at the middle aspect serves both the table and the estimation of its errors.
     fn measured_table(&self, target: u32) -> Result<(Powers, RcsTable), BartError> {
         let middle = self.to_radar_m(self.header.radar.frame_middle_s());
         let tree = self.trace(Antenna::Direction(middle / middle.length()))?;
@@ -184,7 +183,7 @@ impl<'a> TabledBody<'a> {
         }
     }
 
-    /// Powers that the errors of the table are told from, at a few frequencies.
+    /// Powers from which the errors of the table are estimated, at a few frequencies.
     fn powers(&self, scatterer: &Scatterer<'_>, meetings: &[OrderJoints]) -> Result<Powers, BartError> {
         const FREQUENCIES: usize = 12;
         let waveform = &self.header.radar.waveform;
@@ -215,8 +214,8 @@ impl<'a> TabledBody<'a> {
         })
     }
 
-    /// Power of what the integrals err by at the middle aspect: by what finer ones differ, but of flat facets
-    /// alone, whose closed form is exact.
+    /// Power of the error of the integrals at the middle aspect: from the difference to finer ones, except
+    /// for flat facets alone, whose closed form is exact.
     fn integration_power(
         &self,
         scatterer: &Scatterer<'_>,
@@ -239,8 +238,8 @@ impl<'a> TabledBody<'a> {
         IntegralsCheck::Compared.error_power(compared, bounds, power(&finer_m)) + interpolation
     }
 
-    /// Power of the difference that coarser facets in place of a skin make at the middle aspect, or finer
-    /// ones where these tell more ([`FinerSkin`]); none where facets are the surface.
+    /// Power of the change with coarser facets in place of a skin at the middle aspect, or with finer ones
+    /// where these show more ([`FinerSkin`]); zero if facets are the surface.
     fn tessellation_power(
         &self,
         middle: DVec3,
@@ -265,7 +264,7 @@ impl<'a> TabledBody<'a> {
         Ok(by_coarser.max(cut.over_difference().powi(2) * by_finer))
     }
 
-    /// Amplitude of all beams given up, with independent phases.
+    /// Amplitude of all dropped beams, with independent phases.
     fn dropped_m(&self, scatterer: &Scatterer<'_>, meetings: &[OrderJoints], wavenumbers: &[f64]) -> f64 {
         let trace = self.trace_settings();
         let mut mirrors = SmallMirrors::of(scatterer.trees, trace.max_order, trace.least_mirror_area_m2);
@@ -296,7 +295,7 @@ impl<'a> TabledBody<'a> {
     }
 
     /// Settings as for paths: slivers below λ²/100·accuracy are dropped, mirrors below a hundred times that
-    /// not followed.
+    /// are not followed.
     fn trace_settings(&self) -> TraceSettings {
         let fidelity = &self.header.fidelity;
         let least_area_m2 =
@@ -332,8 +331,8 @@ impl<'a> TabledBody<'a> {
         }
     }
 
-    /// Error that integrals may have over frequency, relative to S: all but closed forms are taken at few
-    /// frequencies, and so are layers.
+    /// Error allowed for integrals over frequency, relative to S: all except closed forms, and layers, are
+    /// evaluated at few frequencies.
     fn interpolation_error(&self) -> f64 {
         let (frequencies, accuracy) =
             (self.frequency_axis().len(), self.header.fidelity.accuracy.amplitude());
@@ -365,8 +364,8 @@ impl<'a> TabledBody<'a> {
         meetings.iter().map(of).collect()
     }
 
-    /// Elevations and azimuths of the table: what a body shows that comes nearer and goes away again in one
-    /// frame is not between what it shows at the frame's ends.
+    /// Elevations and azimuths of the table: the aspects of a body that approaches and recedes within one
+    /// frame do not lie between those at the frame's ends.
     fn aspect_axes(&self) -> [Vec<f64>; 2] {
         let frame_s = self.header.radar.frame_duration_s();
         let aspect = |i: usize| angles(self.to_radar_m(frame_s * i as f64 / (INSTANTS - 1) as f64));
@@ -382,15 +381,15 @@ impl<'a> TabledBody<'a> {
         })
     }
 
-    /// Steps of phase 2kr·Δangle that linear interpolation takes with the accuracy asked; both ends,
-    /// ascending. One value where the phase does not turn: the angle is the same but for rounding.
+    /// Values in steps of the phase 2kr·Δangle for which linear interpolation meets the requested accuracy;
+    /// both ends, ascending. A single value if the phase is constant: the angle is the same up to rounding.
     fn angle_axis(&self, low: f64, high: f64, most: usize) -> Vec<f64> {
         let wavenumber = TAU / self.header.radar.waveform.wavelength_m();
         let turn_rad = 2.0 * wavenumber * self.radius_m * (high - low);
         if turn_rad < STILL_RAD { vec![low] } else { axis(low, high, self.steps(turn_rad, most)) }
     }
 
-    /// The sampled sweep, and below it what a chirp's delay takes off: μτ, 5 MHz at 60 m.
+    /// The sampled sweep, extended by the frequency shift of a chirp's delay: μτ, 5 MHz at 60 m.
     fn frequency_axis(&self) -> Vec<f64> {
         let waveform = &self.header.radar.waveform;
         let ends_s = [0.0, self.header.radar.frame_duration_s()];
@@ -398,15 +397,16 @@ impl<'a> TabledBody<'a> {
         let behind_hz = waveform.slope_hz_per_s.abs() * 2.0 * farthest_m / SPEED_OF_LIGHT_MPS;
         let (centre_hz, half_hz) = (waveform.centre_frequency_hz(), 0.5 * waveform.bandwidth_hz().abs());
         let turn = 2.0 * TAU * self.radius_m * (2.0 * half_hz + behind_hz) / SPEED_OF_LIGHT_MPS;
-        // What comes back is behind what is sent: below it where chirps rise, above it where they fall.
+        // The received chirp lags the transmitted one: its frequency is lower for rising chirps, higher for
+        // falling ones.
         let [below_hz, above_hz] =
             if waveform.slope_hz_per_s > 0.0 { [behind_hz, 0.0] } else { [0.0, behind_hz] };
         let ends_hz = [centre_hz - half_hz - below_hz, centre_hz + half_hz + above_hz];
         axis(ends_hz[0], ends_hz[1], self.steps(turn, FREQUENCIES_MAX))
     }
 
-    /// Number of values, between two of which a phasor that turns by Δφ is missed by Δφ²/8 at most. It is
-    /// odd, and three at least: the echo tells what it errs by from every second one.
+    /// Number of values such that interpolating a phasor that rotates by Δφ between two errs by at most
+    /// Δφ²/8. It is odd, and at least three: the echo estimates its error from every second one.
     fn steps(&self, turn_rad: f64, most: usize) -> usize {
         let step = (8.0 * self.header.fidelity.accuracy.amplitude()).sqrt();
         ((turn_rad / step).ceil() as usize + 1).clamp(3, most) | 1
@@ -431,7 +431,7 @@ impl Powers {
         amplitude_ratio(part, self.total)
     }
 
-    /// Integrals are exact to rounding at best; shadows are as they were at the middle.
+    /// Errors of the table: integrals are exact to rounding at best; shadows are those of the middle.
     fn error(&self) -> ErrorBudget {
         let told = told_error(self.relative(self.tessellation), self.cut_for);
         ErrorBudget {
@@ -469,7 +469,7 @@ fn point_table(header: &SceneHeader, target: u32, rcs_m2: f64) -> RcsTable {
     }
 }
 
-/// Elevation, azimuth.
+/// Elevation and azimuth of a vector.
 fn angles(to_radar_m: DVec3) -> [f64; 2] {
     [to_radar_m.z.atan2(to_radar_m.x.hypot(to_radar_m.y)), to_radar_m.y.atan2(to_radar_m.x)]
 }
@@ -479,12 +479,12 @@ fn direction(elevation_rad: f64, azimuth_rad: f64) -> DVec3 {
     DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el)
 }
 
-/// The equivalent of `angle` within half a turn of `near`.
+/// Equivalent of `angle` within half a turn of `near`.
 fn nearest_turn(angle: f64, near: f64) -> f64 {
     angle + TAU * ((near - angle) / TAU).round()
 }
 
-/// An axis of `count` values, both ends included; one where there is no span.
+/// An axis of `count` values including both ends; a single value if the span is zero.
 fn axis(from: f64, to: f64, count: usize) -> Vec<f64> {
     if to <= from {
         return vec![from];

@@ -1,4 +1,4 @@
-//! Bodies and beams of one moment of a frame.
+//! Bodies and beams at one moment of a frame.
 
 pub(crate) mod nearest_surface; // nearest lit point of a body
 
@@ -19,17 +19,17 @@ use crate::oversight::progress::Phase;
 use artifact::scene::{Pose, SceneFrame};
 use glam::DVec3;
 
-/// Scene that a frame is traced from.
+/// Scene from which a frame is traced.
 #[derive(Clone, Copy)]
 pub(crate) struct Scenery<'a> {
     pub(crate) models: &'a Models,
     pub(crate) frame: &'a SceneFrame,
     pub(crate) plan: &'a Plan<'a>,
-    /// Bytes that are held of other moments and of paths while one is traced.
+    /// Memory of other moments and of paths held while one is traced, bytes.
     pub(crate) held_bytes: u64,
 }
 
-/// Bodies and beams of one moment and place.
+/// Bodies and beams at one moment and position.
 pub(crate) struct Snapshot {
     pub(crate) world: World,
     pub(crate) tree: BeamTree,
@@ -38,16 +38,16 @@ pub(crate) struct Snapshot {
 
 /// Beams of the receiver.
 enum Arriving {
-    /// Those of the transmitter, at whose place it is.
+    /// Beams of the transmitter, which is at the same place.
     AsSent,
-    /// Those of the transmitter with those of its image below the road.
+    /// Beams of the transmitter and of its image below the road.
     WithImage(Received),
-    /// Its own, at another place; over a road with those of its image.
+    /// Separate beams, at another place; over a road with those of its image.
     Apart(BeamTree),
 }
 
 impl Scenery<'_> {
-    /// Everything, some `seconds` after the frame's first sample, from a transmitter to a receiver.
+    /// All bodies and beams some `seconds` after the frame's first sample, from a transmitter to a receiver.
     pub(crate) fn at(&self, seconds: f64, ends_m: [DVec3; 2]) -> Result<Snapshot, BartError> {
         let (world, plan) = (self.world(seconds)?, self.plan);
         let wavelength_m = plan.band.wavelength_m();
@@ -59,7 +59,7 @@ impl Scenery<'_> {
         Ok(Snapshot::heard_at(world, tree, apart))
     }
 
-    /// Bodies and beams of some ways alone, some `seconds` after the frame's first sample.
+    /// Bodies and beams of some sequences alone, some `seconds` after the frame's first sample.
     pub(crate) fn along(
         &self,
         ways: &BodyWays,
@@ -76,12 +76,12 @@ impl Scenery<'_> {
         Ok(Snapshot::heard_at(world, tree, apart))
     }
 
-    /// The same scene while so many more bytes are held.
+    /// The same scene with more bytes held.
     pub(crate) fn beside(&self, bytes: u64) -> Self {
         Self { held_bytes: self.held_bytes + bytes, ..*self }
     }
 
-    /// Whether some body is a wheel that turns.
+    /// Whether some body is a rotating wheel.
     pub(crate) fn turns_wheels(&self) -> bool {
         !self.models.vehicles_of_wheels(self.plan.header).is_empty()
     }
@@ -102,7 +102,7 @@ impl Scenery<'_> {
     }
 }
 
-/// Beams of the transmitter, and those of the receiver where it is elsewhere.
+/// Beams of the transmitter, and those of the receiver if it is elsewhere.
 fn of_ends(
     [tx_m, rx_m]: [DVec3; 2],
     traced: impl Fn(DVec3) -> Result<BeamTree, BartError>,
@@ -117,12 +117,12 @@ fn moves(pose: &Pose) -> bool {
 }
 
 impl Snapshot {
-    /// Beams of a world, transmitter and receiver at one place.
+    /// Beams of a world with transmitter and receiver at one place.
     pub(crate) fn of(world: World, tree: BeamTree) -> Self {
         Self::heard_at(world, tree, None)
     }
 
-    /// Beams of a world, and those of a receiver that is not where the transmitter is.
+    /// Beams of a world, and those of a receiver at another place than the transmitter.
     fn heard_at(world: World, tree: BeamTree, apart: Option<BeamTree>) -> Self {
         let is_over_road = world.road().is_some();
         let arriving = match apart {
@@ -154,7 +154,7 @@ impl Snapshot {
         (self.world.bytes() + self.trees().bytes()) as u64
     }
 
-    /// Bytes that it holds beside another moment of the same models, joints among them.
+    /// Memory held in addition to another moment of the same models, including joints, bytes.
     pub(crate) fn bytes_beside(&self) -> u64 {
         self.world.placed_bytes() as u64 + with_joints(self.trees().bytes())
     }

@@ -3,7 +3,7 @@
 use crate::geometry::plane::Plane;
 use glam::{DQuat, DVec3};
 
-/// Origin or destination of a wave.
+/// Source or destination of a wave.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Antenna {
     /// An antenna at finite range, world metres: spherical waves.
@@ -13,7 +13,7 @@ pub enum Antenna {
 }
 
 impl Antenna {
-    /// The image behind a facet's plane: p' = p − 2((p − x_A)·n)n, or r̂' = r̂ − 2(r̂·n)n.
+    /// Image behind a facet's plane: p' = p − 2((p − x_A)·n)n, or r̂' = r̂ − 2(r̂·n)n.
     pub fn mirrored(self, plane: &Plane) -> Self {
         match self {
             Self::Point(p) => Self::Point(p - 2.0 * plane.distance_m(p) * plane.normal),
@@ -21,7 +21,7 @@ impl Antenna {
         }
     }
 
-    /// The antenna turned about the world's origin.
+    /// Antenna rotated about the world's origin.
     pub(crate) fn turned(self, by: DQuat) -> Self {
         match self {
             Self::Point(p) => Self::Point(by * p),
@@ -29,13 +29,13 @@ impl Antenna {
         }
     }
 
-    /// Unit vector of travel at `x_m`, from the antenna on; zero at the antenna itself.
+    /// Unit vector of travel at `x_m`, away from the antenna; zero at the antenna itself.
     pub fn travel_direction_at(self, x_m: DVec3) -> DVec3 {
         -self.towards(x_m).try_normalize().unwrap_or(DVec3::ZERO)
     }
 
-    /// Length of the way from the antenna to `x_m`, m; from a direction it is counted from the plane through
-    /// the world's origin, −r̂·x.
+    /// Path length from the antenna to `x_m`, m; for a direction it is counted from the plane through the
+    /// world's origin, −r̂·x.
     pub fn path_length_m(self, x_m: DVec3) -> f64 {
         match self {
             Self::Point(p) => p.distance(x_m),
@@ -43,7 +43,7 @@ impl Antenna {
         }
     }
 
-    /// Distance that the wave has spread over at `x_m`, m; infinite from a direction.
+    /// Distance over which the wave has spread at `x_m`, m; infinite for a direction.
     pub fn range_m(self, x_m: DVec3) -> f64 {
         match self {
             Self::Point(p) => p.distance(x_m),
@@ -51,7 +51,7 @@ impl Antenna {
         }
     }
 
-    /// Vector from `x_m` to the antenna (metres), or r̂ (unit) where it is infinitely far away.
+    /// Vector from `x_m` to the antenna (metres), or r̂ (unit) for a direction.
     pub(crate) fn towards(self, x_m: DVec3) -> DVec3 {
         match self {
             Self::Point(p) => p - x_m,

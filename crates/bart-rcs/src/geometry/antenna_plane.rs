@@ -1,15 +1,15 @@
-//! Planes through an antenna: with an edge, or with the line where two planes meet.
+//! Planes through an antenna and an edge, or through an antenna and the intersection of two planes.
 
 use crate::geometry::antenna::Antenna;
 use crate::geometry::plane::{Plane, accurate_cross};
 use glam::DVec3;
 
 impl Plane {
-    /// The plane through an antenna and the edge `from`–`to`, positive to the left of the edge as the antenna
-    /// sees it.
+    /// Plane through an antenna and the edge `from`–`to`, positive to the left of the edge as seen by the
+    /// antenna.
     ///
-    /// Both ways along an edge give exactly opposite planes: two facets that share it leave no gap and no
-    /// overlap, bit by bit. `None` where the antenna lies on the edge's line.
+    /// Both senses of an edge give exactly opposite planes: two facets that share it leave no gap and no
+    /// overlap, bit for bit. `None` if the antenna lies on the edge's line.
     pub fn through_edge(antenna: Antenna, from: DVec3, to: DVec3) -> Option<Self> {
         let forwards = is_before(from, to);
         let (a, b) = if forwards { (from, to) } else { (to, from) };
@@ -17,10 +17,10 @@ impl Plane {
         Some(if forwards { plane } else { -plane })
     }
 
-    /// The plane through an antenna and the line where two planes meet: d_a(y)·d_b(p) − d_b(y)·d_a(p)
-    /// vanishes at the antenna p and on the line. On `b` it has the sign of d_a times that of the antenna's
-    /// side of `b`; exchanging `a` and `b` turns it over exactly. `None` where the planes are one or the
-    /// antenna is on the line.
+    /// Plane through an antenna and the intersection of two planes: d_a(y)·d_b(p) − d_b(y)·d_a(p) vanishes at
+    /// the antenna p and on the line. On `b` it has the sign of d_a times that of the antenna's side of `b`;
+    /// exchanging `a` and `b` reverses it exactly. `None` if the planes coincide or the antenna is on the
+    /// line.
     pub fn through_meeting(antenna: Antenna, a: &Self, b: &Self) -> Option<Self> {
         let (of_a, of_b) = (a.side_of(antenna), b.side_of(antenna));
         let normal = of_b * a.normal - of_a * b.normal;
@@ -30,7 +30,7 @@ impl Plane {
             .then(|| Self { normal: normal / length, offset_m: offset_m / length })
     }
 
-    /// Signed distance of an antenna, m, or the cosine of its direction to the normal.
+    /// Signed distance of an antenna, m, or for a direction the cosine of its angle to the normal.
     pub fn side_of(&self, antenna: Antenna) -> f64 {
         match antenna {
             Antenna::Point(p) => self.distance_m(p),
@@ -39,8 +39,8 @@ impl Plane {
     }
 }
 
-/// Order of points by their coordinates: the canonical direction of an edge, whatever the indices of its
-/// corners are.
+/// Order of points by their coordinates: the canonical direction of an edge, independent of its corners'
+/// indices.
 fn is_before(a: DVec3, b: DVec3) -> bool {
     (a.x, a.y, a.z) < (b.x, b.y, b.z)
 }

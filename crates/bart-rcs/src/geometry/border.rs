@@ -1,26 +1,26 @@
-//! Borders of lit polygons along an edge: the facet itself, a shadow, or the beam that lights it.
+//! Borders of lit polygons along an edge: the end of the facet, of a shadow, or of the beam that lights it.
 //!
-//! A shadow is cut out by whole lines, so that a line goes on beyond the shadow as a seam between two lit
-//! pieces. Both pieces have it as [`Border::Shadow`] and know it by one name: where both are kept it is no
-//! border, and where one alone is, it is one, whatever became of the other.
+//! A shadow is cut out by whole lines, so that a line continues beyond the shadow as a seam between two lit
+//! pieces. Both pieces store it as [`Border::Shadow`] under one name: if both are kept it is no border, and
+//! if only one is, it is one, whatever happened to the other.
 
 use crate::geometry::plane::Plane;
 
 /// Border of a polygon along one of its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Border {
-    /// No border: the flat patch goes on, as beyond the diagonal of a square.
+    /// No border: the flat patch continues, as across the diagonal of a square.
     Inner,
     /// The flat patch ends.
     Own,
     /// A line that cuts out an occluder's shadow.
     Shadow,
-    /// Patch and mirror end in one line, as both do at the fold of a corner: a node has the right phase there
-    /// on either.
+    /// Patch and mirror end in one line, as both do at the fold of a corner: a node on either has the right
+    /// phase there.
     Tied,
-    /// A mirror before ends.
+    /// A preceding mirror ends.
     Mirror,
-    /// A line that cuts out a shadow on a mirror before.
+    /// A line that cuts out a shadow on a preceding mirror.
     MirrorShadow,
 }
 
@@ -28,7 +28,7 @@ pub(crate) enum Border {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct BorderLine {
     pub(crate) border: Border,
-    /// Name of the line where a polygon was cut along it; 0 where none was.
+    /// Name of the line along which a polygon was cut; 0 if none.
     line: u32,
 }
 
@@ -39,7 +39,7 @@ impl From<Border> for BorderLine {
 }
 
 impl BorderLine {
-    /// The border where a plane cuts; one that came over a mirror keeps its name.
+    /// Border along a cutting plane; one that came via a mirror keeps its name.
     pub(crate) fn cut_by(self, plane: &Plane) -> Self {
         if self.line == 0 { Self { line: name(plane), ..self } } else { self }
     }
@@ -49,7 +49,7 @@ impl BorderLine {
         self.line
     }
 
-    /// Border of the same edge where it cuts the beam behind the mirror.
+    /// Border of the same edge where it bounds the beam behind the mirror.
     pub(crate) fn through_mirror(self) -> Self {
         let border = match self.border {
             Border::Own | Border::Tied => Border::Mirror,
@@ -60,8 +60,8 @@ impl BorderLine {
     }
 
     /// Border of the same edge where the window of a beam ends along it. A line that cuts out a shadow on the
-    /// mirror goes on as a seam where nothing ends, and one below an upright edge lies in one plane with it:
-    /// the edge stays its own.
+    /// mirror continues as a seam where nothing ends, and one below an upright edge is coplanar with it: the
+    /// edge stays its own.
     pub(crate) fn met_by(self, window: Self) -> Self {
         match (self.border, window.border) {
             (Border::Own, Border::Mirror) => Border::Tied.into(),
@@ -70,8 +70,8 @@ impl BorderLine {
         }
     }
 
-    /// Border of the overlap of two polygons where an edge of both is the same line: the surface before the
-    /// beams, and of two lines the same one on both sides.
+    /// Border of the overlap of two polygons where an edge of both is the same line: the surface takes
+    /// precedence over the beams, and of two lines the same one is chosen on both sides.
     pub(crate) fn and(self, other: Self) -> Self {
         let rank = |at: Self| match at.border {
             Border::Tied => 5,
@@ -85,17 +85,17 @@ impl BorderLine {
     }
 }
 
-/// Name of a plane, the same for the plane turned over; never 0.
+/// Name of a plane, the same for the reversed plane; never 0.
 fn name(plane: &Plane) -> u32 {
     let parts = [plane.normal.x, plane.normal.y, plane.normal.z, plane.offset_m];
     let sign = if parts.iter().find(|x| **x != 0.0).is_some_and(|x| *x < 0.0) { -1.0 } else { 1.0 };
-    // Adding 0 makes −0 the same as 0.
+    // Adding 0 turns −0 into 0.
     let mixed = |mixed: u64, x: f64| (mixed ^ (sign * x + 0.0).to_bits()).wrapping_mul(ODD).rotate_left(29);
     let name = parts.into_iter().fold(0, mixed);
     ((name ^ (name >> 32)) as u32).max(1)
 }
 
-/// The golden ratio's fraction in 64 bits, which is odd: multiplying by it loses nothing.
+/// Fractional part of the golden ratio in 64 bits, which is odd: multiplication by it is invertible.
 const ODD: u64 = 0x9e37_79b9_7f4a_7c15;
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
-//! Bounding volume hierarchy of one mesh (obvhs, single precision, four boxes side by side) and the walk that
-//! finds what reaches into a beam.
+//! Bounding volume hierarchy of one mesh (obvhs, single precision, four boxes side by side) and the traversal
+//! that finds triangles within a beam.
 //!
-//! The hierarchy only proposes: boxes are rounded outwards from double precision and planes are moved back by
-//! what single precision may lose, and every decision is made again in double precision on the facets
-//! themselves.
+//! The hierarchy only proposes candidates: boxes are rounded outwards from double precision and planes are
+//! moved back by the possible loss of single precision, and every decision is repeated in double precision on
+//! the facets themselves.
 
 use crate::geometry::plane::Plane;
 use crate::geometry::sweep::{BeamSweep, SlabTest};
@@ -16,15 +16,16 @@ use std::time::Duration;
 
 /// Hierarchy over the triangles of a mesh, body frame.
 pub(crate) struct Hierarchy {
-    /// The first is the root; none over no triangles.
+    /// Nodes, the root first; empty if there are no triangles.
     nodes: Vec<BvhNode>,
-    /// Middle of all boxes: coordinates of single precision count from here, so that a far body loses none.
+    /// Centre of all boxes: single-precision coordinates are relative to it, so that a distant body loses
+    /// none.
     middle_m: DVec3,
-    /// Reach |x| + |y| + |z| of the farthest corner from there, m.
+    /// Extent |x| + |y| + |z| of the farthest corner from the centre, m.
     reach_m: f64,
 }
 
-/// Up to four boxes, coordinate by coordinate: one instruction looks at all.
+/// Up to four boxes, coordinate by coordinate, so that one instruction tests all.
 #[derive(Clone, Copy)]
 struct BvhNode {
     /// Low x, y, z, high x, y, z.
@@ -40,14 +41,14 @@ enum Child {
     Triangle(u32),
 }
 
-/// A plane as the walk tests it: for each axis the bound that lies farthest along the normal.
+/// A plane prepared for the traversal: for each axis the bound that lies farthest along the normal.
 struct Test {
     bounds: [usize; 3],
     normal: [Vec4; 3],
     offset: Vec4,
 }
 
-/// Buffers of a walk.
+/// Buffers of a traversal.
 #[derive(Default)]
 pub(crate) struct Stack {
     tests: Vec<Test>,
@@ -62,7 +63,7 @@ impl Hierarchy {
         let middle_m = if low.is_finite() { 0.5 * low + 0.5 * high } else { DVec3::ZERO };
         let boxes: Vec<Aabb> = triangles.map(|corners| box_around(&corners.map(|c| c - middle_m))).collect();
         let mut unused = Duration::ZERO;
-        // A box for every triangle: the walk then tests no facet whose own box is outside.
+        // One box per triangle: no facet whose own box is outside is then tested.
         let params = BvhBuildParams { max_prims_per_leaf: 1, ..BvhBuildParams::fast_build() };
         let nodes =
             if boxes.is_empty() { Vec::new() } else { wide(&build_bvh2(&boxes, params, &mut unused)) };
@@ -71,7 +72,7 @@ impl Hierarchy {
     }
 
     /// Calls `visit` with every triangle whose box reaches the positive side of each of the `planes` and the
-    /// `sweep` (body frame), about in the order from the far end of `nearer` on, until it breaks.
+    /// `sweep` (body frame), roughly in order from the far end of `nearer` on, until it breaks.
     pub(crate) fn inside(
         &self,
         planes: &[Plane],
@@ -97,12 +98,12 @@ impl Hierarchy {
         ControlFlow::Continue(())
     }
 
-    /// Bytes held, about.
+    /// Approximate memory, bytes.
     pub(crate) fn bytes(&self) -> usize {
         self.nodes.len() * size_of::<BvhNode>()
     }
 
-    /// The plane about the middle, moved back by the rounding of single precision: of the normal, three
+    /// The plane relative to the centre, moved back by single-precision rounding: of the normal, three
     /// products, three sums and the offset, each at most ½ε of the sum of magnitudes; 8ε covers them all.
     fn test(&self, plane: &Plane) -> Test {
         let offset_m = plane.offset_m - plane.normal.dot(self.middle_m);
@@ -117,7 +118,7 @@ impl Hierarchy {
 }
 
 impl BvhNode {
-    /// Appends the children that reach the positive side of every plane and the sweep, the nearest last.
+    /// Appends the children that reach the positive side of every plane and the sweep, nearest last.
     #[inline]
     fn open(&self, tests: &[Test], slabs: Option<&SlabTest>, nearer: &[Vec4; 3], open: &mut Vec<Child>) {
         let mut outside = slabs.map_or(0, |slabs| slabs.missed(&self.bounds));
@@ -126,7 +127,7 @@ impl BvhNode {
         }
         for Test { bounds, normal, offset } in tests {
             let [x, y, z] = bounds.map(|bound| self.bounds[bound]);
-            // What overflows is not a number and not outside.
+            // Overflow gives NaN, which does not count as outside.
             outside |= (x * normal[0] + y * normal[1] + z * normal[2]).cmplt(*offset).bitmask();
             if outside == 0b1111 {
                 return;
@@ -152,8 +153,8 @@ impl BvhNode {
     }
 }
 
-/// Takes two levels of a binary hierarchy as one: of the boxes of a node the largest are opened until there
-/// are four.
+/// Merges two levels of a binary hierarchy into one: the largest boxes of a node are opened until there are
+/// four.
 fn wide(binary: &Bvh2) -> Vec<BvhNode> {
     let mut nodes = vec![BvhNode::of(binary, 0)];
     let mut done = 0;
@@ -170,7 +171,7 @@ fn wide(binary: &Bvh2) -> Vec<BvhNode> {
 }
 
 impl BvhNode {
-    /// Node from that of a binary hierarchy; children that are nodes still count there.
+    /// Node from one of a binary hierarchy; children that are nodes still have their binary indices.
     fn of(binary: &Bvh2, index: usize) -> Self {
         let is_leaf = |i: usize| binary.nodes[i].is_leaf();
         let area = |i: usize| binary.nodes[i].aabb().half_area();
@@ -200,7 +201,7 @@ impl BvhNode {
     }
 }
 
-/// The smallest box of single-precision coordinates that holds the corners.
+/// Smallest box of single-precision coordinates that contains the corners.
 fn box_around(corners_m: &[DVec3; 3]) -> Aabb {
     let [a, b, c] = *corners_m;
     let (low, high) = (a.min(b).min(c), a.max(b).max(c));

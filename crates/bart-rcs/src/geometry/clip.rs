@@ -1,8 +1,7 @@
-//! Cutting convex polygons by planes, in double precision.
+//! Clipping of convex polygons by planes, in double precision.
 //!
-//! Every edge of a polygon remembers the plane that made it. Later decisions are taken on these original
-//! planes, never on planes through constructed corners: an edge of a nanometre still has the exact direction
-//! of its maker.
+//! Every edge of a polygon stores the plane that made it. Later decisions use these original planes, never
+//! planes through constructed corners: an edge of a nanometre still has the exact direction of its origin.
 
 use crate::geometry::border::BorderLine;
 use crate::geometry::plane::Plane;
@@ -12,10 +11,9 @@ use std::ops::Range;
 /// A corner and the edge that leaves it, counter-clockwise about the lit normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Corner {
-    /// World metres.
+    /// Position, world metres.
     pub(crate) point_m: DVec3,
-    /// The plane through the antenna and the edge from here to the next corner, positive on the polygon's
-    /// side.
+    /// Plane through the antenna and the edge from here to the next corner, positive on the polygon's side.
     pub(crate) edge: Plane,
     /// Border of the polygon along that edge.
     pub(crate) border: BorderLine,
@@ -37,9 +35,9 @@ pub(crate) enum Split {
     },
 }
 
-/// Cuts the convex polygon `corners[polygon]` and appends the parts to `corners`; the new edges are a
-/// `border` of both. Corners nearer to the plane than `tolerance_m` count as on it
-/// and belong to both parts, so that no part is thinner than that.
+/// Splits the convex polygon `corners[polygon]` and appends the parts to `corners`; the new edges are a
+/// `border` of both. Corners nearer to the plane than `tolerance_m` count as on it and belong to both parts,
+/// so that no part is thinner than that.
 pub(crate) fn split(
     corners: &mut Vec<Corner>,
     polygon: Range<usize>,
@@ -88,7 +86,7 @@ fn snapped(distance_m: f64, tolerance_m: f64) -> f64 {
     if distance_m.abs() <= tolerance_m { 0.0 } else { distance_m }
 }
 
-/// Sutherland and Hodgman's clip of one convex polygon: keeps what is not on the negative side.
+/// Sutherland–Hodgman clip of one convex polygon: keeps what is not on the negative side.
 fn append_part(
     corners: &mut Vec<Corner>,
     polygon: Range<usize>,
@@ -101,7 +99,7 @@ fn append_part(
         let (here, d) = (corners[polygon.start + i], distances_m[i]);
         let (next, d_next) = (corners[polygon.start + (i + 1) % n], distances_m[(i + 1) % n]);
         if d >= 0.0 {
-            // A corner on the plane whose edge leaves the part begins the new edge.
+            // A corner on the plane whose edge leaves the part starts the new edge.
             let (edge, border) = if d == 0.0 && d_next < 0.0 { new } else { (here.edge, here.border) };
             corners.push(Corner { edge, border, ..here });
         }

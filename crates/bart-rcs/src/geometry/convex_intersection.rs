@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-/// The part of `subject` inside `window`; both convex and counter-clockwise; empty where they do not meet.
+/// Part of `subject` inside `window`, both convex and counter-clockwise; empty if they do not overlap.
 pub(crate) fn intersection(subject: &[DVec2], window: &[DVec2]) -> Vec<DVec2> {
     let mut part = subject.to_vec();
     let mut cut = Vec::new();
@@ -21,14 +21,14 @@ pub(crate) fn intersection(subject: &[DVec2], window: &[DVec2]) -> Vec<DVec2> {
     part
 }
 
-/// The part of a convex polygon to the left of the line from `from` along `edge`, the line included.
+/// Part of a convex polygon to the left of the line from `from` along `edge`, the line included.
 pub(crate) fn left_of(corners: &[DVec2], from: DVec2, edge: DVec2) -> Vec<DVec2> {
     let mut part = Vec::with_capacity(corners.len() + 1);
     cut_left_of(corners, from, edge, &mut part);
     part
 }
 
-/// Puts the part to the left of a line, as [`left_of`] tells it, into a list that is emptied first.
+/// Stores the part to the left of a line, as in [`left_of`], in a list that is cleared first.
 fn cut_left_of(corners: &[DVec2], from: DVec2, edge: DVec2, part: &mut Vec<DVec2>) {
     let height = |c: DVec2| edge.perp_dot(c - from);
     part.clear();

@@ -7,14 +7,14 @@ use glam::DVec3;
 /// A triangle in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FacetGeometry {
-    /// World metres, in the mesh's winding.
+    /// Corners, world metres, in the mesh's winding.
     pub corners_m: [DVec3; 3],
-    /// The plane through the corners; its unit normal follows the winding. A normal of zero marks a triangle
-    /// without a plane: it neither scatters nor hides.
+    /// Plane through the corners; its unit normal follows the winding. A zero normal marks a triangle without
+    /// a plane: it neither scatters nor hides.
     pub plane: Plane,
     /// Area, m².
     pub area_m2: f64,
-    /// Target and triangle in its mesh, which may have been cut into several facets.
+    /// Target, and triangle in its mesh, which may have been subdivided into several facets.
     pub id: Facet,
 }
 
@@ -36,7 +36,7 @@ impl FacetGeometry {
         Self { corners_m, plane, area_m2: 0.5 * (b - a).cross(c - a).length(), id }
     }
 
-    /// A triangle whose height is rounding has a normal made of rounding.
+    /// Removes the plane of a triangle whose height, and so its normal, is mere rounding.
     pub(crate) fn refuse_if_thinner_than(&mut self, height_m: f64) {
         let [a, b, c] = self.corners_m;
         let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));

@@ -1,9 +1,9 @@
-//! Points of convex polygons and of their sides that are nearest to others.
+//! Nearest points of convex polygons and of their sides.
 
 use glam::DVec3;
 
-/// Whether the foot of a point on a convex polygon's plane lies in the polygon, whose corners run
-/// counter-clockwise about `normal`.
+/// Whether the perpendicular foot of a point on a convex polygon's plane lies in the polygon, whose corners
+/// run counter-clockwise about `normal`.
 pub(crate) fn is_over(x_m: DVec3, corners_m: &[DVec3], normal: DVec3) -> bool {
     sides(corners_m).all(|(a, b)| (b - a).cross(x_m - a).dot(normal) >= 0.0)
 }
@@ -13,7 +13,7 @@ pub(crate) fn sides(corners_m: &[DVec3]) -> impl Iterator<Item = (DVec3, DVec3)>
     corners_m.iter().copied().zip(corners_m.iter().copied().cycle().skip(1))
 }
 
-/// The point of a segment nearest to another; its beginning where it has no length.
+/// Point of a segment nearest to another; its start if it has no length.
 pub(crate) fn on_segment_m(x_m: DVec3, a_m: DVec3, b_m: DVec3) -> DVec3 {
     let along = b_m - a_m;
     let share = (x_m - a_m).dot(along) / along.length_squared();

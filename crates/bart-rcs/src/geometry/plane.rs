@@ -1,4 +1,4 @@
-//! Planes in Hesse form: of facets, and their images in each other.
+//! Planes in Hesse form: those of facets, and their mirror images.
 
 use glam::DVec3;
 
@@ -12,18 +12,18 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// Signed distance, positive on the side that the normal points to.
+    /// Signed distance, positive on the side of the normal.
     #[inline]
     pub fn distance_m(&self, x_m: DVec3) -> f64 {
         self.normal.dot(x_m) - self.offset_m
     }
 
-    /// The plane of a triangle, its normal by the winding; `None` where the corners span none.
+    /// Plane of a triangle, with its normal by the winding; `None` if the corners span none.
     pub fn of_triangle(corners_m: &[DVec3; 3]) -> Option<Self> {
         let [a, b, c] = *corners_m;
         // The corner opposite the longest edge has the best conditioned pair of edges; the choice and its
-        // rounding must not depend on which corner is named first, or a rotated index triple would be another
-        // plane.
+        // rounding must not depend on which corner is named first, or a rotated index triple would give
+        // another plane.
         let (origin, u, v) =
             [(a, b - a, c - a), (b, c - b, a - b), (c, a - c, b - c)].into_iter().min_by(|l, r| {
                 let longest = |t: &(DVec3, DVec3, DVec3)| t.1.length_squared().max(t.2.length_squared());
@@ -33,7 +33,7 @@ impl Plane {
         Some(Self { normal, offset_m: normal.dot(origin) })
     }
 
-    /// The image behind a mirror; points on the mirror keep their distances.
+    /// Image behind a mirror; points on the mirror keep their distances.
     pub fn mirrored(&self, mirror: &Self) -> Self {
         let twice_cosine = 2.0 * self.normal.dot(mirror.normal);
         Self {
@@ -42,13 +42,13 @@ impl Plane {
         }
     }
 
-    /// Least and greatest distance of the corners of a triangle, m.
+    /// Minimum and maximum distance of a triangle's corners, m.
     pub(crate) fn extent_m(&self, corners_m: &[DVec3; 3]) -> (f64, f64) {
         let [a, b, c] = corners_m.map(|corner| self.distance_m(corner));
         (a.min(b).min(c), a.max(b).max(c))
     }
 
-    /// The plane with a normal along `direction` through `x_m`.
+    /// Plane through `x_m` with a normal along `direction`.
     pub(crate) fn along(direction: DVec3, x_m: DVec3) -> Option<Self> {
         let normal = direction.try_normalize()?;
         Some(Self { normal, offset_m: normal.dot(x_m) })
@@ -63,7 +63,7 @@ impl std::ops::Neg for Plane {
     }
 }
 
-/// Cross product u × v to rounding of each component, however small it is beside |u||v|.
+/// Cross product u × v, accurate to rounding of each component, however small relative to |u||v|.
 ///
 /// The plain formula errs by ε|u||v|: the plane of a needle of 1 m × 1 µm would miss its own corners by 1e-10
 /// m, a thousand times the tolerance of a world, and a doubled needle would be lit twice.

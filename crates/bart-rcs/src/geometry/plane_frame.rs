@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-/// Right-handed coordinates (u, v) about a point of a plane, u × v along its normal.
+/// Right-handed coordinates (u, v) relative to a point of a plane, u × v along its normal.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PlaneFrame {
     origin_m: DVec3,
@@ -11,7 +11,7 @@ pub(crate) struct PlaneFrame {
 }
 
 impl PlaneFrame {
-    /// Coordinates about `origin_m`; `normal` is unit.
+    /// Coordinates relative to `origin_m`; `normal` is unit.
     pub(crate) fn new(origin_m: DVec3, normal: DVec3) -> Self {
         let u = normal.any_orthonormal_vector();
         Self { origin_m, u, v: normal.cross(u) }
@@ -22,7 +22,7 @@ impl PlaneFrame {
         self.u.cross(self.v)
     }
 
-    /// Coordinates of a point's foot on the plane.
+    /// Coordinates of a point's perpendicular foot on the plane.
     pub(crate) fn plane_from_world(&self, x_m: DVec3) -> DVec2 {
         self.tangential(x_m - self.origin_m)
     }
@@ -32,7 +32,7 @@ impl PlaneFrame {
         self.origin_m + self.u * coordinates_m.x + self.v * coordinates_m.y
     }
 
-    /// Part of a vector along the plane.
+    /// Component of a vector along the plane.
     pub(crate) fn tangential(&self, vector: DVec3) -> DVec2 {
         DVec2::new(vector.dot(self.u), vector.dot(self.v))
     }
@@ -44,7 +44,7 @@ pub(crate) fn area_m2(corners_m: &[DVec2]) -> f64 {
     corners_m[1..].windows(2).map(|pair| 0.5 * (pair[0] - first).perp_dot(pair[1] - first)).sum()
 }
 
-/// Centre of area; the mean of the corners where there is no area.
+/// Centroid; the mean of the corners if there is no area.
 pub(crate) fn centroid_m(corners_m: &[DVec2]) -> DVec2 {
     let Some(&first) = corners_m.first() else { return DVec2::ZERO };
     let (mut area, mut moment) = (0.0, DVec2::ZERO);

@@ -1,4 +1,4 @@
-//! Section of a wave front that a polygon takes: its solid angle, or its area across the direction of a
+//! Section of a wave front intercepted by a polygon: its solid angle, or its area across the direction of a
 //! plane wave.
 
 use crate::geometry::antenna::Antenna;
@@ -13,7 +13,7 @@ pub(crate) fn section(antenna: Antenna, points_m: impl IntoIterator<Item = DVec3
     }
 }
 
-/// A fan of triangles, each by van Oosterom and Strackee, IEEE T-BME 30 (1983) 125, eq. (8).
+/// Solid angle of a fan of triangles, each by van Oosterom and Strackee, IEEE T-BME 30 (1983) 125, eq. (8).
 fn solid_angle_sr(mut arms_m: impl Iterator<Item = DVec3>) -> f64 {
     let (Some(a), Some(mut b)) = (arms_m.next(), arms_m.next()) else { return 0.0 };
     let mut sum = 0.0;

@@ -1,6 +1,6 @@
-//! Sweep of a beam behind its opening, as boxes see it.
+//! Conservative test of boxes against the sweep of a beam behind its opening.
 //!
-//! A beam passes a small box as a ray does: planes through its edges hold most of the boxes beside it, for
+//! A beam passes a small box like a ray: planes through its edges reject few of the boxes beside it, since
 //! few of them face the box's corners. A box misses every ray that leaves its slabs in another order than it
 //! entered them (Kay, Kajiya, SIGGRAPH (1986) 269), and with intervals for the rays' starts and directions it
 //! misses all of them at once (Boulos, Wald, Shirley, Univ. of Utah UUCS-06-010 (2006)).
@@ -13,18 +13,18 @@ use glam::{DMat3, DVec3, Vec4};
 pub(crate) struct BeamSweep {
     /// Low and high corner of the box of starts.
     starts_m: [DVec3; 2],
-    /// Low and high corner of the box of directions, about of length 1.
+    /// Low and high corner of the box of directions, of length about 1.
     directions: [DVec3; 2],
 }
 
-/// A sweep as four boxes of single precision are tested against it, side by side.
+/// A sweep prepared for testing four single-precision boxes side by side.
 pub(crate) struct SlabTest {
-    /// Bounds of s; those that it must be at least come first.
+    /// Bounds of s, the lower ones first.
     bounds_of_s: [Slab; 6],
     entries: usize,
 }
 
-/// One bound of s: (coordinate − start)/direction.
+/// A bound of s: (coordinate − start)/direction.
 #[derive(Clone, Copy)]
 struct Slab {
     /// Index of the coordinate among low x, y, z, high x, y, z.
@@ -43,7 +43,7 @@ impl BeamSweep {
         position_m: DVec3,
         slack_m: f64,
     ) -> Self {
-        // Directions of one scale: those between two corners lie between theirs.
+        // Directions of one scale, so that those between two corners lie between theirs.
         let scale = opening_m.first().map_or(1.0, |corner| antenna.towards(*corner).length());
         let start = |corner: &DVec3| *body_from_world * (*corner - position_m);
         let direction = |corner: &DVec3| *body_from_world * (-antenna.towards(*corner) / scale);
@@ -54,10 +54,10 @@ impl BeamSweep {
         }
     }
 
-    /// Test for boxes about `middle_m` that reach no farther than `reach_m` from it.
+    /// Test for boxes around `middle_m` that extend no farther than `reach_m` from it.
     ///
-    /// Starts and bounds of single precision are off by ε/2 of their size; a bound of s by three roundings,
-    /// for which the directions are widened. What is widened holds more boxes, never fewer.
+    /// Single-precision starts and bounds are off by ε/2 of their size; a bound of s by three roundings, for
+    /// which the directions are widened. Widening holds more boxes, never fewer.
     pub(crate) fn slabs(&self, middle_m: DVec3, reach_m: f64) -> SlabTest {
         let [low, high] = self.starts_m.map(|start| start - middle_m);
         let far_m = reach_m + low.abs().max(high.abs()).max_element();
@@ -92,24 +92,24 @@ impl BeamSweep {
 }
 
 impl SlabTest {
-    /// Bits of the boxes that the sweep misses; `bounds` are low x, y, z, high x, y, z of four.
+    /// Bit mask of the boxes that the sweep misses; `bounds` are low x, y, z, high x, y, z of four.
     #[inline]
     pub(crate) fn missed(&self, bounds: &[Vec4; 6]) -> u32 {
         let s = |slab: &Slab| (bounds[slab.coordinate] - slab.start) * slab.inverse;
         let (entries, exits) = self.bounds_of_s.split_at(self.entries);
         let entry = entries.iter().fold(Vec4::ZERO, |latest, slab| s(slab).max(latest));
         let exit = exits.iter().fold(Vec4::INFINITY, |first, slab| s(slab).min(first));
-        // What overflows is no number, and missed by nothing.
+        // Overflow gives NaN, which misses nothing.
         entry.cmpgt(exit).bitmask()
     }
 }
 
-/// The smallest box around some points: its low and high corner.
+/// Smallest box around some points: its low and high corner.
 fn around(points: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
     points.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
 
-/// A bound of a direction moved outwards by what its inverse and the product lose, and off zero.
+/// A bound of a direction moved outwards by the rounding of its inverse and the product, and away from zero.
 fn widened(direction: f64, outwards: f64) -> f64 {
     let moved = direction + outwards * 4.0 * f64::from(f32::EPSILON) * direction.abs();
     if moved == 0.0 { outwards * f64::from(f32::MIN_POSITIVE) } else { moved }
@@ -119,7 +119,7 @@ fn widened(direction: f64, outwards: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Fractions of multiples of irrational numbers, −½ … ½.
+    /// Fractional parts of multiples of irrational numbers, −½ … ½.
     fn at(i: usize, step: f64) -> f64 {
         ((i as f64 + 1.0) * step).fract() - 0.5
     }
@@ -144,7 +144,7 @@ mod tests {
             let slabs = BeamSweep::behind(&opening, antenna, &frame, position_m, 1e-12).slabs(middle_m, 20.0);
             let corner = opening[0].lerp(opening[1], 0.3).lerp(opening[2], 0.4);
             let way = -antenna.towards(corner) / antenna.towards(corner).length();
-            // About points of the beam, and about points beside it.
+            // Around points of the beam, and around points beside it.
             let lanes = [0.0, 0.7, 5.0, 9.0].map(|s| frame * (corner + s * way - position_m) - middle_m);
             let strewn = [1, 2, 3, 4].map(|k| 8.0 * point(11 * i + k));
             let half = 0.1 * (point(i + 3) + 0.5) + 1e-6;

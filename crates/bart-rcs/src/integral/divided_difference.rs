@@ -1,31 +1,30 @@
-//! Divided differences of the exponential at points of the imaginary axis: the integrals of a linear phase
-//! times a polynomial over a triangle, in one symmetric code path.
+//! Divided differences of the exponential at points of the imaginary axis: integrals of a linear phase times
+//! a polynomial over a triangle, in one symmetric code path.
 //!
 //! Hermite–Genocchi: with barycentric coordinates λ and corner phases φ, ∫ λ₁^a λ₂^b λ₃^c e^{jλ·φ} dA =
 //! 2A·a!b!c!·exp[jφ₁ (a+1 times), jφ₂ (b+1 times), jφ₃ (c+1 times)].
 
 use num_complex::Complex64;
 
-/// Highest multiplicity of one corner that [`DividedDifferences::of`] takes: second moments need a corner
-/// three times.
+/// Maximum multiplicity of one corner in [`DividedDifferences::of`]: second moments need a corner three
+/// times.
 pub(crate) const MULTIPLICITY_MAX: usize = 3;
 
-/// Points closer together than this are expanded about their middle, points farther apart are taken by
-/// recursion.
+/// Span of points below which they are expanded about their midpoint, and above which recursion is used.
 ///
 /// The recursion divides by the span at every level, so with a span of 1 or more it does not amplify
-/// rounding; the series takes the powers of half the span, here 0.75, and reaches rounding after 18 terms.
+/// rounding; the series uses powers of half the span, here 0.75, and reaches rounding after 18 terms.
 const SERIES_SPAN: f64 = 1.5;
-/// Terms of the series: as many as that span needs.
+/// Number of terms of the series required by that span.
 const SERIES_TERMS: usize = 19;
 
-/// Divided differences of exp at j times three phases, each phase taken up to [`MULTIPLICITY_MAX`] times.
+/// Divided differences of exp at j times three phases, each phase repeated up to [`MULTIPLICITY_MAX`] times.
 ///
-/// Those already computed are kept: the six second moments of a triangle share most of their recursion.
+/// Computed ones are cached: the six second moments of a triangle share most of their recursion.
 pub(crate) struct DividedDifferences {
     /// Phases, ascending.
     phases: [f64; 3],
-    /// Place of each corner in `phases`.
+    /// Position of each corner in `phases`.
     place: [usize; 3],
     known: [Option<Complex64>; (MULTIPLICITY_MAX + 1).pow(3)],
 }
@@ -45,7 +44,7 @@ impl DividedDifferences {
     /// Divided difference exp[jφ₁ (m₁ times), jφ₂ (m₂ times), jφ₃ (m₃ times)]; at least one multiplicity is
     /// not zero.
     ///
-    /// Error: a few ε of 1/n!, n one less than the number of points, whatever the phases (P8).
+    /// Error: a few ε of 1/n!, n one less than the number of points, for any phases (P8).
     pub(crate) fn of(&mut self, multiplicity: [usize; 3]) -> Complex64 {
         let mut sorted = [0; 3];
         for (corner, times) in multiplicity.into_iter().enumerate() {
@@ -84,7 +83,7 @@ impl DividedDifferences {
 }
 
 /// Series e^{jc} Σ_k j^k h_k(φ − c)/(n + k)!, h_k the complete homogeneous symmetric polynomials of all
-/// points, c their middle.
+/// points, c their midpoint.
 fn series(phases: [f64; 3], times: [usize; 3], low: usize, high: usize) -> Complex64 {
     let middle = 0.5 * (phases[low] + phases[high]);
     let reach = 0.5 * (phases[high] - phases[low]);
@@ -113,7 +112,7 @@ fn terms_to_rounding(reach: f64) -> usize {
     terms
 }
 
-/// Σ_k j^k h_k/(n + k)!.
+/// Sum Σ_k j^k h_k/(n + k)!.
 fn weighted_by_factorials(homogeneous: &[f64], n: usize) -> Complex64 {
     let mut inverse_factorial = (1..=n).fold(1.0, |product, i| product / i as f64);
     let mut sum = [0.0; 4];
@@ -124,9 +123,9 @@ fn weighted_by_factorials(homogeneous: &[f64], n: usize) -> Complex64 {
     Complex64::new(sum[0] - sum[2], sum[1] - sum[3])
 }
 
-/// The six second moments of a triangle, exp[jφ₁, jφ₂, jφ₃] with two phases more: corner i twice more at i,
+/// Six second moments of a triangle, exp[jφ₁, jφ₂, jφ₃] with two further phases: corner i twice more at i,
 /// the other two corners once more at 3 + i; `turns` are e^{jφ}. All of [`DividedDifferences::of`] at once,
-/// without its table: most of the time of a sweep goes here.
+/// without its table: most of the time of a sweep is spent here.
 pub(crate) fn second_moments(phases: [f64; 3], turns: [Complex64; 3]) -> [Complex64; 6] {
     let mut corner_at = [0, 1, 2];
     corner_at.sort_unstable_by(|&a, &b| phases[a].total_cmp(&phases[b]));
@@ -140,7 +139,7 @@ pub(crate) fn second_moments(phases: [f64; 3], turns: [Complex64; 3]) -> [Comple
     moments
 }
 
-/// Second moments by recursion from the pairs of neighbours; sorted phases.
+/// Second moments by recursion from pairs of neighbours, for sorted phases.
 fn far([a, b, c]: [f64; 3], [ea, eb, ec]: [Complex64; 3]) -> [Complex64; 6] {
     let [ab, bc] = [PhasePair::of((a, ea), (b, eb)), PhasePair::of((b, eb), (c, ec))];
     let per_span = 1.0 / (c - a);
@@ -153,7 +152,7 @@ fn far([a, b, c]: [f64; 3], [ea, eb, ec]: [Complex64; 3]) -> [Complex64; 6] {
     [squares[0], squares[1], squares[2], products[0], products[1], products[2]]
 }
 
-/// Divided differences at two phases, named by how often each is taken.
+/// Divided differences at two phases, named by the multiplicity of each.
 struct PhasePair {
     d11: Complex64,
     d12: Complex64,
@@ -195,7 +194,7 @@ impl PhasePair {
     }
 }
 
-/// Second moments by the series about the middle; sorted phases.
+/// Second moments by the series about the midpoint, for sorted phases.
 fn near(phases: [f64; 3]) -> [Complex64; 6] {
     let series = Series::about(phases[0], phases[2]);
     let [x, y, z] = phases.map(|phase| phase - series.middle);
@@ -205,10 +204,10 @@ fn near(phases: [f64; 3]) -> [Complex64; 6] {
     [five(&h211, x), five(&h121, y), five(&h112, z), five(&h121, z), five(&h112, x), five(&h211, y)]
 }
 
-/// Complete homogeneous symmetric polynomials of some offsets, by degree.
+/// Complete homogeneous symmetric polynomials of several offsets, by degree.
 type Terms = [f64; SERIES_TERMS];
 
-/// The series of [`series`], for several divided differences about one middle.
+/// Series of [`series`] for several divided differences about one midpoint.
 struct Series {
     middle: f64,
     turn: Complex64,
@@ -229,7 +228,7 @@ impl Series {
         Self { middle, turn: Complex64::cis(middle), terms }
     }
 
-    /// Terms with one offset more.
+    /// Terms with one more offset.
     fn with(&self, terms: &Terms, offset: f64) -> Terms {
         let mut more = *terms;
         for k in 1..self.terms {
@@ -238,7 +237,7 @@ impl Series {
         more
     }
 
-    /// Sum of the series of a divided difference with one point more than `n`.
+    /// Sum of the series of a divided difference with one more point than `n`.
     fn sum(&self, terms: &Terms, n: usize) -> Complex64 {
         let mut sum = [0.0; 4];
         for k in 0..self.terms {
@@ -390,7 +389,8 @@ mod tests {
         assert_eq!(a, b);
     }
 
-    /// Comparison of all at once with one by one, where series and recursion meet in every way.
+    /// The six second moments at once compared with one by one, for every combination of series and
+    /// recursion.
     #[test]
     fn the_six_second_moments_at_once_are_those_one_by_one() {
         let mut worst = 0.0_f64;
@@ -407,7 +407,7 @@ mod tests {
                 }
             }
         }
-        // As P8: rounding of a few ε of the value at equal phases, 1/4!.
+        // As in P8: rounding of a few ε of the value at equal phases, 1/4!.
         println!("asked 1e-14 of the value at equal phases, got {worst:.1e}");
         assert!(worst < 1e-14);
     }

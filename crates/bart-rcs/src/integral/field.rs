@@ -1,4 +1,4 @@
-//! The integrand of a node: real weights that vary slowly, and a length that the phase follows.
+//! Integrand of a node: slowly varying real weights, and a length that determines the phase.
 
 use crate::geometry::antenna::Antenna;
 use crate::geometry::plane_frame::PlaneFrame;
@@ -15,13 +15,13 @@ pub(crate) fn length_difference_m(antenna: Antenna, x_m: DVec3, y_m: DVec3) -> f
     }
 }
 
-/// The integrand of a node: real weights that vary slowly, and a length that the phase follows.
+/// Integrand of a node: slowly varying real weights, and a length that determines the phase.
 pub(crate) struct Field<'a> {
     pub(crate) node: &'a Node<'a>,
-    /// Plane coordinates about the reference point.
+    /// Plane coordinates relative to the reference point.
     pub(crate) frame: PlaneFrame,
     reference_m: DVec3,
-    /// Accuracy as in [`node_amplitudes`](crate::integral::physical_optics::node_amplitudes).
+    /// Accuracy, as in [`node_amplitudes`](crate::integral::physical_optics::node_amplitudes).
     pub(crate) accuracy: f64,
 }
 
@@ -31,9 +31,9 @@ pub(crate) struct SurfacePoint {
     pub(crate) x_m: DVec3,
     /// Area vector on the lit side, per area of the polygon.
     pub(crate) area: DVec3,
-    /// Rise of the surface along the facet's plane; zero where it is flat.
+    /// Slope of the surface relative to the facet's plane; zero if it is flat.
     slope: DVec3,
-    /// Direction that the slope is along: the normal of the facet's winding.
+    /// Direction in which the slope rises: the normal by the facet's winding.
     up: DVec3,
 }
 
@@ -42,7 +42,7 @@ impl<'a> Field<'a> {
         Self { node, frame: PlaneFrame::new(reference_m, node.normal), reference_m, accuracy }
     }
 
-    /// The surface over a point of the polygon's plane.
+    /// Surface above a point of the polygon's plane.
     pub(crate) fn surface_at(&self, plane_m: DVec2) -> SurfacePoint {
         let x_m = self.frame.to_world(plane_m);
         let normal = self.node.normal;
@@ -55,7 +55,7 @@ impl<'a> Field<'a> {
         SurfacePoint { x_m: x_m + height_m * up, area, slope, up }
     }
 
-    /// The surface over a point of the world near the polygon's plane.
+    /// Surface above a world point near the polygon's plane.
     pub(crate) fn surface_about(&self, x_m: DVec3) -> SurfacePoint {
         self.surface_at(self.frame.plane_from_world(x_m))
     }
@@ -64,14 +64,14 @@ impl<'a> Field<'a> {
         self.node.bend.is_some()
     }
 
-    /// Rise of the skin along some steps in the polygon's plane; nothing where it is flat.
+    /// Height of the skin along several steps in the polygon's plane; empty if it is flat.
     pub(crate) fn along(&self, steps_m: impl Iterator<Item = DVec2>) -> Along {
         let origin = self.frame.to_world(DVec2::ZERO);
         let in_world = steps_m.map(|step| self.frame.to_world(step) - origin);
         self.node.bend.as_ref().map_or_else(Along::default, |bend| bend.along(in_world))
     }
 
-    /// Values of both legs, the transmitter's first; one and the same way there and back is looked at once.
+    /// Values for both legs, the transmitter's first; if both legs are the same it is evaluated once.
     #[inline]
     pub(crate) fn of_both<T: Copy>(&self, of: impl Fn(&Leg) -> T) -> [T; 2] {
         let there = of(self.node.transmit);
@@ -89,7 +89,7 @@ impl<'a> Field<'a> {
         self.of_both(|leg| leg.image.travel_direction_at(x_m))
     }
 
-    /// Length L₁ + L₂ at `x_m` less that at the reference point, without the cancellation.
+    /// Length L₁ + L₂ at `x_m` less that at the reference point, without cancellation.
     pub(crate) fn length_m(&self, x_m: DVec3) -> f64 {
         let [there, back] = self.of_both(|leg| length_difference_m(leg.image, x_m, self.reference_m));
         there + back
@@ -107,8 +107,8 @@ impl<'a> Field<'a> {
         there + back
     }
 
-    /// Bound of the derivative of every direction and unit field within `reach_m`, rad/m: 1/L of the nearer
-    /// antenna, and more where its leg is steep, for v̂ and ĥ turn with the azimuth.
+    /// Bound on the derivative of every direction and unit field within `reach_m`, rad/m: 1/L of the nearer
+    /// antenna, and more if its leg is steep, since v̂ and ĥ rotate with the azimuth.
     pub(crate) fn turning_per_m(&self, x_m: DVec3, reach_m: f64) -> f64 {
         let of = |leg: &Leg| {
             let range_m = leg.image.range_m(x_m);
@@ -128,15 +128,15 @@ impl<'a> Field<'a> {
         })
     }
 
-    /// Whether weights are real and know no frequency.
+    /// Whether weights are real and independent of frequency.
     pub(crate) fn is_perfect(&self) -> bool {
         let node = self.node;
         node.material.is_none() && node.transmit.steps.is_perfect() && node.receive.steps.is_perfect()
     }
 
-    /// Rate at which the weight turns with the skin's area vector, within `turn_rad` of a point of it: 1 on a
-    /// conductor, and on a flat facet, which does not turn. Surfaces on the way to the node do not turn with
-    /// its skin.
+    /// Rate at which the weight varies with the skin's area vector, within `turn_rad` of one of its points: 1
+    /// on a conductor, and on a flat facet, which does not vary. Surfaces on the path to the node do not vary
+    /// with its skin.
     pub(crate) fn turning_with_skin(&self, at: &SurfacePoint, turn_rad: f64, wavenumber_per_m: f64) -> f64 {
         let Some(material) = self.node.material.filter(|_| self.is_bent()) else { return 1.0 };
         let normal = at.area.normalize_or_zero();
@@ -148,12 +148,12 @@ impl<'a> Field<'a> {
         1.0 + there.max(back)
     }
 
-    /// Ratio of the turning of the weights to that of directions and fields: of derivatives one to three,
-    /// in units of the turning.
+    /// Ratio of the variation of the weights to that of directions and fields: of derivatives one to three,
+    /// in units of the rate.
     ///
-    /// 1/L₁, 1/L₂, d, e_q, e_p each change by at most the turning t in the first derivative; the product of
-    /// five by 5t, (5 + 5·4 + 5)t² and so on; third derivatives of a unit vector stay below 6/L³.
-    /// Coefficients of exponential type m multiply that (Leibniz).
+    /// 1/L₁, 1/L₂, d, e_q, e_p each change by at most the rate t in the first derivative; the product of five
+    /// by 5t, (5 + 5·4 + 5)t² and so on; third derivatives of a unit vector stay below 6/L³. Coefficients of
+    /// exponential type m multiply that (Leibniz).
     pub(crate) fn weight_turns(&self, wavenumber_per_m: f64) -> [f64; 3] {
         if self.is_perfect() {
             return [5.0, 35.0, 300.0];

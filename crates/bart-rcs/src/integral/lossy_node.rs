@@ -1,12 +1,13 @@
-//! The node integral where something on the path is no perfect conductor: weights with phase, by frequency.
+//! Node integral with surfaces other than perfect conductors on the path: complex, frequency-dependent
+//! weights.
 //!
-//! Kirchhoff's currents of a surface that reflects e_r of e (Beckmann, Spizzichino 1963; `docs/physics.md`
-//! §5) in place of the bracket of [`crate::integral::physical_optics`]:
+//! It uses Kirchhoff's currents of a surface that reflects e_r of e (Beckmann, Spizzichino 1963;
+//! `docs/physics.md` §5) in place of the bracket of [`crate::integral::physical_optics`]:
 //!
 //! ```text
 //! ½{ e_p·[n×(d₁×e + d_r×e_r)] + (d₂×e_p)·[n×(e + e_r)] }
 //! ```
-//! A conductor, e + e_r = 2n(n·e), gives the other bracket back.
+//! For a conductor, e + e_r = 2n(n·e), this reduces to the other bracket.
 
 use crate::integral::chebyshev::{self, Chebyshev, middle_and_half};
 use crate::integral::field::{Field, SurfacePoint};
@@ -23,7 +24,7 @@ use radar::complex_vector::ComplexVector;
 type Weights = [Complex64; 4];
 
 impl Field<'_> {
-    /// Adds a tile as [`Field::add`] does, with weights of every frequency.
+    /// Adds a tile like [`Field::add`], with weights at every frequency.
     pub(crate) fn add_lossy(&self, tile: &Tile<'_>, wavenumbers_per_m: &[f64], sums: &mut [Weights]) {
         match tile {
             Tile::Whole { corners_m, centre_m } => {
@@ -58,7 +59,7 @@ impl Field<'_> {
         });
     }
 
-    /// Integrals of the phase times the weights of their points.
+    /// Integrals of the phase times the weights at their points.
     pub(crate) fn weigh_lossy<const N: usize>(
         &self,
         points: &[SurfacePoint; N],
@@ -72,12 +73,11 @@ impl Field<'_> {
         }
     }
 
-    /// Weights of some points at every wavenumber, taken at few where the materials turn little over the
-    /// band.
+    /// Weights of several points at every wavenumber, evaluated at few if the materials' phases vary little
+    /// over the band.
     ///
-    /// Layers turn the phase by their length; half-spaces know no frequency; the road's loss e^{−g²/2} is
-    /// below 1 where
-    /// |Im k| < Re k, so within ρ = k/Δk.
+    /// Layers rotate the phase by their length; half-spaces are independent of frequency; the road's loss
+    /// e^{−g²/2} is below 1 where |Im k| < Re k, so within ρ = k/Δk.
     fn lossy_weights<const N: usize>(
         &self,
         points: &[SurfacePoint; N],
@@ -94,8 +94,8 @@ impl Field<'_> {
         OverBand { samples: wavenumbers_per_m.iter().map(of).collect(), few }
     }
 
-    /// Length by which the layers on the way make the phase turn more with frequency than the way does, m,
-    /// with the echoes inside of them that are still seen.
+    /// Additional length, m, by which layers on the path rotate the phase with frequency beyond the path
+    /// length, including internal echoes that are not negligible.
     pub(crate) fn turning_length_m(&self) -> f64 {
         let own = self.node.material.map_or(0.0, turning_length_m);
         let of = |leg: &Leg| leg.steps.turning_length_m();
@@ -111,7 +111,7 @@ impl Field<'_> {
         let [transmit, receive] = [self.node.transmit, self.node.receive];
         let [d1, d2] = self.directions(x_m);
         let sent = transmit.arriving_fields(d1, wavenumber_per_m);
-        // One and the same way there and back has the same fields and brackets.
+        // If both legs are the same, so are their fields and brackets.
         let is_one_way = self.node.is_one_way();
         let received = if is_one_way { sent } else { receive.arriving_fields(d2, wavenumber_per_m) };
         let [spread_there, spread_back] = self.spread(x_m);
@@ -131,8 +131,8 @@ impl Field<'_> {
         }
     }
 
-    /// Bracket from the one end to the other, each with its direction of travel and its fields: [at the
-    /// other][at the one].
+    /// Bracket from one end to the other, each with its direction of travel and its fields: [at the other][at
+    /// the one].
     fn bracket(&self, normal: DVec3, from: End, to: End, wavenumber_per_m: f64) -> Weights {
         const PAIRS: [(usize, usize); 4] = [(0, 0), (0, 1), (1, 0), (1, 1)];
         let Some(material) = self.node.material else {
@@ -145,22 +145,22 @@ impl Field<'_> {
     }
 }
 
-/// Direction of travel, and the fields of v and h.
+/// Direction of travel, and the fields for v and h.
 type End = (DVec3, [ComplexVector; 2]);
 
-/// Share of the accuracy asked for: weights are interpolated inside of what [`crate::joins::band`]
-/// interpolates again.
+/// Share of the requested accuracy: weights are interpolated inside what [`crate::joins::band`] interpolates
+/// again.
 const WEIGHTS_ERROR: f64 = 1e-3;
 
 /// Weights of N points over a band.
 struct OverBand<const N: usize> {
     samples: Vec<[Weights; N]>,
-    /// Points at which they were taken; `None` where they were at every wavenumber.
+    /// Points at which they were evaluated; `None` if at every wavenumber.
     few: Option<Chebyshev>,
 }
 
 impl<const N: usize> OverBand<N> {
-    /// Weights at a wavenumber, the one at `place` of those asked for.
+    /// Weights at a wavenumber, the one at index `place` of those requested.
     fn at(&self, wavenumber_per_m: f64, place: usize) -> [Weights; N] {
         let Some(few) = &self.few else { return self.samples[place] };
         let mut total = [[Complex64::ZERO; 4]; N];

@@ -4,10 +4,9 @@
 //! S_pq = j√(4π)/λ ∫ R_tR_r/(L₁L₂) · e_p·[d₁(n·e_q) − e_q(n·d₁)] · e^{−jk(L₁+L₂−R_t−R_r)} dA
 //! ```
 //! p and q are v or h of the receiver's and transmitter's own legs, carried to the node by the mirrors; L, d
-//! belong to the image antennas. Computed is the amplitude `a` of a path whose node is a reference point of
-//! the polygon: S without R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} taken at that point. So nothing far away
-//! enters but small differences. Over a bent facet x is the skin above the polygon's point, and n·dA its area
-//! vector.
+//! belong to the image antennas. The result is the amplitude `a` of a path whose node is a reference point of
+//! the polygon: S without R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)} taken at that point, so that only small
+//! differences enter. Over a curved facet x is the skin above the polygon's point, and n·dA its area vector.
 
 use crate::integral::field::{Field, SurfacePoint};
 use crate::integral::node::{Bracket, Estimate, Node};
@@ -17,11 +16,11 @@ use artifact::paths::Amplitude;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
 
-/// Amplitudes at several wavenumbers, on one tiling, of a node that is cut as far as `accuracy` asks.
+/// Amplitudes of a node at several wavenumbers, on one tiling as fine as `accuracy` requires.
 ///
 /// `accuracy` bounds the error of every element of the 2 × 2 amplitude as a fraction of √(4π)·area/λ at the
 /// highest wavenumber, the largest amplitude that the polygon can have; `error` is the bound reached, in
-/// metres. It is not carried below 1e-12, where rounding begins.
+/// metres. The accuracy is limited to 1e-12, where rounding begins.
 pub(crate) fn node_amplitudes(
     node: &Node<'_>,
     reference_m: DVec3,
@@ -40,13 +39,13 @@ pub(crate) fn node_amplitudes(
     Estimate { value, error: error_m2 * highest / std::f64::consts::PI.sqrt() }
 }
 
-/// Calls `give` with the tiles of a node as [`node_amplitudes`] takes them, each with a bound of the error of
+/// Calls `give` with the tiles of a node as used by [`node_amplitudes`], each with an error bound for
 /// weight·phase.
 pub(crate) fn for_each_tile(field: &Field<'_>, highest_per_m: f64, give: &mut dyn FnMut(&Tile<'_>, f64)) {
     tiling::cut(field, highest_per_m, field.accuracy.max(1e-12), give);
 }
 
-/// Number of the tiles, about; no more than `most` are counted.
+/// Approximate number of tiles, counted up to `most`.
 pub(crate) fn count_tiles(field: &Field<'_>, highest_per_m: f64, most: u64) -> u64 {
     tiling::count(field, highest_per_m, field.accuracy.max(1e-12), most)
 }
@@ -81,7 +80,7 @@ impl Field<'_> {
         let sent = transmit.mirrors.fields_at_node(d1, transmit.zenith_h);
         let plain =
             |d: DVec3, e: DVec3, other: DVec3| other.dot(d) * normal.dot(e) - other.dot(e) * normal.dot(d);
-        // One and the same way there and back has the same fields, and forth is back with its ends exchanged.
+        // If both legs are the same, so are their fields, and one direction is the other with exchanged ends.
         let (received, is_one_way) = if self.node.is_one_way() {
             (sent, true)
         } else {
@@ -105,7 +104,7 @@ impl Field<'_> {
         weights.map(|weight| spread * weight)
     }
 
-    /// Amplitudes of a part whose integrals of e^{−jkL} are known, each weighed as at its point.
+    /// Amplitudes of a part from its integrals of e^{−jkL}, each with the weight at its point.
     pub(crate) fn amplitudes_of<const N: usize>(
         &self,
         points: &[SurfacePoint; N],
@@ -124,7 +123,7 @@ impl Field<'_> {
         sums.iter().zip(wavenumbers_per_m).map(|(sum, k)| amplitude_of(sum, *k)).collect()
     }
 
-    /// Calls `give` with the index of every wavenumber and the amplitude of a tile alone, as in
+    /// Calls `give` with the index of every wavenumber and the amplitude of a single tile, as in
     /// [`node_amplitudes`].
     pub(crate) fn for_each_amplitude(
         &self,
@@ -132,7 +131,7 @@ impl Field<'_> {
         wavenumbers_per_m: &[f64],
         give: &mut dyn FnMut(usize, &Amplitude),
     ) {
-        // A few wavenumbers at a time need no memory of the heap.
+        // A few wavenumbers at a time need no heap memory.
         for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
             let mut sums = [[Complex64::ZERO; 4]; TOGETHER];
             self.add(tile, some, &mut sums[..some.len()]);
@@ -153,7 +152,7 @@ impl Field<'_> {
         }
     }
 
-    /// Weight and curvature of the phase as at the centre: Gordon over the whole polygon.
+    /// Weight and curvature of the phase taken from the centre: Gordon over the whole polygon.
     fn add_whole(
         &self,
         corners_m: &[DVec2],
@@ -168,8 +167,8 @@ impl Field<'_> {
         });
     }
 
-    /// Weight times the remainder of the phase as the quadratic through six points, under the linear phase
-    /// exactly.
+    /// Weight times the residual phase as the quadratic through six points, integrated exactly with the
+    /// linear phase.
     fn add_triangle(&self, corners_m: [DVec2; 3], wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
         let six = self.six_points(corners_m);
         let weights = six.points.map(|at| self.weights(&at));
@@ -193,14 +192,14 @@ mod tests {
 
     const WAVENUMBER_PER_M: f64 = std::f64::consts::TAU * 77e9 / SPEED_OF_LIGHT_MPS;
 
-    /// A rectangle in the plane x = 0 about the origin, and two antennas as [along its first side, its
+    /// A rectangle in the plane x = 0 around the origin, and two antennas as [along its first side, along its
     /// second, ahead].
     struct Case {
         name: &'static str,
         sides_m: [f64; 2],
         transmitter_m: DVec3,
         receiver_m: DVec3,
-        /// Number of points, enough for 1e-13: a third of the phase's span in radians and some.
+        /// Number of points, enough for 1e-13: a third of the phase's span in radians plus a margin.
         gauss_points: usize,
     }
 
@@ -249,7 +248,7 @@ mod tests {
             node_amplitudes(&node, DVec3::ZERO, &[WAVENUMBER_PER_M], accuracy)
         }
 
-        /// The formula of the module's head, point by point.
+        /// Formula of the module documentation, point by point.
         fn exact(&self) -> Amplitude {
             let (nodes, weights) = gauss_legendre(self.gauss_points);
             let mut sum = [[Complex64::ZERO; 2]; 2];

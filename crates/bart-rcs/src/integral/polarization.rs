@@ -1,16 +1,16 @@
-//! Polarization vectors of a leg, and how mirrors carry them to the node.
+//! Polarization vectors of a leg, and their transformation by mirrors to the node.
 
 use crate::geometry::plane::Plane;
 use glam::{DMat3, DVec3};
 
-/// Sine of the angle to the vertical below which ĥ is the one that the caller asked for: closer, unit(ẑ
-/// × r̂) is rounding.
+/// Sine of the angle to the vertical below which ĥ is prescribed by the caller, since unit(ẑ × r̂) is mere
+/// rounding.
 const ZENITH_SINE: f64 = 1e-9;
 
-/// Vectors v̂ and ĥ of a leg: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ, r̂ from the body to the antenna; the same
-/// for both ways of travel.
+/// Vectors v̂ and ĥ of a leg: ĥ = unit(ẑ × r̂), v̂ = r̂ × ĥ, r̂ from the body to the antenna; the same for
+/// both directions of travel.
 ///
-/// `zenith_h` is ĥ straight above and below, where the azimuth asked for decides: (−sin az, cos az, 0).
+/// `zenith_h` is ĥ straight above and below, where the requested azimuth decides: (−sin az, cos az, 0).
 pub(crate) fn polarization_vectors(to_antenna: DVec3, zenith_h: DVec3) -> [DVec3; 2] {
     let across = DVec3::Z.cross(to_antenna);
     let sine = across.length();
@@ -23,31 +23,31 @@ pub(crate) fn zenith_h(azimuth_rad: f64) -> DVec3 {
     DVec3::new(-azimuth_rad.sin(), azimuth_rad.cos(), 0.0)
 }
 
-/// The perfect mirrors between an antenna and a node: points, directions and unit fields of the antenna's own
-/// leg as they arrive at the node.
+/// Perfect mirrors between an antenna and a node: they map points, directions and unit fields of the
+/// antenna's own leg to the node.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Mirrors {
     /// Product of the reflections I − 2nnᵀ, the first mirror's rightmost.
     node_from_leg: DMat3,
-    /// Offset of the leg's origin of coordinates as it appears: x_node = node_from_leg·x_leg + offset.
+    /// Apparent offset of the leg's coordinate origin: x_node = node_from_leg·x_leg + offset.
     offset_m: DVec3,
-    /// A conductor turns e into −e + 2n(n·e), minus the reflection: −1 for an odd number of mirrors.
+    /// A conductor maps e to −e + 2n(n·e), minus the reflection: −1 for an odd number of mirrors.
     sign: f64,
 }
 
 impl Mirrors {
-    /// No mirror: first order.
+    /// No mirrors, as in first order.
     pub(crate) const NONE: Self = Self { node_from_leg: DMat3::IDENTITY, offset_m: DVec3::ZERO, sign: 1.0 };
 
-    /// Mirror of the antenna's image below the road z = 0: its own leg is turned over. What the road does
-    /// to the field is told apart.
+    /// Mirror of the antenna's image below the road z = 0: its own leg is inverted. The road's effect on the
+    /// field is treated separately.
     pub(crate) const BELOW_ROAD: Self = Self {
         node_from_leg: DMat3::from_cols(DVec3::X, DVec3::Y, DVec3::NEG_Z),
         offset_m: DVec3::ZERO,
         sign: 1.0,
     };
 
-    /// These mirrors and one more after them.
+    /// These mirrors followed by one more.
     pub(crate) fn and(self, plane: &Plane) -> Self {
         let n = plane.normal;
         let reflection = DMat3::IDENTITY - 2.0 * DMat3::from_cols(n * n.x, n * n.y, n * n.z);
@@ -58,12 +58,12 @@ impl Mirrors {
         }
     }
 
-    /// Apparent place of a point at the node from the antenna, unfolded through the mirrors.
+    /// Apparent position at the node of a point at the antenna, unfolded through the mirrors.
     pub(crate) fn unfolded(&self, x_m: DVec3) -> DVec3 {
         self.node_from_leg.transpose() * (x_m - self.offset_m)
     }
 
-    /// Direction r̂ of an infinitely distant antenna as its image has it.
+    /// Direction r̂ of an infinitely distant antenna, as seen in its image.
     pub(crate) fn image_direction(&self, r: DVec3) -> DVec3 {
         self.node_from_leg * r
     }

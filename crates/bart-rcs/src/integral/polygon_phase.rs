@@ -5,19 +5,19 @@ use crate::integral::turns::{SHORT, TOGETHER, Turns, short_sinc, short_turn, tur
 use glam::DVec2;
 use num_complex::Complex64;
 
-/// Product of phase gradient and width below which Gordon's formula gives way to the moment series:
-/// every term of its sum is rounded at ε·D/|w|, the integral is of the size of the area A = D·width, so
-/// ε/(|w|·width) of it is lost: 2e-14 here. (For a body as wide as long this is the ε/(|w|D) of
-/// physics.md §1; a needle loses more, by its aspect.)
+/// Product of phase gradient and width below which the moment series replaces Gordon's formula: every term of
+/// its sum is rounded at ε·D/|w|, the integral is of the order of the area A = D·width, so the relative loss
+/// is ε/(|w|·width): 2e-14 here. (For a body as wide as long this is the ε/(|w|D) of physics.md §1; a needle
+/// loses more, by its aspect ratio.)
 const SERIES_BELOW: f64 = 1e-2;
 
-/// Integral I = ∫_P e^{−jkg·x} dA at the first [`TOGETHER`] of some wavenumbers k, P the convex polygon
+/// Integral I = ∫_P e^{−jkg·x} dA at the first [`TOGETHER`] of the wavenumbers k, P the convex polygon
 /// `corners_m`, counter-clockwise, and g the `gradient` of a length.
 ///
 /// Gordon (1975): Stokes' theorem turns the integral into a sum over edges, with w = −kg I = (−j/|w|²) Σ
-/// (w·(e × n)) ∫₀¹ e^{jw·(a + te)} dt with edges e from corners a. An edge along the wavefront is no special
-/// case; only a vanishing |w|·width is, and there all moments of the polygon are summed until rounding. The
-/// phase is that of the coordinates' origin, which should lie in or near the polygon. Error: 1e-13 of the
+/// (w·(e × n)) ∫₀¹ e^{jw·(a + te)} dt with edges e from corners a. An edge along the wavefront needs no
+/// special case; only a vanishing |w|·width does, where all moments of the polygon are summed to rounding.
+/// The phase is that of the coordinates' origin, which should lie in or near the polygon. Error: 1e-13 of the
 /// area.
 pub(crate) fn linear_phase_integrals(
     corners_m: &[DVec2],
@@ -34,11 +34,11 @@ pub(crate) fn linear_phase_integrals(
     integrals_m2
 }
 
-/// Weights W of the six values of a function g at a triangle's corners and edge middles (opposite to the
+/// Weights W of the six values of a function g at a triangle's corners and edge midpoints (opposite to the
 /// corners) such that ∫ g e^{jφ} dA = A Σ W_i g_i, exactly for every g of second degree; `phases` are those
 /// of the linear φ at the corners, `turns` their e^{jφ}.
 ///
-/// With g in Bernstein form (corner values, and 2g(middle) minus the mean of the two corners) each term is
+/// With g in Bernstein form (corner values, and 2g(midpoint) minus the mean of the two corners) each term is
 /// one divided difference with five points.
 pub(crate) fn six_point_weights(phases: [f64; 3], turns: [Complex64; 3]) -> [Complex64; 6] {
     let [s0, s1, s2, p0, p1, p2] = second_moments(phases, turns);
@@ -70,7 +70,7 @@ fn gordon(corners_m: &[DVec2], gradient: DVec2, wavenumbers_per_m: &[f64]) -> Tu
     sums
 }
 
-/// Integral ∫₀¹ e^{j(φ + tΔ)} dt of e^{jφ} and e^{j(φ + Δ)}.
+/// Integral ∫₀¹ e^{j(φ + tΔ)} dt from e^{jφ} and e^{j(φ + Δ)}.
 fn along_edge(further: f64, from: Complex64, to: Complex64) -> Complex64 {
     let half = 0.5 * further;
     if half.abs() <= SHORT {
@@ -81,7 +81,7 @@ fn along_edge(further: f64, from: Complex64, to: Complex64) -> Complex64 {
     }
 }
 
-/// Triangles about the first corner; the divided difference of each sums its moments of all orders.
+/// Sum over triangles around the first corner; the divided difference of each sums its moments of all orders.
 fn moment_series(corners_m: &[DVec2], gradient_per_m: DVec2) -> Complex64 {
     let first = corners_m[0];
     corners_m[1..]
@@ -98,7 +98,7 @@ fn edges(corners_m: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> {
     corners_m.iter().copied().zip(corners_m.iter().copied().cycle().skip(1))
 }
 
-/// Area over the longest way from the first corner: the width within a factor of two.
+/// Area over the greatest distance from the first corner: the width within a factor of two.
 fn width_m(corners_m: &[DVec2]) -> f64 {
     let first = corners_m[0];
     let length = corners_m.iter().map(|c| c.distance_squared(first)).fold(0.0, f64::max).sqrt();
@@ -142,8 +142,8 @@ mod tests {
                 }
             }
         }
-        // Gordon's loss just above the switch, 2e-14 for each of up to 7 edges whose rounding errors are
-        // independent.
+        // Gordon's loss just above the switch, 2e-14 for each of up to 7 edges with independent rounding
+        // errors.
         println!("asked 1e-13 of the area, got {worst:.1e}");
         assert!(worst < 1e-13);
     }

@@ -1,5 +1,4 @@
-//! Surfaces that a wave meets on its way between an antenna and a node, where not everything is a
-//! perfect mirror.
+//! Surfaces on the path of a wave between an antenna and a node, where not all are perfect mirrors.
 
 use crate::bodies::road::crossing;
 use crate::bodies::road_mirror::below;
@@ -13,15 +12,15 @@ use glam::{DMat3, DVec3};
 use radar::complex_vector::ComplexVector;
 use std::sync::Arc;
 
-/// The surfaces between an antenna and a node, the antenna's first.
+/// Surfaces between an antenna and a node, the antenna's first.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Steps {
-    /// Surfaces that are no perfect mirrors; `None` where all are:
-    /// [`Mirrors`](crate::integral::polarization::Mirrors) knows enough then.
+    /// Surfaces other than perfect mirrors; `None` if all are perfect, in which case
+    /// [`Mirrors`](crate::integral::polarization::Mirrors) suffices.
     steps: Option<Arc<[Step]>>,
 }
 
-/// One surface on a way.
+/// One surface on a path.
 #[derive(Debug, Clone)]
 pub(crate) struct Step {
     pub(crate) normal: DVec3,
@@ -29,26 +28,26 @@ pub(crate) struct Step {
     pub(crate) event: Event,
 }
 
-/// Event of a wave at a surface.
+/// Interaction of a wave with a surface.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Event {
-    /// The wave goes on reflected.
+    /// The wave is reflected.
     Reflected,
-    /// The wave goes on as it came, behind a sheet.
+    /// The wave continues unchanged in direction behind a sheet.
     Passed,
     /// The wave starts at the antenna's image below the road.
     StartedBelow,
-    /// The wave is reflected by the road, and goes on as it came in the picture below it.
+    /// The wave is reflected by the road, and continues unchanged in the unfolded image below it.
     Crossed {
-        /// Root mean square of the road's height.
+        /// Root-mean-square height of the road.
         rms_height_m: f64,
     },
-    /// The wave is turned as by perfect mirrors; beside few of them there are many sheets, which are kept
-    /// small.
+    /// The wave is transformed by perfect mirrors; boxed because these are few and sheets many, which are
+    /// kept small.
     Turned(Box<Turn>),
 }
 
-/// Turn of a wave: its travel by a matrix, its field by `sign` times it.
+/// Transformation of a wave: its direction of travel by a matrix, its field by `sign` times it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Turn {
     matrix: DMat3,
@@ -56,8 +55,8 @@ pub(crate) struct Turn {
 }
 
 impl Steps {
-    /// A way over these surfaces; all of them are given, the perfect mirrors too. What stands between two
-    /// that are not perfect becomes one turn.
+    /// Path over these surfaces; all of them are given, including perfect mirrors, consecutive ones of which
+    /// are merged into one transformation.
     pub(crate) fn over(steps: &[Step]) -> Self {
         if steps.iter().all(Step::is_perfect) {
             return Self::default();
@@ -67,12 +66,12 @@ impl Steps {
         Self { steps: Some(runs.map(joined).collect()) }
     }
 
-    /// Whether there are perfect mirrors only, or nothing at all.
+    /// Whether there are only perfect mirrors, or no surfaces.
     pub(crate) fn is_perfect(&self) -> bool {
         self.steps.is_none()
     }
 
-    /// The fields that arrive where `sent` left along `travel`.
+    /// Fields that arrive when `sent` departs along `travel`.
     pub(crate) fn carry(&self, sent: [DVec3; 2], travel: DVec3, wavenumber_per_m: f64) -> [ComplexVector; 2] {
         let start = (sent.map(ComplexVector::from), travel);
         self.steps()
@@ -81,7 +80,7 @@ impl Steps {
             .0
     }
 
-    /// Largest share of a field that left along `travel` that may be left.
+    /// Maximum share of a field departing along `travel` that can remain.
     pub(crate) fn strength(&self, travel: DVec3, wavenumber_per_m: f64) -> f64 {
         let weakened = |(strength, travel): (f64, DVec3), step: &Step| {
             (strength * step.strength(travel, wavenumber_per_m), step.turn(travel))
@@ -127,19 +126,19 @@ impl Step {
         Self { normal: DVec3::Z, material: Arc::new(road.material.clone()), event }
     }
 
-    /// Whether it is a perfect mirror; the image of the antenna is one.
+    /// Whether it is a perfect mirror, as the antenna's image is.
     fn is_perfect(&self) -> bool {
         let is_mirror = matches!(self.event, Event::Reflected | Event::StartedBelow | Event::Turned(_));
         is_mirror && *self.material == Material::Conductor
     }
 
-    /// Perfect mirrors together.
+    /// Merges perfect mirrors.
     fn turned(mirrors: &[Self]) -> Self {
         let start = (DMat3::IDENTITY, 1.0);
         let (matrix, sign) = mirrors.iter().fold(start, |(turn, sign), mirror| {
             let of_mirror =
                 DMat3::from_cols(mirror.turn(DVec3::X), mirror.turn(DVec3::Y), mirror.turn(DVec3::Z));
-            // A conductor turns e into −e + 2n(n·e), minus the reflection.
+            // A conductor maps e to −e + 2n(n·e), minus the reflection.
             (of_mirror * turn, if mirror.event == Event::Reflected { -sign } else { sign })
         });
         Self {
@@ -149,7 +148,7 @@ impl Step {
         }
     }
 
-    /// The direction of travel behind the surface.
+    /// Direction of travel behind the surface.
     fn turn(&self, travel: DVec3) -> DVec3 {
         match &self.event {
             Event::Reflected => travel - 2.0 * self.normal.dot(travel) * self.normal,
@@ -159,7 +158,7 @@ impl Step {
         }
     }
 
-    /// Coefficients of the surface; `None` of a turn.
+    /// Coefficients of the surface; `None` for a transformation.
     fn coefficients(&self, travel: DVec3, wavenumber_per_m: f64) -> Option<PolarizationPair> {
         let cosine = self.normal.dot(travel).abs();
         match &self.event {

@@ -1,4 +1,4 @@
-//! Gauss–Legendre rules: the brute force that closed forms are tested against.
+//! Gauss–Legendre rules, the brute-force reference for closed forms.
 
 /// Nodes and weights on [−1, 1] by Newton's method on Legendre's polynomial.
 pub(crate) fn gauss_legendre(n: usize) -> (Vec<f64>, Vec<f64>) {

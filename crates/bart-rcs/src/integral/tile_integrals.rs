@@ -1,4 +1,4 @@
-//! Integrals of e^{−jkL} over a tile, to be weighed at a few of its points.
+//! Integrals of e^{−jkL} over a tile, to be weighted at a few of its points.
 
 use crate::integral::field::{Field, SurfacePoint};
 use crate::integral::polygon_phase::{linear_phase_integrals, six_point_weights};
@@ -6,9 +6,9 @@ use crate::integral::turns::{TOGETHER, Turning, turns};
 use glam::DVec2;
 use num_complex::Complex64;
 
-/// A polygon whose phase is linear.
+/// A polygon with a linear phase.
 pub(crate) struct Whole {
-    /// Point at which the weight is taken.
+    /// Point at which the weight is evaluated.
     pub(crate) centre: SurfacePoint,
     /// Gradient of L₁ + L₂ at the centre, and its value.
     gradient: DVec2,
@@ -17,7 +17,7 @@ pub(crate) struct Whole {
 }
 
 impl Whole {
-    /// Calls `give` with the place of every wavenumber and ∫ e^{−jkL} dA.
+    /// Calls `give` with the index of every wavenumber and ∫ e^{−jkL} dA.
     pub(crate) fn for_each_integral(
         &self,
         wavenumbers_per_m: &[f64],
@@ -31,19 +31,19 @@ impl Whole {
     }
 }
 
-/// A triangle over which weight times the remainder of the phase is a quadratic.
+/// A triangle over which weight times the residual phase is quadratic.
 pub(crate) struct SixPoints {
-    /// Points at which the weights are taken: corners, and the middles of the edges opposite to them.
+    /// Points at which the weights are evaluated: corners, and midpoints of the edges opposite to them.
     pub(crate) points: [SurfacePoint; 6],
-    /// Lengths L₁ + L₂ at the points: the linear part, and all of it.
+    /// Lengths L₁ + L₂ at the points: the linear part, and the whole.
     linear_m: [f64; 6],
     lengths_m: [f64; 6],
     area_m2: f64,
 }
 
 impl SixPoints {
-    /// Calls `give` with the place of every wavenumber and what the weight at each point is to be multiplied
-    /// with: together ∫ weight·e^{−jkL} dA.
+    /// Calls `give` with the index of every wavenumber and the factor of the weight at each point, which
+    /// together give ∫ weight·e^{−jkL} dA.
     pub(crate) fn for_each_integral(
         &self,
         wavenumbers_per_m: &[f64],
@@ -51,7 +51,7 @@ impl SixPoints {
     ) {
         for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
             let at_corners = [0, 1, 2].map(|i| Turning::of(self.linear_m[i], some));
-            // The linear part is in the weights; what the length does beyond it turns the sampled value.
+            // The factors contain the linear part; the residual length rotates the sampled value.
             let beyond: [Turning; 6] =
                 std::array::from_fn(|i| Turning::of(self.lengths_m[i] - self.linear_m[i], some));
             for (i, k) in some.iter().enumerate() {

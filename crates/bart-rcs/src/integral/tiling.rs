@@ -1,5 +1,4 @@
-//! Tiling of a lit polygon: how far it has to be cut for the integrand to be what the closed forms take
-//! it for.
+//! Tiling of a lit polygon: subdivision until the integrand satisfies the assumptions of the closed forms.
 
 use crate::geometry::antenna::Antenna;
 use crate::geometry::plane_frame::{area_m2, centroid_m};
@@ -8,16 +7,16 @@ use crate::surface::bend::Along;
 use glam::{DMat2, DVec2, DVec3};
 use std::ops::ControlFlow;
 
-/// A part of a polygon, in plane coordinates, and the closed form that fits it.
+/// A part of a polygon, in plane coordinates, and the closed form that applies.
 pub(crate) enum Tile<'a> {
-    /// Weight and curvature of the phase are as good as constant.
+    /// Weight and curvature of the phase are practically constant.
     Whole { corners_m: &'a [DVec2], centre_m: DVec2 },
-    /// Weight times the remainder of the phase is as good as quadratic.
+    /// Weight times the residual phase is practically quadratic.
     Triangle([DVec2; 3]),
 }
 
 impl Tile<'_> {
-    /// A point of it and the greatest distance of others, m.
+    /// A central point and the greatest distance of others from it, m.
     pub(crate) fn middle_and_reach_m(&self) -> (DVec2, f64) {
         match self {
             Self::Whole { corners_m, centre_m } => (*centre_m, reach_m(corners_m, *centre_m)),
@@ -35,7 +34,7 @@ impl Tile<'_> {
         }
     }
 
-    /// Steps from the middle to the corners, or along the edges.
+    /// Steps from the centre to the corners, or along the edges.
     pub(crate) fn steps_m(&self) -> Vec<DVec2> {
         match self {
             Self::Whole { corners_m, centre_m } => corners_m.iter().map(|c| *c - *centre_m).collect(),
@@ -51,11 +50,11 @@ impl Tile<'_> {
     }
 }
 
-/// Hands out tiles that cover the node's polygon, each with a bound of the error of weight·phase on it.
+/// Passes on tiles that cover the node's polygon, each with an error bound for weight·phase on it.
 ///
-/// The bound is at most `accuracy` but on tiles halved [`HALVINGS_MAX`] times: around a point where the
-/// polarization vectors turn without limit (an antenna straight above) nothing can be expanded, and the area
-/// that is left is none.
+/// The bound is at most `accuracy` except on tiles halved [`HALVINGS_MAX`] times: around a point where the
+/// polarization vectors rotate without limit (an antenna straight above) nothing can be expanded, and the
+/// remaining area is negligible.
 pub(crate) fn cut(
     field: &Field<'_>,
     wavenumber_per_m: f64,
@@ -69,11 +68,11 @@ pub(crate) fn cut(
     });
 }
 
-/// Number of tiles that [`cut`] would hand out, about, told with a hundredth of its work; no more than
-/// `most` are counted.
+/// Approximate number of tiles produced by [`cut`], estimated with a hundredth of its work and counted up to
+/// `most`.
 ///
-/// The error of a triangle goes with the cube of its size: one that has q times the error allowed is cut into
-/// q^⅔.
+/// The error of a triangle is proportional to the cube of its size: one with q times the allowed error is
+/// divided into q^⅔.
 pub(crate) fn count(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, most: u64) -> u64 {
     let mut tiles = 0;
     let _ = subdivide(field, wavenumber_per_m, [accuracy, COARSER * accuracy], &mut |_, error| {
@@ -84,10 +83,11 @@ pub(crate) fn count(field: &Field<'_>, wavenumber_per_m: f64, accuracy: f64, mos
     tiles
 }
 
-/// Coarser error, 8³ times as large: a triangle that would be cut into 64 is not.
+/// Factor of the coarser error, 8³: a triangle that would be divided into 64 is not divided.
 const COARSER: f64 = 512.0;
 
-/// Cuts until the error of a whole polygon, or of triangles, is allowed; or until `give` has enough.
+/// Subdivides until the error of a whole polygon, or of triangles, is within the limit, or until `give`
+/// breaks.
 fn subdivide(
     field: &Field<'_>,
     wavenumber_per_m: f64,
@@ -121,27 +121,27 @@ fn subdivide(
     ControlFlow::Continue(())
 }
 
-/// Number of halvings: 2⁻⁴⁸ of a polygon's area is below rounding.
+/// Maximum number of halvings: 2⁻⁴⁸ of a polygon's area is below rounding.
 const HALVINGS_MAX: u32 = 48;
 
-/// Bounds of what the integrand does within `reach_m` of a centre.
+/// Bounds on the integrand's variation within `reach_m` of a centre.
 struct Smoothness {
-    /// Largest weight: the bracket is at most 2.
+    /// Maximum weight: the bracket is at most 2.
     weight: f64,
     /// Weight's relative first, second, third derivative, per m, m², m³.
     weight_derivatives: [f64; 3],
-    /// Form that the second derivative of the phase along the plane is at most anywhere on the tile,
+    /// Quadratic form that bounds the second derivative of the phase along the plane anywhere on the tile,
     /// rad/m².
     hessian: DMat2,
-    /// Bound of the third derivative of the phase, rad/m³.
+    /// Bound on the third derivative of the phase, rad/m³.
     third: f64,
     reach_m: f64,
-    /// Bounds of what a bent facet adds to the second and third derivative of the phase along the tile,
-    /// rad.
+    /// Bounds on the contribution of a curved facet to the second and third derivative of the phase along the
+    /// tile, rad.
     bent_phase: [f64; 2],
-    /// Bounds of what a bent facet adds to the first and second derivative of the weight.
+    /// Bounds on the contribution of a curved facet to the first and second derivative of the weight.
     bent_weight: [f64; 2],
-    /// Phase for each metre of height, rad/m.
+    /// Phase per metre of height, rad/m.
     phase_of_height_per_m: f64,
 }
 
@@ -156,9 +156,9 @@ impl Smoothness {
         let turning_per_m = field.turning_per_m(x_m, reach_m);
         let (t, turns) = (turning_per_m, field.weight_turns(wavenumber_per_m));
         let weight_derivatives = [turns[0] * t, turns[1] * t * t, turns[2] * t * t * t];
-        // A way of ds along the plane is (1 + slope²)^½ ds along the skin, whose height follows the wave
-        // along its normal; the area vector turns with the slope, and the weight w times as fast, for the
-        // coefficient of the reflection at the node turns with it.
+        // A step ds along the plane is (1 + slope²)^½ ds along the skin, whose height follows the wave along
+        // its normal; the area vector varies with the slope, and the weight w times as fast, because the
+        // reflection coefficient at the node varies with it.
         let steep = at.area.length() + along.turn;
         let w = field.turning_with_skin(&at, along.turn, wavenumber_per_m);
         let nearness: f64 = nearness_per_m.iter().sum();
@@ -187,9 +187,9 @@ impl Smoothness {
         }
     }
 
-    /// Bound of the second derivative of L₁ + L₂ along the plane: Σ (1 − d dᵀ)/L. Along the line of sight, as
-    /// roofs and kerbs are seen, a length is straight. The direction d turns by reach/L over a tile; over a
-    /// bent one the skin rises out of the plane, and no direction of it is straight.
+    /// Bound on the second derivative of L₁ + L₂ along the plane: Σ (1 − d dᵀ)/L. Along the line of sight, as
+    /// for roofs and kerbs, a length is linear. The direction d turns by reach/L over a tile; over a curved
+    /// one the skin rises out of the plane, and is straight in no direction.
     fn length_hessian_per_m(field: &Field<'_>, x_m: DVec3, nearness_per_m: [f64; 2], reach_m: f64) -> DMat2 {
         let of = |image: Antenna, nearness_per_m: f64| {
             let along = field.frame.tangential(image.travel_direction_at(x_m));
@@ -209,8 +209,7 @@ impl Smoothness {
     }
 
     /// Mean of |g − g(centre)| for g = weight·e^{jψ}, ψ the phase beyond its tangent plane at the centre: the
-    /// mean of the distance from there is at most the root of its mean square, a half or a third of the
-    /// reach.
+    /// mean distance from there is at most the root of its mean square, a half or a third of the reach.
     fn error_of_constant(&self, moments: &SecondMoment) -> f64 {
         let mean_square_m2 = moments.mean_square_m2();
         let phase = 0.5 * moments.mean_of(self.hessian) + self.third * self.reach_m / 6.0 * mean_square_m2;
@@ -218,9 +217,9 @@ impl Smoothness {
         self.weight * (phase + self.weight_derivatives[0] * mean_square_m2.sqrt() + bent)
     }
 
-    /// Remainder of six-point interpolation: sup|D³g|·h³/6·Σ|x − xᵢ|³|ℓᵢ|/h³ (Ciarlet, Raviart 1972). It does
-    /// not change under affine maps, so that derivatives along the edges stand for what is not the same in
-    /// all directions: the phase's first two are measured by lengths √(vᵀHv), as |vᵀHx| ≤ √(vᵀHv)·√(xᵀHx).
+    /// Remainder of six-point interpolation: sup|D³g|·h³/6·Σ|x − xᵢ|³|ℓᵢ|/h³ (Ciarlet, Raviart 1972). It is
+    /// invariant under affine maps, so that derivatives along the edges represent anisotropy: the phase's
+    /// first two are measured by lengths √(vᵀHv), as |vᵀHx| ≤ √(vᵀHv)·√(xᵀHx).
     fn error_of_quadratic(&self, triangle_m: &[DVec2; 3], centre_m: DVec2) -> f64 {
         let (h, [w1, w2, w3]) = (longest_edge_m(triangle_m), self.weight_derivatives);
         let ([b2, b3], [v1, v2]) = (self.bent_phase, self.bent_weight);
@@ -236,10 +235,10 @@ impl Smoothness {
         self.weight * third_derivative * SIX_POINT_REMAINDER
     }
 
-    /// The edge along which the integrand changes most.
+    /// Edge along which the integrand varies most.
     fn worst_edge(&self, field: &Field<'_>, edges_m: &[DVec2; 3]) -> usize {
-        // A tile as large as its distance from an antenna, or from where that stands straight above, has no
-        // bound: there the longest edge is halved, for any other leaves slivers that never come to an end.
+        // A tile as large as its distance from an antenna, or from the point straight below it, has no bound:
+        // there the longest edge is halved, since any other would leave slivers without end.
         let squares = self.weight_derivatives[0].powi(2).min(UNBOUNDED);
         let bending = |edge: DVec2| self.bend_along(edge).powi(2).min(UNBOUNDED * edge.length_squared());
         let per_height = self.phase_of_height_per_m.min(UNBOUNDED);
@@ -254,19 +253,19 @@ impl Smoothness {
     }
 }
 
-/// Value for what has no bound, rad/m²: beyond every wavelength, and its product with an edge is still
-/// a number.
+/// Value used for an infinite bound, rad/m²: beyond every wavelength, while its product with an edge is still
+/// finite.
 const UNBOUNDED: f64 = 1e100;
 
 /// Supremum of Σ|x − xᵢ|³|ℓᵢ(x)|/6 over all triangles with longest edge 1 (scanned in the tests).
 const SIX_POINT_REMAINDER: f64 = 0.025;
 
-/// Mean of x xᵀ over a polygon about a centre, m².
+/// Mean of x xᵀ over a polygon relative to a centre, m².
 struct SecondMoment(DMat2);
 
 impl SecondMoment {
-    /// Moments of each triangle about the centre, (a aᵀ + b bᵀ + (a bᵀ + b aᵀ)/2)/6; where there is no
-    /// area, as far as the corners reach.
+    /// Moments of each triangle about the centre, (a aᵀ + b bᵀ + (a bᵀ + b aᵀ)/2)/6; without area, from the
+    /// extent of the corners.
     fn about(centre_m: DVec2, corners_m: &[DVec2]) -> Self {
         let outer = |a: DVec2, b: DVec2| DMat2::from_cols(b.x * a, b.y * a);
         let (mut area, mut moment) = (0.0, DMat2::ZERO);
@@ -293,7 +292,7 @@ impl SecondMoment {
     }
 }
 
-/// A value of a form that is nowhere negative: below 0 it is rounding, and without bound where the form is.
+/// Value of a positive semidefinite form: negative values are rounding and become 0, infinite ones stay.
 fn of_form(value: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { value.max(0.0) }
 }
@@ -310,7 +309,7 @@ fn longest_edge_m(triangle_m: &[DVec2; 3]) -> f64 {
     edges_m(triangle_m).map(DVec2::length).into_iter().fold(0.0, f64::max)
 }
 
-/// Two halves by the middle of an edge.
+/// Both halves, divided at the midpoint of an edge.
 fn halves(triangle_m: [DVec2; 3], edge: usize) -> [[DVec2; 3]; 2] {
     let [a, b, c] = [0, 1, 2].map(|i| triangle_m[(edge + i) % 3]);
     let middle = 0.5 * (a + b);

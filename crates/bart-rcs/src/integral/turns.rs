@@ -1,19 +1,19 @@
-//! Turns e^{−jkℓ} of one length at several wavenumbers: one sine and cosine, and short turns from
+//! Phasors e^{−jkℓ} of one length at several wavenumbers: one sine and cosine, and short rotations from
 //! there.
 //!
-//! Over a chirp's band a tile of a few centimetres turns by less than half a radian more at one wavenumber
-//! than at another; for so little seven terms of the series are as good as the library's sine, and cheaper.
+//! Over a chirp's band the phase of a tile of a few centimetres varies by less than half a radian between
+//! wavenumbers; for so little, seven terms of the series are as accurate as the library's sine, and cheaper.
 
 use num_complex::Complex64;
 
-/// Number of wavenumbers that are taken together, without memory of the heap: the points of a small
-/// tile, with some to spare.
+/// Number of wavenumbers processed together without heap memory: the points of a small tile, with some to
+/// spare.
 pub(crate) const TOGETHER: usize = 16;
 
-/// Turns of up to [`TOGETHER`] wavenumbers.
+/// Phasors at up to [`TOGETHER`] wavenumbers.
 pub(crate) type Turns = [Complex64; TOGETHER];
 
-/// Turns of one length about a middle wavenumber.
+/// Phasors of one length around a middle wavenumber.
 #[derive(Clone, Copy)]
 pub(crate) struct Turning {
     length_m: f64,
@@ -22,13 +22,13 @@ pub(crate) struct Turning {
 }
 
 impl Turning {
-    /// Turns of a length about the middle one of some wavenumbers.
+    /// Phasors of a length around the middle wavenumber.
     pub(crate) fn of(length_m: f64, wavenumbers_per_m: &[f64]) -> Self {
         let middle_per_m = wavenumbers_per_m.get(wavenumbers_per_m.len() / 2).copied().unwrap_or(0.0);
         Self { length_m, middle_per_m, at_middle: turn(-middle_per_m * length_m) }
     }
 
-    /// Turn e^{−jkℓ}; error: 2 ε beside that of k·ℓ.
+    /// Phasor e^{−jkℓ}; error: 2 ε in addition to that of k·ℓ.
     pub(crate) fn at(&self, wavenumber_per_m: f64) -> Complex64 {
         let further = (self.middle_per_m - wavenumber_per_m) * self.length_m;
         if further.abs() <= SHORT {
@@ -39,7 +39,7 @@ impl Turning {
     }
 }
 
-/// Turns e^{−jkℓ} at the first [`TOGETHER`] of some wavenumbers.
+/// Phasors e^{−jkℓ} at the first [`TOGETHER`] of the wavenumbers.
 pub(crate) fn turns(length_m: f64, wavenumbers_per_m: &[f64]) -> Turns {
     let turning = Turning::of(length_m, wavenumbers_per_m);
     let mut turns = [Complex64::ZERO; TOGETHER];
@@ -47,21 +47,20 @@ pub(crate) fn turns(length_m: f64, wavenumbers_per_m: &[f64]) -> Turns {
     turns
 }
 
-/// Phasor e^{jx} of any x.
+/// Phasor e^{jx} for any x.
 fn turn(x: f64) -> Complex64 {
     if x.abs() <= SHORT { short_turn(x) } else { Complex64::cis(x) }
 }
 
-/// Turns that [`short_turn`] takes, rad.
+/// Maximum angle of [`short_turn`], rad.
 pub(crate) const SHORT: f64 = 0.5;
 
-/// Phasor e^{jx} for |x| ≤ [`SHORT`] by its series: the next terms are below x¹⁵/15! = 2e-17 and
-/// x¹⁶/16! = 7e-19.
+/// Phasor e^{jx} for |x| ≤ [`SHORT`] by series: the next terms are below x¹⁵/15! = 2e-17 and x¹⁶/16! = 7e-19.
 pub(crate) fn short_turn(x: f64) -> Complex64 {
     let square = x * x;
     let sum =
         |inverses: [f64; 7]| inverses.iter().rev().fold(1.0, |sum, inverse| 1.0 - square * inverse * sum);
-    // Each term over the one before: 1/((2n − 1)·2n) and 1/(2n·(2n + 1)).
+    // Ratios of consecutive terms: 1/((2n − 1)·2n) and 1/(2n·(2n + 1)).
     let cos = sum([1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0, 1.0 / 182.0]);
     Complex64::new(cos, x * sinc_sum(square))
 }

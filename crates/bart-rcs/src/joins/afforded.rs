@@ -1,4 +1,5 @@
-//! Accuracy of integrals that a given work affords: they end, and what is left is measured.
+//! Accuracy of integrals that a limited amount of work affords: they terminate, and the remaining error is
+//! measured.
 
 use crate::joins::joint::{Joint, Joints};
 use crate::joins::scatterer::{Integration, Scatterer};
@@ -6,11 +7,11 @@ use crate::oversight::error::BartError;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// The accuracy of `integration`, or the next coarser one, fourfold at a time, that cuts all joints into no
-/// more than `most` tiles, and a few more for each joint; an error where none does.
+/// Accuracy of `integration`, or the next coarser one in steps of four, that divides all joints into at most
+/// `most` tiles plus a few for each joint; an error if none does.
 ///
-/// Tiles go with the accuracy to the power −⅔, and near an antenna with the inverse of its distance from a
-/// facet, where the polarization vectors of its own zenith turn along a line.
+/// The number of tiles scales with the accuracy to the power −⅔, and near an antenna with the inverse of its
+/// distance from a facet, where the polarization vectors rotate along the line of the antenna's own zenith.
 pub(crate) fn afforded<'j>(
     scatterer: &Scatterer<'_>,
     joints: impl Iterator<Item = &'j Joints> + Clone,
@@ -18,9 +19,9 @@ pub(crate) fn afforded<'j>(
     most: u64,
 ) -> Result<f64, BartError> {
     const COARSER: f64 = 4.0;
-    // Beyond, a tile may err by all that it can give.
+    // Beyond this, the error of a tile may equal its maximum contribution.
     const COARSEST: f64 = 1.0;
-    // Of very many joints each has its own, however coarse.
+    // With very many joints each keeps these, however coarse.
     const FREE: u64 = 8;
     let most = most.saturating_add(joints.clone().map(|joints| FREE * joints.list.len() as u64).sum());
     let mut asked = *integration;
@@ -33,7 +34,7 @@ pub(crate) fn afforded<'j>(
     Ok(asked.accuracy)
 }
 
-/// Whether there are no more tiles than that. Counting ends once there are more: which ones were counted by
+/// Whether there are no more than `most` tiles. Counting ends once there are more; which ones were counted by
 /// then depends on the threads, the answer does not.
 fn fits<'j>(
     scatterer: &Scatterer<'_>,
@@ -58,14 +59,15 @@ fn fits<'j>(
     tiles.into_inner() <= most
 }
 
-/// Bounds of far finer integrals over those that they are compared with, where tiles are few: many polygons
-/// err by what integrals some times finer differ by, but a few may be whole tiles of both, and differ by
-/// nothing. A plate's sidelobe is as small as what its tile leaves out.
+/// Ratio of the bounds of much finer integrals to those that they are compared with, where tiles are few: for
+/// many polygons the error follows from the difference to integrals several times finer, but a few polygons
+/// may be whole tiles in both, with no difference. A plate's sidelobe is as small as the error of its single
+/// tile.
 pub(crate) const FAR_FINER: f64 = 1.0 / 512.0;
-/// Most tiles of those: polygons that are cut into more of them are of many tiles as it is.
+/// Maximum number of tiles of these: polygons divided into more have many tiles anyway.
 const FAR_FINER_TILES: u64 = 4096;
 
-/// Whether far finer integrals than these are of few tiles.
+/// Whether integrals much finer than these have few tiles.
 pub(crate) fn are_few_tiles<'j>(
     scatterer: &Scatterer<'_>,
     joints: impl Iterator<Item = &'j Joints>,
@@ -75,7 +77,7 @@ pub(crate) fn are_few_tiles<'j>(
     fits(scatterer, joints, &far_finer, FAR_FINER_TILES)
 }
 
-/// Joints that one thread counts in turn.
+/// Number of joints counted by one thread in turn.
 const JOINTS_PER_RUN: usize = 64;
 
 #[cfg(test)]
@@ -122,7 +124,7 @@ mod tests {
             let accuracy = afforded(&scatterer, std::iter::once(&joints), &asked, most).unwrap();
             println!("{all} tiles at 1e-4, {} at {accuracy:.1e}; {most} allowed", tiles(accuracy));
             assert_eq!(accuracy > asked.accuracy, most < all);
-            // The count is told from coarser triangles: halves are not even thirds.
+            // The count is estimated from coarser triangles: halves are not even thirds.
             assert!(tiles(accuracy) <= 2 * most && 40 * tiles(accuracy) > most.min(all));
         }
         let refused = afforded(&scatterer, std::iter::once(&joints), &asked, 1);

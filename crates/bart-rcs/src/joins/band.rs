@@ -1,11 +1,11 @@
-//! Scattering at many frequencies from few: a share of S turns with frequency as its length does, and
-//! what is left of the turning is smooth.
+//! Scattering at many frequencies from few: a contribution to S rotates in phase with frequency as its length
+//! does, and without this rotation it is smooth.
 //!
-//! Shares are gathered by their length L₁ + L₂. Less its common phase e^{−jkL}, the sum of a group turns over
-//! the band by θ = Δk·(how far the lengths spread) at most, Δk half the band, and few points of Chebyshev
-//! meet that ([`crate::integral::chebyshev`]). Groups come in classes, each as wide as its number of points
-//! can meet: a share takes the class with fewest points, and groups are gathered again into ones of a wider
-//! class until few are left.
+//! Contributions are grouped by their length L₁ + L₂. Without its common phase e^{−jkL}, the sum of a group
+//! rotates over the band by at most θ = Δk·(spread of the lengths), Δk half the band, and few Chebyshev
+//! points match that ([`crate::integral::chebyshev`]). Groups form classes, each as wide as its number of
+//! points can match: a contribution takes the class with fewest points, and groups are merged into those of a
+//! wider class until few are left.
 
 use crate::integral::chebyshev::{Chebyshev, middle_and_half, turn_in_ellipse_rad, turn_of_exponentials_rad};
 use crate::joins::group::Group;
@@ -16,48 +16,49 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// Frequencies at which S is asked for, and the few that it is taken at instead.
+/// Frequencies at which S is requested, and the few at which it is evaluated instead.
 pub(crate) struct Band<'a> {
     wavenumbers_per_m: &'a [f64],
     classes: Vec<Class>,
 }
 
-/// Kind of a share of S, by what it is beside its turning.
+/// Kind of a contribution to S, by its behaviour without the phase rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// Integrals over facets: k times a sum of exponentials, as large together as the share can be.
+    /// Integrals over facets: k times a sum of exponentials whose magnitudes add up to the maximum
+    /// contribution.
     Facets,
-    /// Integrals along edges, analytic and bounded where Re k > 0, for their edge waves know √k: W(√(kc)) =
-    /// e^{jkc}erfc(√(jkc)) is below 1 there, and so are the edge currents made of it, relative to the whole
-    /// current of the edge (their integrands are Laplace transforms of one sign).
+    /// Integrals along edges, analytic and bounded where Re k > 0, since their edge waves depend on √k:
+    /// W(√(kc)) = e^{jkc}erfc(√(jkc)) is below 1 there, and so are the edge currents made of it, relative to
+    /// the whole current of the edge (their integrands are Laplace transforms of one sign).
     Edges,
 }
 
 /// Sums by group, in the order of the groups.
 pub(crate) type Groups = BTreeMap<GroupOfShare, Vec<Amplitude>>;
 
-/// Points of the classes. At finite range tiles are a few centimetres long and need less than ten; a plane
-/// wave takes the side of a lorry as one. What turns farther than the last class allows is integrated at
+/// Numbers of points of the classes. At finite range tiles are a few centimetres long and need less than ten;
+/// for a plane wave the side of a lorry is one tile. Contributions beyond the last class are integrated at
 /// every frequency.
 const POINTS: [usize; 15] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20, 24, 32, 48, 64];
-/// Share of a group's largest amplitude, as a part of the accuracy that its integrals are asked for; as
-/// much again each time that it is gathered into a wider one, five times at most.
+/// Interpolation error relative to a group's largest amplitude, as a share of the accuracy requested of its
+/// integrals; the same again each time it is merged into a wider one, five times at most.
 pub(crate) const INTERPOLATION_ERROR: f64 = 0.003;
 
-/// Groups that turn alike.
+/// Groups with the same limit on phase rotation.
 struct Class {
-    /// Farthest that the length of a member or of a point on it may be from the group's, m.
+    /// Maximum difference between the length of a member, or of a point on it, and the group's, m.
     reach_m: f64,
     /// Wavenumbers of the nodes over the band.
     nodes_per_m: Vec<f64>,
-    /// The class that its groups are gathered into, wide enough for all of one.
+    /// Class into which its groups are merged, wide enough for a whole group.
     wider: Option<usize>,
-    /// Shares of the nodes (inner) in the values at the nodes of the wider class, or at every wavenumber
-    /// asked for.
+    /// Weights of the nodes (inner) for the values at the nodes of the wider class, or at every requested
+    /// wavenumber.
     shares: Vec<Vec<f64>>,
 }
 
-/// The group of a share.
+/// Group of a contribution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct GroupOfShare {
     class: usize,
@@ -66,22 +67,23 @@ pub(crate) struct GroupOfShare {
 }
 
 impl<'a> Band<'a> {
-    /// Band of these wavenumbers; `None` where there are too few frequencies to save any; `error` is that
-    /// of the interpolation, relative.
+    /// Band of these wavenumbers; `None` if there are too few frequencies to save any; `error` is the
+    /// relative interpolation error.
     pub(crate) fn new(wavenumbers_per_m: &'a [f64], error: f64, kind: Kind) -> Option<Self> {
         let classes = classes(wavenumbers_per_m, error.max(f64::EPSILON), kind);
         (!classes.is_empty()).then_some(Self { wavenumbers_per_m, classes })
     }
 
-    /// Highest wavenumber, for which shares are to be cut.
+    /// Highest wavenumber, for which contributions are to be subdivided.
     pub(crate) fn highest_per_m(&self) -> f64 {
         self.wavenumbers_per_m.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The group that a share belongs to; what belongs to no class is of the group behind all classes, at
+    /// Group to which a contribution belongs; one that fits no class goes to the group after all classes, at
     /// every frequency.
     pub(crate) fn group<'g>(&'g self, way: Way, groups: &'g mut Groups) -> Group<'g> {
-        // Half a reach for the way from the group's length to the share's, half for the share itself.
+        // Half a reach for the distance from the group's length to that of the contribution, half for its own
+        // extent.
         let class = self.classes.iter().position(|class| way.extent_m <= 0.5 * class.reach_m);
         let place = class.map_or(self.behind(), |class| self.place(class, way.length_m));
         let wavenumbers_per_m = class.map_or(self.wavenumbers_per_m, |i| &self.classes[i].nodes_per_m);
@@ -90,12 +92,12 @@ impl<'a> Band<'a> {
         Group { sums, wavenumbers_per_m, length_m }
     }
 
-    /// S at every frequency; runs are added in their order.
+    /// S at every frequency; runs are summed in order.
     pub(crate) fn sum(&self, runs: Vec<Groups>) -> Vec<Amplitude> {
         let mut groups = Groups::new();
         runs.into_iter().flatten().for_each(|(place, share)| add_to_group(&mut groups, place, share));
         let mut total = vec![Amplitude::default(); self.wavenumbers_per_m.len()];
-        // A wider class comes later.
+        // Wider classes come later.
         while let Some((place, samples)) = groups.pop_first() {
             match self.classes.get(place.class) {
                 None => add(&mut total, &samples),
@@ -108,7 +110,7 @@ impl<'a> Band<'a> {
         total
     }
 
-    /// Adds a group to one of a wider class.
+    /// Merges a group into one of a wider class.
     fn gather(
         &self,
         class: &Class,
@@ -144,8 +146,7 @@ impl<'a> Band<'a> {
     }
 }
 
-/// Classes with half as many points as there are frequencies at most, from the one with fewest points
-/// on.
+/// Classes with at most half as many points as there are frequencies, the one with fewest points first.
 fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
     let Some((middle, half)) = middle_and_half(wavenumbers_per_m) else { return Vec::new() };
     let counts = POINTS.into_iter().filter(|count| 2 * *count <= wavenumbers_per_m.len());
@@ -155,7 +156,7 @@ fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
                 (turn_of_exponentials_rad(count, error) / half, Chebyshev::of_first_kind(middle, half, count))
             }
             Kind::Edges => {
-                // The ellipse that touches k = 0.
+                // Ellipse that touches k = 0.
                 let most = middle / half + (middle * middle / (half * half) - 1.0).sqrt();
                 (turn_in_ellipse_rad(count, most, error) / half, Chebyshev::over(middle, half, count))
             }
@@ -163,7 +164,7 @@ fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
         .filter(|(reach_m, _)| *reach_m > 0.0)
         .collect();
     let class = |(i, (reach_m, points)): (usize, &(f64, Chebyshev))| {
-        // A group's members and half of the wider one's reach.
+        // Room for a group's members and half of the wider one's reach.
         let wider = (i + 1..all.len()).find(|&j| all[j].0 >= 2.0 * reach_m);
         let at = wider.map_or(wavenumbers_per_m, |j| &all[j].1.nodes_per_m);
         let shares = at.iter().map(|k| shares(points, *k, kind)).collect();
@@ -172,8 +173,8 @@ fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
     all.iter().enumerate().map(class).collect()
 }
 
-/// Share of every node in the value at a wavenumber; what facets give is k times the polynomial through
-/// their values over k.
+/// Weight of every node for the value at a wavenumber; for facets, k times the polynomial through their
+/// values over k.
 fn shares(points: &Chebyshev, wavenumber_per_m: f64, kind: Kind) -> Vec<f64> {
     let mut shares = vec![0.0; points.nodes_per_m.len()];
     points.shares(wavenumber_per_m, |i, share| {
@@ -200,8 +201,8 @@ fn add_to_group(groups: &mut Groups, place: GroupOfShare, share: Vec<Amplitude>)
     }
 }
 
-/// Shares at every frequency for themselves, without groups: what the interpolation is compared with. Runs of
-/// `run` shares are added in their order: the same bits on any number of threads.
+/// Contributions at every frequency separately, without groups: the reference of the interpolation. Runs of
+/// `run` contributions are summed in order, so the result is bit-identical for any number of threads.
 pub(crate) fn sum_at_each<T: Sync>(
     shares: &[T],
     run: usize,
@@ -218,7 +219,7 @@ pub(crate) fn sum_at_each<T: Sync>(
     runs.iter().fold(zero(), |total, run| plus(total, run))
 }
 
-/// Adds amplitude by amplitude.
+/// Adds two lists amplitude by amplitude.
 pub(crate) fn add(total: &mut [Amplitude], share: &[Amplitude]) {
     for (sum, s) in total.iter_mut().flatten().flatten().zip(share.iter().flatten().flatten()) {
         *sum += s;

@@ -1,8 +1,8 @@
-//! Shares of S whose ways are about as long, added up at a few frequencies.
+//! Contributions to S with similar path lengths, summed at a few frequencies.
 
 use artifact::paths::Amplitude;
 
-/// A group that a share is to be added to.
+/// Group to which a contribution is added.
 pub(crate) struct Group<'g> {
     /// Sums by wavenumber, each without e^{−jk·length}.
     pub(crate) sums: &'g mut [Amplitude],

@@ -1,17 +1,17 @@
-//! Joins: a forward and a backward beam that end on one facet make a path of every facet sequence, each
+//! Joins: a forward and a backward beam that end on one facet make a path for every facet sequence, each
 //! counted once.
 //!
-//! A sequence of K facets has K facets that its integral could be taken on. For smooth mirrors these are one
-//! contribution seen at different nodes, not K contributions, so a rule picks:
+//! The integral of a sequence of K facets could be taken on any of the K. For smooth mirrors these are one
+//! contribution seen at different nodes, not K contributions, so a rule selects:
 //!
 //! | K | middle: (order of b1, order of b2), weight | exit | own edge |
 //! |---|---|---|---|
 //! | odd | ((K+1)/2, (K+1)/2), 1 | (K, 1), 1 | (m, K+1−m) for every m, weights of [`crate::joins::own_edge`] |
 //! | even | (K/2+1, K/2) and (K/2, K/2+1), ½ each | (K, 1), 1 | the same |
 //!
-//! Where transmitter and receiver share a tree, every middle join is the reverse of another one, which is its
-//! transpose, and so is every join of the own-edge rule: only one of both is made. So it is with a road, in
-//! whose mirror the way back is.
+//! If transmitter and receiver share a tree, every middle join is the reverse of another one, which is its
+//! transpose, and so is every join of the own-edge rule: only one of the two is made. The same holds with a
+//! road, whose mirror contains the reverse path.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
@@ -26,7 +26,7 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Every joint of `order` bounces; overlaps below `least_area_m2` are dropped.
+/// All joints of `order` bounces; overlaps below `least_area_m2` are dropped.
 pub(crate) fn joints(
     world: &World,
     trees: Trees<'_>,
@@ -55,19 +55,20 @@ pub(crate) fn joints(
     all
 }
 
-/// Edges of two beams that are one line of the mesh differ by roundings of mirrored planes, which grow with
-/// the length over the mirror: at most a few thousand tolerances, 3e-8 m at 60 m and 1e-5 of a wavelength.
+/// Factor on the tolerance within which edges of two beams are one line of the mesh: they differ by rounding
+/// of mirrored planes, which grows with the length via the mirror: at most a few thousand tolerances, 3e-8 m
+/// at 60 m and 1e-5 of a wavelength.
 const ONE_LINE: f64 = 1e4;
 
 /// Limits below which a piece is too small to count.
 #[derive(Clone, Copy)]
 struct Limits {
     least_area_m2: f64,
-    /// Edges nearer than this are one line, m; `None` where outlines are not asked for.
+    /// Distance within which edges are one line, m; `None` if outlines are not requested.
     one_line_m: Option<f64>,
 }
 
-/// Highest order of beams that a rule needs for `bounces`.
+/// Maximum order of beams that a rule needs for `bounces`.
 pub(crate) fn tree_order(bounces: u8, rule: NodeRule) -> u8 {
     match rule {
         NodeRule::Middle => bounces / 2 + 1,
@@ -85,9 +86,9 @@ struct Meeting {
 /// Pairs of beams on a facet that are joined.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum BeamPairs {
-    /// All pairs; each for itself.
+    /// All pairs, each by itself.
     Ordered,
-    /// All pairs; each with its reverse.
+    /// All pairs, each with its reverse.
     WithReverse,
     /// One tree, one order: each unordered pair with its reverse, and each beam with itself.
     Unordered,
@@ -110,8 +111,8 @@ fn meetings(trees: Trees<'_>, order: u8, rule: NodeRule) -> Vec<Meeting> {
                 )
             })
             .collect(),
-        // Its bracket is not reciprocal: by a road not even one bounce has the transposed amplitude
-        // backwards.
+        // Its bracket is not reciprocal: with a road even for one bounce the reverse does not have the
+        // transposed amplitude.
         (NodeRule::Exit, ..) if order != 1 || matches!(trees, Trees::ByRoad(..)) => {
             vec![Meeting { orders: [order, 1], weight: 1.0, pairs: BeamPairs::Ordered }]
         }
@@ -130,7 +131,7 @@ fn meetings(trees: Trees<'_>, order: u8, rule: NodeRule) -> Vec<Meeting> {
     }
 }
 
-/// Whether both ends stand at one place.
+/// Whether both ends are at one place.
 #[derive(Clone, Copy)]
 enum EndPlaces {
     Shared,
@@ -152,7 +153,7 @@ impl ByFacet {
         Self { beams }
     }
 
-    /// Facets that occur on both sides, with the places of their beams.
+    /// Facets that occur on both sides, with the ranges of their beams.
     fn common(&self, other: &Self) -> Vec<(u32, Range<usize>, Range<usize>)> {
         let (mut i, mut j) = (0, 0);
         let mut found = Vec::new();
@@ -252,7 +253,8 @@ impl Footprint {
         let side = if frame.normal().dot(beam.lit_normal) > 0.0 { Side::Front } else { Side::Back };
         let mut borders = tree.borders(beam).to_vec();
         if side == Side::Back {
-            // The edge from corner i to the next becomes the one from their places in the reversed order.
+            // The edge from corner i to the next becomes the one between their positions in the reversed
+            // order.
             corners_m.reverse();
             borders.reverse();
             borders.rotate_left(1);
@@ -264,7 +266,7 @@ impl Footprint {
         Bordered { corners_m: &self.corners_m, borders: &self.borders }
     }
 
-    /// Corners that run about the facet's normal, carried back into the world and about the lit normal.
+    /// Corners around the facet's normal, transformed into the world and ordered around the lit normal.
     fn in_world(&self, frame: &PlaneFrame, mut corners_m: Vec<DVec2>) -> impl Iterator<Item = DVec3> {
         if self.side == Side::Back {
             corners_m.reverse();
@@ -273,7 +275,7 @@ impl Footprint {
         corners_m.into_iter().map(move |c| frame.to_world(c))
     }
 
-    /// Place of a side's first corner among `count` corners that [`Self::in_world`] carries back.
+    /// Index of a side's first corner among `count` corners transformed by [`Self::in_world`].
     fn corner_in_world(&self, side: usize, count: usize) -> u32 {
         if self.side == Side::Back { ((2 * count - 2 - side) % count) as u32 } else { side as u32 }
     }
@@ -286,7 +288,7 @@ impl Footprint {
     }
 }
 
-/// Pairs whose boxes overlap, ascending: a sweep along x keeps both lists' open boxes.
+/// Pairs whose boxes overlap, ascending: a sweep along x maintains both lists' open boxes.
 fn overlapping(left: &[Footprint], right: &[Footprint]) -> Vec<(usize, usize)> {
     let mut starts: Vec<(f64, usize, bool)> =
         left.iter().enumerate().map(|(i, f)| (f.bounds_m[0].x, i, true)).collect();

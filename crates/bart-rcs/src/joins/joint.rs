@@ -1,4 +1,4 @@
-//! Joints: polygons that a beam of either end lights, and the trees that these beams are of.
+//! Joints: polygons lit by a beam from either end, and the trees of these beams.
 
 use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::Received;
@@ -9,15 +9,14 @@ use crate::joins::shadow_sides::ShadowSide;
 use glam::DVec3;
 use std::ops::Range;
 
-/// The beams of both ends.
+/// Beams of both ends.
 #[derive(Clone, Copy)]
 pub(crate) enum Trees<'a> {
     /// Transmitter and receiver at one place.
     Shared(&'a BeamTree),
-    /// Transmitter, receiver.
+    /// Transmitter and receiver at different places.
     Apart(&'a BeamTree, &'a BeamTree),
-    /// Transmitter and receiver at one place, and the road: what arrives at the receiver also comes over
-    /// it.
+    /// Transmitter and receiver at one place above a road: waves arrive at the receiver via the road as well.
     ByRoad(&'a BeamTree, &'a Received),
 }
 
@@ -35,7 +34,7 @@ impl<'a> Trees<'a> {
         }
     }
 
-    /// Bytes of the beams of both ends.
+    /// Memory of the beams of both ends, bytes.
     pub(crate) fn bytes(self) -> usize {
         match self {
             Self::Shared(tree) => tree.bytes(),
@@ -44,9 +43,8 @@ impl<'a> Trees<'a> {
         }
     }
 
-    /// The receiver's beam as one of the transmitter's: the way back of a joint (f, b) is the joint (twin of
-    /// b, f), in the road's mirror where b came over the road. Where the ends are apart there is no such
-    /// thing.
+    /// The receiver's beam as one of the transmitter's: the reverse of a joint (f, b) is the joint (twin of
+    /// b, f), in the road's mirror if b came via the road. Meaningless if the ends are apart.
     pub(crate) fn twin(self, backward: u32) -> u32 {
         match self {
             Self::Shared(_) | Self::Apart(..) => backward,
@@ -55,17 +53,17 @@ impl<'a> Trees<'a> {
     }
 }
 
-/// Whether a joint stands for its reverse as well.
+/// Whether a joint also represents its reverse.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reverse {
-    /// The joint counts for the transposed amplitude of the way back too.
+    /// The joint also counts for the transposed amplitude of the reverse path.
     Included,
-    /// The joint counts for itself only.
+    /// The joint counts only for itself.
     Apart,
 }
 
 impl Reverse {
-    /// Number of ways that the joint counts for.
+    /// Number of paths that the joint counts for.
     pub(crate) fn ways(self) -> u32 {
         match self {
             Self::Included => 2,
@@ -83,7 +81,7 @@ pub(crate) struct Joint {
     pub(crate) backward: u32,
     pub(crate) weight: f64,
     pub(crate) reverse: Reverse,
-    /// How far its sequence is from the specular.
+    /// Separation of its sequence from the specular.
     pub(crate) parting: Parting,
     corners: Range<usize>,
 }
@@ -93,12 +91,11 @@ pub(crate) struct Joint {
 pub(crate) struct Joints {
     pub(crate) list: Vec<Joint>,
     corners_m: Vec<DVec3>,
-    /// Outlines of all joints, where the rule weighs nodes by them.
+    /// Outlines of all joints, if the rule weights nodes by them.
     pub(crate) outlines: Vec<Outline>,
-    /// Sides of the joints' polygons along lines that cut out shadows, where `outlines` are.
+    /// Sides of the joints' polygons along lines that cut out shadows, if `outlines` are present.
     pub(crate) shadow_sides: Vec<SideOfJoint>,
-    /// Area of overlaps that were given up for their size, both ways: its sum, m², and the sum of its
-    /// squares, m⁴.
+    /// Area of overlaps dropped for their size, both directions: its sum, m², and the sum of its squares, m⁴.
     pub(crate) given_up: [f64; 2],
 }
 
@@ -107,7 +104,7 @@ pub(crate) struct Joints {
 pub(crate) struct SideOfJoint {
     /// Index of the joint.
     pub(crate) joint: u32,
-    /// The side from this corner to the next.
+    /// Corner at which the side starts; it ends at the next.
     pub(crate) corner: u32,
     pub(crate) border: BorderLine,
 }
@@ -133,12 +130,12 @@ impl Joints {
         ShadowSide { border: side.border, ends_m }
     }
 
-    /// Forgets joints that count nothing.
+    /// Removes joints of zero weight.
     pub(crate) fn drop_weightless(&mut self) {
         self.retain(|joint| joint.weight > 0.0);
     }
 
-    /// The joints alone that are kept.
+    /// Only the joints that are kept.
     pub(crate) fn filtered(&self, mut is_kept: impl FnMut(&Joint) -> bool) -> Self {
         let mut some = Self::default();
         for joint in self.list.iter().filter(|joint| is_kept(joint)) {
@@ -151,7 +148,7 @@ impl Joints {
         some
     }
 
-    /// Forgets all joints that are not kept.
+    /// Removes all joints that are not kept.
     pub(crate) fn retain(&mut self, is_kept: impl FnMut(&Joint) -> bool) {
         self.list.retain(is_kept);
     }

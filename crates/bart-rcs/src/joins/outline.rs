@@ -1,31 +1,31 @@
-//! The outline of what two beams light together, and how much of it is the own edge of the facet.
+//! Outline of the overlap of two beams, and the part of it that is the facet's own edge.
 //!
-//! Lines that cut out shadows go on between lit pieces: what ends there is known once all pieces of a node
-//! are together (`shadow_sides.rs`, whose tests hold whole outlines).
+//! Lines that cut out shadows continue between lit pieces: what ends there is known only once all pieces of a
+//! node are collected (`shadow_sides.rs`, whose tests cover whole outlines).
 
 use crate::geometry::border::{Border, BorderLine};
 use glam::DVec2;
 
-/// Outline of a polygon, or of many pieces together, m; edges that end facet and beam alike are left out.
+/// Outline of a polygon, or of many pieces together, m; edges at which facet and beam both end are left out.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Outline {
     /// Length along the facet's own edges and shadow lines on it.
     pub(crate) own_m: f64,
-    /// Length along what mirrors before cut.
+    /// Length along cuts by preceding mirrors.
     pub(crate) cut_m: f64,
 }
 
-/// A convex polygon in a plane and what ends it from each corner to the next.
+/// A convex polygon in a plane, with its borders from each corner to the next.
 pub(crate) struct Bordered<'a> {
     pub(crate) corners_m: &'a [DVec2],
     pub(crate) borders: &'a [BorderLine],
 }
 
 impl Outline {
-    /// The outline of the overlap of two polygons, less its sides along lines that cut out shadows: these are
-    /// handed to `shadow_side` by their place.
+    /// Outline of the overlap of two polygons, without sides along lines that cut out shadows: these are
+    /// passed to `shadow_side` by index.
     ///
-    /// Edges nearer to each other than `tolerance_m` are one line.
+    /// Edges closer to each other than `tolerance_m` are one line.
     pub(crate) fn of_overlap(
         overlap_m: &[DVec2],
         polygons: [&Bordered<'_>; 2],
@@ -53,7 +53,7 @@ impl Outline {
         self.cut_m += other.cut_m;
     }
 
-    /// Share of the own edges in the outline, between 0 and 1.
+    /// Share of own edges in the outline, between 0 and 1.
     pub(crate) fn own_share(self) -> f64 {
         if self.own_m > 0.0 { self.own_m / (self.own_m + self.cut_m) } else { 0.0 }
     }

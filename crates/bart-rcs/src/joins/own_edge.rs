@@ -1,17 +1,17 @@
-//! Own-edge weights: every node of a sequence counts by how much of its outline is its own facet's edge.
+//! Own-edge weights: every node of a sequence is weighted by the share of its outline that is its own facet's
+//! edge.
 //!
 //! The edges that truncate a multiple reflection belong to one of its facets, and only a node there has the
-//! right phase along them. So each node is weighted by the share of its lit polygon's outline that is that
-//! flat patch's own edge or an occluder's shadow line on it; what other facets' beams cut does not count, and
-//! a line where both end, as at a fold, is left out: along it either node is right. Weights are normalised
-//! over all K nodes of the sequence; one that does not exist holds a mean share of nothing, so that a
-//! sequence that is seen from one node of three counts a third. Without that, the many sequences that only
-//! one node has (round a duct of narrow facets) would each count whole, once per node: +3 dB
-//! (docs/decisions/node-rule.md). Where planes are exact all nodes are equal, and so is every choice of
-//! weights.
+//! right phase along them. Each node is therefore weighted by the share of its lit polygon's outline that is
+//! that flat patch's own edge or an occluder's shadow line on it; cuts by other facets' beams do not count,
+//! and a line where both end, as at a fold, is left out: along it either node is right. Weights are
+//! normalised over all K nodes of the sequence; a missing one is assigned the mean share, so that a sequence
+//! seen from one node of three counts a third. Otherwise the many sequences that have only one node (round a
+//! duct of narrow facets) would each count fully, once per node: +3 dB (docs/decisions/node-rule.md). Where
+//! planes are exact all nodes are equal, and so is every choice of weights.
 //!
 //! Facets of a curved skin reflect parallel strips with gaps, and a node after them misses the divergence.
-//! There the node is on the facet with the smaller radius: weights are the squares of the curvatures.
+//! The node is then on the facet with the smaller radius: weights are the squares of the curvatures.
 
 use crate::beams::image_tree::origin;
 use crate::bodies::road::Half;
@@ -26,17 +26,17 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// Patches of a sequence from the transmitter on; places beyond its order are `u32::MAX`.
+/// Patches of a sequence from the transmitter on; entries beyond its order are `u32::MAX`.
 type Sequence = [u32; MAX_ORDER];
 
-/// Marks the end of a path to the antenna's image below the road; facets are far fewer than 2³¹.
+/// Marker of a path that ends at the antenna's image below the road; facets are far fewer than 2³¹.
 const BY_ROAD: u32 = 1 << 31;
 
-/// Sizes of one node of a sequence, all its pieces together.
+/// Sizes of one node of a sequence, over all its pieces.
 #[derive(Debug, Clone, Default)]
 struct SequenceNode {
     outline: Outline,
-    /// Sides along lines that cut out shadows: what ends there is known of all pieces together.
+    /// Sides along lines that cut out shadows, from all pieces, which together determine what ends there.
     shadow_sides: Vec<ShadowSide>,
     /// Area across the wave, mean of both legs, m².
     across_m2: f64,
@@ -44,7 +44,7 @@ struct SequenceNode {
 
 type Nodes = [SequenceNode; MAX_ORDER];
 
-/// Sets the weights of all joints of one order, and takes their outlines.
+/// Sets the weights of all joints of one order, and consumes their outlines.
 pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joints) {
     let count = usize::from(order);
     let placed = joints.list.par_iter().map(|joint| place(world, trees, joint, joints.polygon(joint)));
@@ -96,23 +96,22 @@ fn gathered(
     nodes_of
 }
 
-/// Share of one node of a sequence with curved facets; `None` where all are flat.
+/// Weight of one node of a sequence with curved facets; `None` if all are flat.
 fn curved_weight(curvatures_per_m: impl Iterator<Item = f64> + Clone, node: usize) -> Option<f64> {
     let mut squares = curvatures_per_m.map(|curvature| curvature * curvature);
     let all: f64 = squares.clone().sum();
     squares.nth(node).filter(|_| all > 0.0).map(|own| own / all)
 }
 
-/// A node narrower than this part of the widest of its sequence fades out, so that nothing jumps when it
-/// vanishes.
+/// Size relative to the largest node of a sequence below which a node is faded out, so that nothing jumps
+/// when it vanishes.
 const FADING: f64 = 0.1;
 
-/// A node counts as if this share of its outline were its own at least: where none has an edge of its own all
-/// count alike. Both figures were chosen for continuity; 0.03 … 0.4 and 0.001 … 0.05 change the error against
-/// full wave by 0.05 dB.
+/// Minimum share of own edges assigned to a node: if none has own edges all count alike. Both constants were
+/// chosen for continuity; 0.03 … 0.4 and 0.001 … 0.05 change the error against full-wave results by 0.05 dB.
 const LEAST_SHARE: f64 = 0.02;
 
-/// Share of one node among the K of a sequence of flat patches.
+/// Weight of one node among the K of a sequence of flat patches.
 fn flat_weight(nodes: &[SequenceNode], node: usize) -> f64 {
     let widest_m2 = nodes.iter().map(|node| node.across_m2).fold(f64::MIN_POSITIVE, f64::max);
     let presence = |node: &SequenceNode| (node.across_m2 / (FADING * widest_m2)).min(1.0);
@@ -134,9 +133,9 @@ fn across_m2(trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) -> f64 {
         .sum::<f64>()
 }
 
-/// A joint among the sequences.
+/// A joint assigned to a sequence.
 struct PlacedJoint {
-    /// The patches that its path meets.
+    /// Patches met by its path.
     sequence: Sequence,
     /// Index of its node among the patches.
     node: usize,
@@ -157,7 +156,7 @@ fn place(world: &World, trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) ->
         sequence[place] = world.patch(beam.facet);
     }
     if origin(receive, backward) == Half::Below {
-        // The same patches with the road at the end are another path.
+        // The same patches with the road at the end form another path.
         sequence[node + usize::from(backward.order) - 1] |= BY_ROAD;
     }
     PlacedJoint { sequence, node, across_m2: across_m2(trees, joint, corners_m) }
@@ -168,13 +167,14 @@ fn is_by_road(sequence: &[u32]) -> bool {
     sequence.last().is_some_and(|last| last & BY_ROAD != 0)
 }
 
-/// A side in the road's mirror, where windings turn over.
+/// A side in the road's mirror, where windings are reversed.
 fn mirrored(side: &ShadowSide) -> ShadowSide {
     let [from, to] = side.ends_m;
     ShadowSide { ends_m: [below(to), below(from)], ..*side }
 }
 
-/// The way back; one that ends at the antenna's image begins there, and is taken in the road's mirror.
+/// Reverse sequence; one that ends at the antenna's image then starts there, and is taken in the road's
+/// mirror.
 fn reversed(world: &World, mut sequence: Sequence, count: usize) -> Sequence {
     let is_mirrored = is_by_road(&sequence[..count]);
     sequence[..count].reverse();

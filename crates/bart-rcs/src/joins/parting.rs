@@ -1,25 +1,25 @@
-//! How far the lit polygons of a double reflection are from its specular point, and what that means for
-//! where it is integrated.
+//! Separation of the lit polygons of a double reflection from its specular point, and its consequence for the
+//! integration.
 //!
 //! On the specular the reflection has a point of stationary phase on the lit polygon, and the integral over
-//! the polygon is right on either facet. Off it the phase runs over the polygon; all that is left of a
-//! physical optics that knows the near field of each facet on the other are the ends of the currents at the
-//! own edges of both facets (asymptotically; docs/decisions/node-rule.md), and a polygon counts each of them
-//! by a share only. With g the least gradient of the length L₁ + L₂ on what is lit, v the variance of lit
-//! places along it and h = 1/L₁ + 1/L₂ the bend of the length, polygons keep
+//! the polygon is right on either facet. Off it the phase varies over the polygon; of physical optics with
+//! the near field of each facet on the other, only the ends of the currents at the own edges of both facets
+//! remain (asymptotically; docs/decisions/node-rule.md), and a polygon contains only a share of each of them.
+//! With g the minimum gradient of the length L₁ + L₂ on the lit part, v the variance of lit positions along
+//! it and h = 1/L₁ + 1/L₂ the bend of the length, polygons retain
 //!
 //! ```text
 //! e^{−X}      X = k²g²/(1/v + kh)
 //! ```
 //! which is e^{−k²σ²} with σ the standard deviation of the length for plane waves, and for spherical ones
-//! tells whether the specular point is farther off than a Fresnel zone. The ends take 1 − e^{−X}.
+//! indicates whether the specular point is farther off than a Fresnel zone. The ends receive 1 − e^{−X}.
 
-/// Parting of the node on one facet.
+/// Separation for the node on one facet.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct NodeParting {
-    /// Least squared gradient of the length on what is lit.
+    /// Minimum squared gradient of the length on the lit part.
     pub(crate) gradient_squared: f64,
-    /// Variance of lit places along that gradient, m².
+    /// Variance of lit positions along that gradient, m².
     pub(crate) variance_m2: f64,
     /// Bend 1/L₁ + 1/L₂ of the length, 1/m.
     pub(crate) bend_per_m: f64,
@@ -27,32 +27,32 @@ pub(crate) struct NodeParting {
     pub(crate) across_m2: f64,
 }
 
-/// Parting of a sequence of two facets.
+/// Separation for a sequence of two facets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Parting {
-    /// The nodes on the first and on the second facet.
+    /// Nodes on the first and on the second facet.
     pub(crate) nodes: [NodeParting; 2],
-    /// How clear the sight between both facets and both ends is: 1 where all is lit that would be lit of the
-    /// two alone, 0 where more than a little of it is hidden.
+    /// Clearness of the line of sight between both facets and both ends: 1 if everything is lit that the two
+    /// alone would light, 0 if more than a little of it is hidden.
     pub(crate) clear: f64,
-    /// Highest wavenumber that is asked for.
+    /// Highest requested wavenumber.
     pub(crate) highest_per_m: f64,
 }
 
 impl Parting {
-    /// Of what is integrated over its polygons alone.
+    /// No separation: integration over polygons only.
     pub(crate) const NONE: Self = Self {
         nodes: [NodeParting { gradient_squared: 0.0, variance_m2: 0.0, bend_per_m: 0.0, across_m2: 0.0 }; 2],
         clear: 0.0,
         highest_per_m: 0.0,
     };
 
-    /// Share of the polygons.
+    /// Weight of the polygons.
     pub(crate) fn of_polygons(&self, wavenumber_per_m: f64) -> f64 {
         1.0 - self.of_ends(wavenumber_per_m)
     }
 
-    /// Share of the ends at own edges.
+    /// Weight of the ends at own edges.
     pub(crate) fn of_ends(&self, wavenumber_per_m: f64) -> f64 {
         if self.clear == 0.0 {
             return 0.0;
@@ -60,17 +60,17 @@ impl Parting {
         self.clear * self.presence(wavenumber_per_m) * -(-self.exponent(wavenumber_per_m)).exp_m1()
     }
 
-    /// Bound of the derivative of the logarithm of both shares by the wavenumber, m: they change over a band
-    /// as if their lengths were spread by this.
+    /// Bound on the derivative of the logarithm of both weights with respect to the wavenumber, m: over a
+    /// band they vary as if their lengths had this spread.
     pub(crate) fn turning_m(&self) -> f64 {
-        /// Beyond e⁻³⁶ nothing is left that could change.
+        /// Beyond e⁻³⁶ the remainder is negligible.
         const MOST_EXPONENT: f64 = 36.0;
         let exponent =
             if self.clear == 0.0 { 0.0 } else { self.exponent(self.highest_per_m).min(MOST_EXPONENT) };
         2.0 * exponent / self.highest_per_m.max(f64::MIN_POSITIVE)
     }
 
-    /// The exponent X, the mean of both nodes by what is lit.
+    /// Exponent X, the mean over both nodes weighted by lit area.
     fn exponent(&self, k: f64) -> f64 {
         let of = |node: &NodeParting| {
             let spread_m2 = node.variance_m2 / (1.0 + k * node.bend_per_m * node.variance_m2);
@@ -80,7 +80,7 @@ impl Parting {
         self.nodes.iter().map(of).sum::<f64>() / all_m2.max(f64::MIN_POSITIVE)
     }
 
-    /// How much there is of both nodes: a sequence that vanishes leaves its polygons, which vanish as well.
+    /// Presence of both nodes: a vanishing sequence keeps its polygons, which vanish as well.
     fn presence(&self, k: f64) -> f64 {
         let least_m2 = self.nodes[0].across_m2.min(self.nodes[1].across_m2);
         let zones = k * k * least_m2 / (4.0 * std::f64::consts::PI * std::f64::consts::PI);

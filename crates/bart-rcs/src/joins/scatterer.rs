@@ -1,4 +1,4 @@
-//! Joints with their legs: what one trace gives to every frequency and polarization.
+//! Joints with their legs: the result of one trace for every frequency and polarization.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::beams::image_tree::{goes_by_road, origin};
@@ -24,28 +24,28 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::sync::Arc;
 
-/// A world, the beams of both ends and the way each beam has come.
+/// A world, the beams of both ends and the leg to each beam.
 pub(crate) struct Scatterer<'a> {
     pub(crate) world: &'a World,
     pub(crate) trees: Trees<'a>,
-    /// Transmitter, receiver.
+    /// Transmitter and receiver.
     ends: [Antenna; 2],
     transmit_legs: Vec<Leg>,
     receive_legs: Vec<Leg>,
     heard: (Phase, &'a dyn Progress),
-    /// Gains that sums over joints are weighed by; `None` where all are one.
+    /// Gains that weight sums over joints; `None` if all are one.
     gains: Option<&'a BodyGains>,
-    /// Extent to which the waves of edges are followed.
+    /// Extent to which edge waves are followed.
     pub(crate) edge_waves: EdgeWaves,
 }
 
-/// Extent to which the waves that edges send over their faces are followed.
+/// Extent to which waves launched by edges over their faces are followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum EdgeWaves {
     /// Over further faces, as long as they are strong enough.
     OverFaces,
-    /// To the ends of the edge's own faces: the level of all edges together is that of
-    /// [`Self::OverFaces`] within a decibel (docs/planning.md).
+    /// Up to the ends of the edge's own faces: the total level of all edges is that of [`Self::OverFaces`]
+    /// within a decibel (docs/planning.md).
     OverOwnFaces,
 }
 
@@ -76,30 +76,30 @@ impl<'a> Scatterer<'a> {
         }
     }
 
-    /// The scatterer while somebody listens to its sums, which belong to `phase`.
+    /// The scatterer with progress reports of its sums, which belong to `phase`.
     pub(crate) fn heard_by(self, phase: Phase, progress: &'a dyn Progress) -> Self {
         Self { heard: (phase, progress), ..self }
     }
 
-    /// The scatterer as antennas of these gains hear it: S of every way is weighed by them.
+    /// The scatterer with antenna gains: S of every path is weighted by them.
     pub(crate) fn with_gains(self, gains: &'a BodyGains) -> Self {
         Self { gains: (!gains.are_one()).then_some(gains), ..self }
     }
 
-    /// The scatterer whose edges send waves over their own faces alone.
+    /// The scatterer with edge waves only over the edges' own faces.
     pub(crate) fn with_waves_over_own_faces(self) -> Self {
         Self { edge_waves: EdgeWaves::OverOwnFaces, ..self }
     }
 
-    /// Tells how far a sum is.
+    /// Reports the progress of a sum.
     pub(crate) fn at(&self, done: usize, of: usize) {
         self.heard.1.at(self.heard.0, done, of);
     }
 
-    /// The same beams with plane waves from another direction: what is lit stays lit.
+    /// The same beams with plane waves from another direction: lit parts stay lit.
     ///
-    /// For directions so near to the traced one that shadows have moved by less than matters; one antenna
-    /// only.
+    /// For a single antenna, and directions close enough to the traced one for the motion of shadows to be
+    /// negligible.
     pub(crate) fn turned_to(&self, direction: DVec3) -> Self {
         let turned = |leg: &Leg| Leg {
             image: Antenna::Direction(leg.mirrors.image_direction(direction)),
@@ -113,12 +113,12 @@ impl<'a> Scatterer<'a> {
         }
     }
 
-    /// Joints of one order that are not smaller than `least_area_m2`.
+    /// Joints of one order not smaller than `least_area_m2`.
     pub(crate) fn joints(&self, order: u8, rule: NodeRule, least_area_m2: f64) -> Joints {
         joints(self.world, self.trees, order, rule, least_area_m2)
     }
 
-    /// The body that the last facet of a transmitter's beam belongs to, where its ways have their node.
+    /// Body of the last facet of a transmitter's beam, where its paths have their node.
     pub(crate) fn node_body(&self, forward: u32) -> usize {
         self.world.facet(self.trees.transmit().beams[forward as usize].facet).id.body as usize
     }
@@ -127,7 +127,7 @@ impl<'a> Scatterer<'a> {
         &self.trees.transmit().beams[joint.forward as usize]
     }
 
-    /// Whether a leg of the joint's way meets the road.
+    /// Whether a leg of the joint's path meets the road.
     pub(crate) fn goes_by_road(&self, joint: &Joint) -> bool {
         let backward = &self.trees.receive().beams[joint.backward as usize];
         goes_by_road(self.world, self.trees.transmit(), self.forward(joint))
@@ -143,8 +143,8 @@ impl<'a> Scatterer<'a> {
         &legs[joint.backward as usize]
     }
 
-    /// Amplitudes of a part of a joint's polygon about `reference_m`, its weight included; the reverse is
-    /// not.
+    /// Amplitudes of a part of a joint's polygon referred to `reference_m`, including its weight but not the
+    /// reverse.
     pub(crate) fn amplitudes(
         &self,
         joint: &Joint,
@@ -167,7 +167,7 @@ impl<'a> Scatterer<'a> {
         }
     }
 
-    /// The integrand over a part of a joint's polygon, as accurate as is asked for at some wavenumbers.
+    /// Integrand over a part of a joint's polygon, with the accuracy requested at some wavenumbers.
     pub(crate) fn with_field<T>(
         &self,
         joint: &Joint,
@@ -180,8 +180,8 @@ impl<'a> Scatterer<'a> {
         of(&Field::new(&node, part.reference_m, accuracy))
     }
 
-    /// A joint's share of S, its reverse included: every amplitude with R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)},
-    /// R to `origin_m`.
+    /// Contribution of a joint to S, including its reverse: every amplitude with
+    /// R_tR_r/(L₁L₂)·e^{−jk(L₁+L₂−R_t−R_r)}, R to `origin_m`.
     pub(crate) fn scattering(
         &self,
         joint: &Joint,
@@ -207,7 +207,7 @@ impl<'a> Scatterer<'a> {
         self.ends.iter().all(|end| matches!(end, Antenna::Direction(_)))
     }
 
-    /// Calls `give` with every tile of a joint's polygon, cut for `highest_per_m`: together they are
+    /// Calls `give` with every tile of a joint's polygon, subdivided for `highest_per_m`: their sum is
     /// [`Self::scattering`].
     pub(crate) fn for_each_tile(
         &self,
@@ -230,7 +230,7 @@ impl<'a> Scatterer<'a> {
         });
     }
 
-    /// Number of the joint's tiles, about; no more than `most` are counted.
+    /// Approximate number of the joint's tiles, counted up to `most`.
     pub(crate) fn tiles(
         &self,
         joint: &Joint,
@@ -246,8 +246,8 @@ impl<'a> Scatterer<'a> {
         count_tiles(&Field::new(&node, reference_m, accuracy), highest_per_m, most)
     }
 
-    /// [`Node::accuracy`] of a node on a beam, at wavenumbers; looser on facets smaller than the bent ones of
-    /// their body ([`Node::allowance`]).
+    /// [`Node::accuracy`] for a node on a beam at some wavenumbers; looser on facets smaller than the curved
+    /// ones of their body ([`Node::allowance`]).
     fn accuracy(&self, forward: u32, node: &Node<'_>, at_m: DVec3, asked: (&[f64], f64)) -> f64 {
         let accuracy = node.accuracy(at_m, asked.0, asked.1);
         if node.bend.is_none() {
@@ -269,7 +269,7 @@ impl<'a> Scatterer<'a> {
         }
     }
 
-    /// The integrand over a part of a transmitter's beam, as if it came back by the way that it went.
+    /// Integrand over a part of a transmitter's beam, as if it returned the same way.
     pub(crate) fn with_field_of_beam<T>(
         &self,
         beam: u32,
@@ -291,15 +291,15 @@ impl<'a> Scatterer<'a> {
         of(&Field::new(&node, part.reference_m, accuracy))
     }
 
-    /// R_tR_r/(L₁L₂), times the gains, and L₁ + L₂ − R_t − R_r of a node on a transmitter's and a receiver's
-    /// beam that appears at these points, R to `origin_m`.
+    /// R_tR_r/(L₁L₂), times the gains, and L₁ + L₂ − R_t − R_r for a node on a transmitter's and a receiver's
+    /// beam with these apparent points, R to `origin_m`.
     pub(crate) fn way_from(&self, origin_m: DVec3, ends: [u32; 2], apparent_m: [DVec3; 2]) -> (f64, f64) {
         let length_m = (0..2).map(|i| length_difference_m(self.ends[i], apparent_m[i], origin_m)).sum();
         let spread: f64 = (0..2).map(|i| spread(self.ends[i], apparent_m[i], origin_m)).product();
         (self.gain(ends) * spread, length_m)
     }
 
-    /// Both ends' gains towards the bodies that a way meets first and last.
+    /// Both ends' gains towards the first and last body of a path.
     fn gain(&self, [forward, backward]: [u32; 2]) -> f64 {
         let first_body = |tree: &BeamTree, beam: u32| {
             let beam = &tree.beams[beam as usize];
@@ -311,13 +311,13 @@ impl<'a> Scatterer<'a> {
             .map_or(1.0, |gains| gains.of_way([first_body(transmit, forward), first_body(receive, backward)]))
     }
 
-    /// The ways of a transmitter's and of a receiver's beam.
+    /// Legs of a transmitter's and of a receiver's beam.
     pub(crate) fn legs(&self, forward: u32, backward: u32) -> [&Leg; 2] {
         let receive = if self.receive_legs.is_empty() { &self.transmit_legs } else { &self.receive_legs };
         [&self.transmit_legs[forward as usize], &receive[backward as usize]]
     }
 
-    /// Apparent places of a node from the transmitter and from the receiver.
+    /// Apparent positions of a node from the transmitter and from the receiver.
     pub(crate) fn apparent_m(&self, joint: &Joint, x_m: DVec3) -> [DVec3; 2] {
         [self.transmit_leg(joint).mirrors.unfolded(x_m), self.receive_leg(joint).mirrors.unfolded(x_m)]
     }
@@ -333,12 +333,12 @@ pub(crate) struct JointTile<'a> {
     length_m: f64,
 }
 
-/// Length of the way over a tile.
+/// Path length over a tile.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Way {
-    /// Length L₁ + L₂ − R_t − R_r halfway between its least and its greatest, m.
+    /// Length L₁ + L₂ − R_t − R_r halfway between its minimum and maximum, m.
     pub(crate) length_m: f64,
-    /// Largest difference of any point's length from that, m.
+    /// Maximum difference of any point's length from that, m.
     pub(crate) extent_m: f64,
 }
 
@@ -348,7 +348,7 @@ impl JointTile<'_> {
         let middle = self.field.surface_at(middle_m);
         let at_middle_m = self.field.length_m(middle.x_m);
         let gradient = self.field.length_gradient(&middle);
-        // Of the length as if it grew by its gradient alone: the least and the greatest are at corners.
+        // Linear part of the length: its minimum and maximum are at corners.
         let lengths_m = self.tile.corners_m().iter().map(|corner| gradient.dot(*corner - middle_m));
         let [low_m, high_m] = lengths_m.fold([0.0_f64; 2], |[low, high], l| [low.min(l), high.max(l)]);
         // Beyond its tangent plane a length grows by reach²/2L at most, L of the nearest point; there are
@@ -356,7 +356,7 @@ impl JointTile<'_> {
         let ranges_m = self.field.ranges_m(middle.x_m);
         let curved_m: f64 =
             ranges_m.map(|l| 0.5 * reach_m * reach_m / (l - reach_m).max(f64::MIN_POSITIVE)).iter().sum();
-        // And a skin leaves it by half its second derivative, there and back.
+        // A skin deviates from it by half its second derivative, two-way.
         let bent_m =
             if self.field.is_bent() { self.field.along(self.tile.steps_m().into_iter()).rise_m } else { 0.0 };
         Way {
@@ -369,7 +369,7 @@ impl JointTile<'_> {
         }
     }
 
-    /// Adds the tile's share of S, its reverse included.
+    /// Adds the tile's contribution to S, including its reverse.
     pub(crate) fn add_to(&self, group: &mut Group<'_>) {
         let turning = Turning::of(self.length_m - group.length_m, group.wavenumbers_per_m);
         self.field.for_each_amplitude(self.tile, group.wavenumbers_per_m, &mut |index, amplitude| {
@@ -388,17 +388,17 @@ pub(crate) struct Part<'a> {
     pub(crate) bracket: Bracket,
 }
 
-/// Request of an integral: its wavenumbers, bracket and accuracy.
+/// Parameters of an integral: wavenumbers, bracket and accuracy.
 #[derive(Clone, Copy)]
 pub(crate) struct Integration<'a> {
     pub(crate) wavenumbers_per_m: &'a [f64],
-    /// Accuracy as in [`node_amplitudes`].
+    /// Accuracy, as in [`node_amplitudes`].
     pub(crate) accuracy: f64,
     pub(crate) bracket: Bracket,
 }
 
-/// The bracket that belongs to a rule: rays shot from the transmitter know the current that they excite at
-/// the exit.
+/// Bracket that belongs to a rule: rays shot from the transmitter know the current that they excite at the
+/// exit.
 pub(crate) fn bracket_of(rule: NodeRule) -> Bracket {
     match rule {
         NodeRule::Middle | NodeRule::OwnEdge => Bracket::Symmetrised,
@@ -406,7 +406,7 @@ pub(crate) fn bracket_of(rule: NodeRule) -> Bracket {
     }
 }
 
-/// The way back has the transposed amplitude.
+/// Transposed amplitude, that of the reverse path.
 pub(crate) fn transposed(a: &Amplitude) -> Amplitude {
     [[a[0][0], a[1][0]], [a[0][1], a[1][1]]]
 }
@@ -426,7 +426,7 @@ pub(crate) fn with_reverse(reverse: Reverse, a: &Amplitude) -> Amplitude {
     }
 }
 
-/// R/L; 1 at infinite range.
+/// Ratio R/L; 1 at infinite range.
 fn spread(end: Antenna, x_m: DVec3, origin_m: DVec3) -> f64 {
     match end {
         Antenna::Point(p) => p.distance(origin_m) / p.distance(x_m),
@@ -434,7 +434,7 @@ fn spread(end: Antenna, x_m: DVec3, origin_m: DVec3) -> f64 {
     }
 }
 
-/// The way to every beam of a tree: parents come first.
+/// Legs to every beam of a tree: parents come first.
 fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
     let mut legs: Vec<Leg> = Vec::with_capacity(tree.beams.len());
     for beam in &tree.beams {
@@ -448,7 +448,7 @@ fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
     legs
 }
 
-/// Surfaces that a beam has met before it came to its facet.
+/// Surfaces met by a beam before it reaches its facet.
 fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
     if world.is_conductor() {
         return Steps::default();
@@ -458,7 +458,7 @@ fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
     let mut beams: Vec<&Beam> = tree.way_back(beam).collect();
     beams.reverse();
     for (i, of_leg) in beams.iter().enumerate() {
-        // On a leg with both, the road is taken before the sheets: another order mixes polarizations a little
+        // On a leg with both, the road is taken before the sheets: another order mixes polarizations slightly
         // differently.
         if half_of(world, of_leg.facet) != half {
             half = half_of(world, of_leg.facet);
@@ -472,7 +472,7 @@ fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
     Steps::over(&steps)
 }
 
-/// Facets of a path in the order of travel, by the beams of both ends.
+/// Facets of a path in the order of travel, from the beams of both ends.
 pub(crate) fn sequence(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> Vec<u32> {
     let of = |tree: &BeamTree, beam: u32| tree.sequence(&tree.beams[beam as usize]);
     let mut facets = of(scatterer.trees.transmit(), forward);
@@ -481,14 +481,14 @@ pub(crate) fn sequence(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -
     facets
 }
 
-/// Whether a path meets more than one vehicle, by the beams of both ends.
+/// Whether a path meets more than one vehicle, from the beams of both ends.
 pub(crate) fn meets_several_vehicles(scatterer: &Scatterer<'_>, forward: u32, backward: u32) -> bool {
     let vehicle = |facet: u32| scatterer.world.vehicle(scatterer.world.facet(facet).id.body);
     let vehicles: Vec<u32> = sequence(scatterer, forward, backward).into_iter().map(vehicle).collect();
     vehicles.windows(2).any(|pair| pair[0] != pair[1])
 }
 
-/// Trees traced as far as an order and a rule need.
+/// Refuses numbers of bounces that a path record cannot hold.
 pub(crate) fn check_order(bounces: u8) -> Result<(), BartError> {
     let most = artifact::paths::MAX_ORDER as u8;
     if bounces > most { Err(BartError::TooManyBounces { bounces, most }) } else { Ok(()) }

@@ -1,8 +1,8 @@
-//! Borders along lines that cut out shadows, of all pieces of a node together.
+//! Borders along lines that cut out shadows, over all pieces of a node.
 //!
-//! Such a line goes on between lit pieces. A stretch of it with a piece on both sides is a seam, and one with
-//! a piece on one side alone is a border, whatever became of the other: hidden by what ends there, or too
-//! small to be kept. So the outline is that of what is there.
+//! Such a line continues between lit pieces. A stretch of it with a piece on both sides is a seam, and one
+//! with a piece on one side only is a border, whatever happened to the other: hidden by what ends there, or
+//! too small to be kept. The outline is thus that of the existing pieces.
 
 use crate::geometry::border::{Border, BorderLine};
 use crate::joins::outline::Outline;
@@ -15,7 +15,7 @@ pub(crate) struct ShadowSide {
     pub(crate) ends_m: [DVec3; 2],
 }
 
-/// Outline that all pieces' sides have along lines that cut out shadows; sorts them by line.
+/// Outline of all pieces' sides along lines that cut out shadows; sorts them by line.
 pub(crate) fn of_shadow_sides(sides: &mut [ShadowSide]) -> Outline {
     sides.sort_by_key(|side| side.border.line());
     let lines = sides.chunk_by(|a, b| a.border.line() == b.border.line());
@@ -29,7 +29,7 @@ impl ShadowSide {
         self.ends_m[0].distance(self.ends_m[1])
     }
 
-    /// Adds a length to what it ends.
+    /// Adds a length to the kind of border that it is.
     fn end(&self, length_m: f64, outline: &mut Outline) {
         match self.border.border {
             Border::Shadow => outline.own_m += length_m,
@@ -38,8 +38,8 @@ impl ShadowSide {
     }
 }
 
-/// Outline along one line. Pieces on both of its sides run along it in opposite ways; where more run one
-/// way, so many of these are borders.
+/// Outline along one line. Pieces on its two sides run along it in opposite senses; a surplus in one sense is
+/// border.
 fn of_line(sides: &[ShadowSide]) -> Outline {
     let mut outline = Outline::default();
     if let [side] = sides {
@@ -80,7 +80,7 @@ mod tests {
     use artifact::settings::Sides;
     use glam::DVec2;
 
-    /// A side of y = 1 from one x to another, of a polygon that is on its left as seen from above.
+    /// A side of y = 1 from one x to another, of a polygon on its left as seen from above.
     fn side(border: Border, [from, to]: [f64; 2]) -> ShadowSide {
         let border = BorderLine::from(border).cut_by(&Plane { normal: DVec3::Y, offset_m: 1.0 });
         ShadowSide { border, ends_m: [from, to].map(|x| DVec3::new(x, 1.0, 0.0)) }
@@ -96,9 +96,9 @@ mod tests {
         let above = |ends_m| side(Border::Shadow, ends_m);
         assert_ends(&[above([0.0, 3.0])], [3.0, 0.0]);
         assert_ends(&[above([0.0, 3.0]), above([3.0, 0.0])], [0.0, 0.0]);
-        // Two pieces above, and one below that reaches farther: it ends between them and beyond.
+        // Two pieces above, and one below that extends farther: it ends between them and beyond.
         assert_ends(&[above([0.0, 1.0]), above([1.5, 2.0]), above([3.0, 0.0])], [1.5, 0.0]);
-        // One above that reaches farther ends the other way.
+        // One above that extends farther ends in the other sense.
         assert_ends(&[above([0.0, 3.0]), above([2.0, 0.0])], [1.0, 0.0]);
         assert_ends(&[side(Border::MirrorShadow, [0.0, 3.0]), above([1.0, 0.0])], [0.0, 2.0]);
     }
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn seams_between_pieces_around_a_shadow_cancel() {
-        // A shadow of 0.6 in the middle, and one that bites 0.1 × 0.4 out of the rim: 8 + 2.4 + 0.2.
+        // A shadow of 0.6 in the middle, and one that cuts 0.1 × 0.4 out of the rim: 8 + 2.4 + 0.2.
         let outline = outline_of_lowest(&[(2.0, [0.0; 3]), (0.6, [0.1, 0.2, 0.3]), (0.4, [-1.1, -0.4, 0.2])]);
         assert!((outline.own_m - 10.6).abs() < 1e-9 && outline.cut_m == 0.0, "{outline:?}");
     }

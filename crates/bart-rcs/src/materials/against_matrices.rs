@@ -1,4 +1,5 @@
-//! The recursion of layers against characteristic matrices, which share no formula (`po_sbr::plane_layers`).
+//! Comparison of the layer recursion with characteristic matrices, which share no formula
+//! (`po_sbr::plane_layers`).
 
 use crate::materials::surface_response;
 use artifact::material::{Backing, Layer, Material, Thickness};
@@ -9,7 +10,7 @@ use std::f64::consts::PI;
 const GLASS: Complex64 = Complex64::new(6.5, -0.15);
 const PLASTIC: Complex64 = Complex64::new(2.25, -0.01);
 
-/// The largest difference to the beam tracer's coefficients over angles, and where.
+/// Maximum difference from the beam tracer's coefficients over angles, and where it occurs.
 fn worst(material: &Material) -> (f64, f64) {
     let k = 2.0 * PI * 77e9 / artifact::units::SPEED_OF_LIGHT_MPS;
     let at = |degrees: f64| {
@@ -60,7 +61,7 @@ fn the_mean_power_of_a_sheet_of_unknown_thickness_is_that_of_all_its_phases() {
     ] {
         let (error, degrees) = worst(&layers(&[(permittivity, 4e-3)], backing, Thickness::Averaged));
         println!("{name}: {error:.1e} at {degrees}°");
-        // |r|³² of TE at 85°, 0.88 of glass: what 16 phases leave of the mean.
+        // r|³² of TE at 85°, 0.88 for glass: the error of a mean over 16 phases.
         assert!(error < 2e-2, "{name}: {error:e} at {degrees}°");
     }
 }

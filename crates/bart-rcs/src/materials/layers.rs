@@ -4,8 +4,9 @@
 //! ```text
 //! Γᵢ = (rᵢ + Γᵢ₊₁P)/(1 + rᵢΓᵢ₊₁P)      Tᵢ = (1 + rᵢ)e^{−jkds}·Tᵢ₊₁/(1 + rᵢΓᵢ₊₁P)      P = e^{−2jkds}
 //! ```
-//! rᵢ at the boundary before the layer, Γᵢ₊₁ of all behind it; for one layer in air r(1 − P)/(1 − r²P) and
-//! (1 − r²)e^{−jkds}/(1 − r²P). On H for TM, which in air on both sides is E's ratio too.
+//! with rᵢ at the boundary before the layer and Γᵢ₊₁ of everything behind it; for one layer in air r(1 −
+//! P)/(1 − r²P) and (1 − r²)e^{−jkds}/(1 − r²P). For TM the ratios are those of H, which with air on both
+//! sides equal those of E.
 
 use crate::materials::reflection_coefficients::{CONDUCTOR, Medium, PolarizationPair};
 use artifact::material::{Backing, Layer};
@@ -14,9 +15,9 @@ use num_complex::Complex64;
 /// Coefficients of layers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Passed {
-    /// Reflection, from the front face to the front face.
+    /// Reflection, referred to the front face.
     pub(crate) reflected: PolarizationPair,
-    /// Transmission from the front face to the point of the back face straight behind it; nothing on metal.
+    /// Transmission from the front face to the point of the back face straight behind it; zero on metal.
     pub(crate) transmitted: PolarizationPair,
 }
 
@@ -35,11 +36,11 @@ pub(crate) fn coherent(layers: &[Layer], backing: Backing, cosine: f64, wavenumb
     Passed { reflected: behind.reflected, transmitted: behind.transmitted }
 }
 
-/// Layers of which only the powers are known: every layer's phase takes all values. Amplitudes are roots of
-/// mean powers, with the phases of the first face's reflection and of the straight passage.
+/// Layers of which only the powers are known, with the phase of every layer averaged. Amplitudes are roots of
+/// mean powers, with the phases of the first face's reflection and of the direct passage.
 ///
-/// For one layer exactly ⟨|·|²⟩ of [`coherent`] over a period of its thickness (the geometric series of its
-/// passages, term by term); for several the usual recursion of powers.
+/// For one layer this is exactly ⟨|·|²⟩ of [`coherent`] over a period of its thickness (the geometric series
+/// of its passages, term by term); for several it is the usual recursion of powers.
 pub(crate) fn averaged(layers: &[Layer], backing: Backing, cosine: f64, wavenumber_per_m: f64) -> Passed {
     let (mut te, mut tm) = (MeanPowers::of(backing, CONDUCTOR.te), MeanPowers::of(backing, CONDUCTOR.tm));
     for (i, layer) in layers.iter().enumerate().rev() {
@@ -65,7 +66,7 @@ pub(crate) fn averaged(layers: &[Layer], backing: Backing, cosine: f64, wavenumb
     }
 }
 
-/// Air or the layer in front of the layer `index`.
+/// Medium in front of the layer `index`: air or a layer.
 fn medium_before(layers: &[Layer], index: usize, cosine: f64) -> Medium {
     match index.checked_sub(1) {
         Some(before) => Medium::entered(layers[before].permittivity, cosine),
@@ -73,7 +74,7 @@ fn medium_before(layers: &[Layer], index: usize, cosine: f64) -> Medium {
     }
 }
 
-/// Everything behind a plane: what it sends back and lets through.
+/// Reflection and transmission of everything behind a plane.
 #[derive(Clone, Copy)]
 struct Behind {
     reflected: PolarizationPair,
@@ -82,7 +83,7 @@ struct Behind {
 
 impl Behind {
     /// Backing as seen from inside the last layer: metal, or nothing before the boundary to the air is
-    /// counted.
+    /// included.
     fn of(backing: Backing) -> Self {
         let pair = |x: f64| PolarizationPair { te: Complex64::from(x), tm: Complex64::from(x) };
         match backing {
@@ -113,31 +114,31 @@ impl Behind {
     }
 }
 
-/// Mean powers of one polarization that everything behind a plane sends back and lets through.
+/// Mean reflected and transmitted powers of everything behind a plane, for one polarization.
 #[derive(Clone, Copy)]
 struct MeanPowers {
     reflected: f64,
     transmitted: f64,
     /// Reflection by the first boundary.
     first: Complex64,
-    /// The straight passage, of which the phase is told.
+    /// Direct passage, which provides the phase.
     passage: Complex64,
 }
 
 impl MeanPowers {
-    /// Backing as seen from inside the last layer, before a boundary to the air is counted.
+    /// Backing as seen from inside the last layer, before a boundary to the air is included.
     fn of(backing: Backing, conductor: Complex64) -> Self {
         let (reflected, transmitted) = if backing == Backing::Metal { (1.0, 0.0) } else { (0.0, 1.0) };
         Self { reflected, transmitted, first: conductor, passage: Complex64::ONE }
     }
 
-    /// One boundary that reflects r, nothing behind it.
+    /// One boundary with reflection r and nothing behind it.
     fn of_boundary(r: Complex64) -> Self {
         let passage = 1.0 + r;
         Self { reflected: r.norm_sqr(), transmitted: passage.norm_sqr(), first: r, passage }
     }
 
-    /// With a layer before it, e^{−jkds} of which is left after one `way`, and the boundary before that.
+    /// Adds a layer in front, with one-way factor e^{−jkds} `way`, and the boundary before it.
     ///
     /// Between two boundaries the passages add as powers: R = |r|² + |1 − r²|²a²R′/(1 − |r|²a²R′) and
     /// T = |1 + r|²a·T′/(1 − |r|²a²R′), a = |e^{−jkds}|² the power left after one way.
@@ -153,7 +154,7 @@ impl MeanPowers {
     }
 }
 
-/// Amplitude of a power, with the phase of `like`; 0 has the phase 0.
+/// Amplitude from a power, with the phase of `like`; 0 has phase 0.
 fn with_phase_of(power: f64, like: Complex64) -> Complex64 {
     let size = like.norm_sqr().sqrt();
     if size > 0.0 { like * (power.sqrt() / size) } else { Complex64::from(power.sqrt()) }
@@ -168,7 +169,7 @@ mod tests {
     const GLASS: Complex64 = Complex64::new(6.5, -0.15);
     const POLYPROPYLENE: Complex64 = Complex64::new(2.3, -0.01);
 
-    /// The figures of physics.md §5 are for this frequency.
+    /// The values of physics.md §5 are for this frequency.
     fn wavenumber_per_m() -> f64 {
         TAU * 77.3e9 / SPEED_OF_LIGHT_MPS
     }
@@ -178,7 +179,7 @@ mod tests {
         coherent(&[layer], Backing::Air, angle_deg.to_radians().cos(), wavenumber_per_m())
     }
 
-    /// Least, greatest and mean power in dB over thicknesses in steps of a micrometre.
+    /// Minimum, maximum and mean power in dB over thicknesses in steps of a micrometre.
     fn sweep(permittivity: Complex64, from_mm: f64, to_mm: f64, of: impl Fn(f64) -> Complex64) -> [f64; 3] {
         assert!(permittivity.re > 1.0);
         let count = ((to_mm - from_mm) * 1e3).round() as usize;
@@ -274,7 +275,8 @@ mod tests {
         assert!(air.reflected.te.norm() < 1e-13 && (air.transmitted.tm - way).norm() < 1e-13);
     }
 
-    /// Characteristic matrices multiplied from the front (Born, Wolf, 1.6): another way to the same numbers.
+    /// Characteristic matrices multiplied from the front (Born, Wolf, 1.6): an independent computation of the
+    /// same values.
     fn by_matrices(layers: &[Layer], cosine: f64) -> [Complex64; 2] {
         let k = wavenumber_per_m();
         let one = Complex64::ONE;
@@ -326,7 +328,7 @@ mod tests {
                 };
                 (0..STEPS).map(|i| of(&at(i)).norm_sqr()).sum::<f64>() / f64::from(STEPS)
             };
-            // Equal steps over a period converge geometrically: |r|⁸⁰⁰ is nothing.
+            // Equal steps over a period converge geometrically: |r|⁸⁰⁰ is negligible.
             assert!((mean.reflected.te.norm_sqr() - powers(&|p| p.reflected.te)).abs() < 1e-12);
             assert!((mean.reflected.tm.norm_sqr() - powers(&|p| p.reflected.tm)).abs() < 1e-12);
             assert!((mean.transmitted.tm.norm_sqr() - powers(&|p| p.transmitted.tm)).abs() < 1e-12);

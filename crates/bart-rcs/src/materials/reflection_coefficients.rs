@@ -1,9 +1,9 @@
-//! Fresnel's coefficients of a plane boundary, e^{jωt}: `docs/physics.md` §5.
+//! Fresnel coefficients of a plane boundary, e^{jωt}: `docs/physics.md` §5.
 //!
 //! ```text
 //! s = √(ε − sin²θ), Im s ≤ 0      r_TE = (s₁ − s₂)/(s₁ + s₂) on E      r_TM = (ε₂s₁ − ε₁s₂)/(ε₂s₁ + ε₁s₂) on H
 //! ```
-//! From air s₁ = cosθ, ε₁ = 1. A perfect conductor has r_TE = −1, r_TM = +1.
+//! In air s₁ = cosθ, ε₁ = 1. A perfect conductor has r_TE = −1, r_TM = +1.
 
 use num_complex::Complex64;
 
@@ -21,7 +21,7 @@ pub(crate) struct PolarizationPair {
 pub(crate) const CONDUCTOR: PolarizationPair =
     PolarizationPair { te: Complex64::new(-1.0, 0.0), tm: Complex64::new(1.0, 0.0) };
 
-/// One side of a boundary for a wave that came from air at a given angle.
+/// One side of a boundary, for a wave incident from air at a given angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Medium {
     permittivity: Complex64,
@@ -30,17 +30,17 @@ pub(crate) struct Medium {
 }
 
 impl Medium {
-    /// Air, the wave at the cosine of its angle to the normal.
+    /// Air, for a wave at this cosine of the angle to the normal.
     pub(crate) fn air(cosine: f64) -> Self {
         Self { permittivity: Complex64::ONE, s: Complex64::from(cosine) }
     }
 
-    /// A substance that the same wave has entered.
+    /// A substance entered by the same wave.
     pub(crate) fn entered(permittivity: Complex64, cosine: f64) -> Self {
         Self { permittivity, s: decaying_root(permittivity - (1.0 - cosine * cosine)) }
     }
 
-    /// Reflection by the boundary to `next`.
+    /// Reflection at the boundary to `next`.
     pub(crate) fn reflection_at(&self, next: &Self) -> PolarizationPair {
         let ratio = |a: Complex64, b: Complex64| (a - b) / (a + b);
         PolarizationPair {
@@ -50,11 +50,12 @@ impl Medium {
     }
 }
 
-/// The root with a wave e^{−jksz} that does not grow: Im s ≤ 0, and forwards where it does not decay.
+/// Square root with a wave e^{−jksz} that does not grow: Im s ≤ 0, and travelling forwards if it does not
+/// decay.
 ///
-/// Of z the parts of √z are √((|z| ± Re z)/2), the smaller of them by the other, as it cancels (num-complex
-/// takes the root by the angle, which was a fifth of the time of a coated car). Permittivities are of no size
-/// at which |z|² overflows.
+/// The parts of √z are √((|z| ± Re z)/2), with the smaller one computed from the other to avoid cancellation
+/// (num-complex takes the root via the angle, which was a fifth of the time of a coated car). |z|² does not
+/// overflow for any permittivity.
 fn decaying_root(square: Complex64) -> Complex64 {
     let larger = (0.5 * (square.norm_sqr().sqrt() + square.re.abs())).sqrt();
     if larger == 0.0 {
@@ -69,7 +70,7 @@ fn decaying_root(square: Complex64) -> Complex64 {
     if root.im > 0.0 { -root } else { root }
 }
 
-/// Reflection by a half-space of this permittivity.
+/// Reflection at a half-space of this permittivity.
 pub(crate) fn half_space(permittivity: Complex64, cosine: f64) -> PolarizationPair {
     Medium::air(cosine).reflection_at(&Medium::entered(permittivity, cosine))
 }

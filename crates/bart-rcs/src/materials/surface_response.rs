@@ -1,4 +1,4 @@
-//! Response of a material to a plane wave, and to the field vectors of one.
+//! Response of a material to a plane wave, and to its field vectors.
 
 use crate::materials::layers::{Passed, averaged, coherent};
 use crate::materials::reflection_coefficients::{CONDUCTOR, PolarizationPair, half_space};
@@ -17,12 +17,12 @@ pub(crate) fn reflection(material: &Material, cosine: f64, wavenumber_per_m: f64
     }
 }
 
-/// Transmission of a sheet without thickness in its place, t_slab·e^{+jkd cosθ}; nothing but layers on
-/// air lets anything through.
+/// Transmission of a sheet represented without thickness, t_slab·e^{+jkd cosθ}; zero for anything but layers
+/// on air.
 ///
-/// The thickness is put on the side that the wave comes from: t_slab relates points of both faces straight
-/// behind one another, and the line that goes on behind the sheet already has the phase of the way d·cosθ
-/// that the wave did in glass.
+/// The thickness lies on the side of the incident wave: t_slab relates points of both faces straight behind
+/// one another, and the line continued behind the sheet already includes the phase of the distance d·cosθ
+/// travelled in glass.
 pub(crate) fn transmission(material: &Material, cosine: f64, wavenumber_per_m: f64) -> PolarizationPair {
     let PolarizationPair { te, tm } = passed(material, cosine, wavenumber_per_m).transmitted;
     let thickness_m: f64 = layers_of(material).iter().map(|layer| layer.thickness_m).sum();
@@ -45,7 +45,7 @@ fn passed(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Passed {
     }
 }
 
-/// Layers of a material, outermost first; none of a half-space or a conductor.
+/// Layers of a material, outermost first; empty for a half-space or a conductor.
 pub(crate) fn layers_of(material: &Material) -> &[Layer] {
     match material {
         Material::Layers { layers, .. } => layers,
@@ -68,7 +68,7 @@ pub(crate) fn reflected_fields(
     })
 }
 
-/// Fields behind a sheet, their direction as before.
+/// Fields behind a sheet, with unchanged direction.
 pub(crate) fn transmitted_fields(
     e: [ComplexVector; 2],
     travel: DVec3,
@@ -83,10 +83,10 @@ pub(crate) fn transmitted_fields(
     })
 }
 
-/// Unit vector ŝ; along the normal, where the polarizations are alike, any direction across.
+/// Unit vector ŝ; along the normal, where the polarizations are alike, any transverse direction.
 fn across(travel: DVec3, normal: DVec3) -> DVec3 {
     let cross = normal.cross(travel);
-    // Below this ŝ is rounding. te and −tm differ there by the square of it.
+    // Below this ŝ is rounding. te and −tm differ there by its square.
     const SINE: f64 = 1e-9;
     if cross.length_squared() < SINE * SINE {
         travel.any_orthonormal_vector()
@@ -98,9 +98,9 @@ fn across(travel: DVec3, normal: DVec3) -> DVec3 {
 /// Steepness of the coefficients over the angle, per radian: the exponential type m in |dⁿr/dθⁿ| ≤ mⁿ
 /// (Bernstein).
 ///
-/// A half-space changes fastest at grazing incidence in TM, by 2ε/√(ε − 1) ≈ 2√ε; the phase 2kds of a layer
-/// by up to kd/|√(ε − 1)|, and the resonance of its faces sharpens that by (1 + |r|)/(1 − |r|). The vectors ŝ
-/// and p̂ turn once with each of both directions. It decides where polygons are cut, and what comes of it is
+/// A half-space varies fastest at grazing incidence in TM, by 2ε/√(ε − 1) ≈ 2√ε; the phase 2kds of a layer by
+/// up to kd/|√(ε − 1)|, and the resonance of its faces sharpens that by (1 + |r|)/(1 − |r|). The vectors ŝ
+/// and p̂ turn once with each of both directions. It determines the subdivision of polygons, whose effect is
 /// measured.
 pub(crate) fn steepness(material: &Material, wavenumber_per_m: f64) -> f64 {
     let index = |permittivity: Complex64| permittivity.norm().sqrt();
@@ -116,12 +116,12 @@ pub(crate) fn steepness(material: &Material, wavenumber_per_m: f64) -> f64 {
     }
 }
 
-/// Rate at which reflected fields turn with the normal beside those of a conductor, per radian, within
+/// Rate at which reflected fields turn with the normal in excess of those of a conductor, per radian, within
 /// `turn_rad` of an angle of incidence: the local [`steepness`].
 ///
-/// The fields beside a conductor's are |r − r_PEC| as large and turn with ŝ and p̂; their coefficients are
-/// sampled at three angles. Paint of 0.1 mm has 0.6 up to 45° and 10 at 83°, where TM passes its Brewster
-/// angle; for all angles together no less than 5.5 is known.
+/// The excess fields are |r − r_PEC| as large and turn with ŝ and p̂; their coefficients are sampled at three
+/// angles. Paint of 0.1 mm has 0.6 up to 45° and 10 at 83°, where TM passes its Brewster angle; over all
+/// angles together nothing below 5.5 holds.
 pub(crate) fn turning(material: &Material, cosine: f64, turn_rad: f64, wavenumber_per_m: f64) -> f64 {
     if matches!(material, Material::Conductor) {
         return 0.0;
@@ -142,11 +142,11 @@ pub(crate) fn turning(material: &Material, cosine: f64, turn_rad: f64, wavenumbe
     of(0, CONDUCTOR.te).max(of(1, CONDUCTOR.tm))
 }
 
-/// Least step between sampled angles: coefficients do not change faster but at grazing incidence.
+/// Minimum step between sampled angles: coefficients do not vary faster except at grazing incidence.
 const LEAST_STEP_RAD: f64 = 0.02;
 
-/// Length by which layers make the phase turn with the wavenumber, m: the way there and back in them times
-/// their refractive index, as often as a wave goes round before its echoes are too faint to be seen.
+/// Length by which layers rotate the phase with the wavenumber, m: the two-way distance in them times their
+/// refractive index, times the number of round trips before echoes become negligible.
 pub(crate) fn turning_length_m(material: &Material) -> f64 {
     let Material::Layers { layers, backing, .. } = material else { return 0.0 };
     let once_m: f64 =
@@ -154,10 +154,10 @@ pub(crate) fn turning_length_m(material: &Material) -> f64 {
     once_m * rounds(strongest_echo(layers, *backing))
 }
 
-/// Rounds of a wave of which this share of the amplitude is left after each.
+/// Number of round trips of a wave that keeps this share of its amplitude after each.
 ///
-/// Two are counted of panes in air, a fifth of whose echo is left: points that are enough for a turn are
-/// enough for a larger one of faint echoes. From there on as many more as it takes to fall to 10⁻⁴.
+/// Two are counted for panes in air, whose echo keeps a fifth: points that suffice for a rotation suffice for
+/// a larger one of faint echoes. Beyond that, as many more as the decay to 10⁻⁴ takes.
 fn rounds(kept: f64) -> f64 {
     const LEAST: f64 = 2.0;
     const OF_PANES: f64 = 0.19;
@@ -165,8 +165,8 @@ fn rounds(kept: f64) -> f64 {
     LEAST + (to_fall(kept) - to_fall(OF_PANES)).max(0.0)
 }
 
-/// Product of the two largest reflections upright, among those of all boundaries and the metal behind: the
-/// most that is left of a wave after a round, but for what the layers swallow.
+/// Product of the two largest reflections at normal incidence, among those of all boundaries and the metal
+/// behind: the maximum amplitude kept by a wave after a round trip, without absorption.
 fn strongest_echo(layers: &[Layer], backing: Backing) -> f64 {
     let index_before = |i: usize| match i.checked_sub(1) {
         Some(before) => layers[before].permittivity.sqrt(),
@@ -192,7 +192,7 @@ mod tests {
     fn echoes_of_panes_count_twice_and_those_of_a_resonant_coat_until_they_are_gone() {
         let layer = |real: f64| Layer { thickness_m: 1e-3, permittivity: Complex64::from(real) };
         let pane = strongest_echo(&[layer(6.5)], Backing::Air);
-        // ((√6.5 − 1)/(√6.5 + 1))², and (√81 − 1)/(√81 + 1) before metal.
+        // ((√6.5 − 1)/(√6.5 + 1))², and (√81 − 1)/(√81 + 1) in front of metal.
         assert!(
             (pane - 0.1906).abs() < 1e-4
                 && (strongest_echo(&[layer(81.0)], Backing::Metal) - 0.8).abs() < 1e-12

@@ -1,8 +1,8 @@
-//! Edges of a mesh and the triangles that meet there: the one topology of a mesh, from the places of
+//! Edges of a mesh and the triangles that meet there: the single topology of a mesh, from the positions of
 //! its corners alone.
 //!
-//! Any mesh has an answer: open, doubled, wound either way, with many facets at one edge. What a patch, a
-//! crease or a diffracting edge is, others decide.
+//! It is defined for any mesh: open, doubled, with either winding, with many facets at one edge. Patches,
+//! creases and diffracting edges are defined elsewhere.
 
 use crate::mesh::welding::Welding;
 use glam::DVec3;
@@ -15,36 +15,36 @@ pub(crate) struct TriangleSide {
     pub(crate) side: u8,
 }
 
-/// A side, or the part of one between corners of its neighbours.
+/// A side, or a part of one between corners of its neighbours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct SidePart {
-    /// Places of the two ends, ascending.
+    /// Place indices of the two ends, ascending.
     pub(crate) ends: [u32; 2],
     pub(crate) of: TriangleSide,
 }
 
-/// Two places and the triangles that have both.
+/// Two places and the triangles that contain both.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MeshEdge<'a> {
-    /// Places of the two ends, ascending.
+    /// Place indices of the two ends, ascending.
     pub(crate) ends: [u32; 2],
-    /// Sides at the edge, ascending by triangle; none twice but of triangles without a height.
+    /// Sides at the edge, ascending by triangle; each once, except for triangles without height.
     pub(crate) sides: &'a [TriangleSide],
 }
 
-/// Winding of two triangles at an edge.
+/// Relative winding of two triangles at an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Winding {
-    /// The triangles walk along the edge in opposite ways: their normals are on one side of the surface.
+    /// The triangles traverse the edge in opposite senses: their normals are on one side of the surface.
     Alike,
     Opposite,
 }
 
-/// All edges of a mesh in the order of their ends, and those of each triangle.
+/// All edges of a mesh in the order of their ends, and the edges of each triangle.
 #[derive(Debug, Default)]
 pub(crate) struct MeshEdges {
     ends: Vec<[u32; 2]>,
-    /// Beginning of each edge's sides in `sides`, and the end of the last one's.
+    /// Start of each edge's sides in `sides`, and the end of the last.
     starts: Vec<u32>,
     sides: Vec<TriangleSide>,
     /// Edges of every side of every triangle, `edges_of_sides[starts_of_sides[3·triangle + side]..]`.
@@ -53,13 +53,13 @@ pub(crate) struct MeshEdges {
 }
 
 impl MeshEdges {
-    /// Edges of triangles whose corners are `places`; `None` leaves it out. Sides without length are no
+    /// Edges of triangles whose corners are `places`; `None` omits a triangle. Sides without length are no
     /// edges.
     pub(crate) fn of(places: &[Option<[u32; 3]>]) -> Self {
         Self::of_parts(parts(places), places.len())
     }
 
-    /// Edges of sides that may have been cut, of so many triangles.
+    /// Edges of possibly cut sides, for this number of triangles.
     pub(crate) fn of_parts(mut parts: Vec<SidePart>, triangles: usize) -> Self {
         parts.sort_unstable();
         let mut edges = Self { starts: vec![0], ..Self::default() };
@@ -82,7 +82,7 @@ impl MeshEdges {
         self.ends.len()
     }
 
-    /// The edge of this number.
+    /// Edge with this index.
     pub(crate) fn edge(&self, edge: usize) -> MeshEdge<'_> {
         MeshEdge { ends: self.ends[edge], sides: &self.sides[range(&self.starts, edge)] }
     }
@@ -92,8 +92,8 @@ impl MeshEdges {
         (0..self.len()).map(|edge| self.edge(edge))
     }
 
-    /// The edges that a side consists of: one, several where it is cut, none where it has no length or its
-    /// triangle is left out.
+    /// Edges of which a side consists: one, several if it is cut, none if it has no length or its triangle is
+    /// omitted.
     pub(crate) fn of_side(&self, side: TriangleSide) -> &[u32] {
         &self.edges_of_sides[range(&self.starts_of_sides, slot(side))]
     }
@@ -104,9 +104,9 @@ impl MeshEdges {
         sides.map(|other| other.triangle).filter(move |other| *other != side.triangle)
     }
 
-    /// The first of `seeds` that each triangle hangs together with, by edges, through others that
-    /// `belongs(seed, other)` lets in and that no seed before has taken; [`MeshEdges::NO_SEED`] for what
-    /// none of them reaches.
+    /// Seed of `seeds` with which each triangle is connected via edges, through triangles that `belongs(seed,
+    /// other)` admits and that no earlier seed has taken; [`MeshEdges::NO_SEED`] for triangles reached by
+    /// none.
     pub(crate) fn hanging_together(
         &self,
         seeds: impl Iterator<Item = u32>,
@@ -137,7 +137,8 @@ impl MeshEdges {
 }
 
 impl MeshEdge<'_> {
-    /// The other triangle of two, and how both are wound; `places` are the corners of all triangles.
+    /// Other triangle of two at an edge, and their relative winding; `places` are the corners of all
+    /// triangles.
     pub(crate) fn across(
         &self,
         side: TriangleSide,
@@ -150,7 +151,7 @@ impl MeshEdge<'_> {
     }
 }
 
-/// Corners that are the same to the last bit are one place.
+/// Places of corners, where bit-identical corners are one place.
 pub(crate) fn exact_places(triangles_m: &[[DVec3; 3]]) -> Vec<Option<[u32; 3]>> {
     let places = Welding::Exact.places(triangles_m.as_flattened());
     places.as_chunks::<3>().0.iter().map(|corners| Some(*corners)).collect()
@@ -161,7 +162,7 @@ pub(crate) fn sides_of(triangle: u32) -> [TriangleSide; 3] {
     [0, 1, 2].map(|side| TriangleSide { triangle, side })
 }
 
-/// Whole sides that have a length.
+/// Whole sides of non-zero length.
 pub(crate) fn parts(places: &[Option<[u32; 3]>]) -> Vec<SidePart> {
     let of = |(triangle, corners): (u32, &Option<[u32; 3]>)| {
         let corners = *corners;
@@ -187,7 +188,7 @@ fn range(starts: &[u32], index: usize) -> Range<usize> {
     starts[index] as usize..starts[index + 1] as usize
 }
 
-/// Beginning of each slot in a list that is sorted by slot, and the end.
+/// Start of each slot in a list sorted by slot, and the end.
 fn starts_by(slots: impl Iterator<Item = usize>, count: usize) -> Vec<u32> {
     let mut starts = vec![0; count + 1];
     slots.for_each(|slot| starts[slot + 1] += 1);

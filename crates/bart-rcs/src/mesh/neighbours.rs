@@ -1,4 +1,4 @@
-//! Neighbours of triangles: which one a surface goes on with beyond each side.
+//! Neighbours of triangles: those with which a surface continues beyond each side.
 
 use crate::mesh::mesh_edges::{MeshEdges, Winding};
 
@@ -6,7 +6,7 @@ use crate::mesh::mesh_edges::{MeshEdges, Winding};
 #[derive(Debug, Default)]
 pub(crate) struct Neighbours {
     across: Vec<[u32; 3]>,
-    /// Bit i of each triangle: the one across side i is wound the opposite way.
+    /// Bit i of each triangle: the neighbour across side i has the opposite winding.
     opposite: Vec<u8>,
 }
 
@@ -27,14 +27,14 @@ impl Neighbours {
         neighbours
     }
 
-    /// The triangle across a side and how it is wound; `None` where there is none or where there are several.
+    /// Triangle across a side and its winding; `None` if there is none or several.
     pub(crate) fn across(&self, triangle: u32, side: usize) -> Option<(u32, Winding)> {
         let other = self.across[triangle as usize][side];
         let is_opposite = self.opposite[triangle as usize] >> side & 1 == 1;
         (other != NONE).then_some((other, if is_opposite { Winding::Opposite } else { Winding::Alike }))
     }
 
-    /// Bytes held, about.
+    /// Approximate memory, bytes.
     pub(crate) fn bytes(&self) -> usize {
         self.across.len() * (size_of::<[u32; 3]>() + 1)
     }
@@ -46,7 +46,7 @@ mod tests {
 
     #[test]
     fn only_an_edge_of_two_triangles_has_a_neighbour_and_both_say_how_they_are_wound() {
-        // Two at 1–2 wound alike, one of them at 2–3 with one that is turned over; three meet at 3–4.
+        // Two at 1–2 with equal winding, one of them at 2–3 with a reversed one; three meet at 3–4.
         let triangles = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [3, 4, 5], [4, 3, 6]];
         let places = triangles.map(Some);
         let neighbours = Neighbours::of(&MeshEdges::of(&places), &places);

@@ -1,31 +1,31 @@
 //! Flat patches of a mesh: coplanar neighbours are one facet of the body, and the diagonals between them are
-//! no edges; and how much a patch that is a strip of a tessellated curve is bent.
+//! no edges; and the curvature of patches that are strips of a tessellated curve.
 
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
 use crate::mesh::mesh_edges::{MeshEdges, TriangleSide, sides_of};
 use glam::DVec3;
 
-/// Patches of a mesh: which triangles are one, and which of their edges lie inside it.
+/// Patches of a mesh: their triangles, and the edges inside them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Patches {
-    /// The patch of each triangle, named by its largest one.
+    /// Patch of each triangle, named after its largest one.
     patch_of: Vec<u32>,
-    /// Bit i of each triangle: the patch goes on beyond the edge from corner i to the next.
+    /// Bit i of each triangle: the patch continues beyond the edge from corner i to the next.
     inside: Vec<u8>,
     /// Curvature of each triangle's patch, 1/m.
     curvature_per_m: Vec<f64>,
 }
 
-/// Sine of the angle that two neighbours of a flat patch may differ by: over the Fresnel zone of 0.22 m (25
-/// m, 77 GHz) a surface bent by less deviates from a plane by at most λ/16. Rounding of single precision
-/// files is a hundredth of it on triangles of a centimetre, 5 m from the origin.
+/// Sine of the maximum angle between neighbours of a flat patch: over the Fresnel zone of 0.22 m (25 m, 77
+/// GHz) a surface bent by less deviates from a plane by at most λ/16. Rounding of single-precision files is a
+/// hundredth of it on triangles of a centimetre, 5 m from the origin.
 const FLAT_SINE: f64 = 1e-3;
 
 impl Patches {
-    /// Floods every patch from its largest triangle over edges whose two ends are the same points.
+    /// Flood-fills every patch from its largest triangle over edges whose two ends are the same points.
     ///
-    /// Flat is measured against that triangle, so that a finely tessellated cylinder does not become one
-    /// patch, and patches of a skin that is bent a little are the same in whatever order its triangles stand.
+    /// Flatness is measured against that triangle, so that a finely tessellated cylinder does not become one
+    /// patch, and patches of a slightly bent skin do not depend on the order of its triangles.
     pub(crate) fn of(triangles_m: &[[DVec3; 3]], edges: &MeshEdges) -> Self {
         let normals: Vec<DVec3> = triangles_m.iter().map(unit_normal).collect();
         let is_flat = |seed: u32, other: u32| {
@@ -39,24 +39,23 @@ impl Patches {
         patches
     }
 
-    /// The largest triangle of a triangle's patch.
+    /// Largest triangle of a triangle's patch.
     pub(crate) fn of_triangle(&self, triangle: u32) -> u32 {
         self.patch_of[triangle as usize]
     }
 
-    /// Whether the patch goes on beyond the edge from corner `edge` to the next.
+    /// Whether the patch continues beyond the edge from corner `edge` to the next.
     pub(crate) fn is_inside(&self, triangle: u32, edge: usize) -> bool {
         self.inside[triangle as usize] & (1 << edge) != 0
     }
 
-    /// Curvature of the surface that the triangle's patch is a facet of, 1/m; 0 where the patch stands for
-    /// itself.
+    /// Curvature of the surface of which the triangle's patch is a facet, 1/m; 0 if the patch is flat itself.
     pub(crate) fn curvature_per_m(&self, triangle: u32) -> f64 {
         self.curvature_per_m[triangle as usize]
     }
 
-    /// An edge is inside where a triangle of the same patch lies on its other side; a twin of the triangle
-    /// does not.
+    /// Marks an edge as inside if a triangle of the same patch lies on its other side; a twin of the triangle
+    /// does not count.
     fn mark_inside(&mut self, triangles_m: &[[DVec3; 3]], edges: &MeshEdges, normals: &[DVec3]) {
         for side in (0..triangles_m.len() as u32).flat_map(sides_of) {
             let patch = self.patch_of[side.triangle as usize];
@@ -71,7 +70,7 @@ impl Patches {
     }
 }
 
-/// Triangles from the largest on; areas that are equal to rounding stand in the order of the triangles.
+/// Triangles, largest first; areas equal to rounding are ordered by index.
 fn largest_first(triangles_m: &[[DVec3; 3]]) -> impl Iterator<Item = u32> {
     let area_m2 = |&[a, b, c]: &[DVec3; 3]| (0.5 * (b - a).cross(c - a).length()) as f32;
     let areas_m2: Vec<f32> = triangles_m.iter().map(area_m2).collect();
@@ -80,8 +79,8 @@ fn largest_first(triangles_m: &[[DVec3; 3]]) -> impl Iterator<Item = u32> {
     order.into_iter()
 }
 
-/// Distance to the left of a side, seen along `normal`, of the middle of another triangle, times three
-/// lengths of the side.
+/// Distance of another triangle's centre to the left of a side, seen along `normal`, times three lengths of
+/// the side.
 fn left_of_m3(triangles_m: &[[DVec3; 3]], side: TriangleSide, normal: DVec3, other: u32) -> f64 {
     let [from, to] = ends_m(triangles_m, side);
     let [a, b, c] = triangles_m[other as usize];
@@ -93,18 +92,18 @@ fn ends_m(triangles_m: &[[DVec3; 3]], TriangleSide { triangle, side }: TriangleS
     [corners[usize::from(side)], corners[(usize::from(side) + 1) % 3]]
 }
 
-/// Bend where two patches meet.
+/// Bend at the border of two patches.
 #[derive(Clone, Copy)]
 struct PatchSeam {
     patch: u32,
     neighbour: u32,
-    /// Angle between the planes, positive where the neighbour rises to the side of the patch's normal.
+    /// Angle between the planes, positive if the neighbour rises towards the patch's normal.
     turn_rad: f64,
     curvature_per_m: f64,
 }
 
-/// The curvature of every triangle's patch: the largest of its bends that goes on, the same way and about as
-/// much, at another neighbour; a bend at one side alone is an edge of the body.
+/// Curvature of every triangle's patch: the largest of its bends that continues, in the same sense and by a
+/// similar amount, at another neighbour; a bend at one side only is an edge of the body.
 fn curvatures(
     triangles_m: &[[DVec3; 3]],
     edges: &MeshEdges,
@@ -126,7 +125,7 @@ fn curvatures(
     patch_of.iter().map(|&patch| of_patch[patch as usize]).collect()
 }
 
-/// Bends of all patches that may be of a curve, by patch.
+/// Bends of all patches that may belong to a curve, by patch.
 fn bends(
     triangles_m: &[[DVec3; 3]],
     edges: &MeshEdges,
@@ -155,7 +154,7 @@ fn bends(
     bends
 }
 
-/// Centre of area of every patch, at the index of its largest triangle.
+/// Centroid of every patch, at the index of its largest triangle.
 fn middles(triangles_m: &[[DVec3; 3]], patch_of: &[u32]) -> Vec<DVec3> {
     let mut sums = vec![(DVec3::ZERO, 0.0); triangles_m.len()];
     for ([a, b, c], &patch) in triangles_m.iter().zip(patch_of) {
@@ -179,8 +178,8 @@ mod tests {
         Patches::of(triangles_m, &MeshEdges::of(&exact_places(triangles_m)))
     }
 
-    /// A square of two triangles in z = 0, and a wall of two on one of its sides, leaning by `sine` from
-    /// straight on.
+    /// A square of two triangles in z = 0, and a wall of two on one of its sides, tilted by `sine` from
+    /// coplanar.
     fn bent_strip(sine: f64) -> Vec<[DVec3; 3]> {
         let [a, b, c, d] =
             [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
@@ -205,7 +204,7 @@ mod tests {
 
     #[test]
     fn patches_of_a_skin_that_is_bent_a_little_do_not_hang_on_the_order_of_its_triangles() {
-        // Strips of 0.7 mrad from one to the next, of other widths.
+        // Strips 0.7 mrad apart, of different widths.
         let mut edge = (0.0, 0.0);
         let mut skin = Vec::new();
         for (i, width) in (0..).zip([1.0, 1.3, 0.8, 1.1, 0.7, 1.2, 0.9]) {

@@ -1,8 +1,8 @@
-//! The surface that a heap of triangles is: its lines, the facets about each, and the flat patches.
+//! Surface formed by a set of triangles: its lines, the facets around each, and the flat patches.
 //!
 //! Corners within a tolerance are one point, a side that passes the corners of its neighbours is cut there,
-//! and what hangs together in one plane is one patch. Any mesh has an answer: open, doubled, with T-junctions
-//! or with many facets at one line.
+//! and connected coplanar triangles are one patch. It is defined for any mesh: open, doubled, with
+//! T-junctions or with many facets at one line.
 
 use crate::geometry::plane::Plane;
 use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, TriangleSide, parts};
@@ -11,41 +11,41 @@ use crate::mesh::welding::Welding;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Facets nearer than this about a common side lie on each other: 1 mm over 1 m.
+/// Angle around a common side within which facets lie on each other: 1 mm over 1 m.
 const DOUBLED_RAD: f64 = 1e-3;
-/// Facets of one patch look the same way to this.
+/// Maximum angle between the normals of facets of one patch.
 const FLAT_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
 
 /// The surface of a mesh.
 pub(crate) struct Topology<'a> {
     triangles_m: &'a [[DVec3; 3]],
     edges: MeshEdges,
-    /// Unit normals of triangles by the winding; zero without a plane.
+    /// Unit normals of triangles by winding; zero without a plane.
     normals: Vec<DVec3>,
     patch_of: Vec<u32>,
     patches: u32,
 }
 
-/// Directions of the facets at a line, square to it and away from it, by their angle about it.
+/// Directions of the facets at a line, perpendicular to it and away from it, by their angle around it.
 pub(crate) struct Fan {
     /// Unit vector along the line.
     pub(crate) along: DVec3,
-    /// Facets that lie on each other are one.
+    /// Facets, of which those that lie on each other are one.
     pub(crate) blades: Vec<Blade>,
 }
 
 /// A facet at a line.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Blade {
-    /// Angle about the line, from the first blade on.
+    /// Angle around the line, from the first blade.
     pub(crate) angle_rad: f64,
-    /// Unit vector in the facet and away from the line.
+    /// Unit vector in the facet, away from the line.
     pub(crate) inward: DVec3,
     pub(crate) side: TriangleSide,
 }
 
 impl<'a> Topology<'a> {
-    /// Topology of triangles in one frame; corners within the rounding are one.
+    /// Topology of triangles in one frame; corners within rounding are one.
     pub(crate) fn of(triangles_m: &'a [[DVec3; 3]], near: Nearness) -> Self {
         let tolerance_m = near.rounding_m;
         let points_m = triangles_m.as_flattened();
@@ -72,7 +72,7 @@ impl<'a> Topology<'a> {
         line.ends.map(|corner| self.triangles_m.as_flattened()[corner as usize])
     }
 
-    /// The flat patch of a triangle that has a plane.
+    /// Flat patch of a triangle that has a plane.
     pub(crate) fn patch_of(&self, triangle: u32) -> u32 {
         self.patch_of[triangle as usize]
     }
@@ -82,7 +82,7 @@ impl<'a> Topology<'a> {
         self.patches as usize
     }
 
-    /// Normal of a triangle by the winding; zero without a plane.
+    /// Normal of a triangle by winding; zero without a plane.
     pub(crate) fn normal(&self, triangle: u32) -> DVec3 {
         self.normals[triangle as usize]
     }
@@ -94,7 +94,7 @@ impl<'a> Topology<'a> {
         same && self.fan(line).is_some_and(|fan| fan.blades.len() > 1)
     }
 
-    /// The facets about a line; `None` where its ends are one point.
+    /// Facets around a line; `None` if its ends are one point.
     pub(crate) fn fan(&self, line: &MeshEdge<'_>) -> Option<Fan> {
         let [a, b] = self.ends_m(line);
         let along = (b - a).try_normalize()?;
@@ -120,7 +120,7 @@ impl<'a> Topology<'a> {
         Some(if across.dot(opposite) < 0.0 { -across } else { across })
     }
 
-    /// Patches from the largest facet on: what hangs together and lies in the plane of the first.
+    /// Grows patches from the largest facet on: connected facets in the plane of the first.
     fn grow_patches(&mut self, near: Nearness) {
         let doubled_m2 = |t: u32| {
             let [a, b, c] = self.triangles_m[t as usize];
@@ -150,7 +150,7 @@ impl<'a> Topology<'a> {
 }
 
 impl Fan {
-    /// The widest angle without a facet, and the blades that it begins and ends at (one blade: from its one
+    /// Widest angle without a facet, and the blades at which it starts and ends (for a single blade: from one
     /// side to the other).
     pub(crate) fn widest_gap(&self) -> (f64, [Blade; 2]) {
         let next = self.blades.iter().cycle().skip(1);
@@ -163,8 +163,8 @@ impl Fan {
     }
 }
 
-/// Normal as [`crate::geometry::facet_geometry::FacetGeometry`] has it: a triangle whose height is
-/// rounding has no plane.
+/// Normal as in [`crate::geometry::facet_geometry::FacetGeometry`]: a triangle whose height is rounding has
+/// no plane.
 fn normal_of(corners_m: &[DVec3; 3], tolerance_m: f64) -> DVec3 {
     let [a, b, c] = *corners_m;
     let longest_m = a.distance(b).max(b.distance(c)).max(c.distance(a));

@@ -9,10 +9,10 @@ use std::ops::ControlFlow;
 /// Distances within which corners lie on a side.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Nearness {
-    /// Within the rounding of the file any corner does.
+    /// Distance of rounding in the file, within which any corner lies on a side.
     pub(crate) rounding_m: f64,
-    /// Within this and a hundredth of the side's length corners do as well: files of rounded coordinates have
-    /// them beside it, and a wave does not tell.
+    /// Distance negligible for a wave, within which, and a hundredth of the side's length, corners also lie
+    /// on it: files with rounded coordinates have them beside it.
     pub(crate) untold_m: f64,
 }
 
@@ -29,9 +29,9 @@ impl Nearness {
     }
 }
 
-/// Cuts sides that no other facet shares where corners of such sides lie on them: T-junctions.
+/// Cuts unshared sides where corners of other unshared sides lie on them: T-junctions.
 ///
-/// `points_m` are those of the places that the sides name.
+/// `points_m` are the points of the places named by the sides.
 pub(crate) fn cut_at_corners(sides: &mut Vec<SidePart>, points_m: &[DVec3], near: Nearness) {
     sides.sort_unstable();
     let open = alone(sides);
@@ -62,7 +62,7 @@ pub(crate) fn cut_at_corners(sides: &mut Vec<SidePart>, points_m: &[DVec3], near
     sides.extend(parts);
 }
 
-/// Indices of those of sorted sides whose ends no other side has.
+/// Indices of sorted sides whose ends no other side has.
 fn alone(sides: &[SidePart]) -> Vec<usize> {
     let differs =
         |a: usize, b: usize| sides.get(a).map(|side| side.ends) != sides.get(b).map(|side| side.ends);
@@ -99,7 +99,7 @@ fn corners_on(
     found.into_iter().map(|(_, corner)| corner).collect()
 }
 
-/// A box about a line, as wide as the tolerance.
+/// A box around a line, as wide as the tolerance.
 fn tube_around(from: DVec3, along: DVec3, length_m: f64, tolerance_m: f64) -> [Plane; 6] {
     let u = along.any_orthonormal_vector();
     let v = along.cross(u);

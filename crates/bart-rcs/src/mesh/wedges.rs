@@ -1,7 +1,7 @@
-//! Edges of bodies: open edges and wedges, and how far their faces go.
+//! Edges of bodies: open edges and wedges, and the extent of their faces.
 
 pub(crate) mod wedge; // two faces at an edge
-pub(crate) mod body_edges; // which edges of a mesh diffract
-pub(crate) mod face_end; // how far a face goes
+pub(crate) mod body_edges; // diffracting edges of a mesh
+pub(crate) mod face_end; // extent of a face
 pub(crate) mod side_by_side; // rims of double skins
 pub(crate) mod world_edges; // edges of posed bodies

@@ -1,29 +1,29 @@
-//! Points of a mesh that are one place: files repeat a vertex for every facet, material, normal and
-//! seam, and single precision or a converter has moved the repetitions apart by a few ε.
+//! Welding of a mesh's points: files repeat a vertex for every facet, material, normal and seam, and single
+//! precision or a converter may have moved the copies apart by a few ε.
 
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Condition for two points to be one place.
+/// Condition under which two points are one place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Welding {
-    /// Points with the same coordinates to the last bit: what facets cover together then has no seam at
-    /// all, which a beam that is cut at their common side relies on.
+    /// Bit-identical coordinates: facets then cover an area without any seam, which a beam cut at their
+    /// common side relies on.
     Exact,
-    /// Points nearer than this, m.
+    /// Distance below this, m.
     Within(f64),
 }
 
 impl Welding {
-    /// Welding within what single precision of a file leaves apart.
+    /// Welding within the separation caused by a file's single precision.
     pub(crate) fn of_rounded(points_m: &[DVec3]) -> Self {
         Self::Within(rounding_m(points_m))
     }
 
     /// First point at the place of each point.
     ///
-    /// Points of one chain of neighbours go to the first of them that is near enough and begins a place
-    /// itself, so that the answer depends on nothing but the order of the points.
+    /// Points of one chain of neighbours are assigned to the first of them that is near enough and starts a
+    /// place itself, so that the result depends only on the order of the points.
     pub(crate) fn places(self, points_m: &[DVec3]) -> Vec<u32> {
         match self {
             Self::Exact => same_bits(points_m),
@@ -32,9 +32,9 @@ impl Welding {
     }
 }
 
-/// Points nearer than this may be one, m: four ε of single precision, in which meshes are stored, of their
-/// extent (10 µm for a bus, λ/400 at 77 GHz; a closed curve that a program walks once around misses its start
-/// by a quarter of it), and rounding of double precision.
+/// Distance below which points may be one, m: four ε of single precision, in which meshes are stored,
+/// relative to their extent (10 µm for a bus, λ/400 at 77 GHz; a closed curve traversed once by a program
+/// misses its start by a quarter of it), plus double-precision rounding.
 pub(crate) fn rounding_m(points_m: &[DVec3]) -> f64 {
     let low = points_m.iter().copied().fold(DVec3::INFINITY, DVec3::min);
     let high = points_m.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
@@ -46,7 +46,7 @@ pub(crate) fn rounding_m(points_m: &[DVec3]) -> f64 {
 
 fn same_bits(points_m: &[DVec3]) -> Vec<u32> {
     let mut firsts: HashMap<[u64; 3], u32> = HashMap::with_capacity(points_m.len() / 4);
-    // Both zeros are one.
+    // Treats both zeros as one.
     let bits = |x_m: &DVec3| x_m.to_array().map(|c| (c + 0.0).to_bits());
     (0..).zip(points_m).map(|(index, point)| *firsts.entry(bits(point)).or_insert(index)).collect()
 }
@@ -61,15 +61,15 @@ fn nearer_than(points_m: &[DVec3], tolerance_m: f64) -> Vec<u32> {
     (0..).zip(points_m).map(place).collect()
 }
 
-/// Width of a cell in tolerances: most points lie so far inside their cell that no other one is looked at.
+/// Width of a cell in tolerances: most points lie so far inside their cell that no other one is searched.
 const CELL: f64 = 16.0;
 const NONE: u32 = u32::MAX;
 
-/// First points of places, by cell; looked up only, never walked through.
+/// First points of places, by cell; only looked up, never iterated.
 struct Firsts {
     cell_m: f64,
     last: HashMap<[i64; 3], u32>,
-    /// First point that the cell of each first point had before.
+    /// Previous first point in the cell of each first point.
     before: Vec<u32>,
 }
 

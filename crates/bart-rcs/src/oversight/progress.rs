@@ -1,15 +1,15 @@
-//! Listeners that hear how far long work is; they never change what comes out.
+//! Progress reporting; it never affects results.
 
 /// A part of the work on a mesh or on a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
     /// Topology, skin and hierarchy of a mesh.
     Building,
-    /// Beams; counted are facets that are looked at, and mirrors of one order.
+    /// Beams; counted in facets examined and mirrors of one order.
     Tracing,
     /// Joints of one order.
     Integrating,
-    /// Comparisons that errors are measured by.
+    /// Comparisons from which errors are measured.
     Checking,
     /// Aspects of a table.
     Aspects,
@@ -17,13 +17,13 @@ pub enum Phase {
     Bodies,
 }
 
-/// Hears from any thread how far work is.
+/// Receiver of progress reports, from any thread.
 pub trait Progress: Sync {
-    /// `done` of `of` steps of a phase are done; `of` is 0 where steps cannot be counted.
+    /// Reports that `done` of `of` steps of a phase are done; `of` is 0 if steps cannot be counted.
     fn at(&self, phase: Phase, done: usize, of: usize);
 }
 
-/// Nobody listens.
+/// Discards progress reports.
 pub struct Unheard;
 
 impl Progress for Unheard {

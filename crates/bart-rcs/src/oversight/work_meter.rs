@@ -1,22 +1,21 @@
-//! Division of the processors' time among aspects that are made side by side.
+//! Division of processor time among aspects processed in parallel.
 //!
-//! Threads that wait for a part of one aspect take up another one, so that no aspect's time is that of a
-//! thread or of a clock on the wall. Whenever one begins, goes on to another phase or ends, what the program
-//! has worked since the last time is divided equally among those that were under way: together they have all
-//! of it.
+//! Threads that wait for a part of one aspect take up another one, so neither a thread's time nor wall-clock
+//! time is an aspect's. Whenever an aspect starts, changes its phase or ends, the program's work since the
+//! last such event is divided equally among those in progress: together they have all of it.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// A clock of work and those that are under way.
+/// A clock of processor work and the pieces in progress.
 pub(crate) struct WorkMeter<'a> {
     clock_s: &'a (dyn Fn() -> f64 + Sync),
     state: Mutex<State>,
 }
 
 struct State {
-    /// Seconds of those under way since they were last asked, by number.
+    /// Seconds of those in progress since their last query, by number.
     under_way_s: BTreeMap<u64, f64>,
     next: u64,
     read_s: f64,
@@ -24,11 +23,12 @@ struct State {
     reading_took: Duration,
 }
 
-/// A clock that is read again sooner would be most of the work.
+/// Minimum interval between readings of the clock, relative to the cost of one; otherwise reading would be
+/// most of the work.
 const READINGS_APART: u32 = 20;
 
 impl<'a> WorkMeter<'a> {
-    /// Meter by a clock that grows with what the program works, s.
+    /// Meter based on a clock that advances with the program's work, s.
     pub(crate) fn new(clock_s: &'a (dyn Fn() -> f64 + Sync)) -> Self {
         let (under_way_s, read_at) = (BTreeMap::new(), Instant::now());
         let read_s = clock_s();
@@ -36,7 +36,7 @@ impl<'a> WorkMeter<'a> {
         Self { clock_s, state: Mutex::new(state) }
     }
 
-    /// Begins a piece of work.
+    /// Starts a piece of work.
     pub(crate) fn begin(&self) -> Metered<'_> {
         let mut state = self.read();
         let number = state.next;
@@ -45,7 +45,7 @@ impl<'a> WorkMeter<'a> {
         Metered { meter: self, number }
     }
 
-    /// Time that all work so far took, s.
+    /// Total time of all work so far, s.
     pub(crate) fn total_s(&self) -> f64 {
         (self.clock_s)()
     }
@@ -63,14 +63,14 @@ impl<'a> WorkMeter<'a> {
     }
 }
 
-/// A piece of work that is under way until it is dropped.
+/// A piece of work, in progress until it is dropped.
 pub(crate) struct Metered<'m> {
     meter: &'m WorkMeter<'m>,
     number: u64,
 }
 
 impl Metered<'_> {
-    /// Share since the piece began, or since this was last asked, s.
+    /// Share since the piece started, or since the last call, s.
     pub(crate) fn lap_s(&self) -> f64 {
         let mut state = self.meter.read();
         state.under_way_s.get_mut(&self.number).map(std::mem::take).unwrap_or(0.0)
@@ -92,7 +92,7 @@ mod tests {
     fn what_is_done_side_by_side_is_shared_and_nothing_is_counted_twice() {
         let ticks = AtomicU64::new(0);
         let clock = || ticks.load(Ordering::Relaxed) as f64;
-        // Longer than the clock may be left unread.
+        // Longer than the clock may stay unread.
         let work = |seconds: u64| {
             ticks.fetch_add(seconds, Ordering::Relaxed);
             std::thread::sleep(Duration::from_millis(5));
@@ -107,7 +107,7 @@ mod tests {
         work(6);
         drop(first);
         work(2);
-        // What came before the first began, and what the first had not asked for, is nobody's.
+        // Work before the first piece started, and what the first had not queried, belongs to nobody.
         assert_eq!((second.lap_s(), meter.total_s()), (3.0 + 2.0, 29.0));
     }
 }

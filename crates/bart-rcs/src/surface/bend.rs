@@ -1,36 +1,36 @@
-//! The height of a curved skin over a flat facet: a cubic in barycentric coordinates λ.
+//! Height of a curved skin over a flat facet: a cubic in barycentric coordinates λ.
 //!
-//! Beams end on the flat facet; physical optics is integrated over the skin above it, point for point along
+//! Beams end on the flat facet; physical optics is integrated over the skin above it, point by point along
 //! the facet's normal. With h the height, its points are x + h·n and its area vector per area of the facet is
 //! n − ∇h.
 
 use crate::geometry::facet_geometry::FacetGeometry;
 use glam::{DMat3, DVec3};
 
-/// Heights of the six control points beside a cubic's corners: on side k (from corner k to the next) the one
-/// nearer to its start and the one nearer to its end, m along the normal of the winding.
+/// Heights of the six control points other than a cubic's corners: on side k (from corner k to the next) the
+/// one nearer to its start and the one nearer to its end, m along the normal by winding.
 pub(crate) type ControlHeights = [f64; 6];
 
 /// A skin over one facet.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bend {
     corners_m: [DVec3; 3],
-    /// Unit normal by the winding.
+    /// Unit normal by winding.
     pub(crate) normal: DVec3,
     /// Gradients ∇λ of each corner, 1/m.
     gradients: [DVec3; 3],
     heights_m: ControlHeights,
-    /// Height of the control point in the middle: with it the cubic has every quadratic exactly (Farin
+    /// Height of the central control point, for which the cubic reproduces every quadratic exactly (Farin
     /// 1986).
     middle_m: f64,
-    /// Second derivatives H at the corners, 1/m; between them they are linear.
+    /// Second derivatives H at the corners, 1/m; linear between them.
     second_per_m: [DMat3; 3],
 }
 
-/// Rise and turn of a skin along some steps, anywhere over its facet: the largest of each.
+/// Maximum rise and slope change of a skin along several steps, anywhere over its facet.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Along {
-    /// Second difference e·He of the height, m: twice what it rises beyond its tangent plane.
+    /// Second difference e·He of the height, m: twice its rise beyond the tangent plane.
     pub(crate) rise_m: f64,
     /// Third derivative of the height, m.
     pub(crate) third_m: f64,
@@ -41,13 +41,13 @@ pub(crate) struct Along {
 }
 
 impl Bend {
-    /// Skin over a facet; `None` over a facet without a plane and where the skin is the facet.
+    /// Skin over a facet; `None` if the facet has no plane or is the surface itself.
     pub(crate) fn over(facet: &FacetGeometry, heights_m: &ControlHeights) -> Option<Self> {
         let is_bent = facet.has_plane() && heights_m.iter().any(|h| *h != 0.0);
         is_bent.then(|| Self::new(facet.corners_m, facet.normal(), heights_m))
     }
 
-    /// Skin over a triangle that has an area.
+    /// Skin over a triangle of non-zero area.
     pub(crate) fn new(corners_m: [DVec3; 3], normal: DVec3, heights_m: &ControlHeights) -> Self {
         let [a, b, c] = corners_m;
         let doubled_area_m2 = (b - a).cross(c - a).length();
@@ -60,15 +60,15 @@ impl Bend {
         bend
     }
 
-    /// The largest slope at the corners and in the middle.
+    /// Maximum slope at the corners and at the centre.
     pub(crate) fn steepest(&self) -> f64 {
         let [a, b, c] = self.corners_m;
         [a, b, c, (a + b + c) / 3.0].map(|x| self.at(x).1.length()).into_iter().fold(0.0, f64::max)
     }
 
-    /// A bound of the slope anywhere: the slope is of second degree, and nowhere larger than its largest
-    /// control vector (Farin 1986). A needle can be flat at its corners and in its middle, and stand upright
-    /// between them.
+    /// Bound on the slope anywhere: the slope is of second degree, and nowhere larger than its largest
+    /// control vector (Farin 1986). A needle can be flat at its corners and centre, and vertical between
+    /// them.
     pub(crate) fn steepest_bound(&self) -> f64 {
         let [next, before] = [|k: usize| (k + 1) % 3, |k: usize| (k + 2) % 3];
         let of_corner = |k: usize| {
@@ -98,7 +98,8 @@ impl Bend {
         (height, (0..3).map(|i| by_lambda[i] * self.gradients[i]).sum())
     }
 
-    /// Bounds over the facet for these steps in its plane. A long facet bent across has none along it.
+    /// Bounds over the facet for these steps in its plane. A long facet bent transversely has none
+    /// lengthwise.
     pub(crate) fn along(&self, steps_m: impl Iterator<Item = DVec3>) -> Along {
         steps_m.map(|step| self.along_one(step)).fold(Along::default(), |most, one| Along {
             rise_m: most.rise_m.max(one.rise_m),
@@ -170,8 +171,8 @@ mod tests {
             let (x, step) = (inside(u, v), 1e-2 * (inside(1.0, 0.0) - inside(0.0, 1.0)));
             let [(low, from), (high, to)] = [bend.at(x - step), bend.at(x + step)];
             let ((middle, gradient), along) = (bend.at(x), bend.along([step].into_iter()));
-            // Central differences of a cubic err by a sixth of its third derivative, and by nothing at the
-            // second.
+            // Central differences of a cubic err by a sixth of its third derivative; those of second order
+            // are exact.
             let first = 0.5 * (high - low) - gradient.dot(step);
             assert!((first.abs() - along.third_m / 6.0).abs() < 1e-14);
             let [second, turn] = [(high - 2.0 * middle + low).abs(), 0.5 * (to - from).length()];

@@ -1,6 +1,6 @@
-//! An edge of the curved skin, halved again and again: closed forms that need nothing but its two ends.
+//! An edge of the curved skin under repeated halving, in closed forms of its two ends alone.
 //!
-//! Both triangles at an edge hold the same values and so find the same bits: refined neighbours share every
+//! Both triangles at an edge have the same values and so obtain the same bits: refined neighbours share every
 //! vertex.
 
 use glam::DVec3;
@@ -10,22 +10,22 @@ use glam::DVec3;
 pub(crate) struct CurvedEdge {
     pub(crate) ends_m: [DVec3; 2],
     pub(crate) curve: Curve,
-    /// Number of times that the edge that it is a part of was halved.
+    /// Number of times that the original edge was halved to obtain this part.
     pub(crate) halvings: u8,
 }
 
-/// Curve that an edge is bent to.
+/// Shape of an edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Curve {
-    /// The edge is straight.
+    /// A straight edge.
     Straight,
-    /// The edge lies on a smooth skin with these unit normals at the ends.
+    /// An edge on a smooth skin with these unit normals at the ends.
     OnSkin([DVec3; 2]),
-    /// The edge is where two skins meet: unit tangents at the ends, from the first to the second.
+    /// An edge where two skins meet, with unit tangents at the ends, from the first to the second.
     Crease([DVec3; 2]),
 }
 
-/// An edge's middle.
+/// Midpoint of an edge.
 struct Middle {
     point_m: DVec3,
     /// Curves of both halves.
@@ -33,7 +33,7 @@ struct Middle {
 }
 
 impl CurvedEdge {
-    /// Largest distance of the curve from its chord, m: a quarter of the length times the larger slope at an
+    /// Maximum distance of the curve from its chord, m: a quarter of the length times the larger slope at an
     /// end (the control polygon of a cubic), which an arc reaches.
     pub(crate) fn sagitta_m(&self) -> f64 {
         let chord = self.chord_m();
@@ -49,8 +49,7 @@ impl CurvedEdge {
         }
     }
 
-    /// Angle by which the curve turns from one end to the other, rad: twice its larger angle with the
-    /// chord.
+    /// Angle between the curve's directions at its ends, rad: twice its larger angle with the chord.
     pub(crate) fn turn_rad(&self) -> f64 {
         let chord = self.chord_m();
         let sines = match self.curve {
@@ -61,22 +60,22 @@ impl CurvedEdge {
         2.0 * sines[0].max(sines[1]).min(1.0).asin()
     }
 
-    /// Distance by which a cubic over a facet with this side misses the skin, m.
+    /// Distance between a cubic over a facet with this side and the skin, m.
     ///
-    /// Of an arc ρθ⁴/128 along the side, of a sphere ρθ⁴/72 = sagitta·θ²/9 over the middle of an equilateral
-    /// facet; twice that, since both neighbours err the same way. And the cubic's rise less that of rulings
-    /// that converge ([`rise_m`]).
+    /// For an arc it is ρθ⁴/128 along the side, for a sphere ρθ⁴/72 = sagitta·θ²/9 at the centre of an
+    /// equilateral facet; twice that, since both neighbours err in the same sense. The difference between the
+    /// rise of the cubic and that of converging rulings ([`rise_m`]) is added.
     pub(crate) fn cubic_error_m(&self) -> f64 {
         let Curve::OnSkin(normals) = self.curve else { return 0.0 };
         let (chord, turn) = (self.chord_m(), self.turn_rad());
         let [a, b] = slopes(chord, normals);
-        // A side that winds is a cubic's own.
+        // The side of an inflected curve is that of the cubic.
         let harmonic = if a * b > 0.0 { 4.0 * a * b / (a + b) } else { a + b };
         self.sagitta_m() * turn * turn / 4.5 + 0.125 * chord.length() * (a + b - harmonic).abs()
     }
 
-    /// Heights over a plane through both ends of the control points of a cubic, a third of the chord from the
-    /// first end and from the second: there the tangent planes or tangents at the ends pass.
+    /// Heights, over a plane through both ends, of the control points of a cubic, a third of the chord from
+    /// the first end and from the second: there the tangent planes or tangents at the ends pass.
     pub(crate) fn control_heights_m(&self, normal: DVec3) -> [f64; 2] {
         let third = self.chord_m() / 3.0;
         let steps = [third, -third];
@@ -90,14 +89,14 @@ impl CurvedEdge {
         })
     }
 
-    /// Both halves; they meet at the same point, on the curve.
+    /// Both halves, which meet at the same point on the curve.
     pub(crate) fn halves(&self) -> [Self; 2] {
         let Middle { point_m, curves } = self.middle();
         let half = |ends_m, curve| Self { ends_m, curve, halvings: self.halvings + 1 };
         [half([self.ends_m[0], point_m], curves[0]), half([point_m, self.ends_m[1]], curves[1])]
     }
 
-    /// Unit normal at the middle of a skin that has `normals` at the ends.
+    /// Unit normal at the midpoint of a skin with `normals` at the ends.
     pub(crate) fn normal_at_middle(&self, normals: [DVec3; 2]) -> DVec3 {
         let sum = normals[0] + normals[1];
         let along = match self.curve {
@@ -132,14 +131,14 @@ impl CurvedEdge {
     }
 }
 
-/// Vector from the chord's middle to the skin.
+/// Vector from the chord's midpoint to the skin.
 ///
-/// With slopes a and b against the chord at its ends the rise is ¼·L·2ab/(a + b), their harmonic mean: on a
-/// developable skin whose rulings converge, a cone, the height along a slanting chord is K·t(1 − t)/(r₀(1 −
-/// t) + r₁t), of which this is the middle; where a = b it is the cubic's, and it differs from the cubic's by
-/// fourth order, as the cubic does from the skin. The divisor 4 + 2|n₀ + n₁| = 8cos²¼γ in place of 8, γ the
-/// angle between the normals, makes it exact on a sphere and, straight or slanting, on a cylinder: ρ(1 − cos
-/// ½γ) = ρ(1 − cos γ)/(4cos²¼γ).
+/// With slopes a and b relative to the chord at its ends the rise is ¼·L·2ab/(a + b), their harmonic mean: on
+/// a developable skin with converging rulings, a cone, the height along an oblique chord is K·t(1 − t)/(r₀(1
+/// − t) + r₁t), whose value at the middle this is; for a = b it is the cubic's, and it differs from the
+/// cubic's by fourth order, as the cubic does from the skin. The divisor 4 + 2|n₀ + n₁| = 8cos²¼γ in place of
+/// 8, γ the angle between the normals, makes it exact on a sphere and, straight or oblique, on a cylinder:
+/// ρ(1 − cos ½γ) = ρ(1 − cos γ)/(4cos²¼γ).
 fn rise_m(chord: DVec3, normals: [DVec3; 2]) -> DVec3 {
     let sum = normals[0] + normals[1];
     let [a, b] = slopes(chord, normals);
@@ -148,16 +147,15 @@ fn rise_m(chord: DVec3, normals: [DVec3; 2]) -> DVec3 {
     rejected(sum, chord).try_normalize().map_or(DVec3::ZERO, |up| rise * up)
 }
 
-/// Slopes of a skin against its chord: its rise at the first end, and its fall back to it at the
-/// second.
+/// Slopes of a skin relative to its chord: its rise at the first end, and its descent to it at the second.
 fn slopes(chord: DVec3, normals: [DVec3; 2]) -> [f64; 2] {
     let length = chord.length();
     [-normals[0].dot(chord) / length, normals[1].dot(chord) / length]
 }
 
-/// The ends' normals in the ratio of the slopes at the other end, which is square to the chord and on a cone
-/// that of the ruling there, leaning as the height of [`rise_m`] slopes in its middle; of a curve that winds,
-/// as a cubic does.
+/// Normal at the midpoint: the ends' normals weighted by the slopes at the opposite ends, which is
+/// perpendicular to the chord and on a cone the normal of the ruling there, tilted by the slope of
+/// [`rise_m`]'s height at the middle; for an inflected curve the normal of a cubic.
 fn normal_at_middle(chord: DVec3, normals: [DVec3; 2]) -> DVec3 {
     let [a, b] = slopes(chord, normals);
     let both = a.abs() + b.abs();
@@ -175,9 +173,8 @@ fn normal_at_middle(chord: DVec3, normals: [DVec3; 2]) -> DVec3 {
     (square - slope * chord / chord.length()).try_normalize().unwrap_or(square)
 }
 
-/// Handles of the cubic: 2/3 of the chord's length over 1 + cos α for a tangent that leaves the chord
-/// at α: for an arc of angle 2α this is the 4/3·ρ·tan ½α of the cubic that leaves it by sixth order
-/// only.
+/// Handles of the cubic: 2/3 of the chord's length over 1 + cos α for a tangent at angle α to the chord: for
+/// an arc of angle 2α this is the 4/3·ρ·tan ½α of the cubic that deviates from it only by sixth order.
 fn handles_m(chord: DVec3, tangents: [DVec3; 2]) -> [DVec3; 2] {
     let length = chord.length();
     tangents.map(|t| t * (2.0 * length / (3.0 * (1.0 + t.dot(chord) / length))))
@@ -188,7 +185,7 @@ fn tangent_at_middle(chord: DVec3, tangents: [DVec3; 2]) -> DVec3 {
     (2.0 * chord - a - b).try_normalize().unwrap_or(tangents[0])
 }
 
-/// The part of `v` across `direction`.
+/// Component of `v` perpendicular to `direction`.
 pub(crate) fn rejected(v: DVec3, direction: DVec3) -> DVec3 {
     v - direction * (v.dot(direction) / direction.length_squared())
 }
@@ -197,7 +194,7 @@ pub(crate) fn rejected(v: DVec3, direction: DVec3) -> DVec3 {
 mod tests {
     use super::*;
 
-    /// Distance of every point of a refined edge from the surface that its ends lie on.
+    /// Maximum distance of the points of a refined edge from the surface that its ends lie on.
     fn worst(edge: CurvedEdge, halvings: u32, off_m: &dyn Fn(DVec3) -> f64) -> f64 {
         if halvings == 0 {
             return off_m(edge.ends_m[1]).abs();

@@ -1,7 +1,7 @@
-//! The curved skin that a mesh's normals tell of, as flat triangles so small that it does not matter.
+//! Curved skin described by a mesh's normals, as flat triangles small enough to represent it.
 //!
-//! Every edge becomes a curve by the normals at its ends ([`CurvedEdge`]); triangles are cut where their
-//! edges bend ([`refined`]). What is flat stays what it is, bit for bit. Why so:
+//! Every edge becomes a curve determined by the normals at its ends ([`CurvedEdge`]); triangles are
+//! subdivided where their edges bend ([`refined`]). Flat parts are unchanged, bit for bit. Reasons:
 //! `docs/decisions/curved-skin.md`.
 
 use crate::geometry::plane::Plane;
@@ -16,18 +16,18 @@ use artifact::scene::Mesh;
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// The triangles of a mesh, bent.
+/// Triangles of a mesh with curved sides.
 pub(crate) struct CurvedSkin {
-    /// Triangles with their bends; `None` for one without a plane.
+    /// Triangles with their curves; `None` for one without a plane.
     triangles: Vec<Option<BentTriangle>>,
 }
 
-/// Normals that differ by less are one: a thousandth moves a skin by 1/8000 of an edge.
+/// Difference below which normals are one: a thousandth moves a skin by 1/8000 of an edge.
 const SAME_NORMAL: f64 = 1e-3;
-/// A stored normal further than this from its facet's is none.
+/// Maximum angle between a stored normal and its facet's; beyond it the normal is ignored.
 const LEAN_MAX: f64 = 75.0 * std::f64::consts::PI / 180.0;
-/// Two skins whose normals differ by less at an edge that no crease can follow are one skin with careless
-/// normals.
+/// Angle below which two skins whose normals differ at an edge where no crease is possible are one skin with
+/// inaccurate normals.
 const CARELESS: f64 = 20.0 * std::f64::consts::PI / 180.0;
 
 impl CurvedSkin {
@@ -65,14 +65,14 @@ impl CurvedSkin {
         Self { triangles: (0..corners_m.len()).into_par_iter().map(bent).collect() }
     }
 
-    /// Number of facets that [`CurvedSkin::facets`] makes.
+    /// Number of facets produced by [`CurvedSkin::facets`].
     pub(crate) fn count(&self, limits: &BendLimits) -> usize {
         let of = |bent: &Option<BentTriangle>| bent.as_ref().map_or(1, |b| count(b, limits));
         self.triangles.par_iter().map(of).collect::<Vec<_>>().into_iter().sum()
     }
 
-    /// Facets whose sides bend no more than the limits allow; what needs no cut keeps its corners, bit for
-    /// bit.
+    /// Facets whose sides bend no more than the limits allow; triangles that need no subdivision keep their
+    /// corners, bit for bit.
     pub(crate) fn facets(&self, corners_m: &[[DVec3; 3]], limits: &BendLimits) -> SkinTriangles {
         let of = |(bent, corners): (&Option<BentTriangle>, &[DVec3; 3])| {
             let Some(bent) = bent else { return vec![(*corners, [DVec3::ZERO; 3], [0.0; 6])] };
@@ -97,15 +97,15 @@ impl CurvedSkin {
     }
 }
 
-/// A skin steeper than this over its facet stands on a sliver: its height is that of the long sides, its
-/// slope made of nothing.
+/// Slope over its facet above which a skin stands on a sliver: its height is that of the long sides, its
+/// slope meaningless.
 const STEEP: f64 = 1.0;
-/// Bound of the slope from which on a skin stands on a sliver as well; bounds of round skins are up to
-/// twice their slopes.
+/// Bound on the slope above which a skin stands on a sliver as well; bounds of round skins are up to twice
+/// their slopes.
 const STEEP_BOUND: f64 = 2.0;
 
-/// Control heights of the skin; where it rises by less than a hundredth of what is allowed, or stands
-/// on a sliver, the facet is flat.
+/// Control heights of the skin; if it rises by less than a hundredth of the allowed offset, or stands on a
+/// sliver, the facet is flat.
 fn control_heights_m(bent: &BentTriangle, limits: &BendLimits) -> ControlHeights {
     let heights_m = bent.control_heights_m();
     let [a, b, c] = bent.corners_m;
@@ -118,8 +118,8 @@ fn control_heights_m(bent: &BentTriangle, limits: &BendLimits) -> ControlHeights
     if is_bent { heights_m } else { [0.0; 6] }
 }
 
-/// Unit normals at the corners of every triangle on the side of its winding: stored ones where they are any,
-/// made ones else.
+/// Unit normals at the corners of every triangle on the side of its winding: stored ones if there are any,
+/// otherwise estimated.
 fn corner_normals(mesh: &Mesh, facets: &Facets<'_>) -> Vec<[DVec3; 3]> {
     let stored = |triangle: usize, k: usize| {
         let vertex = mesh.triangles[triangle][k] as usize;
@@ -139,7 +139,7 @@ fn corner_normals(mesh: &Mesh, facets: &Facets<'_>) -> Vec<[DVec3; 3]> {
     stored.iter().zip(&made).map(either).collect()
 }
 
-/// The curve of an edge from the normals of all triangles that have it.
+/// Curve of an edge from the normals of all triangles that share it.
 fn curved(
     edge: &MeshEdge<'_>,
     at_m: impl Fn(u32) -> DVec3,
@@ -156,7 +156,8 @@ fn curved(
         if is_forth(side) { walked } else { [walked[1], walked[0]] }
     };
     let mut sides: Vec<[DVec3; 2]> = edge.sides.iter().map(of_side).collect();
-    // Two triangles that walk an edge the same way are wound differently; of more, some lie on one another.
+    // Two triangles that traverse an edge in the same sense have opposite windings; of more, some lie on one
+    // another.
     let first = sides[0][0];
     let is_turned = |i: usize, normals: &[DVec3; 2]| match edge.sides {
         [a, b] => is_forth(a) == is_forth(b),
@@ -192,8 +193,8 @@ fn mean(a: DVec3, b: DVec3) -> DVec3 {
     (a + b).try_normalize().unwrap_or(a)
 }
 
-/// Crease where two skins meet: along the line that lies in both tangent planes, or in the one where
-/// they touch. `None` where that line leaves the chord by much more than the skins do.
+/// Crease where two skins meet: along the line in both tangent planes, or in the common one where they touch.
+/// `None` if that line deviates from the chord by much more than the skins do.
 fn crease(chord: DVec3, a: &[DVec3; 2], b: &[DVec3; 2]) -> Option<Curve> {
     let along = chord.try_normalize()?;
     let lean = |n: &[DVec3; 2]| n.map(|n| n.dot(along).abs().min(1.0).asin()).into_iter().fold(0.0, f64::max);

@@ -1,39 +1,39 @@
-//! Corner normals of a mesh that stores none: edges are told to be creases or not, and elsewhere the
-//! skin's normal is made.
+//! Estimation of corner normals for a mesh that stores none: edges are classified as creases or not, and
+//! elsewhere the skin's normal is estimated.
 //!
-//! A tessellated round turns on from edge to edge about as much; a crease turns once. And a facet beside a
-//! round that is much wider than the round's own, or that goes on flat, is a flat with a round joined to it:
-//! it keeps its normal, and the round takes it over.
+//! A tessellated round turns by a similar angle from edge to edge; a crease turns once. A facet beside a
+//! round that is much wider than the round's own facets, or that continues flat, is a flat joined to a round:
+//! it keeps its normal, and the round adopts it.
 
 use crate::mesh::mesh_edges::{MeshEdges, TriangleSide, Winding, sides_of};
 use glam::DVec3;
 
-/// No smooth skin is cut so coarsely that it turns more than this at an edge: a round of eight sides turns
-/// 45°, an icosahedron 41.8°.
+/// Maximum angle by which a smooth skin turns at an edge: a round of eight sides turns 45°, an icosahedron
+/// 41.8°.
 const TURN_MAX: f64 = 50.0 * std::f64::consts::PI / 180.0;
-/// A round goes on turning at least by this part of its last turn.
+/// Minimum ratio of a round's next turn to its last.
 const GOES_ON: f64 = 0.25;
-/// A facet this many times as wide as its neighbour is no step of the same round.
+/// Ratio of widths from which a facet is no step of its neighbour's round.
 const WIDER: f64 = 3.0;
-/// An edge tells what a facet's skin does across another one if the two ways across are at least this
-/// parallel (cosine).
+/// Minimum cosine between the directions across two edges for one to be evidence of the skin's shape across
+/// the other.
 const SAME_WAY: f64 = 0.4;
 
 /// Facets with their planes.
 pub(crate) struct Facets<'a> {
-    /// Corners by triangle; those left out of `edges` are not read.
+    /// Corners by triangle; those omitted from `edges` are not read.
     pub(crate) corners_m: &'a [[DVec3; 3]],
-    /// Unit normals by the winding; zero where a triangle is left out.
+    /// Unit normals by winding; zero if a triangle is omitted.
     pub(crate) normals: &'a [DVec3],
     pub(crate) places: &'a [Option<[u32; 3]>],
     pub(crate) edges: &'a MeshEdges,
 }
 
-/// The turn from one facet to the next.
+/// Turn from one facet to the next.
 #[derive(Debug, Clone, Copy)]
 struct Turn {
     angle: f64,
-    /// Kind of the turn; flat where it is below what single precision of the corners makes of a flat edge.
+    /// Kind of the turn; flat if below the effect of single-precision corners on a flat edge.
     kind: TurnKind,
 }
 
@@ -82,7 +82,7 @@ impl Fans {
 }
 
 impl Facets<'_> {
-    /// The other facet at a side that has two, and +1, or −1 where its winding is the other way round.
+    /// Other facet at a side shared by two, and +1, or −1 if its winding is opposite.
     fn across(&self, side: TriangleSide) -> Option<(TriangleSide, f64)> {
         let edge = *self.edges.of_side(side).first()?;
         let (other, winding) = self.edges.edge(edge as usize).across(side, self.places)?;
@@ -105,12 +105,12 @@ impl Facets<'_> {
         other_sides(side).into_iter().all(|other| length2(other) <= length2(side))
     }
 
-    /// Unit vector in the facet's plane, out of the facet.
+    /// Unit vector in the facet's plane, pointing out of the facet.
     fn outwards(&self, side: TriangleSide) -> DVec3 {
         self.along_m(side).cross(self.normal(side)).try_normalize().unwrap_or(DVec3::ZERO)
     }
 
-    /// Width of the facet across the side: the height over it.
+    /// Width of the facet across the side: its height.
     fn width_m(&self, side: TriangleSide) -> f64 {
         let corners = &self.corners_m[side.triangle as usize];
         let third = corners[(usize::from(side.side) + 2) % 3];
@@ -149,14 +149,14 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
     (0..facets.normals.len()).map(|t| sides(t).map(judged)).collect()
 }
 
-/// Angle by which the skin turns on the same way where it leaves a facet that was entered at `side`,
-/// rad; `None` where no edge tells.
+/// Angle by which the skin continues to turn in the same direction where it leaves a facet entered at `side`,
+/// rad; `None` if no edge shows it.
 ///
-/// A diagonal is stepped over once: where it is no bend, and, as quads of a skin that is bent both ways are
-/// not flat, where it is the longest side of both its facets; there it may be the way on as well.
+/// A diagonal is crossed once: where it does not bend, and, since quads of a doubly curved skin are not flat,
+/// where it is the longest side of both its facets; there it may be the exit as well.
 fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> Option<f64> {
     let (behind, sign) = facets.across(side)?;
-    // Across the side the normal has turned by this vector.
+    // Across the side the normal has turned along this direction.
     let way = -facets.outwards(side);
     let bend = (facets.normal(side) - sign * facets.normal(behind)).dot(way);
     let turn_at = |s: TriangleSide| turns[s.triangle as usize][usize::from(s.side)];
@@ -181,7 +181,7 @@ fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> Opti
     on.fold(None, |most: Option<f64>, x| Some(most.map_or(x, |m| m.max(x))))
 }
 
-/// Distance from a side that a facet and what goes on flat beyond its other sides reach.
+/// Extent, from a side, of a facet and its flat continuation beyond its other sides.
 fn patch_width_m(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> f64 {
     let (out, from) =
         (facets.outwards(side), facets.corners_m[side.triangle as usize][usize::from(side.side)]);
@@ -205,7 +205,8 @@ fn is_flat_towards(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide)
     wide || (ends(side) && !ends(other))
 }
 
-/// Mean of the facets around a place that no crease parts from this one; flats that a round joins outvote it.
+/// Mean normal of the facets around a place that no crease separates from this one; flats joined to a round
+/// take precedence.
 fn corner_normal(facets: &Facets<'_>, turns: &[[Turn; 3]], fans: &Fans, triangle: usize, k: usize) -> DVec3 {
     let own = facets.normals[triangle];
     let Some(places) = facets.places[triangle] else { return own };
@@ -222,14 +223,14 @@ fn corner_normal(facets: &Facets<'_>, turns: &[[Turn; 3]], fans: &Fans, triangle
     let vote = if has_quads { by_angle } else { by_sphere };
     let sum = voting.fold(DVec3::ZERO, |sum, ((t, k, sign), _)| sum + *sign * vote(facets, *t, *k));
     let normal = sum.try_normalize().unwrap_or(own);
-    // An apex has no normal: a skin's is no further from a facet's than the turns around.
+    // An apex has no normal: a skin's differs from a facet's by no more than the turns around it.
     let smooth = group.iter().flat_map(at_corner).map(turn).filter(|turn| turn.kind == TurnKind::Smooth);
     let most = 2.0 * smooth.fold(0.0, |most, turn| turn.angle.max(most));
     if normal.angle_between(own) <= most { normal } else { own }
 }
 
-/// Triangles of a fan that are joined to `start` by edges at the fan's place that are no creases: corner, and
-/// the sign that brings their winding to that of `start`; ascending.
+/// Triangles of a fan connected to `start` by edges at the fan's place that are not creases: corner, and the
+/// sign that aligns their winding with that of `start`; ascending.
 fn smooth_group(
     facets: &Facets<'_>,
     turns: &[[Turn; 3]],
@@ -257,15 +258,15 @@ fn smooth_group(
     group
 }
 
-/// The facet's normal times its angle at a corner (G. Thürmer, C. Wüthrich, J. Graphics Tools 3 (1998) 43): a
-/// quad counts the same whichever way it is cut, so that normals of cylinders and cones are exact.
+/// Normal of the facet times its angle at a corner (G. Thürmer, C. Wüthrich, J. Graphics Tools 3 (1998) 43):
+/// a quad counts the same for either diagonal, so that normals of cylinders and cones are exact.
 fn by_angle(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
     let [u, v] = leaving(facets, triangle, k);
     facets.normals[triangle as usize] * u.angle_between(v)
 }
 
-/// Normal u × v/(|u|²|v|²) of the edges that leave a corner (N. Max, J. Graphics Tools 4 (1999) 1):
-/// where all vertices lie on a sphere their sum is its normal, whatever the triangles.
+/// Normal u × v/(|u|²|v|²) from the edges that leave a corner (N. Max, J. Graphics Tools 4 (1999) 1): if all
+/// vertices lie on a sphere their sum is its normal, for any triangles.
 fn by_sphere(facets: &Facets<'_>, triangle: u32, k: u8) -> DVec3 {
     let [u, v] = leaving(facets, triangle, k);
     let squares = u.length_squared() * v.length_squared();

@@ -1,6 +1,6 @@
-//! Triangles of the curved skin cut until they lie close enough to it.
+//! Subdivision of triangles of the curved skin until they are close enough to it.
 //!
-//! An edge is halved by what it is itself, never by what its triangle is: both its triangles halve it, and no
+//! An edge is halved depending only on itself, never on its triangle: both its triangles halve it, and no
 //! crack opens.
 
 use crate::surface::bend::ControlHeights;
@@ -18,35 +18,36 @@ pub(crate) struct BentTriangle {
     pub(crate) sides: [BentSide; 3],
 }
 
-/// An edge as a triangle walks along it.
+/// An edge as traversed by a triangle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BentSide {
     pub(crate) edge: CurvedEdge,
     pub(crate) walk: EdgeDirection,
 }
 
-/// Whether a triangle walks from an edge's first end to its second.
+/// Whether a triangle traverses an edge from its first end to its second.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum EdgeDirection {
     Forth,
     Back,
 }
 
-/// Limits of the bend of sides; beyond them they are cut.
+/// Limits on the bend of sides; beyond them sides are halved.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BendLimits {
-    /// Sagitta of a flat facet in place of the skin, m.
+    /// Maximum sagitta of a flat facet in place of the skin, m.
     pub(crate) sagitta_m: f64,
-    /// Turn between the ends of a side, rad.
+    /// Maximum turn between the ends of a side, rad.
     pub(crate) turn_rad: f64,
-    /// Offset of a bent facet in place of the skin, and of a facet's outline in its own plane, m.
+    /// Maximum offset of a curved facet from the skin, and of a facet's outline in its own plane, m.
     pub(crate) offset_m: f64,
 }
 
-/// Sides in 32 parts turn by a degree where the whole turned by 35°, and no triangle becomes more than 1024.
+/// Maximum number of halvings: sides in 32 parts turn by a degree if the whole turned by 35°, and no triangle
+/// becomes more than 1024.
 const HALVINGS_MAX: u8 = 5;
 
-/// Parts whose sides bend no more than the limits allow, in its winding.
+/// Parts whose sides bend no more than the limits allow, with the original winding.
 pub(crate) fn refined(whole: BentTriangle, limits: &BendLimits) -> Vec<BentTriangle> {
     let mut good = Vec::new();
     let mut left = vec![whole];
@@ -61,7 +62,7 @@ pub(crate) fn refined(whole: BentTriangle, limits: &BendLimits) -> Vec<BentTrian
     good
 }
 
-/// Number of triangles that [`refined`] makes.
+/// Number of triangles produced by [`refined`].
 pub(crate) fn count(whole: &BentTriangle, limits: &BendLimits) -> usize {
     let mut left = vec![*whole];
     let mut good = 0;
@@ -78,8 +79,8 @@ fn is_split(edge: &CurvedEdge, limits: &BendLimits) -> bool {
     edge.halvings < HALVINGS_MAX && halvings(edge, limits) > 0.0
 }
 
-/// Number of times that an edge is to be halved: sagittas fall to a quarter each time, turns to a half,
-/// and what a cubic over the facet misses to a sixteenth.
+/// Number of halvings of an edge: each reduces sagittas to a quarter, turns to a half, and the error of a
+/// cubic over the facet to a sixteenth.
 fn halvings(edge: &CurvedEdge, limits: &BendLimits) -> f64 {
     let (sagitta_m, turn) = (edge.sagitta_m(), edge.turn_rad());
     let offset_m = match edge.curve {
@@ -115,7 +116,7 @@ impl BentSide {
         Self { walk, ..self }
     }
 
-    /// Both halves in the order of the walk.
+    /// Both halves in the order of traversal.
     fn halves(&self) -> [Self; 2] {
         let [first, second] = self.edge.halves().map(|edge| Self { edge, walk: self.walk });
         if self.walk == EdgeDirection::Forth { [first, second] } else { [second, first] }
@@ -130,7 +131,7 @@ struct BentCorner {
 }
 
 impl BentTriangle {
-    /// Control heights of the skin over the flat triangle, by the slopes of its sides at their ends.
+    /// Control heights of the skin over the flat triangle, from the slopes of its sides at their ends.
     pub(crate) fn control_heights_m(&self) -> ControlHeights {
         let [a, b, c] = self.corners_m;
         let normal = (b - a).cross(c - a).try_normalize().unwrap_or(DVec3::ZERO);
@@ -161,7 +162,7 @@ impl BentTriangle {
         Self { corners_m: corners.map(|c| c.at_m), normals: corners.map(|c| c.normal), sides }
     }
 
-    /// The triangle turned so that corner `k` comes first.
+    /// Triangle with its corners rotated so that corner `k` comes first.
     fn turned_to(&self, k: usize) -> Self {
         let turned = [0, 1, 2].map(|i| (k + i) % 3);
         Self {
@@ -196,14 +197,15 @@ impl BentTriangle {
         into.push(Self::of([m, b, c], [second, self.sides[1], inner.reversed()]));
     }
 
-    /// Whether sides 1 and 2 are rulings of a cone that meet in its apex, which has no normal that could
-    /// tell: then so is what runs between them. They rise from their chords by less than a quarter of side 0.
+    /// Whether sides 1 and 2 are rulings of a cone that meet at its apex, which has no meaningful normal, so
+    /// that any line between them is a ruling too. They rise from their chords by less than a quarter of that
+    /// of side 0.
     fn is_fan(&self) -> bool {
         let [base, left, right] = self.sides.each_ref().map(|side| side.edge.sagitta_m());
         left.max(right) < 0.25 * base
     }
 
-    /// Halves sides 0 and 1: corner 1 is cut off, and what is left by its shorter diagonal.
+    /// Halves sides 0 and 1: corner 1 is cut off, and the remainder is split along its shorter diagonal.
     fn cut_in_three(&self, into: &mut Vec<Self>) {
         let ([from_a, to_b], [from_b, to_c]) = (self.sides[0].halves(), self.sides[1].halves());
         let (m, n) = (self.middle(0, &from_a), self.middle(1, &from_b));
@@ -226,7 +228,7 @@ impl BentTriangle {
         let halves = self.sides.map(|side| side.halves());
         let middles = [0, 1, 2].map(|k| self.middle(k, &halves[k][0]));
         let halvings = halves.iter().map(|h| h[0].edge.halvings).fold(0, u8::max);
-        // Inner side k is opposite to corner k: from the middle of side k − 1 to that of side k.
+        // Inner side k is opposite corner k: from the midpoint of side k − 1 to that of side k.
         let inner = [0, 1, 2].map(|k| BentSide::within(middles[(k + 2) % 3], middles[k], halvings));
         for k in 0..3 {
             let before = (k + 2) % 3;

@@ -1,4 +1,4 @@
-//! Surface that the facets of a mesh stand for: themselves, or the curved skin that they were cut from.
+//! Surface that the facets of a mesh represent: themselves, or the curved skin that they approximate.
 
 use crate::surface::curved_skin::CurvedSkin;
 use crate::surface::refinement::BendLimits;
@@ -9,18 +9,19 @@ use artifact::settings::Surface;
 use glam::{DVec3, Vec3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Way in which a mesh becomes facets.
+/// Conversion of a mesh into facets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Skin {
-    /// The mesh is taken as it is.
+    /// The mesh unchanged.
     Flat,
-    /// Facets bent by the normals at their corners, so small that they err by a fraction of the amplitude.
+    /// Facets curved according to the normals at their corners, so small that they err by a fraction of the
+    /// amplitude.
     Smooth {
-        /// Relative amplitude error allowed for want of smaller facets; at least 1e-6.
+        /// Relative amplitude error allowed for the size of facets; at least 1e-6.
         accuracy: Accuracy,
         /// Shortest wavelength.
         wavelength_m: f64,
-        /// Whether facets reflect onto others, as they do from the second order on.
+        /// Whether facets reflect onto others, as from the second order on.
         role: Role,
         /// Number of times that all limits are doubled.
         doublings: u32,
@@ -30,21 +31,21 @@ pub enum Skin {
 /// Whether facets reflect onto others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
-    /// Facets that are lit directly scatter, and reflect onto no others.
+    /// Directly lit facets scatter, but do not reflect onto others.
     Scatterers,
-    /// Each facet is a flat mirror for the next, too.
+    /// Each facet is also a flat mirror for the next.
     Mirrors,
 }
 
-/// Most facets that a mesh is cut into, about: a facet and its beam take some 3 kB (measured on a car of 10
-/// 077 triangles in 0.9 million facets), so these are 1.5 GiB. A skin that asks for more is cut as fine as
-/// this allows, and says so.
+/// Approximate maximum number of facets of a mesh: a facet and its beam take some 3 kB (measured on a car of
+/// 10 077 triangles in 0.9 million facets), so these are 1.5 GiB. A skin that requires more is subdivided as
+/// finely as this permits, and reports it.
 const FACETS_MAX: usize = 1 << 19;
 
-/// Share of the accuracy asked for that facets in place of a skin may take; the rest is left for all else.
+/// Share of the requested accuracy allotted to the approximation of a skin by facets.
 const SKIN_SHARE: f64 = 0.6;
 
-/// Share of the accuracy asked for that a skin of [`SKIN_SHARE`] leaves: √(1 − 0.6²). Flat facets are the
+/// Share of the requested accuracy left by a skin with [`SKIN_SHARE`]: √(1 − 0.6²). Flat facets are the
 /// surface, and leave all of it.
 pub(crate) fn share_beside(surface: Surface) -> f64 {
     match surface {
@@ -53,38 +54,38 @@ pub(crate) fn share_beside(surface: Surface) -> f64 {
     }
 }
 
-/// How much coarser the facets are that a skin's error is measured with, as a factor of the error that they
-/// are cut for.
+/// Coarseness of the facets with which a skin's error is measured, as a factor of the error for which they
+/// are subdivided.
 ///
-/// Where a mesh tells its skin, the error falls with that of the cut, and the difference to coarser facets is
-/// three times the error. Where triangles are so long, or turn so far, that their corners' normals do not
-/// tell what is between them to a part of the wavelength, each cut is another skin, and both err by 1/√2 of
-/// the difference.
+/// If a mesh determines its skin, the error falls with that of the subdivision, and the difference to coarser
+/// facets is three times the error. If triangles are so long, or turn so far, that their corners' normals do
+/// not determine the surface between them to a fraction of the wavelength, each subdivision is another skin,
+/// and both err by 1/√2 of the difference.
 pub(crate) const COARSER: f64 = 4.0;
 
-/// Facets that a body may have, about, to be compared with: cut for less error than its own.
+/// Approximate maximum number of facets of a body in a comparison with finer facets than its own.
 ///
-/// Where a skin is doubly bent, facets are as many times more as the error is less. Mirrors send beams from
-/// each to each, and fewer are afforded.
+/// For a doubly curved skin the number of facets grows by the factor by which the error falls. Mirrors send
+/// beams from each to each, so fewer are affordable.
 const FINER_FACETS: usize = 32_000;
 const FINER_MIRRORS: usize = 8_000;
-/// Factors of the error that these are cut for, the finest first.
+/// Factors by which the error of the finer facets is smaller, finest first.
 const FINER_TIMES: [f64; 3] = [64.0, 16.0, 4.0];
 
 /// A comparison with finer facets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FinerSkin {
-    /// Factor by which the error is less that they are cut for.
+    /// Factor by which the error of their subdivision is smaller.
     pub(crate) times: f64,
 }
 
 impl FinerSkin {
-    /// The finest that is affordable beside so many facets of a run of so many bounces; none where coarser
-    /// ones tell what facets err by.
+    /// Finest affordable comparison for a number of facets and bounces; `None` if coarser facets reveal the
+    /// error.
     ///
-    /// Limits of a single bounce tell it of a skin that has far fewer coarser facets. From the second bounce
-    /// on a facet is a flat mirror, what it shows of the next is not told by its sagitta, and skins that are
-    /// both too coarse may differ by little.
+    /// For a single bounce the limits ensure this for a skin with far fewer coarser facets. From the second
+    /// bounce on a facet is a flat mirror, whose sagitta does not determine how it shows the next one, and
+    /// two skins that are both too coarse may differ little.
     pub(crate) fn beside(facets: usize, coarser: usize, bounces: u8) -> Option<Self> {
         if bounces < 2 && 2 * coarser <= facets {
             return None;
@@ -94,31 +95,32 @@ impl FinerSkin {
         FINER_TIMES.into_iter().find(fits).map(|times| Self { times })
     }
 
-    /// Error over the difference, where errors fall as what facets are cut for.
+    /// Ratio of the error to the difference, if errors scale with those of the subdivision.
     pub(crate) fn over_difference(self) -> f64 {
         1.0 / (1.0 - 1.0 / self.times)
     }
 }
 
-/// Error told of facets cut for `cut_for`, by the relative difference to [`COARSER`] ones. Of a mesh that is
-/// finer than both cuts there is none, and at few frequencies and aspects it may vanish by chance: no less
-/// than half of what they are cut for is told.
+/// Error reported for facets subdivided for `cut_for`, from the relative difference to [`COARSER`] ones. For
+/// a mesh finer than both subdivisions the difference is zero, and at few frequencies and aspects it may
+/// vanish by chance: at least half of the subdivision's error is reported.
 pub(crate) fn told_error(difference: f64, cut_for: f64) -> f64 {
     difference.hypot(0.5 * cut_for)
 }
 
-/// Error that facets cut for `cut_for` may have where both antennas are this angle apart, seen from the body.
+/// Error possible for facets subdivided for `cut_for` if both antennas are this angle apart, seen from the
+/// body.
 ///
-/// A facet at the terminator is lit or not as a whole ([`limits`]). From one place the weight of what is lit
-/// falls to nothing there, and half of a facet's turn θ is left; from two it falls to half of sin β, so that
-/// the error is (θ + sin β)/θ times as large.
+/// A facet at the terminator is lit or not as a whole ([`limits`]). For one position the weight of the lit
+/// part falls to zero there, leaving half of a facet's turn θ; for two it falls to half of sin β, so that the
+/// error is (θ + sin β)/θ times as large.
 pub(crate) fn cut_for_apart(cut_for: f64, apart_rad: f64) -> f64 {
     let turn_rad = turn_rad(cut_for);
     if turn_rad > 0.0 { cut_for * (1.0 + apart_rad.min(FRAC_PI_2).sin() / turn_rad) } else { cut_for }
 }
 
 impl Skin {
-    /// Skin that a run asks for, with its share of the run's accuracy.
+    /// Skin requested by a run, with its share of the run's accuracy.
     pub fn of(surface: Surface, accuracy: Accuracy, wavelength_m: f64, bounces: u8) -> Self {
         let accuracy = accuracy.share(SKIN_SHARE);
         let role = if bounces > 1 { Role::Mirrors } else { Role::Scatterers };
@@ -128,7 +130,7 @@ impl Skin {
         }
     }
 
-    /// The skin cut by limits that are as much coarser as this relative amplitude error is than its own.
+    /// The skin with limits coarser by the ratio of this relative amplitude error to its own.
     pub(crate) fn coarser(self, error: f64) -> Self {
         match self {
             Self::Flat => Self::Flat,
@@ -139,7 +141,7 @@ impl Skin {
         }
     }
 
-    /// The skin cut for so many times less error.
+    /// The skin subdivided for an error `times` smaller.
     pub(crate) fn finer(self, times: f64) -> Self {
         match self {
             Self::Flat => Self::Flat,
@@ -170,20 +172,20 @@ impl Skin {
     }
 }
 
-/// Relative amplitude error that facets are cut for.
+/// Relative amplitude error for which facets are subdivided.
 fn least_error(accuracy: Accuracy) -> f64 {
     accuracy.amplitude().max(1e-6)
 }
 
-/// Limits of facets for a relative amplitude error: how fine they must be.
+/// Limits on facets for a relative amplitude error.
 ///
-/// - A skin that a bent facet misses by s shifts the phase by 2ks there and back: s ≤ λ·error/4π.
+/// - A curved facet that misses the skin by s shifts the phase by 2ks two-way: s ≤ λ·error/4π.
 /// - A facet at the terminator is lit or not as a whole. Where it ends, the weight is half of its turn θ
-///   instead of nothing, and an integral along the wave that ends with weight w has w/2k left. The rim of a
-///   sphere holds 2πρ/a facets of chord a = θρ with phases of their own: √(2πρ/a)·a·½θ/2k·k/√π over √π·ρ, or
+///   instead of zero, and an integral along the wave that ends with weight w leaves w/2k. The rim of a sphere
+///   consists of 2πρ/a facets of chord a = θρ with independent phases: √(2πρ/a)·a·½θ/2k·k/√π over √π·ρ, or
 ///   0.2θ^{3/2}, doubled for facets seen corner on.
-/// - A mirror is flat: its strips keep gaps, which its neighbours' diffraction fills only where q = a/√(ρλ)
-///   is below ½: s = q²λ/8.
+/// - A mirror is flat: its strips leave gaps, which its neighbours' diffraction fills only if q = a/√(ρλ) is
+///   below ½: s = q²λ/8.
 fn limits(error: f64, wavelength_m: f64, role: Role) -> BendLimits {
     let sagitta_m = match role {
         Role::Scatterers => f64::INFINITY,
@@ -192,7 +194,7 @@ fn limits(error: f64, wavelength_m: f64, role: Role) -> BendLimits {
     BendLimits { sagitta_m, turn_rad: turn_rad(error), offset_m: wavelength_m * error / (4.0 * PI) }
 }
 
-/// Turn of facets whose rim errs by this part of the amplitude.
+/// Turn of facets whose rim errs by this share of the amplitude.
 fn turn_rad(error: f64) -> f64 {
     (2.5 * error).powf(2.0 / 3.0)
 }
@@ -206,7 +208,7 @@ fn limits_coarser(limits: BendLimits) -> BendLimits {
     }
 }
 
-/// The mesh as it is.
+/// The mesh unchanged.
 fn flat(mesh: &Mesh, corners_m: Vec<[DVec3; 3]>) -> SkinTriangles {
     let normal = |vertex: &u32| mesh.normals.get(*vertex as usize).map(|n| Vec3::from_array(*n).as_dvec3());
     let of_triangle = |[a, b, c]: &[u32; 3]| Some([normal(a)?, normal(b)?, normal(c)?]);

@@ -1,4 +1,4 @@
-//! Antennas of a table that stand where no method says anything.
+//! Antennas of a table at positions where no method is valid.
 
 use crate::bodies::stand_off::check_stand;
 use crate::bodies::world::World;
@@ -8,8 +8,8 @@ use crate::table::rcs_table::check;
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 
-/// Refuses a request with an antenna nearer to a facet than a wavelength, or inside a closed body: as
-/// [`crate::rcs`] does, for methods that do not look.
+/// Refuses a request with an antenna nearer to a facet than a wavelength, or inside a closed body, like
+/// [`crate::rcs`], for methods without this check.
 pub fn check_antennas(mesh: &Mesh, request: &RcsRequest) -> Result<(), BartError> {
     check(request)?;
     let is_near = request.range_m.is_finite() || request.receiver.is_some_and(|r| r.range_m.is_finite());

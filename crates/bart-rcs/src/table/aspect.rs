@@ -1,4 +1,4 @@
-//! Scattering at one aspect: trees, joins and integrals of every order, by the rule asked for and by the
+//! Scattering at one aspect: trees, joins and integrals of every order, by the requested node rule and by the
 //! other one.
 
 use crate::beams::beam::BeamTree;
@@ -22,34 +22,35 @@ use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// S of one aspect.
+/// Scattering amplitude S at one aspect.
 #[derive(Debug, Clone)]
 pub(crate) struct Scattering {
-    /// Scattering by the rule asked for, by order from 1, then frequency.
+    /// Scattering by the requested rule, by order from 1, then frequency.
     pub(crate) chosen_m: Vec<Vec<Complex64>>,
     /// Scattering by the other rule, where it was measured.
     pub(crate) other_m: Option<Vec<Vec<Complex64>>>,
-    /// Power over frequency of the error of the integrals, where it was measured.
+    /// Power over frequency of the error of the integrals, if measured.
     pub(crate) error_power: Option<f64>,
-    /// Power |S|² over frequency of the first order that is left out, where it was measured.
+    /// Power |S|² over frequency of the first omitted order, if measured.
     pub(crate) left_out_power: Option<f64>,
-    /// Change by edges that are left out, where it was measured.
+    /// Change due to omitted edges, if measured.
     pub(crate) left_out_edges: Option<LeftOutEdges>,
-    /// Power over frequency of the whole scattering matrix, all polarizations, order by order, m².
+    /// Power over frequency of the whole scattering matrix, all polarizations, summed order by order, m².
     pub(crate) whole_power: f64,
     pub(crate) beams: Vec<u64>,
-    /// Accuracy that the integrals were asked for: as the settings have it, or coarser.
+    /// Accuracy of the integrals: that of the settings, or coarser.
     pub(crate) accuracy: f64,
-    /// Amplitude of all beams given up with independent phases.
+    /// Amplitude of all dropped beams with independent phases.
     pub(crate) dropped_m: f64,
-    /// Amplitude of all beams given up with equal phases.
+    /// Amplitude of all dropped beams with equal phases.
     pub(crate) dropped_at_most_m: f64,
     pub(crate) trace_seconds: f64,
     pub(crate) integrate_seconds: f64,
     pub(crate) check_seconds: f64,
 }
 
-/// Traces and integrates; polarization vectors have z as up, phases are referred to the world's origin.
+/// Traces and integrates one aspect; polarization vectors have z as up, phases are referred to the world's
+/// origin.
 pub(crate) fn scattering(
     world: &World,
     aspect: &Aspect,
@@ -60,18 +61,18 @@ pub(crate) fn scattering(
     scattering_with(world, aspect, settings, checks, &Company { received: None, progress: &Unheard, meter })
 }
 
-/// Company of an aspect: what it shares with others.
+/// Context that an aspect shares with others.
 #[derive(Clone, Copy)]
 pub(crate) struct Company<'a> {
-    /// The receiver's tree where it was traced before, by the same settings, up to their last order.
+    /// Receiver's tree, if traced before with the same settings up to their last order.
     pub(crate) received: Option<&'a BeamTree>,
-    /// Listener that hears how far the aspect is.
+    /// Receiver of the aspect's progress.
     pub(crate) progress: &'a dyn Progress,
-    /// Tells what of the work is the aspect's.
+    /// Meter of the aspect's share of the work.
     pub(crate) meter: &'a WorkMeter<'a>,
 }
 
-/// Traces and integrates as [`scattering`] does, in company.
+/// Like [`scattering`], in a shared context.
 pub(crate) fn scattering_with(
     world: &World,
     aspect: &Aspect,
@@ -108,7 +109,7 @@ pub(crate) fn scattering_with(
         checks.integrals.error_power((difference, finer), (accuracy, settings.edges), power_of(finer_m))
     });
     let taken = finer_m.filter(|_| checks.integrals == IntegralsCheck::Taken);
-    // Both node rules are compared by integrals that are as fine as each other.
+    // Both node rules are compared with integrals of equal fineness.
     let other_m = other_m.map(|other_m| match &taken {
         Some(finer_m) => moved(other_m, &chosen_m, finer_m),
         None => other_m,
@@ -130,13 +131,13 @@ pub(crate) fn scattering_with(
     })
 }
 
-/// The trees of an aspect, grown as far as they were needed so far.
+/// Trees of an aspect, grown as far as needed so far.
 struct Ends<'a> {
     world: &'a World,
     transmit: EndTree<'a>,
     receive: Option<EndTree<'a>>,
     zenith_h: ZenithH,
-    /// Phase that the sums belong to, and who hears of them.
+    /// Phase that the sums belong to, and the receiver of their progress.
     phase: Phase,
     progress: &'a dyn Progress,
 }
@@ -169,7 +170,7 @@ impl<'a> Ends<'a> {
         self.receive.as_mut().map_or(Ok(()), |tree| tree.grow_to(order))
     }
 
-    /// Refuses an antenna that is shut in, once trees have their first order.
+    /// Refuses an enclosed antenna, once trees have their first order.
     fn check_open(&self) -> Result<(), BartError> {
         self.trees().into_iter().flatten().try_for_each(|tree| tree.check_open(self.world))
     }
@@ -199,7 +200,7 @@ impl<'a> Ends<'a> {
         sums(&scatterer, &meetings(&scatterer, from, rule, settings), rule, settings)
     }
 
-    /// Every order by the rule asked for, with what its errors are told by.
+    /// All orders by the requested rule, with the data for their errors.
     fn chosen(&self, settings: &AspectSettings, checks: Checks) -> Result<Chosen, BartError> {
         let (scatterer, rule) = (self.scatterer(), settings.nodes);
         let needed = settings.tree_order();
@@ -211,7 +212,7 @@ impl<'a> Ends<'a> {
             let hits = mirrors.hits(&scatterer, meeting, &integration, settings.polarization);
             (of_meeting(&scatterer, meeting, rule, settings), hits)
         };
-        // Side by side: where one order is weighed by one thread, others are integrated.
+        // In parallel: while one order is weighted by one thread, others are integrated.
         let found: Vec<_> = meetings.par_iter().map(of_order).collect();
         let take = |(order, hits)| {
             mirrors.add(hits);
@@ -234,26 +235,26 @@ impl<'a> Ends<'a> {
         self.receive.as_ref().map_or(Trees::Shared(transmit), |tree| Trees::Apart(transmit, tree.tree()))
     }
 
-    /// Amplitude of what was dropped, as of [`SmallMirrors::dropped_m`].
+    /// Amplitude of dropped parts, as in [`SmallMirrors::dropped_m`].
     fn dropped_m(&self, orders: &[OfOrder], mirrors: &SmallMirrors, settings: &AspectSettings) -> [f64; 2] {
         let needed = settings.tree_order();
         let overlaps = orders.iter().map(|order| order.given_up);
         mirrors.dropped_m(self.joined_trees(), overlaps, (needed, &settings.wavenumbers_per_m))
     }
 
-    /// Whether facets are cut into tiles.
+    /// Whether facets are divided into tiles.
     fn are_cut(&self, aspect: &Aspect) -> bool {
         aspect.is_near() || self.world.skin_error() > 0.0
     }
 
-    /// S by order, then frequency, by finer integrals; by finer edges alone where facets are exact.
+    /// S by order, then frequency, with finer integrals; only with finer edges if facets are exact.
     fn finer(
         &self,
         chosen: &[OfOrder],
         aspect: &Aspect,
         (finer, settings): (Finer, &AspectSettings),
     ) -> Result<Vec<Vec<Complex64>>, BartError> {
-        // 10^⅔ times as many tiles, or some more where they were few: never coarser again.
+        // 10^⅔ times as many tiles, or somewhat more if they were few: never coarser again.
         let most_tiles = settings.most_tiles.saturating_mul(100);
         let finer =
             AspectSettings { accuracy: finer.bounds() * settings.accuracy, most_tiles, ..settings.clone() };
@@ -269,8 +270,8 @@ impl<'a> Ends<'a> {
         Ok((1..=settings.bounces).zip(chosen).map(with_edges).collect())
     }
 
-    /// Edges are no mirrors: what they add is the same by any rule, and so is what ends of double reflections
-    /// take of their polygons.
+    /// S by the other rule. Edges are no mirrors: their contribution is the same under any rule, as is what
+    /// ends of double reflections take from their polygons.
     fn by_other_rule(
         &mut self,
         chosen: &[OfOrder],
@@ -278,7 +279,7 @@ impl<'a> Ends<'a> {
     ) -> Result<Vec<Vec<Complex64>>, BartError> {
         let other = other(settings.nodes);
         self.grow_to(tree_order(settings.bounces, other))?;
-        // One bounce has one node.
+        // A single bounce has one node.
         let mut other_m: Vec<_> = chosen.iter().take(1).map(|order| order.s_m.clone()).collect();
         let (scatterer, plain) =
             (self.scatterer(), AspectSettings { edges: Edges::Ignored, ..settings.clone() });
@@ -294,8 +295,8 @@ impl<'a> Ends<'a> {
         Ok(other_m)
     }
 
-    /// Power |S|² at the middle frequency of what edges would change in all orders, where they are left out
-    /// and cheap to ask for; the trees are as deep as the last order is then, as both rules have been asked.
+    /// Power |S|² at the middle frequency of the change by edges in all orders, if they are omitted and cheap
+    /// to compute; the trees then have the last order, since both rules have been evaluated.
     fn left_out_edges(&self, settings: &AspectSettings) -> Option<LeftOutEdges> {
         let wavenumber_per_m = *settings.wavenumbers_per_m.get(settings.wavenumbers_per_m.len() / 2)?;
         if settings.edges == Edges::FirstOrder || self.world.facets().len() > FACETS_WITH_CHEAP_EDGES {
@@ -315,7 +316,7 @@ impl<'a> Ends<'a> {
         Some(meeting.left_out_edges(&scatterer, cheap.bounces, cheap.polarization, &integration))
     }
 
-    /// Power |S|² over frequency of the order after the last, if the trees hold its nodes.
+    /// Power |S|² over frequency of the order after the last, if the trees contain its nodes.
     fn left_out_power(&self, settings: &AspectSettings) -> Option<f64> {
         let order = left_out_order(settings.bounces, self.transmit.tree().audit.orders.len() as u8)?;
         let settings = AspectSettings { bounces: order, edges: Edges::Ignored, ..settings.clone() };
@@ -324,22 +325,22 @@ impl<'a> Ends<'a> {
     }
 }
 
-/// Most facets on which edges are cheap: on more they cost more than a tenth of a second, as much as
-/// the rest of an aspect.
+/// Maximum number of facets for which edges are cheap: with more they take longer than a tenth of a second,
+/// as much as the rest of an aspect.
 const FACETS_WITH_CHEAP_EDGES: usize = 2_000;
-/// Most facets on which waves of edges over further faces are cheap; on more, whose level they change by a
-/// decibel at most, they would take half of what edges take.
+/// Maximum number of facets for which edge waves over further faces are cheap; with more, they would take
+/// half of the time of edges and change their level by a decibel at most.
 const FACETS_WITH_CHEAP_WAVES: usize = 100;
-/// Accuracy of what edges would add: it is told to 10 %.
+/// Accuracy of the contribution of edges, which is needed to 10 %.
 const EDGES_LEFT_OUT_ACCURACY: f64 = 0.1;
 
-/// The order after the last one asked for, where trees of `tree_orders` hold its middle nodes: after every
-/// one but the first.
+/// Order after the last requested one, if trees of `tree_orders` contain its middle nodes: after every order
+/// but the first.
 pub(crate) fn left_out_order(bounces: u8, tree_orders: u8) -> Option<u8> {
     Some(bounces + 1).filter(|order| bounces > 0 && tree_order(*order, NodeRule::Middle) <= tree_orders)
 }
 
-/// The rule that a run is compared with.
+/// Rule with which a run is compared.
 pub(crate) fn other(rule: NodeRule) -> NodeRule {
     match rule {
         NodeRule::Middle | NodeRule::OwnEdge => NodeRule::Exit,
@@ -369,7 +370,7 @@ fn sums(
     Ok(meetings.par_iter().map(|meeting| of_meeting(scatterer, meeting, rule, settings).s_m).collect())
 }
 
-/// One order's S over frequency, in the polarization asked for.
+/// S of one order over frequency, in the requested polarization.
 fn of_meeting(
     scatterer: &Scatterer<'_>,
     meeting: &OrderJoints,
@@ -397,14 +398,14 @@ fn edges_of_order(scatterer: &Scatterer<'_>, order: u8, settings: &AspectSetting
     sum.iter().map(|s| s[p][q]).collect()
 }
 
-/// All orders by the rule asked for.
+/// All orders by the requested rule.
 struct Chosen {
     orders: Vec<OfOrder>,
     /// Mirrors that were too small to be followed.
     mirrors: SmallMirrors,
-    /// Accuracy that the integrals were made with: the one asked for, or a coarser one that is affordable.
+    /// Accuracy of the integrals: the requested one, or a coarser, affordable one.
     accuracy: f64,
-    /// Integrals that these are compared with: far finer ones where they are of few tiles.
+    /// Integrals with which these are compared: much finer ones if they have few tiles.
     finer: Finer,
 }
 
@@ -416,9 +417,9 @@ struct OfOrder {
     edges_m: Vec<Complex64>,
     /// Power over frequency of the whole matrix, of facets and of edges, m².
     whole_power: f64,
-    /// Partings of its double reflections from their specular.
+    /// Separations of its double reflections from their specular points.
     partings: Partings,
-    /// Area of overlaps given up, as in [`Joints::given_up`](crate::joins::joint::Joints).
+    /// Area of dropped overlaps, as in [`Joints::given_up`](crate::joins::joint::Joints).
     given_up: [f64; 2],
 }
 
@@ -443,8 +444,8 @@ impl Scattering {
         power_between(&self.chosen_m[..1], &other.chosen_m[..1])
     }
 
-    /// Power |S(this rule) − S(the other)|² of one order (from 0) over frequency, where both are known; of
-    /// double reflections with what taking them at their ends would change, where edges are left out.
+    /// Power |S(this rule) − S(the other)|² of one order (from 0) over frequency, if both are known; for
+    /// double reflections including the change by evaluating them at their ends, if edges are omitted.
     pub(crate) fn order_spread_power(&self, order: usize) -> Option<f64> {
         let other_m = &self.other_m.as_ref()?[order];
         let ends_power = if order == 1 { self.ends_power() } else { 0.0 };
@@ -452,7 +453,7 @@ impl Scattering {
         Some(mean_over_frequencies(self.frequencies(), difference) + ends_power)
     }
 
-    /// Power of the difference between both rules, as [`Self::order_spread_power`], for the sum of all
+    /// Power of the difference between both rules, like [`Self::order_spread_power`], for the sum over all
     /// orders.
     pub(crate) fn node_spread_power(&self) -> Option<f64> {
         self.other_m.as_ref().map(|other_m| power_between(&self.chosen_m, other_m) + self.ends_power())
@@ -477,7 +478,7 @@ fn total(orders: &[Vec<Complex64>], frequency: usize) -> Complex64 {
     orders.iter().map(|order| order[frequency]).sum()
 }
 
-/// Values moved by what `to` differs from `from`, order by order.
+/// Values shifted by the difference of `to` from `from`, order by order.
 fn moved(mut of: Vec<Vec<Complex64>>, from: &[Vec<Complex64>], to: &[Vec<Complex64>]) -> Vec<Vec<Complex64>> {
     let all = of.iter_mut().flatten().zip(from.iter().flatten().zip(to.iter().flatten()));
     all.for_each(|(value, (from, to))| *value += to - from);
@@ -503,7 +504,7 @@ mod tests {
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
 
-    /// Two plates that reflect each other, seen from two places.
+    /// Two plates that reflect each other, seen from two positions.
     #[test]
     fn a_receiver_that_stands_still_is_traced_once_and_no_bit_changes() {
         let vertices_m =
@@ -553,8 +554,8 @@ mod tests {
         }
     }
 
-    /// D5: a body and its antenna moved by a kilometre; single precision of the candidates and double
-    /// precision of the clipping both see other coordinates.
+    /// D5: a body and its antenna moved by a kilometre; both the single precision of candidates and the
+    /// double precision of clipping have other coordinates.
     #[test]
     fn a_scene_moved_by_a_kilometre_keeps_its_amplitude_to_1e_minus_7() {
         let corner = |shift: DVec3| {

@@ -1,4 +1,4 @@
-//! Settings that aspects are traced and integrated with, and what is measured beside S.
+//! Settings for tracing and integrating aspects, and the measurements made in addition to S.
 
 use crate::beams::beam::TraceSettings;
 use crate::bodies::stand_off::distance_and_diagonal_m;
@@ -11,7 +11,7 @@ use crate::table::rcs_request::Aspect;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
 
-/// Settings that are the same at every aspect.
+/// Settings common to all aspects.
 #[derive(Debug, Clone)]
 pub(crate) struct AspectSettings {
     pub(crate) trace: TraceSettings,
@@ -22,24 +22,24 @@ pub(crate) struct AspectSettings {
     pub(crate) polarization: Polarization,
     /// Accuracy of every node integral.
     pub(crate) accuracy: f64,
-    /// An aspect whose integrals would be cut into more tiles has coarser ones: what they err by is measured,
-    /// and what is more than was asked for is integrated finer, with more tiles.
+    /// Maximum number of tiles of an aspect's integrals, beyond which they are coarser: their error is
+    /// measured, and if it exceeds the request they are made finer, with more tiles.
     pub(crate) most_tiles: u64,
 }
 
 impl AspectSettings {
-    /// Settings with which an aspect is traced: along a face no sliver is dropped.
+    /// Settings for tracing an aspect: along a face no sliver is dropped.
     pub(crate) fn seen_from(&self, aspect: &Aspect) -> Self {
         let least_area_m2 = if aspect.is_along_face { 0.0 } else { self.trace.least_area_m2 };
         Self { trace: TraceSettings { least_area_m2, ..self.trace }, ..self.clone() }
     }
 
-    /// Highest order of beams that the rule asked for needs.
+    /// Maximum order of beams needed by the requested rule.
     pub(crate) fn tree_order(&self) -> u8 {
         tree_order_with(self.edges, self.bounces, self.nodes)
     }
 
-    /// The wavelength at the lowest frequency.
+    /// Wavelength at the lowest frequency.
     pub(crate) fn longest_wave_m(&self) -> f64 {
         std::f64::consts::TAU / self.wavenumbers_per_m.iter().copied().fold(f64::INFINITY, f64::min)
     }
@@ -50,14 +50,14 @@ impl AspectSettings {
         MeetingSettings { nodes, edges: self.edges, least_area_m2, wavenumber_per_m }
     }
 
-    /// Settings with coarser integrals where these would be cut into too many tiles.
+    /// Settings with coarser integrals if these would have too many tiles.
     pub(crate) fn afforded(
         &self,
         scatterer: &Scatterer<'_>,
         meetings: &[OrderJoints],
         rule: NodeRule,
     ) -> Result<Self, BartError> {
-        // A plane wave over a flat polygon is integrated as one.
+        // A plane wave over a flat polygon is integrated as a whole.
         let is_flat = scatterer.world.skin_error() == 0.0;
         if is_flat && (scatterer.is_far() || self.is_cheap(scatterer)) {
             return Ok(self.clone());
@@ -67,9 +67,9 @@ impl AspectSettings {
         Ok(Self { accuracy, ..self.clone() })
     }
 
-    /// Whether antennas stand so far off that flat facets are never cut into too many tiles, which need not
-    /// be counted then: tiles are about as many as Fresnel zones, kD²/r, and a hundred at most for each at
-    /// this accuracy.
+    /// Whether antennas are so far away that flat facets never have too many tiles, which then need not be
+    /// counted: there are about as many tiles as Fresnel zones, kD²/r, and a hundred at most for each at this
+    /// accuracy.
     fn is_cheap(&self, scatterer: &Scatterer<'_>) -> bool {
         const FRESNEL_ZONES: f64 = 2e4;
         const ACCURACY: f64 = 1e-3;
@@ -93,29 +93,29 @@ impl AspectSettings {
     }
 }
 
-/// Measurements at an aspect beside S.
+/// Measurements at an aspect in addition to S.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Checks {
-    /// The integrals against ones ten times finer.
+    /// Comparison of the integrals with ones ten times finer.
     pub(crate) integrals: IntegralsCheck,
-    /// The node rule against the other one, and what the order after the last would add.
+    /// Comparison of the node rule with the other one, and the contribution of the order after the last.
     pub(crate) model: Check,
 }
 
-/// Most edges that far finer integrals are made of.
+/// Maximum number of edges for much finer integrals.
 const FAR_FINER_EDGES: usize = 1024;
 
-/// Integrals that an aspect's are compared with.
+/// Integrals with which those of an aspect are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Finer {
-    /// Bounds are a tenth.
+    /// Bounds of a tenth.
     TenTimes,
-    /// Bounds are [`FAR_FINER`], as tiles are few.
+    /// Bounds of [`FAR_FINER`], for few tiles.
     Far,
 }
 
 impl Finer {
-    /// Integrals to compare these of some meetings with: far finer ones where facets are cut into few tiles.
+    /// Comparison integrals for some meetings: much finer ones if facets have few tiles.
     pub(crate) fn beside(
         scatterer: &Scatterer<'_>,
         meetings: &[OrderJoints],
@@ -123,7 +123,7 @@ impl Finer {
     ) -> Self {
         let facets = meetings.iter().map(|meeting| &meeting.facets);
         let edges: usize = meetings.iter().map(OrderJoints::edges).sum();
-        // A plane wave over a flat polygon is integrated as one.
+        // A plane wave over a flat polygon is integrated as a whole.
         let is_cut = !scatterer.is_far() || scatterer.world.skin_error() > 0.0;
         let are_few = if is_cut {
             edges <= FAR_FINER_EDGES && are_few_tiles(scatterer, facets, integration)
@@ -133,7 +133,7 @@ impl Finer {
         if are_few { Self::Far } else { Self::TenTimes }
     }
 
-    /// Bounds over those of the coarser ones.
+    /// Ratio of the bounds to those of the coarser ones.
     pub(crate) fn bounds(self) -> f64 {
         match self {
             Self::TenTimes => 0.1,
@@ -142,28 +142,28 @@ impl Finer {
     }
 }
 
-/// Use of integrals that are finer.
+/// Use of finer integrals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum IntegralsCheck {
-    /// They are not made.
+    /// Finer integrals are not computed.
     Skipped,
-    /// They tell the error of the coarser ones.
+    /// Finer integrals measure the error of the coarser ones.
     Compared,
-    /// They are the result, and what the coarser ones differ by tells their error.
+    /// Finer integrals are the result, with its error from the difference to the coarser ones.
     Taken,
 }
 
 impl IntegralsCheck {
-    /// Power of the error of the result of power `power`, by that of the difference of both integrals, the
-    /// coarser with bounds of `accuracy` on every tile.
+    /// Power of the error of a result with power `power`, from that of the difference between both integrals,
+    /// the coarser with bounds of `accuracy` on every tile.
     ///
-    /// Where all that errs is made finer, the coarser err by 1/(1 − 0.1) of the difference at most. Of the
-    /// finer ones half of it is taken, and with edges three quarters: over random vehicles they erred by 7 to
-    /// 27 dB less than the difference, with edges by 3 dB and more; the coarser then err by 1.75 of it.
-    /// Polygons whose bounds were a tenth of `accuracy` before stay as they are and err in both: by a
-    /// twentieth of their bounds, for bounds are that far above errors. Far finer ones over facets alone err
-    /// by ten times the ratio of the bounds at most (plates in their sidelobes: by less than that ratio),
-    /// with few edges by an eighth of the difference and less, near by by a third (plates, boxes, wedges and
+    /// If everything that errs is made finer, the coarser err by 1/(1 − 0.1) of the difference at most. For
+    /// the finer ones half of it is taken, and with edges three quarters: over random vehicles they erred by
+    /// 7 to 27 dB less than the difference, with edges by 3 dB and more; the coarser then err by 1.75 of it.
+    /// Polygons whose bounds were already a tenth of `accuracy` are unchanged and err in both: by a twentieth
+    /// of their bounds, since bounds exceed errors by that much. Much finer ones over facets alone err by ten
+    /// times the ratio of the bounds at most (plates in their sidelobes: by less than that ratio), with few
+    /// edges by an eighth of the difference and less, at near range by a third (plates, boxes, wedges and
     /// assemblies of them, 600 in all): a half is taken.
     pub(crate) fn error_power(
         self,

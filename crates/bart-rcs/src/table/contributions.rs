@@ -1,5 +1,5 @@
-//! Contributions of facets and edges: one aspect's scattering by facet sequence, with the points that
-//! its rays touch.
+//! Contributions of facets and edges: one aspect's scattering by facet sequence, with the points met by its
+//! rays.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::bodies::world::World;
@@ -23,23 +23,23 @@ use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// A facet sequence, or an edge in one, and what it adds to S.
+/// A facet sequence, or an edge in one, and its contribution to S.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contribution {
-    /// Triangles of the mesh in the order of travel; an edge stands for one of its own or, where both ends
-    /// light it by different ones, for two.
+    /// Triangles of the mesh in the order of travel; an edge is represented by one of its own or, if the two
+    /// ends light it via different ones, by two.
     pub triangles: Vec<u32>,
-    /// The edge that scatters in place of a facet, from end to end, body axes.
+    /// Edge that scatters in place of a facet, from end to end, body axes.
     pub edge_m: Option<[DVec3; 2]>,
-    /// Points where the ray through the middle of the strongest polygon or part touches them, body axes.
+    /// Points of the sequence met by the ray through the centre of the strongest polygon or part, body axes.
     pub points_m: Vec<DVec3>,
-    /// Contribution to S, the way back included, at the request's first frequency; metres, phase at the
+    /// Contribution to S, including the reverse path, at the request's first frequency; metres, phase at the
     /// origin.
     pub amplitude_m: Complex64,
 }
 
-/// S of the request's aspect number `aspect` (elevation by elevation, azimuth by azimuth) at its first
-/// frequency, by facet sequence and edge, the strongest first. Their sum is [`crate::rcs`]'s value.
+/// S at the request's aspect number `aspect` (elevation by elevation, azimuth by azimuth) at its first
+/// frequency, by facet sequence and edge, strongest first. Their sum is the value of [`crate::rcs`].
 pub fn contributions(
     mesh: &Mesh,
     request: &RcsRequest,
@@ -79,7 +79,7 @@ fn zenith_h(aspect: &Aspect) -> ZenithH {
     ZenithH { transmit: aspect.transmit.1, receive: aspect.receive.map_or(aspect.transmit.1, |(_, h)| h) }
 }
 
-/// Tools by which one aspect is told.
+/// Data for the contributions at one aspect.
 struct Teller<'a> {
     scatterer: Scatterer<'a>,
     what: MeetingSettings,
@@ -88,7 +88,7 @@ struct Teller<'a> {
     polarization: Polarization,
 }
 
-/// Contribution with the number of the edge, if it is one's.
+/// Contribution with the number of its edge, if any.
 type Found = (Option<u32>, Contribution);
 
 impl Teller<'_> {
@@ -150,7 +150,7 @@ impl Teller<'_> {
     }
 }
 
-/// Points of the ray through `node_m` by the beams of both ends, in the order of travel.
+/// Points of the ray through `node_m` along the beams of both ends, in the order of travel.
 fn touched_m(scatterer: &Scatterer<'_>, (forward, backward): (u32, u32), node_m: DVec3) -> Vec<DVec3> {
     let way = |tree: &BeamTree, beam: u32| {
         back_to_antenna(scatterer.world, tree, &tree.beams[beam as usize], node_m)
@@ -161,8 +161,8 @@ fn touched_m(scatterer: &Scatterer<'_>, (forward, backward): (u32, u32), node_m:
     points
 }
 
-/// Points from one of a beam's polygon over its mirrors towards the antenna: straight to each image
-/// until the mirror's plane.
+/// Points from one of a beam's polygon via its mirrors towards the antenna: straight towards each image up to
+/// the mirror's plane.
 fn back_to_antenna(world: &World, tree: &BeamTree, beam: &Beam, node_m: DVec3) -> Vec<DVec3> {
     let mut points = vec![node_m];
     let (mut beam, mut x_m) = (beam, node_m);
@@ -181,7 +181,7 @@ fn meeting_m(x_m: DVec3, image: Antenna, mirror: &FacetGeometry) -> DVec3 {
     if share.is_finite() { x_m + share * towards } else { x_m }
 }
 
-/// Pieces of one sequence and edge added up; the strongest piece's ray stands for all.
+/// Sums the pieces of one sequence and edge; the strongest piece provides the ray.
 fn by_sequence(mut found: Vec<Found>) -> Vec<Contribution> {
     fn key((edge, contribution): &Found) -> (&[u32], Option<u32>) {
         (&contribution.triangles, *edge)
@@ -236,7 +236,7 @@ mod tests {
             contributions(&corner(), &request(), 1).unwrap().iter().map(|c| c.amplitude_m).sum();
         let whole = rcs(&corner(), &request(), &|_, _| {}).unwrap().amplitude_m[1];
         println!("asked {whole}, got {sum}");
-        // Integrals of finite range are as exact as was asked, −60 dB.
+        // Finite-range integrals have the requested accuracy, −60 dB.
         assert!((sum - whole).norm() < 1e-3 * whole.norm());
     }
 
@@ -250,8 +250,8 @@ mod tests {
             });
             let whole = rcs(&corner(), &asked, &|_, _| {}).unwrap().amplitude_m[aspect];
             println!("{polarization:?}: asked {whole:.6}, got {sum:.6}, of edges up to {of_edges:.6}");
-            // Integrals of finite range are as exact as was asked, −60 dB of the largest that facets and
-            // edges can be.
+            // Finite-range integrals have the requested accuracy, −60 dB of the largest possible contribution
+            // of facets and edges.
             let scale = parts.iter().map(|part| part.amplitude_m.norm()).sum::<f64>();
             assert!((sum - whole).norm() < 1e-3 * scale && of_edges > 1e-2 * scale);
         }
@@ -282,8 +282,8 @@ mod tests {
         let double = all.iter().find(|c| c.triangles.len() == 2).unwrap();
         let [a, b] = double.points_m[..] else { panic!("{double:?}") };
         let (came, left) = ((a - antenna).normalize_or_zero(), (b - a).normalize_or_zero());
-        // One mirror is the plane y = 0, the other x = 0; the way turns in the first one only, the second is
-        // the node.
+        // One mirror is the plane y = 0, the other x = 0; the path turns only in the first, the second is the
+        // node.
         assert!(
             (came.z - left.z).abs() < 1e-12 && (came.x.abs() - left.x.abs()).abs() < 1e-12,
             "{came} {left}"

@@ -1,5 +1,4 @@
-//! The tree of one end of an aspect: grown as far as it is asked for, or grown once for an antenna that
-//! stands still.
+//! Tree of one end of an aspect: grown as needed, or grown once for a stationary antenna.
 
 use crate::beams::beam::{BeamTree, GrowingTree, TraceSettings};
 use crate::bodies::world::World;
@@ -7,18 +6,17 @@ use crate::geometry::antenna::Antenna;
 use crate::oversight::error::BartError;
 use crate::oversight::progress::Progress;
 
-/// A tree and how many of its orders an aspect has asked for.
+/// A tree and the number of its orders requested by an aspect.
 pub(crate) enum EndTree<'a> {
-    /// The aspect's own.
+    /// A tree of the aspect's own.
     Growing(Box<GrowingTree<'a>>),
-    /// One that all aspects share. An order of a tree depends on those before it alone, so what an aspect
-    /// looks at is what it would have grown itself, bit by bit; orders beyond `asked` are there but not
-    /// looked at.
+    /// A tree shared by all aspects. An order of a tree depends only on those before it, so an aspect sees
+    /// what it would have grown itself, bit for bit; orders beyond `asked` exist but are not used.
     Shared { tree: &'a BeamTree, asked: u8 },
 }
 
 impl<'a> EndTree<'a> {
-    /// Growing tree of which nothing is asked for yet.
+    /// Growing tree with no orders requested yet.
     pub(crate) fn growing(
         world: &'a World,
         antenna: Antenna,
@@ -28,7 +26,7 @@ impl<'a> EndTree<'a> {
         Ok(Self::Growing(Box::new(GrowingTree::new(world, antenna, settings, progress)?)))
     }
 
-    /// Shared tree that is grown as far as any aspect may ask, of which nothing is asked for yet.
+    /// Shared tree grown as far as any aspect may need, with no orders requested yet.
     pub(crate) fn shared(tree: &'a BeamTree) -> Self {
         Self::Shared { tree, asked: 0 }
     }
@@ -50,7 +48,7 @@ impl<'a> EndTree<'a> {
         }
     }
 
-    /// Beams of each order asked for.
+    /// Number of beams in each requested order.
     pub(crate) fn beams(&self) -> impl Iterator<Item = u64> {
         let asked = match self {
             Self::Growing(tree) => tree.tree().audit.orders.len(),

@@ -1,9 +1,9 @@
-//! Error of a user who applies a far-field table near by: the table against spherical waves, at a few
-//! of its aspects.
+//! Error of using a far-field table at close range: comparison of the table with spherical waves, at a few of
+//! its aspects.
 //!
 //! 2D²/λ of a car is 13 km at 77 GHz: at the ranges of a road its flat panels are wider than the Fresnel zone
-//! √(λR/2), 0.2 m at 25 m, and the complex error is as large as the field. The table is right for what it is;
-//! this is the warning on it.
+//! √(λR/2), 0.2 m at 25 m, and the complex error is as large as the field. The table is correct as a far
+//! field; this is the warning attached to it.
 
 use crate::bodies::world::World;
 use crate::oversight::called_off::CalledOff;
@@ -15,47 +15,47 @@ use artifact::units::{amplitude_ratio, db_from_power};
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// A far-field table against the same body in spherical waves.
+/// A far-field table compared with the same body in spherical waves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FarFieldError {
-    /// Ranges at which the table was applied; a receiver that is infinitely far stands there too.
+    /// Ranges at which the table was applied; an infinitely distant receiver is placed there too.
     pub range_m: Vec<f64>,
-    /// Complex error by range: of each aspect ‖S − S(range)‖ over ‖S(range)‖, over frequency.
+    /// Complex error by range: at each aspect ‖S − S(range)‖ over ‖S(range)‖, over frequency.
     pub complex: Vec<Spread>,
-    /// Level error by range: of each aspect by how many dB its level, |S|² over frequency, is off, either
+    /// Level error by range: at each aspect the deviation of its level, |S|² over frequency, in dB, either
     /// way.
     pub level_db: Vec<Spread>,
-    /// Number of aspects that it was measured at.
+    /// Number of aspects measured.
     pub aspects: usize,
-    /// Number of frequencies of the table that it was measured at.
+    /// Number of the table's frequencies measured.
     pub frequencies: usize,
 }
 
-/// Spread of the errors of some aspects.
+/// Distribution of the errors over aspects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
-    /// Half of the aspects err less.
+    /// Median error over aspects.
     pub median: f64,
-    /// Largest error of all aspects.
+    /// Maximum error over aspects.
     pub worst: f64,
 }
 
-/// The ranges of the paper's intersection: vehicles are at 25 to 60 m.
+/// Ranges of the paper's intersection: vehicles are at 25 to 60 m.
 const RANGES_M: [f64; 4] = [25.0, 30.0, 40.0, 60.0];
 
-/// One aspect in forty is traced at four more places: a tenth of the trees of the table. Fewer than forty
-/// aspects have none.
+/// Number of aspects per compared one: one in forty is traced at four more ranges, a tenth of the trees of
+/// the table. Fewer than forty aspects have none.
 const ASPECTS_PER_COMPARED: usize = 40;
-/// Most aspects of the comparison, enough for a median: the middle 95 % of its sampling lie between the
-/// 8th and the 17th of 24.
+/// Maximum number of compared aspects, enough for a median: its 95 % confidence interval lies between the 8th
+/// and the 17th of 24.
 const COMPARED_MOST: usize = 24;
-/// Most frequencies of the comparison: more would repeat what the extent of a vehicle correlates, as in
+/// Maximum number of compared frequencies: more would be correlated by the extent of a vehicle, as in
 /// `frame_error`.
 const FREQUENCIES_MOST: usize = 12;
-/// An error near 0 dB need not be known better than to 1 %.
+/// Accuracy of the spherical waves: an error near 0 dB is needed to no better than 1 %.
 const SPHERICAL_ACCURACY: f64 = 1e-2;
 
-/// Far-field error; `None` for a table of a finite range, and for one too small to bear the cost.
+/// Far-field error; `None` for a table of finite range, and for one too small to justify the cost.
 pub(crate) fn far_field_error(
     world: &World,
     request: &RcsRequest,
@@ -102,14 +102,14 @@ pub(crate) fn far_field_error(
     }))
 }
 
-/// Ranges that are not among the facets of a large body.
+/// Ranges outside the facets of a large body.
 fn ranges_outside(world: &World) -> Vec<f64> {
     let corners_m = world.facets().iter().flat_map(|facet| facet.corners_m);
     let radius_m = corners_m.map(|corner| corner.length()).fold(0.0, f64::max);
     RANGES_M.into_iter().filter(|range_m| *range_m > 1.1 * radius_m).collect()
 }
 
-/// One aspect out of each of equal parts of the table, by chance: none of a body's symmetries is met every
+/// One random aspect from each of equal parts of the table, so that a body's symmetries are not met every
 /// time.
 fn chosen_aspects(aspects: usize) -> Vec<usize> {
     let count = (aspects / ASPECTS_PER_COMPARED).min(COMPARED_MOST);
@@ -117,12 +117,12 @@ fn chosen_aspects(aspects: usize) -> Vec<usize> {
     (0..count).map(|part| first(part) + chance(part as u64, first(part + 1) - first(part))).collect()
 }
 
-/// A number below `count`, always the same for the same `index`.
+/// A number below `count`, deterministic in `index`.
 fn chance(index: u64, count: usize) -> usize {
     (artifact::seed::number(1, "bart-rcs/far-field-error", &[index]) % count.max(1) as u64) as usize
 }
 
-/// Middles of equal parts of the table's frequencies.
+/// Centres of equal parts of the table's frequencies.
 fn chosen_frequencies(frequencies: usize) -> Vec<usize> {
     let count = frequencies.min(FREQUENCIES_MOST);
     (0..count).map(|i| (2 * i + 1) * frequencies / (2 * count)).collect()
@@ -135,7 +135,7 @@ fn spread(values: impl Iterator<Item = f64>) -> Spread {
     Spread { median: 0.5 * (below + above), worst: values[values.len() - 1] }
 }
 
-/// A far field and the spherical wave that it stands for, as powers over frequency.
+/// A far field and the corresponding spherical wave, as powers over frequency.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Compared {
     pub(crate) difference: f64,
@@ -150,9 +150,9 @@ impl Compared {
         Self { difference, far: power(far), spherical: power(spherical) }
     }
 
-    /// Complex error relative to the spherical wave, which is the truth; over the far field's power the
-    /// figure would stop at 0 dB where the table is far too strong (a 1.5 m plate at 25 m: +35 dB). 0 where
-    /// both are dark.
+    /// Complex error relative to the spherical wave, the true value; relative to the far field's power it
+    /// would stop at 0 dB where the table is far too strong (a 1.5 m plate at 25 m: +35 dB). 0 if both are
+    /// dark.
     fn complex(&self) -> f64 {
         if self.difference > 0.0 && self.spherical == 0.0 {
             f64::INFINITY
@@ -161,7 +161,7 @@ impl Compared {
         }
     }
 
-    /// Level of the far field over the spherical wave, positive where the far field is too strong.
+    /// Level of the far field over that of the spherical wave, positive if the far field is too strong.
     fn level_db(&self) -> f64 {
         if self.far == self.spherical { 0.0 } else { db_from_power(self.far / self.spherical) }
     }

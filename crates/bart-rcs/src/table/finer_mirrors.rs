@@ -1,16 +1,17 @@
-//! Aspects where what was dropped scatters more than the accuracy lets it, traced again with smaller mirrors.
+//! Retracing, with smaller mirrors, of aspects where the dropped parts scatter more than the accuracy
+//! permits.
 //!
-//! Least areas are chosen before a trace, and what is dropped is told by it: over a weak body it may be more
-//! than was asked for. Where mirrors are as many in every octave of area as among large facets, Σa² of those
-//! not followed falls with the square of the least area; where all facets are small it falls with the area
-//! itself. The second is slower, and asked for.
+//! Minimum areas are chosen before a trace, and determine what is dropped: for a weak body it may exceed the
+//! request. If mirrors are equally numerous in every octave of area, as among large facets, Σa² of the
+//! unfollowed ones falls with the square of the minimum area; if all facets are small it falls with the area
+//! itself. The second, slower law is used.
 
 use crate::oversight::error::BartError;
 use crate::table::aspect::Scattering;
 use crate::table::aspect_settings::AspectSettings;
 use artifact::units::amplitude_ratio;
 
-/// Least areas of the aspects of a table.
+/// Minimum areas of the aspects of a table.
 pub(crate) struct FinerMirrors {
     aspects: Vec<MirrorFineness>,
     times: u32,
@@ -18,7 +19,7 @@ pub(crate) struct FinerMirrors {
 
 #[derive(Clone, Copy)]
 struct MirrorFineness {
-    /// Share of the least areas that the table began with.
+    /// Ratio to the table's initial minimum areas.
     share: f64,
     before: f64,
     limit: Limit,
@@ -31,21 +32,21 @@ enum Limit {
     Reached,
 }
 
-/// Most often that an aspect is traced again.
+/// Maximum number of times that an aspect is retraced.
 const MOST_TIMES: u32 = 3;
-/// Smallest factor of the share at a time: mirrors become at most a tenth as long, since the estimate
-/// is of those near the threshold and may be wrong far below.
+/// Minimum factor of the ratio per step: mirrors become at most a tenth as long, since the estimate is based
+/// on those near the threshold and may be wrong far below.
 const SMALLEST_STEP: f64 = 1e-2;
-/// Smallest share: mirrors become at most a hundredth as long in all. At −60 dB asked that is a
+/// Minimum ratio: mirrors become at most a hundredth as long in all. With −60 dB requested that is a
 /// micrometre, a hundred thousand times the rounding of coordinates.
 const SMALLEST: f64 = 1e-4;
 
-/// A sum of independent phases is Rayleigh distributed: in 95 of 100 cases it is below √(ln 20) of its root
-/// mean square.
+/// Factor of a Rayleigh-distributed sum of independent phases: in 95 of 100 cases it is below √(ln 20) of its
+/// root mean square.
 const RAYLEIGH_95: f64 = 1.730_818;
 
-/// Scattering of the beams given up over the table's root mean square |S|: more in 5 of 100 cases; infinite
-/// where all was given up.
+/// Scattering of the dropped beams over the table's root mean square |S|, exceeded in 5 of 100 cases;
+/// infinite if everything was dropped.
 pub(crate) fn dropped_error(table: &[Scattering]) -> f64 {
     let dropped_m2: f64 = table.iter().map(|s| s.dropped_m.powi(2)).sum();
     let kept_m2: f64 = table.iter().map(Scattering::mean_power).sum();
@@ -56,7 +57,7 @@ pub(crate) fn dropped_error(table: &[Scattering]) -> f64 {
 }
 
 impl FinerMirrors {
-    /// Start with so many aspects that are all traced with the areas asked for.
+    /// Initial state, with all aspects traced with the requested areas.
     pub(crate) fn of_none(aspects: usize) -> Self {
         Self {
             aspects: vec![MirrorFineness { share: 1.0, before: 1.0, limit: Limit::Open }; aspects],
@@ -64,8 +65,8 @@ impl FinerMirrors {
         }
     }
 
-    /// Aspects to be traced again, ascending: those that drop more than `asked` of the table's level, if all
-    /// together do.
+    /// Aspects to be retraced, ascending: those that drop more than `asked` of the table's level, if the
+    /// total does.
     pub(crate) fn asked_for(&mut self, table: &[Scattering], asked: f64) -> Vec<usize> {
         if dropped_error(table) <= asked || self.times == MOST_TIMES {
             return Vec::new();
@@ -87,7 +88,7 @@ impl FinerMirrors {
         again
     }
 
-    /// Settings that an aspect is traced with.
+    /// Settings for tracing an aspect.
     pub(crate) fn settings(&self, aspect: usize, settings: &AspectSettings) -> AspectSettings {
         let share = self.aspects[aspect].share;
         let mut finer = settings.clone();
@@ -96,13 +97,13 @@ impl FinerMirrors {
         finer
     }
 
-    /// Whether an aspect is traced as all are.
+    /// Whether an aspect is traced with the initial settings.
     pub(crate) fn is_first(&self, aspect: usize) -> bool {
         self.aspects[aspect].share == 1.0
     }
 
-    /// Takes an aspect traced again. One whose beams do not fit into memory stays as it was; any other error
-    /// is one.
+    /// Takes the result of a retraced aspect. One whose beams do not fit into memory keeps its previous
+    /// result; any other error is returned.
     pub(crate) fn take(
         &mut self,
         aspect: usize,
@@ -123,7 +124,8 @@ impl FinerMirrors {
         Ok(())
     }
 
-    /// Aspects that ended with smaller mirrors than the first, and the smallest share of the least areas.
+    /// Number of aspects that ended with smaller mirrors than initially, and the smallest ratio of the
+    /// minimum areas.
     pub(crate) fn reached(&self) -> (u64, f64) {
         let finer = self.aspects.iter().filter(|aspect| aspect.share < 1.0);
         (finer.clone().count() as u64, finer.map(|aspect| aspect.share).fold(1.0, f64::min))

@@ -1,4 +1,4 @@
-//! S of joints over frequency: tiles gathered by their length, taken at few frequencies (see
+//! S of joints over frequency: tiles are grouped by length and evaluated at few frequencies (see
 //! [`crate::joins::band`]).
 
 use crate::joins::band::{self, Band, Groups, INTERPOLATION_ERROR, Kind};
@@ -9,16 +9,16 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// S of all joints over frequency, 2 × 2, its phase referred to `origin_m`.
+/// S of all joints over frequency, 2 × 2, with its phase referred to `origin_m`.
 ///
-/// Fixed runs of joints are added in their order: the same bits on any number of threads.
+/// Fixed runs of joints are summed in order, so the result is bit-identical for any number of threads.
 pub(crate) fn sum_of_joints(
     scatterer: &Scatterer<'_>,
     joints: &Joints,
     origin_m: DVec3,
     integration: &Integration<'_>,
 ) -> Vec<Amplitude> {
-    // What a plane wave gives on flat facets is exact, and stays so.
+    // The result for a plane wave on flat facets is exact, and stays so.
     let is_exact = scatterer.is_far() && scatterer.world.skin_error() == 0.0;
     let error = if is_exact { f64::EPSILON } else { INTERPOLATION_ERROR * integration.accuracy };
     let Some(band) = Band::new(integration.wavenumbers_per_m, error, Kind::Facets) else {
@@ -46,7 +46,7 @@ pub(crate) fn sum_of_joints(
     band.sum(joints.list.par_chunks(JOINTS_PER_RUN).map(of_run).collect())
 }
 
-/// Sums at every frequency for itself: what the interpolation is compared with.
+/// Sums at every frequency separately: the reference of the interpolation.
 pub(crate) fn sum_at_each(
     scatterer: &Scatterer<'_>,
     joints: &Joints,
@@ -63,7 +63,7 @@ pub(crate) fn sum_at_each(
     })
 }
 
-/// Joints that are added by one thread.
+/// Number of joints summed by one thread.
 const JOINTS_PER_RUN: usize = 256;
 
 #[cfg(test)]
@@ -83,7 +83,7 @@ mod tests {
     use artifact::settings::{NodeRule, Sides};
 
     /// Three leaves of a corner, each of 16 × 16 squares of 25 mm and two panels of up to 5 m beside them:
-    /// all classes, and what belongs to none.
+    /// all classes, and contributions that fit none.
     fn corner() -> World {
         let mut mesh = Mesh::default();
         let mut square = |at: DVec3, u: DVec3, v: DVec3| {
@@ -130,7 +130,8 @@ mod tests {
                     };
                     let (fast, slow) = (of(accuracy, sum_of_joints), of(accuracy, sum_at_each));
                     let error = difference(&fast, &slow);
-                    // Far away nothing is missed but rounding of phases of k·10 m; near less than tiles miss.
+                    // In the far field the only error is rounding of phases of k·10 m; at near range it is
+                    // below that of tiles.
                     let asked = if is_far {
                         1624.0 * 10.0 * f64::EPSILON * size(&slow)
                     } else {
@@ -157,7 +158,7 @@ mod tests {
 
     type Sum = fn(&Scatterer<'_>, &Joints, DVec3, &Integration<'_>) -> Vec<Amplitude>;
 
-    /// A corner of three leaves that lean, 1 m above the road, and a plate before it.
+    /// A corner of three tilted leaves, 1 m above the road, and a plate in front of it.
     fn corner_over_road() -> World {
         let mut mesh = Mesh::default();
         let mut quad = |at: DVec3, u: DVec3, v: DVec3| {
@@ -208,7 +209,7 @@ mod tests {
                     .map(|i| (half.as_flattened()[i] - all.as_flattened()[i]).norm())
                     .fold(0.0, f64::max);
                 println!("{rule:?}, order {order}: asked 1e-7, got {:.1e} of {size:.2e}", error / size);
-                // The integrals of a way and of its reverse are equal, but for the last digits of their
+                // The integrals of a path and of its reverse are equal, except for the last digits of their
                 // tiles.
                 assert!(error < 1e-7 * size);
             }

@@ -1,22 +1,22 @@
-//! Results that a table made in several runs leaves from one run to the next.
+//! Results that a table made in several runs passes from one run to the next.
 
 use crate::table::aspect::Scattering;
 use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
 use crate::table::meeting::LeftOutEdges;
 use num_complex::Complex64;
 
-/// Keeps the aspects of a table as they are done, for a run that goes on where another one ended.
+/// Storage of a table's finished aspects, for a run that continues an interrupted one.
 ///
-/// A keeper answers only with bytes that it was given for the same mesh, the same request and the same
-/// program: that they have the shape of the request is checked, their figures are believed.
+/// A keeper must return only bytes given to it for the same mesh, the same request and the same program:
+/// their shape is checked against the request, their values are trusted.
 pub trait Keeper: Sync {
-    /// Bytes kept of a piece; `None` makes it anew.
+    /// Stored bytes of a piece; if `None`, the piece is computed.
     fn kept(&self, piece: Piece) -> Option<&[u8]>;
-    /// Keeps a piece that has just been done.
+    /// Stores a piece that has just been finished.
     fn keep(&self, piece: Piece, bytes: &[u8]);
 }
 
-/// An aspect of a table, which may be integrated again and finer.
+/// An aspect of a table in one pass of integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Piece {
     /// Number of times that the whole table was integrated before.
@@ -25,7 +25,7 @@ pub struct Piece {
     pub aspect: u32,
 }
 
-/// Every run begins anew.
+/// No storage: every run starts from the beginning.
 pub struct NothingKept;
 
 impl Keeper for NothingKept {
@@ -37,7 +37,7 @@ impl Keeper for NothingKept {
 }
 
 impl Scattering {
-    /// Bytes of every number exactly, little endian.
+    /// Exact bytes of every number, little endian.
     pub(crate) fn to_bytes(&self) -> Vec<u8> {
         let mut words = Words::default();
         words.orders(&self.chosen_m);
@@ -80,7 +80,7 @@ impl Scattering {
         words.left.is_empty().then_some(found)
     }
 
-    /// Whether it has a value for each order and frequency that is asked for, and what is measured beside.
+    /// Whether it has a value for each requested order and frequency, and the requested measurements.
     pub(crate) fn is_of(&self, settings: &AspectSettings, checks: Checks) -> bool {
         let (orders, frequencies) = (usize::from(settings.bounces), settings.wavenumbers_per_m.len());
         let is_whole = |all: &Vec<Vec<Complex64>>| {
@@ -92,7 +92,7 @@ impl Scattering {
     }
 }
 
-/// Numbers of 64 bits in a row.
+/// Sequence of 64-bit numbers.
 #[derive(Default)]
 struct Words(Vec<u64>);
 
@@ -121,7 +121,7 @@ impl Words {
     }
 }
 
-/// Rest of [`Words`] that is not read yet.
+/// Unread rest of [`Words`].
 struct Reading<'a> {
     left: &'a [u8],
 }
@@ -149,7 +149,7 @@ impl Reading<'_> {
         }
     }
 
-    /// A length cannot claim more than is there: every element takes a word.
+    /// Reads a list; its length cannot exceed the remaining words, since every element takes one.
     fn list<T>(&mut self, mut element: impl FnMut(&mut Self) -> Option<T>) -> Option<Vec<T>> {
         let count = usize::try_from(self.word()?)
             .ok()

@@ -1,29 +1,30 @@
-//! At which aspects of a table the error of the integrals is measured, and what it is of the whole table.
+//! Choice of the aspects of a table at which the error of the integrals is measured, and the resulting error
+//! of the whole table.
 //!
-//! A table's level is that of its strong aspects, and so is most of its error: of a lorry at four azimuths
+//! A table's level is that of its strong aspects, and so is most of its error: for a lorry at four azimuths
 //! the flash of its side errs by −16 dB of the table's level, the other three by −24 to −28 dB. A table of up
-//! to [`ALL_UP_TO`] aspects is measured whole. Of a larger one the strong are drawn systematically with
-//! probabilities proportional to their powers (Hansen and Hurwitz, Ann. Math. Statist. 14 (1943) 333): those
-//! in which the middles of equal parts of the table's power lie. Two of the others are measured beside them.
-//! The error of all others is taken to be the larger of two: as much of their power as the strong ones err by
-//! of theirs, and as much as those two do.
+//! to [`ALL_UP_TO`] aspects is measured completely. In a larger one the strong aspects are drawn
+//! systematically with probabilities proportional to their powers (Hansen and Hurwitz, Ann. Math. Statist. 14
+//! (1943) 333): those that contain the centres of equal parts of the table's power. Two of the others are
+//! measured in addition. The error of all others is taken as the larger of two: the same share of their power
+//! as for the strong ones, and as much per aspect as for those two.
 
 use crate::bodies::world::World;
 use crate::joins::band::INTERPOLATION_ERROR;
 use crate::table::aspect::Scattering;
 use artifact::units::amplitude_ratio;
 
-/// In a table of so many aspects each is measured.
+/// Number of aspects up to which all are measured.
 pub(crate) const ALL_UP_TO: usize = 8;
-/// Parts of the power from whose middles strong aspects are drawn.
+/// Number of parts of the power from whose centres strong aspects are drawn.
 const PARTS: usize = 4;
-/// Aspects drawn of the others.
+/// Number of other aspects drawn.
 const OTHERS: usize = 2;
-/// Factor on the mean of their error powers: of exponentially distributed ones the mean of two is below a
-/// third of the true one in one of seven cases.
+/// Factor on the mean of their error powers: for exponential distributions the mean of two is below a third
+/// of the true one in one of seven cases.
 const OF_TWO: f64 = 3.0;
 
-/// Numbers of the aspects that are measured, ascending; of a small table all are strong.
+/// Indices of the measured aspects, ascending; in a small table all are strong.
 pub(crate) struct Drawn {
     strong: Vec<usize>,
     others: Vec<usize>,
@@ -51,12 +52,12 @@ impl Drawn {
         Self { strong, others }
     }
 
-    /// Aspects that are drawn of a table.
+    /// Draws the aspects of a table.
     pub(crate) fn of(table: &[Scattering]) -> Self {
         Self::by(&table.iter().map(Scattering::mean_power).collect::<Vec<_>>())
     }
 
-    /// Numbers of all of them.
+    /// Indices of all of them.
     pub(crate) fn all(&self) -> impl Iterator<Item = usize> {
         self.strong.iter().chain(&self.others).copied()
     }
@@ -76,7 +77,7 @@ impl Drawn {
     }
 }
 
-/// Numbers of the strongest aspects of a table, `most` at most, ascending.
+/// Indices of the strongest aspects of a table, at most `most`, ascending.
 pub(crate) fn strongest(table: &[Scattering], most: usize) -> Vec<usize> {
     let mut numbers: Vec<usize> = (0..table.len()).collect();
     numbers.sort_by(|a, b| table[*b].mean_power().total_cmp(&table[*a].mean_power()));
@@ -93,9 +94,9 @@ pub(crate) fn measured_error(table: &[Scattering]) -> f64 {
     amplitude_ratio(error_power, table.iter().map(Scattering::mean_power).sum()).max(ROUNDING)
 }
 
-/// Error that integrals over a band may have where layers reflect, which know frequency: their weights are
-/// taken at few frequencies, to a third of this share of the bound of the integrals; a wave that is three
-/// times as strong without the layers is allowed for.
+/// Error allowed for integrals over a band with layers, whose reflection depends on frequency: their weights
+/// are evaluated at few frequencies, to a third of this share of the bound of the integrals, which allows for
+/// a wave three times as strong without the layers.
 pub(crate) fn interpolation_error(world: &World, frequencies: usize, bound: f64) -> f64 {
     const FEWEST_FREQUENCIES: usize = 3;
     let is_interpolated = world.knows_frequency() && frequencies >= FEWEST_FREQUENCIES;
@@ -118,7 +119,7 @@ mod tests {
         flash[5] = 1000.0;
         assert_eq!(drawn(&flash), [vec![5], vec![6, 11]]);
         flash[5] = 15.0;
-        // Parts of 30/4: their middles lie at 3.75, 11.25, 18.75 and 26.25 of 0 … 5 | 5 … 20 | 20 … 30.
+        // Parts of 30/4: their centres lie at 3.75, 11.25, 18.75 and 26.25 of 0 … 5 | 5 … 20 | 20 … 30.
         assert_eq!(drawn(&flash), [vec![3, 5, 12], vec![6, 10]]);
         assert_eq!(drawn(&[1.0, 1000.0, 0.0]), [vec![0, 1, 2], vec![]]);
         for dark in [0.0, f64::NAN] {

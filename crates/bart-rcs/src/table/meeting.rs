@@ -1,4 +1,4 @@
-//! Meetings of both ends in ways of one order: on facets and, where they are asked for, on edges.
+//! Meetings of both ends on paths of one order: on facets and, if requested, on edges.
 
 use crate::beams::body_ways::BodyWays;
 use crate::edges::edge_scattering::sum_of_edges;
@@ -21,18 +21,18 @@ use rayon::prelude::*;
 pub(crate) struct OrderJoints {
     pub(crate) facets: Joints,
     pub(crate) edges: Vec<EdgeJoint>,
-    /// Own edges of the facets of double reflections off their specular.
+    /// Own edges of the facets of double reflections off their specular direction.
     pub(crate) truncations: Vec<Truncation>,
 }
 
-/// Settings of the meetings that are looked for.
+/// Settings that select meetings.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MeetingSettings {
     pub(crate) nodes: NodeRule,
     pub(crate) edges: Edges,
-    /// Overlaps of beams below are dropped.
+    /// Area below which overlaps of beams are dropped.
     pub(crate) least_area_m2: f64,
-    /// The highest that is asked for: sides narrower than its inverse are thin.
+    /// Highest requested wavenumber: sides narrower than its inverse are thin.
     pub(crate) wavenumber_per_m: f64,
 }
 
@@ -47,22 +47,22 @@ impl OrderJoints {
         Self { facets, edges: edge_meetings(scatterer, order, settings), truncations }
     }
 
-    /// Part of the meeting that is on edges.
+    /// Part of the meeting on edges.
     pub(crate) fn without_facets(self) -> Self {
         Self { facets: Joints::default(), ..self }
     }
 
-    /// Part of the meeting that has its node on one body.
+    /// Part of the meeting with its node on one body.
     pub(crate) fn on_body(&self, scatterer: &Scatterer<'_>, body: usize) -> Self {
         self.filtered(|forward, _| scatterer.node_body(forward) == body)
     }
 
-    /// Part of the meeting whose ways meet more than one vehicle.
+    /// Part of the meeting whose paths meet more than one vehicle.
     pub(crate) fn between_vehicles(&self, scatterer: &Scatterer<'_>) -> Self {
         self.filtered(|forward, backward| meets_several_vehicles(scatterer, forward, backward))
     }
 
-    /// Part of the meeting that is meant, by the beams of both ends.
+    /// Part of the meeting selected by the beams of both ends.
     fn filtered(&self, is_meant: impl Fn(u32, u32) -> bool) -> Self {
         let edges = self.edges.iter().filter(|joint| is_meant(joint.forward, joint.backward));
         let ends = self.truncations.iter().filter(|end| is_meant(end.forward, end.backward));
@@ -73,17 +73,17 @@ impl OrderJoints {
         }
     }
 
-    /// Number of polygons, edges and ends that scatter.
+    /// Number of scattering polygons, edges and ends.
     pub(crate) fn count(&self) -> usize {
         self.facets.list.len() + self.edges()
     }
 
-    /// Number of edges and ends that scatter.
+    /// Number of scattering edges and ends.
     pub(crate) fn edges(&self) -> usize {
         self.edges.len() + self.truncations.len()
     }
 
-    /// Part of the meeting that is among some ways.
+    /// Part of the meeting on some sequences of bodies.
     pub(crate) fn along(&self, scatterer: &Scatterer<'_>, ways: &BodyWays) -> Self {
         let body = |facet: u32| scatterer.world.facet(facet).id.body;
         self.filtered(|forward, backward| {
@@ -92,7 +92,7 @@ impl OrderJoints {
         })
     }
 
-    /// S over frequency, 2 × 2, its phase referred to `origin_m`.
+    /// S over frequency, 2 × 2, with its phase referred to `origin_m`.
     pub(crate) fn sum(
         &self,
         scatterer: &Scatterer<'_>,
@@ -104,8 +104,8 @@ impl OrderJoints {
         total
     }
 
-    /// Sums of facets and of edges, own edges of double reflections among these, each as [`Self::sum`] has
-    /// it.
+    /// Sums of facets and of edges, the latter including own edges of double reflections, each as in
+    /// [`Self::sum`].
     pub(crate) fn sums(
         &self,
         scatterer: &Scatterer<'_>,
@@ -122,12 +122,13 @@ impl OrderJoints {
 }
 
 impl MeetingSettings {
-    /// Whether double reflections off their specular are taken at the own edges of their facets.
+    /// Whether double reflections off their specular direction are evaluated at the own edges of their
+    /// facets.
     fn follows_ends(&self) -> bool {
         self.edges == Edges::FirstOrder && self.nodes == NodeRule::OwnEdge
     }
 
-    /// Meetings on edges alone, as [`OrderJoints::of`] has them.
+    /// Meetings on edges alone, as in [`OrderJoints::of`].
     pub(crate) fn on_edges(&self, scatterer: &Scatterer<'_>, order: u8) -> OrderJoints {
         if order == 2 && self.follows_ends() {
             return OrderJoints::of(scatterer, order, self).without_facets();
@@ -136,7 +137,7 @@ impl MeetingSettings {
         OrderJoints { facets: Joints::default(), edges, truncations: Vec::new() }
     }
 
-    /// Change by edges in all orders up to `bounces`, of a request at one wavenumber.
+    /// Change by edges in all orders up to `bounces`, for a request at one wavenumber.
     pub(crate) fn left_out_edges(
         &self,
         scatterer: &Scatterer<'_>,
@@ -159,17 +160,17 @@ impl MeetingSettings {
     }
 }
 
-/// Powers |S|² of what edges would change where they are left out, m².
+/// Powers |S|² of the change by edges where they are omitted, m².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LeftOutEdges {
     /// Power of all orders together.
     pub(crate) power: f64,
-    /// Power of the ends of double reflections, less what their polygons lose to them.
+    /// Power of the ends of double reflections, less the loss of their polygons to them.
     pub(crate) ends_power: f64,
 }
 
 impl OrderJoints {
-    /// Ends at own edges less what polygons lose to them.
+    /// Ends at own edges, less the loss of polygons to them.
     fn ends_less_polygons(&self, scatterer: &Scatterer<'_>, integration: &Integration<'_>) -> Vec<Amplitude> {
         let sum = |joints: &Joints| sum_of_joints(scatterer, joints, DVec3::ZERO, integration);
         let parted = self.facets.filtered(|joint| joint.parting.clear > 0.0);
@@ -183,7 +184,7 @@ impl OrderJoints {
     }
 }
 
-/// Meetings of both ends on edges in ways of `order`; none where edges are ignored.
+/// Meetings of both ends on edges on paths of `order`; empty if edges are ignored.
 fn edge_meetings(scatterer: &Scatterer<'_>, order: u8, settings: &MeetingSettings) -> Vec<EdgeJoint> {
     let world = scatterer.world;
     match settings.edges {
@@ -214,8 +215,8 @@ mod tests {
     const FREQUENCY_HZ: f64 = 77e9;
     const WAVELENGTH_M: f64 = SPEED_OF_LIGHT_MPS / FREQUENCY_HZ;
 
-    /// Two rectangles from a common edge on the z axis, `angle_deg` apart, their bisector along x; sides and
-    /// height in wavelengths.
+    /// Two rectangles sharing an edge on the z axis, `angle_deg` apart, with their bisector along x; sides
+    /// and height in wavelengths.
     fn dihedral(angle_deg: f64, sides: [f64; 2], height: f64) -> Mesh {
         let half = 0.5 * height * WAVELENGTH_M;
         let mut mesh = Mesh::default();
@@ -244,7 +245,7 @@ mod tests {
         }
     }
 
-    /// S of the double reflection alone, without fringes: as in full, and by its polygons alone.
+    /// S of the double reflection alone, without fringes: complete, and by its polygons alone.
     fn double_reflection(mesh: &Mesh, at: [Standpoint; 2]) -> [Amplitude; 2] {
         let world = World::of_mesh(mesh).unwrap();
         let settings = TraceSettings {
@@ -269,7 +270,7 @@ mod tests {
         })
     }
 
-    /// The mean of iterated physical optics there and back: what a reciprocal rule can have.
+    /// Mean of iterated physical optics in both directions, the best that a reciprocal rule can achieve.
     fn iterated_mean(mesh: &Mesh, at: [Standpoint; 2], per_wavelength: f64) -> Amplitude {
         let one_way = |transmitter: Standpoint, receiver: Standpoint| {
             let aspect = Aspect { transmitter, receiver };
@@ -280,7 +281,7 @@ mod tests {
         [0, 1].map(|p| [0, 1].map(|q| 0.5 * (forth[p][q] + back[q][p])))
     }
 
-    /// Error over field, dB, of vv and hh over some aspects.
+    /// Error over field, dB, for vv and hh over several aspects.
     fn errors_db(got: &[Amplitude], asked: &[Amplitude]) -> [f64; 2] {
         [0, 1].map(|p| {
             let pairs = || got.iter().zip(asked).map(|(g, a)| (g[p][p], a[p][p]));
@@ -289,7 +290,7 @@ mod tests {
         })
     }
 
-    /// Errors in full and by polygons alone.
+    /// Errors of the complete result and of polygons alone.
     fn both_errors_db(mesh: &Mesh, seen: &[[Standpoint; 2]]) -> [[f64; 2]; 2] {
         let got: Vec<_> = seen.iter().map(|at| double_reflection(mesh, *at)).collect();
         let asked: Vec<_> = seen.iter().map(|at| iterated_mean(mesh, *at, 4.0)).collect();
@@ -298,7 +299,7 @@ mod tests {
 
     #[test]
     fn double_reflections_off_their_specular_are_those_of_iterated_physical_optics() {
-        // What stays is diffracted at two edges (corners), the more of it the smaller the body.
+        // The remainder is diffracted at two edges (corners), more of it the smaller the body.
         let bodies = [
             ("4 by 4, 90°", dihedral(90.0, [4.0, 4.0], 4.0), [-12.5, -13.5]),
             ("3 by 5, 80°", dihedral(80.0, [3.0, 5.0], 4.0), [-17.0, -16.0]),
@@ -337,7 +338,7 @@ mod tests {
         let [back, polygons] = double_reflection(&mesh, [other, near]);
         let largest = forth.as_flattened().iter().map(|s| s.norm()).fold(0.0, f64::max);
         for (p, q) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            // Integrals along edges are as exact as was asked, 1e-6 of the edge.
+            // Integrals along edges have the requested accuracy, 1e-6 of the edge.
             assert!((forth[p][q] - back[q][p]).norm() < 1e-4 * largest, "{forth:?} {back:?}");
         }
         assert!((back[0][0] - polygons[0][0]).norm() > 0.1 * largest, "ends are asked here");

@@ -1,5 +1,5 @@
-//! A table's S beside that of the same body with other skins: of coarser facets, and of sheets that waves
-//! pass.
+//! Comparison of a table's S with that of the same body with other skins: with coarser facets, and with
+//! transmission through sheets.
 
 use crate::bodies::world::World;
 use crate::oversight::called_off::CalledOff;
@@ -16,13 +16,13 @@ use artifact::units::{SPEED_OF_LIGHT_MPS, amplitude_ratio};
 use glam::{DQuat, DVec3};
 use std::f64::consts::{PI, TAU};
 
-/// Skin fine enough at the highest frequency.
+/// Skin that is fine enough at the highest frequency.
 pub(crate) fn skin(request: &RcsRequest) -> Skin {
     let highest_hz = request.frequency_hz.iter().copied().fold(0.0, f64::max);
     Skin::of(request.surface, request.accuracy, SPEED_OF_LIGHT_MPS / highest_hz, request.bounces)
 }
 
-/// A table that is done, and what it was made with.
+/// A finished table, and the inputs with which it was made.
 pub(crate) struct OtherSkins<'a> {
     pub(crate) mesh: &'a Mesh,
     pub(crate) request: &'a RcsRequest,
@@ -32,15 +32,15 @@ pub(crate) struct OtherSkins<'a> {
     pub(crate) called_off: CalledOff<'a>,
 }
 
-/// Aspects of a table that are traced over coarser facets as well.
+/// Number of a table's aspects that are also traced with coarser facets.
 const COMPARED: usize = 3;
-/// Most facets that are compared with finer ones at a lobe beside each aspect as well.
+/// Maximum number of facets for comparing finer ones also at a lobe beside each aspect.
 const FEW_FACETS: usize = 500;
 
 impl OtherSkins<'_> {
-    /// Error by facets in place of a skin: ‖S(of coarser ones) − S‖ over ‖S‖ at the strongest aspects, or of
-    /// finer ones where these tell more and are affordable ([`FinerSkin`]); `None` where facets
-    /// are the surface itself.
+    /// Error of facets in place of a skin: ‖S(of coarser ones) − S‖ over ‖S‖ at the strongest aspects, or
+    /// with finer ones where these show more and are affordable ([`FinerSkin`]); `None` if facets are the
+    /// surface itself.
     pub(crate) fn tessellation(&self, world: &World) -> Result<Option<f64>, BartError> {
         if self.request.surface == Surface::Flat {
             return Ok(None);
@@ -69,8 +69,8 @@ impl OtherSkins<'_> {
         Ok(Some(told_error(amplitude_ratio(differing, whole), cut_for)))
     }
 
-    /// World of finer facets where coarser ones tell too little and they are affordable, with the error over
-    /// the difference.
+    /// World with finer facets, if coarser ones show too little and finer ones are affordable, with the ratio
+    /// of the error to the difference.
     fn finer(&self, world: &World, coarser: &World) -> Result<Option<(World, f64)>, BartError> {
         let own = world.facets().len();
         let Some(cut) = FinerSkin::beside(own, coarser.facets().len(), self.request.bounces) else {
@@ -87,8 +87,8 @@ impl OtherSkins<'_> {
         (PI / (highest_per_m * extent_m)).min(TAU / 100.0)
     }
 
-    /// Ratio ‖S(through sheets) − S‖ over ‖S(through sheets)‖ of first order at the first, middle and last
-    /// aspect; `None` where there is no sheet or waves are followed.
+    /// Ratio ‖S(through sheets) − S‖ over ‖S(through sheets)‖ in first order at the first, middle and last
+    /// aspect; `None` if there is no sheet or transmission is traced.
     pub(crate) fn transmission_left_out(&self) -> Result<Option<f64>, BartError> {
         let makeup = &self.mesh.makeup;
         if makeup.transmission == Transmission::Followed || !makeup.materials.iter().any(Material::is_sheet) {
@@ -112,9 +112,9 @@ impl OtherSkins<'_> {
     }
 }
 
-/// Mean power of the difference between two worlds at an aspect and, where a lobe is told, at two beside it,
-/// each about another axis: at one alone it may vanish by chance. Where no antenna can stand beside, the
-/// aspect is all.
+/// Mean power of the difference between two worlds at an aspect and, if a lobe is given, at two beside it,
+/// each about another axis: at a single one it may vanish by chance. If no antenna can stand beside it, the
+/// aspect alone.
 fn differing_about(
     aspect: &Aspect,
     turn_rad: Option<f64>,

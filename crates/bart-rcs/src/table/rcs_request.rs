@@ -12,19 +12,18 @@ use glam::{DQuat, DVec3};
 use radar::standpoint::Standpoint;
 use std::f64::consts::TAU;
 
-/// S(frequency, elevation, azimuth) that is asked for; body axes.
+/// Requested S(frequency, elevation, azimuth), body axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RcsRequest {
     /// Axis 0.
     pub frequency_hz: Vec<f64>,
-    /// Axis 1: of the antenna above the horizon.
+    /// Axis 1: elevation of the antenna above the horizon.
     pub elevation_rad: Vec<f64>,
-    /// Axis 2: of the antenna, from body x towards body y.
+    /// Axis 2: azimuth of the antenna, from body x towards body y.
     pub azimuth_rad: Vec<f64>,
-    /// Antenna to origin; infinite for the far field.
+    /// Distance from the antenna to the origin; infinite for the far field.
     pub range_m: f64,
-    /// A receiver that stands still while the transmitter takes every aspect; `None` where it is the
-    /// transmitter.
+    /// Stationary receiver, while the transmitter takes every aspect; `None` if it is the transmitter.
     pub receiver: Option<Standpoint>,
     /// Polarization of the result.
     pub polarization: Polarization,
@@ -36,16 +35,15 @@ pub struct RcsRequest {
     pub sides: Sides,
     /// Diffraction by edges.
     pub edges: Edges,
-    /// Surface that the facets stand for.
+    /// Surface that the facets represent.
     pub surface: Surface,
-    /// Relative amplitude error allowed over the whole table; not carried below −160 dB.
+    /// Relative amplitude error allowed over the whole table; limited to −160 dB.
     pub accuracy: Accuracy,
 }
 
 impl RcsRequest {
-    /// S over three axes, all else as `wayside rcs` has it where nothing is said: one antenna for both ways,
-    /// infinitely far; vv; three bounces, the nodes' own edges; two sides of flat facets without diffraction;
-    /// −40 dB.
+    /// S over three axes, with the defaults of `wayside rcs`: one antenna for both directions, infinitely
+    /// far; vv; three bounces, the nodes' own edges; two sides of flat facets without diffraction; −40 dB.
     pub fn over(frequency_hz: Vec<f64>, elevation_rad: Vec<f64>, azimuth_rad: Vec<f64>) -> Self {
         Self {
             frequency_hz,
@@ -68,7 +66,7 @@ impl RcsRequest {
         self.frequency_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect()
     }
 
-    /// The request with antennas that are infinitely far at this range instead.
+    /// Request with infinitely distant antennas moved to this range.
     pub(crate) fn at_range(&self, range_m: f64) -> Self {
         let moved = |at: f64| if at.is_finite() { at } else { range_m };
         let receiver = self.receiver.map(|r| Standpoint { range_m: moved(r.range_m), ..r });
@@ -84,14 +82,14 @@ fn antenna(at: &Standpoint) -> Antenna {
     }
 }
 
-/// Place of the antennas, with ĥ straight above and below.
+/// Positions of the antennas, with ĥ straight above and below.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Aspect {
     pub(crate) transmit: (Antenna, DVec3),
-    /// Receiver; `None` where it is the transmitter.
+    /// Receiver; `None` if it is the transmitter.
     pub(crate) receive: Option<(Antenna, DVec3)>,
-    /// Whether an antenna sees a face along its plane: what is lit of that is a sliver, and its edges count
-    /// all the same.
+    /// Whether an antenna sees a face along its plane: the lit part of the face is a sliver, but its edges
+    /// count.
     pub(crate) is_along_face: bool,
 }
 
@@ -102,7 +100,7 @@ impl Aspect {
         near(self.transmit.0) || self.receive.is_some_and(|(antenna, _)| near(antenna))
     }
 
-    /// Both antennas turned about the origin.
+    /// Both antennas rotated about the origin.
     pub(crate) fn turned(&self, by: DQuat) -> Self {
         let turned = |(antenna, zenith_h): (Antenna, DVec3)| (antenna.turned(by), by * zenith_h);
         Self { transmit: turned(self.transmit), receive: self.receive.map(turned), ..*self }
@@ -115,7 +113,7 @@ impl Aspect {
     }
 }
 
-/// Elevation by elevation, azimuth by azimuth.
+/// Aspects, elevation by elevation and azimuth by azimuth.
 pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
     let of = |elevation_rad: f64, azimuth_rad: f64| {
         let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
@@ -132,7 +130,7 @@ pub(crate) fn aspects(request: &RcsRequest) -> Vec<Aspect> {
         .collect()
 }
 
-/// Aspects as they are traced: with edges on, no antenna stands in the plane of a face.
+/// Aspects as traced: with edges enabled, no antenna lies in the plane of a face.
 pub(crate) fn traced_aspects(request: &RcsRequest, world: &World) -> Vec<Aspect> {
     let asked = aspects(request);
     if request.edges == Edges::Ignored {

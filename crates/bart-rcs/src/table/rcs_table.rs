@@ -28,46 +28,46 @@ use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// S in metres and what is known of it.
+/// Scattering amplitude S in metres, with its errors and statistics.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RcsResult {
     /// Scattering amplitude S, row-major `[frequency, elevation, azimuth]`, phase at the body's origin.
     pub amplitude_m: Vec<Complex64>,
     /// Scattering amplitude by bounce order, from order 1; their sum is `amplitude_m`.
     pub by_order_m: Vec<Vec<Complex64>>,
-    /// Beams by order of their tree, all aspects and both ends; orders that only the comparison of node rules
-    /// needs are traced where that is made.
+    /// Number of beams by order of their tree, over all aspects and both ends; orders needed only for the
+    /// comparison of node rules are traced where that is made.
     pub beams: Vec<u64>,
-    /// Work by phase, as [`Surroundings::clock_s`] tells it: of all threads, and of all runs that aspects
-    /// were kept from.
+    /// Work by phase, as measured by [`Surroundings::clock_s`]: of all threads, and of all runs from which
+    /// aspects were kept.
     pub seconds: RcsSeconds,
-    /// Whether S is nothing but rounding beside the other polarizations, as the cross-polarized one of a
-    /// single reflection back to a conductor is by symmetry: no error can be relative to it, and none is
-    /// told.
+    /// Whether S is mere rounding relative to the other polarizations, like the cross-polarized component of
+    /// a single reflection back to a conductor, by symmetry: no error can be relative to it, and none is
+    /// reported.
     pub vanishes: bool,
     /// Numerical error over the table.
     pub error: ErrorBudget,
     /// Errors of the physical model, over the table.
     pub model_error: ModelError,
-    /// Per order from 1: ‖S − S(by the other node rule)‖ of that order over ‖S‖ of all, the other rule exit,
-    /// and middle for exit; over 32 to 64 aspects of a larger table.
+    /// Node spread per order from 1: ‖S − S(by the other node rule)‖ of that order over ‖S‖ of all, where the
+    /// other rule is exit, and middle for exit; over 32 to 64 aspects of a larger table.
     pub node_spread: Vec<f64>,
-    /// Largest sum over one aspect of what dropped beams could scatter at most, over the table's root mean
+    /// Largest sum over one aspect of the maximum scattering of dropped beams, over the table's root mean
     /// square |S|.
     pub dropped_at_most: f64,
-    /// Mirrors that were followed to keep what is dropped within the accuracy.
+    /// Mirrors followed to keep the dropped part within the accuracy.
     pub mirrors: Followed,
-    /// Error of the table at the ranges of a road; `None` where it is of a finite range, or too small to
+    /// Error of the table at the ranges of a road; `None` if it has a finite range, or is too small to
     /// measure it.
     pub far_field: Option<FarFieldError>,
 }
 
-/// Mirrors that were followed.
+/// Followed mirrors.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Followed {
-    /// The smallest area across the wave of any aspect, m².
+    /// Smallest area across the wave over all aspects, m².
     pub least_area_m2: f64,
-    /// Aspects that were traced again with smaller ones than the rest.
+    /// Number of aspects retraced with smaller mirrors than the rest.
     pub traced_again: u64,
 }
 
@@ -84,17 +84,17 @@ pub struct RcsSeconds {
     pub check: f64,
 }
 
-/// S of a mesh in body axes.
+/// Scattering amplitude S of a mesh in body axes.
 ///
-/// One tree (two with a receiver apart) serves all frequencies of an aspect. `progress` hears (aspects done,
-/// aspects). The same request gives the same bytes on any number of threads, but for `seconds`.
+/// One tree (two with a separate receiver) serves all frequencies of an aspect. `progress` receives (aspects
+/// done, aspects). The same request gives the same bytes for any number of threads, except for `seconds`.
 ///
 /// At finite range, and with edges, the error of the integrals is measured against integrals ten times finer:
-/// at every aspect of a table of up to eight, whose result they are, at up to six of a larger one, the
-/// strongest among them.
-/// Where it exceeds the accuracy asked, everything is integrated finer. Where what was dropped does, the
-/// aspects that drop too much are traced again with smaller mirrors, at most three times and as far as memory
-/// lets them. The node rule is compared with the other one at every n-th aspect of a table of more than 64.
+/// at every aspect of a table of up to eight, where the finer ones are the result, and at up to six of a
+/// larger one, including the strongest. If it exceeds the requested accuracy, everything is integrated more
+/// finely. If the dropped part exceeds it, the aspects that drop too much are retraced with smaller mirrors,
+/// at most three times and as far as memory permits. The node rule is compared with the other one at every
+/// n-th aspect of a table of more than 64.
 pub fn rcs(
     mesh: &Mesh,
     request: &RcsRequest,
@@ -120,22 +120,22 @@ pub fn rcs(
     )
 }
 
-/// Surroundings that a table is made in.
+/// Context in which a table is made.
 pub struct Surroundings<'a> {
-    /// Limit of the memory: a mesh that is expected to need more is refused before it is traced, and trees
-    /// that grow beyond their share are given up with an error.
+    /// Memory limit: a mesh predicted to need more is refused before it is traced, and trees that exceed
+    /// their share are abandoned with an error.
     pub memory_limit: MemoryLimit,
-    /// Aspects that it has are not made again; the result is the same to the byte.
+    /// Storage of finished aspects, which are not computed again; the result is the same to the byte.
     pub keeper: &'a dyn Keeper,
-    /// Listener that hears how far it is.
+    /// Receiver of progress reports.
     pub progress: &'a dyn Progress,
-    /// Seconds that the program has worked so far, on all processors: what [`RcsSeconds`] are told by.
+    /// Processor time of the program so far, s, over all processors: the basis of [`RcsSeconds`].
     pub clock_s: &'a (dyn Fn() -> f64 + Sync),
     /// Asked before each aspect is begun; a table that was called off is none.
     pub called_off: CalledOff<'a>,
 }
 
-/// Makes the table as [`rcs`] does, in surroundings that may limit it and keep what is done.
+/// Like [`rcs`], in a context that may limit it and store finished aspects.
 pub fn rcs_within(
     mesh: &Mesh,
     request: &RcsRequest,
@@ -212,16 +212,16 @@ fn mean_facet_m2(world: &World) -> f64 {
     facets.iter().map(|facet| facet.area_m2).sum::<f64>() / facets.len().max(1) as f64
 }
 
-/// Bound of every tile's error that integrals begin with, relative as `asked` is; what errs by more than was
-/// asked for is integrated finer.
+/// Initial bound on every tile's error, relative like `asked`; integrals that exceed the requested error are
+/// made finer.
 ///
-/// Bounds are far above their errors, which cancel from tile to tile: of cars and lorries 30 m away with
-/// bounds of −40 dB the integrals err by −56 to −65 dB, of spheres with −20 dB by −64 dB. Above −10 dB of a
-/// flat facet nothing is cut that should be: the side of a bus errs by −8 dB with bounds of 0 and of −6 dB,
-/// by −17 dB with −12 dB.
+/// Bounds are far above errors, which cancel from tile to tile: for cars and lorries 30 m away with bounds of
+/// −40 dB the integrals err by −56 to −65 dB, for spheres with −20 dB by −64 dB. Above −10 dB of a flat facet
+/// necessary subdivisions are missing: the side of a bus errs by −8 dB with bounds of 0 and of −6 dB, by −17
+/// dB with −12 dB.
 ///
-/// With edges, aspects differ by more: of a large table, in which some are measured, bounds begin with what
-/// was asked for.
+/// With edges, aspects differ by more: for a large table, of which only some are measured, bounds start at
+/// the requested accuracy.
 fn first_bound(asked: f64, world: &World, edges: Edges, aspects: usize) -> f64 {
     const BOUND_OVER_ERROR: f64 = 7.0;
     const LARGEST_ON_FLAT: f64 = 0.25;
@@ -232,20 +232,20 @@ fn first_bound(asked: f64, world: &World, edges: Edges, aspects: usize) -> f64 {
     (BOUND_OVER_ERROR * asked).min(largest)
 }
 
-/// Part of the error asked for that finer integrals aim at, by what the coarser ones err by.
+/// Share of the requested error at which finer integrals aim, based on the error of the coarser ones.
 const ERROR_AIMED_AT: f64 = 0.7;
-/// An aspect's integrals begin with so many tiles at most: some seconds of one processor.
+/// Maximum number of tiles with which an aspect's integrals start: some seconds of one processor.
 const FEW_TILES: u64 = 2_000_000;
-/// Most tiles of an aspect's integrals in the end, if errors are still larger than was asked for: they
-/// are told.
+/// Maximum number of tiles of an aspect's integrals in the end, if errors are still larger than requested;
+/// these are reported.
 const MOST_TILES: u64 = 50_000_000;
 
 pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64) -> AspectSettings {
     let wavenumbers_per_m = request.wavenumbers_per_m();
     let shortest_m = TAU / wavenumbers_per_m.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-    // λ²/100·accuracy (physics §2), or that part of the mean facet where facets are smaller than the
-    // wavelength: a fine mesh must not be dropped whole. Mirrors of a hundred times that size are the
-    // smallest that are followed.
+    // λ²/100·accuracy (physics §2), or that share of the mean facet if facets are smaller than the
+    // wavelength: a fine mesh must not be dropped completely. The smallest mirrors followed are a hundred
+    // times that size.
     let least_area_m2 =
         1e-2 * mean_facet_m2(world).min(shortest_m * shortest_m) * request.accuracy.amplitude();
     let both = tree_order(request.bounces, NodeRule::Exit).max(tree_order(request.bounces, NodeRule::Middle));
@@ -266,27 +266,27 @@ pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64
     }
 }
 
-/// Aspects of a table at which the node rule is compared with the other one, and the first order left out is
-/// added up: all, or every n-th so that at least half as many are. The spread is a ratio of powers over them:
-/// 32 aspects of independent phases know it to 1/√32, 0.8 dB.
+/// Number of aspects of a table at which the node rule is compared with the other one, and the first omitted
+/// order is computed: all, or every n-th so that at least half as many are. The spread is a ratio of powers
+/// over them: 32 aspects with independent phases determine it to 1/√32, 0.8 dB.
 const COMPARED_ASPECTS: usize = 64;
 
-/// Passes that measure are counted from here, behind those that make.
+/// Offset of the numbers of measuring passes, which follow those that make the table.
 const MEASURING: u32 = 1 << 16;
 
-/// Things that all aspects of a table share: bodies, hierarchy, patches, edges and skin are the
-/// world's, built once.
+/// Data shared by all aspects of a table: bodies, hierarchy, patches, edges and skin are the world's, built
+/// once.
 struct SharedByAspects<'a> {
     world: &'a World,
     aspects: &'a [Aspect],
     edges: Edges,
-    /// Tree of a receiver that stands still: it does not depend on the aspect.
+    /// Tree of a stationary receiver, which does not depend on the aspect.
     received: Option<&'a BeamTree>,
     surroundings: &'a Surroundings<'a>,
     meter: &'a WorkMeter<'a>,
 }
 
-/// Beam tree of a receiver that stands still, where more than one aspect asks for it.
+/// Beam tree of a stationary receiver, if more than one aspect needs it.
 fn tree_of_receiver(
     world: &World,
     aspects: &[Aspect],
@@ -306,7 +306,7 @@ fn tree_of_receiver(
     }
 }
 
-/// A table with what it was made with at last.
+/// A table with its final settings.
 struct FineTable {
     table: Vec<Scattering>,
     /// Settings before mirrors were made smaller anywhere.
@@ -315,8 +315,8 @@ struct FineTable {
 }
 
 impl SharedByAspects<'_> {
-    /// All aspects integrated finer, and those that need it traced finer, until both errors are as asked or
-    /// no more is to be had.
+    /// Table with all aspects integrated more finely, and some traced more finely as needed, until both
+    /// errors are as requested or no further improvement is possible.
     fn fine_table(&self, mut settings: AspectSettings, asked: f64) -> Result<FineTable, BartError> {
         let all: Vec<usize> = (0..self.aspects.len()).collect();
         let mut mirrors = FinerMirrors::of_none(all.len());
@@ -337,7 +337,7 @@ impl SharedByAspects<'_> {
             }
             if is_coarse {
                 settings.accuracy *= (ERROR_AIMED_AT * asked / error).clamp(0.1, 0.3);
-                // A little more than 10^⅔, by which tiles become more at most.
+                // A little more than 10^⅔, the maximum growth in the number of tiles.
                 settings.most_tiles = (5 * settings.most_tiles).min(MOST_TILES);
             }
             let found = self.made(&again, self.every_check(), &settings, &mirrors, pass);
@@ -346,13 +346,13 @@ impl SharedByAspects<'_> {
         Ok(FineTable { table, settings, mirrors })
     }
 
-    /// Checks of the integrals as aspects are made: of few aspects all are made ten times finer, and these
-    /// are the result; of many none before it is known which are strong.
+    /// Checks of the integrals while aspects are made: for few aspects all are computed ten times finer,
+    /// which is the result; for many none before the strong ones are known.
     fn every_check(&self) -> IntegralsCheck {
         if self.aspects.len() <= ALL_UP_TO { IntegralsCheck::Taken } else { IntegralsCheck::Skipped }
     }
 
-    /// Measures the integrals at the aspects that are drawn and have not been measured.
+    /// Measures the integrals at the drawn aspects that have not been measured.
     fn measure(
         &self,
         table: &mut [Scattering],
@@ -392,7 +392,7 @@ impl SharedByAspects<'_> {
         which.par_iter().map(one).collect()
     }
 
-    /// Scattering of an aspect as it was kept, or made now and kept.
+    /// Scattering of an aspect from storage, or computed and stored now.
     fn aspect(
         &self,
         index: usize,
@@ -421,21 +421,21 @@ impl SharedByAspects<'_> {
         }
     }
 
-    /// Whether the polygons' closed form is exact, as it is far away; bent facets and currents that end on a
-    /// face are integrated by pieces.
+    /// Whether the polygons' closed form is exact, as in the far field; curved facets and currents that end
+    /// on a face are integrated piecewise.
     fn is_exact(&self, index: usize) -> bool {
         let is_in_closed_form = self.edges == Edges::Ignored && self.world.skin_error() == 0.0;
         is_in_closed_form && !self.aspects[index].is_near()
     }
 }
 
-/// Whether some integrals had to be coarser than the settings ask for.
+/// Whether some integrals had to be coarser than the settings.
 fn is_bounded(table: &[Scattering], settings: &AspectSettings) -> bool {
     table.iter().any(|aspect| aspect.accuracy > settings.accuracy)
 }
 
-/// Whether a table is nothing but rounding in its polarization: sums of 10⁶ polygons are rounded by 10⁻¹³ of
-/// what they are sums of, and these may cancel to a thousandth.
+/// Whether a table is mere rounding in its polarization: sums of 10⁶ polygons are rounded by 10⁻¹³ of their
+/// terms, which may cancel to a thousandth.
 fn vanishes(table: &[Scattering]) -> bool {
     const ROUNDING: f64 = 1e-10;
     let whole = table.iter().map(|s| s.whole_power).sum::<f64>();
@@ -489,15 +489,15 @@ fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
     }
 }
 
-/// Ratio of ‖S‖ of what is left out to ‖S‖, at the aspects where it was measured.
+/// Ratio of the omitted ‖S‖ to ‖S‖, over the aspects where it was measured.
 fn left_out(table: &[Scattering], power: impl Fn(&Scattering) -> Option<f64>) -> Option<f64> {
     let measured = || table.iter().filter_map(|s| power(s).map(|power| (power, s.mean_power())));
     let (left_out, all) = measured().fold((0.0, 0.0), |sum, (left_out, all)| (sum.0 + left_out, sum.1 + all));
     measured().next().map(|_| amplitude_ratio(left_out, all))
 }
 
-/// Power that the first order left out would carry if orders went on to decay as the last two did, and
-/// no growth is assumed; `None` from one order alone.
+/// Power of the first omitted order if orders continue to decay like the last two, without assuming growth;
+/// `None` for a single order.
 pub(crate) fn next_order(by_order: &[f64]) -> Option<f64> {
     let [.., before, last] = by_order else { return None };
     Some(if last < before { last * last / before } else { *last })

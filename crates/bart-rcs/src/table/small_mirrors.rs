@@ -1,25 +1,24 @@
-//! Share of a plate's bound that the mirrors too small to be followed would scatter, told by the
-//! smallest ones that were followed.
+//! Share of a plate's bound that mirrors too small to be followed would scatter, estimated from the smallest
+//! followed ones.
 //!
-//! A mirror of area a across the wave is no more than a plate, |S| ≤ k/√π·a. Most of what it reflects
-//! escapes, though; what meets a facet counts only where the other end sees that facet as well; and there its
-//! phase turns. So the mean of |S|² over mirrors is a share of (k/√π·a)². Of a followed mirror of area A
-//! whose joints have the areas a_j, seen along the beam, a part of area a₀ anywhere on it overlaps joint j by
-//! a_j·a₀/A in the mean. Where it does, let one of both lie in the other whole, which is the most for a mean
-//! of squares: so it is with the probability max(a_j, a₀)/A, and what is scattered is what j would scatter if
-//! it were no larger than a₀:
+//! A mirror of area a across the wave scatters no more than a plate, |S| ≤ k/√π·a. Most of its reflection
+//! escapes, though; what meets a facet counts only if the other end sees that facet as well; and there its
+//! phase varies. The mean of |S|² over mirrors is therefore a share of (k/√π·a)². For a followed mirror of
+//! area A whose joints have the areas a_j, seen along the beam, a part of area a₀ anywhere on it overlaps
+//! joint j by a_j·a₀/A on average. Where it does, assume that one of the two lies completely in the other,
+//! which maximises a mean of squares: this has the probability max(a_j, a₀)/A, and the scattering is that of
+//! j reduced to at most a₀:
 //!
 //! share = Σ_j max(a_j, a₀)/A · |S_j(made no larger than a₀)|²/(k/√π·a₀)²
 //!
-//! An edge is a line, and scatters by its length: of a part of side √a₀ that lights joint j of an edge, whose
-//! length across the beam is l_j, the probability is max(l_j, √a₀)·√a₀/A, and what is scattered is what j
-//! would scatter if it were no longer than √a₀. Where a₀ is below 1/k² that is more than a plate would, and
-//! no bound of plates holds it:
+//! An edge is a line, and scatters by its length: for a part of side √a₀ that lights joint j of an edge,
+//! whose length across the beam is l_j, the probability is max(l_j, √a₀)·√a₀/A, and the scattering is that of
+//! j reduced to at most √a₀. If a₀ is below 1/k² that exceeds a plate's, and no bound of plates holds:
 //!
 //! share of edges = Σ_j max(l_j, √a₀)·√a₀/A · |S_j(made no longer than √a₀)|²/(k/√π·a₀)²
 //!
-//! a₀ is the mean area of what was not followed. What is assumed: mirrors too small to be followed lie among
-//! facets and edges as the smallest of the larger ones do.
+//! Here a₀ is the mean area of the unfollowed mirrors. The assumption is that mirrors too small to be
+//! followed lie among facets and edges like the smallest of the larger ones.
 
 use crate::beams::beam::{Beam, BeamTree, MirrorShare};
 use crate::edges::edge_scattering::part_amplitudes;
@@ -33,14 +32,14 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// Followed mirrors that tell of one order, or every n-th so that at least half as many do: the sums of their
-/// shares are known to a third or better, as a few in a hundred make them, and cost a twentieth of an aspect.
+/// Number of followed mirrors sampled per order, or every n-th so that at least half as many are: the sums of
+/// their shares are accurate to a third or better, since a few in a hundred dominate them, and cost a
+/// twentieth of an aspect.
 const MIRRORS_PER_ORDER: usize = 2048;
-/// Largest area of these mirrors over the smallest that is followed: they are at most four times as
-/// long.
+/// Maximum area of these mirrors relative to the smallest followed one: they are at most four times as long.
 const LARGEST: f64 = 16.0;
 
-/// The smallest followed mirrors of every order that is reflected, with what they scatter.
+/// Smallest followed mirrors of every reflected order, with their scattering.
 pub(crate) struct SmallMirrors {
     samples: Vec<TreeSample>,
 }
@@ -51,15 +50,15 @@ struct TreeSample {
     order: u8,
     /// Beams of the tree, ascending.
     mirrors: Vec<u32>,
-    /// Mean area across the wave of those that were not followed, weighted by itself, m².
+    /// Mean area across the wave of the unfollowed ones, weighted by itself, m².
     area_m2: f64,
-    /// The share of every mirror, summed over its joints.
+    /// Share of every mirror, summed over its joints.
     shares: Vec<f64>,
-    /// The same of its joints on edges.
+    /// Share of every mirror, summed over its joints on edges.
     edge_shares: Vec<f64>,
 }
 
-/// A mirror of a sample and what a joint adds to its share.
+/// A sampled mirror and the contribution of a joint to its share.
 pub(crate) struct Hit {
     sample: usize,
     place: usize,
@@ -75,8 +74,7 @@ enum Lit {
 }
 
 impl SmallMirrors {
-    /// Mirrors of trees whose first `needed` orders are joined, and their mirrors from `least_m2` on
-    /// followed.
+    /// Mirrors of trees whose first `needed` orders are joined, with mirrors from `least_m2` on followed.
     pub(crate) fn of(trees: Trees<'_>, needed: u8, least_m2: f64) -> Self {
         let of_end = |(end, tree): (usize, &BeamTree)| {
             (1..needed).filter_map(|order| TreeSample::of(tree, end, order, least_m2)).collect::<Vec<_>>()
@@ -84,7 +82,7 @@ impl SmallMirrors {
         Self { samples: ends(trees).enumerate().flat_map(of_end).collect() }
     }
 
-    /// Hits by the joints of one order on facets and on edges, at the highest of the wavenumbers.
+    /// Hits by the joints of one order on facets and on edges, at the highest wavenumber.
     pub(crate) fn hits(
         &self,
         scatterer: &Scatterer<'_>,
@@ -106,7 +104,7 @@ impl SmallMirrors {
         of_facets.into_iter().chain(of_edges).flatten().collect()
     }
 
-    /// Adds the hits to their samples.
+    /// Adds hits to their samples.
     pub(crate) fn add(&mut self, hits: Vec<Hit>) {
         for Hit { sample, place, share, on } in hits {
             let sample = &mut self.samples[sample];
@@ -115,9 +113,9 @@ impl SmallMirrors {
         }
     }
 
-    /// Amplitude of what was dropped, k/√π times the area across the wave of beams dropped, of mirrors that
-    /// were not followed and of overlaps too small to be joined, all of which are areas and their squares:
-    /// with independent phases and as much of the mirrors as their likes scatter, and all as one sum.
+    /// Amplitude of the dropped parts, k/√π times the area across the wave of dropped beams, of unfollowed
+    /// mirrors and of overlaps too small to be joined, given as areas and their squares: with independent
+    /// phases and the estimated share of mirrors, and all as one sum.
     pub(crate) fn dropped_m(
         &self,
         trees: Trees<'_>,
@@ -132,7 +130,7 @@ impl SmallMirrors {
         [factor * squares_m4.sqrt(), factor * sum_m2]
     }
 
-    /// Share of the squared plate bound by order from 1 of an end's tree; 1 where nothing is known.
+    /// Share of the squared plate bound by order from 1 of an end's tree; 1 if unknown.
     pub(crate) fn shares(&self, end: usize) -> impl Fn(u8) -> MirrorShare {
         move |order| {
             self.samples
@@ -143,17 +141,17 @@ impl SmallMirrors {
     }
 }
 
-/// Trees of both ends, or the one that they share.
+/// Trees of both ends, or their common one.
 fn ends(trees: Trees<'_>) -> impl Iterator<Item = &BeamTree> {
     let receive = matches!(trees, Trees::Apart(..)).then(|| trees.receive());
     [Some(trees.transmit()), receive].into_iter().flatten()
 }
 
-/// Joints that one thread looks at in turn.
+/// Number of joints examined by one thread in turn.
 const JOINTS_PER_RUN: usize = 256;
 
 impl TreeSample {
-    /// Sample of an order; `None` where nothing of it was left unfollowed.
+    /// Sample of an order; `None` if none of it was left unfollowed.
     fn of(tree: &BeamTree, end: usize, order: u8, least_m2: f64) -> Option<Self> {
         let audit = tree.audit.orders.get(usize::from(order) - 1)?;
         let area_m2 = audit.unreflected_across_squared_m4 / audit.unreflected_across_m2;
@@ -169,14 +167,14 @@ impl TreeSample {
         (area_m2 > 0.0).then_some(Self { end, order, mirrors, area_m2, shares, edge_shares })
     }
 
-    /// Mean of the shares, not below the true one in 95 of 100 cases.
+    /// Mean of the shares, as an upper limit in 95 of 100 cases.
     ///
-    /// The sum of n independent shares errs by √Σ share², 1.645 of these where 95 of 100 normal errors are
-    /// below. It knows nothing of shares that are rarer than one in n: 3/n of the mirrors may be whole plates
-    /// of which none was met (e⁻³ = 5 %).
+    /// The sum of n independent shares errs by √Σ share², and 95 of 100 normal errors are below 1.645 of
+    /// these. It says nothing about shares rarer than one in n: 3/n of the mirrors may be whole plates of
+    /// which none was sampled (e⁻³ = 5 %).
     fn share(&self) -> MirrorShare {
-        // Of no mirrors nothing is known: the quotient is infinite. A beam that grazes a facet lights more of
-        // it than the beam is across: what was met may be more than plates.
+        // Without mirrors nothing is known: the quotient is infinite. A beam grazing a facet lights more of
+        // it than its own cross-section: what was met may exceed plates.
         let count = self.mirrors.len() as f64;
         let met = at_most(&self.shares);
         let of_facets = ((met + 3.0) / count).min(1.0).max(met / count.max(1.0));
@@ -188,12 +186,12 @@ impl TreeSample {
     }
 }
 
-/// Sum of independent shares, not below the true one in 95 of 100 cases.
+/// Sum of independent shares, as an upper limit in 95 of 100 cases.
 fn at_most(shares: &[f64]) -> f64 {
     shares.iter().sum::<f64>() + 1.645 * shares.iter().map(|share| share * share).sum::<f64>().sqrt()
 }
 
-/// Tools by which joints are looked at.
+/// Data for examining joints.
 struct MirrorProbe<'a> {
     scatterer: &'a Scatterer<'a>,
     samples: &'a [TreeSample],
@@ -202,11 +200,11 @@ struct MirrorProbe<'a> {
     polarization: Polarization,
 }
 
-/// Shares are told to 10 %.
+/// Accuracy of shares, needed to 10 %.
 const ACCURACY: f64 = 0.1;
 
 impl MirrorProbe<'_> {
-    /// Hits of a joint: what it adds to each sampled mirror on its ways.
+    /// Hits of a joint: its contribution to each sampled mirror on its paths.
     fn hits(&self, joint: &Joint, corners_m: &[DVec3]) -> Vec<Hit> {
         if joint.weight == 0.0 {
             return Vec::new();
@@ -223,7 +221,7 @@ impl MirrorProbe<'_> {
         })
     }
 
-    /// Hits on both ways of a joint, by the share that it has of each end's beam and a sampled mirror.
+    /// Hits on both paths of a joint, from its share of each end's beam and a sampled mirror.
     fn on_ways(
         &self,
         beams: [u32; 2],
@@ -233,7 +231,7 @@ impl MirrorProbe<'_> {
         let mut hits: Vec<Hit> = Vec::new();
         for (end, beam) in beams.into_iter().enumerate() {
             for (sample, place) in self.sampled_on_way(end, beam) {
-                // One mirror on both ways is lost once.
+                // A mirror on both paths is lost once.
                 if !hits.iter().any(|hit| (hit.sample, hit.place) == (sample, place)) {
                     hits.push(Hit { sample, place, share: share((end, beam), (sample, place)), on });
                 }
@@ -242,7 +240,7 @@ impl MirrorProbe<'_> {
         hits
     }
 
-    /// Samples and places in them of the mirrors that a beam has come over.
+    /// Samples and positions in them of the mirrors met by a beam.
     fn sampled_on_way(&self, end: usize, beam: u32) -> impl Iterator<Item = (usize, usize)> {
         let trees = self.scatterer.trees;
         let tree = self.tree(end);
@@ -335,7 +333,7 @@ mod tests {
     const WAVENUMBER_PER_M: f64 = 1613.0;
     const LEAST_M2: f64 = 1e-6;
 
-    /// A floor of many small plates, of 0.6 to 3 mm so that some are below the least area and some are not,
+    /// A floor of many small plates, of 0.6 to 3 mm so that some are below the minimum area and some are not,
     /// and walls.
     fn corner(walls: &[[[f64; 3]; 4]]) -> World {
         let mut mesh = Mesh::default();
@@ -353,7 +351,7 @@ mod tests {
         World::of_mesh(&mesh).unwrap()
     }
 
-    /// The share that is told, and Σ|S|² of what the smaller mirrors add over the bound, m².
+    /// Estimated share, and Σ|S|² contributed by the smaller mirrors over the bound, m².
     fn told_and_true(world: &World, edges: Edges) -> [f64; 2] {
         let antenna = Antenna::Direction(DVec3::new(0.6, 0.48, 0.64));
         let of = |least_mirror_area_m2: f64| {
@@ -400,20 +398,20 @@ mod tests {
         [told, power_m2 / (WAVENUMBER_PER_M.powi(2) / PI * squares_m4)]
     }
 
-    /// The wall takes what the floor reflects, and sends it back.
+    /// The wall receives the floor's reflection, and returns it.
     #[test]
     fn mirrors_before_a_wall_are_told_to_scatter_what_they_do() {
         let wall = [[-0.02, -0.2, 0.0], [-0.02, 0.3, 0.0], [-0.02, 0.3, 0.3], [-0.02, -0.2, 0.3]];
         let [told, truth] = told_and_true(&corner(&[wall]), Edges::Ignored);
         println!("share told {told:.3}, true {truth:.3}");
         // At least the truth, and above it by no more than the margins of some hundred mirrors, 1.645/√100 =
-        // 16 %, and what small pieces gain where their phase turns less: within half a wavelength a square
+        // 16 %, and the gain of small pieces with less phase variation: within half a wavelength a square
         // loses a third of its power at most.
         assert!(truth > 0.02 && told >= truth && told < 1.5 * truth);
     }
 
-    /// Fins that lie in what the floor reflects, to a degree, and are lit from above: no facet is met from
-    /// both ends, but their front edges are.
+    /// Fins that are parallel to the floor's reflection to a degree, and are lit from above: no facet is met
+    /// from both ends, but their front edges are.
     #[test]
     fn mirrors_before_edges_are_told_to_scatter_what_they_do() {
         let fin = |i: u32| {
@@ -425,7 +423,7 @@ mod tests {
         let [told, truth] = told_and_true(&world, Edges::FirstOrder);
         let [of_facets, _] = told_and_true(&world, Edges::Ignored);
         println!("share told {told:.3}, of facets alone {of_facets:.3}, true {truth:.3}");
-        // At least the truth, and above it by no more than mirrors of another size tell.
+        // At least the truth, and above it by no more than the difference for mirrors of another size.
         assert!(of_facets < truth && told >= truth && told < 3.0 * truth);
     }
 

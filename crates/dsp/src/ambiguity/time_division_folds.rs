@@ -1,21 +1,21 @@
-//! Velocity folds under time and code division: told from the phases between slots.
+//! Velocity folds under time and code division, resolved from the phases between slots.
 //!
-//! N transmitters in turn, each repeated after N·T, show a velocity up to multiples of λ/2NT. The
-//! transmitters' slots are only T apart: k multiples too many leave 2πk/N between one slot and the next, and
-//! the channels then are no point's echo. So every fold k = 0 … N − 1 is tried on a cell, and what its
-//! strongest beam leaves of the cell's power is compared (the generalised likelihood ratio of one echo in
-//! white noise). What is left is an ambiguity of λ/2T, that of a single transmitter.
+//! N transmitters in turn, each repeated after N·T, measure a velocity modulo λ/2NT. The transmitters' slots
+//! are only T apart: an error of k folds leaves a phase of 2πk/N between one slot and the next, and the
+//! channels no longer match a point echo. Every fold k = 0 … N − 1 is therefore tried on a cell, and the
+//! residual power after subtracting its strongest beam is compared (the generalised likelihood ratio of one
+//! echo in white noise). The remaining ambiguity is λ/2T, that of a single transmitter.
 //!
-//! How well that can work is the array's: with all beams that a wrong fold may turn to, [`least_loss`] is the
-//! part of the power that it must lose. Transmitters that the receivers' own beam follows lose little (3 × 4
-//! contiguous: 30 %; 12 × 16: 2 %); with one receiver and transmitters in a regular row a wrong fold is
-//! exactly another direction, and nothing tells them apart. Two channels in one place (a transmitter's last
-//! element on the next one's first) help: their phases must agree, whatever the direction.
+//! The array determines how well this works: over all beams to which a wrong fold may turn, [`least_loss`] is
+//! the part of the power that the fold must lose. Transmitters whose phases the receivers' beam can follow
+//! lose little (3 × 4 contiguous: 30 %; 12 × 16: 2 %); with one receiver and transmitters in a regular row a
+//! wrong fold is exactly another direction, and the two are indistinguishable. Two channels at one position
+//! (a transmitter's last element on the next one's first) help: their phases must agree in any direction.
 //!
-//! Of codes (`code_division.rs`) there are M slots and folds. A wrong fold passes power on to codes of no
-//! transmitter, where there are any, and exchanges transmitters else; what a beam leaves of all codes' power
-//! tells it. Transmitters that all hear an echo in one phase (M of them, straight ahead) send it in one slot
-//! of a block only: all folds are the same values then, and the same direction.
+//! With codes (`code_division.rs`) there are M slots and folds. A wrong fold moves power to unused codes, if
+//! there are any, and otherwise exchanges transmitters; the residual of a beam in the power of all codes
+//! reveals it. Transmitters that all receive an echo in one phase (M of them, straight ahead) concentrate it
+//! in one slot of a block: then all folds have the same values and the same direction.
 
 use crate::ambiguity::ambiguous_velocities::no_other_is_driven;
 use crate::direction::angle::{Direction, Snapshot, VirtualArray};
@@ -26,39 +26,39 @@ use artifact::rdm::RdmFrame;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Least likelihood ratio (its logarithm) of the best fold to the next that is believed. Two hypotheses that
+/// Minimum log-likelihood ratio of the best fold to the next for it to be accepted. Two hypotheses that
 /// differ by an expected ratio μ scatter by √2μ: the wrong one leads by 9 in at most Q(√18) = 1.1e-5 of all
 /// draws (μ = 9).
 pub(crate) const CERTAIN: f64 = 9.0;
-/// Below this (odds of 20) a velocity near zero is preferred.
+/// Ratio below which (odds of 20) a velocity near zero is preferred.
 const LIKELY: f64 = 3.0;
 
-/// Power that each fold leaves unexplained in one or more cells.
+/// Residual power of each fold in one or more cells.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Folds {
     /// Velocity of the first fold, m/s.
     shown_mps: f64,
     /// Velocity from one fold to the next, m/s.
     span_mps: f64,
-    /// Power of each fold that its strongest beam does not explain.
+    /// Power that the strongest beam of each fold does not explain.
     left: Vec<f64>,
-    /// Values beyond those that a beam's amplitude and direction take.
+    /// Degrees of freedom beyond a beam's amplitude and direction.
     freedom: f64,
 }
 
-/// A fold that was chosen.
+/// A chosen fold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ChosenFold {
-    /// Velocity, m/s: of the ambiguities of λ/2T that remain the one nearest to zero.
+    /// Velocity, m/s; of the remaining ambiguities of λ/2T the one nearest to zero.
     pub(crate) velocity_mps: f64,
     /// Logarithm of the likelihood ratio to the next fold.
     pub(crate) margin: f64,
-    /// Whether the margin is beyond doubt, and no other velocity up to 120 km/h looks alike.
+    /// Whether the margin is beyond doubt, and no other velocity up to 120 km/h is indistinguishable.
     pub(crate) is_certain: bool,
 }
 
 impl Folds {
-    /// Finds the folds of a cell that shows `shown_mps`, one for each slot.
+    /// Evaluates the folds, one per slot, of a cell with the apparent velocity `shown_mps`.
     pub(crate) fn of_cell(
         array: &VirtualArray,
         map: &RdmFrame,
@@ -74,10 +74,10 @@ impl Folds {
         Self { shown_mps, span_mps, left, freedom: array.division().map_channels as f64 - 2.0 }
     }
 
-    /// The same body's in one more cell.
+    /// Adds the folds of another cell of the same body.
     pub(crate) fn join(&mut self, other: &Self) {
         let count = self.left.len();
-        // The other's fold at about this one's velocity.
+        // Fold of the other cell at about this one's velocity.
         let turns = ((self.shown_mps - other.shown_mps) / self.span_mps).round() as i64;
         for (fold, left) in self.left.iter_mut().enumerate() {
             *left += other.left[(fold as i64 + turns).rem_euclid(count as i64) as usize];
@@ -85,10 +85,10 @@ impl Folds {
         self.freedom += other.freedom;
     }
 
-    /// The fold that leaves least; `noise` is that of one channel's cell.
+    /// Fold with the least residual; `noise` is that of one channel's cell.
     ///
-    /// What even the best leaves counts as noise too: a cell of several echoes fits no fold well, and tells
-    /// little.
+    /// The residual of the best fold counts as noise too: a cell of several echoes fits no fold well, and is
+    /// weak evidence.
     pub(crate) fn choice(&self, noise: f64) -> ChosenFold {
         let least = |folds: &mut dyn Iterator<Item = usize>| {
             folds.fold(None, |best: Option<usize>, f| match best {
@@ -108,7 +108,7 @@ impl Folds {
         ChosenFold { velocity_mps, margin, is_certain }
     }
 
-    /// Span of velocity λ/2T, T from any chirp to the next, m/s.
+    /// Velocity span λ/2T, with T from any chirp to the next, m/s.
     fn ambiguity_mps(&self) -> f64 {
         self.span_mps * self.left.len() as f64
     }
@@ -119,15 +119,15 @@ impl Folds {
     }
 }
 
-/// Power of a snapshot and of idle codes less that of its strongest beam.
+/// Power of a snapshot and of idle codes, less that of the strongest beam.
 fn left_over(array: &VirtualArray, snapshot: &Snapshot, idle: f64, range_m: f64) -> f64 {
     let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
     let direction = array.direction(std::slice::from_ref(snapshot), range_m);
     (total + idle - array.explained(snapshot, direction, range_m)).max(0.0)
 }
 
-/// Least part of an echo's power that any wrong fold loses, for echoes from these direction cosines; 0 where
-/// one is exactly another direction.
+/// Smallest share of an echo's power that any wrong fold loses, over echoes from these direction cosines; 0
+/// if a wrong fold is exactly another direction.
 pub fn least_loss(header: &CubeHeader, directions: &[Direction], range_m: f64) -> f64 {
     let array = VirtualArray::new(header);
     let slots = array.division().slots;
@@ -142,7 +142,7 @@ pub fn least_loss(header: &CubeHeader, directions: &[Direction], range_m: f64) -
     losses.fold(1.0, f64::min)
 }
 
-/// An echo of a row's middle, so many folds beside it, and what idle codes have of it.
+/// Echo in the middle of a row, evaluated `fold` folds away, and the power that idle codes receive of it.
 fn misfolded(array: &VirtualArray, echo: Snapshot, fold: usize) -> (Snapshot, f64) {
     let (division, rows) = (array.division(), array.cells().rows);
     let cycles = fold as f64 / division.slots as f64;

@@ -1,13 +1,13 @@
-//! Velocity ambiguity resolved from two sub-frames of different chirp intervals.
+//! Velocity ambiguity resolution from two sub-frames with different chirp intervals.
 //!
-//! Each shows a velocity up to a multiple of its own span (λ/2T, under time division too once the phases
-//! between transmitters have told the folds of a transmitter's longer repetition: `time_division_folds.rs`);
-//! the multiples at which both agree, and with them the ranges, directions and levels, tell the velocity (the
-//! Chinese remainder with tolerance: Richards, Fundamentals of Radar Signal Processing (2014), §5.3.2). A
-//! vehicle is many points, so a hypothesis is scored by how well *all* points of an object find partners in
-//! the other sub-frame; vehicles that share range cells are decided together, so that no echo serves two.
-//! Also the range speaks: a hypothesis one span higher is f_c/μ·span nearer (0.11 m at 17.6 m/s) and moves on
-//! between the sub-frames.
+//! Each sub-frame measures a velocity modulo its own span (λ/2T, also under time division once the phases
+//! between transmitters have resolved the folds of a transmitter's longer repetition:
+//! `time_division_folds.rs`); the multiples at which both agree, together with ranges, directions and levels,
+//! determine the velocity (the Chinese remainder with tolerance: Richards, Fundamentals of Radar Signal
+//! Processing (2014), §5.3.2). A vehicle has many points, so a hypothesis is scored by how well *all* points
+//! of an object find partners in the other sub-frame; vehicles that share range cells are decided jointly, so
+//! that no echo serves two. Range contributes as well: a hypothesis one span higher is f_c/μ·span nearer
+//! (0.11 m at 17.6 m/s) and moves on between the sub-frames.
 
 use crate::ambiguity::ambiguous_velocities::{FASTEST_MPS, ambiguity_mps};
 use crate::direction::angle::Direction;
@@ -21,30 +21,30 @@ use glam::DVec3;
 
 /// Points of one sub-frame.
 struct SubFrame<'a> {
-    /// The radar as it is in this sub-frame.
+    /// Radar of this sub-frame.
     plan: &'a Plan,
-    /// Middle of the sub-frame on any clock that both share, s.
+    /// Middle of the sub-frame on a clock common to both, s.
     middle_s: f64,
-    /// Points of the sub-frame, their velocities folded.
+    /// Points of the sub-frame, with folded velocities.
     points: &'a PointsFrame,
 }
 
-/// Partners differ by the places of cells, of which points on slopes keep the centres: 0.6 cells rms and one
-/// more for the body's spread.
+/// Position tolerance of partners: points on slopes are placed at cell centres, which gives 0.6 cells rms,
+/// and one more for the body's spread.
 const CELLS: f64 = 1.0;
-/// Echoes of one body interfere anew after some centimetres: level and direction tell little, but not
-/// nothing.
+/// Level tolerance: echoes of one body interfere anew after some centimetres, so level and direction are weak
+/// evidence.
 const LEVEL_DB: f64 = 8.0;
-/// Part of a beam.
+/// Direction tolerance, as a fraction of a beamwidth.
 const BEAMS: f64 = 0.5;
-/// A hypothesis is believed if the best other one scores at most this part of it.
+/// Maximum score of the runner-up, relative to the best hypothesis, for it to be accepted.
 const SECOND_BEST: f64 = 0.8;
-/// Combinations of hypotheses of vehicles that share range cells that are all tried.
+/// Maximum number of combinations, for vehicles that share range cells, that are searched exhaustively.
 const MOST_COMBINATIONS: usize = 4096;
 
-/// The points of a cycle's sub-frames, each with the velocities that the next one's other chirp interval
-/// tells. Left as they are where there is one sub-frame, and under time division of chirps at changing
-/// intervals: there a velocity's fold would turn the directions too.
+/// Points of a cycle's sub-frames, each with velocities resolved by the other chirp interval of the next.
+/// Unchanged if there is only one sub-frame, and under time division with varying chirp intervals, where a
+/// velocity's fold would also change the directions.
 pub(crate) fn resolved<'p>(plan_of: impl Fn(u32) -> &'p Plan, points: Vec<PointsFrame>) -> Vec<PointsFrame> {
     let turns_directions =
         |radar: &Radar| radar.array.multiplexing == Multiplexing::Tdm && !radar.schedule.is_uniform();
@@ -58,7 +58,7 @@ pub(crate) fn resolved<'p>(plan_of: impl Fn(u32) -> &'p Plan, points: Vec<Points
     (0..points.len()).map(|i| resolved_by(&sub_frame(i), &sub_frame((i + 1) % points.len()))).collect()
 }
 
-/// The points of `own` with velocities as `other` tells them; objects whose fold is beyond doubt say
+/// Points of `own` with velocities resolved by `other`; objects whose fold is beyond doubt are marked
 /// `velocity_resolved`.
 fn resolved_by(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
     let scorer = Scorer { own, other };
@@ -78,10 +78,10 @@ fn resolved_by(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
     frame
 }
 
-/// Hypotheses of one object: whole spans to add, and for each what it explains.
+/// Hypotheses of one object: whole spans to add, and what each of them explains.
 struct FoldHypotheses {
     folds: Vec<f64>,
-    /// Agreement of the own points with their best partners, amplitude-weighted sum, by hypothesis.
+    /// Amplitude-weighted agreement of the object's points with their best partners, by hypothesis.
     own: Vec<f64>,
     /// Agreement of the other sub-frame's points with their best partners, `[hypothesis][point]`, 0 … 1.
     other: Vec<Vec<f64>>,
@@ -93,7 +93,7 @@ struct Scorer<'a> {
 }
 
 impl Scorer<'_> {
-    /// Folds that stay below the fastest vehicle, and their scores.
+    /// Folds up to the fastest vehicle, and their scores.
     fn choices(&self, object: Option<u32>) -> FoldHypotheses {
         let span_mps = ambiguity_mps(&self.own.plan.radar);
         let points: Vec<&Point> = self.own.points.points.iter().filter(|p| p.object == object).collect();
@@ -122,8 +122,8 @@ impl Scorer<'_> {
         choice
     }
 
-    /// Best agreement of a point of this velocity with any of the other sub-frame; `met` keeps the best of
-    /// each of those.
+    /// Best agreement of a point at this velocity with any point of the other sub-frame; `met` keeps the
+    /// maximum for each of those.
     fn partners(&self, point: &Point, velocity_mps: f64, met: &mut [f64]) -> f64 {
         let mut best = 0.0_f64;
         for (candidate, met) in self.other.points.points.iter().zip(met) {
@@ -134,8 +134,8 @@ impl Scorer<'_> {
         best
     }
 
-    /// 1 where a candidate is what this point, of this velocity, shows in the other sub-frame; less the
-    /// farther it is from that.
+    /// Agreement of a candidate with the expected appearance of this point, at this velocity, in the other
+    /// sub-frame: 1 for a perfect match, decreasing with distance.
     fn agreement(&self, point: &Point, velocity_mps: f64, candidate: &Point) -> f64 {
         let (own, other) = (self.own.plan.array.cells(), self.other.plan.array.cells());
         let velocity_cell_mps = own.velocity_cell_mps.max(other.velocity_cell_mps);
@@ -161,7 +161,7 @@ impl Scorer<'_> {
         if beam.is_finite() { (cosine(a) - cosine(b)) / (BEAMS * beam) } else { 0.0 }
     }
 
-    /// The best hypothesis of each object, all objects at once, and whether it is beyond doubt.
+    /// Best hypothesis of each object, decided jointly, and whether it is beyond doubt.
     fn together(&self, choices: &[FoldHypotheses]) -> Vec<(usize, bool)> {
         let mut chosen: Vec<usize> = choices.iter().map(|c| best_of(&c.own)).collect();
         for group in self.sharing_ranges() {
@@ -182,7 +182,7 @@ impl Scorer<'_> {
             .collect()
     }
 
-    /// All combinations of a group's hypotheses where they are few; the best explains most.
+    /// Searches all combinations of a group's hypotheses, if they are few, for the one that explains most.
     fn decide(&self, choices: &[FoldHypotheses], group: &[usize], chosen: &mut [usize]) {
         let combinations: usize = group.iter().fold(1, |n, o| n.saturating_mul(choices[*o].folds.len()));
         if combinations > MOST_COMBINATIONS {
@@ -203,8 +203,8 @@ impl Scorer<'_> {
         chosen.copy_from_slice(&best.1);
     }
 
-    /// Amplitude that a group's hypotheses explain: own echoes that find partners, and the others' echoes
-    /// that are met by any of the group.
+    /// Amplitude explained by a group's hypotheses: own echoes that find partners, and echoes of the other
+    /// sub-frame matched by any of the group.
     fn explained(&self, choices: &[FoldHypotheses], tried: &[usize], group: &[usize]) -> f64 {
         let own: f64 = group.iter().map(|o| choices[*o].own[tried[*o]]).sum();
         let met = |j: usize| group.iter().map(|o| choices[*o].other[tried[*o]][j]).fold(0.0, f64::max);
@@ -212,8 +212,8 @@ impl Scorer<'_> {
         own + others.map(|(j, point)| amplitude_from_db(point.snr_db) * met(j)).sum::<f64>()
     }
 
-    /// Objects whose ranges overlap, as far as the fastest moves them between sub-frames and folds shift
-    /// them.
+    /// Groups of objects whose ranges overlap, allowing for motion at the maximum velocity between sub-frames
+    /// and for range shifts by folds.
     fn sharing_ranges(&self) -> Vec<Vec<usize>> {
         let (objects, axes) = (&self.own.points.objects, self.own.plan.array.cells());
         let reach_m = FASTEST_MPS * (self.other.middle_s - self.own.middle_s).abs()
@@ -235,7 +235,7 @@ impl Scorer<'_> {
         groups.into_iter().map(|(group, _)| group).collect()
     }
 
-    /// Moves an object to a fold; returns by how much over an end of the range axis.
+    /// Moves an object to a fold; returns its shift past an end of the range axis.
     fn move_object(&self, object: &mut Object, fold_mps: f64) -> f64 {
         object.radial_velocity_mps += fold_mps;
         object.velocity_extent_mps = object.velocity_extent_mps.map(|v| v + fold_mps);
@@ -252,7 +252,7 @@ impl Scorer<'_> {
         farther_m + nearer_m
     }
 
-    /// A point at the fold of its object, and on the same side of the range axis's ends.
+    /// Moves a point to the fold of its object, on the same side of the ends of the range axis.
     fn move_point(&self, point: &mut Point, object: Option<(&Object, f64)>) {
         let axes = self.own.plan.array.cells();
         let near_mps = object.map_or(point.radial_velocity_mps, |(object, _)| object.radial_velocity_mps);
@@ -260,7 +260,7 @@ impl Scorer<'_> {
         let fold_mps = velocity_mps - point.radial_velocity_mps;
         let true_m = point.range_m - axes.coupling_m(fold_mps);
         let range_m = match object {
-            // What the object was moved by over an end of the axis, its points are too.
+            // The object's shift past an end of the axis applies to its points too.
             Some((_, over_end_m)) => axes.between_ends(true_m + over_end_m),
             None => axes.on_axis(true_m),
         };

@@ -1,17 +1,17 @@
 //! Owners of the map's cells: a cell belongs to the object of the nearest located point.
 //!
-//! A crop of 24 m × 8 m/s holds what other vehicles left in the map as well, up to stronger than the vehicle
-//! itself, and a classifier that learned from vehicles alone takes it for a part of this one. Distances are
-//! counted in cells along both axes, so that a strong neighbour keeps its own side lobes too.
+//! A crop of 24 m × 8 m/s also contains echoes of other vehicles, even stronger ones than the vehicle's own,
+//! and a classifier trained on single vehicles takes them for parts of it. Distances are measured in cells
+//! along both axes, so that a strong neighbour keeps its own sidelobes too.
 
 use crate::spectrum::axes::Axes;
 use artifact::points::PointsFrame;
 
 /// Points of objects in and around a part of the map.
 pub(crate) struct CellOwners {
-    /// Points in the order of their columns, those of one column in their own order.
+    /// Points ordered by column, those of one column in their original order.
     peaks: Vec<Peak>,
-    /// Rows of the map: velocities wrap.
+    /// Number of rows, at which velocities wrap.
     rows: f64,
 }
 
@@ -20,14 +20,14 @@ pub(crate) struct CellOwners {
 struct Peak {
     row: f64,
     column: f64,
-    /// Its number among the points: of equally near ones the first counts.
+    /// Index among the points; the lowest wins among equally near ones.
     number: usize,
     object: u32,
 }
 
 impl CellOwners {
-    /// Owners by the points of objects within a window of cells, `[first, last]` of rows and of columns; rows
-    /// are not wrapped.
+    /// Owners from the points of objects within a window of cells, `[first, last]` of rows and of columns;
+    /// rows are not wrapped.
     pub(crate) fn within(axes: &Axes, points: &PointsFrame, [rows, columns]: [[i64; 2]; 2]) -> Self {
         let chirps = axes.rows as f64;
         let middle = 0.5 * (rows[0] + rows[1]) as f64;
@@ -49,10 +49,10 @@ impl CellOwners {
         Self { peaks, rows }
     }
 
-    /// The object of the nearest point, the first of equally near ones; `None` without a point.
+    /// Object of the nearest point, the first of equally near ones; `None` without a point.
     ///
-    /// Points are asked from the cell's own column outwards, on either side as far as one may be nearer than
-    /// the nearest yet: a frame of a thousand objects has thousands of points.
+    /// The search proceeds outwards from the cell's own column, on either side only as far as a point may be
+    /// nearer than the best so far: a frame of a thousand objects has thousands of points.
     pub(crate) fn of(&self, [row, column]: [i64; 2]) -> Option<u32> {
         let cell = [row as f64, column as f64];
         let (before, after) = self.peaks.split_at(self.peaks.partition_point(|peak| peak.column < cell[1]));
@@ -60,7 +60,7 @@ impl CellOwners {
         self.nearer(cell, nearest, before.iter().rev()).map(|(_, peak)| peak.object)
     }
 
-    /// The nearest of a cell's best yet and of points in the order of their columns' distance.
+    /// Nearest of the best so far and of points in order of column distance.
     fn nearer<'p>(
         &self,
         [row, column]: [f64; 2],
@@ -84,7 +84,7 @@ impl CellOwners {
     }
 }
 
-/// A difference of rows, by whole turns nearest to zero.
+/// A difference of rows, wrapped to the value nearest to zero.
 fn wrapped(rows: f64, turn: f64) -> f64 {
     rows - turn * (rows / turn).round()
 }
@@ -93,7 +93,7 @@ fn wrapped(rows: f64, turn: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Points are drawn on a grid, where many are equally near; beside it the search through all of them.
+    /// Points on a grid, with many equal distances, compared with an exhaustive search.
     #[test]
     fn the_nearest_point_is_that_of_a_search_through_all() {
         let mut state = 1_u64;

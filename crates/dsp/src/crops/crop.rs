@@ -1,5 +1,5 @@
-//! A crop of the map around an object, beamformed to it, in fixed metres, m/s and decibels over the map's
-//! noise.
+//! A crop of the map around an object, beamformed towards it, in fixed metres, m/s and decibels above the
+//! map's noise.
 
 use crate::crops::cell_owners::CellOwners;
 use crate::direction::angle::{Direction, VirtualArray};
@@ -14,20 +14,19 @@ use glam::DVec3;
 use ndarray::Array2;
 use num_complex::Complex64;
 
-/// The paper's 451 × 451 pixels over 24 m × 8 m/s.
+/// Format of the paper: 451 × 451 pixels over 24 m × 8 m/s.
 ///
-/// Levels from the noise (0 dB) to 70 dB above it: a car of 10 dBsm stands at 37–52 dB over 60–25 m on a 3 ×
-/// 4 array (`S6` and 10.8 dB of beamforming), the flat side of a bus up to 30 dB higher. A grey level is 0.27
-/// dB.
+/// Levels range from the noise (0 dB) to 70 dB above it: a car of 10 dBsm has 37–52 dB at 60–25 m on a 3 × 4
+/// array (`S6` and 10.8 dB of beamforming), the flat side of a bus up to 30 dB more. A grey level is 0.27 dB.
 pub const PAPER_CROP: CropFormat =
     CropFormat { side: 451, range_span_m: 24.0, velocity_span_mps: 8.0, floor_db: 0.0, ceiling_db: 70.0 };
 
-/// Largest side that is drawn.
+/// Maximum side length, pixels.
 const LARGEST_SIDE: u32 = 8192;
-/// Places beyond this are no whole numbers of cells.
+/// Position beyond which cell indices are no longer exact integers.
 const FARTHEST_PLACE: f64 = (1_u64 << 52) as f64;
 
-/// Crops of one map: what all of them need of it is found once.
+/// Crops of one map, with shared quantities computed once.
 pub struct Cropper<'a> {
     plan: &'a Plan,
     map: &'a RdmFrame,
@@ -42,18 +41,18 @@ impl<'a> Cropper<'a> {
         Ok(Self { plan, map, format: *format, noise: plan.levels(map)?.noise() })
     }
 
-    /// The map beamformed to the object's azimuth, cut around it, whatever else is in it; columns grow with
+    /// Crop of the map beamformed to the object's azimuth, with everything it contains; columns grow with
     /// range, rows with velocity.
     ///
-    /// Power is interpolated linearly between cells. Velocity wraps, as the map's does; columns outside the
-    /// map are black. Ranges are those of echoes at the object's velocity (free of range–Doppler coupling),
-    /// as [`Object::range_m`] is.
+    /// Power is interpolated linearly between cells. Velocity wraps, as in the map; columns outside the map
+    /// are black. Ranges are those of echoes at the object's velocity (free of range–Doppler coupling), like
+    /// [`Object::range_m`].
     pub fn crop(&self, object: &Object) -> Result<Crop, DspError> {
         self.drawn(object, |patch| patch)
     }
 
-    /// The crop of an object among the others of its frame: what is nearer to a point of another object is no
-    /// stronger than noise.
+    /// Crop of an object among the others of its frame: cells nearer to a point of another object are limited
+    /// to the noise level.
     pub fn crop_among(&self, points: &PointsFrame, object: u32) -> Result<Crop, DspError> {
         let own = points.objects.get(object as usize).ok_or(DspError::NoSuchObject { object })?;
         self.drawn(own, |patch| {
@@ -84,7 +83,7 @@ impl<'a> Cropper<'a> {
         })
     }
 
-    /// |beam|² over the number of channels: noise keeps the level it has in one channel.
+    /// Power |beam|² over the number of channels, which keeps noise at its single-channel level.
     fn cell_power(&self, steering: &[Complex64], object: &Object, [row, column]: [i64; 2]) -> f64 {
         let (array, axes) = (&self.plan.array, self.plan.array.cells());
         let row = row.rem_euclid(axes.rows as i64) as usize;
@@ -94,7 +93,7 @@ impl<'a> Cropper<'a> {
     }
 }
 
-/// Grey level of a power: 0 at the format's floor over the noise, 255 at its ceiling.
+/// Grey level of a power: 0 at the format's floor above the noise, 255 at its ceiling.
 pub(crate) fn grey(power: f64, noise: f64, format: &CropFormat) -> u8 {
     if power <= 0.0 || noise <= 0.0 {
         return 0;
@@ -157,7 +156,7 @@ impl Patch {
         [last(self.first_row, self.power.nrows()), last(self.first_column, self.power.ncols())]
     }
 
-    /// No stronger than `most` where a cell `[row, column]` is to be left out.
+    /// Limits to `most` the cells `[row, column]` that are to be left out.
     fn capped(mut self, most: f64, is_left_out: impl Fn([i64; 2]) -> bool) -> Self {
         for ((row, column), power) in self.power.indexed_iter_mut() {
             if *power > most && is_left_out([self.first_row + row as i64, self.first_column + column as i64])
@@ -168,7 +167,7 @@ impl Patch {
         self
     }
 
-    /// Each row of cells at these columns, linear between cells; nothing outside the map.
+    /// Each row of cells sampled at these columns, linear between cells; zero outside the map.
     fn along(&self, columns: &[f64]) -> Lines {
         let at = |row: usize, column: i64| {
             let column = usize::try_from(column - self.first_column).ok();
@@ -183,14 +182,14 @@ impl Patch {
     }
 }
 
-/// A patch at the columns of a crop's pixels.
+/// A patch sampled at the columns of a crop's pixels.
 struct Lines {
     first_row: i64,
     power: Array2<f64>,
 }
 
 impl Lines {
-    /// Pixels of a row between two rows of cells.
+    /// Pixels of a row interpolated between two rows of cells.
     fn between(&self, row: f64) -> impl Iterator<Item = f64> {
         let low = row.floor();
         let down = row - low;
@@ -200,15 +199,15 @@ impl Lines {
     }
 }
 
-/// Number of rows that interpolation between these places needs, of a map that goes on for ever; infinite
-/// where they are so far that they are no whole numbers of rows.
+/// Number of rows needed to interpolate at these positions, in a map without ends; infinite beyond the range
+/// of exact integers.
 fn rows_across(places: &[f64]) -> f64 {
     let [first, last] = reach(places);
     let rows = last.saturating_sub(first).saturating_add(1) as f64;
     if places.iter().all(|place| place.abs() < FARTHEST_PLACE) { rows } else { f64::INFINITY }
 }
 
-/// First and last cell that interpolation between these places needs.
+/// First and last cell needed to interpolate at these positions.
 fn reach(places: &[f64]) -> [i64; 2] {
     let low = places.iter().copied().fold(f64::INFINITY, f64::min);
     let high = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -218,7 +217,7 @@ fn reach(places: &[f64]) -> [i64; 2] {
 pub(crate) fn direction_of(array: &VirtualArray, object: &Object) -> Direction {
     let from_radar = DVec3::from(object.position_m) - array.position_m();
     let [right, up, _] = array.axes();
-    // The steering of an array without rows does not feel `up`.
+    // The steering of an array without rows does not depend on `up`.
     let unit = from_radar.try_normalize().unwrap_or(array.axes()[2]);
     Direction { right: unit.dot(right), up: Some(unit.dot(up)) }
 }

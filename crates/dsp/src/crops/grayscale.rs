@@ -1,4 +1,4 @@
-//! The whole map as the paper's grayscale picture.
+//! The whole map as a grayscale image, as in the paper.
 
 use crate::crops::crop::{PAPER_CROP, grey};
 use crate::error::DspError;
@@ -11,9 +11,9 @@ use ndarray::ArrayView2;
 /// Noncoherent sum of a map as 451 × 451 grey levels, row-major `[velocity, range]`, velocity growing
 /// downwards.
 ///
-/// Grey 0 is the noise, 255 lies 70 dB above it, as in [`PAPER_CROP`]; levels are interpolated linearly in
-/// power. Pixel centres spread from half a cell before the first to half a cell behind the last; beyond the
-/// outermost centres their cells go on.
+/// Grey 0 is the noise, 255 is 70 dB above it, as in [`PAPER_CROP`]; levels are interpolated linearly in
+/// power. Pixel centres span from half a cell before the first to half a cell after the last; beyond the
+/// outermost cell centres, values are constant.
 pub fn rdm_grayscale(header: &CubeHeader, map: &RdmFrame) -> Result<Vec<u8>, DspError> {
     let levels = Levels::of(&Shapes::of(header)?, map)?;
     let (power, noise) = (levels.power(), levels.noise() * header.radar.map_channels() as f64);
@@ -35,7 +35,7 @@ fn between(power: ArrayView2<f64>, row: f64, column: f64) -> f64 {
     along(top) * (1.0 - down) + along(bottom) * down
 }
 
-/// Cells before and after a place, and the share of the later one.
+/// Cells before and after a position, and the weight of the later one.
 fn neighbours(place: f64, cells: usize) -> ([usize; 2], f64) {
     let place = place.clamp(0.0, (cells - 1) as f64);
     let low = place.floor() as usize;

@@ -1,9 +1,9 @@
-//! An object's signature: its own echo along range, cell by cell, with levels of the radar equation, places
-//! across and heights.
+//! Signature of an object: its own echo along range, cell by cell, with levels from the radar equation,
+//! cross-range positions and heights.
 //!
-//! A rigid vehicle fills a row or two of a map (0.15 m/s at 10 m/s), so what tells of its shape lies along
-//! range and in direction. The strongest of the object's own velocity cells stands for each range cell; cells
-//! nearer to a point of another object (`cell_owners.rs`) are left out.
+//! A rigid vehicle fills a row or two of a map (0.15 m/s at 10 m/s), so its shape shows in range and
+//! direction. The strongest of the object's own velocity cells represents each range cell; cells nearer to a
+//! point of another object (`cell_owners.rs`) are left out.
 
 use crate::crops::cell_owners::CellOwners;
 use crate::crops::crop::{check_object, direction_of};
@@ -21,32 +21,32 @@ use ndarray::Array2;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Range cells before an object's nearest point, m: what stands before it, below the detector's threshold.
+/// Extent before an object's nearest point, m, for parts below the detector's threshold.
 const BEFORE_M: f64 = 3.0;
-/// Range cells from the nearest point on, m: an articulated vehicle and what comes late from under it.
+/// Extent from the nearest point on, m: an articulated vehicle and delayed echoes from underneath.
 const BEHIND_M: f64 = 21.0;
-/// Velocities about the object's, either way, m/s.
+/// Velocity gate around the object's velocity, either way, m/s.
 const GATE_MPS: f64 = 1.25;
-/// A cell's direction is its own up to here from the object's place, m: no vehicle is wider; else that of the
-/// object.
+/// Maximum distance from the object's position at which a cell's own direction is used, m: no vehicle is
+/// wider; otherwise that of the object.
 const ACROSS_M: f64 = 6.0;
-/// A direction is measured where the channels' mean power is so many standard deviations of noise over its
-/// mean.
+/// Threshold for measuring a direction: standard deviations of noise by which the channels' mean power
+/// exceeds its mean.
 const DEVIATIONS: f64 = 5.0;
-/// Least amplitude of the antenna pattern that levels are corrected for.
+/// Minimum amplitude of the antenna pattern for which levels are corrected.
 const LEAST_PATTERN: f64 = 0.1;
 
-/// Signatures of the objects of one map: what all of them need of it is found once.
+/// Signatures of the objects of one map, with shared quantities computed once.
 pub struct Signatures<'a> {
     plan: &'a Plan,
     map: &'a RdmFrame,
-    /// Mean over channels, `[doppler, range]`.
+    /// Mean power over channels, `[doppler, range]`.
     power: Array2<f64>,
     /// Mean noise power of one channel in a cell.
     noise: f64,
 }
 
-/// Part of the map in which an object's signature is looked for.
+/// Part of the map searched for an object's signature.
 struct Search<'o> {
     object: &'o Object,
     number: u32,
@@ -60,16 +60,16 @@ impl<'a> Signatures<'a> {
     /// Prepares the signatures of a map of this sub-frame.
     ///
     /// # Errors
-    /// The map has another shape, or holds values that are no numbers.
+    /// The map has another shape, or contains non-finite values.
     pub(crate) fn new(plan: &'a Plan, map: &'a RdmFrame) -> Result<Self, DspError> {
         let levels = plan.levels(map)?;
         Ok(Self { plan, map, noise: levels.noise(), power: levels.into_mean() })
     }
 
-    /// The signature of one object among the others of its frame.
+    /// Signature of one object among the others of its frame.
     ///
     /// # Errors
-    /// There is no such object, or its range, velocity or position is no number.
+    /// There is no such object, or its range, velocity or position is not finite.
     pub fn of(&self, points: &PointsFrame, object: u32) -> Result<Signature, DspError> {
         let own = points.objects.get(object as usize).ok_or(DspError::NoSuchObject { object })?;
         check_object(own)?;
@@ -96,7 +96,7 @@ impl<'a> Signatures<'a> {
         })
     }
 
-    /// First and last, within the map.
+    /// First and last range cell, within the map.
     fn columns(&self, object: &Object) -> [i64; 2] {
         let (last, axes) = (self.power.ncols() as i64 - 1, self.plan.array.cells());
         let shift_m = axes.coupling_m(object.radial_velocity_mps);
@@ -134,7 +134,7 @@ impl<'a> Signatures<'a> {
         }
     }
 
-    /// The strongest of the object's own velocity cells at a range; nothing where all are another object's.
+    /// Strongest of the object's own velocity cells at a range; empty if all belong to other objects.
     fn cell(&self, search: &Search<'_>, column: i64) -> SignatureCell {
         let chirps = self.power.nrows() as i64;
         let own: Vec<(i64, f64)> = (search.rows[0]..=search.rows[1])
@@ -149,7 +149,7 @@ impl<'a> Signatures<'a> {
         }
     }
 
-    /// Level, place across, height and coherence that the channels of a cell tell.
+    /// Level, cross-range position, height and coherence from the channels of a cell.
     fn located(&self, search: &Search<'_>, [row, column]: [i64; 2], power: f64) -> SignatureCell {
         let (array, axes) = (&self.plan.array, self.plan.array.cells());
         let row = row.rem_euclid(axes.rows as i64) as usize;
@@ -168,7 +168,7 @@ impl<'a> Signatures<'a> {
         }
     }
 
-    /// The strongest beam of a cell, if it is near the object; else the object's.
+    /// Direction of the strongest beam of a cell, if it is near the object; otherwise the object's.
     fn direction(
         &self,
         search: &Search<'_>,
@@ -187,7 +187,7 @@ impl<'a> Signatures<'a> {
         if self.cross_m(&search.place, &found).abs() <= ACROSS_M { (direction, found) } else { own() }
     }
 
-    /// Standard deviation of velocity over an object's rows, weighted by the power over the noise, m/s.
+    /// Standard deviation of velocity over an object's rows, weighted by the power above the noise, m/s.
     fn spread_mps(&self, own: &[(i64, f64)]) -> f64 {
         let weight = |power: f64| (power - self.noise).max(0.0);
         let sum = |value: &dyn Fn(f64) -> f64| {
@@ -210,9 +210,9 @@ impl<'a> Signatures<'a> {
         SignatureCell { level_db: 0.0, cross_m: 0.0, height_m, coherence: 0.0, velocity_spread_mps: 0.0 }
     }
 
-    /// Noise level as an RCS in dBsm, σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) of a beam over N channels, P the
-    /// noise of one; the windows' coherent gain is 1. Of real samples half of an echo's amplitude is in the
-    /// half of the map that is kept.
+    /// Noise level as an RCS in dBsm, σ = P (4π)³R⁴/(P_t G²λ² N_s²N_c² N) for a beam over N channels, with P
+    /// the noise of one; the windows' coherent gain is 1. For real samples the kept half of the map contains
+    /// half of an echo's amplitude.
     fn noise_dbsm(&self, object: &Object, direction: Direction) -> f64 {
         let (radar, waveform) = (&self.plan.radar, &self.plan.radar.waveform);
         let gain = power_from_db(radar.link.antenna_gain_db);
@@ -230,13 +230,13 @@ impl<'a> Signatures<'a> {
         db_from_power(self.noise / (echo * radar.virtual_channels() as f64))
     }
 
-    /// Direction cosine along up of an array without rows: of the height that the object is assumed to have.
+    /// Direction cosine along up for an array without rows, from the assumed height of the object.
     fn assumed_up(&self, object: &Object) -> f64 {
         let from_radar = DVec3::from(object.position_m) - self.plan.array.position_m();
         from_radar.normalize_or_zero().dot(self.plan.array.axes()[1])
     }
 
-    /// Distance of a place to the right of an object's, across the horizontal line of sight to it, m.
+    /// Distance of a position to the right of an object's, across the horizontal line of sight to it, m.
     fn cross_m(&self, object: &Place, found: &Place) -> f64 {
         let radar = self.plan.array.position_m();
         let sight = (object.position_m - radar).truncate().normalize_or(DVec2::Y);

@@ -1,10 +1,10 @@
-//! Places where the sums of a cell's training cells are looked up, worked out once for all maps of a
-//! detector.
+//! Look-up positions for the sums over a cell's training cells, computed once for all maps of a detector.
 
 use crate::detection::correlated_cells::{Rectangle, Region};
 use crate::numerics::summed_area_table::BoxSums;
 
-/// Places of one region of one cell: two in running sums of its rectangle, and two of the rectangle left out.
+/// Positions for one region of one cell: two in the running sums of its rectangle, and two for the excluded
+/// rectangle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LookUp {
     whole: Span,
@@ -21,7 +21,7 @@ struct Span {
 }
 
 impl LookUp {
-    /// Around a column; `heights` are the rows that are summed.
+    /// Look-up for a region around a column; `heights` are the row ranges that are summed.
     pub(crate) fn of(region: &Region, column: usize, heights: &[[i64; 2]]) -> Self {
         let span = |[rows, range]: &Rectangle| {
             let place = |offset: i64| (column as i64 + offset) as u32;
@@ -44,7 +44,7 @@ impl LookUp {
         of(&self.whole) - of(&self.hole)
     }
 
-    /// Mean of powers, which rounding does not make negative.
+    /// Mean power over the region, kept non-negative despite rounding.
     #[inline]
     pub(crate) fn mean(&self, sums: &BoxSums<'_>) -> f64 {
         self.sum(sums).max(0.0) / self.cells

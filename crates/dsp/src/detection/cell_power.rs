@@ -3,7 +3,7 @@
 use crate::numerics::incomplete_gamma::{gamma_below, gamma_tail};
 use crate::numerics::saddle_point_inversion::{WeightedGamma, probability_below, weighted_by};
 
-/// Power of a cell in units of one channel's mean: M unit exponentials (square law), or weighted ones where
+/// Power of a cell in units of one channel's mean: a sum of M unit exponentials (square law), weighted where
 /// channels correlate.
 pub(crate) struct CellPower {
     channels: usize,
@@ -17,8 +17,8 @@ impl CellPower {
         Self { channels, groups: vec![WeightedGamma { weight: 1.0, shape: channels as f64 }] }
     }
 
-    /// Power of M channels whose correlation has these eigenvalues of mean 1, each as often as any other: by
-    /// Gauss's rule of four nodes over them.
+    /// Power of M channels whose correlation has these equally frequent eigenvalues of mean 1: reduced by
+    /// Gauss's rule of four nodes.
     pub(crate) fn of(eigenvalues: &[f64], channels: usize) -> Self {
         const NODES: usize = 4;
         if eigenvalues.iter().all(|value| (value - 1.0).abs() < NEARLY_ONE) {
@@ -32,23 +32,23 @@ impl CellPower {
         self.channels
     }
 
-    /// Mean: the number of channels.
+    /// Mean power, equal to the number of channels.
     pub(crate) fn mean(&self) -> f64 {
         self.channels as f64
     }
 
-    /// Independent channels whose power scatters as much: M where all of them are.
+    /// Equivalent number of independent channels with the same scatter: M if all are independent.
     pub(crate) fn independent_channels(&self) -> usize {
         let variance: f64 = self.groups.iter().map(|group| group.weight.powi(2) * group.shape).sum();
         ((self.mean().powi(2) / variance).round() as usize).max(1)
     }
 
-    /// Groups of what is as likely below 0 as the cell is above it.
+    /// Groups of the negated variable, as likely below 0 as the cell's power is above it.
     pub(crate) fn negated(&self) -> impl Iterator<Item = WeightedGamma> {
         self.groups.iter().map(|group| WeightedGamma { weight: -group.weight, ..*group })
     }
 
-    /// Probability that the power is above a level, which is above 0.
+    /// Probability that the power exceeds a positive level.
     pub(crate) fn above(&self, level: f64) -> f64 {
         if self.are_independent() {
             return gamma_tail(self.channels, level);
@@ -69,7 +69,7 @@ impl CellPower {
     }
 }
 
-/// Eigenvalues nearer to 1 change a tail of 1e-30 by less than a thousandth.
+/// Distance from 1 below which eigenvalues count as 1: they change a tail of 1e-30 by less than a thousandth.
 const NEARLY_ONE: f64 = 1e-5;
 
 #[cfg(test)]

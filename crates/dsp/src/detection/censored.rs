@@ -1,10 +1,10 @@
-//! Cells that stronger echoes hid from the detector, tested again without those.
+//! Retesting of cells that stronger echoes hide from the detector.
 //!
-//! A cell-averaging detector takes the echoes among its training cells for noise: a car of 10 dB that stands
-//! ten cells before a bus of 33 dB stays below its threshold. So cells above the map's own noise are compared
-//! once more with the mean of those training cells that lie outside the echoes found so far, at the threshold
-//! of as many cells, and again with what that finds, until nothing is added (censored cell averaging: Barboy,
-//! Lomes and Perkalski, IEE Proc. F 133 (1986) 176).
+//! A cell-averaging detector takes echoes among its training cells for noise: a car of 10 dB ten cells before
+//! a bus of 33 dB stays below its threshold. Cells above the map's own noise are therefore compared again
+//! with the mean of those training cells that lie outside the echoes found so far, at the threshold for the
+//! remaining number of cells, and again with what that finds, until nothing is added (censored cell
+//! averaging: Barboy, Lomes and Perkalski, IEE Proc. F 133 (1986) 176).
 
 use crate::detection::cfar::{DETECTED, TESTED};
 use crate::detection::cfar_threshold::threshold_factor;
@@ -14,32 +14,32 @@ use artifact::settings::Detector;
 use ndarray::ArrayView2;
 use std::collections::BTreeMap;
 
-/// A mean of fewer training cells than this part is no estimate of the noise around.
+/// Minimum share of training cells whose mean estimates the local noise.
 const LEAST_SHARE: f64 = 0.25;
-/// Each pass finds what the echoes of the one before had hidden.
+/// Maximum number of passes; each finds echoes hidden by those of the pass before.
 const MOST_PASSES: usize = 8;
 
-/// The training cells of a radar's detector.
+/// Training cells of a radar's detector.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Censoring {
-    /// Whether cells are tested again at all.
+    /// Whether cells are retested at all.
     has_hidden: bool,
-    /// [doppler, range].
+    /// Guard cells, [doppler, range].
     guard: [i64; 2],
     whole: [i64; 2],
     channels: usize,
     false_alarm_rate: f64,
-    /// Cells that noise in one of them takes part in, by both windows.
+    /// Number of cells over which both windows spread the noise of one.
     per_independent: f64,
 }
 
 impl Censoring {
-    /// Takes the training cells of a header; noise in one cell spreads by its windows over `per_independent`
-    /// cells.
+    /// Takes the training cells of a header; noise in one cell spreads through its windows over
+    /// `per_independent` cells.
     ///
-    /// Detectors other than those that average (`ca-cfar`, `go-cfar`) have their own way with several echoes,
-    /// and keep their mask. So does Doppler division: what its mask leaves out are the other transmitters'
-    /// bands of an echo, which nothing hides.
+    /// Detectors other than the averaging ones (`ca-cfar`, `go-cfar`) handle several echoes in their own way
+    /// and keep their mask. So does Doppler division: the cells missing from its mask are the other
+    /// transmitters' bands of an echo, which nothing hides.
     pub(crate) fn new(header: &CubeHeader, per_independent: f64) -> Self {
         let settings = &header.dsp;
         let averages = matches!(settings.detector, Detector::CaCfar | Detector::GoCfar);
@@ -56,8 +56,8 @@ impl Censoring {
     }
 }
 
-/// The mask with the hidden cells detected; `noise_threshold` is what noise alone hardly passes, were its
-/// level known.
+/// Mask with hidden cells detected; `noise_threshold` is the level that noise alone rarely exceeds if its
+/// mean is known.
 pub(crate) fn unmasked(
     censoring: &Censoring,
     power: ArrayView2<f64>,
@@ -85,7 +85,7 @@ pub(crate) fn unmasked(
     mask
 }
 
-/// Training cells around a cell, and thresholds by how many of them are left.
+/// Training cells around a cell, and thresholds by the number of remaining ones.
 struct TrainingWindow<'a> {
     power: ArrayView2<'a, f64>,
     censoring: Censoring,
@@ -93,7 +93,8 @@ struct TrainingWindow<'a> {
 }
 
 impl TrainingWindow<'_> {
-    /// Detected cells and those within the guard of one: where an echo's main lobe may still be.
+    /// Detected cells and those within the guard distance of one, which may still contain an echo's main
+    /// lobe.
     fn with_skirts(&self, mask: &[u8]) -> Vec<bool> {
         let columns = self.power.ncols();
         let mut echoes = vec![false; mask.len()];
@@ -132,7 +133,7 @@ impl TrainingWindow<'_> {
         *self.factors.entry(cells).or_insert_with(|| threshold_factor(independent, channels, rate))
     }
 
-    /// Doppler wraps, range does not.
+    /// Neighbouring cell; Doppler wraps, range does not.
     fn cell_at(&self, row: usize, column: usize, down: i64, along: i64) -> Option<usize> {
         let (rows, columns) = self.power.dim();
         let row = (row as i64 + down).rem_euclid(rows as i64) as usize;

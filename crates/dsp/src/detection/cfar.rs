@@ -1,22 +1,22 @@
-//! Two-dimensional CFAR with the false-alarm rate asked for in every cell: CA, GO, SO and OS.
+//! Two-dimensional CFAR with the requested false-alarm rate in every cell: CA, GO, SO and OS.
 //!
 //! Doppler wraps, range does not: near the first and last range cell the training region is cut, and each
-//! cell uses its own number of training cells (with the middle's number the rate is 28 times too high at
-//! range cell 0). What is taken for the noise:
+//! cell uses its own number of training cells (with the number in the middle the rate is 28 times too high at
+//! range cell 0). The noise estimates are:
 //!
 //! - `ca-cfar`: the mean of all training cells;
 //! - `go-cfar`, `so-cfar`: the greater or smaller mean of two halves, the rectangles before and behind the
-//!   guard in range over all Doppler cells of the region (where training cells lie along Doppler alone: above
-//!   and below it). Where the map's edge leaves one half, it is that half's mean;
+//!   guard in range over all Doppler cells of the region (above and below it if training cells lie along
+//!   Doppler alone). If the map's edge leaves one half, it is that half's mean;
 //! - `os-cfar`: the cell of rank ¾N (Rohling, IEEE T-AES 19 (1983) 608).
 //!
-//! Of real samples the cells about range 0 and the last ones are not tested: noise is not circular there.
-//! Training cells there are fewer independent ones on the rows about zero and the fastest velocity, where
-//! their own images lie among them (`correlated_cells.rs`).
+//! For real samples the cells around range 0 and the last ones are not tested, because noise is not circular
+//! there. On the rows around zero and the highest velocity, training cells there have fewer independent ones,
+//! since their own images lie among them (`correlated_cells.rs`).
 //!
-//! Windows correlate neighbouring cells in two ways, both put right per cell:
+//! Windows correlate neighbouring cells, with two effects, both corrected per cell:
 //!
-//! - Training cells are fewer independent ones (`correlated_cells.rs`, `noise_estimate.rs`).
+//! - Training cells are equivalent to fewer independent ones (`correlated_cells.rs`, `noise_estimate.rs`).
 //! - The cell under test leaks into its own estimate where the guard is narrower than the window's main lobe.
 //!   Given its power y, the training mean is c·y + (1 − c)·(noise), c = Σκ_0i/N, so y > α·mean holds where y
 //!   > α(1−c)/(1−αc)·(noise): solved for α, it is α′/(1 − c + α′c) with α′ of the independent case.
@@ -38,14 +38,14 @@ use artifact::radar::Sampling;
 use artifact::settings::{Detector, DspSettings, FALSE_ALARM_RATES};
 use rayon::prelude::*;
 
-/// Mask of a cell that no threshold was made for.
+/// Mask value of a cell without a threshold.
 pub const UNTESTED: u8 = 0;
-/// Mask of a tested cell below its threshold.
+/// Mask value of a tested cell below its threshold.
 pub(crate) const TESTED: u8 = 1;
-/// Mask of a cell above its threshold.
+/// Mask value of a cell above its threshold.
 pub const DETECTED: u8 = 2;
 
-/// Rows that one thread marks; its first sums are added up anew.
+/// Rows per work item of a thread, each starting with freshly computed sums.
 const ROWS: usize = 32;
 
 /// A detector for all frames of one radar.
@@ -54,18 +54,18 @@ pub struct Cfar {
     samples: usize,
     detector: Detector,
     zones: Zones,
-    /// Whether each range cell is tested: its noise is circular, and it is not nearer than asked.
+    /// Whether each range cell is tested: its noise is circular, and it is not nearer than requested.
     tested: Vec<bool>,
 }
 
-/// The zone of every cell.
+/// Zones of all cells.
 #[derive(Debug)]
 struct Zones {
     /// Zones by kind of row, then by range cell.
     of_kind: Vec<Vec<Zone>>,
     /// Kind of each row.
     kinds: Vec<usize>,
-    /// Rows of all rectangles that noise is taken from.
+    /// Row ranges of all rectangles used for noise estimates.
     heights: Vec<[i64; 2]>,
 }
 
@@ -76,21 +76,21 @@ impl Zones {
     }
 }
 
-/// Training cells of a cell, and its threshold over their noise.
+/// Training cells of a cell, and its threshold relative to their noise.
 #[derive(Debug, Clone)]
 struct Zone {
     /// One region, or two halves.
     regions: Vec<Region>,
     /// Look-ups of the first and the last of the regions.
     look_ups: [LookUp; 2],
-    /// Over the mean, the chosen mean, or the cell of this rank.
+    /// Factor on the mean, the chosen mean, or the cell of this rank.
     factor: f64,
-    /// Rank of the cell that is compared, counted from 1.
+    /// Rank of the compared cell, counted from 1.
     rank: usize,
 }
 
 impl Cfar {
-    /// Thresholds that a cube's header asks for.
+    /// Thresholds for the settings of a cube's header.
     pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
         let [_, chirps, samples] = Shapes::of(header)?.map;
         let rate = header.dsp.false_alarm_rate;
@@ -103,15 +103,14 @@ impl Cfar {
         Ok(Self { chirps, samples, detector: header.dsp.detector, zones: zones(header)?, tested })
     }
 
-    /// Mask `[doppler, range]` of a power map; `floor` is added to the noise estimate (0 where there is
-    /// noise).
+    /// Mask `[doppler, range]` of a power map; `floor` is added to the noise estimate (0 if there is noise).
     pub fn mask(&self, power: &[f64], floor: f64) -> Vec<u8> {
         match self.detector {
             Detector::OsCfar => {
                 let usual = typical(power);
                 let above: Vec<f64> = power.par_iter().map(|x| f64::from(u8::from(*x >= usual))).collect();
                 self.by_rows(&above, |sums, zone, [row, column]| {
-                    // y > α(x_k + floor) holds where k cells at least lie below y/α − floor.
+                    // y > α(x_k + floor) holds if at least k cells lie below y/α − floor.
                     let level = power[row * self.samples + column] / zone.factor - floor;
                     !(level <= usual && zone.lie_above(sums))
                         && self.passes_ordered(power, level, row, column)
@@ -123,8 +122,8 @@ impl Cfar {
         }
     }
 
-    /// Noise estimate of every cell of a power map, cell by cell: what [`Self::mask`] finds without making
-    /// it, slowly.
+    /// Noise estimate of every cell of a power map, computed cell by cell: a slow form of what [`Self::mask`]
+    /// uses implicitly.
     pub fn estimates(&self, power: &[f64]) -> Vec<f64> {
         let estimate = |cell: usize| {
             let (row, column) = (cell / self.samples, cell % self.samples);
@@ -146,7 +145,7 @@ impl Cfar {
         self.zones.at(row, column).factor
     }
 
-    /// The estimate of one region, or the greater or smaller of two.
+    /// Estimate from one region, or the greater or smaller of two.
     fn chosen(&self, estimates: impl Iterator<Item = f64>) -> f64 {
         match self.detector {
             Detector::SoCfar => estimates.fold(f64::INFINITY, f64::min),
@@ -170,7 +169,7 @@ impl Cfar {
             .collect()
     }
 
-    /// Marks every cell above its factor times a mean of training cells.
+    /// Marks every cell above its factor times the mean of its training cells.
     fn by_means(
         &self,
         power: &[f64],
@@ -182,7 +181,7 @@ impl Cfar {
         })
     }
 
-    /// Marks every cell by sums over rectangles of a map.
+    /// Marks every cell from sums over rectangles of a map.
     fn by_rows(
         &self,
         map: &[f64],
@@ -207,7 +206,8 @@ impl Cfar {
         mask
     }
 
-    /// No cell need be sorted, and the count ends as soon as N − k + 1 cells lie above the level.
+    /// Ordered-statistic test by counting: no sorting, and the count ends once N − k + 1 cells lie above the
+    /// level.
     fn passes_ordered(&self, power: &[f64], level: f64, row: usize, column: usize) -> bool {
         let zone = self.zones.at(row, column);
         let region = &zone.regions[0];
@@ -238,8 +238,8 @@ impl Cfar {
 }
 
 impl Zone {
-    /// Whether N − k + 1 training cells at least are counted, in sums of ones and zeros: then what lies no
-    /// higher than they do does not pass, and in noise that is a look at almost every cell.
+    /// Whether at least N − k + 1 training cells are counted, in sums of ones and zeros: then no level up to
+    /// theirs passes, which in noise settles almost every cell.
     #[inline]
     fn lie_above(&self, counts: &BoxSums<'_>) -> bool {
         let ring = &self.look_ups[0];
@@ -247,9 +247,9 @@ impl Zone {
     }
 }
 
-/// Columns that are tested: of complex samples all. Of real samples x the spectrum at 0 and at half the
-/// sample rate is real, and its noise has longer tails than thresholds know; windows carry that to cells
-/// beside them. There |E[X²]| is |Σw²e^{−j4πnk/N}| over Σw², and a hundredth of it is too little to count.
+/// Tested columns: all for complex samples. For real samples x the spectrum at 0 and at half the sample rate
+/// is real, and its noise has longer tails than the thresholds assume; windows carry that to adjacent cells.
+/// There |E[X²]| is |Σw²e^{−j4πnk/N}| over Σw², negligible below a hundredth.
 fn circular_columns(header: &CubeHeader, columns: usize) -> Result<Vec<bool>, DspError> {
     let waveform = &header.radar.waveform;
     if waveform.sampling == Sampling::Complex {
@@ -259,15 +259,15 @@ fn circular_columns(header: &CubeHeader, columns: usize) -> Result<Vec<bool>, Ds
     Ok((0..columns).map(|column| noise_correlation(&range, 2.0 * column as f64) < 1e-4).collect())
 }
 
-/// About the median of a map, of every 13th cell: whatever it is, no mask depends on it.
+/// Approximate median of a map from every 13th cell; no mask depends on its value.
 fn typical(power: &[f64]) -> f64 {
     let mut some: Vec<f64> = power.iter().copied().step_by(13).collect();
     let middle = some.len() / 2;
     if some.is_empty() { 0.0 } else { *some.select_nth_unstable_by(middle, f64::total_cmp).1 }
 }
 
-/// The zones of all cells: those as far from both ends of the range axis, and as far from their images, share
-/// their thresholds.
+/// Zones of all cells: cells equally far from both ends of the range axis, and from their images, share their
+/// thresholds.
 fn zones(header: &CubeHeader) -> Result<Zones, DspError> {
     let (settings, [channels, chirps, samples]) = (&header.dsp, Shapes::of(header)?.map);
     let (guard, outer) = regions(settings, [chirps, samples])?;
@@ -304,7 +304,7 @@ fn zones(header: &CubeHeader) -> Result<Zones, DspError> {
     Ok(Zones { of_kind, kinds: images.of_rows, heights })
 }
 
-/// Rows of all rectangles that noise is taken from.
+/// Row ranges of all rectangles used for noise estimates.
 fn heights<'a>(regions: impl Iterator<Item = &'a Region>) -> Vec<[i64; 2]> {
     let rows = regions.flat_map(|region| [Some(region.whole[0]), region.hole.map(|hole| hole[0])]);
     let mut heights: Vec<[i64; 2]> = rows.flatten().collect();
@@ -313,8 +313,8 @@ fn heights<'a>(regions: impl Iterator<Item = &'a Region>) -> Vec<[i64; 2]> {
     heights
 }
 
-/// The ring of CA and OS, or the halves of GO and SO that have cells, where the range axis reaches this far
-/// both ways and the cell under test has its image this far away.
+/// Training regions, the ring of CA and OS or the non-empty halves of GO and SO, for this many range cells on
+/// both sides and this offset of the image of the cell under test.
 fn training_regions(
     settings: &DspSettings,
     [guard, outer]: [[usize; 2]; 2],
@@ -338,7 +338,7 @@ fn training_regions(
     }
 }
 
-/// Threshold factor, and the rank of the compared cell.
+/// Threshold factor, and rank of the compared cell.
 fn threshold(
     settings: &DspSettings,
     correlation: &Correlation,
@@ -364,10 +364,11 @@ fn threshold(
     (independent / (1.0 - leak + independent * leak), rank)
 }
 
-/// Rank over number of cells: Rohling (1983) finds the least loss in noise, and room for targets, near ¾.
+/// Rank relative to the number of cells: Rohling (1983) finds the least loss in noise, with room for targets,
+/// near ¾.
 const OS_RANK: f64 = 0.75;
 
-/// Half sizes [doppler, range] of the guard region and of the whole, if they fit the map.
+/// Half sizes [doppler, range] of the guard region and of the whole region, if they fit the map.
 fn regions(settings: &DspSettings, cells: [usize; 2]) -> Result<([usize; 2], [usize; 2]), DspError> {
     if settings.training_cells == [0, 0] {
         return Err(DspError::NoTrainingCells);

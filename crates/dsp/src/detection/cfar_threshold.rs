@@ -1,15 +1,14 @@
-//! The threshold factor of cell averaging over M summed channels.
+//! Threshold factor of cell averaging over M summed channels.
 //!
 //! The cell under test is a sum of M unit exponentials (square law), the training sum one of N·M: their ratio
-//! makes P_fa = I_x(NM, M) with x = N/(N + α), the regularised incomplete beta function (`docs/physics.md`
-//! §8; Richards, Fundamentals of Radar Signal Processing, 2014, §6.5; M = 1 returns α = N(P_fa^{−1/N} −
-//! 1)).
+//! gives P_fa = I_x(NM, M) with x = N/(N + α), the regularised incomplete beta function (`docs/physics.md`
+//! §8; Richards, Fundamentals of Radar Signal Processing, 2014, §6.5; M = 1 yields α = N(P_fa^{−1/N} − 1)).
 
-/// Finds α, the factor on the mean of the training cells at which noise passes with probability
+/// Finds the factor α on the mean of the training cells that noise exceeds with probability
 /// `false_alarm_rate`.
 ///
-/// `training_cells` is the number of independent cells and need not be whole; `false_alarm_rate` lies in (0,
-/// 1).
+/// `training_cells` is the number of independent cells, not necessarily an integer; `false_alarm_rate` lies
+/// in (0, 1).
 pub(crate) fn threshold_factor(training_cells: f64, channels: usize, false_alarm_rate: f64) -> f64 {
     if channels == 1 {
         // expm1 keeps the digits that N(p^{−1/N} − 1) would lose at large N.
@@ -35,7 +34,7 @@ pub(crate) fn threshold_factor(training_cells: f64, channels: usize, false_alarm
     }
 }
 
-/// Logarithm of the false-alarm rate, ln I_x(NM, M): for a whole M the incomplete beta function is the finite
+/// Logarithm of the false-alarm rate, ln I_x(NM, M): for integer M the incomplete beta function is the finite
 /// sum x^a Σ_{k<M} C(a+k−1, k)(1−x)^k, a = NM; every term is positive, so nothing cancels, and a may be any
 /// positive number.
 fn ln_false_alarm_rate(factor: f64, training_cells: f64, channels: usize) -> f64 {
@@ -52,7 +51,7 @@ fn ln_false_alarm_rate(factor: f64, training_cells: f64, channels: usize) -> f64
     -a * (factor / training_cells).ln_1p() + sum.ln() + scale
 }
 
-/// Partial sums are scaled down here, far from overflow (1.8e308).
+/// Value at which partial sums are rescaled, far from overflow (1.8e308).
 const LARGE: f64 = 1e200;
 
 #[cfg(test)]
@@ -62,7 +61,7 @@ mod tests {
 
     #[test]
     fn s1_threshold_factors_are_those_of_the_table() {
-        // physics.md §8, Pfa 1e-4 and 1e-6; printed to four decimals.
+        // Values of physics.md §8, Pfa 1e-4 and 1e-6, printed to four decimals.
         for (cells, at_1e4, at_1e6) in [
             (16.0, 12.4525, 21.9420),
             (32.0, 10.6727, 17.2776),
@@ -82,8 +81,7 @@ mod tests {
                     let factor = threshold_factor(cells, channels, rate);
                     let (a, b) = (cells * channels as f64, channels as f64);
                     let got = beta_reg(a, b, cells / (cells + factor));
-                    // The reference carries ln Γ(48 000) ≈ 5e5 through an exponential: 5e5·1e-15 is what it
-                    // keeps.
+                    // The reference exponentiates ln Γ(48 000) ≈ 5e5, so its relative error is 5e5·1e-15.
                     assert!(
                         (got / rate - 1.0).abs() < 1e-8,
                         "{channels} channels, {cells} cells: {got:e} for {rate:e}"

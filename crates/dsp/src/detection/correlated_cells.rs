@@ -1,17 +1,18 @@
-//! Effect of windows on the noise of a region of cells: its spectrum of powers, and its share of the cell
-//! under test.
+//! Effect of windows on the noise of a region of cells: its eigenvalue spectrum, and the share of the cell
+//! under test in it.
 //!
-//! White samples under a taper w make map cells that correlate as ρ = Σw²e^{−j2πnd/N}/Σw² per axis, d cells
-//! apart, and as the product of both axes. All regions of the detectors are rectangles, or one without
-//! another, so every sum over pairs and triples of cells is made of products of sums along the axes.
+//! White samples under a taper w give map cells that correlate as ρ = Σw²e^{−j2πnd/N}/Σw² per axis, d cells
+//! apart, and as the product of both axes. All regions of the detectors are rectangles, with or without a
+//! rectangular hole, so every sum over pairs and triples of cells is composed of products of sums along the
+//! axes.
 //!
 //! With Doppler division a cell sums a band of every transmitter, which are rows of one spectrum
-//! (`summed_bands.rs`): bands of different cells may meet, and those of one cell where they are narrow.
+//! (`summed_bands.rs`): bands of different cells may overlap, and those of one cell where they are narrow.
 //!
-//! Of real samples the cell at (−m, −k) of the whole spectrum is the conjugate of that at (m, k). A region's
-//! noise then is half of what it and its image hold together, as 2N real variables instead of N complex ones,
-//! and the cells of both correlate by their distance as any others do: near range 0 and half the sample rate,
-//! on the rows about zero velocity and about the fastest, where a region meets its image. (Column 0 of a
+//! For real samples the cell at (−m, −k) of the whole spectrum is the conjugate of that at (m, k). A region's
+//! noise then is half of what it and its image contain together, as 2N real variables instead of N complex
+//! ones, and the cells of both correlate by their distance like any others: near range 0 and half the sample
+//! rate, on the rows around zero and the highest velocity, where a region overlaps its image. (Column 0 of a
 //! rectangular window has each of its powers twice, 2N variables of which N are 0.)
 
 use crate::detection::cell_power::CellPower;
@@ -26,14 +27,14 @@ use artifact::cube::CubeHeader;
 /// A rectangle of cells around the cell under test: first and last offset, [doppler, range].
 pub(crate) type Rectangle = [[i64; 2]; 2];
 
-/// A rectangle, or one without another inside it.
+/// A rectangle, with or without a rectangular hole.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Region {
-    /// The rectangle in whole, with the hole.
+    /// The whole rectangle, including the hole.
     pub(crate) whole: Rectangle,
-    /// The rectangle that is left out.
+    /// The excluded rectangle.
     pub(crate) hole: Option<Rectangle>,
-    /// Offset of the image of the cell under test, [doppler, range], where the region's noise meets that of
+    /// Offset of the image of the cell under test, [doppler, range], if the region's noise overlaps that of
     /// its image.
     pub(crate) image: Option<[i64; 2]>,
 }
@@ -48,7 +49,7 @@ impl Region {
         std::iter::once((1.0, self.whole)).chain(self.hole.map(|hole| (-1.0, hole)))
     }
 
-    /// The region's and its image's.
+    /// Rectangles of the region and its image, with their signs.
     fn all_parts(&self) -> impl Iterator<Item = (f64, Rectangle)> + Clone + use<> {
         let own = self.parts();
         let images = self.image.into_iter().flat_map(move |image| {
@@ -69,25 +70,25 @@ fn cells(rectangle: &Rectangle) -> usize {
 
 /// Correlation of noise cells over their distance, [doppler, range].
 pub(crate) struct Correlation {
-    /// Correlation ρ less the phase that no closed chain of cells keeps (windows are symmetric about N/2), of
-    /// the bands that cells sum: one in range.
+    /// Correlation ρ without the phase that cancels in closed chains of cells (windows are symmetric about
+    /// N/2), over the bands that cells sum: one in range.
     bands: [SummedBands; 2],
 }
 
-/// Correlations below this are none: a region of 10⁴ cells gains less than 1e-8 by them.
+/// Correlation below which cells count as independent: a region of 10⁴ cells changes by less than 1e-8.
 const NEGLIGIBLE: f64 = 1e-6;
-/// Noise farther apart than this beyond a region and its image is independent: twice the main lobe of a
-/// window of −100 dB.
+/// Distance beyond a region and its image from which noise is independent: twice the main lobe of a window of
+/// −100 dB.
 pub(crate) const FAR_CELLS: usize = 8;
-/// Bands of the rows of a region whose eigenvalues are looked for: those of more take seconds.
+/// Maximum number of bands of a region's rows whose eigenvalues are computed: more take seconds.
 const MOST_BANDS: usize = 300;
-/// A region that shares less than this part of its power with its image does not meet it: with α = 15, N =
-/// 100 the rate changes by α²/2N of it.
+/// Share of power in common with its image from which a region overlaps it: with α = 15, N = 100 the rate
+/// changes by α²/2N of it.
 const MEETS: f64 = 1e-4;
 
 impl Correlation {
-    /// Finds the correlation under a header's windows, far enough for regions of these half sizes and images
-    /// that they meet.
+    /// Computes the correlation under a header's windows, far enough for regions of these half sizes and the
+    /// images that they overlap.
     pub(crate) fn new(header: &CubeHeader, outer: [usize; 2]) -> Result<Self, DspError> {
         let waveform = &header.radar.waveform;
         let doppler = taper(header.dsp.doppler_window, waveform.chirps as usize)?;
@@ -98,7 +99,7 @@ impl Correlation {
         Ok(Self { bands })
     }
 
-    /// Whether no cell correlates with another.
+    /// Whether all cells are uncorrelated.
     pub(crate) fn is_white(&self) -> bool {
         self.bands.iter().all(SummedBands::are_white)
     }
@@ -108,7 +109,7 @@ impl Correlation {
         CellPower::of(&self.bands[0].of_a_cell(), channels)
     }
 
-    /// Whether a region's noise has something in common with that of its image.
+    /// Whether a region's noise correlates with that of its image.
     pub(crate) fn meets_image(&self, region: &Region) -> bool {
         let alone = Region { image: None, ..region.clone() };
         self.among(region, 1) - self.among(&alone, 1) > MEETS * region.cells() as f64
@@ -119,18 +120,18 @@ impl Correlation {
         (self.pairs(region, &CENTRE, 1) / region.cells() as f64).max(0.0)
     }
 
-    /// Σκ_ij^n over pairs of different cells of a region, and of cells and images.
+    /// Sum Σκ_ij^n over pairs of different cells of a region, and over cells and images.
     pub(crate) fn among(&self, region: &Region, exponent: i32) -> f64 {
         let pairs: f64 = region.parts().map(|(sign, part)| sign * self.pairs(region, &part, exponent)).sum();
         (pairs - region.cells() as f64).max(0.0)
     }
 
-    /// The mean power of a region's noise as a sum of Gamma variables: two groups of equal eigenvalues.
+    /// Mean power of a region's noise as a sum of Gamma variables: two groups of equal eigenvalues.
     ///
-    /// The power of N correlated cells is Σλ_i·E_i over the eigenvalues of their correlation matrix. All that
-    /// enters a probability is Σ ln(1 + sλ_i); Gauss's rule of two nodes over the eigenvalues keeps their
-    /// number and their first three powers: N, Σρ_ii = N, Σκ_ij and Σρ_ij·ρ_jk·ρ_ki. Of cells that sum bands
-    /// one group keeps two of them: triples of bands are many, and such sums nearly normal.
+    /// The power of N correlated cells is Σλ_i·E_i over the eigenvalues of their correlation matrix.
+    /// Probabilities depend only on Σ ln(1 + sλ_i); Gauss's rule of two nodes over the eigenvalues preserves
+    /// their number and their first three powers: N, Σρ_ii = N, Σκ_ij and Σρ_ij·ρ_jk·ρ_ki. For cells that sum
+    /// bands one group preserves two of them: triples of bands are many, and such sums nearly normal.
     pub(crate) fn mean_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
         let count = region.cells() as f64;
         let group = |eigenvalue: f64, share: f64| WeightedGamma {
@@ -148,16 +149,16 @@ impl Correlation {
         let third = self.triples(region) / count - 3.0 * spread - 1.0;
         let skew = 0.5 * third / spread;
         let root = (skew * skew + spread).sqrt();
-        // Eigenvalues are not negative; rounding must not make them so.
+        // Eigenvalues are non-negative; rounding must not change that.
         let (above, below) = (skew + root, (skew - root).max(-1.0 + NEGLIGIBLE));
         let share = -below / (above - below);
         vec![group(1.0 + above, share), group(1.0 + below, 1.0 - share)]
     }
 
-    /// The mean power of a rectangle's noise: as [`Self::mean_power`] with Gauss's rule of eight nodes.
+    /// Mean power of a rectangle's noise: like [`Self::mean_power`], with Gauss's rule of eight nodes.
     ///
-    /// The smaller of two means lives in the lower tail of a thin half, where the small eigenvalues decide;
-    /// of so many bands as make long work there is no thin half.
+    /// The smaller of two means depends on the lower tail of a thin half, where the small eigenvalues decide;
+    /// with so many bands that this becomes slow, no half is thin.
     pub(crate) fn rectangle_power(&self, region: &Region, channels: usize) -> Vec<WeightedGamma> {
         let [rows, _] = region.whole.map(|[first, last]| (last - first + 1) as usize);
         if self.bands[0].count() > 1 && rows * self.bands[0].count() > MOST_BANDS {
@@ -171,7 +172,7 @@ impl Correlation {
         weighted_by(&eigenvalues, 8, all, all)
     }
 
-    /// The products of those of its two sides.
+    /// Eigenvalues of a rectangle, the products of those of its two sides.
     fn of_rectangle(&self, rectangle: &Rectangle) -> Vec<f64> {
         let side = |axis: usize| {
             let length = (rectangle[axis][1] - rectangle[axis][0] + 1) as usize;
@@ -203,8 +204,8 @@ impl Correlation {
         self.bands[axis].rho(lag, 0)
     }
 
-    /// Σκ^n between the cells of a region, its image's among them, and those of a rectangle; a cell's κ with
-    /// itself is 1.
+    /// Sum Σκ^n between the cells of a region, including its image's, and those of a rectangle; κ of a cell
+    /// with itself is 1.
     fn pairs(&self, region: &Region, with: &Rectangle, exponent: i32) -> f64 {
         let kappa = self.bands.each_ref().map(|bands| {
             let with_itself = bands.with_itself();
@@ -231,7 +232,7 @@ impl Correlation {
     }
 }
 
-/// Eigenvalues are not negative: what rounding leaves of those that are 0.
+/// Eigenvalue below which only rounding remains of 0.
 const NO_POWER: f64 = 1e-12;
 
 fn at_lag(of_lag: &[f64], lag: i64) -> f64 {
@@ -240,7 +241,7 @@ fn at_lag(of_lag: &[f64], lag: i64) -> f64 {
 
 const CENTRE: Rectangle = [[0, 0], [0, 0]];
 
-/// Σρ(i − j)·ρ(j − k)·ρ(k − i) over three intervals, without the lags at which ρ is none.
+/// Sum Σρ(i − j)·ρ(j − k)·ρ(k − i) over three intervals, without the lags at which ρ is negligible.
 fn triple_sum(rho: &[f64], [a, b, c]: [[i64; 2]; 3]) -> f64 {
     let reach = rho.iter().rposition(|r| *r != 0.0).unwrap_or(0) as i64;
     let near = |at: i64, [first, last]: [i64; 2]| first.max(at - reach)..=last.min(at + reach);

@@ -1,9 +1,9 @@
-//! The fold of a velocity under Doppler division, told by the band that stays empty
+//! Velocity fold under Doppler division, resolved by the band that stays empty
 //! ([`crate::spectrum::doppler_bands`]).
 //!
 //! A target at Doppler f fills the bands f, f + 1/M, … f + (N_tx − 1)/M and leaves f − 1/M empty. Summed over
-//! channels, a wrong fold keeps N_tx − 1 of N_tx echoes: too much for a threshold to tell, but its missing
-//! band is full.
+//! channels, a wrong fold retains N_tx − 1 of N_tx echoes: too many to be rejected by a threshold, but its
+//! empty band is full.
 
 use crate::detection::cfar::{DETECTED, TESTED};
 use crate::spectrum::division::Division;
@@ -15,7 +15,7 @@ use artifact::rdm::RdmFrame;
 use num_complex::Complex32;
 use rayon::prelude::*;
 
-/// Takes back detections whose fold is not the one that leaves the empty band emptiest.
+/// Withdraws detections whose fold is not the one with the emptiest empty band.
 pub(crate) fn keep_true_folds(
     transform: &RangeDoppler,
     samples: &[Complex32],
@@ -36,7 +36,7 @@ pub(crate) fn keep_true_folds(
 }
 
 /// Whether the band of a cell is beyond doubt: its empty band holds less than a quarter of the weakest full
-/// one. All bands are full and empty alike at velocities whole spans of the map away.
+/// one. Velocities whole spans of the map away fill the same bands.
 ///
 /// A second vehicle in the same range cell that is less than 6 dB weaker fills the band and is flagged here.
 pub(crate) fn fold_is_certain(
@@ -52,7 +52,7 @@ pub(crate) fn fold_is_certain(
         let channels = tx * receivers..(tx + 1) * receivers;
         channels.map(|c| f64::from(map.values[(c * chirps + row) * samples + column].norm_sqr())).sum()
     };
-    // Transmitter 0 seen one band below is the empty band; rounding to a whole row matters little against 6
+    // Transmitter 0 seen one band below is the empty band; rounding to a whole row is negligible against 6
     // dB.
     let band_rows = (chirps as f64 / (transmitters + 1) as f64).round() as usize;
     let empty = power(0, (row + chirps - band_rows % chirps) % chirps);

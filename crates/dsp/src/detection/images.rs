@@ -1,33 +1,33 @@
-//! Places of the images of cells in maps of real samples: the cell at (−m, −k) is the conjugate of that at
-//! (m, k).
+//! Image cells in maps of real samples: the cell at (−m, −k) is the conjugate of that at (m, k).
 
 use crate::detection::correlated_cells::FAR_CELLS;
 use artifact::cube::CubeHeader;
 use artifact::radar::{Multiplexing, Sampling};
 
-/// Distances from cells to their images, as far as training regions can meet their images there.
+/// Distances from cells to their images, as far as training regions can overlap their images.
 pub(crate) struct Images {
-    /// Doppler offsets of images: of rows from which they are too far (`None`), and each one that is near.
+    /// Distinct Doppler offsets of images: `None` for rows that are too far away, and each near offset.
     pub(crate) kinds: Vec<Option<i64>>,
     /// Index in `kinds` of each row's offset.
     pub(crate) of_rows: Vec<usize>,
-    /// Samples, of which half are range cells; 0 where there are no images.
+    /// Number of samples, half of which are range cells; 0 if there are no images.
     samples: i64,
-    /// Farthest range offset.
+    /// Maximum range offset.
     far: i64,
 }
 
 impl Images {
-    /// Finds the images that training regions of these half sizes can meet.
+    /// Finds the images that training regions of these half sizes can overlap.
     ///
-    /// Under Doppler division a channel's image lies on other rows, by the sum of its own and another
-    /// transmitter's band, and at each of them it meets only one of many pairs of channels: it is left out.
+    /// Under Doppler division a channel's image lies on other rows, shifted by the sum of its own and another
+    /// transmitter's band, and at each of them it overlaps only one of many pairs of channels: this is
+    /// neglected.
     pub(crate) fn new(header: &CubeHeader, outer: [usize; 2]) -> Self {
         let waveform = &header.radar.waveform;
         let chirps = waveform.chirps as usize;
         let has = waveform.sampling == Sampling::Real && header.radar.array.multiplexing != Multiplexing::Ddm;
         let [far_rows, far] = outer.map(|half| (2 * half + FAR_CELLS) as i64);
-        // Regions are alike above and below a row, so that the side on which the image lies does not matter.
+        // Regions are symmetric above and below a row, so the side on which the image lies is irrelevant.
         let row_image =
             |row: usize| nearest(row as i64 - conjugate_row(row, chirps) as i64, chirps as i64).abs();
         let of_row = |row: usize| Some(row_image(row)).filter(|image| has && *image <= far_rows);
@@ -45,12 +45,12 @@ impl Images {
     }
 }
 
-/// Row of the conjugate of a row's cells, as far on the other side of zero velocity.
+/// Row of the conjugate of a row's cells, mirrored at zero velocity.
 pub(crate) fn conjugate_row(row: usize, rows: usize) -> usize {
     (2 * (rows / 2) + rows - row) % rows
 }
 
-/// The smallest of an offset's values on a circle.
+/// An offset wrapped on a circle to the value nearest to zero.
 fn nearest(offset: i64, circle: i64) -> i64 {
     let up = offset.rem_euclid(circle);
     if 2 * up > circle { up - circle } else { up }

@@ -1,30 +1,31 @@
-//! Place of a peak between cells: from the complex values of three cells, read on the window's own curve.
+//! Interpolation of a peak between cells: from the complex values of three cells, by inverting the window's
+//! own response.
 //!
 //! A tone at offset δ from a cell leaves W(δ − m) in the cell m steps away, W the transform of the window.
 //! The ratio q = Re (X₋₁ − X₊₁)/X₀ grows with δ for every window (rect: 2δ/(1 − δ²), Hann: 6δ/(4 − δ²));
-//! unlike a parabola through log powers, which for rect says nothing near a cell's centre, it needs the phase
-//! and is free of bias (Jacobsen and Kootsookos, IEEE Signal Processing Magazine 24 (2007) 123, and Candan,
-//! IEEE Signal Processing Letters 18 (2011) 351, for rect and Hann). The curve is computed once per window
-//! and read backwards.
+//! unlike a parabola through log powers, which for rect carries no information near a cell's centre, it uses
+//! the phase and is unbiased (Jacobsen and Kootsookos, IEEE Signal Processing Magazine 24 (2007) 123, and
+//! Candan, IEEE Signal Processing Letters 18 (2011) 351, for rect and Hann). The curve is tabulated once per
+//! window and inverted.
 
 use crate::spectrum::window::transform;
 use num_complex::Complex64;
 
-/// Reads offsets from values for one window and axis.
+/// Estimates offsets from values for one window and axis.
 pub(crate) struct Interpolator {
     /// Ratio q of a tone at each of the offsets.
     ratios: Vec<f64>,
 }
 
-/// Values of one channel in the cell before a peak, in it, and in the next.
+/// Values of one channel in the cell before a peak, at the peak, and after it.
 pub(crate) type Trio = [Complex64; 3];
 
-/// Offsets from −½ to ½ at which the curve is kept. Linear reading between them leaves (1/64)²/8 of its
+/// Number of tabulated offsets from −½ to ½. Linear interpolation between them errs by (1/64)²/8 of the
 /// curvature, which is at most 3 per cell (rect): 1e-4 cells.
 const OFFSETS: usize = 64;
 
 impl Interpolator {
-    /// Prepares for peaks that a window of these weights makes.
+    /// Prepares for peaks under a window with these weights.
     pub(crate) fn new(taper: &[f64]) -> Self {
         let ratio = |step: usize| {
             let offset = offset_of(step as f64);
@@ -48,14 +49,14 @@ fn offset_of(step: f64) -> f64 {
     step / OFFSETS as f64 - 0.5
 }
 
-/// Ratio q of three cells, every channel weighted by its power: noise of a channel then counts once.
+/// Ratio q of three cells, with channels weighted by power, so that a channel's noise counts once.
 fn ratio(channels: impl Iterator<Item = Trio>) -> f64 {
     let (mut slope, mut power) = (0.0, 0.0);
     for [before, here, after] in channels {
         slope += ((before - after) * here.conj()).re;
         power += here.norm_sqr();
     }
-    // A map of nothing has no peak between its cells.
+    // A map of zeros has no peak between its cells.
     if power > 0.0 { slope / power } else { 0.0 }
 }
 
@@ -77,7 +78,7 @@ mod tests {
                 for step in -50..=50 {
                     let offset = f64::from(step) / 100.0;
                     let tone = [1.0, 0.0, -1.0].map(|cell| transform(&weights, offset + cell));
-                    // Two channels that see it in any phase.
+                    // Two channels that receive it with arbitrary phases.
                     let channels =
                         [0.3, 2.0].map(|phase| tone.map(|v| v * Complex64::from_polar(1.0, phase)));
                     let error = interpolator.offset(channels.into_iter()) - offset;
@@ -96,7 +97,7 @@ mod tests {
         ] {
             let interpolator = Interpolator::new(&taper(window, length).unwrap());
             for (step, ratio) in interpolator.ratios.iter().enumerate() {
-                // The closed forms hold for long windows: sin x for x of a sample, (π/N)².
+                // The closed forms hold for long windows: sin x ≈ x for one sample, (π/N)².
                 let error = ratio - closed(offset_of(step as f64));
                 assert!(error.abs() < 10.0 / (length * length) as f64, "{window:?}: {error:e}");
             }

@@ -1,13 +1,13 @@
-//! Sidelobes: the largest share of an echo's power that its windows leave in other cells of the map.
+//! Sidelobes: the largest share of an echo's power that its windows leak into other cells of the map.
 //!
-//! A tone between cells leaves in a cell d away W(d − δ)/W(δ) of what its own cell holds, over all offsets δ
-//! up to half a cell. Two more things leave power far from it:
+//! A tone between cells leaves W(d − δ)/W(δ) of its own cell's value in a cell d away, over all offsets δ up
+//! to half a cell. Two further effects leave power far from it:
 //!
 //! - with Doppler division a cell sums a band of every transmitter, and the sidelobes of all transmitters add
 //!   up in each of them, in phase at worst. Their main lobes are the folds of the echo, which the empty band
-//!   tells (`empty_band.rs`);
-//! - of real samples the echo has its conjugate at the opposite Doppler and the opposite range, off the map,
-//!   whose sidelobes are on it.
+//!   resolves (`empty_band.rs`);
+//! - for real samples the echo has its conjugate at the opposite Doppler and range, outside the map, with
+//!   sidelobes inside it.
 
 use crate::detection::images::conjugate_row;
 use crate::spectrum::division::Division;
@@ -24,14 +24,14 @@ pub(crate) struct Leakage {
     has_images: bool,
 }
 
-/// Windows and transforms are rounded: nothing is told apart farther below a peak than single precision
-/// carries (2⁻²⁴ of the amplitude, −144 dB).
+/// Rounding of windows and transforms: levels farther below a peak than single precision carries are
+/// indistinguishable (2⁻²⁴ of the amplitude, −144 dB).
 const FLOOR: f64 = 3.6e-15;
 /// Offsets tried between two cells for the worst leakage.
 const OFFSETS: i32 = 8;
 
 impl Leakage {
-    /// Leakage of maps of a radar that are made with these windows.
+    /// Leakage in maps of a radar made with these windows.
     pub(crate) fn new(radar: &Radar, doppler: &[f64], range: &[f64]) -> Self {
         let division = Division::of(radar);
         let bands = match division.multiplexing {
@@ -46,7 +46,7 @@ impl Leakage {
         }
     }
 
-    /// Largest share of the power of a cell, [doppler, range], in another.
+    /// Maximum share of the power of one cell, [doppler, range], in another.
     pub(crate) fn share(&self, from: [usize; 2], at: [usize; 2]) -> f64 {
         let direct = self.between(from, at);
         if !self.has_images {
@@ -54,7 +54,7 @@ impl Leakage {
         }
         let (rows, columns) = (self.doppler.len(), self.range.len());
         let conjugate = [conjugate_row(from[0], rows), (columns - from[1]) % columns];
-        // In phase at worst.
+        // Worst case: in phase.
         (direct.sqrt() + self.between(conjugate, at).sqrt()).powi(2)
     }
 
@@ -63,8 +63,8 @@ impl Leakage {
     }
 }
 
-/// Largest share of a peak's power that its window leaves in a cell this many cells away, over all offsets of
-/// the tone; of so many bands, each `band_cycles` of the axis behind the one before.
+/// Maximum share of a peak's power that its window leaks into a cell at each distance, over all offsets of
+/// the tone; for `bands` bands, each `band_cycles` of the axis behind the one before.
 fn worst_shares(taper: &[f64], bands: usize, band_cycles: f64) -> Vec<f64> {
     let (length, per_cell) = (taper.len(), OFFSETS as usize);
     let fine = fine_response(taper);
@@ -82,7 +82,7 @@ fn worst_shares(taper: &[f64], bands: usize, band_cycles: f64) -> Vec<f64> {
     (0..length).map(worst).collect()
 }
 
-/// Response of a window in steps of part of a cell.
+/// Response of a window in steps of a fraction of a cell.
 struct Sidelobes<'a> {
     fine: &'a [f64],
     /// Steps to the first null.
@@ -96,8 +96,8 @@ impl Sidelobes<'_> {
         self.fine[steps.rem_euclid(self.fine.len() as i64) as usize]
     }
 
-    /// Mean over the bands of a cell of what the transmitters leave in it together: of each band's own
-    /// transmitter all, of the others their sidelobes.
+    /// Mean over the bands of a cell of what all transmitters leave in it: the full response of each band's
+    /// own transmitter, the sidelobes of the others.
     fn over_bands(&self, steps: i64, bands: usize) -> f64 {
         if bands == 1 {
             return self.at(steps);
@@ -107,8 +107,7 @@ impl Sidelobes<'_> {
             let steps = steps + apart * self.band_steps;
             if apart == 0 || self.is_sidelobe(steps) { self.at(steps).sqrt() } else { 0.0 }
         };
-        // Amplitudes added up from the farthest transmitter on; a band sees as many of them as there are
-        // bands.
+        // Cumulative amplitudes from the farthest transmitter on; a band receives as many as there are bands.
         let added: Vec<f64> = std::iter::once(0.0)
             .chain((-most..=most).scan(0.0, |sum, apart| {
                 *sum += amplitude(apart);
@@ -126,12 +125,12 @@ impl Sidelobes<'_> {
     }
 }
 
-/// Steps from the middle of a response to its first null.
+/// Steps from the centre of a response to its first null.
 fn main_lobe(fine: &[f64]) -> i64 {
     fine.windows(2).position(|pair| pair[1] > pair[0]).unwrap_or(fine.len()) as i64
 }
 
-/// Response at every eighth of a cell.
+/// Response in steps of an eighth of a cell.
 fn fine_response(taper: &[f64]) -> Vec<f64> {
     let length = taper.len() * OFFSETS as usize;
     let mut spectrum: Vec<num_complex::Complex64> = taper.iter().map(|w| (*w).into()).collect();
@@ -152,12 +151,12 @@ mod tests {
     fn sidelobes_of_three_transmitters_in_phase_are_nine_times_those_of_one() {
         let window = taper(Window::Chebyshev(60.0), 256).unwrap();
         let (one, three) = (worst_shares(&window, 1, 0.0), worst_shares(&window, 3, 0.25));
-        // Level sidelobes, far from the folds at 64, 128 and 192 cells.
+        // Level of the sidelobes, far from the folds at 64, 128 and 192 cells.
         for lag in [20, 32, 40, 96, 100, 160] {
             let ratio = three[lag] / one[lag];
             assert!((4.0..11.0).contains(&ratio), "{lag} cells away: {ratio}");
         }
-        // Main lobes of the folds are left to the empty band.
+        // The folds' main lobes are left to the empty band.
         assert!(three[64] < 1e-4 && (three[1] / one[1] - 1.0).abs() < 0.02, "{} {}", three[64], three[1]);
     }
 
@@ -166,7 +165,7 @@ mod tests {
         let hann = |length| worst_shares(&taper(Window::Hann, length).unwrap(), 1, 0.0);
         for rows in [15, 16] {
             let leakage = Leakage { doppler: hann(rows), range: hann(64), has_images: true };
-            // Three cells above zero velocity, two from range 0: its conjugate is three below and two before.
+            // Three cells above zero velocity, two from range 0: the conjugate is three below and two before.
             let image = leakage.share([rows / 2 + 3, 2], [rows / 2 - 3, 0]);
             assert!((image / hann(64)[2] - 1.0).abs() < 0.1, "{rows} rows: {image}");
         }

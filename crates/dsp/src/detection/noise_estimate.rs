@@ -1,14 +1,14 @@
-//! Threshold factors of every noise estimate: P_fa = P(y > α·T), y the cell under test, T the estimate.
+//! Threshold factors for every noise estimate: P_fa = P(y > α·T), y the cell under test, T the estimate.
 //!
-//! y is a sum of M unit exponentials (square law, M channels; weighted ones where bands of Doppler division
-//! meet, `cell_power.rs`), independent of T. Where T is one sum of Gamma variables (cell averaging), y > αT
-//! is a statement about such a sum too. Else P_fa = ∫ P(y > αt) dG(t) over the distribution G of T, which is
-//! known in closed form:
+//! y is a sum of M unit exponentials (square law, M channels; weighted where bands of Doppler division
+//! overlap, `cell_power.rs`), independent of T. If T is one sum of Gamma variables (cell averaging), y > αT
+//! is a statement about such a sum too. Otherwise P_fa = ∫ P(y > αt) dG(t) over the distribution G of T,
+//! which is known in closed form:
 //!
 //! - greatest and smallest of two halves (Hansen, Sawyers, IEEE T-AES 16 (1980) 115; Trunk, T-AES 14 (1978)
 //!   750): G = F_A·F_B and G = 1 − (1 − F_A)(1 − F_B), F of each half's mean;
 //! - ordered statistic (Rohling, IEEE T-AES 19 (1983) 608): G(t) = I_u(k, N − k + 1), u = P(one cell < t).
-//!   One channel returns Rohling's product P_fa = Π_{i<k} (N − i)/(N − i + α).
+//!   One channel yields Rohling's product P_fa = Π_{i<k} (N − i)/(N − i + α).
 
 use crate::detection::cell_power::CellPower;
 use crate::detection::correlated_cells::{Correlation, Region};
@@ -16,7 +16,7 @@ use crate::numerics::incomplete_beta::beta_below;
 use crate::numerics::regula_falsi::falling_root;
 use crate::numerics::saddle_point_inversion::{WeightedGamma, probability_below};
 
-/// Threshold factor α over the mean of a region's cells.
+/// Threshold factor α for the mean of a region's cells.
 pub(crate) fn averaged_factor(mean: &[WeightedGamma], cell: &CellPower, rate: f64) -> f64 {
     falling_root(rate, |factor| {
         let scaled = |g: &WeightedGamma| WeightedGamma { weight: g.weight * factor * cell.mean(), ..*g };
@@ -25,33 +25,33 @@ pub(crate) fn averaged_factor(mean: &[WeightedGamma], cell: &CellPower, rate: f6
     })
 }
 
-/// Threshold factor α over the greater mean of two regions whose noise is independent.
+/// Threshold factor α for the greater mean of two regions with independent noise.
 pub(crate) fn greatest_of_factor(halves: [&[WeightedGamma]; 2], cell: &CellPower, rate: f64) -> f64 {
     factor(cell, rate, |t| halves.map(|half| probability_below(half, t)).iter().product())
 }
 
-/// Threshold factor α over the smaller mean of two regions whose noise is independent.
+/// Threshold factor α for the smaller mean of two regions with independent noise.
 pub(crate) fn smallest_of_factor(halves: [&[WeightedGamma]; 2], cell: &CellPower, rate: f64) -> f64 {
     factor(cell, rate, |t| {
         let [a, b] = halves.map(|half| probability_below(half, t));
-        // 1 − (1 − a)(1 − b) without the loss of small a and b.
+        // 1 − (1 − a)(1 − b) without cancellation for small a and b.
         a + b - a * b
     })
 }
 
-/// Threshold factor α over the cell of this rank, counted from 1 at the weakest, of independent cells.
+/// Threshold factor α for the cell of this rank, counted from 1 at the weakest, of independent cells.
 pub(crate) fn ordered_factor(cells: usize, rank: usize, cell: &CellPower, rate: f64) -> f64 {
     let (below, above) = (rank as f64, (cells - rank + 1) as f64);
     factor(cell, rate, |t| beta_below(below, above, cell.below(cell.mean() * t)))
 }
 
-/// Threshold factor α over the cell of this rank of a region whose cells correlate.
+/// Threshold factor α for the cell of this rank of a region with correlated cells.
 ///
-/// T < t where at least k of the N cells lie below t. Their number has the mean N·u, and, by Kibble's
-/// expansion of two correlated Gamma variables (Sankhyā 5 (1941) 137), the variance N·u(1 − u) + Σ_n c_n²
-/// Σ_{i≠j} κ_ij^n, c_n the coefficients of the step at t in Laguerre polynomials. It is that of n = N·(N u(1
-/// − u))/variance independent cells, each counted N/n times, of which k′ − ½ = (k − ½)·n/N are asked (½: a
-/// count is whole).
+/// T < t if at least k of the N cells lie below t. Their number has the mean N·u, and, by Kibble's expansion
+/// of two correlated Gamma variables (Sankhyā 5 (1941) 137), the variance N·u(1 − u) + Σ_n c_n² Σ_{i≠j}
+/// κ_ij^n, c_n the coefficients of the step at t in Laguerre polynomials. It equals that of n = N·(N u(1 −
+/// u))/variance independent cells, each counted N/n times, of which k′ − ½ = (k − ½)·n/N are required (½:
+/// counts are integers).
 pub(crate) fn correlated_ordered_factor(
     correlation: &Correlation,
     region: &Region,
@@ -73,7 +73,7 @@ pub(crate) fn correlated_ordered_factor(
     })
 }
 
-/// Terms of Kibble's expansion: κ^60 of the widest window's neighbours (0.8) is 2e-6.
+/// Number of terms of Kibble's expansion: κ^60 of the widest window's neighbours (0.8) is 2e-6.
 const TERMS: usize = 60;
 
 /// Coefficients c_n of the step at t, n = 1, 2, …: ∫₀^t x^{M−1}e^{−x}/Γ(M)·φ_n dx =
@@ -94,20 +94,20 @@ fn step_coefficients(channels: usize, t: f64) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Threshold factor α at which ∫ P(y > αt) dG(t) is the rate, T in units of one cell's mean.
+/// Threshold factor α at which ∫ P(y > αt) dG(t) equals the rate, with T in units of one cell's mean.
 fn factor(cell: &CellPower, rate: f64, below: impl Fn(f64) -> f64) -> f64 {
     let grid = Steps::new(rate, below);
     falling_root(rate, |factor| grid.false_alarm_rate(factor * cell.mean(), cell))
 }
 
-/// A distribution in steps: (t in the middle of a step, probability in it).
+/// A discretised distribution: (t at the centre of a step, probability of the step).
 struct Steps {
     steps: Vec<(f64, f64)>,
 }
 
 impl Steps {
-    /// Divides a distribution, given by its cumulative function, into steps. What lies below the grid passes
-    /// at most with its own probability, what lies above with less than the rate.
+    /// Divides a distribution, given by its cumulative function, into steps. The part below the grid passes
+    /// with its own probability at most, the part above with less than the rate.
     fn new(rate: f64, below: impl Fn(f64) -> f64) -> Self {
         let (mut low, mut high) = (0.9, 1.1);
         while below(low) > 1e-5 * rate {
@@ -176,8 +176,8 @@ mod tests {
     #[test]
     fn ordered_statistics_of_one_channel_have_rohlings_factors() {
         let one = CellPower::of_channels(1);
-        // physics.md §8, k = ¾N, Pfa 1e-4 and 1e-6; printed to four decimals, the midpoint rule keeps three
-        // digits more of the rate than of the factor.
+        // Values of physics.md §8, k = ¾N, Pfa 1e-4 and 1e-6, printed to four decimals; the midpoint rule
+        // keeps three more digits of the rate than of the factor.
         for (cells, at_1e4, at_1e6) in
             [(16, 11.0802, 20.9542), (32, 8.5801, 14.3985), (64, 7.5536, 11.9802), (128, 7.0855, 10.9292)]
         {
@@ -191,8 +191,8 @@ mod tests {
 
     #[test]
     fn one_channel_of_two_halves_has_its_closed_form() {
-        // Halves of one cell each: P(y > α·min) = 2/(2 + α)·…: min of two unit exponentials is exponential of
-        // mean ½, so 1/(1 + α/2); and max = both less min: 2/(1 + α) − 1/(1 + α/2).
+        // Halves of one cell each: P(y > α·min) = 2/(2 + α)·…: min of two unit exponentials is exponential
+        // with mean ½, so 1/(1 + α/2); and max = both less min: 2/(1 + α) − 1/(1 + α/2).
         let (half, one) = (independent(1.0, 1), CellPower::of_channels(1));
         for rate in [1e-2, 1e-4] {
             let smallest = smallest_of_factor([&half, &half], &one, rate);
@@ -205,7 +205,7 @@ mod tests {
 
     #[test]
     fn coefficients_of_a_step_have_its_variance() {
-        // Parseval: Σc_n² = u(1 − u); sixty terms of a jump's expansion keep most of it.
+        // Parseval: Σc_n² = u(1 − u); sixty terms of a jump's expansion retain most of it.
         for channels in [1, 12, 192] {
             let level = quantile(channels, 0.75);
             let sum: f64 = step_coefficients(channels, level).map(|c| c * c).sum();

@@ -1,10 +1,10 @@
-//! Peaks: strong cells that no neighbour exceeds, placed between cells, without the sidelobes of stronger
-//! peaks.
+//! Peaks: strong cells that no neighbour exceeds, interpolated between cells, without the sidelobes of
+//! stronger peaks.
 //!
-//! Beside detected cells, those count that the map's own noise level would have let pass: a vehicle fills the
-//! training cells of its own echoes, and cell averaging then hides the weaker ones between the stronger (a
-//! gap of 2.8 m in a car of 5 m). They make no points, but they tell that what lies on both sides of them is
-//! one body.
+//! Besides detected cells, those count that pass a threshold over the map's own noise level: a vehicle fills
+//! the training cells of its own echoes, so cell averaging hides the weaker ones between the stronger (a gap
+//! of 2.8 m in a car of 5 m). They yield no points, but show that the echoes on both sides of them are one
+//! body.
 
 use crate::detection::cfar::DETECTED;
 use crate::detection::interpolation::{Interpolator, Trio};
@@ -27,17 +27,16 @@ pub(crate) struct Peak {
     pub(crate) fine_column: f64,
     /// Power of the cell.
     pub(crate) power: f64,
-    /// Detected cells among it and its eight neighbours.
+    /// Number of detected cells among it and its eight neighbours.
     pub(crate) cells: u32,
-    /// Whether the detector found it, or its neighbours' echoes hid it.
+    /// Whether the detector found it; if not, echoes of its neighbours hid it.
     pub(crate) detected: bool,
-    /// Cell of the peak on whose slope it stands; its own cell where it stands on none
-    /// (`directional_peaks.rs`).
+    /// Cell of the peak on whose slope it lies; its own cell if it lies on none (`directional_peaks.rs`).
     pub(crate) summit: [usize; 2],
 }
 
 impl Peak {
-    /// A detected cell on a slope, taken at its centre.
+    /// A detected cell on a slope, placed at its centre.
     pub(crate) fn at_centre(row: usize, column: usize, power: f64) -> Self {
         Self {
             row,
@@ -52,22 +51,22 @@ impl Peak {
     }
 }
 
-/// Peak curves and sidelobe levels of a radar's two windows.
+/// Interpolation curves and sidelobe levels of a radar's two windows.
 pub(crate) struct PeakFinder {
     cells: MapCells,
     interpolators: [Interpolator; 2],
     leakage: Leakage,
 }
 
-/// A peak this little above the leakage of stronger ones is taken for leakage: two leaks in phase double
-/// their power.
+/// Power ratio over the leakage of stronger peaks up to which a peak is taken for leakage: two leaks in phase
+/// double their power.
 pub(crate) const LEAKAGE_MARGIN: f64 = 2.0;
-/// Leakage near the noise's level passes with what noise adds to it: it has to be passed by as much as noise
-/// alone hardly passes, from this part of that on; below, noise is what the detector judged it by.
+/// Share of the noise threshold from which leakage has to be exceeded by the full threshold too, since noise
+/// adds to it; below, the detector's comparison with noise suffices.
 const LEAKAGE_IN_NOISE: f64 = 0.05;
 
 impl PeakFinder {
-    /// Prepares for maps that were made with these windows.
+    /// Prepares for maps made with these windows.
     pub(crate) fn new(radar: &Radar, doppler: &[f64], range: &[f64]) -> Self {
         Self {
             cells: MapCells::of(radar),
@@ -76,9 +75,9 @@ impl PeakFinder {
         }
     }
 
-    /// Peaks of a power map `[doppler, range]` among the cells that the mask calls detected and those above
-    /// `noise_threshold`, strongest first; `values` `[channel, doppler, range]` tell where between cells they
-    /// lie.
+    /// Peaks of a power map `[doppler, range]` among the cells marked as detected and those above
+    /// `noise_threshold`, strongest first; `values` `[channel, doppler, range]` determine their positions
+    /// between cells.
     pub(crate) fn peaks(
         &self,
         power: ArrayView2<f64>,
@@ -97,7 +96,7 @@ impl PeakFinder {
         self.without_sidelobes(peaks, noise_threshold)
     }
 
-    /// Detected cells and the peak whose slope each stands on, in row-major order; those that climb to a
+    /// Detected cells and the peak on whose slope each lies, in row-major order; those that climb to a
     /// sidelobe are left out.
     pub(crate) fn slopes(
         &self,
@@ -151,7 +150,7 @@ impl PeakFinder {
         }
     }
 
-    /// Drops peaks that the leakage of stronger kept ones explains.
+    /// Drops peaks explained by the leakage of stronger kept ones.
     fn without_sidelobes(&self, peaks: Vec<Peak>, noise_threshold: f64) -> Vec<Peak> {
         let mut kept: Vec<Peak> = Vec::new();
         for peak in peaks {
@@ -165,19 +164,19 @@ impl PeakFinder {
         kept
     }
 
-    /// Largest share of a peak's power in a cell.
+    /// Maximum share of a peak's power in a cell.
     pub(crate) fn leak(&self, from: &Peak, cell: [usize; 2]) -> f64 {
         self.leakage.share([from.row, from.column], cell)
     }
 
-    /// Whether a cell is a peak among its neighbours: of equal ones the first in row-major order is.
+    /// Whether a cell is a peak among its neighbours; of equal ones the first in row-major order is.
     fn is_local_maximum(&self, power: ArrayView2<f64>, cell: [usize; 2]) -> bool {
         self.cells.around(cell).all(|other| exceeds(power, cell, other))
     }
 
-    /// The local maximum that the steepest climb from a cell reaches.
+    /// Local maximum reached by steepest ascent from a cell.
     fn summit(&self, power: ArrayView2<f64>, mut cell: [usize; 2]) -> [usize; 2] {
-        // Of equal powers the first cell counts as the higher one: every step climbs, and the walk ends.
+        // Among equal powers the first cell counts as the higher one: every step climbs, so the walk ends.
         while !self.is_local_maximum(power, cell) {
             let steeper = |a: [usize; 2], b: [usize; 2]| if exceeds(power, b, a) { b } else { a };
             cell = self.cells.around(cell).fold(cell, steeper);

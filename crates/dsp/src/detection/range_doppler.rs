@@ -1,5 +1,5 @@
-//! Range-Doppler map: window, FFT over samples, window, FFT over chirps, for every transmit–receive pair, and
-//! what its detector finds.
+//! Range-Doppler map (window, FFT over samples, window, FFT over chirps, for every transmit–receive pair) and
+//! its detections.
 
 use crate::detection::cfar::{self, Cfar};
 use crate::detection::empty_band::keep_true_folds;
@@ -12,17 +12,17 @@ use artifact::rdm::RdmFrame;
 use artifact::settings::Noise;
 use artifact::units::power_from_db;
 
-/// Origin of the noise that thresholds stand on.
+/// Origin of the noise level that thresholds are based on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Floor {
-    /// The map's own cells.
+    /// Estimated from the map's own cells.
     Estimated,
-    /// Nothing in the map: a floor below its peak stands in.
+    /// Assumed below the peak of a noise-free map.
     Assumed,
 }
 
 impl Floor {
-    /// Noise of samples that a converter counted is always there, whatever their scene says.
+    /// Origin for a header; quantized samples always contain noise, whatever the scene specifies.
     pub(crate) fn of(header: &CubeHeader) -> Self {
         match (header.noise, header.unit) {
             (Noise::Absent, SampleUnit::RootWatts) => Self::Assumed,
@@ -31,13 +31,13 @@ impl Floor {
     }
 }
 
-/// Whether maps of these cubes have noise to estimate: else a floor below their peak stands in, and with it
-/// stand thresholds and levels over noise.
+/// Whether maps of these cubes contain noise to estimate; otherwise thresholds and levels above noise are
+/// based on an assumed floor below the peak.
 pub fn has_noise(header: &CubeHeader) -> bool {
     Floor::of(header) == Floor::Estimated
 }
 
-/// The map of one frame, with the cells that a detector tested and those it found.
+/// Map of one frame, with the cells tested and detected by the detector.
 pub(crate) fn range_doppler(
     transform: &RangeDoppler,
     detector: &Cfar,
@@ -62,8 +62,7 @@ pub(crate) fn range_doppler(
     })
 }
 
-/// A noise-free map has no noise to estimate: a floor 60 dB below its peak stands in (`docs/scenes.md`,
-/// `[noise]`).
+/// Floor assumed for a noise-free map, 60 dB below its peak (`docs/scenes.md`, `[noise]`).
 fn assumed_floor(floor: Floor, power: &[f64]) -> Option<f64> {
     let peak = power.iter().copied().fold(0.0, f64::max);
     (floor == Floor::Assumed).then(|| peak * power_from_db(-FLOOR_BELOW_PEAK_DB))

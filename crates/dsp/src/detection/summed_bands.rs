@@ -2,8 +2,8 @@
 //! division a cell holds one of every transmitter, N/M rows apart on the circle of the N rows of a receiver.
 //!
 //! The sum of the powers of some cells is Σλ_i·E_i over the eigenvalues of the correlation between all their
-//! bands. Bands of cells a few rows apart meet where M is many of N, and those of one cell where a band is
-//! narrower than the window's main lobe: then the cell under test, too, is fewer variables than channels.
+//! bands. Bands of cells a few rows apart overlap if M is a large part of N, and those of one cell if a band
+//! is narrower than the window's main lobe: then the cell under test, too, has fewer variables than channels.
 
 use crate::numerics::symmetric_qr::eigenvalues;
 use crate::spectrum::division::Division;
@@ -12,19 +12,20 @@ use crate::spectrum::window::noise_correlation;
 use artifact::radar::Multiplexing;
 use std::f64::consts::TAU;
 
-/// Correlation ρ between the bands of cells, less the phase that no closed chain of cells keeps.
+/// Correlation ρ between the bands of cells, without the phase that cancels in closed chains of cells.
 pub(crate) struct SummedBands {
-    /// ρ by bands from one to the other, from −(bands − 1) on, then by cells.
+    /// Correlation ρ by band difference, from −(bands − 1) on, then by cell distance.
     rho: Vec<Vec<f64>>,
-    /// |ρ|² by cells: the mean over the bands of one of the sum over those of the other.
+    /// Power correlation |ρ|² by cell distance: the mean over one cell's bands of the sum over those of the
+    /// other.
     power: Vec<f64>,
 }
 
-/// Correlations below this are none: a region of 10⁴ cells gains less than 1e-8 by them.
+/// Correlation below which cells count as independent: a region of 10⁴ cells changes by less than 1e-8.
 const NEGLIGIBLE: f64 = 1e-6;
 
 impl SummedBands {
-    /// Bands of a radar's Doppler axis under a window, of cells up to so many rows apart.
+    /// Bands of a radar's Doppler axis under a window, for cells up to `most_rows` apart.
     pub(crate) fn of(division: &Division, taper: &[f64], most_rows: usize) -> Self {
         if division.multiplexing != Multiplexing::Ddm {
             return Self::alone(taper, most_rows);
@@ -33,7 +34,7 @@ impl SummedBands {
         Self::apart(taper, most_rows, division.transmitters, band_rows)
     }
 
-    /// One band of each cell, up to so many cells apart.
+    /// One band per cell, for cells up to `most_cells` apart.
     pub(crate) fn alone(taper: &[f64], most_cells: usize) -> Self {
         Self::apart(taper, most_cells, 1, 0.0)
     }
@@ -61,27 +62,28 @@ impl SummedBands {
         self.rho.len().div_ceil(2)
     }
 
-    /// Whether nothing correlates with anything else.
+    /// Whether all bands and cells are uncorrelated.
     pub(crate) fn are_white(&self) -> bool {
         self.count() == 1 && self.within()[1..].iter().all(|rho| *rho == 0.0)
     }
 
-    /// ρ of cells of one band, by their distance.
+    /// Correlation ρ of cells of one band, by their distance.
     pub(crate) fn within(&self) -> &[f64] {
         &self.rho[self.count() - 1]
     }
 
-    /// |ρ|² of cells by their distance: the mean over the bands of one of the sum over those of the other.
+    /// Power correlation |ρ|² of cells by their distance: the mean over one cell's bands of the sum over
+    /// those of the other.
     pub(crate) fn power(&self) -> &[f64] {
         &self.power
     }
 
-    /// [`Self::power`] of a cell with itself: more than 1 where its own bands meet.
+    /// [`Self::power`] of a cell with itself: more than 1 if its own bands overlap.
     pub(crate) fn with_itself(&self) -> f64 {
         if self.count() == 1 { 1.0 } else { self.power[0] }
     }
 
-    /// Correlation of all bands of so many cells in a row.
+    /// Correlation matrix of all bands of `cells` adjacent cells.
     pub(crate) fn matrix(&self, cells: usize) -> Vec<Vec<f64>> {
         let count = self.count();
         let places: Vec<[i64; 2]> =
@@ -95,7 +97,7 @@ impl SummedBands {
         eigenvalues(self.matrix(1))
     }
 
-    /// ρ of what lies so many cells and bands apart; none beyond what was asked for.
+    /// Correlation ρ at a distance in cells and bands; 0 beyond the computed range.
     pub(crate) fn rho(&self, cells: i64, bands: i64) -> f64 {
         let bands = bands * if cells < 0 { -1 } else { 1 };
         let of_cells = &self.rho[(self.count() as i64 - 1 + bands) as usize];

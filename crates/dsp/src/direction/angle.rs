@@ -1,10 +1,10 @@
-//! Direction of arrival: FFT over the virtual array, then the exact beam's peak.
+//! Direction of arrival: FFT over the virtual array, then the peak of the exact beam.
 //!
-//! A target at direction cosine u along the row makes the phase e^{−j2πp·u/λ} on an element at p (the mixer's
+//! A target at direction cosine u along the row gives the phase e^{−j2πp·u/λ} on an element at p (the mixer's
 //! sign: a target on the + side is nearer to + elements), so the angle spectrum is Σ x e^{+j2πp·u/λ}. The
 //! FFT, over elements snapped to a lattice, only finds the right lobe of the array's point-spread function;
 //! the peak is then climbed on the beam with the exact distances to every element, which a 0.34 m row needs
-//! at 25 m (0.9 rad of curvature) and a list of odd positions needs always.
+//! at 25 m (0.9 rad of curvature) and arbitrary positions always need.
 
 use crate::spectrum::axes::Axes;
 use crate::spectrum::code_division;
@@ -24,17 +24,17 @@ pub struct VirtualArray {
     cells: Axes,
     division: Division,
     position_m: DVec3,
-    /// Height of what is seen, where the array measures no elevation, m.
+    /// Height of targets where the array measures no elevation, m.
     assumed_height_m: f64,
     chirp_interval_s: f64,
     wavelength_m: f64,
-    /// Unit vectors of the aperture: right and up seen along the boresight, and the boresight itself.
+    /// Unit vectors of the aperture: right and up as seen along the boresight, and the boresight itself.
     axes: [DVec3; 3],
-    /// Transmit and receive element of each channel, world metres from the array's centre.
+    /// Transmit and receive element of each channel relative to the array's centre, world axes, metres.
     elements: Vec<[DVec3; 2]>,
-    /// Factor on the values of each channel; empty where there is no calibration.
+    /// Calibration factor of each channel; empty if there is no calibration.
     calibration: Vec<Complex64>,
-    /// Delay of each channel's chirps after those of the first transmitter, s.
+    /// Delay of each channel's chirps relative to those of the first transmitter, s.
     slot_s: Vec<f64>,
     /// |tx|² + |rx|² of each channel, m².
     squares_m2: Vec<f64>,
@@ -43,7 +43,7 @@ pub struct VirtualArray {
     transforms: [Arc<dyn Fft<f64>>; 2],
 }
 
-/// Direction cosines: along right and, where the array has rows, along up.
+/// Direction cosines along right and, if the array has elevation rows, along up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Direction {
     /// Direction cosine along the horizontal row; 0 where the array has no horizontal extent.
@@ -53,8 +53,8 @@ pub struct Direction {
 }
 
 impl Direction {
-    /// Direction cosines along right, up and ahead, squares of which add up to 1: a direction beyond the rim
-    /// of what is before the array, as the top of a beam may be told, is the nearest on the rim.
+    /// Direction cosines along right, up and ahead, whose squares add up to 1. A direction beyond the visible
+    /// region, as the peak of a beam may be, is replaced by the nearest on its rim.
     pub(crate) fn cosines(self) -> [f64; 3] {
         let (right, up) = (self.right, self.up.unwrap_or(0.0));
         let beyond = (right * right + up * up).sqrt().max(1.0);
@@ -63,15 +63,15 @@ impl Direction {
     }
 }
 
-/// Values of all channels in one cell, free of the phases of time and code division.
+/// Values of all channels in one cell, without the phases of time and code division.
 pub type Snapshot = Vec<Complex64>;
 
-/// Parabola steps of the climb: each quarters the step, so the last is 1/1000 of a beam and its rest far
-/// below 1e-4 of u.
+/// Number of parabola steps of the climb: each quarters the step, so the last is 1/1000 of a beamwidth and
+/// the remainder far below 1e-4 in u.
 const CLIMBS: usize = 5;
 
 impl VirtualArray {
-    /// The array of a radar (already checked for finite elements).
+    /// Array of a radar already checked for finite elements.
     pub fn new(header: &CubeHeader) -> Self {
         let radar = &header.radar;
         let [right, ahead, up] = radar::aperture::axes(radar);
@@ -110,20 +110,20 @@ impl VirtualArray {
         }
     }
 
-    /// Whether transmitters, and receivers too, differ in their places along the row.
+    /// Whether both transmitters and receivers have several positions along the row.
     pub(crate) fn ends_have_rows(&self) -> bool {
         let along = |end: usize| self.elements.iter().map(move |ends| ends[end].dot(self.axes[0]));
         let extent = |end: usize| along(end).fold(f64::MIN, f64::max) - along(end).fold(f64::MAX, f64::min);
-        // Rotated places agree to rounding, far below a wavelength.
+        // Rotated positions agree to rounding, far below a wavelength.
         (0..2).all(|end| extent(end) > 1e-6 * self.wavelength_m)
     }
 
-    /// Values of one cell; `velocity_mps` turns the later slots of time and code division back.
+    /// Values of one cell; `velocity_mps` removes the phases of the later slots of time and code division.
     pub fn snapshot(&self, map: &RdmFrame, cell: [usize; 2], velocity_mps: f64) -> Snapshot {
         self.snapshot_and_idle(map, cell, velocity_mps).0
     }
 
-    /// The values of [`Self::snapshot`], and the power of codes that no transmitter has.
+    /// Values of [`Self::snapshot`], and the power of unused codes.
     pub(crate) fn snapshot_and_idle(
         &self,
         map: &RdmFrame,
@@ -163,14 +163,14 @@ impl VirtualArray {
         values
     }
 
-    /// The strongest cell of the angle FFT over one or more cells of a map, their powers added: right to half
+    /// Strongest cell of the angle FFT over one or more cells of a map, their powers summed: accurate to half
     /// a cell of the FFT.
     pub fn fft_direction(&self, snapshots: &[Snapshot], range_m: f64) -> Direction {
         let found = self.coarse(snapshots, range_m);
         Direction { right: found.x, up: self.lattices[1].has_extent().then_some(found.y) }
     }
 
-    /// Direction of the strongest beam over one or more cells, their powers added: the FFT's, climbed.
+    /// Direction of the strongest beam over one or more cells, their powers summed: that of the FFT, climbed.
     pub fn direction(&self, snapshots: &[Snapshot], range_m: f64) -> Direction {
         let mut found = self.coarse(snapshots, range_m);
         let mut step = [0, 1].map(|axis: usize| self.lattices[axis].step());
@@ -190,12 +190,12 @@ impl VirtualArray {
         snapshot.iter().zip(steering).map(|(value, turn)| value * turn).sum()
     }
 
-    /// Power of a cell that an echo from this direction explains.
+    /// Power of a cell explained by an echo from this direction.
     pub(crate) fn explained(&self, snapshot: &[Complex64], direction: Direction, range_m: f64) -> f64 {
         self.beam(snapshot, &self.steering(direction, range_m)).norm_sqr() / snapshot.len() as f64
     }
 
-    /// Conjugate steering vector of a point at this direction and range: the weights that bring its echo into
+    /// Conjugate steering vector of a point at this direction and range: the weights that align its echo in
     /// phase on all channels.
     pub fn steering(&self, direction: Direction, range_m: f64) -> Vec<Complex64> {
         self.excess_m(direction, range_m)
@@ -204,12 +204,12 @@ impl VirtualArray {
             .collect()
     }
 
-    /// Rows and columns of its maps.
+    /// Rows and columns of the radar's maps.
     pub(crate) fn cells(&self) -> &Axes {
         &self.cells
     }
 
-    /// Transmitters and receivers of the array, and how the former share the air.
+    /// Transmitters and receivers of the array, and how transmitters are multiplexed.
     pub(crate) fn division(&self) -> &Division {
         &self.division
     }
@@ -219,7 +219,7 @@ impl VirtualArray {
         self.position_m
     }
 
-    /// Height of what it sees, above the world's ground, where it measures no elevation, m.
+    /// Height of targets above the world's ground where the array measures no elevation, m.
     pub(crate) fn assumed_height_m(&self) -> f64 {
         self.assumed_height_m
     }
@@ -234,7 +234,7 @@ impl VirtualArray {
         [tx, rx]
     }
 
-    /// Excess of the way to a point and back by each channel's elements over that by the array's centre, m.
+    /// Excess of the two-way path to a point via each channel's elements over that via the array's centre, m.
     pub fn excess_m(&self, direction: Direction, range_m: f64) -> Vec<f64> {
         let point = self.point(direction, range_m);
         self.elements
@@ -243,14 +243,14 @@ impl VirtualArray {
             .collect()
     }
 
-    /// Place of a point in world axes, from the array's centre, m.
+    /// Position of a point relative to the array's centre, world axes, m.
     fn point(&self, direction: Direction, range_m: f64) -> DVec3 {
         let [right, up, ahead] = self.axes;
         let [u, w, out_of_plane] = direction.cosines();
         range_m * (u * right + w * up + out_of_plane * ahead)
     }
 
-    /// Change of [`Self::excess_m`] with the direction cosines, m; 0 along axes on which the array has no
+    /// Derivatives of [`Self::excess_m`] with respect to the direction cosines, m; 0 along axes without
     /// extent.
     pub(crate) fn excess_slopes_m(&self, direction: Direction, range_m: f64) -> Vec<[f64; 2]> {
         // Central difference: the third derivative leaves 1e-12 of the slope, rounding of lengths below 1 m
@@ -269,13 +269,14 @@ impl VirtualArray {
         right.into_iter().zip(up).map(|(right, up)| [right, up]).collect()
     }
 
-    /// Most that a wavefront of a point at this range bends over the elements, transmit and receive together.
+    /// Maximum wavefront curvature over the elements for a point at this range, transmit and receive
+    /// together.
     pub(crate) fn curvature_cycles(&self, range_m: f64) -> f64 {
         let most_m2 = self.squares_m2.iter().copied().fold(0.0, f64::max);
         most_m2 / (2.0 * range_m.max(1e-3) * self.wavelength_m)
     }
 
-    /// Width of a beam in direction cosines along right and up, λ over the virtual extent; infinite without
+    /// Beamwidths in direction cosines along right and up, λ over the virtual extent; infinite without
     /// extent.
     pub fn beams(&self) -> [f64; 2] {
         [0, 1].map(|axis: usize| self.lattices[axis].beam())
@@ -296,7 +297,7 @@ impl VirtualArray {
         snapshots.iter().map(|snapshot| self.beam(snapshot, &steering).norm_sqr()).sum()
     }
 
-    /// One parabola on the logarithm of the beam's power along an axis, moving at most one step.
+    /// One parabola step on the logarithm of the beam's power along an axis, at most one step long.
     fn climb(&self, snapshots: &[Snapshot], range_m: f64, at: DVec2, axis: usize, step: f64) -> f64 {
         let along = DVec2::from([[1.0, 0.0], [0.0, 1.0]][axis]) * step;
         let [before, here, after] = [at - along, at, at + along]
@@ -307,7 +308,7 @@ impl VirtualArray {
         (at[axis] + offset * step).clamp(-1.0, 1.0)
     }
 
-    /// Strongest visible cell of the summed angle spectra; of equal ones the first, row by row.
+    /// Strongest visible cell of the summed angle spectra; the first, row by row, among equal ones.
     fn coarse(&self, snapshots: &[Snapshot], range_m: f64) -> DVec2 {
         let [columns, rows] = [0, 1].map(|axis: usize| self.lattices[axis].visible());
         let mut power = vec![0.0; columns.len() * rows.len()];
@@ -332,7 +333,7 @@ impl VirtualArray {
         best.0
     }
 
-    /// Angle spectrum along right of every row of the lattice that holds elements: `[filled row, column]`.
+    /// Angle spectra along right of all lattice rows that contain elements: `[filled row, column]`.
     fn transform_rows(&self, snapshot: &[Complex64], range_m: f64, work: &mut AngleFft) {
         let columns = self.lattices[0].cells();
         let AngleFft { grid, column, scratch } = work;
@@ -343,7 +344,7 @@ impl VirtualArray {
         scratch.resize(scratch_cells, Complex64::ZERO);
         let per_square_m2 = 1.0 / (2.0 * range_m.max(1e-3) * self.wavelength_m);
         for (channel, value) in snapshot.iter().enumerate() {
-            // Curvature of the wavefront as for a target ahead; what is left at the side is climbed.
+            // Wavefront curvature as for a target ahead; the climb corrects the remainder off boresight.
             let cycles = self.squares_m2[channel] * per_square_m2;
             let turn = turned_back(if cycles < FLAT { 0.0 } else { cycles });
             grid[self.filled.of_channels[channel] * columns + self.lattices[0].places()[channel]] +=
@@ -367,11 +368,11 @@ impl VirtualArray {
     }
 }
 
-/// Rows of the lattice along up that hold elements: those of a sparse array are few.
+/// Lattice rows along up that contain elements; a sparse array has few.
 struct Filled {
-    /// Places of the rows on the lattice, rising.
+    /// Indices of the rows on the lattice, ascending.
     rows: Vec<usize>,
-    /// Index among these rows, of each channel.
+    /// Index among these rows for each channel.
     of_channels: Vec<usize>,
 }
 
@@ -385,7 +386,7 @@ impl Filled {
     }
 }
 
-/// Memory of angle FFTs.
+/// Buffers of angle FFTs.
 #[derive(Default)]
 struct AngleFft {
     grid: Vec<Complex64>,
@@ -393,8 +394,8 @@ struct AngleFft {
     scratch: Vec<Complex64>,
 }
 
-/// Bytes that the search of a cell's direction holds at most: the power of every direction, and the spectra
-/// of rows, of which an oversampled grid has elements in a part alone.
+/// Maximum memory of the direction search of a cell, bytes: the power of every direction, and the spectra of
+/// rows, of which an oversampled grid has elements only in a part.
 pub fn search_bytes(radar: &Radar) -> u64 {
     let [across, up] = lattices(radar);
     let power = (across.visible().len() * up.visible().len()) * size_of::<f64>();
@@ -407,10 +408,10 @@ fn turned_back(cycles: f64) -> Complex64 {
     if cycles == 0.0 { Complex64::ONE } else { Complex64::from_polar(1.0, -TAU * cycles.fract()) }
 }
 
-/// A curvature of so many cycles moves no cell of an FFT: it costs 1e-5 of the beam.
+/// Curvature in cycles that changes no cell of an FFT: it costs 1e-5 of the beam.
 const FLAT: f64 = 1e-3;
 
-/// |point − element| − range, without the cancellation of two lengths.
+/// Path difference |point − element| − range, without cancellation between two lengths.
 fn excess_m(point: DVec3, element: DVec3, range_m: f64) -> f64 {
     let distance = (point - element).length();
     let difference = element.length_squared() - 2.0 * point.dot(element);

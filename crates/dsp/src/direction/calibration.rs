@@ -1,8 +1,8 @@
-//! Errors of the virtual array's channels, measured on a reflector that stands at a known place.
+//! Errors of the virtual array's channels, measured on a reflector at a known position.
 //!
-//! What its echo has in a channel, less the phase of its exact way there and back, is the channel's own gain
-//! and phase, but for one factor of all. White noise moves a phase by 1/√(2·SNR) rad of the channel's cell;
-//! frames are averaged.
+//! A channel's value of its echo, without the phase of the exact two-way path, is the channel's own gain and
+//! phase, up to one common factor. White noise shifts a phase by 1/√(2·SNR) rad of the channel's cell; frames
+//! are averaged.
 
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::error::DspError;
@@ -14,14 +14,13 @@ use glam::DVec3;
 use ndarray::ArrayView2;
 use num_complex::Complex64;
 
-/// The weakest channel's cell over its noise that is believed, dB: 4° of phase.
+/// Minimum SNR of the weakest channel's cell, dB: 4° of phase.
 const LEAST_SNR_DB: f64 = 20.0;
-/// Range cells on either side of the known one where the echo is looked for: lines are up to half a cell
-/// long.
+/// Range cells searched on either side of the known one: feed lines are up to half a cell long.
 const REACH: usize = 2;
 
-/// Gain and phase of each transmit–receive pair, tx·N_rx + rx, against an ideal one; their mean power is 1,
-/// their sum real.
+/// Gain and phase of each transmit–receive pair, tx·N_rx + rx, relative to an ideal one; their mean power is
+/// 1, their sum is real.
 ///
 /// The reflector is at rest at `position_m`, world metres. The array's calibration is not used.
 pub(crate) fn channel_errors(
@@ -46,8 +45,8 @@ pub(crate) fn channel_errors(
     Ok(normalized(snapshot.iter().zip(steering).map(|(value, turn)| value * turn).collect()))
 }
 
-/// The mean of several frames' errors, of which each is known but for a factor of all: a frame is turned to
-/// the first by Σ e·conj e₁, which is as large as both are, whatever the errors add up to.
+/// Mean of several frames' errors, each of which is known up to a common factor: a frame is rotated in phase
+/// to the first by Σ e·conj e₁, which has the magnitude of both whatever the sum of the errors.
 pub fn mean_errors(frames: &[Vec<Complex64>]) -> Vec<Complex64> {
     let Some(first) = frames.first() else { return vec![] };
     let mut sums = vec![Complex64::ZERO; first.len()];
@@ -59,11 +58,11 @@ pub fn mean_errors(frames: &[Vec<Complex64>]) -> Vec<Complex64> {
     normalized(sums)
 }
 
-/// Row and column, at zero velocity near a range.
+/// Row and column of the strongest cell at zero velocity near a range.
 fn strongest_at_rest(axes: &Axes, power: ArrayView2<f64>, range_m: f64) -> Result<[usize; 2], DspError> {
     let (row, columns) = (axes.rows / 2, axes.columns);
     let expected = axes.column_at(range_m).round();
-    // What is no number is at no range.
+    // A NaN range is rejected as well.
     if !(range_m > 0.0 && expected < columns as f64) {
         return Err(DspError::ReflectorRange { range_m, limit_m: axes.range_max_m });
     }

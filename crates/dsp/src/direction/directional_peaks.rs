@@ -1,9 +1,9 @@
-//! Peaks of range, velocity and direction together, where the power summed over channels shows a slope.
+//! Peaks in range, velocity and direction jointly, where the power summed over channels shows only a slope.
 //!
-//! Bodies abreast at one velocity, whose fronts stand a cell or two apart in range, lie under one main lobe
-//! of the map: the stronger is the peak, the others stand on its slope. A beam towards one of them leaves the
-//! others out, and in it the cell is the highest around. What it holds has to be more than the main lobes and
-//! sidelobes of stronger echoes, seen in the same beam.
+//! Bodies abreast at one velocity, whose fronts are a cell or two apart in range, lie under one main lobe of
+//! the map: the stronger is the peak, the others lie on its slope. A beam towards one of them suppresses the
+//! others, and in it the cell is the local maximum. Its power must exceed the main lobes and sidelobes of
+//! stronger echoes in the same beam.
 
 use crate::detection::interpolation::Trio;
 use crate::detection::peaks::{Peak, PeakFinder};
@@ -12,7 +12,7 @@ use artifact::rdm::RdmFrame;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// A map through its array.
+/// A map seen through its array.
 pub(crate) struct Beams<'a> {
     pub(crate) map: &'a RdmFrame,
     pub(crate) array: &'a VirtualArray,
@@ -20,8 +20,8 @@ pub(crate) struct Beams<'a> {
 }
 
 impl Beams<'_> {
-    /// Peaks of their own on the slopes of `peaks`, strongest first: `slopes` are detected cells and whose
-    /// slope they stand on.
+    /// Additional peaks on the slopes of `peaks`, strongest first; `slopes` are detected cells and the peak
+    /// on whose slope each lies.
     pub(crate) fn on_slopes(&self, slopes: &[([usize; 2], usize)], peaks: &[Peak]) -> Vec<Peak> {
         if !self.array.beams().iter().any(|beam| beam.is_finite()) {
             return vec![];
@@ -42,7 +42,7 @@ impl Beams<'_> {
         (is_highest && power > self.leaked(&beam, cell, peaks)).then(|| self.placed(&beam, cell, summit))
     }
 
-    /// Power that all peaks together may leave in a cell of this beam.
+    /// Maximum power that all peaks together may leave in a cell of this beam.
     fn leaked(&self, beam: &Beam, cell: [usize; 2], peaks: &[Peak]) -> f64 {
         let of = |peak: &Peak| self.finder.leak(peak, cell) * beam.power(self, [peak.row, peak.column]);
         crate::detection::peaks::LEAKAGE_MARGIN * peaks.iter().map(of).sum::<f64>()
@@ -66,7 +66,7 @@ impl Beams<'_> {
     }
 }
 
-/// A beam of the array to one direction, for cells about one velocity.
+/// A beam of the array in one direction, for cells around one velocity.
 struct Beam {
     steering: Vec<Complex64>,
     velocity_mps: f64,

@@ -1,42 +1,42 @@
-//! Whether an echo's direction of departure is another than that of its arrival: a multipath ghost, made by
-//! two bodies and standing at neither.
+//! Multipath ghosts between two bodies, located at neither: echoes whose direction of departure differs from
+//! that of arrival.
 //!
-//! Between two bodies a wave runs both ways round, equally long and, with transmitters and receivers side by
-//! side, equally strong (reciprocity): with t(u) and r(u) the phases of transmit and receive elements towards
-//! direction u, channels hold a·(t(u)r(v) + t(v)r(u)). One body alone is u = v. Several bodies in one cell,
-//! each for itself, are sums of t(u)r(u). Which of the two the channels hold is asked by likelihood: the pair
-//! has to leave less than the direct echoes that maximum likelihood finds
-//! ([`crate::direction::point_sources`]), by more than noise and its greater freedom would give it.
+//! Between two bodies a wave travels both ways round, over equal lengths and, with transmitters and receivers
+//! side by side, with equal strength (reciprocity): with t(u) and r(u) the phases of transmit and receive
+//! elements towards direction u, channels hold a·(t(u)r(v) + t(v)r(u)). A single body is u = v. Several
+//! independent bodies in one cell give sums of t(u)r(u). A likelihood test decides between the two: the
+//! residual of the pair must be smaller than that of the direct echoes found by maximum likelihood
+//! ([`crate::direction::point_sources`]), by more than noise and its greater freedom would explain.
 //!
-//! That departure and arrival differ is what tells ghosts in MIMO radars (Engels, Heidenreich, Wintermantel,
-//! Stäcker, Al Kadi and Zoubir, IEEE Signal Process. Mag. 38(4), 2021); it needs more than one transmit and
-//! more than one receive element along the row.
+//! Different directions of departure and arrival identify ghosts in MIMO radars (Engels, Heidenreich,
+//! Wintermantel, Stäcker, Al Kadi and Zoubir, IEEE Signal Process. Mag. 38(4), 2021); this needs more than
+//! one transmit and more than one receive element along the row.
 
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::direction::point_sources::direct_fit;
 use num_complex::Complex64;
 
-/// A multipath ghost: the directions of departure and of arrival, which its wave went both ways round, and
-/// how much better they explain a cell than direct echoes do.
+/// A multipath ghost: the directions of departure and of arrival, travelled both ways round, and how much
+/// better they explain a cell than direct echoes do.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MultipathGhost {
     /// Directions of the two bodies.
     pub directions: [Direction; 2],
-    /// Log-likelihood over that of direct echoes, each less half its parameters times ln of the real samples
-    /// (Schwarz 1978).
+    /// Log-likelihood relative to that of direct echoes, each less half its number of parameters times ln of
+    /// the number of real samples (Schwarz 1978).
     pub evidence: f64,
 }
 
-/// Chance that noise makes a direct echo look like two ways, as far as it is a matter of noise.
+/// Probability that noise alone makes a direct echo look like a ghost.
 const FALSE_RATE: f64 = 1e-4;
-/// A pair nearer than this many beams is one direction.
+/// Separation in beamwidths below which a pair is one direction.
 const LEAST_APART_BEAMS: f64 = 0.5;
-/// Steps of the search for the pair, in beams.
+/// Search step for the pair, in beamwidths.
 const STEP_BEAMS: f64 = 0.5;
-/// Passes of the climb, and what each leaves of its step: that of the last is 0.012 beams.
+/// Number of climbing passes, and the factor by which each reduces the step; the last is 0.012 beamwidths.
 const PASSES: usize = 7;
 const SHRINKAGE: f64 = 0.6;
-/// Steps of a pass: which of the pair, along which axis, to which side.
+/// Steps of a pass: element of the pair, axis, sign.
 const CLIMB_STEPS: [(usize, usize, f64); 8] = [
     (0, 0, 1.0),
     (0, 0, -1.0),
@@ -47,20 +47,20 @@ const CLIMB_STEPS: [(usize, usize, f64); 8] = [
     (1, 1, 1.0),
     (1, 1, -1.0),
 ];
-/// Wavefronts that curve less than this over the array are flat: it costs (2π·0.01)² of the power, −24 dB.
+/// Wavefront curvature over the array that is neglected: it costs (2π·0.01)² of the power, −24 dB.
 const FLAT_CYCLES: f64 = 0.01;
-/// Grids of more directions than this would take longer than the rest of a detection.
+/// Maximum number of grid directions; more would take longer than the rest of a detection.
 const MOST_DIRECTIONS: usize = 512;
 
-/// Whether this array tells such a pair from direct echoes at all: both its transmitters and its receivers
-/// stand in more than one place along the row (else one end has the same phases for both directions, and the
-/// pair is a sum of two direct echoes), and the row is not too long to be searched.
+/// Whether this array can distinguish such a pair from direct echoes: both its transmitters and its receivers
+/// have several positions along the row (otherwise one end has the same phases for both directions, and the
+/// pair is a sum of two direct echoes), and the row is not too long to search.
 pub(crate) fn can_tell(array: &VirtualArray) -> bool {
     let steps = (1.0 / (STEP_BEAMS * array.beams()[0])).floor();
     array.ends_have_rows() && 2.0 * steps + 1.0 <= MOST_DIRECTIONS as f64
 }
 
-/// The pair of directions that a cell's echo went by; `None` where direct echoes explain it, or the array
+/// Pair of directions that a cell's echo travelled by; `None` if direct echoes explain it, or if the array
 /// cannot tell. `direct` is the direction of the strongest beam, `noise` the mean noise power of one channel.
 pub fn multipath_ghost(
     array: &VirtualArray,
@@ -72,18 +72,18 @@ pub fn multipath_ghost(
     let rows = Rows::of(array, snapshot, range_m)?;
     let start = rows.coarse(direct.up)?;
     let (pair, by_waves) = rows.climbed(start);
-    // Pairs of beams among which the best was chosen.
+    // Pairs of beams from which the best was chosen.
     let beams = array.beams().into_iter().filter(|beam| beam.is_finite());
     let least_evidence = beams.map(|beam| (2.0 / beam).powi(2)).product::<f64>().ln() - FALSE_RATE.ln();
     let alone = array.explained(snapshot, direct, range_m);
-    // Most cells end here: one direct echo explains them as well.
+    // Most cells end here: one direct echo explains them equally well.
     let apart_beams = (pair[0].right - pair[1].right).abs() / array.beams()[0];
     if apart_beams < LEAST_APART_BEAMS || by_waves - alone <= least_evidence * noise || noise <= 0.0 {
         return None;
     }
     let total: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
     let (directly, directions) = direct_fit(array, snapshot, range_m, noise);
-    // Complex amplitudes and directions, with elevations where there are any.
+    // Complex amplitudes and directions, including elevations if measured.
     let axes = 1 + usize::from(direct.up.is_some());
     let [of_pair, of_direct] = [2 + 2 * axes, directions * (2 + axes)].map(|count| count as f64);
     let evidence = (directly - (total - by_waves)) / noise
@@ -99,7 +99,7 @@ struct Rows<'a> {
     range_m: f64,
 }
 
-/// Conjugate steering vectors of one direction, of transmit and of receive elements.
+/// Conjugate steering vectors of one direction, for transmit and for receive elements.
 struct SteeringVectors {
     direction: Direction,
     tx: Vec<Complex64>,
@@ -107,7 +107,7 @@ struct SteeringVectors {
 }
 
 impl<'a> Rows<'a> {
-    /// `None` where one end has a single element.
+    /// Arranges a snapshot; `None` if one end has a single element.
     fn of(array: &'a VirtualArray, snapshot: &'a [Complex64], range_m: f64) -> Option<Self> {
         let receivers = array.division().receivers;
         let values: Vec<&[Complex64]> = snapshot.chunks_exact(receivers.max(1)).collect();
@@ -123,7 +123,7 @@ impl<'a> Rows<'a> {
         SteeringVectors { direction, tx, rx }
     }
 
-    /// The best pair of a grid over all that is visible at one elevation.
+    /// Best pair on a grid over the visible region at one elevation.
     fn coarse(&self, up: Option<f64>) -> Option<[Direction; 2]> {
         let beam = self.array.beams()[0];
         let edge = (1.0 - up.unwrap_or(0.0).powi(2)).max(0.0).sqrt();
@@ -148,11 +148,11 @@ impl<'a> Rows<'a> {
         best.map(|(_, pair)| pair)
     }
 
-    /// The best pair near this one, each of its own elevation, and the power that it explains.
+    /// Best pair near this one, each with its own elevation, and the power that it explains.
     ///
-    /// Waves curve as from points at the range that the cell shows, or half as much: a flat body mirrors the
-    /// other end, which appears at the whole way's length. Over 12 × 16 elements that is half a radian at 50
-    /// m, over 3 × 4 nothing.
+    /// Wavefronts are those of points at the cell's apparent range or at half of it: a flat body mirrors the
+    /// other end, which appears at the length of the whole path. Over 12 × 16 elements the difference is half
+    /// a radian at 50 m, over 3 × 4 nothing.
     fn climbed(&self, start: [Direction; 2]) -> ([Direction; 2], f64) {
         let curved = self.climbed_at(start, self.range_m);
         if self.array.curvature_cycles(self.range_m) < FLAT_CYCLES {
@@ -162,7 +162,7 @@ impl<'a> Rows<'a> {
         if flatter.1 > curved.1 { flatter } else { curved }
     }
 
-    /// Steps to neighbours as long as they are better, ever smaller.
+    /// Moves to better neighbours, with ever smaller steps.
     fn climbed_at(&self, start: [Direction; 2], range_m: f64) -> ([Direction; 2], f64) {
         let (mut pair, mut best) = (start, self.power(&start, range_m));
         let mut part = 0.5 * STEP_BEAMS;
@@ -178,7 +178,7 @@ impl<'a> Rows<'a> {
         (pair, best)
     }
 
-    /// Power that the pair explains.
+    /// Power explained by the pair.
     fn power(&self, pair: &[Direction; 2], range_m: f64) -> f64 {
         if pair.iter().any(|d| d.right.powi(2) + d.up.unwrap_or(0.0).powi(2) >= 1.0) {
             return 0.0;
@@ -188,7 +188,7 @@ impl<'a> Rows<'a> {
         sum.norm_sqr() / norm(&u, &v)
     }
 
-    /// Signal at each receive element of what left towards a direction.
+    /// Signal at each receive element from departure in a direction.
     fn departed(&self, steering: &SteeringVectors) -> Vec<Complex64> {
         let mut sums = vec![Complex64::ZERO; steering.rx.len()];
         for (row, turn) in self.values.iter().zip(&steering.tx) {
@@ -198,7 +198,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// Moves a direction along right (axis 0) or, where there is one, along up.
+/// Moves a direction along right (axis 0) or, if measured, along up.
 fn moved(direction: &mut Direction, axis: usize, by: f64) {
     match axis {
         0 => direction.right += by,

@@ -1,11 +1,11 @@
 //! Directions of several echoes in one cell: deterministic maximum likelihood on a single snapshot.
 //!
-//! A map cell gives one value per channel, so no covariance can be averaged and methods on its eigenvectors
-//! (MUSIC, ESPRIT) would have to smooth over sub-arrays, which sparse rows and elevation rows do not have.
-//! Maximum likelihood needs none of it: the directions whose echoes leave the smallest residual (Ziskind and
-//! Wax, IEEE Trans. ASSP 36 (1988) 1553, here by Gauss–Newton with the amplitudes projected out: Golub and
-//! Pereyra, SIAM J. Numer. Anal. 10 (1973) 413), any array, spherical waves. One echo more is believed if it
-//! takes more from the residual than noise would (generalised likelihood ratio).
+//! A map cell gives one value per channel, so no covariance can be averaged, and eigenvector methods (MUSIC,
+//! ESPRIT) would have to smooth over sub-arrays, which sparse rows and elevation rows lack. Maximum
+//! likelihood needs none of this: it finds the directions whose echoes leave the smallest residual (Ziskind
+//! and Wax, IEEE Trans. ASSP 36 (1988) 1553, here by Gauss–Newton with the amplitudes projected out: Golub
+//! and Pereyra, SIAM J. Numer. Anal. 10 (1973) 413), for any array and spherical waves. An additional echo is
+//! accepted if it reduces the residual by more than noise would (generalised likelihood ratio).
 
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::numerics::cholesky::solve;
@@ -15,22 +15,22 @@ use std::f64::consts::TAU;
 /// An echo in a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Source {
-    /// Seen from the array.
+    /// Direction, seen from the array.
     pub direction: Direction,
     /// Power summed over channels.
     pub power: f64,
 }
 
-/// Most echoes that are looked for in one cell.
+/// Maximum number of echoes in one cell.
 pub(crate) const MOST_SOURCES: usize = 3;
-/// Right and up of each.
+/// Direction cosines along right and up of each echo.
 const PARAMETERS: usize = 2 * MOST_SOURCES;
-/// Chance that noise alone makes an echo of a cell that holds one less.
+/// Probability that noise alone adds an echo to a cell.
 const FALSE_SPLIT_RATE: f64 = 1e-4;
-/// An echo below this part of the cell's power is not believed: a range cell's response differs by up to −30
-/// dB along a row of 0.34 m.
+/// Share of the cell's power below which an echo is rejected: a range cell's response differs by up to −30 dB
+/// along a row of 0.34 m.
 const WEAKEST_SHARE: f64 = 1e-3;
-/// Starts left and right of an echo that may be two, in beams (λ over the array's extent).
+/// Starting offsets left and right of an echo that may be two, in beamwidths (λ over the array's extent).
 const SPLITS: [f64; 3] = [0.15, 0.4, 0.9];
 /// Gauss–Newton steps: from these starts the residual settles to 1e-6 of the noise within about ten.
 const GAUSS_NEWTON_STEPS: usize = 16;
@@ -44,7 +44,7 @@ pub fn sources(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise
     }
 }
 
-/// Power that the echoes of [`sources`] leave of a cell, and how many they are.
+/// Residual power after subtracting the echoes of [`sources`] from a cell, and their number.
 pub(crate) fn direct_fit(
     array: &VirtualArray,
     snapshot: &[Complex64],
@@ -56,8 +56,7 @@ pub(crate) fn direct_fit(
     fit.map_or((power(snapshot), 0), |fit| (fit.residual_power, fit.directions.len()))
 }
 
-/// Fits as many echoes as noise would not have made of less; `None` where the strongest beam's direction is
-/// not visible.
+/// Fits as many echoes as noise does not explain; `None` if the strongest beam's direction is not visible.
 fn likeliest(
     array: &VirtualArray,
     snapshot: &[Complex64],
@@ -69,7 +68,8 @@ fn likeliest(
     let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
     // Two amplitudes and a direction fitted over as many beams as channels: Pr(reduction > tσ²) ≈ M·t·e^{−t}.
     let threshold = split_threshold(snapshot.len()) * noise;
-    // Each echo takes a complex amplitude and a direction: more than a third of the channels tell nothing.
+    // Each echo takes a complex amplitude and a direction: more echoes than a third of the channels leave no
+    // evidence.
     while best.directions.len() < MOST_SOURCES.min(snapshot.len() / 3) {
         match one_more(array, snapshot, range_m, &best) {
             Some(more)
@@ -84,9 +84,9 @@ fn likeliest(
     Some(best)
 }
 
-/// Cramér–Rao bound of the direction cosines of echoes of known number: least standard errors along right and
-/// up of each (Stoica and Nehorai, IEEE Trans. ASSP 37 (1989) 720, eq. 4.1, of one snapshot); 0 along axes
-/// without extent, `None` where two coincide.
+/// Cramér–Rao bound of the direction cosines of a known number of echoes: minimum standard errors of each
+/// along right and up (Stoica and Nehorai, IEEE Trans. ASSP 37 (1989) 720, eq. 4.1, for one snapshot); 0
+/// along axes without extent, `None` if two coincide.
 pub fn least_errors(
     array: &VirtualArray,
     echoes: &[(Direction, Complex64)],
@@ -118,15 +118,15 @@ pub fn least_errors(
         .collect()
 }
 
-/// Threshold t, in powers of one channel's noise, that solves M·t·e^{−t} = the rate.
+/// Threshold t, in units of one channel's noise power, that solves M·t·e^{−t} = the rate.
 fn split_threshold(channels: usize) -> f64 {
     let beams = channels as f64;
     let next = |t: f64, _| (beams * t / FALSE_SPLIT_RATE).ln();
-    // Each step takes nine tenths of what is missing.
+    // Each step removes nine tenths of the error.
     (0..20).fold(10.0, next)
 }
 
-/// The best fit with one echo more: one of those there made two, or a new one where the residual's beam is
+/// Best fit with one more echo: an existing one split in two, or a new one where the residual's beam is
 /// strongest.
 fn one_more(
     array: &VirtualArray,
@@ -153,7 +153,7 @@ fn one_more(
     fits.min_by(|a, b| a.residual_power.total_cmp(&b.residual_power))
 }
 
-/// Gauss–Newton with Levenberg's and Marquardt's damping, which only ever lowers the residual.
+/// Gauss–Newton with Levenberg–Marquardt damping, which never increases the residual.
 fn settled(
     array: &VirtualArray,
     snapshot: &[Complex64],
@@ -196,7 +196,7 @@ struct AmplitudeFit {
 }
 
 impl AmplitudeFit {
-    /// `None` where a direction is not visible or two cannot be told apart.
+    /// Fits the amplitudes; `None` if a direction is not visible or two are indistinguishable.
     fn new(
         array: &VirtualArray,
         snapshot: &[Complex64],
@@ -211,7 +211,7 @@ impl AmplitudeFit {
                 array.steering(*direction, range_m).iter().map(|turn| turn.conj()).collect();
             let mut column: Vec<Complex64> = basis.iter().map(|q| take_out(q, &mut echo)).collect();
             let left = power(&echo).sqrt();
-            // Closer than this the amplitudes are beyond a thousand times the echo: a beam's 1/2000.
+            // Closer than 1/2000 of a beamwidth the amplitudes exceed a thousand times the echo.
             (left > 1e-3 * (snapshot.len() as f64).sqrt()).then_some(())?;
             echo.iter_mut().for_each(|v| *v /= left);
             column.push(left.into());
@@ -228,7 +228,7 @@ impl AmplitudeFit {
         Some(Self { directions: directions.to_vec(), amplitudes, basis, residual, residual_power })
     }
 
-    /// Change of all directions, [right, up] of each, that lowers the residual to first order.
+    /// Step of all directions, [right, up] of each, that lowers the residual to first order.
     fn step(&self, array: &VirtualArray, range_m: f64, damping: f64) -> Option<[f64; PARAMETERS]> {
         let slopes = self.slopes(array, range_m);
         let mut matrix = [[0.0; PARAMETERS]; PARAMETERS];
@@ -242,7 +242,8 @@ impl AmplitudeFit {
         solve(matrix, right)
     }
 
-    /// Change of the echoes with each direction cosine, what the amplitudes can follow taken out.
+    /// Derivatives of the echoes with respect to each direction cosine, without what the amplitudes can
+    /// absorb.
     fn slopes(&self, array: &VirtualArray, range_m: f64) -> Vec<Vec<Complex64>> {
         let of_echo = |(direction, amplitude): (&Direction, &Complex64)| {
             let steering = array.steering(*direction, range_m);
@@ -282,7 +283,7 @@ fn inner(q: &[Complex64], v: &[Complex64]) -> Complex64 {
     q.iter().zip(v).map(|(a, b)| a.conj() * b).sum()
 }
 
-/// Takes a unit vector's part out of `v` and returns it.
+/// Removes the component along a unit vector from `v` and returns it.
 fn take_out(q: &[Complex64], v: &mut [Complex64]) -> Complex64 {
     let part = inner(q, v);
     v.iter_mut().zip(q).for_each(|(v, q)| *v -= part * q);

@@ -1,29 +1,29 @@
-//! Places in world axes, found from range and direction cosines.
+//! Positions in world axes from range and direction cosines.
 
 use crate::direction::angle::{Direction, VirtualArray};
 use artifact::points::Height;
 use glam::DVec3;
 
-/// Place of a point in world axes, with its angles.
+/// Position of a point in world axes, with its angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place {
     /// World metres.
     pub(crate) position_m: DVec3,
     /// Azimuth from +y towards +x.
     pub(crate) azimuth_rad: f64,
-    /// Above the horizon.
+    /// Elevation above the horizon.
     pub(crate) elevation_rad: f64,
-    /// What the height stands on.
+    /// Basis of the height.
     pub(crate) height: Height,
 }
 
-/// Place of a point at `range_m` from the array's centre.
+/// Position of a point at `range_m` from the array's centre.
 ///
 /// With elevation rows both direction cosines are measured. Without, range and the one cosine u leave a
-/// circle (the sphere cut by the cone around the row); the assumed height h picks the point in front of the
-/// array ([`at_height`]). A circle that stays above it, R²(1 − u²) < (h − z_radar)², holds no such point:
-/// then it is the one at the array's own height, whose azimuth is the boresight's and the cone's angle
-/// asin u.
+/// circle (the sphere cut by the cone around the row); the assumed height h selects the point in front of the
+/// array ([`at_height`]). A circle that stays above it, R²(1 − u²) < (h − z_radar)², has no such point: then
+/// the point is at the array's own height, and its azimuth is that of the boresight plus the cone angle asin
+/// u.
 pub(crate) fn place(array: &VirtualArray, direction: Direction, range_m: f64) -> Place {
     let [right, up, ahead] = array.axes();
     let [u, w, out_of_plane] = direction.cosines();
@@ -42,7 +42,7 @@ pub(crate) fn place(array: &VirtualArray, direction: Direction, range_m: f64) ->
     }
 }
 
-/// Along the row R·u, ahead √(R² − (R·u)² − h²), up h; `None` where the point is nearer than its height.
+/// Position R·u along the row, √(R² − (R·u)² − h²) ahead, h up; `None` if the range is less than the height.
 fn at_height(range_m: f64, u: f64, up_m: f64) -> Option<[f64; 3]> {
     let across_m = range_m * across(u);
     let ahead2_m2 = (across_m - up_m.abs()) * (across_m + up_m.abs());
@@ -54,7 +54,7 @@ fn across(u: f64) -> f64 {
     (1.0 - u * u).max(0.0).sqrt()
 }
 
-/// World axes of along, ahead and up: the row is horizontal, so is the direction across it.
+/// World axes from along, ahead and up: the row is horizontal, and so is the direction across it.
 fn of_row(right: DVec3, [along_m, ahead_m, up_m]: [f64; 3]) -> DVec3 {
     along_m * right + ahead_m * DVec3::Z.cross(right) + up_m * DVec3::Z
 }

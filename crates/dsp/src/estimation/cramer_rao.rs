@@ -1,26 +1,27 @@
-//! Cramér–Rao bound of a lone point echo: the smallest standard error that any unbiased estimate can have.
+//! Cramér–Rao bound of an isolated point echo: the minimum standard error of any unbiased estimate.
 //!
 //! A tone of unknown amplitude and phase over N regular samples has var(cycles per sample) ≥ 6/(4π²·γ·N(N² −
 //! 1)), γ the power ratio of one sample (Rife and Boorstyn, IEEE Trans. IT 20 (1974) 591, eq. 16; Kay,
 //! Fundamentals of Statistical Signal Processing (1993), example 3.14). Over samples × chirps × elements the
-//! phase is a sum of one term for each axis, whose moments about their means do not mix, so the bounds of the
-//! three axes hold side by side, each with the signal-to-noise ratio of all values together.
-//! `docs/physics.md` §8 counts it per cell of one channel: γ·N_s·N_c.
+//! phase is a sum of one term per axis, whose central moments do not mix, so the bounds of the three axes
+//! hold independently, each with the signal-to-noise ratio of all values together. `docs/physics.md` §8
+//! counts it per cell of one channel: γ·N_s·N_c.
 
 use artifact::Radar;
 
-/// Least standard errors.
+/// Minimum standard errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound {
-    /// Standard error of the range in the frame's middle, with the velocity's share through the coupling.
+    /// Standard error of the range at mid-frame, including the velocity's contribution through range–Doppler
+    /// coupling.
     pub range_m: f64,
-    /// Radial.
+    /// Standard error of the radial velocity.
     pub velocity_mps: f64,
-    /// Direction cosines along right and up; infinite where the array has no extent.
+    /// Standard errors of the direction cosines along right and up; infinite if the array has no extent.
     pub cosines: [f64; 2],
 }
 
-/// Bound at a power ratio of signal to noise per cell of one channel's unwindowed map, for simultaneous
+/// Bound for a signal-to-noise power ratio per cell of one channel's unwindowed map, for simultaneous
 /// transmitters.
 pub fn cramer_rao(radar: &Radar, snr_per_cell: f64) -> Bound {
     let waveform = &radar.waveform;
@@ -35,8 +36,8 @@ pub fn cramer_rao(radar: &Radar, snr_per_cell: f64) -> Bound {
     Bound { range_m: shown_m.hypot(coupled_m), velocity_mps, cosines: cosines(radar, snr) }
 }
 
-/// Inverse of 2·SNR·(2π/λ)²·M₂, M₂ the 2 × 2 central second moments of the virtual elements (Kay (1993),
-/// example 3.15, for any array).
+/// Bounds of the direction cosines: the inverse of 2·SNR·(2π/λ)²·M₂, M₂ the 2 × 2 central second moments of
+/// the virtual elements (Kay (1993), example 3.15, for any array).
 fn cosines(radar: &Radar, snr: f64) -> [f64; 2] {
     let array = &radar.array;
     let places: Vec<[f64; 2]> = (array.tx_half_wavelengths.iter())

@@ -1,16 +1,16 @@
-//! Whether an echo stands alone: what the others do to its maximum-likelihood estimates, against the
-//! Cramér–Rao bound.
+//! Isolation of an echo: the effect of others on its maximum-likelihood estimates, relative to the Cramér–Rao
+//! bound.
 //!
-//! The likelihood's score of a parameter is the samples' correlation with the echo's slope, ∂s/∂θ with what
-//! its amplitude follows taken out. Another echo of energy E over the noise (|a|²/σ² times all samples of all
-//! channels), whose correlation with the slope of unit length is h, moves the estimate by up to √(2E)·h
+//! The likelihood's score of a parameter is the samples' correlation with the echo's slope, ∂s/∂θ without the
+//! part that its amplitude absorbs. Another echo of energy E over the noise (|a|²/σ² times all samples of all
+//! channels), whose correlation with the slope of unit length is h, shifts the estimate by up to √(2E)·h
 //! standard errors of the bound, E·h² in the mean square over its phase. Along range and velocity h falls
-//! with the distance as the slope of the Dirichlet kernel, three times the power that leaks into the peak's
-//! own cell; over the array it is the other's beam towards the echo's direction.
+//! with distance like the slope of the Dirichlet kernel, three times the power that leaks into the peak's own
+//! cell; over the array it is the other's beam towards the echo's direction.
 //!
-//! Two tests say so. [`Neighbours`] adds that up over all other peaks of the map. What lies under the same
-//! peak is not among them: [`fits_alone`] looks for a second echo in what is left of the samples when the
-//! fitted one is taken out.
+//! There are two tests. [`Neighbours`] adds up this error over all other peaks of the map. Echoes under the
+//! same peak are not among them: [`fits_alone`] searches for a second echo in the residual of the samples
+//! after subtracting the fitted one.
 
 use crate::detection::peaks::Peak;
 use crate::direction::angle::{Direction, VirtualArray};
@@ -21,14 +21,14 @@ use artifact::rdm::RdmFrame;
 use num_complex::{Complex32, Complex64};
 use std::f64::consts::{PI, TAU};
 
-/// Mean square error that others may add, in squares of the bound: 0.4 dB.
+/// Mean square error that other echoes may add, in squares of the bound: 0.4 dB.
 const MOST_BIAS: f64 = 0.1;
 
-/// The peaks of a map, and what is needed to tell what they do to one.
+/// Peaks of a map, with what is needed to compute their effect on one of them.
 pub(crate) struct Neighbours<'a> {
     /// Radar and settings.
     pub(crate) plan: &'a Plan,
-    /// The map that the peaks stand in.
+    /// Map that contains the peaks.
     pub(crate) map: &'a RdmFrame,
     /// All peaks.
     pub(crate) peaks: &'a [Peak],
@@ -37,17 +37,17 @@ pub(crate) struct Neighbours<'a> {
 }
 
 impl Neighbours<'_> {
-    /// Whether the other peaks leave the estimates of an echo, whose peak this is, within 0.4 dB of their
-    /// bound.
+    /// Whether the other peaks leave the estimates of the echo with this peak within 0.4 dB of their bound.
     pub(crate) fn leave_alone(&self, peak: &Peak, echo: PointEcho) -> bool {
         let beams = SteeringVector::new(&self.plan.array, echo);
         let mut bias = [0.0; PARAMETERS];
         for other in self.peaks.iter().filter(|other| (other.row, other.column) != (peak.row, peak.column)) {
-            // As the echo's own slots of time division see it: turned back by the echo's velocity, not by its
+            // As the echo's own time-division slots see it: compensated for the echo's velocity, not for its
             // own.
             let cell = [other.row, other.column];
             let snapshot = self.plan.array.snapshot(self.map, cell, echo.radial_velocity_mps);
-            // Noise bandwidth: what a cell's power lacks of an unwindowed one's signal-to-noise ratio.
+            // Noise bandwidth: the deficit of a cell's power relative to an unwindowed one's signal-to-noise
+            // ratio.
             let energy = self.plan.thresholds.bandwidth_cells / self.noise;
             let added = beams.correlations(&snapshot).map(|h| energy * h);
             let [rows, columns] = self.along(peak, other);
@@ -74,14 +74,15 @@ impl Neighbours<'_> {
 /// Range, velocity, direction cosines along right and up.
 const PARAMETERS: usize = 4;
 
-/// Largest |correlation|² of a tone with another along one axis, and with its slope of unit length.
+/// Maximum |correlation|² of a tone with another along one axis, and with the other's unit-length slope.
 struct ToneCorrelation {
     value: f64,
     slope: f64,
 }
 
 impl ToneCorrelation {
-    /// Envelopes of the Dirichlet kernel sin πx/(N sin πx/N) and of its slope over π/√3, the slope's length.
+    /// Envelopes of the Dirichlet kernel sin πx/(N sin πx/N), and of its slope normalised by π/√3, the
+    /// slope's length.
     fn of(cells: f64, count: u32) -> Self {
         let away = f64::from(count) * (PI * cells / f64::from(count)).sin().abs();
         let [value, slope] =
@@ -90,7 +91,7 @@ impl ToneCorrelation {
     }
 }
 
-/// An echo over the array, of unit length, and its changes with the direction.
+/// An echo over the array, with unit length, and its derivatives with respect to direction.
 struct SteeringVector {
     of_parameters: [Vec<Complex64>; PARAMETERS],
 }
@@ -104,7 +105,7 @@ impl SteeringVector {
         let [right, up] = [0, 1].map(|axis: usize| {
             let mean = slopes.iter().map(|s| s[axis]).sum::<f64>() / count;
             let length = slopes.iter().map(|s| (s[axis] - mean).powi(2)).sum::<f64>().sqrt();
-            // An axis without extent has no direction to be wrong in.
+            // A direction cannot be wrong along an axis without extent.
             let weight = |s: &[f64; 2]| if length > 0.0 { (s[axis] - mean) / length } else { 0.0 };
             steering.iter().zip(&slopes).map(|(turn, s)| turn * weight(s)).collect()
         });
@@ -119,15 +120,15 @@ impl SteeringVector {
     }
 }
 
-/// Cells on each side of the echo that are searched: two under one peak lie within a window's main lobe.
+/// Cells searched on each side of the echo: two under one peak lie within a window's main lobe.
 const NEAR_CELLS: usize = 2;
-/// Chance that noise alone is taken for a second echo.
+/// Probability that noise alone is taken for a second echo.
 const FALSE_SECOND_RATE: f64 = 1e-3;
-/// A second echo is not told from errors of the model below this part of the first, −50 dB; it moves a range
-/// by at most 1/600 cell (√3/π·10^−2.5).
+/// Share of the first echo's power, −50 dB, below which a second is indistinguishable from model errors; it
+/// shifts a range by at most 1/600 cell (√3/π·10^−2.5).
 const MODEL_ERROR: f64 = 1e-5;
 
-/// Whether nothing like a second echo is left near a fitted one, in any direction; `noise` is that of one
+/// Whether nothing like a second echo remains near a fitted one, in any direction; `noise` is that of one
 /// sample.
 pub(crate) fn fits_alone(plan: &Plan, samples: &[Complex32], echo: &PointEcho, noise: f64) -> bool {
     let array = &plan.array;
@@ -143,7 +144,8 @@ pub(crate) fn fits_alone(plan: &Plan, samples: &[Complex32], echo: &PointEcho, n
     let of_channel: Vec<Vec<Complex64>> =
         left.chunks(left.len() / channels).map(|b| near_cells(&plan.radar, b)).collect();
     (0..cells).all(|cell| {
-        // The blocks are turned to the echo's direction: back again, for the beam to look around.
+        // The blocks' phases are aligned to the echo's direction; this is undone so that the beam can search
+        // around it.
         let snapshot: Vec<Complex64> =
             of_channel.iter().zip(&steering).map(|(c, turn)| c[cell] * turn.conj()).collect();
         let direction: Direction = array.fft_direction(std::slice::from_ref(&snapshot), echo.range_m);
@@ -152,15 +154,15 @@ pub(crate) fn fits_alone(plan: &Plan, samples: &[Complex32], echo: &PointEcho, n
 }
 
 /// Threshold t that solves M·t^axes·e^{−t} = the rate: powers of M independent cells and beams, and between
-/// beams the highest of a field along each axis.
+/// beams the maximum of a field along each axis.
 fn second_threshold(array: &VirtualArray, independent: usize) -> f64 {
     let axes = array.beams().into_iter().filter(|beam| beam.is_finite()).count();
     let next = |t: f64, _| (independent as f64 * t.powi(axes as i32) / FALSE_SECOND_RATE).ln();
-    // Each step takes four fifths of what is missing.
+    // Each step removes four fifths of the error.
     (0..20).fold(14.0, next)
 }
 
-/// Sums of one channel's blocks, turned by −2…2 cells of velocity and of range.
+/// Sums of one channel's blocks, shifted by −2…2 cells of velocity and of range.
 fn near_cells(radar: &Radar, blocks: &[Block]) -> Vec<Complex64> {
     let waveform = &radar.waveform;
     let frame_s = f64::from(waveform.chirps) * radar.repetition_interval_s();
@@ -178,7 +180,7 @@ fn near_cells(radar: &Radar, blocks: &[Block]) -> Vec<Complex64> {
     cells
 }
 
-/// Phase factors e^{−j2πn·cycles} of n = −2…2.
+/// Phase factors e^{−j2πn·cycles} for n = −2…2.
 fn turns(cycles: f64) -> [Complex64; 2 * NEAR_CELLS + 1] {
     let one = Complex64::from_polar(1.0, -TAU * cycles);
     let two = one * one;

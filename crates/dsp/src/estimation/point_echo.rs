@@ -1,8 +1,9 @@
-//! Phase of a lone point's echo in every sample, and a cube's samples with it taken out, summed over blocks.
+//! Phase of an isolated point echo in every sample, and block sums of a cube's samples with this phase
+//! removed.
 //!
-//! cycles = f₀τ + μtτ − ½μτ², cτ = 2R(T) + what the channel's elements are nearer or farther than the array's
-//! centre (`docs/interface.md`; the point's place in the frame's middle decides that part). R(T) is linear,
-//! so a chirp's phase is a parabola in t exactly.
+//! cycles = f₀τ + μtτ − ½μτ², cτ = 2R(T) plus the difference in path length of the channel's elements from
+//! the array's centre (`docs/interface.md`; computed for the point's position at mid-frame). R(T) is linear,
+//! so a chirp's phase is exactly a parabola in t.
 
 use crate::direction::angle::Direction;
 use crate::plan::Plan;
@@ -14,23 +15,23 @@ use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Range and direction of a point in the frame's middle, and the velocity at which it recedes.
+/// Range and direction of a point at mid-frame, and its radial velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PointEcho {
     /// Range from the array's centre.
     pub(crate) range_m: f64,
-    /// Radial velocity, not folded.
+    /// Radial velocity, without folding.
     pub(crate) radial_velocity_mps: f64,
-    /// Seen from the array.
+    /// Direction, seen from the array.
     pub(crate) direction: Direction,
 }
 
-/// Sum over some samples of some chirps of one channel.
+/// Sum over a block of samples and chirps of one channel.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Block {
     /// Σ sample · e^{−j·phase of the point}.
     pub(crate) sum: Complex64,
-    /// Samples in it.
+    /// Number of samples in the block.
     pub(crate) weight: f64,
     /// Channel.
     pub(crate) channel: usize,
@@ -40,11 +41,11 @@ pub(crate) struct Block {
     pub(crate) frame_s: f64,
 }
 
-/// Blocks along each axis: a point half a cell beside the phase taken out turns by 1/32 cycle within a block,
-/// which takes 1.6e-3 of its amplitude.
+/// Number of blocks along each axis: the phase of a point half a cell off turns by 1/32 cycle within a block,
+/// which costs 1.6e-3 of its amplitude.
 const BLOCKS: usize = 16;
 
-/// Blocks of all channels, the point's phase taken out, in order of channel, chirp and sample.
+/// Blocks of all channels with the point's phase removed, in order of channel, chirp and sample.
 pub(crate) fn blocks(plan: &Plan, samples: &[Complex32], point: &PointEcho) -> Vec<Block> {
     let excess_m = plan.array.excess_m(point.direction, point.range_m);
     let channels = 0..plan.array.division().pairs();
@@ -90,19 +91,19 @@ fn blocks_of_channel(
         .collect()
 }
 
-/// Place in a cube of the chirps of a transmit–receive pair.
+/// Location in a cube of the chirps of a transmit–receive pair.
 struct Heard {
     source: usize,
     /// Index of the transmitter or slot for [`Radar::chirp_start_s`](artifact::Radar::chirp_start_s).
     turn: usize,
-    /// Cycles to take out per chirp.
+    /// Cycles to remove per chirp.
     cycles: f64,
     /// Share of the chirps' samples in those of the pair.
     share: f64,
 }
 
-/// One channel; with codes every slot, since what other transmitters add to them has as many signs as the
-/// pair's own, plus and minus.
+/// Location of one channel; with codes, every slot, since the contributions of other transmitters cancel in
+/// sign.
 fn heard(division: &Division, channel: usize) -> Vec<Heard> {
     let &Division { multiplexing, receivers, slots, .. } = division;
     let (tx, rx) = (channel / receivers, channel % receivers);
@@ -119,7 +120,7 @@ fn heard(division: &Division, channel: usize) -> Vec<Heard> {
     (0..slots).map(of_slot).collect()
 }
 
-/// Adds so much of a chirp's samples.
+/// Adds a share of a chirp's samples.
 fn add_chirp((row, share): (&[Complex32], f64), columns: usize, phase: &ChirpPhase, sums: &mut [Complex64]) {
     let (mut turn, mut step, step_of_step) = phase.turns();
     turn *= share;
@@ -132,7 +133,7 @@ fn add_chirp((row, share): (&[Complex32], f64), columns: usize, phase: &ChirpPha
     }
 }
 
-/// Cycles of one chirp's samples: a parabola in the sample's number.
+/// Cycles of one chirp's samples: a parabola in the sample index.
 struct ChirpPhase {
     start: f64,
     slope: f64,
@@ -153,7 +154,7 @@ impl ChirpPhase {
         }
     }
 
-    /// Phase factors: e^{−j·phase} of the first sample, the first step, and the step of the step.
+    /// Phase factors e^{−j·phase}: of the first sample, of the first step, and of the step's increment.
     fn turns(&self) -> (Complex64, Complex64, Complex64) {
         let turn = |cycles: f64| Complex64::from_polar(1.0, -TAU * cycles.fract());
         (turn(self.start), turn(self.slope + self.bend), turn(2.0 * self.bend))

@@ -1,12 +1,12 @@
-//! Maximum-likelihood range, velocity and direction of a lone point echo, jointly, by Fisher scoring on
-//! unwindowed samples.
+//! Joint maximum-likelihood estimate of range, velocity and direction of an isolated point echo, by Fisher
+//! scoring on unwindowed samples.
 //!
-//! The interpolated peak starts it. Its phase is taken out of the samples, which are then summed over blocks;
-//! what is left turns slowly from block to block, and the score's zero is found on a few thousand sums
-//! instead of a million samples (Kay, Fundamentals of Statistical Signal Processing (1993), §7.7). Twice
-//! over, so that nothing is left of linearising the phase about the start. On a lone echo in white noise this
-//! reaches the Cramér–Rao bound (`docs/validation/estimates.md`); it knows of one echo only, so peaks that
-//! others bias are left as they are ([`crate::estimation::isolation`]).
+//! The interpolated peak is the starting point. Its phase is removed from the samples, which are then summed
+//! over blocks; the residual phase turns slowly from block to block, and the score's zero is found on a few
+//! thousand sums instead of a million samples (Kay, Fundamentals of Statistical Signal Processing (1993),
+//! §7.7). Two passes remove the error of linearising the phase about the start. For an isolated echo in white
+//! noise this reaches the Cramér–Rao bound (`docs/validation/estimates.md`); the model has one echo only, so
+//! peaks biased by others are left unrefined ([`crate::estimation::isolation`]).
 
 use crate::direction::angle::Direction;
 use crate::estimation::point_echo::{Block, PointEcho, blocks};
@@ -20,11 +20,11 @@ use std::f64::consts::TAU;
 const PARAMETERS: usize = 4;
 /// Passes over the samples.
 const PASSES: usize = 2;
-/// Scoring steps of a pass. From a tenth of a cell each leaves the square of what it finds: 0.3 rad becomes
-/// 1e-6 in four.
+/// Scoring steps per pass. From a tenth of a cell each squares the error: 0.3 rad becomes 1e-6 in four.
 const SCORING_STEPS: usize = 6;
 
-/// The echo that fits the samples best, near `start`; `None` where they do not settle within a cell of it.
+/// Echo that fits the samples best, near `start`; `None` if the iteration does not settle within a cell of
+/// it.
 pub(crate) fn refined(plan: &Plan, samples: &[Complex32], start: PointEcho) -> Option<PointEcho> {
     let mut point = start;
     for _ in 0..PASSES {
@@ -36,7 +36,7 @@ pub(crate) fn refined(plan: &Plan, samples: &[Complex32], start: PointEcho) -> O
     Some(point)
 }
 
-/// Change of the parameters that maximises |Σ blocks · e^{−j·what they turn by}|.
+/// Step of the parameters that maximises |Σ blocks · e^{−j·residual phase}|.
 fn best_step(plan: &Plan, blocks: &[Block], at: &PointEcho) -> Option<[f64; PARAMETERS]> {
     let slopes = centred(phase_slopes(plan, blocks, at), blocks);
     let mut step = [0.0; PARAMETERS];
@@ -64,8 +64,7 @@ fn best_step(plan: &Plan, blocks: &[Block], at: &PointEcho) -> Option<[f64; PARA
     step.iter().all(|s| s.is_finite()).then_some(step)
 }
 
-/// Radians of each block per metre, metre a second and unit cosines; 0 along axes that the array does not
-/// have.
+/// Radians of each block per metre, metre per second and unit cosines; 0 along axes that the array lacks.
 fn phase_slopes(plan: &Plan, blocks: &[Block], at: &PointEcho) -> Vec<[f64; PARAMETERS]> {
     let waveform = &plan.radar.waveform;
     let tau_s = 2.0 * at.range_m / SPEED_OF_LIGHT_MPS;
@@ -79,7 +78,7 @@ fn phase_slopes(plan: &Plan, blocks: &[Block], at: &PointEcho) -> Vec<[f64; PARA
     blocks.iter().map(slope).collect()
 }
 
-/// The echo's own phase is unknown: only what differs from block to block tells anything.
+/// Removes the mean: the echo's own phase is unknown, so only differences between blocks carry information.
 fn centred(mut slopes: Vec<[f64; PARAMETERS]>, blocks: &[Block]) -> Vec<[f64; PARAMETERS]> {
     let weight: f64 = blocks.iter().map(|b| b.weight).sum();
     for i in 0..PARAMETERS {
@@ -105,7 +104,7 @@ fn moved(point: &PointEcho, step: [f64; PARAMETERS]) -> PointEcho {
     }
 }
 
-/// Within a cell of range and velocity, and in front of the array.
+/// Whether the point lies within a cell of range and velocity, and in front of the array.
 fn is_near(plan: &Plan, start: &PointEcho, point: &PointEcho) -> bool {
     let axes = plan.array.cells();
     let up = point.direction.up.unwrap_or(0.0);

@@ -1,8 +1,9 @@
-//! Normal equations, small symmetric systems, by Cholesky's factors (Golub, Van Loan, Matrix Computations
-//! (2013), §4.2), scaled to a unit diagonal: parameters are metres and cosines side by side.
+//! Normal equations, small symmetric systems, by Cholesky factorisation (Golub, Van Loan, Matrix Computations
+//! (2013), §4.2), scaled to a unit diagonal, since parameters have different units such as metres and
+//! cosines.
 
-/// Solves M·x = b for x; parameters of which M knows nothing (a zero on its diagonal) stay 0. `None` where
-/// two cannot be told apart.
+/// Solves M·x = b for x; undetermined parameters (a zero on the diagonal of M) stay 0. `None` if two are
+/// indistinguishable.
 pub(crate) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> Option<[f64; N]> {
     let largest = (0..N).map(|i| matrix[i][i]).fold(0.0, f64::max);
     if !(largest > 0.0 && largest.is_finite()) {
@@ -23,7 +24,7 @@ pub(crate) fn solve<const N: usize>(matrix: [[f64; N]; N], right: [f64; N]) -> O
     Some(std::array::from_fn(|i| x[i] * scale[i]))
 }
 
-/// Correlation coefficients nearer to 1 than this are rounding.
+/// Distance from 1 within which correlation coefficients count as 1 up to rounding.
 const DEPENDENT: f64 = 1e-12;
 
 fn factor<const N: usize>(matrix: [[f64; N]; N]) -> Option<[[f64; N]; N]> {
@@ -47,7 +48,7 @@ mod tests {
 
     #[test]
     fn a_system_with_units_decades_apart_is_solved_to_rounding() {
-        // M = D·C·D of a known x: condition number of C is 5.
+        // M = D·C·D with known x: the condition number of C is 5.
         let (d, c) = ([1e-6, 1.0, 1e7], [[1.0, 0.5, 0.2], [0.5, 1.0, -0.3], [0.2, -0.3, 1.0]]);
         let x = [3e5, -2.0, 4e-8];
         let m: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| d[i] * c[i][j] * d[j]));

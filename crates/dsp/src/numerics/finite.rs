@@ -1,9 +1,9 @@
-//! The first value that is no number, found at the speed of memory.
+//! Search for the first non-finite value at memory speed.
 
 use num_complex::Complex32;
 use rayon::prelude::*;
 
-/// Values that are looked at together.
+/// Number of values tested together.
 const VALUES_PER_RUN: usize = 4096;
 
 /// Index of the first value that is infinite or NaN.
@@ -13,13 +13,13 @@ pub(crate) fn first_not_finite(values: &[Complex32]) -> Option<usize> {
     values[start..].iter().position(|v| !v.is_finite()).map(|at| start + at)
 }
 
-/// Whether all values are finite, without a branch per value: wide instructions compare exponents.
+/// Whether all values are finite, without a branch per value: SIMD instructions compare exponents.
 fn all_finite(values: &[Complex32]) -> bool {
     let beyond = |x: f32| u32::from(x.to_bits() & EXPONENT == EXPONENT);
     values.iter().fold(0, |any, v| any | beyond(v.re) | beyond(v.im)) == 0
 }
 
-/// All ones in what is infinite or NaN (IEEE 754).
+/// Exponent bits, all ones in infinities and NaN (IEEE 754).
 const EXPONENT: u32 = 0x7f80_0000;
 
 #[cfg(test)]

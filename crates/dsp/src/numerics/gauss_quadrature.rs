@@ -1,5 +1,5 @@
-//! Gauss quadrature over a set of points: Lanczos's recursion makes the Jacobi matrix, whose eigenvalues and
-//! first components are the rule (Golub, Welsch, Math. Comp. 23 (1969) 221).
+//! Gauss quadrature over a set of points: Lanczos's recursion yields the Jacobi matrix, whose eigenvalues and
+//! first eigenvector components are the rule (Golub, Welsch, Math. Comp. 23 (1969) 221).
 
 use crate::numerics::symmetric_qr::eigenvalues_of_tridiagonal;
 
@@ -14,7 +14,7 @@ pub(crate) fn gauss_nodes(points: &[f64], nodes: usize) -> Vec<(f64, f64)> {
         let next = |i: usize| (points[i] - mean) * vector[i] - link * before[i];
         let next: Vec<f64> = (0..points.len()).map(next).collect();
         link = next.iter().map(|x| x * x).sum::<f64>().sqrt();
-        // All moments are exhausted: so few different points.
+        // All moments are exhausted: there are no more distinct points.
         if link < 1e-7 {
             break;
         }

@@ -1,12 +1,13 @@
-//! The regularised incomplete beta function I_u(a, b), distribution of an ordered statistic and of ratios of
+//! Regularised incomplete beta function I_u(a, b), the distribution of an ordered statistic and of ratios of
 //! Gamma variables (Fisher's F).
 //!
 //! I_u(a, b) = u^a(1 − u)^b/(a·B(a, b)) · 1/(1 + d₁/(1 + d₂/(1 + …))) (DLMF 8.17.22). The fraction converges
-//! quickly below the mean, in some √max(a, b) terms at it; above it stands the complement, 1 − I_{1−u}(b, a).
+//! quickly below the mean, in about √max(a, b) terms at it; above it the complement is used, 1 − I_{1−u}(b,
+//! a).
 
 use std::f64::consts::TAU;
 
-/// I_u(a, b), the regularised incomplete beta function: P(A/(A + B) < u) of Gamma variables of these shapes.
+/// Regularised incomplete beta function I_u(a, b): P(A/(A + B) < u) for Gamma variables of these shapes.
 pub(crate) fn beta_below(a: f64, b: f64, u: f64) -> f64 {
     if u <= 0.0 {
         return 0.0;
@@ -22,16 +23,15 @@ pub(crate) fn beta_below(a: f64, b: f64, u: f64) -> f64 {
     }
 }
 
-/// I_u(a, b) of [u, 1 − u], u below the mean or little above it.
+/// I_u(a, b) from [u, 1 − u], for u below the mean or little above it.
 fn lower([a, b]: [f64; 2], [u, rest]: [f64; 2]) -> f64 {
     ln_power([a, b], [u, rest]).exp() * (a * b / (TAU * (a + b))).sqrt() / a * fraction([a, b], u)
 }
 
 /// Logarithm of u^a(1 − u)^b/B(a, b) over √(ab/2π(a + b)).
 ///
-/// By Stirling's formula the powers and the large terms of the Gamma functions cancel before they are
-/// rounded, and what is left are their deviations (Loader, Fast and accurate computation of binomial
-/// probabilities (2000)).
+/// By Stirling's formula the powers and the large terms of the Gamma functions cancel before rounding, and
+/// their deviations remain (Loader, Fast and accurate computation of binomial probabilities (2000)).
 fn ln_power([a, b]: [f64; 2], [u, rest]: [f64; 2]) -> f64 {
     let sum = a + b;
     stirling_error(sum)
@@ -41,15 +41,15 @@ fn ln_power([a, b]: [f64; 2], [u, rest]: [f64; 2]) -> f64 {
         - deviance(b, sum * rest)
 }
 
-/// x·ln(x/m) + m − x, at least zero.
+/// Deviance x·ln(x/m) + m − x, at least zero.
 fn deviance(x: f64, mean: f64) -> f64 {
     let part = (mean - x) / x;
     // Near the mean the difference is exact, and far below it the ratio keeps its digits.
     x * (part - if part > -0.5 { part.ln_1p() } else { (mean / x).ln() })
 }
 
-/// Relative error of Stirling's formula, ln Γ(z) − (z − ½)ln z + z − ½ln 2π: its series from 10 on, below by
-/// steps of one.
+/// Relative error of Stirling's formula, ln Γ(z) − (z − ½)ln z + z − ½ln 2π: by its series from 10 on, below
+/// by recursion in steps of one.
 fn stirling_error(mut z: f64) -> f64 {
     let mut steps = 0.0;
     while z < 10.0 {
@@ -62,10 +62,10 @@ fn stirling_error(mut z: f64) -> f64 {
     steps + SERIES.iter().rev().fold(0.0, |sum, term| sum / (z * z) + term) / z
 }
 
-/// Terms after which the fraction is taken as it is: √max(a, b) of 10¹⁰.
+/// Maximum number of terms of the fraction: √max(a, b) of 10¹⁰.
 const MOST_TERMS: u32 = 100_000;
 
-/// The continued fraction 1/(1 + d₁/(1 + …)), from the front by Lentz's recurrence in Thompson and Barnett's
+/// Continued fraction 1/(1 + d₁/(1 + …)), evaluated forwards by Lentz's recurrence in Thompson and Barnett's
 /// form (J. Comput. Phys. 64 (1986) 490).
 fn fraction([a, b]: [f64; 2], u: f64) -> f64 {
     let kept = |x: f64| if x == 0.0 { f64::MIN_POSITIVE } else { x };
@@ -95,8 +95,8 @@ mod tests {
     use super::*;
     use statrs::function::beta::beta_reg;
 
-    /// I_u(a, b) of whole a and b and its complement, P(K ≥ a) and P(K < a) of K successes in a + b − 1
-    /// trials: sums of positive terms from P(K = a) on; `None` where that is no number of full precision.
+    /// I_u(a, b) for integer a and b and its complement, P(K ≥ a) and P(K < a) for K successes in a + b − 1
+    /// trials: sums of positive terms from P(K = a) on; `None` if that is not a normal number.
     fn exact(a: u32, b: u32, u: f64) -> Option<[f64; 2]> {
         let trials = a + b - 1;
         let first = probability(a, b, u);
@@ -148,12 +148,12 @@ mod tests {
         let mut tried = 0;
         for (a, b) in shapes {
             for tenths in -80..=80 {
-                // Odds over decades about those of the mean.
+                // Odds over decades around those of the mean.
                 let odds = f64::from(a) / f64::from(b) * 10_f64.powf(f64::from(tenths) / 20.0);
                 let u = odds / (1.0 + odds);
                 let Some(asked) = exact(a, b, u) else { continue };
                 let got = [beta_below(a.into(), b.into(), u), beta_below(b.into(), a.into(), 1.0 - u)];
-                // A rounding of u is one of each trial's probability, in the sums as in the function.
+                // A rounding of u changes each trial's probability, in the sums as in the function.
                 let rounding = f64::from(a + b) * f64::EPSILON;
                 tried += 1;
                 for (asked, got) in asked.into_iter().zip(got) {
@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn far_above_the_mean_of_lopsided_shapes_it_is_less_than_one() {
-        // Σ C(n, k)u^k(1 − u)^{n−k} over k ≥ a in whole numbers, rounded once.
+        // Σ C(n, k)u^k(1 − u)^{n−k} over k ≥ a in integers, rounded once.
         for (a, b, u, exact) in [
             (859.0, 12.0, 0.97, 6.407_441_916_335_293e-4),
             (859.0, 12.0, 0.995, 0.998_225_972_755_854_6),

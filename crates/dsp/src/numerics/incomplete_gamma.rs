@@ -1,9 +1,9 @@
-//! The regularised incomplete gamma functions P and Q, distribution of a sum of M exponentials (Erlang's; of
-//! χ²/2 with 2M degrees of freedom).
+//! Regularised incomplete gamma functions P and Q, the distribution of a sum of M exponentials (Erlang; χ²/2
+//! with 2M degrees of freedom).
 
-/// P(G(M) > x) = Q(M, x), the upper function, of a whole M: e^{−x} Σ_{k<M} x^k/k!.
+/// Upper function P(G(M) > x) = Q(M, x) for integer M: e^{−x} Σ_{k<M} x^k/k!.
 pub fn gamma_tail(shape: usize, x: f64) -> f64 {
-    // Largest term first would be safest; from k = 0 with the exponent carried apart nothing overflows
+    // Starting at the largest term would be safest; from k = 0 with a separate exponent nothing overflows
     // either.
     let (mut term, mut sum, mut scale) = (1.0_f64, 1.0_f64, -x);
     for k in 1..shape {
@@ -16,8 +16,8 @@ pub fn gamma_tail(shape: usize, x: f64) -> f64 {
     (sum.ln() + scale).exp()
 }
 
-/// P(G(M) < x) = P(M, x), the lower function, of a whole M by the series of positive terms e^{−x}
-/// x^M/M!·(1 + x/(M+1) + …), or 1 less the tail.
+/// Lower function P(G(M) < x) = P(M, x) for integer M, by the series of positive terms e^{−x} x^M/M!·(1 +
+/// x/(M+1) + …), or as the complement of the tail.
 pub(crate) fn gamma_below(shape: usize, x: f64) -> f64 {
     if x > shape as f64 + 1.0 {
         return 1.0 - gamma_tail(shape, x);

@@ -1,13 +1,13 @@
-//! The two precisions that maps are made in.
+//! Floating-point precisions in which maps are computed.
 
 use num_complex::{Complex, Complex32};
 use rustfft::FftNum;
 
 /// Single or double precision.
 pub trait Precision: FftNum {
-    /// The nearest value.
+    /// Converts a value to the nearest one in this precision.
     fn of(value: f64) -> Self;
-    /// A sample in this precision.
+    /// Converts a sample to this precision.
     fn of_sample(sample: Complex32) -> Complex<Self>;
 }
 

@@ -1,7 +1,7 @@
-//! Root of a falling function: regula falsi in the form of Illinois (Dowell, Jarratt, BIT 11 (1971) 168).
+//! Root of a decreasing function: regula falsi in the Illinois form (Dowell, Jarratt, BIT 11 (1971) 168).
 
-/// Finds where a falling function of a positive number has this value: secants in logarithms within a bracket
-/// (Illinois).
+/// Finds the positive argument at which a decreasing function has this value: secants in logarithms within a
+/// bracket (Illinois).
 pub(crate) fn falling_root(value: f64, function: impl Fn(f64) -> f64) -> f64 {
     let error = |ln_x: f64| function(ln_x.exp()).max(f64::MIN_POSITIVE).ln() - value.ln();
     let (mut low, mut high) = (0.0, 0.5);
@@ -40,8 +40,8 @@ mod tests {
         for power in [0.5_f64, 3.0, 40.0] {
             for root in [1e-4_f64, 0.9, 700.0] {
                 let got = falling_root(root.powf(-power), |x| x.powf(-power));
-                // The search ends within 1e-10 of the function's logarithm, `power` times that of x, or where
-                // the bracket of that is 1e-12 wide.
+                // The search ends within 1e-10 of the function's logarithm, `power` times that of x, or at a
+                // bracket 1e-12 wide.
                 assert!((got / root - 1.0).abs() < 1.1e-10 / power + 1e-11, "{power}, {root}: {got}");
             }
         }

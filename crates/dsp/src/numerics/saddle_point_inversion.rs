@@ -1,10 +1,10 @@
-//! Distribution of weighted sums of Gamma variables, which every noise estimate and every comparison with it
-//! is: Bromwich's inversion of the Laplace transform by a saddle-point contour.
+//! Distribution of weighted sums of Gamma variables, the form of every noise estimate and of every comparison
+//! with it: Bromwich inversion of the Laplace transform along a saddle-point contour.
 //!
 //! Q = Σ_q w_q·G(n_q), G of unit scale and shape n_q, has E e^{−sQ} = Π(1 + s·w_q)^{−n_q}, so that P(Q < t) =
 //! 1/(2πj) ∫ e^{st} Π(1 + s·w_q)^{−n_q} ds/s on any line right of 0 and left of the first −1/w_q > 0
-//! (Bromwich's inversion). The line goes through the integrand's saddle point, where nothing cancels
-//! (Helstrom, IEEE T-AES 19 (1983) 428), and bends as the path of steepest descent does; the trapezoidal rule
+//! (Bromwich's inversion). The line passes through the integrand's saddle point, where nothing cancels
+//! (Helstrom, IEEE T-AES 19 (1983) 428), and bends along the path of steepest descent; the trapezoidal rule
 //! then converges geometrically.
 
 use crate::numerics::gauss_quadrature::gauss_nodes;
@@ -16,25 +16,25 @@ use std::f64::consts::PI;
 pub(crate) struct WeightedGamma {
     /// Weight w_q, not zero; may be negative.
     pub(crate) weight: f64,
-    /// Shape n_q, above zero and not necessarily whole.
+    /// Shape n_q, positive and not necessarily an integer.
     pub(crate) shape: f64,
 }
 
-/// Variables of a sum of so many unit exponentials whose weights are `scale` times these eigenvalues, each as
-/// often as any other: by Gauss's rule of so many nodes over them.
+/// Variables of a sum of `count` unit exponentials whose weights are `scale` times these equally frequent
+/// eigenvalues, reduced by Gauss's rule of `nodes` nodes.
 pub(crate) fn weighted_by(eigenvalues: &[f64], nodes: usize, count: f64, scale: f64) -> Vec<WeightedGamma> {
     let group = |(value, share): (f64, f64)| WeightedGamma { weight: value / scale, shape: share * count };
     let groups = gauss_nodes(eigenvalues, nodes).into_iter().map(group);
     groups.filter(|g| g.shape > 1e-9 && g.weight > 0.0).collect()
 }
 
-/// P(Σ w_q·G(n_q) < t): relative error about 1e-11, also far out in the lower tail.
+/// Probability P(Σ w_q·G(n_q) < t), with a relative error of about 1e-11, also far out in the lower tail.
 ///
-/// The upper tail is the complement of P(Σ −w_q·G(n_q) < −t). Near the mean either way holds on the side of
-/// the longer tail; on the other the bent path comes near the far pole (5e-10 at the mean of shapes 70 times
-/// apart), and farther out through it.
+/// The upper tail is the complement of P(Σ −w_q·G(n_q) < −t). Near the mean both forms hold on the side of
+/// the longer tail; on the other side the bent path approaches the far pole (5e-10 at the mean of shapes 70
+/// times apart), and farther out crosses it.
 ///
-/// One weight at least is positive, and `t` is positive or one weight is negative.
+/// At least one weight is positive, and `t` is positive or some weight is negative.
 pub(crate) fn probability_below(form: &[WeightedGamma], t: f64) -> f64 {
     let cumulant = |n: i32| form.iter().map(|g| g.weight.powi(n) * g.shape).sum::<f64>();
     if t <= cumulant(1) + FROM_MEAN * cumulant(2).sqrt().copysign(cumulant(3)) {
@@ -47,7 +47,7 @@ pub(crate) fn probability_below(form: &[WeightedGamma], t: f64) -> f64 {
 /// Standard deviations from the mean, on the side of the longer tail, up to which the lower tail is summed.
 const FROM_MEAN: f64 = 0.75;
 
-/// The probability of [`probability_below`] by the one contour.
+/// Probability of [`probability_below`] by a single contour.
 fn lower_tail(form: &[WeightedGamma], t: f64) -> f64 {
     let saddle = saddle_point(form, t);
     let [_, second, third] = slopes(form, t, saddle);
@@ -64,7 +64,7 @@ fn lower_tail(form: &[WeightedGamma], t: f64) -> f64 {
     for i in 1..TRAPEZOIDS {
         let value = term(f64::from(i) * STEP);
         sum += value;
-        // The slowest forms (Σn = 1) fall by e^{−x}: what is left is of the size of the last term over STEP.
+        // The slowest forms (Σn = 1) decay like e^{−x}: the remainder is about the last term over STEP.
         if value.abs() < 1e-16 * sum.abs() && f64::from(i) * STEP > 6.0 {
             break;
         }
@@ -72,8 +72,8 @@ fn lower_tail(form: &[WeightedGamma], t: f64) -> f64 {
     (sum * STEP / PI * peak.exp()).clamp(0.0, 1.0)
 }
 
-/// The integrand has no pole within 0.4 of the real axis of x: the rule's error is below e^{−2π·0.4/STEP} =
-/// 1e-11.
+/// Step of the trapezoidal rule: the integrand has no pole within 0.4 of the real axis of x, so the error is
+/// below e^{−2π·0.4/STEP} = 1e-11.
 const STEP: f64 = 0.1;
 const TRAPEZOIDS: i32 = 400;
 
@@ -91,8 +91,8 @@ fn slopes(form: &[WeightedGamma], t: f64, s: f64) -> [f64; 3] {
     })
 }
 
-/// Finds where the exponent, convex between its poles, is least: Newton's steps, halving the bracket where
-/// they leave it.
+/// Finds the minimum of the exponent, which is convex between its poles, by Newton's method, with bisection
+/// when a step leaves the bracket.
 fn saddle_point(form: &[WeightedGamma], t: f64) -> f64 {
     let pole = form.iter().filter(|g| g.weight < 0.0).map(|g| -1.0 / g.weight).fold(f64::INFINITY, f64::min);
     let (mut low, mut high) = (0.0, pole);
@@ -114,7 +114,7 @@ fn saddle_point(form: &[WeightedGamma], t: f64) -> f64 {
         }
         let newton = s - first / second;
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        // Any point near the saddle does; this is near enough that no digit is lost.
+        // Any point near the saddle works; this one is near enough that no digit is lost.
         if (next - s).abs() <= 1e-6 * s {
             return next;
         }
@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn a_difference_of_lopsided_shapes_has_both_its_tails() {
-        // P((1 − u)A − uB < 0) = I_u(a, b), which has a file of its own.
+        // P((1 − u)A − uB < 0) = I_u(a, b), computed independently in its own module.
         for (a, b) in [(859.2, 12.0), (2976.0, 12.0), (12.0, 859.2), (47616.0, 192.0), (2e4, 1.0), (1.0, 2e4)]
         {
             for odds in [0.2, 0.5, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 2.0, 5.0] {

@@ -1,17 +1,17 @@
-//! Sums of a map over rectangles around every cell of a row: Doppler wraps, range ends. A summed-area table
-//! (integral image: Crow, SIGGRAPH 1984) of which a band of rows is held, as in a box filter.
+//! Sums of a map over rectangles around every cell of a row: Doppler wraps, range does not. A summed-area
+//! table (integral image: Crow, SIGGRAPH 1984) of which only a band of rows is held, as in a box filter.
 //!
-//! Rows of one height are added up column by column and slide from row to row; their sums along range then
-//! give a rectangle in two look-ups.
+//! Rows of one height are summed column by column and slide from row to row; their running sums along range
+//! then yield a rectangle in two look-ups.
 
-/// Sliding sums of a map for every height that rectangles have.
+/// Sliding sums of a map for every height of rectangles.
 pub(crate) struct BoxSums<'a> {
     power: &'a [f64],
     samples: usize,
     bands: Vec<Band>,
 }
 
-/// Rows around the row in hand, summed.
+/// Sum of the rows around the current row.
 struct Band {
     /// First and last offset.
     rows: [i64; 2],
@@ -22,7 +22,7 @@ struct Band {
 }
 
 impl<'a> BoxSums<'a> {
-    /// Sums for rectangles with these rows, at the map's row `row`.
+    /// Sums for rectangles with these row ranges, at the map's row `row`.
     pub(crate) fn at_row(power: &'a [f64], samples: usize, heights: &[[i64; 2]], row: usize) -> Self {
         let band = |rows: &[i64; 2]| Band {
             rows: *rows,
@@ -39,7 +39,7 @@ impl<'a> BoxSums<'a> {
         sums
     }
 
-    /// Moves on from `row` to the next.
+    /// Advances from `row` to the next.
     pub(crate) fn slide_from(&mut self, row: usize) {
         let of = |offset: i64| row_of(self.power, self.samples, row, offset);
         for band in &mut self.bands {
@@ -50,8 +50,8 @@ impl<'a> BoxSums<'a> {
         }
     }
 
-    /// Power between two columns, the last one left out, in the rows of a height, by its place among those
-    /// asked for.
+    /// Power from column `first` up to but excluding `behind_last`, in the rows of the height with this
+    /// index.
     #[inline]
     pub(crate) fn sum(&self, height: usize, first: usize, behind_last: usize) -> f64 {
         let before = &self.bands[height].before;

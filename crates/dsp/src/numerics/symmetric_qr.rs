@@ -1,14 +1,13 @@
-//! Eigenvalues of symmetric matrices by the symmetric QR algorithm: Householder's reduction to three
-//! diagonals, then implicit QR steps with Wilkinson's shift (Golub, Van Loan, Matrix Computations (2013),
-//! §8.3).
+//! Eigenvalues of symmetric matrices by the symmetric QR algorithm: Householder tridiagonalisation, then
+//! implicit QR steps with Wilkinson's shift (Golub, Van Loan, Matrix Computations (2013), §8.3).
 
-/// Eigenvalues of a symmetric matrix, by rows, in no order.
+/// Eigenvalues, unordered, of a symmetric matrix given by rows.
 pub(crate) fn eigenvalues(matrix: Vec<Vec<f64>>) -> Vec<f64> {
     let (diagonal, beside) = householder_tridiagonal(matrix);
     eigenvalues_of_tridiagonal(diagonal, beside).0
 }
 
-/// Diagonal and what stands beside it, of a matrix of the same eigenvalues.
+/// Diagonal and off-diagonal of a tridiagonal matrix with the same eigenvalues.
 fn householder_tridiagonal(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<f64>) {
     let size = a.len();
     let mut beside = vec![];
@@ -23,7 +22,7 @@ fn householder_tridiagonal(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<f64>) {
             continue;
         }
         mirror.iter_mut().for_each(|v| *v /= scale);
-        // A − 2vwᵀ − 2wvᵀ with w = Av − (vᵀAv)v is A mirrored from both sides.
+        // A − 2vwᵀ − 2wvᵀ with w = Av − (vᵀAv)v is A reflected from both sides.
         let mut w: Vec<f64> = a[k + 1..].iter().map(|row| dot(&row[k + 1..], &mirror)).collect();
         let along = dot(&w, &mirror);
         w.iter_mut().zip(&mirror).for_each(|(w, v)| *w -= along * v);
@@ -38,9 +37,9 @@ fn householder_tridiagonal(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<f64>) {
     ((0..size).map(|i| a[i][i]).collect(), beside)
 }
 
-/// Eigenvalues of a symmetric matrix of three diagonals, and the first components of their eigenvectors.
+/// Eigenvalues of a symmetric tridiagonal matrix, and the first components of their eigenvectors.
 ///
-/// `beside` may be longer than needed.
+/// The off-diagonal `beside` may be longer than needed.
 pub(crate) fn eigenvalues_of_tridiagonal(
     mut diagonal: Vec<f64>,
     mut beside: Vec<f64>,
@@ -49,7 +48,7 @@ pub(crate) fn eigenvalues_of_tridiagonal(
     beside.resize(size, 0.0);
     let mut first: Vec<f64> = (0..size).map(|i| if i == 0 { 1.0 } else { 0.0 }).collect();
     let mut end = size.saturating_sub(1);
-    // Each eigenvalue takes two or three steps; what has not settled after 60 is rounding.
+    // Each eigenvalue takes two or three steps; failure to settle after 60 is rounding.
     for _ in 0..60 * size {
         while end > 0 && is_small(&diagonal, &beside, end - 1) {
             end -= 1;
@@ -142,7 +141,7 @@ mod tests {
         got.sort_by(|a, b| b.total_cmp(a));
         for (k, got) in got.into_iter().enumerate() {
             let asked = 0.25 / (PI * (2.0 * k as f64 + 1.0) / (4.0 * size as f64 + 2.0)).sin().powi(2);
-            // The largest is 1,484: ε of it, times the size.
+            // Largest eigenvalue 1,484: ε of it, times the size.
             assert!((got - asked).abs() < 2e-11, "{k}: {got} against {asked}");
         }
     }

@@ -1,29 +1,29 @@
-//! Clusters: points of one vehicle, grown from the strongest point along range and velocity within one strip
-//! of road.
+//! Clustering: points of one vehicle, grown from the strongest point along range and velocity within one
+//! strip of road.
 //!
-//! A vehicle is a chain of scatterers along its lane, its echoes of several bounces a tail behind it, all at
-//! nearly one radial velocity. So a point joins when it is near *any* member in range and velocity (a chain
-//! of any length), but near the *whole* object's power-weighted mean across the lanes: chains must not creep
-//! from one lane to the next, which density clustering (DBSCAN) in all three allows as soon as one weak point
-//! between them is badly placed.
+//! A vehicle is a chain of scatterers along its lane, followed by a tail of multiple-bounce echoes, all at
+//! nearly one radial velocity. A point therefore joins if it is near *any* member in range and velocity (a
+//! chain of any length), but near the *whole* object's power-weighted mean across the lanes: chains must not
+//! creep from one lane to the next, which density clustering (DBSCAN) in all three dimensions allows as soon
+//! as one weak point between them is badly placed.
 //!
-//! A body whose echoes leave a longer gap, or one of which stood too far aside when it was met, is two groups
-//! then. They are joined if they stand in one strip (their means within half a lane), move alike (their mean
-//! velocities within half a reach) and are apart by less than two cars of a queue are; not if the farther is
-//! ten times stronger, as a follower's front is and a hidden rear is not. Across the line of sight a vehicle
-//! is longer than the strip is wide, and shows other velocities from end to end: parts that one velocity
-//! explains, and that lie one behind the other along it, are joined as well (`rigid_pieces.rs`).
+//! A body whose echoes leave a longer gap, or one of whose points was too far aside when tested, forms two
+//! groups. They are joined if they lie in one strip (means within half a lane), move alike (mean velocities
+//! within half a reach) and are closer than two cars of a queue; not if the farther one is ten times
+//! stronger, as a follower's front is and a shadowed rear is not. Across the line of sight a vehicle is
+//! longer than the strip is wide, and its velocity varies from end to end: parts explained by one velocity,
+//! one behind the other along it, are joined as well (`rigid_pieces.rs`).
 //!
-//! Bodies of a queue that starts or stops stand within one reach of each other and move within the reach in
-//! velocity: their chain is cut where the velocity of its echoes steps (`velocity_steps.rs`), and what a step
-//! parts is not joined again.
+//! Bodies of a queue that starts or stops lie within one reach of each other and within the velocity reach:
+//! their chain is cut where the velocity of its echoes steps (`velocity_steps.rs`), and parts separated by a
+//! step are not joined again.
 //!
-//! What is left behind a group, in its strip and at its velocity, but twenty times weaker, is its tail: the
-//! far end of a long body, which sends little back beside the front, or an echo of several bounces. (A box
-//! truck of 8 m at 30 m: the front at 25 dB, the rear 6 m behind the last echo before it at 11 dB.) A
-//! follower of like strength stays its own object; one that is twenty times weaker, that near and that equal
-//! in speed is lost to the one ahead; at ten times, the fading of two like cars 6 m apart was enough to lose
-//! one. Weaker and beside the front is its far corner: a bus is as wide as the strip.
+//! Points left over behind a group, in its strip and at its velocity, but twenty times weaker, are its tail:
+//! the far end of a long body, which returns little compared with the front, or a multiple-bounce echo. (A
+//! box truck of 8 m at 30 m: the front at 25 dB, the rear, 6 m behind the last echo before it, at 11 dB.) A
+//! follower of similar strength stays its own object; one that is twenty times weaker, that near and at equal
+//! speed, is lost to the one ahead; at ten times, the fading of two equal cars 6 m apart sufficed to lose
+//! one. A weaker group beside the front is its far corner: a bus is as wide as the strip.
 
 use crate::objects::cluster_member::Member;
 use crate::objects::rigid_pieces::drive_as_one;
@@ -31,10 +31,9 @@ use crate::objects::velocity_steps::{DopplerAxis, range_of_step, steps_between};
 use artifact::settings::DspSettings;
 use radar::doppler_ambiguity::wrapped_mps;
 
-/// Groups of indices into `members`, which come strongest first.
+/// Groups of indices into `members`, which are sorted strongest first.
 ///
-/// Every member is in exactly one group; groups are in the order of their strongest member, members in order
-/// of index.
+/// Every member is in exactly one group; groups are ordered by their strongest member, members by index.
 pub(crate) fn clusters(members: &[Member], settings: &DspSettings, axis: DopplerAxis) -> Vec<Vec<usize>> {
     let echoes = Echoes { members, settings, axis };
     let mut groups = echoes.chains();
@@ -48,32 +47,32 @@ pub(crate) fn clusters(members: &[Member], settings: &DspSettings, axis: Doppler
     })
 }
 
-/// A tail is at least this much weaker than the strongest point ahead.
+/// Maximum power of a tail relative to the strongest point ahead.
 const TAIL_POWER: f64 = 0.05;
-/// A tail follows the last point ahead within this many reaches in range: 6.25 m of the default 2.5 m.
+/// Maximum distance of a tail behind the last point ahead, in range reaches: 6.25 m for the default 2.5 m.
 const TAIL_REACHES: f64 = 2.5;
-/// A wing is at least this much weaker than the strongest point of its front.
+/// Maximum power of a wing relative to the strongest point of its front.
 const WING_POWER: f64 = 0.1;
-/// Standard errors by which a wing may seem farther across than it is.
+/// Standard errors by which a wing may appear farther across than it is.
 const WING_ERRORS: f64 = 2.0;
-/// Two pieces of one body are this many reaches apart at most: 4.4 m of the default 2.5 m. The rear of a car
-/// is hidden from the front, so that the echoes of two that stand a metre apart are farther from each other.
+/// Maximum distance between two pieces of one body, in range reaches: 4.4 m for the default 2.5 m. The rear
+/// of a car is hidden from the front, so that echoes of two cars a metre apart are farther from each other.
 const PIECE_REACHES: f64 = 1.75;
-/// Means of two pieces of one body are apart across by at most this part of the reach across: 1.5 m, two
-/// fifths of a lane.
+/// Maximum distance across between the means of two pieces of one body, relative to the reach across: 1.5 m,
+/// two fifths of a lane.
 const PIECE_STRIP: f64 = 0.6;
-/// Means of two pieces of one body are apart in velocity by at most this part of the reach in velocity.
+/// Maximum velocity difference between the means of two pieces of one body, relative to the velocity reach.
 const PIECE_VELOCITY: f64 = 0.5;
-/// Power ratio over nearer echoes from which an echo is a follower's front: a body's own front hides its
+/// Power ratio to nearer echoes from which an echo is a follower's front: a body's own front shadows its
 /// rear.
 const FOLLOWER_POWER: f64 = 10.0;
-/// Distance behind the first echo, longer than cars are, beyond which any stronger echo is a follower's
-/// front: the strongest of a body comes from its front, its windscreen or the load over its cab, m.
+/// Distance behind the first echo, longer than cars, beyond which any stronger echo is a follower's front, m:
+/// the strongest echo of a body comes from its front, its windscreen or the load above its cab.
 const FRONT_M: f64 = 5.0;
-/// Power, as a part of a front's, below which what lies ahead of the front is its sidelobes.
+/// Power relative to a front below which echoes ahead of it are its sidelobes.
 const SIDELOBES: f64 = 0.01;
 
-/// Echoes of a frame, strongest first, and by what they belong together.
+/// Echoes of a frame, strongest first, and the criteria by which they belong together.
 #[derive(Clone, Copy)]
 struct Echoes<'a> {
     members: &'a [Member],
@@ -82,7 +81,7 @@ struct Echoes<'a> {
 }
 
 impl Echoes<'_> {
-    /// Chains of the strongest echoes that are free, cut where velocities step and before what stands ahead.
+    /// Chains grown from the strongest free echoes, cut where velocities step and before bodies ahead.
     fn chains(&self) -> Vec<Vec<usize>> {
         let mut free: Vec<bool> = vec![true; self.members.len()];
         let mut groups = Vec::new();
@@ -97,7 +96,7 @@ impl Echoes<'_> {
         groups
     }
 
-    /// All free members that a chain reaches from the seed, strongest first so that the mean settles early.
+    /// All free members reached by a chain from the seed, strongest first so that the mean settles early.
     fn grow(&self, seed: usize, free: &mut [bool]) -> Vec<usize> {
         let mut group = Vec::new();
         let mut reached = vec![seed];
@@ -123,8 +122,8 @@ impl Echoes<'_> {
         group
     }
 
-    /// A grown group, cut wherever the velocity of the chain steps and no motion across the line of sight
-    /// explains it; groups with their members in order of index.
+    /// Splits a grown group wherever the velocity of the chain steps and no motion across the line of sight
+    /// explains the step; members stay in order of index.
     fn parted_by_velocity(&self, group: Vec<usize>) -> Vec<Vec<usize>> {
         let Some(cut_m) = range_of_step(self.members, self.axis, &group) else { return vec![group] };
         let (near, far): (Vec<usize>, Vec<usize>) =
@@ -136,8 +135,8 @@ impl Echoes<'_> {
         parts.collect()
     }
 
-    /// A grown group, and before it what stands ahead of its strongest echo's body: the chain of a queue is
-    /// cut at the weakest echo between two fronts.
+    /// Separates from a grown group what lies ahead of its strongest echo's body: the chain of a queue is cut
+    /// at the weakest echo between two fronts.
     fn without_those_ahead(&self, group: Vec<usize>) -> Vec<Vec<usize>> {
         let strongest = &self.members[group[0]];
         let ahead = group.iter().find(|i| self.members[**i].range_m < strongest.range_m - FRONT_M);
@@ -172,7 +171,7 @@ impl Echoes<'_> {
             && gaps.fold(f64::INFINITY, f64::min) <= self.piece_reach_m()
     }
 
-    /// Whether one velocity explains two parts, of which one lies behind the other along it.
+    /// Whether one velocity explains two parts, one of which lies behind the other along it.
     fn drive_as_one(&self, parts: [&[usize]; 2]) -> bool {
         drive_as_one(self.members, self.settings, self.axis.span_mps, parts, self.piece_reach_m())
     }
@@ -190,7 +189,8 @@ impl Echoes<'_> {
         follower.power > FOLLOWER_POWER * front.power || is_far_behind && follower.power > front.power
     }
 
-    /// Power-weighted means of a group: across the lanes, and of velocities about its strongest member's.
+    /// Power-weighted means of a group: position across the lanes, and velocity around that of its strongest
+    /// member.
     fn means(&self, group: &[usize]) -> (f64, f64) {
         let strongest_mps = self.members[group[0]].radial_velocity_mps;
         let (mut cross, mut velocity, mut weight) = (0.0, 0.0, 0.0);
@@ -215,8 +215,8 @@ impl Echoes<'_> {
             && (strongest.cross_m - weak.cross_m).abs() <= self.settings.cluster_cross_m
     }
 
-    /// A front's far corner: much weaker, as far in range as the front's strongest point, and across no
-    /// farther than the reach and what noise lets it err by (a bus is as wide as the reach).
+    /// Whether a group is a front's far corner: much weaker, as far in range as the front's strongest point,
+    /// and no farther across than the reach plus its noise error (a bus is as wide as the reach).
     fn is_wing(&self, wing: &[usize], body: &[usize]) -> bool {
         let (strongest, weak) = (&self.members[body[0]], &self.members[wing[0]]);
         let reach_m = self.settings.cluster_cross_m + WING_ERRORS * weak.cross_error_m;
@@ -230,14 +230,14 @@ impl Echoes<'_> {
         near_in_range && self.apart_mps(a, b) <= self.settings.cluster_velocity_mps
     }
 
-    /// Distance of two velocities on their circle.
+    /// Velocity difference on the circle of one span.
     fn apart_mps(&self, a: &Member, b: &Member) -> f64 {
         wrapped_mps(a.radial_velocity_mps - b.radial_velocity_mps, self.axis.span_mps).abs()
     }
 }
 
-/// Groups, strongest first, each joined to the strongest earlier one that it belongs to, until none belongs
-/// to another.
+/// Joins each group, strongest first, to the strongest earlier one that it belongs to, until none belongs to
+/// another.
 fn joined_to_earlier(
     mut groups: Vec<Vec<usize>>,
     belongs: impl Fn(&[usize], &[usize]) -> bool,
@@ -265,7 +265,7 @@ fn joined_once(groups: Vec<Vec<usize>>, belongs: &impl Fn(&[usize], &[usize]) ->
     joined
 }
 
-/// Members come strongest first: the lowest index.
+/// Members are sorted strongest first, so this is the lowest index.
 fn strongest(reached: &mut Vec<usize>) -> Option<usize> {
     let at = (0..reached.len()).min_by_key(|i| reached[*i])?;
     Some(reached.swap_remove(at))
@@ -279,7 +279,7 @@ mod tests {
 
     const AXIS: DopplerAxis = DopplerAxis { span_mps: 35.0, cell_mps: 0.25 };
 
-    /// Bodies at rest in one lane, by range and level; groups of the ranges.
+    /// Groups of the ranges of bodies at rest in one lane, given by range and level.
     fn groups_of(echoes: &[(f64, f64)]) -> Vec<Vec<f64>> {
         groups(echoes.iter().map(|(range_m, db)| at(*range_m, *db)).collect())
     }
@@ -308,8 +308,8 @@ mod tests {
         }
     }
 
-    /// The third car and the truck behind it of scenes/traffic.toml, with the echoes of several bounces
-    /// between them.
+    /// The third car and the truck behind it in scenes/traffic.toml, with the multiple-bounce echoes between
+    /// them.
     #[test]
     fn a_car_before_a_stronger_truck_is_not_chained_to_it_by_weak_echoes_between() {
         let echoes =
@@ -331,7 +331,7 @@ mod tests {
         assert_eq!(groups_of(&echoes).len(), 1);
     }
 
-    /// A sedan, an estate and a bus that start one after the other, as a traced frame shows them.
+    /// A sedan, an estate and a bus that start one after the other, from a traced frame.
     const QUEUE: [(f64, f64, f64); 13] = [
         (17.56, 22.0, -0.54),
         (18.52, 22.0, -0.55),

@@ -1,4 +1,4 @@
-//! Objects of points that another program or radar has located: the groups that this one's own would form.
+//! Objects from points located by another program or radar, grouped like this radar's own.
 //!
 //! The cells and channels of such points are unknown. A cloud may hold one point for each detected cell or one
 //! for each body, so points within a main lobe of a stronger one follow it, and only the others, the summits,
@@ -15,8 +15,8 @@ use artifact::units::power_from_db;
 use glam::DVec3;
 use radar::doppler_ambiguity::{folded_mps, wrapped_mps};
 
-/// Objects in the order of their strongest points; the points are put in order of strength, and get the
-/// number of their object. The header tells where the radar is, its span of velocities and what is near.
+/// Objects in the order of their strongest points; the points are sorted by strength and assigned the index
+/// of their object. The header provides the radar's position, its velocity span and the clustering distances.
 pub fn objects_of_points(header: &CubeHeader, points: &mut [Point]) -> Vec<Object> {
     points.sort_by(|a, b| b.snr_db.total_cmp(&a.snr_db));
     let span_mps = 2.0 * header.radar.velocity_max_mps();
@@ -75,7 +75,7 @@ fn member(header: &CubeHeader, point: &Point, span_mps: f64) -> Member {
     }
 }
 
-/// The object of these points, the strongest first.
+/// Object of these points, sorted strongest first.
 fn object(header: &CubeHeader, points: &[&Point], span_mps: f64) -> Object {
     let total: f64 = points.iter().map(|point| power_from_db(point.snr_db)).sum();
     let share = |point: &Point| power_from_db(point.snr_db) / total;

@@ -1,9 +1,9 @@
-//! Located points of a map and the objects they form.
+//! Located points of a map and the objects that they form.
 //!
-//! One point per detected cell, as in the paper's clouds (14, 15, 18 points for a car; its flow sends every
-//! cell that passes the detector to the angle FFT). The cells under one main lobe (of the point-spread
-//! function; about 3 × 3 with Hann windows) are one measurement: its peak is placed between cells, the others
-//! stand at their cells' centres. Objects are made of peaks alone.
+//! There is one point per detected cell, as in the paper's clouds (14, 15, 18 points for a car; its flow
+//! sends every cell that passes the detector to the angle FFT). The cells under one main lobe (of the
+//! point-spread function; about 3 × 3 with Hann windows) are one measurement: its peak is interpolated
+//! between cells, the others lie at their cells' centres. Objects are formed from peaks alone.
 
 use crate::ambiguity::ambiguous_velocities::{ambiguity_mps, folds_are_told, no_other_is_driven};
 use crate::ambiguity::time_division_folds::{ChosenFold, Folds};
@@ -35,12 +35,12 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Points of a map, strongest first, and objects in the order of their strongest peaks; peaks that stand
-/// alone are refined on the samples that the map was made of, where there are any (`refinement.rs`).
+/// Points of a map, strongest first, and objects in the order of their strongest peaks; isolated peaks are
+/// refined on the map's original samples, if given (`refinement.rs`).
 ///
-/// Knows the map and its radar's settings alone. A vehicle is one object, its points share the object's
-/// index; a detection without a detected neighbour, as noise makes them, is a point of no object. Detected
-/// cells on sidelobes are no points.
+/// Only the map and its radar's settings are used. A vehicle is one object, whose points share its index; a
+/// detection without a detected neighbour, as produced by noise, is a point without object. Detected cells on
+/// sidelobes yield no points.
 pub(crate) fn located(
     plan: &Plan,
     map: &RdmFrame,
@@ -60,7 +60,7 @@ pub(crate) fn located(
     if let Some(samples) = samples {
         refine_isolated(&view, samples, &peaks, &mut sighted);
     }
-    // Cells nearer are not tested; where the range axis is a circle, their lobes reach over its other end.
+    // Nearer cells are not tested; if the range axis is a circle, their lobes reach past its other end.
     sighted.retain(|s| s.range_m >= plan.settings.nearest_m);
     if plan.settings.static_echoes == StaticEchoes::Remove {
         sighted.retain(|s| !view.is_at_rest(s));
@@ -82,28 +82,29 @@ pub(crate) fn located(
     Ok(PointsFrame { index: map.index, time_s: map.time_s, points: strongest_first(points), objects })
 }
 
-/// Points by falling strength; those of equal strength in the order of the map.
+/// Points by decreasing strength; those of equal strength in the order of the map.
 fn strongest_first(mut points: Vec<Point>) -> Vec<Point> {
     points.sort_by(|a, b| b.snr_db.total_cmp(&a.snr_db));
     points
 }
 
-/// Half a main lobe of a window like Hann's.
+/// Half width of a main lobe for a window like Hann's.
 const LOBE_CELLS: usize = 2;
 
-/// An echo of a peak, or of a cell on its slope, with what the channels say of it.
+/// An echo of a peak, or of a cell on its slope, with the result from its channels.
 #[derive(Clone)]
 struct Sighting {
-    /// Peak of the echo, with a power of its own where the cell holds several echoes.
+    /// Peak of the echo, with its own power if the cell contains several echoes.
     peak: Peak,
     range_m: f64,
     radial_velocity_mps: f64,
     snapshot: Snapshot,
     direction: Direction,
     place: Place,
-    /// Folds of the echo's cell, where time division tells them.
+    /// Folds of the echo's cell, if time division resolves them.
     folds: Option<Folds>,
-    /// Azimuths of the two bodies between which a peak's wave ran, rad; `None` where it ran to one and back.
+    /// Azimuths of the two bodies between which a peak's wave travelled, rad; `None` if it travelled to one
+    /// and back.
     two_ways_rad: Option<[f64; 2]>,
 }
 
@@ -117,9 +118,9 @@ struct View<'a> {
 }
 
 impl View<'_> {
-    /// Looks at every peak's channels for a wave that left by one direction and came back by another.
+    /// Tests every peak's channels for a wave with different directions of departure and arrival.
     fn mark_ghosts(&self, sighted: &mut [Sighting]) {
-        // Echoes of one cell have its channels in common, and the strongest comes first.
+        // Echoes of one cell share its channels, and the strongest comes first.
         let mut of_cells: BTreeMap<[usize; 2], &Sighting> = BTreeMap::new();
         for s in sighted.iter() {
             of_cells.entry(s.cell()).or_insert(s);
@@ -135,8 +136,9 @@ impl View<'_> {
         found.map(|two| two.directions.map(azimuth))
     }
 
-    /// Azimuths of the two ways of a cell on the slope of a peak, by its strongest echo: those of the peak if
-    /// it is the peak's, seen in the same beam. Another one may lie there, with no peak of its own.
+    /// Azimuths of the two bodies for a cell on the slope of a peak, from its strongest echo: those of the
+    /// peak if the echo is the peak's, seen in the same beam. Another echo may lie there without a peak of
+    /// its own.
     fn on_slope_of(&self, owner: &Sighting, strongest: &Sighting) -> Option<[f64; 2]> {
         let apart_beams = (owner.direction.right - strongest.direction.right).abs() / self.array.beams()[0];
         if apart_beams < 0.5 { owner.two_ways_rad } else { self.two_ways_rad(strongest) }
@@ -158,13 +160,13 @@ impl View<'_> {
         self.sight_at(peak, velocity_mps, folds)
     }
 
-    /// Echoes of one cell, at least one, at a velocity that is known.
+    /// Echoes of one cell, at least one, at a known velocity.
     fn sight_at(&self, peak: Peak, radial_velocity_mps: f64, folds: Option<Folds>) -> Vec<Sighting> {
         let range_m = self.range_m(&peak, radial_velocity_mps);
         self.sight_there(peak, (range_m, radial_velocity_mps), folds)
     }
 
-    /// Echoes of one cell, at least one, at a range and a velocity that are known.
+    /// Echoes of one cell, at least one, at a known range and velocity.
     fn sight_there(
         &self,
         peak: Peak,
@@ -198,15 +200,15 @@ impl View<'_> {
         self.noise / self.array.division().map_channels as f64
     }
 
-    /// Signal over noise of the transmit–receive pairs: the noise's own mean is taken out of the cell, and
-    /// codes of no transmitter hold nothing else.
+    /// SNR of the transmit–receive pairs, dB: the mean noise is subtracted from the cell, and unused codes
+    /// contain nothing else.
     fn snr_db(&self, power: f64) -> f64 {
         let division = self.array.division();
         let pairs = division.pairs() as f64 / division.map_channels as f64;
         snr_db(power - (1.0 - pairs) * self.noise, pairs * self.noise)
     }
 
-    /// The peaks of an object moved to the one fold that explains all of them best.
+    /// Moves the peaks of each object to the one fold that explains all of them best.
     fn in_one_fold(&self, sighted: Vec<Sighting>, peaks: &[Peak]) -> Vec<Sighting> {
         let mut moved: BTreeMap<[usize; 2], (f64, Option<Folds>)> = BTreeMap::new();
         for group in self.groups(&sighted) {
@@ -226,7 +228,7 @@ impl View<'_> {
         by_strength(peaks.par_iter().map(again).collect())
     }
 
-    /// Indices of the peaks of each object, those hidden from the detector among them.
+    /// Indices of the peaks of each object, including those hidden from the detector.
     fn groups(&self, sighted: &[Sighting]) -> Vec<Vec<usize>> {
         let members: Vec<Member> = sighted.iter().map(|s| self.member(s)).collect();
         let axis =
@@ -248,20 +250,20 @@ impl View<'_> {
         }
     }
 
-    /// Cramér–Rao bound of the direction cosine of a lone echo, its power and the noise's added over
-    /// channels, on a filled row of a beam's width λ/D: σ = √6/(2π)·λ/D/√(channels·signal over noise); 0 of
-    /// an array without extent.
+    /// Cramér–Rao bound of the direction cosine of an isolated echo, with its power and the noise summed over
+    /// channels, for a filled row with beamwidth λ/D: σ = √6/(2π)·λ/D/√(channels·signal over noise); 0 for an
+    /// array without extent.
     fn cosine_error(&self, power: f64) -> f64 {
         let beam = self.array.beams()[0];
         if beam.is_finite() { 6f64.sqrt() / TAU * beam / self.over_noise(power).max(1.0).sqrt() } else { 0.0 }
     }
 
-    /// Power ratio of a cell to one channel's noise, added over channels.
+    /// Power ratio of a cell to one channel's noise, summed over channels.
     fn over_noise(&self, power: f64) -> f64 {
         power / self.noise.max(f64::MIN_POSITIVE) * self.array.division().map_channels as f64
     }
 
-    /// A velocity of this map as near as it can be to one whose fold was told, else within the map's span.
+    /// Velocity of this map unfolded to be nearest to one with a resolved fold, else within the map's span.
     fn unfolded(&self, velocity_mps: f64, near: &Sighting) -> f64 {
         match near.folds {
             Some(_) => self.axes.unwrapped(velocity_mps, near.radial_velocity_mps),
@@ -282,7 +284,7 @@ impl View<'_> {
         }
     }
 
-    /// Points of a detected cell of this power.
+    /// Points of a detected cell with this power.
     fn points(
         &self,
         sighted: &[Sighting],
@@ -318,7 +320,7 @@ impl View<'_> {
         let across = |a: &Sighting, b: &Sighting| (a.direction.right - b.direction.right).abs();
         let Some(owner) = of_cell(peak).next() else { return vec![] };
         let velocity_mps = self.unfolded(self.axes.velocity_at(row as f64), &sighted[owner]);
-        // A lobe over the end of the range axis is one echo: its cells stay on the side of their peak.
+        // A lobe across the end of the range axis is one echo: its cells stay on the side of their peak.
         let shown_m = self.axes.range_of(column as f64, velocity_mps);
         let owner_m = sighted[owner].range_m;
         let range_m = self.axes.between_ends(owner_m + self.axes.range_apart_m(shown_m, owner_m));
@@ -331,7 +333,7 @@ impl View<'_> {
     }
 }
 
-/// Folds of several cells of one body.
+/// Combined folds of several cells of one body.
 fn joined(members: &[&Sighting]) -> Option<Folds> {
     let mut folds = members.iter().filter_map(|member| member.folds.as_ref());
     let mut all = folds.next()?.clone();
@@ -345,7 +347,7 @@ fn by_strength(of_peaks: Vec<Vec<Sighting>>) -> Vec<Sighting> {
     sighted
 }
 
-/// Puts refined estimates in the place of those of detected peaks that stand alone.
+/// Replaces the estimates of detected isolated peaks by refined ones.
 fn refine_isolated(view: &View<'_>, samples: &[Complex32], peaks: &[Peak], sighted: &mut [Sighting]) {
     let plan = view.plan;
     let neighbours = Neighbours { plan, map: view.map, peaks, noise: view.noise };
@@ -372,8 +374,7 @@ impl Sighting {
         [self.peak.row, self.peak.column]
     }
 
-    /// Whether it is that of a summit, or stands on the slope of that summit no farther from a cell of it
-    /// than a main lobe reaches.
+    /// Whether the echo is that of a summit, or lies on that summit's slope within a main lobe of `cell`.
     fn is_over(&self, cells: MapCells, cell: [usize; 2], summit: [usize; 2]) -> bool {
         let is_near = cells.apart(self.cell(), cell).into_iter().all(|apart| apart <= LOBE_CELLS);
         self.cell() == summit || (self.peak.summit == summit && is_near)
@@ -405,16 +406,16 @@ impl Sighting {
     }
 }
 
-/// Signal over noise: the noise's own mean is taken out of the cell. A detection lies above the noise; what
-/// little of a hundredth is kept is for the logarithm's sake. Without any noise to compare with: the highest
-/// value, 300 dB.
+/// Signal-to-noise ratio, dB: the mean noise is subtracted from the cell, and the result kept at a hundredth
+/// or more for the logarithm, since detections lie above the noise. Without noise it is the highest value,
+/// 300 dB.
 fn snr_db(power: f64, noise: f64) -> f64 {
     if noise > 0.0 { db_from_power((power / noise - 1.0).max(0.01)) } else { -LOWEST_DB }
 }
 
-/// Whether a group is more than a lone cell. A window spreads an echo over neighbours that are at most 8 dB
-/// lower, noise passes in single cells (at a rate of 1e-5, 0.3 a map): such a cell is a point, but no object.
-/// Without a window an echo on a bin's centre is alone too.
+/// Whether a group is more than an isolated cell. A window spreads an echo over neighbours that are at most 8
+/// dB lower, while noise passes in single cells (at a rate of 1e-5, 0.3 per map): such a cell is a point, but
+/// not an object. Without a window an echo at a bin's centre is isolated too.
 fn is_supported(settings: &DspSettings, sighted: &[Sighting], group: &[usize]) -> bool {
     let spreads = |window: Window| window != Window::Rect;
     let lone_is_noise = spreads(settings.range_window) || spreads(settings.doppler_window);
@@ -423,7 +424,7 @@ fn is_supported(settings: &DspSettings, sighted: &[Sighting], group: &[usize]) -
 }
 
 impl View<'_> {
-    /// The object of detected peaks, strongest first, and of the points on their slopes.
+    /// Object of detected peaks, strongest first, and of the points on their slopes.
     fn object(&self, peaks: &[&Sighting], points: &[&Point]) -> Object {
         let strongest = peaks[0];
         let near_strongest =
@@ -453,7 +454,7 @@ impl View<'_> {
     }
 
     /// Whether the fold of a body's velocity is beyond doubt; the strongest of its peaks comes first. The
-    /// empty band of Doppler division tells its band, and nothing of velocities a whole span away.
+    /// empty band of Doppler division resolves the band, but not velocities a whole span away.
     fn is_resolved(&self, peaks: &[&Sighting]) -> bool {
         match joined(peaks) {
             Some(folds) => self.choice(&folds).is_certain,
@@ -466,7 +467,7 @@ impl View<'_> {
         }
     }
 
-    /// Whether all are at rest, where that is asked.
+    /// Whether all peaks are at rest, if requested.
     fn stationary<'s>(&self, mut peaks: impl Iterator<Item = &'s Sighting>) -> Option<bool> {
         (self.plan.settings.static_echoes != StaticEchoes::Keep)
             .then(|| peaks.all(|peak| self.is_at_rest(peak)))
@@ -477,8 +478,8 @@ impl View<'_> {
         is_at_rest(&self.plan.radar, s.radial_velocity_mps, fold, self.over_noise(s.peak.power))
     }
 
-    /// Direction of all peaks: the strongest beam of their cells, or the mean of the echoes told apart in
-    /// them.
+    /// Common direction of all peaks: the strongest beam of their cells, or the mean of the echoes resolved
+    /// in them.
     fn direction(&self, peaks: &[&Sighting], weights: &[f64], range_m: f64) -> Direction {
         match (peaks, self.plan.settings.angle) {
             ([lone], _) => lone.direction,
@@ -494,7 +495,7 @@ impl View<'_> {
     }
 }
 
-/// The strongest echo's elevation, if the array measures any.
+/// Elevation of the strongest echo, if the array measures it.
 fn strongest_up(peaks: &[&Sighting]) -> Option<f64> {
     peaks.first().and_then(|s| s.direction.up)
 }

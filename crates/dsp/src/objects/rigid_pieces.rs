@@ -1,43 +1,42 @@
-//! Whether two groups of points are parts of one body that drives across the line of sight.
+//! Test whether two groups of points are parts of one body that drives across the line of sight.
 //!
-//! A point of a body with the velocity V shows V·û, û the unit vector from the radar to it: over the length
-//! of a vehicle that crosses, the radial velocity changes by metres per second, and both components of V
-//! follow from that profile by least squares (Kellner, Barjenbruch, Klappstein, Dickmann and Dietmayer, IEEE
-//! IV 2013). A vehicle drives the way it is long, so that its parts lie in a strip along V no wider than it
-//! is. Two vehicles abreast that drive away from the radar do not: a velocity that explained both would point
-//! across their lanes. Bodies at rest show no velocity at all, and are not asked.
+//! A point of a body with velocity V has the radial velocity V·û, û the unit vector from the radar to it:
+//! over the length of a crossing vehicle the radial velocity changes by metres per second, and both
+//! components of V follow from that profile by least squares (Kellner, Barjenbruch, Klappstein, Dickmann and
+//! Dietmayer, IEEE IV 2013). A vehicle drives along its length, so its parts lie in a strip along V no wider
+//! than the vehicle. Two vehicles abreast that drive away from the radar do not: a velocity that explained
+//! both would point across their lanes. Bodies at rest show no velocity, and are not tested.
 //!
-//! Two parts of one peak each have no misfit to judge by: two radial velocities are any velocity's. That this
-//! velocity points from one to the other is then what tells: two parts of a side line up along it, and its
-//! component across the line of sight is beyond its error.
+//! Two parts of one peak each have no misfit to judge by: any two radial velocities fit some velocity. The
+//! evidence then is that this velocity points from one to the other: two parts of a side line up along it,
+//! and its component across the line of sight exceeds its error.
 
 use crate::objects::cluster_member::Member;
 use artifact::settings::DspSettings;
 use glam::{DMat2, DVec2};
 use radar::doppler_ambiguity::wrapped_mps;
 
-/// A slower body hardly changes its velocity from cell to cell over its length; a faster one drives on no
-/// street, m/s.
+/// Minimum and maximum speed, m/s: the velocity of a slower body hardly varies from cell to cell over its
+/// length; no street vehicle is faster.
 const SPEEDS_MPS: [f64; 2] = [2.0, 35.0];
-/// Standard error of a peak's velocity, several parts of a body in its cell, m/s.
+/// Standard error of a peak's velocity with several parts of a body in its cell, m/s.
 pub(crate) const VELOCITY_ERROR_MPS: f64 = 0.15;
-/// Points of one body differ from its motion by this part of the reach in velocity, rms.
+/// Maximum rms misfit of the points of one body to its motion, relative to the velocity reach.
 const MISFIT: f64 = 0.35;
-/// A group foretells another's velocities to so many standard errors, where these are no larger than this,
-/// m/s.
+/// Standard errors to which a group must predict another's velocities, and the maximum of these errors, m/s.
 const FORETOLD: (f64, f64) = (2.5, 0.5);
-/// Longest vehicle on roads without special leave, an articulated bus or a lorry and trailer, m.
+/// Maximum length of vehicles on roads without special permit, an articulated bus or a lorry and trailer, m.
 const LONGEST_M: f64 = 18.75;
-/// Echoes of one side stand in a strip of this part of the reach across: 1.5 m, as pieces of one body in its
-/// lane do.
+/// Width of the strip that contains the echoes of one side, relative to the reach across: 1.5 m, like pieces
+/// of one body in its lane.
 const SIDE_WIDTH: f64 = 0.6;
-/// Bodies abreast show echoes a lane apart: what lines up along its own motion nearer than the narrowest lane
-/// for lorries is one side, m.
+/// Width of the narrowest lane for lorries, m: bodies abreast have echoes a lane apart, so echoes closer than
+/// this that line up along their own motion are one side.
 const LANE_M: f64 = 3.25;
-/// Width that strips along a velocity known from few points have in addition, m.
+/// Additional width of strips along a velocity known from few points, m.
 const STRIP_MARGIN_M: f64 = 1.0;
 
-/// Whether `b` continues `a`, no farther from it than `reach_m` along their velocity.
+/// Whether `b` continues `a`, at most `reach_m` from it along their velocity.
 pub(crate) fn drive_as_one(
     members: &[Member],
     settings: &DspSettings,
@@ -73,7 +72,7 @@ pub(crate) fn drive_as_one(
     length(extent(&all, |place_m| along.dot(place_m))) <= LONGEST_M && (continues || adjoins || lines_up)
 }
 
-/// Evidence that a point gives of its body's motion.
+/// Contribution of a point to its body's motion.
 #[derive(Debug, Clone, Copy)]
 struct Echo {
     place_m: DVec2,
@@ -89,7 +88,7 @@ impl Echo {
     }
 }
 
-/// The velocity of a body by least squares.
+/// Least-squares velocity of a body.
 struct VelocityFit {
     velocity_mps: DVec2,
     /// Covariance of the velocity over the variance of one radial velocity.
@@ -97,7 +96,8 @@ struct VelocityFit {
 }
 
 impl VelocityFit {
-    /// Points in one direction leave the component across it open: its variance is then beyond any limit.
+    /// Fits the velocity. Points in one direction leave the component across it undetermined: its variance
+    /// then exceeds any limit.
     fn of(echoes: &[Echo]) -> Self {
         let (mut normal, mut moment) = (DMat2::from_diagonal(DVec2::splat(1e-9)), DVec2::ZERO);
         for echo in echoes {
@@ -113,7 +113,7 @@ impl VelocityFit {
         (echoes.iter().map(square).sum::<f64>() / echoes.len() as f64).sqrt()
     }
 
-    /// Whether the velocity across the line of sight is more than its own error makes of nothing.
+    /// Whether the velocity across the line of sight is significant relative to its error.
     fn is_known_to_cross(&self, echoes: &[Echo]) -> bool {
         let across = mean_sight(echoes).perp();
         let error_mps = VELOCITY_ERROR_MPS * across.dot(self.covariance * across).sqrt();
@@ -127,7 +127,7 @@ impl VelocityFit {
     }
 }
 
-/// Whether the part that knows its own motion better tells the velocities of the other.
+/// Whether the part with the better known motion predicts the velocities of the other.
 fn foretells(a: &[Echo], b: &[Echo]) -> bool {
     let known = |part: &[Echo]| (part.len() > 1).then(|| VelocityFit::of(part));
     let trace = |fit: &VelocityFit| fit.covariance.x_axis.x + fit.covariance.y_axis.y;
@@ -200,12 +200,12 @@ mod tests {
         let across = DVec2::new(-9.6, 0.0);
         let side = [member(-7.8, 16.3, across), member(-10.6, 16.2, across)];
         assert!(are_one(&side, [&[0], &[1]]));
-        // In the next lane, and at the same radial velocities.
+        // In the next lane, at the same radial velocities.
         let beside = [side[0], member(-10.6, 19.9, across)];
         assert!(!are_one(&beside, [&[0], &[1]]));
     }
 
-    /// Two people in a room, one who walks away and one who comes, with the reaches that a scene gives
+    /// Two people in a room, one walking away and one approaching, with a scene's clustering distances for
     /// people.
     #[test]
     fn parts_line_up_no_farther_than_the_reach_that_a_scene_asks_for() {

@@ -1,40 +1,41 @@
-//! Where the velocity of a chain of echoes steps: one body of a queue ends there, and the next begins.
+//! Velocity steps in a chain of echoes, where one body of a queue ends and the next begins.
 //!
-//! All echoes of a rigid body that drives along the line of sight have one radial velocity, from its front to
-//! its rear, those of several bounces on it among them. The next body of a queue that starts or stops has
-//! another one. So a chain is two bodies where the medians of what lies before and behind a place differ by a
-//! Doppler cell or more, and by more than the errors of that many velocities make. A body that drives across
-//! the line of sight shows another velocity at every echo; who cuts has to ask whether one motion explains
-//! both sides (`rigid_pieces.rs`).
+//! All echoes of a rigid body that drives along the line of sight have one radial velocity, from front to
+//! rear, including multiple-bounce echoes on it. The next body of a queue that starts or stops has another. A
+//! chain is therefore two bodies if the medians before and behind a position differ by a Doppler cell or
+//! more, and by more than the errors of that many velocities. A body that drives across the line of sight has
+//! a different velocity at every echo; the caller must check whether one motion explains both sides
+//! (`rigid_pieces.rs`).
 
 use crate::objects::cluster_member::Member;
 use crate::objects::rigid_pieces::VELOCITY_ERROR_MPS;
 use radar::doppler_ambiguity::wrapped_mps;
 
-/// The velocity axis, as far as differences of velocities hang on it.
+/// Parameters of the velocity axis for velocity differences.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct DopplerAxis {
-    /// Span in which velocities wrap.
+    /// Span at which velocities wrap.
     pub(crate) span_mps: f64,
     /// Width of a cell.
     pub(crate) cell_mps: f64,
 }
 
-/// Stretch before and behind a place whose echoes tell the velocities of both sides: a car's length, m.
+/// Distance before and behind a position from which echoes are taken for the velocities of both sides: a
+/// car's length, m.
 const STRETCH_M: f64 = 5.0;
-/// Fewest echoes of a side.
+/// Minimum number of echoes on a side.
 const FEWEST: usize = 2;
-/// Standard errors of a difference of medians that is no step yet.
+/// Standard errors of a difference of medians up to which it is not a step.
 const ERRORS: f64 = 2.5;
 
-/// Range of the first echo behind the largest step of a group; `None` where there is no step.
+/// Range of the first echo behind the largest step of a group; `None` if there is no step.
 pub(crate) fn range_of_step(members: &[Member], axis: DopplerAxis, group: &[usize]) -> Option<f64> {
     let chain = Chain::of(members, axis, group);
     if !chain.may_step(axis) {
         return None;
     }
     let step = |at: usize| (at, step(chain.before(at), chain.from(at), axis));
-    // Echoes of one range stay together: a cut by range would leave nothing before them.
+    // Echoes at one range stay together: a cut by range would leave nothing before them.
     let is_between = |at: &usize| chain.echoes[at - 1].range_m < chain.echoes[*at].range_m;
     let places = (FEWEST..=chain.echoes.len().saturating_sub(FEWEST)).filter(is_between);
     let steps = places.map(step);
@@ -42,7 +43,7 @@ pub(crate) fn range_of_step(members: &[Member], axis: DopplerAxis, group: &[usiz
     (size >= 1.0).then(|| chain.echoes[at].range_m)
 }
 
-/// Whether the velocity steps from one of two groups to the other, which lies behind it.
+/// Whether the velocity steps between two groups, the second of which lies behind the first.
 pub(crate) fn steps_between(members: &[Member], axis: DopplerAxis, groups: [&[usize]; 2]) -> bool {
     let strongest_mps = members[groups[0][0]].radial_velocity_mps;
     let mut chains = groups.map(|group| Chain::about(members, axis, group, strongest_mps));
@@ -52,14 +53,14 @@ pub(crate) fn steps_between(members: &[Member], axis: DopplerAxis, groups: [&[us
     is_behind && step(near.before(near.echoes.len()), far.from(0), axis) >= 1.0
 }
 
-/// Echoes of a group, from the nearest on.
+/// Echoes of a group in order of range.
 struct Chain {
     echoes: Vec<Echo>,
 }
 
 struct Echo {
     range_m: f64,
-    /// Radial velocity beside that of a strongest echo.
+    /// Radial velocity relative to that of a strongest echo.
     velocity_mps: f64,
 }
 
@@ -78,7 +79,7 @@ impl Chain {
         Self { echoes }
     }
 
-    /// Whether any two echoes are a cell apart in velocity.
+    /// Whether any two echoes differ by a cell in velocity.
     fn may_step(&self, axis: DopplerAxis) -> bool {
         let velocities = self.echoes.iter().map(|echo| echo.velocity_mps);
         let [low, high] =
@@ -86,14 +87,14 @@ impl Chain {
         high - low >= axis.cell_mps
     }
 
-    /// Echoes of the stretch that ends before the echo `end`.
+    /// Echoes in the stretch that ends before the echo `end`.
     fn before(&self, end: usize) -> &[Echo] {
         let from_m = self.echoes[end - 1].range_m - STRETCH_M;
         let begin = self.echoes[..end].partition_point(|echo| echo.range_m < from_m);
         &self.echoes[begin..end]
     }
 
-    /// Echoes of the stretch that begins with the echo `begin`.
+    /// Echoes in the stretch that begins with the echo `begin`.
     fn from(&self, begin: usize) -> &[Echo] {
         let to_m = self.echoes[begin].range_m + STRETCH_M;
         let echoes = &self.echoes[begin..];
@@ -101,7 +102,7 @@ impl Chain {
     }
 }
 
-/// Difference of two sides' medians, over the least that is a step; 0 where a side has too few echoes.
+/// Difference of two sides' medians relative to the smallest step; 0 if a side has too few echoes.
 fn step(near: &[Echo], far: &[Echo], axis: DopplerAxis) -> f64 {
     if near.len().min(far.len()) < FEWEST {
         return 0.0;

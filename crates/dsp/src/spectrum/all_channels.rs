@@ -1,4 +1,4 @@
-//! The maps of a cube's channels, one for every transmit–receive pair, its samples checked first.
+//! Maps of all channels of a cube, one per transmit–receive pair, after checking its samples.
 
 use crate::error::DspError;
 use crate::spectrum::code_division;
@@ -10,11 +10,11 @@ use num_complex::Complex32;
 use rayon::prelude::*;
 
 impl RangeDoppler<f32> {
-    /// Maps `[channel, doppler, range]` of a frame's samples, before any detection; 16 bytes of memory
-    /// traffic a value at least.
+    /// Maps `[channel, doppler, range]` of a frame's samples, before any detection; at least 16 bytes of
+    /// memory traffic per value.
     ///
     /// # Errors
-    /// Samples of another number or sampling than the radar's, and values that are no numbers.
+    /// Samples whose number or sampling is not the radar's, and non-finite values.
     pub fn all_channels(&self, frame: &CubeFrame) -> Result<Vec<Complex32>, DspError> {
         let (shapes, division, samples) = (self.shapes(), self.division(), frame.samples.as_slice());
         shapes.check_samples(samples)?;
@@ -33,7 +33,7 @@ impl RangeDoppler<f32> {
     }
 }
 
-/// Zeros, written by all threads: to be given new memory takes longer than to write to it, and a large cube's
+/// Zeros, written by all threads: obtaining new memory takes longer than writing to it, and a large cube's
 /// maps are always new.
 fn blank(values: usize) -> Vec<Complex32> {
     (0..values).into_par_iter().with_min_len(1 << 16).map(|_| Complex32::ZERO).collect()

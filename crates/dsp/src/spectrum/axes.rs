@@ -9,17 +9,17 @@ use radar::doppler_ambiguity::wrapped_mps;
 /// Rows and columns of the maps of one sub-frame in metres and metres per second.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Axes {
-    /// Doppler cells.
+    /// Number of Doppler cells.
     pub(crate) rows: usize,
-    /// Range cells.
+    /// Number of range cells.
     pub(crate) columns: usize,
-    /// Range from column to column, m.
+    /// Spacing of columns, m.
     pub(crate) range_cell_m: f64,
-    /// Velocity from row to row, m/s.
+    /// Spacing of rows, m/s.
     pub(crate) velocity_cell_mps: f64,
-    /// Half a span.
+    /// Maximum unambiguous velocity, half a span.
     pub(crate) velocity_max_mps: f64,
-    /// Range at which the beat frequency folds, m.
+    /// Range at which the beat frequency aliases, m.
     pub(crate) range_max_m: f64,
     /// Neighbours of the cells.
     pub(crate) cells: MapCells,
@@ -28,7 +28,7 @@ pub(crate) struct Axes {
 }
 
 impl Axes {
-    /// Axes of a radar as it is in one sub-frame.
+    /// Axes of a sub-frame's radar.
     pub(crate) fn of(radar: &Radar) -> Self {
         let waveform = &radar.waveform;
         Self {
@@ -44,21 +44,20 @@ impl Axes {
         }
     }
 
-    /// Range of a fractional column, as an echo at rest shows it.
+    /// Range at a fractional column, for an echo at rest.
     pub(crate) fn range_at(&self, column: f64) -> f64 {
         column * self.range_cell_m
     }
 
-    /// Range of an echo of this velocity that shows at a fractional column, m, in [0, R_max).
+    /// Range of an echo with this velocity that appears at a fractional column, m, in [0, R_max).
     pub(crate) fn range_of(&self, column: f64, velocity_mps: f64) -> f64 {
         self.on_axis(self.range_at(column) - self.coupling_m(velocity_mps))
     }
 
-    /// A range as the axis has it, in [0, R_max): on a circle what lies beyond an end is told at the other,
-    /// where it shows; on a segment nothing is nearer than 0.
+    /// A range mapped to the axis, [0, R_max): wrapped on a circle; clamped to 0 from below on a segment.
     pub(crate) fn on_axis(&self, range_m: f64) -> f64 {
         match self.range_axis {
-            // Just below 0 the remainder is rounded to R_max, which is 0.
+            // Just below 0 the remainder rounds to R_max, which is 0.
             RangeAxis::Circle => {
                 Some(range_m.rem_euclid(self.range_max_m)).filter(|m| *m < self.range_max_m).unwrap_or(0.0)
             }
@@ -66,7 +65,7 @@ impl Axes {
         }
     }
 
-    /// A range between the ends of the axis: the end itself for what lies beyond it.
+    /// A range clamped to the ends of the axis.
     pub(crate) fn between_ends(&self, range_m: f64) -> f64 {
         match self.range_axis {
             RangeAxis::Circle => range_m.clamp(0.0, self.range_max_m.next_down()),
@@ -74,7 +73,7 @@ impl Axes {
         }
     }
 
-    /// How much farther `a_m` is than `b_m`, the shorter way round where the axis is a circle.
+    /// Difference `a_m` − `b_m`, the shorter way round if the axis is a circle.
     pub(crate) fn range_apart_m(&self, a_m: f64, b_m: f64) -> f64 {
         match self.range_axis {
             RangeAxis::Circle => (a_m - b_m) - self.range_max_m * ((a_m - b_m) / self.range_max_m).round(),
@@ -92,34 +91,34 @@ impl Axes {
         velocity_mps / self.velocity_cell_mps + (self.rows / 2) as f64
     }
 
-    /// Range–Doppler coupling of a velocity on these maps, m.
+    /// Range–Doppler coupling of a velocity in these maps, m.
     pub(crate) fn coupling_m(&self, velocity_mps: f64) -> f64 {
         coupling_m(&self.waveform, velocity_mps)
     }
 
-    /// Fractional column at which an echo of this range and velocity shows.
+    /// Fractional column at which an echo with this range and velocity appears.
     pub(crate) fn column_of(&self, range_m: f64, velocity_mps: f64) -> f64 {
         self.column_at(self.on_axis(range_m + self.coupling_m(velocity_mps)))
     }
 
-    /// Range cells per second of round-trip delay times c/2; the sign of the slope is undone when the map is
-    /// made.
+    /// Fractional column of a range, the round-trip delay times c/2; the sign of the chirp slope is removed
+    /// when the map is made.
     pub(crate) fn column_at(&self, range_m: f64) -> f64 {
         range_m / self.range_cell_m
     }
 
-    /// `velocity_mps` brought into one span of the axis, [−λ/4T, λ/4T).
+    /// `velocity_mps` wrapped into one span of the axis, [−λ/4T, λ/4T).
     pub(crate) fn wrapped(&self, velocity_mps: f64) -> f64 {
         wrapped_mps(velocity_mps, 2.0 * self.velocity_max_mps)
     }
 
-    /// `velocity_mps` moved by whole spans until it is nearest to `near_mps`.
+    /// `velocity_mps` moved by whole spans to be nearest to `near_mps`.
     pub(crate) fn unwrapped(&self, velocity_mps: f64, near_mps: f64) -> f64 {
         near_mps + self.wrapped(velocity_mps - near_mps)
     }
 }
 
-/// Range of every column, m: k·ΔR. The beat frequency folds at the last column.
+/// Range of every column, m: k·ΔR. The beat frequency aliases after the last column.
 pub fn range_axis_m(header: &CubeHeader) -> Vec<f64> {
     let axes = Axes::of(&header.radar);
     (0..axes.columns).map(|column| axes.range_at(column as f64)).collect()

@@ -1,12 +1,13 @@
 //! Code division: in slot s of a block of M chirps, transmitter i has the sign H_is of Sylvester's Hadamard
 //! matrix.
 //!
-//! The slots' maps are those of transmitters in turn, each of which hears all. In a slot an echo of f cycles
-//! a block is turned by f·(s − s̄)/M against the block's middle s̄. That turned back, X_i = Σ_s H_is·Y_s/M is
-//! transmitter i alone, to rounding: the rows of H are orthogonal. Echoes turned by a wrong f pass from code
-//! to code instead, and their power, Σ_i |X_i|² = Σ_s |Y_s|²/M, stays what it is. So a map takes each row's
-//! own f, keeps all M codes, those of no transmitter too, and is detected on their sum, which knows no fold;
-//! directions are looked for once the velocity of an echo is told, with `in_phase`.
+//! The slots' maps are like those of time division, except that each slot receives all transmitters. In a
+//! slot an echo of f cycles per block is rotated by f·(s − s̄)/M relative to the block's middle s̄. With this
+//! removed, X_i = Σ_s H_is·Y_s/M is transmitter i alone, to rounding: the rows of H are orthogonal. A wrong f
+//! moves echoes from code to code instead, but their total power, Σ_i |X_i|² = Σ_s |Y_s|²/M, is unchanged. A
+//! map therefore uses each row's own f, keeps all M codes, including unused ones, and is detected on their
+//! sum, which is independent of the fold; directions are estimated once the velocity of an echo is resolved,
+//! with `in_phase`.
 
 use crate::spectrum::division::Division;
 use artifact::radar::code_sign;
@@ -14,7 +15,7 @@ use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Maps `[code·N_rx + rx, doppler, range]` of the slots' maps `[slot·N_rx + rx, doppler, range]`.
+/// Maps `[code·N_rx + rx, doppler, range]` from the slots' maps `[slot·N_rx + rx, doppler, range]`.
 pub(crate) fn codes_of_slots(
     &Division { slots, receivers, .. }: &Division,
     [rows, columns]: [usize; 2],
@@ -35,8 +36,8 @@ pub(crate) fn codes_of_slots(
     codes
 }
 
-/// Values `[code·N_rx + rx]` of an echo that turns by `cycles` from slot to slot, of those of a cell in a row
-/// of so many.
+/// Values `[code·N_rx + rx]` of an echo that turns by `cycles` from slot to slot, from those of a cell, given
+/// its row and the number of rows.
 pub(crate) fn in_phase(
     &Division { slots, receivers, .. }: &Division,
     codes: &[Complex64],
@@ -59,12 +60,12 @@ pub(crate) fn in_phase(
     (0..codes.len()).map(of_code).collect()
 }
 
-/// Cycles that an echo in the middle of a row, `[row, rows]`, turns by from slot to slot.
+/// Cycles by which an echo in the middle of a row, `[row, rows]`, turns from slot to slot.
 fn cycles_per_slot(slots: usize, [row, rows]: [usize; 2]) -> f64 {
     (row as f64 - (rows / 2) as f64) / (rows * slots) as f64
 }
 
-/// About the block's middle.
+/// Rotation relative to the block's middle.
 fn turned_back(slots: usize, slot: usize, cycles: f64) -> Complex64 {
     Complex64::from_polar(1.0, -TAU * cycles * (slot as f64 - 0.5 * (slots - 1) as f64))
 }

@@ -3,18 +3,18 @@
 use artifact::Radar;
 use artifact::radar::Multiplexing;
 
-/// Transmitters and receivers, and how the former share the air.
+/// Transmitters and receivers, and the multiplexing of transmitters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Division {
-    /// Multiplexing, which tells transmitters apart.
+    /// Multiplexing that separates transmitters.
     pub(crate) multiplexing: Multiplexing,
-    /// Number of them.
+    /// Number of transmitters.
     pub(crate) transmitters: usize,
-    /// Number of elements that hear each.
+    /// Number of receive elements.
     pub(crate) receivers: usize,
-    /// Chirps in the air from one chirp of a cube's channel to its next.
+    /// Number of chirps sent from one chirp of a cube's channel to its next.
     pub(crate) slots: usize,
-    /// Channels of a map: the transmit–receive pairs, and behind them codes that no transmitter has.
+    /// Number of channels of a map: the transmit–receive pairs, followed by unused codes.
     pub(crate) map_channels: usize,
 }
 
@@ -30,7 +30,7 @@ impl Division {
         }
     }
 
-    /// Transmit–receive pairs.
+    /// Number of transmit–receive pairs.
     pub(crate) fn pairs(&self) -> usize {
         self.transmitters * self.receivers
     }

@@ -1,13 +1,13 @@
-//! Doppler division: transmitter i turns by e^{+j2πim/M} on chirp m, M = N_tx + 1, and one of the M bands
-//! stays empty.
+//! Doppler division: transmitter i is rotated by e^{+j2πim/M} on chirp m, M = N_tx + 1, and one of the M
+//! bands stays empty.
 //!
-//! Taking a transmitter's turn out puts its echo at the true Doppler, and those of the others i'/M of the
+//! Removing a transmitter's rotation places its echo at the true Doppler, and those of the others i'/M of the
 //! span away.
 
 use crate::spectrum::division::Division;
 use artifact::radar::Multiplexing;
 
-/// Channel of the cube that a channel of the map is made from, and the cycles per chirp to take out of it.
+/// Channel of the cube from which a channel of the map is made, and the cycles per chirp to remove from it.
 pub(crate) fn source_of(division: &Division, channel: usize) -> (usize, f64) {
     let receivers = division.receivers;
     match division.multiplexing {
@@ -16,7 +16,7 @@ pub(crate) fn source_of(division: &Division, channel: usize) -> (usize, f64) {
     }
 }
 
-/// Cycles per chirp by which transmitter i is turned under Doppler division, i/M, M = N_tx + 1.
+/// Cycles per chirp by which transmitter i is rotated under Doppler division, i/M, M = N_tx + 1.
 pub(crate) fn band_cycles(division: &Division, transmitter: usize) -> f64 {
     transmitter as f64 / (division.transmitters + 1) as f64
 }

@@ -1,9 +1,9 @@
 //! Transform from the chirps of a range cell to its Doppler rows.
 //!
-//! Where chirps follow each other at one interval T that is an FFT. Where chirp m starts δ_m later than m·T,
-//! with δ_m the same for every P-th chirp, row k of N is Σ_r e^{−j2πkδ_r/NT}·Σ_{m = r, r + P, …}
-//! x_m·e^{−j2πkm/N}: P transforms of the same length, each turned row by row, and nothing is approximated. k
-//! counts from −N/2, since a turn by a part of an interval is not periodic in k.
+//! For chirps at one interval T this is an FFT. If chirp m starts δ_m later than m·T, with δ_m the same for
+//! every P-th chirp, row k of N is Σ_r e^{−j2πkδ_r/NT}·Σ_{m = r, r + P, …} x_m·e^{−j2πkm/N}: P transforms of
+//! the same length, each rotated row by row, without approximation. k counts from −N/2, since a rotation for
+//! a fraction of an interval is not periodic in k.
 
 use crate::error::DspError;
 use crate::numerics::precision::Precision;
@@ -18,13 +18,13 @@ use std::sync::Arc;
 /// The transform of one radar's chirps.
 pub(crate) struct DopplerTransform<T> {
     fft: Arc<dyn Fft<T>>,
-    /// Phase factors by transmitter, chirp modulo P, row; empty where all intervals are equal.
+    /// Phase factors by transmitter, chirp modulo P, row; empty if all intervals are equal.
     turns: Vec<Vec<Vec<Complex<T>>>>,
 }
 
 impl<T: Precision> DopplerTransform<T> {
-    /// Refuses staggered chirps where transmitters are told apart by Doppler or by codes: a velocity is no
-    /// constant turn per chirp then.
+    /// Prepares the transform; refuses staggered chirps with Doppler or code division, where a velocity is
+    /// not a constant rotation per chirp.
     pub(crate) fn new(radar: &Radar, planner: &mut FftPlanner<T>) -> Result<Self, DspError> {
         let fft = planner.plan_fft_forward(radar.waveform.chirps as usize);
         if radar.schedule.is_uniform() {
@@ -37,12 +37,12 @@ impl<T: Precision> DopplerTransform<T> {
         Ok(Self { fft, turns })
     }
 
-    /// Values that [`Self::process`] wants to work in.
+    /// Scratch length required by [`Self::process`].
     pub(crate) fn scratch_len(&self) -> usize {
         self.fft.get_inplace_scratch_len()
     }
 
-    /// Columns of a transmitter's chirps become its rows, in the order of an FFT: 0, 1, … then the negative
+    /// Transforms columns of a transmitter's chirps into its rows, in FFT order: 0, 1, … then the negative
     /// ones.
     pub(crate) fn process(&self, transmitter: usize, columns: &mut [Complex<T>], scratch: &mut [Complex<T>]) {
         let Some(turns) = self.turns.get(transmitter) else {
@@ -63,8 +63,8 @@ impl<T: Precision> DopplerTransform<T> {
     }
 }
 
-/// `[chirp modulo the number of delays][row]`. A transmitter meets the delays again after that many of its
-/// chirps at the latest.
+/// Phase factors `[chirp modulo the number of delays][row]`; the delays repeat at the latest after that many
+/// chirps of one transmitter.
 fn turns_of<T: Precision>(radar: &Radar, tx: usize) -> Vec<Vec<Complex<T>>> {
     let (rows, interval_s) = (radar.waveform.chirps as usize, radar.repetition_interval_s());
     let delay_cycles = |chirp: usize| {

@@ -1,8 +1,8 @@
-//! Samples of a map: both transforms of a channel backwards.
+//! Samples from a map: the inverse of both transforms of a channel.
 //!
-//! Of chirps at one interval and complex samples a map is two Fourier transforms of what the windows have
-//! left, so that their inverses give the tapered samples again. Those, made a map with rectangular windows,
-//! have the same map.
+//! For chirps at one interval and complex samples a map consists of two Fourier transforms of windowed
+//! samples, so that the inverse transforms recover the tapered samples. These, transformed with rectangular
+//! windows, give the same map.
 
 use crate::error::DspError;
 use crate::spectrum::shapes::Shapes;
@@ -12,7 +12,7 @@ use num_complex::Complex32;
 use rustfft::{Fft, FftPlanner};
 use std::sync::Arc;
 
-/// Both inverse FFTs of a radar, ready for any number of channels.
+/// Both inverse FFTs of a radar, for any number of channels.
 pub struct InverseRangeDoppler {
     chirps: usize,
     samples: usize,
@@ -22,10 +22,10 @@ pub struct InverseRangeDoppler {
 }
 
 impl InverseRangeDoppler {
-    /// Inverse transforms of the maps that a cube's header asks for.
+    /// Inverse transforms of the maps for a cube's header.
     ///
     /// # Errors
-    /// Staggered chirps, real samples, and a radar that no map is made of.
+    /// Staggered chirps, real samples, and a radar from which no map can be made.
     pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
         let [_, chirps, samples] = Shapes::of(header)?.cube;
         let (schedule, waveform) = (&header.radar.schedule, &header.radar.waveform);
@@ -42,8 +42,8 @@ impl InverseRangeDoppler {
         })
     }
 
-    /// Samples `[chirp, sample]` of one channel's map `[doppler, range]`, zero velocity at N/2, tapered as the
-    /// map's were.
+    /// Samples `[chirp, sample]` from one channel's map `[doppler, range]` with zero velocity at N/2, tapered
+    /// like the map's.
     pub fn channel(&self, map: &[Complex32]) -> Vec<Complex32> {
         let mut spectra = self.range_spectra(map);
         for row in spectra.chunks_exact_mut(self.samples) {
@@ -55,7 +55,7 @@ impl InverseRangeDoppler {
         spectra
     }
 
-    /// `[chirp, range]`.
+    /// Range spectra `[chirp, range]`.
     fn range_spectra(&self, map: &[Complex32]) -> Vec<Complex32> {
         let mut spectra = vec![Complex32::ZERO; self.chirps * self.samples];
         let scale = 1.0 / spectra.len() as f32;

@@ -1,22 +1,22 @@
-//! Neighbours of a map's cells: where its axes close to circles.
+//! Neighbourhood of a map's cells, on axes that may be circular.
 //!
-//! The spectrum over chirps is periodic, so the Doppler axis is a circle. That over complex samples is too: a
-//! tone between the last range cell and the first fills both. Of real samples the axis is one half of the
-//! circle, and what lies beyond its ends is its own image (`docs/scenes.md`).
+//! The spectrum over chirps is periodic, so the Doppler axis is a circle. The spectrum over complex samples
+//! is periodic too: a tone between the last range cell and the first fills both. For real samples the axis is
+//! one half of the circle, and beyond its ends lies its own image (`docs/scenes.md`).
 
 use artifact::Radar;
 use artifact::radar::Sampling;
 
-/// Form of the range axis.
+/// Topology of the range axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum RangeAxis {
-    /// The last cell is beside the first: complex samples.
+    /// The last cell is adjacent to the first: complex samples.
     Circle,
     /// Both ends have a neighbour on one side only: real samples.
     Segment,
 }
 
-/// Cells of a map and how they lie beside each other.
+/// Cells of a map and their adjacency.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct MapCells {
     rows: usize,
@@ -28,7 +28,7 @@ pub(crate) struct MapCells {
 type Cell = [usize; 2];
 
 impl RangeAxis {
-    /// Form of a radar's range axis.
+    /// Topology of a radar's range axis.
     pub(crate) fn of(radar: &Radar) -> Self {
         match radar.waveform.sampling {
             Sampling::Complex => Self::Circle,
@@ -44,7 +44,7 @@ impl MapCells {
         Self { rows, columns, range: RangeAxis::of(radar) }
     }
 
-    /// The up to eight cells around one.
+    /// The up to eight cells around a cell.
     pub(crate) fn around(self, cell: Cell) -> impl Iterator<Item = Cell> {
         let steps = [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)];
         let beside =
@@ -52,8 +52,8 @@ impl MapCells {
         steps.into_iter().filter_map(beside).filter(move |other| *other != cell)
     }
 
-    /// The cell before a cell, itself and the one behind it, along rows and along columns; `None` at an end,
-    /// and where there are not three.
+    /// The cell before a cell, itself and the one after it, along rows and along columns; `None` at an end,
+    /// and where there are fewer than three.
     pub(crate) fn trios(self, [row, column]: Cell) -> [Option<[Cell; 3]>; 2] {
         let along_rows =
             (self.rows > 2).then(|| [-1, 0, 1].map(|step| [stepped(row, step, self.rows), column]));
@@ -65,7 +65,7 @@ impl MapCells {
         [along_rows, along_columns]
     }
 
-    /// Rows and columns from one cell to another, the shorter way round.
+    /// Distance in rows and columns between two cells, the shorter way round.
     pub(crate) fn apart(self, from: Cell, to: Cell) -> [usize; 2] {
         let [rows, columns] = [0, 1].map(|axis: usize| from[axis].abs_diff(to[axis]));
         let columns = match self.range {
@@ -83,7 +83,7 @@ impl MapCells {
     }
 }
 
-/// A place on a circle of so many, one step on or back.
+/// Index on a circle of `count`, one step forwards or backwards.
 fn stepped(place: usize, step: isize, count: usize) -> usize {
     (place + count).saturating_add_signed(step) % count
 }

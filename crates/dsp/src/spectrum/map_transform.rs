@@ -1,10 +1,10 @@
 //! Both transforms of a channel: window, FFT over samples, window, FFT over chirps.
 //!
-//! Maps are made in single precision, as cubes and maps are stored (the same code in double precision is the
-//! reference): of N values rms each, a transform adds an error of about ε·√(log₂N)/2·rms to every cell
-//! (Schatzman, SIAM J. Sci. Comput. 17 (1996) 1150), √N below the peak of a single tone on top: -180 dB of it
-//! in a map of 128 × 256, what rounding a cube to single precision has cost before. Chirps are transformed
-//! where they lie, Doppler columns in blocks that fit a core's first cache.
+//! Maps are computed in single precision, as cubes and maps are stored (the same code in double precision is
+//! the reference): for N values of the same rms, a transform adds an error of about ε·√(log₂N)/2·rms to every
+//! cell (Schatzman, SIAM J. Sci. Comput. 17 (1996) 1150), a further √N below the peak of a single tone: -180
+//! dB of it in a map of 128 × 256, the same as the earlier rounding of the cube to single precision. Chirps
+//! are transformed in place, Doppler columns in blocks that fit a core's L1 cache.
 
 use crate::error::DspError;
 use crate::numerics::precision::Precision;
@@ -20,13 +20,13 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Both FFTs and windows of a radar, ready for any number of channels, in single or double precision.
+/// Both FFTs and windows of a radar, for any number of channels, in single or double precision.
 pub struct RangeDoppler<T = f32> {
     shapes: Shapes,
     division: Division,
     chirps: usize,
     samples: usize,
-    /// Range cells: as many as samples, or where these are real half as many.
+    /// Number of range cells: that of samples, or half of it for real samples.
     columns: usize,
     falling_slope: bool,
     range_taper: Vec<T>,
@@ -35,23 +35,23 @@ pub struct RangeDoppler<T = f32> {
     doppler: DopplerTransform<T>,
 }
 
-/// Memory of one channel's transforms, used again from channel to channel.
+/// Buffers of one channel's transforms, reused for the next.
 #[derive(Default)]
 pub(crate) struct Workspace<T> {
-    /// `[chirp, range]`.
+    /// Spectra `[chirp, range]`.
     spectra: Vec<Complex<T>>,
-    /// The whole spectrum of a chirp whose half is kept.
+    /// Whole spectrum of a chirp of which half is kept.
     whole: Vec<Complex<T>>,
     /// [`COLUMNS`] Doppler columns, one after the other.
     columns: Vec<Complex<T>>,
     scratch: Vec<Complex<T>>,
 }
 
-/// Range cells whose Doppler columns are transformed at a time: two cache lines of a row.
+/// Number of range cells whose Doppler columns are transformed together: two cache lines of a row.
 const COLUMNS: usize = 16;
 
 impl<T: Precision> RangeDoppler<T> {
-    /// Windows and transforms that a cube's header asks for.
+    /// Windows and transforms for a cube's header.
     pub fn new(header: &CubeHeader) -> Result<Self, DspError> {
         let shapes = Shapes::of(header)?;
         let [_, chirps, columns] = shapes.map;
@@ -71,15 +71,15 @@ impl<T: Precision> RangeDoppler<T> {
         })
     }
 
-    /// Map `[doppler, range]` of one channel's `[chirp, sample]`, unscaled, zero velocity at N/2, range
-    /// growing.
+    /// Map `[doppler, range]` from one channel's `[chirp, sample]`, unscaled, with zero velocity at N/2 and
+    /// range growing.
     ///
-    /// `turn_cycles` is taken out per chirp first: the offset of a transmitter under Doppler division.
+    /// `turn_cycles` per chirp are removed first: the offset of a transmitter under Doppler division.
     pub fn channel(&self, samples: &[Complex32], turn_cycles: f64) -> Vec<Complex<T>> {
         self.channel_of(0, samples, turn_cycles)
     }
 
-    /// [`Self::channel`] of any transmitter: staggered chirps of another than the first may differ.
+    /// [`Self::channel`] for any transmitter; staggered chirps differ between transmitters.
     pub fn channel_of(&self, transmitter: usize, samples: &[Complex32], turn_cycles: f64) -> Vec<Complex<T>> {
         let mut map = vec![Complex::zero(); self.cells()];
         let mut work = Workspace { spectra: vec![], whole: vec![], columns: vec![], scratch: vec![] };
@@ -87,7 +87,7 @@ impl<T: Precision> RangeDoppler<T> {
         map
     }
 
-    /// [`Self::channel_of`] into a map that is there.
+    /// [`Self::channel_of`] into an existing map.
     pub(crate) fn fill(
         &self,
         transmitter: usize,
@@ -115,12 +115,12 @@ impl<T: Precision> RangeDoppler<T> {
         &self.division
     }
 
-    /// Cells of one channel.
+    /// Number of cells of one channel.
     pub(crate) fn cells(&self) -> usize {
         self.chirps * self.columns
     }
 
-    /// Samples of one channel.
+    /// Number of samples of one channel.
     pub(crate) fn samples(&self) -> usize {
         self.chirps * self.samples
     }
@@ -135,7 +135,7 @@ impl<T: Precision> RangeDoppler<T> {
         }
     }
 
-    /// Spectra of real samples, of which the frequencies of growing range are kept: the others are their
+    /// Spectra of real samples, of which the frequencies of increasing range are kept: the others are their
     /// image.
     fn half_spectra(&self, samples: &[Complex32], turn_cycles: f64, work: &mut Workspace<T>) {
         work.whole.resize(self.samples, Complex::zero());
@@ -146,7 +146,7 @@ impl<T: Precision> RangeDoppler<T> {
         }
     }
 
-    /// Spectrum of one chirp, range growing.
+    /// Spectrum of one chirp, with range growing.
     fn range_spectrum(
         &self,
         row: &[Complex32],
@@ -157,7 +157,7 @@ impl<T: Precision> RangeDoppler<T> {
         self.tapered(row, chirp, turn_cycles, spectrum);
         self.range_fft.process_with_scratch(spectrum, scratch);
         if self.falling_slope {
-            // It puts growing ranges at falling frequencies.
+            // A negative slope puts increasing ranges at decreasing frequencies.
             spectrum[1..].reverse();
         }
     }

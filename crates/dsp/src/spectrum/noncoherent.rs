@@ -8,10 +8,10 @@ use ndarray::{Array2, ArrayView2};
 use num_complex::Complex32;
 use rayon::prelude::*;
 
-/// Level below the peak of a noise-free map of what stands in for its noise, dB.
+/// Level of the floor assumed for noise in a noise-free map, below its peak, dB.
 pub(crate) const FLOOR_BELOW_PEAK_DB: f64 = 60.0;
 
-/// Σ over channels of |value|², `[doppler, range]`.
+/// Noncoherent sum Σ |value|² over channels, `[doppler, range]`.
 pub fn power_map(header: &CubeHeader, map: &RdmFrame) -> Result<Array2<f64>, DspError> {
     Levels::of(&Shapes::of(header)?, map).map(|levels| levels.power)
 }
@@ -22,7 +22,7 @@ pub fn noise_power(header: &CubeHeader, map: &RdmFrame) -> Result<f64, DspError>
     Levels::of(&Shapes::of(header)?, map).map(|levels| levels.noise())
 }
 
-/// The powers of a map that was checked.
+/// Powers of a checked map.
 pub(crate) struct Levels {
     power: Array2<f64>,
     channels: f64,
@@ -30,8 +30,10 @@ pub(crate) struct Levels {
 }
 
 impl Levels {
+    /// Sums the powers of a map.
+    ///
     /// # Errors
-    /// The map has another shape, or holds values that are no numbers.
+    /// The map has another shape, or contains non-finite values.
     pub(crate) fn of(shapes: &Shapes, map: &RdmFrame) -> Result<Self, DspError> {
         shapes.check_map(map)?;
         let [channels, rows, columns] = shapes.map;
@@ -40,7 +42,7 @@ impl Levels {
         Ok(Self { power, channels: channels as f64, assumed_floor: map.assumed_floor })
     }
 
-    /// Σ over channels of |value|², `[doppler, range]`.
+    /// Noncoherent sum Σ |value|² over channels, `[doppler, range]`.
     pub(crate) fn power(&self) -> ArrayView2<'_, f64> {
         self.power.view()
     }
@@ -53,8 +55,7 @@ impl Levels {
     /// Mean noise power of one cell of one channel: the assumed floor of a noise-free map, else from the
     /// map's median.
     ///
-    /// The median does not feel targets as long as they fill few cells (1 % of the cells: 0.06 dB for one
-    /// channel).
+    /// The median is insensitive to targets that fill few cells (1 % of the cells: 0.06 dB for one channel).
     pub(crate) fn noise(&self) -> f64 {
         if let Some(floor) = self.assumed_floor {
             return floor / self.channels;
@@ -66,7 +67,7 @@ impl Levels {
     }
 }
 
-/// Cells that one thread adds up, over all channels in their order.
+/// Number of cells summed by one thread, over all channels in order.
 const CELLS_PER_RUN: usize = 4096;
 
 pub(crate) fn sum_over_channels(values: &[Complex32], cells: usize) -> Vec<f64> {

@@ -1,4 +1,4 @@
-//! Shapes and values that a header, a cube's samples and a map have to have.
+//! Validation of the shapes and values of a header, a cube's samples and a map.
 
 use crate::error::DspError;
 use crate::numerics::finite::first_not_finite;
@@ -8,12 +8,12 @@ use artifact::rdm::{self, RdmFrame};
 use num_complex::Complex32;
 use radar::lattice::check_directions;
 
-/// Sizes of the cubes and the maps that a header describes, checked to have cells and axes.
+/// Sizes of the cubes and maps of a header, checked to have cells and axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Shapes {
-    /// `[channel, chirp, sample]`.
+    /// Shape `[channel, chirp, sample]`.
     pub(crate) cube: [usize; 3],
-    /// `[channel, doppler, range]`.
+    /// Shape `[channel, doppler, range]`.
     pub(crate) map: [usize; 3],
     sampling: Sampling,
 }
@@ -22,7 +22,7 @@ impl Shapes {
     /// Shapes of the cubes and maps of a radar that can make a map.
     ///
     /// # Errors
-    /// What is missing, is no number, or is calibrated for another array.
+    /// Missing elements, non-finite values, or a calibration for another array.
     pub(crate) fn of(header: &CubeHeader) -> Result<Self, DspError> {
         check_counts(header)?;
         check_quantities(header)?;
@@ -35,12 +35,12 @@ impl Shapes {
         Ok(Self { cube, map, sampling: header.radar.waveform.sampling })
     }
 
-    /// Cells of one channel of a map.
+    /// Number of cells of one channel of a map.
     pub(crate) fn cells(&self) -> usize {
         self.map[1] * self.map[2]
     }
 
-    /// Whether samples are as many as the radar makes, of its sampling, and numbers.
+    /// Checks that samples match the radar's number and sampling, and are finite.
     pub(crate) fn check_samples(&self, samples: &[Complex32]) -> Result<(), DspError> {
         let [channels, chirps, length] = self.cube;
         let expected = channels * chirps * length;
@@ -59,7 +59,7 @@ impl Shapes {
         })
     }
 
-    /// Whether a map's arrays have the length that the radar's have, and hold numbers.
+    /// Checks that a map's arrays have the radar's lengths and finite values.
     pub(crate) fn check_map(&self, map: &RdmFrame) -> Result<(), DspError> {
         let cells = self.cells();
         for (what, expected, found) in
@@ -72,7 +72,7 @@ impl Shapes {
         self.check_values(map.index, &map.values)
     }
 
-    /// Whether the values of a frame's map are numbers.
+    /// Checks that the values of a frame's map are finite.
     pub(crate) fn check_values(&self, frame: u32, values: &[Complex32]) -> Result<(), DspError> {
         let Some(at) = first_not_finite(values) else { return Ok(()) };
         let [_, rows, columns] = self.map;
@@ -95,7 +95,7 @@ fn check_counts(header: &CubeHeader) -> Result<(), DspError> {
     }
 }
 
-/// The quantity that may be negative: chirps fall as well as rise.
+/// Quantity that may be negative: chirps fall as well as rise.
 const SIGNED: &str = "slope_hz_per_s";
 
 fn check_quantities(header: &CubeHeader) -> Result<(), DspError> {

@@ -1,8 +1,8 @@
-//! Box of a tracked body: how far its points reach along its heading, over frames.
+//! Bounding box of a tracked body: the extent of its points along its heading, over frames.
 //!
-//! Which parts of a body are bright changes from frame to frame, so a box is what was seen of it lately: an
-//! end goes outwards to a point quickly and comes back slowly. Across, points say little: a beam of 8.5° is 6
-//! m wide at 40 m.
+//! The bright parts of a body change from frame to frame, so the box reflects recent observations: an end
+//! moves outwards to a point quickly and returns slowly. Across, points are little evidence: a beam of 8.5°
+//! is 6 m wide at 40 m.
 
 use crate::tracking::kalman::Estimate;
 use crate::tracking::measurement::turned;
@@ -10,7 +10,7 @@ use artifact::tracks::Footprint;
 use glam::DVec2;
 use std::f64::consts::FRAC_PI_2;
 
-/// Reach of a body before and behind what reflects in the mean.
+/// Extent of a body before and behind the mean position of its reflecting parts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Body {
     heading_rad: f64,
@@ -18,24 +18,25 @@ pub(super) struct Body {
     is_seen: bool,
 }
 
-/// Share of the way to an end seen beyond the present one, and to one seen short of it, a frame.
+/// Share of the distance moved per frame towards an end seen beyond the present one, and towards one seen
+/// short of it.
 const OUTWARDS: f64 = 0.5;
 const INWARDS: f64 = 0.05;
-/// Slower bodies keep their heading: a standing one has none of its own.
+/// Speed below which a body keeps its heading, since velocity then gives none.
 const SLOWEST_MPS: f64 = 1.0;
-/// Length of the shortest cars, m; which end of one is seen is not known, so half of what is not is allowed
-/// for on either side.
+/// Length of the shortest cars, m; which end is visible is unknown, so half of the unseen part is allowed for
+/// on either side.
 const SHORTEST_M: f64 = 4.0;
-/// A heading is believed when the velocity is this many standard deviations from none.
+/// Standard deviations from zero at which a velocity determines the heading.
 const SURE: f64 = 3.0;
 
 impl Body {
-    /// A point with a heading.
+    /// Body of zero extent with a heading.
     pub(super) fn new(heading_rad: f64) -> Self {
         Self { heading_rad, ends_m: [0.0; 2], is_seen: false }
     }
 
-    /// Turns into the velocity, where there is one.
+    /// Turns towards the velocity, if there is any.
     pub(super) fn turn(&mut self, state: &Estimate) {
         let velocity = DVec2::new(state.mean.z, state.mean.w);
         let [xx, yy] = [state.covariance.col(2).z, state.covariance.col(3).w];
@@ -49,7 +50,7 @@ impl Body {
         self.heading_rad = heading_rad;
     }
 
-    /// Takes in the places of this frame's points; the outermost stand a cell beyond the body.
+    /// Updates the extent with this frame's points; the outermost lie a cell beyond the body.
     pub(super) fn see(&mut self, state: &Estimate, points: impl Iterator<Item = DVec2>, cell_m: f64) {
         let middle = DVec2::new(state.mean.x, state.mean.y);
         let along = points.map(|p| (p - middle).dot(self.forward()));
@@ -72,8 +73,8 @@ impl Body {
         self.is_seen = true;
     }
 
-    /// Whether a place lies in the box, widened by `margin_m` on all sides; a box of which little was seen
-    /// reaches as far as the shortest car.
+    /// Whether a position lies in the box, widened by `margin_m` on all sides; a box of which little was seen
+    /// extends as far as the shortest car.
     pub(super) fn holds(&self, state: &Estimate, place: DVec2, width_m: f64, margin_m: f64) -> bool {
         let away = place - DVec2::new(state.mean.x, state.mean.y);
         let (along, across) = (away.dot(self.forward()), away.perp_dot(self.forward()));
@@ -82,8 +83,8 @@ impl Body {
         (back - margin_m..=front + margin_m).contains(&along) && across.abs() <= 0.5 * width_m + margin_m
     }
 
-    /// The box, as seen from a radar's place: no shorter than a car. What of a car was not seen lies behind
-    /// what was, as much more so as the radar looks along the body.
+    /// Box as seen from a radar's position: no shorter than a car. The unseen part of a car lies behind the
+    /// seen part, the more so the more the radar looks along the body.
     pub(super) fn footprint(&self, state: &Estimate, width_m: f64, radar_m: DVec2) -> Footprint {
         let middle = DVec2::new(state.mean.x, state.mean.y);
         let away = (middle - radar_m).normalize_or_zero().dot(self.forward());

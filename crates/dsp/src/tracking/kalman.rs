@@ -1,27 +1,27 @@
-//! Kalman filter of a body that moves at a nearly constant velocity: state (x, y, v_x, v_y).
+//! Kalman filter with a nearly-constant-velocity model: state (x, y, v_x, v_y).
 //!
-//! Its acceleration is white noise of a spectral density q: over T seconds the velocity gains a variance of
-//! qT, the place of qT³/3 (Bar-Shalom, Li, Kirubarajan, *Estimation with Applications to Tracking and
-//! Navigation*, 2001, §6.2.2), whatever the number of frames in them. Measurements come one number at a time,
-//! which equals taking them at once as long as their errors are independent, and inverts no matrix.
+//! The acceleration is white noise of spectral density q: over T seconds the velocity gains a variance of qT,
+//! the position of qT³/3 (Bar-Shalom, Li, Kirubarajan, *Estimation with Applications to Tracking and
+//! Navigation*, 2001, §6.2.2), however many frames that takes. Measurements are scalar, which is equivalent
+//! to a joint update as long as their errors are independent, and requires no matrix inversion.
 
 use glam::{DMat4, DVec4};
 
-/// A state that is known so well.
+/// State estimate with its covariance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
-    /// (x, y, v_x, v_y).
+    /// Mean (x, y, v_x, v_y).
     pub mean: DVec4,
-    /// Covariance of the mean's error.
+    /// Covariance of the error of the mean.
     pub covariance: DMat4,
 }
 
-/// Difference of a measurement from what was expected.
+/// Difference between a measurement and its prediction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Innovation {
-    /// Measured less expected.
+    /// Measured minus predicted value.
     pub residual: f64,
-    /// Variance of the residual, as expected.
+    /// Predicted variance of the residual.
     pub variance: f64,
 }
 
@@ -38,7 +38,7 @@ impl Innovation {
 }
 
 impl Estimate {
-    /// After `interval_s`; `acceleration_density` is q in m²/s³ along each axis.
+    /// Prediction over `interval_s`; `acceleration_density` is q in m²/s³ along each axis.
     pub fn predicted(&self, interval_s: f64, acceleration_density: f64) -> Self {
         let t = interval_s;
         let step =
@@ -54,12 +54,12 @@ impl Estimate {
         Self { mean: step * self.mean, covariance }
     }
 
-    /// Innovation of a number that grows by `row` with the state and is measured with this variance.
+    /// Innovation of a scalar measurement with gradient `row` in the state and this variance.
     pub fn innovation(&self, row: DVec4, residual: f64, variance: f64) -> Innovation {
         Innovation { residual, variance: row.dot(self.covariance * row) + variance }
     }
 
-    /// The estimate with the number taken in. The covariance is Joseph's form, which stays symmetric and
+    /// Estimate updated by a scalar measurement. The covariance uses Joseph's form, which stays symmetric and
     /// positive.
     pub fn updated(&self, row: DVec4, residual: f64, variance: f64) -> Self {
         let gain = self.covariance * row / self.innovation(row, residual, variance).variance;
@@ -83,15 +83,15 @@ mod tests {
     const DENSITY: f64 = 2.0;
     const VARIANCE: f64 = 0.09;
 
-    /// Expected state just before a measurement of x, after so many that nothing changes any more.
+    /// Predicted steady state just before a measurement of x.
     fn settled() -> Estimate {
         let start = Estimate { mean: DVec4::ZERO, covariance: DMat4::IDENTITY * 100.0 };
         (0..2000)
             .fold(start, |state, _| state.updated(DVec4::X, 0.0, VARIANCE).predicted(INTERVAL_S, DENSITY))
     }
 
-    /// The settled gains α and β/T obey, with λ² = qT³/r, λ² = β²/(1 − α) and
-    /// β = 3(2 − α) − √(3(α² − 12α + 12)) (Bar-Shalom §6.5.3).
+    /// The steady-state gains α and β/T satisfy, with λ² = qT³/r, λ² = β²/(1 − α) and β = 3(2 − α) − √(3(α² −
+    /// 12α + 12)) (Bar-Shalom §6.5.3).
     #[test]
     fn the_settled_gain_is_that_of_the_closed_form() {
         let state = settled();
@@ -99,7 +99,7 @@ mod tests {
         let (alpha, beta) = (gain.x, gain.z * INTERVAL_S);
         let index2 = DENSITY * INTERVAL_S.powi(3) / VARIANCE;
         println!("alpha {alpha}, beta {beta}, index² {index2} against {}", beta * beta / (1.0 - alpha));
-        // Thousands of steps that contract: what is left is rounding, some hundred ε.
+        // Thousands of contracting steps: rounding remains, some hundred ε.
         assert!((beta * beta / (1.0 - alpha) - index2).abs() < 1e-12);
         let asked = 3.0 * (2.0 - alpha) - (3.0 * (alpha * alpha - 12.0 * alpha + 12.0)).sqrt();
         assert!((beta - asked).abs() < 1e-12, "{beta} {asked}");
@@ -125,7 +125,7 @@ mod tests {
         let whole = state.predicted(0.2, DENSITY);
         let halves = state.predicted(0.1, DENSITY).predicted(0.1, DENSITY);
         assert!((whole.mean - halves.mean).length() < 1e-14);
-        // y is unmeasured: its variance is thousands, of which ε is 1e-12 each step.
+        // y is unmeasured: its variance is thousands, of which ε is 1e-12 per step.
         let (a, b) = (whole.covariance.to_cols_array(), halves.covariance.to_cols_array());
         a.iter().zip(b).for_each(|(a, b)| assert!((a - b).abs() <= 1e-12 * a.abs().max(1.0), "{a} {b}"));
     }

@@ -1,5 +1,5 @@
-//! Measurement of a body by an object: range, azimuth and radial velocity, each with the variance that its
-//! strength, the radar's resolution and the body's own size give it.
+//! Measurement of a body by an object: range, azimuth and radial velocity, each with a variance from its
+//! strength, the radar's resolution and the body's own size.
 
 use crate::spectrum::axes::Axes;
 use crate::tracking::kalman::{Estimate, Innovation};
@@ -11,7 +11,7 @@ use glam::{DVec2, DVec4};
 use radar::doppler_ambiguity::folded_mps;
 use std::f64::consts::{PI, TAU};
 
-/// Properties of a radar that a tracker knows.
+/// Properties of a radar used by a tracker.
 #[derive(Debug, Clone)]
 pub struct Site {
     place_m: DVec2,
@@ -22,36 +22,37 @@ pub struct Site {
     span_mps: f64,
     coupling_m_per_mps: f64,
     channels: f64,
-    /// Variance of the virtual elements' places along the row, half wavelengths squared.
+    /// Variance of the virtual elements' positions along the row, half wavelengths squared.
     aperture: f64,
 }
 
-/// An object as a tracker takes it.
+/// An object as input of a tracker.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measurement {
     /// Range from the array's centre.
     pub range_m: f64,
     /// Azimuth from +y towards +x.
     pub azimuth_rad: f64,
-    /// Above the radar; the state has none.
+    /// Height above the radar, which is not part of the state.
     pub up_m: f64,
-    /// Radial velocity as the object has it.
+    /// Radial velocity of the object.
     pub radial_velocity_mps: f64,
-    /// Velocities this far apart look alike; `None` where the object's is resolved.
+    /// Velocity ambiguity; `None` if the object's velocity is resolved.
     pub span_mps: Option<f64>,
-    /// Range, azimuth where the object is seen, radial velocity; infinite where nothing is measured.
+    /// Variances of range, of azimuth at the object's position, and of radial velocity; infinite if not
+    /// measured.
     pub variance: [f64; 3],
     coupling_m_per_mps: f64,
     site_m: DVec2,
     direction: DirectionError,
 }
 
-/// Errors of an object's azimuth: that of its direction cosine u = cos ε·sin(α − α₀), and the place across
+/// Errors of an object's azimuth: that of its direction cosine u = cos ε·sin(α − α₀), and the position across
 /// the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct DirectionError {
     cosine_variance: f64,
-    /// cos² ε.
+    /// Factor cos² ε.
     flatness2: f64,
     boresight_az_rad: f64,
     across_variance: f64,
@@ -59,7 +60,7 @@ struct DirectionError {
 
 impl DirectionError {
     /// Variance of an azimuth, rad²: du/dα is 1 along the boresight and less beside it. Along the row it is
-    /// none, and α is as far from there as 1 − u = (α − α₀ ∓ π/2)²/2 leaves it.
+    /// zero, and the error of α is limited by 1 − u = (α − α₀ ∓ π/2)²/2.
     fn azimuth_variance(&self, azimuth_rad: f64) -> f64 {
         let slope2 = self.flatness2 * (azimuth_rad - self.boresight_az_rad).cos().powi(2);
         (self.cosine_variance / slope2).min(self.cosine_variance.sqrt()) + self.across_variance
@@ -67,7 +68,7 @@ impl DirectionError {
 }
 
 impl Site {
-    /// Site of a radar that was checked to have cells and elements.
+    /// Site of a radar already checked for cells and elements.
     pub fn new(radar: &Radar) -> Self {
         let place = radar.position_m;
         let spread = |elements: &[[f64; 2]]| {
@@ -88,23 +89,23 @@ impl Site {
         }
     }
 
-    /// The radar's place on the road.
+    /// Position of the radar on the road.
     pub fn place_m(&self) -> DVec2 {
         self.place_m
     }
 
-    /// One cell.
+    /// Width of a range cell, m.
     pub fn range_cell_m(&self) -> f64 {
         self.range_cell_m
     }
 
-    /// Measurement that an object makes of its body.
+    /// Measurement of a body by an object.
     ///
     /// Noise: the Cramér–Rao bounds of a tone's frequency in cells, 6/(2π)²ρ, and of the direction cosine
     /// over elements that spread by σ half wavelengths, 1/2π²σ²ρ, ρ the power over noise of all channels.
-    /// Size: what reflects is somewhere between the body's ends, evenly, with a variance of a twelfth of
-    /// their distance squared. Points on the slopes of the two outermost peaks stand a cell beyond them;
-    /// echoes less than a cell apart are one peak, somewhere between them.
+    /// Size: the reflecting part is uniformly distributed between the body's ends, with a variance of a
+    /// twelfth of their distance squared. Points on the slopes of the two outermost peaks lie a cell beyond
+    /// them; echoes less than a cell apart form one peak between them.
     pub fn measurement(&self, object: &Object, settings: &TrackerSettings) -> Measurement {
         let strength = power_from_db(object.snr_db).max(1.0) * self.channels;
         let tone = 6.0 / (TAU * TAU * strength);
@@ -138,10 +139,10 @@ impl Site {
     }
 }
 
-/// A state with a measurement taken in.
+/// State updated by a measurement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Update {
-    /// The state.
+    /// Updated state.
     pub estimate: Estimate,
     /// Squared Mahalanobis distance.
     pub distance2: f64,
@@ -150,9 +151,9 @@ pub struct Update {
 }
 
 impl Measurement {
-    /// State of the body by a first measurement, and its covariance: what is measured along and across the
-    /// line of sight; the velocity across it is unknown but for `tangential_mps`. `radial_velocity_mps` is
-    /// one of those that the object's may stand for.
+    /// Initial state of the body from a first measurement, with its covariance: measured components along and
+    /// across the line of sight; the velocity across it is unknown up to `tangential_mps`.
+    /// `radial_velocity_mps` is one of the candidates for the ambiguous velocity.
     pub fn first_estimate(&self, radial_velocity_mps: f64, tangential_mps: f64) -> Estimate {
         let (sin, cos) = self.azimuth_rad.sin_cos();
         let (along, across) = (DVec2::new(sin, cos), DVec2::new(cos, -sin));
@@ -162,9 +163,10 @@ impl Measurement {
         let slant = range_m.max(ground_m) / ground_m;
         let place = self.site_m + along * ground_m;
         let velocity = along * radial_velocity_mps * slant;
-        // An array that measures no azimuth leaves half a circle before it: a standard deviation of 0.5 rad.
+        // An array that measures no azimuth leaves half a circle in front of it: a standard deviation of 0.5
+        // rad.
         let azimuth = self.variance[1].min(0.25);
-        // An error of the azimuth takes a share of the velocity across for one along.
+        // An azimuth error projects a share of the velocity across onto the line of sight.
         let rate = self.variance[2] + azimuth * tangential_mps * tangential_mps;
         let blocks = [
             (along, self.variance[0] * slant * slant, rate * slant * slant),
@@ -179,24 +181,24 @@ impl Measurement {
         Estimate { mean: DVec4::new(place.x, place.y, velocity.x, velocity.y), covariance }
     }
 
-    /// Variance of the azimuth where it is expected: where it was measured hangs on its error.
+    /// Variance of the azimuth at its predicted value; the measured one depends on its own error.
     fn azimuth_variance_at(&self, azimuth_rad: f64) -> f64 {
         let of = |azimuth_rad| self.direction.azimuth_variance(azimuth_rad);
         self.variance[1] * of(azimuth_rad) / of(self.azimuth_rad)
     }
 
-    /// Measured radial velocity less that of a state, on the velocity circle.
+    /// Measured minus predicted radial velocity, on the velocity circle.
     pub fn rate_residual_mps(&self, state: &Estimate) -> f64 {
         let apart_mps = self.radial_velocity_mps - Sight::of(self, state).rate_mps;
         self.span_mps.map_or(apart_mps, |span| folded_mps(apart_mps, span))
     }
 
-    /// Measured azimuth less that of a state.
+    /// Measured minus predicted azimuth.
     pub fn azimuth_residual_rad(&self, state: &Estimate) -> f64 {
         turned(self.azimuth_rad - Sight::of(self, state).azimuth_rad)
     }
 
-    /// Extended Kalman filter, each number with the derivatives where the ones before it have led.
+    /// Extended Kalman filter update, each scalar linearised at the result of those before it.
     pub fn updated(&self, expected: &Estimate) -> Update {
         let sight = Sight::of(self, expected);
         let turns =
@@ -218,7 +220,7 @@ impl Measurement {
     }
 }
 
-/// A body under the antenna would have no direction.
+/// Minimum ground range, since a body under the antenna would have no direction.
 const MIN_GROUND_M: f64 = 0.1;
 
 impl Update {
@@ -230,7 +232,7 @@ impl Update {
     }
 }
 
-/// A state as the radar sees it.
+/// A state in the radar's coordinates.
 struct Sight {
     away_m: DVec2,
     range_m: f64,
@@ -263,8 +265,9 @@ impl Sight {
         DVec4::new(by_place.x, by_place.y, toward.x, toward.y)
     }
 
-    /// The rate is bilinear in direction and velocity across: what their errors make together, E[(δv·δs/R)²]
-    /// of Gaussians. A young track (10 m/s, 0.8 m at 40 m) errs by 0.2 m/s by it, more than a Doppler cell.
+    /// Variance due to the bilinearity of the radial velocity in direction and velocity across: E[(δv·δs/R)²]
+    /// for Gaussian errors. For a young track (10 m/s, 0.8 m at 40 m) this is 0.2 m/s, more than a Doppler
+    /// cell.
     fn bend_variance(&self, state: &Estimate) -> f64 {
         let across = DVec2::new(self.away_m.y, -self.away_m.x) / self.away_m.length();
         let (p, v) = (across.extend(0.0).extend(0.0), DVec4::new(0.0, 0.0, across.x, across.y));
@@ -272,8 +275,8 @@ impl Sight {
         (place * velocity + p.dot(state.covariance * v).powi(2)) / (self.range_m * self.range_m)
     }
 
-    /// That error is the same from frame to frame, and is not averaged away: the velocity along the line of
-    /// sight is never known better.
+    /// Keeps that error in the covariance: it is the same from frame to frame and does not average out, so
+    /// the velocity along the line of sight is never known better.
     fn keep_bend(&self, state: &mut Estimate) {
         let toward = self.away_m / self.away_m.length();
         let v = DVec4::new(0.0, 0.0, toward.x, toward.y);
@@ -282,7 +285,7 @@ impl Sight {
     }
 }
 
-/// An angle between −π and π.
+/// An angle wrapped to −π … π.
 pub(crate) fn turned(angle_rad: f64) -> f64 {
     angle_rad - TAU * (angle_rad / TAU).round()
 }

@@ -1,35 +1,35 @@
-//! Settings of a tracker: expectations of bodies and of the detector, and their values on roads.
+//! Settings of a tracker: models of bodies and of the detector, with values for road traffic.
 
-/// Expectations that a tracker has of bodies and of the detector.
+/// Models of bodies and of the detector used by a tracker.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrackerSettings {
     /// Spectral density of a body's acceleration, m²/s³ along each axis.
     pub acceleration_density: f64,
     /// Standard deviation of a new body's velocity across the line of sight, m/s.
     pub tangential_mps: f64,
-    /// No body is faster, m/s.
+    /// Maximum speed of a body, m/s.
     pub fastest_mps: f64,
-    /// Width of a body; what reflects is anywhere across it.
+    /// Width of a body, m; the reflecting part is anywhere across it.
     pub body_width_m: f64,
-    /// Largest squared Mahalanobis distance (three degrees of freedom) of a track's own object.
+    /// Gate: maximum squared Mahalanobis distance (three degrees of freedom) of a track's own object.
     pub gate_distance2: f64,
-    /// That a body in view becomes an object in a frame.
+    /// Probability that a body in view yields an object in a frame.
     pub detection_probability: f64,
-    /// Objects in a frame that are no known body's, per m, m/s and rad.
+    /// Density of objects in a frame that belong to no known body, per m, m/s and rad.
     pub new_object_density: f64,
-    /// Objects that a new track needs …
+    /// Number of objects M needed to confirm a new track …
     pub confirmed_by: u32,
-    /// … in as many first frames.
+    /// … within its first N frames.
     pub confirmed_within: u32,
-    /// Believed tracks outlive their last object by this share of the time that they were seen …
+    /// Time that confirmed tracks survive their last object, as a share of the time that they were seen …
     pub coast_share: f64,
-    /// … but by no less and no more than these, s.
+    /// … between these limits, s.
     pub coast_s: [f64; 2],
 }
 
-/// Vehicles on roads. Acceleration: 3 m/s² that lasts about a second, σ²τ = 9 (Singer 1970, IEEE Trans. AES
-/// 6, 473, halves it for the share of time that it is used). Gate: all but 1e-5 of a χ² of three degrees of
-/// freedom. New objects: one a frame in 60 m × 30 m/s × 1 rad.
+/// Vehicles on roads. Acceleration: 3 m/s² for about a second, σ²τ = 9 (Singer 1970, IEEE Trans. AES 6, 473,
+/// halves it for the share of time that it is used). Gate: all but 1e-5 of a χ² with three degrees of
+/// freedom. New objects: one per frame in 60 m × 30 m/s × 1 rad.
 pub const ROAD_TRAFFIC: TrackerSettings = TrackerSettings {
     acceleration_density: 4.5,
     tangential_mps: 10.0,

@@ -1,14 +1,14 @@
-//! Tracks: bodies followed over frames by a Kalman filter each, objects given to them by global nearest
-//! neighbours.
+//! Tracks: bodies followed over frames by one Kalman filter each, with objects associated by global nearest
+//! neighbour.
 //!
-//! Each frame: every track is predicted; objects within the gate go to tracks so that all together are
-//! likeliest ([`radar::assignment`]); an object left over that lies in the box of a believed track
-//! is one more piece of the same body; any other begins a track, which is believed when it was seen in M of
-//! its first N frames. A track without an object coasts on its prediction and dies after a while, later where
-//! another's object covers its place, sooner where it leaves the radar's range.
+//! In each frame every track is predicted; objects within the gate are assigned to tracks so that the joint
+//! likelihood is maximal ([`radar::assignment`]); a remaining object in the box of a confirmed track is
+//! another piece of the same body; any other starts a track, which is confirmed once seen in M of its first N
+//! frames. A track without an object coasts on its prediction and is deleted after a while, later if
+//! another's object covers its position, sooner if it leaves the radar's range.
 //!
-//! Velocities that a map shows but for multiples of its span are followed as several hypotheses
-//! ([`crate::tracking::velocity_bank`]) until the range has told which is true; a track says so.
+//! Velocities that a map measures modulo its span are tracked as several hypotheses
+//! ([`crate::tracking::velocity_bank`]) until the range determines which is true; a track states this.
 
 use crate::error::DspError;
 use crate::plan::told_lanes;
@@ -27,21 +27,21 @@ use ndarray::Array2;
 use radar::assignment::assignment;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// An object of an equal velocity this near to a believed track's box is a piece of it: cars in a queue leave
-/// 2 m between them.
+/// Distance from a confirmed track's box within which an object of equal velocity is a piece of it: cars in a
+/// queue leave 2 m between them.
 const PIECE_MARGIN_M: f64 = 1.0;
-/// Velocities of one body's pieces.
+/// Maximum velocity difference between pieces of one body.
 const PIECE_MPS: f64 = 1.0;
-/// A frame in which another's object covers the place counts for so much of a frame without any: a body that
-/// merges with its neighbour or stands in its shadow comes back.
+/// Weight of a frame in which another's object covers the position, relative to a frame without any: a body
+/// that merges with its neighbour or is shadowed by it reappears.
 const COVERED: f64 = 0.2;
 
-/// Follows the objects of one radar, frame by frame.
+/// Tracks the objects of one radar, frame by frame.
 #[derive(Debug, Clone)]
 pub struct Tracker {
     header: CubeHeader,
     settings: TrackerSettings,
-    /// Lanes that bodies may be in.
+    /// Lanes that bodies can be assigned to.
     lanes: Lanes,
     /// Sites of the cycle's sub-frames.
     sites: Vec<Site>,
@@ -50,7 +50,7 @@ pub struct Tracker {
     last_time_s: Option<f64>,
 }
 
-/// A track with what makes it.
+/// A track with its filters and history.
 #[derive(Debug, Clone)]
 struct Followed {
     id: u32,
@@ -66,7 +66,7 @@ struct Followed {
 }
 
 impl Tracker {
-    /// Makes the tracker of a radar, without tracks.
+    /// Tracker of a radar, without tracks.
     pub fn new(header: &CubeHeader, settings: TrackerSettings) -> Result<Self, DspError> {
         Shapes::of(header)?;
         let sub_frames = 0..header.radar.schedule.sub_frames();
@@ -82,9 +82,9 @@ impl Tracker {
         })
     }
 
-    /// Takes in the next frame's objects (truth that a report may have joined to its points is not read).
+    /// Processes the next frame's objects; truth that a report has joined to its points is not read.
     ///
-    /// Refuses objects that are not finite and a frame that is not later than the one before it.
+    /// Refuses non-finite objects and a frame that is not later than the one before it.
     pub fn step(&mut self, frame: &PointsFrame) -> Result<TracksFrame, DspError> {
         frame.objects.iter().try_for_each(check_object)?;
         let interval_s = self.interval_s(frame.time_s)?;
@@ -103,7 +103,7 @@ impl Tracker {
         Ok(TracksFrame { index: frame.index, time_s: frame.time_s, tracks })
     }
 
-    /// Place and range cells, which all sub-frames share.
+    /// Position and range cells, common to all sub-frames.
     fn site(&self) -> &Site {
         &self.sites[0]
     }
@@ -127,10 +127,11 @@ impl Tracker {
         }
     }
 
-    /// Finds for each object the track (by place in the list) whose own it is.
+    /// Finds the track (by index in the list) of each object.
     ///
-    /// A pair costs −2 ln of its density, a track without object −2 ln of what an unexplained object would be
-    /// instead: the likelihood ratio of Blackman and Popoli, *Modern Tracking Systems*, 1999, §6.2.
+    /// A pair costs −2 ln of its density, a track without object −2 ln of the density of an unexplained
+    /// object in its place: the likelihood ratio of Blackman and Popoli, *Modern Tracking Systems*, 1999,
+    /// §6.2.
     fn associate(&self, measurements: &[Measurement]) -> Vec<Option<usize>> {
         let settings = &self.settings;
         let odds = settings.detection_probability
@@ -149,7 +150,7 @@ impl Tracker {
         owner
     }
 
-    /// Objects left over that lie in the box of a believed track, and move as it does, are pieces of it.
+    /// Assigns remaining objects in the box of a confirmed track, moving as it does, to it as pieces.
     fn claim_pieces(&self, frame: &PointsFrame, measurements: &[Measurement], owner: &mut [Option<usize>]) {
         let believed = || self.followed.iter().enumerate().filter(|(_, f)| f.is_believed);
         for (object, owner) in owner.iter_mut().enumerate().filter(|(_, o)| o.is_none()) {
@@ -168,8 +169,8 @@ impl Tracker {
         for (object, owner) in owner.iter().enumerate() {
             let Some(track) = *owner else { continue };
             let followed = &mut self.followed[track];
-            // Of several objects the filter takes the one that was assigned; without such, the strongest,
-            // which comes first.
+            // Among several objects the filter uses the assigned one; if there is none, the strongest, which
+            // comes first.
             if followed.objects.is_empty() {
                 followed.bank.update(&measurements[object]);
             }
@@ -229,8 +230,8 @@ impl Tracker {
         }
     }
 
-    /// Whether an object reaches over the range and velocity at which a track expects its own, in its
-    /// direction: points that near across are one object to the clusters.
+    /// Whether an object covers the range and velocity predicted for a track's own, in its direction: points
+    /// that close across form one object in clustering.
     fn covers(&self, object: &Object, measurement: &Measurement, followed: &Followed) -> bool {
         let range_m = self.range_m(followed, measurement.up_m);
         let across_m = measurement.azimuth_residual_rad(followed.bank.best()).sin().abs() * range_m;
@@ -247,8 +248,8 @@ impl Tracker {
         (DVec2::new(mean.x, mean.y) - self.site().place_m()).length().hypot(up_m)
     }
 
-    /// A younger track in the box of an older believed one, at its velocity, is the same body: its objects go
-    /// to the older.
+    /// Merges a younger track in the box of an older confirmed one, at its velocity, into the older: both are
+    /// the same body.
     fn join_doubles(&mut self) {
         let mut kept: Vec<Followed> = Vec::new();
         for younger in std::mem::take(&mut self.followed) {
@@ -273,7 +274,7 @@ impl Tracker {
         self.followed.retain(|f| {
             let mean = f.bank.best().mean;
             let away_m = DVec2::new(mean.x, mean.y) - place_m;
-            // No array sees what is behind it.
+            // No array sees behind itself.
             let is_in_view = away_m.length() <= far_m && away_m.dot(ahead) > 0.0;
             let [least_s, most_s] = settings.coast_s;
             let coast_s = (settings.coast_share * f.seen_s).clamp(least_s, most_s);
@@ -308,7 +309,7 @@ impl Tracker {
 }
 
 impl Followed {
-    /// Turns the box and stretches it over the points of its objects.
+    /// Updates heading and extent of the box from the points of the track's objects.
     fn look(&mut self, frame: &PointsFrame, cell_m: f64) {
         let state = *self.bank.best();
         self.body.turn(&state);
@@ -317,8 +318,8 @@ impl Followed {
     }
 }
 
-/// Whether two velocities are one within [`PIECE_MPS`] or within what is known of them: two degrees of
-/// freedom, 99 of 100.
+/// Whether two velocities agree within [`PIECE_MPS`] or within their uncertainty: two degrees of freedom, 99
+/// of 100.
 fn moves_like(a: &Estimate, b: &Estimate) -> bool {
     let apart = DVec2::new(a.mean.z - b.mean.z, a.mean.w - b.mean.w);
     let both = a.covariance + b.covariance;
@@ -327,7 +328,7 @@ fn moves_like(a: &Estimate, b: &Estimate) -> bool {
     apart.length() <= PIECE_MPS || apart.dot(covariance.inverse() * apart) <= 9.2
 }
 
-/// Measured radial velocity less the expected one, on the velocity circle.
+/// Measured minus predicted radial velocity, on the velocity circle.
 fn rate_apart_mps(followed: &Followed, measurement: &Measurement) -> f64 {
     measurement.rate_residual_mps(followed.bank.best())
 }

@@ -1,9 +1,9 @@
-//! Several filters of one body, one for each velocity that an aliased measurement may stand for.
+//! Bank of filters for one body, one for each candidate of an aliased velocity.
 //!
-//! A map shows a velocity but for multiples of its span. Each multiple that a vehicle can drive has a filter,
-//! all take the same measurements in, and each one's weight is multiplied by how likely it found them
-//! (multiple models without switching, Bar-Shalom, Li, Kirubarajan 2001, §11.6.2). What tells them apart is
-//! the range: a span of 32 m/s moves it by 3.2 m in a tenth of a second, 0.4 m where the radar's cells are
+//! A map measures a velocity modulo its span. Each candidate that a vehicle can drive has a filter, all
+//! process the same measurements, and each filter's weight is multiplied by the likelihood that it assigns to
+//! them (static multiple-model estimator, Bar-Shalom, Li, Kirubarajan 2001, §11.6.2). The range distinguishes
+//! them: a span of 32 m/s shifts it by 3.2 m in a tenth of a second, 0.4 m where the radar's cells are
 //! finest.
 
 use crate::tracking::kalman::{Estimate, outer};
@@ -11,28 +11,28 @@ use crate::tracking::measurement::Measurement;
 use crate::tracking::tracker_settings::TrackerSettings;
 use glam::DMat4;
 
-/// Filters and their weights, first that of the velocity that the first measurement showed, then by how far
-/// they are turned from it; never empty.
+/// Filters and their weights, first that of the apparent velocity of the first measurement, then by the
+/// number of spans from it; never empty.
 #[derive(Debug, Clone)]
 pub(crate) struct VelocityBank {
     filters: Vec<(f64, Estimate)>,
 }
 
-/// A filter this unlikely is given up: one track in a thousand is resolved wrongly if models are true.
+/// Weight below which a filter is dropped: one track in a thousand is resolved wrongly if models are true.
 const LEAST_WEIGHT: f64 = 1e-3;
 
 /// Fit of a measurement to a bank.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Suit {
-    /// Least squared Mahalanobis distance.
+    /// Minimum squared Mahalanobis distance.
     pub(crate) distance2: f64,
     /// −2 ln of the measurement's density.
     pub(crate) surprise: f64,
 }
 
 impl VelocityBank {
-    /// All velocities up to the fastest that a first measurement may stand for, equally likely; at least the
-    /// one it shows.
+    /// All candidates of a first measurement's velocity up to the maximum speed, with equal weights; at least
+    /// the apparent one.
     pub(crate) fn new(first: &Measurement, settings: &TrackerSettings) -> Self {
         let shown_mps = first.radial_velocity_mps;
         let turns =
@@ -47,15 +47,15 @@ impl VelocityBank {
         bank
     }
 
-    /// Likeliest filter; of equally likely ones that which is turned least.
+    /// Likeliest filter; among equally likely ones the one fewest spans away.
     pub(crate) fn best(&self) -> &Estimate {
         let best =
             self.filters.iter().skip(1).fold(&self.filters[0], |best, f| if f.0 > best.0 { f } else { best });
         &best.1
     }
 
-    /// Covariance of the likeliest filter's state about the truth, whichever filter has it: as long as
-    /// several are left, each one's own and its distance from that state count by its weight.
+    /// Covariance of the likeliest filter's state about the truth, whichever filter is true: while several
+    /// remain, the covariance of each and its distance from that state contribute by weight.
     pub(crate) fn covariance(&self) -> DMat4 {
         let told = self.best().mean;
         self.filters.iter().fold(DMat4::ZERO, |sum, (weight, state)| {
@@ -64,17 +64,17 @@ impl VelocityBank {
         })
     }
 
-    /// Whether one filter is left.
+    /// Whether a single filter remains.
     pub(crate) fn is_resolved(&self) -> bool {
         self.filters.len() == 1
     }
 
-    /// Every filter after some time.
+    /// Predicts every filter.
     pub(crate) fn predict(&mut self, interval_s: f64, acceleration_density: f64) {
         self.filters.iter_mut().for_each(|f| f.1 = f.1.predicted(interval_s, acceleration_density));
     }
 
-    /// Fit of a measurement to the bank: least distance, and the density over all filters.
+    /// Fit of a measurement to the bank: minimum distance, and the density over all filters.
     pub(crate) fn suit(&self, measurement: &Measurement) -> Suit {
         let updates = self.filters.iter().map(|(weight, state)| (weight, measurement.updated(state)));
         let (mut distance2, mut least) = (f64::INFINITY, f64::INFINITY);
@@ -88,7 +88,7 @@ impl VelocityBank {
         Suit { distance2, surprise: least - 2.0 * sum.ln() }
     }
 
-    /// Takes a measurement in.
+    /// Updates all filters by a measurement.
     pub(crate) fn update(&mut self, measurement: &Measurement) {
         let updates: Vec<_> =
             self.filters.iter().map(|(w, state)| (*w, measurement.updated(state))).collect();
@@ -98,7 +98,7 @@ impl VelocityBank {
         self.weigh();
     }
 
-    /// Weights that add up to one, without those that are given up.
+    /// Normalises the weights and drops filters of low weight.
     fn weigh(&mut self) {
         let best = self.filters.iter().map(|f| f.0).fold(0.0, f64::max);
         self.filters.retain(|f| f.0 >= LEAST_WEIGHT * best);
@@ -107,7 +107,7 @@ impl VelocityBank {
     }
 }
 
-/// Radars that fold more often than this are told nothing by a bank that could be afforded.
+/// Maximum number of spans; with more folds an affordable bank would resolve nothing.
 const MOST_TURNS: i32 = 32;
 
 #[cfg(test)]
@@ -119,7 +119,7 @@ mod tests {
     use artifact::radar::Multiplexing;
     use radar::{aperture::Preset, paper};
 
-    /// Bank of an object at rest 40 m away, of a radar that takes turns; the span in m/s.
+    /// Bank of an object at rest 40 m away, for a time-division radar; the span in m/s.
     fn bank_at_rest() -> (VelocityBank, f64) {
         let mut radar = paper::radar([0.0; 3], paper::waveform(256, 128), Preset::ThreeByFour.elements());
         radar.array.multiplexing = Multiplexing::Tdm;
@@ -147,7 +147,7 @@ mod tests {
         let (bank, span_mps) = bank_at_rest();
         assert!(!bank.is_resolved());
         assert_eq!(bank.best().mean.w, 0.0, "the velocity that was shown, not the lowest of all");
-        // Equally likely velocities that far apart spread by more than the nearest wrong one's share.
+        // Equally likely velocities that far apart spread by more than the share of the nearest wrong one.
         let count = bank.filters.len() as f64;
         let spread_mps = bank.covariance().w_axis.w.sqrt();
         assert!(spread_mps > span_mps * (2.0 / count).sqrt(), "{spread_mps} of {span_mps} m/s");

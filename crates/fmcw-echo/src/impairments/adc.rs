@@ -1,14 +1,14 @@
-//! The converter: each part of a complex sample becomes one of 2^bits numbers.
+//! Analogue-to-digital converter: each part of a complex sample becomes one of 2^bits codes.
 
 use artifact::radar::Adc;
 use num_complex::Complex32;
 use rayon::prelude::*;
 
-/// Rounds and clips samples as a converter with codes −2^(b−1) … 2^(b−1) − 1 does, a code being full
+/// Rounds and clips samples like a converter with codes −2^(b−1) … 2^(b−1) − 1, one code being full
 /// scale/2^(b−1).
 ///
-/// Between the clips the error of a part is spread evenly over a code q: variance q²/12 (Bennett, Bell Syst.
-/// Tech. J. 27 (1948) 446).
+/// Below clipping, the error of a part is uniformly distributed over a code q: variance q²/12 (Bennett, Bell
+/// Syst. Tech. J. 27 (1948) 446).
 pub fn convert(adc: &Adc, samples: &mut [Complex32]) {
     let codes = 2.0_f64.powi(i32::from(adc.bits) - 1);
     let code = adc.full_scale / codes;
@@ -34,8 +34,8 @@ mod tests {
             let code = 4.0 / 2.0_f64.powi(i32::from(bits));
             let got = power / count as f64 / (code * code / 12.0);
             println!("{bits} bits: error {got:.4} of q²/12");
-            // Golden-ratio places are even to 1/count; the range of 3 holds codes in part, one of 12 at
-            // least.
+            // Golden-ratio points are uniform to 1/count; the range of 3 covers some codes in part, at least
+            // one of 12.
             assert!((got - 1.0).abs() < 0.02, "{bits} bits: {got}");
         }
     }

@@ -1,11 +1,11 @@
-//! Errors of elements that the seed draws: gains in dB and phases, each normal, beside those that the scene
-//! lists.
+//! Random errors of elements drawn from the seed: gains in dB and phases, normally distributed, added to
+//! those that the scene lists.
 
 use crate::impairments::noise::NoiseStream;
 use artifact::Radar;
 use artifact::radar::{ElementError, ElementSpread};
 
-/// The radar with the errors that its spread and a scene's seed make, listed; the same in all frames.
+/// Radar with the errors drawn from its spread and a scene's seed listed; the same in all frames.
 pub fn drawn(radar: &Radar, seed: u64) -> Radar {
     let mut drawn = radar.clone();
     let spread = std::mem::take(&mut drawn.hardware.spread);
@@ -26,10 +26,10 @@ fn add(errors: &mut Vec<ElementError>, elements: usize, more: impl Fn(u64) -> El
     }
 }
 
-/// Error of an element of an end, 0 where it transmits: from a stream of its own, so that none moves
-/// when others come.
+/// Error of element `of`, [end, index] with end 0 the transmitters: from its own random stream, so that
+/// additional elements leave it unchanged.
 fn error(spread: ElementSpread, seed: u64, of: [u64; 2]) -> ElementError {
-    // Of mean power 2: real and imaginary part are independent, of variance 1.
+    // Mean power 2: real and imaginary part are independent, with variance 1.
     let normal = NoiseStream::of(seed, "fmcw-echo/element-errors", &of).next_sample(2.0);
     ElementError {
         gain_db: spread.gain_db * normal.re,

@@ -1,13 +1,13 @@
-//! Other FMCW radars in the air: where a chirp of theirs crosses ours, the mixer turns it into a short chirp
-//! of the IF.
+//! Interference by other FMCW radars: where a chirp of theirs crosses ours, the mixer turns it into a short
+//! chirp of the IF.
 //!
 //! A wave of an interferer's chirp that began at t_j has the phase 2π(f₁s + ½μ₁s²), s = T − τ − t_j, τ = R/c
-//! one way. Mixed with ours as every echo is (transmit times conj receive) it is e^{j2π[f₀t + ½μt² − f₁s −
-//! ½μ₁s²]}, of frequency f₀ + μt − f₁ − μ₁s. The IF filter is a brick wall, the one that echoes of every
-//! range of the map pass: with complex samples beats from 0 to f_s, of the sign of μ as theirs are (the image
-//! band is filtered out: Ramasubramanian, Texas Instruments SPYY007 (2017)), with real ones beats within
-//! ±f_s/2. Either is f_s wide, so that a crossing is heard for f_s/|μ − μ₁| seconds (Brooker, IEEE Trans. EMC
-//! 49 (2007) 170). Its power is EIRP·G_r·λ²/(4πR)², polarizations taken as equal.
+//! one way. Mixed with ours like every echo (transmit times conj receive) it is e^{j2π[f₀t + ½μt² − f₁s −
+//! ½μ₁s²]}, of frequency f₀ + μt − f₁ − μ₁s. The IF filter is a brick wall that passes the echoes of every
+//! range of the map: for complex samples beats from 0 to f_s, with the sign of μ like the echoes' (the image
+//! band is filtered out: Ramasubramanian, Texas Instruments SPYY007 (2017)), for real ones beats within
+//! ±f_s/2. Either is f_s wide, so a crossing is received for f_s/|μ − μ₁| seconds (Brooker, IEEE Trans. EMC
+//! 49 (2007) 170). Its power is EIRP·G_r·λ²/(4πR)², with polarizations taken as equal.
 
 use crate::links::multiplexing::{Transmission, receiver_factor, row as transmissions};
 use artifact::radar::{Interferer, Sampling};
@@ -20,7 +20,7 @@ use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-/// Adds what all interferers make of a cube whose first sample is `time_s` after the scene's.
+/// Adds the contribution of all interferers to a cube whose first sample is `time_s` after the scene's.
 pub(crate) fn add(radar: &Radar, time_s: f64, samples: &mut [Complex32]) {
     if radar.hardware.interferers.is_empty() {
         return;
@@ -33,7 +33,7 @@ pub(crate) fn add(radar: &Radar, time_s: f64, samples: &mut [Complex32]) {
     });
 }
 
-/// Sum of what all interferers add to one row of a cube, √W.
+/// Contribution of all interferers to one row of a cube, √W.
 pub fn row(radar: &Radar, time_s: f64, channel: usize, chirp: usize) -> Vec<Complex64> {
     let mut samples = vec![Complex64::ZERO; radar.waveform.samples as usize];
     // All transmissions of a row start together and are received by the same element.
@@ -46,18 +46,18 @@ pub fn row(radar: &Radar, time_s: f64, channel: usize, chirp: usize) -> Vec<Comp
     samples
 }
 
-/// Samples of a chirp between two places. Casts hold at both ends: what is negative is 0.
+/// Samples of a chirp between two positions. Casts saturate at both ends: negative values become 0.
 fn span([from, to]: [f64; 2], samples: usize) -> Range<usize> {
     let (from, to) = (from.floor() as usize, to.ceil().max(-1.0) as usize);
     from.min(samples)..to.saturating_add(1).min(samples)
 }
 
-/// Number of an interferer's chirp that is the latest to have begun `time_s` after the scene's first sample.
+/// Number of an interferer's latest chirp started by `time_s` after the scene's first sample.
 fn begun(interferer: &Interferer, time_s: f64) -> f64 {
     ((time_s - interferer.offset_s) / interferer.chirp_interval_s).floor()
 }
 
-/// Middle of the band that the IF filter passes, Hz; the band is the sample rate wide.
+/// Centre of the IF filter's passband, Hz; the band is as wide as the sample rate.
 fn band_middle_hz(waveform: &Waveform) -> f64 {
     match waveform.sampling {
         Sampling::Complex => 0.5 * waveform.sample_rate_hz.copysign(waveform.slope_hz_per_s),
@@ -71,7 +71,7 @@ struct Receiver<'a> {
     axes: [DVec3; 3],
     transmission: Transmission,
     element: Complex64,
-    /// The frame's first sample.
+    /// Time of the frame's first sample.
     time_s: f64,
 }
 
@@ -81,8 +81,8 @@ impl Receiver<'_> {
         let start_s = self.time_s + self.transmission.start_s;
         let duration_s = samples.len() as f64 / self.radar.waveform.sample_rate_hz;
         let delay_s = self.way_m(interferer, start_s).length() / SPEED_OF_LIGHT_MPS;
-        // Its chirps that can arrive within ours: one that began a sweep before the first sample's departure
-        // to the last.
+        // Interferer chirps that can arrive within ours: from one that began a sweep before the first
+        // sample's departure to the last.
         let first = begun(interferer, start_s - delay_s - interferer.sweep_s);
         let last = begun(interferer, start_s - delay_s + duration_s) + 1.0;
         if last - first > samples.len() as f64 {
@@ -98,8 +98,8 @@ impl Receiver<'_> {
         }
     }
 
-    /// [`Self::hear`] of chirps so short that more of them than samples arrive within ours: each sample hears
-    /// at most one, whose number its departure tells but for rounding.
+    /// [`Self::hear`] for chirps so short that more of them than samples arrive within ours: each sample
+    /// receives at most one, whose number follows from its departure up to rounding.
     fn hear_each(&self, (interferer, link): (&Interferer, f64), samples: &mut [Complex64]) {
         for (n, sample) in samples.iter_mut().enumerate() {
             let time_s = self.arrival_s(n);
@@ -111,24 +111,24 @@ impl Receiver<'_> {
         }
     }
 
-    /// Moment at which the element receives what sample `n` of our chirp is of, after the scene's first
+    /// Time at which the element receives the wave of sample `n` of our chirp, after the scene's first
     /// sample.
     fn arrival_s(&self, n: usize) -> f64 {
         let t = n as f64 / self.radar.waveform.sample_rate_hz;
         self.time_s + self.transmission.start_s + t - self.transmission.receiver_delay_s
     }
 
-    /// Time from the beginning of a chirp of the interferer to our first sample.
+    /// Time from the start of a chirp of the interferer to our first sample.
     ///
-    /// Hours after the scene's first sample, times have steps of 2 ps, a seventh of a turn at 77 GHz: the two
-    /// long ones are subtracted first, the product with what its rounding left.
+    /// Hours after the scene's first sample, times have steps of 2 ps, a seventh of a cycle at 77 GHz: the
+    /// two large ones are subtracted first, then the product together with its rounding error.
     fn since_s(&self, interferer: &Interferer, chirp: f64) -> f64 {
         let begin_s = chirp * interferer.chirp_interval_s;
         let left_s = chirp.mul_add(interferer.chirp_interval_s, -begin_s);
         (self.time_s - begin_s) - left_s - interferer.offset_s + self.transmission.start_s
     }
 
-    /// Value that sample `n` has of one chirp, which began `since_s` before our first sample.
+    /// Contribution of one chirp, which began `since_s` before our first sample, to sample `n`.
     fn heard(&self, (interferer, link): (&Interferer, f64), since_s: f64, n: usize) -> Complex64 {
         let waveform = &self.radar.waveform;
         let t = n as f64 / waveform.sample_rate_hz;
@@ -148,8 +148,8 @@ impl Receiver<'_> {
         self.element * gain * Complex64::cis(TAU * (own.fract() - other.fract()))
     }
 
-    /// Samples that can lie in the band and within the interferer's chirp, with two to spare on either side,
-    /// and as many as the way that the interferer moves within ours shifts the crossing by.
+    /// Samples that can lie in the band and within the interferer's chirp, with a margin of two on either
+    /// side, plus the shift of the crossing by the interferer's motion within our chirp.
     fn near_crossing(&self, interferer: &Interferer, since_s: f64, samples: usize) -> Range<usize> {
         let waveform = &self.radar.waveform;
         let (f_s, start_s) = (waveform.sample_rate_hz, self.time_s + self.transmission.start_s);
@@ -179,14 +179,14 @@ impl Receiver<'_> {
         (interferer.eirp_w * gain).sqrt() * self.radar.waveform.wavelength_m() / (4.0 * PI)
     }
 
-    /// Vector from the element to the interferer as it was when the wave left that arrives `time_s` after
-    /// the scene's first sample.
+    /// Vector from the element to the interferer at the departure of the wave that arrives `time_s` after the
+    /// scene's first sample.
     fn way_m(&self, interferer: &Interferer, time_s: f64) -> DVec3 {
         let velocity_mps = DVec3::from_array(interferer.velocity_mps);
         let at = |time_s: f64| {
             DVec3::from_array(interferer.position_m) + velocity_mps * time_s - self.transmission.rx_m
         };
-        // Each step divides the error by c/v: after two 1e-15 of the way at 10 m/s.
+        // Each step reduces the error by c/v: after two it is 1e-15 of the distance at 10 m/s.
         let earlier_s = |way_m: DVec3| way_m.length() / SPEED_OF_LIGHT_MPS;
         at(time_s - earlier_s(at(time_s - earlier_s(at(time_s)))))
     }

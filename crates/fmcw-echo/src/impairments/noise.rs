@@ -1,4 +1,4 @@
-//! Complex white receiver noise, a function of (seed, frame, channel, chirp, sample).
+//! Complex white receiver noise as a function of (seed, frame, channel, chirp, sample).
 
 use crate::error::EchoError;
 use crate::links::snr_reference::peak_cell_over_noise;
@@ -34,7 +34,7 @@ pub(crate) fn add(
     Ok(())
 }
 
-/// Mean power of the noise in one complex sample, W.
+/// Mean noise power of one complex sample, W.
 pub fn variance_w(header: &CubeHeader, frame: u32, noise_free: &[Complex32]) -> Result<f64, EchoError> {
     match header.noise {
         Noise::Absent => Ok(0.0),
@@ -50,7 +50,7 @@ pub fn variance_w(header: &CubeHeader, frame: u32, noise_free: &[Complex32]) -> 
     }
 }
 
-/// Thermal noise power k·T·F·f_s: complex samples see the band f_s once (physics.md §9).
+/// Thermal noise power k·T·F·f_s: complex samples contain the band f_s once (physics.md §9).
 pub fn thermal_variance_w(
     noise_figure_db: f64,
     temperature_k: f64,
@@ -66,28 +66,28 @@ fn positive(quantity: &'static str, given: f64, linear: f64) -> Result<f64, Echo
     usable.then_some(linear).ok_or(EchoError::Noise { quantity, value: given })
 }
 
-/// The noise of one row of a cube: sample n is the n-th value of the stream.
+/// Noise of one row of a cube: sample n is the n-th value of the stream.
 pub struct NoiseStream(ChaCha8Rng);
 
 impl NoiseStream {
-    /// The stream of a row.
+    /// Stream of a row.
     pub fn new(seed: u64, frame: u32, channel: usize, chirp: usize) -> Self {
         Self::of(seed, "fmcw-echo/noise", &[u64::from(frame), channel as u64, chirp as u64])
     }
 
-    /// The stream of another use.
+    /// Stream for another use.
     pub(crate) fn of(seed: u64, stage: &str, index: &[u64]) -> Self {
         Self(ChaCha8Rng::from_seed(seed::key(seed, stage, index)))
     }
 
-    /// The next complex normal value of mean power `variance_w`: Box and Muller's transform, which takes
-    /// exactly two uniform numbers a value, so that a value's place in the stream is its sample's number.
+    /// Next complex normal value with mean power `variance_w`, by the Box–Muller transform, which takes
+    /// exactly two uniform numbers per value, so that a value's position in the stream is its sample index.
     pub fn next_sample(&mut self, variance_w: f64) -> Complex64 {
         let power = -variance_w * (1.0 - self.uniform()).ln();
         Complex64::from_polar(power.sqrt(), TAU * self.uniform())
     }
 
-    /// A number in [0, 1), 53 bits.
+    /// A uniform number in [0, 1) with 53 bits.
     fn uniform(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 * (0.5_f64).powi(53)
     }

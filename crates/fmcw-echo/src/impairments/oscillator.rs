@@ -1,10 +1,10 @@
-//! Phase noise of the oscillator that all elements share: one random process a frame, and how much of it an
-//! echo keeps.
+//! Phase noise of the oscillator shared by all elements: one random process per frame, and the part of it
+//! that remains in an echo.
 //!
-//! The oscillator's phase is φ(T), stationary, with the two-sided spectral density L(|f|) rad²/Hz, which is
-//! the single-sideband noise that data sheets tell (IEEE Std 1139: L = S_φ/2, S_φ one-sided). What is sent at
-//! T − τ meets the oscillator as it is at T: an echo of delay τ is turned by φ(T) − φ(T − τ), of density
-//! 4·L(f)·sin²(πfτ) on either side of its line. Near targets keep next to nothing of slow noise ("range
+//! The oscillator's phase is φ(T), stationary, with the two-sided spectral density L(|f|) rad²/Hz, the
+//! single-sideband noise of data sheets (IEEE Std 1139: L = S_φ/2, S_φ one-sided). A wave sent at T − τ is
+//! mixed with the oscillator at T: an echo of delay τ is rotated by φ(T) − φ(T − τ), with density
+//! 4·L(f)·sin²(πfτ) on either side of its line. Near targets retain almost no slow noise ("range
 //! correlation": Budge, Burt, IEEE National Radar Conf. 1993, 185).
 
 use crate::impairments::noise::NoiseStream;
@@ -15,31 +15,30 @@ use num_complex::Complex64;
 use rustfft::FftPlanner;
 use std::f64::consts::TAU;
 
-/// The phase of a radar's oscillator over a frame and as long before it as echoes take.
+/// Phase of a radar's oscillator over a frame and, before it, over the longest echo delay.
 pub struct Oscillator {
-    /// Phase φ at even steps, rad; it comes back to its beginning.
+    /// Phase φ at equal steps, rad; periodic.
     phase_rad: Vec<f64>,
     steps_per_s: f64,
     rate_rms_rad_per_s: f64,
 }
 
-/// Steps of a sample: eight neighbours tell what lies between them to 1.5e-4 of the fastest part.
+/// Steps per sample: interpolation from eight neighbours is accurate to 1.5e-4 of the fastest component.
 const STEPS_PER_SAMPLE: usize = 4;
-/// Values around a moment that its phase is told from.
+/// Number of values around a time from which its phase is interpolated.
 const NEIGHBOURS: usize = 8;
-/// Time before the frame's first sample that is held: the way to 1.5 km and back. Where echoes take longer,
-/// it is twice what they take.
+/// Time held before the frame's first sample: a round trip of 1.5 km. If echoes take longer, it is twice
+/// their delay.
 const BEFORE_S: f64 = 1e-5;
-/// Longest delays that the phase goes on for before it comes back: of a phase that walks at random, L ∝
-/// 1/f², φ(T) − φ(T − τ) has the variance of (1 − τ/P)·τ where it comes back after P, here 3 % or 0.14 dB
-/// too little.
+/// Minimum period in units of the longest delay: for a random-walk phase, L ∝ 1/f², φ(T) − φ(T − τ) has the
+/// variance (1 − τ/P)·τ under a period P, here 3 % or 0.14 dB too little.
 const DELAYS: f64 = 32.0;
-/// Sample intervals of the longest frame and of what is before it: half a second at 5.12 MHz, whose phase
-/// takes 70 MB.
+/// Maximum number of sample intervals of a frame and the time before it: half a second at 5.12 MHz, whose
+/// phase takes 70 MB.
 pub(crate) const SAMPLES_MAX: usize = 2 * OSCILLATOR_SAMPLES_LIMIT;
 
 impl Oscillator {
-    /// Oscillator of one frame whose echoes take so long at most; `None` where the radar's is ideal.
+    /// Oscillator of one frame for echoes up to this delay; `None` if the radar's is ideal.
     pub fn of(radar: &Radar, seed: u64, frame: u32, longest_delay_s: f64) -> Option<Self> {
         let noise = &radar.hardware.phase_noise;
         if noise.is_empty() {
@@ -64,17 +63,17 @@ impl Oscillator {
         })
     }
 
-    /// Phase φ, rad, `time_s` after the frame's first sample, a little before it too.
+    /// Phase φ, rad, `time_s` after the frame's first sample, or shortly before it.
     pub fn phase_rad(&self, time_s: f64) -> f64 {
         self.phases_rad(time_s, 1)[0]
     }
 
-    /// Turn e^{j[φ(T) − φ(T − τ)]} of an echo of delay τ received at T.
+    /// Rotation e^{j[φ(T) − φ(T − τ)]} of an echo of delay τ received at T.
     pub fn turn(&self, time_s: f64, delay_s: f64) -> Complex64 {
         Complex64::cis(self.phase_rad(time_s) - self.phase_rad(time_s - delay_s))
     }
 
-    /// Phases φ at a moment and a sample, two samples, … later.
+    /// Phases φ at a time and at one, two, … samples later.
     pub(crate) fn phases_rad(&self, time_s: f64, samples: usize) -> Vec<f64> {
         let place = time_s * self.steps_per_s;
         let below = place.floor();
@@ -95,7 +94,7 @@ impl Oscillator {
     }
 }
 
-/// Bytes of the phase and of the transform it comes from, of echoes from within the waveform's range.
+/// Memory of the phase and of the transform that generates it, for echoes within the waveform's range, bytes.
 pub(crate) fn memory_estimate_bytes(radar: &Radar) -> u64 {
     let delay_s = 2.0 * radar.waveform.range_max_m() / SPEED_OF_LIGHT_MPS;
     let needed =
@@ -103,7 +102,7 @@ pub(crate) fn memory_estimate_bytes(radar: &Radar) -> u64 {
     (needed * (size_of::<f64>() + 2 * size_of::<Complex64>())) as u64
 }
 
-/// Sample intervals of a frame and what is before it, rounded up to a length that transforms are fast for.
+/// Number of sample intervals of a frame and the time before it, rounded up to a length with fast transforms.
 pub(crate) fn samples_of(radar: &Radar, longest_delay_s: f64) -> usize {
     let before_s = if longest_delay_s <= BEFORE_S { BEFORE_S } else { 2.0 * longest_delay_s };
     let needed_s = (radar.frame_duration_s() + before_s).max(DELAYS * longest_delay_s);
@@ -111,14 +110,14 @@ pub(crate) fn samples_of(radar: &Radar, longest_delay_s: f64) -> usize {
     (needed as usize).min(1 << (usize::BITS - 2)).next_power_of_two()
 }
 
-/// Powers of φ's Fourier coefficients at 1, 2, … over the time, below half the sample rate: what lies beyond
-/// falls outside the IF filter.
+/// Powers of φ's Fourier coefficients at 1, 2, … over the time, below half the sample rate: the rest is
+/// outside the IF filter.
 fn powers(noise: &[PhaseNoise], step_hz: f64, count: usize) -> Vec<f64> {
     (1..count / 2).map(|k| density(noise, k as f64 * step_hz) * step_hz).collect()
 }
 
-/// Density L(f), rad²/Hz: straight in dB over log f between the frequencies told, constant before the
-/// first and behind the last.
+/// Density L(f), rad²/Hz: linear in dB over log f between the given frequencies, constant outside the first
+/// and last.
 pub fn density(noise: &[PhaseNoise], offset_hz: f64) -> f64 {
     let above = noise.partition_point(|point| point.offset_hz <= offset_hz);
     let dbc_per_hz = match (above.checked_sub(1).map(|below| noise[below]), noise.get(above)) {
@@ -133,7 +132,7 @@ pub fn density(noise: &[PhaseNoise], offset_hz: f64) -> f64 {
     10.0_f64.powf(0.1 * dbc_per_hz)
 }
 
-/// Shares of eight neighbours in a value `t` of a step behind the fourth.
+/// Weights of eight neighbours for a value `t` of a step after the fourth.
 fn lagrange(t: f64) -> [f64; NEIGHBOURS] {
     let place = |i: usize| i as f64 - (NEIGHBOURS as f64 / 2.0 - 1.0);
     std::array::from_fn(|i| {

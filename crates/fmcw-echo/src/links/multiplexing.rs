@@ -1,4 +1,4 @@
-//! Transmissions that make up one row (channel, chirp) of a cube, and when each starts (interface.md: tdm,
+//! Transmissions that make up one row (channel, chirp) of a cube, and their start times (interface.md: tdm,
 //! ddm and bpm).
 
 use artifact::Radar;
@@ -8,8 +8,8 @@ use glam::DVec3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// The transmissions whose sum is the row `[channel, chirp, ..]` of a cube: one, or with Doppler division or
-/// codes all.
+/// Transmissions whose sum is the row `[channel, chirp, ..]` of a cube: one, or all of them with Doppler
+/// division or codes.
 pub fn row(radar: &Radar, channel: usize, chirp: usize) -> Vec<Transmission> {
     let receivers = radar.array.rx_m.len();
     match radar.array.multiplexing {
@@ -38,27 +38,27 @@ pub fn row(radar: &Radar, channel: usize, chirp: usize) -> Vec<Transmission> {
 /// One chirp from one transmit element to one receive element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transmission {
-    /// Transmit element's place p_t, world metres.
+    /// Position p_t of the transmit element, world metres.
     pub tx_m: DVec3,
-    /// Receive element's place p_r, world metres.
+    /// Position p_r of the receive element, world metres.
     pub rx_m: DVec3,
     /// Time of the chirp's first sample, from the frame's first sample, s.
     pub start_s: f64,
-    /// Factor of its IF value.
+    /// Factor on its IF value.
     pub turn: Complex64,
-    /// Delay of the lines of both elements, s: it adds to the way's.
+    /// Total delay of both elements' feed lines, s; added to the propagation delay.
     pub line_delay_s: f64,
-    /// That of the receiver, s: the wave arrived as much earlier.
+    /// Delay of the receiver's feed line, s: the wave arrived earlier by this time.
     pub receiver_delay_s: f64,
 }
 
 impl Transmission {
-    /// A chirp that would start at any moment, by elements without errors of gain and phase.
+    /// A chirp starting at any time, from elements without gain and phase errors.
     pub(crate) fn starting_at(radar: &Radar, tx: usize, rx: usize, start_s: f64) -> Self {
         Self { start_s, ..Self::new(radar, tx, rx, 0, Complex64::ONE) }
     }
 
-    /// Places of both elements, world metres.
+    /// Positions of both elements, world metres.
     pub(crate) fn ends_m(&self) -> [[f64; 3]; 2] {
         [self.tx_m, self.rx_m].map(|end| end.to_array())
     }
@@ -75,12 +75,12 @@ impl Transmission {
     }
 }
 
-/// Gain and phase of the errors of both elements.
+/// Gain and phase errors of both elements as a factor.
 pub(crate) fn element_factor(radar: &Radar, tx: usize, rx: usize) -> Complex64 {
     factor(&radar.hardware.tx, tx) * receiver_factor(radar, rx)
 }
 
-/// Gain and phase of the errors of a receive element alone.
+/// Gain and phase error of a receive element alone as a factor.
 pub(crate) fn receiver_factor(radar: &Radar, rx: usize) -> Complex64 {
     factor(&radar.hardware.rx, rx)
 }

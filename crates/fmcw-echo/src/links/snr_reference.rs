@@ -8,15 +8,14 @@ use radar::window::{noise_bandwidth_bins, taper};
 use rustfft::{Fft, FftPlanner};
 use std::f64::consts::TAU;
 
-/// Power of the peak cell of channel 0 over what white noise of unit power per sample makes of a cell; `None`
-/// where the channel is silent. With codes that of the mean over transmitters, as the first receiver hears
-/// them.
+/// Power of the peak cell of channel 0 relative to that of a cell of white noise with unit power per sample;
+/// `None` if the channel is silent. With codes, the mean over transmitters as received by the first receiver.
 ///
-/// A cell of the map holds noise of N_s·N_c·ENBW_r·ENBW_d times the power of a sample (physics.md §8: windows
-/// of unit coherent gain, FFTs without scaling). With Doppler division the map of receiver 0 before its bands
-/// are taken apart has the same peak and the same noise. Taking codes apart shares the power of the M slots'
-/// maps among N_tx transmitters, whatever the velocity: of their sum a cell has an (M·N_tx)-th, and of a
-/// slot's noise an M-th.
+/// A cell of the map contains noise of N_s·N_c·ENBW_r·ENBW_d times the power of a sample (physics.md §8:
+/// windows of unit coherent gain, FFTs without scaling). With Doppler division the map of receiver 0 before
+/// its bands are separated has the same peak and the same noise. Separating codes divides the power of the M
+/// slots' maps among N_tx transmitters, whatever the velocity: a cell has an (M·N_tx)-th of their sum, and an
+/// M-th of a slot's noise.
 pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Option<f64> {
     let [_, chirps, length] = header.shape();
     let range_weights = taper(header.dsp.range_window, length).ok()?;
@@ -35,7 +34,7 @@ pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Optio
         power.iter_mut().zip(of_channel).for_each(|(sum, power)| *sum += power / among as f64);
     }
     let peak = power.into_iter().fold(0.0, f64::max);
-    // Of a real mixer half of the noise arrives.
+    // A real mixer receives half of the noise.
     let arrives = if header.radar.waveform.sampling == Sampling::Real { 0.5 } else { 1.0 };
     let noise = arrives
         * (chirps * length) as f64
@@ -44,8 +43,8 @@ pub fn peak_cell_over_noise(header: &CubeHeader, samples: &[Complex32]) -> Optio
     (peak > 0.0).then_some(peak / noise)
 }
 
-/// Powers of one channel's cells, by the chirps' own times; of a real mixer's samples an echo is told by one
-/// of two lines.
+/// Powers of one channel's cells, with the chirps' own times; in a real mixer's samples an echo has two
+/// lines, of which one counts.
 fn power_of_channel(header: &CubeHeader, samples: &[Complex32], [range, doppler]: [&[f64]; 2]) -> Vec<f64> {
     let real: Vec<Complex32>;
     let samples = match header.radar.waveform.sampling {
@@ -58,7 +57,7 @@ fn power_of_channel(header: &CubeHeader, samples: &[Complex32], [range, doppler]
     range_doppler(&header.radar, samples, [range, doppler]).iter().map(|cell| cell.norm_sqr()).collect()
 }
 
-/// Windowed two-dimensional transform of `[chirp, sample]`, left as `[range, doppler]`.
+/// Windowed two-dimensional transform of `[chirp, sample]`, stored as `[range, doppler]`.
 fn range_doppler(radar: &Radar, samples: &[Complex32], windows: [&[f64]; 2]) -> Vec<Complex64> {
     let [range_weights, doppler_weights] = windows;
     let (length, chirps) = (range_weights.len(), doppler_weights.len());
@@ -78,8 +77,8 @@ fn range_doppler(radar: &Radar, samples: &[Complex32], windows: [&[f64]; 2]) -> 
     doppler(radar, columns, &*planner.plan_fft_forward(chirps))
 }
 
-/// Rows of columns of chirps. Where chirp m starts δ_m after m·T, row k is Σ_m x_m·e^{−j2πk(mT + δ_m)/NT}: of
-/// the chirps that start equally late an FFT, turned row by row, as the map has it.
+/// Doppler rows from columns of chirps. If chirp m starts δ_m after m·T, row k is Σ_m x_m·e^{−j2πk(mT +
+/// δ_m)/NT}: an FFT over the chirps with equal delay, rotated row by row, as in the map.
 fn doppler(radar: &Radar, mut columns: Vec<Complex64>, fft: &dyn Fft<f64>) -> Vec<Complex64> {
     if radar.schedule.is_uniform() {
         fft.process(&mut columns);
@@ -99,8 +98,8 @@ fn doppler(radar: &Radar, mut columns: Vec<Complex64>, fft: &dyn Fft<f64>) -> Ve
     sums
 }
 
-/// Factors of the first transmitter's rows for the time that a chirp starts late; rows count from −N/2, for a
-/// turn by a part of an interval is not periodic in them.
+/// Factors of the first transmitter's rows for a chirp's delay; rows count from −N/2, since a rotation for a
+/// fraction of an interval is not periodic in them.
 fn turns(radar: &Radar, chirp: usize) -> Vec<Complex64> {
     let rows = radar.waveform.chirps as usize;
     let late_s = radar.chirp_start_s(0, chirp) - radar.chirp_start_s(0, 0);

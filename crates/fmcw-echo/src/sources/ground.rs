@@ -1,15 +1,15 @@
-//! The road's own backscatter: patches of the plane z = 0, smaller than what the radar resolves, each a point
-//! that scatters at random.
+//! Backscatter of the road itself: patches of the plane z = 0, smaller than the radar's resolution, each a
+//! point with random scattering amplitude.
 //!
-//! On a plane that is h below the radar, slant ranges from R on by δR over an azimuth δφ cover the area
-//! R·δR·δφ exactly (ρdρ = RdR). With σ⁰ = γ·sin ψ and sin ψ = h/R a patch therefore has the mean RCS
-//! γ·h·δR·δφ, wherever it lies. Its amplitude is √σ·g, g a circular complex Gaussian number of unit power:
-//! then every sum over patches is Gaussian, whatever the windows, channels and antenna patterns, a cell's
-//! amplitude has Rayleigh's distribution, and its mean power is the radar equation's integral
-//! ∫σ⁰G²λ²/((4π)³R⁴)dA over what it sees.
+//! On a plane h below the radar, slant ranges from R on by δR over an azimuth δφ cover the area R·δR·δφ
+//! exactly (ρdρ = RdR). With σ⁰ = γ·sin ψ and sin ψ = h/R a patch therefore has the mean RCS γ·h·δR·δφ,
+//! wherever it lies. Its amplitude is √σ·g, g a circular complex Gaussian number of unit power: every sum
+//! over patches is then Gaussian, whatever the windows, channels and antenna patterns, a cell's amplitude has
+//! a Rayleigh distribution, and its mean power is the radar equation's integral ∫σ⁰G²λ²/((4π)³R⁴)dA over its
+//! footprint.
 //!
-//! The ground is at rest and so is the radar: a seed draws the same patches in every frame, and all of it is
-//! at zero Doppler.
+//! Ground and radar are both at rest: a seed draws the same patches in every frame, all of them at zero
+//! Doppler.
 
 use crate::error::EchoError;
 use artifact::paths::{GROUND, Path};
@@ -22,18 +22,18 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Patches along one range cell and across one beam.
+/// Number of patches per range cell and per beam.
 const PATCHES_PER_CELL: f64 = 2.0;
 
-/// Most patches that are made: a gibibyte at 296 bytes each.
+/// Maximum number of patches: a gibibyte at 296 bytes each.
 const PATCH_LIMIT: usize = 1 << 22;
 
-/// Paths of the ground that the array faces, from below the radar to the range limit of its waveform, beyond
-/// which beat frequencies fold; none where the radar is not above the ground. In the order of ranges, then of
-/// azimuths.
+/// Paths of the ground in front of the array, from below the radar to the waveform's range limit, beyond
+/// which beat frequencies alias; none if the radar is not above the ground. Ordered by range, then by
+/// azimuth.
 ///
 /// # Errors
-/// More patches than [`EchoError::GroundTooFine`] names.
+/// More patches than the limit of [`EchoError::GroundTooFine`].
 pub fn paths(radar: &Radar, backscatter: &Backscatter, seed: u64) -> Result<Vec<Path>, EchoError> {
     let grid = Grid::of(radar);
     if grid.patches() > PATCH_LIMIT {
@@ -44,12 +44,12 @@ pub fn paths(radar: &Radar, backscatter: &Backscatter, seed: u64) -> Result<Vec<
     Ok((0..grid.rings).into_par_iter().map(ring).collect::<Vec<_>>().concat())
 }
 
-/// Number of paths that [`paths`] makes.
+/// Number of paths made by [`paths`].
 pub fn patches(radar: &Radar) -> usize {
     Grid::of(radar).patches()
 }
 
-/// Rings of equal slant range, sectors of equal azimuth.
+/// Rings of equal slant range and sectors of equal azimuth.
 struct Grid {
     height_m: f64,
     rings: usize,
@@ -96,7 +96,7 @@ impl Grid {
     }
 }
 
-/// Elements of the virtual array from end to end, horizontally, half a wavelength apart.
+/// Horizontal extent of the virtual array, in elements half a wavelength apart.
 fn virtual_row(radar: &Radar) -> f64 {
     let span = |row: &[[f64; 2]]| {
         let across = || row.iter().map(|element| element[0]);
@@ -105,16 +105,16 @@ fn virtual_row(radar: &Radar) -> f64 {
     1.0 + span(&radar.array.tx_half_wavelengths).max(0.0) + span(&radar.array.rx_half_wavelengths).max(0.0)
 }
 
-/// Random numbers of one ring.
+/// Random numbers for one ring.
 struct Draw(ChaCha8Rng);
 
 impl Draw {
-    /// 0 … 1 without 1, 53 bits.
+    /// A uniform number in [0, 1) with 53 bits.
     fn uniform(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 * (0.5_f64).powi(53)
     }
 
-    /// Circular complex Gaussian of unit power (Box and Muller).
+    /// A circular complex Gaussian number of unit power (Box–Muller).
     fn normal(&mut self) -> Complex64 {
         let power = -(1.0 - self.uniform()).ln();
         Complex64::from_polar(power.sqrt(), TAU * self.uniform())

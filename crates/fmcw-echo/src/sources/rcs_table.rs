@@ -1,11 +1,12 @@
-//! The paper's second way: each target answers from its body's origin with σ_f, looked up by aspect once per
-//! chirp and swept by the chirp's frequencies (eqs. 9–13; physics.md §6 says what of these is physics).
+//! The paper's table method: each target responds from its body's origin with σ_f, looked up by aspect once
+//! per chirp and swept by the chirp's frequencies (eqs. 9–13; physics.md §6 explains which of these are
+//! physical).
 //!
-//! For a linear chirp the response at f₀ + μ(t − τ) multiplies the IF sample at t: that is what eq. (13) with
-//! σ_t does. With the delay of the origin, τ = (R_t + R_r)/c, the factor is conj S/(R_tR_r); the link
-//! amplitude has no σ in it, so that σ is not applied twice as eqs. (7) and (9) together would. The table is
-//! far-field (physics.md §0): on a vehicle at 30 m its error is as large as the field. That is the model's
-//! error, not this module's.
+//! For a linear chirp the response at f₀ + μ(t − τ) multiplies the IF sample at t, as in eq. (13) with σ_t.
+//! With the delay of the origin, τ = (R_t + R_r)/c, the factor is conj S/(R_tR_r); the link amplitude
+//! contains no σ, so that σ is not applied twice, as eqs. (7) and (9) together would. The table is far-field
+//! (physics.md §0): for a vehicle at 30 m its error is as large as the field. That is an error of the model,
+//! not of this module.
 
 use crate::error::EchoError;
 use crate::impairments::oscillator::Oscillator;
@@ -22,7 +23,7 @@ use radar::link::link_amplitude;
 use radar::motion::whole_acceleration_mps2;
 use std::f64::consts::TAU;
 
-/// Targets of one frame, each a table at a moving origin.
+/// Targets of one frame, each a table with a moving origin.
 pub struct TableSum<'a> {
     radar: &'a Radar,
     bodies: Vec<Body<'a>>,
@@ -30,8 +31,8 @@ pub struct TableSum<'a> {
 }
 
 impl<'a> TableSum<'a> {
-    /// `poses` are those at the frame's first sample, in the order that the tables' `target` counts; `None`
-    /// is an ideal oscillator.
+    /// Sum over a frame's tables; `poses` are those at the frame's first sample, indexed by the tables'
+    /// `target`; `None` is an ideal oscillator.
     pub fn new(
         radar: &'a Radar,
         poses: &[Pose],
@@ -43,7 +44,7 @@ impl<'a> TableSum<'a> {
         Ok(Self { radar, bodies, oscillator })
     }
 
-    /// The samples of one row of the cube, √W, noise-free.
+    /// Samples of one row of the cube, √W, noise-free.
     pub fn row(&self, channel: usize, chirp: usize) -> Result<Vec<Complex64>, EchoError> {
         let mut samples = vec![Complex64::ZERO; self.radar.waveform.samples as usize];
         for transmission in row(self.radar, channel, chirp) {
@@ -55,9 +56,9 @@ impl<'a> TableSum<'a> {
     }
 }
 
-/// Every second value of each axis of three or more, the last one kept.
+/// Every second value of each axis of three or more, keeping the last one.
 ///
-/// Linear interpolation errs as the square of the step: a third of the difference between an echo from the
+/// Linear interpolation errs with the square of the step: a third of the difference between an echo from the
 /// thinned and from the full table estimates the error of the latter.
 pub(crate) fn thin(frame: &RcsFrame) -> RcsFrame {
     RcsFrame { tables: frame.tables.iter().map(thin_table).collect(), ..frame.clone() }
@@ -86,13 +87,13 @@ fn thin_table(table: &RcsTable) -> RcsTable {
     }
 }
 
-/// A target and what it answers.
+/// A target and its response.
 struct Body<'a> {
     index: usize,
     table: &'a RcsTable,
-    /// The body's origin as a path whose apparent points are the origin itself.
+    /// The body's origin as a path, with the origin as both apparent points.
     origin: Path,
-    /// The body's yaw at the frame's first sample, and its rate.
+    /// Yaw of the body at the frame's first sample, and its rate.
     yaw_rad: [f64; 2],
 }
 
@@ -104,7 +105,7 @@ impl<'a> Body<'a> {
         Ok(Self { index, table, origin: origin_path(pose), yaw_rad: [pose.yaw_rad, pose.yaw_radps] })
     }
 
-    /// Adds the body's echo of one transmission.
+    /// Adds the body's echo for one transmission.
     fn add_to(
         &self,
         sum: &TableSum<'_>,
@@ -130,8 +131,8 @@ impl<'a> Body<'a> {
         Ok(())
     }
 
-    /// Scattering amplitude σ_f of one chirp: S over the table's frequencies at the aspect under which the
-    /// radar is seen from the origin.
+    /// Scattering amplitude σ_f for one chirp: S over the table's frequencies at the aspect of the radar seen
+    /// from the origin.
     fn response(&self, radar: &Radar, time_s: f64) -> Result<Vec<Complex64>, EchoError> {
         let table = self.table;
         let (elevation_rad, azimuth_rad) = self.aspect(radar, time_s);
@@ -163,8 +164,8 @@ impl<'a> Body<'a> {
         Ok(f.mix(response[f.below], response[f.above]))
     }
 
-    /// Neighbours of `value` on a growing axis. Up to one step beyond an end the last two values are drawn
-    /// on: a chirp starts μτ (3 MHz at 40 m) below f₀. An axis of one value holds for every value.
+    /// Neighbours of `value` on an increasing axis. Up to one step beyond an end the last two values are
+    /// extrapolated: a chirp starts μτ (3 MHz at 40 m) below f₀. An axis of one value holds for every value.
     fn bracket(&self, axis: &'static str, values: &[f64], value: f64) -> Result<Bracket, EchoError> {
         let last = values.len() - 1;
         if last == 0 {
@@ -179,7 +180,7 @@ impl<'a> Body<'a> {
     }
 }
 
-/// Two neighbours on an axis and the share of the upper one.
+/// Two neighbours on an axis and the weight of the upper one.
 struct Bracket {
     below: usize,
     above: usize,
@@ -192,7 +193,7 @@ impl Bracket {
     }
 }
 
-/// `angle` plus the whole turns that bring it nearest to the middle of the axis.
+/// `angle` plus the number of whole turns that brings it nearest to the middle of the axis.
 fn nearest_turn(axis: &[f64], angle: f64) -> f64 {
     let middle = 0.5 * (axis[0] + axis[axis.len() - 1]);
     angle + TAU * ((middle - angle) / TAU).round()
@@ -208,7 +209,7 @@ fn origin_path(pose: &Pose) -> Path {
     Path { curve, ..Path::of_point(pose.position_m, pose.velocity_mps, [[Complex64::ONE; 2]; 2]) }
 }
 
-/// Paths that stand for the tables' origins, for the checks that paths pass.
+/// Paths that represent the tables' origins, for the validity checks of paths.
 pub(crate) fn origins(poses: &[Pose], frame: &RcsFrame) -> Vec<Path> {
     frame.tables.iter().filter_map(|t| poses.get(t.target as usize)).map(origin_path).collect()
 }

@@ -1,5 +1,4 @@
-//! Segments of a chirp: into how many parabolas it is cut so that phase and amplitude stay within 1e-7
-//! of exact.
+//! Segments of a chirp: the number of parabolas needed for phase and amplitude to stay within 1e-7 of exact.
 
 use crate::sums::closest_approach::MovingLeg;
 use artifact::Radar;
@@ -7,30 +6,30 @@ use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use std::f64::consts::TAU;
 
-/// Phase error in rad, and amplitude error over the path's greatest amplitude in the band, that a parabola
-/// may leave: −140 dB.
+/// Maximum error of a parabola, in phase (rad) and in amplitude relative to the path's greatest in the band:
+/// −140 dB.
 const REMAINDER: f64 = 1e-7;
 
-/// Samples of one segment, as the worst of the paths needs them. Traffic at 20 m and beyond needs no
-/// cut.
+/// Number of samples in one segment, as needed by the worst of the paths. Traffic at 20 m and beyond needs no
+/// segmentation.
 ///
-/// The parabola through three equidistant instants leaves max|x‴|·(T/2)³/(9√3) of a chirp of length T, and a
-/// third of the length leaves a 27th of it. The antenna pattern's own curvature is not in the bound.
+/// The parabola through three equidistant instants errs by max|x‴|·(T/2)³/(9√3) for a chirp of length T; a
+/// third of the length reduces this by 27. The bound does not include the antenna pattern's own curvature.
 pub(crate) fn samples_per_segment(radar: &Radar, paths: &[&Path]) -> usize {
     let worst = paths.iter().map(|path| third_derivative(radar, path)).fold(0.0, f64::max);
     let remainder = worst / (8.0 * 9.0 * 3.0_f64.sqrt());
     let segments = (remainder / REMAINDER).cbrt().ceil().max(1.0);
-    // Three samples lie on any parabola.
+    // Three samples lie on some parabola.
     ((f64::from(radar.waveform.samples) / segments).ceil() as usize).max(3)
 }
 
-/// Bound of |x‴|·T³ over phase in rad and relative amplitude.
+/// Bound on |x‴|·T³ over phase in rad and relative amplitude.
 ///
 /// A leg of length L whose point moves at v and is accelerated by a has |L̈| ≤ v²/L + a and |L⃛| ≤
-/// 3(v/L)(v²/L + a). With e = vT/L and b = aT²/L, of phase 2π(f₀τ + μtτ − …): 2π(f·τ⃛ + 3μτ̈)T³ ≤ 2π·Σ(3fe +
-/// 3μT)(e² + b)L/c. Of 1/(L₁L₂) relative to itself: second derivative ≤ 3(Σe)², third ≤ 15(Σe)³; times an
-/// amplitude that is straight over the band and changes by at most twice its greatest value: 18(Σe)² +
-/// 15(Σe)³, with √(e² + b) for e.
+/// 3(v/L)(v²/L + a). With e = vT/L and b = aT²/L, for phase 2π(f₀τ + μtτ − …): 2π(f·τ⃛ + 3μτ̈)T³ ≤ 2π·Σ(3fe +
+/// 3μT)(e² + b)L/c. For 1/(L₁L₂) relative to itself: second derivative ≤ 3(Σe)², third ≤ 15(Σe)³; times an
+/// amplitude that is linear over the band and changes by at most twice its greatest value: 18(Σe)² + 15(Σe)³,
+/// with √(e² + b) for e.
 fn third_derivative(radar: &Radar, path: &Path) -> f64 {
     let waveform = &radar.waveform;
     let chirp_s = f64::from(waveform.samples) / waveform.sample_rate_hz;

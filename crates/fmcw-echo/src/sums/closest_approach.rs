@@ -4,7 +4,7 @@ use artifact::Radar;
 use artifact::paths::Path;
 use glam::DVec3;
 
-/// One of the two legs of a path: the elements at its end, its apparent point and that point's velocity.
+/// One of the two legs of a path: the elements at its end, its apparent point and the point's velocity.
 pub(crate) struct MovingLeg<'a> {
     /// End of the path, "transmit" or "receive".
     pub(crate) element: &'static str,
@@ -34,7 +34,7 @@ impl<'a> MovingLeg<'a> {
         ]
     }
 
-    /// Index of the element that the point comes nearest to, and the distance, m.
+    /// Index of the element closest to the point within the frame, and the distance, m.
     pub(crate) fn nearest(&self, radar: &Radar) -> (usize, f64) {
         let mut nearest = (0, f64::INFINITY);
         for (index, &element_m) in self.elements_m.iter().enumerate() {
@@ -46,13 +46,13 @@ impl<'a> MovingLeg<'a> {
         nearest
     }
 
-    /// The greatest speed in a frame, m/s: the top of a rolling wheel is twice as fast as its hub.
+    /// Maximum speed in a frame, m/s: the top of a rolling wheel is twice as fast as its hub.
     pub(crate) fn speed_mps(&self, radar: &Radar) -> f64 {
         let of_hub_mps = self.velocity_mps.length() + self.acceleration_mps2 * radar.frame_duration_s();
         if self.rim_radius_m.is_some() { 2.0 * of_hub_mps } else { of_hub_mps }
     }
 
-    /// Size of the acceleration |a|, m/s².
+    /// Magnitude of the acceleration |a|, m/s².
     pub(crate) fn acceleration_mps2(&self) -> f64 {
         self.acceleration_mps2
     }
@@ -63,7 +63,7 @@ impl<'a> MovingLeg<'a> {
         let nearest_s = if square > 0.0 { -from_element_m.dot(self.velocity_mps) / square } else { 0.0 };
         let straight_m =
             (from_element_m + self.velocity_mps * nearest_s.clamp(0.0, radar.frame_duration_s())).length();
-        // No nearer than that less what acceleration and wheel can move it.
+        // Lower bound, reduced by the displacement that acceleration and wheel can cause.
         let aside_m = 0.5 * self.acceleration_mps2 * radar.frame_duration_s().powi(2)
             + self.rim_radius_m.unwrap_or(0.0);
         (straight_m - aside_m).max(0.0)

@@ -1,18 +1,19 @@
-//! Eq. (13) summed directly over all paths, the phase advanced by a quadratic recurrence in f64.
+//! Direct evaluation of eq. (13) over all paths, with the phase advanced by a quadratic recurrence in f64.
 //!
-//! Within one chirp a path's phase is a parabola: the exact phase is taken at the first, middle and last
+//! Within one chirp a path's phase is a parabola: the exact phase is computed at the first, middle and last
 //! sample ([`Path`] with its own delay, elements and scattering time), and the parabola through these three
-//! is walked with two complex multiplications a sample: z ← z·w, w ← w·q. What it leaves out is the third
+//! is evaluated with two complex multiplications per sample: z ← z·w, w ← w·q. The error is the third
 //! difference. With τ = τ₀ + τ̇t + ½τ̈t² it is μ·½τ̈·t³ cycles, τ̈ ≤ 2v²/(cR): at 10 m/s, 25 m and 50 µs
-//! 2.1e-8 cycles over the chirp, and 0.048 of it, 6e-9 rad, remain between the three points. The amplitude
+//! 2.1e-8 cycles over the chirp, of which 0.048, 6e-9 rad, remains between the three points. The amplitude
 //! conj a(f)/(L₁L₂) with both pattern gains is a parabola through the same three instants; it differs from a
-//! straight line by the product of its slopes over the band and over the way driven (1e-5 at 10 m/s, 25 m and
-//! a path that doubles over the band), from a parabola by 1e-9. Where something passes near and fast, a chirp
-//! is cut into several parabolas, so that no path errs by more than 1e-7 (`chirp_segments.rs` has the bound).
+//! straight line by the product of its slopes over the band and over the distance travelled (1e-5 at 10 m/s,
+//! 25 m and a path that doubles over the band), from a parabola by 1e-9. For near and fast points a chirp is
+//! divided into several parabolas, so that no path errs by more than 1e-7 (`chirp_segments.rs` has the
+//! bound).
 //!
-//! Lanes hold paths, not samples, so that the set-up of a chirp (square roots, phasors) is as wide as the
-//! sum. Each row (channel, chirp) is added by one thread, in the order of the paths: any number of threads
-//! gives the same bytes.
+//! Lanes hold paths, not samples, so that the set-up of a chirp (square roots, phasors) is vectorised like
+//! the sum. Each row (channel, chirp) is summed by one thread in path order, so the result is the same for
+//! any number of threads.
 
 use crate::links::multiplexing::{Transmission, row};
 use crate::sums::chirp_segments::samples_per_segment;
@@ -30,7 +31,7 @@ use radar::aperture::axes;
 use radar::link::link_amplitude;
 use rayon::prelude::*;
 
-/// Paths laid out for the sum over one frame.
+/// Paths arranged for the sum over one frame.
 pub struct DirectSum<'a> {
     radar: &'a Radar,
     centre_frequency_hz: f64,
@@ -38,15 +39,16 @@ pub struct DirectSum<'a> {
     axes: [DVec3; 3],
     samples_per_segment: usize,
     columns: Columns,
-    /// Points on rims are few, and no parabola is theirs: each of their samples is written from the formulas.
+    /// Points on rims: they are few, and parabolas do not fit them, so each of their samples is computed from
+    /// the formulas.
     on_rims: Vec<Path>,
-    /// Paths that stand for a part of the frame or of the array, one sum for each.
+    /// Paths that represent a part of the frame or of the array, with one sum for each part.
     parts: Vec<(Part, Self)>,
 }
 
 impl<'a> DirectSum<'a> {
-    /// `centre_frequency_hz` is f_c of the amplitudes. Paths without amplitude in the array's polarization
-    /// are left out, so that they change no byte.
+    /// Sum over `paths`; `centre_frequency_hz` is f_c of the amplitudes. Paths without amplitude in the
+    /// array's polarization are left out, so that they do not affect the result.
     pub fn new(radar: &'a Radar, centre_frequency_hz: f64, paths: &[Path]) -> Self {
         let heard = paths.iter().filter(|path| is_heard(radar, path));
         let (on_rims, steady): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
@@ -64,8 +66,8 @@ impl<'a> DirectSum<'a> {
         Self { samples_per_segment, ..Self::for_moments(radar, centre_frequency_hz, steady) }
     }
 
-    /// Sum of paths that are all heard and none on a rim, in their order, to be asked for [`Self::values`]
-    /// alone: those do not know that a path stands for a part of the frame.
+    /// Sum over paths in order, none silent and none on a rim, for use by [`Self::values`] alone, which
+    /// ignores that a path may represent a part of the frame.
     pub(crate) fn for_moments(radar: &'a Radar, centre_frequency_hz: f64, heard: &[&Path]) -> Self {
         Self {
             radar,
@@ -79,7 +81,7 @@ impl<'a> DirectSum<'a> {
         }
     }
 
-    /// The samples of one row of the cube, √W, noise-free.
+    /// Samples of one row of the cube, √W, noise-free.
     pub fn row(&self, channel: usize, chirp: usize) -> Vec<Complex64> {
         let transmissions = row(self.radar, channel, chirp);
         let mut samples = Arch::new().dispatch(RowSum { sum: self, transmissions: &transmissions });
@@ -107,8 +109,8 @@ impl<'a> DirectSum<'a> {
         samples
     }
 
-    /// IF values of every path at one moment, each less some cycles of its own: `cycles` in the order of the
-    /// paths, as many as there are, none of them without amplitude.
+    /// IF values of every path at one instant, each with a phase removed: `cycles`, one per path in order; no
+    /// path may be without amplitude.
     pub(crate) fn values(&self, transmission: &Transmission, sample: f64, cycles: &[f64]) -> Vec<Complex64> {
         let mut padded = cycles.to_vec();
         padded.resize(self.columns.amplitude_m[0].len(), 0.0);
@@ -117,14 +119,14 @@ impl<'a> DirectSum<'a> {
         values
     }
 
-    /// All rows of the cube in order, √W, noise-free, row-major `[channel, chirp, sample]`; one thread.
+    /// All rows of the cube in order, √W, noise-free, row-major `[channel, chirp, sample]`; single-threaded.
     pub fn cube(&self) -> Vec<Complex64> {
         let chirps = self.radar.waveform.chirps as usize;
         (0..self.radar.cube_channels() * chirps).flat_map(|r| self.row(r / chirps, r % chirps)).collect()
     }
 }
 
-/// One array for each number of a path, its length a multiple of every lane count.
+/// Struct of arrays over paths, whose length is a multiple of every lane count.
 struct Columns {
     /// Apparent points x_a at the frame's first sample.
     tx_m: [Vec<f64>; 3],
@@ -134,7 +136,7 @@ struct Columns {
     rx_m: [Vec<f64>; 3],
     /// Velocities of x_b over c.
     rx_beta: [Vec<f64>; 3],
-    /// Half the accelerations of x_a, and of x_b over c; `None` where there are none.
+    /// Half the accelerations of x_a, and of x_b over c; `None` if all are zero.
     bends: Option<[[Vec<f64>; 3]; 2]>,
     /// Amplitudes a, real and imaginary.
     amplitude_m: [Vec<f64>; 2],
@@ -143,7 +145,7 @@ struct Columns {
 }
 
 impl Columns {
-    /// Lays the paths out; silent copies of the last one fill the lanes that are left over.
+    /// Arranges the paths; silent copies of the last one fill the remaining lanes.
     fn new(radar: &Radar, heard: &[&Path]) -> Self {
         let lanes = heard.len().next_multiple_of(MAX_LANES);
         let filled = |number: &(dyn Fn(&Path) -> f64 + Sync), fill: Option<f64>| {
@@ -188,7 +190,7 @@ fn amplitude_and_slope(radar: &Radar, path: &Path) -> (Complex64, Complex64) {
     (path.amplitude_m[receive][transmit], path.slope_m_per_hz[receive][transmit])
 }
 
-/// The sum of one row.
+/// Sum of one row.
 struct RowSum<'a> {
     sum: &'a DirectSum<'a>,
     transmissions: &'a [Transmission],
@@ -220,7 +222,7 @@ impl WithSimd for RowSum<'_> {
     }
 }
 
-/// One moment of all paths.
+/// All paths at one instant.
 struct Moment<'a> {
     sum: &'a DirectSum<'a>,
     transmission: &'a Transmission,
@@ -263,7 +265,7 @@ fn accumulate<S: Simd>(start: Parabolas<S>, totals: &mut [Complex<S>]) {
     }
 }
 
-/// The sum over a vector's lanes.
+/// Sum over a vector's lanes.
 #[inline(always)]
 fn across_lanes<S: Simd>(simd: S, total: Complex<S>) -> Complex64 {
     Complex64::new(simd.reduce_sum_f64s(total.re.value), simd.reduce_sum_f64s(total.im.value))
@@ -279,14 +281,14 @@ struct Parabolas<S: Simd> {
     change_of_change: Complex<S>,
 }
 
-/// A group of paths as one sample sees it.
+/// A group of paths at one sample.
 #[derive(Clone, Copy)]
 struct SampledGroup<S: Simd> {
     cycles: Real<S>,
     amplitude: Complex<S>,
 }
 
-/// One transmission, ready to be asked for any group of paths.
+/// One transmission, prepared for evaluation of any group of paths.
 struct Chirp<'a, S: Simd> {
     simd: S,
     sum: &'a DirectSum<'a>,
@@ -318,18 +320,18 @@ impl<'a, S: Simd> Chirp<'a, S> {
         }
     }
 
-    /// Parabolas of a segment with u from 0 to 1 over it, x(u) = x₀ + bu + cu², b = 3(x₁ − x₀) − (x₂ − x₁),
-    /// c = 2(x₂ − x₁) − 2(x₁ − x₀); one sample is a step h in u, the first difference bh + ch², the second
+    /// Parabolas of a segment with u from 0 to 1 over it, x(u) = x₀ + bu + cu², b = 3(x₁ − x₀) − (x₂ − x₁), c
+    /// = 2(x₂ − x₁) − 2(x₁ − x₀); one sample is a step h in u, the first difference is bh + ch², the second
     /// 2ch².
     #[inline(always)]
     fn parabolas(&self, group: usize, first: usize, samples: usize) -> Parabolas<S> {
-        // One sample alone has no length: its parabola reaches to the next.
+        // A single sample has no length: its parabola extends to the next.
         let (start, steps) = (first as f64, samples.max(2) as f64 - 1.0);
         let first = self.instant(group, start);
         let middle = self.instant(group, start + 0.5 * steps);
         let last = self.instant(group, start + steps);
         let h = 1.0 / steps;
-        // Differences of the three values, small numbers, before anything else: the values are 2e4 cycles.
+        // Differences of the three values, small numbers, are taken first: the values are 2e4 cycles.
         let (rise, fall) = (middle.cycles - first.cycles, last.cycles - middle.cycles);
         let cycles_bend = (fall - rise).scale(2.0 * h * h);
         let cycles_slope = (rise.scale(3.0) - fall).scale(h);
@@ -346,7 +348,7 @@ impl<'a, S: Simd> Chirp<'a, S> {
         }
     }
 
-    /// Exact phase and amplitude at a sample, or between two.
+    /// Exact phase and amplitude at an integer or fractional sample.
     #[inline(always)]
     fn instant(&self, group: usize, sample: f64) -> SampledGroup<S> {
         let waveform = &self.sum.radar.waveform;
@@ -360,10 +362,10 @@ impl<'a, S: Simd> Chirp<'a, S> {
         SampledGroup { cycles, amplitude: self.conjugate_amplitude(group, offset_hz, self.gain(&legs)) }
     }
 
-    /// Both legs at the scattering time of what is received at `time_s`.
+    /// Both legs at the scattering time of the wave received at `time_s`.
     ///
     /// With d = x_b(T) − p_r and β = v_b/c, |d − βL₂| = L₂ is a quadratic equation in L₂: L₂ = (√((d·β)² + (1
-    /// − β²)d²) − d·β)/(1 − β²). β is that at T: acceleration on the way back moves a point by ½a(L₂/c)²,
+    /// − β²)d²) − d·β)/(1 − β²). β is that at T: acceleration during the return moves a point by ½a(L₂/c)²,
     /// 1e-12 m at 100 m/s² and 40 m.
     #[inline(always)]
     fn legs(&self, group: usize, time_s: f64) -> GroupLegs<S> {

@@ -1,11 +1,11 @@
-//! The sum over paths in the time of a few transforms, to an error that is asked for.
+//! Sum over paths in the time of a few transforms, to a requested error.
 
 pub(crate) mod scalar; // precision of a grid
-pub(crate) mod equal_steps; // chirps that transforms can take together
-pub(crate) mod instants; // the exact value of a path at any moment
-pub(crate) mod skeleton; // a few moments that tell all
-pub(crate) mod smooth_part; // what a group of paths has in common
-pub(crate) mod kernel; // a tone on the cells beside it
+pub(crate) mod equal_steps; // chirps that transforms can process together
+pub(crate) mod instants; // exact value of a path at any instant
+pub(crate) mod skeleton; // empirical interpolation from a few instants
+pub(crate) mod smooth_part; // common factor of a group of paths
+pub(crate) mod kernel; // spreading of a tone to grid cells
 pub(crate) mod tone_grid; // non-uniform FFT
 pub(crate) mod groups; // paths that move alike
 pub mod fast_sum; // the cube

@@ -1,10 +1,10 @@
-//! Numbers of several paths side by side: f64 lanes of the machine's widest instruction set, found at run
+//! Values of several paths side by side: f64 lanes of the machine's widest instruction set, detected at run
 //! time.
 //!
-//! Products and sums are fused where the instruction set can; results are the same bytes for one instruction
-//! set, and differ in the last bits between two. Everything is `inline(always)` and free of closures: only
-//! what is inlined is compiled for the instruction set that `pulp` has chosen, and a closure handed to `map`
-//! is not (a factor of 3).
+//! Products and sums are fused if the instruction set can; results are bit-identical for one instruction set,
+//! and differ in the last bits between two. Everything is `inline(always)` and free of closures: only inlined
+//! code is compiled for the instruction set that `pulp` has chosen, and a closure passed to `map` is not
+//! inlined (a factor of 3).
 
 use glam::DVec3;
 use pulp::Simd;
@@ -28,13 +28,13 @@ impl<S: Simd> Real<S> {
         Self { simd, value: simd.splat_f64s(value) }
     }
 
-    /// The fused product and sum `self·factor + term`.
+    /// Fused multiply–add `self·factor + term`.
     #[inline(always)]
     pub(crate) fn mul_add(self, factor: Self, term: Self) -> Self {
         Self { value: self.simd.mul_add_e_f64s(self.value, factor.value, term.value), ..self }
     }
 
-    /// The fused difference `term − self·factor`.
+    /// Fused negated multiply–add `term − self·factor`.
     #[inline(always)]
     pub(crate) fn negate_mul_add(self, factor: Self, term: Self) -> Self {
         Self { value: self.simd.negate_mul_add_e_f64s(self.value, factor.value, term.value), ..self }
@@ -55,15 +55,14 @@ impl<S: Simd> Real<S> {
         Self { value: self.simd.mul_f64s(self.value, self.simd.splat_f64s(factor)), ..self }
     }
 
-    /// Distance to the nearest integer, in −½ … ½, for |x| < 2⁵¹: adding 1.5·2⁵² leaves no room for a
-    /// fraction.
+    /// Distance to the nearest integer, in −½ … ½, for |x| < 2⁵¹: adding 1.5·2⁵² removes the fraction.
     #[inline(always)]
     pub(crate) fn fraction(self) -> Self {
         let integer_only = Self::splat(self.simd, 6_755_399_441_055_744.0);
         self - ((self + integer_only) - integer_only)
     }
 
-    /// Lane by lane through `f`: for the rare function that has no vector form.
+    /// Applies `f` lane by lane, for the rare function without a vector form.
     #[inline(always)]
     pub(crate) fn map3(of: [Self; 3], f: impl Fn([f64; 3]) -> f64) -> Self {
         let simd = of[0].simd;
@@ -79,7 +78,7 @@ impl<S: Simd> Real<S> {
     }
 }
 
-/// The widest instruction set has 8 lanes of f64.
+/// Maximum number of lanes: the widest instruction set has 8 lanes of f64.
 pub(crate) const MAX_LANES: usize = 8;
 
 impl<S: Simd> Add for Real<S> {
@@ -121,7 +120,7 @@ impl<S: Simd> Complex<S> {
 
     /// Phasors e^{j2πx}, x in cycles.
     ///
-    /// x is reduced to a quarter of its fraction (|angle| ≤ π/4), taken through the Taylor series to θ¹⁵ and
+    /// x is reduced to a quarter of its fraction (|angle| ≤ π/4), evaluated by the Taylor series to θ¹⁵ and
     /// θ¹⁶ (remainders 5e-17 and 2e-18 there) and squared twice, which makes the error four times as large:
     /// below 2e-15.
     #[inline(always)]
@@ -157,7 +156,7 @@ impl<S: Simd> Vector<S> {
         self.z.mul_add(other.z, self.y.mul_add(other.y, self.x * other.x))
     }
 
-    /// The fused product and sum `self·factor + term`.
+    /// Fused multiply–add `self·factor + term`.
     #[inline(always)]
     pub(crate) fn mul_add(self, factor: Real<S>, term: Self) -> Self {
         Self {
@@ -167,7 +166,7 @@ impl<S: Simd> Vector<S> {
         }
     }
 
-    /// The fused difference `term − self·factor`.
+    /// Fused negated multiply–add `term − self·factor`.
     #[inline(always)]
     pub(crate) fn negate_mul_add(self, factor: Real<S>, term: Self) -> Self {
         Self {
@@ -274,7 +273,7 @@ mod tests {
         for step in -2000..2000 {
             let fraction = f64::from(step) / 1990.0;
             for turns in [0.0, 1.0, -20_517.0, 1_048_576.0] {
-                // The sum turns + fraction is rounded: compare with what was really asked.
+                // The sum turns + fraction is rounded: compare with the actual argument.
                 let asked = turns + fraction;
                 let exact = Complex64::cis(TAU * (asked - asked.round()));
                 let got = Arch::new().dispatch(FirstLane(asked));

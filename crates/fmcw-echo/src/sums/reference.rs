@@ -1,7 +1,7 @@
-//! The slow obvious form: every sample of every path from the formulas of interface.md, one by one, in f64.
+//! Slow, obvious form: every sample of every path from the formulas of interface.md, one by one, in f64.
 //!
-//! Nothing here is shared with [`crate::sums::direct_sum`] but the radar's data, the link amplitude and the
-//! schedule of transmissions. Never optimised.
+//! It shares only the radar's data, the link amplitude and the schedule of transmissions with
+//! [`crate::sums::direct_sum`], and is never optimised.
 
 use crate::impairments::oscillator::Oscillator;
 use crate::links::multiplexing::{Transmission, row};
@@ -30,7 +30,8 @@ pub fn cube(radar: &Radar, centre_frequency_hz: f64, paths: &[Path]) -> Vec<Comp
 }
 
 /// One sample of a cube at `[channel, chirp, sample]`: the sum over its transmissions and all paths, √W, each
-/// turned by the oscillator's phase as it is less as it was, where there is one.
+/// rotated by the difference of the oscillator's phases at reception and departure, if there is an
+/// oscillator.
 pub fn cube_sample(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -52,8 +53,8 @@ pub fn cube_sample(
     sum
 }
 
-/// IF value of one path: `√(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)/(L₁L₂)·e^{j2π[f₀τ + μtτ − ½μτ²]}` with f = f₀ +
-/// μ(t − τ), times its share of the echo then, where it stands for a part of the frame.
+/// IF value of one path, `√(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)/(L₁L₂)·e^{j2π[f₀τ + μtτ − ½μτ²]}` with f = f₀ +
+/// μ(t − τ), times its share of the echo at that time, if it represents a part of the frame.
 pub fn if_sample(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -72,7 +73,7 @@ pub fn if_sample(
     gain * amplitude * Complex64::cis(TAU * if_cycles(waveform, t, tau).fract())
 }
 
-/// The two legs of a path as a sample sees them.
+/// Both legs of a path at one sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Legs {
     /// Vector x_a(t_s) − p_t; its length is L₁.
@@ -98,8 +99,8 @@ impl Legs {
 
 /// Legs of a path received at `time_s` into the frame.
 ///
-/// The scattering time t_s = T − |x_b(t_s) − p_r|/c is iterated from T. One step divides its error by c/v
-/// (3e7 at 10 m/s), so that four steps leave nothing at any speed this crate accepts (1e-5·c).
+/// The scattering time t_s = T − |x_b(t_s) − p_r|/c is iterated from T. One step reduces its error by c/v
+/// (3e7 at 10 m/s), so that four steps leave none at any speed accepted by this crate (1e-5·c).
 pub fn legs_at(path: &Path, transmission: &Transmission, time_s: f64) -> Legs {
     let (curve, rim) = (&path.curve, path.curve.rim);
     let at = |point_m: [f64; 3], velocity_mps: [f64; 3], acceleration_mps2: [f64; 3], t: f64| {

@@ -1,11 +1,11 @@
-//! Paths that stand for a part of a frame or of the array: which belong together, and their share of the echo
-//! at every sample.
+//! Paths that represent a part of a frame or of the array: their grouping, and their share of the echo at
+//! every sample.
 
 use crate::links::multiplexing::Transmission;
 use artifact::Radar;
 use artifact::paths::{ArraySpan, Path, Span};
 
-/// The part of a frame and of the array that paths stand for; `None` for all of it.
+/// Part of a frame and of the array represented by paths; `None` for all of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Part {
     pub(crate) of_time: Option<Span>,
@@ -17,12 +17,12 @@ impl Part {
         Self { of_time: path.curve.span, of_array: path.curve.array_span }
     }
 
-    /// Whether it is all of the frame and of the array.
+    /// Whether it is the whole frame and array.
     pub(crate) fn is_whole(&self) -> bool {
         self.of_time.is_none() && self.of_array.is_none()
     }
 
-    /// Sort key that the paths of one part have in common.
+    /// Sort key common to the paths of one part.
     fn key(&self) -> (Option<[u64; 4]>, Option<[u64; 10]>) {
         let of_time = |span: Span| {
             [span.moments.into(), span.first_s.to_bits(), span.step_s.to_bits(), span.moment.into()]
@@ -36,7 +36,7 @@ impl Part {
         (self.of_time.map(of_time), self.of_array.map(of_array))
     }
 
-    /// Share of every sample of a chirp from one element to another.
+    /// Share of every sample of a chirp between a transmit and a receive element.
     pub(crate) fn shares_of_row(&self, radar: &Radar, transmission: &Transmission) -> Vec<f64> {
         let time_s = |sample: u32| transmission.start_s + f64::from(sample) / radar.waveform.sample_rate_hz;
         let over_time = |sample: u32| self.of_time.map_or(1.0, |span| span.share(time_s(sample)));
@@ -44,14 +44,15 @@ impl Part {
         (0..radar.waveform.samples).map(|sample| over_array * over_time(sample)).collect()
     }
 
-    /// Transmissions of one row that have the same share: all, which start at one time, or one pair of
-    /// elements at a time.
+    /// Transmissions of one row that have the same share: all of them, which start at one time, or one pair
+    /// of elements at a time.
     pub(crate) fn alike<'t>(&self, row: &'t [Transmission]) -> std::slice::Chunks<'t, Transmission> {
         row.chunks(if self.of_array.is_some() { 1 } else { row.len().max(1) })
     }
 }
 
-/// Paths by the part that they stand for, in their order within each; those that stand for all come first.
+/// Paths grouped by the part that they represent, in their order within each; those that represent everything
+/// come first.
 pub(crate) fn by_part(mut paths: Vec<&Path>) -> Vec<(Part, Vec<&Path>)> {
     paths.sort_by_key(|path| Part::of(path).key());
     let groups = paths.chunk_by(|a, b| Part::of(a).key() == Part::of(b).key());

@@ -1,4 +1,4 @@
-//! Checks before the first sample is made: every number finite, every length meaningful, the cube bounded.
+//! Checks before the first sample is computed: every number finite, every length valid, the cube bounded.
 
 use crate::error::EchoError;
 use crate::sums::closest_approach::MovingLeg;
@@ -9,11 +9,11 @@ use artifact::{Radar, Schema};
 use glam::DVec3;
 use num_complex::Complex32;
 
-/// A hundred-thousandth of c, three times a bullet's speed: beyond, the scattering time wants more care than
-/// it gets here.
+/// Maximum speed, a hundred-thousandth of c and three times a bullet's: beyond it the scattering time would
+/// need more care.
 pub(crate) const SPEED_LIMIT_MPS: f64 = 3e3;
 
-/// Refuses radars that make no samples, and cubes that one record of a file could not hold.
+/// Refuses radars that yield no samples, and cubes that one record of a file could not hold.
 pub(crate) fn check_header(header: &CubeHeader) -> Result<(), EchoError> {
     check_waveform(&header.radar)?;
     check_array(&header.radar)?;
@@ -63,7 +63,7 @@ fn check_waveform(radar: &Radar) -> Result<(), EchoError> {
             return Err(EchoError::Waveform { quantity, value });
         }
     }
-    // A ten-millionth is rounding of a chirp without idle time.
+    // A ten-millionth allows for rounding of a chirp without idle time.
     let sampled_s = f64::from(waveform.samples) / waveform.sample_rate_hz;
     let more = [
         ("slope_hz_per_s", waveform.slope_hz_per_s, waveform.slope_hz_per_s.is_finite()),
@@ -79,13 +79,13 @@ fn check_waveform(radar: &Radar) -> Result<(), EchoError> {
     }
 }
 
-/// Refuses chirps that start before the one before them has ended.
+/// Refuses chirps that start before the preceding one has ended.
 fn check_schedule(radar: &Radar) -> Result<(), EchoError> {
     let (waveform, stagger_s) = (&radar.waveform, &radar.schedule.stagger_s);
     let sampled_s = f64::from(waveform.samples) / waveform.sample_rate_hz;
     for (slot, later_s) in stagger_s.iter().enumerate() {
         let next_s = waveform.chirp_interval_s + stagger_s[(slot + 1) % stagger_s.len()];
-        // What is no number follows nothing.
+        // The comparison is false for NaN.
         let follows = next_s - later_s >= sampled_s * (1.0 - 1e-7);
         if !follows || (slot == 0 && *later_s != 0.0) {
             return Err(EchoError::Stagger { chirp: slot, later_s: *later_s });
@@ -137,7 +137,7 @@ fn is_usable(pattern: &Pattern) -> bool {
     }
 }
 
-/// Refuses radars whose chirps do not follow each other, or that stand within a metre of ours.
+/// Refuses interferers whose chirps overlap, or that are within a metre of this radar.
 fn check_interferers(radar: &Radar) -> Result<(), EchoError> {
     for (index, other) in radar.hardware.interferers.iter().enumerate() {
         let numbers =
@@ -162,8 +162,8 @@ fn check_interferers(radar: &Radar) -> Result<(), EchoError> {
     Ok(())
 }
 
-/// Refuses phase noise that is no density over growing offsets, and frames whose oscillator would not fit
-/// into memory.
+/// Refuses phase noise that is not a density over increasing offsets, and frames whose oscillator would not
+/// fit into memory.
 fn check_phase_noise(radar: &Radar) -> Result<(), EchoError> {
     let told = &radar.hardware.phase_noise;
     let is_density =
@@ -181,7 +181,7 @@ fn check_phase_noise(radar: &Radar) -> Result<(), EchoError> {
 fn check_size(header: &CubeHeader) -> Result<(), EchoError> {
     let [channels, chirps, samples] = header.shape();
     let bytes = [channels, chirps, samples, size_of::<Complex32>()].iter().map(|&n| n as u128).product();
-    // A record holds the samples and a few numbers beside them.
+    // A record holds the samples and a few more numbers.
     let limit = Cube::RECORD_LIMIT - 4096;
     if bytes <= u128::from(limit) {
         Ok(())
@@ -190,7 +190,7 @@ fn check_size(header: &CubeHeader) -> Result<(), EchoError> {
     }
 }
 
-/// Frame and path in which a fault lies.
+/// Frame and path of a fault.
 #[derive(Clone, Copy)]
 struct Place {
     frame: u32,
@@ -223,8 +223,8 @@ impl Place {
         }
     }
 
-    /// A part of the frame is about one of several moments that follow each other, a part of the array about
-    /// one of several places.
+    /// Checks that a part of the frame is centred on one of several consecutive moments, and a part of the
+    /// array on one of several places.
     fn check_span(&self, path: &Path) -> Result<(), EchoError> {
         let is_moment = |span: &Span| {
             let grows = span.first_s.is_finite() && span.step_s.is_finite() && span.step_s > 0.0;

@@ -1,12 +1,12 @@
-//! Echoes with the oscillator's phase noise, by a few sums without it.
+//! Echoes with the oscillator's phase noise, computed from a few sums without it.
 //!
-//! A path's value is turned by e^{j[φ(T) − φ(T − τ)]}. Over the delays of a frame's paths (mostly within a
-//! microsecond) the second part is smooth, of band f_s/2: it is told by its values at a few delays τ_k, which
-//! are Chebyshev's and as many as the accuracy asks for. So Σ_p x_p·e^{j[φ(T) − φ(T − τ_p)]} = Σ_k e^{j[φ(T)
-//! − φ(T − τ_k)]}·Σ_p ℓ_k(τ_p)·x_p, and the inner sums are fast ones of weighted paths. The delays τ_k move
-//! with the paths' middle one, from pair to pair of elements and from chirp to chirp; what paths move against
-//! it is bounded. Where either error is too large, paths are halved by delay; a path alone is written from
-//! the formulas.
+//! A path's value is rotated by e^{j[φ(T) − φ(T − τ)]}. Over the delays of a frame's paths (mostly within a
+//! microsecond) the second part is smooth, of band f_s/2: it is interpolated from its values at a few delays
+//! τ_k, Chebyshev points in the number that the accuracy requires. So Σ_p x_p·e^{j[φ(T) − φ(T − τ_p)]} = Σ_k
+//! e^{j[φ(T) − φ(T − τ_k)]}·Σ_p ℓ_k(τ_p)·x_p, and the inner sums are fast sums of weighted paths. The delays
+//! τ_k move with the paths' middle one, from pair to pair of elements and from chirp to chirp; the paths'
+//! motion relative to it is bounded. If either error is too large, paths are halved by delay; a single path
+//! is computed from the formulas.
 
 use crate::impairments::oscillator::Oscillator;
 use crate::links::multiplexing::{Transmission, row};
@@ -18,8 +18,8 @@ use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// The noise-free cube, √W, `[channel][chirp][sample]`, with the oscillator's phase, to an error of
-/// `accuracy` of its root mean square, as long as paths do not cancel each other.
+/// Noise-free cube, √W, `[channel][chirp][sample]`, with the oscillator's phase, with an error of `accuracy`
+/// relative to its root mean square, provided that paths do not cancel each other.
 pub fn cube(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -48,7 +48,7 @@ pub(crate) fn single_cube(
     cube.into_iter().map(|value| Complex32::new(value.re as f32, value.im as f32)).collect()
 }
 
-/// A path and its delay from the array's first pair of elements at the frame's middle.
+/// A path and its delay for the array's first pair of elements at the frame's middle.
 #[derive(Clone, Copy)]
 struct Delayed<'p> {
     path: &'p Path,
@@ -69,7 +69,7 @@ struct Sum<'a> {
     accuracy: Accuracy,
 }
 
-/// More delays cost more sums than halves of the paths do.
+/// Maximum number of delays; more cost more sums than halving the paths does.
 const DELAYS_MAX: usize = 16;
 
 impl Sum<'_> {
@@ -94,7 +94,7 @@ impl Sum<'_> {
         Delays::of(&Probes::new(self.radar, self.oscillator), paths, 0.25 * self.accuracy.amplitude())
     }
 
-    /// Adds one delay's share of all paths.
+    /// Adds the contribution of one delay over all paths.
     fn add_weighted(&self, paths: &[Delayed<'_>], delays: &Delays, k: usize, cube: &mut [Complex64]) {
         let weighted = |delayed: &Delayed<'_>| {
             let share = delays.shares(delayed.delay_s)[k];
@@ -103,7 +103,7 @@ impl Sum<'_> {
             Path { amplitude_m: scaled(amplitude_m), slope_m_per_hz: scaled(slope_m_per_hz), ..*delayed.path }
         };
         let weighted: Vec<Path> = paths.iter().map(weighted).collect();
-        // Shares of up to 16 Chebyshev delays add up to 2.7 at most: 2.7 · 0.2 of the error asked.
+        // Weights of up to 16 Chebyshev delays add up to 2.7 at most: 2.7 · 0.2 of the requested error.
         let accuracy = self.accuracy.share(0.2);
         let part = fast_sum::cube(self.radar, self.centre_frequency_hz, &weighted, accuracy);
         let middle = paths[paths.len() / 2];
@@ -116,8 +116,8 @@ impl Sum<'_> {
         });
     }
 
-    /// Factors e^{j[φ(T) − φ(T − τ)]} of a chirp's samples, τ the middle path's delay there and `later_s`
-    /// more.
+    /// Factors e^{j[φ(T) − φ(T − τ)]} of a chirp's samples, with τ the middle path's delay there plus
+    /// `later_s`.
     fn turns(&self, middle: &Path, later_s: f64, row: &[Transmission], samples: usize) -> Vec<Complex64> {
         let transmission = &row[row.len() / 2];
         let start_s = transmission.start_s;
@@ -128,8 +128,8 @@ impl Sum<'_> {
         now.iter().zip(then).map(|(now, then)| Complex64::cis(now - then)).collect()
     }
 
-    /// Whether no path's delay changes against the middle one's, over elements and time, by more than the
-    /// oscillator forgives.
+    /// Whether no path's delay varies relative to the middle one's, over elements and time, by more than the
+    /// oscillator tolerates.
     fn move_alike(&self, paths: &[Delayed<'_>]) -> bool {
         let allowed_s = 0.25 * self.accuracy.amplitude() / self.oscillator.rate_rms_rad_per_s();
         let middle = paths[paths.len() / 2];
@@ -160,7 +160,7 @@ impl Sum<'_> {
     }
 }
 
-/// Longest time that an echo takes at the frame's begin or end, by the array's first pair of elements.
+/// Maximum echo delay at the start or end of the frame, for the array's first pair of elements.
 pub(crate) fn longest_delay_s(radar: &Radar, paths: &[Path]) -> f64 {
     let first = row(radar, 0, 0)[0];
     let ends_s = [0.0, radar.frame_duration_s()];
@@ -172,13 +172,13 @@ fn delay_s(path: &Path, transmission: &Transmission, time_s: f64) -> f64 {
     legs_at(path, transmission, time_s).delay_s() + transmission.line_delay_s
 }
 
-/// Moments of a frame at which an interpolation is looked at.
+/// Times of a frame at which an interpolation is tested.
 struct Probes<'a> {
     oscillator: &'a Oscillator,
     duration_s: f64,
 }
 
-/// The root mean square over them is known to 1/√256.
+/// Number of probes: the root mean square over them is known to 1/√256.
 const PROBES: u32 = 128;
 
 impl<'a> Probes<'a> {
@@ -186,20 +186,20 @@ impl<'a> Probes<'a> {
         Self { oscillator, duration_s: radar.frame_duration_s() }
     }
 
-    /// Factors e^{−jφ(T − τ)} at every probed moment T.
+    /// Factors e^{−jφ(T − τ)} at every probed time T.
     fn turns(&self, delay_s: f64) -> Vec<Complex64> {
-        // Places of the golden ratio: evenly spread, in step with nothing.
+        // Golden-ratio points: evenly spread without a common period.
         let moment_s = |i: u32| (f64::from(i) * 0.618_033_988_749_895).fract() * self.duration_s;
         (0..PROBES).map(|i| Complex64::cis(-self.oscillator.phase_rad(moment_s(i) - delay_s))).collect()
     }
 }
 
-/// Delays that tell the oscillator's phase over all delays of some paths.
+/// Delays from which the oscillator's phase is interpolated over all delays of a set of paths.
 struct Delays(Vec<f64>);
 
 impl Delays {
-    /// Finds as few delays as leave `error`, root mean square over the frame, at the worst delay between
-    /// them; `None` where too many would be needed.
+    /// Finds the smallest number of delays that leaves `error`, root mean square over the frame, at the worst
+    /// delay between them; `None` if too many would be needed.
     fn of(probes: &Probes<'_>, paths: &[Delayed<'_>], error: f64) -> Option<Self> {
         let (first, last) = (paths.first()?.delay_s, paths.last()?.delay_s);
         let chebyshev = |count: usize| {
@@ -209,7 +209,7 @@ impl Delays {
         (1..=DELAYS_MAX).map(chebyshev).find(|delays| delays.left(probes, first, last) <= error)
     }
 
-    /// Root mean square of what is missed at the worst of some delays.
+    /// Root mean square error at the worst of several test delays.
     fn left(&self, probes: &Probes<'_>, first: f64, last: f64) -> f64 {
         let known: Vec<Vec<Complex64>> = self.0.iter().map(|delay_s| probes.turns(*delay_s)).collect();
         let between = 2 * self.0.len();
@@ -226,7 +226,7 @@ impl Delays {
         (0..=between).map(missed).fold(0.0, f64::max)
     }
 
-    /// Lagrange's.
+    /// Lagrange weights.
     fn shares(&self, delay_s: f64) -> Vec<f64> {
         let share = |k: usize| {
             let others = self.0.iter().enumerate().filter(|(other, _)| *other != k);

@@ -1,4 +1,4 @@
-//! Error of a synthesised cube against what it stands for, measured in the run that made it.
+//! Error of a synthesised cube relative to its reference, measured in the run that made it.
 
 use crate::error::EchoError;
 use crate::impairments::oscillator::Oscillator;
@@ -14,13 +14,13 @@ use rand::rand_core::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// Samples that are compared: their mean power is known to 1/√48 (0.6 dB), the cost is that of 48 of 400 000.
+/// Number of samples compared: their mean power is known to 1/√48 (0.6 dB), at the cost of 48 of 400 000.
 const PROBES: u64 = 48;
 
-/// ‖x − x_ref‖/‖x_ref‖ over a few samples of the noise-free cube as stored; `None` where the reference is
-/// silent.
+/// Relative error ‖x − x_ref‖/‖x_ref‖ over a few samples of the noise-free cube as stored; `None` if the
+/// reference is silent.
 ///
-/// The places follow from the frame's number alone, so that every run of a scene compares the same ones.
+/// The positions depend on the frame index alone, so that every run of a scene compares the same samples.
 pub(crate) fn of_paths(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -33,7 +33,7 @@ pub(crate) fn of_paths(
     relative(&places(radar, frame.index).into_par_iter().map(compare).collect::<Vec<_>>())
 }
 
-/// The estimated error of interpolating the tables: a third of what thinning them by two changes.
+/// Estimated interpolation error of the tables: a third of the change when they are thinned by two.
 pub(crate) fn of_tables(
     radar: &Radar,
     poses: &[Pose],
@@ -48,14 +48,14 @@ pub(crate) fn of_tables(
     Ok(relative(&pairs).map(|difference| difference / 3.0))
 }
 
-/// ‖first − second‖/‖second‖.
+/// Relative difference ‖first − second‖/‖second‖.
 fn relative(pairs: &[[Complex64; 2]]) -> Option<f64> {
     let error: f64 = pairs.iter().map(|[got, exact]| (got - exact).norm_sqr()).sum();
     let power: f64 = pairs.iter().map(|[_, exact]| exact.norm_sqr()).sum();
     (power > 0.0).then(|| (error / power).sqrt())
 }
 
-/// `[channel, chirp, sample]` of the probes.
+/// Positions `[channel, chirp, sample]` of the probes.
 fn places(radar: &Radar, frame: u32) -> Vec<[usize; 3]> {
     let key = seed::key(0, "fmcw-echo/synthesis-error", &[u64::from(frame)]);
     let mut stream = ChaCha8Rng::from_seed(key);

@@ -1,4 +1,5 @@
-//! The stage of one radar: frames of paths become frames of samples: sum, f32, error measured, noise.
+//! Processing stage of one radar, from frames of paths to frames of samples: sum, f32, error measurement,
+//! noise.
 
 use crate::error::EchoError;
 use crate::impairments::adc;
@@ -22,11 +23,11 @@ use rayon::prelude::*;
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Listener that hears the share of the work done, 0 … 1, from several threads.
+/// Callback that receives the share of the work done, 0 … 1, from several threads.
 pub type Progress<'a> = &'a (dyn Fn(f64) + Sync);
 
-/// Maker of the cubes of one radar: its header checked, the errors of its elements drawn, once for all
-/// frames. A frame belongs to the sub-frame that its index says.
+/// Synthesizer of the cubes of one radar: its header is checked and the errors of its elements are drawn once
+/// for all frames. The frame index determines the sub-frame.
 pub struct Synthesizer {
     /// Headers by sub-frame, at least one.
     headers: Vec<CubeHeader>,
@@ -36,9 +37,9 @@ pub struct Synthesizer {
 }
 
 impl Synthesizer {
-    /// Makes a synthesizer of the cubes that this header describes; `seed` is the scene's, `accuracy` that of
-    /// the sum over the paths ([`sum_accuracy`]), `ground` the paths of a road that scatters of itself
-    /// ([`crate::sources::ground`]), which are heard in every frame beside its own.
+    /// Constructs the synthesizer for cubes with this header; `seed` is the scene's, `accuracy` that of the
+    /// sum over the paths ([`sum_accuracy`]), `ground` the paths of the road's own backscatter
+    /// ([`crate::sources::ground`]), which are added to every frame.
     ///
     /// # Errors
     /// Radars without samples, and cubes that do not fit into a file's record.
@@ -60,7 +61,7 @@ impl Synthesizer {
         &self.headers[index as usize % self.headers.len()]
     }
 
-    /// A frame's paths, and behind them those of the road.
+    /// Paths of a frame, followed by those of the road.
     pub fn with_ground<'p>(&self, frame: &'p PathsFrame) -> Cow<'p, PathsFrame> {
         if self.ground.is_empty() {
             return Cow::Borrowed(frame);
@@ -70,10 +71,10 @@ impl Synthesizer {
         Cow::Owned(all)
     }
 
-    /// The cube of one frame, noise included; the paths' amplitudes hold for the middle of the sweep.
+    /// Cube of one frame, noise included; the paths' amplitudes hold for the middle of the sweep.
     ///
-    /// The frame's error budget gets its share `synthesis` from a comparison with [`crate::sums::reference`]
-    /// in this run.
+    /// The share `synthesis` of the frame's error budget comes from a comparison with
+    /// [`crate::sums::reference`] in this run.
     ///
     /// # Errors
     /// Paths that have no finite echo, samples beyond f32.
@@ -93,14 +94,14 @@ impl Synthesizer {
         self.received((frame.index, frame.time_s), samples, frame.error, error)
     }
 
-    /// The cube of one frame from far-field tables, the paper's way; `poses` are those at the frame's first
-    /// sample, in the order that the tables' `target` counts.
+    /// Cube of one frame from far-field tables, the paper's method; `poses` are those at the frame's first
+    /// sample, indexed by the tables' `target`.
     ///
     /// The share `synthesis` of the error is that of interpolating the tables, estimated by thinning them.
     ///
     /// # Errors
-    /// Those of [`Self::frame`], and tables of another polarization, broken shape, or that do not hold the
-    /// aspects needed.
+    /// Those of [`Self::frame`], and tables with another polarization, with an invalid shape, or without the
+    /// required aspects.
     pub fn frame_of_tables(
         &self,
         poses: &[Pose],
@@ -119,7 +120,7 @@ impl Synthesizer {
         self.received((frame.index, frame.time_s), samples, frame.error, error)
     }
 
-    /// The oscillator of a frame of these paths; `None` where the radar's is ideal.
+    /// Oscillator of a frame with these paths; `None` if the radar's is ideal.
     fn oscillator(&self, radar: &Radar, frame: u32, paths: &[Path]) -> Result<Option<Oscillator>, EchoError> {
         if radar.hardware.phase_noise.is_empty() {
             return Ok(None);
@@ -132,7 +133,7 @@ impl Synthesizer {
         Ok(Oscillator::of(radar, self.seed, frame, longest_delay_s))
     }
 
-    /// A cube of echoes as it comes out of the receiver; `synthesis` is what they err by.
+    /// Cube of echoes after the receiver; `synthesis` is their error.
     fn received(
         &self,
         (index, time_s): (u32, f64),
@@ -146,17 +147,17 @@ impl Synthesizer {
     }
 }
 
-/// Error that the sum over paths may make: a tenth of what the paths themselves may, and no more than −60 dB,
-/// so that nothing of it is seen above the floor of a map without noise.
+/// Error allowed for the sum over paths: a tenth of that of the paths themselves, and no more than −60 dB, so
+/// that it stays invisible above the floor of a noise-free map.
 pub fn sum_accuracy(of_paths: Accuracy) -> Accuracy {
     Accuracy::from_db((of_paths.db() - 20.0).min(-60.0))
 }
 
-/// Adds what comes to the echoes in the receiver: noise and other radars; keeps of a real mixer the real part
-/// of it all; then converts.
+/// Adds noise and other radars in the receiver; for a real mixer keeps the real part of the total; then
+/// quantizes.
 ///
-/// Half of an echo's power is in that part and half of the noise's, but the echo's is shared by two lines of
-/// the spectrum: 3 dB less signal to noise than complex samples have (physics.md §9).
+/// The real part contains half of an echo's power and half of the noise's, but the echo's is divided between
+/// two lines of the spectrum: 3 dB less signal-to-noise ratio than complex samples (physics.md §9).
 fn receive(
     header: &CubeHeader,
     seed: u64,
@@ -175,7 +176,7 @@ fn receive(
     Ok(())
 }
 
-/// Every row `[channel, chirp]` of a cube made by `row`, in parallel, rounded to f32.
+/// Rows `[channel, chirp]` of a cube computed by `row`, in parallel, rounded to f32.
 fn rows(
     header: &CubeHeader,
     progress: Progress,
@@ -195,19 +196,19 @@ fn rows(
             Ok(())
         })
         .collect();
-    // The first fault in the order of rows, whichever thread was first.
+    // The first fault in row order, whichever thread found it.
     made.into_iter().collect::<Result<(), EchoError>>()?;
     Ok(samples)
 }
 
-/// Bytes that making one frame takes at most beside its paths: the cube and its sums, the map of one channel
-/// for `snr_db`, and a row of sums for each thread.
+/// Maximum memory for one frame besides its paths: the cube and its sums, the map of one channel for
+/// `snr_db`, and a row of sums for each thread, bytes.
 pub fn memory_estimate_bytes(header: &CubeHeader, accuracy: Accuracy) -> u64 {
     let [channels, chirps, length] = header.shape().map(|n| n as u64);
     let cube = channels * chirps * length * size_of::<Complex32>() as u64;
     let map = 2 * chirps * length * size_of::<Complex64>() as u64;
     let row = length * (crate::sums::lanes::MAX_LANES as u64 + 1) * size_of::<Complex64>() as u64;
-    // With phase noise a sum in double precision and a part of it.
+    // With phase noise: a sum in double precision and a part of it.
     let sums = if header.radar.hardware.phase_noise.is_empty() { 0 } else { 4 * cube };
     let sum = fast_sum::memory_estimate_bytes(&header.radar, accuracy) + sums;
     cube + map

@@ -10,7 +10,8 @@ use std::io::{BufReader, Cursor, Read, Seek, SeekFrom};
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
-/// Reads an artifact frame by frame; an iterator over `Result<S::Frame, _>` that ends after the first error.
+/// Reads an artifact frame by frame, as an iterator over `Result<S::Frame, _>` that ends after the first
+/// error.
 pub struct Reader<S: Schema> {
     stream: Stream,
     preamble: Preamble,
@@ -22,19 +23,19 @@ pub struct Reader<S: Schema> {
 }
 
 impl<S: Schema> Reader<S> {
-    /// Checks magic, schema, version, provenance, end mark and header; frames are read as they are asked for.
+    /// Checks magic, schema, version, provenance, end mark and header; frames are read on request.
     pub fn open(file: &Path) -> Result<Self, ArtifactError> {
         Self::of(file, inputs::open)
     }
 
-    /// Opens as [`Reader::open`] does a file that this program has made for itself and may replace: it is
-    /// no input.
+    /// Opens a file that this program has made for itself and may replace: like [`Reader::open`], but without
+    /// registering it as an input.
     pub fn open_own(file: &Path) -> Result<Self, ArtifactError> {
         Self::of(file, |file| File::open(file))
     }
 
-    /// Reads as [`Reader::open`] does an artifact that is in memory already; errors name it as if it were
-    /// the file `name`.
+    /// Reads an artifact that is already in memory, like [`Reader::open`]; errors refer to it as the file
+    /// `name`.
     pub fn of_bytes(name: &str, bytes: &'static [u8]) -> Result<Self, ArtifactError> {
         let file = Path::new(name);
         Self::of_stream(Stream::of(file, Box::new(Cursor::new(bytes)), bytes.len() as u64))
@@ -57,22 +58,22 @@ impl<S: Schema> Reader<S> {
         &self.header
     }
 
-    /// Header, common to all frames, once they are read.
+    /// Header, common to all frames; consumes the reader.
     pub fn into_header(self) -> S::Header {
         self.header
     }
 
-    /// Preamble of the artifact: what it is and where it came from.
+    /// Preamble of the artifact: its kind and origin.
     pub fn preamble(&self) -> &Preamble {
         &self.preamble
     }
 
-    /// Number of frames that the end mark tells of.
+    /// Number of frames according to the end mark.
     pub fn frames(&self) -> u64 {
         self.told
     }
 
-    /// The next frame, `None` behind the last.
+    /// Next frame; `None` after the last.
     pub fn next_frame(&mut self) -> Result<Option<S::Frame>, ArtifactError> {
         if self.done {
             return Ok(None);
@@ -117,12 +118,12 @@ pub fn read_preamble(file: &Path) -> Result<Preamble, ArtifactError> {
     open_stream(file, inputs::open).and_then(|mut stream| stream.preamble()).map_err(|f| f.of(file))
 }
 
-/// Bytes that can be read from any place: of a file, or in memory.
+/// Seekable source of bytes: a file or memory.
 trait Source: Read + Seek + Send {}
 
 impl<T: Read + Seek + Send> Source for T {}
 
-/// A file with the place it is read at.
+/// A source with its read position.
 struct Stream {
     file: PathBuf,
     bytes: BufReader<Box<dyn Source>>,
@@ -166,7 +167,7 @@ impl Stream {
         }
     }
 
-    /// The number of frames that the end mark tells of; the place in the file stays.
+    /// Number of frames according to the end mark; the read position is unchanged.
     fn end(&mut self) -> Result<u64, Fault> {
         let start = self.size.checked_sub(END_BYTES).filter(|s| *s >= self.at).ok_or(Fault::MissingEnd)?;
         let mut mark = [0; END_BYTES as usize];
@@ -179,7 +180,7 @@ impl Stream {
         if mark == end_mark(told) { Ok(told) } else { Err(Fault::MissingEnd) }
     }
 
-    /// Refuses a header whose frames are longer than the bytes that are left.
+    /// Refuses a header whose frames would be longer than the remaining bytes.
     fn has_room(&self, frames: u64, frame_bytes: u64) -> Result<(), Fault> {
         let (offset, left) = (self.at, self.size - self.at);
         if frames == 0 || frame_bytes <= left / frames {

@@ -5,9 +5,9 @@ use std::io::Write;
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
-/// Writes an artifact as a stream to a temporary file beside its place; [`Writer::finish`] renames it there.
+/// Writes an artifact as a stream to a temporary file beside its destination; [`Writer::finish`] renames it.
 ///
-/// Dropped before `finish`, it leaves nothing behind and an older artifact of the name untouched.
+/// If dropped before `finish`, it leaves nothing behind and an older artifact of that name untouched.
 pub struct Writer<S> {
     file: PathBuf,
     stream: WholeFile,
@@ -16,7 +16,7 @@ pub struct Writer<S> {
 }
 
 impl<S: Schema> Writer<S> {
-    /// Opens the stream; folders that are missing are made.
+    /// Opens the stream; missing folders are created.
     pub fn create(file: &Path, provenance: &Provenance, header: &S::Header) -> Result<Self, ArtifactError> {
         let stream = WholeFile::create(file)?;
         let mut writer = Self { file: file.to_owned(), stream, frames: 0, schema: PhantomData };
@@ -35,7 +35,7 @@ impl<S: Schema> Writer<S> {
         Ok(())
     }
 
-    /// Sets the end mark, waits for the disk, and puts the file in its place.
+    /// Writes the end mark, waits for the disk, and renames the file to its destination.
     pub fn finish(mut self) -> Result<(), ArtifactError> {
         self.raw(&end_mark(self.frames))?;
         self.stream.finish(Durability::OnDisk)

@@ -1,4 +1,4 @@
-//! Places where a file may be put.
+//! Permitted destinations of output files.
 
 use crate::files::fault::Fault;
 use crate::files::inputs;
@@ -7,17 +7,17 @@ use std::fs::{FileType, Metadata, Permissions};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// A place that a file may be put at.
+/// A permitted destination of a file.
 #[derive(Debug)]
 pub(super) struct Destination {
-    /// Path that is written: the place, or the plain file that it is a symbolic link to.
+    /// Path to write: the place itself, or the plain file that it links to.
     pub(super) target: PathBuf,
-    /// Permissions of the file that is replaced.
+    /// Permissions of the file to be replaced.
     pub(super) permissions: Option<Permissions>,
 }
 
 impl Destination {
-    /// Destination at `place`; refused where it is no plain file, an input or write-protected.
+    /// Destination at `place`; refused if it is not a plain file, is an input, or is write-protected.
     pub(super) fn of(place: &Path) -> Result<Self, Fault> {
         if place.file_name().is_none() {
             return Err(Fault::Place(if place.is_dir() { PlaceRule::Folder } else { PlaceRule::Nameless }));
@@ -57,7 +57,7 @@ impl Destination {
     }
 }
 
-/// Rule that a file of this kind breaks, unless it is a plain one.
+/// Rule that a file of this type breaks; `None` for a plain file.
 fn special(kind: FileType) -> Option<PlaceRule> {
     if kind.is_file() {
         return None;
@@ -80,7 +80,7 @@ fn name_of_special(_: FileType) -> &'static str {
     "no plain file"
 }
 
-/// Permissions to read, write and execute alone; a program that sets its user is replaced by data.
+/// Read, write and execute permissions only: set-user-ID bits are not passed on to data.
 #[cfg(unix)]
 fn plain(permissions: Permissions) -> Permissions {
     use std::os::unix::fs::PermissionsExt;

@@ -1,11 +1,11 @@
-//! Temporary files and folders: named so that they are known again, locked as long as their writer lives.
+//! Temporary files and folders, recognisable by name and locked while their writer lives.
 //!
-//! A program that is killed leaves them behind and loses its locks. The next one that writes into the folder
-//! removes those that nobody holds; those of a program that still runs it cannot lock, and leaves alone. On
-//! file systems without locks nothing is removed. Locks of another machine may not be seen where a folder is
-//! shared over a network: the name tells the machine, and another one's file is removed only when nothing was
-//! written to it for a day. What another machine's folder holds may be written to without a trace on the
-//! folder, so it stays.
+//! A killed program leaves them behind and loses its locks. The next program that writes into the folder
+//! removes those that are not locked, and leaves alone those of a running program, which it cannot lock. On
+//! file systems without locks nothing is removed. On a network share, locks of another machine may be
+//! invisible: the name therefore identifies the machine, and another machine's file is removed only after a
+//! day without writes. Another machine's folder stays, since writes to its contents may leave no trace on the
+//! folder itself.
 
 use crate::files::fault::Fault;
 use std::collections::BTreeSet;
@@ -15,29 +15,29 @@ use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
 use tempfile::{TempDir, TempPath};
 
-/// Ending of a temporary file's name; before it stand a dot, the name that the file will have, a dot, the
-/// machine, a dot and six random letters.
+/// Suffix of a temporary file's name, which is: a dot, the final name, a dot, the machine, a dot, six random
+/// letters, this suffix.
 const SUFFIX: &str = ".wayside.part";
 
-/// Bytes of the later name that go into the temporary one: names end at 255 bytes on most file systems.
+/// Bytes of the final name used in the temporary one: names are limited to 255 bytes on most file systems.
 const NAME_BYTES: usize = 200;
 
-/// Letters that tell a machine.
+/// Number of letters that identify a machine.
 const MACHINE_LETTERS: usize = 8;
 
-/// After so long without a byte, the writer on another machine is taken for dead: a writer of this program
-/// writes every few minutes.
+/// Time without a write after which a writer on another machine is taken for dead: this program writes every
+/// few minutes.
 const SILENCE: Duration = Duration::from_secs(24 * 3600);
 
-/// A name is taken from a sweeper that met the file between its making and its locking; a second time is
-/// chance.
+/// Attempts to make a temporary file: a sweeper may remove one between its creation and its locking, a second
+/// time only by chance.
 const ATTEMPTS: usize = 16;
 
-/// A temporary file that is listed while it is open, and removed unless it is persisted.
+/// A temporary file, listed while it is open and removed unless it is persisted.
 pub(super) struct Temporary(Option<TempPath>);
 
 impl Temporary {
-    /// Makes a temporary file in the folder of `target`, which is made where it is missing.
+    /// Creates a temporary file in the folder of `target`, and that folder if it is missing.
     pub(super) fn beside(target: &Path) -> Result<(File, Self), Fault> {
         let mut open = open_files(); // before it is made: what is there is listed
         let (handle, path) = locked(folder_of(target)?, &prefix(target)).map_err(Fault::system("create"))?;
@@ -58,7 +58,7 @@ impl Temporary {
 }
 
 impl Drop for Temporary {
-    /// The file goes while it is held, as in [`Temporary::persist`].
+    /// Removes the file while the list is locked, as in [`Temporary::persist`].
     fn drop(&mut self) {
         if let Some(path) = self.0.take() {
             let mut open = open_files();
@@ -68,15 +68,15 @@ impl Drop for Temporary {
     }
 }
 
-/// A folder that is filled under a temporary name, and removed with all it holds unless it is persisted.
+/// A folder filled under a temporary name, and removed with its contents unless it is persisted.
 pub(super) struct TemporaryFolder {
-    /// Held while the folder is filled; some systems open no folder and so lock none.
+    /// Lock held while the folder is filled; some systems cannot open, and so not lock, a folder.
     _lock: Option<File>,
     folder: Option<TempDir>,
 }
 
 impl TemporaryFolder {
-    /// Makes a temporary folder beside `target`; folders above it are made where they are missing.
+    /// Creates a temporary folder beside `target`, and missing parent folders.
     pub(super) fn beside(target: &Path) -> Result<Self, Fault> {
         let mut open = open_files();
         let above = folder_of(target)?;
@@ -85,12 +85,12 @@ impl TemporaryFolder {
         Ok(Self { _lock: lock, folder: Some(folder) })
     }
 
-    /// The place of the folder until it is persisted.
+    /// Path of the folder until it is persisted.
     pub(super) fn path(&self) -> &Path {
         self.folder.as_ref().map_or(Path::new(""), TempDir::path)
     }
 
-    /// Gives the folder its name, which nothing may bear but an empty folder.
+    /// Renames the folder to `target`, where nothing but an empty folder may exist.
     pub(super) fn persist(mut self, target: &Path) -> std::io::Result<()> {
         let mut open = open_files();
         let _ = std::fs::remove_dir(target); // an empty one; of anything else it takes nothing
@@ -103,7 +103,7 @@ impl TemporaryFolder {
 }
 
 impl Drop for TemporaryFolder {
-    /// The folder goes while it is held, with all in it.
+    /// Removes the folder and its contents while the list is locked.
     fn drop(&mut self) {
         if let Some(folder) = self.folder.take() {
             let mut open = open_files();
@@ -113,7 +113,7 @@ impl Drop for TemporaryFolder {
     }
 }
 
-/// The folder in which a temporary one is made, swept once.
+/// Folder for a temporary file, swept once per program.
 fn folder_of(target: &Path) -> Result<&Path, Fault> {
     let folder = target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder).map_err(Fault::system("make the folder"))?;
@@ -121,22 +121,21 @@ fn folder_of(target: &Path) -> Result<&Path, Fault> {
     Ok(folder)
 }
 
-/// Removes the temporary files and folders that dead writers have left in a folder, not below it, and returns
-/// their number.
+/// Removes the temporary files and folders that dead writers left directly in a folder; returns their number.
 pub fn sweep(folder: &Path) -> usize {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     entries.filter(|file| is_temporary(file) && remove_if_abandoned(file)).count()
 }
 
-/// Whether a name is one that only temporary files and folders have.
+/// Whether a name has the form of a temporary file or folder.
 pub fn is_temporary(file: &Path) -> bool {
     let name = file.file_name().and_then(|name| name.to_str()).and_then(|name| name.strip_suffix(SUFFIX));
     name.is_some_and(|name| name.starts_with('.'))
 }
 
-/// Removes the temporary files and folders of all that is being written: the last act of a program that is
-/// told to stop. As long as what it hands out is held, other threads make no new ones and put none in place:
-/// hold it until the program has ended.
+/// Removes all temporary files and folders of this program, as its last act when it is told to stop. While
+/// the returned guard is held, other threads can neither create nor persist any: hold it until the program
+/// has ended.
 pub fn abandon_all() -> Abandoned {
     let open = open_files();
     for place in open.iter() {
@@ -145,13 +144,13 @@ pub fn abandon_all() -> Abandoned {
     Abandoned { _open: open }
 }
 
-/// Hold on everything that writes files: whoever wants to begin or to finish one waits until it is dropped.
+/// Guard that blocks all creation and completion of files until it is dropped.
 #[must_use = "what other threads make before the program ends would be left behind"]
 pub struct Abandoned {
     _open: MutexGuard<'static, BTreeSet<PathBuf>>,
 }
 
-/// Removes a file, or a folder with all it holds; a link is not followed.
+/// Removes a file, or a folder with its contents; links are not followed.
 fn remove(place: &Path) -> std::io::Result<()> {
     if std::fs::symlink_metadata(place)?.is_dir() {
         std::fs::remove_dir_all(place)
@@ -167,7 +166,7 @@ fn open_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     OPEN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Folders that this program has swept.
+/// Folders swept by this program.
 static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 fn sweep_once(folder: &Path) {
@@ -176,7 +175,7 @@ fn sweep_once(folder: &Path) {
     }
 }
 
-/// Removes a temporary file or folder while it is locked, so that no writer can take it up; a link is not
+/// Removes a temporary file or folder while holding its lock, so that no writer can take it up; links are not
 /// followed.
 fn remove_if_abandoned(place: &Path) -> bool {
     let Ok(about) = std::fs::symlink_metadata(place) else { return false };
@@ -193,14 +192,14 @@ fn is_of_this_machine(file: &Path) -> bool {
     name.and_then(|name| name.rsplit('.').nth(1)).is_some_and(|machine| machine == *MACHINE)
 }
 
-/// Whether nothing was written for long; a clock that runs ahead here is off by minutes.
+/// Whether the last write is long past; clock differences between machines are minutes.
 fn is_silent(about: &Metadata) -> bool {
     let age = about.modified().ok().and_then(|last| SystemTime::now().duration_since(last).ok());
     age.is_some_and(|age| age > SILENCE)
 }
 
-/// Letters for the running kernel, which all programs share whose locks are seen by each other, containers of
-/// one machine too; systems that do not tell it count as one machine.
+/// Letters that identify the running kernel, common to all programs (containers included) that see each
+/// other's locks; systems that do not provide it count as one machine.
 static MACHINE: LazyLock<String> = LazyLock::new(|| {
     let told = std::fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default();
     blake3::hash(told.as_bytes()).to_hex()[..MACHINE_LETTERS].to_owned()
@@ -227,7 +226,7 @@ fn locked_folder(above: &Path, prefix: &str) -> std::io::Result<(Option<File>, T
     Err(taken_away())
 }
 
-/// Names of temporary files and folders, with these permissions less the umask, as anything new.
+/// Builder of temporary names; new entries have the given permissions less the umask.
 fn named(prefix: &str, mode: u32) -> tempfile::Builder<'_, 'static> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(prefix).suffix(SUFFIX);
@@ -238,7 +237,7 @@ fn named(prefix: &str, mode: u32) -> tempfile::Builder<'_, 'static> {
     builder
 }
 
-/// Locks what was just made, and whether it is still there: a sweeper may have met it before the lock.
+/// Locks a new entry and tells whether it still exists: a sweeper may have removed it before the lock.
 fn is_own(handle: &File, path: &Path) -> bool {
     !matches!(handle.try_lock(), Err(TryLockError::WouldBlock)) && is_named(handle, path)
 }

@@ -1,4 +1,4 @@
-//! A folder that is there whole, under its name, or not at all.
+//! A folder that appears under its name complete or not at all.
 
 use crate::files::fault::{ArtifactError, Fault};
 use crate::files::place_rule::PlaceRule;
@@ -6,22 +6,22 @@ use crate::files::whole_file::temporary::TemporaryFolder;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// A folder that is filled beside its place under a name of its own, and renamed when all is there.
+/// A folder filled under a temporary name beside its destination, and renamed when complete.
 ///
-/// Two programs may fill one place at once: the first to finish has it, the other one is refused. Dropped
-/// before [`WholeFolder::finish`], it leaves nothing; what a killed program left is removed by the next one
-/// that writes beside it.
+/// Two programs may fill one destination at once: the first to finish obtains it, the other is refused. If
+/// dropped before [`WholeFolder::finish`], it leaves nothing; leftovers of a killed program are removed by
+/// the next one that writes beside it.
 pub struct WholeFolder {
     place: PathBuf,
     temporary: TemporaryFolder,
 }
 
 impl WholeFolder {
-    /// Begins to fill what becomes the folder `place`, which is not there yet, or empty; a symbolic link
-    /// stands for the folder that it leads to.
+    /// Starts filling the future folder `place`, which must be absent or empty; a symbolic link stands for
+    /// the folder that it points to.
     ///
     /// # Errors
-    /// It holds something, is no folder, leads nowhere, or nothing can be written beside it.
+    /// The place is not empty, is no folder, is a dangling link, or nothing can be written beside it.
     pub fn create(place: &Path) -> Result<Self, ArtifactError> {
         let made = behind_link(place).and_then(|target| {
             is_free(&target)?;
@@ -30,12 +30,12 @@ impl WholeFolder {
         made.map_err(|fault| fault.of(place))
     }
 
-    /// The place of the folder's files until it is finished.
+    /// Path of the folder's files until it is finished.
     pub fn filled(&self) -> &Path {
         self.temporary.path()
     }
 
-    /// Gives the folder its name.
+    /// Renames the folder to its destination.
     ///
     /// # Errors
     /// Another program has put something there meanwhile, or the system refuses.
@@ -47,7 +47,7 @@ impl WholeFolder {
     }
 }
 
-/// The place itself, or what it leads to where it is a symbolic link.
+/// The place itself, or the target of the symbolic link there.
 fn behind_link(place: &Path) -> Result<PathBuf, Fault> {
     if !std::fs::symlink_metadata(place).is_ok_and(|about| about.is_symlink()) {
         return Ok(place.to_owned());
@@ -58,7 +58,7 @@ fn behind_link(place: &Path) -> Result<PathBuf, Fault> {
     })
 }
 
-/// Nothing stands there, or an empty folder.
+/// Checks that the place is absent or an empty folder.
 fn is_free(place: &Path) -> Result<(), Fault> {
     if place.file_name().is_none() {
         return Err(Fault::Place(PlaceRule::Nameless));

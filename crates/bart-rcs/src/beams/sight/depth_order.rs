@@ -1,29 +1,29 @@
-//! Order of two facets in depth as an antenna sees them, decided once for both.
+//! Depth order of two facets as seen by an antenna, decided once for both.
 //!
-//! Facets of imported meshes often lie within rounding of each other over large areas. Were "A hides B" and
-//! "B hides A" decided apart, a strip between them could be lit twice or not at all, as wide as rounding over
-//! the sine of their angle. So there is one answer for the pair, and where the facets pass through each other
-//! one plane parts them, the one through the antenna and the line where their planes meet.
+//! Facets of imported meshes often lie within rounding of each other over large areas. If "A hides B" and "B
+//! hides A" were decided separately, a strip between them could be lit twice or not at all, as wide as
+//! rounding over the sine of their angle. There is therefore one answer for the pair, and intersecting facets
+//! are separated by one plane, through the antenna and the line of intersection of their planes.
 
 use crate::geometry::antenna::Antenna;
 use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 
-/// Order in which any ray that meets both facets meets them.
+/// Order in which a ray that meets both facets meets them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum DepthOrder {
     /// The first is met first.
     FirstInFront,
     /// The second is met first.
     SecondInFront,
-    /// Both are one surface to rounding.
+    /// Both are one surface to within rounding.
     Coincident,
     /// The first is met first on the positive side.
     PartedBy(Plane),
 }
 
-/// The order of two facets, each with its plane turned towards the antenna. Exchanging them exchanges the
-/// answer, exactly.
+/// Depth order of two facets, each with its plane facing the antenna. Exchanging the facets exactly exchanges
+/// the answer.
 pub(crate) fn depth_order(
     first: (&Plane, &FacetGeometry),
     second: (&Plane, &FacetGeometry),
@@ -41,7 +41,8 @@ pub(crate) fn depth_order(
     }
 }
 
-/// Whether two facets are one surface to rounding: all corners of either lie in the plane of the other.
+/// Whether two facets are one surface to within rounding: all corners of either lie in the plane of the
+/// other.
 pub(crate) fn are_coincident(a: &FacetGeometry, b: &FacetGeometry, tolerance_m: f64) -> bool {
     lies_in(a.plane.extent_m(&b.corners_m), tolerance_m)
         || lies_in(b.plane.extent_m(&a.corners_m), tolerance_m)
@@ -74,7 +75,7 @@ mod tests {
     use crate::bodies::world::World;
     use artifact::scene::Mesh;
 
-    /// The order of two triangles, both ways, seen from far up.
+    /// Depth order of two triangles, both ways, seen from far above.
     fn both_ways(corners_m: [[f64; 3]; 6]) -> [DepthOrder; 2] {
         let triangles = vec![[0, 1, 2], [3, 4, 5]];
         let world =

@@ -23,20 +23,20 @@ pub(crate) struct LitPart {
     pub(crate) facet: u32,
     /// Unit normal on the lit side.
     pub(crate) lit_normal: DVec3,
-    /// Place of the corners in [`LitParts::corners`]; empty where the polygon is nothing but rounding.
+    /// Range of the corners in [`LitParts::corners`]; empty if the polygon is mere rounding.
     pub(crate) corners: Range<usize>,
     /// Area, m².
     pub(crate) area_m2: f64,
-    /// Area across the wave, area·cosθ at the middle, m².
+    /// Area across the wave, area·cosθ at the centre, m².
     pub(crate) across_m2: f64,
     /// Solid angle, sr, or area across the direction, m².
     pub(crate) section: f64,
-    /// Sheets that the wave has passed since the mirror before, in its order.
+    /// Sheets passed by the wave since the preceding mirror, in its order.
     pub(crate) sheets: Vec<u32>,
 }
 
 impl LitParts {
-    /// Adds a lit polygon. One that is thinner than rounding keeps its area, for the books, and loses its
+    /// Adds a lit polygon. A polygon thinner than rounding keeps its area, for the audit, but loses its
     /// corners.
     pub(crate) fn push(&mut self, target: &Shadow, view: &View, polygon: &[Corner]) {
         let area_m2 = 0.5 * doubled_area(polygon.iter().map(|c| c.point_m)).dot(target.front.normal).max(0.0);
@@ -57,7 +57,7 @@ impl LitParts {
         });
     }
 
-    /// Adds a part of others as it is.
+    /// Adds a part of another set unchanged.
     pub(crate) fn append(&mut self, others: &Self, part: &LitPart) {
         let start = self.corners.len();
         self.corners.extend_from_slice(&others.corners[part.corners.clone()]);

@@ -1,7 +1,7 @@
-//! A facet among the cells of a view: which it touches, which centres it holds, where its sides pass, and how
-//! deep it lies there.
+//! Outline of a facet on the cells of a view: the cells that it touches, the centres that it contains, the
+//! cells crossed by its sides, and its depth there.
 //!
-//! Every answer errs to its safe side by [`MARGIN`].
+//! Every answer errs on the safe side by [`MARGIN`].
 
 use crate::beams::sight::prospect::{Extent, Outlook, Sight};
 use crate::beams::sight::view::View;
@@ -9,7 +9,8 @@ use crate::geometry::antenna::Antenna;
 use glam::DVec2;
 use std::ops::{Range, RangeInclusive};
 
-/// Margin of every answer, in cells: what is nearer is not told apart, and rounding must be well below.
+/// Margin of every answer, in cells: smaller distances are not distinguished, and rounding must be well below
+/// it.
 pub(crate) const MARGIN: f64 = 1e-6;
 
 /// A facet in units of cells.
@@ -17,32 +18,32 @@ pub(crate) struct CellOutline {
     low: DVec2,
     high: DVec2,
     corners: [DVec2; 3],
-    /// Half planes within the sides, from each corner to the next.
+    /// Half-planes inside the sides, from each corner to the next.
     sides: [HalfPlane; 3],
     near_m: f64,
     far_m: f64,
-    /// Depth over the plane of a facet that is larger than a cell.
+    /// Depth over the plane of the facet, if it is larger than a cell.
     depth: Option<DepthPlane>,
 }
 
-/// Half plane normal · x ≥ offset; the normal is unit, or zero where the facet is too thin to tell.
+/// Half-plane normal · x ≥ offset; the normal is unit, or zero if the facet is too thin to decide.
 #[derive(Clone, Copy)]
 struct HalfPlane {
     normal: DVec2,
     offset: f64,
 }
 
-/// A row's cells that count as reached.
+/// Criterion by which cells of a row count as reached.
 #[derive(Clone, Copy)]
 pub(crate) enum Reach {
-    /// Cells of which some of the square may be inside.
+    /// Cells whose square may be partly inside.
     Touched,
     /// Cells whose centre may be inside.
     Centre,
 }
 
 impl CellOutline {
-    /// Outline of a facet in cells of this size from an origin on.
+    /// Outline of a facet in cells of this size from an origin.
     pub(crate) fn of(sight: &Sight, outlook: &Outlook, view: &View, origin: DVec2, cell: f64) -> Self {
         let Extent { corners, low, high, near_m, far_m, .. } = sight.extent.in_cells(origin, cell);
         let [a, b, c] = corners;
@@ -56,18 +57,18 @@ impl CellOutline {
         self.near_m
     }
 
-    /// Least and greatest depth in a cell, m.
+    /// Minimum and maximum depth in a cell, m.
     pub(crate) fn depths_m(&self, column: usize, row: usize) -> [f64; 2] {
         let in_cell = self.depth.and_then(|depth| depth.range_m(column as f64, row as f64));
         in_cell.map_or([self.near_m, self.far_m], |[near, far]| [near.max(self.near_m), far.min(self.far_m)])
     }
 
-    /// Rows that it may reach.
+    /// Rows that the outline may reach.
     pub(crate) fn rows(&self) -> RangeInclusive<usize> {
         (self.low.y - MARGIN).max(0.0) as usize..=(self.high.y + MARGIN).max(0.0) as usize
     }
 
-    /// Cells among the `count` of a row that the outline reaches, and possibly others.
+    /// Cells among the `count` of a row that the outline reaches, possibly including others.
     pub(crate) fn columns(&self, row: usize, reach: Reach, count: usize) -> Range<usize> {
         let (half, least) = match reach {
             Reach::Touched => (0.5, -MARGIN),
@@ -75,8 +76,8 @@ impl CellOutline {
         };
         let (mut low, mut high) = (self.low.x - MARGIN - 0.5 - half, self.high.x + MARGIN - 0.5 + half);
         for HalfPlane { normal, offset } in self.sides {
-            // normal.x·(column + ½) ≥ bound; what rounding loses of a steep one is less than the margin along
-            // the normal.
+            // normal.x·(column + ½) ≥ bound; the rounding for steep sides is less than the margin along the
+            // normal.
             let bound =
                 offset + least - normal.y * (row as f64 + 0.5) - half * (normal.x.abs() + normal.y.abs());
             if normal.x > 0.0 {
@@ -91,7 +92,7 @@ impl CellOutline {
         if first < end { first as usize..end as usize } else { 0..0 }
     }
 
-    /// Whether the centre of a cell is surely inside.
+    /// Whether the centre of a cell is certainly inside.
     pub(crate) fn holds_centre(&self, column: usize, row: usize) -> bool {
         let centre = centre(column, row);
         self.sides.iter().all(|side| side.normal.dot(centre) - side.offset > MARGIN)
@@ -126,14 +127,14 @@ impl HalfPlane {
 /// along d, n·(a − x)/n·r̂ for a direction r̂ and x across it.
 #[derive(Clone, Copy)]
 struct DepthPlane {
-    /// Numerator at the origin, and its growth with each column and row.
+    /// Numerator at the origin, and its increase per column and row.
     numerator_m: [f64; 3],
     denominator: [f64; 3],
 }
 
-/// Planes of facets that are longer than a thousand of their heights or this near to edge-on are not relied
-/// on: of the others rounding makes less than a millionth of the gap of
-/// [`crate::beams::sight::solid_cells::SolidCells`].
+/// Minimum ratio of area to squared length for a facet's plane to be used: facets longer than a thousand of
+/// their heights, or this near to edge-on, are excluded. For the others rounding is less than a millionth of
+/// the gap of [`crate::beams::sight::solid_cells::SolidCells`].
 const LEAST_AREA_OF_SQUARE: f64 = 5e-4;
 const LEAST_COSINE: f64 = 1e-2;
 
@@ -160,8 +161,8 @@ impl DepthPlane {
         })
     }
 
-    /// Least and greatest depth over a cell; both functions are monotonous along lines, so that its corners
-    /// have the extremes.
+    /// Minimum and maximum depth over a cell; both functions are monotonic along lines, so the extremes are
+    /// at its corners.
     fn range_m(&self, column: f64, row: f64) -> Option<[f64; 2]> {
         let at = |[start, by_column, by_row]: [f64; 3], [x, y]: [f64; 2]| start + by_column * x + by_row * y;
         let steps = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];

@@ -1,20 +1,20 @@
-//! Triangles across a view in single precision, and whether two are surely apart.
+//! Triangles projected onto a view in single precision, with a conservative test of separation.
 
 use glam::{DVec2, Vec4};
 
-/// A triangle by its corners and by the half planes beyond its edges.
+/// A triangle as its corners and the half-planes beyond its edges.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ProjectedTriangle {
-    /// Coordinates x and y of the corners, the third twice.
+    /// Coordinates x and y of the corners, the third repeated.
     corners: [Vec4; 2],
-    /// Half plane beyond each edge, nx, ny, offset; a point with nx·x + ny·y below the offset is beyond the
+    /// Half-plane beyond each edge, nx, ny, offset; a point with nx·x + ny·y below the offset is beyond the
     /// edge by more than rounding.
     edges: [[f32; 3]; 3],
 }
 
 impl ProjectedTriangle {
-    /// Triangle of corners whose coordinates are known to `slack` and are at most `reach` in size, as are
-    /// those of all others.
+    /// Triangle whose corners' coordinates are known to within `slack` and have magnitudes up to `reach`,
+    /// like those of all others.
     pub(crate) fn new(corners: [DVec2; 3], reach: f64, slack: f64) -> Self {
         let [a, b, c] = corners;
         let of = |values: [f64; 3]| Vec4::from_array([0, 1, 2, 2].map(|i| values[i] as f32));
@@ -23,8 +23,8 @@ impl ProjectedTriangle {
         Self { corners: [of([a.x, b.x, c.x]), of([a.y, b.y, c.y])], edges }
     }
 
-    /// Whether an edge of one has all of the other beyond it; what is told apart has nothing in common but
-    /// rounding.
+    /// Whether an edge of one has all of the other beyond it; separated triangles overlap in rounding at
+    /// most.
     #[inline]
     pub(crate) fn is_apart_from(&self, other: &Self) -> bool {
         self.has_beyond_an_edge(&other.corners) || other.has_beyond_an_edge(&self.corners)
@@ -37,11 +37,10 @@ impl ProjectedTriangle {
     }
 }
 
-/// The half plane beyond an edge, whichever way the triangle runs; one that holds no point where rounding
-/// decides its side.
+/// Half-plane beyond an edge, for either winding; empty if rounding decides its side.
 ///
-/// A coordinate, a product and a sum of single precision lose half an ε each, of nx·x and ny·y at most: 4ε
-/// hold them all.
+/// A coordinate, a product and a sum in single precision lose half an ε each, for nx·x and ny·y at most: 4ε
+/// covers all.
 fn beyond(from: DVec2, to: DVec2, opposite: DVec2, reach: f64, slack: f64) -> [f32; 3] {
     let edge = to - from;
     let normal = DVec2::new(-edge.y, edge.x);
@@ -58,7 +57,7 @@ fn beyond(from: DVec2, to: DVec2, opposite: DVec2, reach: f64, slack: f64) -> [f
 mod tests {
     use super::*;
 
-    /// Fractions of multiples of irrational numbers, in cells of a view of 600.
+    /// Fractional parts of multiples of irrational numbers, in cells of a view of 600.
     fn corners(i: usize) -> [DVec2; 3] {
         let at = |n: usize, step: f64| ((n as f64 + 1.0) * step).fract();
         let middle = 600.0 * DVec2::new(at(i / 2, 0.618_034), at(i / 2, 0.414_214));
@@ -69,7 +68,7 @@ mod tests {
         })
     }
 
-    /// Twice the area that two triangles share, by clipping one by the other's edges.
+    /// Twice the area of overlap of two triangles, by clipping one to the other's edges.
     fn shared(a: [DVec2; 3], b: [DVec2; 3]) -> f64 {
         let doubled = |p: &[DVec2]| (0..p.len()).map(|i| p[i].perp_dot(p[(i + 1) % p.len()])).sum::<f64>();
         let sign = doubled(&b).signum();

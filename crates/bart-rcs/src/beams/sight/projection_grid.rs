@@ -1,10 +1,10 @@
-//! Facets sorted by where an antenna sees them: what may hide a polygon shares a cell of a grid across the
-//! view with it.
+//! Facets sorted by their projection as seen by an antenna: a facet that may hide a polygon shares a cell of
+//! a grid across the view with it.
 //!
-//! A box across the view is as tight around a facet as the view can tell, a box in space is not. Cells come
-//! in sizes that double; a facet is listed where the cells are just larger than it is, so in four at most:
-//! details crowd in few places of the view, and panels that span hundreds of details are listed once. Like
-//! the hierarchy it decides nothing.
+//! A box across the view bounds a facet as tightly as the view can resolve, unlike a box in space. Cell sizes
+//! double from level to level; a facet is listed at the level whose cells are just larger than it, so in at
+//! most four cells: small parts crowd in few places of the view, and panels that span hundreds of them are
+//! listed once. Like the hierarchy the grid only proposes candidates.
 
 use crate::beams::sight::projected_triangle::ProjectedTriangle;
 use crate::beams::sight::prospect::{Extent, Outlook, across};
@@ -14,34 +14,34 @@ use glam::{DVec2, Vec4};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
-/// Shadows of a view by the cells that they reach.
+/// Shadows of a view, listed by the cells that they reach.
 pub(crate) struct ProjectionGrid {
     /// Boxes in units of the finest cells, in the order of the shadows.
     boxes: Vec<Extent>,
     /// Triangles in the same units and order.
     triangles: Vec<ProjectedTriangle>,
-    /// Levels of cells, from the finest on.
+    /// Levels of cells, the finest first.
     levels: Vec<Level>,
-    /// Beginning of each cell's entries, level by level and row by row, and the end of the last one's.
+    /// Start of each cell's entries, level by level and row by row, and the end of the last.
     starts: Vec<u32>,
-    /// Entries by cell, the nearest first.
+    /// Entries by cell, nearest first.
     entries: Vec<Entry>,
 }
 
 /// Cells of one size.
 #[derive(Debug, Clone, Copy)]
 struct Level {
-    /// Cells per finest cell.
+    /// Number of this level's cells per finest cell.
     scale: f64,
     columns: usize,
-    /// Index of its first cell among those of all levels.
+    /// Index of the level's first cell among all levels.
     first: usize,
 }
 
-/// The part of a box that the search looks at, small: single precision, rounded outwards.
+/// The part of a box used by the search, made small: single precision, rounded outwards.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
-    /// Bounds of its extent: one instruction compares two boxes.
+    /// Bounds of its extent, arranged so that one instruction compares two boxes.
     bounds: Vec4,
     slot: u32,
     first_cell: [u16; 2],
@@ -55,16 +55,16 @@ struct Cells {
     last: [usize; 2],
 }
 
-/// Details crowd in few places of the view: with more cells than facets there, most cells are empty and few
-/// are crowded.
+/// Number of cells per facet: small parts crowd in few places of the view, so that with more cells most are
+/// empty and few are crowded.
 const CELLS_PER_FACET: f64 = 8.0;
-/// Facets that one thread looks at, at least.
+/// Minimum number of facets per thread.
 const FEW: usize = 1024;
-/// Finest cells per facet that are looked at at most; else they are made larger.
+/// Maximum number of finest cells examined per facet; beyond it cells are made larger.
 const LOOKS_PER_FACET: usize = 64;
 
 impl ProjectionGrid {
-    /// Grid of all shadows of a view; `None` where the antenna stands among the facets.
+    /// Grid of all shadows of a view; `None` if the antenna stands among the facets.
     pub(crate) fn over(shadows: &[Shadow], view: &View) -> Option<Self> {
         let corners = shadows.iter().flat_map(|shadow| view.world.facet(shadow.facet).corners_m);
         let around = corners.map(|c| [c, c]).reduce(|[a, b], [c, d]| [a.min(c), b.max(d)])?;
@@ -74,7 +74,7 @@ impl ProjectionGrid {
         if outlook.holds(boxes.iter()) { Self::of(&boxes) } else { None }
     }
 
-    /// Grid of shadows that appear in these boxes, in their order.
+    /// Grid of shadows with these boxes, in their order.
     pub(crate) fn of(boxes: &[Extent]) -> Option<Self> {
         let (low, high) = across(boxes.iter())?;
         let span = (high - low).max(DVec2::splat((high - low).max_element() * 1e-6));
@@ -94,7 +94,8 @@ impl ProjectionGrid {
         }
     }
 
-    /// Calls `visit` with the slot of every shadow that may lie before the one in `slot`, until it breaks.
+    /// Calls `visit` with the slot of every shadow that may lie in front of the one in `slot`, until it
+    /// breaks.
     pub(crate) fn visit_before(
         &self,
         slot: u32,
@@ -103,12 +104,12 @@ impl ProjectionGrid {
         let extent = &self.boxes[slot as usize];
         let triangle = &self.triangles[slot as usize];
         let most = extent.most();
-        // From the largest on: one of them may hide all.
+        // Largest first: one of them may hide everything.
         for level in self.levels.iter().rev() {
             let cells = Cells::of(extent, level.scale);
             for (column, row) in cells.all() {
                 for entry in self.before(level.cell(column, row), extent) {
-                    // A pair meets in many cells; it counts in the first that both reach.
+                    // A pair meets in many cells; it counts in the first cell that both reach.
                     let first = |axis: usize| usize::from(entry.first_cell[axis]).max(cells.first[axis]);
                     if entry.bounds.cmple(most).all()
                         && column == first(0)
@@ -123,7 +124,7 @@ impl ProjectionGrid {
         ControlFlow::Continue(())
     }
 
-    /// Entries of a cell that begin nearer than a box ends.
+    /// Entries of a cell that start nearer than a box ends.
     fn before(&self, cell: usize, extent: &Extent) -> impl Iterator<Item = &Entry> {
         let far_m = (extent.far_m as f32).next_up();
         let entries = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
@@ -161,7 +162,7 @@ impl ProjectionGrid {
     }
 }
 
-/// Levels of cells from the finest to one that holds the view.
+/// Levels of cells from the finest to one that contains the view.
 fn levels(size: DVec2) -> Vec<Level> {
     let mut levels = Vec::new();
     let (mut scale, mut first) = (1.0, 0);
@@ -209,13 +210,13 @@ impl Extent {
         Vec4::from_array([low_x, low_y, -high_x, -high_y].map(|x| (x as f32).next_down()))
     }
 
-    /// The bounds that another's may not exceed if both overlap: high x, high y, −low x, −low y.
+    /// Upper limits on the bounds of a box that overlaps this one: high x, high y, −low x, −low y.
     fn most(&self) -> Vec4 {
         let bounds = self.bounds();
         -Vec4::new(bounds.z, bounds.w, bounds.x, bounds.y)
     }
 
-    /// Level and cells that list a box: the finest that are not smaller.
+    /// Level and cells in which a box is listed: the finest cells that are not smaller than it.
     fn listed<'l>(&self, levels: &'l [Level]) -> (&'l Level, Cells) {
         let longest = (self.high - self.low).max_element();
         let index = levels.partition_point(|level| longest * level.scale > 1.0).min(levels.len() - 1);
@@ -243,7 +244,7 @@ mod tests {
     use artifact::settings::Sides;
     use glam::DVec3;
 
-    /// Triangles of any size about the origin, from the fractions of multiples of irrational numbers.
+    /// Triangles of any size around the origin, from the fractional parts of multiples of irrational numbers.
     fn strewn(count: usize) -> World {
         let at = |i: usize, step: f64| ((i as f64 + 1.0) * step).fract() - 0.5;
         let corner = |i: usize| {

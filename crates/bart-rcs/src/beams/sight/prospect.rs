@@ -1,4 +1,4 @@
-//! Appearance of facets across a view: their places on a plane across it, and how deep they lie.
+//! Projection of facets across a view: their positions on a plane across it, and their depths.
 
 use crate::beams::sight::shadow::{LitSide, seen_side};
 use crate::beams::sight::view::View;
@@ -7,14 +7,14 @@ use crate::geometry::facet_geometry::FacetGeometry;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-/// Facets of a view that show a side, on one plane across it.
+/// Facets of a view that show a side, projected onto one plane across it.
 pub(crate) struct Prospect {
     pub(crate) outlook: Outlook,
     /// Sights by facet.
     pub(crate) sights: Vec<Sight>,
 }
 
-/// A facet as it is seen.
+/// A facet as seen in the view.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sight {
     /// Index into the world's facets.
@@ -23,7 +23,7 @@ pub(crate) struct Sight {
     pub(crate) extent: Extent,
 }
 
-/// Coordinates across a view: tangents of the angles to its middle, or metres across a direction.
+/// Coordinates across a view: tangents of the angles from its centre, or metres across a direction.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Outlook {
     pub(crate) antenna: Antenna,
@@ -32,12 +32,12 @@ pub(crate) struct Outlook {
     pub(crate) up: DVec3,
 }
 
-/// Place where a facet appears, and its depth in metres.
+/// Projected position of a facet, and its depth in metres.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Extent {
-    /// Corners in the order of the winding as the antenna sees it.
+    /// Corners in the winding seen by the antenna.
     pub(crate) corners: [DVec2; 3],
-    /// Greatest error of the corners' coordinates.
+    /// Maximum error of the corners' coordinates.
     pub(crate) slack: f64,
     pub(crate) low: DVec2,
     pub(crate) high: DVec2,
@@ -45,12 +45,12 @@ pub(crate) struct Extent {
     pub(crate) far_m: f64,
 }
 
-/// A facet whose depths differ by more than this factor from another's, or that reaches behind the antenna,
-/// has no place on one plane across the view: such a view has no grid.
+/// Minimum ratio of the nearest to the farthest depth: with a facet beyond it, or one that extends behind the
+/// antenna, facets have no position on one plane across the view, and the view has no grid.
 const NEAREST_OF_FARTHEST: f64 = 1e-3;
 
 impl Prospect {
-    /// Prospect of all facets of a direct view; `None` where the antenna stands among them.
+    /// Prospect of all facets of a direct view; `None` if the antenna stands among them.
     pub(crate) fn of_all(view: &View) -> Option<Self> {
         let seen = |(index, facet): (usize, &FacetGeometry)| {
             let (seen, _) = seen_side(facet, view.antenna, view.tolerance_m())?;
@@ -67,7 +67,7 @@ impl Prospect {
 }
 
 impl Outlook {
-    /// Outlook onto what lies between two corners of a box.
+    /// Outlook onto the space between two corners of a box.
     pub(crate) fn onto([low, high]: [DVec3; 2], antenna: Antenna) -> Option<Self> {
         let forward = -antenna.towards(0.5 * low + 0.5 * high).try_normalize()?;
         let right = forward.any_orthonormal_vector();
@@ -80,7 +80,7 @@ impl Outlook {
         Sight { facet, seen, extent: Extent::around(corners, view) }
     }
 
-    /// Whether facets with these extents have a place on one plane across the view.
+    /// Whether facets with these extents have a position on one plane across the view.
     pub(crate) fn holds<'e>(&self, extents: impl Iterator<Item = &'e Extent> + Clone) -> bool {
         let range = |(near_m, far_m): (f64, f64), b: &Extent| (b.near_m.min(near_m), b.far_m.max(far_m));
         let (near_m, far_m) = extents.clone().fold((f64::INFINITY, 0.0), range);
@@ -104,7 +104,7 @@ impl Outlook {
 }
 
 impl Extent {
-    /// Extent of these corners, widened by what is rounding.
+    /// Extent of these corners, widened by rounding.
     fn around(corners: [(DVec2, f64); 3], view: &View) -> Self {
         let [(a, da), (b, db), (c, dc)] = corners;
         let (near_m, far_m) = (da.min(db).min(dc), da.max(db).max(dc));
@@ -117,7 +117,7 @@ impl Extent {
         Self { corners: [a, b, c], slack, low, high, near_m: near_m - slack_m, far_m: far_m + slack_m }
     }
 
-    /// Corners in units of cells from an origin on.
+    /// Corners in units of cells from an origin.
     pub(crate) fn in_cells(&self, origin: DVec2, cell: f64) -> Self {
         let scaled = |x: DVec2| (x - origin) / cell;
         let corners = self.corners.map(scaled);
@@ -125,7 +125,7 @@ impl Extent {
     }
 }
 
-/// The box across the view that holds these.
+/// Box across the view that contains these extents.
 pub(crate) fn across<'e>(extents: impl Iterator<Item = &'e Extent>) -> Option<(DVec2, DVec2)> {
     extents.map(|b| (b.low, b.high)).reduce(|(a, b), (c, d)| (a.min(c), b.max(d)))
 }

@@ -1,11 +1,11 @@
-//! Shadow of a facet: the part of its cone, as the antenna sees it, that lies behind it.
+//! Shadow of a facet: the part of its cone, as seen by the antenna, that lies behind it.
 //!
-//! A point y is hidden by facet O from antenna p when y lies inside the three planes through p and O's edges,
-//! and behind O. Where O and the target pass through each other, one more plane through p parts them
+//! A point y is hidden by facet O from antenna p if y lies inside the three planes through p and O's edges,
+//! and behind O. If O and the target intersect, one more plane through p separates them
 //! ([`crate::beams::sight::depth_order`]). In a reflected beam only the part of O beyond the mirror counts,
-//! which a plane through p and the line where O meets the mirror's plane cuts off. So everything is a test of
-//! y against planes through p that are made of original corners, and what one facet's shadow loses at such a
-//! plane, its neighbour's takes, bit by bit.
+//! which is cut off by a plane through p and the intersection of O with the mirror's plane. So everything is
+//! a test of y against planes through p constructed from original corners, and what one facet's shadow loses
+//! at such a plane, its neighbour's gains, bit for bit.
 
 use crate::beams::sight::depth_order::{DepthOrder, are_coincident, depth_order};
 use crate::beams::sight::view::{Mirror, View};
@@ -17,29 +17,29 @@ use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 use artifact::settings::Sides;
 
-/// The planes of a facet's shadow.
+/// Planes of a facet's shadow.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shadow {
     /// Index into the world's facets.
     pub(crate) facet: u32,
-    /// The side that the antenna sees.
+    /// Side seen by the antenna.
     pub(crate) seen: LitSide,
-    /// Planes through the antenna and each edge, in the winding as the antenna sees it; positive inside.
+    /// Planes through the antenna and each edge, in the winding seen by the antenna; positive inside.
     pub(crate) edges: [Plane; 3],
     /// The facet's own plane, positive towards the antenna.
     pub(crate) front: Plane,
-    /// Plane that is positive where the facet is met beyond the mirror; `None` where all of it is beyond.
+    /// Plane that is positive where the facet lies beyond the mirror; `None` if all of it does.
     pub(crate) beyond_mirror: Option<Plane>,
-    /// Share of the view that the facet takes, for sorting only.
+    /// Apparent size of the facet in the view, for sorting only.
     pub(crate) apparent_size: f64,
 }
 
-/// The side of a facet that an antenna sees.
+/// Side of a facet that an antenna sees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum LitSide {
-    /// The winding is counter-clockwise.
+    /// Side of counter-clockwise winding.
     Front,
-    /// The winding is clockwise.
+    /// Side of clockwise winding.
     Back,
 }
 
@@ -48,27 +48,27 @@ pub(crate) enum LitSide {
 pub(crate) enum Hides {
     /// Nothing: the facet lies behind the target, or is the one of two coincident facets that yields.
     Nothing,
-    /// The facet may hide whatever lies in its cone.
+    /// Everything in the facet's cone.
     AllInItsCone,
-    /// The facet may hide whatever lies in its cone and on the positive side of a plane through the
-    /// antenna: the facets pass through each other.
+    /// Everything in the facet's cone on the positive side of a plane through the antenna: the facets
+    /// intersect.
     InItsConeAnd(Plane),
 }
 
-/// Place of a polygon relative to a shadow.
+/// Position of a polygon relative to a shadow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Cover {
     /// Outside the shadow.
     Apart,
-    /// Part of it may be inside.
+    /// Possibly partly inside.
     Partial,
     /// Inside the shadow.
     Whole,
 }
 
 impl Shadow {
-    /// The shadow of a facet; `None` where the antenna sees it edge-on, where it has no plane, or where none
-    /// of it lies beyond the mirror.
+    /// Shadow of a facet; `None` if the antenna sees it edge-on, if it has no plane, or if none of it lies
+    /// beyond the mirror.
     pub(crate) fn of(index: u32, view: &View) -> Option<Self> {
         let facet = view.world.facet(index);
         let (seen, front) = seen_side(facet, view.antenna, view.tolerance_m())?;
@@ -84,23 +84,23 @@ impl Shadow {
         Some(Self { facet: index, seen, edges, front, beyond_mirror, apparent_size })
     }
 
-    /// The facet as a polygon, counter-clockwise as the antenna sees it.
+    /// The facet as a polygon, counter-clockwise as seen by the antenna.
     pub(crate) fn polygon(&self, world: &World) -> [Corner; 3] {
         let [a, b, c] = world.facet(self.facet).corners_m;
         let points = if self.seen == LitSide::Front { [a, b, c] } else { [a, c, b] };
-        // Edge i of the facet runs from corner i; seen from the back they run the other way and in the other
+        // Edge i of the facet starts at corner i; seen from the back the edges run in reverse, in reverse
         // order.
         let order = if self.seen == LitSide::Front { [0, 1, 2] } else { [2, 1, 0] };
         let border = |edge| if world.is_inside_patch(self.facet, edge) { Border::Inner } else { Border::Own };
         [0, 1, 2].map(|i| Corner { point_m: points[i], edge: self.edges[i], border: border(order[i]).into() })
     }
 
-    /// Part of another facet that this one may hide; a sheet that waves are followed through hides nothing.
+    /// Part of another facet that this one may hide; a sheet with transmission hides nothing.
     pub(crate) fn hides(&self, target: &Self, view: &View) -> Hides {
         if view.world.is_passed(self.facet) { Hides::Nothing } else { self.stands_before(target, view) }
     }
 
-    /// Part of another facet that this one stands before.
+    /// Part of another facet that this one is in front of.
     pub(crate) fn stands_before(&self, target: &Self, view: &View) -> Hides {
         let [own, other] = [self, target].map(|shadow| (&shadow.front, view.world.facet(shadow.facet)));
         match depth_order(own, other, view.antenna, view.tolerance_m()) {
@@ -112,7 +112,7 @@ impl Shadow {
         }
     }
 
-    /// Place of a polygon of the target relative to the part that is hidden.
+    /// Position of a polygon of the target relative to the hidden part.
     pub(crate) fn cover(&self, hides: Hides, polygon: &[Corner], tolerance_m: f64) -> Cover {
         let mut cover = Cover::Whole;
         for plane in &self.edges {
@@ -130,14 +130,14 @@ impl Shadow {
         cover
     }
 
-    /// The planes that bound what is hidden, positive inside.
+    /// Planes that bound the hidden part, positive inside.
     pub(crate) fn planes(&self, hides: Hides) -> impl Iterator<Item = Plane> {
         let behind = if let Hides::InItsConeAnd(plane) = hides { Some(plane) } else { None };
         self.edges.into_iter().chain(self.beyond_mirror).chain(behind)
     }
 
-    /// Whether this one of coincident facets is lit: the one whose front is seen where only fronts scatter,
-    /// else the larger, and of two as large to rounding the first.
+    /// Whether this one of two coincident facets is lit: the one whose front is seen if only fronts scatter,
+    /// else the larger, and among facets of equal size to rounding the first.
     fn is_before(&self, other: &Self, view: &View) -> bool {
         let seen = |shadow: &Self| (view.sides == Sides::One).then_some(shadow.seen);
         let area_m2 = |shadow: &Self| view.world.facet(shadow.facet).area_m2 as f32;
@@ -147,7 +147,7 @@ impl Shadow {
 }
 
 impl Cover {
-    /// The cover that is left on the positive side of one more plane.
+    /// Cover that remains on the positive side of one more plane.
     #[inline]
     pub(crate) fn and(self, plane: &Plane, polygon: &[Corner], tolerance_m: f64) -> Self {
         let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -164,7 +164,7 @@ impl Cover {
     }
 }
 
-/// The side that is seen and the plane towards the antenna; `None` where it is seen edge-on.
+/// Visible side and the plane facing the antenna; `None` if the facet is seen edge-on.
 pub(crate) fn seen_side(
     facet: &FacetGeometry,
     antenna: Antenna,
@@ -181,8 +181,8 @@ pub(crate) fn seen_side(
     }
 }
 
-/// Plane that parts a facet at the mirror: `None` where nothing of it is beyond the mirror,
-/// `Some(None)` where everything is.
+/// Plane that cuts a facet off at the mirror: `None` if none of it is beyond the mirror, `Some(None)` if all
+/// of it is.
 #[expect(
     clippy::option_option,
     reason = "the outer says whether there is a shadow, the inner whether the mirror cuts it"

@@ -1,17 +1,17 @@
-//! Cells of a view that facets fill without a gap, so that nothing behind them is seen there: most of what is
-//! inside a body is refused before it is cut.
+//! Cells of a view that facets fill without a gap, so that nothing behind them is visible there: most of a
+//! body's interior is rejected before clipping.
 //!
-//! Take facets as the antenna sees them, all turned counter-clockwise, and any set of them that goes on
-//! beyond every side that may pass through a cell: the facet across the side is in the set and runs along it
-//! the other way. Then the sides' sum has no part in the cell, and how many of the facets lie over a point is
-//! one number for all of the cell. One facet that surely holds the cell's centre makes it at least one: no
-//! ray through the cell misses them all. Neighbours share corners to the last bit, so there is no seam. A set
-//! is flooded from a facet at the centre on; where it meets an open side, the next facet behind is tried.
+//! Take facets as seen by the antenna, all oriented counter-clockwise, and any set of them that continues
+//! beyond every side that may cross a cell: the facet across the side is in the set and runs along it in the
+//! opposite sense. Then the sides' sum has no part in the cell, and the number of facets over a point is
+//! constant over the cell. One facet that certainly contains the cell's centre makes it at least one: no ray
+//! through the cell misses them all. Neighbours share corners to the last bit, so there is no seam. A set is
+//! flood-filled from a facet at the centre; if it meets an open side, the next facet behind is tried.
 //!
-//! What lies behind the set's farthest depth in every cell that it touches is dark. It hides nothing either:
-//! what is behind it is behind the set. And the foremost set of a cell is itself never refused there, so
-//! everything refused is hidden by facets that are left. Like the hierarchy it draws no outline: what is left
-//! is cut as ever.
+//! Whatever lies behind the set's farthest depth in every cell that it touches is dark. It hides nothing
+//! either, since what is behind it is behind the set. The foremost set of a cell is itself never rejected
+//! there, so everything rejected is hidden by remaining facets. Like the hierarchy it defines no outline: the
+//! remaining facets are clipped as usual.
 
 use crate::beams::sight::outline::{CellOutline, MARGIN, Reach};
 use crate::beams::sight::prospect::{Extent, Prospect, Sight, across};
@@ -22,7 +22,7 @@ use glam::DVec2;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Depth in each cell beyond which nothing can be seen.
+/// Depth in each cell beyond which nothing is visible.
 pub(crate) struct SolidCells {
     columns: usize,
     /// Depths row by row; infinite where the cell is not known to be filled.
@@ -30,24 +30,24 @@ pub(crate) struct SolidCells {
     gap_m: f64,
 }
 
-/// Cells for each facet: for five vehicles of 14,000 to 79,000 triangles first orders were fastest with
+/// Number of cells per facet: for five vehicles of 14,000 to 79,000 triangles first orders were fastest with
 /// a quarter to one: larger cells are filled less often, smaller ones are too many.
 const CELLS_PER_FACET: f64 = 0.5;
-/// Cells per facet that are looked at at most; else they are made larger.
+/// Maximum number of cells examined per facet; beyond it cells are made larger.
 const LOOKS_PER_FACET: usize = 64;
-/// Facets at a cell's centre that are tried.
+/// Number of facets at a cell's centre that are tried.
 const LAYERS: usize = 8;
-/// Facets that fill a cell together, at most.
+/// Maximum number of facets that fill a cell together.
 const MOST_IN_A_CELL: usize = 64;
-/// Rows are filled in so many parts side by side.
+/// Number of bands of rows that are filled in parallel.
 const BANDS: usize = 16;
-/// Depths nearer than this are not told apart, in units of rounding: facets within rounding of each other are
-/// one surface, of which [`crate::beams::sight::depth_order`] says what is lit.
+/// Resolution of depths, in units of rounding: facets within rounding of each other are one surface, for
+/// which [`crate::beams::sight::depth_order`] decides what is lit.
 const GAP: f64 = 1e6;
-/// No facet.
+/// Marker for no facet.
 const NONE: u32 = u32::MAX;
 
-/// Sights of a prospect that may be seen, in its order.
+/// Sights of a prospect that may be visible, in its order.
 pub(crate) fn visible(prospect: &Prospect, view: &View) -> Vec<Sight> {
     let Some((origin, cell, size)) = cells_for(&prospect.sights) else { return prospect.sights.clone() };
     let outline = |sight: &Sight| CellOutline::of(sight, &prospect.outlook, view, origin, cell);
@@ -57,8 +57,7 @@ pub(crate) fn visible(prospect: &Prospect, view: &View) -> Vec<Sight> {
     seen.map(|(sight, _)| *sight).collect()
 }
 
-/// Origin of the cells, their size, and their columns and rows; `None` where rounding is not far below
-/// a cell.
+/// Origin of the cells, their size, and their columns and rows; `None` if rounding is not far below a cell.
 fn cells_for(sights: &[Sight]) -> Option<(DVec2, f64, [usize; 2])> {
     let (low, high) = across(sights.iter().map(|sight| &sight.extent))?;
     let span = (high - low).max(DVec2::splat((high - low).max_element() * 1e-6));
@@ -68,7 +67,7 @@ fn cells_for(sights: &[Sight]) -> Option<(DVec2, f64, [usize; 2])> {
         (size.x * size.y) as usize
     };
     let looks = |cell: f64| sights.iter().map(|sight| looks_at(&sight.extent, cell)).sum::<usize>();
-    // Coordinates lose some roundings of the largest, and what their extents say.
+    // Coordinates lose some roundings of the largest, plus the slack of their extents.
     let slack = sights.iter().map(|sight| sight.extent.slack).fold(0.0, f64::max);
     let lost = slack + 16.0 * f64::EPSILON * (1.0 + low.abs().max(high.abs()).max_element());
     if !(cell.is_finite() && 4.0 * lost < MARGIN * cell) {
@@ -96,7 +95,7 @@ impl SolidCells {
         Self { columns, depth_m: filled.collect::<Vec<_>>().concat(), gap_m }
     }
 
-    /// Whether a facet lies behind what fills the cells, in all that it touches.
+    /// Whether a facet lies behind the filling facets in all cells that it touches.
     fn hide(&self, outline: &CellOutline) -> bool {
         outline.rows().all(|row| {
             outline.columns(row, Reach::Touched, self.columns).all(|column| {
@@ -108,10 +107,10 @@ impl SolidCells {
     }
 }
 
-/// Neighbours of facets that hide, beyond their sides.
+/// Neighbours of hiding facets beyond their sides.
 struct Surfaces {
-    /// Sights beyond each side of a sight, in the order of its corners, or [`NONE`]; `None` for what waves
-    /// pass through.
+    /// Sights beyond each side of a sight, in the order of its corners, or [`NONE`]; `None` for a facet with
+    /// transmission.
     beyond: Vec<Option<[u32; 3]>>,
 }
 
@@ -124,12 +123,12 @@ impl Surfaces {
         let beyond_side = |sight: &Sight, side: usize| {
             let (other, winding) = view.world.across(sight.facet, side)?;
             let slot = Some(slot_of[other as usize]).filter(|slot| *slot != NONE)?;
-            // Both turned counter-clockwise, they walk along the side in opposite ways.
+            // Both oriented counter-clockwise, they traverse the side in opposite senses.
             let is_turned = sights[slot as usize].seen != sight.seen;
             (is_turned == (winding == Winding::Opposite)).then_some(slot)
         };
         let beyond = |sight: &Sight| {
-            // Seen from the back the sides run the other way and in the other order.
+            // Seen from the back the sides run in reverse, in reverse order.
             let order = if sight.seen == LitSide::Front { [0, 1, 2] } else { [2, 1, 0] };
             let hides = slot_of[sight.facet as usize] != NONE;
             hides.then(|| order.map(|side| beyond_side(sight, side).unwrap_or(NONE)))
@@ -137,7 +136,7 @@ impl Surfaces {
         Self { beyond: sights.par_iter().map(beyond).collect() }
     }
 
-    /// The depths of [`SolidCells`] in some rows.
+    /// Depths of [`SolidCells`] in a range of rows.
     fn depths_m(&self, outlines: &[CellOutline], columns: usize, rows: Range<usize>) -> Vec<f64> {
         let layers = self.layers(outlines, columns, &rows);
         let mut set = Vec::new();
@@ -152,7 +151,7 @@ impl Surfaces {
         layers.iter().enumerate().map(&mut depth_m).collect()
     }
 
-    /// Facets at the centre of each cell, the nearest first.
+    /// Facets at the centre of each cell, nearest first.
     fn layers(
         &self,
         outlines: &[CellOutline],
@@ -177,7 +176,7 @@ impl Surfaces {
         layers
     }
 
-    /// The farthest depth of facets that fill a cell from one at its centre on; `None` where they meet an
+    /// Farthest depth of the facets that fill a cell, starting from one at its centre; `None` if they meet an
     /// open side in it.
     fn filled_from(
         &self,

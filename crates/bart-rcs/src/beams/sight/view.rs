@@ -1,4 +1,4 @@
-//! View of a world: from which point, through which hole, and by which rules.
+//! View of a world: viewpoint, opening and rules.
 
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
@@ -8,25 +8,25 @@ use crate::geometry::plane::Plane;
 use artifact::settings::Sides;
 use glam::DVec3;
 
-/// A world as an antenna or its image sees it.
+/// A world as seen by an antenna or its image.
 #[derive(Clone)]
 pub(crate) struct View<'w> {
-    /// World that is looked at.
+    /// World in view.
     pub(crate) world: &'w World,
     /// Sides of a facet that scatter.
     pub(crate) sides: Sides,
-    /// The antenna or its image.
+    /// Antenna or its image.
     pub(crate) antenna: Antenna,
-    /// The facet that reflects; `None` looks straight and all round.
+    /// Reflecting facet; `None` for a direct view all round.
     pub(crate) mirror: Option<Mirror<'w>>,
     /// Planes through the antenna and the edges of the lit polygon on the mirror, positive inside, and what
-    /// they end.
+    /// these edges end at.
     pub(crate) window: Vec<(Plane, BorderLine)>,
-    /// Corners of the lit polygon on the mirror; none without one.
+    /// Corners of the lit polygon on the mirror; empty without a mirror.
     pub(crate) opening_m: &'w [DVec3],
 }
 
-/// The facet that a beam has just left.
+/// Mirror that a beam has just left.
 #[derive(Clone, Copy)]
 pub(crate) struct Mirror<'w> {
     /// The facet.
@@ -36,12 +36,12 @@ pub(crate) struct Mirror<'w> {
 }
 
 impl<'w> View<'w> {
-    /// View straight from the antenna, all round.
+    /// Direct view from the antenna, all round.
     pub(crate) fn direct(world: &'w World, sides: Sides, antenna: Antenna) -> Self {
         Self { world, sides, antenna, mirror: None, window: Vec::new(), opening_m: &[] }
     }
 
-    /// View from the antenna's image through a lit polygon; the planes of its edges hold the antenna.
+    /// View from the antenna's image through a lit polygon; the planes of its edges contain the antenna.
     pub(crate) fn reflected(
         world: &'w World,
         sides: Sides,
@@ -69,13 +69,13 @@ impl<'w> View<'w> {
         self.world.tolerance_m()
     }
 
-    /// The antenna and what it looks through, if that is not all round.
+    /// The antenna and its opening, unless the view is all round.
     pub(crate) fn opening(&self) -> Option<(Antenna, &'w [DVec3])> {
         (!self.opening_m.is_empty()).then_some((self.antenna, self.opening_m))
     }
 
-    /// Whether a facet reaches into the view: outside no plane of the window, and with no edge that has all
-    /// of the window on its far side. What is refused touches the view in rounding at most.
+    /// Whether a facet reaches into the view: it is outside no plane of the window, and no edge has all of
+    /// the window on its far side. Rejected facets touch the view in rounding at most.
     pub(crate) fn reaches(&self, facet: &FacetGeometry) -> bool {
         let tolerance_m = self.tolerance_m();
         let mut planes =
@@ -83,20 +83,20 @@ impl<'w> View<'w> {
         planes.all(|plane| plane.extent_m(&facet.corners_m).1 > tolerance_m) && !self.is_beside_opening(facet)
     }
 
-    /// Whether what is seen of a facet counts as lit; where bodies are left apart a mirror lights its own
-    /// body alone, and others shade it.
+    /// Whether the visible part of a facet counts as lit; if paths between bodies are left out, a mirror
+    /// lights only its own body, and others shade it.
     pub(crate) fn is_followed(&self, facet: u32) -> bool {
         self.mirror.is_none_or(|mirror| self.world.is_followed(mirror.facet, facet))
     }
 
-    /// Whether one of the planes through the antenna and a facet's edges parts the facet from the mirror's
-    /// lit polygon.
+    /// Whether one of the planes through the antenna and a facet's edges separates the facet from the
+    /// mirror's lit polygon.
     fn is_beside_opening(&self, facet: &FacetGeometry) -> bool {
         let [a, b, c] = facet.corners_m;
         [(a, b, c), (b, c, a), (c, a, b)].into_iter().any(|(from, to, opposite)| {
             let normal = self.antenna.towards(from).cross(to - from);
             let side = normal.dot(opposite - from);
-            // Of a plane that is not made of rounding.
+            // Minimum for a plane that is not mere rounding.
             let least = self.tolerance_m() * normal.length();
             side.abs() > least
                 && !self.opening_m.is_empty()

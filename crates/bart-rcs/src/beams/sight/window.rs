@@ -8,8 +8,8 @@ use artifact::settings::Sides;
 use std::ops::Range;
 
 impl View<'_> {
-    /// Puts the polygon that the window leaves of a facet into `corners` and gives its range; `None` where it
-    /// leaves none.
+    /// Appends the part of a facet inside the window to `corners` and returns its range; `None` if there is
+    /// none.
     pub(crate) fn clip(
         &self,
         target: &Shadow,
@@ -21,7 +21,7 @@ impl View<'_> {
         }
         corners.clear();
         corners.extend(target.polygon(self.world));
-        // A facet that crosses the mirror's plane ends at the plane that also ends its shadow.
+        // A facet that crosses the mirror's plane ends at the same plane as its shadow.
         let beyond = target.beyond_mirror.map(|plane| (plane, Border::Tied.into()));
         self.window.iter().copied().chain(beyond).try_fold(0..3, |polygon, (plane, border)| {
             match split(corners, polygon.clone(), &plane, border, self.tolerance_m(), distances_m) {
@@ -36,7 +36,7 @@ impl View<'_> {
     }
 }
 
-/// Marks edges that lie on a plane of the window, whose distances from the corners are given.
+/// Marks edges that lie on a plane of the window, given the corners' distances from it.
 fn meet(corners: &mut [Corner], distances_m: &[f64], window: BorderLine) {
     let n = corners.len();
     for i in (0..n).filter(|&i| distances_m[i] == 0.0 && distances_m[(i + 1) % n] == 0.0) {

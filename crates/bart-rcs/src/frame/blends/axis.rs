@@ -1,45 +1,45 @@
-//! Axes that ways are traced along: time, and the row of the array.
+//! Axes along which paths are traced: time, and the row of the array.
 
 use crate::frame::path_plan::{MOMENTS_MAX, Plan, WHEEL_STEPS};
 use crate::frame::path_sum::PathView;
 use artifact::paths::{Path, Span};
 use glam::DVec3;
 
-/// Steps of the finest grid, in whose places all nodes are counted; its middle is the frame's and the
-/// array's.
+/// Number of steps of the finest grid, in whose places all nodes are counted; its middle is that of the frame
+/// and of the array.
 pub(crate) const FINEST: u32 = WHEEL_STEPS;
-/// Steps of the grids that are tried, the last where wheels turn. The first blends by a parabola, the others
-/// by cubics.
+/// Numbers of steps of the grids that are tried, the last if wheels rotate. The first blends by a parabola,
+/// the others by cubics.
 pub(crate) const GRID_STEPS: [u32; 6] = [2, 4, 8, 16, MOMENTS_MAX - 1, WHEEL_STEPS];
-/// Steps of the first grid of which the places that are looked at are nodes: finer ones err at the place of
-/// the check as they do over the frame.
+/// Number of steps of the first grid that has the probed places as nodes: finer ones have the same error at
+/// the place of the check as over the frame.
 pub(crate) const STEPS_OF_LOOKS: u32 = 8;
-/// Share of the power that coarser grids miss at the places that are looked at which counts beside what they
-/// miss at the place of the check. There the cubics of four steps err 5 dB less than over the frame.
+/// Share of the power missed by coarser grids at the probed places that is added to that missed at the place
+/// of the check. There the cubics of four steps have 5 dB less error than over the frame.
 pub(crate) const SHARE_OF_LOOKS: f64 = 0.6;
-/// Places of every grid where ways show whether they change, 3/8 of a frame before its middle and 1/4 after.
+/// Places of every grid at which changes are probed, 3/8 of a frame before its middle and 1/4 after.
 ///
-/// Errors in proportion to the time from the middle have within 1 dB of their mean square over the frame
-/// there. An outline that slides at an even pace turns what ends at it at an even pace as well: whole cycles
-/// from the middle nothing seems to be missed. That is so at both of these for 8, 16 … cycles a frame, and at
-/// both ends of the frame for 2, 4, 6 … (of a van behind a bus, three bounces, 4 dB less were missed there
-/// than over the frame, and no way seemed to change).
+/// Errors proportional to the time from the middle are there within 1 dB of their mean square over the frame.
+/// An outline that slides at a constant rate rotates the phase of its contribution at a constant rate as
+/// well: whole cycles from the middle nothing seems to be missed. At both of these places that happens for 8,
+/// 16 … cycles per frame, at both ends of the frame for 2, 4, 6 … (for a van behind a bus, three bounces, 4
+/// dB less were missed there than over the frame, and nothing seemed to change).
 pub(crate) const LOOKED_AT: [u32; 2] = [FINEST / 8, 3 * FINEST / 4];
 
-/// Axis that some ways are traced along.
+/// Axis along which some paths are traced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BlendAxis {
-    /// Moments from the frame's begin to its end, as the array's middle sees it.
+    /// Moments from the frame's start to its end, as seen from the array's centre.
     Time,
     /// Places from one end of the array's row to the other, at the frame's middle.
     Array,
 }
 
 impl BlendAxis {
-    /// Both, in the order in which they are tried.
+    /// Both axes in the order in which they are tried.
     pub(crate) const ALL: [Self; 2] = [Self::Time, Self::Array];
 
-    /// Seconds after the frame's first sample, and where transmitter and receiver are, of a place of the
+    /// Time after the frame's first sample, s, and positions of transmitter and receiver, for a place of the
     /// finest grid.
     pub(crate) fn at(self, plan: &Plan<'_>, place: u32) -> (f64, [DVec3; 2]) {
         let fraction = f64::from(place) / f64::from(FINEST);
@@ -53,7 +53,7 @@ impl BlendAxis {
         }
     }
 
-    /// A path that stands for what one node of a grid stands for.
+    /// Path that represents the part of one node of a grid.
     pub(crate) fn part(self, plan: &Plan<'_>, mut path: Path, (node, steps): (u32, u32)) -> Path {
         match self {
             Self::Time => path.curve.span = Some(moment(plan, (node, steps))),
@@ -62,7 +62,7 @@ impl BlendAxis {
         path
     }
 
-    /// Share of one node of a grid at a view.
+    /// Share of one node of a grid for a view.
     pub(crate) fn share(self, plan: &Plan<'_>, view: &PathView, (node, steps): (u32, u32)) -> f64 {
         match self {
             Self::Time => moment(plan, (node, steps)).share(view.seconds),
@@ -71,7 +71,7 @@ impl BlendAxis {
     }
 }
 
-/// The part of the frame that one moment of a grid stands for.
+/// Part of the frame represented by one moment of a grid.
 fn moment(plan: &Plan<'_>, (moment, steps): (u32, u32)) -> Span {
     let step_s = plan.header.radar.frame_duration_s() / f64::from(steps);
     Span { first_s: 0.0, step_s, moments: steps + 1, moment }
@@ -82,8 +82,8 @@ mod tests {
     use super::*;
     use crate::frame::path_plan::check_offset_s;
 
-    /// Mean square of the errors of a grid's blend of a power, whose derivative of that order is constant:
-    /// over the frame, at the check's moment, and where it is looked at.
+    /// Mean square errors of a grid's blend of a power, whose derivative of that order is constant: over the
+    /// frame, at the check's moment, and at the probed places.
     fn squares(steps: u32, power: i32) -> [f64; 3] {
         let span =
             |moment: u32| Span { first_s: 0.0, step_s: 1.0 / f64::from(steps), moments: steps + 1, moment };

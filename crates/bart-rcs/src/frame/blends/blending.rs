@@ -1,4 +1,4 @@
-//! The table of a frame that is blended along time, the array's row, or both, of as few nodes as meet the
+//! Path table of a frame blended along time, the array's row, or both, from as few nodes as meet the
 //! accuracy.
 
 use crate::frame::band_power::power_over_frame;
@@ -13,8 +13,8 @@ use crate::frame::snapshot::Scenery;
 use crate::oversight::error::BartError;
 use artifact::paths::{Amplitude, Fineness, Path};
 
-/// The table where its freezing is within the accuracy asked for; else one whose ways that change most are
-/// blended from as few nodes as meet it, or the best that was found.
+/// The table itself if its freezing error is within the requested accuracy; otherwise one in which the most
+/// variable paths are blended from as few nodes as meet it, or the best found.
 pub(crate) fn split(
     scenery: &Scenery<'_>,
     whole: PathTable,
@@ -42,8 +42,8 @@ pub(crate) fn split(
     Ok(blending.best)
 }
 
-/// Paths of the frame's middle, of which those ways that were blended in another frame are blended from as
-/// many nodes.
+/// Paths of the frame's middle, of which those blended in another frame are blended from the same number of
+/// nodes.
 pub(crate) fn split_alike(
     scenery: &Scenery<'_>,
     kept: Kept,
@@ -72,12 +72,12 @@ pub(crate) fn split_alike(
     Ok(blended(&middle, &along.iter().collect::<Vec<_>>()))
 }
 
-/// Whether a table misses the accuracy asked for, and mostly by what changes over the frame and the array.
+/// Whether a table misses the requested accuracy, mostly because of changes over the frame and the array.
 fn needs_nodes(plan: &Plan<'_>, table: &PathTable) -> bool {
     table.error.measured() > plan.asked() && table.error.is_mostly_freezing()
 }
 
-/// A frame that is blended along one axis after the other.
+/// A frame blended along one axis after the other.
 struct Blending<'a> {
     plan: &'a Plan<'a>,
     /// Paths of the frame's middle.
@@ -90,7 +90,7 @@ struct Blending<'a> {
 }
 
 impl<'a> Blending<'a> {
-    /// Blends the ways that change along an axis from as few nodes as meet the accuracy, where that helps.
+    /// Blends the paths that change along an axis from as few nodes as meet the accuracy, if that helps.
     fn add(&mut self, axis: BlendAxis, surroundings: &'a Surroundings<'a>) -> Result<(), BartError> {
         let (before, others) = (self.best.paths.len(), self.along.iter().map(Nodes::paths).sum());
         let measured = self.best.error.measured();
@@ -111,7 +111,7 @@ impl<'a> Blending<'a> {
                 best_steps = Some(steps);
             }
             let is_met = measured <= self.plan.asked();
-            // Between two or three nodes what has turned by whole cycles seems to stay.
+            // Between two or three nodes a phase rotated by whole cycles seems constant.
             let tells = steps >= STEPS_OF_LOOKS;
             if is_met || (tells && nodes.missed_halfway(steps / 2) < least_missed(measured, power)) {
                 break;
@@ -124,7 +124,8 @@ impl<'a> Blending<'a> {
         Ok(())
     }
 
-    /// Error of the table that has these nodes too, and whether it is the best so far, which is kept then.
+    /// Error of the table with these additional nodes, and whether it is the best so far, in which case it is
+    /// kept.
     fn measure(&mut self, nodes: &Nodes<'a>) -> (f64, bool) {
         let along: Vec<&Nodes<'_>> = self.along.iter().chain([nodes]).collect();
         let paths = blended(self.middle, &along);
@@ -145,8 +146,8 @@ impl<'a> Blending<'a> {
     }
 }
 
-/// Paths of the frame's middle without those that are blended, each less itself once for every axis beyond
-/// the first that it is blended along, and behind them those of the nodes.
+/// Paths of the frame's middle without those that are blended, each subtracted once for every axis beyond the
+/// first along which it is blended, followed by those of the nodes.
 fn blended(middle: &[Path], along: &[&Nodes<'_>]) -> Vec<Path> {
     let own = middle.iter().filter_map(|path| {
         let way = bodies(path);

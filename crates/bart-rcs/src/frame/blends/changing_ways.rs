@@ -1,4 +1,5 @@
-//! Ways that are not at other moments, or from other places of the array, what they are in the middle.
+//! Sequences of bodies whose paths differ at other moments, or from other positions of the array, from those
+//! of the middle.
 
 use crate::beams::body_ways::BodyWays;
 use crate::frame::band_power::{MARGIN, frequencies_hz, mean_difference, power_over_frame};
@@ -8,17 +9,17 @@ use artifact::paths::Path;
 use num_complex::Complex64;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Share of the accuracy asked for that all ways together that keep the middle's paths may miss.
+/// Share of the requested accuracy that may be missed by all sequences together that keep the middle's paths.
 const KEPT_SHARE: f64 = 0.5;
-/// Least share of the measured error: where what the middle misses at the nodes that are looked at, or a grid
-/// halfway between its nodes, is less, as an amplitude, something else makes that error (the other axis,
-/// cells), and no finer grid is tried.
+/// Minimum share of the measured error: if the error of the middle's paths at the probed nodes, or of a grid
+/// halfway between its nodes, is smaller as an amplitude, the cause is another one (the other axis, cells),
+/// and no finer grid is tried.
 const LEAST_SHARE: f64 = 0.5;
-/// Frequencies that the fields of nodes are compared at.
+/// Number of frequencies at which the fields of nodes are compared.
 pub(super) const FIELD_FREQUENCIES: usize = 12;
 
-/// The ways whose paths of the frame's middle miss most of what is there at two `others`: all but those that
-/// together miss a half of the accuracy asked for there, as an amplitude. None where what they miss does not
+/// Sequences whose paths at the frame's middle miss most of the field at two `others`: all but those that
+/// together miss half of the requested accuracy there, as an amplitude. None if what they miss does not
 /// explain the error `measured`.
 pub(super) fn ways_that_change(
     plan: &Plan<'_>,
@@ -45,7 +46,7 @@ pub(super) fn ways_that_change(
     change
 }
 
-/// Mean power that the middle's paths of each way miss at two others.
+/// Mean power missed by the middle's paths of each sequence at two others.
 fn missed_by_way(
     plan: &Plan<'_>,
     middle: &[Path],
@@ -64,17 +65,17 @@ fn missed_by_way(
     missed
 }
 
-/// Power that has to be missed along an axis for it to explain a measured error.
+/// Power that must be missed along an axis to explain a measured error.
 pub(super) fn least_missed(measured: f64, power: f64) -> f64 {
     (LEAST_SHARE * measured / MARGIN).powi(2) * power
 }
 
-/// Bodies of a path, in the order of travel; none of a point target.
+/// Bodies of a path in the order of travel; empty for a point target.
 pub(super) fn bodies(path: &Path) -> Vec<u32> {
     path.sequence().iter().map(|facet| facet.body).collect()
 }
 
-/// A way and its way back are one.
+/// Groups paths by sequence of bodies; a sequence and its reverse are one.
 fn by_way(paths: &[Path]) -> BTreeMap<Vec<u32>, Vec<Path>> {
     let mut ways: BTreeMap<Vec<u32>, Vec<Path>> = BTreeMap::new();
     for path in paths.iter().filter(|path| path.order > 0) {
@@ -85,13 +86,13 @@ fn by_way(paths: &[Path]) -> BTreeMap<Vec<u32>, Vec<Path>> {
     ways
 }
 
-/// S of paths over the band, as the radar sees it.
+/// S of paths over the band in the radar's polarization.
 pub(super) fn field(paths: Option<&Vec<Path>>, plan: &Plan<'_>, view: &PathView) -> Vec<Complex64> {
     let frequencies = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FIELD_FREQUENCIES);
     element_over_band(paths.map_or(&[], Vec::as_slice), view, plan.hearing(), &frequencies)
 }
 
-/// Ways by the ids of their bodies.
+/// Sequences as ids of their bodies.
 pub(super) fn named(ways: &BodyWays, plan: &Plan<'_>) -> Vec<Vec<String>> {
     let id = |body: &u32| {
         plan.header.targets.get(*body as usize).map_or(String::new(), |target| target.id.clone())
@@ -99,7 +100,7 @@ pub(super) fn named(ways: &BodyWays, plan: &Plan<'_>) -> Vec<Vec<String>> {
     ways.iter().map(|way| way.iter().map(id).collect()).collect()
 }
 
-/// Ways among these names whose bodies are all in a frame.
+/// Sequences among these whose bodies are all in a frame.
 pub(super) fn found(names: &[Vec<String>], plan: &Plan<'_>) -> BodyWays {
     let index =
         |id: &String| plan.header.targets.iter().position(|target| target.id == *id).map(|i| i as u32);
@@ -115,8 +116,8 @@ mod tests {
     use crate::frame::blends::axis::{FINEST, LOOKED_AT};
     use std::f64::consts::TAU;
 
-    /// An amplitude that turns at an even pace misses |1 − e^{iφ}|² = 2 − 2·cos φ of its power: over the
-    /// frame, at both of its ends, and where it is looked at, from nearly still to four cycles a frame.
+    /// An amplitude that rotates at a constant rate misses |1 − e^{iφ}|² = 2 − 2·cos φ of its power: over the
+    /// frame, at both of its ends, and at the probed places, from almost constant to four cycles per frame.
     #[test]
     fn what_turns_at_any_pace_is_seen_to_change_where_it_is_looked_at() {
         let missed = |cycles: f64, offset: f64| 2.0 - 2.0 * (TAU * cycles * offset).cos();

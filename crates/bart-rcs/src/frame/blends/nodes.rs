@@ -1,10 +1,10 @@
-//! Paths of some ways, traced at the nodes of one axis.
+//! Paths of some sequences of bodies, traced at the nodes of one axis.
 //!
-//! The nodes lie on a grid of equal steps h from the axis's begin to its end, made finer until the measured
-//! error meets the accuracy asked for; what was traced for a coarser grid is used again. Between two nodes a
-//! blend errs by u(1−u)(1+u)(2−u)·h⁴f⁗/24, u from 0 to 1, in the first and last step by
-//! u(1−u)(2−u)(3−u)·h⁴f⁗/24. The moment of the check is where each of the grids errs as the frame does, to
-//! 1.4 dB (a test has it).
+//! The nodes lie on a grid of equal steps h from the start of the axis to its end, refined until the measured
+//! error meets the requested accuracy; results of a coarser grid are reused. Between two nodes a blend errs
+//! by u(1−u)(1+u)(2−u)·h⁴f⁗/24, u from 0 to 1, in the first and last step by u(1−u)(2−u)(3−u)·h⁴f⁗/24. The
+//! error of each of the grids at the moment of the check equals that over the frame to within 1.4 dB
+//! (verified by a test).
 
 use crate::beams::body_ways::BodyWays;
 use crate::frame::band_power::mean_difference;
@@ -20,7 +20,7 @@ use artifact::paths::{Fineness, Path};
 use num_complex::Complex64;
 use std::collections::BTreeMap;
 
-/// Scene, fineness and dropped powers that all nodes of a frame have in common.
+/// Scene, fineness and dropped powers common to all nodes of a frame.
 pub(super) struct Surroundings<'a> {
     pub(super) scenery: &'a Scenery<'a>,
     pub(super) fineness: &'a Fineness,
@@ -29,22 +29,22 @@ pub(super) struct Surroundings<'a> {
     pub(super) of_middle: usize,
 }
 
-/// Paths of some ways at the nodes of one axis.
+/// Paths of some sequences at the nodes of one axis.
 pub(super) struct Nodes<'a> {
     surroundings: &'a Surroundings<'a>,
     pub(super) axis: BlendAxis,
-    /// Ways that are traced at all nodes; all that there are, where none are named.
+    /// Sequences traced at all nodes; all existing ones if none are named.
     pub(super) ways: BodyWays,
-    /// Steps of the grid that is blended.
+    /// Number of steps of the blended grid.
     pub(super) steps: u32,
-    /// Paths by place, in parts of the axis of which there are [`FINEST`].
+    /// Paths by place, in units of 1/[`FINEST`] of the axis.
     at: BTreeMap<u32, Vec<Path>>,
-    /// Most bytes held by what was traced.
+    /// Peak memory of the tracing, bytes.
     pub(super) bytes: u64,
 }
 
 impl<'a> Nodes<'a> {
-    /// The middle's paths of some ways, before any other node.
+    /// Paths of some sequences at the middle, before any other node.
     pub(super) fn of(
         surroundings: &'a Surroundings<'a>,
         axis: BlendAxis,
@@ -55,8 +55,8 @@ impl<'a> Nodes<'a> {
         Self { surroundings, axis, ways, steps: 0, at: BTreeMap::from([(FINEST / 2, own)]), bytes: 0 }
     }
 
-    /// Traces two other nodes of an axis for the ways that have changed there from what they are in `middle`,
-    /// beside so many paths of other nodes.
+    /// Traces two other nodes of an axis for the sequences that differ there from those in `middle`, with
+    /// this number of paths of other nodes held.
     pub(super) fn looked_at(
         surroundings: &'a Surroundings<'a>,
         axis: BlendAxis,
@@ -79,7 +79,7 @@ impl<'a> Nodes<'a> {
         Ok(nodes)
     }
 
-    /// Traces what is missing of a grid, beside so many paths of other nodes.
+    /// Traces the missing nodes of a grid, with this number of paths of other nodes held.
     pub(super) fn fill(&mut self, steps: u32, others: usize) -> Result<(), BartError> {
         for place in (0..=steps).map(|i| i * (FINEST / steps)) {
             if !self.at.contains_key(&place) {
@@ -91,13 +91,13 @@ impl<'a> Nodes<'a> {
         Ok(())
     }
 
-    /// Paths of a place, beside so many of other nodes.
+    /// Paths of a place, with this number of paths of other nodes held.
     fn traced(&mut self, place: u32, others: usize) -> Result<Vec<Path>, BartError> {
         let Surroundings { scenery, fineness, strongest_dropped, of_middle } = self.surroundings;
         let plan = scenery.plan;
         let (seconds, ends_m) = self.axis.at(plan, place);
         let ways = (!self.ways.is_empty()).then_some(&self.ways);
-        // With the blends that are made of them, two of which are compared.
+        // Including the blends made of them, two of which are compared.
         let beside = scenery.beside(3 * paths_bytes(self.paths() + others + of_middle));
         let snapshot = match ways {
             Some(ways) => beside.along(ways, seconds, ends_m)?,
@@ -119,28 +119,28 @@ impl<'a> Nodes<'a> {
         self.at.get(&(FINEST / 2)).map_or(0, Vec::len)
     }
 
-    /// Mean power of what the blend of a grid misses halfway between its nodes, where all are traced.
+    /// Mean power of the error of a grid's blend halfway between its nodes, where all are traced.
     pub(super) fn missed_halfway(&self, steps: u32) -> f64 {
         let places = (0..steps).map(|i| (2 * i + 1) * (FINEST / (2 * steps)));
         places.map(|place| self.missed(place, steps)).sum::<f64>() / f64::from(steps)
     }
 
-    /// Mean power over the frame of what the blend misses beyond what the check tells, by the places that
-    /// were looked at: nothing where these are nodes of the grid.
+    /// Mean power over the frame of the blend's error beyond that shown by the check, from the probed places:
+    /// none if these are nodes of the grid.
     pub(super) fn missed_beside_check(&self) -> f64 {
         let between = LOOKED_AT.into_iter().filter(|place| place % (FINEST / self.steps) != 0);
         let missed: f64 = between.map(|place| self.missed(place, self.steps)).sum();
         SHARE_OF_LOOKS * missed / LOOKED_AT.len() as f64
     }
 
-    /// Power of what the blend of a grid misses at a place that is traced.
+    /// Power of the error of a grid's blend at a traced place.
     fn missed(&self, place: u32, steps: u32) -> f64 {
         let view = self.view(place);
         let exact = field(self.at.get(&place), self.surroundings.scenery.plan, &view);
         mean_difference(&exact, &self.blended_field(steps, &view))
     }
 
-    /// S of the blend of a grid over the band, of the nodes that have a share in it there.
+    /// S of a grid's blend over the band, from the nodes that have a share in it there.
     fn blended_field(&self, steps: u32, view: &PathView) -> Vec<Complex64> {
         let plan = self.surroundings.scenery.plan;
         let mut total = vec![Complex64::ZERO; FIELD_FREQUENCIES];
@@ -154,7 +154,7 @@ impl<'a> Nodes<'a> {
         total
     }
 
-    /// Paths of the grid's nodes, one node after the other.
+    /// Paths of the grid's nodes, node by node.
     pub(super) fn blended(&self) -> impl Iterator<Item = Path> {
         let plan = self.surroundings.scenery.plan;
         (0..=self.steps).flat_map(move |node| {

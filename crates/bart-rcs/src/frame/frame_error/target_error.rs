@@ -1,5 +1,5 @@
-//! Error of each target's echo alone. Beside a strong target a weak one may err by more of its own echo than
-//! the frame does of all: the accuracy asked for is the frame's.
+//! Error of each target's echo alone. Beside a strong target a weak one may have a larger relative error than
+//! the frame: the requested accuracy is the frame's.
 
 use super::Reference;
 use crate::frame::band_power::{MARGIN, mean, mean_difference, power_over_frame};
@@ -11,14 +11,14 @@ use artifact::paths::Path;
 use artifact::scene::TargetKind;
 use artifact::settings::Wheels;
 
-/// Errors of the targets' own echoes, in their order, as amplitudes relative to each one's own, with the
-/// margin of the measurement: paths against bodies at the moment of the check, or what was dropped where that
-/// is more, and the integrals of both. `None` of what has no echo, of point targets, which are exact, and of
-/// vehicles whose wheels turn.
+/// Errors of the targets' own echoes, in their order, as amplitudes relative to each echo, with the margin of
+/// the measurement: the difference between paths and bodies at the moment of the check, or the dropped part
+/// if that is larger, and the integrals of both. `None` for targets without echo, for point targets, which
+/// are exact, and for vehicles with rotating wheels.
 ///
-/// Ways that meet several bodies are nobody's own. What a blend misses at other moments than that of the
-/// check counts for every target that is blended. The shares of tessellation, of beams given up, of the
-/// reduction of paths and of the samples are told of the frame alone.
+/// Paths over several bodies belong to no target. The error of a blend at other moments than that of the
+/// check counts for every blended target. The shares of tessellation, of dropped beams, of the reduction of
+/// paths and of the samples are reported for the frame alone.
 pub(crate) fn target_errors(plan: &Plan<'_>, table: &PathTable, reference: &Reference) -> Vec<Option<f64>> {
     let wheels_turn = plan.header.fidelity.wheels == Wheels::Turning;
     let of = |(index, body): (usize, &BodyEcho)| {
@@ -37,12 +37,12 @@ pub(crate) fn target_errors(plan: &Plan<'_>, table: &PathTable, reference: &Refe
     reference.integration.bodies.iter().enumerate().map(of).collect()
 }
 
-/// Whether a path meets this target and no other.
+/// Whether a path meets this target only.
 fn is_own(path: &Path, target: u32) -> bool {
     path.target == target && path.facets[..usize::from(path.order)].iter().all(|facet| facet.body == target)
 }
 
-/// Power that blends miss beyond what they do at the moment of the check, of a target that is blended.
+/// Power missed by blends beyond that at the moment of the check, for a blended target.
 fn blends_power_m2(plan: &Plan<'_>, table: &PathTable, target: usize) -> f64 {
     let mut ways = table.fineness.ways.iter().chain(&table.fineness.ways_of_places).flatten();
     let is_blended = ways.any(|id| *id == plan.header.targets[target].id);

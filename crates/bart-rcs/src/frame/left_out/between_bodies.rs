@@ -1,5 +1,5 @@
-//! Error of leaving out the ways between bodies: two bounces on two bodies, or more where most of the echo
-//! has more, added up beside what was traced.
+//! Error of leaving out paths between bodies: two bounces on two bodies, or more if most of the echo has
+//! more, summed in addition to the traced paths.
 
 use crate::bodies::world::World;
 use crate::frame::frame_error::Reference;
@@ -10,16 +10,16 @@ use crate::joins::scatterer::meets_several_vehicles;
 use crate::oversight::error::BartError;
 use crate::oversight::progress::Phase;
 
-/// Orders that are added up where they hold half of the echo.
+/// Number of orders that are summed if they contain half of the echo.
 const BOUNCES: u8 = 2;
-/// Smaller mirrors are not followed: what one body throws on another comes off its panels.
+/// Minimum mirror size: reflections from one body onto another come from its panels.
 const MIRROR_WAVELENGTHS: f64 = 10.0;
 
-/// Ratio ‖S between bodies‖ over ‖S‖ at the moment and the place of the check, with the margin of the
+/// Ratio ‖S between bodies‖ over ‖S‖ at the moment and position of the check, with the margin of the
 /// measurement.
 ///
-/// `None` where no such way is left out by [`artifact::settings::BetweenBodies`], and where their beams would
-/// take more memory than the frame may.
+/// `None` if no such path is left out by [`artifact::settings::BetweenBodies`], or if their beams would
+/// exceed the memory of the frame.
 pub(crate) fn between_bodies_left_out(
     world: &World,
     plan: &Plan<'_>,

@@ -1,5 +1,6 @@
-//! Parts that a frame's echo is made of, by a coarse look: what each order of reflection, the ways between
-//! bodies and by the road, edges and sheets add. A plan of what need not be modelled stands on it.
+//! Composition of a frame's echo from a coarse computation: the contributions of each order of reflection, of
+//! paths between bodies and via the road, of edges and of sheets. It is the basis for planning what need not
+//! be modelled.
 
 use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
@@ -27,51 +28,51 @@ use std::f64::consts::TAU;
 /// root mean squares over the sampled sweep, with the margin of a measurement on so few frequencies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EchoParts {
-    /// Scattering amplitude of all orders looked at, without road, edges and transmission, at frequencies
-    /// spread over the sweep, m: of one radar in two scenes it may be compared.
+    /// Scattering amplitude of all computed orders, without road, edges and transmission, at frequencies
+    /// spread over the sweep, m; comparable between two scenes with one radar.
     pub amplitude_m: Vec<Complex64>,
-    /// Ways within one body, by order from 1.
+    /// Paths within one body, by order from 1.
     pub within: Vec<f64>,
-    /// Ways that meet several bodies, by order from 1.
+    /// Paths over several bodies, by order from 1.
     pub between: Vec<f64>,
-    /// Spread between the node rules of double and triple reflections, without the margin, as
-    /// [`artifact::ModelError::nodes`] tells that of a run.
+    /// Spread between the node rules of double and triple reflections, without the margin, like
+    /// [`artifact::ModelError::nodes`] of a run.
     pub nodes: f64,
-    /// Ways by a road of dry asphalt, by order from 1, and the whole with them; `None` where these cannot be
+    /// Paths via a road of dry asphalt, by order from 1, and the whole with them; `None` if these cannot be
     /// followed.
     pub road: Option<RoadParts>,
-    /// Diffraction by edges of ways that do not meet the road, by order from 1.
+    /// Diffraction by edges on paths that do not meet the road, by order from 1.
     pub edges: Vec<f64>,
-    /// Change by following waves through sheets; 0 where there are none.
+    /// Change due to transmission through sheets; 0 if there are none.
     pub transmission: f64,
 }
 
-/// Parts of the echo by a road, relative as all [`EchoParts`].
+/// Parts of the echo via a road, relative like all [`EchoParts`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoadParts {
-    /// Ways that meet the road, by the number of bounces on bodies from 1.
+    /// Paths that meet the road, by the number of bounces on bodies from 1.
     pub by_order: Vec<f64>,
-    /// The whole echo with them, without the margin.
+    /// Whole echo including them, without the margin.
     pub whole: f64,
 }
 
-/// Highest order that is looked at.
+/// Highest order computed.
 pub const ORDERS: u8 = 4;
-/// Orders by which transmission is told.
+/// Number of orders from which transmission is estimated.
 const TRANSMITTED_ORDERS: u8 = 2;
-/// Margin of the shares. They are of the band and of the frame whose errors they are to tell: what other
-/// frequencies, moments and elements of it see differs by less than independent samples of an echo do, whose
-/// ratios have [`crate::frame::band_power::MARGIN`] (`docs/planning.md` tells what it was held to).
+/// Margin of the shares. They refer to the band and frame whose errors they predict: at its other
+/// frequencies, moments and elements they differ by less than those of independent samples of an echo, whose
+/// ratios have [`crate::frame::band_power::MARGIN`] (`docs/planning.md` describes its validation).
 const MARGIN: f64 = 1.4;
-/// Frequencies of the look: as many as errors are measured at.
+/// Number of frequencies: that at which errors are measured.
 const FREQUENCIES: usize = 12;
-/// Ways of the look. Mirrors below a wavelength are not followed; those of five alone tell the fourth order
-/// of own cars 10 dB too weak.
+/// Paths of the computation. Mirrors below a wavelength are not followed; with only those above five the
+/// fourth order of the built-in cars is 10 dB too weak.
 const WAYS: LeftOutWays = LeftOutWays { bounces: ORDERS, mirror_wavelengths: 1.0 };
-/// Order whose polygons are parted where own edges take over.
+/// Order whose polygons are separated where own edges take over.
 const PARTED_ORDER: u8 = 2;
 
-/// [`crate::Tracer::parts`] of these models.
+/// [`crate::Tracer::parts`] for these models.
 pub(crate) fn echo_parts(
     models: &Models,
     header: &SceneHeader,
@@ -93,7 +94,7 @@ pub(crate) fn echo_parts(
     look.parts(through)
 }
 
-/// The scene as coarse and as whole as the look takes it.
+/// Scene with the coarseness and completeness of the computation.
 fn looked_at(header: &SceneHeader) -> SceneHeader {
     let mut header = header.clone();
     header.fidelity.accuracy = Accuracy::from_db(db_from_amplitude(ACCURACY));
@@ -106,13 +107,13 @@ fn looked_at(header: &SceneHeader) -> SceneHeader {
     header
 }
 
-/// Bodies and beams that are looked at.
+/// Bodies and beams of the computation.
 struct Look<'a> {
     scatterer: Scatterer<'a>,
     plan: &'a Plan<'a>,
     wavenumbers_per_m: Vec<f64>,
-    /// Node rule of the scene: as far as trees hold its nodes, orders are told by it. Where rules differ they
-    /// do so by 10 dB and more.
+    /// Node rule of the scene, used as far as trees have its nodes. Where rules differ they do so by 10 dB
+    /// and more.
     nodes: NodeRule,
 }
 
@@ -153,7 +154,7 @@ impl<'a> Look<'a> {
         }))
     }
 
-    /// S of the ways that meet one body, and of those that meet several, by order from 1.
+    /// S of paths on one body, and of those over several, by order from 1.
     fn ways(&self, bounces: u8) -> Vec<[Vec<Complex64>; 2]> {
         let Self { scatterer, plan, wavenumbers_per_m, nodes } = self;
         let ways = WaysByRule { scatterer, plan, wavenumbers_per_m };
@@ -162,7 +163,7 @@ impl<'a> Look<'a> {
         })
     }
 
-    /// S of double reflections at the own edges of their facets; `by_order` has them where the scene takes
+    /// S of double reflections at the own edges of their facets; `by_order` contains them if the scene uses
     /// that rule.
     fn double_reflections(&self, by_order: &[Vec<Complex64>]) -> DoubleReflections {
         let settings = self.own_edge(Edges::FirstOrder);
@@ -182,7 +183,7 @@ impl<'a> Look<'a> {
         self.sum(&OrderJoints::of(&self.scatterer, order, &settings), settings.nodes)
     }
 
-    /// Mean of |S − S|² between the node rules, orders added by their powers.
+    /// Mean of |S − S|² between the node rules, with orders added by their powers.
     fn node_spread(&self, doubles: &DoubleReflections, by_order: &[Vec<Complex64>]) -> f64 {
         let nodes = other(NodeRule::OwnEdge);
         let by_other = |order: u8, edges: Edges| {
@@ -191,14 +192,14 @@ impl<'a> Look<'a> {
         };
         let spread = |order: u8| match (order, self.plan.header.fidelity.edges) {
             (PARTED_ORDER, edges) => mean_difference(doubles.of(edges), &by_other(order, edges)),
-            // Edges of other orders are the same by every rule.
+            // Edges of other orders are the same under every rule.
             _ => mean_difference(&self.at_own_edges(order, by_order), &by_other(order, Edges::Ignored)),
         };
         (2..=ANY_RULE_ORDERS).map(spread).sum()
     }
 
-    /// S of edges, as ways of an order end and begin on them: of the last one those that the look's beams
-    /// reach. With what double reflections change by where own edges take over from their polygons.
+    /// S of edges at the start or end of paths of an order; for the last order only those reached by the
+    /// beams. Includes the change of double reflections where own edges take over from their polygons.
     fn edges(&self, order: u8, doubles: &DoubleReflections) -> Vec<Complex64> {
         if order != PARTED_ORDER {
             let settings = self.own_edge(Edges::FirstOrder);
@@ -224,9 +225,9 @@ impl<'a> Look<'a> {
 
 /// S of double reflections at the own edges of their facets, over frequency.
 struct DoubleReflections {
-    /// With diffraction by edges.
+    /// Including diffraction by edges.
     with_edges: Vec<Complex64>,
-    /// Of facets alone.
+    /// Facets alone.
     without: Vec<Complex64>,
 }
 
@@ -239,7 +240,7 @@ impl DoubleReflections {
     }
 }
 
-/// S of the first orders with waves followed through sheets; `None` where there are none.
+/// S of the first orders with transmission through sheets; `None` if there are none.
 fn through_sheets(
     models: &Models,
     plan: &Plan<'_>,

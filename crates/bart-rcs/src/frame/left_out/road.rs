@@ -1,4 +1,4 @@
-//! Error of leaving the road out: the ways by a road, added up beside what was traced without.
+//! Error of leaving out the road: the paths via a road, summed in addition to those traced without.
 
 use crate::beams::image_tree::Received;
 use crate::bodies::road::usual_road;
@@ -12,13 +12,13 @@ use crate::oversight::error::BartError;
 use artifact::settings::{NodeRule, Sides};
 use num_complex::Complex64;
 
-/// Ratio ‖S by the road‖ over ‖S without‖ for the usual road, at the moment and the place of the check,
-/// with the margin of the measurement.
+/// Ratio ‖S via the road‖ over ‖S without‖ for the usual road, at the moment and position of the check, with
+/// the margin of the measurement.
 ///
-/// One and two bounces on bodies by the middle rule, facets alone, to a quarter of each integral; what has
-/// more bounces is taken to gain as much as these do, and counted too where most of the echo is its own
-/// ([`Reference::telling_orders`]). `None` where a road is there, or no body; where ways by
-/// it could not be followed; and where their beams would take more memory than the frame may.
+/// It covers one and two bounces on bodies by the middle rule, facets alone, to a quarter of each integral;
+/// higher orders are assumed to gain the same share, and computed too if they contain most of the echo
+/// ([`Reference::telling_orders`]). `None` if there is a road, or no body; if paths via it could not be
+/// followed; and if their beams would exceed the memory of the frame.
 pub(crate) fn road_left_out(
     world: &World,
     plan: &Plan<'_>,
@@ -31,8 +31,8 @@ pub(crate) fn road_left_out(
     Ok(over_usual_road(world, plan, bounces, of)?.flatten())
 }
 
-/// S of the ways by the usual road over the wavenumbers, by order from 1, as [`orders_by_rule`] has them;
-/// `None` as of [`road_left_out`].
+/// S of the paths via the usual road over the wavenumbers, by order from 1, as in [`orders_by_rule`]; `None`
+/// as for [`road_left_out`].
 pub(crate) fn ways_by_road(
     world: &World,
     plan: &Plan<'_>,
@@ -46,7 +46,7 @@ pub(crate) fn ways_by_road(
     })
 }
 
-/// Applies `of` to the beams over the usual road; `None` as of [`road_left_out`].
+/// Applies `of` to the beams over the usual road; `None` as for [`road_left_out`].
 fn over_usual_road<T>(
     world: &World,
     plan: &Plan<'_>,
@@ -59,7 +59,7 @@ fn over_usual_road<T>(
     if plan.header.road.is_some() || world.facets().is_empty() || !can_be_followed {
         return Ok(None);
     }
-    // Beams that come over the road too are twice as many beside the tree's own.
+    // Beams via the road need twice the memory of the tree's own.
     let world = world.over(&road)?.within(world.memory_limit().share_of(3));
     let ways = LeftOutWays { bounces, mirror_wavelengths: MIRROR_WAVELENGTHS };
     let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
@@ -71,8 +71,8 @@ fn over_usual_road<T>(
     Ok(Some(of(&scatterer, &ways)))
 }
 
-/// Orders that are added up where they hold half of the echo.
+/// Number of orders that are summed if they contain half of the echo.
 const BOUNCES: u8 = 2;
-/// Smaller mirrors are not followed: geometrical optics between bounces ends there (`docs/bart.md` §11), and
-/// a sedan's frame takes 42 % longer for this figure instead of 56 %, which moves by 0.3 dB.
+/// Minimum mirror size: geometrical optics between bounces is invalid below it (`docs/bart.md` §11), and a
+/// sedan's frame takes 42 % longer for this result instead of 56 %, while it changes by 0.3 dB.
 const MIRROR_WAVELENGTHS: f64 = 5.0;

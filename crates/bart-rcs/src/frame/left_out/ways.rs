@@ -1,5 +1,5 @@
-//! Ways that a frame leaves out, added up beside what was traced: by a road (`road.rs`), between bodies
-//! (`between_bodies.rs`).
+//! Paths that a frame leaves out, summed in addition to the traced ones: via a road (`road.rs`), between
+//! bodies (`between_bodies.rs`).
 
 use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;
@@ -15,19 +15,19 @@ use crate::table::joint_sum::sum_of_joints;
 use artifact::settings::NodeRule;
 use num_complex::Complex64;
 
-/// Accuracy of every integral: the figure is told to a few decibels.
+/// Accuracy of every integral: the result is needed to a few decibels.
 pub(crate) const ACCURACY: f64 = 0.25;
 
-/// Orders that are added up by the middle rule, and the reach of their mirrors.
+/// Orders summed by the middle rule, and the minimum size of their mirrors.
 pub(crate) struct LeftOutWays {
-    /// Orders that are added up.
+    /// Number of orders that are summed.
     pub(crate) bounces: u8,
-    /// Mirrors with less area than a square of this side are not followed, wavelengths.
+    /// Side of the square, in wavelengths, below whose area mirrors are not followed.
     pub(crate) mirror_wavelengths: f64,
 }
 
 impl LeftOutWays {
-    /// Beams from the place of the check; `None` where they would take more memory than the frame may.
+    /// Beams from the position of the check; `None` if they would exceed the memory of the frame.
     pub(crate) fn tree(&self, world: &World, plan: &Plan<'_>) -> Result<Option<BeamTree>, BartError> {
         let max_order = tree_order(self.bounces, NodeRule::Middle);
         let least_mirror_area_m2 =
@@ -39,8 +39,8 @@ impl LeftOutWays {
         }
     }
 
-    /// Ratio ‖S of the joints that are left out‖ over ‖S‖, facets alone, with the margin of the
-    /// measurement; what has more bounces is taken to gain as much as these do.
+    /// Ratio ‖S of the joints left out‖ over ‖S‖, facets alone, with the margin of the measurement; higher
+    /// orders are assumed to gain the same share.
     pub(crate) fn relative(
         &self,
         scatterer: &Scatterer<'_>,
@@ -54,7 +54,8 @@ impl LeftOutWays {
     }
 }
 
-/// S of some joints of one order over the wavenumbers, facets alone by the middle rule, as the radar sees it.
+/// S of selected joints of one order over the wavenumbers, facets alone by the middle rule, in the radar's
+/// polarization.
 pub(crate) fn sum_of_ways(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
@@ -65,25 +66,25 @@ pub(crate) fn sum_of_ways(
     WaysByRule { scatterer, plan, wavenumbers_per_m }.of(order, NodeRule::Middle, is_meant)
 }
 
-/// Ways of facets alone, each order by a node rule.
+/// Paths over facets alone, each order by a node rule.
 pub(crate) struct WaysByRule<'a> {
     pub(crate) scatterer: &'a Scatterer<'a>,
     pub(crate) plan: &'a Plan<'a>,
     pub(crate) wavenumbers_per_m: &'a [f64],
 }
 
-/// Order up to which trees of the next one by the middle rule hold the nodes of every rule.
+/// Order up to which trees for the next one by the middle rule contain the nodes of every rule.
 pub(crate) const ANY_RULE_ORDERS: u8 = 3;
 
 impl WaysByRule<'_> {
-    /// S of the joints of one order that are meant.
+    /// S of the selected joints of one order.
     pub(crate) fn of(&self, order: u8, rule: NodeRule, is_meant: impl Fn(&Joint) -> bool) -> Vec<Complex64> {
         let mut joints = self.joints(order, rule);
         joints.retain(is_meant);
         self.sum(&joints, rule)
     }
 
-    /// [`Self::of`] the joints that are not meant and those that are: both of one search for joints.
+    /// [`Self::of`] the unselected joints and the selected ones, from a single search for joints.
     pub(crate) fn parted(
         &self,
         order: u8,
@@ -109,9 +110,9 @@ impl WaysByRule<'_> {
     }
 }
 
-/// S of the orders up to `bounces` in parts, by a node rule as far as trees hold its nodes. Later orders are
-/// those of the middle rule, made weaker by as much as that rule tells the last order before them stronger
-/// than the other does.
+/// S of the orders up to `bounces` in two parts, by a node rule as far as trees have its nodes. Later orders
+/// are those of the middle rule, reduced by the ratio by which that rule exceeds the other in the last order
+/// before them.
 pub(crate) fn orders_by_rule<const N: usize>(
     bounces: u8,
     rule: NodeRule,
@@ -135,7 +136,7 @@ pub(crate) fn orders_by_rule<const N: usize>(
 mod tests {
     use super::*;
 
-    /// S of an order by a rule: 1 of the first, and by other rules than the middle one a quarter of it.
+    /// S of an order by a rule: 1 for the first, and a quarter of it by rules other than the middle one.
     fn s(order: u8, rule: NodeRule) -> [Vec<Complex64>; 2] {
         let of_rule = if rule == NodeRule::Middle { 1.0 } else { 0.25 };
         let s = Complex64::new(of_rule / f64::from(order), 0.0);

@@ -6,7 +6,7 @@ use crate::geometry::nearest_point::{is_over, on_segment_m, sides};
 use glam::DVec3;
 
 /// Distance from `from_m` to the nearest point of a body's lit polygons of order 1, for each of `targets`;
-/// `None` if all of it is hidden.
+/// `None` if the body is completely hidden.
 pub(crate) fn nearest_range_m(
     world: &World,
     tree: &BeamTree,
@@ -23,7 +23,7 @@ pub(crate) fn nearest_range_m(
     nearest
 }
 
-/// Distance to the plane where the foot lies inside, else to the nearest edge.
+/// Distance to the perpendicular foot if it lies inside, else to the nearest edge.
 fn distance_to_polygon_m(x_m: DVec3, corners_m: &[DVec3], normal: DVec3) -> f64 {
     if is_over(x_m, corners_m, normal) {
         (x_m - corners_m[0]).dot(normal).abs()

@@ -1,5 +1,5 @@
-//! The edges of a body: open edges and wedges of its surface, but neither seams, diagonals, concave corners
-//! nor the bends of a tessellated curve (docs/decisions/edges.md).
+//! Diffracting edges of a body: open edges and wedges of its surface, but not seams, diagonals, concave
+//! corners or bends of a tessellated curve (docs/decisions/edges.md).
 
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
 use crate::mesh::mesh_edges::{MeshEdge, TriangleSide};
@@ -10,7 +10,7 @@ use crate::mesh::welding::rounding_m;
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Edges that diffract and the flat patches that they bound, body frame.
+/// Diffracting edges and the flat patches that they bound, body frame.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct BodyEdges {
     pub(crate) edges: Vec<BodyEdge>,
@@ -22,9 +22,9 @@ pub(crate) struct BodyEdges {
 pub(crate) struct BodyEdge {
     pub(crate) ends_m: [DVec3; 2],
     pub(crate) wedge: Wedge,
-    /// The patches of face 1 and face 2.
+    /// Patches of face 1 and face 2.
     pub(crate) patches: [u32; 2],
-    /// Every facet that ends here.
+    /// All facets that end here.
     pub(crate) sides: Vec<EdgeSide>,
 }
 
@@ -32,15 +32,15 @@ pub(crate) struct BodyEdge {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct EdgeSide {
     pub(crate) triangle: u32,
-    /// Corner that the side begins at; it runs to the next.
+    /// Corner at which the side starts; it ends at the next.
     pub(crate) side: u8,
     pub(crate) patch: u32,
 }
 
-/// Triangles in one plane that hang together.
+/// Connected coplanar triangles.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Patch {
-    /// Ends of currents on the patch, in no order: its outline but for where a smooth skin goes on.
+    /// Ends of currents on the patch, unordered: its outline except where a smooth skin continues.
     pub(crate) ends: Vec<PatchEnd>,
 }
 
@@ -48,19 +48,18 @@ pub(crate) struct Patch {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PatchEnd {
     pub(crate) ends_m: [DVec3; 2],
-    /// Index in [`BodyEdges::edges`]; `None` for a wall that stands on the patch.
+    /// Index in [`BodyEdges::edges`]; `None` for a wall standing on the patch.
     pub(crate) edge: Option<u32>,
 }
 
-/// Facets whose planes turn by less are one surface: the fringe of such a bend is below 1 % of an open
-/// edge's.
+/// Bend below which facets are one surface: its fringe is below 1 % of an open edge's.
 const LEAST_BEND_RAD: f64 = 1.0 * PI / 180.0;
-/// Bends above are edges whatever the file's normals say: a box with averaged normals stays a box, a hexagon
-/// may be round.
+/// Bend above which there is an edge whatever the file's normals: a box with averaged normals stays a box, a
+/// hexagon may be round.
 const SHADED_BEND_RAD: f64 = 65.0 * PI / 180.0;
 
-/// The edges of a mesh; `corner_normals` are those stored for the corners of its triangles, empty where there
-/// are none. Seams and planes are closed within `untold_m`, which no wave tells.
+/// Edges of a mesh; `corner_normals` are those stored for the corners of its triangles, empty if there are
+/// none. Seams and planes are closed within `untold_m`, a distance negligible for any wave.
 pub(crate) fn body_edges(
     triangles_m: &[[DVec3; 3]],
     corner_normals: &[[DVec3; 3]],
@@ -77,10 +76,10 @@ pub(crate) fn body_edges(
     BodyEdges { patches: ends_of_patches(&topology, &edges), edges }
 }
 
-/// A line about which free space spans more than a half turn.
+/// A line around which free space spans more than half a turn.
 struct DiffractingLine {
     edge: BodyEdge,
-    /// The facets of face 1 and face 2.
+    /// Facets of face 1 and face 2.
     blades: [Blade; 2],
     /// Exterior angle beyond a half turn, (N − 1)π.
     turn_rad: f64,
@@ -103,7 +102,7 @@ impl DiffractingLine {
             return None;
         }
         let (along, inward) = (fan.along, blades.map(|blade| blade.inward));
-        // The exterior turns about `along` from face 1 to face 2.
+        // The exterior angle turns around `along` from face 1 to face 2.
         let normal = [along.cross(inward[0]), inward[1].cross(along)];
         let edge = BodyEdge {
             ends_m: topology.ends_m(line),
@@ -114,13 +113,13 @@ impl DiffractingLine {
         Some(Self { edge, blades, turn_rad: gap_rad - PI })
     }
 
-    /// Whether another bend is between the same two patches: a piece of one edge.
+    /// Whether another bend is between the same two patches, and so a piece of the same edge.
     fn is_of_the_edge(&self, other: &Self) -> bool {
         self.edge.patches == other.edge.patches
             || self.edge.patches == [other.edge.patches[1], other.edge.patches[0]]
     }
 
-    /// The outward normal that this bend gives one of its patches.
+    /// Outward normal of one of its patches, as implied by this bend.
     fn outward_of(&self, patch: u32) -> DVec3 {
         self.edge.wedge.normal[usize::from(self.edge.patches[0] != patch)]
     }
@@ -134,7 +133,7 @@ fn by_patch(bends: &[DiffractingLine], patches: usize) -> Vec<Vec<u32>> {
     by_patch
 }
 
-/// Whether a bend is a piece of a tessellated curve: by the normals that the file stores, else by its
+/// Whether a bend is a piece of a tessellated curve: from the normals stored in the file, else from its
 /// neighbours.
 fn is_curve(
     bend: &DiffractingLine,
@@ -152,13 +151,13 @@ fn is_curve(
     }
 }
 
-/// Answer of the normals that a file stores about a bend.
+/// Evidence from the normals stored in a file at a bend.
 enum Shading {
     /// Both facets have the same normals at their common line: a curve.
     Smooth,
-    /// The normals differ, though a facet bends with its normals elsewhere: an edge in a curved skin.
+    /// The normals differ, although a facet has varying normals elsewhere: an edge in a curved skin.
     Creased,
-    /// The file has no normals, or only the facets' own, which tell nothing of what the facets stand for.
+    /// The file has no normals, or only the facets' own, which say nothing about the surface.
     Flat,
 }
 
@@ -172,7 +171,8 @@ fn shading(bend: &DiffractingLine, corner_normals: &[[DVec3; 3]]) -> Shading {
     };
     let ([a_from, a_to], [b_from, b_to]) = (ends(a, &bend.blades[0]), ends(b, &bend.blades[1]));
     let turn = |u: DVec3, v: DVec3| u.angle_between(v);
-    // Well wound neighbours run along their common side in opposite ways; the winding is not relied on.
+    // Consistently wound neighbours traverse their common side in opposite senses; the winding is not relied
+    // on.
     let least = turn(a_from, b_from).max(turn(a_to, b_to)).min(turn(a_from, b_to).max(turn(a_to, b_from)));
     let is_flat = |normals: &[DVec3; 3]| (1..3).all(|i| turn(normals[0], normals[i]) < LEAST_BEND_RAD);
     match () {
@@ -183,7 +183,7 @@ fn shading(bend: &DiffractingLine, corner_normals: &[[DVec3; 3]]) -> Shading {
     }
 }
 
-/// Whether one of the two patches bends on, the same way and about as much, at another of its edges.
+/// Whether one of the two patches has another edge with a bend in the same sense and of similar size.
 fn goes_on(bend: &DiffractingLine, bends: &[DiffractingLine], by_patch: &[Vec<u32>]) -> bool {
     bend.edge.patches.iter().any(|&patch| {
         let outward = bend.outward_of(patch);
@@ -195,10 +195,10 @@ fn goes_on(bend: &DiffractingLine, bends: &[DiffractingLine], by_patch: &[Vec<u3
     })
 }
 
-/// A direction that no edge of a made body is square to: edges are counted along it.
+/// Direction perpendicular to no edge of a manufactured body, along which edges are oriented.
 const FORWARDS: DVec3 = DVec3::new(0.534_713, 0.613_291, 0.581_377);
 
-/// Collinear pieces between the same patches become one edge.
+/// Merges collinear pieces between the same patches into one edge.
 fn merged(mut pieces: Vec<BodyEdge>, tolerance_m: f64) -> Vec<BodyEdge> {
     pieces.iter_mut().for_each(turn_forwards);
     let from_m = |edge: &BodyEdge| edge.ends_m[0].dot(FORWARDS);
@@ -220,7 +220,7 @@ fn merged(mut pieces: Vec<BodyEdge>, tolerance_m: f64) -> Vec<BodyEdge> {
     edges
 }
 
-/// Turns an edge forwards: both ways along it are the same edge.
+/// Orients an edge forwards: both senses describe the same edge.
 fn turn_forwards(edge: &mut BodyEdge) {
     let Wedge { along, inward: [x1, x2], normal: [n1, n2], exterior } = edge.wedge;
     if along.dot(FORWARDS) < 0.0 {
@@ -243,7 +243,8 @@ fn continues(edge: &BodyEdge, piece: &BodyEdge, tolerance_m: f64) -> bool {
         && across(piece.ends_m[0]) <= 2.0 * tolerance_m
 }
 
-/// Currents of a patch end at its edges and at walls that stand on it, not at a bend of a smooth skin.
+/// Ends of the currents of each patch: its edges and the walls standing on it, but not bends of a smooth
+/// skin.
 fn ends_of_patches(topology: &Topology<'_>, edges: &[BodyEdge]) -> Vec<Patch> {
     let mut patches = vec![Patch::default(); topology.patches()];
     for (index, edge) in (0..).zip(edges) {

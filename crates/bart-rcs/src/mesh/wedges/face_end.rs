@@ -3,35 +3,35 @@
 use crate::mesh::wedges::body_edges::PatchEnd;
 use glam::{DVec2, DVec3};
 
-/// The ends of a flat patch in the coordinates of one of its edges: x square to the edge into the patch, z
+/// Ends of a flat patch in the coordinates of one of its edges: x perpendicular to the edge into the patch, z
 /// along it.
 pub(crate) struct FaceEnds {
     ends: Vec<([DVec2; 2], Option<u32>)>,
 }
 
-/// Meeting of a ray along a face with its end.
+/// Intersection of a ray along a face with its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Met {
     /// Distance along the ray.
     pub(crate) way_m: f64,
-    /// The edge there; `None` at a wall.
+    /// Edge there; `None` at a wall.
     pub(crate) edge: Option<u32>,
     /// Index of the end.
     pub(crate) end: usize,
 }
 
 impl FaceEnds {
-    /// Ends seen from the edge that begins at `from_m` and runs along `along`; its own line is no end.
+    /// Ends seen from the edge that starts at `from_m` and runs along `along`; its own line is no end.
     pub(crate) fn seen_from(from_m: DVec3, along: DVec3, inward: DVec3, ends: &[PatchEnd]) -> Self {
         let place = |x: &DVec3| DVec2::new((*x - from_m).dot(inward), (*x - from_m).dot(along));
         let extent_m = ends.iter().flat_map(|end| end.ends_m).map(|x| x.distance(from_m)).fold(0.0, f64::max);
-        // Corners of one line differ by single precision (body_edges::tolerance_m).
+        // Corners on one line differ by single precision (body_edges::tolerance_m).
         let own_m = 16.0 * f64::from(f32::EPSILON) * extent_m;
         let placed = ends.iter().map(|end| ([place(&end.ends_m[0]), place(&end.ends_m[1])], end.edge));
         Self { ends: placed.filter(|(end, _)| end[0].x > own_m || end[1].x > own_m).collect() }
     }
 
-    /// The nearest end from (0, `at_m`) along the unit vector `direction` (x > 0).
+    /// Nearest end from (0, `at_m`) along the unit vector `direction` (x > 0).
     pub(crate) fn nearest(&self, at_m: f64, direction: DVec2) -> Option<Met> {
         let start = DVec2::new(0.0, at_m);
         let is_met = |(corners, _): &([DVec2; 2], Option<u32>)| {
@@ -43,8 +43,8 @@ impl FaceEnds {
         ahead.reduce(|a, b| if b.way_m < a.way_m { b } else { a })
     }
 
-    /// The point where a ray from (0, `at_m`) meets the line of one end, be it beyond its corners; the start
-    /// itself where the line lies behind it.
+    /// Intersection of a ray from (0, `at_m`) with the line of one end, possibly beyond its corners; the
+    /// start itself if the line lies behind it.
     pub(crate) fn on_line(&self, end: usize, at_m: f64, direction: DVec2) -> Met {
         let start = DVec2::new(0.0, at_m);
         let ([p, q], edge) = self.ends[end];
@@ -53,7 +53,7 @@ impl FaceEnds {
         Met { way_m: way_m.max(0.0), edge, end }
     }
 
-    /// Places along the edge where rays in `direction` change from one end to another: the ends' corners,
+    /// Positions along the edge where rays in `direction` change from one end to another: the ends' corners,
     /// within `span_m`.
     pub(crate) fn changes_m(&self, direction: DVec2, span_m: [f64; 2]) -> Vec<f64> {
         let corners = self.ends.iter().flat_map(|(end, _)| end).filter(|corner| corner.x > 0.0);

@@ -1,8 +1,8 @@
-//! Open edges that run side by side: the rims of a double skin, nearer to each other than a wave tells apart.
+//! Open edges that run side by side: the rims of a double skin, closer than a wave can resolve.
 //!
-//! The fringe currents of two half planes a fraction of a wavelength apart are no sum of those of each alone:
-//! together they are one half plane, the limit of no distance. Which of the edges has the current where both
-//! are lit is told by the antenna's place, where lit edges are found.
+//! The fringe currents of two half-planes a fraction of a wavelength apart are not the sum of those of each
+//! alone: together they act as one half-plane, the limit of zero distance. Which of the edges carries the
+//! current where both are lit depends on the antenna's position, and is decided where lit edges are found.
 
 use crate::geometry::bvh::{Hierarchy, Stack};
 use crate::geometry::plane::Plane;
@@ -10,10 +10,10 @@ use crate::mesh::wedges::body_edges::BodyEdge;
 use glam::DVec3;
 use std::ops::ControlFlow;
 
-/// Open edges of one line look the same way to this, and run the same way: 2.6°.
+/// Minimum cosine between the normals, and between the directions, of open edges on one line: 2.6°.
 const ALIKE_COSINE: f64 = 0.999;
 
-/// The first edge of the line that each edge belongs to: its own index for most.
+/// First edge of the line that each edge belongs to: for most its own index.
 pub(crate) fn lines(edges: &[BodyEdge], near_m: f64) -> Vec<u32> {
     let open: Vec<u32> =
         (0..edges.len() as u32).filter(|edge| edges[*edge as usize].wedge.exterior == 2.0).collect();
@@ -39,7 +39,7 @@ pub(crate) fn lines(edges: &[BodyEdge], near_m: f64) -> Vec<u32> {
     (0..edges.len() as u32).map(|edge| root(&first, edge)).collect()
 }
 
-/// Whether two open edges are rims of half planes that lie nearly on each other, over some length of both.
+/// Whether two open edges are rims of half-planes that almost coincide, over some length of both.
 fn run_side_by_side([one, other]: [&BodyEdge; 2], near_m: f64) -> bool {
     let (along, inward) = (one.wedge.along, one.wedge.inward[0]);
     let is_alike = along.dot(other.wedge.along) > ALIKE_COSINE
@@ -67,7 +67,7 @@ fn root(first: &[u32], mut edge: u32) -> u32 {
     edge
 }
 
-/// Planes of the box about two points along the axes, wider by a distance.
+/// Planes of the axis-aligned box around two points, widened by a distance.
 fn box_around([a, b]: [DVec3; 2], wider_m: f64) -> [Plane; 6] {
     let (low, high) = (a.min(b) - wider_m, a.max(b) + wider_m);
     let axes = [DVec3::X, DVec3::Y, DVec3::Z];
@@ -100,7 +100,7 @@ mod tests {
     fn rims_of_a_double_skin_are_one_line_each_and_rims_farther_apart_are_two() {
         let double = [sheet(0.0, 0.3), sheet(-1e-3, 0.3)];
         assert_eq!([lines_of(&double, 2e-3), lines_of(&double, 5e-4)], [4, 8]);
-        // Of a wider one behind, one side alone runs elsewhere.
+        // With a wider one behind, one side alone runs elsewhere.
         assert_eq!(lines_of(&[sheet(0.0, 0.3), sheet(-1e-3, 0.35)], 2e-3), 5);
         assert_eq!(lines_of(&[sheet(0.0, 0.3), sheet(-1e-3, 0.3), sheet(-2e-3, 0.3)], 1.5e-3), 4);
     }

@@ -1,4 +1,4 @@
-//! The edges of all bodies at one instant.
+//! Edges of all bodies at one instant.
 
 use crate::mesh::wedges::body_edges::{BodyEdge, BodyEdges, EdgeSide, Patch, PatchEnd};
 use crate::mesh::wedges::face_end::FaceEnds;
@@ -6,11 +6,11 @@ use crate::mesh::wedges::side_by_side::lines;
 use crate::mesh::wedges::wedge::Wedge;
 use glam::{DMat3, DVec2, DVec3};
 
-/// Edges in world metres, and which facets end at them.
+/// Edges in world metres, and the facets that end at them.
 pub(crate) struct WorldEdges {
     pub(crate) edges: Vec<EdgeGeometry>,
     patches: Vec<Patch>,
-    /// Beginning and end of each facet's list of sides.
+    /// Start and end of each facet's list of sides.
     first_side: Vec<u32>,
     /// Sides (facet, side, edge), by facet.
     sides: Vec<FacetSide>,
@@ -22,38 +22,38 @@ pub(crate) struct EdgeGeometry {
     pub(crate) from_m: DVec3,
     pub(crate) length_m: f64,
     pub(crate) wedge: Wedge,
-    /// The line that it runs along with others, of double skins; of most it is the only one.
+    /// Line of the edge, shared with others on double skins; most lines have a single edge.
     pub(crate) line: EdgeLine,
     /// Patches of face 1 and face 2.
     patches: [u32; 2],
 }
 
-/// Place of an edge on a line.
+/// Position of an edge on a line.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EdgeLine {
-    /// The first edge of the line.
+    /// First edge of the line.
     pub(crate) first: u32,
-    /// Beginning of the edge, counted along the line's first one from its beginning, m.
+    /// Start of the edge, measured along the line's first edge from its start, m.
     pub(crate) from_m: f64,
 }
 
-/// A side of a facet that is (a part of) an edge.
+/// A side of a facet that is an edge or a part of one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct FacetSide {
     facet: u32,
-    /// Corner that the side begins at; it runs to the next.
+    /// Corner at which the side starts; it ends at the next.
     pub(crate) side: u8,
     pub(crate) edge: u32,
 }
 
 impl EdgeGeometry {
-    /// The point at `at_m` from the edge's beginning.
+    /// Point at `at_m` from the edge's start.
     pub(crate) fn point_m(&self, at_m: f64) -> DVec3 {
         self.from_m + at_m * self.wedge.along
     }
 }
 
-/// Place of a body.
+/// Placement of a body.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BodyPlacement {
     pub(crate) world_from_body: DMat3,
@@ -61,15 +61,15 @@ pub(crate) struct BodyPlacement {
 }
 
 impl WorldEdges {
-    /// No edges yet.
+    /// Empty list of edges.
     pub(crate) fn for_facets(facets: usize) -> Self {
         Self { edges: Vec::new(), patches: Vec::new(), first_side: vec![0; facets + 1], sides: Vec::new() }
     }
 
-    /// Appends the edges of a body; its facets come after those of the bodies before.
+    /// Appends the edges of a body; its facets follow those of the preceding bodies.
     ///
     /// The wedge beside a side narrower than `thin_m` is the open edge of its other face
-    /// ([`seen_from_afar`]), and open edges nearer to each other are of one line ([`lines`]).
+    /// ([`seen_from_afar`]), and open edges closer than that share a line ([`lines`]).
     pub(crate) fn add(&mut self, body: &BodyEdges, place: &BodyPlacement, first_facet: u32, thin_m: f64) {
         let BodyPlacement { world_from_body, position_m } = *place;
         let seen: Vec<BodyEdge> =
@@ -110,18 +110,18 @@ impl WorldEdges {
         &self.patches[edge.patches[face] as usize].ends
     }
 
-    /// A span of an edge, counted on its line.
+    /// A span of an edge, measured on its line.
     pub(crate) fn on_line_m(&self, edge: u32, span_m: [f64; 2]) -> [f64; 2] {
         span_m.map(|at_m| at_m + self.edges[edge as usize].line.from_m)
     }
 
-    /// The span of an edge that is this one of its line, not beyond its ends.
+    /// Span of an edge that corresponds to a span of its line, clipped to its ends.
     pub(crate) fn on_edge_m(&self, edge: u32, span_m: [f64; 2]) -> [f64; 2] {
         let EdgeGeometry { line, length_m, .. } = &self.edges[edge as usize];
         span_m.map(|at_m| (at_m - line.from_m).clamp(0.0, *length_m))
     }
 
-    /// Overlap of spans of two edges of one line, on the first of both edges.
+    /// Overlap of spans of two edges on one line, measured on the first edge.
     pub(crate) fn overlap_m(&self, [one, other]: [(u32, [f64; 2]); 2]) -> (u32, [f64; 2]) {
         let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
         if one.0 == other.0 {
@@ -132,19 +132,19 @@ impl WorldEdges {
         (edge, self.on_edge_m(edge, common(a, b)))
     }
 
-    /// The sides of a facet that are edges.
+    /// Sides of a facet that are edges.
     pub(crate) fn sides_of(&self, facet: u32) -> &[FacetSide] {
         let [from, to] = [facet, facet + 1].map(|f| self.first_side[f as usize] as usize);
         &self.sides[from..to]
     }
 }
 
-/// The edge of a sheet of some thickness: beside a side so narrow that the wave does not tell its two edges
-/// apart, k·width < 1, a wedge is the open edge of its wide face.
+/// Edge of a sheet of some thickness: at a side so narrow that the wave does not resolve its two edges,
+/// k·width < 1, a wedge is the open edge of its wide face.
 ///
-/// The currents of two wedges a fraction of a wavelength apart are no sum of those of each alone, and all
-/// further terms of the series are as large; a half plane is the limit of width 0. Lit it is where its wide
-/// face is.
+/// The currents of two wedges a fraction of a wavelength apart are not the sum of those of each alone, and
+/// all further terms of the series are as large; a half-plane is the limit of zero width. It is lit where its
+/// wide face is.
 fn seen_from_afar(edge: &BodyEdge, patches: &[Patch], thin_m: f64) -> BodyEdge {
     let Wedge { along, inward, normal, .. } = edge.wedge;
     let width_m = |face: usize| {

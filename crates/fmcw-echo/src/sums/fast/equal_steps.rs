@@ -1,7 +1,7 @@
-//! Chirps of a frame that follow each other at equal steps: all, or of a staggered frame every P-th.
+//! Chirps of a frame at equal steps: all of them, or every P-th of a staggered frame.
 //!
-//! Staggered starts repeat after P chirps of a transmitter. What transforms need, equal steps, then holds for
-//! chirps r, r + P, r + 2P, …: a staggered frame is P frames of equal steps laid into one another, exactly.
+//! Staggered starts repeat after P chirps of a transmitter. The equal steps needed by transforms then hold
+//! for chirps r, r + P, r + 2P, …: a staggered frame is exactly P interleaved frames of equal steps.
 
 use artifact::Radar;
 use artifact::radar::Multiplexing;
@@ -12,13 +12,13 @@ use std::ops::Range;
 pub(crate) struct EqualSteps {
     pub(crate) first: usize,
     pub(crate) every: usize,
-    /// First channel of the cube whose rows these chirps are.
+    /// First channel of the cube whose rows are these chirps.
     pub(crate) first_channel: usize,
-    /// Number of the chirps.
+    /// Number of chirps.
     pub(crate) chirps: usize,
-    /// Step from one chirp to the next, s.
+    /// Time step between chirps, s.
     pub(crate) step_s: f64,
-    /// Start of the first of each transmitter, from the frame's first sample.
+    /// Start of each transmitter's first chirp, from the frame's first sample.
     first_s: Vec<f64>,
 }
 
@@ -47,26 +47,26 @@ impl EqualSteps {
         all.map(|(slot, first)| steps(first, slot * receivers, starts_s(slot, first))).collect()
     }
 
-    /// Start of chirp `chirp` of these, or of a part of one more.
+    /// Start of chirp `chirp` of this set; may be fractional.
     pub(crate) fn start_s(&self, tx: usize, chirp: f64) -> f64 {
         self.first_s[tx] + chirp * self.step_s
     }
 
-    /// Some of these chirps.
+    /// A subset of these chirps.
     pub(crate) fn part(&self, chirps: &Range<usize>) -> Self {
         let first_s = (0..self.first_s.len()).map(|tx| self.start_s(tx, chirps.start as f64)).collect();
         let first = self.first + chirps.start * self.every;
         Self { first, chirps: chirps.len(), first_s, ..*self }
     }
 
-    /// Channel and chirp in the cube of row `row` of these, chirp after chirp and channel after channel.
+    /// Channel and chirp in the cube for row `row` of this set, counted chirp by chirp within each channel.
     pub(crate) fn place(&self, row: usize) -> [usize; 2] {
         [self.first_channel + row / self.chirps, self.first + row % self.chirps * self.every]
     }
 }
 
-/// Number of chirps P after which starts repeat: of n delays that take turns with every chirp in the
-/// air, each transmitter meets n/gcd(n, chirps in the air from one of its to the next).
+/// Number of chirps P after which starts repeat: of n delays that alternate with every chirp sent, each
+/// transmitter meets n/gcd(n, number of chirps sent from one of its to the next).
 fn chirps_to_repeat(radar: &Radar) -> usize {
     if radar.schedule.is_uniform() {
         return 1;

@@ -1,9 +1,9 @@
-//! A cube by transforms: tones of all paths at once, and the part that changes slowly at a few
-//! instants.
+//! A cube by transforms: the tones of all paths at once, and the slowly varying part at a few instants.
 //!
 //! x(n, m) = Σ_groups Σ_i shape_i(n, m)·Σ_p value_p(instant i)·e^{j2π(α_p n + β_p m)}: see `smooth_part.rs`
 //! for the outer sum, `tone_grid.rs` for the inner. Values are exact at their instants, for every pair of
-//! elements. Links are taken in fixed blocks, one thread each: any number of threads gives the same bytes.
+//! elements. Links are processed in fixed blocks, one thread each, so the result is the same for any number
+//! of threads.
 
 use crate::links::multiplexing::{element_factor, row};
 use crate::sums::direct_sum::{DirectSum, is_heard};
@@ -21,8 +21,8 @@ use artifact::{Accuracy, Radar};
 use num_complex::{Complex, Complex32, Complex64};
 use rayon::prelude::*;
 
-/// The noise-free cube, √W, `[channel][chirp][sample]`, to an error of `accuracy` of its root mean square, as
-/// long as paths do not cancel each other.
+/// Noise-free cube, √W, `[channel][chirp][sample]`, with an error of `accuracy` relative to its root mean
+/// square, provided that paths do not cancel each other.
 pub fn cube(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], accuracy: Accuracy) -> Vec<Complex64> {
     if accuracy.amplitude() >= SINGLE {
         let cube = cube_in::<f32>(radar, centre_frequency_hz, paths, accuracy.amplitude());
@@ -32,7 +32,7 @@ pub fn cube(radar: &Radar, centre_frequency_hz: f64, paths: &[Path], accuracy: A
     }
 }
 
-/// Makes the cube as [`cube`] does, in the precision in which it is stored.
+/// Computes the cube like [`cube`], in the precision in which it is stored.
 pub(crate) fn single_cube(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -46,16 +46,16 @@ pub(crate) fn single_cube(
     cube.into_iter().map(|value| Complex32::new(value.re as f32, value.im as f32)).collect()
 }
 
-/// Bytes that making a cube takes at most beside the cube, its paths and what they are laid out in.
+/// Maximum memory needed besides the cube, its paths and their arranged copies, bytes.
 pub(crate) fn memory_estimate_bytes(radar: &Radar, accuracy: Accuracy) -> u64 {
     let [links, chirps, samples] =
         [radar.virtual_channels() as u64, radar.waveform.chirps.into(), radar.waveform.samples.into()];
     let is_single = accuracy.amplitude() >= SINGLE;
     let value = if is_single { size_of::<Complex32>() } else { size_of::<Complex64>() } as u64;
-    // Sums of single precision are the cube, but for links that are added up and chirps that are laid into
-    // one another.
+    // Single-precision sums are the cube itself, except for links that are summed and chirps that are
+    // interleaved.
     let are_the_cube = is_single && is_link_by_link(radar) && radar.schedule.is_uniform();
-    // With codes those of one slot after the other, and the cube that they are laid into.
+    // With codes: the sums of one slot after the other, and the cube into which they are interleaved.
     let laid = if radar.array.multiplexing == Multiplexing::Bpm { radar.cube_channels() as u64 } else { 0 };
     let sums = if are_the_cube { 0 } else { (links + laid) * chirps * samples * value };
     let grid = 2 * chirps * (2 * samples + CELLS_MAX as u64) * SETS as u64 * value;
@@ -63,13 +63,13 @@ pub(crate) fn memory_estimate_bytes(radar: &Radar, accuracy: Accuracy) -> u64 {
     sums + (grid + of_a_set) * rayon::current_num_threads() as u64
 }
 
-/// Least error for sums of single precision, which are good enough down to −100 dB: rounding of 6e-8
-/// for each of some hundred additions.
+/// Minimum error for single-precision sums, which suffice down to −100 dB: rounding of 6e-8 for each of some
+/// hundred additions.
 const SINGLE: f64 = 1e-5;
-/// Instants of one group; more mean that it is to be halved.
+/// Maximum number of instants of one group; a group that needs more is halved.
 const INSTANTS_MAX: usize = 12;
 
-/// Chirps at equal steps, one set after the other, laid into one another.
+/// Sums sets of chirps at equal steps one after the other and interleaves them.
 fn cube_in<T: Scalar>(
     radar: &Radar,
     centre_frequency_hz: f64,
@@ -95,7 +95,7 @@ fn cube_in<T: Scalar>(
     cube
 }
 
-/// The rows of chirps at equal steps.
+/// Rows of chirps at equal steps.
 fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) -> Vec<Complex<T>> {
     let radar = listener.radar;
     let links = links(radar);
@@ -112,7 +112,7 @@ fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) 
         }
         for group in groups(&part.listener, &paths, &links, asked) {
             match &group.smooth {
-                // Nothing is heard of a group that the antennas' pattern leaves out.
+                // A group outside the antenna pattern has no echo.
                 Some(smooth) if smooth.instants.is_empty() => {}
                 Some(smooth) => part.add_group(&group, smooth, &links, error, &mut of_links),
                 None => alone.extend(group.paths.iter().copied()),
@@ -135,21 +135,21 @@ fn add_one_by_one<T: Scalar>(direct: &DirectSum<'_>, listener: &Listener<'_>, cu
     });
 }
 
-/// Every transmit element heard by every receive element.
+/// Links from every transmit element to every receive element.
 fn links(radar: &Radar) -> Vec<Link> {
     let (transmitters, receivers) = (radar.array.tx_m.len(), radar.array.rx_m.len());
     (0..transmitters).flat_map(|tx| (0..receivers).map(move |rx| Link { tx, rx })).collect()
 }
 
-/// The part of a frame that some paths stand for: no other chirps and links of theirs are summed.
+/// Part of a frame represented by some paths: their sum covers no other chirps and links.
 struct PartOfFrame<'a> {
     listener: Listener<'a>,
-    /// Share of every chirp and sample of the part, by transmitter; `None` where paths stand for all of the
+    /// Share of every chirp and sample of the part, by transmitter; `None` if the paths represent the whole
     /// frame.
     over_time: Option<Vec<Vec<f64>>>,
-    /// Share of every link; `None` where paths stand for all of the array.
+    /// Share of every link; `None` if the paths represent the whole array.
     over_links: Option<Vec<f64>>,
-    /// Chirps before it, and of the whole frame.
+    /// Number of chirps before the part, and of the whole frame.
     before: usize,
     chirps: usize,
 }
@@ -184,7 +184,7 @@ impl<'a> PartOfFrame<'a> {
         Self { listener, over_time: Some(shares), over_links: None, before: first, chirps }
     }
 
-    /// Whether a link hears anything of the part.
+    /// Whether a link receives any of the part.
     fn is_heard_by(&self, link: usize) -> bool {
         self.over_links.as_ref().is_none_or(|shares| shares[link] != 0.0)
     }
@@ -209,7 +209,7 @@ impl<'a> PartOfFrame<'a> {
             .flat_map(|link| (0..smooth.instants.len()).map(move |instant| (link, instant)))
             .collect();
         let [before, of_part, length] = [self.before, modes[0], self.chirps].map(|chirps| chirps * modes[1]);
-        // A link's instants lie in one block.
+        // The instants of one link lie in one block.
         let block = (SETS / smooth.instants.len()).max(1);
         let blocks =
             of_links.par_chunks_mut(block * length).zip(sets.par_chunks(block * smooth.instants.len()));
@@ -236,7 +236,7 @@ impl<'a> PartOfFrame<'a> {
         });
     }
 
-    /// A shape by a link's shares.
+    /// A shape weighted by a link's shares.
     fn weighted<T: Scalar>(
         &self,
         mut shape: Vec<Complex<T>>,
@@ -254,7 +254,7 @@ impl<'a> PartOfFrame<'a> {
     }
 }
 
-/// Values of all paths at an instant, less their tones there.
+/// Values of all paths at an instant, with their tones removed.
 fn strengths<T: Scalar>(
     listener: &Listener<'_>,
     exact: &DirectSum<'_>,
@@ -273,8 +273,8 @@ fn is_link_by_link(radar: &Radar) -> bool {
     matches!(radar.array.multiplexing, Multiplexing::Simultaneous | Multiplexing::Tdm)
 }
 
-/// Links as channels; with Doppler division and codes a receiver's channel is the sum of all its links, each
-/// turned chirp by chirp.
+/// Channels from links; with Doppler division and codes a receiver's channel is the sum of all its links,
+/// each rotated chirp by chirp.
 fn channels<T: Scalar>(
     listener: &Listener<'_>,
     mut of_links: Vec<Complex<T>>,

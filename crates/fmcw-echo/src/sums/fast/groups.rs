@@ -1,17 +1,18 @@
-//! Paths that move alike, so that a few instants tell all of them.
+//! Paths that move alike, so that a few instants represent all of them.
 
 use crate::sums::fast::instants::{Link, Listener};
 use crate::sums::fast::smooth_part::{Asked, SmoothPart};
 use artifact::paths::Path;
 
-/// Paths and their slow part; `None` where no few instants tell them, or where they are fewer than a
-/// transform pays for.
+/// Paths and their smooth part; `None` if no few instants suffice, or if there are too few paths for a
+/// transform to pay off.
 pub(crate) struct Group<'p> {
     pub(crate) paths: Vec<&'p Path>,
     pub(crate) smooth: Option<SmoothPart>,
 }
 
-/// Paths of one target each, halved by velocity and by range until their slow parts are told by few instants.
+/// Paths of one target each, halved by velocity and by range until a few instants represent their smooth
+/// parts.
 pub(crate) fn groups<'p>(
     listener: &Listener<'_>,
     paths: &[&'p Path],
@@ -26,10 +27,10 @@ pub(crate) fn groups<'p>(
         .collect()
 }
 
-/// Least number of paths of a group: fewer are summed one by one, as the transforms of a group's
-/// instants cost as much, whatever the channels, chirps and samples. Measured with 3 × 4 elements, 128
-/// chirps of 256 samples: equal at 32 paths for −40 dB, 40 for −60, 64 for −80, 100 for −100 and, in
-/// double precision, 200 for −120 dB (`echo_speed -- 64 1`).
+/// Minimum number of paths of a group: fewer are summed one by one, since the transforms of a group's
+/// instants cost as much, whatever the channels, chirps and samples. Measured with 3 × 4 elements, 128 chirps
+/// of 256 samples: break-even at 32 paths for −40 dB, 40 for −60, 64 for −80, 100 for −100 and, in double
+/// precision, 200 for −120 dB (`echo_speed -- 64 1`).
 pub(crate) fn paths_min(error: f64) -> usize {
     match error {
         _ if error >= 1e-3 => 40,
@@ -50,8 +51,8 @@ fn split<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>, links: &[Link], aske
     [slow, fast].into_iter().flat_map(|half| split(listener, half, links, asked)).collect()
 }
 
-/// Halves of some paths, about the median of the tone that spreads over more of its cells: by chirps it
-/// is the velocity, by samples the range.
+/// Halves a set of paths at the median of the tone component that spreads over more of its cells: velocity
+/// along chirps, range along samples.
 fn halves<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>) -> (Vec<&'p Path>, Vec<&'p Path>) {
     let waveform = &listener.radar.waveform;
     let cells = |path: &Path| {
@@ -78,7 +79,7 @@ mod tests {
     use radar::aperture::Preset;
     use radar::paper;
 
-    /// A lorry that drives by 18 range cells of 6 cm in a frame of a tenth of a second.
+    /// A lorry that passes 18 range cells of 6 cm in a frame of a tenth of a second.
     #[test]
     fn a_body_that_moves_by_many_range_cells_is_told_by_a_few_instants() {
         let waveform = paper::waveform(1024, 512);

@@ -1,7 +1,7 @@
-//! The exact IF value of a path at any instant of a frame, for all transmit–receive pairs of an array.
+//! Exact IF value of a path at any instant of a frame, for all transmit–receive pairs of an array.
 //!
-//! The formulas are those of [`mod@crate::sums::reference`]; an instant is a chirp and a sample that need not
-//! be whole. What does not change from pair to pair is taken once per element: a leg's length, its gain, its
+//! The formulas are those of [`mod@crate::sums::reference`]; an instant is a possibly fractional chirp and
+//! sample. Quantities that do not depend on the pair are computed once per element: a leg's length, gain and
 //! rate.
 
 use crate::links::multiplexing::{Transmission, line_delay_s};
@@ -15,39 +15,39 @@ use radar::aperture::{axes, pattern_amplitude};
 use radar::link::link_amplitude;
 use std::ops::Range;
 
-/// One transmit element heard by one receive element.
+/// A transmit element paired with a receive element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Link {
     pub(crate) tx: usize,
     pub(crate) rx: usize,
 }
 
-/// A moment of a frame: chirp (of those at equal steps) and sample, counted from 0, parts of them allowed.
+/// An instant of a frame: chirp (of those at equal steps) and sample, counted from 0, possibly fractional.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Instant {
     pub(crate) chirp: f64,
     pub(crate) sample: f64,
 }
 
-/// An IF value whose cycles are not taken modulo 1 yet.
+/// An IF value whose phase in cycles is not yet reduced modulo 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Value {
     pub(crate) amplitude: Complex64,
     pub(crate) cycles: f64,
 }
 
-/// Turn of a path's IF value from chirp to chirp and from sample to sample at the frame's middle, cycles.
+/// Phase rotation of a path's IF value per chirp and per sample at the frame's middle, cycles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Tone {
     pub(crate) per_chirp: f64,
     pub(crate) per_sample: f64,
 }
 
-/// A radar that paths are heard by.
+/// A radar that receives paths.
 pub(crate) struct Listener<'a> {
     pub(crate) radar: &'a Radar,
     pub(crate) centre_frequency_hz: f64,
-    /// The chirps it listens to.
+    /// Chirps that are received.
     pub(crate) steps: EqualSteps,
     link_amplitude: f64,
     axes: [DVec3; 3],
@@ -68,23 +68,22 @@ impl<'a> Listener<'a> {
         Self { radar, centre_frequency_hz, steps, link_amplitude, axes }
     }
 
-    /// The same radar at some of these chirps.
+    /// The same radar for a subset of these chirps.
     pub(crate) fn during(&self, chirps: &Range<usize>) -> Self {
         Self { steps: self.steps.part(chirps), ..*self }
     }
 
-    /// A link's chirp, whole or between two.
+    /// Transmission of a link at an integer or fractional chirp.
     pub(crate) fn transmission(&self, link: Link, chirp: f64) -> Transmission {
         Transmission::starting_at(self.radar, link.tx, link.rx, self.steps.start_s(link.tx, chirp))
     }
 
-    /// The middle of the frame.
+    /// Middle of the frame.
     pub(crate) fn middle(&self) -> Instant {
         Instant { chirp: (self.steps.chirps / 2) as f64, sample: f64::from(self.radar.waveform.samples / 2) }
     }
 
-    /// Calls `give` with the place of every link, which come transmitter by transmitter, and the value of a
-    /// path there.
+    /// Calls `give` with the index of every link, transmitter by transmitter, and the value of a path there.
     pub(crate) fn for_each_value(
         &self,
         path: &Path,
@@ -102,7 +101,7 @@ impl<'a> Listener<'a> {
                 self.arriving(path, DVec3::from_array(self.radar.array.rx_m[rx]), arrival_s)
             };
             let first = arriving(of_tx[0].rx);
-            // The scattering time differs by the way to another element, over which a leg is straight.
+            // The scattering time differs by the delay to another element, over which a leg is linear.
             let departing = self.departing(
                 path,
                 DVec3::from_array(self.radar.array.tx_m[of_tx[0].tx]),
@@ -122,7 +121,7 @@ impl<'a> Listener<'a> {
         }
     }
 
-    /// Tone of a path from the array's position, at the frame's middle.
+    /// Tone of a path as seen from the array's position, at the frame's middle.
     pub(crate) fn tone(&self, path: &Path) -> Tone {
         let waveform = &self.radar.waveform;
         let at = self.middle();
@@ -159,8 +158,8 @@ impl<'a> Listener<'a> {
         self.leg(way_m / length_m, length_m, velocity_mps)
     }
 
-    /// Leg of arrival at the scattering time t_s = T − |x(t_s) − p|/c: |x(t_s) − p| = |x(T) − p|/(1 +
-    /// v·d/c), but for (v/c)².
+    /// Arrival leg at the scattering time t_s = T − |x(t_s) − p|/c: |x(t_s) − p| = |x(T) − p|/(1 + v·d/c), up
+    /// to (v/c)².
     fn arriving(&self, path: &Path, element_m: DVec3, time_s: f64) -> ElementLeg {
         let (position_m, velocity_mps) =
             at(path.apparent_rx_m, path.apparent_rx_mps, path.curve.apparent_rx_mps2, time_s);
@@ -176,7 +175,7 @@ impl<'a> Listener<'a> {
     }
 }
 
-/// Place and velocity of an apparent point.
+/// Position and velocity of an apparent point.
 fn at(point_m: [f64; 3], velocity_mps: [f64; 3], acceleration_mps2: [f64; 3], time_s: f64) -> (DVec3, DVec3) {
     let (velocity_mps, gained_mps) =
         (DVec3::from_array(velocity_mps), DVec3::from_array(acceleration_mps2) * time_s);

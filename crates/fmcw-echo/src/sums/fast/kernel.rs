@@ -1,10 +1,9 @@
-//! Kernel that carries a tone to the cells of a regular grid beside it: the "exponential of a
-//! semicircle".
+//! Kernel that spreads a tone to nearby cells of a regular grid: the "exponential of a semicircle".
 //!
-//! φ(z) = e^{β(√(1 − z²) − 1)} for |z| ≤ 1, over w cells of a grid with twice as many cells as there are
-//! modes (Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479). A tone leaks into the modes
-//! that alias with its own: of mode k, φ̂(k ± M)/φ̂(k). The narrowest kernel whose largest leak is the error
-//! asked for is taken, with the β of a few about 2.3w that leaks least.
+//! φ(z) = e^{β(√(1 − z²) − 1)} for |z| ≤ 1, over w cells of a grid with twice as many cells as modes
+//! (Barnett, Magland, af Klinteberg, SIAM J. Sci. Comput. 41 (2019) C479). A tone leaks into the modes that
+//! alias with its own: φ̂(k ± M)/φ̂(k) for mode k. The kernel chosen is the narrowest whose largest leak is
+//! within the requested error, with the β, of a few around 2.3w, that leaks least.
 
 use crate::sums::fast::scalar::Scalar;
 use std::f64::consts::PI;
@@ -16,14 +15,14 @@ pub(crate) struct Kernel {
     shape: f64,
 }
 
-/// Cells beyond which rounding of f64 decides.
+/// Maximum number of cells, beyond which f64 rounding dominates.
 pub(crate) const CELLS_MAX: usize = 16;
 
 impl Kernel {
-    /// Kernel for an error of a two-dimensional transform, relative to the root of the sum of the
-    /// strengths' squares.
+    /// Kernel for an error of a two-dimensional transform, relative to the root sum of squares of the
+    /// strengths.
     pub(crate) fn for_error(error: f64) -> Self {
-        // 10^{1−w} is what β = 2.3w leaves.
+        // β = 2.3w leaves an error of 10^{1−w}.
         let about = (-error.log10()).floor().clamp(2.0, CELLS_MAX as f64) as usize;
         let best = |cells: usize| {
             let shapes =
@@ -35,7 +34,7 @@ impl Kernel {
         narrow.next().map_or(Self { cells: CELLS_MAX, shape: 2.32 * CELLS_MAX as f64 }, |(_, kernel)| kernel)
     }
 
-    /// Leak of the nearest aliases into the mode that they leak most into, along one axis.
+    /// Leak of the nearest aliases into the most affected mode, along one axis.
     fn leak(&self) -> f64 {
         let of = |part: f64| {
             let own = self.transform(part, 2);
@@ -46,12 +45,12 @@ impl Kernel {
         parts.map(of).iter().copied().fold(0.0, f64::max).sqrt()
     }
 
-    /// The first cell that a tone at `at` cells reaches.
+    /// First cell reached by a tone at `at` cells.
     pub(crate) fn first(&self, at: f64) -> f64 {
         (at - 0.5 * self.cells as f64).ceil()
     }
 
-    /// Weights of the cells from there on.
+    /// Weights of the cells from the first one on.
     pub(crate) fn weigh<T: Scalar>(&self, at: f64, weights: &mut [T]) {
         let (half, first) = (0.5 * self.cells as f64, self.first(at));
         for (i, weight) in weights.iter_mut().enumerate().take(self.cells) {
@@ -59,10 +58,10 @@ impl Kernel {
         }
     }
 
-    /// Transform ∫φ(u/half)·cos(2πku/M) du over the w cells: what mode `mode` of a grid of M `cells` is
-    /// weighted with.
+    /// Transform ∫φ(u/half)·cos(2πku/M) du over the w cells: the weight of mode `mode` on a grid of M
+    /// `cells`.
     ///
-    /// With z = sin θ the integrand is smooth; what the trapezoids leave is below e^{−β}.
+    /// With z = sin θ the integrand is smooth; the trapezoidal rule errs by less than e^{−β}.
     pub(crate) fn transform(&self, mode: f64, grid_cells: usize) -> f64 {
         let half = 0.5 * self.cells as f64;
         let at = |i: i32| {
@@ -81,5 +80,5 @@ impl Kernel {
     }
 }
 
-/// Trapezoids on each side.
+/// Number of trapezoids on each side.
 const TRAPEZOIDS: i32 = 64;

@@ -1,13 +1,13 @@
-//! The precision of a grid: single down to −100 dB, double below.
+//! Precision of a grid: single down to −100 dB, double below.
 
 use num_complex::Complex;
 use rustfft::FftNum;
 
-/// Precision of a grid's numbers: f32 or f64.
+/// Precision of a grid's values: f32 or f64.
 pub(crate) trait Scalar: FftNum + Default {
-    /// The nearest value.
+    /// Converts a value to the nearest one in this precision.
     fn of(value: f64) -> Self;
-    /// The value as it is stored.
+    /// Converts the value to its stored form.
     fn stored(value: Complex<Self>) -> Complex<f64>;
 }
 
@@ -31,7 +31,7 @@ impl Scalar for f64 {
     }
 }
 
-/// A value in the grid's precision.
+/// Rounds a value to the grid's precision.
 pub(crate) fn rounded<T: Scalar>(value: Complex<f64>) -> Complex<T> {
     Complex::new(T::of(value.re), T::of(value.im))
 }

@@ -1,27 +1,27 @@
-//! A few instants of a frame that know all of it: interpolation from points that are chosen by the functions
+//! Empirical interpolation of functions over a frame from a few instants, chosen from the functions
 //! themselves.
 //!
-//! Functions of a family, known at the points of a grid, are told from their values at a few of these points.
-//! A point is added where most is left (Barrault, Maday, Nguyen, Patera, C. R. Acad. Sci. Paris 339 (2004)
-//! 667), then each point may move to where it leaves least, and the shares of the points are those with the
-//! least mean square over the known functions.
+//! Functions of a family, known at the points of a grid, are approximated from their values at a few of these
+//! points. A point is added where the residual is largest (Barrault, Maday, Nguyen, Patera, C. R. Acad. Sci.
+//! Paris 339 (2004) 667), then each point may move to where it leaves the smallest residual, and the weights
+//! of the points are those of least mean square over the known functions.
 
 use num_complex::Complex64;
 
-/// Points, and how the others follow.
+/// Interpolation points and weights.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Skeleton {
-    /// Indices into the grid.
+    /// Indices of the points in the grid.
     pub(crate) points: Vec<usize>,
-    /// Share of each point in the value at every point of the grid.
+    /// Weight of each point for the value at every point of the grid.
     pub(crate) shares: Vec<Vec<Complex64>>,
-    /// Root mean square over functions and points of what is left.
+    /// Root mean square residual over functions and points.
     pub(crate) left: f64,
 }
 
 impl Skeleton {
-    /// Skeleton of some functions of the family, none larger than about 1, until the root mean square of
-    /// what is left is `error`, or up to `most` points.
+    /// Skeleton of sample functions of the family, none larger than about 1, until the root mean square
+    /// residual is `error`, or up to `most` points.
     pub(crate) fn of(functions: &[Vec<Complex64>], error: f64, most: usize) -> Self {
         let mut found = Self { left: root_mean_square(functions), ..Self::default() };
         let products = Products::of(functions);
@@ -31,8 +31,8 @@ impl Skeleton {
             points.push(most_left(&left_over));
             let mut moved = points.clone();
             products.improve(&mut moved);
-            // A point that the others tell already has huge shares of either sign. Where most is left none
-            // tells it.
+            // A point that the others already determine would have huge weights of either sign. Where the
+            // residual is largest, none determines it.
             let of_points = |points: Vec<usize>| (shares(functions, &points), points);
             let steady = [moved, points]
                 .into_iter()
@@ -49,17 +49,17 @@ impl Skeleton {
         found
     }
 
-    /// Difference of a function from what its values at the points tell of it, at every point of the grid.
+    /// Residual of a function after interpolation from its values at the points, at every point of the grid.
     pub(crate) fn missed(&self, function: &[Complex64]) -> Vec<Complex64> {
         missed(function, &self.points, &self.shares)
     }
 }
 
-/// Shares enlarge the rounding of values, 6e-8 in single precision, which makes sums down to 1e-5: 30 times
-/// that is a fifth of it.
+/// Maximum amplification of rounding by weights: 6e-8 in single precision, used for sums down to 1e-5; 30
+/// times that is a fifth of it.
 const ENLARGED_MAX: f64 = 30.0;
 
-/// Largest sum of shares' sizes in a value.
+/// Maximum sum of the weights' magnitudes for a value.
 fn enlarged(shares: &[Vec<Complex64>]) -> f64 {
     let grid = shares.first().map_or(0, Vec::len);
     (0..grid).map(|at| shares.iter().map(|share| share[at].norm()).sum()).fold(0.0, f64::max)
@@ -73,21 +73,21 @@ fn missed(function: &[Complex64], points: &[usize], shares: &[Vec<Complex64>]) -
     left
 }
 
-/// Root mean square over all values of some functions.
+/// Root mean square over all values of several functions.
 pub(crate) fn root_mean_square(functions: &[Vec<Complex64>]) -> f64 {
     let count: usize = functions.iter().map(Vec::len).sum();
     (functions.iter().flatten().map(|value| value.norm_sqr()).sum::<f64>() / count.max(1) as f64).sqrt()
 }
 
-/// The point with the greatest sum of squares.
+/// Point with the largest sum of squares.
 fn most_left(functions: &[Vec<Complex64>]) -> usize {
     let power = |point: usize| functions.iter().map(|function| function[point].norm_sqr()).sum::<f64>();
     let powers: Vec<f64> = (0..functions.first().map_or(0, Vec::len)).map(power).collect();
     (0..powers.len()).fold(0, |most, point| if powers[point] > powers[most] { point } else { most })
 }
 
-/// Shares X of some points with the least Σ|M − A·X|² over functions, A their values at the points: A = QR by
-/// modified Gram and Schmidt, RX = QᴴM.
+/// Weights X of points that minimise Σ|M − A·X|² over functions, A their values at the points: A = QR by
+/// modified Gram–Schmidt, RX = QᴴM.
 fn shares(functions: &[Vec<Complex64>], points: &[usize]) -> Vec<Vec<Complex64>> {
     let count = points.len();
     let mut columns: Vec<Vec<Complex64>> =
@@ -121,7 +121,7 @@ fn inner(a: &[Complex64], b: &[Complex64]) -> Complex64 {
     a.iter().zip(b).map(|(a, b)| a.conj() * b).sum()
 }
 
-/// Products of the functions' values at every two points, to weigh sets of points by.
+/// Products of the functions' values at every two points, used to rate sets of points.
 struct Products {
     of: Vec<Vec<Complex64>>,
 }
@@ -134,7 +134,7 @@ impl Products {
         Self { of: at.iter().map(|a| at.iter().map(|b| inner(a, b)).collect()).collect() }
     }
 
-    /// Moves each of the points, once, to where it tells most.
+    /// Moves each of the points, once, to where it explains most.
     fn improve(&self, points: &mut [usize]) {
         for i in 0..points.len() {
             let (mut best, mut told) = (points[i], self.told(points));
@@ -149,8 +149,8 @@ impl Products {
         }
     }
 
-    /// Power Σ|M|² that the best shares of some points tell: the points' columns made orthogonal one after
-    /// the other.
+    /// Power Σ|M|² explained by the best weights of a set of points: their columns are orthogonalised one
+    /// after the other.
     fn told(&self, points: &[usize]) -> f64 {
         let mut rows: Vec<Vec<Complex64>> = Vec::with_capacity(points.len());
         let mut told = 0.0;
@@ -161,7 +161,7 @@ impl Products {
                 row.iter_mut().zip(before).for_each(|(value, before)| *value -= along * before);
             }
             let own = row[point].re;
-            // What rounding leaves of a point that those before it tell already.
+            // Rounding residual of a point already determined by those before it.
             if own > 1e-13 * self.of[point][point].re {
                 told += row.iter().map(|value| value.norm_sqr()).sum::<f64>() / own;
             } else {

@@ -1,10 +1,10 @@
-//! Slow part of a group of paths, which they have in common beside their tones: the few instants that
-//! tell all of a frame.
+//! Smooth part that a group of paths has in common besides their tones, represented by a few instants of a
+//! frame.
 //!
-//! A path's IF value is its tone, e^{j2π(αn + βm)}, times something that changes slowly with chirp n and
-//! sample m: range migration, acceleration, spreading, the element's own delay, the amplitude over the band.
-//! Over the same of the group's middle path it hardly changes, so that its values at one to a few instants
-//! tell the frame ([`Skeleton`]). Grids of Chebyshev points carry the middle path's.
+//! A path's IF value is its tone, e^{j2π(αn + βm)}, times a factor that varies slowly with chirp n and sample
+//! m: range migration, acceleration, spreading, the element's own delay, the amplitude over the band. Divided
+//! by that of the group's mean path it hardly varies, so that its values at one to a few instants represent
+//! the frame ([`Skeleton`]). Grids of Chebyshev points represent the mean path's.
 
 use crate::sums::fast::instants::{Instant, Link, Listener, Tone};
 use crate::sums::fast::scalar::{Scalar, rounded};
@@ -14,9 +14,9 @@ use num_complex::{Complex, Complex64};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 
-/// The slow part of a group: x(n, m) ≈ Σ_i shape_i(n, m)·Σ_paths value(instant i)·tone, of every link.
+/// Smooth part of a group: x(n, m) ≈ Σ_i shape_i(n, m)·Σ_paths value(instant i)·tone, for every link.
 pub(crate) struct SmoothPart {
-    /// Instants at which the paths' values are taken.
+    /// Instants at which the paths' values are computed.
     pub(crate) instants: Vec<Instant>,
     axes: [ChebyshevAxis; 2],
     /// Shapes by instant, link, grid point.
@@ -26,15 +26,15 @@ pub(crate) struct SmoothPart {
 /// Request for a smooth part.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Asked {
-    /// Root mean square, relative to each path at its strongest.
+    /// Root mean square error, relative to each path's maximum.
     pub(crate) error: f64,
     pub(crate) instants_max: usize,
-    /// Least number of paths; fewer have no smooth part.
+    /// Minimum number of paths; fewer have no smooth part.
     pub(crate) paths_min: usize,
 }
 
 impl SmoothPart {
-    /// Smooth part of some paths; `None` where more instants than allowed, or a finer grid than
+    /// Smooth part of a set of paths; `None` if more instants than allowed, or a finer grid than
     /// [`GRID_MAX`], would be needed.
     pub(crate) fn of(listener: &Listener<'_>, paths: &[&Path], links: &[Link], asked: Asked) -> Option<Self> {
         let middle = middle_of(paths)?;
@@ -98,7 +98,7 @@ impl SmoothPart {
     }
 }
 
-/// Values on a coarse axis, at all places of a fine one.
+/// Values on a coarse axis, interpolated to all points of a fine one.
 fn weighted<T: Scalar>(coarse: &[Complex<T>], shares: &[T]) -> Vec<Complex<T>> {
     let at = |shares: &[T]| {
         let zero = Complex::new(T::zero(), T::zero());
@@ -107,7 +107,7 @@ fn weighted<T: Scalar>(coarse: &[Complex<T>], shares: &[T]) -> Vec<Complex<T>> {
     shares.chunks_exact(coarse.len()).map(at).collect()
 }
 
-/// Points of one axis at which polynomials are told, from 0 to `length` − 1.
+/// Chebyshev points of one axis from 0 to `length` − 1, for polynomial interpolation.
 #[derive(Debug, Clone)]
 struct ChebyshevAxis {
     places: Vec<f64>,
@@ -120,7 +120,7 @@ impl ChebyshevAxis {
         Self { places: (0..count).map(|i| half * (1.0 - angle(i).cos())).collect() }
     }
 
-    /// Share of every point in the value at 0, 1, … `length` − 1, row by row.
+    /// Weight of every point for the value at 0, 1, … `length` − 1, row by row.
     fn shares<T: Scalar>(&self, length: usize) -> Vec<T> {
         (0..length).flat_map(|at| self.shares_at(at as f64)).map(T::of).collect()
     }
@@ -146,14 +146,14 @@ fn points(axes: &[ChebyshevAxis; 2]) -> Vec<Instant> {
     axes[0].places.iter().flat_map(row).collect()
 }
 
-/// Most points along an axis: a turn of 20 rad takes 32 of them to 1e-8, and a body that moves by M range
-/// cells in a frame turns by 1.6·M rad. Where it moved by more than 16, as over 2.5 GHz in a frame of 0.1 s,
-/// all paths were summed one by one.
+/// Maximum number of points along an axis: a phase of 20 rad takes 32 of them for 1e-8, and a body that moves
+/// by M range cells in a frame has a phase of 1.6·M rad. If it moved by more than 16, as over 2.5 GHz in a
+/// frame of 0.1 s, all paths were formerly summed one by one.
 const GRID_MAX: usize = 64;
-/// Points from which on grids grow by an eighth at a time.
+/// Number of points from which grids grow by an eighth at a time.
 const GRID_COARSE: usize = 32;
 
-/// The grid that tells the slow part of the middle path and of those farthest from it, checked between its
+/// Grid that represents the smooth part of the mean path and of those farthest from it, checked between its
 /// points.
 fn grid_for(
     listener: &Listener<'_>,
@@ -165,7 +165,7 @@ fn grid_for(
     let (chirps, samples) = (listener.steps.chirps, listener.radar.waveform.samples as usize);
     let one = [links[links.len() - 1]];
     let paths: Vec<&Path> = some.iter().take(8).copied().chain([middle]).collect();
-    // Places of the golden ratio: between the points of any grid.
+    // Golden-ratio points, which lie between the points of any grid.
     let between: Vec<Instant> = (1..=24)
         .map(|i| {
             let part = |step: f64| (f64::from(i) * step).fract();
@@ -189,7 +189,7 @@ fn grid_for(
         if paths.iter().map(misses).fold(0.0, f64::max) <= error {
             return Some(axes);
         }
-        // A frame turns farther along its chirps than along a chirp.
+        // The phase over a frame's chirps is larger than that along a chirp.
         let longer = if counts[0] <= counts[1] + 2 { 0 } else { 1 };
         counts[longer] += if counts[longer] < GRID_COARSE { 1 } else { counts[longer] / 8 };
         if counts.iter().any(|count| *count > GRID_MAX) {
@@ -205,7 +205,7 @@ fn on_grid(axes: &[ChebyshevAxis; 2], coarse: &[Complex64], at: Instant) -> Comp
     coarse.chunks_exact(samples.len()).zip(&chirps).map(|(values, share)| *share * row(values)).sum()
 }
 
-/// Values by link, then instant, less the path's tone.
+/// Values by link, then instant, with the path's tone removed.
 fn slow_values(
     listener: &Listener<'_>,
     path: &Path,
@@ -223,7 +223,7 @@ fn slow_values(
     values
 }
 
-/// Cycles of a tone, counted from the frame's middle.
+/// Phase of a tone, counted from the frame's middle, cycles.
 pub(crate) fn cycles_of(tone: Tone, at: Instant, middle: Instant) -> f64 {
     tone.per_chirp * (at.chirp - middle.chirp) + tone.per_sample * (at.sample - middle.sample)
 }
@@ -232,13 +232,13 @@ fn quotient(own: Vec<Complex64>, middle: &[Complex64]) -> Vec<Complex64> {
     own.into_iter().zip(middle).map(|(own, middle)| own / middle).collect()
 }
 
-/// The function scaled so that its largest value is 1.
+/// Function scaled to a maximum of 1.
 fn unit(function: Vec<Complex64>) -> Vec<Complex64> {
     let size = function.iter().map(|v| v.norm()).fold(0.0, f64::max);
     if size > 0.0 { function.into_iter().map(|v| v / size).collect() } else { function }
 }
 
-/// A path of the group's mean place and movement, with an amplitude of 1.
+/// A path with the group's mean position and motion, and an amplitude of 1.
 fn middle_of(paths: &[&Path]) -> Option<Path> {
     let first = *paths.first()?;
     let mean = |of: fn(&Path) -> [f64; 3]| {
@@ -260,8 +260,7 @@ fn middle_of(paths: &[&Path]) -> Option<Path> {
     })
 }
 
-/// Paths that a group is told by: those with the least and the greatest tones, and others between,
-/// alternately.
+/// Sample of a group's paths: those with the smallest and the largest tones, and others between, alternately.
 fn spread_over<'p>(listener: &Listener<'_>, paths: &[&'p Path]) -> Vec<&'p Path> {
     let tones: Vec<Tone> = paths.par_iter().map(|path| listener.tone(path)).collect();
     let extreme = |of: fn(&Tone) -> f64| {
@@ -270,12 +269,12 @@ fn spread_over<'p>(listener: &Listener<'_>, paths: &[&'p Path]) -> Vec<&'p Path>
     };
     let ends = [extreme(|t| t.per_chirp), extreme(|t| t.per_sample)].concat().into_iter().flatten();
     let step = paths.len().div_ceil(SPREAD).max(1);
-    // Twice each end: they are among those that teach and those that test.
+    // Both ends twice: they belong to the training and the test set.
     let picked: Vec<usize> = ends.flat_map(|i| [i, i]).chain((0..paths.len()).step_by(step)).collect();
     picked.into_iter().map(|i| paths[i]).collect()
 }
 
-/// Paths of a group that are looked at.
+/// Number of paths sampled from a group.
 const SPREAD: usize = 48;
 
 #[cfg(test)]
@@ -288,13 +287,13 @@ mod tests {
     use radar::aperture::Preset;
     use radar::paper;
 
-    /// Experiment 3's waveform from one element.
+    /// Waveform of experiment 3 from one element.
     fn radar() -> Radar {
         paper::radar([0.0; 3], paper::waveform(512, 128), Preset::OneByOne.elements())
     }
 
-    /// Claim X5: a body of 5 m whose points differ by ±0.3 m/s, straight ahead and so far away that nothing
-    /// but the bilinear phase is left.
+    /// Claim X5: a body of 5 m whose points differ by ±0.3 m/s, straight ahead and so far away that only the
+    /// bilinear phase remains.
     #[test]
     fn x5_one_two_and_three_instants_leave_39_78_and_116_db() {
         let radar = radar();
@@ -308,7 +307,7 @@ mod tests {
         let paths: Vec<Path> = (1..=200).map(path).collect();
         let paths: Vec<&Path> = paths.iter().collect();
         let axes = [ChebyshevAxis::new(128, 9), ChebyshevAxis::new(512, 9)];
-        // Even places, so that the mean over points is that over the frame.
+        // Equidistant points, so that the mean over points is that over the frame.
         let even = |axis: &ChebyshevAxis, length: f64| ChebyshevAxis {
             places: (0..axis.places.len())
                 .map(|i| length * (i as f64 + 0.5) / axis.places.len() as f64)

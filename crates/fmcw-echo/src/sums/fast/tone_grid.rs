@@ -1,9 +1,9 @@
-//! Many tones on all chirps and samples: two-dimensional type-1 non-uniform FFT.
+//! Sum of many tones on all chirps and samples: two-dimensional type-1 non-uniform FFT.
 //!
-//! Tones are spread over the cells of a grid with twice as many cells as there are chirps and samples
-//! ([`Kernel`]), the grid is transformed, and each chirp and sample is divided by what the kernel does to it.
-//! Several sets of strengths share the tones: their cells lie side by side, so that one weight serves all of
-//! them. Only Doppler rows that a tone reaches exist.
+//! Tones are spread over the cells of a grid with twice as many cells as chirps and samples ([`Kernel`]), the
+//! grid is transformed, and each chirp and sample is divided by the kernel's transform. Several sets of
+//! strengths share the tones: their cells are interleaved, so that one weight serves all of them. Only
+//! Doppler rows reached by a tone are stored.
 
 use crate::sums::fast::instants::Tone;
 use crate::sums::fast::kernel::{CELLS_MAX, Kernel};
@@ -14,24 +14,24 @@ use rayon::prelude::*;
 use rustfft::{Fft, FftPlanner};
 use std::sync::Arc;
 
-/// Places of tones on a grid, and the shapes that it has.
+/// Positions of tones on a grid, and the dimensions of the grid.
 pub(crate) struct ToneGrid<T: Scalar> {
     kernel: Kernel,
-    /// Number of chirps and of samples.
+    /// Numbers of chirps and of samples.
     modes: [usize; 2],
     cells: [usize; 2],
     /// Tones in the order of the cells that they reach.
     spots: Vec<Spot<T>>,
-    /// Rows of cells that some tone reaches, ascending.
+    /// Rows of cells reached by any tone, ascending.
     rows: Vec<usize>,
-    /// Place of a row among those that tones reach; `u32::MAX` where it is none of them.
+    /// Index of a row among those reached by tones; `u32::MAX` for others.
     place_of_row: Vec<u32>,
-    /// Reciprocal of what the kernel weights a mode with, by axis and mode.
+    /// Reciprocal of the kernel's weight, by axis and mode.
     corrections: [Vec<T>; 2],
     transforms: [Arc<dyn Fft<T>>; 2],
 }
 
-/// A tone among the cells.
+/// Position of a tone among the cells.
 #[derive(Clone, Copy)]
 struct Spot<T> {
     /// Index of the tone.
@@ -41,7 +41,7 @@ struct Spot<T> {
     weights: [[T; CELLS_MAX]; 2],
 }
 
-/// Sets of strengths that are spread together: as many as two lines of cache hold in single precision.
+/// Number of sets of strengths spread together: as many as fit in two cache lines in single precision.
 pub(crate) const SETS: usize = 16;
 
 impl<T: Scalar> ToneGrid<T> {
@@ -69,13 +69,13 @@ impl<T: Scalar> ToneGrid<T> {
         Self { kernel, modes, cells, spots, rows, place_of_row, corrections, transforms }
     }
 
-    /// Indices of the tones in the order that strengths are taken in.
+    /// Indices of the tones in the order expected of strengths.
     pub(crate) fn order(&self) -> impl Iterator<Item = usize> {
         self.spots.iter().map(|spot| spot.tone as usize)
     }
 
     /// Sums Σ over tones of strength·e^{j2π(αn + βm)}, n and m from the frame's middle:
-    /// `[set][chirp][sample]` are given one set after the other. `strengths` are `[set][tone]`, tones in
+    /// `[set][chirp][sample]` are passed on one set after the other. `strengths` are `[set][tone]`, tones in
     /// [`Self::order`].
     pub(crate) fn transform(
         &self,
@@ -112,7 +112,7 @@ impl<T: Scalar> ToneGrid<T> {
         }
     }
 
-    /// A row has as many columns more as a kernel is wide: what lies there belongs to its beginning.
+    /// Number of columns, including as many extra as the kernel is wide: these wrap to the start of the row.
     fn columns(&self) -> usize {
         self.cells[1] + self.kernel.cells
     }
@@ -130,7 +130,7 @@ impl<T: Scalar> ToneGrid<T> {
     fn spread(&self, strengths: &[Vec<Complex<T>>]) -> Vec<Complex<T>> {
         let mut grid =
             vec![Complex::new(T::zero(), T::zero()); self.rows.len() * self.columns() * strengths.len()];
-        // Inside, the loops are compiled for what the processor has.
+        // The inner loops are compiled for the processor's instruction set.
         Arch::new().dispatch(|| self.spread_into(strengths, &mut grid));
         grid
     }
@@ -156,7 +156,7 @@ impl<T: Scalar> ToneGrid<T> {
     }
 }
 
-/// Places of a tone in cells, from 0 to the number of cells.
+/// Position of a tone in cells, from 0 to the number of cells.
 fn places(cells: [usize; 2], tone: &Tone) -> [f64; 2] {
     [0, 1].map(|axis| {
         let cycles = [tone.per_chirp, tone.per_sample][axis];
@@ -176,7 +176,7 @@ fn spot<T: Scalar>(kernel: &Kernel, cells: [usize; 2], tone: Tone, first: [u32; 
     Spot { tone: index, first, weights }
 }
 
-/// Rows of cells from a first one on, round the grid.
+/// Rows of cells from a first one on, wrapping around the grid.
 fn rows_of(first: u32, width: usize, cells: usize) -> impl Iterator<Item = usize> {
     (0..width).map(move |i| {
         let row = first as usize + i;
@@ -184,7 +184,7 @@ fn rows_of(first: u32, width: usize, cells: usize) -> impl Iterator<Item = usize
     })
 }
 
-/// Cell where the transform has mode n − N/2.
+/// Cell in which the transform stores mode n − N/2.
 fn cell_of(n: usize, modes: usize, cells: usize) -> usize {
     let middle = modes / 2;
     if n >= middle { n - middle } else { cells + n - middle }
@@ -195,13 +195,13 @@ fn corrections<T: Scalar>(kernel: &Kernel, modes: usize, cells: usize) -> Vec<T>
     (0..modes).map(|n| T::of(1.0 / kernel.transform(mode(n), cells))).collect()
 }
 
-/// The next number that is made of 2, 3 and 5 alone.
+/// Next number with no prime factors but 2, 3 and 5.
 fn smooth_at_least(least: usize) -> usize {
     let is_smooth = |n: &usize| [2, 3, 5].into_iter().fold(*n, without) == 1;
     (least..).find(is_smooth).unwrap_or(least)
 }
 
-/// A number less its factors `prime`.
+/// A number without its factors `prime`.
 fn without(mut n: usize, prime: usize) -> usize {
     while n.is_multiple_of(prime) {
         n /= prime;
