@@ -54,7 +54,7 @@ pub enum Cause {
     /// A converter that clips or rounds, or phase noise: no path, no other radar, and a level above that of
     /// noise.
     Receiver,
-    /// Not known: echoes of tables, which have no paths; or no path, a level above that of noise, and an
+    /// Unknown: echoes of tables, which have no paths; or no path, a level above that of noise, and an
     /// ideal receiver.
     #[default]
     Unknown,

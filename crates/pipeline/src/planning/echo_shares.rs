@@ -31,9 +31,9 @@ pub(crate) struct Shares {
     pub(crate) noise: f64,
 }
 
-/// A road that the scene itself omits is not part of the whole.
+/// Looks at up to three frames of a scene; `None` if nothing scatters in them.
 ///
-/// A road that the scene leaves out by its own word is no part of the whole.
+/// A road that the scene itself omits is not part of the whole.
 pub(crate) fn shares(
     header: &SceneHeader,
     said: &SaidPhysics,

@@ -1,5 +1,4 @@
-//! The words a user types. What they mean is in `docs/interface.md`; the defaults here are the promise made
-//! there.
+//! Command-line arguments. `docs/interface.md` describes their meaning and guarantees their defaults.
 
 use crate::program::export_formats::help_on_formats;
 #[cfg(feature = "classifier")]
@@ -44,17 +43,17 @@ pub struct General {
     /// Threads to use; the result does not depend on it, to the byte.
     #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Memory that tracing may take; what cannot fit is refused with figures [default: nine tenths of what is
-    /// free].
+    /// Memory for tracing; work that cannot fit is refused with figures [default: nine tenths of the free
+    /// memory].
     #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
     pub memory_limit: Option<u64>,
-    /// No progress and no notes beside the results.
+    /// No progress and no notes; results only.
     #[arg(long, global = true)]
     pub quiet: bool,
 }
 
 impl Command {
-    /// Says whether the command leaves files or only lines of standard output.
+    /// Returns whether the command's results are files or only lines of standard output.
     pub fn results(&self) -> Results {
         match self {
             #[cfg(feature = "classifier")]
@@ -65,8 +64,8 @@ impl Command {
     }
 }
 
-/// The words of this process, and which command they name. Ends the program with exit code 2 on wrong words,
-/// 0 after `--help`. Option values may begin with a minus.
+/// Parses the arguments of this process; returns them and the name of the command. Ends the program with exit
+/// code 2 on wrong arguments, 0 after `--help`. Option values may begin with a minus.
 pub fn parse_or_exit<P: Parser>() -> (P, String) {
     let matches = with_negative_values(P::command()).try_get_matches();
     let matches = matches.unwrap_or_else(|told| tell_and_exit(&suggest::<P>(told)));
@@ -74,7 +73,7 @@ pub fn parse_or_exit<P: Parser>() -> (P, String) {
     (P::from_arg_matches(&matches).unwrap_or_else(|e| e.exit()), command)
 }
 
-/// Help and version are results; what is wrong with the words is not.
+/// Prints help, the version or an error and exits; help and version are results, errors are not.
 fn tell_and_exit(told: &clap::Error) -> ! {
     let printed = told.print();
     if !told.use_stderr() {
@@ -92,39 +91,40 @@ fn with_negative_values(command: clap::Command) -> clap::Command {
 /// Commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// A scene file to every stage's artifacts, summary.json, report.html and pictures.
+    /// Runs a scene file through all stages: artifacts, summary.json, report.html and pictures.
     Run(RunArguments),
-    /// A mesh to its scattering amplitude over frequency and aspect (.npy).
+    /// Computes a mesh's scattering amplitude over frequency and aspect (.npy).
     Rcs(Box<RcsArguments>),
-    /// A scene file to the scattering paths of each frame.
+    /// Traces the scattering paths of each frame of a scene file.
     Paths(PathsArguments),
-    /// A scene file, and paths if given, to radar cubes.
+    /// Makes radar cubes from a scene file, and from paths if given.
     Echo(EchoArguments),
-    /// Radar cubes to range-Doppler maps, points and tracks.
+    /// Makes range-Doppler maps, points and tracks from radar cubes.
     Dsp(DspArguments),
     /// Datasets, training, classes.
     #[cfg(feature = "classifier")]
     #[command(flatten)]
     Learning(LearningCommand),
-    /// A study to the design of a radar to take, with tables, picture and report; resumes where it stopped.
+    /// Finds the radar design to take by a study, with tables, picture and report; resumes where it stopped.
     Sweep(SweepArguments),
-    /// Points and tracks of any program, and a scene, to what was found, missed and false (JSON).
+    /// Compares points and tracks of any program with a scene: found, missed and false (JSON).
     Score(ScoreArguments),
-    /// Samples from anywhere (.npy, DCA1000 .bin, SigMF, .mat) to a radar cube; clouds of other programs to
+    /// Imports samples (.npy, DCA1000 .bin, SigMF, .mat) as a radar cube, or clouds of other programs as
     /// points.
     Import(Box<ImportArguments>),
-    /// A board's configuration (mmWave SDK .cfg, mmWave Studio log or script) to a scene file with its radar.
+    /// Makes a scene file with its radar from a board's configuration (mmWave SDK .cfg, mmWave Studio log or
+    /// script).
     SceneFrom(SceneFromArguments),
-    /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration`
-    /// of [dsp].
+    /// Measures the errors of the array's channels from radar cubes of a reflector at a known place, for
+    /// `calibration` of [dsp].
     Calibrate(CalibrateArguments),
-    /// Any artifact to a format that others read.
+    /// Converts any artifact to a format that other programs read.
     Export(ExportArguments),
-    /// Header, provenance, shape, units and a sanity line of any artifact.
+    /// Shows header, provenance, shape, units and a sanity line of any artifact.
     Inspect(InspectArguments),
     /// Writes the project's own vehicles (.glb) and their manifest.
     Vehicles(VehiclesArguments),
-    /// Lists what the cache holds, stage by stage.
+    /// Lists the contents of the cache, stage by stage.
     Cache(CacheCommandArguments),
 }
 
@@ -136,30 +136,30 @@ pub(crate) struct SceneArguments {
     /// Replaces the model of every target.
     #[arg(long, value_name = "FILE.glb")]
     pub(crate) model: Option<PathBuf>,
-    /// Through which of several radars; `run` takes them all in turn where none is said.
+    /// Id of one of several radars; without it `run` takes them all in turn.
     #[arg(long, value_name = "ID")]
     pub(crate) radar: Option<String>,
     /// Replaces the scene's seed.
     #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: Option<u64>,
-    /// Replaces the scene's accuracy, dB; what the scene does not say itself of the physics is chosen by it.
+    /// Replaces the scene's accuracy, dB; it determines the physics that the scene leaves open.
     #[arg(long, value_name = "DB", value_parser = accuracy_db)]
     pub(crate) accuracy_db: Option<f64>,
 }
 
 #[derive(Debug, Clone, Args)]
 pub(crate) struct CacheArguments {
-    /// Folder of cached frames [default: .cache of the project's folder; outside of it the user's cache
+    /// Folder of cached frames [default: .cache of the project's folder; outside the project the user's cache
     /// folder].
     #[arg(long, value_name = "DIR")]
     pub(crate) cache: Option<PathBuf>,
-    /// Largest size of the cache; the oldest frames go first.
+    /// Largest size of the cache; the oldest frames are removed first.
     #[arg(long, value_name = "MIB", default_value_t = 8192, value_parser = clap::value_parser!(u64).range(..=1 << 40))]
     pub(crate) cache_limit_mib: u64,
 }
 
 impl SceneArguments {
-    /// The scene as the chain takes it: file, model, radar and seed.
+    /// The scene in the chain's type: file, model, radar and seed.
     pub(crate) fn source(&self) -> SceneSource {
         let Self { scene, model, radar, seed, accuracy_db } = self.clone();
         SceneSource { file: scene, model, radar, seed, accuracy_db }
@@ -167,13 +167,13 @@ impl SceneArguments {
 }
 
 impl CacheArguments {
-    /// The cache as the chain takes it: folder and limit, MiB.
+    /// The cache in the chain's type: folder and limit, MiB.
     pub(crate) fn location(&self) -> CacheLocation {
         CacheLocation { folder: self.cache.clone(), limit_mib: self.cache_limit_mib }
     }
 }
 
-/// Words of `run`.
+/// Arguments of `run`.
 #[derive(Debug, Args)]
 pub struct RunArguments {
     #[command(flatten)]
@@ -181,13 +181,13 @@ pub struct RunArguments {
     /// Folder of all results [default: out/ and the scene's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
-    /// Model of the classifier [default: the one that ships with the program].
+    /// Model of the classifier [default: the one shipped with the program].
     #[arg(long, value_name = "FILE.model")]
     pub(crate) classifier: Option<PathBuf>,
-    /// Says what would be done, in which time and memory, and does nothing.
+    /// Prints the planned work with its time and memory, and does nothing.
     #[arg(long)]
     pub(crate) dry_run: bool,
-    /// Says why each stage runs or not.
+    /// Prints why each stage runs or not.
     #[arg(long)]
     pub(crate) explain: bool,
     /// Neither reads nor writes the cache.
@@ -197,7 +197,7 @@ pub struct RunArguments {
     pub(crate) cache: CacheArguments,
 }
 
-/// Words of `rcs`.
+/// Arguments of `rcs`.
 #[derive(Debug, Args)]
 pub struct RcsArguments {
     /// Mesh (.glb, .gltf, .stl, .obj, .xoma) or the name of an own vehicle.
@@ -212,7 +212,7 @@ pub struct RcsArguments {
     /// Elevations above the horizon, degrees.
     #[arg(long, value_parser = elevations, default_value = "0")]
     pub(crate) el_deg: Axis,
-    /// Antenna to the mesh's origin, m, or inf.
+    /// Distance from the antenna to the mesh's origin, m, or inf.
     #[arg(long, value_parser = range, default_value = "inf")]
     pub(crate) range_m: f64,
     /// First letter receives, second transmits.
@@ -230,13 +230,13 @@ pub struct RcsArguments {
     /// Diffraction by edges (physical theory of diffraction).
     #[arg(long, default_value = "off", value_parser = one_of(EDGES))]
     pub(crate) edges: Edges,
-    /// Facet on which a multiple reflection is integrated [default: own-edge; of the references middle].
+    /// Facet on which a multiple reflection is integrated [default: own-edge; for the references middle].
     #[arg(long, value_parser = one_of(NODES))]
     pub(crate) nodes: Option<NodeRule>,
-    /// Surface that the facets stand for: themselves, or the curved skin that the vertex normals tell of.
+    /// Surface that the facets represent: themselves, or the curved skin that the vertex normals describe.
     #[arg(long, default_value = "flat", value_parser = one_of(SURFACES))]
     pub(crate) surface: Surface,
-    /// Table of what the mesh's materials stand for (docs/materials.md); without it everything conducts.
+    /// Table of the mesh's materials (docs/materials.md); without it everything conducts.
     #[arg(long, value_name = "FILE.toml")]
     pub(crate) materials: Option<PathBuf>,
     /// Whether waves are followed through sheets.
@@ -254,7 +254,7 @@ pub struct RcsArguments {
     /// Fixed receiver: distance, m [default: that of the transmitter].
     #[arg(long, value_parser = range, requires = "rx_az_deg")]
     pub(crate) rx_range_m: Option<f64>,
-    /// Relative amplitude error allowed, dB [default: -40].
+    /// Allowed relative amplitude error, dB [default: -40].
     #[arg(long, value_parser = accuracy_db)]
     pub(crate) accuracy_db: Option<f64>,
     /// Metres per unit of the mesh file.
@@ -288,13 +288,13 @@ impl RcsArguments {
         self.density.unwrap_or(6.0)
     }
 
-    /// Relative amplitude error allowed, dB.
+    /// Allowed relative amplitude error, dB.
     pub(crate) fn accuracy_db(&self) -> f64 {
         self.accuracy_db.unwrap_or(-40.0)
     }
 }
 
-/// Words of `paths`.
+/// Arguments of `paths`.
 #[derive(Debug, Args)]
 pub struct PathsArguments {
     #[command(flatten)]
@@ -304,7 +304,7 @@ pub struct PathsArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `echo`.
+/// Arguments of `echo`.
 #[derive(Debug, Args)]
 pub struct EchoArguments {
     #[command(flatten)]
@@ -317,13 +317,13 @@ pub struct EchoArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `dsp`.
+/// Arguments of `dsp`.
 #[derive(Debug, Args)]
 pub struct DspArguments {
     /// Radar cubes.
     #[arg(value_name = "F.cube")]
     pub(crate) cube: PathBuf,
-    /// Scene whose [dsp] replaces the settings that the cubes carry.
+    /// Scene whose [dsp] replaces the settings in the cubes.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: Option<PathBuf>,
     /// Name of one of that scene's radars, where it has several.
@@ -337,7 +337,7 @@ pub struct DspArguments {
     pub(crate) pictures: bool,
 }
 
-/// Words of `sweep`.
+/// Arguments of `sweep`.
 #[derive(Debug, Args)]
 pub struct SweepArguments {
     /// Study.
@@ -349,13 +349,13 @@ pub struct SweepArguments {
     /// Part K of N.
     #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
     pub(crate) shard: Shard,
-    /// Makes no runs: writes the results of all of them, or says how many lack.
+    /// Makes no runs: writes the results of all of them, or says how many are missing.
     #[arg(long, conflicts_with = "shard")]
     pub(crate) conclude: bool,
     /// Replaces the study's seed.
     #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: Option<u64>,
-    /// Model of the classifier [default: the one that ships with the program].
+    /// Model of the classifier [default: the one shipped with the program].
     #[arg(long, value_name = "FILE.model")]
     pub(crate) classifier: Option<PathBuf>,
     /// Neither reads nor writes the cache.
@@ -365,36 +365,36 @@ pub struct SweepArguments {
     pub(crate) cache: CacheArguments,
 }
 
-/// Words of `import`.
+/// Arguments of `import`.
 #[derive(Debug, Args)]
 pub struct ImportArguments {
     /// Samples: complex64 [frame, channel, chirp, sample]; or a DCA1000EVM's .bin, or a .sigmf-meta, of
-    /// receivers; or a .mat of UWCR, or a folder of them. Where the result is F.points: a cloud of
-    /// View-of-Delft (.bin) or nuScenes (.pcd), or a folder of them.
+    /// receivers; or a .mat of UWCR, or a folder of them. For a result F.points: a cloud of View-of-Delft
+    /// (.bin) or nuScenes (.pcd), or a folder of them.
     #[arg(value_name = "F.npy")]
     pub(crate) array: PathBuf,
-    /// √W of one step of integer samples, where no file beside them says it; without either they are counted
-    /// in steps.
+    /// √W of one step of integer samples, if no file beside them specifies it; without either the unit is the
+    /// step.
     #[arg(long, value_name = "SQRT_W", value_parser = step)]
     pub(crate) step: Option<f32>,
-    /// Largest part of a sample, in the file's numbers, where these are a converter's steps: levels are told
-    /// against it, in dBFS [default: of 16-bit integers 32768].
+    /// Full scale of a converter, in the file's numbers, if these are its steps: levels are then given
+    /// relative to it, in dBFS [default: of 16-bit integers 32768].
     #[arg(long, value_name = "STEPS", value_parser = full_scale, conflicts_with = "step")]
     pub(crate) full_scale: Option<f64>,
-    /// Configuration of the board (mmWave SDK .cfg, mmWave Studio log or script): what the scene does not say
-    /// of the radar, and a check of what it says.
+    /// Configuration of the board (mmWave SDK .cfg, mmWave Studio log or script): completes the scene's
+    /// radar, and is checked against it.
     #[arg(long, value_name = "FILE")]
     pub(crate) config: Option<PathBuf>,
     /// Evaluation board of that configuration [default: that of the chip which it names].
     #[arg(long, value_parser = boards(), requires = "config")]
     pub(crate) device: Option<Board>,
-    /// Lanes by which a DCA1000EVM recorded [default: those of the configuration, else two].
+    /// Number of lanes of a DCA1000EVM's recording [default: that of the configuration, else two].
     #[arg(long, value_parser = lanes())]
     pub(crate) layout: Option<Lanes>,
-    /// Part of a DCA1000EVM's complex samples that comes first [default: that of the configuration, else I].
+    /// First part of a DCA1000EVM's complex samples [default: that of the configuration, else I].
     #[arg(long, value_parser = iq_orders())]
     pub(crate) iq_order: Option<IqOrder>,
-    /// Scene that tells the radar and the processing.
+    /// Scene with the radar and the processing.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: PathBuf,
     /// Name of one of that scene's radars, where it has several.
@@ -405,7 +405,7 @@ pub struct ImportArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `scene-from`.
+/// Arguments of `scene-from`.
 #[derive(Debug, Args)]
 pub struct SceneFromArguments {
     /// Configuration of the board: mmWave SDK .cfg, mmWave Studio log or script.
@@ -419,7 +419,7 @@ pub struct SceneFromArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `calibrate`.
+/// Arguments of `calibrate`.
 #[derive(Debug, Args)]
 pub struct CalibrateArguments {
     /// Radar cubes of the reflector, at rest.
@@ -433,7 +433,7 @@ pub struct CalibrateArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `export`.
+/// Arguments of `export`.
 #[derive(Debug, Args)]
 #[command(after_help = help_on_formats())]
 pub struct ExportArguments {
@@ -443,11 +443,12 @@ pub struct ExportArguments {
     /// Format.
     #[arg(long)]
     pub(crate) to: FormatWord,
-    /// Whether a map's .png has axes in metres and m/s and a scale in dB, or is the paper's grey picture.
+    /// Whether a map's .png has axes in metres and m/s and a scale in dB, or is a grey picture as in the
+    /// paper.
     #[arg(long, value_enum, default_value = "off")]
     pub(crate) axes: AxesWord,
-    /// Scene of these frames, the scene.scene of their run, of which a training set's boxes are made
-    /// [default: no labels].
+    /// Scene of these frames, the scene.scene of their run, for the boxes of a training set [default: no
+    /// labels].
     #[arg(long, value_name = "F.scene")]
     pub(crate) scene: Option<PathBuf>,
     /// Result.
@@ -455,7 +456,7 @@ pub struct ExportArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `score`.
+/// Arguments of `score`.
 #[derive(Debug, Args)]
 pub struct ScoreArguments {
     /// Points with their objects.
@@ -464,7 +465,7 @@ pub struct ScoreArguments {
     /// Ground truth: the scene of these points, the scene.scene of its run.
     #[arg(long, value_name = "F.scene")]
     pub(crate) scene: PathBuf,
-    /// The paths of their echoes; without them every body in range is to be found, also one that is hidden.
+    /// Paths of their echoes; without them every body in range counts as one to be found, even a hidden one.
     #[arg(long, value_name = "F.paths")]
     pub(crate) paths: Option<PathBuf>,
     /// Tracks of the same frames [default: those of the objects by the tracker of `dsp`].
@@ -472,7 +473,7 @@ pub struct ScoreArguments {
     pub(crate) tracks: Option<PathBuf>,
 }
 
-/// Words of `inspect`.
+/// Arguments of `inspect`.
 #[derive(Debug, Args)]
 pub struct InspectArguments {
     /// Artifact.
@@ -480,27 +481,27 @@ pub struct InspectArguments {
     pub(crate) file: PathBuf,
 }
 
-/// Words of `vehicles`.
+/// Arguments of `vehicles`.
 #[derive(Debug, Args)]
 pub struct VehiclesArguments {
     /// Folder of the vehicles.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
-    /// 0 gives the nominal dimensions, others spread them over real ranges.
+    /// Seed of the dimensions: 0 gives the nominal ones, others spread them over real ranges.
     #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: u64,
-    /// Number of vehicles of each model: the first is that of the seed, the others have seeds of their own,
-    /// which the manifest tells.
+    /// Number of vehicles of each model: the first has the seed, the others have seeds of their own, listed
+    /// in the manifest.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub(crate) count: u64,
 }
 
-/// Words of `cache`.
+/// Arguments of `cache`.
 #[derive(Debug, Args)]
 pub struct CacheCommandArguments {
     #[command(flatten)]
     pub(crate) location: CacheArguments,
-    /// Empties it.
+    /// Empties the cache.
     #[arg(long)]
     pub(crate) clear: bool,
 }

@@ -13,7 +13,7 @@ use pipeline::host::failure::Failure;
 use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use radar::lattice::tells_azimuth;
 
-/// Processing of the cubes of one radar, from the cubes alone.
+/// Processing of one radar's cubes, from the cubes alone.
 pub struct Processing {
     header: CubeHeader,
     receiver: Receiver,
@@ -23,7 +23,7 @@ pub struct Processing {
 pub struct Answered {
     /// Probabilities of the classes, in the order of [`Processing::class_names`].
     pub probabilities: [f32; 4],
-    /// Name of the class that is told, or "unknown".
+    /// Name of the predicted class, or "unknown".
     pub told: &'static str,
 }
 
@@ -31,13 +31,13 @@ impl Processing {
     /// Makes the receiver of the cubes that a header describes.
     ///
     /// # Errors
-    /// What of the radar or its settings no map or no threshold can be made of.
+    /// The radar or its settings allow no map or no threshold.
     pub fn of(header: &CubeHeader) -> Result<Self, Failure> {
         let receiver = Receiver::new(header).map_err(Failure::refused)?;
         Ok(Self { header: header.clone(), receiver })
     }
 
-    /// Origin of what is made of a cube of this origin.
+    /// Provenance of products of a cube with this provenance.
     pub fn provenance(&self, cube: &Provenance) -> Provenance {
         Provenance {
             stage: Stage::Dsp.name().into(),
@@ -48,7 +48,7 @@ impl Processing {
         }
     }
 
-    /// Header of points, which know no truth.
+    /// Header of points, without ground truth.
     pub fn points_header(&self) -> PointsHeader {
         PointsHeader { cube: Some(self.header.clone()), targets: vec![], classes: vec![] }
     }
@@ -72,15 +72,15 @@ impl Processing {
     /// Range-Doppler map of a frame, with the cells that the detector tested and found.
     ///
     /// # Errors
-    /// Samples that are not the radar's.
+    /// The samples do not have the radar's shape.
     pub fn map(&self, cube: &CubeFrame) -> Result<RdmFrame, Failure> {
         self.receiver.range_doppler(cube).map_err(Failure::refused)
     }
 
-    /// Points and objects of all frames, the velocities of sub-frames resolved by each other.
+    /// Points and objects of all frames, with the velocities of sub-frames resolved by each other.
     ///
     /// # Errors
-    /// Maps and cubes that are not the radar's.
+    /// The maps or cubes do not have the radar's shape.
     pub fn points(&self, maps: &[RdmFrame], cubes: &[CubeFrame]) -> Result<Vec<PointsFrame>, Failure> {
         let detect = |(map, cube)| self.receiver.detect_refined(map, cube).map_err(Failure::refused);
         let detected = maps.iter().zip(cubes).map(detect).collect::<Result<Vec<_>, _>>()?;
@@ -88,7 +88,7 @@ impl Processing {
         Ok(cycles.flat_map(|cycle| self.receiver.resolved(cycle.to_vec())).collect())
     }
 
-    /// Sentences about what points lack, as `dsp` and `run` tell them: noise, azimuths, heights.
+    /// Sentences about missing properties of points, as printed by `dsp` and `run`: noise, azimuths, heights.
     pub fn remarks(&self, points: &[PointsFrame]) -> Vec<String> {
         let noise = (!has_noise(&self.header)).then(|| WITHOUT_NOISE.to_owned());
         let azimuths = (!tells_azimuth(&self.header.radar)).then(|| WITHOUT_AZIMUTH.to_owned());
@@ -97,10 +97,10 @@ impl Processing {
         noise.into_iter().chain(azimuths).chain(heights).collect()
     }
 
-    /// Objects followed over the frames.
+    /// Tracks objects over the frames.
     ///
     /// # Errors
-    /// Settings that nothing can be followed by.
+    /// The settings do not allow tracking.
     pub fn tracks(&self, points: &[PointsFrame]) -> Result<Vec<TracksFrame>, Failure> {
         let mut tracker = Tracker::new(&self.header, ROAD_TRAFFIC).map_err(Failure::refused)?;
         points.iter().map(|frame| tracker.step(frame).map_err(Failure::refused)).collect()
@@ -109,7 +109,7 @@ impl Processing {
     /// Classes of the objects of a frame, in their order.
     ///
     /// # Errors
-    /// A model that cannot answer about these maps.
+    /// The model does not suit these maps.
     pub fn classes(
         &self,
         model: &LoadedModel,

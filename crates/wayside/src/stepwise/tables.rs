@@ -11,7 +11,7 @@ use pipeline::host::memory::Allowance;
 use pipeline::host::processor_time::WorkClock;
 use pipeline::host::progress::{self, Work};
 
-/// S in metres and what is known of it.
+/// S in metres with its errors.
 pub struct RcsTable {
     /// Number of frequencies, elevations and azimuths.
     pub shape: [usize; 3],
@@ -21,14 +21,14 @@ pub struct RcsTable {
     pub error: ErrorBudget,
     /// Errors of the physical model.
     pub model_error: ModelError,
-    /// Range from which on a table of infinite range is right, 2D²/λ.
+    /// Range from which on a table of infinite range holds, 2D²/λ.
     pub far_field_from_m: f64,
 }
 
 /// Makes the table of a mesh by BART, as the command `rcs` does.
 ///
 /// # Errors
-/// A request out of range, a mesh that cannot be traced, memory that does not suffice.
+/// A request out of range, a mesh that cannot be traced, insufficient memory.
 pub fn rcs(mesh: &Mesh, request: &RcsRequest, memory: Allowance) -> Result<RcsTable, Failure> {
     let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
     check_size(shape)?;
@@ -47,13 +47,13 @@ pub fn rcs(mesh: &Mesh, request: &RcsRequest, memory: Allowance) -> Result<RcsTa
     })
 }
 
-/// Values of a table: 16 bytes each, a gibibyte and what measuring its errors takes beside.
+/// Largest number of values of a table: 16 bytes each, a gibibyte plus the memory for measuring its errors.
 const TABLE_LIMIT: usize = 1 << 26;
 
-/// Refuses a table of more values than one can have.
+/// Refuses a table with too many values.
 ///
 /// # Errors
-/// The numbers of values that were asked for.
+/// The requested numbers of values.
 pub fn check_size([frequencies, elevations, azimuths]: [usize; 3]) -> Result<(), Failure> {
     let values = frequencies.saturating_mul(elevations).saturating_mul(azimuths);
     match values > TABLE_LIMIT {
