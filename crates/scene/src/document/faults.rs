@@ -1,5 +1,4 @@
-//! Broken rules of one file, noted in any order and told in the file's: the first hundred, however many there
-//! are.
+//! Broken rules of one file, noted in any order and reported in that of the file: at most the first hundred.
 
 use crate::document::errors::{Place, Position, Rule, SceneError, SceneErrors};
 use crate::document::toml_text;
@@ -8,25 +7,24 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
-/// Most errors that are told, as many as a person reads; a file that breaks more is another one given by
+/// Largest number of reported errors, as many as a person reads; a file with more is another file given by
 /// mistake.
 const TOLD: usize = 100;
 
-/// Byte of what stands nowhere in the file: a value that a change puts into a table which the file leaves
-/// out.
+/// Byte of a value without a position in the file: one that a change puts into a table which the file omits.
 pub(crate) const NOWHERE: usize = usize::MAX;
 
-/// Broken rules of one file. Noting one takes the same however many there are.
+/// Broken rules of one file. The cost of noting one does not depend on their number.
 pub(crate) struct Faults<'s> {
     file: &'s Path,
     text: &'s str,
-    /// Bytes at which lines begin, found when first needed.
+    /// Bytes at which lines begin, computed when first needed.
     lines: OnceCell<Vec<usize>>,
     syntax: RefCell<First>,
     others: RefCell<First>,
 }
 
-/// The first of the file, by their bytes and then as they were noted.
+/// The first errors of the file, by their bytes and then in the order of noting.
 #[derive(Default)]
 struct First {
     kept: BTreeMap<(usize, u64), (Place, Rule)>,
@@ -42,7 +40,7 @@ impl First {
         }
     }
 
-    /// Number of noted errors that are not kept.
+    /// Number of noted errors that were not kept.
     fn more(&self) -> u64 {
         self.noted - self.kept.len() as u64
     }
@@ -53,8 +51,8 @@ impl<'s> Faults<'s> {
         Self { file, text, lines: OnceCell::new(), syntax: RefCell::default(), others: RefCell::default() }
     }
 
-    /// The document that the text says, as far as it is TOML; none where it is too deep to be walked. Noted
-    /// is what is wrong with it.
+    /// Parses the text as far as it is TOML; returns an empty document if it is nested too deeply. Notes its
+    /// faults.
     pub(crate) fn document(&self) -> DeTable<'s> {
         let (document, syntax) = DeTable::parse_recoverable(self.text);
         for error in &syntax {
@@ -94,8 +92,8 @@ impl<'s> Faults<'s> {
         Some(Position { line: self.line(before.len()), column })
     }
 
-    /// Returns the noted errors in the order of the file. Where the text is not TOML, what else is said of
-    /// the same line, or said to be missing, only follows from the first that is.
+    /// Returns the noted errors in the order of the file. If the text is not TOML, missing keys and all but
+    /// the first syntax error of a damaged line are omitted as consequences.
     pub(crate) fn into_errors(self) -> Result<(), SceneErrors> {
         let (syntax, others) = (self.syntax.take(), self.others.take());
         let mut more = syntax.more() + others.more();

@@ -1,6 +1,6 @@
-//! Every key of a scene, declared once: name with unit, type, range, default and sentence. Of it are made
-//! what the reader accepts, what an error suggests, the tables of `docs/scenes.md` ([`with_tables`]) and the
-//! schema that editors read ([`json_schema`]).
+//! Every key of a scene, declared once: name with unit, type, range, default and sentence. The reader's
+//! checks, the suggestions in errors, the tables of `docs/scenes.md` ([`with_tables`]) and the schema for
+//! editors ([`json_schema`]) are all derived from it.
 
 pub(crate) mod key;
 pub(crate) mod kinds;
@@ -46,7 +46,7 @@ pub const TABLES: &[Table] = &[
     traffic::MODEL_OF_TYPE,
 ];
 
-/// The heading of a table, other than `here`, that knows `key`.
+/// The heading of a table, other than `here`, that contains `key`.
 pub(crate) fn home_of(key: &str, here: &Table) -> Option<&'static str> {
     TABLES.iter().find(|table| table.name != here.name && table.has(key)).map(|table| table.heading)
 }
