@@ -1,12 +1,12 @@
-//! The `.cfg` of the mmWave SDK: a command a line, numbers apart by blanks, `%` before remarks (mmWave SDK
-//! User Guide, release 3.6, "Configuration (.cfg) File Format"). What says nothing about chirps, channels and
-//! samples is passed over.
+//! The `.cfg` of the mmWave SDK: one command per line, numbers separated by blanks, `%` before comments
+//! (mmWave SDK User Guide, release 3.6, "Configuration (.cfg) File Format"). Commands that do not concern
+//! chirps, channels and samples are ignored.
 
 use super::statements::{Arguments, CHIRPS_MAX, Chirps, Fault, Frame, ProfileColumns, Statement, Told};
 use crate::devices::IqOrder;
 use artifact::radar::Sampling;
 
-/// Commands of a file in their order.
+/// Commands of a file in order.
 pub(super) fn statements(text: &str) -> Result<Vec<Statement>, Fault> {
     let mut all = Vec::new();
     for (index, line) in text.lines().enumerate() {
@@ -18,7 +18,7 @@ pub(super) fn statements(text: &str) -> Result<Vec<Statement>, Fault> {
     Ok(all)
 }
 
-/// Meanings of a command's words; none of what says nothing.
+/// Meanings of a command's arguments; none for irrelevant commands.
 type Reads = fn(&Arguments<'_>) -> Result<Vec<Told>, Fault>;
 
 fn command(name: &str) -> Option<(&'static str, Reads)> {
@@ -81,8 +81,8 @@ fn buffer(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     Ok(vec![Told::Buffer(sampling), Told::Order(order)])
 }
 
-/// Sub-frame, header, format of what the hardware sends (0 nothing, 1 samples, 4 samples between parameters
-/// and quality of the chirp), stream of the software (the same guide, `lvdsStreamCfg`).
+/// Sub-frame, header, format of the hardware's stream (0 nothing, 1 samples, 4 samples between parameters and
+/// quality of the chirp), stream of the software (the same guide, `lvdsStreamCfg`).
 fn stream(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(4)?;
     let header = arguments.whole(1, "the switch of the header", 1)?;
@@ -117,7 +117,8 @@ fn chirps(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     })])
 }
 
-/// Chirps, loops, frames, period, trigger, its delay; later devices have the samples before the period.
+/// Chirps, loops, frames, period, trigger, its delay; later devices have the number of samples before the
+/// period.
 fn frame(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(5)?;
     arguments.at_most(7)?;
