@@ -32,7 +32,6 @@ pub const GATE_M: f64 = 3.0;
 /// 1.4 m/s; parts of one object differ by a metre a second (`cluster_velocity_mps`).
 /// If a Doppler cell is wider than twice that, half of it is used instead: a frame of one chirp measures no
 /// velocity.
-/// velocity is told at all.
 pub const VELOCITY_GATE_MPS: f64 = 2.0;
 
 /// Distance up to which an object counts as on a body's outline, as good as any within: two range cells of

@@ -6,7 +6,6 @@
 //! Between places d is their distance, and the whole is a metric; between a body and an object it is that to
 //! the nearest part of the body, which is not a metric (all places of one body have distance zero from it),
 //! and the sum is only an error.
-//! from it), and the sum is read as an error alone.
 
 use ndarray::{Array2, ArrayView2};
 use radar::assignment::assignment;

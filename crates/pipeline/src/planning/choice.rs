@@ -34,7 +34,6 @@ pub(crate) enum Limit {
 }
 
 /// Share of the largest error of the method that all other errors may take: half of it adds a tenth, 1 dB.
-/// 1 dB.
 const OF_METHOD: f64 = 0.5;
 
 impl Budget {
