@@ -47,7 +47,7 @@ pub(in crate::dataset) struct Document {
     pub(super) models: Choice,
 }
 
-/// Two values and no more: a third one of a list would be passed over.
+/// Reads exactly two values; a third one would otherwise be ignored.
 fn pair<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<[T; 2], D::Error> {
     let values = Vec::<T>::deserialize(from)?;
     let found = values.len();
@@ -74,7 +74,7 @@ fn kept() -> bool {
     true
 }
 
-/// A scene of which radar, noise, processing and fidelity are taken; its own targets are not used.
+/// A scene that provides radar, noise, processing and fidelity; its own targets are not used.
 pub(in crate::dataset) struct Base {
     /// Name of the scene's file.
     pub(in crate::dataset) name: String,

@@ -1,5 +1,5 @@
-//! `[models]` of a recipe: the project's own vehicles, mesh files, folders of them, and a folder whose
-//! manifest tells classes.
+//! `[models]` of a recipe: the project's own vehicles, mesh files, folders of them, and a folder with a
+//! manifest of classes.
 
 use crate::dataset::recipe::error::RecipeError;
 use artifact::bounded;
@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::slice;
 
-/// A manifest of a thousand vehicles, with all that is told of each.
+/// Largest manifest: a thousand vehicles with all their properties.
 const LIMIT_BYTES: u64 = 16 << 20;
 
 /// Content of the recipe's table `[models]`.
@@ -31,7 +31,7 @@ pub(super) struct Choice {
     motorcycle: Option<Vec<String>>,
 }
 
-/// A body that a recipe may draw.
+/// A body that may be drawn.
 pub(in crate::dataset) struct Model {
     /// Name of the project's own vehicle, or of the file without its ending.
     pub(in crate::dataset) name: String,
@@ -46,7 +46,7 @@ enum Source {
 
 struct OfFile {
     mesh: Mesh,
-    /// Each base scene's materials, and the file's own beside them.
+    /// Each base scene's materials, with the file's own.
     materials: Vec<MaterialMap>,
 }
 
@@ -56,7 +56,7 @@ impl Model {
         matches!(self.source, Source::Own)
     }
 
-    /// Mesh of a variant in a scene's axes, in the materials of a base scene, by its number, and its own.
+    /// Mesh of a variant in a scene's axes, with the materials of base scene number `base`, and its own.
     pub(in crate::dataset) fn mesh(&self, variant: u64, base: usize, header: &SceneHeader) -> Mesh {
         let (mesh, map) = match &self.source {
             Source::Own => (vehicles::mesh(&self.name, variant).unwrap_or_default(), &header.materials),
@@ -69,8 +69,8 @@ impl Model {
 /// Name and file of a model; an own vehicle has no file.
 type Named = (String, Option<PathBuf>);
 
-/// All models of each class, in the order of the recipe; `inputs` gets the files that they were read from,
-/// with hashes.
+/// Reads all models of each class, in the order of the recipe; their files and hashes are appended to
+/// `inputs`.
 pub(super) fn read(
     choice: &Choice,
     recipe: &Path,
@@ -119,7 +119,7 @@ impl Choice {
     }
 }
 
-/// Part of a folder's `manifest.toml` that is read; the file may say more.
+/// Part of a folder's `manifest.toml` that is read; the file may contain more.
 #[derive(Deserialize)]
 struct Manifest {
     vehicle: Vec<Entry>,
@@ -145,8 +145,7 @@ fn manifest_of(file: &Path) -> Result<Manifest, Failure> {
 /// Word for all crosses of a class.
 const ALL_CROSSES: &str = "crosses";
 
-/// The models that a word of the recipe names: an own vehicle, all crosses, a file, or all `.glb` of a
-/// folder.
+/// The models named by a word of the recipe: an own vehicle, all crosses, a file, or all `.glb` of a folder.
 fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, RecipeError> {
     let (path, name) = (folder.join(written), || written.to_owned());
     if written == ALL_CROSSES {
@@ -182,7 +181,7 @@ fn stem(file: &Path) -> String {
     file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// A class that is named has models, and a name is one model's, for splits may go by it.
+/// Checks that each named class has models, and that names are unique, because splits may go by them.
 fn check(all: &BTreeMap<Class, Vec<Named>>, choice: &Choice) -> Result<(), RecipeError> {
     if let Some((class, _)) = choice.by_class().find(|(_, written)| written.is_empty()) {
         return Err(RecipeError::EmptyClass(class));
