@@ -1,9 +1,9 @@
-//! The hash of source files: by `build.rs` for cache keys, by `xtask` for the age of the pages of `docs/`.
+//! Hash of source files, used by `build.rs` for cache keys and by `xtask` for the age of the pages of `docs/`.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Of all sources at these places, one after the other.
+/// Hashes all sources at these places, one after the other.
 pub(crate) fn hash_of<'a>(
     places: impl IntoIterator<Item = &'a PathBuf>,
 ) -> Result<blake3::Hash, SourceError> {
@@ -42,7 +42,7 @@ impl std::error::Error for SourceError {
     }
 }
 
-/// The file itself, or all `.rs` and `.toml` files below the folder but tests, in a fixed order.
+/// The file itself, or all `.rs` and `.toml` files below the folder except tests, in a fixed order.
 fn sources(place: &Path) -> Result<Vec<PathBuf>, SourceError> {
     if place.is_file() {
         return Ok(vec![place.to_owned()]);

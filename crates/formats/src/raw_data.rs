@@ -138,7 +138,7 @@ impl Recording {
 pub(crate) enum Shape {
     /// A description beside it, compared with the scene's radar.
     Told,
-    /// None: the scene's radar is assumed to be the recording one.
+    /// No description: the scene's radar is assumed to be the recording one.
     Assumed,
 }
 
@@ -178,7 +178,7 @@ pub enum IntegerStep {
     Counted {
         /// The converter's steps per step of the file.
         step: f32,
-        /// Its full scale, in its steps.
+        /// Full scale of the converter, in its steps.
         full_scale: Option<f64>,
         /// File with these values.
         place: PathBuf,

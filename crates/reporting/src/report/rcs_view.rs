@@ -205,7 +205,7 @@ fn level(power: f64, strongest: f64) -> u8 {
     if power > 0.0 && db >= 0.0 { 1 + db.min(SPAN_DB).round() as u8 } else { 0 }
 }
 
-/// How the view is read and moved.
+/// Instructions for reading and moving the view.
 const HOW: &str = "facets from −40 to 0 dB of the strongest sequence, by the powers of all sequences that they \
                    take part in, without their phases. Lines are sequences, coloured by their bounces. Drag \
                    turns the view, with the right button or Shift moves it; the wheel comes nearer once the \

@@ -64,7 +64,7 @@ pub enum ToldVelocity {
     },
     /// The whole vector, as in OSI.
     Whole {
-        /// Along world x, y and z.
+        /// Velocity along world x, y and z.
         velocity_mps: [f64; 3],
     },
     /// No velocity, which OSI allows.

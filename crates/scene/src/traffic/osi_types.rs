@@ -7,7 +7,7 @@ use artifact::settings::Class;
 pub(crate) enum StandIn {
     /// The vehicle of these classes nearest in size; the named one if the size is unknown.
     NearestOf(&'static [Class], &'static str),
-    /// None: the object is ignored.
+    /// No stand-in: the object is ignored.
     PassedOver,
 }
 
