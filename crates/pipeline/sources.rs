@@ -1,4 +1,4 @@
-//! Hash of source files, used by `build.rs` for cache keys and by `xtask` for the age of the pages of `docs/`.
+//! Hash of source files, for cache keys (`build.rs`) and for the age of the pages of `docs/` (`xtask`).
 
 use std::fmt;
 use std::path::{Path, PathBuf};

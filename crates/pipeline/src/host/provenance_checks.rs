@@ -25,11 +25,11 @@ pub fn same_files(files: &[(String, String)], of_other: &[(String, String)]) -> 
     })
 }
 
-/// Whether an artifact read beside a scene (the frames or tracks that `named` names) was made from that scene
-/// file; if it was not, notes that bodies may differ.
+/// Whether a scene and an artifact read beside it (frames or tracks, as `named` says) were made from the same
+/// scene file; if not, notes that bodies may differ.
 ///
 /// # Errors
-/// The artifact was made from another file of the same name.
+/// The scene was made from another file of the same name.
 pub fn same_scene(
     file: &Path,
     scene: &Provenance,
