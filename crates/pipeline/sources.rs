@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Hashes all sources at these places, one after the other.
+/// Of all sources at these places, one after the other.
 pub(crate) fn hash_of<'a>(
     places: impl IntoIterator<Item = &'a PathBuf>,
 ) -> Result<blake3::Hash, SourceError> {

@@ -50,9 +50,9 @@ mod wording; // sentences about input, and where references may lead
 mod measured; // patterns and calibrations from files
 mod openmaterial; // assets of OpenMATERIAL 3D
 pub mod mesh; // meshes from files
-mod recording; // files of SUMO
-mod document; // a scene file as tables with positions
-mod models; // models of bodies that the scene names
+mod recording; // what SUMO writes
+mod document; // a scene file as tables that know their place
+mod models; // what the scene names of bodies
 mod materials; // names of materials, and the road
 mod radar; // position, waveform and antennas
 mod settings; // noise, processing, fidelity, lanes

@@ -58,7 +58,7 @@ impl DeviceSettings {
         self.bits
     }
 
-    /// Refuses settings with which a capture card's file contains more than samples.
+    /// Refuses settings by which a capture card's file holds more than samples.
     pub(super) fn check_stream(&self) -> Result<(), Fault> {
         let Some(stream) = &self.stream else { return Ok(()) };
         let between = stream.value;

@@ -25,7 +25,7 @@ pub(super) enum Told {
     /// A reset: earlier commands do not count.
     Flush,
     Board(Board),
-    /// Enabled transmitters and receivers, as bit masks.
+    /// Transmitters and receivers that are switched on, bit by bit.
     Channels {
         transmitters: u32,
         receivers: u32,

@@ -71,7 +71,7 @@ impl Recipe {
             toml_text::read::<Document>(text).map(|known| Document { scenes_per_class: 0, ..known })
         };
         let is_same = matches!((open(text), open(&self.text)), (Ok(its), Ok(own)) if its == own);
-        // All but the recipe's own, which is compared above. A model is named after its file.
+        // All but the recipe's own, which is open above. A model is called as its file is.
         is_same && inputs.get(1..) == self.inputs.get(1..)
     }
 }

@@ -35,9 +35,9 @@ pub struct Checkpoint {
 enum State {
     /// The file is created with the first record.
     NotYet,
-    /// The file is open and locked, positioned at its end.
+    /// The file is open and locked, at its end.
     Open(File),
-    /// Another run has the file, it does not belong to us, or it cannot be written: this run keeps nothing.
+    /// Another run has the file, it is not ours, or it cannot be written: this run keeps nothing.
     GivenUp,
 }
 
@@ -73,7 +73,7 @@ impl Checkpoint {
     /// Removes the file once the work is done and its result written.
     pub fn finish(self) {
         if let State::Open(_file) = self.state.into_inner().unwrap_or_else(PoisonError::into_inner) {
-            let _ = std::fs::remove_file(&self.place); // a remaining file only takes space: it is read or replaced
+            let _ = std::fs::remove_file(&self.place); // a file that is left costs only its room: it is read or replaced
         }
     }
 
@@ -148,7 +148,8 @@ impl Keeper for Checkpoint {
     }
 }
 
-/// Appends a record by one system call: a killed run has written it or a part of it, and nothing after it.
+/// One call to the system for a record: a run that is killed has written it or a part of it, and nothing
+/// behind it.
 fn append(file: &mut File, piece: Piece, bytes: &[u8]) -> std::io::Result<()> {
     let body = [&piece.pass.to_le_bytes(), &piece.aspect.to_le_bytes(), bytes].concat();
     let length = u32::try_from(body.len()).map_err(std::io::Error::other)?;

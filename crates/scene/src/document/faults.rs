@@ -14,11 +14,11 @@ const TOLD: usize = 100;
 /// Byte of a value without a position in the file: one that a change puts into a table which the file omits.
 pub(crate) const NOWHERE: usize = usize::MAX;
 
-/// Broken rules of one file. The cost of noting one does not depend on their number.
+/// Broken rules of one file. Noting one takes the same however many there are.
 pub(crate) struct Faults<'s> {
     file: &'s Path,
     text: &'s str,
-    /// Bytes at which lines begin, computed when first needed.
+    /// Bytes at which lines begin, found when first needed.
     lines: OnceCell<Vec<usize>>,
     syntax: RefCell<First>,
     others: RefCell<First>,
@@ -51,8 +51,8 @@ impl<'s> Faults<'s> {
         Self { file, text, lines: OnceCell::new(), syntax: RefCell::default(), others: RefCell::default() }
     }
 
-    /// Parses the text as far as it is TOML; returns an empty document if it is nested too deeply. Notes its
-    /// faults.
+    /// The document that the text says, as far as it is TOML; none where it is too deep to be walked. Noted
+    /// is what is wrong with it.
     pub(crate) fn document(&self) -> DeTable<'s> {
         let (document, syntax) = DeTable::parse_recoverable(self.text);
         for error in &syntax {
@@ -92,8 +92,8 @@ impl<'s> Faults<'s> {
         Some(Position { line: self.line(before.len()), column })
     }
 
-    /// Returns the noted errors in the order of the file. If the text is not TOML, missing keys and all but
-    /// the first syntax error of a damaged line are omitted as consequences.
+    /// Returns the noted errors in the order of the file. Where the text is not TOML, what else is said of
+    /// the same line, or said to be missing, only follows from the first that is.
     pub(crate) fn into_errors(self) -> Result<(), SceneErrors> {
         let (syntax, others) = (self.syntax.take(), self.others.take());
         let mut more = syntax.more() + others.more();

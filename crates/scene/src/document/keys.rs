@@ -46,7 +46,7 @@ pub const TABLES: &[Table] = &[
     traffic::MODEL_OF_TYPE,
 ];
 
-/// The heading of a table, other than `here`, that contains `key`.
+/// The heading of a table, other than `here`, that knows `key`.
 pub(crate) fn home_of(key: &str, here: &Table) -> Option<&'static str> {
     TABLES.iter().find(|table| table.name != here.name && table.has(key)).map(|table| table.heading)
 }

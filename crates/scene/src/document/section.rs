@@ -21,7 +21,7 @@ pub(crate) struct Section<'d> {
     faults: &'d Faults<'d>,
 }
 
-/// A value of the file with its position.
+/// A value of the file, and where it stands.
 pub(crate) type PlacedValue<'d> = Spanned<DeValue<'d>>;
 
 impl<'d> Section<'d> {
@@ -30,7 +30,7 @@ impl<'d> Section<'d> {
         Self { table: Some(table), known, place: Place::Scene, start: 0, faults }.checked()
     }
 
-    /// Opens the table with that name below this one.
+    /// The table of that name below this one.
     pub(crate) fn section(&self, known: &'static Table) -> Section<'d> {
         let found = self.find(key_of(known));
         let table = found.and_then(|value| match value.get_ref() {
@@ -105,12 +105,12 @@ impl<'d> Section<'d> {
         self
     }
 
-    /// Whether the key is present.
+    /// Whether the key is there at all.
     pub(crate) fn has(&self, key: &'static str) -> bool {
         self.find(key).is_some()
     }
 
-    /// Whether the table itself is present.
+    /// Whether the table itself is there.
     pub(crate) fn exists(&self) -> bool {
         self.table.is_some()
     }
@@ -120,13 +120,13 @@ impl<'d> Section<'d> {
         self.faults.line(self.start)
     }
 
-    /// Notes a broken rule at the value of `key`, or at the table's heading if the key is absent.
+    /// Note a broken rule at the value of `key`, or at the table's heading where the key is absent.
     pub(crate) fn note(&self, key: &'static str, rule: Rule) {
         let byte = self.find(key).map_or(self.start, |value| value.span().start);
         self.faults.note(byte, self.place.clone(), rule);
     }
 
-    /// Notes a missing `key`.
+    /// Note it if `key` is missing.
     pub(crate) fn require(&self, key: &'static str) {
         if !self.has(key) {
             self.note(key, Rule::Missing { key });

@@ -9,9 +9,9 @@ use crate::document::section::{PlacedValue, Section};
 use crate::wording::allowed::Allowed;
 use toml::de::DeValue;
 
-/// A kind whose values can be read.
+/// A kind of which values are read.
 pub(crate) trait Reads<'d>: Kind {
-    /// Type of the value as read.
+    /// Type of the value that is read.
     type Read;
     /// Reads the value of `key`; notes a fault and returns `None` if it is wrong.
     fn from(
@@ -28,7 +28,7 @@ impl<'d> Section<'d> {
         key.takes.from(self, key.name, self.find(key.name)?)
     }
 
-    /// Reads the value of a key, with its default if absent or wrong.
+    /// Reads the value of a key, which is its default where absent or wrong.
     pub(crate) fn or_default<K>(&self, key: &Key<K, Or<<K as Plain>::Value>>) -> <K as Plain>::Value
     where
         K: Plain + Reads<'d, Read = <K as Plain>::Value>,

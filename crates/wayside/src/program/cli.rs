@@ -43,11 +43,11 @@ pub struct General {
     /// Threads to use; the result does not depend on it, to the byte.
     #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Memory for tracing; work that cannot fit is refused with figures [default: nine tenths of the free
-    /// memory].
+    /// Memory that tracing may take; what cannot fit is refused with figures [default: nine tenths of what is
+    /// free].
     #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
     pub memory_limit: Option<u64>,
-    /// No progress and no notes; results only.
+    /// No progress and no notes beside the results.
     #[arg(long, global = true)]
     pub quiet: bool,
 }
@@ -91,40 +91,39 @@ fn with_negative_values(command: clap::Command) -> clap::Command {
 /// Commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Runs a scene file through all stages: artifacts, summary.json, report.html and pictures.
+    /// A scene file to every stage's artifacts, summary.json, report.html and pictures.
     Run(RunArguments),
-    /// Computes a mesh's scattering amplitude over frequency and aspect (.npy).
+    /// A mesh to its scattering amplitude over frequency and aspect (.npy).
     Rcs(Box<RcsArguments>),
-    /// Traces the scattering paths of each frame of a scene file.
+    /// A scene file to the scattering paths of each frame.
     Paths(PathsArguments),
-    /// Makes radar cubes from a scene file, and from paths if given.
+    /// A scene file, and paths if given, to radar cubes.
     Echo(EchoArguments),
-    /// Makes range-Doppler maps, points and tracks from radar cubes.
+    /// Radar cubes to range-Doppler maps, points and tracks.
     Dsp(DspArguments),
     /// Datasets, training, classes.
     #[cfg(feature = "classifier")]
     #[command(flatten)]
     Learning(LearningCommand),
-    /// Finds the radar design to take by a study, with tables, picture and report; resumes where it stopped.
+    /// A study to the design of a radar to take, with tables, picture and report; resumes where it stopped.
     Sweep(SweepArguments),
-    /// Compares points and tracks of any program with a scene: found, missed and false (JSON).
+    /// Points and tracks of any program, and a scene, to what was found, missed and false (JSON).
     Score(ScoreArguments),
-    /// Imports samples (.npy, DCA1000 .bin, SigMF, .mat) as a radar cube, or clouds of other programs as
+    /// Samples from anywhere (.npy, DCA1000 .bin, SigMF, .mat) to a radar cube; clouds of other programs to
     /// points.
     Import(Box<ImportArguments>),
-    /// Makes a scene file with its radar from a board's configuration (mmWave SDK .cfg, mmWave Studio log or
-    /// script).
+    /// A board's configuration (mmWave SDK .cfg, mmWave Studio log or script) to a scene file with its radar.
     SceneFrom(SceneFromArguments),
-    /// Measures the errors of the array's channels from radar cubes of a reflector at a known place, for
-    /// `calibration` of [dsp].
+    /// Radar cubes of a reflector at a known place to the errors of the array's channels, for `calibration`
+    /// of [dsp].
     Calibrate(CalibrateArguments),
-    /// Converts any artifact to a format that other programs read.
+    /// Any artifact to a format that others read.
     Export(ExportArguments),
-    /// Shows header, provenance, shape, units and a sanity line of any artifact.
+    /// Header, provenance, shape, units and a sanity line of any artifact.
     Inspect(InspectArguments),
     /// Writes the project's own vehicles (.glb) and their manifest.
     Vehicles(VehiclesArguments),
-    /// Lists the contents of the cache, stage by stage.
+    /// Lists what the cache holds, stage by stage.
     Cache(CacheCommandArguments),
 }
 
@@ -136,24 +135,24 @@ pub(crate) struct SceneArguments {
     /// Replaces the model of every target.
     #[arg(long, value_name = "FILE.glb")]
     pub(crate) model: Option<PathBuf>,
-    /// Id of one of several radars; without it `run` takes them all in turn.
+    /// Through which of several radars; `run` takes them all in turn where none is said.
     #[arg(long, value_name = "ID")]
     pub(crate) radar: Option<String>,
     /// Replaces the scene's seed.
     #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: Option<u64>,
-    /// Replaces the scene's accuracy, dB; it determines the physics that the scene leaves open.
+    /// Replaces the scene's accuracy, dB; what the scene does not say itself of the physics is chosen by it.
     #[arg(long, value_name = "DB", value_parser = accuracy_db)]
     pub(crate) accuracy_db: Option<f64>,
 }
 
 #[derive(Debug, Clone, Args)]
 pub(crate) struct CacheArguments {
-    /// Folder of cached frames [default: .cache of the project's folder; outside the project the user's cache
+    /// Folder of cached frames [default: .cache of the project's folder; outside of it the user's cache
     /// folder].
     #[arg(long, value_name = "DIR")]
     pub(crate) cache: Option<PathBuf>,
-    /// Largest size of the cache; the oldest frames are removed first.
+    /// Largest size of the cache; the oldest frames go first.
     #[arg(long, value_name = "MIB", default_value_t = 8192, value_parser = clap::value_parser!(u64).range(..=1 << 40))]
     pub(crate) cache_limit_mib: u64,
 }
@@ -181,13 +180,13 @@ pub struct RunArguments {
     /// Folder of all results [default: out/ and the scene's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
-    /// Model of the classifier [default: the one shipped with the program].
+    /// Model of the classifier [default: the one that ships with the program].
     #[arg(long, value_name = "FILE.model")]
     pub(crate) classifier: Option<PathBuf>,
-    /// Prints the planned work with its time and memory, and does nothing.
+    /// Says what would be done, in which time and memory, and does nothing.
     #[arg(long)]
     pub(crate) dry_run: bool,
-    /// Prints why each stage runs or not.
+    /// Says why each stage runs or not.
     #[arg(long)]
     pub(crate) explain: bool,
     /// Neither reads nor writes the cache.
@@ -212,7 +211,7 @@ pub struct RcsArguments {
     /// Elevations above the horizon, degrees.
     #[arg(long, value_parser = elevations, default_value = "0")]
     pub(crate) el_deg: Axis,
-    /// Distance from the antenna to the mesh's origin, m, or inf.
+    /// Antenna to the mesh's origin, m, or inf.
     #[arg(long, value_parser = range, default_value = "inf")]
     pub(crate) range_m: f64,
     /// First letter receives, second transmits.
@@ -230,13 +229,13 @@ pub struct RcsArguments {
     /// Diffraction by edges (physical theory of diffraction).
     #[arg(long, default_value = "off", value_parser = one_of(EDGES))]
     pub(crate) edges: Edges,
-    /// Facet on which a multiple reflection is integrated [default: own-edge; for the references middle].
+    /// Facet on which a multiple reflection is integrated [default: own-edge; of the references middle].
     #[arg(long, value_parser = one_of(NODES))]
     pub(crate) nodes: Option<NodeRule>,
-    /// Surface that the facets represent: themselves, or the curved skin that the vertex normals describe.
+    /// Surface that the facets stand for: themselves, or the curved skin that the vertex normals tell of.
     #[arg(long, default_value = "flat", value_parser = one_of(SURFACES))]
     pub(crate) surface: Surface,
-    /// Table of the mesh's materials (docs/materials.md); without it everything conducts.
+    /// Table of what the mesh's materials stand for (docs/materials.md); without it everything conducts.
     #[arg(long, value_name = "FILE.toml")]
     pub(crate) materials: Option<PathBuf>,
     /// Whether waves are followed through sheets.
@@ -254,7 +253,7 @@ pub struct RcsArguments {
     /// Fixed receiver: distance, m [default: that of the transmitter].
     #[arg(long, value_parser = range, requires = "rx_az_deg")]
     pub(crate) rx_range_m: Option<f64>,
-    /// Allowed relative amplitude error, dB [default: -40].
+    /// Relative amplitude error allowed, dB [default: -40].
     #[arg(long, value_parser = accuracy_db)]
     pub(crate) accuracy_db: Option<f64>,
     /// Metres per unit of the mesh file.
@@ -323,7 +322,7 @@ pub struct DspArguments {
     /// Radar cubes.
     #[arg(value_name = "F.cube")]
     pub(crate) cube: PathBuf,
-    /// Scene whose [dsp] replaces the settings in the cubes.
+    /// Scene whose [dsp] replaces the settings that the cubes carry.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: Option<PathBuf>,
     /// Name of one of that scene's radars, where it has several.
@@ -349,7 +348,7 @@ pub struct SweepArguments {
     /// Part K of N.
     #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
     pub(crate) shard: Shard,
-    /// Makes no runs: writes the results of all of them, or says how many are missing.
+    /// Makes no runs: writes the results of all of them, or says how many lack.
     #[arg(long, conflicts_with = "shard")]
     pub(crate) conclude: bool,
     /// Replaces the study's seed.
@@ -369,32 +368,32 @@ pub struct SweepArguments {
 #[derive(Debug, Args)]
 pub struct ImportArguments {
     /// Samples: complex64 [frame, channel, chirp, sample]; or a DCA1000EVM's .bin, or a .sigmf-meta, of
-    /// receivers; or a .mat of UWCR, or a folder of them. For a result F.points: a cloud of View-of-Delft
-    /// (.bin) or nuScenes (.pcd), or a folder of them.
+    /// receivers; or a .mat of UWCR, or a folder of them. Where the result is F.points: a cloud of
+    /// View-of-Delft (.bin) or nuScenes (.pcd), or a folder of them.
     #[arg(value_name = "F.npy")]
     pub(crate) array: PathBuf,
-    /// √W of one step of integer samples, if no file beside them specifies it; without either the unit is the
-    /// step.
+    /// √W of one step of integer samples, where no file beside them says it; without either they are counted
+    /// in steps.
     #[arg(long, value_name = "SQRT_W", value_parser = step)]
     pub(crate) step: Option<f32>,
-    /// Full scale of a converter, in the file's numbers, if these are its steps: levels are then given
-    /// relative to it, in dBFS [default: of 16-bit integers 32768].
+    /// Largest part of a sample, in the file's numbers, where these are a converter's steps: levels are told
+    /// against it, in dBFS [default: of 16-bit integers 32768].
     #[arg(long, value_name = "STEPS", value_parser = full_scale, conflicts_with = "step")]
     pub(crate) full_scale: Option<f64>,
-    /// Configuration of the board (mmWave SDK .cfg, mmWave Studio log or script): completes the scene's
-    /// radar, and is checked against it.
+    /// Configuration of the board (mmWave SDK .cfg, mmWave Studio log or script): what the scene does not say
+    /// of the radar, and a check of what it says.
     #[arg(long, value_name = "FILE")]
     pub(crate) config: Option<PathBuf>,
     /// Evaluation board of that configuration [default: that of the chip which it names].
     #[arg(long, value_parser = boards(), requires = "config")]
     pub(crate) device: Option<Board>,
-    /// Number of lanes of a DCA1000EVM's recording [default: that of the configuration, else two].
+    /// Lanes by which a DCA1000EVM recorded [default: those of the configuration, else two].
     #[arg(long, value_parser = lanes())]
     pub(crate) layout: Option<Lanes>,
-    /// First part of a DCA1000EVM's complex samples [default: that of the configuration, else I].
+    /// Part of a DCA1000EVM's complex samples that comes first [default: that of the configuration, else I].
     #[arg(long, value_parser = iq_orders())]
     pub(crate) iq_order: Option<IqOrder>,
-    /// Scene with the radar and the processing.
+    /// Scene that tells the radar and the processing.
     #[arg(long, value_name = "SCENE.toml")]
     pub(crate) scene: PathBuf,
     /// Name of one of that scene's radars, where it has several.
@@ -443,12 +442,11 @@ pub struct ExportArguments {
     /// Format.
     #[arg(long)]
     pub(crate) to: FormatWord,
-    /// Whether a map's .png has axes in metres and m/s and a scale in dB, or is a grey picture as in the
-    /// paper.
+    /// Whether a map's .png has axes in metres and m/s and a scale in dB, or is the paper's grey picture.
     #[arg(long, value_enum, default_value = "off")]
     pub(crate) axes: AxesWord,
-    /// Scene of these frames, the scene.scene of their run, for the boxes of a training set [default: no
-    /// labels].
+    /// Scene of these frames, the scene.scene of their run, of which a training set's boxes are made
+    /// [default: no labels].
     #[arg(long, value_name = "F.scene")]
     pub(crate) scene: Option<PathBuf>,
     /// Result.
@@ -465,7 +463,7 @@ pub struct ScoreArguments {
     /// Ground truth: the scene of these points, the scene.scene of its run.
     #[arg(long, value_name = "F.scene")]
     pub(crate) scene: PathBuf,
-    /// Paths of their echoes; without them every body in range counts as one to be found, even a hidden one.
+    /// The paths of their echoes; without them every body in range is to be found, also one that is hidden.
     #[arg(long, value_name = "F.paths")]
     pub(crate) paths: Option<PathBuf>,
     /// Tracks of the same frames [default: those of the objects by the tracker of `dsp`].
@@ -487,11 +485,11 @@ pub struct VehiclesArguments {
     /// Folder of the vehicles.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
-    /// Seed of the dimensions: 0 gives the nominal ones, others spread them over real ranges.
+    /// 0 gives the nominal dimensions, others spread them over real ranges.
     #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: u64,
-    /// Number of vehicles of each model: the first has the seed, the others have seeds of their own, listed
-    /// in the manifest.
+    /// Number of vehicles of each model: the first is that of the seed, the others have seeds of their own,
+    /// which the manifest tells.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     pub(crate) count: u64,
 }
@@ -501,7 +499,7 @@ pub struct VehiclesArguments {
 pub struct CacheCommandArguments {
     #[command(flatten)]
     pub(crate) location: CacheArguments,
-    /// Empties the cache.
+    /// Empties it.
     #[arg(long)]
     pub(crate) clear: bool,
 }

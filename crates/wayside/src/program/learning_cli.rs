@@ -9,16 +9,16 @@ use std::path::PathBuf;
 /// Commands that need the classifier.
 #[derive(Debug, Subcommand)]
 pub enum LearningCommand {
-    /// Makes labelled signatures of vehicles and crops of range-Doppler maps from a dataset recipe; resumes
-    /// where it stopped.
+    /// A dataset recipe to labelled signatures of vehicles and crops of range-Doppler maps; resumes where it
+    /// stopped.
     Dataset(DatasetArguments),
-    /// Trains a model on datasets, with its curves and its evaluation.
+    /// A dataset to a trained model with its curves and its evaluation.
     Train(TrainArguments),
-    /// Classifies range-Doppler maps or datasets: class and probabilities, one JSON line each.
+    /// Range-Doppler maps or a dataset to classes and probabilities, one JSON line each.
     Classify(ClassifyArguments),
-    /// Evaluates a model on datasets: its accuracy by frame and by track, with its spread over vehicles.
+    /// A model and datasets to how often it is right, by frame and by track, with its spread over vehicles.
     Evaluate(EvaluateArguments),
-    /// Measures the accuracy of trees trained with several seeds: on unseen scenes, unseen vehicles, other
+    /// Datasets to how right trees are that several seeds train: on unseen scenes, unseen vehicles, other
     /// datasets.
     Protocols(ProtocolsArguments),
 }
@@ -52,10 +52,10 @@ pub struct DatasetArguments {
     /// Part K of N.
     #[arg(long, value_name = "K/N", value_parser = shard, default_value = "1/1")]
     pub(crate) shard: Shard,
-    /// Makes no shards: writes the files made from all of them, or says which are missing.
+    /// Makes no shards: writes what is made of all of them, or says which lack.
     #[arg(long, conflicts_with = "shard")]
     pub(crate) conclude: bool,
-    /// Prints how many files, bytes and core-hours the whole dataset would take, and makes nothing.
+    /// Says how many files, bytes and core-hours the whole dataset would take, and makes nothing.
     #[arg(long, conflicts_with_all = ["conclude", "shard"])]
     pub(crate) dry_run: bool,
     /// Replaces the recipe's seed.
@@ -81,7 +81,7 @@ pub struct TrainArguments {
     /// Steps of the network's optimizer [default: 1440, the paper's number].
     #[arg(long, value_name = "N")]
     pub(crate) iterations: Option<u32>,
-    /// Text file with one line per source of vehicles whose licence requires attribution with the model of
+    /// Text file with a line for each source of vehicles that its licence asks to be named with the model of
     /// trees.
     #[arg(long, value_name = "FILE")]
     pub(crate) attributions: Option<PathBuf>,
@@ -96,7 +96,7 @@ pub struct EvaluateArguments {
     /// Dataset folders.
     #[arg(value_name = "DIR", required = true)]
     pub(crate) datasets: Vec<PathBuf>,
-    /// Page (Markdown) for the results.
+    /// Page (Markdown) that holds what is told.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
 }
@@ -104,26 +104,26 @@ pub struct EvaluateArguments {
 /// Arguments of `protocols`.
 #[derive(Debug, Clone, Args)]
 pub struct ProtocolsArguments {
-    /// Dataset folders for training; their vehicles are held out in turn.
+    /// Dataset folders that train; their vehicles are held out in turn.
     #[arg(value_name = "DIR", required = true)]
     pub(crate) datasets: Vec<PathBuf>,
-    /// Dataset folders for testing only.
+    /// Dataset folders that never train.
     #[arg(long, value_name = "DIR")]
     pub(crate) test: Vec<PathBuf>,
-    /// Learner to test: trees, or the paper's network by the paper's protocol (P) and by two that keep copies
-    /// of a map apart.
+    /// Learner that is asked: trees, or the paper's network by the paper's protocol (P) and by two that keep
+    /// copies of a map apart.
     #[arg(long, value_enum, default_value = "trees")]
     pub(crate) learner: LearnerWord,
     /// Steps of the network's optimizer in each training [default: 1440, the paper's number].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) iterations: Option<u32>,
-    /// Number of trainings, with the seeds 1, 2, ...
+    /// Trainings, of the seeds 1, 2, ...
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=100))]
     pub(crate) seeds: u64,
-    /// Trains on parts of the scenes and of the vehicles too, and tabulates the accuracy.
+    /// Trains on parts of the scenes and of the vehicles too, and tables how right that is.
     #[arg(long)]
     pub(crate) curves: bool,
-    /// Page (Markdown) for the results.
+    /// Page (Markdown) that holds what is told.
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
 }

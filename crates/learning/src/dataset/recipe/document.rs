@@ -47,7 +47,7 @@ pub(in crate::dataset) struct Document {
     pub(super) models: Choice,
 }
 
-/// Reads exactly two values; a third one would otherwise be ignored.
+/// Two values and no more: a third one of a list would be passed over.
 fn pair<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<[T; 2], D::Error> {
     let values = Vec::<T>::deserialize(from)?;
     let found = values.len();

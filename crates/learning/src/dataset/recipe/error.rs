@@ -4,7 +4,7 @@ use artifact::seed::SEEDS;
 use artifact::settings::Class;
 use pipeline::host::toml_text::TomlFault;
 
-/// Reason why a recipe, or a manifest of vehicles that it names, is refused; the caller knows the file.
+/// Reason why a recipe, or a manifest of vehicles that it names, is refused; whoever read it knows the file.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum RecipeError {
     /// The text does not say what a recipe or a manifest says.
@@ -37,7 +37,7 @@ pub(super) enum RecipeError {
     /// A seed that no scene takes.
     #[error("{key} must be from {} to {}, is {found}", SEEDS.start(), SEEDS.end())]
     Seed { key: &'static str, found: u64 },
-    /// No variant of a vehicle, or no scene, is requested.
+    /// No variant of a vehicle, or no scene, is asked for.
     #[error("vehicle_seeds and scenes_per_class must be at least 1")]
     NoSeedsOrScenes,
     /// More scenes of a class than a dataset has.

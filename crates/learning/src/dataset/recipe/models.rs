@@ -69,8 +69,8 @@ impl Model {
 /// Name and file of a model; an own vehicle has no file.
 type Named = (String, Option<PathBuf>);
 
-/// Reads all models of each class, in the order of the recipe; their files and hashes are appended to
-/// `inputs`.
+/// All models of each class, in the order of the recipe; `inputs` gets the files that they were read from,
+/// with hashes.
 pub(super) fn read(
     choice: &Choice,
     recipe: &Path,
@@ -145,7 +145,8 @@ fn manifest_of(file: &Path) -> Result<Manifest, Failure> {
 /// Word for all crosses of a class.
 const ALL_CROSSES: &str = "crosses";
 
-/// The models named by a word of the recipe: an own vehicle, all crosses, a file, or all `.glb` of a folder.
+/// The models that a word of the recipe names: an own vehicle, all crosses, a file, or all `.glb` of a
+/// folder.
 fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, RecipeError> {
     let (path, name) = (folder.join(written), || written.to_owned());
     if written == ALL_CROSSES {
@@ -181,7 +182,7 @@ fn stem(file: &Path) -> String {
     file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Checks that each named class has models, and that names are unique, because splits may go by them.
+/// A class that is named has models, and a name is one model's, for splits may go by it.
 fn check(all: &BTreeMap<Class, Vec<Named>>, choice: &Choice) -> Result<(), RecipeError> {
     if let Some((class, _)) = choice.by_class().find(|(_, written)| written.is_empty()) {
         return Err(RecipeError::EmptyClass(class));

@@ -1,4 +1,4 @@
-//! Rules for the values of a recipe's keys.
+//! Rules of what the keys of a recipe may say.
 
 use crate::dataset::recipe::document::{Base, Document};
 use crate::dataset::recipe::error::RecipeError;
@@ -6,16 +6,16 @@ use artifact::scene::SceneHeader;
 use artifact::seed::SEEDS;
 use artifact::settings::Noise;
 
-/// Largest number of scenes of a class: at a second per scene a week and a half.
+/// Scenes of a class: at a second a scene a week and a half.
 const SCENES_LIMIT: u32 = 1_000_000;
-/// Largest number of vehicles in a scene: more than fit within reach of a radar in three lanes.
+/// Vehicles of a scene: more than stand within reach of a radar in three lanes.
 pub(in crate::dataset) const VEHICLES_LIMIT: u32 = 16;
-/// Least distance of a vehicle along the road from the radar, whatever range was drawn.
+/// Distance along the road from the radar at which a vehicle stands at least, whatever range was drawn.
 pub(in crate::dataset) const NEAREST_ALONG_M: f64 = 1.0;
-/// Largest number of frames of a scene: a minute and a half at ten a second.
+/// Frames of a scene: a minute and a half at ten a second.
 pub(in crate::dataset) const FRAMES_LIMIT: u32 = 1000;
 
-/// Checks the recipe and returns the first broken rule.
+/// The first rule that is broken.
 pub(super) fn check(asked: &Document, bases: &[Base]) -> Result<(), RecipeError> {
     check_spans(asked)?;
     check_counts(asked)?;
@@ -24,7 +24,7 @@ pub(super) fn check(asked: &Document, bases: &[Base]) -> Result<(), RecipeError>
 }
 
 fn check_spans(asked: &Document) -> Result<(), RecipeError> {
-    // Same limits as for a scene's targets.
+    // As far and as fast as a scene's targets.
     let spans = [
         ("range_m", Some(asked.range_m), [f64::MIN_POSITIVE, 1e5]),
         ("speed_mps", Some(asked.speed_mps), [0.0, 340.0]),

@@ -41,10 +41,10 @@ pub const HELD_MIB: [(&str, f64); HELD_KINDS] = [
 /// expected time (docs/validation/predictions.md).
 pub const SPREAD: f64 = 2.0;
 
-/// Processor seconds of each kind of work on the reference machine, in the order of the counts. Fitted to 175
-/// scenes of `cargo xtask bench --predictions` (seeds 8, 9 and 10) and three of `scenes/`, held to the
-/// earlier rates, which remain for work that is rare in these scenes (docs/validation/predictions.md); the
-/// rate of cells before wide arrays is fitted to four scenes of seed 12.
+/// Processor seconds of each kind of work on the machine that they were measured on, in the order of the
+/// counts. Fitted to 175 scenes of `cargo xtask bench --predictions` (seeds 8, 9 and 10) and three of
+/// `scenes/`, held to the rates before, which work keeps that these scenes have little of
+/// (docs/validation/predictions.md); that of cells before wide arrays to four scenes of seed 12.
 pub const SECONDS: [(WorkKind, f64); ITEMS] = [
     (WorkKind::Run, 0.17),
     (WorkKind::Triangles, 8.1e-6),

@@ -19,11 +19,11 @@ pub enum WorkKind {
     Tiles,
     /// Tiles of the paths' integrals at later moments.
     LaterTiles,
-    /// Tiles of the finer integrals that check the paths' integrals.
+    /// Tiles of the finer integral that the paths' integrals are compared with.
     FineTiles,
     /// Tiles of the finer integral at later moments.
     LaterFineTiles,
-    /// Finer tiles of long polygons, whose integrals may be repeated with still finer tiles.
+    /// Finer tiles of long polygons, whose integrals may be taken again and finer still.
     LongTiles,
     /// Cells that paths are made of, where errors are measured (several sizes are tried).
     MeasuredCells,

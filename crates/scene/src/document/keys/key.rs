@@ -2,9 +2,9 @@
 
 use serde_json::Value;
 
-/// Kind of values of a key, as described by the page and the schema.
+/// Values that a key takes, as the page and the schema tell it.
 pub(crate) trait Kind: Copy + 'static {
-    /// Whether the values are numbers or lists of numbers.
+    /// Whether it is a number or a list of them.
     const NUMBERS: bool = false;
     /// Allowed values in the words of the page.
     fn allowed(&self) -> String;
@@ -12,7 +12,7 @@ pub(crate) trait Kind: Copy + 'static {
     fn schema(&self) -> Value;
 }
 
-/// A kind whose keys can have a default value.
+/// A kind of which a value can stand for one that is left out.
 pub(crate) trait Plain: Kind {
     /// Type of a value as it is read.
     type Value: Copy + 'static;
@@ -31,9 +31,9 @@ pub(crate) struct Key<K, A = Absent> {
     pub(crate) name: &'static str,
     /// Type and range.
     pub(crate) takes: K,
-    /// Value or meaning of the key if it is omitted.
+    /// Value or meaning of the key where it is left out.
     pub(crate) absent: A,
-    /// Text of the page that replaces the kind's own words, or contains them at `{}`.
+    /// Text of the page in place of the kind's own words, which stand for `{}` in it.
     allowed: &'static str,
     meaning: &'static str,
 }
@@ -54,12 +54,12 @@ pub(crate) enum Absent {
 pub(crate) struct Or<V>(pub(crate) V);
 
 impl<K: Copy> Key<K> {
-    /// An optional key; the sentence is that of the page's last column.
+    /// A key that may be left out; a sentence as in the page's last column.
     pub(crate) const fn new(name: &'static str, takes: K, meaning: &'static str) -> Self {
         Self { name, takes, absent: Absent::Nothing, allowed: "{}", meaning }
     }
 
-    /// Makes the key required.
+    /// One without which nothing can be said.
     pub(crate) const fn required(self) -> Self {
         Self { absent: Absent::Required, ..self }
     }
@@ -69,7 +69,7 @@ impl<K: Copy> Key<K> {
         Self { absent: Absent::Said(said), ..self }
     }
 
-    /// Sets the value of the omitted key.
+    /// One with a value where it is left out.
     pub(crate) const fn or<V: Copy>(self, value: V) -> Key<K, Or<V>> {
         let Self { name, takes, allowed, meaning, .. } = self;
         Key { name, takes, absent: Or(value), allowed, meaning }
@@ -83,7 +83,7 @@ impl<K: Copy, A: Copy> Key<K, A> {
     }
 }
 
-/// A key of any kind, as listed in a table.
+/// A key of any kind, as a table lists it.
 pub(crate) trait Entry {
     /// Name of the key as written.
     fn name(&self) -> &'static str;
@@ -176,7 +176,7 @@ pub struct Table {
     pub heading: &'static str,
     /// Description of the table, in a sentence.
     pub(crate) about: &'static str,
-    /// Keys, including tables below it, in the order of the page.
+    /// Keys, tables below it included, in the order of the page.
     pub(crate) keys: &'static [&'static dyn Entry],
 }
 

@@ -138,9 +138,8 @@ fn layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> dca
     }
 }
 
-/// Files that describe the radar: the scene, the pattern and the calibration that it names, and the board's
-/// configuration. If they cannot be read, only the scene and the configuration, whose reader reports the
-/// reason.
+/// Files that tell the radar: the scene, the pattern and the calibration that it names, and the board's
+/// configuration. Of those that cannot be read the scene and the configuration, whose reader tells why.
 fn radar_files(arguments: &ImportArguments) -> Vec<PathBuf> {
     let (scene, radar) = (arguments.scene.as_path(), arguments.radar.as_deref());
     let files = match (settings_of(arguments), arguments.config.as_deref()) {
