@@ -1,10 +1,10 @@
-//! Settings derived from commands: the form of chirps, their transmitters, and their number.
+//! Settings of commands: which form of chirp is sent, by whom, how often.
 
 use super::statements::{Chirps, Fault, Frame, Profile, Statement, Told};
 use crate::devices::{Board, IqOrder, Lanes};
 use artifact::radar::Sampling;
 
-/// Settings of a device, from its configuration.
+/// Settings of a device, as its configuration tells them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DeviceSettings {
     /// Requested board, else the one of the chip that the file names.
@@ -116,7 +116,7 @@ pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result
     Ok(settings)
 }
 
-/// Name of a sampling in a scene.
+/// Word of a scene for samples.
 pub(super) fn sampling_word(sampling: Sampling) -> &'static str {
     match sampling {
         Sampling::Complex => "complex",
@@ -131,7 +131,7 @@ fn of_another_chip(named: &InLine<Board>, asked: Board) -> Option<Remark> {
     (named.value != asked).then(|| Remark { line: named.line, text: text() })
 }
 
-/// Positions of the set bits.
+/// Numbers of the bits that are set.
 fn numbers(mask: u32) -> Vec<usize> {
     (0..32).filter(|bit| mask >> bit & 1 == 1).collect()
 }

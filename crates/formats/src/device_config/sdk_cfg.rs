@@ -1,12 +1,12 @@
-//! The `.cfg` of the mmWave SDK: one command per line, numbers separated by blanks, `%` before comments
-//! (mmWave SDK User Guide, release 3.6, "Configuration (.cfg) File Format"). Commands that do not concern
-//! chirps, channels and samples are ignored.
+//! The `.cfg` of the mmWave SDK: a command a line, numbers apart by blanks, `%` before remarks (mmWave SDK
+//! User Guide, release 3.6, "Configuration (.cfg) File Format"). What says nothing about chirps, channels and
+//! samples is passed over.
 
 use super::statements::{Arguments, CHIRPS_MAX, Chirps, Fault, Frame, ProfileColumns, Statement, Told};
 use crate::devices::IqOrder;
 use artifact::radar::Sampling;
 
-/// Commands of a file in order.
+/// Commands of a file in their order.
 pub(super) fn statements(text: &str) -> Result<Vec<Statement>, Fault> {
     let mut all = Vec::new();
     for (index, line) in text.lines().enumerate() {
@@ -18,7 +18,7 @@ pub(super) fn statements(text: &str) -> Result<Vec<Statement>, Fault> {
     Ok(all)
 }
 
-/// Meanings of a command's arguments; none for irrelevant commands.
+/// Meanings of a command's words; none of what says nothing.
 type Reads = fn(&Arguments<'_>) -> Result<Vec<Told>, Fault>;
 
 fn command(name: &str) -> Option<(&'static str, Reads)> {

@@ -13,7 +13,7 @@ use pipeline::host::failure::Failure;
 use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use radar::lattice::tells_azimuth;
 
-/// Processing of one radar's cubes, from the cubes alone.
+/// Processing of the cubes of one radar, from the cubes alone.
 pub struct Processing {
     header: CubeHeader,
     receiver: Receiver,
@@ -72,15 +72,15 @@ impl Processing {
     /// Range-Doppler map of a frame, with the cells that the detector tested and found.
     ///
     /// # Errors
-    /// The samples do not have the radar's shape.
+    /// Samples that are not the radar's.
     pub fn map(&self, cube: &CubeFrame) -> Result<RdmFrame, Failure> {
         self.receiver.range_doppler(cube).map_err(Failure::refused)
     }
 
-    /// Points and objects of all frames, with the velocities of sub-frames resolved by each other.
+    /// Points and objects of all frames, the velocities of sub-frames resolved by each other.
     ///
     /// # Errors
-    /// The maps or cubes do not have the radar's shape.
+    /// Maps and cubes that are not the radar's.
     pub fn points(&self, maps: &[RdmFrame], cubes: &[CubeFrame]) -> Result<Vec<PointsFrame>, Failure> {
         let detect = |(map, cube)| self.receiver.detect_refined(map, cube).map_err(Failure::refused);
         let detected = maps.iter().zip(cubes).map(detect).collect::<Result<Vec<_>, _>>()?;
@@ -97,10 +97,10 @@ impl Processing {
         noise.into_iter().chain(azimuths).chain(heights).collect()
     }
 
-    /// Tracks objects over the frames.
+    /// Objects followed over the frames.
     ///
     /// # Errors
-    /// The settings do not allow tracking.
+    /// Settings that nothing can be followed by.
     pub fn tracks(&self, points: &[PointsFrame]) -> Result<Vec<TracksFrame>, Failure> {
         let mut tracker = Tracker::new(&self.header, ROAD_TRAFFIC).map_err(Failure::refused)?;
         points.iter().map(|frame| tracker.step(frame).map_err(Failure::refused)).collect()
@@ -109,7 +109,7 @@ impl Processing {
     /// Classes of the objects of a frame, in their order.
     ///
     /// # Errors
-    /// The model does not suit these maps.
+    /// A model that cannot answer about these maps.
     pub fn classes(
         &self,
         model: &LoadedModel,

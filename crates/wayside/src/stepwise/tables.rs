@@ -28,7 +28,7 @@ pub struct RcsTable {
 /// Makes the table of a mesh by BART, as the command `rcs` does.
 ///
 /// # Errors
-/// A request out of range, a mesh that cannot be traced, insufficient memory.
+/// A request out of range, a mesh that cannot be traced, memory that does not suffice.
 pub fn rcs(mesh: &Mesh, request: &RcsRequest, memory: Allowance) -> Result<RcsTable, Failure> {
     let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
     check_size(shape)?;
@@ -47,7 +47,7 @@ pub fn rcs(mesh: &Mesh, request: &RcsRequest, memory: Allowance) -> Result<RcsTa
     })
 }
 
-/// Largest number of values of a table: 16 bytes each, a gibibyte plus the memory for measuring its errors.
+/// Values of a table: 16 bytes each, a gibibyte and what measuring its errors takes beside.
 const TABLE_LIMIT: usize = 1 << 26;
 
 /// Refuses a table with too many values.

@@ -74,7 +74,7 @@ fn kept() -> bool {
     true
 }
 
-/// A scene that provides radar, noise, processing and fidelity; its own targets are not used.
+/// A scene of which radar, noise, processing and fidelity are taken; its own targets are not used.
 pub(in crate::dataset) struct Base {
     /// Name of the scene's file.
     pub(in crate::dataset) name: String,

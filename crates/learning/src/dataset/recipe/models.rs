@@ -1,5 +1,5 @@
-//! `[models]` of a recipe: the project's own vehicles, mesh files, folders of them, and a folder with a
-//! manifest of classes.
+//! `[models]` of a recipe: the project's own vehicles, mesh files, folders of them, and a folder whose
+//! manifest tells classes.
 
 use crate::dataset::recipe::error::RecipeError;
 use artifact::bounded;
@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::slice;
 
-/// Largest manifest: a thousand vehicles with all their properties.
+/// A manifest of a thousand vehicles, with all that is told of each.
 const LIMIT_BYTES: u64 = 16 << 20;
 
 /// Content of the recipe's table `[models]`.
@@ -31,7 +31,7 @@ pub(super) struct Choice {
     motorcycle: Option<Vec<String>>,
 }
 
-/// A body that may be drawn.
+/// A body that a recipe may draw.
 pub(in crate::dataset) struct Model {
     /// Name of the project's own vehicle, or of the file without its ending.
     pub(in crate::dataset) name: String,
@@ -119,7 +119,7 @@ impl Choice {
     }
 }
 
-/// Part of a folder's `manifest.toml` that is read; the file may contain more.
+/// Part of a folder's `manifest.toml` that is read; the file may say more.
 #[derive(Deserialize)]
 struct Manifest {
     vehicle: Vec<Entry>,
