@@ -26,8 +26,8 @@ pub struct Load {
     pub facets: f64,
     /// Lit polygons.
     pub beams: f64,
-    /// Lit polygons that waves reach through sheets: beside those of the frame there are as many of its paths
-    /// by a road, and each stores the sheets it has passed.
+    /// Lit polygons that waves reach through sheets: beside those of the frame there are as many of the paths
+    /// by a road that it is asked about, and each stores the sheets it has passed.
     pub beams_through_sheets: f64,
     /// Cells of paths.
     pub cells: f64,

@@ -1,4 +1,4 @@
-//! Recorded traffic in view of a radar: within range and in the half-space of its boresight.
+//! Recorded traffic in view of a radar: within range and on the side of its boresight.
 
 use glam::DVec2;
 
