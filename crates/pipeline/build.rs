@@ -1,5 +1,5 @@
-//! Hashes the sources of each stage, and of the evaluation, together with those of the leaves that it sees,
-//! for keys of what is kept: a hand-kept version number is forgotten, a hash is not.
+//! Hashes the sources of each stage, and of the evaluation, together with those of the leaves that it uses,
+//! for cache keys: unlike a version number kept by hand, a hash cannot be forgotten.
 
 mod dependencies;
 mod sources;
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 const HASHED: [&str; 6] = ["scene", "bart-rcs", "fmcw-echo", "dsp", "classifier", "evaluation"];
 
 fn main() {
-    // Read when it runs: a build script kept from another checkout must not look there.
+    // Read at run time: a cached build script from another checkout must not look there.
     let manifest = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
     let root = Path::new(&manifest).join("../..");
     let common =

@@ -1,4 +1,4 @@
-//! The hash of source files: by `build.rs` for cache keys, by `xtask` for the age of the pages of `docs/`.
+//! Hash of source files, for cache keys (`build.rs`) and for the age of the pages of `docs/` (`xtask`).
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ impl std::error::Error for SourceError {
     }
 }
 
-/// The file itself, or all `.rs` and `.toml` files below the folder but tests, in a fixed order.
+/// The file itself, or all `.rs` and `.toml` files below the folder except tests, in a fixed order.
 fn sources(place: &Path) -> Result<Vec<PathBuf>, SourceError> {
     if place.is_file() {
         return Ok(vec![place.to_owned()]);

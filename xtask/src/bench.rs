@@ -1,4 +1,4 @@
-//! `bench`: our way beside a rival in one run, as a ratio; it asserts nothing.
+//! `bench`: compares our methods with rival programs in one run, as ratios; asserts nothing.
 
 mod comparison;
 mod cases;

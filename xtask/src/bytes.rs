@@ -1,6 +1,6 @@
-//! `bytes`: a checksum of every file that a program of any version makes of every scene and of ten tables, so
-//! that two versions can be compared to the byte. What may differ from run to run (seconds, memory, what was
-//! cached) is left out of `summary.json`; `report.html` holds the same figures and is left out whole.
+//! `bytes`: checksums of all files that a program makes from every scene and for ten tables, so that two
+//! versions can be compared to the byte. Values that differ between runs (seconds, memory, cached stages) are
+//! removed from `summary.json`; `report.html` contains the same values and is left out.
 
 mod runs;
 
@@ -17,7 +17,7 @@ use wayside::host::files;
 use wayside::host::progress::Work;
 use wayside::program::terminal;
 
-/// Keys of `summary.json` that differ from run to run.
+/// Keys of `summary.json` that differ between runs.
 const OF_THE_RUN: [&str; 6] = [
     "stage_seconds",
     "frames_seconds",
@@ -58,7 +58,7 @@ fn asked(arguments: &BytesArguments, run: &CommandRun) -> bool {
     arguments.only.is_empty() || arguments.only.contains(&run.name)
 }
 
-/// Runs `program` in a folder of its own and takes the checksum of every file that the run leaves.
+/// Runs `program` in a separate folder and computes the checksum of every file that it leaves.
 fn sums_of(program: &Path, run: &CommandRun) -> Result<Sums, Failure> {
     let system = |e: std::io::Error| Failure::System(format!("{}: {e}", run.name));
     let folder = tempfile::tempdir().map_err(system)?;
@@ -80,11 +80,11 @@ fn sums_of(program: &Path, run: &CommandRun) -> Result<Sums, Failure> {
     Ok(sums)
 }
 
-/// The content of a file that is the same in every run; `None` of files that are not compared.
+/// The part of a file that is the same in every run; `None` for files that are not compared.
 fn compared(name: &str, bytes: &[u8]) -> Option<Vec<u8>> {
     match Path::new(name).extension().and_then(|kind| kind.to_str()) {
         Some("html") => None,
-        // Beside a table stand its seconds, which differ, and its figures, which its values tell.
+        // The file beside a table contains seconds, which differ, and values that follow from the table.
         Some("json") if name != "summary.json" => None,
         Some("json") => {
             let mut summary: Value = serde_json::from_slice(bytes).ok()?;
@@ -106,7 +106,7 @@ fn without(value: &mut Value, keys: &[&str]) {
     }
 }
 
-/// A table of what differs from an earlier list, and a failure if anything does.
+/// Prints the differences from an earlier list; fails if there are any.
 fn compare(sums: &Sums, file: &Path, is_asked: &dyn Fn(&str) -> bool) -> Result<(), Failure> {
     let text = read_text(file)?;
     let pairs = text.lines().filter_map(|line| line.split_once("  "));

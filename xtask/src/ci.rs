@@ -28,7 +28,7 @@ use wayside::program::terminal;
 
 type Check = fn(&mut Tally) -> Result<(), Failure>;
 
-/// Rules of the source, seconds all together.
+/// Rules of the source, which together take seconds.
 const CHEAP: [(&str, Check); 12] = [
     ("format", |_| cargo(&["fmt", "--all", "--check"])),
     ("layer rule", |_| layers::check()),
@@ -55,8 +55,8 @@ const WHOLE: [(&str, Check); 7] = [
     ("main job (README)", |_| readme::main_job()),
 ];
 
-/// Checks beside what others make, each with a build or programs of its own: not in `ci` as a whole, which
-/// would take half as long again, but by name, or all of them by `beside`.
+/// Checks with third-party programs, each with a build or programs of its own: run by name, or all of them by
+/// `beside`, but not by `ci` as a whole, which would take half as long again.
 const BESIDE: [(&str, Check); 5] = [
     ("osi", interchange::check),
     ("sets", training_sets::check),
@@ -77,7 +77,7 @@ pub(crate) fn run(arguments: &CiArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The check of this name, or the checks of a crate.
+/// Runs the check of this name, or the checks of a crate.
 fn one(name: &str, tally: &mut Tally) -> Result<(), Failure> {
     match WHOLE.iter().chain(&BESIDE).find(|(of, _)| *of == name) {
         Some(check) => each(&[*check], tally),
@@ -85,7 +85,7 @@ fn one(name: &str, tally: &mut Tally) -> Result<(), Failure> {
     }
 }
 
-/// The rules of the source, then lints and tests of one crate.
+/// Runs the rules of the source, then lints and tests of one crate.
 fn only(package: &str, tally: &mut Tally) -> Result<(), Failure> {
     each(&CHEAP, tally)?;
     let words = ["clippy", "--release", "--all-targets", "--package", package, "--", "-D", "warnings"];
@@ -96,7 +96,7 @@ fn only(package: &str, tally: &mut Tally) -> Result<(), Failure> {
 }
 
 fn all(tally: &mut Tally) -> Result<(), Failure> {
-    // Its library is one piece of work for minutes: beside the others it costs least.
+    // Its library is a single job of minutes, which costs least beside the others.
     let training = Training::begin()?;
     each(&CHEAP, tally)?;
     each(&WHOLE, tally)?;

@@ -1,4 +1,4 @@
-//! The words a developer types beside those of `wayside`.
+//! Arguments of the developer commands beside those of `wayside`.
 
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use wayside::program::values::{Shard, shard};
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask", version, max_term_width = 110)]
 pub(crate) struct Arguments {
-    /// What to do.
+    /// Command to carry out.
     #[command(subcommand)]
     pub(crate) command: Command,
     /// Options of every command.
@@ -23,30 +23,28 @@ pub(crate) enum Command {
     /// Commands of `wayside`.
     #[command(flatten)]
     Wayside(wayside::program::cli::Command),
-    /// Makes the figures of a page of docs/ anew; without a name, lists all studies and how old their pages
-    /// are.
+    /// Renews the figures of a page of docs/; without a name, lists all studies and the age of their pages.
     Study(PageArguments),
-    /// Speed against accuracy: chart.csv, pictures, a page.
+    /// Measures speed against accuracy: chart.csv, pictures, a page.
     Chart(ChartArguments),
-    /// Conditions in which each method fails: atlas.csv, pictures, a page.
+    /// Finds conditions in which each method fails: atlas.csv, pictures, a page.
     Atlas(AtlasArguments),
-    /// Levels of detail, their error and cost: levels-of-detail.csv, a picture, a page.
+    /// Measures levels of detail, their error and cost: levels-of-detail.csv, a picture, a page.
     Levels(StudyArguments),
-    /// Benchmarks as ratios measured in one run.
+    /// Runs benchmarks as ratios measured in one run.
     Bench(BenchArguments),
-    /// Checksums of every file that a program makes of every scene and of ten tables, beside those of another
-    /// version.
+    /// Computes checksums of every file that a program makes of every scene and of ten tables, and compares
+    /// them with those of another version.
     Bytes(BytesArguments),
-    /// Counts of the source, crate by crate: files, code, arrows between files, circles of them, crowded
-    /// folders.
+    /// Counts the source by crate: files, code, dependencies between files, cycles of them, crowded folders.
     House,
-    /// Writes what is made of the keys of scenes: tables of docs/scenes.md, docs/scene.schema.json.
+    /// Writes the outputs of the keys of scenes: tables of docs/scenes.md, docs/scene.schema.json.
     SceneKeys,
-    /// Adds logs of fuzz tests to fixtures/fuzz.csv, and makes the table of docs/validation/fuzz.md of it.
+    /// Adds logs of fuzz tests to fixtures/fuzz.csv, and renews the table of docs/validation/fuzz.md.
     FuzzLedger(FuzzLedgerArguments),
-    /// The program as an archive for those who do not build it: with its scenes and all licences.
+    /// Makes an archive of the program with its scenes and all licences.
     Dist(DistArguments),
-    /// Every check of the project, cheapest first.
+    /// Runs every check of the project, cheapest first.
     Ci(CiArguments),
 }
 
@@ -69,22 +67,22 @@ impl Command {
     }
 }
 
-/// Words of `study`.
+/// Arguments of `study`.
 #[derive(Debug, Args)]
 pub(crate) struct PageArguments {
-    /// Name of the study [default: tells of all].
+    /// Name of the study [default: lists all].
     #[arg(value_name = "NAME")]
     pub(crate) name: Option<String>,
-    /// Fewer and smaller cases; docs/ stays as it is.
+    /// Fewer and smaller cases; docs/ stays unchanged.
     #[arg(long, requires = "name")]
     pub(crate) quick: bool,
-    /// File of the page in place of docs/; of `chart`, `atlas` and `levels` a folder.
+    /// File of the page instead of docs/; for `chart`, `atlas` and `levels` a folder.
     #[arg(long, value_name = "F", requires = "name")]
     pub(crate) out: Option<PathBuf>,
     /// Makes every Nth row from the Kth on, keeps it in out/, and writes no page (`planner`).
     #[arg(long, value_name = "K/N", value_parser = shard, requires = "name", conflicts_with = "out")]
     pub(crate) shard: Option<Shard>,
-    /// Makes no row; the page is of those that are kept in out/, and tells how many are not (`planner`).
+    /// Makes no row; the page has those kept in out/, and the number of missing ones (`planner`).
     #[arg(long, requires = "name", conflicts_with_all = ["quick", "shard"])]
     pub(crate) kept: bool,
     /// Processor minutes of `search` [default: 2].
@@ -95,7 +93,7 @@ pub(crate) struct PageArguments {
     pub(crate) seed: Option<u64>,
 }
 
-/// Words of `chart`, `atlas` and `levels`.
+/// Arguments of `chart`, `atlas` and `levels`.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct StudyArguments {
     /// Fewer and smaller cases.
@@ -104,30 +102,30 @@ pub(crate) struct StudyArguments {
     /// Folder of the table and pictures [default: out/ and the study's name].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
-    /// Refreshes the page in docs/ too.
+    /// Renews the page in docs/ too.
     #[arg(long)]
     pub(crate) docs: bool,
-    /// Draws the pictures of an earlier table anew and computes nothing.
+    /// Redraws the pictures of an earlier table and computes nothing.
     #[arg(long, value_name = "F.csv", conflicts_with = "quick")]
     pub(crate) table: Option<PathBuf>,
 }
 
-/// Words of `chart`.
+/// Arguments of `chart`.
 #[derive(Debug, Args)]
 pub(crate) struct ChartArguments {
     #[command(flatten)]
     pub(crate) of_all: StudyArguments,
-    /// Tells what changed since this earlier chart.csv: errors to their last digit, seconds beyond noise.
+    /// Prints the changes since this earlier chart.csv: errors to their last digit, seconds beyond noise.
     #[arg(long, value_name = "F.csv")]
     pub(crate) against: Option<PathBuf>,
 }
 
-/// Words of `atlas`.
+/// Arguments of `atlas`.
 #[derive(Debug, Args)]
 pub(crate) struct AtlasArguments {
     #[command(flatten)]
     pub(crate) of_all: StudyArguments,
-    /// Only the functions with this word in their names, as the run tells them.
+    /// Only the functions with this word in their names, as printed by the run.
     #[arg(long, value_name = "WORD", conflicts_with_all = ["docs", "table"])]
     pub(crate) only: Option<String>,
 }
@@ -137,7 +135,8 @@ pub(crate) struct BenchArguments {
     /// Fewer and smaller cases.
     #[arg(long)]
     pub(crate) quick: bool,
-    /// Instead: what `run --dry-run` says of random scenes beside what they take (a table, F.csv).
+    /// Instead: compares predictions of `run --dry-run` with the actual cost of random scenes (a table,
+    /// F.csv).
     #[arg(long)]
     pub(crate) predictions: bool,
     /// Seed of the random scenes.
@@ -146,10 +145,10 @@ pub(crate) struct BenchArguments {
     /// Number of random scenes.
     #[arg(long, default_value_t = 100, requires = "predictions")]
     pub(crate) scenes: u64,
-    /// Scene files that are run beside the random ones; each counts six times where rates are fitted.
+    /// Scene files to run beside the random ones; each counts six times in fitting rates.
     #[arg(long, value_name = "SCENE.toml", requires = "predictions")]
     pub(crate) with: Vec<PathBuf>,
-    /// Tables of other seeds that the rates are fitted to as well, with the counts that stand in them.
+    /// Tables of other seeds for fitting the rates, with the counts in them.
     #[arg(long, value_name = "F.csv", requires = "predictions")]
     pub(crate) fit_with: Vec<PathBuf>,
     /// Result.
@@ -157,32 +156,32 @@ pub(crate) struct BenchArguments {
     pub(crate) out: Option<PathBuf>,
 }
 
-/// Words of `bytes`.
+/// Arguments of `bytes`.
 #[derive(Debug, Args)]
 pub(crate) struct BytesArguments {
-    /// The program that is run [default: this one].
+    /// The program to run [default: this one].
     #[arg(long, value_name = "FILE")]
     pub(crate) program: Option<PathBuf>,
-    /// An earlier list; ends with exit code 1 where anything differs from it.
+    /// An earlier list; exit code 1 if anything differs from it.
     #[arg(long, value_name = "F.txt")]
     pub(crate) against: Option<PathBuf>,
     /// Only this scene or table; may be given several times.
     #[arg(long, value_name = "NAME")]
     pub(crate) only: Vec<String>,
-    /// Result: a line for each file.
+    /// Result: one line per file.
     #[arg(long, value_name = "F.txt")]
     pub(crate) out: PathBuf,
 }
 
-/// Words of `fuzz-ledger`.
+/// Arguments of `fuzz-ledger`.
 #[derive(Debug, Args)]
 pub(crate) struct FuzzLedgerArguments {
-    /// Logs that fuzz tests have written (WAYSIDE_FUZZ_LOG).
+    /// Logs of fuzz tests (WAYSIDE_FUZZ_LOG).
     #[arg(value_name = "LOG")]
     pub(crate) logs: Vec<PathBuf>,
 }
 
-/// Words of `dist`.
+/// Arguments of `dist`.
 #[derive(Debug, Args)]
 pub(crate) struct DistArguments {
     /// Platform of the program, as `rustc` names it [default: this one].
@@ -191,17 +190,17 @@ pub(crate) struct DistArguments {
     /// Folder of the archive [default: out/dist].
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
-    /// In place of an archive the licences of all that is linked into the Python package, put into this
+    /// Instead of an archive, writes the licences of all that is linked into the Python package to this
     /// folder; wheels take them from crates/wayside-python/licences.
     #[arg(long, value_name = "DIR", conflicts_with = "out")]
     pub(crate) licences: Option<PathBuf>,
 }
 
-/// Words of `ci`.
+/// Arguments of `ci`.
 #[derive(Debug, Args)]
 pub(crate) struct CiArguments {
-    /// The cheap checks of all, then lints and tests of this crate alone; or one check beside them all, by
-    /// its name: `engines`, `osi`, `sets`, `python`, `report`.
+    /// Runs the cheap checks of all, then lints and tests of this crate alone; or one check beside them all,
+    /// by name: `engines`, `osi`, `sets`, `python`, `report`.
     #[arg(long, value_name = "CRATE")]
     pub(crate) only: Option<String>,
 }

@@ -1,5 +1,5 @@
-//! `dist`: the program as an archive for those who do not build it. In it are the program, the scenes, and
-//! the licences of all that is linked into it.
+//! `dist`: an archive of the program for users who do not build it, with the scenes and the licences of all
+//! that is linked into it.
 
 mod linked;
 mod system;
@@ -14,17 +14,17 @@ use wayside::host::failure::Failure;
 use wayside::host::files;
 use wayside::program::terminal;
 
-/// Program that is handed on: its package, and its features, with what OSI and ROS 2 take.
+/// Distributed program: its package, and its features, including those for OSI and ROS 2.
 const PROGRAM: [&str; 2] = ["wayside", "interchange"];
-/// Python package that is handed on, likewise.
+/// Distributed Python package, with its features.
 const WHEEL: [&str; 2] = ["wayside-python", ""];
-/// Notes on what the classifier learned from, which is in both.
+/// Attributions of the classifier's training data, included in both.
 const ATTRIBUTIONS: &str = "fixtures/classifier.attributions.txt";
 /// Files of the project beside the program.
 const BESIDE: [&str; 6] =
     ["README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-APACHE", "LICENSE-MIT", ATTRIBUTIONS];
 
-/// Builds the program, gathers the archive's folder and packs it.
+/// Builds the program, fills the archive's folder and packs it.
 pub(crate) fn run(arguments: &DistArguments) -> Result<(), Failure> {
     let target = arguments.target.clone().map_or_else(host, Ok)?;
     if let Some(folder) = &arguments.licences {
@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &DistArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Puts the licences of what the Python package is linked with into a folder.
+/// Copies the licences of packages linked into the Python package into a folder.
 fn licences_of_wheel(folder: &Path, target: &str) -> Result<(), Failure> {
     let linked = linked_packages(target, WHEEL)?;
     gather_licences(folder, &linked)?;
@@ -61,8 +61,8 @@ fn host() -> Result<String, Failure> {
     host.map(str::to_owned).ok_or_else(|| Failure::System("rustc -vV: tells no host".into()))
 }
 
-/// Builds the program in a folder of its own, for it has other features than the workspace, and tells where
-/// it is.
+/// Builds the program in a separate folder, because its features differ from the workspace's, and returns its
+/// path.
 fn build(target: &str) -> Result<PathBuf, Failure> {
     let folder = project_root().join("target/dist");
     let [package, features] = PROGRAM;
@@ -96,7 +96,7 @@ fn gather_licences(licences: &Path, linked: &[LinkedPackage]) -> Result<(), Fail
     files::write_file(&licences.join("packages.txt"), list.as_bytes())
 }
 
-/// The archive of one folder, by the system's `tar`.
+/// Archives one folder by the system's `tar`.
 fn packed(above: &Path, name: &str) -> Result<Vec<u8>, Failure> {
     let archive = above.join("archive.tar.gz");
     output(Command::new("tar").arg("-czf").arg(&archive).arg("-C").arg(above).arg(name))?;

@@ -1,5 +1,5 @@
-//! `fuzz-ledger`: what runs of the fuzz tests have written adds up in `fixtures/fuzz.csv`, and from there in
-//! the table of `docs/validation/fuzz.md`.
+//! `fuzz-ledger`: adds the results of fuzz runs in `fixtures/fuzz.csv`, and tabulates them in
+//! `docs/validation/fuzz.md`.
 
 use crate::cli::FuzzLedgerArguments;
 use crate::project::{project_root, read_text};
@@ -14,10 +14,10 @@ const PAGE: &str = "docs/validation/fuzz.md";
 const COLUMNS: &str = "reader,seed,cases,read,refused,minutes,peak_mib";
 const BEGIN: &str = "<!-- made by cargo xtask fuzz-ledger from fixtures/fuzz.csv -->";
 const END: &str = "<!-- end of what cargo xtask fuzz-ledger makes -->";
-/// Processor minutes that each reader is to have.
+/// Processor minutes planned for each reader.
 const GOAL_MINUTES: f64 = 60.0;
 
-/// Adds logs to the ledger and makes the table of the page anew.
+/// Adds logs to the ledger and renews the table of the page.
 pub(crate) fn run(arguments: &FuzzLedgerArguments) -> Result<(), Failure> {
     let (ledger, page) = (project_root().join(LEDGER), project_root().join(PAGE));
     let mut text = read_own(&ledger)?;
@@ -33,7 +33,7 @@ pub(crate) fn run(arguments: &FuzzLedgerArguments) -> Result<(), Failure> {
     files::write_file(&page, made.as_bytes())
 }
 
-/// Text of a file of the project that is written again, so that it is no input.
+/// Reads a file of the project that is rewritten, so that it does not count as an input.
 fn read_own(file: &Path) -> Result<String, Failure> {
     std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))
 }
@@ -42,7 +42,7 @@ fn refused(file: &Path, rule: &str) -> Failure {
     Failure::Refused(format!("{}: {rule}", file.display()))
 }
 
-/// Cases that a reader was given in all runs.
+/// Number of cases for a reader in all runs.
 #[derive(Debug, Default, Clone, PartialEq)]
 struct Sum {
     seeds: Vec<u64>,
@@ -102,7 +102,7 @@ impl Sum {
     }
 }
 
-/// The page with its table made anew; `None` where it has no place for it.
+/// The page with its table renewed; `None` if it has no place for it.
 fn with_table(page: &str, all: &BTreeMap<String, Sum>) -> Option<String> {
     let (before, rest) = page.split_once(BEGIN)?;
     let (_, behind) = rest.split_once(END)?;

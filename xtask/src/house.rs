@@ -1,5 +1,5 @@
-//! `house`: what the source looks like, crate by crate: files, code, arrows between files, circles of them,
-//! and how many files stand side by side. `ci` refuses circles and crowded folders by the same counts.
+//! `house`: statistics of the source by crate: files, code, dependencies between files, cycles, and files per
+//! folder. `ci` refuses cycles and crowded folders by the same counts.
 
 pub(crate) mod source;
 pub(crate) mod names;
@@ -50,14 +50,14 @@ pub(crate) fn crates(root: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(crates)
 }
 
-/// The arrows and circles of a crate.
+/// Finds the dependencies and cycles of a crate.
 pub(crate) fn look(folder: &Path) -> Result<(Arrows, Vec<Vec<usize>>), Failure> {
     let arrows = Arrows::of(&folder.join("src"))?;
     let circles = circles::of(&arrows.to);
     Ok((arrows, circles))
 }
 
-/// A crate is called as its folder is.
+/// Name of a crate, which is that of its folder.
 pub(crate) fn name_of(folder: &Path) -> String {
     folder.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }

@@ -1,4 +1,4 @@
-//! `cargo xtask`: every command of the program `wayside`, and what only developers need: checks, studies,
+//! `cargo xtask`: every command of the program `wayside`, and developer commands: checks, studies,
 //! benchmarks.
 
 mod cli;

@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
 
-/// The root of the workspace that this program was built from, as long as it is still there, else this
-/// folder.
+/// The root of the workspace that this program was built from, if it still exists, else this folder.
 pub(crate) fn project_root() -> PathBuf {
     let built_in = Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_owned);
     built_in.filter(|p| p.join("Cargo.toml").is_file()).unwrap_or_else(|| PathBuf::from("."))
@@ -15,7 +14,7 @@ pub(crate) fn read_text(file: &Path) -> Result<String, Failure> {
     artifact::bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))
 }
 
-/// Far beyond the longest table of a study.
+/// Largest file, far beyond the longest table of a study.
 const LIMIT_BYTES: u64 = 256 << 20;
 
 /// Files of third parties, beside the project.
@@ -23,11 +22,11 @@ pub(crate) fn shared() -> PathBuf {
     std::env::var_os("WAYSIDE_SHARED").map_or_else(|| project_root().join("../shared"), PathBuf::from)
 }
 
-/// Ending that Linux puts behind the place of a program that was removed while it runs.
+/// Suffix that Linux appends to the path of a running program whose file was removed.
 const REMOVED: &str = " (deleted)";
 
-/// This program, which carries out the commands of `wayside` too; where it was built anew while it runs, the
-/// one that stands in its place now.
+/// This program, which carries out the commands of `wayside` too; if it was rebuilt while running, the new
+/// one in its place.
 pub(crate) fn this_program() -> Result<PathBuf, Failure> {
     let place = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
     Ok(in_its_place(place))

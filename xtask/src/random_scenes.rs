@@ -1,5 +1,5 @@
-//! Scenes of random radars, vehicles, clutter and traffic, drawn from a seed: what studies and benchmarks ask
-//! of many scenes.
+//! Scenes with random radars, vehicles, clutter and traffic, drawn from a seed, for studies and benchmarks
+//! over many scenes.
 
 use artifact::settings::Class;
 use rand::{RngExt, SeedableRng};
@@ -8,17 +8,17 @@ use scene::vehicles;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// A vehicle's model as a scene names it, and its class.
+/// A vehicle's model as named in a scene, and its class.
 pub(crate) type Model<'a> = (&'a str, &'a str);
 
-/// The tables that every scene has. What costs little is drawn more often, here and below.
+/// Adds the tables of every scene. Cheap choices are drawn more often, here and below.
 pub(crate) fn radar(draw: &mut Draw, text: &mut String) {
     let preset = draw.one_of(&["1x1", "1x1", "3x4", "3x4", "3x4", "3x4", "12x16"]);
     let chirps = draw.one_of(&[32, 64, 128, 128]);
     let samples =
         if preset == "12x16" { draw.one_of(&[128, 256]) } else { draw.one_of(&[128, 256, 256, 512]) };
     let multiplexing = draw.one_of(&["simultaneous", "simultaneous", "tdm"]);
-    // Twelve transmitters in turn take longer than from one frame to the next.
+    // Twelve transmitters in turn take longer than the frame interval.
     let multiplexing = if preset == "12x16" { "simultaneous" } else { multiplexing };
     let _ = write!(
         text,
@@ -45,7 +45,7 @@ pub(crate) fn clutter(draw: &mut Draw, text: &mut String) {
     );
 }
 
-/// Some tenths of a second of the project's own junction, with these lines of `[fidelity]`.
+/// Adds some tenths of a second of the project's own junction, with these lines of `[fidelity]`.
 pub(crate) fn traffic(draw: &mut Draw, root: &Path, fidelity: &str, text: &mut String) {
     let begin_s = f64::from(draw.below(580)) / 10.0;
     let frames = draw.one_of(&[1, 1, 1, 2]);
@@ -63,11 +63,11 @@ pub(crate) fn traffic(draw: &mut Draw, root: &Path, fidelity: &str, text: &mut S
     );
 }
 
-/// Numbers of a seed.
+/// Random numbers of a seed.
 pub(crate) struct Draw(ChaCha8Rng);
 
 impl Draw {
-    /// Numbers of a purpose and a case of a seed.
+    /// Random numbers for a purpose and a case of a seed.
     pub(crate) fn of(seed: u64, purpose: &str, number: u64) -> Self {
         Self(ChaCha8Rng::from_seed(artifact::seed::key(seed, purpose, &[number])))
     }

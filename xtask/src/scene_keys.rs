@@ -1,10 +1,10 @@
-//! `scene-keys`: what is made of the keys of scenes, for readers and for editors.
+//! `scene-keys`: outputs of the keys of scenes, for readers and for editors.
 
 use crate::project::project_root;
 use wayside::Failure;
 use wayside::host::files;
 
-/// The tables of `docs/scenes.md` and the whole of `docs/scene.schema.json`.
+/// Writes the tables of `docs/scenes.md` and the whole of `docs/scene.schema.json`.
 pub(crate) fn run() -> Result<(), Failure> {
     let docs = project_root().join("docs");
     let page = docs.join("scenes.md");

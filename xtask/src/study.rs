@@ -1,5 +1,5 @@
-//! `study`: pages of `docs/` with the figures that measuring makes of them, each by its name. Three are drawn
-//! too, and have commands of their own: `chart`, `atlas` and `levels`.
+//! `study`: pages of `docs/` with measured figures, each by its name. Three have pictures and commands of
+//! their own: `chart`, `atlas` and `levels`.
 
 mod sources;
 mod page;

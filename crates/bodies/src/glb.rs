@@ -1,4 +1,4 @@
-//! The bytes of binary glTF 2.0: what its writers share.
+//! The bytes of binary glTF 2.0, common to its writers.
 
 use serde_json::{Value, json};
 
@@ -9,7 +9,7 @@ const UNSIGNED_INT: u32 = 5125;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// Bytes with the views and accessors that tell what they are.
+/// Bytes with their views and accessors.
 #[derive(Default)]
 pub(crate) struct Buffer {
     pub(crate) bytes: Vec<u8>,
@@ -18,7 +18,7 @@ pub(crate) struct Buffer {
 }
 
 impl Buffer {
-    /// Adds a VEC3 accessor; the extent is required of positions.
+    /// Adds a VEC3 accessor; positions require an extent.
     pub(crate) fn vectors(&mut self, values: &[[f32; 3]], extent: Option<[[f32; 3]; 2]>) -> usize {
         let bytes = values.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
         let view = self.view(bytes, ARRAY_BUFFER);
@@ -74,7 +74,7 @@ pub(crate) fn extent(positions: &[[f32; 3]]) -> [[f32; 3]; 2] {
     [fold(f32::INFINITY, f32::min), fold(f32::NEG_INFINITY, f32::max)]
 }
 
-/// Header and two chunks, each padded to four bytes (glTF 2.0, §4.4).
+/// A file of header and two chunks, each padded to four bytes (glTF 2.0, §4.4).
 pub(crate) fn container(mut document: Vec<u8>, mut bytes: Vec<u8>) -> Vec<u8> {
     document.resize(document.len().next_multiple_of(4), b' ');
     bytes.resize(bytes.len().next_multiple_of(4), 0);

@@ -1,4 +1,4 @@
-//! A mesh with a colour per triangle and coloured lines, as binary glTF: results that any viewer shows.
+//! A mesh with a colour per triangle and coloured lines, as binary glTF for any viewer.
 
 use crate::glb::{Buffer, container, extent, gltf_axes};
 use artifact::scene::Mesh;
@@ -24,8 +24,8 @@ pub struct PaintedLine {
     pub colour: [u8; 3],
 }
 
-/// Binary glTF 2.0: triangles with their own corners and vertex colours, lines as line segments, no lighting
-/// needed (`KHR_materials_unlit` where a viewer knows it).
+/// Writes binary glTF 2.0: triangles with their own corners and vertex colours, lines as line segments,
+/// independent of lighting (`KHR_materials_unlit` if a viewer supports it).
 pub fn painted_glb(painted: &Painted) -> Vec<u8> {
     let mut buffer = Buffer::default();
     let primitives: Vec<Value> =
@@ -65,8 +65,7 @@ fn lines(buffer: &mut Buffer, painted: &Painted) -> Option<Value> {
     primitive(buffer, 1, &ends, &colours.into_iter().map(opaque).collect::<Vec<_>>())
 }
 
-/// A primitive of points with their colours; none without points, since glTF allows no accessor without
-/// elements.
+/// A primitive of points with their colours; none without points, because glTF allows no empty accessor.
 fn primitive(buffer: &mut Buffer, mode: u32, points_m: &[[f64; 3]], colours: &[[u8; 4]]) -> Option<Value> {
     if points_m.is_empty() {
         return None;

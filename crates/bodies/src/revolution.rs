@@ -1,23 +1,23 @@
-//! Triangles that are part of a body of revolution: turned about its axis by some fraction of a turn they
-//! are others of the mesh, and together they close a ring.
+//! Triangles that belong to a body of revolution: rotated about its axis by some fraction of a turn they
+//! coincide with others of the mesh, and together they close a ring.
 
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Fewest sectors that are taken for a round body; hubs have five holes, rims seldom more than ten spokes,
-/// and neither closes a ring.
+/// Least number of sectors of a round body; hubs have five holes, rims seldom more than ten spokes, and
+/// neither closes a ring.
 const FEWEST_SECTORS: usize = 8;
 
-/// Triangles of one ring and one sector that may look alike.
+/// Largest number of similar triangles in one ring and one sector.
 const MOST_ALIKE: usize = 4;
 
-/// Share of a sector that each of a ring's triangles has to cover: spokes leave gaps.
+/// Least share of a sector that each triangle of a ring must cover: spokes leave gaps.
 const COVERED: f64 = 0.95;
 
-/// Lengths that differ by less than this share of the body's radius are one.
+/// Tolerance of lengths, as a share of the body's radius.
 const SAME_LENGTH_SHARE: f64 = 1e-3;
 
-/// Whether each of some triangles (metres from a point of the axis, which is y) is of a body of revolution.
+/// Whether each triangle (metres from a point of the axis, which is y) belongs to a body of revolution.
 pub(crate) fn are_of_revolution(triangles_m: &[[DVec3; 3]]) -> Vec<bool> {
     let outlines: Vec<Outline> = triangles_m.iter().map(Outline::of).collect();
     let radius_m = triangles_m.iter().flatten().map(|p| p.x.hypot(p.z)).fold(0.0, f64::max);
@@ -30,19 +30,19 @@ pub(crate) fn are_of_revolution(triangles_m: &[[DVec3; 3]]) -> Vec<bool> {
     is_round
 }
 
-/// Measures of a triangle that turning about the axis leaves as they are, and where it stands about it.
+/// Measures of a triangle that rotation about the axis preserves, and its angles about it.
 struct Outline {
     /// Mean and greatest distance of the corners from the axis.
     mean_radius_m: f64,
     greatest_radius_m: f64,
-    /// Mean and greatest place of the corners along the axis.
+    /// Mean and greatest position of the corners along the axis.
     mean_along_m: f64,
     greatest_along_m: f64,
     /// Length of the three sides.
     perimeter_m: f64,
-    /// Middle of the angles that it covers: of a quadrilateral's halves the same, whichever way it is split.
+    /// Middle of the covered angle: the same for both halves of a quadrilateral, however it is split.
     angle_rad: f64,
-    /// Angle that it covers.
+    /// Covered angle.
     width_rad: f64,
 }
 
@@ -76,7 +76,7 @@ fn angle(p: DVec3) -> f64 {
     p.z.atan2(p.x).rem_euclid(TAU)
 }
 
-/// Groups of triangles whose lengths are alike.
+/// Groups of triangles with similar lengths.
 fn alike(outlines: &[Outline], tolerance_m: f64) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = vec![(0..outlines.len()).collect()];
     let lengths: [fn(&Outline) -> f64; 5] = [
@@ -93,13 +93,13 @@ fn alike(outlines: &[Outline], tolerance_m: f64) -> Vec<Vec<usize>> {
     groups
 }
 
-/// A group parted where one length leaps.
+/// Splits a group at jumps of a length.
 fn parted(mut group: Vec<usize>, of: impl Fn(usize) -> f64, tolerance_m: f64) -> Vec<Vec<usize>> {
     group.sort_by(|a, b| of(*a).total_cmp(&of(*b)).then(a.cmp(b)));
     group.chunk_by(|a, b| of(*b) - of(*a) <= tolerance_m).map(<[usize]>::to_vec).collect()
 }
 
-/// Whether triangles that look alike stand in equal steps all round and leave no gap.
+/// Whether similar triangles are evenly spaced all round without a gap.
 fn closes_a_ring(outlines: &[Outline], alike: &[usize]) -> bool {
     let mut angles: Vec<f64> = alike.iter().map(|&i| outlines[i].angle_rad).collect();
     angles.sort_by(f64::total_cmp);
@@ -114,7 +114,7 @@ fn closes_a_ring(outlines: &[Outline], alike: &[usize]) -> bool {
     })
 }
 
-/// Whether angles that ascend are the same again after a step.
+/// Whether ascending angles coincide again after a step.
 fn is_repeated(angles: &[f64], in_sector: usize, step_rad: f64) -> bool {
     let count = angles.len();
     (0..count).all(|i| {

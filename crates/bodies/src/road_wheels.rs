@@ -1,35 +1,35 @@
-//! Road wheels of a mesh: of the triangles that are named as wheels', which turn about which hub.
+//! Road wheels of a mesh: groups triangles with names of wheels by their hubs.
 //!
-//! What stands apart along the vehicle and across it is a wheel of its own where it is round about y and
-//! stands on the ground: a spare wheel and a steering wheel do not. Tyres, rings and discs that are bodies of
-//! revolution look the same however far they have turned and stay with the body; facets of theirs that turned
-//! would flash, as no tyre does.
+//! A group that is separate along and across the vehicle is a wheel if it is round about y and touches the
+//! ground, unlike a spare wheel or a steering wheel. Tyres, rings and discs that are bodies of revolution
+//! look the same at any rotation and stay with the body: their facets would flash when rotating, which no
+//! tyre does.
 
 use crate::revolution::are_of_revolution;
 use artifact::scene::{Mesh, RoadWheel};
 use glam::{DMat4, DVec3, DVec4};
 
-/// Difference of a wheel's length and height at most, of its height.
+/// Largest difference of a wheel's length and height, relative to its height.
 const ROUND: f64 = 0.1;
 
-/// Height of a wheel's lowest point above the mesh's at most, of its height.
+/// Largest height of a wheel's lowest point above the mesh's, relative to its height.
 const ON_GROUND: f64 = 0.25;
 
-/// Words in names of nodes, meshes and materials that tell of a road wheel.
+/// Words in names of nodes, meshes and materials that indicate a road wheel.
 const WORDS: [&str; 5] = ["wheel", "tyre", "tire", "felge", "radkappe"];
 
-/// Most triangles that are looked at: a car's wheels have some ten thousand, and a file that names millions
-/// of triangles so is no vehicle.
+/// Largest number of triangles examined: a car's wheels have some ten thousand, and a file with millions of
+/// them is not a vehicle.
 const TRIANGLES_MAX: usize = 1 << 20;
 
-/// Bytes of the longest name that is looked at.
+/// Bytes of the longest name examined.
 const NAME_BYTES_MAX: usize = 256;
 
-/// Words beside these that tell of something else.
+/// Words that exclude a road wheel.
 const OTHERS: [&str; 9] =
     ["steering", "arch", "well", "house", "housing", "spare", "fender", "cover", "base"];
 
-/// Whether a name tells of a road wheel: `Wheel_FL`, `tyre_rubber`, `wheel_rim`, `rim`; not of a
+/// Whether a name indicates a road wheel: `Wheel_FL`, `tyre_rubber`, `wheel_rim`, `rim`; not
 /// `steering_wheel`, `WheelArch` or `wheelbase`, nor a name longer than any person gives, which a file may
 /// repeat for millions of parts.
 pub fn names_a_wheel(name: &str) -> bool {
@@ -42,14 +42,14 @@ pub fn names_a_wheel(name: &str) -> bool {
     (has(&WORDS) || is_rim) && !has(&OTHERS)
 }
 
-/// Wheels of a mesh in body axes, of whose triangles some are named as wheels'.
+/// Wheels of a mesh in body axes, from the triangles with names of wheels.
 pub fn road_wheels(mesh: &Mesh, is_named: &[bool]) -> Vec<RoadWheel> {
     let ground_m = mesh.bounds_m()[0][2];
     groups(mesh, is_named).iter().filter_map(|group| wheel(mesh, group, ground_m)).collect()
 }
 
-/// Triangles of each wheel of a mesh in body axes, ascending, those of bodies of revolution among them; from
-/// the front to the rear, from the left to the right.
+/// Triangles of each wheel of a mesh in body axes, ascending, including those of bodies of revolution; from
+/// front to rear, from left to right.
 pub(crate) fn triangles_of_wheels(mesh: &Mesh, is_named: &[bool]) -> Vec<Vec<u32>> {
     let triangles = |group: Vec<Extent>| {
         let mut triangles: Vec<u32> = group.into_iter().map(|extent| extent.triangle).collect();
@@ -59,7 +59,7 @@ pub(crate) fn triangles_of_wheels(mesh: &Mesh, is_named: &[bool]) -> Vec<Vec<u32
     groups(mesh, is_named).into_iter().rev().map(triangles).collect()
 }
 
-/// Named triangles, in groups that stand apart along the vehicle or across it; none of too many.
+/// Named triangles in groups that are separate along or across the vehicle; none if there are too many.
 fn groups(mesh: &Mesh, is_named: &[bool]) -> Vec<Vec<Extent>> {
     let named = (0..).zip(is_named).filter(|(_, is_named)| **is_named);
     if named.clone().count() > TRIANGLES_MAX {
@@ -70,7 +70,7 @@ fn groups(mesh: &Mesh, is_named: &[bool]) -> Vec<Vec<Extent>> {
     along.into_iter().flat_map(|group| apart(group, 1)).collect()
 }
 
-/// A triangle and the box about it.
+/// A triangle with its bounding box.
 struct Extent {
     triangle: u32,
     low_m: DVec3,
@@ -88,7 +88,7 @@ fn corners_m(mesh: &Mesh, triangle: u32) -> [DVec3; 3] {
     mesh.triangles[triangle as usize].map(|corner| DVec3::from_array(mesh.vertices_m[corner as usize]))
 }
 
-/// Groups between which nothing stands along an axis.
+/// Splits groups at gaps along an axis.
 fn apart(mut extents: Vec<Extent>, axis: usize) -> Vec<Vec<Extent>> {
     extents.sort_by(|a, b| a.low_m[axis].total_cmp(&b.low_m[axis]).then(a.triangle.cmp(&b.triangle)));
     let mut groups: Vec<Vec<Extent>> = vec![];
@@ -105,8 +105,8 @@ fn apart(mut extents: Vec<Extent>, axis: usize) -> Vec<Vec<Extent>> {
     groups
 }
 
-/// The wheel that a group is; `None` where it is not round or stands too high, and where nothing of it can be
-/// seen to turn.
+/// The wheel of a group; `None` if it is not round or too high above the ground, or if no rotation of it is
+/// visible.
 fn wheel(mesh: &Mesh, group: &[Extent], ground_m: f64) -> Option<RoadWheel> {
     let low_m = group.iter().fold(DVec3::INFINITY, |low, extent| low.min(extent.low_m));
     let high_m = group.iter().fold(DVec3::NEG_INFINITY, |high, extent| high.max(extent.high_m));
@@ -128,15 +128,15 @@ fn wheel(mesh: &Mesh, group: &[Extent], ground_m: f64) -> Option<RoadWheel> {
     (!triangles.is_empty()).then(|| RoadWheel { hub_m: hub_m.to_array(), radius_m, triangles })
 }
 
-/// A wheel's outline: the place on the axle in its middle, and how much higher than long it is.
+/// A wheel's outline: the middle of the axle, and the ratio of height to length.
 struct Outline {
     hub_m: DVec3,
     height_to_length: f64,
 }
 
-/// The ellipse with axes along x and z through the outermost corners by least squares: corners need not stand
-/// evenly, and a vehicle that was fitted to its size has wheels a little longer than high. Which corners are
-/// outermost, the ellipse found so far tells. `None` where there is no such ellipse.
+/// Least-squares ellipse with axes along x and z through the outermost corners: corners may be uneven, and a
+/// vehicle scaled to its size has wheels slightly higher than long. The previous ellipse determines which
+/// corners are outermost. `None` if there is no such ellipse.
 fn outline(corners_m: &[[DVec3; 3]], middle_m: DVec3, height_m: f64) -> Option<Outline> {
     let places: Vec<DVec3> =
         corners_m.iter().flatten().map(|corner| (*corner - middle_m) / (0.5 * height_m)).collect();
@@ -145,8 +145,8 @@ fn outline(corners_m: &[[DVec3; 3]], middle_m: DVec3, height_m: f64) -> Option<O
     Some(Outline { hub_m: middle_m + 0.5 * height_m * centre, height_to_length })
 }
 
-/// Centre and height over length of A·x² + C·z² + D·x + E·z = 1 through what is outermost of an ellipse
-/// found before.
+/// Centre and ratio of height to length of A·x² + C·z² + D·x + E·z = 1 through the corners that are outermost
+/// relative to a previous ellipse.
 fn ellipse(places: &[DVec3], (centre, height_to_length): (DVec3, f64)) -> Option<(DVec3, f64)> {
     const OUTERMOST: f64 = 0.97;
     let radius = |p: &DVec3| (height_to_length * (p.x - centre.x)).hypot(p.z - centre.z);

@@ -1,9 +1,8 @@
-//! Street furniture of the project's own: poles, signs, guard rails and kerbs, drawn as prisms to the size
-//! asked for.
+//! The project's own street furniture: poles, signs, guard rails and kerbs, made as prisms in a given size.
 //!
-//! A piece goes in, a closed [`Mesh`] in body axes comes out, its materials named as those of the vehicles
-//! are. Tubes get facets so narrow that flat ones show them (chord over √(ρλ) at most 0.35, `docs/physics.md`
-//! §3); along the piece facets are as long as it is.
+//! A piece is turned into a closed [`Mesh`] in body axes, with the same material names as the vehicles. Tubes
+//! have facets narrow enough to represent the curved surface (chord over √(ρλ) at most 0.35,
+//! `docs/physics.md` §3); facets are as long as the piece.
 
 mod prism;
 mod outline;
@@ -13,7 +12,7 @@ use artifact::scene::Mesh;
 use outline::{circle, kerbstone, rectangle};
 use prism::Prisms;
 
-/// Names of the pieces, as a scene's `model` has them.
+/// Names of the pieces, as used in a scene's `model`.
 pub const NAMES: [&str; 4] = ["pole", "sign", "guard-rail", "kerb"];
 
 /// A piece of street furniture and its size, in metres.
@@ -26,12 +25,12 @@ pub enum Piece {
         /// Diameter of the tube.
         diameter_m: f64,
     },
-    /// A plate of aluminium, 0.9 × 0.6 m, before the top of a steel tube; it looks along x.
+    /// A plate of aluminium, 0.9 × 0.6 m, in front of the top of a steel tube; it faces x.
     Sign {
         /// Height of its upper edge over the ground.
         height_m: f64,
     },
-    /// A corrugated rail of steel on posts along x; its face looks along y.
+    /// A corrugated rail of steel on posts along x; it faces y.
     GuardRail {
         /// Length along x.
         length_m: f64,
@@ -55,7 +54,7 @@ impl Piece {
     }
 }
 
-/// The piece, standing on z = 0 around the origin.
+/// Makes the piece, standing on z = 0 around the origin.
 pub fn mesh(piece: &Piece) -> Mesh {
     let mut prisms = Prisms::default();
     match *piece {
@@ -79,7 +78,7 @@ const TUBE_M: f64 = 0.0761;
 fn draw_sign(prisms: &mut Prisms, height_m: f64) {
     let half = 0.5 * PLATE_M[0];
     prisms.upright(&rectangle([0.0, -half], [SHEET_M, half]), [height_m - PLATE_M[1], height_m], "aluminium");
-    // A millimetre of air, so that no two faces are one.
+    // A millimetre of air separates the faces.
     prisms.upright(&circle([-0.5 * TUBE_M - 0.001, 0.0], TUBE_M), [0.0, height_m - 0.05], "steel");
 }
 

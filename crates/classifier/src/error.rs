@@ -6,23 +6,23 @@ use std::path::PathBuf;
 /// Faults of crops, settings, a dataset or a model.
 #[derive(Debug, thiserror::Error)]
 pub enum ClassifierError {
-    /// A dataset or model file broke a rule, or the system refused.
+    /// A dataset or model file broke a rule, or a system error.
     #[error(transparent)]
     Artifact(#[from] ArtifactError),
-    /// A crop is not as large as its format says.
+    /// The size of a crop differs from its format.
     #[error("crop {index} has {found} pixels, its format says {side} x {side}")]
     CropPixels {
-        /// Index of the crop among those handed in.
+        /// Index of the crop in the input.
         index: usize,
-        /// Pixels it has.
+        /// Number of pixels.
         found: usize,
-        /// Side that the format tells.
+        /// Side in the format.
         side: u32,
     },
-    /// A dataset without images, where the network needs them.
+    /// A dataset without images for the network.
     #[error("sample {index} has no crop: its dataset was made with `crops = false`")]
     NoCrop {
-        /// Index of the sample among those handed in.
+        /// Index of the sample in the input.
         index: usize,
     },
     /// A setting is outside its range.
@@ -32,47 +32,47 @@ pub enum ClassifierError {
         setting: &'static str,
         /// The range.
         rule: &'static str,
-        /// Value as given.
+        /// Value given.
         found: f64,
     },
-    /// Shards of a dataset that do not belong together.
+    /// Shards of different datasets.
     #[error("{}: differs from {}: all shards of a dataset have one format of crops", shard.display(), first.display())]
     ShardFormat {
-        /// The one that differs.
+        /// The differing shard.
         shard: PathBuf,
         /// Shard that it is compared with.
         first: PathBuf,
     },
-    /// Samples of one scene look alike: a split goes by scene, or the test knows its answers.
+    /// A scene in two splits: its samples are similar, so a test would know its answers.
     #[error("scene {scene} is in split {first:?} and in split {second:?}: a scene belongs to one")]
     SceneInTwoSplits {
         /// The scene.
         scene: u64,
         /// Split of its first sample.
         first: Split,
-        /// Split of another one.
+        /// Split of another sample.
         second: Split,
     },
-    /// A sample came twice.
+    /// A duplicate sample.
     #[error("sample `{0}` is there twice")]
     SampleTwice(String),
-    /// A sample is in two datasets: one of them has grown, or was made of the same recipe.
+    /// A sample in two datasets: one of them was extended, or made from the same recipe.
     #[error("sample `{0}` is in another of the folders too; each is taken once")]
     SampleInTwoDatasets(String),
-    /// An image is in two splits: a scene was made twice, or a file was copied.
+    /// An image in two splits: a scene was made twice, or a file was copied.
     #[error("samples `{first}` and `{second}` show the same pixels in different splits")]
     CropInTwoSplits {
-        /// Sample that came first.
+        /// The earlier sample.
         first: String,
-        /// Copy of it.
+        /// The copy.
         second: String,
     },
-    /// A model of another layout than this program builds.
+    /// A model of another layout than this program supports.
     #[error("the model's network is `{found}`, this program builds `{known}`")]
     Architecture {
         /// Layout in the model.
         found: String,
-        /// Layout that is known here.
+        /// Supported layout.
         known: &'static str,
     },
     /// A model with other classes, or in another order.
@@ -81,7 +81,7 @@ pub enum ClassifierError {
         /// Classes in the model.
         found: Vec<Class>,
     },
-    /// The header has not three numbers of channels, each from 1 to the limit.
+    /// The header does not have three numbers of channels, each from 1 to the limit.
     #[error("the model has channels {found:?}, needed are three numbers from 1 to {limit}")]
     Channels {
         /// Channels in the model.
@@ -95,17 +95,17 @@ pub enum ClassifierError {
     /// The weights lack a tensor of the network.
     #[error("the weights lack the tensor `{0}`")]
     TensorMissing(String),
-    /// The weights hold a tensor that the network has no place for.
+    /// The weights contain an unknown tensor.
     #[error("the network has no place for the tensor `{0}`")]
     TensorUnknown(String),
-    /// A tensor of another shape than the header tells.
+    /// The shape of a tensor differs from the header's.
     #[error("tensor `{name}` has the shape {found:?}, the model's header tells {expected:?}")]
     TensorShape {
         /// Name of the tensor.
         name: String,
         /// Shape in the weights.
         found: Vec<usize>,
-        /// Shape by the header.
+        /// Shape according to the header.
         expected: Vec<usize>,
     },
     /// A tensor of another type than 32-bit floats.
@@ -116,7 +116,7 @@ pub enum ClassifierError {
         /// Type in the weights.
         found: safetensors::Dtype,
     },
-    /// A parameter that no training gives: not finite, or a negative variance.
+    /// An impossible parameter: not finite, or a negative variance.
     #[error("tensor `{name}`, element {index}: {value} is no possible parameter")]
     TensorValue {
         /// Name of the tensor.
@@ -126,29 +126,29 @@ pub enum ClassifierError {
         /// Value as found.
         value: f32,
     },
-    /// No example shows a class: there is nothing to learn it from.
+    /// A class without training examples.
     #[error("no sample of a {} to learn from", class.name())]
     MissingClass {
         /// The class.
         class: Class,
     },
-    /// Weights of another learner than the header tells.
+    /// Weights of another learner than the header's.
     #[error("the weights are not those of the learner that the model's header tells")]
     OtherWeights,
-    /// Trees that ask for a feature that this program does not make, or that are not in its order.
+    /// Trees with an unknown feature, or features in another order.
     #[error("the model asks for the feature `{found}` where this program makes `{known}`")]
     Feature {
         /// Feature in the model.
         found: String,
-        /// Feature here.
+        /// Feature expected here.
         known: String,
     },
-    /// A tree that leads nowhere.
+    /// A malformed tree.
     #[error("tree {tree} breaks a rule: {rule}")]
     Tree {
         /// Number of the tree.
         tree: usize,
-        /// Rule of all trees.
+        /// Violated rule of trees.
         rule: &'static str,
     },
     /// The artifact holds no weights, or more than one set.

@@ -1,4 +1,4 @@
-//! Measures of how good answers are.
+//! Metrics of answers.
 
 pub(crate) mod split; // which scenes train, validate, test
 pub(crate) mod metrics; // accuracy, confusion, log loss, reliability

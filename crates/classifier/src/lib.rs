@@ -1,16 +1,16 @@
-//! Vehicle classes: of an object's signature by boosted decision trees, and of its crop of the range-Doppler
-//! map by the paper's convolutional network.
+//! Vehicle classes: from an object's signature by boosted decision trees, and from its crop of the
+//! range-Doppler map by the paper's convolutional network.
 //!
-//! A signature goes in ([`artifact::signature::Signature`]: level, cross section, place across and height of
-//! each range cell). Some ninety features of it ([`features()`]) go into trees whose four probabilities are
-//! tempered on vehicles that they never saw ([`SignatureClassifier`], [`train_trees`]). The network is kept
-//! for the paper's protocol ([`Classifier`]): three blocks of convolution, batch normalization, rectifier and
-//! maximum, then a fully connected layer, over 24 m x 8 m/s around the object in grey levels. Neither sees
-//! lane or truth. Here both answer and the trees learn; the network's weights are made by the crate
-//! `classifier-training`, which needs a learning library that this one does without.
+//! The input is a signature ([`artifact::signature::Signature`]: level, cross section, place across and
+//! height of each range cell). Some ninety features of it ([`features()`]) go into trees whose four
+//! probabilities are calibrated on held-out vehicles ([`SignatureClassifier`], [`train_trees`]). The network
+//! is kept for the paper's protocol ([`Classifier`]): three blocks of convolution, batch normalization,
+//! rectifier and maximum, then a fully connected layer, over 24 m x 8 m/s around the object in grey levels.
+//! Neither uses lane or truth. This crate runs both and trains the trees; the network's weights are trained
+//! by the crate `classifier-training`, which needs a learning library that this crate avoids.
 //!
-//! Probabilities are in the order of [`artifact::settings::Class::ALL`]. Reading order is that of the rooms
-//! below; each uses only those that stand before it.
+//! Probabilities are in the order of [`artifact::settings::Class::ALL`]. Read the rooms below in their order;
+//! each uses only those before it.
 //!
 //! ```no_run
 //! use artifact::signature::Signature;
@@ -23,10 +23,10 @@
 //! # Ok::<(), classifier::ClassifierError>(())
 //! ```
 
-mod error; // what can be wrong with a crop, a model or a dataset
-mod signatures; // what of a signature tells the class
+mod error; // faults of a crop, a model or a dataset
+mod signatures; // features of a signature
 mod crops; // the paper's network over crops of maps
-mod evaluation; // how good answers are
+mod evaluation; // metrics of answers
 mod ensembles; // boosted trees over features of signatures
 
 pub use crops::classify::Classifier;

@@ -1,7 +1,7 @@
-//! Features of a signature, which tell the class.
+//! Features of a signature for classification.
 
 pub(crate) mod profile; // its visible cells
 pub(crate) mod feature; // names and numbers
 pub(crate) mod bands; // heights and widths along it
-pub(crate) mod peaks; // its strongest places
+pub(crate) mod peaks; // its strongest cells
 pub(crate) mod features; // all of them

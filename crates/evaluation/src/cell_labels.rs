@@ -1,8 +1,8 @@
-//! Labels of the cells of a range-Doppler map: the target and bounce order whose echo fills each cell most.
+//! Labels of the cells of a range-Doppler map: the target and bounce order of the strongest echo in each
+//! cell.
 //!
-//! The map adds the powers of its channels, so a kind of echo is added with its phase in each channel, as in
-//! the labels of points, and the powers of the channels are added. A few channels, spread over the array,
-//! stand for all of them.
+//! As in the labels of points, echoes of one kind are added coherently within each channel; then the powers
+//! of the channels are added, as in the map. A few channels, spread over the array, represent all of them.
 
 use crate::doppler_response::{at, reached};
 use crate::labels::{Group, MapResponse, PathOnMap};
@@ -18,20 +18,20 @@ use std::f64::consts::TAU;
 /// Kinds of echo in the cells of a map, row-major `[doppler, range]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CellOrigins {
-    /// Kinds of echo; the fewer bounces and the earlier target first.
+    /// Kinds of echo, by ascending bounces, then by the order of targets.
     pub groups: Vec<Group>,
-    /// The strongest kind in each cell, counted from 1; 0 where all together stay below the noise.
+    /// The strongest kind in each cell, counted from 1; 0 if all kinds together are below the noise.
     pub strongest: Vec<u8>,
-    /// Share of the strongest kind in the power that all kinds have in the cell, each for itself, percent.
+    /// Power of the strongest kind relative to the sum of the powers of the kinds in the cell, percent.
     pub percent: Vec<u8>,
 }
 
-/// Kinds of echo that are told apart, at most; those of later targets are left out.
+/// Largest number of distinguished kinds of echo; those of later targets are left out.
 const GROUPS: usize = 255;
-/// Channels that stand for the whole array, at most.
+/// Largest number of channels that represent the array.
 const CHANNELS: usize = 4;
 
-/// Labels of all cells that paths fill; `noise_power` is that of one cell of one channel of the map.
+/// Labels of all cells with echoes; `noise_power` is that of one cell of one channel of the map.
 pub fn cell_origins(
     header: &CubeHeader,
     paths: &PathsFrame,
@@ -59,7 +59,7 @@ pub fn cell_origins(
 struct Strongest {
     number: u8,
     power: f64,
-    /// Power of all kinds.
+    /// Sum of the powers of all kinds.
     sum: f64,
 }
 
@@ -76,13 +76,13 @@ impl Strongest {
     }
 }
 
-/// Cells of a map on which echoes are laid.
+/// Cells of a map to which echoes are added.
 struct CellMap<'a> {
     radar: &'a Radar,
     response: &'a MapResponse,
     rows: usize,
     columns: usize,
-    /// Places of the elements of each channel from the array's centre, m.
+    /// Places of the elements of each channel relative to the array's centre, m.
     channels: Vec<[DVec3; 2]>,
 }
 
@@ -120,9 +120,8 @@ impl<'a> CellMap<'a> {
         sums
     }
 
-    /// Adds what an echo leaves in the cells about it; rows follow each other in a circle, and so do the
-    /// columns of a whole sample rate, of which the map of real samples shows one half (what folds into it
-    /// there is left out).
+    /// Adds an echo's response to the cells around it. Rows are periodic, and so are the columns over a whole
+    /// sample rate; the map of real samples shows half of these (the part that folds into it is left out).
     fn lay(&self, echo: &PathOnMap, value: Complex64, sums: &mut [Complex64]) {
         let [velocity_cell_mps, range_cell_m] = self.response.cells;
         let tone = echo.shown.radial_velocity_mps / velocity_cell_mps;
@@ -140,7 +139,7 @@ impl<'a> CellMap<'a> {
     }
 }
 
-/// Elements of some channels, evenly taken of all.
+/// Elements of some channels, evenly selected from all.
 fn channels(radar: &Radar) -> Vec<[DVec3; 2]> {
     let centre = DVec3::from(radar.position_m);
     let from_centre = |element: &[f64; 3]| DVec3::from(*element) - centre;

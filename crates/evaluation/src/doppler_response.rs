@@ -1,38 +1,38 @@
-//! Response of a map's rows to a tone: what the Doppler window and the chirps' own times leave of it.
+//! Response of a map's rows to a tone, by the Doppler window and the chirps' start times.
 //!
-//! Where chirps follow each other at equal steps that is the window's transform, of which the main lobe and a
-//! sidelobe count. Where chirp m starts δ_m later than m·T, a tone d rows beside a row leaves there Σ_m
-//! w_m·e^{j2πd(m/N + δ_m/NT − ½)}/N, which is small nowhere: all rows count, and tones a whole turn per chirp
-//! apart are told apart. Of chirps r, r + P, … that start equally late the sum comes back after N rows and is
-//! tabulated.
+//! For equidistant chirps it is the window's transform, of which the main lobe and one sidelobe count. If
+//! chirp m starts δ_m later than m·T, a tone d rows beside a row has there the response Σ_m w_m·e^{j2πd(m/N +
+//! δ_m/NT − ½)}/N, which is small nowhere: all rows count, and tones a whole turn per chirp apart differ. For
+//! chirps r, r + P, … with equal delays the sum has period N rows and is tabulated.
 
 use artifact::Radar;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Cells from the peak within which a tone counts: the main lobe of all windows here and a sidelobe.
+/// Distance in cells from the peak within which a tone counts: the main lobe of all windows here and a
+/// sidelobe.
 pub(crate) const REACH_CELLS: f64 = 4.0;
-/// Tabulated places of a cell: finer than what a point is placed to.
+/// Tabulated places per cell: finer than the accuracy of a point's place.
 const PLACES_PER_CELL: usize = 64;
 
 /// Response along the rows of a radar's map.
 pub(crate) enum DopplerResponse {
-    /// Chirps at equal steps: amplitudes at steps from the centre on.
+    /// Equidistant chirps: amplitudes in steps from the centre on.
     Even(Vec<f64>),
-    /// Chirps that start late by turns.
+    /// Chirps with periodically repeated delays.
     Staggered(Staggered),
 }
 
-/// Chirps that start late by turns: P sums over N rows, and the times by which each is turned.
+/// Chirps with periodically repeated delays: P sums over N rows, and their delays.
 pub(crate) struct Staggered {
     parts: Vec<Vec<Complex64>>,
-    /// Index of each transmitter's sums, and by how much they start later than at equal steps, frames.
+    /// Index of each transmitter's sums, and their delays relative to equidistant chirps, frames.
     late: Vec<(usize, f64)>,
     transmitters: f64,
 }
 
 impl DopplerResponse {
-    /// Response by a window of as many weights as a transmitter has chirps.
+    /// Response for a window with one weight per chirp of a transmitter.
     pub(crate) fn of(radar: &Radar, taper: &[f64]) -> Self {
         if radar.schedule.is_uniform() {
             Self::Even(response(taper))
@@ -41,7 +41,8 @@ impl DopplerResponse {
         }
     }
 
-    /// Amplitude in a row, counted from that of rest, of a tone in another place that is not folded.
+    /// Amplitude in a row, counted from that of zero velocity, of a tone at another place, which is not
+    /// folded.
     pub(crate) fn at(&self, tone: f64, row: f64, rows: u32) -> Option<Complex64> {
         match self {
             Self::Even(along) => {
@@ -52,7 +53,7 @@ impl DopplerResponse {
         }
     }
 
-    /// Rows that a tone counts in, which may lie beyond the map's, and its amplitudes there.
+    /// Rows in which a tone counts, which may lie outside the map, and its amplitudes there.
     pub(crate) fn reached(&self, tone: f64, rows: usize) -> Vec<(i64, Complex64)> {
         match self {
             Self::Even(along) => {
@@ -81,7 +82,7 @@ impl Staggered {
         Self { parts, late, transmitters: transmitters as f64 }
     }
 
-    /// Amplitude so many rows beside a tone, about the frame's middle.
+    /// Amplitude at a distance of `rows` from a tone, relative to the frame's middle.
     fn at(&self, rows: f64) -> Complex64 {
         let step = (rows * PLACES_PER_CELL as f64).round();
         let turns = step / PLACES_PER_CELL as f64;
@@ -93,7 +94,7 @@ impl Staggered {
     }
 }
 
-/// Σ over chirps first, first + P, … of w_m·e^{j2πdm/N}/N, d at steps from 0 to N.
+/// Σ over chirps first, first + P, … of w_m·e^{j2πdm/N}/N, for d in steps from 0 to N.
 fn part(taper: &[f64], first: usize, delays: usize) -> Vec<Complex64> {
     let (rows, length) = (taper.len(), taper.len() * PLACES_PER_CELL);
     let turns: Vec<Complex64> = (0..length).map(|i| Complex64::cis(TAU * i as f64 / length as f64)).collect();
@@ -102,29 +103,29 @@ fn part(taper: &[f64], first: usize, delays: usize) -> Vec<Complex64> {
     (0..length).map(|step| sum(step) / rows as f64).collect()
 }
 
-/// Cells to the nearest of places that are a period apart.
+/// Distance in cells to the nearest of places a period apart.
 pub(crate) fn folded(cells: f64, period: u32) -> f64 {
     let period = f64::from(period);
     cells - period * (cells / period).round()
 }
 
-/// The row of a map, which begins at −N/2, that shows a place; rounding of the place is no turn.
+/// Signed row of a map, which begins at −N/2, for a place; rounding does not wrap around.
 fn signed(row: f64, rows: f64) -> f64 {
     row - rows * (row / rows + 0.5 + 1e-9).floor()
 }
 
-/// Cells within reach of a fractional one.
+/// Cells within [`REACH_CELLS`] of a fractional cell.
 pub(crate) fn reached(cell: f64) -> std::ops::Range<i64> {
     (cell - REACH_CELLS).ceil() as i64..(cell + REACH_CELLS).ceil() as i64
 }
 
-/// Amplitude of a tabulated response so many cells from its centre.
+/// Amplitude of a tabulated response at a distance of `cells` from its centre.
 pub(crate) fn at(response: &[f64], cells: f64) -> f64 {
     response.get((cells.abs() * PLACES_PER_CELL as f64).round() as usize).copied().unwrap_or(0.0)
 }
 
-/// Amplitude that a tone so far from a cell's centre leaves in it, about the window's middle, where it is
-/// real.
+/// Amplitude in a cell of a tone at a distance from the cell's centre, relative to the window's middle, where
+/// it is real.
 pub(crate) fn response(taper: &[f64]) -> Vec<f64> {
     let length = taper.len() as f64;
     let steps = REACH_CELLS as usize * PLACES_PER_CELL;

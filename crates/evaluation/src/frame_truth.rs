@@ -1,5 +1,5 @@
-//! Truth of one frame, made once when nothing can look at it any more: its bodies, whose objects are whose,
-//! and what made each point.
+//! Ground truth of one frame, made after all processing: its bodies, their objects, and the origin of each
+//! point.
 
 use crate::labels::Origin;
 use crate::pairing::{Pairing, Reach};
@@ -8,23 +8,22 @@ use artifact::paths::PathsFrame;
 use artifact::points::Object;
 use artifact::scene::{SceneFrame, SceneHeader};
 
-/// Truth beside what was detected.
+/// Ground truth of a frame's detections.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrameTruth {
     /// Truths in the order of the frame's poses.
     pub truths: Vec<Truth>,
     /// Pairing of the frame's truths with its objects.
     pub pairing: Pairing,
-    /// Origin of each point, in the order of the points; empty where nobody asked, and where echoes were made
-    /// from tables.
+    /// Origin of each point, in the order of the points; empty if not requested, and for echoes from tables.
     pub origins: Vec<Origin>,
-    /// The scene's number of each body of the frame; empty where they are counted alike.
+    /// The scene's number of each body of the frame; empty if the numbers are the same.
     pub bodies: Vec<u32>,
 }
 
 impl FrameTruth {
-    /// The truth of a frame whose bodies are the targets of `view`; `paths` are those that made its echo,
-    /// where they are known: without them every body counts as one that sends back an echo.
+    /// Ground truth of a frame whose bodies are the targets of `view`; `paths` are those of its echo, if
+    /// known: without them every body counts as one that returns an echo.
     pub fn of(
         view: &SceneHeader,
         frame: &SceneFrame,
@@ -37,7 +36,7 @@ impl FrameTruth {
         Self { truths, pairing, origins: vec![], bodies: vec![] }
     }
 
-    /// A body of the frame as the whole scene counts it.
+    /// The scene's number of a body of the frame.
     pub fn number_of(&self, body: usize) -> u32 {
         self.bodies.get(body).copied().unwrap_or(body as u32)
     }

@@ -1,9 +1,9 @@
-//! The ground that a body covers: its bounding box seen from above, turned as the body is.
+//! The ground that a body covers: its bounding box seen from above, rotated like the body.
 
 use artifact::scene::{Mesh, Pose};
 use glam::DVec2;
 
-/// A rectangle on the road; a point target's has no extent.
+/// A rectangle on the road; that of a point target has no extent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GroundOutline {
     origin_m: DVec2,
@@ -20,7 +20,7 @@ impl GroundOutline {
         Self { low_m, high_m, ..Self::of_point(pose) }
     }
 
-    /// A place alone.
+    /// The outline of a point.
     pub fn of_point(pose: &Pose) -> Self {
         let [x_m, y_m, _] = pose.position_m;
         Self {
@@ -31,14 +31,14 @@ impl GroundOutline {
         }
     }
 
-    /// Least and greatest distance of its parts from a place.
+    /// Least and greatest distance between its parts and a place.
     pub fn ranges_m(&self, place_m: DVec2) -> [f64; 2] {
         let in_body = DVec2::from_angle(-self.yaw_rad).rotate(place_m - self.origin_m);
         let farthest_m = (in_body - self.low_m).abs().max((in_body - self.high_m).abs());
         [in_body.distance(in_body.clamp(self.low_m, self.high_m)), farthest_m.length()]
     }
 
-    /// Distance from a place to the nearest part of the outline; 0 inside.
+    /// Distance between a place and the nearest part of the outline; 0 inside.
     pub fn distance_m(&self, place_m: DVec2) -> f64 {
         self.ranges_m(place_m)[0]
     }

@@ -1,12 +1,11 @@
-//! Labels of detected points, their truth: the target, its class and the bounce order whose echo fills the
-//! point's cell most, from the paths that made the echo. Only reports come here: nothing behind the radar
-//! cube reads it.
+//! True labels of detected points: the target, its class and the bounce order of the strongest echo in the
+//! point's cell, from the paths of the echo. Only reports use them: no processing behind the radar cube does.
 //!
-//! A cell of the map, seen in the point's direction, holds Σ over paths of conj a/(L₁L₂)·e^{j2π(f_cτ −
-//! ½μτ²)}, each with what the two windows and the array leave of it there (`docs/interface.md`, eq. of a
-//! path, at the middle of frame and sweep). The sum is taken apart by target and order, coherently within
-//! each: cells of one surface cancel away from its mirror direction, and powers of single paths would say
-//! nothing of it. A point whose paths all together stay below the noise is a false alarm and has no label.
+//! A cell of the map, beamformed to the point's direction, holds Σ over paths of conj a/(L₁L₂)·e^{j2π(f_cτ −
+//! ½μτ²)}, each weighted by the response of the two windows and the array (`docs/interface.md`, eq. of a
+//! path, at the middle of frame and sweep). The sum is split by target and order and coherent within each:
+//! cells of one surface cancel away from its mirror direction, so the powers of single paths would be
+//! meaningless. A point whose paths are together below the noise is a false alarm and has no label.
 
 use crate::doppler_response::{DopplerResponse, REACH_CELLS, at, folded, response};
 use artifact::Waveform;
@@ -26,16 +25,16 @@ use std::f64::consts::TAU;
 /// True origin of a point.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Origin {
-    /// Echoes of bodies: the strongest kind of them, and the bodies on its strongest way.
+    /// Echoes of bodies: the strongest kind of them, and the bodies on its strongest path.
     Echo {
         /// Target, bounce order and share of the strongest kind.
         label: Label,
-        /// Bodies that its strongest way meets.
+        /// Bodies on its strongest path.
         bodies: BTreeSet<u32>,
     },
     /// The road's own backscatter.
     Ground,
-    /// The paths all together stay below the noise there.
+    /// Noise: the paths together are below it there.
     Noise,
 }
 
@@ -49,8 +48,7 @@ impl Origin {
     }
 }
 
-/// Origins of points that paths made; `noise_power` is that of one cell of one channel of the map, in its
-/// units.
+/// Origins of points from paths; `noise_power` is that of one cell of one channel of the map, in its units.
 pub fn origins(
     header: &CubeHeader,
     paths: &PathsFrame,
@@ -59,14 +57,14 @@ pub fn origins(
 ) -> Result<Vec<Origin>, Sidelobes> {
     let map = MapResponse::new(header)?;
     let echoes: Vec<PathOnMap> = paths.paths.iter().map(|path| PathOnMap::of(&header.radar, path)).collect();
-    // The beam averages over channels: so does its noise.
+    // The beam averages over channels, and so over their noise.
     let floor = noise_power / header.radar.virtual_channels() as f64 / map.gain.powi(2);
     let origin = |point: &Point| {
         let shares = map.shares(&header.radar, &echoes, point);
         let Some(label) = strongest(&shares, floor) else { return Origin::Noise };
         let group = Group { target: label.target, order: label.order, bodies: label.bodies };
         match shares.get(&group).map(|share| share.strongest) {
-            // Where the road itself is strongest, the point is no target's.
+            // If the road itself is strongest, the point belongs to no target.
             _ if label.target == artifact::paths::GROUND => Origin::Ground,
             Some(way) => Origin::Echo { label, bodies: met(&paths.paths[way]) },
             None => Origin::Noise,
@@ -79,7 +77,7 @@ pub fn origins(
 #[derive(Debug, Clone, Copy, Default)]
 struct Share {
     sum: Complex64,
-    /// The index of its strongest path, and that one's power.
+    /// Index and power of its strongest path.
     strongest: usize,
     largest: f64,
 }
@@ -90,7 +88,7 @@ impl Share {
     }
 }
 
-/// The strongest group, where all together reach the noise.
+/// The strongest group, if all groups together reach the noise.
 fn strongest(shares: &BTreeMap<Group, Share>, noise: f64) -> Option<Label> {
     let sum: f64 = shares.values().map(Share::power).sum();
     let best = shares.iter().map(|(group, share)| (group, share.power())).fold(
@@ -104,7 +102,7 @@ fn strongest(shares: &BTreeMap<Group, Share>, noise: f64) -> Option<Label> {
     Some(Label { target: group.target, order: group.order, bodies: group.bodies, share: power / sum })
 }
 
-/// Bodies that a way meets.
+/// Bodies on a path.
 fn met(path: &Path) -> BTreeSet<u32> {
     match path.sequence() {
         [] => BTreeSet::from([path.target]),
@@ -112,16 +110,16 @@ fn met(path: &Path) -> BTreeSet<u32> {
     }
 }
 
-/// Properties that ways have in common whose echoes are added: the first target, bounces, and how many
-/// different targets they meet. A way and the same one backwards are one echo: its target is the one of both
+/// Common properties of paths whose echoes are added: the first target, the number of bounces, and the number
+/// of different targets on the path. A path and its reverse are one echo: its target is the one of the two
 /// ends that comes first in the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Group {
     /// Index of the target.
     pub target: u32,
-    /// Bounces; 0 of a point target.
+    /// Bounces; 0 for a point target.
     pub order: u8,
-    /// Number of different targets on the way.
+    /// Number of different targets on the path.
     pub bodies: u8,
 }
 
@@ -132,13 +130,13 @@ impl Group {
     }
 }
 
-/// A path at the frame's middle, as a map shows it.
+/// A path at the frame's middle, as seen in a map.
 pub(crate) struct PathOnMap {
     pub(crate) group: Group,
     /// √W, with its phase in the middle of the sweep.
     pub(crate) value: Complex64,
     pub(crate) shown: Shown,
-    /// Unit vectors from the array to where the echo appears from the transmitter and from the receiver.
+    /// Unit vectors from the array to the apparent points of the transmitter's and the receiver's side.
     pub(crate) directions: [DVec3; 2],
 }
 
@@ -158,7 +156,7 @@ impl PathOnMap {
     }
 }
 
-/// Place on a map that did not end: a moving echo stands f_c/μ metres farther for each m/s.
+/// Place on an unbounded map: a moving echo is shifted by f_c/μ metres for each m/s.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shown {
     pub(crate) range_m: f64,
@@ -171,18 +169,18 @@ impl Shown {
     }
 }
 
-/// Response of the map, by its two windows and the chirps' times, to a tone near a cell.
+/// Response of the map to a tone near a cell, by its two windows and the chirps' times.
 pub(crate) struct MapResponse {
     pub(crate) doppler: DopplerResponse,
     /// Amplitudes along the range axis from the centre on.
     pub(crate) range: Vec<f64>,
     pub(crate) cells: [f64; 2],
-    /// Value of a cell over the amplitude of a tone in its centre.
+    /// Value of a cell for a tone of unit amplitude at its centre.
     pub(crate) gain: f64,
 }
 
-/// Share of a tone's amplitude in the line that maps show: 1, or ½ of real samples, which have another line
-/// at the image.
+/// Share of a tone's amplitude in the line shown in maps: 1, or ½ for real samples, which have another line
+/// at the image frequency.
 fn line_share(header: &CubeHeader) -> f64 {
     match header.radar.waveform.sampling {
         Sampling::Complex => 1.0,
@@ -203,7 +201,7 @@ impl MapResponse {
         })
     }
 
-    /// Finds the sum that each group leaves in the cell of a point, seen in the point's direction, √W.
+    /// Finds the sum of each group in the cell of a point, beamformed to the point's direction, √W.
     fn shares(&self, radar: &Radar, echoes: &[PathOnMap], point: &Point) -> BTreeMap<Group, Share> {
         let (w, toward) = (&radar.waveform, direction(point));
         let shown = Shown::of(w, point.range_m, point.radial_velocity_mps);
@@ -220,9 +218,9 @@ impl MapResponse {
         shares
     }
 
-    /// Part of the amplitude; `None` beyond the reach of the windows, of staggered chirps of the range window
-    /// alone. Tones are the same a sample rate apart, and rows a turn per chirp: echoes from beyond the map
-    /// fold into it, of real samples also the image.
+    /// Part of an echo's amplitude in the point's cell; `None` beyond the reach of the windows, with
+    /// staggered chirps of the range window alone. Tones a sample rate apart are the same, as are rows a turn
+    /// per chirp apart: echoes from beyond the map fold into it, with real samples also the image.
     fn left_of(&self, w: &Waveform, echo: &PathOnMap, point: Shown) -> Option<Left> {
         let left = |is_image: bool| {
             let sign = if is_image { -1.0 } else { 1.0 };
@@ -239,10 +237,10 @@ impl MapResponse {
     }
 }
 
-/// Part of a tone's amplitude that a cell has.
+/// Part of a tone's amplitude in a cell.
 struct Left {
     share: Complex64,
-    /// Whether it is that of the negative frequency, which real tones have.
+    /// Whether it is the negative frequency of a real tone.
     is_image: bool,
 }
 
@@ -259,8 +257,7 @@ fn direction(point: &Point) -> DVec3 {
     DVec3::new(sin * level, cos * level, up)
 }
 
-/// Factor that the beam to a direction leaves of an echo: the mean over transmitters times the mean over
-/// receivers.
+/// Response of the beam in a direction to an echo: the mean over transmitters times the mean over receivers.
 fn beam(radar: &Radar, echo: &PathOnMap, toward: DVec3) -> Complex64 {
     let wavenumber = TAU / radar.waveform.wavelength_m();
     let mean = |elements: &[[f64; 3]], direction: DVec3| {

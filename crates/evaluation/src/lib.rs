@@ -1,16 +1,17 @@
-//! Truth beside estimates: how well anybody's points, objects and tracks agree with a scene.
+//! Evaluation against the ground truth: how well points, objects and tracks of any program agree with a
+//! scene.
 //!
-//! In go what a scene's artifacts hold (poses, and where they were traced the paths of its echoes) and what a
-//! radar made of them ([`PointsFrame`](artifact::points::PointsFrame),
-//! [`TracksFrame`](artifact::tracks::TracksFrame)), by whatever program; out come whose each detection is and
-//! what is missed and false. Only reports come here: nothing behind the radar cube reads it.
+//! The inputs are a scene's artifacts (poses and, if they were traced, the paths of its echoes) and a radar's
+//! detections by any program ([`PointsFrame`](artifact::points::PointsFrame),
+//! [`TracksFrame`](artifact::tracks::TracksFrame)). The results are the true origin of each detection, and
+//! the missed and false ones. Only reports use them: no processing behind the radar cube does.
 //!
-//! - [`Truth`]: where a body stands, how it moves, where its echo comes from; [`GroundOutline`] the ground
-//!   that it covers;
-//! - [`Pairing`]: which object is whose, within a gate of place and velocity;
-//! - [`Origin`]: what made a point: a body, the ground, noise; over how many bounces and bodies;
-//! - [`CellOrigins`]: whose echo fills each cell of a range-Doppler map most;
-//! - [`FrameTruth`]: all of it for one frame;
+//! - [`Truth`]: position and motion of a body, and the place of its echo; [`GroundOutline`]: the ground that
+//!   it covers;
+//! - [`Pairing`]: the object of each body, within a gate of place and velocity;
+//! - [`Origin`]: the cause of a point (a body, the ground, noise), with the bounces and bodies of its path;
+//! - [`CellOrigins`]: the strongest echo in each cell of a range-Doppler map;
+//! - [`FrameTruth`]: all of these for one frame;
 //! - [`Score`] over a run: GOSPA, OSPA, lanes, identities of tracks ([`Metrics`]).
 //!
 //! ```
@@ -31,14 +32,14 @@
 //! ```
 
 mod ground_outline; // the ground that a body covers
-mod truth; // what is true of each body
-mod metrics; // distances of sets of places
-mod pairing; // whose an object is
-mod doppler_response; // what rows have of a tone
-mod labels; // what made a point
-mod cell_labels; // what made a cell of the map
-mod frame_truth; // all that is true of a frame
-mod score; // over a run
+mod truth; // ground truth of each body
+mod metrics; // distances between sets of places
+mod pairing; // assignment of objects to bodies
+mod doppler_response; // response of map rows to a tone
+mod labels; // origins of points
+mod cell_labels; // origins of map cells
+mod frame_truth; // ground truth of a frame
+mod score; // agreement over a run
 
 pub use cell_labels::{CellOrigins, cell_origins};
 pub use frame_truth::FrameTruth;

@@ -1,6 +1,6 @@
-//! Distances of a set of estimates from a set of truths.
+//! Distances between a set of estimates and a set of truths.
 
-pub(crate) mod distances; // squares between places
+pub(crate) mod distances; // squared distances between places
 pub(crate) mod gospa; // generalised optimal sub-pattern assignment
 pub(crate) mod ospa; // optimal sub-pattern assignment
-pub(crate) mod identities; // of bodies and tracks
+pub(crate) mod identities; // track continuity

@@ -1,15 +1,15 @@
-//! Pairing of bodies with detected objects: one answer for estimates, metrics, the console and the report.
+//! Pairing of bodies with detected objects, common to estimates, metrics, the console and the report.
 //!
-//! An object belongs to a body by its distance, seen from above, to the nearest part of the body's outline:
-//! radar sees what faces it, and of a bus seen from the front that is 6 m before its middle. It has to move
-//! as the body does there: a ghost of two others that shows within the outline is not the body. Bodies and
-//! objects are paired one to one so that the sum of squares is least, as GOSPA pairs them, with two
-//! differences: half a metre counts as none, so that of a body's parts the strongest is taken, and velocities
-//! that the map folds onto the body's have a price, so that one in the right fold is taken before.
+//! An object is paired by its distance, seen from above, to the nearest part of a body's outline: the radar
+//! sees the side that faces it, and for a bus seen from the front that is 6 m before its middle. It must move
+//! as the body does there: a ghost of two other bodies within the outline is not the body. Bodies and objects
+//! are paired one to one with the least sum of squares, as in GOSPA, with two differences: half a metre
+//! counts as zero, so that the strongest of a body's parts is chosen, and velocities that the map folds onto
+//! the body's have a cost, so that an object in the right fold is preferred.
 //!
-//! What the settings ask of echoes at rest decides what is left over: an object that the radar itself tells
-//! to be at rest claims no vehicle, and is no false one where it is nobody's; a body whose echoes were
-//! removed with the rest is not missed.
+//! The setting for static echoes determines the rest: an object marked as at rest is paired with no vehicle,
+//! and does not count as false if it belongs to nobody; a body whose echoes were removed does not count as
+//! missed.
 
 use crate::metrics::gospa::{Gospa, gospa_by_costs};
 use crate::truth::Truth;
@@ -23,38 +23,38 @@ use ndarray::{Array2, Axis};
 use radar::doppler_ambiguity::folded_mps;
 use radar::lattice::tells_azimuth;
 
-/// An object further than this from a body's outline is not that body's: what stands in the middle of the
-/// next lane, 3.75 m on, is 2.9 m from the side of a car.
+/// Largest distance between an object and the outline of its body: an object in the middle of the next lane,
+/// 3.75 m away, is 2.9 m from the side of a car.
 pub const GATE_M: f64 = 3.0;
 
-/// An object whose radial velocity differs by more from that of the body seen at the object's place, as the
-/// map folds it, is not that body's. Off by the gate at 30 m, a body that crosses at 14 m/s differs by 1.4
-/// m/s; parts of one object by a metre a second (`cluster_velocity_mps`).
-/// Where a Doppler cell is wider than twice that, half of it takes its place: of a frame of one chirp no
-/// velocity is told at all.
+/// Largest difference between an object's radial velocity and that of its body seen at the object's place, as
+/// the map folds it. At a position error equal to the gate at 30 m, a body that crosses at 14 m/s differs by
+/// 1.4 m/s; parts of one object differ by a metre a second (`cluster_velocity_mps`).
+/// If a Doppler cell is wider than twice that, half of it is used instead: a frame of one chirp measures no
+/// velocity.
 pub const VELOCITY_GATE_MPS: f64 = 2.0;
 
-/// An object no further from a body's outline is on it, as good as any within: two range cells of Table 2's
-/// narrowest band, and what directions err by at 30 m.
+/// Distance up to which an object counts as on a body's outline, as good as any within: two range cells of
+/// Table 2's narrowest band, and the error of directions at 30 m.
 const ON_OUTLINE_M: f64 = 0.5;
 
-/// Distance that an object in another fold than the body's counts as farther.
+/// Additional distance of an object in another fold than the body's.
 const OTHER_FOLD_M: f64 = 2.0;
 
-/// Limits of what a radar tells of places and velocities.
+/// Limits of a radar's measurements of places and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
     /// The radar's position, m.
     pub position_m: DVec3,
-    /// Range to which the waveform tells, m.
+    /// Maximum unambiguous range, m.
     pub range_max_m: f64,
-    /// Velocities that differ by it look alike.
+    /// Velocity span: velocities that differ by it look alike.
     pub velocity_span_mps: f64,
-    /// Objects whose radial velocity differs by more from a body's are not its own.
+    /// Largest difference between the radial velocities of an object and its body.
     pub velocity_gate_mps: f64,
-    /// Whether the array tells azimuths. One that does not tells a body by its range alone.
+    /// Whether the array measures azimuths. Otherwise bodies are paired by range alone.
     pub tells_azimuth: bool,
-    /// Echoes no faster than this, as the map folds them, may have been removed; `None` where none are.
+    /// Velocity up to which echoes, as the map folds them, may have been removed; `None` if none are.
     pub removed_to_mps: Option<f64>,
 }
 
@@ -65,10 +65,10 @@ struct Apart {
 }
 
 impl Reach {
-    /// Squared distance by which a body's object is chosen, m². What lies on the outline is as near as what
-    /// lies within: a strong echo of a front, told a hand's breadth before it, is the body's rather than a
-    /// weak one of its load. And of a ghost within the outline that only the map's folds make move alike, and
-    /// an echo in the right fold, the latter is taken.
+    /// Squared distance by which a body's object is chosen, m². Objects on the outline count as within: a
+    /// strong echo of a front, measured a hand's breadth before it, is preferred to a weak one of the load.
+    /// An echo in the right fold is preferred to a ghost within the outline that has the same velocity only
+    /// by folding.
     fn cost_m2(&self, apart: &Apart) -> f64 {
         let is_folded = apart.velocity_mps.abs() > self.velocity_gate_mps;
         let of_fold_m2 = if is_folded { OTHER_FOLD_M.powi(2) } else { 0.0 };
@@ -79,7 +79,7 @@ impl Reach {
     pub fn of(header: &SceneHeader) -> Self {
         let (radar, removes) = (&header.radar, header.dsp.static_echoes == StaticEchoes::Remove);
         Self {
-            // Half a Doppler cell, and as much again for what a weak echo's velocity errs by.
+            // Half a Doppler cell, and as much again for the velocity error of a weak echo.
             removed_to_mps: removes.then(|| radar.velocity_resolution_mps()),
             position_m: DVec3::from(radar.position_m),
             range_max_m: radar.waveform.range_max_m(),
@@ -96,19 +96,19 @@ impl Reach {
         }
     }
 
-    /// Squared distance from the outline to an object that moves as the body does; infinite of any other.
+    /// Squared distance from the outline to an object that moves as the body does; infinite for others.
     fn square_m2(&self, apart: &Apart) -> f64 {
         let moves_alike = self.folded_mps(apart.velocity_mps).abs() <= self.velocity_gate_mps;
         if moves_alike { apart.distance_m.powi(2) } else { f64::INFINITY }
     }
 
-    /// Radial velocity of a body seen at the object's place, or, where that is not known, at its own.
+    /// Radial velocity of a body seen at the object's place, or, if that is unknown, at its own.
     fn radial_velocity_mps(&self, truth: &Truth, object: &Object) -> f64 {
         let sight = (DVec3::from(object.position_m) - self.position_m).normalize_or_zero();
         if self.tells_azimuth { truth.velocity_mps.dot(sight) } else { truth.radial_velocity_mps }
     }
 
-    /// Distance of an object from a body's outline, or, without azimuths, that of their ranges.
+    /// Distance of an object from a body's outline, or, without azimuths, of their ranges.
     fn distance_m(&self, truth: &Truth, object: &Object) -> f64 {
         let radar_m = self.position_m.truncate();
         if self.tells_azimuth {
@@ -123,39 +123,39 @@ impl Reach {
         folded_mps(velocity_mps, self.velocity_span_mps)
     }
 
-    /// Whether a body's echoes are at rest and none is left of them.
+    /// Whether all of a body's echoes are at rest and removed.
     fn removes(&self, truth: &Truth) -> bool {
         let velocity_mps = truth.echo.map_or(truth.radial_velocity_mps, |echo| echo.radial_velocity_mps);
         self.removed_to_mps.is_some_and(|limit_mps| self.folded_mps(velocity_mps).abs() <= limit_mps)
     }
 }
 
-/// Difference of radial velocity up to which an object is a body's.
+/// Largest difference between the radial velocities of an object and its body.
 fn velocity_gate_mps(radar: &Radar) -> f64 {
     VELOCITY_GATE_MPS.max(0.5 * radar.velocity_resolution_mps())
 }
 
-/// Bodies of a frame and the objects that are theirs.
+/// Bodies of a frame with their objects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pairing {
     /// Index of each truth's object, in the order of the truths.
     pub object_of: Vec<Option<usize>>,
-    /// The truths that are to be found, in their order: rows of `squares_m2`.
+    /// Truths that should be found, in order: rows of `squares_m2`.
     pub shown: Vec<usize>,
-    /// Truths that would be among them, had their echoes not been removed as echoes at rest.
+    /// Truths that should be found if their echoes had not been removed as echoes at rest.
     pub removed: Vec<usize>,
-    /// Objects that the radar tells to be at rest and that are nobody's.
+    /// Objects marked as at rest that belong to nobody.
     pub standing: Vec<usize>,
     /// Squared distances, `[truth, object]`, from the outlines of `shown` to the objects that are not
-    /// standing; infinite where they do not move alike.
+    /// standing; infinite if they do not move alike.
     pub squares_m2: Array2<f64>,
-    /// GOSPA of `squares_m2`; it names objects by their indices in the frame.
+    /// GOSPA of `squares_m2`, with the objects' indices in the frame.
     pub gospa: Gospa,
 }
 
 impl Pairing {
-    /// Only what is to be found has an object: nothing that is clutter, hidden, or beyond the range that the
-    /// waveform tells.
+    /// Pairs truths with objects; only truths that should be found get one: no clutter, nothing hidden or
+    /// beyond the maximum unambiguous range.
     pub fn of(truths: &[Truth], objects: &[Object], reach: &Reach) -> Self {
         let asked: Vec<usize> =
             (0..truths.len()).filter(|t| truths[*t].is_to_be_found(reach.range_max_m)).collect();
@@ -180,19 +180,19 @@ impl Pairing {
         }
     }
 
-    /// The body whose object this is.
+    /// Body of an object.
     pub fn body_of(&self, object: usize) -> Option<usize> {
         self.object_of.iter().position(|own| *own == Some(object))
     }
 
-    /// Whether a track has objects in this frame, and none but standing ones.
+    /// Whether a track has objects in this frame, and only standing ones.
     pub fn is_standing(&self, track: &Track) -> bool {
         !track.objects.is_empty()
             && track.objects.iter().all(|object| self.standing.contains(&(*object as usize)))
     }
 }
 
-/// An object seen from above.
+/// Place of an object seen from above.
 pub fn place(object: &Object) -> DVec2 {
     DVec2::new(object.position_m[0], object.position_m[1])
 }

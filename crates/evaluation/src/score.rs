@@ -1,11 +1,11 @@
-//! Agreement of objects and tracks with the truth over a run. Only reports come here: nothing behind the
-//! radar cube reads it.
+//! Agreement of objects and tracks with the ground truth over a run. Only reports use it: no processing
+//! behind the radar cube does.
 //!
-//! Truths of a frame are the bodies that send back any echo from within the radar's range, clutter left out:
-//! what is found of it counts as false. Objects of single frames say where something reflects, and are paired
-//! with the nearest parts of bodies ([`Pairing`]); tracks say where a body stands, and the
-//! middles of their boxes are compared with the middles of bodies. Neither bodies whose echoes were removed
-//! as echoes at rest count, nor objects at rest that are nobody's and tracks that have no others.
+//! Truths of a frame are the bodies that return any echo from within the radar's range, without clutter:
+//! detections of clutter count as false. Objects of single frames give the places of reflections, and are
+//! paired with the nearest parts of bodies ([`Pairing`]); tracks give the places of bodies, and the middles
+//! of their boxes are compared with the middles of bodies. Bodies whose echoes were removed as echoes at rest
+//! do not count, nor do objects at rest that belong to nobody and tracks that have no others.
 
 use crate::frame_truth::FrameTruth;
 use crate::metrics::distances::squares_m2;
@@ -21,8 +21,8 @@ use ndarray::{Array2, ArrayView2, Axis};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// Cut-off c of GOSPA and OSPA of tracks: a box whose middle is further from a body's middle than this is
-/// another's. Half of a bus is 6 m.
+/// Cut-off c of GOSPA and OSPA of tracks: the largest distance between the middles of a track's box and its
+/// body. Half a bus is 6 m.
 pub const CUTOFF_M: f64 = 6.0;
 
 /// Sums over all frames so far.
@@ -48,7 +48,7 @@ pub struct Metrics {
     pub identities: IdentityMetrics,
 }
 
-/// Agreement of one kind of estimates with the truth; means are over frames and `None` where there were none.
+/// Agreement of one kind of estimates with the truth; means are over frames and `None` without frames.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Agreement {
     /// Cut-off c of these metrics, m.
@@ -66,7 +66,7 @@ pub struct Agreement {
     /// Estimates without a truth.
     #[serde(rename = "false")]
     pub false_ones: usize,
-    /// Estimates at rest that are nobody's and do not count as false.
+    /// Estimates at rest that belong to nobody and do not count as false.
     pub stationary: usize,
     /// Truths whose echoes were removed as echoes at rest, which do not count as missed.
     pub removed: usize,
@@ -74,14 +74,14 @@ pub struct Agreement {
     pub lane_rate: Option<f64>,
 }
 
-/// Whether a body keeps its track and a track its body.
+/// Track continuity: whether a body keeps its track and a track its body.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct IdentityMetrics {
     /// Bodies that had a track in some frame.
     pub bodies: usize,
-    /// Believed tracks.
+    /// Confirmed and coasting tracks.
     pub tracks: usize,
-    /// Frames in which a body has another track than it had last.
+    /// Frames in which a body has another track than it last had.
     pub switches: u32,
     /// Share of the frames of tracks in which they follow the body that they follow most.
     pub purity: Option<f64>,
@@ -102,12 +102,12 @@ struct Sums {
     lanes_right: usize,
 }
 
-/// Tracks that are believed.
+/// Confirmed and coasting tracks.
 pub fn believed(tracks: &TracksFrame) -> Vec<&Track> {
     tracks.tracks.iter().filter(|t| t.state != TrackState::Tentative).collect()
 }
 
-/// Index among the truths of each believed track's body, as the metric pairs them.
+/// Index of each such track's body among the truths, as paired by the metric.
 pub fn bodies_of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Vec<Option<usize>> {
     let pairs = gospa(of_tracks(truth, tracks).view(), CUTOFF_M).chosen;
     let body_of =
@@ -115,20 +115,20 @@ pub fn bodies_of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Vec<Option<usi
     (0..tracks.len()).map(body_of).collect()
 }
 
-/// Squared distances of the middles of boxes from those of bodies, `[body, track]`.
+/// Squared distances between the middles of boxes and of bodies, `[body, track]`.
 fn of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Array2<f64> {
     let bodies: Vec<DVec2> = shown(truth).map(|body| body.position_m.truncate()).collect();
     let boxes: Vec<DVec2> = tracks.iter().map(|t| DVec2::from(t.footprint.centre_m)).collect();
     squares_m2(&bodies, &boxes)
 }
 
-/// Bodies that are to be found.
+/// Bodies that should be found.
 fn shown(truth: &FrameTruth) -> impl Iterator<Item = &Truth> {
     truth.pairing.shown.iter().map(|index| &truth.truths[*index])
 }
 
 impl Score {
-    /// Takes in one frame.
+    /// Adds one frame.
     pub fn add(&mut self, truth: &FrameTruth, objects: &[Object], tracks: &TracksFrame) {
         let tracks = believed(tracks);
         self.frames += 1;
@@ -180,14 +180,14 @@ impl Sums {
         self.false_ones += parts.false_ones;
     }
 
-    /// Counts what the metrics leave out: estimates at rest that are nobody's, and truths whose echoes were
-    /// removed.
+    /// Counts what the metrics leave out: estimates at rest that belong to nobody, and truths whose echoes
+    /// were removed.
     fn add_apart(&mut self, stationary: usize, removed: usize) {
         self.stationary += stationary;
         self.removed += removed;
     }
 
-    /// Pairs of a true and an estimated lane; bodies in no lane are not asked for.
+    /// Adds pairs of a true and an estimated lane, without bodies outside all lanes.
     fn add_lanes(&mut self, pairs: impl Iterator<Item = (u8, Option<u8>)>) {
         for (asked, got) in pairs {
             self.lanes += 1;

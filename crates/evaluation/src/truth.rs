@@ -1,4 +1,4 @@
-//! Truth of each target of a frame. Only reports come here: nothing behind the radar cube reads it.
+//! Ground truth of each target of a frame. Only reports use it: no processing behind the radar cube does.
 
 use crate::ground_outline::GroundOutline;
 use artifact::Radar;
@@ -9,7 +9,7 @@ use radar::aperture::{axes, pattern_amplitude};
 use radar::path_echo::gain_along;
 use radar::path_kinematics::{legs, mean_share, nodes};
 
-/// Truth of one target at the frame's middle, seen from the radar's position.
+/// Ground truth of one target at the frame's middle, seen from the radar's position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Truth {
     /// World position of the body's origin, m.
@@ -22,22 +22,22 @@ pub struct Truth {
     pub velocity_mps: DVec3,
     /// Rate of the range, m/s.
     pub radial_velocity_mps: f64,
-    /// Number of the lane that the position is in.
+    /// Number of the lane that contains the position.
     pub lane: Option<u8>,
-    /// Distance of the nearest lit surface, m; `None` where all is hidden or nothing was traced.
+    /// Distance of the nearest lit surface, m; `None` if all is hidden or nothing was traced.
     pub nearest_range_m: Option<f64>,
-    /// Range and radial velocity of the target's own echo; `None` where there is none or nothing was traced.
+    /// Range and radial velocity of the target's own echo; `None` if there is none or nothing was traced.
     pub echo: Option<MeanEcho>,
-    /// Clutter is what results are not compared with.
+    /// Target or clutter; results are not compared with clutter.
     pub role: Role,
-    /// Whether it has an echo of its own that the array hears; echoes of tables are not traced, and taken for
-    /// granted where the array has gain towards the body's origin.
+    /// Whether the array receives an echo of the body alone; echoes of tables are not traced, and are assumed
+    /// if the array has gain towards the body's origin.
     pub sends_back: bool,
 }
 
 impl Truth {
-    /// Whether the radar is to find it: a target that sends back any echo, from within the range that the
-    /// waveform tells.
+    /// Whether the radar should find it: a target that returns any echo from within the maximum unambiguous
+    /// range.
     pub fn is_to_be_found(&self, range_max_m: f64) -> bool {
         self.role == Role::Target
             && self.sends_back
@@ -45,7 +45,7 @@ impl Truth {
     }
 }
 
-/// Power-weighted means over the paths that touch this target only.
+/// Power-weighted means over the paths that touch only this target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanEcho {
     /// Half the two-way length, m.
@@ -54,7 +54,7 @@ pub struct MeanEcho {
     pub radial_velocity_mps: f64,
 }
 
-/// Truths in the order of the scene's targets; `paths` is `None` where the echo was made from tables.
+/// Truths in the order of the scene's targets; `paths` is `None` if the echo was made from tables.
 pub fn truths(header: &SceneHeader, frame: &SceneFrame, paths: Option<&PathsFrame>) -> Vec<Truth> {
     let of = |(i, pose): (usize, &Pose)| truth(header, i, pose, paths);
     frame.poses.iter().enumerate().map(of).collect()
@@ -81,12 +81,12 @@ fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFr
     }
 }
 
-/// Whether the elements have any gain towards what is so far away.
+/// Whether the elements have any gain in the direction of an offset.
 fn is_seen(radar: &Radar, away_m: DVec3) -> bool {
     pattern_amplitude(radar, &axes(radar), away_m.normalize_or_zero()) != 0.0
 }
 
-/// Place and velocity of a point that is on the rim of a wheel; its pose is that of the hub.
+/// Place and velocity of a point on the rim of a wheel; its pose is that of the hub.
 fn on_rim(header: &SceneHeader, index: usize, paths: &[Path]) -> Option<(DVec3, DVec3)> {
     let TargetKind::Point { wheel: Some(_), .. } = header.targets[index].kind else { return None };
     let is_it = |path: &&Path| path.target as usize == index && path.curve.rim.is_some();
@@ -109,18 +109,18 @@ fn echo(header: &SceneHeader, target: usize, paths: &[Path]) -> Option<MeanEcho>
     (weight > 0.0).then(|| MeanEcho { range_m: range / weight, radial_velocity_mps: velocity / weight })
 }
 
-/// A way over two vehicles shows at neither: it is a ghost, not an echo of one of them.
+/// Whether a path touches only this target: a path over two vehicles appears at neither, as a ghost.
 fn is_wholly_on(target: usize, path: &Path) -> bool {
     path.target as usize == target && path.sequence().iter().all(|facet| facet.body as usize == target)
 }
 
-/// Whether the elements have any gain along both ends of a path.
+/// Whether the elements have any gain at both ends of a path.
 fn is_heard(radar: &Radar, path: &Path) -> bool {
     legs(radar, path).iter().all(|leg| is_seen(radar, leg.direction))
 }
 
 /// Power of a path up to a common factor, |a|²/(L₁L₂)² times both ends' gains and its mean share over the
-/// frame (the shares of what is traced at several moments add up to 1), and half its length and rate at the
+/// frame (the shares of a path traced at several moments add up to 1), with half its length and rate at the
 /// frame's middle.
 fn received(radar: &Radar, path: &Path) -> (f64, MeanEcho) {
     let both @ [there, back] = legs(radar, path);

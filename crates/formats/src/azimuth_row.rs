@@ -1,22 +1,22 @@
-//! The row of an array whose angle spectrum range–azimuth–Doppler tensors hold, to and fro.
+//! The row of an array whose angle spectrum range–azimuth–Doppler tensors hold, transformed forward and back.
 //!
-//! The spectrum at the sine u is Σ x·e^{+jπp·u}, p a channel's place along the row in half wavelengths: on a
-//! row of whole half wavelengths what a Fourier transform of the channels has, padded by zeros to the number
-//! n of sines, u = 2j/n − 1. There a channel is the mean of the spectrum times e^{−jπp·u}, as long as no two
-//! stand in one place modulo n. Of an array with several rows the first of the longest is taken, of channels
-//! in one place their mean.
+//! The spectrum at the sine u is Σ x·e^{+jπp·u}, where p is a channel's place along the row in half
+//! wavelengths: for a row at whole half wavelengths, the Fourier transform of the channels, zero-padded to
+//! the number n of sines, u = 2j/n − 1. A channel is then the mean of the spectrum times e^{−jπp·u}, provided
+//! that no two places coincide modulo n. Of an array with several rows the first of the longest is used, of
+//! channels at one place their mean.
 
 use artifact::Radar;
 use num_complex::Complex64;
 use pipeline::host::failure::Failure;
 use std::f64::consts::PI;
 
-/// Sines of a tensor, as RADDet and CARRADA have them.
+/// Number of sines in a tensor, as in RADDet and CARRADA.
 pub(crate) const AZIMUTHS: usize = 256;
 
 /// The longest row of an array.
 pub(crate) struct AzimuthRow {
-    /// Channels of the row, each with the factor of its value at every sine.
+    /// Channels of the row, each with its factors at all sines.
     weights: Vec<(usize, Vec<Complex64>)>,
 }
 
@@ -24,7 +24,7 @@ impl AzimuthRow {
     /// The row of a radar.
     ///
     /// # Errors
-    /// Elements that are not placed by half wavelengths.
+    /// Elements that are not specified in half wavelengths.
     pub(crate) fn of(radar: &Radar) -> Result<Self, Failure> {
         let places = places(radar);
         if places.len() != radar.virtual_channels() {
@@ -33,10 +33,10 @@ impl AzimuthRow {
         Ok(Self { weights: weights(&places) })
     }
 
-    /// The row of a radar whose channels its spectrum tells, all of them.
+    /// The row of a radar whose spectrum determines all of its channels.
     ///
     /// # Errors
-    /// Those of [`Self::of`], and channels beside the row, in one place, or between half wavelengths.
+    /// Those of [`Self::of`], and channels outside the row, at the same place, or between half wavelengths.
     pub(crate) fn invertible(radar: &Radar) -> Result<Self, Failure> {
         let row = Self::of(radar)?;
         let places = places(radar);
@@ -81,7 +81,7 @@ pub(crate) fn sines() -> Vec<f64> {
     (0..AZIMUTHS).map(|cell| 2.0 * cell as f64 / AZIMUTHS as f64 - 1.0).collect()
 }
 
-/// Places in half wavelengths that count as one.
+/// Distance in half wavelengths within which places are equal.
 const SAME_PLACE: f64 = 1e-6;
 
 fn weights(places: &[[f64; 2]]) -> Vec<(usize, Vec<Complex64>)> {

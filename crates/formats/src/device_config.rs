@@ -1,17 +1,17 @@
-//! Configurations of Texas Instruments' radar boards: what a device was told to send, receive and record.
+//! Configurations of Texas Instruments' radar boards: settings for transmission, reception and recording.
 //!
-//! Two kinds of files tell it: the `.cfg` of the mmWave SDK's command line (`profileCfg …`), and what mmWave
-//! Studio leaves, its log (`API:ProfileConfig,…`) and its scripts (`ar1.ProfileConfig(…)`). Both become the
-//! same `statements`, these a [`DeviceSettings`], and that tables of a scene.
+//! There are two kinds of files: the `.cfg` of the mmWave SDK's command line (`profileCfg …`), and the files
+//! of mmWave Studio, its log (`API:ProfileConfig,…`) and its scripts (`ar1.ProfileConfig(…)`). Both become
+//! the same `statements`, these a [`DeviceSettings`], and that tables of a scene.
 
 mod boards; // antennas, lanes and bands of evaluation boards
-mod statements; // commands as both kinds of files have them
+mod statements; // commands of both kinds of files
 mod sdk_cfg; // `.cfg` of the mmWave SDK
 mod lua_calls; // calls of a script
 mod studio_log; // logs and scripts of mmWave Studio
-mod chirp_program; // who sends in which chirp
+mod chirp_program; // transmitters of each chirp
 mod scene_tables; // keys of a scene
-mod beside_scene; // a scene that says some of them itself
+mod beside_scene; // a scene that specifies some of them itself
 
 pub use beside_scene::{Configured, files_with, scene_with};
 pub use chirp_program::DeviceSettings;
@@ -25,10 +25,10 @@ use pipeline::host::progress;
 use statements::Fault;
 use std::path::Path;
 
-/// A log of days; commands of a configuration take a few kilobytes.
+/// Largest file, a log of days; commands of a configuration take a few kilobytes.
 const LIMIT_BYTES: u64 = 16 << 20;
 
-/// Settings that a configuration tells, for the board that was asked for, else the one that it names.
+/// Reads the settings of a configuration, for the requested board, else the one that it names.
 pub fn read(file: &Path, board: Option<Board>) -> Result<DeviceSettings, Failure> {
     let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     let settings = settings(&text, board).map_err(|fault| refused(file, fault))?;
@@ -38,10 +38,10 @@ pub fn read(file: &Path, board: Option<Board>) -> Result<DeviceSettings, Failure
     Ok(settings)
 }
 
-/// Refuses a configuration by which a capture card's file holds more than samples.
+/// Refuses a configuration with which a capture card's file contains more than samples.
 ///
 /// # Errors
-/// The command that has other words sent, with its line.
+/// The command that adds other words, with its line.
 pub fn check_stream(file: &Path, settings: &DeviceSettings) -> Result<(), Failure> {
     settings.check_stream().map_err(|fault| refused(file, fault))
 }
@@ -61,7 +61,7 @@ fn settings(text: &str, board: Option<Board>) -> Result<DeviceSettings, Fault> {
     Ok(settings)
 }
 
-/// The remark that commands of these lines are taken to run.
+/// The remark that the commands on these lines are assumed to run.
 fn of_branches(lines: &[usize]) -> Option<Remark> {
     let line = *lines.first()?;
     let more = match lines.len() - 1 {

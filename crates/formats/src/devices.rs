@@ -1,6 +1,6 @@
-//! Boards and the order in which they send samples.
+//! Boards and their sample orders.
 
-/// Evaluation board of a family of devices, automotive and industrial alike.
+/// Evaluation board of a device family, automotive and industrial alike.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Board {
     /// AWR1243BOOST.
@@ -11,7 +11,7 @@ pub enum Board {
     Xwr1642,
     /// AWR1843BOOST and IWR1843BOOST.
     Xwr1843,
-    /// IWR6843ISK; boards with the antenna in or on the package have other antennas.
+    /// IWR6843ISK; boards with the antenna in or on the package have different antennas.
     Xwr6843,
     /// AWR2243BOOST.
     Awr2243,
@@ -20,13 +20,13 @@ pub enum Board {
 /// Lanes between a device and its capture card.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lanes {
-    /// Receiver after receiver, each by twos where samples are complex.
+    /// Receiver after receiver, in pairs if samples are complex.
     Two,
-    /// A lane for each receiver, sample after sample.
+    /// One lane per receiver, sample after sample.
     Four,
 }
 
-/// The part of a complex sample that comes first.
+/// First part of a complex sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IqOrder {
     /// I before Q.

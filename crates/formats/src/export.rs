@@ -1,5 +1,5 @@
-//! Artifacts in formats that others read: a module for each kind of artifact, whole artifacts as JSON, and
-//! weights as they are.
+//! Artifacts in formats of other programs: a module for each kind of artifact, whole artifacts as JSON, and
+//! unchanged weights.
 
 mod delays; // of paths
 pub mod cube;
@@ -36,7 +36,7 @@ pub fn model(file: &Path, out: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Header and frames, as their types name them, one frame after the other.
+/// Writes header and frames with the field names of their types, one frame after the other.
 pub fn as_json<S: Schema>(file: &Path, out: &Path) -> Result<(), Failure> {
     use std::io::{Error, Write};
     let mut reader = Reader::<S>::open(file)?;

@@ -1,4 +1,4 @@
-//! Sources of the heights of points, in words, where a format has a z and no place to say so beside it.
+//! Sources of the heights of points, in words, for formats that have a z but no place for its source.
 
 use artifact::Reader;
 use artifact::points::{Height, Point, Points, PointsHeader};
@@ -8,20 +8,20 @@ use std::path::Path;
 /// Source of the heights of a file of points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Heights {
-    /// They are measured, or there are no points.
+    /// Measured heights, or no points.
     Measured,
-    /// They are assumed: at this height, m, where all have the one that the settings say.
+    /// Assumed heights, m, if all are equal to that of the settings.
     Assumed(Option<f64>),
-    /// Not even an assumed one fits: they are the radar's own.
+    /// The radar's own height, because not even an assumed one fits.
     RadarsOwn,
 }
 
-/// Coordinates are products of directions and ranges: their height differs from the settings' by rounding.
+/// Tolerance of heights: coordinates are products of directions and ranges, so heights differ from the
+/// settings' by rounding.
 const SAME_HEIGHT_M: f64 = 1e-6;
 
 impl Heights {
-    /// Heights of a file, by the first point that has one: an array has elevation rows or none, for all
-    /// points.
+    /// Heights of a file, by the first point with one: the array has elevation rows or none, for all points.
     ///
     /// # Errors
     /// A frame before that point is damaged.
@@ -62,7 +62,7 @@ impl Heights {
         }
     }
 
-    /// The remark that an export makes of a file whose heights nobody measured.
+    /// The remark for an exported file whose heights were not measured.
     pub fn note(self, file: &Path) -> Option<String> {
         let text = || format!("note: {}: heights are {}, not measured", file.display(), self.words());
         (self != Self::Measured).then(text)

@@ -1,15 +1,15 @@
-//! Axes of a sensor on a pole as sets of vehicles have them: the origin at the radar, x ahead along the
-//! boresight's azimuth, y to the left, z up. They are levelled: a tilt of the boresight is not in them, so
-//! that boxes which stand on the road are turned about z alone.
+//! Axes of a sensor on a pole as in vehicle datasets: the origin at the radar, x ahead along the boresight's
+//! azimuth, y to the left, z up. They are levelled, without the tilt of the boresight, so that boxes on the
+//! road are rotated only about z.
 
 use artifact::Radar;
 use glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
-/// Place and yaw of a levelled sensor in the world.
+/// Position and yaw of a levelled sensor in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LevelledAxes {
-    /// World metres.
+    /// Position in world metres.
     pub(crate) origin_m: DVec3,
     /// Angle of the sensor's x axis from world +x towards +y.
     pub(crate) yaw_rad: f64,
@@ -21,23 +21,23 @@ impl LevelledAxes {
         Self { origin_m: radar.position_m.into(), yaw_rad: FRAC_PI_2 - radar.boresight_az_rad }
     }
 
-    /// A place of the world as the sensor has it, m.
+    /// Converts a place from the world's to the sensor's axes, m.
     pub(crate) fn of_world(&self, place_m: DVec3) -> DVec3 {
         turned(place_m - self.origin_m, -self.yaw_rad)
     }
 
-    /// A place of the sensor's axes in the world, m.
+    /// Converts a place from the sensor's to the world's axes, m.
     pub(crate) fn to_world(self, place_m: DVec3) -> DVec3 {
         self.origin_m + turned(place_m, self.yaw_rad)
     }
 
-    /// A yaw of the world as the sensor has it, in (−π, π].
+    /// Converts a yaw from the world's to the sensor's axes, in (−π, π].
     pub(crate) fn yaw_of_world(&self, yaw_rad: f64) -> f64 {
         wrapped(yaw_rad - self.yaw_rad)
     }
 }
 
-/// An angle in (−π, π].
+/// Wraps an angle into (−π, π].
 pub(crate) fn wrapped(angle_rad: f64) -> f64 {
     let (sine, cosine) = angle_rad.sin_cos();
     sine.atan2(cosine)

@@ -1,22 +1,21 @@
 //! Foreign formats, read and written: samples of capture cards, SigMF, NumPy and MATLAB, clouds of
-//! detections, configurations of boards, tables, messages, and folders in the layouts of sets that people
-//! train on.
+//! detections, configurations of boards, tables, messages, and folders in the layouts of training datasets.
 //!
-//! An artifact goes in and a file or a folder comes out that another program reads, with a `.json` beside it
-//! that tells axes and units where the format has no place for them; or the other way round. Axes, units and
-//! shapes of every format: `docs/interface.md`, `docs/interchange.md`, `docs/training-sets.md`.
+//! An artifact is exported to a file or a folder for another program, with a `.json` beside it for axes and
+//! units that have no place in the format; or the reverse. Axes, units and shapes of every format:
+//! `docs/interface.md`, `docs/interchange.md`, `docs/training-sets.md`.
 //!
-//! Reading order is that of the rooms below; each uses only those that stand before it.
+//! Read the rooms below in their order; each uses only those before it.
 
-pub mod devices; // boards and how they send samples
-pub mod plain_name; // names that an artifact gives to files
+pub mod devices; // boards and their sample orders
+pub mod plain_name; // file names from names in artifacts
 pub mod sidecar; // axes and units beside a file
-mod sub_frames; // what each sub-frame has of its own
-pub mod npy_stream; // NumPy arrays, value after value
+mod sub_frames; // values that differ between sub-frames
+pub mod npy_stream; // NumPy arrays, written value by value
 pub mod mat_file; // arrays of MATLAB
-pub mod heights; // what is said of heights that were not measured
+pub mod heights; // sources of points' heights
 pub mod levelled_axes; // axes of a radar, levelled
-mod azimuth_row; // the row of an array that tensors see
+mod azimuth_row; // the row of an array that tensors resolve
 pub mod device_config; // configurations of boards
 pub mod radar_cloud; // clouds of detections
 pub mod raw_data; // samples as devices record them

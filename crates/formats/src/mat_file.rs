@@ -1,9 +1,9 @@
-//! MATLAB's level 5 files (`.mat` of versions 5 to 7; MathWorks, "MAT-File Format"), as far as one complex
-//! array of numbers needs it.
+//! MATLAB's level 5 files (`.mat` of versions 5 to 7; MathWorks, "MAT-File Format"), restricted to one
+//! complex array of numbers.
 //!
-//! A file is a head of 128 bytes and elements: a tag of type and length, and so many bytes, padded to 8. An
+//! A file is a head of 128 bytes and elements: a tag of type and length, and that many bytes, padded to 8. An
 //! array is an element of elements: class and flags, sides, name, real parts, imaginary parts, column-major.
-//! An element of type 15 is another one packed by zlib.
+//! An element of type 15 is another one compressed by zlib.
 
 mod written;
 mod mat_error;

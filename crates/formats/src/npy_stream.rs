@@ -1,5 +1,5 @@
-//! NumPy arrays written frame by frame, so that their size is bounded by the disk, not by memory (libraries
-//! at hand write an array that is already whole in memory).
+//! NumPy arrays written frame by frame, so that their size is limited by the disk, not by memory (available
+//! libraries write an array that is already whole in memory).
 
 use num_complex::{Complex32, Complex64};
 use pipeline::host::failure::Failure;
@@ -7,7 +7,7 @@ use pipeline::host::files;
 use std::io::Write;
 use std::path::Path;
 
-/// An element type that NumPy knows.
+/// An element type of NumPy.
 pub trait Element: Copy {
     /// NumPy's name of the type, little endian.
     const DESCRIPTION: &'static str;
@@ -45,7 +45,7 @@ impl Element for Complex64 {
     }
 }
 
-/// An array that is being written.
+/// An array being written.
 pub struct NpyStream<'a> {
     sink: &'a mut dyn Write,
 }
@@ -71,8 +71,8 @@ impl NpyStream<'_> {
     }
 }
 
-/// Version 1.0 of the format: magic, length, a Python dictionary padded to a multiple of 64 bytes (NumPy NEP
-/// 1).
+/// Header in version 1.0 of the format: magic, length, a Python dictionary padded to a multiple of 64 bytes
+/// (NumPy NEP 1).
 fn header<T: Element>(shape: &[usize]) -> Vec<u8> {
     let shape: String = shape.iter().map(|n| format!("{n}, ")).collect();
     let mut text = format!("{{'descr': '{}', 'fortran_order': False, 'shape': ({shape}), }}", T::DESCRIPTION);

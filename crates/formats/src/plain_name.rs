@@ -1,10 +1,10 @@
-//! Names that an artifact gives to files.
+//! File names from names in artifacts.
 
-/// Bytes of a name that are kept: with what stands around it the file's name fits any file system.
+/// Largest part of a name that is kept, bytes: with its additions the file name fits any file system.
 const KEPT_BYTES: usize = 120;
 
-/// A name that an artifact gives as a part of a file's: it leads into no other folder and is of bounded
-/// length. One that cannot stand as it is ends with a hash of all of it, so that no two names become one.
+/// Turns a name from an artifact into a part of a file name: it leads into no other folder and is of limited
+/// length. A changed name ends with a hash of the original, so that different names stay different.
 pub(crate) fn plain_name(name: &str) -> String {
     let plain = |c: char| if c.is_alphanumeric() || " -_.+()".contains(c) { c } else { '_' };
     let begin = name.char_indices().take_while(|(at, _)| *at < KEPT_BYTES);

@@ -1,4 +1,4 @@
-//! Clouds of radar detections as sets of vehicles have them, in the levelled axes of the sensor: rows of
+//! Clouds of radar detections as in vehicle datasets, in the levelled axes of the sensor: rows of
 //! View-of-Delft's `velodyne` files, and nuScenes' `.pcd`.
 
 mod detection;
@@ -9,7 +9,8 @@ pub mod import;
 
 pub(crate) use detection::Detection;
 
-/// Bytes of a cloud's file.
+/// Largest file of a cloud, bytes.
 pub(crate) const LIMIT_BYTES: u64 = 1 << 20;
-/// Detections of a cloud: objects are formed of them, pair by pair, in 7 s of 4,096 in one heap of 3 m.
+/// Largest number of detections in a cloud: clustering compares all pairs and takes 7 s for 4,096 in one heap
+/// of 3 m.
 pub(crate) const DETECTION_LIMIT: usize = 4_096;

@@ -1,11 +1,11 @@
-//! Samples as devices record them: the order of a capture card and of SigMF.
+//! Samples as devices record them: the orders of a capture card and of SigMF.
 //!
-//! A device records receivers while transmitters take turns: slot after slot, slot m·N_tx + i is chirp m of
+//! A device records receivers while transmitters take turns, slot by slot: slot m·N_tx + i is chirp m of
 //! transmitter i (tdm), or slot m·M + s is chirp s of all transmitters' codes in block m (bpm). Samples of a
 //! cube are `[turn·N_rx + rx][chirp][sample]`.
 
 mod lanes; // bytes of a capture card
-mod described_waveform; // waveforms that descriptions tell
+mod described_waveform; // waveforms in descriptions
 pub mod dca1000;
 mod npy;
 mod raddet;
@@ -21,13 +21,13 @@ use pipeline::host::progress;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// Files of samples are read whole; devices write files of a gibibyte.
+/// Largest file of samples, which are read whole; devices write files of a gibibyte.
 pub const LIMIT_BYTES: u64 = 4 << 30;
 
 /// The shape of one frame of a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Recording {
-    /// Chirps in the air from one of a channel to its next.
+    /// Number of chirps from one of a channel to its next.
     turns: usize,
     pub(crate) receivers: usize,
     chirps: usize,
@@ -35,8 +35,8 @@ pub(crate) struct Recording {
 }
 
 impl Recording {
-    /// Refused where a cube holds what no device can record: transmitters that send at once and are told
-    /// apart all the same.
+    /// Shape of a cube's frames; refused if no device can record it: transmitters that send at once but are
+    /// separated.
     pub(crate) fn of(file: &Path, header: &CubeHeader) -> Result<Self, Failure> {
         let array = &header.radar.array;
         match array.multiplexing {
@@ -51,7 +51,7 @@ impl Recording {
         Ok(Self { turns: header.radar.slots(), receivers: array.rx_m.len(), chirps, samples })
     }
 
-    /// Takes the shape as above; refused where samples are real.
+    /// Shape of a cube's frames; refused if samples are real.
     pub(crate) fn of_complex(file: &Path, header: &CubeHeader) -> Result<Self, Failure> {
         if header.radar.waveform.sampling == Sampling::Real {
             let text = "samples are real: of recordings a DCA1000EVM's alone are read, and none is written";
@@ -60,13 +60,13 @@ impl Recording {
         Self::of(file, header)
     }
 
-    /// One chirp of one transmitter.
+    /// Shape of a single chirp of one transmitter.
     #[cfg(test)]
     pub(crate) fn of_sizes(receivers: usize, samples: usize) -> Self {
         Self { turns: 1, receivers, chirps: 1, samples }
     }
 
-    /// Chirps of all transmitters.
+    /// Number of chirps of all transmitters.
     pub(crate) fn slots(&self) -> usize {
         self.chirps * self.turns
     }
@@ -76,21 +76,21 @@ impl Recording {
         self.slots() * self.receivers * self.samples
     }
 
-    /// Range of a cube's frame that holds the samples of a slot and a receiver.
+    /// Range in a cube's frame of the samples of a slot and a receiver.
     fn row(&self, slot: usize, receiver: usize) -> std::ops::Range<usize> {
         let (chirp, turn) = (slot / self.turns, slot % self.turns);
         let start = ((turn * self.receivers + receiver) * self.chirps + chirp) * self.samples;
         start..start + self.samples
     }
 
-    /// `[slot][receiver][sample]` of a cube's frame.
+    /// Reorders a cube's frame to `[slot][receiver][sample]`.
     pub(crate) fn by_slot(&self, cube: &[Complex32]) -> Vec<Complex32> {
         let rows =
             (0..self.slots()).flat_map(|slot| (0..self.receivers).map(move |receiver| (slot, receiver)));
         rows.flat_map(|(slot, receiver)| cube[self.row(slot, receiver)].iter().copied()).collect()
     }
 
-    /// A cube's frame of `[slot][receiver][sample]`.
+    /// Reorders `[slot][receiver][sample]` to a cube's frame.
     pub(crate) fn cube_of_slots(&self, values: &[Complex32]) -> Vec<Complex32> {
         let mut cube = vec![Complex32::ZERO; self.values()];
         for (row, values) in values.chunks_exact(self.samples).enumerate() {
@@ -99,18 +99,18 @@ impl Recording {
         cube
     }
 
-    /// `[slot][sample][receiver]` of `[slot][receiver][sample]`.
+    /// Reorders `[slot][receiver][sample]` to `[slot][sample][receiver]`.
     pub(crate) fn interleaved(&self, values: &[Complex32]) -> Vec<Complex32> {
         transposed(values, self.receivers, self.samples)
     }
 
-    /// `[slot][receiver][sample]` of `[slot][sample][receiver]`.
+    /// Reorders `[slot][sample][receiver]` to `[slot][receiver][sample]`.
     pub(crate) fn apart(&self, values: &[Complex32]) -> Vec<Complex32> {
         transposed(values, self.samples, self.receivers)
     }
 
-    /// Refuses so many values where they are no whole number of frames; where nothing beside the file tells
-    /// a frame's shape, a remark does: samples of another radar can make whole frames too.
+    /// Refuses a number of values that is not a whole number of frames; notes if nothing beside the file
+    /// specifies the shape of a frame, because samples of another radar can make whole frames too.
     pub(crate) fn check_frames(&self, file: &Path, values: usize, shape: Shape) -> Result<(), Failure> {
         let (name, frames) = (file.display(), values / self.values());
         let radars = format!(
@@ -133,23 +133,23 @@ impl Recording {
     }
 }
 
-/// Who says what shape a recording's frames have.
+/// Source of the shape of a recording's frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shape {
-    /// A description beside it, which has been compared with the scene's radar.
+    /// A description beside it, compared with the scene's radar.
     Told,
-    /// Nobody: the scene's radar is taken for the one that recorded.
+    /// No description: the scene's radar is assumed to be the recording one.
     Assumed,
 }
 
 impl Shape {
-    /// Told by these values of a description, if they are all there.
+    /// Described, if all of these values are in the description.
     pub(crate) fn of(told: &[&Value]) -> Self {
         if told.iter().all(|value| value.is_number()) { Self::Told } else { Self::Assumed }
     }
 }
 
-/// Each run of `rows` × `columns` values with rows and columns exchanged.
+/// Transposes each run of `rows` × `columns` values.
 fn transposed(values: &[Complex32], rows: usize, columns: usize) -> Vec<Complex32> {
     let run = |run: &[Complex32]| {
         (0..rows * columns).map(|i| run[i % rows * columns + i / rows]).collect::<Vec<_>>()
@@ -157,45 +157,45 @@ fn transposed(values: &[Complex32], rows: usize, columns: usize) -> Vec<Complex3
     values.chunks_exact(rows * columns).flat_map(run).collect()
 }
 
-/// Frames that a reader of raw data gives, and what their steps stand for.
+/// Frames from a reader of raw data, with the meaning of their steps.
 pub struct Imported {
     /// Samples of each frame, in the order of a cube.
     pub frames: Vec<Vec<Complex32>>,
-    /// Step of integer samples, and who told it.
+    /// Step of integer samples, with its source.
     pub step: IntegerStep,
 }
 
-/// Value of one step of integer samples, and who says it.
+/// Value of one step of integer samples, with its source.
 #[derive(Debug, Clone, PartialEq)]
 pub enum IntegerStep {
     /// Samples are floats in √W.
     Floats,
-    /// √W, as the command says.
+    /// √W, given by the command.
     Asked(f32),
-    /// √W, as that file says.
+    /// √W, given by that file.
     Told(f32, PathBuf),
-    /// Steps of the converter that samples came of, as that file says, which need not be those of the file.
+    /// Steps of the converter of the samples, given by that file, which need not be the file's own steps.
     Counted {
-        /// The converter's steps in one of the file's.
+        /// The converter's steps per step of the file.
         step: f32,
-        /// Its full scale, in its steps.
+        /// Full scale of the converter, in its steps.
         full_scale: Option<f64>,
-        /// File that says it.
+        /// File with these values.
         place: PathBuf,
     },
-    /// Values of a transform whose factor nobody says: no steps, no powers.
+    /// Values of a transform with an unknown factor: neither steps nor powers.
     Unscaled,
-    /// Nobody says it.
+    /// Unknown.
     Unknown,
 }
 
 impl IntegerStep {
-    /// The command's word goes before the file's.
+    /// Chooses the command's value before the file's.
     fn of(asked: Option<f32>, told: impl FnOnce() -> Option<Self>) -> Self {
         asked.map_or_else(|| told().unwrap_or(Self::Unknown), Self::Asked)
     }
 
-    /// The file that says it, where one does.
+    /// The file with the value, if any.
     pub fn place(&self) -> Option<&Path> {
         match self {
             Self::Told(_, place) | Self::Counted { place, .. } => Some(place),
@@ -203,7 +203,7 @@ impl IntegerStep {
         }
     }
 
-    /// Factor of integer samples: √W of a step, or steps of the converter; 1 where nobody says it.
+    /// Factor of integer samples: √W per step, or steps of the converter; 1 if unknown.
     pub(crate) fn factor(&self) -> f32 {
         match self {
             Self::Asked(step) | Self::Told(step, _) | Self::Counted { step, .. } => *step,

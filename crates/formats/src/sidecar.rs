@@ -1,8 +1,8 @@
-//! Sidecars, which describe the file that they stand beside: `F.json` behind the file's whole name, so that
-//! no two files share one.
+//! Sidecars, which describe the file beside them: `F.json` appended to the file's whole name, so that no two
+//! files share one.
 //!
-//! Each says in `of` which file it belongs to; the description of a table of `rcs` is known by what it holds.
-//! What belongs to another file, or is no sidecar, is never replaced.
+//! Each names its file in `of`; the description of a table of `rcs` is recognized by its content. A
+//! description of another file, or a file that is not a sidecar, is never replaced.
 
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
@@ -17,14 +17,14 @@ pub(crate) fn beside(file: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// `S.npy` → `S.json`, the name of a table's description in `docs/interface.md`; `S.json` itself gets
+/// `S.npy` → `S.json`, the name of a table's description in `docs/interface.md`; for `S.json` itself
 /// `S.axes.json`.
 pub(crate) fn of_table(table: &Path) -> PathBuf {
     let json = table.with_extension("json");
     if json == table { table.with_extension("axes.json") } else { json }
 }
 
-/// Writes the sidecar of an exported file: its axes, and in `of` the file's name.
+/// Writes the sidecar of an exported file: its axes, and the file's name in `of`.
 pub(crate) fn write(file: &Path, axes: &Value) -> Result<(), Failure> {
     let mut told = axes.clone();
     if let Some(map) = told.as_object_mut() {
@@ -33,12 +33,12 @@ pub(crate) fn write(file: &Path, axes: &Value) -> Result<(), Failure> {
     put(&beside(file), file, &told)
 }
 
-/// The description of a table: the same bytes under whatever name.
+/// Writes the description of a table, with the same bytes under any name.
 pub fn write_of_table(table: &Path, described: &Value) -> Result<(), Failure> {
     put(&of_table(table), table, described)
 }
 
-/// Refuses, before the work, to write a file or what stands beside it where something else would be lost.
+/// Refuses, before the work, to write a file or its sidecar if another file would be lost.
 pub(crate) fn claim(file: &Path) -> Result<(), Failure> {
     files::claim(&[file.to_owned(), beside(file)])?;
     keep_foreign(&beside(file), file)
@@ -50,16 +50,16 @@ pub fn claim_table(table: &Path) -> Result<(), Failure> {
     keep_foreign(&of_table(table), table)
 }
 
-/// Takes away what tells of the file that is replaced next, as the last thing before it is: of a command that
-/// ends between file and sidecar the new file would else be told by the old one's.
+/// Removes the sidecar of a file immediately before the file is replaced: if the command ends between the
+/// two, the old sidecar must not describe the new file.
 pub(crate) fn outdate(file: &Path) -> std::io::Result<()> {
     take_away(&beside(file), file)
 }
 
-/// Takes away the description of a table that is replaced next, as `outdate` does.
+/// Removes the description of a table that is replaced next, as `outdate` does.
 ///
 /// # Errors
-/// The description is another file's, or cannot be removed.
+/// The description belongs to another file, or cannot be removed.
 pub fn outdate_table(table: &Path) -> std::io::Result<()> {
     take_away(&of_table(table), table)
 }
@@ -69,7 +69,7 @@ fn take_away(place: &Path, file: &Path) -> std::io::Result<()> {
     files::take_away(place, json!({ OF: name(file) }).to_string().as_bytes())
 }
 
-/// Content of a sidecar; `None` where there is none that can be read as one.
+/// Content of a sidecar; `None` if there is no readable one.
 pub(crate) fn read(place: &Path) -> Option<Value> {
     text_of(|| artifact::inputs::open(place), place)
 }
@@ -81,10 +81,10 @@ fn text_of(open: impl FnOnce() -> std::io::Result<std::fs::File>, place: &Path) 
     serde_json::from_slice(&text).ok()
 }
 
-/// Axes of the largest table, as text.
+/// Largest sidecar: axes of the largest table, as text.
 const LIMIT_BYTES: u64 = 256 << 20;
 
-/// Key under which a sidecar names its file.
+/// Key of the file's name in a sidecar.
 const OF: &str = "of";
 
 fn put(place: &Path, file: &Path, told: &Value) -> Result<(), Failure> {
@@ -97,8 +97,8 @@ fn name(file: &Path) -> String {
     file.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Refuses where `place` holds what is no sidecar of `file`: what was asked for is replaced, and what stands
-/// beside it only if it is this file's own.
+/// Refuses a `place` that holds a file other than a sidecar of `file`: the requested file is replaced, but
+/// files beside it only if they are its own.
 fn keep_foreign(place: &Path, file: &Path) -> Result<(), Failure> {
     let rule = format!("does not belong to {}, beside which it would be written", name(file));
     files::keep_unless(place, &rule, || {

@@ -1,9 +1,9 @@
-//! Values that sub-frames have each for themselves, as sidecars tell them.
+//! Values that differ between sub-frames, for sidecars.
 
 use artifact::cube::CubeHeader;
 use serde_json::Value;
 
-/// The value of a radar's frames; with sub-frames a list of such values, one a sub-frame.
+/// The value for a radar's frames; with sub-frames a list of such values, one per sub-frame.
 pub(crate) fn of_sub_frames(header: &CubeHeader, of: impl Fn(&CubeHeader) -> Value) -> Value {
     match header.radar.schedule.sub_frames() {
         1 => of(header),

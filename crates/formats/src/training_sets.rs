@@ -1,16 +1,16 @@
-//! A run's frames as folders in the layouts of sets that people train on: tensors, maps, samples and clouds
-//! with the truth as boxes (docs/training-sets.md).
+//! A run's frames as folders in the layouts of training datasets: tensors, maps, samples and clouds with the
+//! truth as boxes (docs/training-sets.md).
 //!
-//! Truth comes from the scene's snapshot alone and goes into labels alone; arrays and clouds are those of the
-//! artifact.
+//! The ground truth comes only from the scene's snapshot and is used only for labels; arrays and clouds are
+//! those of the artifact.
 
-mod truth_boxes; // labels, in the world
+mod truth_boxes; // labels in world axes
 #[cfg(test)]
 mod test_body; // what the tests share
-mod angle_spectrum; // range, azimuth and Doppler
-mod cell_boxes; // labels, in cells of it
+mod angle_spectrum; // tensors over range, azimuth and Doppler
+mod cell_boxes; // labels in cells of a tensor
 mod set_folder;
-mod radar_of_points; // whose axes clouds are told in
+mod radar_of_points; // radar whose axes clouds use
 mod opened_points;
 mod pickle;
 pub mod raddet;

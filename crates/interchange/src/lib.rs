@@ -1,6 +1,6 @@
-//! Messages that other programs speak, and the files that hold them: ASAM OSI 3.8 as `.osi` and MCAP, ROS 2
-//! as MCAP, tables as Parquet. A leaf beside `artifact` and `radar`: artifacts go in and messages come out;
-//! messages go in and plain records of traffic come out.
+//! Messages for other programs, and the files that hold them: ASAM OSI 3.8 as `.osi` and MCAP, ROS 2 as MCAP,
+//! tables as Parquet. A leaf crate that depends on `artifact` and `radar`: artifacts are converted to
+//! messages, and messages to plain records of traffic.
 //!
 //! ```
 //! use interchange::{Container, SensorDataTrace};
@@ -16,14 +16,14 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 //!
-//! Rooms, to read in this order: `osi` has the messages as their fields go over the wire, and what tells
-//! others of them; `trace` the files; `measured` what a radar's numbers are in a sensor's own axes, with
-//! their standard errors; `traffic` reads ground truth, `sensor` writes what was detected and what was
-//! traced, `ros` points and tracks as ROS 2 has them; `table` rows of anything as Apache Parquet.
+//! Read the rooms in this order: `osi` defines the messages as encoded on the wire, and their descriptors;
+//! `trace` the files; `measured` converts a radar's measurements to a sensor's own axes, with standard
+//! errors; `traffic` reads ground truth, `sensor` writes detections and traced paths, `ros` points and tracks
+//! for ROS 2; `parquet_table` writes rows of any kind as Apache Parquet.
 
 mod osi; // messages of OSI, field by field
 mod trace; // files of messages
-mod measured; // a radar's numbers in a sensor's axes
+mod measured; // a radar's measurements in a sensor's axes
 pub mod traffic; // ground truth read as traffic
 mod sensor; // detections and reflections written
 mod ros; // points and tracks written

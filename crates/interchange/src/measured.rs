@@ -1,4 +1,4 @@
-//! A radar's numbers as a sensor's own axes have them (x ahead, y left, z up), with their standard errors.
+//! A radar's measurements in a sensor's own axes (x ahead, y left, z up), with their standard errors.
 
 pub(crate) mod sensor_axes;
 pub(crate) mod box_place;

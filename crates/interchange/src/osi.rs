@@ -1,5 +1,5 @@
-//! Messages of ASAM OSI 3.8: those fields that are read or written here, by the numbers of the standard
-//! (`docs/decisions/osi.md`). A field that a message lacks is `None`.
+//! Messages of ASAM OSI 3.8: the fields that are read or written here, by the numbers of the standard
+//! (`docs/decisions/osi.md`). A missing field is `None`.
 
 pub(crate) mod common;
 pub(crate) mod moving_object;

@@ -1,5 +1,5 @@
-//! One table of Apache Parquet, written as a stream of rows: a group of rows is held, so that a table has as
-//! many as the disk.
+//! A table of Apache Parquet, written as a stream of rows: one group of rows is in memory, so that the
+//! table's size is limited only by the disk.
 
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
@@ -15,9 +15,9 @@ use std::sync::Arc;
 pub enum Kind {
     /// Text in UTF-8.
     Text,
-    /// A number of things, without sign.
+    /// Unsigned count.
     Count,
-    /// A number of double precision.
+    /// Number in double precision.
     Real,
     /// True or false.
     Truth,
@@ -26,7 +26,7 @@ pub enum Kind {
 /// A value of a row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// Nothing is known.
+    /// Unknown value.
     Absent,
     /// Value of a column [`Kind::Text`].
     Text(String),
@@ -68,10 +68,10 @@ impl<T: Into<Self>> From<Option<T>> for Value {
     }
 }
 
-/// Rows of a group.
+/// Number of rows in a group.
 const GROUP_ROWS: usize = 65_536;
 
-/// A table that is being written.
+/// A table being written.
 pub struct Table<W: Write + Send> {
     file: SerializedFileWriter<W>,
     columns: Vec<Vec<Value>>,
@@ -81,7 +81,7 @@ impl<W: Write + Send> Table<W> {
     /// Begins a table with these columns.
     ///
     /// # Errors
-    /// The sink's, and two columns of one name.
+    /// An error of the sink; two columns with the same name.
     pub fn create(sink: W, columns: &[(&str, Kind)]) -> std::io::Result<Self> {
         let is_alike = |at: usize| columns[..at].iter().any(|(name, _)| *name == columns[at].0);
         if let Some(at) = (0..columns.len()).find(|at| is_alike(*at)) {
@@ -102,7 +102,7 @@ impl<W: Write + Send> Table<W> {
     /// Appends a row, a value for each column.
     ///
     /// # Errors
-    /// The sink's; a value of another type than its column's, or more or fewer than there are.
+    /// An error of the sink; a value of another type than its column, or a wrong number of values.
     pub fn push(&mut self, row: Vec<Value>) -> std::io::Result<()> {
         if row.len() != self.columns.len() {
             let text = format!("a row of {} values in a table of {} columns", row.len(), self.columns.len());
@@ -113,10 +113,10 @@ impl<W: Write + Send> Table<W> {
         if is_full { self.write_group().map_err(fault) } else { Ok(()) }
     }
 
-    /// Writes what is left, and where everything stands.
+    /// Writes the remaining rows and the footer.
     ///
     /// # Errors
-    /// The sink's.
+    /// An error of the sink.
     pub fn finish(mut self) -> std::io::Result<()> {
         if self.columns.first().is_some_and(|column| !column.is_empty()) {
             self.write_group().map_err(fault)?;
@@ -146,7 +146,7 @@ fn field(name: &str, kind: Kind) -> Written<TypePtr> {
     field.with_logical_type(logical).build().map(Arc::new)
 }
 
-/// Writes a column, whose type the column of the file tells: a value of another type is refused.
+/// Writes a column of the file's type: a value of another type is refused.
 fn write_column(writer: &mut SerializedColumnWriter<'_>, values: Vec<Value>) -> Written<()> {
     let levels: Vec<i16> = values.iter().map(|value| i16::from(*value != Value::Absent)).collect();
     let present = values.into_iter().filter(|value| *value != Value::Absent);
@@ -159,7 +159,7 @@ fn write_column(writer: &mut SerializedColumnWriter<'_>, values: Vec<Value>) -> 
         }
         parquet::column::writer::ColumnWriter::Int64ColumnWriter(_) => {
             write::<Int64Type>(writer, present, &levels, |value| match value {
-                Value::Count(count) => Some(count.cast_signed()), // its bits, as the type without sign has them
+                Value::Count(count) => Some(count.cast_signed()), // the bits of the unsigned type
                 _ => None,
             })
         }

@@ -1,6 +1,6 @@
-//! Points and tracks as ROS 2 has them, in MCAP: `sensor_msgs/PointCloud2` and `radar_msgs/RadarScan` of
-//! points, `radar_msgs/RadarTracks` of tracks. Messages are encoded by CDR; their definitions stand in the
-//! file, so that readers need no ROS.
+//! Points and tracks for ROS 2, in MCAP: `sensor_msgs/PointCloud2` and `radar_msgs/RadarScan` for points,
+//! `radar_msgs/RadarTracks` for tracks. Messages are encoded in CDR; their definitions are in the file, so
+//! that readers need no ROS.
 
 mod frames;
 mod cdr;
@@ -15,7 +15,7 @@ use artifact::tracks::TracksFrame;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// A recording under way. Channels begin with the first message of theirs.
+/// A recording being written. Channels begin with their first message.
 pub struct RosRecording<W: Write> {
     file: McapFile<W>,
     channels: BTreeMap<&'static str, u16>,
@@ -25,15 +25,15 @@ impl<W: Write> RosRecording<W> {
     /// Begins a recording.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn create(sink: W) -> io::Result<Self> {
         Ok(Self { file: McapFile::begin(sink, "ros2")?, channels: BTreeMap::new() })
     }
 
-    /// Points of a frame: a cloud in world coordinates and a scan in the sensor's.
+    /// Writes the points of a frame: a cloud in world coordinates and a scan in the sensor's.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn points(&mut self, header: &PointsHeader, frame: &PointsFrame) -> io::Result<()> {
         let cloud = point_cloud::message(frame);
         self.write("/radar/points", definitions::POINT_CLOUD, frame.time_s, &cloud)?;
@@ -42,19 +42,19 @@ impl<W: Write> RosRecording<W> {
         self.write("/radar/scan", definitions::RADAR_SCAN, frame.time_s, &scan)
     }
 
-    /// Tracks of a frame, those left out that are not believed yet.
+    /// Writes the confirmed and coasting tracks of a frame.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn tracks(&mut self, frame: &TracksFrame) -> io::Result<()> {
         let tracks = radar_tracks::message(frame);
         self.write("/radar/tracks", definitions::RADAR_TRACKS, frame.time_s, &tracks)
     }
 
-    /// Writes indexes and end.
+    /// Writes the indexes and the end of the file.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn finish(self) -> io::Result<()> {
         self.file.finish()
     }

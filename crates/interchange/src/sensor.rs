@@ -1,7 +1,7 @@
-//! Sight of a radar as OSI tells it: detections and objects as `SensorData`, paths as `SensorView`.
+//! A radar's output in OSI: detections and objects as `SensorData`, paths as `SensorView`.
 //!
-//! A roadside radar has no vehicle that carries it. Its mounting position is told in the world's axes, and so
-//! are its detected objects: the frame of the host vehicle is the world's.
+//! A roadside radar has no host vehicle. Its mounting position and its detected objects are given in the
+//! world's axes: the frame of the host vehicle is that of the world.
 
 mod mounting;
 mod detections;
@@ -32,7 +32,7 @@ impl<W: Write> SensorDataTrace<W> {
     /// Begins a trace.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn create(sink: W, container: Container) -> io::Result<Self> {
         let kind = MessageKind {
             schema: "osi3.SensorData",
@@ -42,10 +42,10 @@ impl<W: Write> SensorDataTrace<W> {
         Ok(Self { file: TraceWriter::begin(sink, container, &kind)?, births: Births::default() })
     }
 
-    /// Points of a frame as radar detections.
+    /// Writes the points of a frame as radar detections.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn points(&mut self, header: &PointsHeader, frame: &PointsFrame) -> io::Result<()> {
         let sensor = number(header.cube.as_ref().map(|cube| &cube.radar));
         let cube = header.cube.as_ref().map(|cube| cube.in_frame(frame.index));
@@ -55,11 +55,11 @@ impl<W: Write> SensorDataTrace<W> {
         self.file.write(frame.time_s, &data)
     }
 
-    /// Tracks of a frame as detected moving objects, those left out that are not believed yet; `classes` has
-    /// the probabilities of the four classes, in their order, of tracks whose class is known.
+    /// Writes the confirmed and coasting tracks of a frame as detected moving objects; `classes` has the
+    /// probabilities of the four classes, in their order, for tracks with a known class.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn tracks(
         &mut self,
         header: &TracksHeader,
@@ -75,10 +75,10 @@ impl<W: Write> SensorDataTrace<W> {
         self.file.write(frame.time_s, &data)
     }
 
-    /// Writes what stands behind the last message.
+    /// Writes the end of the file.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn finish(self) -> io::Result<()> {
         self.file.finish()
     }
@@ -93,7 +93,7 @@ impl<W: Write> SensorViewTrace<W> {
     /// Begins a trace.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn create(sink: W, container: Container) -> io::Result<Self> {
         let kind = MessageKind {
             schema: "osi3.SensorView",
@@ -103,10 +103,10 @@ impl<W: Write> SensorViewTrace<W> {
         Ok(Self { file: TraceWriter::begin(sink, container, &kind)? })
     }
 
-    /// Paths of a frame as reflections.
+    /// Writes the paths of a frame as reflections.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn paths(&mut self, header: &PathsHeader, frame: &PathsFrame) -> io::Result<()> {
         let (sensor, radar) = (number(Some(&header.radar)), header.radar.in_frame(frame.index));
         let view = SensorView {
@@ -124,16 +124,16 @@ impl<W: Write> SensorViewTrace<W> {
         self.file.write(frame.time_s, &view)
     }
 
-    /// Writes what stands behind the last message.
+    /// Writes the end of the file.
     ///
     /// # Errors
-    /// The sink does not take it.
+    /// The sink fails.
     pub fn finish(self) -> io::Result<()> {
         self.file.finish()
     }
 }
 
-/// Fields that every `SensorData` has.
+/// Fields common to all `SensorData`.
 fn head(sensor: u64, radar: Option<&Radar>, time_s: f64) -> SensorData {
     let measured_at_s = time_s + radar.map_or(0.0, Radar::frame_middle_s);
     SensorData {

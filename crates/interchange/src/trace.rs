@@ -1,4 +1,4 @@
-//! Files that hold messages one behind the other: `.osi` of OSI, and MCAP.
+//! Files of consecutive messages: OSI's `.osi`, and MCAP.
 
 mod container;
 mod fault;

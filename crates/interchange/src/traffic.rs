@@ -1,8 +1,8 @@
 //! Ground truth of OSI read as traffic: moving objects, message by message, in plain numbers.
 //!
-//! A message is walked through, not unpacked: moving objects are taken out one by one, and lanes, signs and
-//! what else a ground truth has are passed over. A sensor's view has a ground truth in it, which is read; of
-//! which kind a message is, its fields tell.
+//! Messages are traversed without unpacking: moving objects are extracted one by one, and lanes, signs and
+//! other parts of a ground truth are skipped. The ground truth within a sensor's view is read as well; the
+//! kind of a message is recognized by its fields.
 
 mod walk;
 mod message_kind;
@@ -18,7 +18,7 @@ use prost::Message;
 use std::path::Path;
 use walk::{Field, encoding};
 
-/// Moving objects at one moment.
+/// Moving objects at one time.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct TrafficStep {
     /// Simulation time.
@@ -34,15 +34,15 @@ pub struct TrafficStep {
 pub struct TrafficObject {
     /// The object's id, in decimal digits.
     pub id: String,
-    /// Name of its type as the standard has it: `TYPE_MEDIUM_CAR`, `TYPE_BUS`, `TYPE_PEDESTRIAN`.
+    /// Name of its type in the standard: `TYPE_MEDIUM_CAR`, `TYPE_BUS`, `TYPE_PEDESTRIAN`.
     pub kind: String,
-    /// Middle of the bounding box, on its lower side.
+    /// Middle of the lower side of the bounding box.
     pub foot_m: [f64; 3],
-    /// Length, width and height of the bounding box; `None` where the message does not tell.
+    /// Length, width and height of the bounding box; `None` if not in the message.
     pub size_m: Option<[f64; 3]>,
     /// Heading from +x towards +y.
     pub yaw_rad: f64,
-    /// Velocity along world x, y and z; `None` where the message does not tell.
+    /// Velocity along world x, y and z; `None` if not in the message.
     pub velocity_mps: Option<[f64; 3]>,
 }
 
@@ -51,30 +51,30 @@ pub struct GroundTruthReader {
     messages: Messages,
 }
 
-/// Names of the messages that are read; of an MCAP file the views are where it has no channel of the first.
+/// Names of the messages that are read; in an MCAP file the views only if there is no channel of the first.
 const SCHEMA: &str = "osi3.GroundTruth";
 const SCHEMA_OF_VIEWS: &str = "osi3.SensorView";
-/// Numbers of `osi3.GroundTruth`, of which `osi3.SensorView` shares the first.
+/// Field numbers of `osi3.GroundTruth`; `osi3.SensorView` shares the first.
 const TIMESTAMP: u32 = 2;
 const MOVING_OBJECT: u32 = 5;
-/// Number in `osi3.SensorView`.
+/// Field number in `osi3.SensorView`.
 const GLOBAL_GROUND_TRUTH: u32 = 7;
-/// A country's rush hour.
+/// Largest number of objects: a country's rush hour.
 const OBJECT_LIMIT: usize = 1 << 19;
-/// Coordinates beyond this are a slip of units, or degrees of a map.
+/// Largest coordinate; larger ones are an error of units, or degrees of a map.
 const COORDINATE_LIMIT_M: f64 = 1e5;
-/// Speed of sound: beyond it nothing drives.
+/// Speed of sound, beyond which nothing drives.
 const SPEED_LIMIT_MPS: f64 = 340.0;
-/// Turns of a heading either way that are still one.
+/// Largest magnitude of a heading, which may include some turns.
 const YAW_LIMIT_RAD: f64 = 60.0;
-/// Nothing that moves is longer, but trains.
+/// Largest size: only trains are longer.
 const SIZE_LIMIT_M: f64 = 1000.0;
 
 impl GroundTruthReader {
-    /// Opens a trace, `.osi` or MCAP; which of them is told by its first bytes, not by its name.
+    /// Opens a trace, `.osi` or MCAP, according to its first bytes, not its name.
     ///
     /// # Errors
-    /// The file is missing, unreadable or no plain file.
+    /// The file is missing, unreadable or not a plain file.
     pub fn open(file: &Path) -> Result<Self, TraceError> {
         Ok(Self { messages: Messages::open(file, SCHEMA)? })
     }
@@ -84,15 +84,15 @@ impl GroundTruthReader {
         self.messages.file()
     }
 
-    /// Number of the message that was handed out last, from 1.
+    /// Number of the last returned message, from 1.
     pub fn message(&self) -> u64 {
         self.messages.number()
     }
 
-    /// The next message; `None` behind the last.
+    /// The next message; `None` after the last.
     ///
     /// # Errors
-    /// The trace is cut off, or a message breaks a rule, or is of a kind that tells no ground truth.
+    /// The trace is truncated, or a message breaks a rule, or is of a kind without ground truth.
     pub fn next_step(&mut self) -> Result<Option<TrafficStep>, TraceError> {
         let Some(bytes) = self.next_message()? else { return Ok(None) };
         let message = self.messages.number();
@@ -119,7 +119,7 @@ fn step(bytes: &[u8], message: u64) -> Result<TrafficStep, TraceRule> {
         Some(MessageKind::GroundTruth) => ("GroundTruth", told.take(bytes)?),
         Some(MessageKind::SensorView) => ("SensorView", told.take_view(bytes)?),
         Some(other) => return Err(TraceRule::OtherMessage(other.name())),
-        // What is damaged is told as such.
+        // Damaged messages are reported as damaged.
         None => return Err(told.take(bytes).err().unwrap_or(TraceRule::NoGroundTruth)),
     };
     let missing = || TraceRule::Missing { owner: owner.into(), field: "timestamp" };
@@ -133,7 +133,7 @@ struct Told {
 }
 
 impl Told {
-    /// Takes the objects out of a ground truth; its time.
+    /// Extracts the objects of a ground truth, and returns its time.
     fn take(&mut self, truth: &[u8]) -> Result<Option<Timestamp>, TraceRule> {
         let mut stamp = None;
         for field in walk::fields(truth) {
@@ -153,7 +153,8 @@ impl Told {
         Ok(stamp)
     }
 
-    /// Takes the objects out of a sensor's view; the time of the ground truth in it, or else its own.
+    /// Extracts the objects of a sensor's view, and returns the time of the ground truth in it, or else its
+    /// own.
     fn take_view(&mut self, view: &[u8]) -> Result<Option<Timestamp>, TraceRule> {
         let (mut of_view, mut of_truth, mut is_there) = (None, None, false);
         for field in walk::fields(view) {
@@ -199,14 +200,14 @@ fn object(told: &MovingObject) -> Result<TrafficObject, TraceRule> {
     Ok(TrafficObject { id: id.to_string(), kind: told.type_name(), foot_m, size_m, yaw_rad, velocity_mps })
 }
 
-/// Length, width and height where all three are told.
+/// Length, width and height if all three are present.
 fn size(base: &BaseMoving) -> Option<[f64; 3]> {
     let told = base.dimension?;
     let size = [told.length?, told.width?, told.height?];
     size.iter().all(|side| *side > 0.0 || side.is_nan()).then_some(size)
 }
 
-/// Ranges of an object's numbers.
+/// Allowed ranges of an object's numbers.
 struct Bounds<'a> {
     owner: &'a str,
 }

@@ -1,6 +1,6 @@
-//! `dataset`: labelled signatures and crops of scenes that a recipe draws. Shards are written whole or not at
-//! all, and a shard that exists, whole and of this recipe, is not made again; beside each stands one line per
-//! scene with truth and estimates. Whoever finds all shards made writes what is made of all.
+//! `dataset`: labelled signatures and crops of scenes drawn by a recipe. Shards are written whole or not at
+//! all, and a complete shard of this recipe is not made again; beside each is a file with one line per scene,
+//! with truth and estimates. The process that finds all shards complete writes the summary of all.
 
 mod recipe;
 mod draws;
@@ -25,41 +25,40 @@ use pipeline::host::progress::Work;
 use recipe::Recipe;
 use std::path::{Path, PathBuf};
 
-/// Settings of a dataset: its recipe, and what of it is done.
+/// Settings of a dataset: its recipe, and the task.
 pub struct Settings<'a> {
     /// Recipe (`docs/datasets.md`).
     pub recipe: PathBuf,
-    /// Folder of the dataset; whole shards that lie there are taken up.
+    /// Folder of the dataset; complete shards in it are reused.
     pub out: PathBuf,
     /// Seed in place of the recipe's.
     pub seed: Option<u64>,
-    /// What is done.
+    /// Task to carry out.
     pub task: Task,
-    /// Memory that tracing may take.
+    /// Memory allowed for tracing.
     pub memory: Allowance,
-    /// Hears each line of results.
+    /// Receives each line of results.
     pub tell: &'a dyn Fn(&str),
 }
 
-/// What is done of a dataset.
+/// Task for a dataset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Task {
-    /// The shards of a part, from 1, of so many; and the summary of all, where all shards are there then.
+    /// Makes the shards of one part, and the summary if all shards exist then.
     Make {
-        /// Number and count of parts.
+        /// Number of the part, from 1, and number of parts.
         shard: [u32; 2],
     },
-    /// Only what is made of all shards; an error if one lacks.
+    /// Writes only the summary of all shards; a missing one is an error.
     Conclude,
-    /// Only a prediction of files, bytes and core-hours of the whole.
+    /// Only predicts files, bytes and core-hours of the whole.
     Predict,
 }
 
 /// Makes a dataset or a part of it.
 ///
 /// # Errors
-/// A sentence that names file, place and rule where the recipe or a model refuses; shards that are made are
-/// kept.
+/// A sentence that names file, place and rule if the recipe or a model is refused; completed shards are kept.
 pub fn run(settings: &Settings) -> Result<(), Failure> {
     let recipe = Recipe::read(&settings.recipe, settings.seed)?;
     let layout = Layout::of(&recipe, &settings.out);
@@ -84,7 +83,7 @@ pub fn run(settings: &Settings) -> Result<(), Failure> {
     }
 }
 
-/// Makes those shards that are not made.
+/// Makes the missing shards.
 fn make(recipe: &Recipe, shards: Vec<PlannedShard>, memory: Allowance) -> Result<(), Failure> {
     let work = Work::begin("dataset");
     let scenes = |shard: &PlannedShard| shard.scenes.end - shard.scenes.start;

@@ -1,5 +1,5 @@
-//! Evaluation of a model (`evaluate`): how often it is right on datasets, by frame and by track, with its
-//! spread over vehicles, as a page.
+//! Evaluation of a model (`evaluate`): its accuracy on datasets, by frame and by track, with its spread over
+//! vehicles, as a page.
 
 use crate::training::interval_text::told_interval;
 use artifact::dataset::Sample;
@@ -16,9 +16,9 @@ use std::fmt::Write;
 use std::iter;
 use std::path::{Path, PathBuf};
 
-/// Samples that are answered at once.
+/// Number of samples that are classified at once.
 const BATCH: usize = 256;
-/// The logarithm of no probability is lower.
+/// Lower limit of probabilities in the logarithm.
 const LEAST_PROBABILITY: f32 = 1e-6;
 
 /// Settings of an evaluation.
@@ -31,11 +31,11 @@ pub struct Settings {
     pub out: Option<PathBuf>,
 }
 
-/// Evaluates a model; gives the page (Markdown).
+/// Evaluates a model and returns the page (Markdown).
 ///
 /// # Errors
-/// A sentence that names the file where a model or a shard is damaged, or of another radar's signatures, and
-/// the first folder where no sample tells its class.
+/// A sentence that names the file if a model or a shard is damaged, or has another radar's signatures, and
+/// the first folder if no sample has a class.
 pub fn run(settings: &Settings) -> Result<String, Failure> {
     let model = LoadedModel::read(&settings.model)?;
     let datasets = DatasetFolder::open_all(&settings.datasets)?;
@@ -67,7 +67,7 @@ pub fn run(settings: &Settings) -> Result<String, Failure> {
     Ok(page)
 }
 
-/// Everything that the shards of these folders hold.
+/// Reads all sightings of the shards of these folders.
 pub(super) fn sightings_of(folders: &[DatasetFolder]) -> Result<Sightings, Failure> {
     let mut sightings = Sightings::default();
     each_shard(folders, |number, shard| {
@@ -77,7 +77,7 @@ pub(super) fn sightings_of(folders: &[DatasetFolder]) -> Result<Sightings, Failu
     Ok(sightings)
 }
 
-/// Does something with each shard of these folders, and with its folder's number.
+/// Applies a function to each shard of these folders, with its folder's number.
 fn each_shard(
     folders: &[DatasetFolder],
     mut visit: impl FnMut(usize, &Path) -> Result<(), Failure>,
@@ -101,16 +101,16 @@ fn answers(model: &LoadedModel, samples: &[Sample]) -> Result<Vec<[f32; 4]>, Fai
     Ok(answers)
 }
 
-/// True class of an answer, and the class that is told.
+/// True class of an answer, and the predicted class.
 type Told = (usize, Predicted);
 
-/// Classes that a rule tells by these answers, each with the true one.
+/// Predicted classes by a rule, each with the true one.
 pub(super) fn told_by(rule: ClassRule, answers: &[(usize, Logits)]) -> Vec<Told> {
     let probabilities = |logits: &Logits| log_softmax(logits.map(f64::from)).map(|log| log.exp() as f32);
     answers.iter().map(|(class, logits)| (*class, rule.told(&probabilities(logits)))).collect()
 }
 
-/// Text of the shares that are told right, wrong and not at all, %.
+/// Text of the shares that are right, wrong and unknown, %.
 pub(super) fn shares(told: &[Told]) -> String {
     let (mut counts, share) = ([0.0; 3], 100.0 / told.len().max(1) as f64);
     for (class, predicted) in told {
@@ -161,7 +161,7 @@ fn row(name: &str, part: &Part, told_classes: &[Told]) -> [String; 7] {
     ]
 }
 
-/// Counts of told classes, and of answers without one, by the true class.
+/// Counts of predicted classes, and of answers without one, by the true class.
 fn told_confusion(told: &[Told]) -> String {
     let [a, b, c, d] = Class::ALL.map(Class::name);
     let columns = Class::ALL.map(Predicted::Class).into_iter().chain([Predicted::Unknown]);
@@ -172,7 +172,7 @@ fn told_confusion(told: &[Told]) -> String {
     markdown_table(&["", a, b, c, d, Predicted::Unknown.name()], rows)
 }
 
-/// Counts of likeliest classes by the true one.
+/// Counts of the likeliest classes by the true one.
 pub(super) fn confusion(evaluation: &Evaluation) -> String {
     let [a, b, c, d] = Class::ALL.map(Class::name);
     let rows = Class::ALL.iter().zip(&evaluation.confusion).map(|(class, told)| {

@@ -1,6 +1,6 @@
-//! Protocols: boosted trees trained with several seeds, and how right they are where they never looked: on
-//! scenes of the test split (S), on vehicles held out in turn (V, folder by folder), and on datasets that
-//! never trained (T). Or the paper's network by the paper's protocol (P).
+//! Protocols: the accuracy of boosted trees, trained with several seeds, on data not used in training: scenes
+//! of the test split (S), vehicles held out in turn (V, folder by folder), and datasets only for testing (T).
+//! Or the paper's network by the paper's protocol (P).
 
 mod protocol_set;
 mod conditions;
@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 
 pub use settings::Settings;
 
-/// Arrays that have a row of the table.
+/// Arrays with a row in the table.
 const ARRAYS: [(&str, Kept); 3] =
     [("all", |_| true), ("without rows", |seen| !seen.has_rows), ("with rows", |seen| seen.has_rows)];
 
@@ -42,11 +42,11 @@ const COLUMNS: [&str; 7] = [
     "by track",
 ];
 
-/// Trains and asks; gives the page (Markdown).
+/// Trains, evaluates and returns the page (Markdown).
 ///
 /// # Errors
-/// A sentence that names file and rule where a shard is damaged, a class lacks, or what is asked means
-/// nothing to the learner.
+/// A sentence that names file and rule if a shard is damaged, a class is missing, or a setting does not apply
+/// to the learner.
 pub fn run(settings: &Settings) -> Result<String, Failure> {
     if settings.learner == Learner::Trees && settings.iterations.is_some() {
         return Err(iterations_of_trees());
@@ -154,7 +154,7 @@ fn row(name: &str, array: &str, told: &[[Part; 2]]) -> [String; 7] {
     [name.to_owned(), array.to_owned(), vehicles, right(0), right(1), error(0), error(1)]
 }
 
-/// Reliability diagram as a table: how often answers of a probability are right, by frame.
+/// Reliability diagram as a table: accuracy of answers by their probability, by frame.
 fn reliability(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
     let mut table = String::from(
         "\nReliability: mean probability of the likeliest class / share of these answers that is right, % (answers), by frame, seed 1:\n\n",
@@ -183,15 +183,15 @@ fn reliability(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
     table
 }
 
-/// First bin of probability that an answer can fall into: of four classes the likeliest has a quarter at
-/// least.
+/// First bin of probability that an answer can fall into: the likeliest of four classes has at least a
+/// quarter.
 const LEAST_BIN: usize = 2;
 
-/// Probabilities from which on a class could be told.
+/// Possible least probabilities of an answer.
 const THRESHOLDS: [f32; 5] = [0.3, 0.4, 0.5, 0.6, 0.7];
 
-/// Table of the share of each protocol's frames that are told right, wrong and not at all, %, by the
-/// probability from which on a class is told.
+/// Table of the share of each protocol's frames that are right, wrong and unknown, %, by the least
+/// probability of an answer.
 fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
     let line = |name: &str, cell: &dyn Fn(f32) -> String| {
         iter::once(name.to_owned()).chain(THRESHOLDS.map(cell)).collect::<Vec<_>>()
@@ -208,8 +208,8 @@ fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
     )
 }
 
-/// Table of how often a protocol's vehicles are told right, by what their sightings were like; a row of its
-/// own has those of which no line beside their shard tells that.
+/// Table of the accuracy on a protocol's vehicles by the conditions of their sightings; those without a line
+/// beside their shard have a row of their own.
 fn by_condition(protocol: &Protocol<'_>, known: &OfTracks, trained: &TrainedTrees) -> String {
     let untold = conditions::untold();
     let mut of: BTreeMap<(usize, &str, &conditions::Bin), Protocol<'_>> = BTreeMap::new();
@@ -238,7 +238,8 @@ fn by_condition(protocol: &Protocol<'_>, known: &OfTracks, trained: &TrainedTree
 /// Features by which training and test are compared: level, visible extent, number of peaks, height.
 const COMPARED: [&str; 4] = ["total_dbsm", "extent_m", "peaks", "height_m"];
 
-/// Table of how alike features are in what trained and what tests, as area under the ROC, class by class.
+/// Table of the similarity of features between training and test, as area under the ROC curve, class by
+/// class.
 fn likenesses(folder: &Path, learned: &Sightings, test: &Sightings) -> String {
     let (learned, test): (Vec<&Seen>, Vec<&Seen>) = (learned.all.iter().collect(), test.all.iter().collect());
     let rows = Class::ALL.iter().enumerate().map(|(number, class)| {

@@ -1,6 +1,6 @@
 //! Training (`train`): a dataset to a model with its curves and its evaluation.
 //!
-//! Trees learn here, the paper's network in a program of its own.
+//! Trees are trained here, the paper's network in a separate program.
 
 mod settings;
 pub(crate) mod interval_text;
@@ -21,8 +21,8 @@ pub use settings::{Learner, PAPER_ITERATIONS, Settings};
 /// Trains a model and writes its folder.
 ///
 /// # Errors
-/// A sentence that names file and rule where a shard is damaged, a class lacks, or what is asked means
-/// nothing to the learner.
+/// A sentence that names file and rule if a shard is damaged, a class is missing, or a setting does not apply
+/// to the learner.
 pub fn run(settings: &Settings) -> Result<(), Failure> {
     check(settings)?;
     let opened = DatasetFolder::open_all(&settings.datasets)?;
@@ -37,7 +37,7 @@ pub fn run(settings: &Settings) -> Result<(), Failure> {
     }
 }
 
-/// Refuses what means nothing to the learner.
+/// Refuses settings that do not apply to the learner.
 fn check(settings: &Settings) -> Result<(), Failure> {
     match (settings.learner, &settings.attributions) {
         (Learner::Trees, _) if settings.iterations.is_some() => Err(iterations_of_trees()),
@@ -49,7 +49,7 @@ fn check(settings: &Settings) -> Result<(), Failure> {
     }
 }
 
-/// Refusal of steps of an optimizer where trees learn.
+/// Refusal of optimizer steps for trees.
 pub(crate) fn iterations_of_trees() -> Failure {
     let rule = "--iterations is for --learner paper: trees have no steps, they end where they are best";
     Failure::System(rule.to_owned())

@@ -1,5 +1,5 @@
-//! The stages linked, frame by frame: what a frame depends on, what of it is cached, what it will cost, and
-//! its artifacts.
+//! The stages linked, frame by frame: a frame's dependencies, its cached parts, its expected cost and its
+//! artifacts.
 
 pub mod stages;
 pub mod keys;

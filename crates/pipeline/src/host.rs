@@ -1,5 +1,5 @@
-//! Services that the chain stands on beside the stages: failures, whole files, memory, progress, places and
-//! long work's checkpoints; and folders of datasets as inputs.
+//! Services for the chain beside the stages: failures, whole files, memory, progress, places and checkpoints
+//! of long work; and folders of datasets as inputs.
 
 pub mod safe_text;
 pub mod failure;

@@ -1,12 +1,12 @@
-//! The stages linked: a scene file goes in, and its frames come out with their paths, cubes, points, tracks
-//! and classes, and with what they are worth beside the truth.
+//! The stages linked: turns a scene file into its frames, with their paths, cubes, points, tracks and
+//! classes, and evaluates them against the ground truth.
 //!
 //! The stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) meet here; each hands an artifact to
-//! the next. What a frame depends on is hashed, what was made of it before is read from a cache, and what is
-//! left to do is told before it begins. Pictures, reports, studies and commands stand on this crate and are
-//! none of its business.
+//! the next. The inputs of a frame are hashed, earlier results are read from a cache, and the remaining work
+//! is predicted before it begins. Pictures, reports, studies and commands build on this crate and are not
+//! part of it.
 //!
-//! Reading order is that of the rooms below; each uses only those that stand before it.
+//! Read the rooms below in their order; each uses only those before it.
 
 pub mod host; // failures, whole files, memory, progress, places
 pub mod chain; // what a frame depends on, what is cached, the stages linked

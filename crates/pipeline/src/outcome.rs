@@ -1,5 +1,5 @@
-//! Outcome of a run: `summary.json`, whether the accuracy was reached, false objects and tracks, and the
-//! lines of a console.
+//! Outcome of a run: `summary.json`, the verdict on the accuracy, false objects and tracks, and the lines for
+//! a console.
 
 pub mod error_figures;
 pub(crate) mod useful_accuracy;

@@ -1,9 +1,9 @@
-//! Plan of the physics that a scene needs, by one number: a look tells what each part of the echo is to
-//! all of it, and what the accuracy can spare is left out (`docs/planning.md`).
+//! Plan of the physics that a scene needs for one accuracy: a look measures the share of each part of the
+//! echo, and parts that the accuracy can spare are left out (`docs/planning.md`).
 
-pub(crate) mod physics_part; // what is modelled or left out
-pub(crate) mod echo_shares; // what each part is, over the frames looked at
-pub(crate) mod choice; // what is modelled, of these shares alone
+pub(crate) mod physics_part; // parts that are modelled or left out
+pub(crate) mod echo_shares; // share of each part, over the frames looked at
+pub(crate) mod choice; // choice of the modelled parts, from these shares alone
 pub(crate) mod costs; // processor seconds of each part
 pub mod plan_figures; // lines and figures of a plan
 pub(crate) mod below_road; // bodies that the road does not hide
@@ -25,23 +25,23 @@ use scene::{Planning, SaidPhysics};
 use std::path::Path;
 use std::slice;
 
-/// Scene that is run, with the plan of its physics where one was asked for.
+/// Scene as it is run, with the plan of its physics if one was requested.
 pub struct PlannedScene {
-    /// Scene as the stages take it: what was chosen stands in its settings.
+    /// Scene as the stages take it, with the chosen physics in its settings.
     pub loaded: LoadedScene,
-    /// Figures of the plan; `None` where the scene says all itself.
+    /// Figures of the plan; `None` if the scene specifies all of its physics.
     pub plan: Option<PlanFigures>,
-    /// Whether a plan was asked for, and the scene looked at.
+    /// Whether a plan was requested, and the scene was looked at.
     pub is_looked_at: bool,
-    /// Physics that the scene's file says itself.
+    /// Physics that the scene's file specifies.
     pub said: SaidPhysics,
 }
 
-/// Loads a scene as [`loading::scene`] does, and chooses its physics where its file, or an accuracy of the
-/// command's own, asks for that.
+/// Loads a scene as [`loading::scene`] does, and chooses its physics if its file, or an accuracy on the
+/// command line, requests that.
 ///
 /// # Errors
-/// Those of loading and of the look; a plan for far-field tables, which have no ways to leave out.
+/// Those of loading and of the look; a plan for far-field tables, which have no paths to leave out.
 pub fn scene(
     source: &SceneSource,
     cache: Option<&Cache>,
@@ -50,8 +50,8 @@ pub fn scene(
     told_of(source, cache, memory, PartCosts::Untold)
 }
 
-/// The same, with what each part of the physics takes or would take
-/// ([`plan_figures::PartFigures::processor_s`]): for whoever tells it, as it takes a look for each part.
+/// Loads and plans a scene, with the expected cost of each part of the physics
+/// ([`plan_figures::PartFigures::processor_s`]): only for display, because it takes a look for each part.
 ///
 /// # Errors
 /// Those of [`self::scene()`].
@@ -80,7 +80,7 @@ fn chosen(
     memory: Allowance,
     part_costs: PartCosts,
 ) -> Result<PlannedScene, Failure> {
-    // Scene and what it says of the physics are of one and the same file.
+    // The scene and its specified physics have to come from the same file content.
     let ((mut loaded, said), _) = loading::read_of(slice::from_ref(&source.file), || {
         let loaded = loading::scene(source, cache)?;
         Ok((loaded, scene::said_physics(&source.file, &[]).map_err(loading::of_scene)?))
@@ -95,8 +95,8 @@ fn chosen(
     Ok(PlannedScene { loaded, plan, is_looked_at: true, said })
 }
 
-/// Sentence on a scene that asks for a plan, where `work` takes its keys as they are said; `None` where it
-/// asks for none.
+/// Sentence about a scene that requests a plan, where `work` takes its keys literally; `None` if it requests
+/// none.
 ///
 /// # Errors
 /// The file cannot be read.
@@ -111,8 +111,7 @@ pub fn unplanned(file: &Path, work: &str) -> Result<Option<String>, Failure> {
     }))
 }
 
-/// Chooses the physics of a scene; `None`, and nothing chosen, where nothing scatters in the frames looked
-/// at.
+/// Chooses the physics of a scene; `None`, without a choice, if nothing scatters in the frames looked at.
 fn planned(
     header: &mut SceneHeader,
     said: &SaidPhysics,
@@ -143,19 +142,19 @@ fn planned(
     Ok(Some(Chosen { asked, budget, shares, fixed, choice, seconds }.figures(header)))
 }
 
-/// The choice whose scene is expected to take least, and its seconds where there was more than one: of
-/// integrals that are finer and parts that are left out, sometimes one is cheaper and sometimes the other.
+/// The choice with the least expected time, and its seconds if there was more than one choice: sometimes
+/// finer integrals are cheaper, and sometimes more of the physics.
 fn cheapest(
     choices: Vec<Choice>,
     expected_s: impl Fn(&Choice) -> Result<f64, Failure>,
 ) -> Result<(Choice, Option<f64>), Failure> {
-    // One alone needs no figures.
+    // A single choice needs no estimate.
     let choices = match <[Choice; 1]>::try_from(choices) {
         Ok([choice]) => return Ok((choice, None)),
         Err(choices) => choices,
     };
     let expected = |choice: Choice| expected_s(&choice).map(|seconds| (seconds, choice));
-    // What does not fit into the memory is no choice, as long as another one does.
+    // A choice that does not fit into the memory is discarded if another one fits.
     let (fitting, refused): (Vec<_>, Vec<_>) = choices.into_iter().map(expected).partition(Result::is_ok);
     let cheapest = fitting.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
     let refusal = || refused.into_iter().find_map(Result::err);
@@ -165,7 +164,7 @@ fn cheapest(
     }
 }
 
-/// Finds what the scene's own keys leave no choice of.
+/// Physics that the scene's own keys specify.
 fn fixed(header: &SceneHeader, said: &SaidPhysics, shares: &Shares) -> Fixed {
     let fidelity = &header.fidelity;
     let has = |key: &str| said.keys.contains(key);
@@ -199,10 +198,10 @@ fn apply(header: &mut SceneHeader, said: &SaidPhysics, choice: &Choice) {
     }
 }
 
-/// Time for which a measured error is good (`docs/validation/traffic.md`), s.
+/// Time for which a measured error is valid (`docs/validation/traffic.md`), s.
 const GOOD_FOR_S: f64 = 0.5;
 
-/// Frames that one measurement of the errors is good for.
+/// Number of frames for which one measurement of the errors is valid.
 fn frames_of_one_measurement(header: &SceneHeader) -> u32 {
     let of_time = (GOOD_FOR_S / header.frame_interval_s).floor();
     of_time.clamp(1.0, f64::from(header.frames.max(1))) as u32

@@ -1,4 +1,4 @@
-//! Pictures: drawn once as SVG, put into the report as they are and onto disk as PNG.
+//! Pictures: drawn once as SVG, embedded in the report, and written to disk as PNG.
 
 pub(crate) mod field_of_view;
 pub(crate) mod lane_sides;
@@ -38,18 +38,18 @@ pub struct FrameFigures {
     pub(crate) points: Figure,
 }
 
-/// One frame with its truth, to be drawn in any form.
+/// One frame with its truth, ready to be drawn in any form.
 pub struct FrameDrawing<'a> {
     frame: &'a FrameProducts,
     header: CubeHeader,
-    /// Objects that are nobody's.
+    /// Objects that belong to no body.
     nobodys: Vec<usize>,
     echoes: Vec<TrueEcho>,
     bodies: Vec<bodies::Body>,
 }
 
 impl<'a> FrameDrawing<'a> {
-    /// Takes a frame with what its pictures show beside it.
+    /// Prepares a frame with the truth that its pictures show.
     pub fn of(chain: &Chain, frame: &'a FrameProducts, truth: &FrameTruth) -> Self {
         let is_nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
         Self {
@@ -76,7 +76,7 @@ impl<'a> FrameDrawing<'a> {
         Figure::of(|form| self.plan_in(form))
     }
 
-    /// Drawings that are put onto disk: the scene from above, its map and its points, for a page.
+    /// Drawings written to disk: the scene from above, its map and its points, in page form.
     pub fn on_disk(&self) -> Result<[Svg; 3], Failure> {
         Ok([self.plan_in(Form::Wide), self.map(Form::Wide)?, self.points(Form::Wide)])
     }
@@ -97,13 +97,13 @@ impl<'a> FrameDrawing<'a> {
 }
 
 impl FrameFigures {
-    /// Those of [`FrameDrawing::on_disk`].
+    /// Drawings of [`FrameDrawing::on_disk`].
     pub fn on_disk(&self) -> [&Svg; 3] {
         [&self.plan.wide, &self.rdm.wide, &self.points.wide]
     }
 }
 
-/// True range and radial velocity of each body's echo; bodies that send none back are left out.
+/// True range and radial velocity of each body's echo; bodies without an echo are left out.
 fn true_echoes(frame: &FrameProducts, truth: &FrameTruth) -> Vec<TrueEcho> {
     let named = frame.view.targets.iter().zip(&truth.truths).filter(|(_, truth)| truth.sends_back);
     let echo = |(target, truth): (&artifact::scene::Target, &Truth)| TrueEcho {
@@ -114,7 +114,7 @@ fn true_echoes(frame: &FrameProducts, truth: &FrameTruth) -> Vec<TrueEcho> {
     named.map(echo).collect()
 }
 
-/// `scene-NNNN.png`, `rdm-NNNN.png`, `points-NNNN.png` and `rdm-NNNN.exr` of one frame.
+/// Writes `scene-NNNN.png`, `rdm-NNNN.png`, `points-NNNN.png` and `rdm-NNNN.exr` of one frame.
 pub fn write_frame(
     drawings: [&Svg; 3],
     header: &CubeHeader,
@@ -132,7 +132,7 @@ pub fn places_of_frame(index: u32, folder: &Path) -> [PathBuf; 4] {
     kinds.map(|(name, kind)| folder.join(format!("{name}-{index:04}.{kind}")))
 }
 
-/// Map and points of one frame: what can be drawn without truth.
+/// Map and points of one frame: the pictures that need no truth.
 pub fn of_map(
     header: &CubeHeader,
     rdm: &RdmFrame,
@@ -149,7 +149,7 @@ pub fn of_map(
     rdm_exr(header, rdm, &folder.join(format!("rdm-{number:04}.exr")))
 }
 
-/// A map with axes and nothing over it.
+/// Writes a map with axes and no marks.
 pub fn write_map(file: &Path, header: &CubeHeader, rdm: &RdmFrame) -> Result<(), Failure> {
     write_png(file, &rdm::draw(&header.in_frame(rdm.index), rdm, &OnMap::default(), Form::Wide)?)
 }

@@ -24,13 +24,13 @@ pub use provenance_paragraph::Making;
 use std::path::Path;
 pub use tables::scrolled;
 
-/// Frames that get pictures of their own in the report; the others stand in its tables.
+/// Number of frames with pictures in the report; the others are only in its tables.
 pub const FRAMES_DRAWN: usize = 4;
 
-/// Pictures of a strip, at most.
+/// Largest number of pictures in a strip.
 const STRIP: u32 = 12;
 
-/// Whether a frame is one of those that show how a long scene goes on: every n-th, where not all are drawn.
+/// Whether a frame is in the strip of a long scene: every n-th, if not all are drawn.
 pub fn is_in_strip(index: u32, frames: u32) -> bool {
     frames as usize > FRAMES_DRAWN && index.is_multiple_of(frames.div_ceil(STRIP))
 }
@@ -40,7 +40,7 @@ pub fn write(summary: &Summary, figures: &Figures, making: &Making, out: &Path) 
     files::write_file(&out.join("report.html"), page::page(summary, figures, making).as_bytes())
 }
 
-/// Writes the report of several radars, each with its id and its own summary, over theirs.
+/// Writes the report of several radars, each with its id and summary, above theirs.
 pub fn write_several(
     summary: &RadarsSummary,
     radars: &[(&str, &Summary)],

@@ -1,5 +1,4 @@
-//! A scene file as tables that know their place: what it may say, what is wrong with it, and its values by
-//! type.
+//! A scene file as tables with positions: its keys, its faults, and its values by type.
 
 pub(crate) mod ranges;
 pub mod keys;

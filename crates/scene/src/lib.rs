@@ -1,11 +1,11 @@
-//! Scenes: what the radar is, what stands on the road, and how it moves.
+//! Scenes: the radar, the bodies on the road, and their motion.
 //!
-//! A TOML file (`docs/scenes.md` has every key) and the mesh files it names go in; a
-//! [`SceneHeader`](artifact::scene::SceneHeader) comes out: the radar with its elements in world metres, the
-//! settings of every later stage, meshes in body axes (x forward, y left, z up; the centre of the bounding
-//! box, on the ground, at the origin) and each target's pose at the first sample. [`snapshot`] moves the
-//! targets to any frame; vehicles of recorded [`traffic`] stand in it as far as the radar has them in view,
-//! and [`frame_view`] has what else is known of them.
+//! The input is a TOML file (`docs/scenes.md` has every key) with the mesh files it names; the result is a
+//! [`SceneHeader`](artifact::scene::SceneHeader): the radar with its elements in world metres, the settings
+//! of every later stage, meshes in body axes (x forward, y left, z up; the centre of the bounding box, on the
+//! ground, at the origin) and each target's pose at the first sample. [`snapshot`] moves the targets to any
+//! frame and adds the vehicles of recorded [`traffic`] that are in the radar's view; [`frame_view`] has their
+//! further properties.
 //!
 //! ```
 //! use scene::{Meshes, ReadOptions, read, snapshot};
@@ -36,16 +36,17 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`read_mesh`] reads a mesh alone and keeps the file's origin; [`centred`] gives it a scene's.
+//! [`read_mesh`] reads a mesh alone and keeps the file's origin; [`centred`] moves the origin to that of a
+//! scene.
 //!
 //! The project's own [`vehicles`] and [`street`] furniture are the crate `bodies`.
 //!
-//! Rooms, to read in this order, each of which uses only those before it: below are bodies from files,
-//! [`mesh`] (glTF, STL, OBJ, and assets of OpenMATERIAL 3D), and what SUMO recorded; `document` is what a
-//! scene may say (`keys`), what is wrong with it (`faults`) and its typed values with their places
-//! (`section`); then come the rooms that read tables, and `read`, which calls them.
+//! Read the rooms in this order; each uses only those before it. First come bodies from files, [`mesh`]
+//! (glTF, STL, OBJ, and assets of OpenMATERIAL 3D), and SUMO's recordings; `document` defines the content of
+//! a scene (`keys`), its faults (`faults`) and its typed values with their places (`section`); then come the
+//! rooms that read tables, and `read`, which calls them.
 
-mod wording; // sentences about what was read, and what it may refer to
+mod wording; // sentences about input, and where references may lead
 mod measured; // patterns and calibrations from files
 mod openmaterial; // assets of OpenMATERIAL 3D
 pub mod mesh; // meshes from files
@@ -53,12 +54,12 @@ mod recording; // what SUMO writes
 mod document; // a scene file as tables that know their place
 mod models; // what the scene names of bodies
 mod materials; // names of materials, and the road
-mod radar; // where it stands, what it sends, its antennas
+mod radar; // position, waveform and antennas
 mod settings; // noise, processing, fidelity, lanes
-mod targets; // what moves, and what stands about
+mod targets; // moving bodies and clutter
 pub mod traffic;
-mod motion; // where everything is in a frame
-mod read; // a scene file and all that it names
+mod motion; // poses in a frame
+mod read; // a scene file and all files that it names
 
 pub use bodies::{Painted, PaintedLine, painted_glb, street, vehicles};
 pub use document::changes::Change;

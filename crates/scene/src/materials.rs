@@ -1,4 +1,4 @@
-//! `[materials]`, files of them, and `[road]`: names of materials, and what they stand for.
+//! `[materials]`, files of materials, and `[road]`: names of materials, and their properties.
 
 mod shelf;
 
@@ -27,11 +27,11 @@ use artifact::units::power_from_db;
 use num_complex::Complex64;
 use std::path::Path;
 
-/// The materials in a file of the form of a scene's `[materials]`, those of OpenMATERIAL 3D at that
-/// frequency; whether waves pass sheets is not for it to say.
+/// Reads the materials in a file of the form of a scene's `[materials]`, those of OpenMATERIAL 3D at the
+/// given frequency; the file does not specify whether waves pass sheets.
 ///
 /// # Errors
-/// Every broken rule with line and column; `is_system` tells a file that is missing or unreadable.
+/// Every broken rule with line and column; `is_system` indicates a missing or unreadable file.
 pub fn read_materials(path: &Path, frequency_hz: f64) -> Result<MaterialMap, SceneErrors> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let by_name = of_file(path, &Shelf::new(folder, frequency_hz))?;
@@ -98,7 +98,7 @@ fn by_name(root: &Section<'_>, shelf: &Shelf) -> Vec<(String, Material)> {
         .collect()
 }
 
-/// The road as a mirror and what it sends back of itself; `None` where the scene has none of it.
+/// The road as a reflector and its own backscatter; `None` if the scene has neither.
 pub(crate) fn read_road(
     root: &Section<'_>,
     radar: &Radar,
@@ -135,7 +135,7 @@ fn read_mirror(section: &Section<'_>, shelf: &Shelf) -> Option<Road> {
     Some(Road { material: known.filled(), rms_height_m })
 }
 
-/// The height that a file tells, where `rms_height_mm` may have it.
+/// The height from a file, if `rms_height_mm` may have that value.
 fn checked_height_m(section: &Section<'_>, shelf: &Shelf, told_m: f64) -> Option<f64> {
     let Allowed::Between(least_mm, most_mm) = RMS_HEIGHT.takes.0 else { return Some(told_m) };
     let allowed = Allowed::Between(1e-3 * least_mm, 1e-3 * most_mm);
@@ -188,9 +188,9 @@ fn read_material(section: &Section<'_>, shelf: &Shelf) -> Option<Material> {
     }
 }
 
-/// Composition of a material before it is known what is behind.
+/// Composition of a material before its backing is known.
 enum Composition {
-    /// All the way; `None` is metal.
+    /// Solid throughout; `None` is metal.
     Filled(Option<Complex64>),
     Layered(Vec<Layer>),
 }
@@ -235,10 +235,11 @@ fn read_thickness_m(section: &Section<'_>) -> Option<f64> {
     section.read(&THICKNESS).map(|mm| 1e-3 * mm)
 }
 
-/// Keys that say what something consists of.
+/// Keys that specify the composition.
 const SOURCES: [&str; 3] = [SUBSTANCE.name, PERMITTIVITY.name, OPENMATERIAL.name];
 
-/// What something consists of: of the table of substances, a number, or a file. `None` is wrong and noted.
+/// Reads a composition: from the table of substances, a number, or a file. Notes a fault and returns `None`
+/// if it is wrong.
 fn read_substance(section: &Section<'_>, shelf: &Shelf) -> Option<KnownMaterial> {
     let smooth = |permittivity| KnownMaterial { permittivity, rms_height_m: None };
     let said: Vec<&'static str> = SOURCES.into_iter().filter(|key| section.has(key)).collect();

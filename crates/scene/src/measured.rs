@@ -1,4 +1,4 @@
-//! Measurements of a radar, from files: its pattern, and how its channels differ.
+//! Measurements of a radar, from files: its pattern, and the errors of its channels.
 
 mod table_text;
 pub(crate) mod pattern_table;

@@ -1,4 +1,4 @@
-//! Mesh files: glTF, STL and OBJ into triangles in body axes.
+//! Mesh files: reads glTF, STL and OBJ into triangles in body axes.
 
 mod format;
 mod error;

@@ -1,4 +1,4 @@
-//! Models of bodies: what one run says of them, and those that a scene names.
+//! Models of bodies: the options of a run, and the models that a scene names.
 
 pub(crate) mod options;
 pub(crate) mod nearest_in_size;

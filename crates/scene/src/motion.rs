@@ -1,4 +1,4 @@
-//! Motion: constant acceleration and yaw of targets, the recorded places of traffic.
+//! Motion: constant acceleration and yaw rate of targets, recorded poses of traffic.
 
 use artifact::scene::{Placed, Role, SceneFrame, SceneHeader, Target, Vehicle};
 use radar::motion::pose_after;
@@ -11,7 +11,7 @@ pub fn snapshot(scene: &SceneHeader, frame_index: u32) -> SceneFrame {
     SceneFrame { index: frame_index, time_s, poses }
 }
 
-/// Vehicles in view of a frame, at its first sample; none without traffic. A recording has a place for each
+/// Vehicles in view of a frame, at its first sample; none without traffic. A recording has a pose for each
 /// cycle of sub-frames.
 fn placed(scene: &SceneHeader, frame_index: u32) -> impl Iterator<Item = Placed> {
     let cycle = (frame_index / scene.radar.schedule.sub_frames()) as usize;
@@ -20,22 +20,22 @@ fn placed(scene: &SceneHeader, frame_index: u32) -> impl Iterator<Item = Placed>
     recorded.map(move |placed| Placed { pose: pose_after(&placed.pose, later_s), ..*placed })
 }
 
-/// The vehicles in view of a frame, in the order of the snapshot's poses, where they follow the targets.
+/// The vehicles in view of a frame, in the order of the snapshot's poses, after those of the targets.
 pub fn vehicles_in_view(scene: &SceneHeader, frame_index: u32) -> Vec<&Vehicle> {
     let vehicles = scene.traffic.as_ref().map_or(&[][..], |traffic| &traffic.vehicles);
     placed(scene, frame_index).filter_map(|placed| vehicles.get(placed.vehicle as usize)).collect()
 }
 
-/// Place of the body of each pose of a frame's snapshot among all bodies of the scene: targets first,
-/// then every vehicle that is in view in some frame.
+/// Index of each of a snapshot's bodies among all bodies of the scene: targets first, then every vehicle that
+/// is in view in some frame.
 pub fn bodies_in_view(scene: &SceneHeader, frame_index: u32) -> Vec<u32> {
     let targets = scene.targets.len() as u32;
     (0..targets).chain(placed(scene, frame_index).map(|placed| targets + placed.vehicle)).collect()
 }
 
-/// The scene of one frame alone: vehicles in view are targets like any other, in the order of the snapshot's
-/// poses, `start` their pose in that frame. What a frame costs then grows with what is in view, not with the
-/// recording.
+/// The scene of one frame alone: vehicles in view are ordinary targets, in the order of the snapshot's poses,
+/// with their pose in that frame as `start`. The cost of a frame then depends on the vehicles in view, not on
+/// the length of the recording.
 pub fn frame_view(scene: &SceneHeader, frame_index: u32) -> SceneHeader {
     let in_view = vehicles_in_view(scene, frame_index).into_iter().zip(placed(scene, frame_index));
     let in_view = in_view.map(|(vehicle, placed)| Target {

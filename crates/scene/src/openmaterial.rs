@@ -1,5 +1,5 @@
-//! Assets and materials of ASAM OpenMATERIAL 3D: which model an asset is of, and what its materials are to
-//! the radar.
+//! Assets and materials of ASAM OpenMATERIAL 3D: the model of an asset, and the radio properties of its
+//! materials.
 
 mod error;
 mod node;

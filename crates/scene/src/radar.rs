@@ -1,4 +1,4 @@
-//! `[radar]` and `[[radars]]`: where each stands, what it sends, its antennas, and what of it is not ideal.
+//! `[radar]` and `[[radars]]`: position, waveform, antennas and imperfections of each radar.
 
 pub(crate) mod waveform;
 pub(crate) mod array;

@@ -23,29 +23,29 @@ use artifact::scene::SceneHeader;
 use artifact::settings::Lanes;
 use std::path::{Path, PathBuf};
 
-/// The scene in `path`, with the meshes of its targets: each in body axes, the centre of its bounding box on
-/// the ground at the origin, a model named twice read once.
+/// Reads the scene in `path` with the meshes of its targets: each in body axes, the centre of its bounding
+/// box on the ground at the origin; a model named twice is read once.
 ///
 /// # Errors
-/// Every broken rule of the file and of the models it names, with line and column; `is_system` tells a file
-/// that is missing or unreadable from one that is refused.
+/// Every broken rule of the file and of the models it names, with line and column; `is_system` distinguishes
+/// a missing or unreadable file from a refused one.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<SceneHeader, SceneErrors> {
     read_changed(path, &[], options)
 }
 
-/// The scene that a text would be in `path`, where it is not written yet.
+/// Reads a text as the scene in `path`, before it is written.
 ///
 /// # Errors
-/// As [`read`], with the lines of the text.
+/// Those of [`read`], with the lines of the text.
 pub fn read_text(path: &Path, text: &str, options: &ReadOptions) -> Result<SceneHeader, SceneErrors> {
     of_text((path, text), &[], options).map(|(header, _)| header)
 }
 
-/// The scene in `path` with some of its values changed; line and column of an error are those of what a
-/// change replaces, or of its table; of a table that the file leaves out there are none.
+/// Reads the scene in `path` with some of its values changed; line and column of an error are those of the
+/// value that a change replaces, or of its table; a table omitted in the file has none.
 ///
 /// # Errors
-/// As [`read`]; and a change that has no place in the file.
+/// Those of [`read`]; a change that has no place in the file.
 pub fn read_changed(
     path: &Path,
     changes: &[Change],
@@ -54,20 +54,20 @@ pub fn read_changed(
     read_with_models(path, changes, options).map(|(header, _)| header)
 }
 
-/// The files that [`read`] opens, the scene first: what a result depends on beside the program and its
+/// The files that [`read`] opens, the scene first: all that a result depends on beside the program and its
 /// options.
 ///
 /// # Errors
-/// As [`read`]. Meshes are opened only where something is wrong already, so that this too reports all there
-/// is.
+/// Those of [`read`]. Meshes are opened only if there is another fault already, so that all faults are
+/// reported here too.
 pub fn inputs(path: &Path, options: &ReadOptions) -> Result<Vec<PathBuf>, SceneErrors> {
     inputs_of_changed(path, &[], options)
 }
 
-/// The files that [`read_changed`] opens, as [`inputs`] tells those of [`read`].
+/// The files that [`read_changed`] opens, like [`inputs`] for [`read`].
 ///
 /// # Errors
-/// As [`read_changed`].
+/// Those of [`read_changed`].
 pub fn inputs_of_changed(
     path: &Path,
     changes: &[Change],
@@ -85,19 +85,19 @@ pub fn inputs_of_changed(
     }
 }
 
-/// Materials of a scene by their names, its models unopened.
+/// Reads the materials of a scene by name, without opening its models.
 ///
 /// # Errors
-/// As [`read`].
+/// Those of [`read`].
 pub fn material_map(path: &Path, radar: Option<&str>) -> Result<MaterialMap, SceneErrors> {
     read_but_models(path, &[], radar).map(|(_, models)| models.materials().clone())
 }
 
-/// The files that [`read_changed`] opens where models are not opened, the scene first: patterns,
-/// calibrations, materials and networks of recordings.
+/// The files that [`read_changed`] opens without models, the scene first: patterns, calibrations, materials
+/// and networks of recordings.
 ///
 /// # Errors
-/// As [`read_changed`].
+/// Those of [`read_changed`].
 pub fn inputs_but_models(
     path: &Path,
     changes: &[Change],
@@ -149,7 +149,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let radar = read_radar(&radar_section, models);
     let (frames, frame_interval_s) = read_frames(root, &radar);
     let (intersection, lanes) = read_intersection(root, &radar);
-    // Opened once: it notes its unknown keys when it is.
+    // Opened once, because opening notes its unknown keys.
     let fidelity_section = root.section(&FIDELITY);
     let materials = read_scene_materials(root, &fidelity_section, &radar, models);
     models.dress_in(&materials, radar.waveform.centre_frequency_hz());

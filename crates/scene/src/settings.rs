@@ -1,6 +1,6 @@
 //! `[noise]`, `[dsp]`, `[fidelity]` and `[intersection]`.
 
-pub(crate) mod said; // what a file says itself of the physics
+pub(crate) mod said; // physics that a file specifies
 
 use crate::document::errors::{MapAxis, Rule};
 use crate::document::keys::fidelity::{
@@ -51,7 +51,7 @@ pub(crate) fn read_noise(root: &Section<'_>) -> Noise {
     }
 }
 
-/// Signal processing for a map of this waveform.
+/// Reads the signal processing for a map of this waveform.
 pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &mut Models) -> DspSettings {
     let (section, waveform) = (root.section(&DSP), &radar.waveform);
     let map = [waveform.chirps, waveform.range_cells() as u32];
@@ -89,8 +89,8 @@ fn read_factors(section: &Section<'_>, radar: &Radar, models: &mut Models) -> Op
         .ok()
 }
 
-/// Guard and training cells, each [doppler, range]; defaults as far as the map holds them: a map of few
-/// chirps is no error, and one that holds no more than the guard gives a cell of it to the noise.
+/// Guard and training cells, each [doppler, range]; defaults as far as the map can hold them: a map of few
+/// chirps is no error, and if it holds only the guard, one cell of it becomes a training cell.
 fn read_window(section: &Section<'_>, map: [u32; 2]) -> [[u32; 2]; 2] {
     let read = |key: &Key<Counts<2>, Or<[u64; 2]>>| section.read(key).map(|cells| cells.map(|n| n as u32));
     let (guard, training) = (read(&GUARD_CELLS), read(&TRAINING_CELLS));
@@ -119,12 +119,12 @@ fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training:
     }
 }
 
-/// Accuracy and physics asked for, of the section `[fidelity]`.
+/// Reads accuracy and physics from the section `[fidelity]`.
 pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
     let (accuracy, goal) = read_accuracy(section);
     let (echo, wheels) = (section.or_default(&ECHO), section.or_default(&WHEELS));
     check_wheels(section, wheels, echo);
-    // Refused where it is wrong; who chooses is asked of the file itself (`said.rs`), before the choice.
+    // Checked here; `said.rs` reads from the file itself, before the choice, who chooses.
     let _ = section.or_default(&PLAN);
     Fidelity {
         accuracy,
@@ -142,15 +142,15 @@ pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
     }
 }
 
-/// Tables hold a body that is rigid while a frame lasts.
+/// Refuses turning wheels with tables, for which a body must be rigid during a frame.
 fn check_wheels(section: &Section<'_>, wheels: Wheels, echo: EchoMode) {
     if (wheels, echo) == (Wheels::Turning, EchoMode::RcsTable) {
         section.note(WHEELS.name, Rule::Contradiction { key: WHEELS.name, other: "echo = \"rcs-table\"" });
     }
 }
 
-/// Refuses what mirrors of the road cannot go with: their images are lit on both sides of facets, and tables
-/// are those of bodies alone.
+/// Refuses settings that do not go with a reflecting road: its images light both sides of facets, and tables
+/// treat bodies alone.
 pub(crate) fn check_beside_road(section: &Section<'_>, fidelity: &Fidelity) {
     let excluded = |key: &'static str| section.note(key, Rule::Contradiction { key, other: "[road]" });
     if fidelity.sides == Sides::One {
@@ -161,7 +161,7 @@ pub(crate) fn check_beside_road(section: &Section<'_>, fidelity: &Fidelity) {
     }
 }
 
-/// Accuracy as a number, or as the need of a result: one of the two.
+/// Accuracy as a number, or as the need of a result; not both.
 fn read_accuracy(section: &Section<'_>) -> (Accuracy, Option<Goal>) {
     let (asked, goal) = (Accuracy::from_db(section.or_default(&ACCURACY)), section.read(&FOR));
     if section.has(FOR.name) && section.has(ACCURACY.name) {
@@ -170,8 +170,8 @@ fn read_accuracy(section: &Section<'_>) -> (Accuracy, Option<Goal>) {
     (goal.map_or(asked, Goal::accuracy), goal)
 }
 
-/// The crossing and its lanes: the paper's Table 1 where the scene says nothing, but none beside recorded
-/// traffic, which has a road of its own. Without lanes the road runs where the radar looks.
+/// Reads the crossing and its lanes: by default those of the paper's Table 1, but none with recorded traffic,
+/// which has its own road. Without lanes the road runs along the radar's boresight.
 pub(crate) fn read_intersection(root: &Section<'_>, radar: &Radar) -> (Intersection, Lanes) {
     let section = root.section(&INTERSECTION);
     let is_table_1 = section.exists() || !root.has(OF_TRAFFIC.name);
@@ -183,7 +183,7 @@ pub(crate) fn read_intersection(root: &Section<'_>, radar: &Radar) -> (Intersect
     (Intersection { width_m }, read_road(&section, radar, &Lanes { lanes, ..Lanes::default() }))
 }
 
-/// The lanes that one radar is to tell by, where they are others than the scene's.
+/// The lanes that one radar uses, if they differ from the scene's.
 pub(crate) fn read_own_road(radar_section: &Section<'_>, radar: &Radar, scenes: &Lanes) -> Lanes {
     read_road(&radar_section.section(&RADAR_INTERSECTION), radar, scenes)
 }
@@ -213,7 +213,7 @@ fn read_road(section: &Section<'_>, radar: &Radar, default: &Lanes) -> Lanes {
 }
 
 fn check_lanes(section: &Section<'_>, centres: &[f64], width_m: f64) {
-    // Lanes that touch, as the paper's do, may miss by the rounding of their decimals.
+    // Adjacent lanes, like the paper's, may overlap by the rounding of their decimals.
     let rounding_m = 1e-9;
     for (i, x) in centres.iter().enumerate() {
         for (j, y) in centres.iter().enumerate().skip(i + 1) {

@@ -1,4 +1,4 @@
-//! `[[target]]` and `[[clutter]]`: what moves, and what stands about.
+//! `[[target]]` and `[[clutter]]`: moving bodies and clutter.
 
 pub(crate) mod clutter;
 pub(crate) mod target;

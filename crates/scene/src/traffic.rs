@@ -1,10 +1,11 @@
-//! `[traffic]`: vehicles that move as SUMO recorded them, or as a ground truth of OSI tells.
+//! `[traffic]`: vehicles that move as recorded by SUMO, or in a ground truth of OSI.
 //!
-//! The recording is read once, step by step ([`fcd`], and messages of OSI alike); of every step only what the
-//! radar has in view at a frame's first sample is kept, placed between the steps by [`interpolation`]. So
-//! memory grows with what is in view in the frames asked for, not with the recording.
+//! The recording is read once, step by step ([`fcd`], and messages of OSI alike); of every step only the
+//! vehicles in the radar's view at a frame's first sample are kept, placed between the steps by
+//! [`interpolation`]. So memory grows with the vehicles in view in the requested frames, not with the
+//! recording.
 
-mod osi_types; // what stands for objects of OSI
+mod osi_types; // stand-ins for objects of OSI
 mod source; // SUMO's recordings and OSI's traces
 
 pub use crate::recording::{fcd, interpolation, net};
@@ -35,7 +36,7 @@ use osi_types::{StandIn, stand_in_of, with_stand_in};
 use source::{Source, StepReader};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// Models of SUMO's vTypes and vehicle classes where `models` says nothing: those of the project of about
+/// Models of SUMO's vTypes and vehicle classes without an entry in `models`: those of the project of about
 /// that length.
 const DEFAULT_MODELS: [(&str, &str); 11] = [
     ("car", "car-sedan"),
@@ -60,33 +61,32 @@ pub(crate) struct Recording<'d> {
     /// The project's own vehicles that were chosen by size.
     by_size: HashMap<&'static str, PlacedModel>,
     unknown: Vec<UnknownType>,
-    /// Types of the recording that `models` names.
+    /// Types of the recording that are named in `models`.
     met: HashSet<String>,
-    /// Types that have the model that stands for them where `models` says nothing, each with its first
-    /// vehicle.
+    /// Types without an entry in `models` that use their default model, each with its first vehicle.
     by_default: Vec<UnknownType>,
     times: Times,
     view: View,
 }
 
-/// Unknown types that are told; a recording that has more has none that is known.
+/// Largest number of reported unknown types; in a recording with more, none is known.
 const UNKNOWN_TOLD: usize = 100;
 
-/// Poses in view that are held: three gibibytes.
+/// Largest number of poses in view: three gibibytes.
 const POSE_LIMIT: usize = 1 << 25;
 
-/// A model with what places it: its origin is in the middle of its bounding box.
+/// A model with its placement: its origin is the centre of its bounding box.
 #[derive(Clone)]
 struct PlacedModel {
     kind: TargetKind,
     /// Distance from the origin to the front bumper.
     reach_m: f64,
-    /// Distance from the origin to the furthest corner, seen from above.
+    /// Distance from the origin to the farthest corner, seen from above.
     radius_m: f64,
 }
 
-/// `[traffic]` of a scene, the models that it names loaded, its recording not yet opened; `None` without the
-/// table, or where the recording is not named.
+/// Reads `[traffic]` of a scene and its models, without opening its recording; `None` without the table, or
+/// if no recording is named.
 pub(crate) fn read_traffic<'d>(
     root: &Section<'d>,
     radar: &Radar,
@@ -114,7 +114,7 @@ pub(crate) fn read_traffic<'d>(
     })
 }
 
-/// The recording that one of two keys names.
+/// The recording named by one of two keys.
 fn read_source(section: &Section<'_>, models: &mut Models) -> Option<Source> {
     if section.has(OSI.name) && section.has(FCD.name) {
         section.note(OSI.name, Rule::Contradiction { key: OSI.name, other: FCD.name });
@@ -129,8 +129,8 @@ fn read_source(section: &Section<'_>, models: &mut Models) -> Option<Source> {
     section.read(&FCD).map(|written| Source::Fcd(models.recording_beside(written)))
 }
 
-/// Reads the radar's view; by default the range up to which a complex beat frequency does not fold, and the
-/// half plane before the array.
+/// Reads the radar's view; the default is the range up to which a complex beat frequency does not fold, and
+/// the half plane before the array.
 fn read_view(section: &Section<'_>, radar: &Radar) -> View {
     let (sin, cos) = radar.boresight_az_rad.sin_cos();
     View {
@@ -153,7 +153,7 @@ fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Tim
     Times { frames, interval_s, begin_s, end_s }
 }
 
-/// Models by the names that the recording tells types by.
+/// Models by the recording's names of types.
 fn models_of_types(
     section: &Section<'_>,
     source: Option<&Source>,
@@ -177,7 +177,7 @@ fn models_of_types(
     of_types
 }
 
-/// The models that vehicles of a vType may have.
+/// The possible models of vehicles of a vType.
 fn models_of_type(choice: &ModelChoice<'_>, models: &mut Models) -> Vec<PlacedModel> {
     let class = choice.section.read(&CLASS);
     let chosen = choice.names.iter().filter_map(|name| models.choose_written(&choice.section, name));
@@ -198,7 +198,7 @@ impl PlacedModel {
 }
 
 impl Recording<'_> {
-    /// Lanes of the network that `net` names; what is wrong with it is noted. `roads`: tables that may say
+    /// Reads the lanes of the network named by `net`; faults are noted. `roads`: tables that may specify
     /// lanes themselves.
     pub(crate) fn lanes(&self, roads: [&Section<'_>; 2], models: &mut Models) -> Vec<Course> {
         let Some(written) = self.section.read(&NET) else { return vec![] };
@@ -212,7 +212,7 @@ impl Recording<'_> {
         })
     }
 
-    /// Frames of the recording with what is in view in each; what is wrong with it is noted.
+    /// Reads the frames of the recording with the vehicles in view in each; faults are noted.
     pub(crate) fn frames(mut self, models: &mut Models, targets: &[Target]) -> Traffic {
         self.read(models, targets).unwrap_or_else(|error| {
             let key = match (&self.source, error.rule.as_ref()) {
@@ -257,7 +257,7 @@ impl Recording<'_> {
         Ok(cast.traffic)
     }
 
-    /// Keeps what is in view at a moment; an error has the line of the vehicle it is about.
+    /// Keeps the vehicles in view at a time; an error has the line of the vehicle concerned.
     fn keep_frame(
         &mut self,
         cast: &mut Cast<'_>,
@@ -286,19 +286,19 @@ impl Recording<'_> {
         Ok(())
     }
 
-    /// One of the models of its type, always the same for the same id; `None` where there is none, and that
-    /// is kept.
+    /// One of the models of its type, always the same for the same id; records a type without models and
+    /// returns `None`.
     fn model_of(
         &mut self,
         vehicle: &FcdVehicle,
         size_m: Option<[f64; 3]>,
         models: &mut Models,
     ) -> Option<PlacedModel> {
-        // A vType that was changed for one vehicle is called `car@flow.3`.
+        // SUMO renames the vType of a changed vehicle, such as `car@flow.3`.
         let before_at = vehicle.kind.split('@').next().unwrap_or_default();
         let is_named = self.models.contains_key(&vehicle.kind);
         let name = if is_named { &vehicle.kind } else { before_at };
-        // A vehicle that nobody classifies is of no known type either.
+        // A vehicle without a class has no known type either.
         let is_unknown = name == "TYPE_VEHICLE" && !is_named && self.models.contains_key("TYPE_UNKNOWN");
         let name = if is_unknown { "TYPE_UNKNOWN" } else { name };
         if !self.models.contains_key(name) {
@@ -318,13 +318,13 @@ impl Recording<'_> {
         Some(models[(draw % models.len() as u64) as usize].clone())
     }
 
-    /// Distance from a model's origin to what the recording tells of a vehicle: SUMO its front bumper, OSI
-    /// the middle.
+    /// Distance from a model's origin to the recorded point of a vehicle: SUMO's is the front bumper, OSI's
+    /// the centre.
     fn reach_m(&self, model: &PlacedModel) -> f64 {
         if matches!(self.source, Source::Osi(_)) { 0.0 } else { model.reach_m }
     }
 
-    /// The project's own vehicle that stands for an object of OSI; `None` where there is none.
+    /// The project's own vehicle that replaces an object of OSI; `None` if there is none.
     fn model_by_size(
         &mut self,
         vehicle: &FcdVehicle,
@@ -348,10 +348,10 @@ impl Recording<'_> {
         self.by_size.get(name).cloned()
     }
 
-    /// Default models are loaded where a vehicle needs them.
+    /// Loads a default model when the first vehicle needs it.
     fn add_default(&mut self, name: &str, vehicle: &FcdVehicle, models: &mut Models) {
         let Some((_, model)) = DEFAULT_MODELS.iter().find(|(known, _)| *known == name) else { return };
-        // Whoever writes `Car` means the recording's `car`, and is told so rather than given the default.
+        // `Car` was probably meant as the recording's `car`, which is an error instead of the default.
         if self.models.keys().any(|own| own.eq_ignore_ascii_case(name)) {
             return;
         }
@@ -383,8 +383,8 @@ fn unknown(vehicle: &FcdVehicle) -> UnknownType {
     UnknownType { kind: vehicle.kind.clone(), id: vehicle.id.clone(), line: vehicle.line }
 }
 
-/// A type that has its default model, and a name of `models` which no vehicle has and that is meant for it:
-/// of four letters and more, of which one is wrong, missing or too many, or two are exchanged.
+/// A type with its default model, and a name in `models` without vehicles that was probably meant for it:
+/// four or more letters, with one wrong, missing or additional letter, or two exchanged.
 fn misspelt<'n>(
     by_default: &'n [UnknownType],
     names: impl Iterator<Item = &'n String>,
@@ -400,12 +400,12 @@ fn misspelt<'n>(
     })
 }
 
-/// Vehicles as they come into view.
+/// Vehicles that came into view.
 struct Cast<'a> {
-    /// Index and model by id: a vehicle whose type is changed later stays what it was.
+    /// Index and model by id: a vehicle whose type changes later keeps its model.
     known: HashMap<String, (u32, PlacedModel)>,
     ids_of_targets: HashSet<&'a str>,
-    /// Number of poses held.
+    /// Number of stored poses.
     poses: usize,
     traffic: Traffic,
 }
@@ -421,7 +421,7 @@ impl<'a> Cast<'a> {
         if let Some(known) = self.known.get(&vehicle.id) {
             return Ok(known.0);
         }
-        // Ids stand in tables of results, one beside the other.
+        // Ids are written side by side in tables of results.
         if vehicle.id.chars().any(|c| c.is_control() || ",\"'".contains(c)) {
             return Err(FcdRule::BadId(vehicle.id.clone()));
         }
@@ -434,7 +434,7 @@ impl<'a> Cast<'a> {
         Ok(index)
     }
 
-    /// Model of a vehicle that was in view.
+    /// Model of a vehicle that came into view.
     fn model_of(&self, vehicle: &FcdVehicle) -> Option<&PlacedModel> {
         self.known.get(&vehicle.id).map(|(_, model)| model)
     }

@@ -1,5 +1,5 @@
-//! Sentences about what was read: what is allowed, what was found, what may be meant; and where references of
-//! files may lead.
+//! Sentences about input: allowed values, found values, suggestions; and the allowed targets of references
+//! between files.
 
 pub(crate) mod number;
 pub(crate) mod allowed;

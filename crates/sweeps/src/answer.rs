@@ -1,5 +1,5 @@
-//! Answer of a study: the best design, those that are not told apart from it, the cheapest of these, and
-//! the front of what cannot be had better for less.
+//! Answer of a study: the best design, those that are statistically indistinguishable from it, the cheapest
+//! of these, and the Pareto front of metric and cost.
 
 use crate::runs::ledger::Ledger;
 use crate::statistics::contest;
@@ -8,26 +8,26 @@ use crate::statistics::pairs;
 use crate::study::axis::Pick;
 use crate::study::document::Study;
 
-/// Answer of a study; designs by their numbers.
+/// Answer of a study; designs are given by number.
 pub(crate) struct Answer {
     pub(crate) standings: Vec<Standing>,
-    /// The best design by pairs ([`pairs::best`]), which is that of the best mean where all know the metric
-    /// in the same situations; `None` where the metric was never known.
+    /// The best design by pairs ([`pairs::best`]), which has the best mean if all designs know the metric in
+    /// the same situations; `None` if the metric was never known.
     pub(crate) best: Option<usize>,
-    /// Designs that are not told apart from the best and are behind it by no more than the margin, else by
-    /// one standard error (Breiman, Friedman, Olshen, Stone 1984, §3.4.3); the best is among them.
+    /// Designs that are indistinguishable from the best and behind it by no more than the margin, or without
+    /// one by one standard error (Breiman, Friedman, Olshen, Stone 1984, §3.4.3); the best is among them.
     pub(crate) candidates: Vec<usize>,
     /// The cheapest of the candidates.
     pub(crate) chosen: Option<usize>,
-    /// Designs than which none is both better and no dearer, the cheapest first: of each cost the best, where
-    /// it is ahead of all that are cheaper and here.
+    /// Designs for which no other is both better and no more expensive, the cheapest first: for each cost the
+    /// best, if it is ahead of all cheaper ones and of those here.
     pub(crate) front: Vec<usize>,
-    /// Situations in which all designs know the goal's metric, but for those that never do.
+    /// Situations in which all designs know the goal's metric, except those that never do.
     pub(crate) shared: Vec<usize>,
-    /// Scores by which designs are compared: where all know the metric in the same situations their worth,
-    /// else by situation, so that two are compared over those that both know.
+    /// Scores for the comparison of designs: their worth if all know the metric in the same situations, else
+    /// by situation, so that two are compared over those that both know.
     compared: Vec<Vec<Option<f64>>>,
-    /// Confidence of each comparison, so that all hold together at the study's.
+    /// Confidence of each comparison, so that all hold jointly at the study's.
     pub(crate) jointly: f64,
 }
 
@@ -35,15 +35,15 @@ pub(crate) struct Answer {
 pub(crate) struct Standing {
     /// Mean of the goal's metric with the study's interval.
     pub(crate) mean: Option<Mean>,
-    /// Mean of what it costs.
+    /// Mean cost.
     pub(crate) cost: Option<f64>,
-    /// Distance behind the best, by paired differences; all such intervals hold together.
+    /// Distance behind the best, by paired differences; all such intervals hold jointly.
     pub(crate) behind: Option<Mean>,
-    /// The goal's metric, more is better, as far as it is comparable with that of the others: the mean over
-    /// the situations that the best has seen; of a design that was left before, whose situations may be
-    /// harder or easier than the rest, the best's less the distance behind it.
+    /// The goal's metric, more is better, made comparable with that of the others: the mean over the
+    /// situations of the best; for a design that was dropped earlier, whose situations may be harder or
+    /// easier than the rest, the best's mean less the distance behind it.
     pub(crate) worth: Option<f64>,
-    /// Number of situations in which it does not know the goal's metric and another design does.
+    /// Number of situations in which only another design knows the goal's metric.
     pub(crate) lacks: usize,
 }
 
@@ -109,13 +109,13 @@ fn candidates(study: &Study, ledger: &Ledger, standings: &[Standing], best: Opti
     ledger.open.iter().copied().filter(is_candidate).collect()
 }
 
-/// The cheapest, of equally dear ones the best.
+/// The cheapest, and among equally expensive ones the best.
 fn cheapest(standings: &[Standing], compared: &[Vec<Option<f64>>], candidates: &[usize]) -> Option<usize> {
     let by_cost = by_cost(standings, candidates);
     by_cost.chunk_by(|a, b| a.1 == b.1).next().and_then(|cheapest| best_of(compared, cheapest))
 }
 
-/// Designs that have a cost with it, the cheapest first, equally dear ones in their order.
+/// Designs with their costs, the cheapest first, equally expensive ones in their order.
 fn by_cost(standings: &[Standing], designs: &[usize]) -> Vec<(usize, f64)> {
     let with_cost = |design: &usize| Some((*design, standings[*design].cost?));
     let mut order: Vec<(usize, f64)> = designs.iter().filter_map(with_cost).collect();
@@ -140,7 +140,7 @@ fn front(standings: &[Standing], compared: &[Vec<Option<f64>>]) -> Vec<usize> {
     front
 }
 
-/// Worth of one value of an axis.
+/// Effect of one value of an axis.
 pub(crate) struct Effect {
     pub(crate) label: String,
     /// Designs with it.
@@ -151,7 +151,7 @@ pub(crate) struct Effect {
     pub(crate) best: Option<usize>,
 }
 
-/// Effects of the listed values of an axis, in their order; none of an axis that is drawn.
+/// Effects of the listed values of an axis, in their order; none for a drawn axis.
 pub(crate) fn effects(
     study: &Study,
     designs: &[Vec<Pick>],

@@ -1,12 +1,11 @@
-//! Measures of a run in a study: shares, errors and costs, each a number or nothing where nothing could be
-//! asked.
+//! Metrics of a run in a study: shares, errors and costs, each a number or unknown.
 
 use crate::statistics::interval::{Mean, Scale, known};
 use artifact::radar::Radar;
 use artifact::settings::Class;
 use pipeline::outcome::summary::{Cause, Estimate, Predicted, Summary, TargetSummary};
 
-/// Version of what the metrics mean: kept runs of another one are made anew.
+/// Version of the metrics' definitions: kept runs with another version are repeated.
 pub(crate) const VERSION: u32 = 2;
 
 /// The better of two values.
@@ -17,7 +16,7 @@ pub(crate) enum Better {
 }
 
 impl Better {
-    /// The value, or its negative where less is better.
+    /// The value, negated if less is better.
     pub(crate) fn rising(self, value: f64) -> f64 {
         match self {
             Self::Lower => -value,
@@ -56,22 +55,22 @@ impl Measures {
         Self { all: all.chain(costs()).collect() }
     }
 
-    /// Names of all, in their order.
+    /// Names of all metrics, in order.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
         self.all.iter().map(|measure| measure.name.as_str())
     }
 
-    /// Better value of a metric, unless a study says otherwise.
+    /// Direction in which a metric is better, unless a study specifies it.
     pub(crate) fn better(&self, metric: usize) -> Better {
         self.all[metric].better
     }
 
-    /// Values that a metric may have.
+    /// Possible values of a metric.
     pub(crate) fn scale(&self, metric: usize) -> Scale {
         self.all[metric].scale
     }
 
-    /// Mean of a metric's values that are known, with its interval.
+    /// Mean of a metric's known values, with its interval.
     pub(crate) fn mean(&self, metric: usize, values: &[Option<f64>], confidence: f64) -> Option<Mean> {
         Mean::on_scale(&known(values), self.scale(metric), confidence)
     }
@@ -94,7 +93,7 @@ fn measure(
     Measure { name: name.into(), better, scale: Scale::Any, of: Of::Run(Box::new(of)) }
 }
 
-/// A share, of which more is better.
+/// A share for which more is better.
 fn rate(name: impl Into<String>, of: impl Fn(&Summary) -> Option<f64> + Send + Sync + 'static) -> Measure {
     Measure { scale: Scale::SHARE, ..measure(name, Better::Higher, of) }
 }
@@ -118,7 +117,7 @@ fn of_classes() -> impl Iterator<Item = Measure> {
     })
 }
 
-/// Detection rates nearer than the first bound, between each two, and beyond the last.
+/// Detection rates below the first bound, between each two, and beyond the last.
 fn of_bands(bounds_m: Vec<f64>) -> impl Iterator<Item = Measure> {
     let ends = bounds_m.iter().copied().chain([f64::INFINITY]);
     let bands: Vec<(f64, f64)> = std::iter::once(0.0).chain(bounds_m.iter().copied()).zip(ends).collect();
@@ -158,7 +157,7 @@ fn wrong() -> impl Iterator<Item = Measure> {
     .into_iter()
 }
 
-/// Costs, which a design has in whichever situation.
+/// Costs, which are independent of the situation.
 fn costs() -> impl Iterator<Item = Measure> {
     let cost = |name: &str, of| Measure {
         name: name.to_owned(),
@@ -174,7 +173,7 @@ fn costs() -> impl Iterator<Item = Measure> {
     .into_iter()
 }
 
-/// Samples of the cubes of a frame, one for each of its sub-frames.
+/// Number of samples in the cubes of a frame, one cube for each sub-frame.
 fn values_per_frame(radar: &Radar) -> f64 {
     let waveform = &radar.waveform;
     let cube = radar.cube_channels() as f64 * f64::from(waveform.chirps) * f64::from(waveform.samples);
@@ -185,7 +184,7 @@ fn targets(summary: &Summary) -> impl Iterator<Item = &TargetSummary> {
     summary.frames.iter().flat_map(|frame| &frame.targets)
 }
 
-/// Share of the targets asked for, over all frames; `None` where there are none.
+/// Share of the selected targets, over all frames; `None` if there are none.
 fn share(
     summary: &Summary,
     is_asked: impl Fn(&TargetSummary) -> bool,

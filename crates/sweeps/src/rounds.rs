@@ -1,5 +1,5 @@
-//! The runs of a study, repeat by repeat: what is kept is taken up, what lacks is made, and after each repeat
-//! designs that are worse for sure are left.
+//! The runs of a study, repeat by repeat: kept runs are reused, missing ones are made, and after each repeat
+//! designs that are certainly worse are dropped.
 
 use crate::answer::scores;
 use crate::runs::kept::Kept;
@@ -26,7 +26,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A study whose runs are made.
+/// A study being run.
 pub(crate) struct Rounds<'a> {
     pub(crate) study: &'a Study,
     pub(crate) designs: &'a [Vec<Pick>],
@@ -38,34 +38,34 @@ pub(crate) struct Rounds<'a> {
     pub(crate) cache: Option<Cache>,
     pub(crate) model: Option<LoadedModel>,
     pub(crate) memory: Allowance,
-    /// Part of the runs that is made here: number from 1, and of how many; `None`: none.
+    /// Part of the runs to make: number from 1, and number of parts; `None`: none.
     pub(crate) shard: Option<[u32; 2]>,
     pub(crate) call_off: &'a CallOff,
-    /// Runs made so far.
+    /// Number of runs made so far.
     pub(crate) put: AtomicUsize,
 }
 
-/// Runs of a study as far as they are made.
+/// State of a study's runs.
 pub(crate) enum Made {
-    /// Everything that the answer needs.
+    /// All runs that the answer needs.
     Whole(Ledger),
-    /// So many runs are other parts' and not made yet, beside those that are; with an early stop those of one
-    /// repeat, as who stays is not known before.
+    /// Runs of other parts are missing, beside those made; with an early stop the number is that of one
+    /// repeat, because the remaining designs are not known before.
     Waiting { missing: usize, made: usize },
 }
 
 /// Errors of one run, once they are measured.
 type Measuring = Mutex<Option<Arc<Measured>>>;
 
-/// A run that lacks: its number among those of its repeat.
+/// A missing run: its number among those of its repeat.
 struct Job {
     number: usize,
     key: String,
 }
 
 impl Rounds<'_> {
-    /// Makes this part's runs. It looks at all again until it finds nothing to make: what another part made
-    /// meanwhile is seen by the one that ends last.
+    /// Makes this part's runs. It repeats the search until it finds nothing to make, so that the part that
+    /// ends last sees the runs of the others.
     pub(crate) fn made(&self) -> Result<Made, Failure> {
         loop {
             let before = self.put.load(Ordering::Relaxed);
@@ -76,7 +76,7 @@ impl Rounds<'_> {
         }
     }
 
-    /// Goes through all repeats and makes what lacks of this part.
+    /// Goes through all repeats and makes the missing runs of this part.
     fn gone_through(&self) -> Result<Made, Failure> {
         let mut ledger = Ledger::of(self.designs.len());
         let (mut missing, mut made) = (0, 0);
@@ -96,7 +96,7 @@ impl Rounds<'_> {
         Ok(if missing == 0 { Made::Whole(ledger) } else { Made::Waiting { missing, made } })
     }
 
-    /// Enters a repeat of which no run lacks.
+    /// Enters a complete repeat.
     fn enter(&self, ledger: &mut Ledger, situations: &[Situation], runs: Vec<Option<Run>>) {
         let numbers = self.numbers(situations, &ledger.open);
         for (number, run) in numbers.into_iter().zip(runs.into_iter().flatten()) {
@@ -120,7 +120,7 @@ impl Rounds<'_> {
         open.iter().flat_map(|design| design * count..(design + 1) * count).collect()
     }
 
-    /// A repeat's runs in the order of their numbers; `None` where another part has to make one.
+    /// A repeat's runs in the order of their numbers; `None` if another part has to make one.
     fn round(
         &self,
         repeat: usize,
@@ -152,8 +152,8 @@ impl Rounds<'_> {
         self.kept.key(self.study, [&changes[0], &changes[1]], situation.seed)
     }
 
-    /// The refusal of a run's scene, which only designs and situations together may ask for: with the values
-    /// of the study that it comes from.
+    /// Refusal of a run's scene, which may depend on the combination of design and situation: with the values
+    /// of the study that cause it.
     fn explained(&self, failure: Failure, number: usize, situations: &[Situation]) -> Failure {
         let (design, situation) = self.at(number, situations);
         acceptance::check_one(self.study, design, situation).err().unwrap_or(failure)
@@ -201,7 +201,7 @@ impl Rounds<'_> {
         made
     }
 
-    /// A place for the errors of every run in which those of some job are measured.
+    /// Empty places for the errors of all runs in which those of the jobs are measured.
     fn not_measured_yet(&self, jobs: &[Job], situations: &[Situation]) -> BTreeMap<usize, Measuring> {
         jobs.iter().map(|job| (self.measured_in(job.number, situations), Measuring::default())).collect()
     }
@@ -223,7 +223,7 @@ impl Rounds<'_> {
         if first == job.number {
             return one_run::summary(&header, None, means).map(run_of);
         }
-        // Whoever comes first measures; the others wait.
+        // The first job measures; the others wait.
         let mut place = measured[&first].lock().unwrap_or_else(PoisonError::into_inner);
         let like = match &*place {
             Some(like) => like.clone(),
@@ -234,16 +234,16 @@ impl Rounds<'_> {
         one_run::summary(&header, Some(&like), means).map(run_of)
     }
 
-    /// The scene of a run. Of a file that is no scene any more since the study began it is said that it was
-    /// changed: it may be half written.
+    /// The scene of a run. A file that is no longer a valid scene is reported as changed since the study
+    /// began: it may be half written.
     fn scene(&self, number: usize, situations: &[Situation]) -> Result<SceneHeader, Failure> {
         let (design, situation) = self.at(number, situations);
         let read = one_run::read(self.study, design, situation, Meshes::Whole);
         read.map_err(|failure| self.kept.check_unchanged().err().unwrap_or(failure))
     }
 
-    /// One run a thread, as many as are expected to fit into the memory that they may take if all are as
-    /// large as this.
+    /// One run per thread, as many as are expected to fit into the allowed memory if all are as large as this
+    /// one.
     fn at_once(&self, header: &SceneHeader, jobs: usize) -> Result<usize, Failure> {
         let threads = rayon::current_num_threads().min(jobs).max(1);
         let Some(limit_mib) = self.memory.mib().filter(|_| threads > 1) else { return Ok(threads) };

@@ -1,4 +1,4 @@
-//! Runs of a study: a design in a situation through the chain, what is measured of it, and what is kept.
+//! Runs of a study: a design in a situation through the chain, with its metrics and its kept results.
 
 pub(crate) mod reached;
 pub(crate) mod one_run;

@@ -1,4 +1,4 @@
-//! Certainty of a mean, and designs that are worse for sure.
+//! Confidence intervals of means, and designs that are certainly worse.
 
 pub(crate) mod student;
 pub(crate) mod interval;

@@ -1,4 +1,4 @@
-//! Question of a study: its file, the designs that it compares and the situations in which it does.
+//! Question of a study: its file, the designs that it compares, and the situations of the comparison.
 
 pub(crate) mod page;
 pub(crate) mod fields;

@@ -1,4 +1,4 @@
-//! A study carried out: its runs made, its tables, picture and report written.
+//! Execution of a study: makes its runs, and writes its tables, picture and report.
 
 use crate::answer::Answer;
 use crate::rounds::{Made, Rounds};
@@ -26,26 +26,26 @@ use reporting::report;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicUsize;
 
-/// Settings of a study: its file, and how it is carried out.
+/// Settings of a study: its file, and the way it is run.
 pub struct Settings<'a> {
     /// Study file (`docs/sweeps.md`).
     pub study: PathBuf,
-    /// Folder of all results; what an earlier study left there is taken up.
+    /// Folder of all results; those of an earlier study are reused.
     pub out: PathBuf,
-    /// Part of the runs that is made, from 1, and of how many; `None`: none is made, and it is an error if
-    /// one lacks.
+    /// Part of the runs to make, from 1, and number of parts; `None`: none is made, and a missing one is an
+    /// error.
     pub shard: Option<[u32; 2]>,
     /// Seed in place of the study's.
     pub seed: Option<u64>,
-    /// The classifier's model; `None`: the one that ships.
+    /// The classifier's model; `None`: the shipped one.
     pub classifier: Option<PathBuf>,
     /// Cache of scattering; `None`: no cache.
     pub cache: Option<CacheLocation>,
-    /// Memory that tracing may take.
+    /// Memory allowed for tracing.
     pub memory: Allowance,
     /// Command that the report names.
     pub command: String,
-    /// Hears each line of results.
+    /// Receives each line of results.
     pub tell: &'a dyn Fn(&str),
     /// Ends the study between two runs.
     pub call_off: CallOff,
@@ -55,21 +55,21 @@ pub struct Settings<'a> {
 pub struct Outcome {
     /// The answer as Markdown; its first sentence names the design.
     pub answer: String,
-    /// Details as Markdown: front, effects of each value, all metrics, how it was made.
+    /// Details as Markdown: front, effects of each value, all metrics, method.
     pub details: String,
-    /// Number of the design of the answer, from 0; `None` where the metric was never known.
+    /// Number of the design of the answer, from 0; `None` if the metric was never known.
     pub chosen: Option<usize>,
 }
 
 const RESULTS: [&str; 6] =
     ["sweep.csv", "designs.csv", "report.md", "report.html", "pareto.svg", "pareto.png"];
 
-/// Carries a study out: makes the runs of this part and, where all are made, tables, picture and report;
-/// `None` where other parts still have to make theirs.
+/// Runs a study: makes the runs of this part and, if all are made, tables, picture and report; `None` if
+/// other parts still have to make theirs.
 ///
 /// # Errors
-/// A sentence that names file, place and rule where the study, its scene or a model refuses; runs that are
-/// made are kept.
+/// A sentence that names file, place and rule if the study, its scene or a model is refused; completed runs
+/// are kept.
 pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     let cache = Cache::of_run(settings.cache.as_ref())?;
     if let Some(cache) = &cache {
@@ -84,7 +84,7 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     drop(work);
     remarks.iter().for_each(|remark| progress::note(format!("note: {remark}")));
     let model = loading::model(settings.classifier.as_deref())?;
-    // All inputs are known now, and no run is made.
+    // All inputs are known now, and no run has been made.
     files::claim(&RESULTS.map(|name| settings.out.join(name)))?;
     earlier_study::keep_foreign(&settings.out)?;
     let first_of_kinds = kinds::first_of_kinds(&study, &designs);
@@ -125,7 +125,7 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     conclude(settings, &done, &all).map(Some)
 }
 
-/// Refuses too many runs before designs and situations are made, which are as many.
+/// Refuses too many runs before as many designs and situations are made.
 fn check_size(study: &Study) -> Result<(), Failure> {
     let runs = situations::count(study).saturating_mul(designs::count(study));
     match runs {
@@ -134,7 +134,7 @@ fn check_size(study: &Study) -> Result<(), Failure> {
     }
 }
 
-/// Writes picture and report, and tells the answer.
+/// Writes picture and report, and returns the answer.
 fn conclude(settings: &Settings, done: &Done, situations: &[&Situation]) -> Result<Outcome, Failure> {
     let figure = Figure::of(|form: Form| picture::draw(done.study, done.answer, form));
     let out = |name: &str| settings.out.join(name);

@@ -12,14 +12,14 @@
 //! ```
 //!
 //! The stages (`scene`, `bart-rcs`, `fmcw-echo`, `dsp`, `classifier`) meet in `pipeline`; each hands an
-//! artifact to the next. Pictures and pages are made by `reporting`, studies by `sweeps`, foreign files are
-//! read and written by `formats`, datasets and models are made by `learning`. Here stands what uses all of
-//! these; what a program of others needs of them is handed on below.
+//! artifact to the next. `reporting` makes pictures and pages, `sweeps` studies, `formats` reads and writes
+//! foreign files, and `learning` makes datasets and models. This crate uses all of them and re-exports below
+//! the items that other programs need.
 //!
-//! Reading order is that of the rooms below; each uses only those that stand before it.
+//! Read the rooms below in their order; each uses only those before it.
 
-mod remarks; // what is perhaps not meant so
-pub mod run; // a scene to everything
+mod remarks; // input that is perhaps a mistake
+pub mod run; // a scene to all of its results
 pub mod stepwise; // a scene stage by stage in memory
 pub mod program; // command line, a file per command
 

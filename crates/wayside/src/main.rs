@@ -1,4 +1,4 @@
-//! The program `wayside`; its commands are promised in `docs/interface.md`.
+//! The program `wayside`; `docs/interface.md` specifies its commands.
 
 use std::process::ExitCode;
 

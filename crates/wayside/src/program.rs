@@ -1,5 +1,5 @@
-//! The program: words of the command line, the terminal, and one file per command. `wayside` and `cargo
-//! xtask` share it.
+//! The program: command-line arguments, the terminal, and one file per command. `wayside` and `cargo xtask`
+//! share it.
 
 pub mod cli;
 pub mod commands;
@@ -31,8 +31,8 @@ pub fn main() -> ExitCode {
     enter("wayside", word, &arguments.general, |means| commands::dispatch(command, means))
 }
 
-/// Carries out a command of the program that is typed as `program`: sets up threads, memory, progress and
-/// interrupts, and makes an exit code of how it ends (`docs/interface.md`).
+/// Carries out a command of the program called `program`: sets up threads, memory, progress and interrupts,
+/// and returns the exit code (`docs/interface.md`).
 pub fn enter(
     program: &str,
     command: String,

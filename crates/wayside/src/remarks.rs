@@ -1,4 +1,4 @@
-//! Remarks on what a scene or a table says and is perhaps not meant so.
+//! Remarks on input of a scene or a table that is perhaps a mistake.
 
 mod absolute_pattern;
 mod coarse_meshes;

@@ -1,4 +1,4 @@
-//! A scene to everything that can be known of it: artifacts, `summary.json`, report and pictures.
+//! Run of a scene to all of its results: artifacts, `summary.json`, report and pictures.
 
 mod products;
 mod leftovers;

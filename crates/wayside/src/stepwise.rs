@@ -1,18 +1,18 @@
-//! A scene stage by stage, every result in memory: what programs of others stand on that hold arrays and no
-//! files, such as the Python package. What is written of these results equals to the byte what the commands
-//! `paths`, `echo` and `dsp` write.
+//! A scene stage by stage, every result in memory: the basis for programs that hold arrays instead of files,
+//! such as the Python package. Results written to files equal to the byte those of the commands `paths`,
+//! `echo` and `dsp`.
 
-pub mod endings; // of what is written, each with its writer
-mod recorded; // frames of an artifact, and what is told of them
-mod opened_scene; // a scene that was read and planned, and what it will cost
-mod scene_faults; // what is wrong with a scene, rule by rule
+pub mod endings; // endings of files, each with its writer
+mod recorded; // frames of an artifact with its header and provenance
+mod opened_scene; // a scene that was read and planned, and its cost
+mod scene_faults; // faults of a scene, rule by rule
 mod scattering; // paths of a scene
-pub(crate) mod paths_of_scene; // paths beside the scene that they have to be of
+pub(crate) mod paths_of_scene; // check that paths belong to a scene
 mod echoes; // radar cubes of a scene
-mod samples; // anybody's samples as a radar cube
+mod samples; // IF samples of other sources as radar cubes
 mod processing; // maps, points, tracks and classes of cubes
 mod meshes; // files and own vehicles
-pub mod bounds; // of numbers that a table is asked with
+pub mod bounds; // ranges of the numbers that specify a table
 mod tables; // S of a mesh
 
 pub use bart_rcs::{RcsRequest, Standpoint};

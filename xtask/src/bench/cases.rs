@@ -1,4 +1,4 @@
-//! The comparisons, room by room.
+//! The comparisons by room.
 
 mod timing;
 mod echo;

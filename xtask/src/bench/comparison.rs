@@ -1,4 +1,4 @@
-//! Our way beside a rival.
+//! Comparison of our method with a rival.
 
 use crate::bench::programs::NotHere;
 

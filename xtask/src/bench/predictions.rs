@@ -1,4 +1,4 @@
-//! `bench --predictions`: what is said of a run before it begins, beside what it takes, over random scenes.
+//! `bench --predictions`: predicted and actual cost of runs over random scenes.
 
 mod row;
 mod child;
@@ -26,8 +26,8 @@ use wayside::host::processor_time;
 use wayside::program::terminal;
 use wayside::{Allowance, SceneSource};
 
-/// Scenes that a file has already are not run again, only expected anew: their times hold for what is said
-/// now as well.
+/// Scenes that are already in the file are predicted anew, but not run again: their times hold for the new
+/// predictions too.
 pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
     let known = arguments.out.as_deref().map(table::taken).transpose()?.unwrap_or_default();
@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
         terminal::line(line(&row));
         rows.push(row);
         if let (Some(file), None) = (&arguments.out, known) {
-            // Hours of work are not lost with its last scene.
+            // Written after each scene, so that hours of work do not depend on the last one.
             table::write(file, &rows)?;
         }
     }
@@ -78,17 +78,17 @@ fn tell_fitted(timed: &[CountedRun<ITEMS>], held: &[CountedRun<HELD_KINDS>]) {
     }
 }
 
-/// So many times a scene that is named counts where rates are fitted: it is what people run.
+/// Weight of a named scene in fitting rates: such scenes are what people run.
 const NAMED: usize = 6;
 
 impl PredictionRow {
-    /// The run on the machine of the rates, as often as it counts.
+    /// The run on the reference machine, repeated by its weight.
     fn timed(&self) -> Vec<CountedRun<ITEMS>> {
         let taken = self.taken.processor_s * self.taken.machine_speed;
         vec![CountedRun { counts: self.expected.work.0, taken }; self.times()]
     }
 
-    /// Memory that the run held, as often as it counts.
+    /// Memory of the run, repeated by its weight.
     fn held(&self) -> Vec<CountedRun<HELD_KINDS>> {
         vec![CountedRun { counts: self.expected.held, taken: self.taken.peak_mib }; self.times()]
     }
@@ -98,7 +98,7 @@ impl PredictionRow {
     }
 }
 
-/// Quantiles of the ratio of expected to taken, for seconds and for memory.
+/// Quantiles of the ratio of expected to actual seconds and memory.
 fn quantiles(rows: &[PredictionRow]) -> Vec<String> {
     let told = |name: &str, ratio: &dyn Fn(&PredictionRow) -> f64| {
         let mut ratios: Vec<f64> = rows.iter().map(ratio).collect();
@@ -137,13 +137,13 @@ fn row(scene: TimedScene, folder: &Path, known: Option<&Taken>) -> Result<Option
     Ok(Some(PredictionRow { scene, expected, look_s, load, at_once, taken }))
 }
 
-/// Does what is asked on as many threads as a run has; `None`: on all.
+/// Runs a function on the threads of a run; `None`: on all.
 fn on_threads<T: Send>(threads: Option<u16>, does: impl FnOnce() -> T + Send) -> Result<T, Failure> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0).into()).build();
     Ok(pool.map_err(|e| Failure::System(format!("threads cannot be started: {e}")))?.install(does))
 }
 
-/// Expects seconds and memory of a scene as `run --dry-run` does, on a machine of this speed.
+/// Predicts seconds and memory of a scene as `run --dry-run` does, on a machine of this speed.
 fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, Load, usize), Failure> {
     let arguments = SceneSource { file: file.to_owned(), ..SceneSource::default() };
     let loaded = loading::scene(&arguments, None)?;

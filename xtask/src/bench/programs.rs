@@ -1,5 +1,5 @@
-//! Rivals that are programs of their own: a script that asks for NumPy, SciPy, FINUFFT or Embree, an example
-//! of ours that holds a crate. What is not installed is no failure: the row says how to get it.
+//! Rivals that are separate programs: a script with NumPy, SciPy, FINUFFT or Embree, or an example of ours
+//! with another crate. A missing program is no failure: the row says how to install it.
 
 use crate::project::{project_root, this_program};
 use num_complex::Complex64;
@@ -8,18 +8,18 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use wayside::host::failure::Failure;
 
-/// A piece of work and what it is done on, as the rival's reader expects it.
+/// Work with its input, as the rival's reader expects it.
 pub(super) struct Job {
     pub(super) name: &'static str,
     pub(super) input: Vec<u8>,
 }
 
-/// Kind of program that does a rival's work.
+/// Kind of a rival's program.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Language {
     /// `rivals.py` with this package.
     Python(&'static str),
-    /// A built example: package, example, and the crate that it holds.
+    /// A built example: package, example, and the crate that it uses.
     Example(&'static str, &'static str, &'static str),
 }
 
@@ -27,12 +27,12 @@ pub(super) enum Language {
 pub(super) struct Answer {
     /// Name of the program with its version.
     pub(super) program: String,
-    /// The quickest run's.
+    /// Seconds of the fastest run.
     pub(super) seconds: f64,
     pub(super) result: Vec<u8>,
 }
 
-/// Advice on how to get a rival that is not here.
+/// Advice for installing a missing rival.
 #[derive(Debug)]
 pub(crate) struct NotHere {
     pub(crate) program: String,
@@ -42,7 +42,7 @@ pub(crate) struct NotHere {
 const SCRIPT: &str = include_str!("rivals.py");
 
 impl Job {
-    /// Done by a rival, with some words beside the input.
+    /// Has a rival do the work, with some arguments beside the input.
     pub(super) fn given_to(
         &self,
         rival: Language,
@@ -53,8 +53,7 @@ impl Job {
         std::fs::write(&input, &self.input).map_err(|e| Failure::system(&input, "write", e))?;
         let mut command = rival.command();
         command.arg(self.name).args(rival.package()).arg(folder.path()).args(words);
-        // A program that is not there, one that says that it lacks something, and one that fails in its own
-        // way are alike here.
+        // A program that is missing, lacks a package, or fails is treated the same here.
         let done = command.output().ok().filter(|done| done.status.success());
         let answer = done.and_then(|done| answer(&String::from_utf8_lossy(&done.stdout), folder.path()));
         Ok(answer.ok_or_else(|| rival.not_here()))
@@ -116,7 +115,7 @@ impl Language {
     }
 }
 
-/// Beside this program, else where the project builds.
+/// Path beside this program, else in the project's build folder.
 fn built(example: &str) -> PathBuf {
     let beside =
         this_program().ok().and_then(|program| Some(program.parent()?.join("examples").join(example)));

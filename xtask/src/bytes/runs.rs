@@ -1,16 +1,16 @@
-//! Runs that are compared: every scene, and ten tables that together take every method, polarization, surface
-//! and kind of receiver.
+//! Compared runs: every scene, and ten tables that together cover every method, polarization, surface and
+//! kind of receiver.
 
 use std::path::Path;
 use wayside::host::failure::Failure;
 
-/// A command; `OUT` in its words stands for a folder of its own.
+/// A command; `OUT` in its arguments represents a separate folder.
 pub(super) struct CommandRun {
     pub(super) name: String,
     pub(super) words: Vec<String>,
 }
 
-/// A minute of traffic takes half an hour; `traffic.toml` is the same junction.
+/// Scenes left out: a minute of traffic takes half an hour, and `traffic.toml` is the same junction.
 const LEFT_OUT: [&str; 1] = ["traffic-minute"];
 
 const TABLES: [(&str, &str); 10] = [
@@ -46,7 +46,7 @@ pub(super) fn all(root: &Path) -> Result<Vec<CommandRun>, Failure> {
     Ok(scenes.chain(TABLES.map(table)).collect())
 }
 
-/// Name of a scene, if the file is one: materials and recipes stand beside scenes under names of two parts.
+/// Name of a scene if the file is one: materials and recipes beside scenes have names of two parts.
 fn scene(file: &Path) -> Option<String> {
     let name = file.file_name()?.to_str()?.strip_suffix(".toml")?;
     (!name.contains('.') && !LEFT_OUT.contains(&name)).then(|| name.to_owned())

@@ -1,5 +1,4 @@
-//! No circle of files that use each other, in any crate, and no folder with more files side by side than one
-//! takes in at a glance.
+//! Check for cyclic dependencies between files of any crate, and for folders with too many files.
 
 use crate::ci::findings::none_of;
 use crate::house::{self, arrows::Arrows, folders};
@@ -7,7 +6,7 @@ use crate::project::project_root;
 use std::path::Path;
 use wayside::host::failure::Failure;
 
-/// Files of one folder.
+/// Largest number of files in one folder.
 const SIDE_BY_SIDE: usize = 15;
 
 pub(super) fn check() -> Result<(), Failure> {

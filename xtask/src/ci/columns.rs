@@ -1,5 +1,5 @@
-//! Comments that fit their columns; rustfmt sees to code (`rustfmt.toml`). Tables, programs and formulas
-//! within comments are as wide as they are.
+//! Check that comments fit the line width; rustfmt checks code (`rustfmt.toml`). Tables, programs and
+//! formulas in comments may be wider.
 
 use crate::ci::findings::{COLUMNS, none_of, read, sources};
 use wayside::host::failure::Failure;
@@ -34,7 +34,7 @@ fn long_lines(text: &str) -> Vec<usize> {
     long
 }
 
-/// A row of a table, or a line of a program or formulas in columns, which is indented.
+/// Whether a line is a row of a table, or an indented line of a program or of formulas.
 fn is_table_or_program(inside: &str) -> bool {
     inside.trim_start().starts_with('|') || inside.starts_with("     ")
 }

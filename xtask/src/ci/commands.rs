@@ -1,4 +1,4 @@
-//! Commands of a check, and the tests that they ran.
+//! Commands of a check, with counts of their tests.
 
 use crate::project::project_root;
 use std::io::{BufRead, BufReader};
@@ -6,12 +6,12 @@ use std::process::{Command, Stdio};
 use wayside::host::failure::Failure;
 use wayside::program::terminal;
 
-/// Tests that ran.
+/// Counts of tests.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Tally {
     pub(super) passed: u64,
     pub(super) failed: u64,
-    /// Checks that stand on what is not there.
+    /// Number of checks skipped for lack of their requirements.
     pub(super) skipped: u64,
 }
 
@@ -25,7 +25,7 @@ impl Tally {
     }
 }
 
-/// Counts a check that stands on what is not there, and says why.
+/// Counts a skipped check, and prints the reason.
 pub(super) fn skipped(tally: &mut Tally, why: &str) -> Result<(), Failure> {
     terminal::line(format!("skipped: {why}"));
     tally.skipped += 1;
@@ -37,7 +37,7 @@ pub(super) fn before(line: &str, word: &str) -> u64 {
     number.and_then(|n| n.parse().ok()).unwrap_or(0)
 }
 
-/// Runs a command in the project's root to a good end.
+/// Runs a command in the project's root, and fails unless it succeeds.
 pub(super) fn finished(command: &mut Command) -> Result<(), Failure> {
     let words = said(command);
     let status = command.current_dir(project_root()).stdin(Stdio::null()).status();
@@ -48,7 +48,7 @@ pub(super) fn finished(command: &mut Command) -> Result<(), Failure> {
     }
 }
 
-/// Whether a command comes to a good end, unheard.
+/// Whether a command succeeds; its output is discarded.
 pub(super) fn is_good(command: &mut Command) -> bool {
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
     command.status().is_ok_and(|status| status.success())

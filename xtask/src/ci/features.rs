@@ -1,5 +1,5 @@
-//! A program, its tests and the Python package must ask every dependency for the same features: a second set
-//! of features builds what stands on it twice.
+//! Check that a program, its tests and the Python package request the same features of every dependency: a
+//! second set of features builds its dependents twice.
 
 use crate::project::project_root;
 use std::collections::BTreeMap;
@@ -16,7 +16,7 @@ pub(super) fn check() -> Result<(), Failure> {
     let alike = [
         ("the main job", &job[..], &[][..]),
         ("the program that trains", &training, &training),
-        // Its build is the main job's and a few crates more.
+        // Its build is that of the main job and a few more crates.
         ("the main job", &job, &python),
     ];
     for (name, program, tests) in alike {
@@ -39,7 +39,7 @@ fn features(arguments: &[&str]) -> Result<Features, Failure> {
     Ok(parse(&String::from_utf8_lossy(&output.stdout)))
 }
 
-/// A package that stands in the tree twice (for the host and the target) keeps both sets.
+/// Parses a dependency tree; a package that occurs twice (for the host and the target) keeps both sets.
 fn parse(tree: &str) -> Features {
     let mut features = Features::new();
     for line in tree.lines() {

@@ -5,7 +5,7 @@ use crate::project::project_root;
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
 
-/// Columns of code, comments and prose, as `rustfmt.toml` has them.
+/// Line width of code, comments and prose, as in `rustfmt.toml`.
 pub(super) const COLUMNS: usize = 110;
 
 /// A failure with a line for each finding, if there are any.

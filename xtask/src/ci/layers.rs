@@ -1,17 +1,17 @@
-//! The layer rule: leaves depend on no crate of the workspace (`radar` and `bodies` on `artifact` alone,
+//! The layer rule: leaves depend on no crate of the workspace (`radar` and `bodies` only on `artifact`,
 //! `po-sbr` and `interchange` on `artifact` and `radar`), stages on leaves and never on each other;
-//! `pipeline` links them. What stands on it, each crate below the next, sees stages and leaves as well:
-//! `reporting`, `sweeps`, `formats` and `learning` see it and what stands before them, `wayside` all of
-//! these. `xtask` stands above it, and so does `wayside-python`, which sees `wayside` and leaves. What
-//! teaches a stage may see it.
-//! `fuzzing` is for tests alone, and its own tests see all.
+//! `pipeline` links them. The crates above it, each above the next, may also use stages and leaves:
+//! `reporting`, `sweeps`, `formats` and `learning` use it and those before them, `wayside` all of these.
+//! `xtask` is above it, as is `wayside-python`, which uses `wayside` and leaves. A crate that trains a stage
+//! may use it.
+//! `fuzzing` is only for tests, and its own tests may use all crates.
 
 use crate::ci::findings::none_of;
 use crate::project::project_root;
 use std::process::Command;
 use wayside::host::failure::Failure;
 
-/// Dependencies between crates of the workspace, development and build dependencies included.
+/// Checks the dependencies between crates of the workspace, including development and build dependencies.
 pub(super) fn check() -> Result<(), Failure> {
     let arguments = ["metadata", "--no-deps", "--format-version", "1", "--offline"];
     let output = Command::new("cargo").args(arguments).current_dir(project_root()).output();
@@ -20,10 +20,10 @@ pub(super) fn check() -> Result<(), Failure> {
     none_of(forbidden(&edges(&metadata)).into_iter().chain(left_out(&metadata)).collect())
 }
 
-/// Crates that no plain `cargo test` knows: each has a check of its own (`training`, `osi`, `python`).
+/// Crates outside a plain `cargo test`: each has a check of its own (`training`, `osi`, `python`).
 const APART: [&str; 3] = ["classifier-training", "interchange", "wayside-python"];
 
-/// A sentence for each crate that no plain `cargo test` knows, but for those apart.
+/// A sentence for each crate outside a plain `cargo test`, except those known.
 fn left_out(metadata: &serde_json::Value) -> Vec<String> {
     let of = |list: &str| -> Vec<String> {
         let ids = metadata[list].as_array().into_iter().flatten().filter_map(|id| id.as_str());
@@ -40,7 +40,7 @@ fn left_out(metadata: &serde_json::Value) -> Vec<String> {
 struct Edge {
     from: String,
     to: String,
-    /// Whether tests alone ask for it.
+    /// Whether only tests need it.
     is_of_tests: bool,
 }
 
@@ -66,7 +66,7 @@ fn edges(metadata: &serde_json::Value) -> Vec<Edge> {
 fn forbidden(edges: &[Edge]) -> Vec<String> {
     const LEAVES: [&str; 6] = ["artifact", "bodies", "interchange", "plotting", "po-sbr", "radar"];
     const STAGES: [&str; 6] = ["scene", "bart-rcs", "fmcw-echo", "dsp", "classifier", "evaluation"];
-    /// Crates above the stages, from below.
+    /// Crates above the stages, from the lowest.
     const FLOORS: [&str; 6] = ["pipeline", "reporting", "sweeps", "formats", "learning", "wayside"];
     let is_leaf = |name: &str| LEAVES.contains(&name);
     let floor = |name: &str| FLOORS.iter().position(|floor| *floor == name);

@@ -1,5 +1,5 @@
-//! Limits on input, all told on one page: each constant whose name says that it is one, with its value and
-//! its file.
+//! Check of the page of input limits: it lists each constant whose name marks it as a limit, with its value
+//! and its file.
 
 use crate::ci::findings::{none_of, read};
 use crate::house::{self, folders};
@@ -18,7 +18,7 @@ pub(super) fn check() -> Result<(), Failure> {
     none_of(findings(&constants(&root)?, &rows(&read(&root.join(PAGE))?)))
 }
 
-/// Values as the page shows them, of all constants of numbers.
+/// All numeric constants, with values as the page shows them.
 fn constants(root: &Path) -> Result<BTreeMap<Place, String>, Failure> {
     let mut all = BTreeMap::new();
     for folder in house::crates(root)? {
@@ -31,7 +31,7 @@ fn constants(root: &Path) -> Result<BTreeMap<Place, String>, Failure> {
     Ok(all)
 }
 
-/// Names and values of the constants of a file, those of tests left out.
+/// Names and values of the constants of a file, without those of tests.
 fn constants_of(text: &str) -> BTreeMap<String, String> {
     let mut numbers: BTreeMap<String, f64> = BTreeMap::new();
     let mut all = BTreeMap::new();
@@ -55,7 +55,7 @@ fn constant(line: &str) -> Option<(&str, &str)> {
     is_name.then_some((name, expression))
 }
 
-/// Value of numbers and constants before it, joined by `<<` or `*`.
+/// Value of numbers and earlier constants, joined by `<<` or `*`.
 fn number(expression: &str, known: &BTreeMap<String, f64>) -> Option<f64> {
     if let Some((left, right)) = expression.split_once(" << ") {
         return Some(number(left, known)? * number(right, known)?.exp2());
@@ -67,7 +67,7 @@ fn number(expression: &str, known: &BTreeMap<String, f64>) -> Option<f64> {
     known.get(word).copied().or_else(|| word.replace('_', "").parse().ok())
 }
 
-/// Bytes in binary units where the name says bytes, else a number.
+/// Bytes in binary units if the name contains "bytes", else a number.
 fn shown(name: &str, value: f64) -> String {
     let is_bytes = name.split('_').any(|word| word == "BYTES");
     let units = [("GiB", 30), ("MiB", 20), ("KiB", 10)];
@@ -79,7 +79,7 @@ fn shown(name: &str, value: f64) -> String {
     }
 }
 
-/// Digits by threes.
+/// Formats digits in groups of three.
 fn grouped(value: f64) -> String {
     let digits = value.to_string();
     let (whole, rest) = digits.split_once('.').map_or((digits.as_str(), None), |(w, r)| (w, Some(r)));
@@ -104,7 +104,7 @@ fn rows(page: &str) -> Vec<(Place, String)> {
     page.lines().filter_map(row).collect()
 }
 
-/// A sentence for each limit that the page does not tell, and for each that it tells otherwise.
+/// A sentence for each limit that the page lacks or lists with another value.
 fn findings(constants: &BTreeMap<Place, String>, rows: &[(Place, String)]) -> Vec<String> {
     let is_limit = |name: &str| name.split('_').any(|word| word == "LIMIT");
     let is_told = |place: &Place| rows.iter().any(|(told, _)| told == place);

@@ -1,10 +1,10 @@
-//! A crate outside the workspace that depends on `wayside` by its path, with the lines of Rust of the README:
-//! what is promised to users of the library compiles for them too.
+//! A crate outside the workspace that depends on `wayside` by its path, with the README's Rust example: the
+//! public interface must compile for users of the library too.
 
-mod interpreter; // a Python with packages of its own
-pub(super) mod engines; // datasets and sweeps on engines that others make
-pub(super) mod interchange; // messages beside the official packages, traffic from SUMO
-pub(super) mod training_sets; // frames in the layouts of others
+mod interpreter; // a Python with its own packages
+pub(super) mod engines; // datasets and sweeps on existing engines
+pub(super) mod interchange; // messages with the official packages, traffic from SUMO
+pub(super) mod training_sets; // frames in the layouts of public datasets
 pub(super) mod python; // the Python package
 pub(super) mod report_view; // a report in a browser
 pub(super) mod site; // pages rendered, and their commands run
@@ -25,23 +25,23 @@ pub(super) fn check() -> Result<(), Failure> {
     write(&folder.join("src/main.rs"), &program(&lines))?;
     let workspace = read(&root.join("Cargo.toml"))?;
     write(&folder.join("Cargo.toml"), &manifest(&root, profiles(&workspace)))?;
-    // The same versions as here; what has been downloaded for the workspace is enough.
+    // The same versions as here; the workspace's downloads suffice.
     write(&folder.join("Cargo.lock"), &read(&root.join("Cargo.lock"))?)?;
     // By its manifest: commands of a check run in the project's root, which is another package. Profiles and
-    // folder are the workspace's: what its lints have looked at of the libraries is not looked at again.
+    // folder are the workspace's, so that libraries are not linted again.
     let mut check = Command::new("cargo");
     check.args(["check", "--release", "--offline", "--manifest-path"]).arg(folder.join("Cargo.toml"));
     finished(check.arg("--target-dir").arg(root.join("target")))
 }
 
-/// Profiles of the workspace, which stand together in its manifest, up to its lints.
+/// Profiles in the workspace's manifest, which precede its lints.
 fn profiles(workspace: &str) -> &str {
     let from = workspace.find("[profile").unwrap_or(workspace.len());
     let to = workspace[from..].find("[workspace").map_or(workspace.len(), |length| from + length);
     &workspace[from..to]
 }
 
-/// Lines of the first block of Rust.
+/// The first block of Rust.
 fn example(readme: &str) -> Result<String, Failure> {
     let block = readme.split_once(MARK).and_then(|(_, rest)| rest.split_once("```"));
     let block = block.ok_or_else(|| Failure::refused("README.md: a block of Rust is promised"))?;
@@ -52,7 +52,7 @@ fn program(lines: &str) -> String {
     format!("fn main() -> Result<(), wayside::Failure> {{\n{lines}    Ok(())\n}}\n")
 }
 
-/// A package of its own, in no workspace, and without the classifier: what asks for none builds without it.
+/// A separate package, outside any workspace, without the classifier, which also checks the build without it.
 fn manifest(root: &Path, profiles: &str) -> String {
     let place = root.join("crates/wayside");
     format!(

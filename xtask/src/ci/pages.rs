@@ -1,8 +1,8 @@
-//! Pages that name what is there: source files and tests that exist, libraries that the manifests list and
-//! the code uses, prose in lines that fit.
+//! Check that pages refer to existing things: source files and tests, libraries that the manifests list and
+//! the code uses; and that prose fits the line width.
 
-mod libraries; // that are listed, told of and used
-pub(super) mod navigation; // which pages the site has
+mod libraries; // listed, described and used
+pub(super) mod navigation; // pages of the site
 
 use crate::ci::findings::{self, COLUMNS, none_of, pages, read};
 use crate::project::project_root;
@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
 
-/// Pages whose text a program writes: as wide as it writes them.
+/// Pages written by programs, whose line width is not checked.
 const MADE: [&str; 4] =
     ["docs/validation/levels-of-detail.md", "docs/chart.md", "docs/atlas.md", "docs/pictures"];
 
@@ -35,13 +35,13 @@ pub(super) fn check() -> Result<(), Failure> {
     none_of(broken)
 }
 
-/// Paths of all source files of the workspace, from its root on.
+/// Paths of all source files of the workspace, relative to its root.
 fn sources(root: &Path) -> BTreeSet<String> {
     let from_root = |file: PathBuf| Some(file.strip_prefix(root).ok()?.display().to_string());
     findings::sources().into_iter().filter_map(from_root).collect()
 }
 
-/// Words in backticks that end with `.rs` and are the end of no source file's path.
+/// Words in backticks that end with `.rs` but match the end of no source file's path.
 fn gone_files(text: &str, sources: &BTreeSet<String>) -> Vec<String> {
     let named =
         text.split('`').skip(1).step_by(2).filter(|word| word.ends_with(".rs") && !word.contains([' ', '*']));
@@ -52,7 +52,7 @@ fn gone_files(text: &str, sources: &BTreeSet<String>) -> Vec<String> {
     named.filter(|word| !is_there(word)).map(str::to_owned).collect()
 }
 
-/// Programs of tests that commands name: `-p CRATE --test NAME`.
+/// Missing test programs in commands: `-p CRATE --test NAME`.
 fn gone_tests(text: &str, sources: &BTreeSet<String>) -> Vec<String> {
     let words: Vec<&str> = text.split(|c: char| c.is_whitespace() || c == '`').collect();
     let mut package = "";

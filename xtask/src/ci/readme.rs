@@ -1,4 +1,4 @@
-//! The README's two commands, taken from its text and run as they stand there.
+//! The README's two commands, taken from its text and run unchanged.
 
 mod pictures;
 
@@ -14,8 +14,8 @@ pub(super) fn tests(tally: &mut Tally) -> Result<(), Failure> {
     counted(&mut command(1)?, tally)
 }
 
-/// The first command: the main job, which has to find every body and to reach the accuracy that its scene
-/// asks, and draws the pictures that the docs show of it.
+/// The first command: the main job, which must detect every body and reach its scene's accuracy, and draws
+/// the pictures of the docs.
 pub(super) fn main_job() -> Result<(), Failure> {
     let mut command = command(0)?;
     finished(&mut command)?;
@@ -29,7 +29,7 @@ pub(super) fn main_job() -> Result<(), Failure> {
     }
 }
 
-/// Finds the summary of a run without `--out`: below `out/`, by the name of its scene.
+/// Finds the summary of a run without `--out`: below `out/`, under the name of its scene.
 fn summary_file(run: &Command) -> Result<PathBuf, Failure> {
     let words = run.get_args().map(Path::new);
     let scene =

@@ -1,6 +1,6 @@
-//! The room rule: a room of a crate uses only rooms that stand before it in its `lib.rs`, tests aside. So the
-//! crate can be read from the first room on, and no two rooms need each other. `docs/architecture.md` lists
-//! the rooms as the `lib.rs` does.
+//! The room rule: a room of a crate uses only rooms before it in its `lib.rs`, except in tests. So the crate
+//! can be read from the first room on, and no two rooms depend on each other. `docs/architecture.md` lists
+//! the rooms like `lib.rs`.
 
 use crate::ci::findings::{none_of, read};
 use crate::house::{self, folders};
@@ -13,7 +13,7 @@ pub(super) fn check() -> Result<(), Failure> {
     let page = read(&project_root().join("docs/architecture.md"))?;
     for folder in house::crates(&project_root())? {
         let source = folder.join("src");
-        // A program has a `main.rs` alone.
+        // A program has only a `main.rs`.
         if source.join("lib.rs").is_file() {
             broken.extend(broken_in(&source)?);
             let rooms = rooms(&read(&source.join("lib.rs"))?);
@@ -23,7 +23,7 @@ pub(super) fn check() -> Result<(), Failure> {
     none_of(broken)
 }
 
-/// A sentence where the page's table of rooms lists others of a crate, or in another order.
+/// A sentence if the page's table of rooms differs from a crate's rooms or their order.
 fn told_otherwise(page: &str, name: &str, rooms: &[String]) -> Option<String> {
     let row = page.lines().find_map(|line| line.strip_prefix(&format!("| `{name}` | `")))?;
     let told = row.trim_end_matches(" |").trim_end_matches('`').split("`, `");
@@ -60,7 +60,7 @@ fn files(source: &Path, room: &str) -> Vec<PathBuf> {
     std::iter::once(own).chain(folders::sources(&source.join(room))).collect()
 }
 
-/// A sentence for each use of what is not in `known`, which ends with the file's own room.
+/// A sentence for each use of a room that is not in `known`, which ends with the file's own room.
 fn forbidden(file: &Path, text: &str, known: &[String]) -> Vec<String> {
     let own = known.last().map_or("", String::as_str);
     let used = code(text)

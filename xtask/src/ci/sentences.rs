@@ -1,4 +1,4 @@
-//! Doc comments are sentences, or name what they stand on, and can be read without the comment beside them.
+//! Check that doc comments are sentences or noun phrases, and readable without neighbouring comments.
 
 use crate::ci::findings::{none_of, read};
 use crate::house::{self, folders};
@@ -10,15 +10,15 @@ use wayside::program::terminal;
 /// Largest share of a crate's doc comments that may begin as fragments.
 const MOST: f64 = 0.02;
 
-/// First words that lean on something outside of the comment; "Whether" names what a `bool` says.
+/// First words that refer to something outside of the comment; "Whether" describes a `bool`.
 const BEGINNINGS: &str = "Of To As With Without In At From For By Than On Onto Into Across Along Towards And \
     Or But Nor Also Likewise Else Otherwise Those Them They Their Its It What Where How When Which Who Whose \
     Why So Not";
 
-/// First words that lean on something where they stand alone or before one of [`DANGLING`].
+/// First words that refer to something outside if they are alone or before one of [`DANGLING`].
 const ALONE: &str = "All Both None Each These Any";
 
-/// Words after which "The same" or one of [`ALONE`] stands for something outside of the comment.
+/// Words before which "The same" or one of [`ALONE`] refers to something outside of the comment.
 const DANGLING: &str =
     "of that as in at to for from by with without where while when who what which less but";
 
@@ -41,7 +41,7 @@ pub(super) fn check() -> Result<(), Failure> {
     none_of(broken)
 }
 
-/// Number of a crate's doc comments, and a line for each of them that begins as a fragment.
+/// Number of a crate's doc comments, and a line for each that begins as a fragment.
 fn fragments_of(folder: &Path) -> Result<(usize, Vec<String>), Failure> {
     let (mut count, mut found) = (0, Vec::new());
     for file in folders::sources(folder) {
@@ -77,7 +77,7 @@ fn documentation(line: &str) -> Option<(&str, &str)> {
     (matches!(marker, "///" | "//!") && !content.starts_with('/')).then_some((marker, content))
 }
 
-/// Whether a comment begins with a word that leans on something outside of it, or in lower case.
+/// Whether a comment begins with a word that refers to something outside of it, or in lower case.
 fn is_fragment(comment: &str) -> bool {
     let mut words = comment.split_whitespace();
     let [first, second, third] = [0; 3].map(|_| words.next().unwrap_or_default());

@@ -1,5 +1,5 @@
-//! Files under 600 lines, no function over 70 (clippy's `too_many_lines` guards single functions too), nine
-//! functions in ten under 25 lines, the median under 10.
+//! Check of sizes: files under 600 lines, no function over 70 (clippy's `too_many_lines` checks single
+//! functions too), nine functions in ten under 25 lines, the median under 10.
 
 use crate::ci::findings::{none_of, read, sources};
 use std::path::Path;
@@ -52,8 +52,8 @@ fn spread(lengths: &mut [usize]) -> Vec<String> {
     broken
 }
 
-/// First line and body length of each function, told by rustfmt's indentation: the body ends at the first
-/// line that closes a brace at the depth of the `fn`.
+/// First line and body length of each function, by rustfmt's indentation: the body ends at the first line
+/// that closes a brace at the depth of the `fn`.
 fn functions(text: &str) -> Vec<(usize, usize)> {
     let lines: Vec<&str> = text.lines().collect();
     let mut found = Vec::new();

@@ -1,5 +1,5 @@
-//! Pages that say how they are made: every page of `docs/validation` names a study, or another command that
-//! makes it, and no page names a study that is not there. Pages that are older than their code are told of.
+//! Check of pages that are made by commands: every page of `docs/validation` names a study, or another
+//! command that makes it, and no page names a missing study. Pages older than their code are reported.
 
 use crate::ci::findings::{none_of, pages, read};
 use crate::cli::Arguments;
@@ -10,7 +10,7 @@ use std::path::Path;
 use wayside::host::failure::Failure;
 use wayside::program::terminal;
 
-/// A list of pages, made by nobody.
+/// A list of pages, which no command makes.
 const LIST: &str = "docs/validation/README.md";
 
 pub(super) fn check() -> Result<(), Failure> {
@@ -35,7 +35,7 @@ fn findings(root: &Path, name: &str, text: &str) -> Vec<String> {
     found
 }
 
-/// Whether a study, a command of `cargo xtask` or an example that is there is named.
+/// Whether an existing study, command of `cargo xtask` or example is named.
 fn is_made(root: &Path, text: &str) -> bool {
     let commands = Arguments::command();
     let by_example = text.split("cargo run --release -p ").skip(1).any(|rest| {
@@ -54,7 +54,7 @@ fn has_example(root: &Path, package: &str, example: &str) -> bool {
     folder.join(format!("{example}.rs")).is_file() || folder.join(example).join("main.rs").is_file()
 }
 
-/// Words in backticks or lines of programs that stand behind these, in small letters; comments are none.
+/// Words in backticks or lines of programs after the given words, in lower case; without comments.
 fn named<'t>(text: &'t str, before: &'static str) -> impl Iterator<Item = &'t str> {
     let prose = text.lines().filter(|line| !line.starts_with("<!--"));
     let word = |rest: &'t str| {
@@ -66,7 +66,7 @@ fn named<'t>(text: &'t str, before: &'static str) -> impl Iterator<Item = &'t st
         .filter(|word| word.starts_with(|c: char| c.is_ascii_lowercase()))
 }
 
-/// Studies without a place on their page; how many pages are older than their code is told.
+/// Studies without a place on their page; prints the number of pages older than their code.
 fn ages() -> Result<Vec<String>, Failure> {
     let (mut missing, mut older) = (Vec::new(), Vec::new());
     for study in &STUDIES {

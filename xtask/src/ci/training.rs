@@ -1,5 +1,4 @@
-//! The program that trains: built, looked at and tested in a folder of its own beside everything else, and
-//! with it the tests of `train`.
+//! Check of the training program, built, linted and tested in a separate folder, with the tests of `train`.
 
 use crate::ci::commands::{Tally, counted};
 use crate::project::project_root;
@@ -11,14 +10,15 @@ use wayside::program::commands::training_target_folder as target_folder;
 
 pub(super) use wayside::program::commands::TRAINING_PROGRAM as PACKAGE;
 
-/// Checks of the training program under way; they end with what began them.
+/// Running checks of the training program; they end with the parent process.
 pub(super) struct Training {
     child: Child,
     log: PathBuf,
 }
 
 impl Training {
-    /// Tests first: what they build is most of the time; then lints and docs, as of the other crates.
+    /// Begins with the tests, whose build takes most of the time; then lints and docs, as for the other
+    /// crates.
     pub(super) fn begin() -> Result<Self, Failure> {
         let log = target_folder(&project_root()).join("ci.log");
         let failed = |e: std::io::Error| Failure::system(&log, "write", e);
@@ -38,7 +38,7 @@ impl Training {
         Ok(Self { child: command.spawn().map_err(|e| Failure::System(format!("sh: {e}")))?, log })
     }
 
-    /// Waits for it, counts its tests, and runs those of the command.
+    /// Waits for the checks, counts their tests, and runs those of the command.
     pub(super) fn end(mut self, tally: &mut Tally) -> Result<(), Failure> {
         let status = self.child.wait().map_err(|e| Failure::system(&self.log, "wait for", e))?;
         let text = std::fs::read_to_string(&self.log).map_err(|e| Failure::system(&self.log, "read", e))?;
@@ -47,7 +47,7 @@ impl Training {
             return Err(Failure::Refused(format!("{text}\n{PACKAGE} ended with {status}")));
         }
         let words = "test --release --package wayside --test kills --test files -- --ignored a_training";
-        // They run in folders of their own, from where the project is not seen.
+        // They run in separate folders, outside the project.
         let mut tests = Command::new("cargo");
         counted(tests.args(words.split(' ')).env("WAYSIDE_PROJECT", project_root()), tally)
     }

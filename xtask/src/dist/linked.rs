@@ -1,4 +1,4 @@
-//! Packages of others that are linked into the program, with the files of their licences.
+//! Third-party packages that are linked into the program, with their licence files.
 
 use crate::dist::system::{entries, output};
 use crate::project::project_root;
@@ -8,21 +8,21 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use wayside::host::failure::Failure;
 
-/// A package of others.
+/// A third-party package.
 pub(super) struct LinkedPackage {
     /// Name and version.
     pub(super) name: String,
-    /// Its licence in the words of SPDX.
+    /// Licence as an SPDX expression.
     pub(super) expression: String,
-    /// Files that its licences ask to be handed on.
+    /// Files that its licences require to be distributed.
     pub(super) licences: Vec<PathBuf>,
 }
 
-/// Beginnings of the names of files with licences, in capitals.
+/// Beginnings of the names of licence files, in capitals.
 const LICENCES: [&str; 5] = ["LICENSE", "LICENCE", "COPYING", "NOTICE", "UNLICENSE"];
 
-/// Packages of others that a package of the project with some features stands on for a platform, in the order
-/// of their names.
+/// Third-party packages that a package of the project with some features depends on for a platform, in the
+/// order of their names.
 pub(super) fn linked_packages(
     target: &str,
     [package, features]: [&str; 2],
@@ -57,7 +57,7 @@ fn is_licence(file: &Path) -> bool {
     LICENCES.iter().any(|beginning| name.starts_with(beginning))
 }
 
-/// Ids of what `wayside` is linked with: neither for tests nor for the build alone.
+/// Ids of packages linked into `wayside`, without those only for tests or the build.
 fn linked_ids(metadata: &Value) -> BTreeSet<&str> {
     let nodes = || metadata["resolve"]["nodes"].as_array().into_iter().flatten();
     let mut linked = BTreeSet::new();

@@ -1,4 +1,4 @@
-//! Files and programs of the system, each refusal with its name.
+//! Files and programs of the system; each error contains the name.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -11,7 +11,7 @@ pub(super) fn entries(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     listed.map(|entry| entry.map(|entry| entry.path()).map_err(system)).collect()
 }
 
-/// Copies a file into a folder, which is made where it is not there; its permissions go with it.
+/// Copies a file with its permissions into a folder, which is created if missing.
 pub(super) fn copy(file: &Path, folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(|error| Failure::system(folder, "create", error))?;
     let name = file.file_name().unwrap_or_default();
@@ -19,7 +19,7 @@ pub(super) fn copy(file: &Path, folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Standard output of a program that has to succeed.
+/// Standard output of a program that must succeed.
 pub(super) fn output(command: &mut Command) -> Result<Vec<u8>, Failure> {
     let name = command.get_program().to_string_lossy().into_owned();
     let ended = command.stdin(Stdio::null()).output();

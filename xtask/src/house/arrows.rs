@@ -1,5 +1,5 @@
-//! Arrows from each file to those that its names lead to. A parent's re-export of a child's item is no arrow:
-//! it is a door, not a use.
+//! Dependencies (arrows) of each file on those that its names lead to. A parent's re-export of a child's item
+//! does not count as a use.
 
 use crate::house::folders::sources;
 use crate::house::names::{Import, imports, paths};
@@ -8,15 +8,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use wayside::host::failure::Failure;
 
-/// The files of a crate and the arrows between them.
+/// The files of a crate and the dependencies between them.
 pub(crate) struct Arrows {
     pub(crate) files: Vec<SourceFile>,
-    /// Numbers of the files that each file uses.
+    /// Indices of the files that each file uses.
     pub(crate) to: Vec<BTreeSet<usize>>,
 }
 
 impl Arrows {
-    /// Reads the files below a crate's `src` and finds their arrows.
+    /// Reads the files below a crate's `src` and finds their dependencies.
     pub(crate) fn of(source: &Path) -> Result<Self, Failure> {
         let files = sources(source)
             .iter()
@@ -26,16 +26,16 @@ impl Arrows {
         Ok(Self { files, to })
     }
 
-    /// Number of arrows.
+    /// Number of dependencies.
     pub(crate) fn count(&self) -> usize {
         self.to.iter().map(BTreeSet::len).sum()
     }
 }
 
-/// Re-exports of re-exports are followed so far.
+/// Largest number of re-exports followed in a chain.
 const DEPTH: usize = 8;
 
-/// Files by their modules, and their imports: all that tells where names lead.
+/// Files by their modules, and their imports: all that is needed to resolve names.
 struct Names<'a> {
     files: &'a [SourceFile],
     number_of: BTreeMap<&'a [String], usize>,
@@ -77,7 +77,7 @@ impl<'a> Names<'a> {
         self.number_of.get(module.as_slice()).copied()
     }
 
-    /// The file that the path's item is of; `None` of other crates.
+    /// The file that defines the path's item; `None` for other crates.
     fn leads(&self, from: usize, path: &[String], depth: usize) -> Option<usize> {
         let (mut file, mut rest) = self.begin(from, path)?;
         while let Some(name) = rest.first() {
@@ -93,7 +93,7 @@ impl<'a> Names<'a> {
         Some(file)
     }
 
-    /// The file that a path begins at, and what of it is left.
+    /// The file at which a path begins, and the rest of the path.
     fn begin<'p>(&self, from: usize, path: &'p [String]) -> Option<(usize, &'p [String])> {
         let module = &self.files[from].module;
         let ups = path.iter().take_while(|name| *name == "super").count();

@@ -1,5 +1,5 @@
-//! Circles of arrows: strongly connected components (Tarjan, *Depth-first search and linear graph
-//! algorithms*, SIAM J. Comput. 1, 1972), here by the slower and shorter way of what reaches what.
+//! Cycles of dependencies: strongly connected components (Tarjan, *Depth-first search and linear graph
+//! algorithms*, SIAM J. Comput. 1, 1972), here by the slower and shorter method of mutual reachability.
 
 use std::collections::BTreeSet;
 
@@ -13,7 +13,7 @@ pub(crate) fn of(to: &[BTreeSet<usize>]) -> Vec<Vec<usize>> {
     groups.into_iter().collect()
 }
 
-/// Nodes that a node leads to over any number of arrows.
+/// Nodes reachable from a node over any number of arrows.
 fn reached(to: &[BTreeSet<usize>], from: usize) -> BTreeSet<usize> {
     let mut found = BTreeSet::new();
     let mut left: Vec<usize> = to[from].iter().copied().collect();

@@ -1,9 +1,9 @@
-//! Files of folders: all of them, those of source, and how many stand side by side.
+//! Files of folders: all of them, source files, and their number per folder.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// All files of a folder and of those in it, in the order of their paths; what cargo builds is none of them.
+/// All files in and below a folder, in the order of their paths, without cargo's build output.
 pub(crate) fn files_below(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
     let each = |place: PathBuf| match place.is_dir() {
@@ -16,12 +16,12 @@ pub(crate) fn files_below(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// Rust files of a folder and of those in it, in the order of their paths.
+/// Rust files in and below a folder, in the order of their paths.
 pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
     files_below(folder).into_iter().filter(|file| file.extension().is_some_and(|kind| kind == "rs")).collect()
 }
 
-/// Folders of a crate that hold source files, with their numbers of them.
+/// Folders of a crate with source files, with their numbers.
 pub(crate) fn side_by_side(folder: &Path) -> BTreeMap<PathBuf, usize> {
     let mut all = BTreeMap::new();
     for file in sources(folder) {

@@ -1,15 +1,15 @@
-//! Names that a file uses: paths of `use` declarations, trees opened, and paths within code.
+//! Names that a file uses: paths of `use` declarations, with trees expanded, and paths within code.
 
-/// A path and the name under which the file knows it.
+/// A path and its name in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Import {
     pub(crate) path: Vec<String>,
     pub(crate) name: String,
-    /// Whether it is a `pub use`: others may find the name here.
+    /// Whether it is a `pub use`, so that others may find the name here.
     pub(crate) is_public: bool,
 }
 
-/// Every `use` of a text, one entry a name.
+/// Every `use` of a text, one entry per name.
 pub(crate) fn imports(text: &str) -> Vec<Import> {
     let mut all = Vec::new();
     for (is_public, tree) in declarations(text) {
@@ -46,7 +46,7 @@ fn declarations(text: &str) -> Vec<(bool, String)> {
     found
 }
 
-/// The text cut into what stands between `use` and its semicolon, and the rest.
+/// The text split into the parts between `use` and its semicolon, and the rest.
 fn parted(text: &str) -> Vec<(bool, &str)> {
     let mut parts = Vec::new();
     let mut rest = text;

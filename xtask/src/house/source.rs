@@ -1,5 +1,4 @@
-//! A source file as names are looked for in it: without comments, strings and the words of tests' own
-//! modules.
+//! A source file prepared for the search of names: without comments, strings and the content of test modules.
 
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
@@ -7,15 +6,15 @@ use wayside::host::failure::Failure;
 /// A module of a crate, which is a file.
 pub(crate) struct SourceFile {
     pub(crate) place: PathBuf,
-    /// Names from the crate's root on; none of the root itself.
+    /// Names from the crate's root; empty for the root itself.
     pub(crate) module: Vec<String>,
-    /// Text that is left without comments, strings and scopes.
+    /// Remaining text without comments, strings and scopes.
     pub(crate) text: String,
     lines: usize,
 }
 
 impl SourceFile {
-    /// Reads `place`, which lies below the crate's `source`.
+    /// Reads `place`, which is below the crate's `source`.
     pub(crate) fn read(source: &Path, place: &Path) -> Result<Self, Failure> {
         let text = std::fs::read_to_string(place).map_err(|e| Failure::system(place, "read", e))?;
         let lines =
@@ -44,14 +43,14 @@ impl SourceFile {
     }
 }
 
-/// Removes the paths of `pub(in path)`, which say who may look and use nothing.
+/// Removes the paths of `pub(in path)`, which are not uses.
 fn without_scopes(text: &str) -> String {
     let mut parts = text.split("pub(in ");
     let first = parts.next().unwrap_or_default().to_owned();
     parts.fold(first, |kept, part| kept + "pub" + part.split_once(')').map_or(part, |(_, rest)| rest))
 }
 
-/// Replaces `super` in the file's module of tests, where it is the file itself, by `self`.
+/// Replaces `super` in the file's module of tests, where it means the file itself, by `self`.
 fn in_own_words(text: &str) -> String {
     let modules = text.match_indices("#[cfg(test)]\nmod ").map(|(at, _)| at);
     let mut with_body = modules.filter(|at| text[*at..].lines().nth(1).is_some_and(is_open));
@@ -68,7 +67,7 @@ fn is_open(line: &str) -> bool {
     line.trim_end().ends_with('{')
 }
 
-/// Removes comments and what stands between quotation marks; lines stay as they are counted.
+/// Removes comments and string contents, keeping the line numbers.
 fn stripped(text: &str) -> String {
     let mut kept = String::with_capacity(text.len());
     let mut rest = text;
@@ -90,7 +89,7 @@ fn stripped(text: &str) -> String {
     kept + rest
 }
 
-/// Byte of the quotation mark that ends a string which has begun.
+/// Byte of the quotation mark that ends a string.
 fn closing(string: &str) -> usize {
     let mut is_escaped = false;
     for (at, sign) in string.char_indices() {
@@ -103,7 +102,7 @@ fn closing(string: &str) -> usize {
     string.len()
 }
 
-/// Length of a character in quotation marks; 1 of a lifetime or a stroke.
+/// Length of a character literal; 1 for a lifetime or an apostrophe.
 fn character(text: &str) -> usize {
     let Some(inside) = text.strip_prefix('\'') else { return 1 };
     if let Some(escaped) = inside.strip_prefix('\\') {

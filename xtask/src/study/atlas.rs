@@ -1,5 +1,5 @@
-//! Atlas of where each method fails: small cases whose answer is known, and a verdict on what the program
-//! says of them.
+//! Atlas of the failures of each method: small cases with known answers, and a verdict on the program's
+//! statement about each.
 
 mod verdict;
 mod methods;
@@ -24,7 +24,7 @@ use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 use wayside::program::terminal;
 
-/// Every row, theme by theme; with a word those of the cases that have it in their names.
+/// Every row, theme by theme; with a word only those of the cases whose names contain it.
 pub(super) fn rows(extent: Extent, only: Option<&str>) -> Result<Vec<CaseRow>, Failure> {
     let work = Work::begin("atlas");
     let themes =
@@ -49,7 +49,7 @@ pub(super) fn rows(extent: Extent, only: Option<&str>) -> Result<Vec<CaseRow>, F
     }
 }
 
-/// Tells of a case as soon as it was tried: minutes pass before the page is there.
+/// Prints a case as soon as it was tried, because the page takes minutes.
 fn log(name: &str, started: Instant, rows: &[CaseRow]) {
     let counts = Verdict::ALL.map(|v| format!("{} {}", count(rows, v), v.name()));
     let seconds = started.elapsed().as_secs_f64();

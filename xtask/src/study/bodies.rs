@@ -1,4 +1,4 @@
-//! Small bodies that have closed forms, body axes.
+//! Small bodies with closed forms, body axes.
 
 use artifact::scene::Mesh;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -10,7 +10,7 @@ pub(super) fn mesh(vertices_m: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Mesh 
     Mesh { vertices_m, triangles, ..Mesh::default() }
 }
 
-/// Two triangles each.
+/// Mesh of parallelograms, two triangles each.
 pub(super) fn parallelograms(list: &[Parallelogram]) -> Mesh {
     let mut all = mesh(vec![], vec![]);
     for [o, u, v] in list {
@@ -35,13 +35,13 @@ pub(super) fn shifted(mut body: Mesh, by_m: [f64; 3]) -> Mesh {
     body
 }
 
-/// Facing +x, centred on the origin.
+/// A square plate facing +x, centred on the origin.
 pub(super) fn plate(side_m: f64) -> Mesh {
     let h = 0.5 * side_m;
     parallelograms(&[[[0.0, -h, -h], [0.0, side_m, 0.0], [0.0, 0.0, side_m]]])
 }
 
-/// The same plate as horizontal strips between these heights, shares of its side from 0 to 1.
+/// The same plate as horizontal strips between these heights, as shares of its side from 0 to 1.
 pub(super) fn plate_in_strips(side_m: f64, heights: &[f64]) -> Mesh {
     let h = 0.5 * side_m;
     let strip =
@@ -49,13 +49,13 @@ pub(super) fn plate_in_strips(side_m: f64, heights: &[f64]) -> Mesh {
     parallelograms(&heights.windows(2).map(strip).collect::<Vec<_>>())
 }
 
-/// Facing up at z = 0, centred on the origin.
+/// A square floor facing up at z = 0, centred on the origin.
 pub(super) fn floor(side_m: f64) -> Mesh {
     let h = 0.5 * side_m;
     parallelograms(&[[[-h, -h, 0.0], [side_m, 0.0, 0.0], [0.0, side_m, 0.0]]])
 }
 
-/// A wall's faces by name; a box is made of some of them.
+/// Faces of a cube by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Face {
     Front,
@@ -70,7 +70,7 @@ impl Face {
     pub(super) const ALL: [Self; 6] =
         [Self::Front, Self::Back, Self::Left, Self::Right, Self::Top, Self::Bottom];
 
-    /// Parallelogram of this face of the cube of side 1 on the floor, outward.
+    /// Parallelogram of this face of the unit cube on the floor, facing outward.
     fn unit(self) -> Parallelogram {
         let (low, high) = (-0.5, 0.5);
         let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
@@ -85,7 +85,7 @@ impl Face {
     }
 }
 
-/// A cube on the floor that has these faces only.
+/// A cube on the floor with only these faces.
 pub(super) fn cube(side_m: f64, faces: &[Face]) -> Mesh {
     let scaled = |p: Parallelogram| p.map(|v| v.map(|c| side_m * c));
     parallelograms(&faces.iter().map(|f| scaled(f.unit())).collect::<Vec<_>>())
@@ -108,13 +108,13 @@ pub(super) fn square_trihedral(side_m: f64) -> Mesh {
     parallelograms(&[(0, 1), (1, 2), (2, 0)].map(|(i, j)| [[0.0; 3], axis(i), axis(j)]))
 }
 
-/// Three triangles, the halves of a square trihedral's sides towards its apex.
+/// Three triangles, each half of a square trihedral's side, towards its apex.
 pub(super) fn triangular_trihedral(side_m: f64) -> Mesh {
     let tips = (0..3).map(|i| std::array::from_fn(|j| if i == j { side_m } else { 0.0 }));
     mesh(std::iter::once([0.0; 3]).chain(tips).collect(), vec![[0, 1, 2], [0, 2, 3], [0, 3, 1]])
 }
 
-/// Wall of an upright cylinder from z = 0, corners on the circle, turned by `turn` of a facet.
+/// Wall of an upright cylinder from z = 0, vertices on the circle, rotated by `turn` of a facet.
 pub(super) fn tube(radius_m: f64, height_m: f64, sides: u32, turn: f64) -> Mesh {
     let mut all = mesh(vec![], vec![]);
     for i in 0..sides {
@@ -138,8 +138,8 @@ pub(super) fn top_hat(radius_m: f64, height_m: f64, sides: u32, floor_m: f64) ->
 }
 
 /// A sphere from the faces of a cube, each cut into `cells`² squares of equal angle and these into two
-/// triangles, its corners pushed out so that the facets' mean lies on the sphere (a right triangle with legs
-/// e lies e²/12 of a radius below).
+/// triangles, with its vertices moved outwards so that the facets' mean is on the sphere (a right triangle
+/// with legs e is e²/12 of a radius below it).
 pub(super) fn sphere(radius_m: f64, cells: u32) -> Mesh {
     let edge = FRAC_PI_2 / f64::from(cells);
     let raised = radius_m * (1.0 + edge * edge / 12.0);
@@ -158,7 +158,7 @@ pub(super) fn sphere(radius_m: f64, cells: u32) -> Mesh {
     all
 }
 
-/// Unit vector to a corner of one of the cube's faces.
+/// Unit vector to a vertex on one of the cube's faces.
 fn on_sphere(face: usize, [i, j]: [u32; 2], cells: u32) -> [f64; 3] {
     let coordinate = |i: u32| (0.5 * FRAC_PI_2 * (2.0 * f64::from(i) / f64::from(cells) - 1.0)).tan();
     let (axis, side) = (face % 3, if face < 3 { 1.0 } else { -1.0 });

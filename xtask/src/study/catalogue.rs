@@ -1,4 +1,4 @@
-//! All studies: what each makes, how long that takes, and whether what stands there is older than its code.
+//! All studies: their outputs, their durations, and the age of the outputs relative to the code.
 
 use crate::cli::{AtlasArguments, ChartArguments, PageArguments, StudyArguments};
 use crate::project::project_root;
@@ -23,11 +23,11 @@ use wayside::program::values::Shard;
 
 /// A study, which makes figures of a page.
 pub(crate) struct Study {
-    /// The word that a developer types.
+    /// Name of the study as typed.
     pub(crate) name: &'static str,
-    /// Path of the page from the project's root.
+    /// Path of the page, relative to the project's root.
     pub(crate) page: &'static str,
-    /// About how long, on two cores.
+    /// Approximate duration on two cores.
     takes: &'static str,
     sources: Places,
     make: Make,
@@ -36,15 +36,15 @@ pub(crate) struct Study {
 enum Make {
     /// A part of its page.
     Part(MakePart),
-    /// A part of its page, whose rows are kept: all of them, those that are kept, and a share of them.
+    /// A part of its page whose rows are kept: all of them, the kept ones, and a share of them.
     Rows { all: MakePart, kept: MakePart, share: MakeRows },
     /// A page, with a table and pictures.
     Whole(fn(&StudyArguments) -> Result<(), Failure>),
-    /// A row of a ledger that stands on its page.
+    /// A row of a ledger on its page.
     Ledger,
 }
 
-/// Studies in the order of `docs/validation/README.md`, then those that are drawn.
+/// Studies in the order of `docs/validation/README.md`, then those with pictures.
 pub(crate) const STUDIES: [Study; 30] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
@@ -132,7 +132,7 @@ pub(crate) const STUDIES: [Study; 30] = [
     Study { name: "search", page: SEARCH, takes: "as asked", sources: search::SOURCES, make: Make::Ledger },
 ];
 
-// Pages of which several studies make a part, or with long names.
+// Pages with parts of several studies, or with long names.
 const REFERENCES: &str = "docs/validation/bart-against-references.md";
 const LEVELS_PAGE: &str = "docs/validation/published-levels.md";
 const ERRORS: &str = "docs/validation/error-estimates.md";
@@ -173,12 +173,12 @@ fn whole_atlas(of_all: &StudyArguments) -> Result<(), Failure> {
     drawn::atlas(&AtlasArguments { of_all: of_all.clone(), only: None })
 }
 
-/// The study of this name.
+/// The study with this name.
 pub(crate) fn by_name(name: &str) -> Option<&'static Study> {
     STUDIES.iter().find(|study| study.name == name)
 }
 
-/// Makes what a study makes, or tells of all.
+/// Makes a study's output, or lists all studies.
 pub(crate) fn run(arguments: &PageArguments) -> Result<(), Failure> {
     let Some(name) = &arguments.name else { return list() };
     let unknown =
@@ -195,10 +195,10 @@ pub(crate) fn run(arguments: &PageArguments) -> Result<(), Failure> {
     }
 }
 
-/// Refuses figures on a page of docs/ that are other ones than its study makes now.
+/// Refuses figures on a page of docs/ that differ from those that its study makes now.
 ///
 /// # Errors
-/// The first line that differs, and what was made; what the study itself refuses.
+/// The first line that differs, and the new one; a refusal of the study itself.
 pub(crate) fn compare(name: &str) -> Result<(), Failure> {
     let refused = |rule: String| Failure::Refused(format!("{name}: {rule}"));
     let study = by_name(name).ok_or_else(|| refused("there is no such study".into()))?;
@@ -225,13 +225,13 @@ fn list() -> Result<(), Failure> {
 }
 
 impl Study {
-    /// Age of the study's part of its page, beside its sources.
+    /// Age of the study's part of its page, relative to its sources.
     pub(crate) fn age(&self) -> Result<Age, Failure> {
         let page = std::fs::read_to_string(project_root().join(self.page)).unwrap_or_default();
         Ok(Age::of(&page, self.name, &sources::hash(self.sources)?))
     }
 
-    /// Makes what the study makes.
+    /// Makes the study's output.
     fn make(&self, make: &Make, arguments: &PageArguments) -> Result<(), Failure> {
         match make {
             Make::Ledger => self.enter_search(arguments),
@@ -245,7 +245,7 @@ impl Study {
         }
     }
 
-    /// Searches, and puts what was found behind what earlier searches found.
+    /// Searches, and appends the finds to those of earlier searches.
     fn enter_search(&self, arguments: &PageArguments) -> Result<(), Failure> {
         let place = project_root().join(self.page);
         let seed = arguments.seed.unwrap_or(1);
@@ -260,7 +260,7 @@ impl Study {
         if arguments.quick && arguments.out.is_none() {
             return Ok(());
         }
-        // Read after the search: another one may have entered its rows meanwhile.
+        // Read after the search, because another search may have added its rows meanwhile.
         let page = std::fs::read_to_string(&place).map_err(|e| Failure::system(&place, "read", e))?;
         let missing = || Failure::Refused(format!("{}: has no part for `{}`", self.page, self.name));
         let earlier = part_of(&page, self.name).ok_or_else(missing)?;
@@ -269,11 +269,11 @@ impl Study {
         files::write_file(arguments.out.as_ref().unwrap_or(&place), page.as_bytes())
     }
 
-    /// Puts the part into its page; of fewer cases only where another place than `docs/` is given.
+    /// Writes the part into its page; with fewer cases only if another place than `docs/` is given.
     fn make_part(&self, make: MakePart, arguments: &PageArguments) -> Result<(), Failure> {
         let place = project_root().join(self.page);
         let extent = extent(arguments);
-        // Before the work, so that it says of which sources it is even if they change meanwhile.
+        // Hashed before the work, so that it identifies the sources even if they change meanwhile.
         let hash = if arguments.quick { FEWER.to_owned() } else { sources::hash(self.sources)? };
         let _work = Work::begin(self.name);
         let (text, complaint) = make(extent)?.finished();

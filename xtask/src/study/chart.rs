@@ -1,5 +1,5 @@
-//! Speed against accuracy: every method on the same work, its seconds, its memory and its error against
-//! another method. Rows are kept as they are made, so that a chart that is ended goes on where it was.
+//! Speed against accuracy: every method on the same work, with its seconds, its memory and its error relative
+//! to another method. Rows are kept, so that an interrupted chart resumes.
 
 mod row;
 mod work;
@@ -29,7 +29,7 @@ use scenes::SCENES;
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 
-/// Rows of methods, estimates of the receiver, other programs, and answers of the whole chain.
+/// Rows of methods, estimates of the receiver, other programs, and results of the whole chain.
 pub(super) struct Chart {
     rows: Vec<SettingRow>,
     estimates: Vec<EstimateRow>,
@@ -37,7 +37,7 @@ pub(super) struct Chart {
     answers: Vec<Answers>,
 }
 
-/// Measures all of it, or what an earlier run of sources with this hash has not.
+/// Measures all rows, or those that an earlier run with this hash of sources lacks.
 pub(super) fn measured(extent: Extent, sources: &str) -> Result<Chart, Failure> {
     let name = if extent == Extent::Quick { "chart-quick" } else { "chart" };
     let kept = Kept::of(name, sources);
@@ -74,7 +74,7 @@ fn rows(extent: Extent, kept: &Kept) -> Result<Vec<SettingRow>, Failure> {
     Ok(all)
 }
 
-/// Rows with an error: orders that nothing goes back from have none over their field.
+/// Rows with a finite error: orders without any field have none.
 fn finite(mut rows: Vec<SettingRow>) -> Vec<SettingRow> {
     rows.retain(|row| row.error.is_finite());
     rows

@@ -1,24 +1,23 @@
-//! Exact answers of small bodies: closed forms, series, and integrals carried to convergence (docs/physics.md
-//! §11).
+//! Exact answers for small bodies: closed forms, series, and converged integrals (docs/physics.md §11).
 
 use crate::study::looks::{K, WAVELENGTH_M};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Factor j√(4π)/λ in front of every integral of physical optics.
+/// Factor j√(4π)/λ before every integral of physical optics.
 pub(super) fn front() -> Complex64 {
     Complex64::new(0.0, (4.0 * PI).sqrt() / WAVELENGTH_M)
 }
 
-/// S of a square plate far away at this azimuth, elevation 0 (P1).
+/// S of a square plate in the far field at this azimuth, elevation 0 (P1).
 pub(super) fn plate_far(side_m: f64, azimuth_rad: f64) -> Complex64 {
     let x = K * side_m * azimuth_rad.sin();
     let sinc = if x.abs() < 1e-4 { 1.0 - x * x / 6.0 } else { x.sin() / x };
     front() * side_m * side_m * azimuth_rad.cos() * sinc
 }
 
-/// S of a square plate from `range_m` at this azimuth, elevation 0: the integral of interface.md, at most 1
-/// rad of phase between four Gauss points, which leaves 1e-8.
+/// S of a square plate at `range_m` and this azimuth, elevation 0: the integral of interface.md, with at most
+/// 1 rad of phase between four Gauss points, which leaves 1e-8.
 pub(super) fn plate_near(side_m: f64, range_m: f64, azimuth_rad: f64) -> Complex64 {
     let antenna = [range_m * azimuth_rad.cos(), range_m * azimuth_rad.sin()];
     let across = nodes(side_m, 2.0 * K * (azimuth_rad.sin().abs() + side_m / range_m));
@@ -35,9 +34,9 @@ pub(super) fn plate_near(side_m: f64, range_m: f64, azimuth_rad: f64) -> Complex
     front() * sum
 }
 
-/// Places and weights over −side/2 … side/2 for a phase that turns by this many radians a metre.
+/// Gauss points and weights over −side/2 … side/2 for a phase that changes by this many radians per metre.
 pub(super) fn nodes(side_m: f64, turn_per_m: f64) -> Vec<(f64, f64)> {
-    // Gauss and Legendre's four points (Abramowitz and Stegun, table 25.4).
+    // Four-point Gauss–Legendre rule (Abramowitz and Stegun, table 25.4).
     const FOUR: [(f64, f64); 4] = [
         (-0.861_136_311_594_052_6, 0.347_854_845_137_453_8),
         (-0.339_981_043_584_856_3, 0.652_145_154_862_546_2),
@@ -50,7 +49,7 @@ pub(super) fn nodes(side_m: f64, turn_per_m: f64) -> Vec<(f64, f64)> {
     (0..panels).flat_map(panel).collect()
 }
 
-/// S of an upright cylinder seen square: physical optics of its round wall.
+/// S of an upright cylinder perpendicular to the line of sight: physical optics of its round wall.
 pub(super) fn cylinder(radius_m: f64, height_m: f64) -> Complex64 {
     let steps = (40.0 * K * radius_m).ceil() as u32;
     let step = PI / f64::from(steps);

@@ -1,4 +1,4 @@
-//! `chart`, `atlas` and `levels`: speed against accuracy, where each method fails, and levels of detail; each
+//! `chart`, `atlas` and `levels`: speed against accuracy, failures of each method, and levels of detail; each
 //! a table, pictures and a whole page.
 
 use crate::cli::{AtlasArguments, ChartArguments, StudyArguments};
@@ -15,9 +15,9 @@ use wayside::host::files;
 use wayside::pictures::write_png;
 use wayside::program::{interrupt, terminal};
 
-/// Sources that the figures of each drawn study hang on.
+/// Sources that the figures of each such study depend on.
 pub(super) const CHART: Places = &[CHART_ROWS[0], CHART_ROWS[1], CHART_ROWS[2], CHART_ROWS[3], CHART_PAGE];
-/// Sources of the chart's rows; what draws them is beside it.
+/// Sources of the chart's rows, without those that draw them.
 const CHART_ROWS: Places = &[
     sources::CHAIN,
     SHARED,
@@ -45,7 +45,7 @@ const SHARED: &[&str] = &[
     "xtask/src/study/scenes.rs",
 ];
 
-/// Seconds against error, method by method.
+/// Makes the chart: seconds against error, method by method.
 pub(crate) fn chart(ChartArguments { of_all: arguments, against }: &ChartArguments) -> Result<(), Failure> {
     let drawing = Drawing { name: "chart", sources: CHART, columns: &chart::COLUMNS, draw: &chart::pictures };
     let before = against.as_deref().map(|file| drawing.table(file)).transpose()?;
@@ -67,7 +67,7 @@ pub(crate) fn chart(ChartArguments { of_all: arguments, against }: &ChartArgumen
     Ok(())
 }
 
-/// Answers of whole runs, a table beside the chart's own.
+/// Results of whole runs, a table beside the chart's own.
 const ANSWERS: Drawing = Drawing {
     name: "chart-answers",
     sources: CHART,
@@ -75,7 +75,7 @@ const ANSWERS: Drawing = Drawing {
     draw: &|table| vec![("chart-answers", chart::picture_of_answers(table))],
 };
 
-/// The picture of the answers beside an earlier table of the chart, where they are.
+/// The picture of the results beside an earlier table of the chart, if present.
 fn answers_again(chart: &Path, arguments: &StudyArguments) -> Result<(), Failure> {
     let file = chart.with_file_name(format!("{}.csv", ANSWERS.name));
     if !file.exists() {
@@ -85,7 +85,7 @@ fn answers_again(chart: &Path, arguments: &StudyArguments) -> Result<(), Failure
     ANSWERS.again(&file, &arguments).map(drop)
 }
 
-/// Cases and verdicts; ends with exit code 1 if the program was wrong and did not say so.
+/// Makes the atlas; exit code 1 if the program was wrong without a statement of it.
 pub(crate) fn atlas(AtlasArguments { of_all: arguments, only }: &AtlasArguments) -> Result<(), Failure> {
     let draw = |table: &Table| vec![("atlas", atlas::picture(table))];
     let drawing = Drawing { name: "atlas", sources: ATLAS, columns: &atlas::COLUMNS, draw: &draw };
@@ -103,7 +103,7 @@ pub(crate) fn atlas(AtlasArguments { of_all: arguments, only }: &AtlasArguments)
     }
 }
 
-/// Levels of detail: error, seconds, which was taken.
+/// Makes the levels of detail: error, seconds, and the chosen level.
 pub(crate) fn levels(arguments: &StudyArguments) -> Result<(), Failure> {
     let draw = |table: &Table| vec![("levels-of-detail", levels::picture(table))];
     let drawing =
@@ -117,7 +117,7 @@ pub(crate) fn levels(arguments: &StudyArguments) -> Result<(), Failure> {
     drawing.study("validation", tables, levels::page(&rows, extent))?.write("levels", arguments)
 }
 
-/// Way from a study's table to its pictures.
+/// Drawing of a study's pictures from its table.
 struct Drawing<'d> {
     name: &'static str,
     sources: Places,
@@ -126,8 +126,8 @@ struct Drawing<'d> {
 }
 
 impl Drawing<'_> {
-    /// The whole study, its own table first; its pictures are those of that table, as they would be drawn
-    /// from it again.
+    /// The whole study, its own table first; its pictures are drawn from that table, as they would be again
+    /// later.
     fn study(
         &self,
         page_in: &'static str,
@@ -140,14 +140,14 @@ impl Drawing<'_> {
         Ok(DrawnStudy { name: self.name, sources: self.sources, page_in, tables, table, page, pictures })
     }
 
-    /// An earlier table.
+    /// Reads an earlier table.
     fn table(&self, file: &Path) -> Result<Table, Failure> {
         let text = read_text(file)?;
         let refused = |error| Failure::Refused(format!("{}: {error}", file.display()));
         Table::read(&text, self.columns).map_err(refused)
     }
 
-    /// The pictures of an earlier table, which is given back.
+    /// Draws the pictures of an earlier table, and returns it.
     fn again(&self, file: &Path, arguments: &StudyArguments) -> Result<Table, Failure> {
         let table = self.table(file)?;
         let pictures = (self.draw)(&table);
@@ -165,9 +165,9 @@ struct DrawnStudy {
     sources: Places,
     /// Folder of the page within docs/.
     page_in: &'static str,
-    /// Tables by their names, the first of the study's own.
+    /// Tables by name, the study's own first.
     tables: Vec<(&'static str, String)>,
-    /// The first of them, read.
+    /// The first table, parsed.
     table: Table,
     page: String,
     /// Pictures by their names.

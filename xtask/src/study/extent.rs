@@ -1,6 +1,6 @@
 //! Extent of a study: the number of its cases.
 
-/// Extent of a study: that of `--quick`, or all that its page holds.
+/// Extent of a study: that of `--quick`, or the whole page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Extent {
     /// Fewer and smaller cases.
@@ -10,7 +10,7 @@ pub(super) enum Extent {
 }
 
 impl Extent {
-    /// Number of cases tried of `cases`: quickly a fiftieth, and two at least.
+    /// Number of cases to try among `cases`: for a quick study a fiftieth, and at least two.
     pub(super) fn of(self, cases: u64) -> u64 {
         match self {
             Self::Quick => (cases / 50).max(2),

@@ -1,4 +1,4 @@
-//! Levels of detail: what each costs and errs by, and which is taken for the accuracy asked.
+//! Levels of detail: the cost and error of each, and the choice for a requested accuracy.
 
 mod row;
 mod presentation;
@@ -21,7 +21,7 @@ use wayside::host::failure::Failure;
 use wayside::host::processor_time;
 use wayside::host::progress::Work;
 
-/// A scene, and the finest accuracy that it is traced with: beyond, the reduction alone is asked for more.
+/// A scene with the finest accuracy of its tracing: beyond it only the reduction is made finer.
 struct LevelCase {
     name: &'static str,
     header: SceneHeader,
@@ -86,7 +86,7 @@ pub(super) fn rows(extent: Extent) -> Result<Vec<LevelRow>, Failure> {
     Ok(all)
 }
 
-/// Rows of a case for each accuracy asked: paths are traced with it, down to what the case is traced with.
+/// Rows of a case for each requested accuracy, which also applies to the tracing down to the case's limit.
 fn of_case(case: &LevelCase) -> Result<Vec<LevelRow>, Failure> {
     const ASKED_DB: [f64; 5] = [-10.0, -20.0, -30.0, -40.0, -50.0];
     let mut header = case.header.clone();
@@ -159,7 +159,7 @@ fn chosen(frame: &PathsFrame) -> String {
     frame.trace.detail.iter().map(of).collect::<Vec<_>>().join(", ")
 }
 
-/// Does some work and returns its result with the processor seconds that it took.
+/// Does work and returns its result with its processor seconds.
 fn timed<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
     let (start, begin) = (Instant::now(), processor_time::of_living_threads());
     let value = work()?;

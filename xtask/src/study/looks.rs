@@ -1,4 +1,4 @@
-//! A body looked at: what is asked of the tracer, and how far two answers are apart.
+//! Views of a body: requests to the tracer, and the difference of two answers.
 
 use artifact::Accuracy;
 use artifact::paths::Path;
@@ -17,7 +17,7 @@ pub(super) const FREQUENCY_HZ: f64 = 77e9;
 pub(super) const WAVELENGTH_M: f64 = SPEED_OF_LIGHT_MPS / FREQUENCY_HZ;
 pub(super) const K: f64 = TAU / WAVELENGTH_M;
 
-/// S of paths about the first body, seen from the radar in the middle of the frame.
+/// S of paths relative to the first body, seen from the radar at the middle of the frame.
 pub(super) fn about_first_body(
     header: &SceneHeader,
     paths: &[Path],
@@ -34,7 +34,7 @@ pub(super) fn about_first_body(
     scattering_of_paths(paths, &view, frequency_hz)
 }
 
-/// One aspect from infinity, first order, asked for at −60 dB.
+/// One aspect from infinity, first order, with an accuracy of −60 dB.
 pub(super) fn first_order(azimuth_deg: f64, elevation_deg: f64) -> RcsRequest {
     RcsRequest {
         bounces: 1,
@@ -56,8 +56,8 @@ pub(super) fn traced(mesh: &Mesh, request: &RcsRequest) -> Result<RcsResult, Fai
     bart_rcs::rcs(mesh, request, &|_, _| ()).map_err(Failure::refused)
 }
 
-/// S of a request's one look by dense sampling, with so many samples along a wavelength and halvings at the
-/// borders of shadows.
+/// S of a request's single aspect by dense sampling, with the given samples per wavelength and halvings at
+/// the borders of shadows.
 pub(super) fn sampled(
     body: &Mesh,
     request: &RcsRequest,
@@ -71,7 +71,7 @@ pub(super) fn sampled(
     Ok(found.map_err(Failure::refused)?[0][p][q])
 }
 
-/// S of each order of a request's one look by rays.
+/// S of each order of a request's single aspect by rays.
 pub(super) fn shot(
     body: &Mesh,
     request: &RcsRequest,
@@ -82,7 +82,7 @@ pub(super) fn shot(
     Ok(found.map_err(Failure::refused)?.orders.iter().map(|order| order[0][p][q]).collect())
 }
 
-/// Aspect of a request's one antenna, for the references.
+/// Aspect of a request's single antenna, for the references.
 pub(super) fn aspect(request: &RcsRequest) -> Aspect {
     Aspect::monostatic(Standpoint {
         azimuth_rad: request.azimuth_rad[0],
@@ -98,7 +98,7 @@ pub(super) fn relative_error(found: &[Complex64], reference: &[Complex64]) -> f6
     (missed / power(&mut reference.iter().copied())).sqrt()
 }
 
-/// ||S|/|S_ref| − 1|, where the reference has no phase.
+/// ||S|/|S_ref| − 1|, for a reference without phase.
 pub(super) fn level_error(found: f64, reference: f64) -> f64 {
     (found / reference - 1.0).abs()
 }

@@ -1,23 +1,23 @@
-//! Parts of pages that studies make: a part between two lines that name it, the first of them with the hash
-//! of the sources that made it; or a whole page, with that line as its last one.
+//! Parts of pages made by studies: a part between two lines with its name, the first with the hash of its
+//! sources; or a whole page, with that line as its last one.
 
 use std::ops::Range;
 
-/// A page beside the sources that its figures hang on.
+/// Age of a page relative to the sources of its figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Age {
     /// Made by these sources.
     Fresh,
     /// Made by others.
     Older,
-    /// It does not say by which: made before pages said so, or of fewer cases than asked for.
+    /// Made by unknown sources: before pages contained the hash, or with fewer cases than requested.
     Unknown,
-    /// The page is not there, or has no line of this study.
+    /// The page is missing, or has no line of this study.
     Missing,
 }
 
 impl Age {
-    /// Name of the age, as it is told.
+    /// Name of the age.
     pub(crate) fn words(self) -> &'static str {
         match self {
             Self::Fresh => "fresh",
@@ -27,7 +27,7 @@ impl Age {
         }
     }
 
-    /// Age of what `study` makes of a page, where its sources have this hash.
+    /// Age of the part of `study` in a page, if its sources have this hash.
     pub(super) fn of(page: &str, study: &str, hash: &str) -> Self {
         match line_of(page, study).map(|line| &page[line]) {
             Some(line) if line == made_by(study, hash) => Self::Fresh,
@@ -38,10 +38,10 @@ impl Age {
     }
 }
 
-/// Word in place of the hash, where fewer cases than the page tells of were measured.
+/// Word instead of the hash if fewer cases than the page describes were measured.
 pub(super) const FEWER: &str = "unknown";
 
-/// The line that says which study made what stands here, from sources of which hash.
+/// The line with the study that made the part, and the hash of its sources.
 pub(super) fn made_by(study: &str, hash: &str) -> String {
     format!("{}{hash} -->", begin(study))
 }
@@ -75,7 +75,7 @@ pub(super) fn with_part(page: &str, study: &str, hash: &str, part: &str) -> Opti
     Some(format!("{before}{}\n\n{}\n\n{after}", made_by(study, hash), part.trim()))
 }
 
-/// The first line of a part that differs from what was made anew; numbers may by one of their last digit.
+/// The first line of a part that differs from the new one; numbers may differ by one in their last digit.
 pub(super) fn difference(told: &str, made: &str) -> Option<String> {
     let words = |line: &'_ str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
     let are_alike = |(told, made): (&str, &str)| {
@@ -91,14 +91,14 @@ pub(super) fn difference(told: &str, made: &str) -> Option<String> {
         .or_else(shorter)
 }
 
-/// Whether two words are one, or numbers of which the last digit differs by one.
+/// Whether two words are equal, or numbers whose last digits differ by one.
 fn is_alike(told: &str, made: &str) -> bool {
     let plain = |word: &str| word.trim_end_matches([',', ';', '.']).parse::<f64>().ok();
     let is_near = |(a, b): (f64, f64)| (a - b).abs() <= 1.01 * last_digit(told);
     told == made || plain(told).zip(plain(made)).is_some_and(is_near)
 }
 
-/// Worth of the last digit of a number as it is written.
+/// Value of one unit in the last digit of a number as written.
 fn last_digit(number: &str) -> f64 {
     let (digits, power) = number.split_once('e').unwrap_or((number, "0"));
     let decimals =

@@ -1,5 +1,5 @@
-//! Studies whose rows stand in a part of a page between prose: what tests of the crates assert of few cases,
-//! measured of many.
+//! Studies with rows in a part of a page between prose: they measure many cases of what tests of the crates
+//! assert for few.
 
 pub(super) mod deployment;
 pub(super) mod kept;

@@ -1,5 +1,4 @@
-//! Scenes of the studies: a scene file's radar and settings, bodies in its lanes, and the chain from them to
-//! points.
+//! Scenes of the studies: a scene file's radar and settings, bodies in its lanes, and the chain to points.
 
 use artifact::cube::{CubeFrame, CubeHeader, SampleUnit};
 use artifact::paths::PathsFrame;
@@ -11,20 +10,20 @@ use scene::ReadOptions;
 use std::f64::consts::FRAC_PI_2;
 use wayside::host::failure::Failure;
 
-/// A scene from the words of a scene file; without targets unless they are in it.
+/// A scene from the text of a scene file; without targets unless they are in it.
 pub(crate) fn scene_of(words: &str) -> Result<SceneHeader, Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
     let file = folder.path().join("study.toml");
     std::fs::write(&file, format!("name = \"study\"\n{words}"))
         .map_err(|e| Failure::system(&file, "write", e))?;
-    // The folder's name is another in every run; it is left out of what a page quotes.
+    // The folder's name differs in every run, so it is removed from text that a page quotes.
     let named = |e: scene::SceneErrors| {
         Failure::refused(e.to_string().replace(&format!("{}/", folder.path().display()), ""))
     };
     scene::read(&file, &ReadOptions::whole()).map_err(named)
 }
 
-/// The scene with one more body; its front turned to −y, to the radar, as that of an approaching vehicle.
+/// The scene with one more body; its front faces −y, the radar, like that of an approaching vehicle.
 pub(super) fn with_body(
     mut header: SceneHeader,
     body: &Mesh,
@@ -72,7 +71,7 @@ pub(super) fn paths_at(header: &SceneHeader, frame: &SceneFrame) -> Result<Paths
     tracer.all_paths(header, frame, &bart_rcs::FrameSurroundings::ALONE).map_err(Failure::refused)
 }
 
-/// The paper's σ_f at a frame.
+/// The paper's σ_f for a frame.
 pub(super) fn tables_at(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, Failure> {
     let tracer = bart_rcs::Tracer::new(header).map_err(Failure::refused)?;
     tracer.tables(header, frame, &bart_rcs::Unheard).map_err(Failure::refused)
@@ -97,7 +96,7 @@ pub(super) fn synthesizer(header: &SceneHeader, seed: u64) -> Result<fmcw_echo::
     fmcw_echo::Synthesizer::new(&cube_header(header), seed, accuracy, vec![]).map_err(Failure::refused)
 }
 
-/// Map and points that a radar sees of the first frame.
+/// Map and points of a radar for the first frame.
 pub(super) struct Seen {
     pub(super) map: RdmFrame,
     pub(super) points: PointsFrame,

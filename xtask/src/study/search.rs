@@ -1,6 +1,5 @@
-//! Random search for worse than is known: methods against each other on random bodies, radars and cubes.
-//! What differs by more than the printed errors and the reference's own say is a find, and each find becomes
-//! a case of the atlas.
+//! Random search for unknown failures: compares methods on random bodies, radars and cubes. A difference
+//! beyond the printed errors and the reference's own is a find, and each find becomes a case of the atlas.
 
 mod contest;
 mod drawn_bodies;
@@ -20,10 +19,10 @@ use wayside::host::failure::Failure;
 use wayside::host::processor_time;
 use wayside::program::terminal;
 
-/// Sources that the finds hang on.
+/// Sources that the finds depend on.
 pub(super) const SOURCES: Places = &[sources::CHAIN, &["crates/po-sbr", "xtask/src/study/search"]];
 
-/// Every contest, in the order of their turns.
+/// Every contest, in order.
 const CONTESTS: &[Contest] = &[
     Contest { name: "first order against dense sampling", trial: scattering::against_sampling },
     Contest { name: "orders 1 to 3 of boxes against rays", trial: scattering::against_rays },
@@ -38,16 +37,16 @@ const CONTESTS: &[Contest] = &[
     Contest { name: "tracks against their truth", trial: tracks::against_truth },
 ];
 
-/// End of a search.
+/// End condition of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Until {
-    /// After so many cases of each contest.
+    /// Number of cases of each contest.
     Cases(u64),
-    /// After so many seconds of processor time.
+    /// Number of processor seconds.
     ProcessorSeconds(f64),
 }
 
-/// Searches contest by contest in turn; tells of finds as it goes.
+/// Searches contest by contest in turn; prints finds as they occur.
 pub(super) fn searched(seed: u64, until: Until) -> Result<Vec<Tally>, Failure> {
     let mut tallies: Vec<Tally> = CONTESTS.iter().map(Tally::of).collect();
     let start_s = processor_time::of_process().unwrap_or(0.0);

@@ -1,4 +1,4 @@
-//! Sources that the figures of a study hang on, and their short hash.
+//! Sources that the figures of a study depend on, and their short hash.
 
 #[path = "../../../crates/pipeline/sources.rs"]
 mod hashed;
@@ -6,16 +6,16 @@ mod hashed;
 use crate::project::project_root;
 use wayside::host::failure::Failure;
 
-/// Places from the project's root on, in lists that studies share.
+/// Places relative to the project's root, in lists shared by studies.
 pub(crate) type Places = &'static [&'static [&'static str]];
 
-/// Leaves that every stage sees.
+/// Leaves that every stage uses.
 const LEAVES: &[&str] = &["crates/artifact", "crates/bodies", "crates/radar"];
 
 /// Maps, detectors, directions.
 pub(super) const SIGNALS: &[&str] = &["crates/dsp", "crates/dsp/tests/common"];
 
-/// Bodies and what they scatter.
+/// Bodies and their scattering.
 pub(super) const SCATTERING: &[&str] = &["crates/scene", "crates/bart-rcs", "crates/po-sbr"];
 
 /// The stages from a scene to points.

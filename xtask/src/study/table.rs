@@ -1,4 +1,4 @@
-//! Rows as CSV, as a table of a page, and read again to be drawn.
+//! Rows as CSV, as a table of a page, and read again for drawing.
 
 use artifact::units::db_from_amplitude;
 use wayside::host::safe_text::in_csv;
@@ -13,15 +13,14 @@ pub(super) fn csv(header: &str, rows: impl Iterator<Item = Vec<String>>) -> Stri
     text
 }
 
-/// A table as [`csv`] writes it: what pictures are drawn from, so that they can be drawn anew without
-/// computing.
+/// A table in the format of [`csv`], from which pictures can be redrawn without computing.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Table {
     columns: Vec<String>,
     rows: Vec<Vec<String>>,
 }
 
-/// Reasons why a table cannot be drawn.
+/// Reason why a table cannot be drawn.
 #[derive(Debug, thiserror::Error, PartialEq)]
 pub(super) enum TableError {
     #[error("has no column `{0}`")]
@@ -31,7 +30,7 @@ pub(super) enum TableError {
 }
 
 impl Table {
-    /// Reads a table that has at least these columns; lines within quotes are not looked for.
+    /// Reads a table that has at least these columns; quoted line breaks are not supported.
     pub(super) fn read(text: &str, columns: &[&'static str]) -> Result<Self, TableError> {
         let mut lines = text.lines().map(fields);
         let table = Self { columns: lines.next().unwrap_or_default(), rows: lines.collect() };
@@ -49,13 +48,13 @@ impl Table {
         self.columns.iter().position(|name| name == column)
     }
 
-    /// Each row, as what its columns hold; a column that is not there holds nothing.
+    /// Rows as the contents of their columns; a missing column is empty.
     pub(super) fn rows(&self) -> impl Iterator<Item = RowOf<'_>> {
         self.rows.iter().map(|fields| RowOf { table: self, fields })
     }
 }
 
-/// A row of a table that was read.
+/// A row of a table.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RowOf<'t> {
     table: &'t Table,
@@ -67,7 +66,7 @@ impl<'t> RowOf<'t> {
         self.table.place(column).and_then(|i| self.fields.get(i)).map_or("", String::as_str)
     }
 
-    /// NaN where there is no number.
+    /// The number in a column; NaN if there is none.
     pub(super) fn number(&self, column: &str) -> f64 {
         self.word(column).parse().unwrap_or(f64::NAN)
     }
@@ -101,7 +100,7 @@ pub(super) fn markdown(header: &[&str], rows: impl Iterator<Item = Vec<String>>)
     text
 }
 
-/// An amplitude error in dB with one decimal; empty where there is none, and a NaN is never a small number.
+/// An amplitude error in dB with one decimal; empty for `None`, and NaN is never a small number.
 pub(super) fn decibels(error: Option<f64>) -> String {
     match error {
         None => String::new(),

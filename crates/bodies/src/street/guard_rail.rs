@@ -4,17 +4,17 @@ use crate::street::outline::rectangle;
 use crate::street::prism::{Point, Prisms};
 use std::f64::consts::TAU;
 
-/// Height and depth of the W profile: 12¼ × 3¼ inches (AASHTO M 180), as the rails of Europe are. Its waves
-/// are drawn as two of a cosine.
+/// Height and depth of the W profile: 12¼ × 3¼ inches (AASHTO M 180), as for European rails. Its waves are
+/// two periods of a cosine.
 const RAIL_M: [f64; 2] = [0.312, 0.083];
 /// Thickness of the sheet, 12 gauge.
 const SHEET_M: f64 = 0.0027;
 /// Height of the rail's upper edge.
 const TOP_M: f64 = 0.75;
-/// A multiple of four, so that the crests are among the corners. Chords of 13 mm on crests of 15 mm radius
-/// are a rail bent of flat strips: down the road, where ends and posts answer, that is enough, and square on
-/// its crests are up to 9 dB off (`docs/physics.md` §3, chord over √(ρλ) 1.7). Four times as many take a
-/// tracer four times as long.
+/// Number of chords, a multiple of four, so that the crests are among the corners. Chords of 13 mm on crests
+/// of 15 mm radius represent a rail bent from flat strips: along the road, where ends and posts reflect, that
+/// suffices, and perpendicular to it its crests are up to 9 dB off (`docs/physics.md` §3, chord over √(ρλ)
+/// 1.7). Four times as many take a tracer four times as long.
 const CHORDS: usize = 24;
 
 /// Spacing of the posts, their size along and across, their height.
@@ -24,7 +24,7 @@ const POST_HEIGHT_M: f64 = 0.7;
 /// Gap of air between the rail's back and the posts.
 const GAP_M: f64 = 0.01;
 
-/// The rail and its posts, from the middle out; blocks and bolts are left out.
+/// Adds the rail and its posts, from the middle outwards, without blocks and bolts.
 pub(crate) fn draw(prisms: &mut Prisms, length_m: f64) {
     prisms.along(&profile(), [-0.5 * length_m, 0.5 * length_m], "steel");
     let spaces = ((length_m - POST_M[0]) / SPACING_M).floor().max(0.0) as usize;

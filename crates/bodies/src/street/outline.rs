@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Wavelength at 77 GHz.
 const WAVELENGTH_M: f64 = 3.893e-3;
-/// Chord over √(ρλ): facets no wider show within 0.35 dB what the round surface shows (`docs/physics.md` §3).
+/// Chord over √(ρλ): facets no wider reproduce the round surface within 0.35 dB (`docs/physics.md` §3).
 const CHORD_SHARE: f64 = 0.35;
 
 /// Number of chords that an arc needs.
@@ -29,13 +29,13 @@ pub(crate) fn rectangle(low_m: Point, high_m: Point) -> Vec<Point> {
     vec![low_m, [high_m[0], low_m[1]], high_m, [low_m[0], high_m[1]]]
 }
 
-/// Width, what stands out of the road, and the bevel of the upper edges: kerbstones between carriageway and
-/// footway stand 10 to 15 cm high and are 12 to 18 cm wide. Rounded edges in place of bevels take a tracer
-/// twice as long for 4 m of kerb at 38 m, 7.7 processor seconds, whose echo is −45 to −48 dBsm either way.
+/// Width, height above the road, and bevel of the upper edges: kerbstones between carriageway and footway are
+/// 10 to 15 cm high and 12 to 18 cm wide. Rounded edges instead of bevels take a tracer twice as long for 4 m
+/// of kerb at 38 m, 7.7 processor seconds, with the same echo of −45 to −48 dBsm.
 const KERB_M: [f64; 2] = [0.15, 0.12];
 const BEVEL_M: f64 = 0.02;
 
-/// A kerbstone from ahead, its middle on the axis.
+/// A kerbstone seen from ahead, its middle on the axis.
 pub(crate) fn kerbstone() -> Vec<Point> {
     let ([width_m, height_m], bevel_m) = (KERB_M, BEVEL_M);
     let half = 0.5 * width_m;

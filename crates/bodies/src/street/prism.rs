@@ -1,4 +1,4 @@
-//! Prisms over outlines: every piece of street furniture consists of them.
+//! Prisms over outlines, the components of all street furniture.
 
 use artifact::scene::{Mesh, MeshStatistics};
 
@@ -23,9 +23,9 @@ impl Prisms {
         self.add(outline, ends_m, material, |[y, z], x| [x, y, z]);
     }
 
-    /// Adds a prism; `place` puts the outline's axes and the prism's onto a right-handed triad. The ends
-    /// are cut into the strips between points number k from the start and k from the end: right for convex
-    /// outlines, and for sheets whose sides face each other so.
+    /// Adds a prism; `place` maps the outline's axes and the prism's to a right-handed triad. The ends are
+    /// cut into strips between points number k from the start and k from the end: valid for convex outlines,
+    /// and for sheets whose sides face each other in this way.
     fn add(
         &mut self,
         outline: &[Point],

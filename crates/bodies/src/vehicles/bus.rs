@@ -10,7 +10,7 @@ use crate::vehicles::drawing::wheel::{Drive, Lining, Rim, Wheel, arch_lining, ax
 use form::Form;
 pub(crate) use form::size_range;
 
-/// A whole bus in its drawing's axes, made to the size given.
+/// Makes a whole bus in its drawing's axes, in the given size.
 pub(crate) fn draw(draw: &Draw, size_m: [f64; 3]) -> Assembly {
     let form = Form::of(draw, size_m);
     let mut bus = Assembly::default();

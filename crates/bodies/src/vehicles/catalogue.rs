@@ -1,4 +1,4 @@
-//! Catalogue of all vehicles by their names: the twelve models and the families, drawn by their class.
+//! Catalogue of all vehicles by name: the twelve models and the families, made by their classes.
 
 use crate::vehicles::dimensions::{Draw, SizeRange};
 use crate::vehicles::drawing::mesh_builder::{Assembly, Vehicle};
@@ -28,13 +28,13 @@ pub fn names() -> Vec<&'static str> {
     NAMES.into_iter().chain(family::all().iter().map(|family| family.name.as_str())).collect()
 }
 
-/// Names of all crosses of a class, as `car-kei+pickup`: made of what the first family is made of, in
-/// proportions half way to those of another one of its class and build.
+/// Names of all crosses of a class, as `car-kei+pickup`: built like the first family, in proportions half way
+/// to those of another one of its class and build.
 pub fn crosses_of(class: Class) -> Vec<String> {
     family::crosses_of(class)
 }
 
-/// Names of the two families that a cross is named by; `None` of any other name.
+/// The two families in the name of a cross; `None` for any other name.
 pub fn families_of(cross: &str) -> Option<[&'static str; 2]> {
     family::of_cross(cross).map(|families| families.map(|family| family.name.as_str()))
 }
@@ -48,14 +48,14 @@ pub fn class_of(name: &str) -> Option<Class> {
     Class::ALL.into_iter().find(|class| Some(class.name()) == kind)
 }
 
-/// One of [`names`] or [`crosses_of`] in body axes, its bounding box (mirrors, handlebar and rider included)
-/// of the nominal dimensions for seed 0 and of dimensions drawn from [`ranges_m`] for any other; `None` for
-/// any other name.
+/// Mesh of one of [`names`] or [`crosses_of`] in body axes, with a bounding box (mirrors, handlebar and rider
+/// included) of the nominal dimensions for seed 0 and of dimensions drawn from [`ranges_m`] for any other
+/// seed; `None` for any other name.
 pub fn mesh(name: &str, seed: u64) -> Option<Mesh> {
     vehicle(name, seed).map(|vehicle| vehicle.mesh)
 }
 
-/// [`mesh`], and which of its triangles are of road wheels.
+/// [`mesh`] with a mark for its triangles of road wheels.
 pub fn vehicle(name: &str, seed: u64) -> Option<Vehicle> {
     let (parts, size_m) = drawing(name, seed)?;
     Some(parts.finish(name, size_m))
@@ -78,7 +78,7 @@ pub(crate) fn size_range(name: &str) -> Option<SizeRange> {
     }
 }
 
-/// Parts and the size they are to be fitted to.
+/// Parts, and the size to scale them to.
 pub(crate) fn drawing(name: &str, seed: u64) -> Option<(Assembly, [f64; 3])> {
     match family::find(name) {
         Some(family) => Some(family_drawing(&family, seed)),

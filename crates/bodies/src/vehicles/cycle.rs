@@ -1,5 +1,5 @@
-//! Two-wheelers of the families: wheels, fork and handlebar from numbers, all else solids of the table, with
-//! a rider or without one.
+//! Two-wheelers of the families: wheels, fork and handlebar from numbers, everything else from solids of the
+//! table, with or without a rider.
 
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::rider::Rider;
@@ -10,7 +10,7 @@ use crate::vehicles::motorcycle::parts::{CycleWheel, forks, handlebar, mirror, m
 use crate::vehicles::parts;
 use glam::DVec3;
 
-/// A whole two-wheeler in its drawing's axes, made to the size given.
+/// Makes a whole two-wheeler in its drawing's axes, in the given size.
 pub(crate) fn draw(drawn: &Drawn<'_>, nominal_m: [f64; 3], size_m: [f64; 3]) -> Assembly {
     let stretch = DVec3::from_array(size_m) / DVec3::from_array(nominal_m);
     let mut made = Assembly::default();
@@ -24,7 +24,7 @@ pub(crate) fn draw(drawn: &Drawn<'_>, nominal_m: [f64; 3], size_m: [f64; 3]) -> 
     cycle.add_all(made, |part| part.map(|p| p * stretch));
     parts::add(drawn, stretch, &mut cycle);
     for wheel in wheels(drawn) {
-        // Wheels stay round, wherever the axle goes.
+        // Wheels stay round when the axle moves.
         CycleWheel { axle_x: wheel.axle_x * stretch.x, ..wheel }.add(&mut cycle);
     }
     cycle
@@ -83,7 +83,8 @@ fn lamp(drawn: &Drawn<'_>, to: &mut Assembly) {
     to.add(dish.moved(x, 0.0, z));
 }
 
-/// Joints as [x, z] of the middle and [x, y, z] of the left side; the lean moves shoulders, head and elbows.
+/// Rider with joints as [x, z] of the middle and [x, y, z] of the left side; the lean moves shoulders, head
+/// and elbows.
 fn rider(drawn: &Drawn<'_>) -> Rider {
     let lean = drawn.number("lean_m");
     let moved = |[x, z]: [f64; 2]| [x + lean, z - 0.3 * lean.max(0.0)];

@@ -10,8 +10,8 @@ pub(crate) struct Draw<'a> {
 }
 
 impl Draw<'_> {
-    /// A dimension: `nominal` for seed 0, else uniform over `range`; `what` names it, so that one drawn
-    /// more changes no other.
+    /// Draws a dimension: `nominal` for seed 0, else uniform over `range`; `what` names it, so that
+    /// additional dimensions do not change others.
     pub(crate) fn value(&self, what: &str, nominal: f64, range: RangeInclusive<f64>) -> f64 {
         if self.seed == 0 {
             return nominal;

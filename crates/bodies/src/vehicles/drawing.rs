@@ -1,5 +1,5 @@
-//! Tools that every vehicle is drawn with: lines, skins, holes in them, solids, wheels and riders, and
-//! the whole made a mesh.
+//! Tools for drawing all vehicles: lines, skins, holes in them, solids, wheels and riders, and the assembly
+//! into a mesh.
 
 pub(crate) mod curve;
 pub(crate) mod surface;

@@ -1,12 +1,11 @@
-//! Families: the rows of readable tables, and the values that a seed draws from them.
+//! Families: rows of readable tables, and the values drawn from them by a seed.
 //!
-//! A class has one table (`crates/bodies/vehicles/CLASS.toml`), a section of it one family, `[default]` what
-//! its families have in common. A number stands for itself, `[low, high]` for a uniform draw with its middle
-//! as the nominal value, a list of words for one of them with the first as the nominal word. Under a key that
-//! asks whether something is there, a number is the probability that it is.
+//! A class has one table (`crates/bodies/vehicles/CLASS.toml`); a section of it is one family, `[default]`
+//! the common part. A number is a fixed value, `[low, high]` a uniform draw with its middle as the nominal
+//! value, a list of words a choice with the first as the nominal word. Under a key for the presence of
+//! something, a number is its probability.
 //!
-//! `car-kei+pickup` is a cross: a kei car whose numbers lie half way to those of a pick-up
-//! ([`crosses`]).
+//! `car-kei+pickup` is a cross: a kei car whose numbers are half way to those of a pick-up ([`crosses`]).
 
 mod crosses; // half way between two families
 
@@ -35,7 +34,7 @@ static FAMILIES: LazyLock<Vec<Family>> = LazyLock::new(|| {
     tables.into_iter().flat_map(|(class, text)| families(class, text)).collect()
 });
 
-/// Families of a table; a table that is none has no families, which a test would see.
+/// Families of a table; an invalid table has no families, which a test would detect.
 fn families(class: Class, text: &str) -> Vec<Family> {
     let table: Table = text.parse().unwrap_or_default();
     let section = |name: &str| table.get(name).and_then(Value::as_table);
@@ -52,7 +51,7 @@ pub(crate) fn all() -> &'static [Family] {
     &FAMILIES
 }
 
-/// The family of that name, or the cross of two of one build.
+/// The family with that name, or the cross of two families of one build.
 pub(crate) fn find(name: &str) -> Option<Cow<'static, Family>> {
     if let Some(family) = written(name) {
         return Some(Cow::Borrowed(family));
@@ -66,7 +65,7 @@ fn written(name: &str) -> Option<&'static Family> {
     FAMILIES.iter().find(|family| family.name == name)
 }
 
-/// The two families that a cross is named by, whether they are of one build or not.
+/// The two families in the name of a cross, whether they are of one build or not.
 pub(crate) fn of_cross(name: &str) -> Option<[&'static Family; 2]> {
     let (first, second) = name.split_once(crosses::SIGN)?;
     let first = written(first)?;
@@ -74,7 +73,7 @@ pub(crate) fn of_cross(name: &str) -> Option<[&'static Family; 2]> {
     Some([first, second])
 }
 
-/// Names of all crosses of a class: each family with each other one of its build, in their order.
+/// Names of all crosses of a class: each family with each other one of its build, in order.
 pub(crate) fn crosses_of(class: Class) -> Vec<String> {
     let of_class: Vec<&Family> = FAMILIES.iter().filter(|family| family.class == class).collect();
     let named = |[first, second]: [&&Family; 2]| {
@@ -87,12 +86,12 @@ pub(crate) fn crosses_of(class: Class) -> Vec<String> {
 }
 
 impl Family {
-    /// Values that a seed draws of the family.
+    /// Values that a seed draws for the family.
     pub(crate) fn drawn(&self, seed: u64) -> Drawn<'_> {
         Drawn { draw: Draw { model: &self.name, seed }, table: &self.values, scope: String::new() }
     }
 
-    /// Overall dimensions of all seeds; a two-wheeler without its rider is as low as `bare_height_m` says.
+    /// Overall dimensions for all seeds; the lower limit for a two-wheeler without rider is `bare_height_m`.
     pub(crate) fn size_range(&self) -> SizeRange {
         let range = |key: &str| self.values.get(key).map(bounds);
         let height = range("height_m").unwrap_or([f64::NAN; 2]);
@@ -104,17 +103,17 @@ impl Family {
     }
 }
 
-/// One vehicle's values: a table and the seed that draws from it.
+/// One vehicle's values: a table and the seed for its draws.
 #[derive(Debug, Clone)]
 pub(crate) struct Drawn<'a> {
     draw: Draw<'a>,
     table: &'a Table,
-    /// Place in the family's table where this one lies, so that equal keys of two parts are drawn apart.
+    /// Path of this table in the family's, so that equal keys of two parts are drawn independently.
     scope: String,
 }
 
 impl<'a> Drawn<'a> {
-    /// Nominal length, width and height, and those drawn.
+    /// Nominal length, width and height, and the drawn ones.
     pub(crate) fn sizes_m(&self) -> [[f64; 3]; 2] {
         let bare = self.table.contains_key("bare_height_m") && !self.has("rider");
         let keys = ["length_m", "width_m", if bare { "bare_height_m" } else { "height_m" }];
@@ -125,17 +124,17 @@ impl<'a> Drawn<'a> {
         self.table.get(key).map_or(f64::NAN, |value| 0.5 * (bounds(value)[0] + bounds(value)[1]))
     }
 
-    /// A number; not a number where the table has none, which no test of a mesh lets pass.
+    /// A number; NaN if the table has none, which all tests of meshes reject.
     pub(crate) fn number(&self, key: &str) -> f64 {
         self.table.get(key).map_or(f64::NAN, |value| self.value(key, value))
     }
 
-    /// A number, or what stands for it where the table has none.
+    /// A number, or a default if the table has none.
     pub(crate) fn number_or(&self, key: &str, otherwise: f64) -> f64 {
         if self.table.contains_key(key) { self.number(key) } else { otherwise }
     }
 
-    /// Several numbers, each drawn for itself.
+    /// Several numbers, each drawn independently.
     pub(crate) fn numbers<const N: usize>(&self, key: &str) -> [f64; N] {
         let written = self.list(key);
         std::array::from_fn(|k| {
@@ -143,7 +142,7 @@ impl<'a> Drawn<'a> {
         })
     }
 
-    /// A list of rows of numbers, each drawn for itself.
+    /// A list of rows of numbers, each drawn independently.
     pub(crate) fn rows<const N: usize>(&self, key: &str) -> Vec<[f64; N]> {
         let number = |row: &Value, k: usize, n: usize| {
             let written = row.as_array().and_then(|row| row.get(n));
@@ -152,7 +151,7 @@ impl<'a> Drawn<'a> {
         self.list(key).iter().enumerate().map(|(k, row)| std::array::from_fn(|n| number(row, k, n))).collect()
     }
 
-    /// Whether something is there.
+    /// Whether an optional part is present.
     pub(crate) fn has(&self, key: &str) -> bool {
         match self.table.get(key) {
             Some(Value::Boolean(there)) => *there,
@@ -161,7 +160,7 @@ impl<'a> Drawn<'a> {
         }
     }
 
-    /// A word: the one written, or one of those written; empty where there is none.
+    /// A word: the given one, or one of a list; empty if there is none.
     pub(crate) fn word(&self, key: &str) -> &'a str {
         match self.table.get(key) {
             Some(Value::String(word)) => word,
@@ -192,7 +191,7 @@ impl<'a> Drawn<'a> {
         self.table.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
     }
 
-    /// A half for seed 0, so that what is more likely than not is nominal.
+    /// Draw from 0 to 1: just under a half for seed 0, so that likely parts are nominal.
     fn fraction(&self, key: &str) -> f64 {
         self.draw.value(&format!("{}{key}", self.scope), 0.499, 0.0..=1.0)
     }
@@ -203,7 +202,7 @@ impl<'a> Drawn<'a> {
     }
 }
 
-/// A number as both bounds, or the two written.
+/// Both bounds of a value: a number twice, or the given two.
 fn bounds(value: &Value) -> [f64; 2] {
     let number = |value: &Value| value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64));
     match value {

@@ -9,14 +9,14 @@ use serde_json::{Value, json};
 /// A node and its mesh: the body, or a wheel.
 struct Node {
     name: String,
-    /// Ascending.
+    /// Triangles of the node, ascending.
     triangles: Vec<u32>,
 }
 
-/// Binary glTF: a node of the body and below it one of every road wheel, `Wheel_1` the left one in front and
-/// so on to the rear; a mesh each in the vehicle's axes, one primitive per material, POSITION, NORMAL and
-/// 32-bit indices, in glTF's axes (+Z forward, +X left, +Y up; (x, y, z) of the body is (z, x, y) there).
-/// Equal vehicles give equal bytes, and the reader finds the wheels again.
+/// Writes binary glTF: a node of the body and below it one of every road wheel, `Wheel_1` the left one in
+/// front and so on to the rear; one mesh each in the vehicle's axes, one primitive per material, POSITION,
+/// NORMAL and 32-bit indices, in glTF's axes (+Z forward, +X left, +Y up; (x, y, z) of the body is (z, x, y)
+/// there). Equal vehicles give equal bytes, and the reader recognizes the wheels.
 pub fn glb(vehicle: &Vehicle) -> Vec<u8> {
     let mesh = &vehicle.mesh;
     let mut buffer = Buffer::default();
@@ -37,7 +37,7 @@ pub fn glb(vehicle: &Vehicle) -> Vec<u8> {
     container(document.to_string().into_bytes(), buffer.bytes)
 }
 
-/// The body's, then the wheels'.
+/// The body's node, then the wheels'.
 fn nodes(vehicle: &Vehicle) -> Vec<Node> {
     let Vehicle { mesh, is_of_wheel } = vehicle;
     let wheels = triangles_of_wheels(mesh, is_of_wheel);
@@ -50,7 +50,7 @@ fn nodes(vehicle: &Vehicle) -> Vec<Node> {
     std::iter::once(body).chain(wheels).collect()
 }
 
-/// The first node above all others.
+/// Nodes as JSON, the first above all others.
 fn described(nodes: &[Node]) -> Vec<Value> {
     let mut all: Vec<Value> =
         nodes.iter().enumerate().map(|(number, node)| json!({ "mesh": number, "name": node.name })).collect();
@@ -66,7 +66,7 @@ fn mesh_of(buffer: &mut Buffer, mesh: &Mesh, node: &Node) -> Value {
     json!({ "name": node.name, "primitives": primitives })
 }
 
-/// Triangles of a node that are of a material; `None` where there are none, for accessors may not be empty.
+/// Triangles of a node with one material; `None` if there are none, because accessors must not be empty.
 fn primitive(buffer: &mut Buffer, mesh: &Mesh, node: &Node, slot: usize) -> Option<Value> {
     let is_of_slot = |t: &&u32| usize::from(mesh.material_of_triangle[**t as usize]) == slot;
     let corners: Vec<u32> =
@@ -89,7 +89,7 @@ fn primitive(buffer: &mut Buffer, mesh: &Mesh, node: &Node, slot: usize) -> Opti
     }))
 }
 
-/// A name and a colour to look at; nothing physical is read from either but the name.
+/// A name and a display colour; only the name has a physical meaning.
 fn material(name: &str) -> Value {
     let (colour, metallic, roughness) = match name {
         "paint" => ([0.55, 0.08, 0.07], 0.3, 0.35),

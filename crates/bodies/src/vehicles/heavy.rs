@@ -1,7 +1,7 @@
-//! Trucks of the families: a cab, a chassis, and what it carries; or one body where the cab is part of it.
+//! Trucks of the families: a cab, a chassis and a load; or one body that includes the cab.
 //!
-//! Lengths of the cab are shares of `cab_m` = [length, height of its roof]. `carries` tells the body: "box"
-//! (a hull with panels drawn a little out of true), "tank", or "parts" where the table lists solids only.
+//! Lengths of the cab are shares of `cab_m` = [length, height of its roof]. `carries` defines the load: "box"
+//! (a hull with slightly distorted panels), "tank", or "parts" if the table lists only solids.
 
 use crate::vehicles::drawing::curve::Curve;
 use crate::vehicles::drawing::mesh_builder::Assembly;
@@ -16,7 +16,7 @@ use crate::vehicles::truck::form::{Form, Kind};
 use crate::vehicles::truck::load;
 use glam::DVec3;
 
-/// A whole truck in its drawing's axes, made to the size given.
+/// Makes a whole truck in its drawing's axes, in the given size.
 pub(crate) fn draw(drawn: &Drawn<'_>, nominal_m: [f64; 3], size_m: [f64; 3]) -> Assembly {
     if drawn.has("unibody") {
         return loft::draw(drawn, nominal_m, size_m);
@@ -74,7 +74,7 @@ fn form(drawn: &Drawn<'_>, size_m: [f64; 3]) -> Form {
     }
 }
 
-/// A box whose walls bow and lean by what panels of sheet and canvas do.
+/// A box whose walls bow and lean like panels of sheet or canvas.
 fn hull(drawn: &Drawn<'_>, form: &Form, truck: &mut Assembly) {
     let [front, rear] = form.load_x;
     let (low, high, half) = (form.load_floor_z, form.load_top_z, form.half_width_m + 0.02);

@@ -1,4 +1,4 @@
-//! Lofted bodies: cars, vans, buses and the cabs of trucks, all of them one skin over drawn lines.
+//! Lofted bodies: cars, vans, buses and the cabs of trucks, each a single skin over drawn lines.
 
 mod form;
 mod face;
@@ -12,7 +12,7 @@ use crate::vehicles::parts;
 pub(crate) use form::{Form, Room};
 use glam::DVec3;
 
-/// A whole passenger vehicle in its drawing's axes, made to the size given.
+/// Makes a whole passenger vehicle in its drawing's axes, in the given size.
 pub(crate) fn draw(drawn: &Drawn<'_>, nominal_m: [f64; 3], size_m: [f64; 3]) -> Assembly {
     let form = Form::of(drawn, &Room::whole(drawn, size_m));
     let mut vehicle = Assembly::default();
@@ -24,7 +24,7 @@ pub(crate) fn draw(drawn: &Drawn<'_>, nominal_m: [f64; 3], size_m: [f64; 3]) -> 
     vehicle
 }
 
-/// The skin with its panes and lamps, the linings of its arches, and what is fixed to it.
+/// Adds the skin with its panes and lamps, the linings of its arches, and its attached parts.
 pub(crate) fn add_body(drawn: &Drawn<'_>, form: &Form, to: &mut Assembly) {
     let skin = skin::cut_skin(drawn, form);
     for axle_x in &form.axles_x {

@@ -29,7 +29,7 @@ pub(crate) fn size_range(model: &str) -> SizeRange {
     }
 }
 
-/// A whole motorcycle in its drawing's axes, made to the size given.
+/// Makes a whole motorcycle in its drawing's axes, in the given size.
 pub(crate) fn draw(draw: &Draw, size_m: [f64; 3]) -> Assembly {
     let nominal_m = size_range(draw.model).nominal_m;
     let machine = match draw.model {
@@ -41,7 +41,7 @@ pub(crate) fn draw(draw: &Draw, size_m: [f64; 3]) -> Assembly {
     let mut motorcycle = Assembly::default();
     motorcycle.add_all(machine.parts, |part| part.map(|p| p * stretch));
     for wheel in [machine.front, machine.rear] {
-        // Wheels stay round, wherever the axle goes.
+        // Wheels stay round when the axle moves.
         CycleWheel { axle_x: wheel.axle_x * stretch.x, ..wheel }.add(&mut motorcycle);
     }
     motorcycle

@@ -1,11 +1,11 @@
-//! Solids that a family's table lists: boxes, balls, drums, tubes and limbs in the metres of the nominal
+//! Solids listed in a family's table: boxes, balls, drums, tubes and limbs in the metres of the nominal
 //! drawing.
 //!
 //! Keys of a part: `solid` (box, ball, drum, tube, limb), `at` = [x, y, z], `size` = [length, width, height],
-//! `round` (radius of a box's edges), `pitch_deg` (the front goes down), `yaw_deg`, `radius`, `length` and
-//! `axis` of a drum, `path` of a tube (rows x, y, z) or a limb (rows x, y, z, half width, half height),
-//! `material`, `pair` (with its mirror image), `chance`, `when` = "key=word" (only where the family's word of
-//! that key is drawn), `repeat` and `step` = [x, y, z] (a row of them).
+//! `round` (radius of a box's edges), `pitch_deg` (positive lowers the front), `yaw_deg`, `radius`, `length`
+//! and `axis` of a drum, `path` of a tube (rows x, y, z) or a limb (rows x, y, z, half width, half height),
+//! `material`, `pair` (with its mirror image), `chance`, `when` = "key=word" (only if the family's draw for
+//! that key is the word), `repeat` and `step` = [x, y, z] (a row of them).
 
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::solids::{
@@ -15,7 +15,7 @@ use crate::vehicles::drawing::surface::{Material, Surface};
 use crate::vehicles::family::Drawn;
 use glam::{DQuat, DVec3};
 
-/// Adds the parts that are there, stretched from the nominal drawing to the size drawn.
+/// Adds the present parts, stretched from the nominal drawing to the drawn size.
 pub(crate) fn add(family: &Drawn<'_>, stretch: DVec3, to: &mut Assembly) {
     for key in ["shared", "part"] {
         for part in family.tables(key).iter().filter(|part| is_there(family, part)) {
@@ -78,7 +78,7 @@ fn drum(part: &Drawn<'_>, sectors: usize, material: Material) -> Surface {
     }
 }
 
-/// The material of that name; what has none is painted.
+/// The material with that name; parts without one are painted.
 pub(crate) fn material(name: &str) -> Material {
     Material::ALL.into_iter().find(|material| material.name() == name).unwrap_or(Material::Paint)
 }

@@ -17,18 +17,18 @@ pub struct Classifier {
 }
 
 impl Classifier {
-    /// The network of a model; refused where header and weights do not fit this program or each other.
+    /// Makes the network of a model; refused if header and weights do not fit this program or each other.
     pub fn from_model(header: &ModelHeader, weights: &Weights) -> Result<Self, ClassifierError> {
         let layout = Layout::of(header)?;
         Self::from_parameters(layout, &Parameters::from_weights(&layout, weights)?)
     }
 
-    /// The probability of each class of [`artifact::settings::Class::ALL`] for each crop; a row sums to 1.
+    /// The probability of each class of [`artifact::settings::Class::ALL`] for each crop; each row sums to 1.
     ///
-    /// The crops must be of the model's [`artifact::dataset::CropFormat`].
+    /// The crops must have the model's [`artifact::dataset::CropFormat`].
     pub fn probabilities(&self, crops: &[Crop]) -> Result<Vec<[f32; 4]>, ClassifierError> {
-        // Every crop is looked at before any is answered, so that the first that is off is told on any number
-        // of threads.
+        // All crops are checked before any is classified, so that the first invalid one is reported with any
+        // number of threads.
         crops.iter().enumerate().try_for_each(|(index, crop)| check_pixels(crop, &self.layout, index))?;
         let answer = |crop: &Crop| {
             let pooled = pool(&crop.pixels, self.layout.crop_side, self.layout.input_side);
@@ -37,7 +37,7 @@ impl Classifier {
         Ok(crops.par_iter().map(answer).collect())
     }
 
-    /// The network with these parameters; refused where a tensor is missing.
+    /// Makes the network with these parameters; refused if a tensor is missing.
     pub fn from_parameters(layout: Layout, parameters: &Parameters) -> Result<Self, ClassifierError> {
         Ok(Self { layout, network: Network::new(&layout, parameters)? })
     }
@@ -55,7 +55,7 @@ impl Classifier {
     }
 }
 
-/// A crop at the network's resolution; `index` names it where it is refused.
+/// Pools a crop to the network's resolution; `index` names it in errors.
 pub(crate) fn pooled_crop(crop: &Crop, layout: &Layout, index: usize) -> Result<Vec<u8>, ClassifierError> {
     check_pixels(crop, layout, index)?;
     Ok(pool(&crop.pixels, layout.crop_side, layout.input_side))
@@ -70,8 +70,7 @@ fn check_pixels(crop: &Crop, layout: &Layout, index: usize) -> Result<(), Classi
     }
 }
 
-/// Softmax e^l / Σ e^l in double precision, the largest logit taken off first so that nothing
-/// overflows.
+/// Softmax e^l / Σ e^l in double precision, with the largest logit subtracted first to avoid overflow.
 pub(crate) fn softmax(logits: Logits) -> [f64; 4] {
     let largest = logits.into_iter().fold(f32::NEG_INFINITY, f32::max);
     let powers = logits.map(|l| (f64::from(l) - f64::from(largest)).exp());

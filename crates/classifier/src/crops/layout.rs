@@ -1,4 +1,4 @@
-//! The network's shape, told by a model's header: which tensors it has and how large they are.
+//! The network's shape, from a model's header: names and shapes of its tensors.
 
 use crate::crops::tensor_name;
 use crate::error::ClassifierError;
@@ -10,13 +10,13 @@ use artifact::settings::Class;
 /// convolution, batch normalization, rectifier and 2 x 2 maximum, then one fully connected layer (the paper's
 /// Fig. 7).
 pub const ARCHITECTURE: &str = "3x(conv3x3-batchnorm-relu-maxpool2)-linear";
-/// Channels of the three convolutions where nothing else is wanted (the paper does not tell its own).
+/// Default channels of the three convolutions (the paper does not give its own).
 pub const CHANNELS: [u32; 3] = [8, 16, 32];
-/// Largest number of channels: bounds what a header can make this program allocate.
+/// Largest number of channels: bounds the memory that a header can make this program allocate.
 const CHANNELS_LIMIT: u32 = 512;
-/// Three halvings must leave a pixel.
+/// Least side of the input: three halvings must leave a pixel.
 const SMALLEST_INPUT_SIDE: u32 = 8;
-/// Largest side of the input: bounds what a header can make this program allocate.
+/// Largest side of the input: bounds the memory that a header can make this program allocate.
 const LARGEST_INPUT_SIDE: u32 = 1024;
 /// Side of every convolution, pixels.
 pub(crate) const KERNEL_SIDE: usize = 3;
@@ -24,16 +24,16 @@ pub(crate) const KERNEL_SIDE: usize = 3;
 /// A checked shape of the network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
-    /// Side of crops as they come, pixels.
+    /// Side of the input crops, pixels.
     pub crop_side: usize,
-    /// Side that crops are pooled to.
+    /// Side of the pooled crops.
     pub input_side: usize,
     /// Channels of the three convolutions.
     pub channels: [usize; 3],
 }
 
 impl Layout {
-    /// Refuses what this program cannot build.
+    /// Reads the layout from a header; refuses those that this program cannot build.
     pub fn of(header: &ModelHeader) -> Result<Self, ClassifierError> {
         let Learner::CropNetwork(shape) = &header.learner else {
             return Err(ClassifierError::Architecture {
@@ -53,12 +53,12 @@ impl Layout {
         Ok(Self { crop_side, input_side, channels: checked_channels(&shape.channels)? })
     }
 
-    /// Side of the maps behind the third block.
+    /// Side of the maps after the third block.
     fn last_side(&self) -> usize {
         self.input_side / 2 / 2 / 2
     }
 
-    /// Inputs of the fully connected layer.
+    /// Number of inputs of the fully connected layer.
     pub fn features(&self) -> usize {
         self.channels[2] * self.last_side() * self.last_side()
     }

@@ -21,7 +21,7 @@ pub fn load_model(folder_or_file: &Path) -> Result<(ModelHeader, Weights), Class
     only_weights(Reader::open(&weights_file(folder_or_file))?)
 }
 
-/// Reads a model from the bytes of its artifact, such as one that is part of a program.
+/// Reads a model from the bytes of its artifact, such as one embedded in a program.
 pub fn model_of_bytes(bytes: &'static [u8]) -> Result<(ModelHeader, Weights), ClassifierError> {
     only_weights(Reader::of_bytes("the model of this program", bytes)?)
 }

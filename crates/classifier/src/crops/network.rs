@@ -1,9 +1,9 @@
-//! The paper's network (Fig. 7) as it answers: three blocks of 3 × 3 convolution, batch normalization,
-//! maximum of 2 × 2 and rectifier, then a fully connected layer. It learns in `classifier-training`, by a
-//! library that a main job need not build.
+//! Inference of the paper's network (Fig. 7): three blocks of 3 × 3 convolution, batch normalization, maximum
+//! of 2 × 2 and rectifier, then a fully connected layer. It is trained in `classifier-training`, by a library
+//! that a main job need not build.
 //!
-//! Batch normalization is a factor and an offset once training is over, and both go into the convolution
-//! before it. Every sum is taken in one order, whatever the threads: equal crops give equal bits.
+//! After training, batch normalization is a factor and an offset, which are merged into the convolution
+//! before it. Every sum is taken in a fixed order for any number of threads: equal crops give equal bits.
 
 use crate::crops::layout::{KERNEL_SIDE, Layout};
 use crate::crops::parameters::Parameters;
@@ -11,10 +11,10 @@ use crate::crops::tensor_name;
 use crate::error::ClassifierError;
 use artifact::settings::Class;
 
-/// Numbers whose softmax is the probability of each class, in the order of [`Class::ALL`].
+/// Logits, whose softmax is the probability of each class, in the order of [`Class::ALL`].
 pub type Logits = [f32; 4];
 
-/// Floor added to a variance before its root is taken; the weights were trained with it.
+/// Constant added to a variance before its root is taken; the weights were trained with it.
 pub const VARIANCE_FLOOR: f32 = 1e-5;
 
 /// The network with its parameters.
@@ -27,7 +27,7 @@ pub(crate) struct Network {
     linear_bias: Vec<f32>,
 }
 
-/// A convolution that keeps the side, its batch normalization in it, and the halving behind it.
+/// A convolution that keeps the side, with its batch normalization merged, and the pooling after it.
 #[derive(Debug)]
 struct Block {
     /// Weights `[out, in, row, column]`.
@@ -43,7 +43,7 @@ struct Maps {
 }
 
 impl Network {
-    /// Network with these parameters; refused where a tensor is missing.
+    /// Network with these parameters; refused if a tensor is missing.
     pub(crate) fn new(layout: &Layout, parameters: &Parameters) -> Result<Self, ClassifierError> {
         let blocks = (0..layout.channels.len()).map(|index| Block::new(index, parameters));
         Ok(Self {
@@ -87,8 +87,8 @@ impl Block {
         Ok(Self { weights: weights.collect(), bias: bias.collect(), inputs })
     }
 
-    /// The maximum and the rectifier commute (both rise); in this order the rectifier sees a quarter of the
-    /// pixels.
+    /// The maximum and the rectifier commute (both are monotonic); in this order the rectifier processes a
+    /// quarter of the pixels.
     fn forward(&self, input: &Maps) -> Maps {
         let framed = input.framed(self.inputs);
         let kernels = self.weights.chunks_exact(self.inputs * KERNEL_SIDE * KERNEL_SIDE).zip(&self.bias);
@@ -114,7 +114,7 @@ impl Maps {
     }
 }
 
-/// One channel, `[row, column]`, from all of the channels in their frames.
+/// One output channel, `[row, column]`, from all channels with their frames.
 fn convolved(framed: &Maps, kernel: &[f32], bias: f32) -> Vec<f32> {
     let side = framed.side + 1 - KERNEL_SIDE;
     let mut channel = vec![bias; side * side];
@@ -130,14 +130,14 @@ fn convolved(framed: &Maps, kernel: &[f32], bias: f32) -> Vec<f32> {
     channel
 }
 
-/// Adds to every pixel of a row those of a framed line beside it, each times its weight.
+/// Adds to every pixel of a row the weighted pixels of a framed line beside it.
 fn add_weighed(row: &mut [f32], line: &[f32], weights: &[f32]) {
     for (shift, weight) in weights.iter().enumerate() {
         row.iter_mut().zip(&line[shift..]).for_each(|(sum, level)| *sum += weight * level);
     }
 }
 
-/// The largest of every 2 × 2 pixels and zero; an odd last row and column are left out.
+/// The largest of every 2 × 2 pixels and zero; an odd last row and column are ignored.
 fn halved(channel: &[f32], side: usize) -> Vec<f32> {
     let rows = channel.chunks_exact(side).collect::<Vec<_>>();
     let pair = |pair: &[&[f32]]| -> Vec<f32> {

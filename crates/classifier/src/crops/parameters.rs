@@ -25,13 +25,13 @@ impl Parameters {
         Self(tensors)
     }
 
-    /// Reads weights, and refuses any tensor that is missing, left over, of another shape or type, or not
-    /// possible.
+    /// Reads weights, and refuses any tensor that is missing, superfluous, of another shape or type, or
+    /// invalid.
     pub fn from_weights(layout: &Layout, weights: &Weights) -> Result<Self, ClassifierError> {
         let Weights::Network { safetensors } = weights else { return Err(ClassifierError::OtherWeights) };
         let file = SafeTensors::deserialize(safetensors)?;
         let expected: BTreeMap<String, Vec<usize>> = layout.tensors().into_iter().collect();
-        // Sorted, so that a file with several faults is refused with the same words each time.
+        // Sorted, so that a file with several faults always gives the same error.
         let mut names = file.names();
         names.sort_unstable();
         if let Some(unknown) = names.into_iter().find(|n| !expected.contains_key(*n)) {
@@ -44,7 +44,7 @@ impl Parameters {
         Ok(Self(expected.into_iter().map(read).collect::<Result<_, ClassifierError>>()?))
     }
 
-    /// A safetensors file without metadata: equal parameters are equal bytes.
+    /// Writes a safetensors file without metadata: equal parameters give equal bytes.
     pub fn to_weights(&self) -> Result<Weights, ClassifierError> {
         let bytes: Vec<Vec<u8>> =
             self.0.values().map(|t| t.values.iter().flat_map(|v| v.to_le_bytes()).collect()).collect();
@@ -59,12 +59,12 @@ impl Parameters {
         Ok(Weights::Network { safetensors: safetensors::serialize(views, None)? })
     }
 
-    /// The tensor of that name.
+    /// The tensor with this name.
     pub fn get(&self, name: &str) -> Result<&Values, ClassifierError> {
         self.0.get(name).ok_or_else(|| ClassifierError::TensorMissing(name.to_owned()))
     }
 
-    /// The parameters with every number of some tensors replaced.
+    /// The parameters with every number of some tensors changed.
     pub fn changed(mut self, names: &[&str], change: impl Fn(f32) -> f32) -> Self {
         for (_, tensor) in self.0.iter_mut().filter(|(name, _)| names.contains(&name.as_str())) {
             tensor.values.iter_mut().for_each(|value| *value = change(*value));
@@ -72,7 +72,7 @@ impl Parameters {
         self
     }
 
-    /// Number of values that are fitted or kept.
+    /// Number of trained and of running values.
     pub fn count(&self) -> u64 {
         self.0.values().map(|t| t.values.len() as u64).sum()
     }

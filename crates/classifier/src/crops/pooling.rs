@@ -1,11 +1,10 @@
 //! Area averaging of a square image to a smaller side, exact for any ratio.
 //!
-//! 451 to 128 is 3.52 pixels to one: an output pixel is the mean over its own square of the input, pixels on
-//! the border of two squares counted by the part of them that lies in each. The crop is resampled from cells
-//! of about 0.2 m and 0.25 m/s, 24 m x 8 m/s in 451 x 451, so 128 pixels (0.19 m, 0.06 m/s) still hold what
-//! the map resolves.
+//! 451 to 128 is 3.52 pixels to one: an output pixel is the mean over its own square of the input, where
+//! pixels on the border of two squares count by the part in each. The crop is resampled from cells of about
+//! 0.2 m and 0.25 m/s, 24 m x 8 m/s in 451 x 451, so 128 pixels (0.19 m, 0.06 m/s) keep the map's resolution.
 
-/// Grey levels `[side, side]`, row-major, averaged to `[pooled_side, pooled_side]` and rounded to the nearest
+/// Averages grey levels `[side, side]`, row-major, to `[pooled_side, pooled_side]`, rounded to the nearest
 /// level.
 ///
 /// `pixels` must hold `side`² levels and `pooled_side` be at most `side`.
@@ -19,7 +18,7 @@ pub(crate) fn pool(pixels: &[u8], side: usize, pooled_side: usize) -> Vec<u8> {
     pooled
 }
 
-/// The input pixels under one output pixel along an axis, and the part of the output that each makes.
+/// The input pixels under one output pixel along an axis, and the weight of each.
 struct Share {
     first: usize,
     weights: Vec<f32>,
@@ -42,7 +41,7 @@ fn shares(side: usize, pooled_side: usize) -> Vec<Share> {
     (0..pooled_side).map(share).collect()
 }
 
-/// One output row before its columns are averaged: `[side]`.
+/// One output row before averaging its columns: `[side]`.
 fn mean_line(pixels: &[u8], side: usize, rows: &Share) -> Vec<f32> {
     let mut line = vec![0.0; side];
     for (row, weight) in pixels.chunks_exact(side).skip(rows.first).zip(&rows.weights) {

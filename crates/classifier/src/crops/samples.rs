@@ -1,4 +1,4 @@
-//! A dataset at the network's resolution: 16 KiB a sample at side 128, so that 10⁵ samples fit in 1.6 GB.
+//! A dataset at the network's resolution: 16 KiB per sample at side 128, so that 10⁵ samples fit in 1.6 GB.
 
 use crate::crops::classify::pooled_crop;
 use crate::crops::layout::Layout;
@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
-/// The one format of the crops of some shards; `None` without a shard.
+/// The common format of the crops of some shards; `None` without a shard.
 ///
 /// # Errors
 /// A shard is unreadable, or differs from the first.
@@ -25,7 +25,7 @@ pub fn format_of(shards: &[PathBuf]) -> Result<Option<CropFormat>, ClassifierErr
     Ok(Some(format))
 }
 
-/// Samples of a shard, one by one; the error of one that cannot be opened comes in their place.
+/// Samples of a shard, one by one; if it cannot be opened, its error replaces them.
 pub fn samples_of(shard: &Path) -> Box<dyn Iterator<Item = Result<Sample, ArtifactError>>> {
     match Reader::<Dataset>::open(shard) {
         Ok(reader) => Box::new(reader),
@@ -40,7 +40,7 @@ pub struct Example {
     pub pooled: Vec<u8>,
     /// Index in [`Class::ALL`].
     pub class: usize,
-    /// Vehicle that it shows.
+    /// Vehicle in the crop.
     pub model: String,
 }
 
@@ -50,16 +50,16 @@ impl AsRef<[u8]> for Example {
     }
 }
 
-/// Labelled crops by split, in the order in which they came.
+/// Labelled crops by split, in reading order.
 #[derive(Debug, Default)]
 pub struct Examples {
     splits: BTreeMap<Split, Vec<Example>>,
-    /// Samples without a class: nothing to learn from and nothing to test against.
+    /// Number of samples without a class, usable neither for training nor for testing.
     pub unlabelled: u64,
 }
 
 impl Examples {
-    /// Reads samples one by one; refuses a scene or an image in two splits and a sample that comes twice.
+    /// Reads samples one by one; refuses a scene or an image in two splits and a duplicate sample.
     pub fn read(
         samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
         layout: &Layout,
@@ -82,7 +82,7 @@ impl Examples {
         Ok(examples)
     }
 
-    /// Examples that were dealt otherwise than a dataset has them.
+    /// Examples with splits other than a dataset's.
     pub fn dealt(splits: BTreeMap<Split, Vec<Example>>) -> Self {
         Self { splits, unlabelled: 0 }
     }
@@ -92,17 +92,17 @@ impl Examples {
         self.splits.values().flatten()
     }
 
-    /// The examples of a split; may be none.
+    /// The examples of a split; possibly none.
     pub fn of(&self, split: Split) -> &[Example] {
         self.splits.get(&split).map_or(&[], Vec::as_slice)
     }
 }
 
-/// Partition of a dataset: which scene and which image is in which split, and which samples were there.
+/// Partition of a dataset: the split of each scene and image, and the samples so far.
 #[derive(Debug, Default)]
 struct Partition {
     split_of_scene: BTreeMap<u64, Split>,
-    /// First sample of each image, by the hash of the pixels: of 10⁵ different images two share one with a
+    /// First sample of each image, by the hash of the pixels: two of 10⁵ different images share one with a
     /// probability of 3e-10.
     first_of_image: BTreeMap<u64, (Split, String)>,
     ids: BTreeSet<String>,

@@ -1,10 +1,10 @@
-//! Learning of boosted trees: each takes a step down the log loss of four classes.
+//! Training of boosted trees: each is a step that reduces the log loss of four classes.
 //!
-//! Friedman, Greedy Function Approximation (Ann. Statist. 29 (2001) 1189), with second-order steps as Chen &
-//! Guestrin, XGBoost (arXiv:1603.02754), section 2.2: a leaf moves each logit by −G/(H + λ), G and H the sums
-//! of the loss's first and second derivatives over its examples; a split gains ½Σ(G²/(H + λ)) over the
-//! classes. One tree moves all four logits. Columns are sorted once, and every threshold between two
-//! different values is tried.
+//! Friedman, Greedy Function Approximation (Ann. Statist. 29 (2001) 1189), with second-order steps as in Chen
+//! & Guestrin, XGBoost (arXiv:1603.02754), section 2.2: a leaf changes each logit by −G/(H + λ), where G and
+//! H are the sums of the loss's first and second derivatives over its examples; the gain of a split is
+//! ½Σ(G²/(H + λ)) over the classes. One tree changes all four logits. Columns are sorted once, and every
+//! threshold between two different values is tried.
 
 use crate::crops::classify::softmax;
 use crate::ensembles::trees::leaf;
@@ -14,26 +14,26 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// Settings by which trees are grown.
+/// Settings for growing trees.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct BoostingSettings {
-    /// Trees at most.
+    /// Largest number of trees.
     pub rounds: u32,
-    /// Splits on the way to a leaf at most.
+    /// Largest number of splits from the root to a leaf.
     pub depth: u32,
-    /// Part of each step that is taken.
+    /// Fraction of each step that is taken.
     pub learning_rate: f64,
-    /// Regularization λ: second derivatives that every leaf has besides its examples'.
+    /// Regularization λ, added to the second derivatives in every leaf.
     pub shrinkage: f64,
-    /// Least sum of an example's weights on either side of a split.
+    /// Least sum of the examples' weights on either side of a split.
     pub least_weight: f64,
-    /// Share of the features that a tree may ask for.
+    /// Share of the features available to a tree.
     pub columns: f64,
-    /// Share of the examples that a tree learns from.
+    /// Share of the examples for training a tree.
     pub rows: f64,
 }
 
-/// Examples to learn from: features by column, classes, weights.
+/// Training examples: features by column, classes, weights.
 #[derive(Debug, Clone, Default)]
 pub struct Table {
     /// Features by column, `[feature][example]`, all of one length.
@@ -50,7 +50,7 @@ impl Table {
         self.columns.iter().map(|column| column[example]).collect()
     }
 
-    /// Examples of these numbers alone.
+    /// Table of only the examples with these indices.
     pub fn taken(&self, examples: &[usize]) -> Self {
         Self {
             columns: self
@@ -64,11 +64,10 @@ impl Table {
     }
 }
 
-/// Derivatives of the loss by the four logits, first and second.
+/// First and second derivatives of the loss by the four logits.
 type Slopes = [[f64; 4]; 2];
 
-/// Trees that learned from a table; `heard` is told after each round of the trees so far and stops them by
-/// `false`.
+/// Trains trees on a table; `heard` receives the trees so far after each round and stops training by `false`.
 ///
 /// The same table, settings and seed give the same trees on any number of threads.
 pub fn boosted(
@@ -99,14 +98,14 @@ pub fn boosted(
     trees
 }
 
-/// Numbers of the examples, by their values.
+/// Indices of the examples, sorted by value.
 fn sorted(column: &[f32]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..column.len() as u32).collect();
     order.sort_by(|a, b| column[*a as usize].total_cmp(&column[*b as usize]));
     order
 }
 
-/// Slopes of the weighted log loss of the softmax: p − y and p(1 − p).
+/// Derivatives of the weighted log loss of the softmax: p − y and p(1 − p).
 fn slopes(table: &Table, example: usize, logits: &[f64; 4]) -> Slopes {
     let p = softmax(logits.map(|l| l as f32));
     let weight = table.weights[example];
@@ -135,7 +134,7 @@ impl Sums {
         Self { slopes: [difference(0), difference(1)], weight: self.weight - part.weight }
     }
 
-    /// Gain of the best step: by how much the loss falls at it, up to the second order.
+    /// Gain of the best step: the reduction of the loss by it, to second order.
     fn gain(&self, shrinkage: f64) -> f64 {
         let [first, second] = &self.slopes;
         first.iter().zip(second).map(|(g, h)| 0.5 * g * g / (h + shrinkage)).sum()
@@ -149,7 +148,7 @@ impl Sums {
     }
 }
 
-/// The best split of a node by one feature.
+/// The best split of a node for one feature.
 #[derive(Debug, Clone, Copy)]
 struct Split {
     gain: f64,
@@ -157,7 +156,7 @@ struct Split {
     threshold: f32,
 }
 
-/// State of a tree that grows.
+/// State of a growing tree.
 struct Growth<'a> {
     table: &'a Table,
     order: &'a [Vec<u32>],
@@ -166,7 +165,7 @@ struct Growth<'a> {
     columns: Vec<usize>,
 }
 
-/// Place of an example that is in no open node.
+/// Node of an example that is in no open node.
 const NOWHERE: usize = usize::MAX;
 
 impl Growth<'_> {
@@ -174,7 +173,7 @@ impl Growth<'_> {
     fn tree(&self, rows: &[bool]) -> Tree {
         let mut place: Vec<usize> = rows.iter().map(|taken| if *taken { 0 } else { NOWHERE }).collect();
         let mut nodes = vec![Node::Leaf(self.sums(&place, 1)[0].step(self.settings))];
-        // Open nodes of a level: their place among all nodes.
+        // Open nodes of a level, by their indices among all nodes.
         let mut open = vec![0_usize];
         for _ in 0..self.settings.depth {
             let totals = self.sums(&place, open.len());
@@ -211,7 +210,7 @@ impl Growth<'_> {
         sums
     }
 
-    /// Best split of each open node over all features, the first of equal ones.
+    /// Best split of each open node over all features, the first of equally good ones.
     fn splits(&self, place: &[usize], totals: &[Sums]) -> Vec<Option<Split>> {
         let of_columns: Vec<Vec<Option<Split>>> =
             self.columns.par_iter().map(|feature| self.splits_by(*feature, place, totals)).collect();
@@ -245,7 +244,7 @@ impl Growth<'_> {
         best
     }
 
-    /// Split between two values, if both sides are heavy enough and the loss falls.
+    /// Split between two values, if both sides have enough weight and the loss decreases.
     fn split(&self, below: &Sums, total: &Sums, feature: usize, [low, high]: [f32; 2]) -> Option<Split> {
         let above = total.without(below);
         let least = self.settings.least_weight;
@@ -260,7 +259,7 @@ impl Growth<'_> {
         })
     }
 
-    /// Moves examples to the children of their nodes; those of a leaf are done.
+    /// Moves examples to the children of their nodes; those in a leaf are done.
     fn descend(&self, place: &mut [usize], children: &[Option<(Split, usize)>]) {
         for (example, node) in place.iter_mut().enumerate().filter(|(_, node)| **node != NOWHERE) {
             *node = children[*node].map_or(NOWHERE, |(split, first)| {

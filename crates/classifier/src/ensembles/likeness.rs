@@ -1,11 +1,10 @@
-//! Likeness of two sets of sightings: the area under the curve by which one number would tell them
-//! apart.
+//! Similarity of two sets of sightings: the area under the ROC curve for distinguishing them by one number.
 
 use crate::ensembles::vehicles::Seen;
 use crate::signatures::features::names;
 
-/// Share of pairs, one of each set, in which the greater value is the second's, ties counted half; folded, so
-/// that 0.5 is alike and 1 apart (Mann & Whitney 1947; Hanley & McNeil 1982). `None` without a pair.
+/// Share of pairs, one of each set, in which the second set's value is greater, ties counted half; folded, so
+/// that 0.5 means equal and 1 distinct (Mann & Whitney 1947; Hanley & McNeil 1982). `None` without a pair.
 pub fn area_under_roc(first: &[f32], second: &[f32]) -> Option<f64> {
     let mut sorted = first.to_vec();
     sorted.sort_by(f32::total_cmp);
@@ -19,8 +18,8 @@ pub fn area_under_roc(first: &[f32], second: &[f32]) -> Option<f64> {
     (pairs > 0.0).then(|| area.max(1.0 - area))
 }
 
-/// Likeness of two sets by a feature, over the sightings of one class; of heights those that arrays
-/// with rows tell.
+/// Similarity of two sets by a feature, over the sightings of one class; for heights only those by arrays
+/// with rows.
 pub fn likeness(feature: &str, class: usize, first: &[&Seen], second: &[&Seen]) -> Option<f64> {
     let column = names().iter().position(|name| *name == feature)?;
     let needs_rows = feature.contains("height");

@@ -18,8 +18,8 @@ pub struct SignatureClassifier {
 }
 
 impl SignatureClassifier {
-    /// The trees of a model; refused where they ask for features that this program does not make, or lead
-    /// nowhere.
+    /// Makes the trees of a model; refused if they use features that this program does not have, or are
+    /// malformed.
     pub fn from_model(header: &ModelHeader, weights: &Weights) -> Result<Self, ClassifierError> {
         let (Learner::BoostedTrees { features }, Weights::Trees(trees)) = (&header.learner, weights) else {
             return Err(ClassifierError::OtherWeights);
@@ -37,7 +37,7 @@ impl SignatureClassifier {
         Ok(Self { trees: trees.clone() })
     }
 
-    /// Classifier of a model's folder or file.
+    /// Opens the classifier of a model's folder or file.
     pub fn open(folder_or_file: &Path) -> Result<Self, ClassifierError> {
         let (header, weights) = load_model(folder_or_file)?;
         Self::from_model(&header, &weights)

@@ -1,6 +1,6 @@
-//! Training of trees so that what they say of vehicles they never saw is true: vehicles are held out in
-//! turn, and what is told of these chooses the number of trees, the temperature, and how much the
-//! frames of a track have in common.
+//! Training of trees with probabilities calibrated for unseen vehicles: vehicles are held out in turn, and
+//! the answers for them determine the number of trees, the temperature, and the correlation between the
+//! frames of a track.
 
 use crate::crops::network::Logits;
 use crate::crops::samples::Example;
@@ -18,14 +18,14 @@ use artifact::settings::Class;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Settings by which trees are trained.
+/// Settings for training trees.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct TreeSettings {
-    /// Settings by which they grow.
+    /// Settings for growing them.
     pub boosting: BoostingSettings,
-    /// Parts into which vehicles are dealt; each is held out once.
+    /// Number of folds of vehicles; each is held out once.
     pub folds: usize,
-    /// The likeliest class is told from this probability on: where it is more likely right than wrong.
+    /// Least probability for answering with the likeliest class: where it is more likely right than wrong.
     pub least_probability: f32,
 }
 
@@ -44,30 +44,30 @@ impl Default for TreeSettings {
     }
 }
 
-/// A leaf needs no more than this share of all sightings, so that few are learned from too.
+/// Largest share of all sightings that a leaf may require, so that training on few works too.
 const LEAST_OF_A_LEAF: f64 = 1.0 / 40.0;
 
 impl TreeSettings {
-    /// Settings with leaves that so many sightings can fill.
+    /// Settings with leaves suitable for this number of sightings.
     fn for_so_many(&self, sightings: usize) -> Self {
         let least_weight = self.boosting.least_weight.min(LEAST_OF_A_LEAF * sightings as f64);
         Self { boosting: BoostingSettings { least_weight, ..self.boosting }, ..*self }
     }
 }
 
-/// A trained model and how it came about.
+/// A trained model with its training results.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrainedTrees {
-    /// Header of the model: what it looks at and what it answers.
+    /// Header of the model: its inputs and outputs.
     pub header: ModelHeader,
-    /// Trees, their temperature among them.
+    /// Trees with their temperature.
     pub weights: Weights,
     /// Log loss on held-out vehicles after each round.
     pub curve: Vec<f64>,
-    /// Measures of how good it is.
+    /// Metrics of the model.
     pub metrics: TreeMetrics,
-    /// Logits of each sighting by trees that never saw its vehicle, or, of the test split, its scene; of
-    /// crosses, which are learned from and not judged by, those of the model itself.
+    /// Logits of each sighting by trees that never saw its vehicle or, for the test split, its scene; for
+    /// crosses, which are only for training, those of the model itself.
     pub told: Vec<Logits>,
 }
 
@@ -82,21 +82,21 @@ pub struct TreeMetrics {
     pub rounds: usize,
     /// Temperature: the divisor of the logits.
     pub temperature: f64,
-    /// Share that the answers of a track's frames have in common.
+    /// Correlation between the answers of a track's frames.
     pub frame_correlation: f64,
-    /// Samples without a class, left out.
+    /// Number of ignored samples without a class.
     pub unlabelled: u64,
-    /// Vehicles that were held out, frame by frame.
+    /// Metrics on held-out vehicles, by frame.
     pub unseen_vehicles: Part,
-    /// Vehicles that were held out, by track.
+    /// Metrics on held-out vehicles, by track.
     pub unseen_vehicles_by_track: Part,
-    /// Scenes of the test split, of vehicles that other scenes showed; `None` without any.
+    /// Metrics on scenes of the test split, with vehicles of other scenes; `None` without any.
     pub unseen_scenes: Option<Part>,
-    /// Scenes of the test split, by track; `None` without any.
+    /// Metrics on scenes of the test split, by track; `None` without any.
     pub unseen_scenes_by_track: Option<Part>,
 }
 
-/// Measures of how good answers are.
+/// Metrics of answers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Part {
     /// Mean over classes, with its spread over vehicles.
@@ -105,7 +105,8 @@ pub struct Part {
     pub evaluation: Evaluation,
 }
 
-/// Trains on all sightings but those of the test split; progress is told as (rounds done, rounds in all).
+/// Trains on all sightings except those of the test split; progress is reported as (rounds done, rounds in
+/// all).
 ///
 /// The same sightings, settings and seed give the same trees on any number of threads.
 pub fn train_trees(
@@ -140,15 +141,15 @@ pub fn train_trees(
     Ok(TrainedTrees { header, weights: Weights::Trees(trees), curve, metrics, told })
 }
 
-/// Trainings whose logits the model is the mean of: what one of them makes of a close case is chance (Breiman
+/// Number of trainings whose logits the model averages: a single one decides close cases by chance (Breiman
 /// 1996, bagging).
 const MEMBERS: u64 = 3;
 
-/// The sum of their trees, divided by their number.
+/// The members' trees together, divided by their number.
 fn members(table: &Table, settings: &BoostingSettings, seed: u64, tick: &mut dyn FnMut()) -> BoostedTrees {
     let mut all = BoostedTrees { prior: [0.0; 4], temperature: MEMBERS as f32, trees: vec![] };
     for member in 0..MEMBERS {
-        // The first as trainings of one member have it.
+        // The first member is the same as in a training of one member.
         let one = boosted(table, settings, seed.wrapping_add(member << 32), &mut |_| {
             tick();
             true
@@ -226,7 +227,7 @@ impl HeldOut {
         self.logits.iter().map(loss).collect()
     }
 
-    /// True class, answer and weight of each after a round.
+    /// True class, answer and weight of each sighting after a round.
     fn weighted(&self, round: usize) -> Vec<(usize, Logits, f64)> {
         let answers = self.logits[round].iter().zip(&self.classes).zip(&self.weights);
         answers.map(|((logits, class), weight)| (*class, *logits, *weight)).collect()
@@ -238,8 +239,8 @@ impl HeldOut {
     }
 }
 
-/// Those of what is learned from that tell how right it is: vehicles as they are, where there are any. Both
-/// families of a cross are rarely held out together.
+/// Training sightings that measure the accuracy: unmodified vehicles, if there are any. The two families of a
+/// cross are rarely held out together.
 fn judged(sightings: &Sightings, learned: &[usize]) -> Vec<usize> {
     let plain: Vec<usize> = learned.iter().copied().filter(|i| !sightings.all[*i].is_cross()).collect();
     if plain.is_empty() { learned.to_vec() } else { plain }
@@ -270,7 +271,7 @@ fn held_out(
     HeldOut { logits: all, classes: table.classes, weights: table.weights }
 }
 
-/// Adds what the newest tree tells.
+/// Adds the logits of the newest tree.
 fn add_last<'f>(trees: &BoostedTrees, sums: &mut [Logits], features: impl Fn(usize) -> &'f [f32]) {
     let Some(tree) = trees.trees.last() else { return };
     for (at, sum) in sums.iter_mut().enumerate() {
@@ -278,7 +279,7 @@ fn add_last<'f>(trees: &BoostedTrees, sums: &mut [Logits], features: impl Fn(usi
     }
 }
 
-/// The correlation of frames at which tracks are told best, in steps of a twentieth.
+/// The correlation of frames with the best answers for tracks, in steps of a twentieth.
 fn fitted_correlation(seen: &[&Seen], logits: &[Logits]) -> f64 {
     let tracks = tracks(seen, logits);
     let loss = |correlation: f64| -> f64 {
@@ -288,7 +289,7 @@ fn fitted_correlation(seen: &[&Seen], logits: &[Logits]) -> f64 {
     steps.min_by(|a, b| loss(*a).total_cmp(&loss(*b))).unwrap_or(1.0)
 }
 
-/// Answers of the frames of one track together.
+/// Combined answers of the frames of one track.
 struct Track<'a> {
     class: usize,
     model: &'a str,
@@ -297,7 +298,7 @@ struct Track<'a> {
 }
 
 impl Track<'_> {
-    /// Answers joined: n frames of correlation ρ count as n/(1 + (n − 1)ρ).
+    /// Combined answer: n frames of correlation ρ count as n/(1 + (n − 1)ρ).
     fn joined(&self, correlation: f64) -> Logits {
         self.log_sums.map(|sum| (sum / (1.0 + (self.frames - 1.0) * correlation)) as f32)
     }
@@ -315,12 +316,12 @@ fn tracks<'a>(seen: &[&'a Seen], logits: &[Logits]) -> Vec<Track<'a>> {
     tracks.into_values().collect()
 }
 
-/// Class and answer of each track, the answers of its frames joined.
+/// Class and combined answer of each track.
 pub fn of_tracks(seen: &[&Seen], logits: &[Logits], correlation: f64) -> Vec<(usize, Logits)> {
     tracks(seen, logits).iter().map(|track| (track.class, track.joined(correlation))).collect()
 }
 
-/// Measures frame by frame, and by track.
+/// Metrics by frame, and by track.
 pub fn parts(seen: &[&Seen], logits: &[Logits], correlation: f64) -> [Part; 2] {
     let frames: Vec<(usize, &str)> = seen.iter().map(|s| (s.class, s.model.as_str())).collect();
     let tracks = tracks(seen, logits);

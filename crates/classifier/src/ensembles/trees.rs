@@ -1,13 +1,13 @@
-//! Boosted decision trees that answer: every tree adds to the four logits what its leaf says.
+//! Inference with boosted decision trees: every tree adds the values of its leaf to the four logits.
 
 use crate::crops::network::Logits;
 use crate::error::ClassifierError;
 use artifact::model::{BoostedTrees, Node, Tree};
 
-/// Most nodes of a tree on the way from its root to a leaf.
+/// Largest depth of a tree, in nodes.
 const DEEPEST: usize = 64;
 
-/// The logits of these features, in the order of the model's names; `NaN` counts as below every threshold.
+/// The logits for features in the order of the model's names; `NaN` counts as below every threshold.
 pub fn logits(trees: &BoostedTrees, features: &[f32]) -> Logits {
     let mut sum = trees.prior.map(f64::from);
     for tree in &trees.trees {
@@ -17,7 +17,7 @@ pub fn logits(trees: &BoostedTrees, features: &[f32]) -> Logits {
     sum.map(|logit| (logit / f64::from(trees.temperature)) as f32)
 }
 
-/// Leaf of a tree that these features fall into.
+/// Leaf of a tree for these features.
 pub(crate) fn leaf(tree: &Tree, features: &[f32]) -> Logits {
     let mut at = 0;
     loop {
@@ -30,7 +30,7 @@ pub(crate) fn leaf(tree: &Tree, features: &[f32]) -> Logits {
     }
 }
 
-/// Whether every way through every tree ends in a leaf of finite numbers, asking for features that there are.
+/// Checks that every path through every tree ends in a leaf of finite numbers and uses existing features.
 pub(crate) fn check(trees: &BoostedTrees, features: usize) -> Result<(), ClassifierError> {
     let prior_is_finite = trees.prior.iter().all(|v| v.is_finite());
     if !(prior_is_finite && trees.temperature.is_finite() && trees.temperature > 0.0) {
@@ -41,7 +41,7 @@ pub(crate) fn check(trees: &BoostedTrees, features: usize) -> Result<(), Classif
     })
 }
 
-/// Children stand behind their parents, so no way goes round in a ring.
+/// Children come after their parents, so there are no cycles.
 fn check_tree(tree: &Tree, features: usize) -> Result<(), &'static str> {
     if tree.nodes.is_empty() {
         return Err("at least one node");

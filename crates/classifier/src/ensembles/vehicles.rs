@@ -1,5 +1,4 @@
-//! Samples as sightings of vehicles: features, class, vehicle and track; what weighs how much, and
-//! which are held out together.
+//! Samples as sightings of vehicles: features, class, vehicle and track; with their weights and folds.
 
 use crate::ensembles::boosting::Table;
 use crate::error::ClassifierError;
@@ -14,7 +13,7 @@ use rand::{SeedableRng, seq::SliceRandom};
 use rand_chacha::ChaCha8Rng;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Dataset, scene and vehicle of the scene: its frames are one track.
+/// Dataset, scene and vehicle in the scene: its frames are one track.
 pub type TrackKey = (usize, u64, u32);
 
 /// One sighting.
@@ -26,20 +25,20 @@ pub struct Seen {
     pub class: usize,
     /// Vehicle model.
     pub model: String,
-    /// Key of the track whose frames belong together.
+    /// Key of the track that the frame belongs to.
     pub track: TrackKey,
     /// Split of its scene.
     pub split: Split,
-    /// Whether the array has rows, which tell heights.
+    /// Whether the array has rows, which measure heights.
     pub has_rows: bool,
 }
 
 /// Sightings of one or more datasets.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sightings {
-    /// Sightings in the order in which they came.
+    /// Sightings in reading order.
     pub all: Vec<Seen>,
-    /// Samples without a class, left out.
+    /// Number of ignored samples without a class.
     pub unlabelled: u64,
     ids: BTreeSet<(usize, String)>,
     /// Fingerprint of every sample's signature and truth, with its dataset.
@@ -47,8 +46,8 @@ pub struct Sightings {
 }
 
 impl Sightings {
-    /// Adds the samples of dataset number `dataset`; refuses one that comes twice, also where another dataset
-    /// has it, whatever the rest of its shard is.
+    /// Adds the samples of dataset number `dataset`; refuses duplicates, also across datasets, whatever else
+    /// their shards contain.
     pub fn add(
         &mut self,
         dataset: usize,
@@ -79,7 +78,7 @@ impl Sightings {
         Ok(())
     }
 
-    /// Refuses others that have a sample of these.
+    /// Refuses sightings that share a sample with these.
     pub fn check_apart(&self, others: &Self) -> Result<(), ClassifierError> {
         let shared = others.prints.keys().find(|print| self.prints.contains_key(*print));
         shared.map_or(Ok(()), |print| {
@@ -88,18 +87,18 @@ impl Sightings {
         })
     }
 
-    /// Numbers of the sightings of some splits.
+    /// Indices of the sightings of some splits.
     pub fn of(&self, splits: &[Split]) -> Vec<usize> {
         (0..self.all.len()).filter(|i| splits.contains(&self.all[*i].split)).collect()
     }
 
-    /// Sightings of these numbers.
+    /// Sightings with these indices.
     pub fn seen(&self, numbers: &[usize]) -> Vec<&Seen> {
         numbers.iter().map(|i| &self.all[*i]).collect()
     }
 
-    /// Sightings of these numbers as a table. Every class weighs the same, in a class every vehicle, in a
-    /// vehicle every sighting; the mean is 1.
+    /// Sightings with these indices as a table. Every class has the same weight, within a class every
+    /// vehicle, within a vehicle every sighting; the mean is 1.
     pub fn table(&self, numbers: &[usize]) -> Table {
         let mut of_model: BTreeMap<(usize, &str), f64> = BTreeMap::new();
         for seen in numbers.iter().map(|i| &self.all[*i]) {
@@ -120,8 +119,8 @@ impl Sightings {
         }
     }
 
-    /// Folds of every sighting's vehicle: those of a class are dealt out evenly, in an order drawn from the
-    /// seed. A cross has those of both families that it stands between, any other vehicle twice its own.
+    /// Folds of every sighting's vehicle: those of a class are distributed evenly, in an order drawn from the
+    /// seed. A cross has the folds of both of its families, any other vehicle its own twice.
     pub fn folds(&self, numbers: &[usize], folds: usize, seed: u64) -> Vec<[usize; 2]> {
         let kin = |i: &usize| kin(&self.all[*i].model).map(|model| (self.all[*i].class, model));
         let models: BTreeSet<(usize, &str)> = numbers.iter().flat_map(kin).collect();
@@ -134,7 +133,7 @@ impl Sightings {
         numbers.iter().map(|i| kin(i).map(|model| fold_of[&model])).collect()
     }
 
-    /// Classes of which a single vehicle is learned from, with its name: none is left where it is held out.
+    /// Classes with a single vehicle for training, with its name: none remains when it is held out.
     pub fn lone_vehicles(&self) -> Vec<(Class, &str)> {
         let of_class = |class: usize| {
             let learned = self.all.iter().filter(|seen| seen.class == class && seen.split != Split::Test);
@@ -146,21 +145,21 @@ impl Sightings {
 }
 
 impl Seen {
-    /// Whether the vehicle stands half way between two families, which others show as they are.
+    /// Whether the vehicle is a cross between two families, which other vehicles show unmodified.
     pub fn is_cross(&self) -> bool {
         families_of(&self.model).is_some()
     }
 }
 
-/// Fingerprint of what a sample shows and of its truth, and its name behind a blank: the image is drawn from
-/// the same map, and the split goes by the scene.
+/// Fingerprint of a sample's signature and truth, followed by a blank and its name: the image comes from the
+/// same map, and the split follows from the scene.
 fn fingerprint_of(sample: &Sample) -> String {
     let truth = (sample.class, &sample.model, sample.variant, sample.range_m, sample.radial_velocity_mps);
     let place = (sample.seed, sample.scene, sample.target, sample.frame);
     format!("{} {}", fingerprint(&(&sample.signature, truth, place)), sample.id)
 }
 
-/// The two families of a cross; of any other vehicle twice itself.
+/// The two families of a cross; for any other vehicle its own twice.
 fn kin(model: &str) -> [&str; 2] {
     families_of(model).unwrap_or([model, model])
 }

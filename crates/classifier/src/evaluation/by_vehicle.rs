@@ -1,5 +1,5 @@
-//! Accuracy over vehicles: sightings of one vehicle are no independent trials, so its interval is that of
-//! drawing vehicles anew.
+//! Accuracy over vehicles: sightings of one vehicle are not independent trials, so its interval comes from
+//! resampling vehicles.
 
 use artifact::seed;
 use rand::{RngExt, SeedableRng};
@@ -7,11 +7,11 @@ use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Draws of the bootstrap (Efron & Tibshirani, An Introduction to the Bootstrap, 1993, section 13.3: a
+/// Number of bootstrap samples (Efron & Tibshirani, An Introduction to the Bootstrap, 1993, section 13.3: a
 /// thousand for percentiles).
 const DRAWS: u64 = 1000;
 
-/// An answer: true class, vehicle, class told.
+/// An answer: true class, vehicle, predicted class.
 pub struct Told<'a> {
     /// Index in [`artifact::settings::Class::ALL`].
     pub truth: usize,
@@ -21,21 +21,21 @@ pub struct Told<'a> {
     pub told: usize,
 }
 
-/// Mean over the classes of the share of right answers.
+/// Mean over classes of the share of right answers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ByVehicle {
     /// Number of different vehicles.
     pub vehicles: usize,
     /// Number of answers.
     pub answers: usize,
-    /// Mean of the share of right answers over the classes, of these answers.
+    /// Mean over classes of the share of right answers.
     pub mean_over_classes: f64,
-    /// 95 % interval over vehicles: they are drawn anew, with replacement, in each class. `None` where no
-    /// class has two of them: every draw is then the same, which tells of no spread.
+    /// 95 % interval over vehicles, resampled with replacement in each class. `None` if no class has two of
+    /// them: every resample is then the same, without spread.
     pub interval: Option<[f64; 2]>,
 }
 
-/// Right answers and answers of each vehicle, by class.
+/// Numbers of right answers and of all answers for each vehicle, by class.
 type Counts = Vec<Vec<[u64; 2]>>;
 
 /// Accuracy of answers over vehicles.
@@ -56,7 +56,7 @@ pub fn by_vehicle<'a>(answers: impl Iterator<Item = Told<'a>>) -> ByVehicle {
     }
 }
 
-/// Percentiles of the mean over classes, of vehicles drawn anew.
+/// Percentiles of the mean over classes, over resampled vehicles.
 fn interval(counts: &Counts) -> [f64; 2] {
     let mut drawn: Vec<f64> = (0..DRAWS).map(|draw| mean(&drawn_anew(counts, draw))).collect();
     drawn.sort_by(f64::total_cmp);

@@ -8,7 +8,7 @@ use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
 use std::collections::BTreeMap;
 
-/// Evaluation of a classifier on each split of these samples; those without a class are left out.
+/// Evaluates a classifier on each split of these samples, without those that have no class.
 pub fn evaluate(
     classifier: &Classifier,
     samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
@@ -16,7 +16,7 @@ pub fn evaluate(
     Ok(evaluations(classifier, &Examples::read(samples, classifier.layout())?))
 }
 
-/// Evaluation of a classifier on each split of examples that were read; a split without any has none.
+/// Evaluates a classifier on each split of examples; an empty split has no evaluation.
 pub fn evaluations(classifier: &Classifier, examples: &Examples) -> BTreeMap<Split, Evaluation> {
     let splits = [Split::Train, Split::Validation, Split::Test].map(|split| (split, examples.of(split)));
     let of = |(split, examples): (Split, &[_])| (split, evaluation(examples, &classifier.logits(examples)));

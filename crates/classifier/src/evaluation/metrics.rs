@@ -1,4 +1,4 @@
-//! Measures of a classifier: accuracy, confusion, log loss and calibration of a set of answers.
+//! Metrics of a classifier: accuracy, confusion, log loss and calibration of a set of answers.
 
 use crate::crops::classify::softmax;
 use crate::crops::network::Logits;
@@ -6,27 +6,27 @@ use crate::crops::samples::Example;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Bins of the reliability diagram over the probability of the answer, which is at least ¼.
+/// Bins of the reliability diagram over the answer's probability, which is at least ¼.
 const BINS: usize = 10;
 /// Normal quantile of a two-sided 95 % interval.
 const QUANTILE_95: f64 = 1.959_964;
 
-/// Measures of the answers to a set of labelled crops.
+/// Metrics of the answers to a set of labelled crops.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Evaluation {
-    /// Labelled crops.
+    /// Number of labelled crops.
     pub samples: u64,
-    /// Part of them whose likeliest class is the true one.
+    /// Share of them whose likeliest class is the true one.
     pub accuracy: f64,
-    /// Wilson's 95 % interval of the accuracy (1927), for samples that are independent.
+    /// Wilson's 95 % interval of the accuracy (1927), for independent samples.
     pub accuracy_interval: [f64; 2],
     /// Row: true class, column: likeliest class.
     pub confusion: [[u64; 4]; 4],
     /// Accuracy on the crops of each class; `None` without any.
     pub class_accuracy: [Option<f64>; 4],
-    /// Mean of −ln of the true class's probability; ln 4 = 1.386 is knowing nothing.
+    /// Mean of −ln of the true class's probability; ln 4 = 1.386 for uniform probabilities.
     pub log_loss: f64,
-    /// Whether the probabilities are what they say.
+    /// Calibration of the probabilities.
     pub calibration: Calibration,
     /// Accuracy by vehicle model.
     pub by_model: BTreeMap<String, ModelAccuracy>,
@@ -42,16 +42,16 @@ pub struct Calibration {
     pub bins: Vec<ReliabilityBin>,
 }
 
-/// One bar of a reliability diagram.
+/// One bin of a reliability diagram.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ReliabilityBin {
-    /// Probabilities of the bin, from and to.
+    /// Range of probabilities in the bin.
     pub probability: [f64; 2],
-    /// Answers in the bin.
+    /// Number of answers in the bin.
     pub samples: u64,
     /// Mean probability of the answers; `None` without any.
     pub confidence: Option<f64>,
-    /// Part of them that is right; `None` without any.
+    /// Share of right ones; `None` without any.
     pub accuracy: Option<f64>,
 }
 
@@ -60,11 +60,11 @@ pub struct ReliabilityBin {
 pub struct ModelAccuracy {
     /// Number of crops.
     pub samples: u64,
-    /// Right answers.
+    /// Number of right answers.
     pub right: u64,
 }
 
-/// Compares the answers to the truth; `logits` in the order of `examples`.
+/// Compares the answers with the truth; `logits` are in the order of `examples`.
 pub(crate) fn evaluation(examples: &[Example], logits: &[Logits]) -> Evaluation {
     let answers: Vec<Answer> = examples.iter().zip(logits).map(|(e, l)| Answer::new(e, *l)).collect();
     let right = answers.iter().filter(|a| a.is_right()).count() as u64;
@@ -87,13 +87,13 @@ pub fn log_loss(answers: impl ExactSizeIterator<Item = (usize, Logits)>) -> f64 
     answers.map(|(class, logits)| -log_softmax(logits.map(f64::from))[class]).sum::<f64>() / count
 }
 
-/// Part of the pairs of class index and logits whose largest logit is the class's.
+/// Share of the pairs of class index and logits in which the class has the largest logit.
 pub fn accuracy(answers: impl ExactSizeIterator<Item = (usize, Logits)>) -> f64 {
     let count = answers.len().max(1) as f64;
     answers.filter(|(class, logits)| likeliest(&logits.map(f64::from)) == *class).count() as f64 / count
 }
 
-/// Logarithm of the softmax, without the underflow of taking it behind.
+/// Logarithm of the softmax, computed without the softmax's underflow.
 pub fn log_softmax(logits: [f64; 4]) -> [f64; 4] {
     let largest = logits.into_iter().fold(f64::NEG_INFINITY, f64::max);
     let sum: f64 = logits.iter().map(|l| (l - largest).exp()).sum();

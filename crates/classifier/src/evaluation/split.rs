@@ -5,12 +5,12 @@ use artifact::seed;
 use rand::{SeedableRng, seq::SliceRandom};
 use rand_chacha::ChaCha8Rng;
 
-/// The paper's 600 : 200 : 320 of 1120 images is 54 : 18 : 28 %; here 3 : 1 : 1 of every five scenes.
+/// Splits of five scenes, 3 : 1 : 1; the paper's 600 : 200 : 320 of 1120 images is 54 : 18 : 28 %.
 const BLOCK: [Split; 5] = [Split::Train, Split::Train, Split::Train, Split::Validation, Split::Test];
 
-/// The split of a scene by its number: of every five successive scenes (0 to 4, 5 to 9, …) three train, one
-/// validates and one tests, in an order drawn from `seed`. So any prefix of a growing dataset keeps its
-/// proportions and its splits.
+/// The split of a scene by its number: of every five successive scenes (0 to 4, 5 to 9, …) three are for
+/// training, one for validation and one for the test, in an order drawn from `seed`. So any prefix of a
+/// growing dataset keeps its proportions and its splits.
 pub fn split_of_scene(scene: u64, seed: u64) -> Split {
     let places = BLOCK.len() as u64;
     let mut order = BLOCK;

@@ -1,22 +1,22 @@
-//! Temperature scaling: one number that the logits are divided by, so that probabilities are what they say.
+//! Temperature scaling: a single divisor of the logits that calibrates the probabilities.
 //!
 //! Guo, Pleiss, Sun & Weinberger, On Calibration of Modern Neural Networks (arXiv:1706.04599), section 4.2.
-//! It changes no answer, only how sure it is.
+//! It changes the confidence of the answers, not the answers.
 
 use crate::crops::network::Logits;
 use crate::evaluation::metrics::log_softmax;
 
-/// Temperatures that are tried: e^±3, a factor of 20 either way.
+/// Range of ln T that is searched: e^±3, a factor of 20 either way.
 const LOG_RANGE: f64 = 3.0;
-/// Golden sections: the bracket shrinks to 6 · 0.618⁴⁰ = 3e-8 in the logarithm, below what f32 weights can
-/// hold.
+/// Golden-section steps: the bracket shrinks to 6 · 0.618⁴⁰ = 3e-8 in the logarithm, below the precision of
+/// f32 weights.
 const SECTIONS: u32 = 40;
 
-/// The likeliest temperature of answers, pairs of true class and logits with their weights, given that ln T
-/// is normal about zero with deviation ln 2.
+/// The maximum a posteriori temperature of answers, given as true class and logits with weights, with a prior
+/// of ln T that is normal about zero with deviation ln 2.
 ///
-/// Without that prior a validation split without a mistake would ask for temperature zero, that is for
-/// certainty; its weight is that of about one example.
+/// Without the prior a validation split without errors would give temperature zero, i.e. certainty; the prior
+/// has the weight of about one example.
 pub fn fitted_temperature(answers: &[(usize, Logits, f64)]) -> f64 {
     let loss = |log_temperature: f64| {
         let factor = (-log_temperature).exp();
@@ -29,7 +29,7 @@ pub fn fitted_temperature(answers: &[(usize, Logits, f64)]) -> f64 {
     lowest(loss, [-LOG_RANGE, LOG_RANGE]).exp()
 }
 
-/// Golden-section search; the loss has one minimum, because it is convex in 1/temperature.
+/// Golden-section search; the loss has a single minimum, because it is convex in 1/temperature.
 fn lowest(loss: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> f64 {
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
     for _ in 0..SECTIONS {

@@ -1,10 +1,10 @@
-//! Heights and widths, part by part of a vehicle's length.
+//! Heights and widths by sections of a vehicle's length.
 
 use crate::signatures::feature::{Features, span};
 use crate::signatures::profile::Profile;
 
-/// Bands behind the leading edge, m: front, what follows it, middle, rear, and what only long vehicles
-/// have.
+/// Bands behind the leading edge, m: front, the section after it, middle, rear, and a section of long
+/// vehicles only.
 const BANDS_M: [f64; 6] = [-1.0, 1.5, 3.0, 5.0, 9.0, 21.0];
 
 const NAMES: [[&str; 4]; 5] = [
@@ -20,8 +20,8 @@ const NAMES: [[&str; 4]; 5] = [
     ["highest_of_far_rear_m", "height_of_far_rear_m", "lowest_of_far_rear_m", "width_of_far_rear_m"],
 ];
 
-/// Features of each band: highest, mean and lowest place over the road, and its extent across the line
-/// of sight; −1 where nothing is located, heights also where the array has no rows.
+/// Features of each band: highest, mean and lowest place over the road, and its extent across the line of
+/// sight; −1 if nothing is located, for heights also if the array has no rows.
 pub(crate) fn features(profile: &Profile) -> Features {
     let bands = NAMES.iter().zip(BANDS_M.windows(2));
     bands.flat_map(|(names, ends)| names.iter().copied().zip(of_band(profile, [ends[0], ends[1]]))).collect()

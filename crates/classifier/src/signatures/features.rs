@@ -1,5 +1,5 @@
-//! Features of a signature that tell the class: level, extent, form of the range profile, width,
-//! height, each a number with its unit.
+//! Features of a signature for classification: level, extent, shape of the range profile, width, height, each
+//! a number with its unit.
 
 use crate::signatures::bands;
 use crate::signatures::feature::{Features, NONE_DBSM, moments, span};
@@ -9,12 +9,12 @@ use artifact::signature::Signature;
 use artifact::units::db_from_power;
 use std::ops::Range;
 
-/// Cells from these cross sections on are visible at any range of a crossing, dBsm.
+/// Cross sections above which cells are visible at any range of a crossing, dBsm.
 const LEVELS_DBSM: [f64; 3] = [-12.0, 0.0, 10.0];
-/// Zones behind the leading edge, m: bumper, bonnet and windscreen, roof, tail of a car, and what only
-/// a long vehicle has.
+/// Zones behind the leading edge, m: bumper, bonnet and windscreen, roof, tail of a car, and a zone of long
+/// vehicles only.
 const ZONES_M: [f64; 9] = [-1.0, 0.75, 1.5, 2.5, 4.0, 6.0, 9.0, 13.0, 21.0];
-/// All features of a signature, in one order.
+/// All features of a signature, in a fixed order.
 pub fn features(signature: &Signature) -> Features {
     let profile = Profile::of(signature);
     let mut all = levels(&profile);
@@ -44,7 +44,7 @@ fn dbsm(rcs_m2: f64) -> f64 {
     db_from_power(rcs_m2.max(1e-6)).max(NONE_DBSM)
 }
 
-/// Extent from the first to the last cell over each level, and the length that such cells fill, m.
+/// Extent from the first to the last cell over each level, and the total length of such cells, m.
 fn extents(profile: &Profile) -> Features {
     let names = [
         ("extent_m", "filled_m"),
@@ -62,7 +62,7 @@ fn extents(profile: &Profile) -> Features {
     names.into_iter().zip(levels).flat_map(of).collect()
 }
 
-/// Middle and spread of the profile, by power and by decibels over the threshold, and its entropy.
+/// Centre and spread of the profile, by power and by decibels over the threshold, and its entropy.
 fn form(profile: &Profile) -> Features {
     let [middle, spread] = moments(profile.visible.iter().map(|c| (c.share, c.behind_m)));
     let by_db =
@@ -85,7 +85,7 @@ fn form(profile: &Profile) -> Features {
     ]
 }
 
-/// Distance behind the leading edge that this share of the power lies in front of, m; 0 without any.
+/// Distance behind the leading edge within which this share of the power lies, m; 0 without any.
 fn power_quantile_m(profile: &Profile, share: f64) -> f64 {
     let mut sum = 0.0;
     let reached = profile.visible.iter().find(|cell| {
@@ -127,7 +127,7 @@ fn width(profile: &Profile) -> Features {
     ]
 }
 
-/// Slope of the cells' places across over the distance behind the leading edge, either way.
+/// Magnitude of the slope of the cells' places across over the distance behind the leading edge.
 fn slope(profile: &Profile) -> f64 {
     let weight = |c: &Visible| c.level_db - crate::signatures::profile::LOCATED_DB;
     let total: f64 = profile.located().map(weight).sum();
@@ -140,11 +140,11 @@ fn slope(profile: &Profile) -> f64 {
     let together: f64 =
         profile.located().map(|c| weight(c) * (c.behind_m - behind) * (c.cross_m - cross)).sum();
     let along: f64 = profile.located().map(|c| weight(c) * (c.behind_m - behind).powi(2)).sum();
-    // A cell's own width, so that one cell has no slope.
+    // The width of a cell is added, so that a single cell has no slope.
     (together / (along + 0.05 * total)).abs()
 }
 
-/// Heights over the road, m; zeros where the array has no rows.
+/// Heights over the road, m; zero if the array has no rows.
 fn heights(profile: &Profile) -> Features {
     let has_rows = profile.has_rows;
     let names = [
@@ -189,8 +189,7 @@ fn measured_heights(profile: &Profile) -> [f64; 8] {
     ]
 }
 
-/// Quality of the object's echo: lone scatterers or several in a cell, what turns, what came by two
-/// ways.
+/// Quality of the object's echo: single or several scatterers in a cell, rotating parts, and ghosts.
 fn quality(profile: &Profile, signature: &Signature) -> Features {
     let located = profile.located().count().max(1) as f64;
     let mean = |value: fn(&Visible) -> f64| profile.located().map(value).sum::<f64>() / located;
@@ -203,7 +202,7 @@ fn quality(profile: &Profile, signature: &Signature) -> Features {
     ]
 }
 
-/// View of the object: from where it was seen, and how well.
+/// View of the object: its aspect and its visibility.
 fn view(signature: &Signature) -> Features {
     vec![
         ("range_m", signature.range_m),

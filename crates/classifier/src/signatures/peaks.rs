@@ -1,14 +1,14 @@
-//! Peaks of a range profile: how many, how strong, how far behind the leading edge and how far apart.
+//! Peaks of a range profile: number, strength, distance behind the leading edge, and spacing.
 
 use crate::signatures::feature::{Features, NONE_DBSM, moments};
 use crate::signatures::profile::{Profile, Visible};
 
-/// A local maximum counts as a peak if it stands so high over the lowest of the cells around it, dB.
+/// Least height of a peak over the lowest of the cells around it, dB.
 const PROMINENCE_DB: f64 = 6.0;
-/// Cells around a peak, either way: two main lobes.
+/// Number of cells on each side of a peak: two main lobes.
 const AROUND: usize = 4;
-/// Distance behind the front beyond which a peak is far, whatever the class; windows, axles and loads
-/// are farther back, m.
+/// Distance behind the front beyond which a peak counts as far for every class, m; windows, axles and loads
+/// are farther back.
 const FAR_M: f64 = 2.8;
 
 pub(crate) fn features(profile: &Profile) -> Features {
@@ -28,7 +28,7 @@ fn is_peak(levels_db: &[f64], at: usize) -> bool {
     levels_db[at] >= before && levels_db[at] > after && levels_db[at] - lowest >= PROMINENCE_DB
 }
 
-/// Number of peaks, place of the strongest, and levels of those after it.
+/// Number of peaks, place of the strongest, and levels of the next ones.
 fn ranked(along: &[&Visible]) -> Features {
     let mut peaks = along.to_vec();
     peaks.sort_by(|a, b| b.dbsm.total_cmp(&a.dbsm));
@@ -48,7 +48,7 @@ fn ranked(along: &[&Visible]) -> Features {
     ]
 }
 
-/// Peaks behind the front and in it.
+/// Peaks at the front and behind it.
 fn near_and_far(along: &[&Visible]) -> Features {
     let far = || along.iter().filter(|cell| cell.behind_m > FAR_M);
     let near = along.iter().filter(|cell| cell.behind_m <= FAR_M);
@@ -62,7 +62,7 @@ fn near_and_far(along: &[&Visible]) -> Features {
     ]
 }
 
-/// Spacing from one peak to the next, m: panes stand at equal distances; −1 below two peaks.
+/// Spacing between successive peaks, m, which is regular for panes; −1 below two peaks.
 fn spacing(along: &[&Visible]) -> Features {
     let gaps: Vec<f64> = along.windows(2).map(|pair| pair[1].behind_m - pair[0].behind_m).collect();
     let [mean, spread] =

@@ -1,18 +1,17 @@
-//! The cells of a signature that stand over the noise, in distances behind the leading edge and in cross
-//! sections.
+//! Cells of a signature above the noise, with distances behind the leading edge and cross sections.
 
 use artifact::signature::{Signature, SignatureCell};
 use artifact::units::power_from_db;
 
-/// A cell counts from here over the noise, dB: one in 10⁷ cells of noise is higher (e⁻¹⁶).
+/// Least level over the noise of a visible cell, dB: one in 10⁷ cells of noise is higher (e⁻¹⁶).
 pub(crate) const VISIBLE_DB: f64 = 12.0;
-/// A cell tells its direction from here over the noise, dB: to a tenth of a beam.
+/// Least level over the noise of a cell with a usable direction, dB: to a tenth of a beam.
 pub(crate) const LOCATED_DB: f64 = 20.0;
 
 /// One visible cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Visible {
-    /// Number of the cell in the signature.
+    /// Index of the cell in the signature.
     pub(crate) number: usize,
     /// Distance behind the object's nearest point, m.
     pub(crate) behind_m: f64,
@@ -20,7 +19,7 @@ pub(crate) struct Visible {
     /// Cross section, dBsm and m².
     pub(crate) dbsm: f64,
     pub(crate) rcs_m2: f64,
-    /// Share of the whole.
+    /// Share of the total.
     pub(crate) share: f64,
     pub(crate) cross_m: f64,
     pub(crate) height_m: f64,
@@ -28,16 +27,16 @@ pub(crate) struct Visible {
     pub(crate) velocity_spread_mps: f64,
 }
 
-/// Visible cells of a signature, and what they have in all.
+/// Visible cells of a signature, with their total.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Profile {
     pub(crate) cell_m: f64,
-    /// Whether the array tells heights.
+    /// Whether the array measures heights.
     pub(crate) has_rows: bool,
     /// Levels over the noise of every cell, visible or not, dB.
     pub(crate) levels_db: Vec<f64>,
     pub(crate) noise_dbsm: f64,
-    /// Visible cells in their order.
+    /// Visible cells in order.
     pub(crate) visible: Vec<Visible>,
     /// Cross section of all visible cells, m².
     pub(crate) total_m2: f64,
@@ -62,7 +61,7 @@ impl Profile {
         }
     }
 
-    /// Cells that tell a direction.
+    /// Cells with a usable direction.
     pub(crate) fn located(&self) -> impl Iterator<Item = &Visible> + Clone {
         self.visible.iter().filter(|cell| cell.level_db >= LOCATED_DB)
     }

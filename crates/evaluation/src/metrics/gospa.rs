@@ -1,11 +1,11 @@
 //! Generalised optimal sub-pattern assignment of truths and estimates: Rahmathullah, García-Fernández,
 //! Svensson, *Generalized optimal sub-pattern assignment metric*, FUSION 2017, with α = 2 and p = 2.
 //!
-//! d² = min over assignments of Σ d(x, y)² + c²/2·(number of truths and of estimates left over). With α = 2
-//! it falls into what places err by, what is missed and what is false (their proposition 1), which is why it
-//! is preferred to OSPA. Between places d is their distance, and the whole is a metric; between a body and an
-//! object it is that to the nearest part of the body, which is none (two places of one body are no distance
-//! from it), and the sum is read as an error alone.
+//! d² = min over assignments of Σ d(x, y)² + c²/2·(number of unassigned truths and estimates). With α = 2 it
+//! splits into localisation, missed and false (their proposition 1), which is why it is preferred to OSPA.
+//! Between places d is their distance, and the whole is a metric; between a body and an object it is that to
+//! the nearest part of the body, which is not a metric (all places of one body have distance zero from it),
+//! and the sum is only an error.
 
 use ndarray::{Array2, ArrayView2};
 use radar::assignment::assignment;
@@ -25,14 +25,14 @@ pub struct Gospa {
 }
 
 impl Gospa {
-    /// The metric itself, m.
+    /// The GOSPA distance, m.
     pub fn distance_m(&self) -> f64 {
         let left_over = (self.missed + self.false_ones) as f64;
         (self.localisation_m2 + 0.5 * self.cutoff_m.powi(2) * left_over).sqrt()
     }
 
-    /// The parts without truths and estimates that were left over and do not count: truths by their
-    /// indices, estimates by their number.
+    /// Removes unassigned truths and estimates that do not count: truths by their indices, estimates by their
+    /// number.
     pub fn without(self, truths: &[usize], estimates: usize) -> Self {
         let chosen = self.chosen.into_iter().enumerate().filter(|(truth, _)| !truths.contains(truth));
         Self {
@@ -44,20 +44,21 @@ impl Gospa {
     }
 }
 
-/// Estimates are given in the order of their strength: of two that are equally good the earlier is taken. Its
-/// price per place in that order is a square millimetre in a million, far below what any place is known to.
+/// Cost by rank in the order of strength, in which estimates are given: of two equally good ones the earlier
+/// is chosen. The cost per rank, a square millimetre in a million, is far below the accuracy of any place.
 const RANK_M2: f64 = 1e-12;
 
-/// GOSPA of squared distances, m², `[truth, estimate]`; pairs further apart than the cut-off c are none.
+/// GOSPA of squared distances, m², `[truth, estimate]`; pairs further apart than the cut-off c are not
+/// assigned.
 pub fn gospa(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> Gospa {
     gospa_by_costs(squares_m2, squares_m2, cutoff_m)
 }
 
-/// GOSPA of the pairs whose costs, m², are least together, of those within the cut-off: what else speaks for
-/// a pair or against it is no part of the metric.
+/// GOSPA of the pairs with the least sum of costs, m², among those within the cut-off; other terms of the
+/// costs are not part of the metric.
 pub(crate) fn gospa_by_costs(squares_m2: ArrayView2<f64>, costs_m2: ArrayView2<f64>, cutoff_m: f64) -> Gospa {
     let (truths, estimates) = squares_m2.dim();
-    // A truth left over costs c²/2, and leaves an estimate over for another c²/2.
+    // An unassigned truth costs c²/2, and leaves an estimate unassigned for another c²/2.
     let left_over_m2 = cutoff_m.powi(2);
     let is_pair = |at: (usize, usize)| squares_m2[at] < left_over_m2;
     let ranked = Array2::from_shape_fn((truths, estimates), |at| {

@@ -1,8 +1,8 @@
-//! Whether a body keeps its track and a track its body.
+//! Track continuity: whether a body keeps its track and a track its body.
 //!
-//! A *switch* is a frame in which a body has another track than it had last (as in CLEAR MOT, Bernardin and
-//! Stiefelhagen, J. Image Video Process. 2008, 246309). *Purity* is the share of the frames of a track in
-//! which it follows the body that it follows most, over all tracks.
+//! A *switch* is a frame in which a body has another track than it last had (as in CLEAR MOT, Bernardin and
+//! Stiefelhagen, J. Image Video Process. 2008, 246309). *Purity* is the share of a track's frames in which it
+//! follows the body that it follows most, over all tracks.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ pub struct Identities {
 }
 
 impl Identities {
-    /// A body has this track in a frame.
+    /// Records that a body has this track in a frame.
     pub fn pair(&mut self, body: u32, track: u32) {
         if self.last_track_of.insert(body, track).is_some_and(|last| last != track) {
             self.switches += 1;
@@ -33,7 +33,7 @@ impl Identities {
         self.last_track_of.len()
     }
 
-    /// `None` without any pair.
+    /// Purity; `None` without any pair.
     pub fn purity(&self) -> Option<f64> {
         let most = |bodies: &BTreeMap<u32, u32>| bodies.values().copied().max().unwrap_or(0);
         let frames: u32 = self.frames_of.values().flat_map(BTreeMap::values).sum();

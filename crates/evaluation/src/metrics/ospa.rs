@@ -2,12 +2,12 @@
 //! 56 (2008) 3447, with p = 2.
 //!
 //! d² = (min over assignments of Σ min(d(x, y), c)² + c²·difference of their numbers)/(larger number): a mean
-//! error per body in which a missing one counts c.
+//! error per body in which a missing body counts c.
 
 use ndarray::ArrayView2;
 use radar::assignment::assignment;
 
-/// OSPA of squared distances, m², `[truth, estimate]`: between 0 and the cut-off, m; 0 of two empty sets.
+/// OSPA of squared distances, m², `[truth, estimate]`: between 0 and the cut-off, m; 0 for two empty sets.
 pub fn ospa_m(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> f64 {
     let fewer_first =
         if squares_m2.nrows() <= squares_m2.ncols() { squares_m2 } else { squares_m2.reversed_axes() };
@@ -17,7 +17,7 @@ pub fn ospa_m(squares_m2: ArrayView2<f64>, cutoff_m: f64) -> f64 {
     }
     let cutoff_m2 = cutoff_m.powi(2);
     let costs = fewer_first.mapv(|square| square.min(cutoff_m2));
-    // Every one of the fewer has a partner: to stay free costs more than all pairs together.
+    // Each member of the smaller set is assigned: leaving one out costs more than all pairs together.
     let chosen = assignment(costs.view(), cutoff_m2 * (more + 1) as f64);
     let pairs: f64 = chosen.iter().enumerate().filter_map(|(i, j)| Some(costs[(i, (*j)?)])).sum();
     ((pairs + cutoff_m2 * (more - fewer) as f64) / more as f64).sqrt()

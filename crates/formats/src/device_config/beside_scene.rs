@@ -1,5 +1,5 @@
-//! A scene whose radar is that of a configuration: what the scene does not say, the configuration does; what
-//! both say has to agree.
+//! A scene whose radar is that of a configuration: the configuration completes the scene, and values in both
+//! must agree.
 
 use super::chirp_program::{DeviceSettings, sampling_word};
 use super::scene_tables::{Entry, decimal, entries, frame_interval};
@@ -12,18 +12,18 @@ use pipeline::host::failure::Failure;
 use pipeline::host::toml_text;
 use std::path::{Path, PathBuf};
 
-/// A configuration and its file.
+/// A configuration with its file.
 pub struct Configured<'a> {
-    /// The file, as errors name it.
+    /// The file, for errors.
     pub file: &'a Path,
     /// Settings that it holds.
     pub settings: &'a DeviceSettings,
 }
 
-/// The scene's radar and settings, its models unopened, with what the configuration alone says.
+/// The scene's radar and settings, its models unopened, completed by the configuration.
 ///
 /// # Errors
-/// What is wrong with the scene, and what scene and configuration say differently.
+/// Faults of the scene, and differences between scene and configuration.
 pub fn scene_with(
     file: &Path,
     radar: Option<&str>,
@@ -31,7 +31,7 @@ pub fn scene_with(
 ) -> Result<SceneHeader, Failure> {
     let changes = changes(file, radar, configured.settings)?;
     let header = loading::radar_changed(file, radar, &changes).map_err(|failure| {
-        // A scene that is sound by itself is not at fault.
+        // A scene that is valid by itself is not at fault.
         match loading::radar_only(file, radar) {
             Ok(_) => failure.named_in(configured.file),
             Err(_) => failure,
@@ -47,11 +47,11 @@ pub fn scene_with(
     }
 }
 
-/// Files that such a reading opens: the scene, the pattern and the calibration that it names, and the
+/// Files that this reading opens: the scene, the pattern and the calibration that it names, and the
 /// configuration.
 ///
 /// # Errors
-/// What is wrong with the scene.
+/// Faults of the scene.
 pub fn files_with(
     file: &Path,
     radar: Option<&str>,
@@ -62,7 +62,7 @@ pub fn files_with(
     Ok([of_scene, vec![configured.file.to_owned()]].concat())
 }
 
-/// Changes by which a scene's radar has what a configuration alone says.
+/// Changes that add the configuration's values to a scene's radar.
 fn changes(
     file: &Path,
     radar: Option<&str>,
@@ -77,21 +77,21 @@ fn changes(
     Ok(all.filter(|entry| !said.says(entry.table, entry.key)).map(change).collect())
 }
 
-/// Keys that a scene file has.
+/// Keys present in a scene file.
 struct Said {
     /// Tables of the radar.
     radar: Vec<toml::Table>,
-    /// Names of what stands in no table.
+    /// Names of the keys outside tables.
     keys: Vec<String>,
 }
 
-/// The scene's own reader tells a longer file.
+/// Largest file; the scene's own reader reports a longer one.
 const LIMIT_BYTES: u64 = 4 << 20;
 
 impl Said {
     fn of(file: &Path, radar: Option<&str>) -> Result<Self, Failure> {
         let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-        // What is no TOML the scene's reader refuses, with its place.
+        // The scene's reader refuses text that is not TOML, with its place.
         let document: toml::Table = toml_text::read(&text).unwrap_or_default();
         let own = document.get("radars").and_then(toml::Value::as_array).into_iter().flatten();
         let is_asked =
@@ -101,7 +101,7 @@ impl Said {
         Ok(Self { radar, keys: document.keys().cloned().collect() })
     }
 
-    /// Whether a key, or another in whose place it would stand, is there.
+    /// Whether a key, or an alternative to it, is present.
     fn says(&self, table: &str, key: &str) -> bool {
         if table.is_empty() {
             return self.keys.iter().any(|said| said == key);
@@ -120,7 +120,7 @@ impl Said {
     }
 }
 
-/// Something that scene and configuration say differently.
+/// A value that differs between scene and configuration.
 struct Contradiction {
     key: &'static str,
     scenes: String,
@@ -136,7 +136,7 @@ fn contradiction(header: &SceneHeader, settings: &DeviceSettings) -> Option<Cont
         .or_else(|| of_sampling(radar, settings))
 }
 
-/// Frames of a configuration have one interval between chirps.
+/// Refuses staggered chirps: frames of a configuration have a single chirp interval.
 fn of_schedule(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction> {
     let us = |all: &[f64]| format!("{:?}", all.iter().map(|s| (s * 1e9).round() / 1e3).collect::<Vec<_>>());
     let said = |key, scenes| {
@@ -162,7 +162,7 @@ fn of_sampling(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction
     })
 }
 
-/// Numbers agree within a millionth: a person rounds what a device has in steps.
+/// Compares numbers to within a millionth, because people round what a device has in steps.
 fn of_numbers(header: &SceneHeader, settings: &DeviceSettings) -> Option<Contradiction> {
     let (w, p) = (&header.radar.waveform, &settings.profile.value);
     let start_ghz = p.start_ghz + 1e-3 * p.slope_mhz_per_us * p.adc_start_us;
@@ -183,7 +183,7 @@ fn of_numbers(header: &SceneHeader, settings: &DeviceSettings) -> Option<Contrad
         .map(|(key, a, b, line)| Contradiction { key, scenes: decimal(a), configs: decimal(b), line })
 }
 
-/// Elements are compared about the mean of their row, as a scene places them.
+/// Compares elements relative to the mean of their row, as a scene places them.
 fn of_array(radar: &Radar, settings: &DeviceSettings) -> Option<Contradiction> {
     let line = settings.channels.line;
     let array = &radar.array;
@@ -220,6 +220,6 @@ fn are_apart(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
         let (x, y) = (mean(0), mean(1));
         all.iter().map(|e| [e[0] - x, e[1] - y]).collect()
     };
-    // A thousandth of half a wavelength turns a phase by 0.2°.
+    // A thousandth of half a wavelength changes a phase by 0.2°.
     centred(a).iter().zip(centred(b)).any(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]) > 1e-3)
 }

@@ -4,18 +4,18 @@ use crate::devices::{Board, Lanes};
 use radar::aperture::Elements;
 use std::ops::RangeInclusive;
 
-/// Band of a family: where its chirps may begin, and the unit of its frequency codes.
+/// Band of a family: the start frequencies of its chirps, and the unit of its frequency codes.
 pub(super) struct Band {
-    /// First and last frequency, GHz.
+    /// Lowest and highest frequency, GHz.
     pub(super) ghz: RangeInclusive<f64>,
-    /// Step of a start frequency's code, GHz.
+    /// Unit of a start frequency's code, GHz.
     pub(super) start_step_ghz: f64,
-    /// Step of a slope's code, MHz/µs.
+    /// Unit of a slope's code, MHz/µs.
     pub(super) slope_step_mhz_per_us: f64,
 }
 
 impl Board {
-    /// The board of a chip that a log names: `AR1642`, `XWR6843`.
+    /// The board of a chip named in a log: `AR1642`, `XWR6843`.
     pub(super) fn of_chip(name: &str) -> Option<Self> {
         let digits: String = name.chars().filter(char::is_ascii_digit).collect();
         match digits.as_str() {
@@ -29,7 +29,7 @@ impl Board {
         }
     }
 
-    /// Word by which it is asked for.
+    /// Name on the command line.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Xwr1243 => "xwr1243",
@@ -42,8 +42,8 @@ impl Board {
     }
 
     /// Transmit and receive elements by their numbers, in half wavelengths of the band's middle: receivers
-    /// half a wavelength apart; TX1 and the last transmitter two wavelengths apart in their row, where there
-    /// are three TX2 in the middle and half a wavelength above it (user's guides of the boards: SPRUIM4,
+    /// half a wavelength apart; TX1 and the last transmitter two wavelengths apart in their row; with three
+    /// transmitters, TX2 in the middle and half a wavelength higher (user's guides of the boards: SPRUIM4,
     /// SWRU507, SWRU521, SWRU546).
     pub(super) fn elements(self) -> [Elements; 2] {
         let receivers = radar::aperture::row(4, 1.0);
@@ -55,7 +55,7 @@ impl Board {
         }
     }
 
-    /// Lanes by which a DCA1000EVM records it (SWRA581, data formats of the DCA1000).
+    /// Number of lanes for recording by a DCA1000EVM (SWRA581, data formats of the DCA1000).
     pub(super) fn lanes(self) -> Lanes {
         match self {
             Self::Xwr1243 | Self::Xwr1443 | Self::Awr2243 => Lanes::Four,
@@ -63,9 +63,8 @@ impl Board {
         }
     }
 
-    /// Noise figure in dB of chirps that reach up to a frequency, and the data sheet that has it: typical
-    /// values of the table "RF Specification", of a 77 GHz device by its two oscillators, below 77 GHz and
-    /// above.
+    /// Noise figure in dB for chirps up to a frequency, with its data sheet: typical values of the table "RF
+    /// Specification", for a 77 GHz device by its two oscillators, below 77 GHz and above.
     pub(super) fn noise_figure(self, highest_ghz: f64) -> (f64, &'static str) {
         let ([below, above], sheet) = match self {
             Self::Xwr1243 => ([14.0, 15.0], "SWRS188"),
@@ -78,8 +77,8 @@ impl Board {
         (if highest_ghz > 77.0 { above } else { below }, sheet)
     }
 
-    /// Codes count 3.6 GHz/2²⁶ of a 77 GHz device and 2.7 GHz/2²⁶ of a 60 GHz one, slopes 900 times that a
-    /// microsecond (mmWave radar interface control document, profile configuration).
+    /// Frequency codes count 3.6 GHz/2²⁶ for a 77 GHz device and 2.7 GHz/2²⁶ for a 60 GHz one, slopes 900
+    /// times that per microsecond (mmWave radar interface control document, profile configuration).
     pub(super) fn band(self) -> Band {
         let of = |ghz, oscillator_ghz: f64| {
             let start_step_ghz = oscillator_ghz / f64::from(1 << 26);

@@ -7,7 +7,7 @@ use artifact::radar::Sampling;
 /// Settings of a device, as its configuration tells them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DeviceSettings {
-    /// Board that was asked for, else the one of the chip that the file names.
+    /// Requested board, else the one of the chip that the file names.
     pub(super) board: Option<Board>,
     pub(super) profile: InLine<Profile>,
     pub(super) frame: InLine<Frame>,
@@ -19,25 +19,25 @@ pub struct DeviceSettings {
     pub(super) sampling: Sampling,
     /// Bits of the converter.
     pub(super) bits: u32,
-    /// Command that tells of the converter; `None` where its bits are taken.
+    /// Command that configures the converter; `None` if its bits are assumed.
     pub(super) converter: Option<&'static str>,
-    /// Words that a recording has between its samples.
+    /// Words between the samples of a recording.
     stream: Option<InLine<&'static str>>,
     lanes: Option<Lanes>,
-    /// The part of a sample that comes first; `None` where the file says nothing.
+    /// First part of a complex sample; `None` if the file does not specify it.
     pub iq_order: Option<IqOrder>,
-    /// Remarks on what was read, each with its line where it has one.
+    /// Remarks on the file, each with its line if it has one.
     pub(super) remarks: Vec<Remark>,
 }
 
-/// A sentence on a configuration that is no error.
+/// A remark on a valid configuration.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Remark {
     pub(super) line: usize,
     pub(super) text: String,
 }
 
-/// Something with the command that told it.
+/// A value with the command that set it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct InLine<T> {
     pub(super) line: usize,
@@ -45,7 +45,7 @@ pub(super) struct InLine<T> {
     pub(super) value: T,
 }
 
-/// Receivers that are switched on, by their numbers from 0.
+/// Enabled receivers, by their numbers from 0.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Channels {
     transmitters: u32,
@@ -77,13 +77,13 @@ impl DeviceSettings {
         Err(stream.fault(format!("a recording has {between} between its samples; samples alone are read")))
     }
 
-    /// Lanes that the file tells, else those of the board.
+    /// Number of lanes in the file, else that of the board.
     pub fn lanes(&self) -> Option<Lanes> {
         self.lanes.or(self.board.map(Board::lanes))
     }
 }
 
-/// Settings of these commands, the last of each kind.
+/// Settings of these commands, by the last of each kind.
 pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result<DeviceSettings, Fault> {
     let from = statements.iter().rposition(|s| s.told == Told::Flush).unwrap_or(0);
     let program = Program(&statements[from..]);
@@ -145,7 +145,7 @@ pub(super) fn sampling_word(sampling: Sampling) -> &'static str {
     }
 }
 
-/// The remark that a board was asked for which is not that of the chip named in the file.
+/// The remark that the requested board has another chip than the file names.
 fn of_another_chip(named: &InLine<Board>, asked: Board) -> Option<Remark> {
     let (name, chip, asked_name) = (named.name, named.value.name(), asked.name());
     let text = || format!("{name}: it names the chip of the {chip}; --device {asked_name} is taken");
@@ -178,11 +178,11 @@ fn numbers(mask: u32) -> Vec<usize> {
     (0..32).filter(|bit| mask >> bit & 1 == 1).collect()
 }
 
-/// Commands that count.
+/// Commands in force.
 struct Program<'a>(&'a [Statement]);
 
 impl Program<'_> {
-    /// The last command that tells it.
+    /// The last command with such a value.
     fn find<T>(&self, told: impl Fn(&Told) -> Option<T>) -> Option<InLine<T>> {
         let in_line = |s: &Statement| Some(InLine { line: s.line, name: s.name, value: told(&s.told)? });
         self.0.iter().rev().find_map(in_line)
@@ -192,14 +192,14 @@ impl Program<'_> {
         self.find(told).ok_or_else(|| Fault { line: None, rule: format!("there is no {names}") })
     }
 
-    /// Words between the samples, if the last command about the stream has some sent.
+    /// Words between the samples, if the last command about the stream adds some.
     fn stream(&self) -> Option<InLine<&'static str>> {
         let last = self.find(|told| if let Told::Stream(between) = told { Some(*between) } else { None })?;
         last.value.map(|value| InLine { line: last.line, name: last.name, value })
     }
 
-    /// Bits and samples of the converter, with the command that tells them; refused where a buffer passes on
-    /// other ones.
+    /// Bits and samples of the converter, with the command that sets them; refused if a buffer passes on
+    /// other samples.
     fn converter(&self) -> Result<(Option<&'static str>, (u32, Sampling)), Fault> {
         let told = self.find(|told| match told {
             Told::Converter { bits, sampling } => Some((*bits, *sampling)),
@@ -217,7 +217,7 @@ impl Program<'_> {
         }
     }
 
-    /// Definition of a chirp: the last that has it.
+    /// Definition of a chirp by the last command for it.
     fn chirp(&self, index: u32, frame: &InLine<Frame>) -> Result<InLine<Chirps>, Fault> {
         let of_chirp = self.find(|told| match told {
             Told::Chirps(chirps) if (chirps.first..=chirps.last).contains(&index) => Some(*chirps),
@@ -226,7 +226,7 @@ impl Program<'_> {
         of_chirp.ok_or_else(|| frame.fault(format!("it sends chirp {index}, which nothing defines before")))
     }
 
-    /// The one profile of all chirps of a frame.
+    /// The common profile of all chirps of a frame.
     fn profile(&self, frame: &InLine<Frame>) -> Result<InLine<Profile>, Fault> {
         let Frame { first, last, loops, .. } = frame.value;
         if last < first || loops == 0 {
@@ -245,7 +245,7 @@ impl Program<'_> {
         })
     }
 
-    /// Transmitters in the order of their chirps, each once: the frame's chirps are whole turns of them.
+    /// Transmitters in the order of their chirps, each once: the frame's chirps must repeat this sequence.
     fn turns(&self, frame: &InLine<Frame>, channels: &InLine<Channels>) -> Result<Vec<usize>, Fault> {
         let Frame { first, last, .. } = frame.value;
         let mut sent = Vec::new();
@@ -273,7 +273,7 @@ impl Program<'_> {
     }
 }
 
-/// The one transmitter of a chirp.
+/// The single transmitter of a chirp.
 fn lone_transmitter(index: u32, chirp: &InLine<Chirps>, channels: &InLine<Channels>) -> Result<usize, Fault> {
     let mask = chirp.value.transmitters;
     match numbers(mask)[..] {
@@ -292,8 +292,7 @@ fn lone_transmitter(index: u32, chirp: &InLine<Chirps>, channels: &InLine<Channe
     }
 }
 
-/// Refuses a frame that would have to end before its chirps do, within a millionth: codes of times have
-/// steps.
+/// Refuses a frame whose period is shorter than its chirps, to within a millionth: times are coded in steps.
 fn check_period(settings: &DeviceSettings) -> Result<(), Fault> {
     let (frame, profile) = (&settings.frame, &settings.profile.value);
     let chirps = f64::from(settings.chirps) * settings.turns.len() as f64;
@@ -308,7 +307,7 @@ fn check_period(settings: &DeviceSettings) -> Result<(), Fault> {
     )))
 }
 
-/// Refuses channels and frequencies that the board does not have.
+/// Refuses channels and frequencies that the board lacks.
 fn check_board(settings: &DeviceSettings) -> Result<(), Fault> {
     if settings.channels.value.receivers.is_empty() {
         return Err(settings.channels.fault("no receiver is switched on"));
@@ -321,7 +320,7 @@ fn check_board(settings: &DeviceSettings) -> Result<(), Fault> {
     }
     let (band, profile) = (board.band().ghz, &settings.profile.value);
     let ends = [("chirps begin", profile.start_ghz), ("the last sample is taken", profile.last_sample_ghz())];
-    // A code names a frequency to 54 Hz.
+    // A code resolves a frequency to 54 Hz.
     let is_off = |(_, ghz): &(&str, f64)| *ghz < band.start() - 1e-6 || *ghz > band.end() + 1e-6;
     match ends.into_iter().find(is_off) {
         Some((place, ghz)) => Err(settings.profile.fault(format!(

@@ -1,26 +1,26 @@
-//! Calls of `ar1` in a Lua script of mmWave Studio: those that are code, not remarks and texts (Lua 5.1
-//! Reference Manual, 2.1), with the branch of `if` that each stands in. Nothing is run: loops and functions
-//! count as written once, conditions are not known.
+//! Calls of `ar1` in a Lua script of mmWave Studio: those in code, not in comments and strings (Lua 5.1
+//! Reference Manual, 2.1), with their branch of `if`. Nothing is executed: loops and functions count once,
+//! conditions are unknown.
 
-/// A call as the script has it.
+/// A call in the script.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LuaCall<'a> {
     /// Line of its name, from 1.
     pub(super) line: usize,
     pub(super) name: &'a str,
-    /// Branch that it stands in, each with a number of its own; 0 outside of all.
+    /// Branch of the call, each with its own number; 0 outside of all.
     pub(super) branch: usize,
-    /// Whether a function holds it, which may be called elsewhere.
+    /// Whether the call is in a function, which may be called elsewhere.
     pub(super) is_in_function: bool,
-    /// Text behind its opening bracket, with and without remarks and texts.
+    /// Text after its opening bracket, with and without comments and strings.
     behind: [&'a str; 2],
 }
 
-/// A call of numbers takes some hundred bytes.
+/// Largest call: one with numbers takes some hundred bytes.
 const LIMIT_BYTES: usize = 4096;
 
 impl<'a> LuaCall<'a> {
-    /// Words between the brackets; `None` where the call does not end.
+    /// Arguments between the brackets; `None` if the call does not end.
     pub(super) fn words(&self) -> Option<Vec<&'a str>> {
         let [text, code] = self.behind;
         let code = &code[..code.len().min(LIMIT_BYTES)];
@@ -40,7 +40,7 @@ impl<'a> LuaCall<'a> {
         let words = code[..end].split(',').map(|word| {
             let place = start..start + word.len();
             start = place.end + 1;
-            // A text in quotes is blank in the code.
+            // A quoted string is blank in the code.
             let word = Some(word.trim()).filter(|word| !word.is_empty());
             word.unwrap_or_else(|| text[place].trim().trim_matches(['"', '\'']))
         });
@@ -48,8 +48,8 @@ impl<'a> LuaCall<'a> {
     }
 }
 
-/// The text with blanks in the place of remarks and of what stands in quotes or long brackets; as long as the
-/// text, line by line.
+/// The text with blanks in place of comments, quoted strings and long brackets; of equal length, line by
+/// line.
 pub(super) fn code_of(text: &str) -> String {
     let bytes = text.as_bytes();
     let mut code = Vec::with_capacity(bytes.len());
@@ -57,14 +57,14 @@ pub(super) fn code_of(text: &str) -> String {
         let rest = &bytes[code.len()..];
         let hidden = hidden(rest);
         code.extend(rest[..hidden].iter().map(|byte| if *byte == b'\n' { b'\n' } else { b' ' }));
-        // Letters beyond ASCII are no code, and stay as long as they are.
+        // Characters beyond ASCII are not code, and keep their length.
         let kept = rest.get(hidden).filter(|_| hidden == 0);
         code.extend(kept.map(|byte| if byte.is_ascii() { *byte } else { b' ' }));
     }
     String::from_utf8(code).unwrap_or_default()
 }
 
-/// Calls of a text in their order; `code` is the text without remarks and texts.
+/// Calls of a text in order; `code` is the text without comments and strings.
 pub(super) fn calls<'a>(text: &'a str, code: &'a str) -> Vec<LuaCall<'a>> {
     let (mut blocks, mut all, mut line, mut seen) = (Blocks::default(), vec![], 1, 0);
     for (at, word) in words(code) {
@@ -81,7 +81,7 @@ pub(super) fn calls<'a>(text: &'a str, code: &'a str) -> Vec<LuaCall<'a>> {
     all
 }
 
-/// Names, keywords and numbers with their places.
+/// Identifiers, keywords and numbers with their positions.
 fn words(code: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut start = 0;
     let apart = code.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
@@ -93,7 +93,7 @@ fn words(code: &str) -> impl Iterator<Item = (usize, &str)> {
     placed.filter(|(_, word)| !word.is_empty())
 }
 
-/// Name behind `ar1.` and the place behind its opening bracket.
+/// Name after `ar1.` and the position after its opening bracket.
 fn call_behind(code: &str, at: usize) -> Option<(&str, usize)> {
     let behind = code[at..].strip_prefix('.')?;
     let length = behind.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))?;
@@ -102,8 +102,8 @@ fn call_behind(code: &str, at: usize) -> Option<(&str, usize)> {
     Some((name, code.len() - inside.len()))
 }
 
-/// Length of the remark or text that begins here; 0 where none does. What does not end hides the rest, in
-/// quotes that of its line.
+/// Length of the comment or string that begins here; 0 if none does. An unterminated one hides the rest of
+/// the text, in quotes that of its line.
 fn hidden(rest: &[u8]) -> usize {
     let line = || rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len());
     match rest {
@@ -114,7 +114,7 @@ fn hidden(rest: &[u8]) -> usize {
     }
 }
 
-/// Length of what stands in `[[` and `]]`, or with as many `=` within both.
+/// Length of a long bracket, `[[` to `]]`, or with equal numbers of `=` within both.
 fn long_brackets(rest: &[u8]) -> Option<usize> {
     let behind = rest.strip_prefix(b"[")?;
     let level = behind.iter().take_while(|byte| **byte == b'=').count();
@@ -136,7 +136,7 @@ fn quoted(rest: &[u8], quote: u8) -> usize {
     end.map_or(rest.len(), |end| if rest[end] == quote { end + 1 } else { end })
 }
 
-/// Blocks that are open.
+/// Open blocks.
 #[derive(Default)]
 struct Blocks {
     open: Vec<Block>,
@@ -155,7 +155,7 @@ struct Block {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 enum Kind {
     If,
-    /// A loop whose `do` is still to come.
+    /// A loop whose `do` has not come yet.
     Loop,
     #[default]
     Other,

@@ -7,16 +7,16 @@ use artifact::radar::Sampling;
 use scene::{Place, ReadOptions, SceneError};
 use std::path::{Path, PathBuf};
 
-/// A key of a scene with the value that a configuration gives it.
+/// A key of a scene with its value from a configuration.
 pub(super) struct Entry {
-    /// Table that it stands in; empty: the scene itself.
+    /// Table of the key; empty for the scene itself.
     pub(super) table: &'static str,
     pub(super) key: &'static str,
     /// Text of the value in TOML.
     pub(super) value: String,
     /// Reason for the value.
     remark: String,
-    /// Command that tells the value.
+    /// Command that sets the value.
     command: Command,
 }
 
@@ -36,7 +36,7 @@ impl<T> From<&InLine<T>> for Command {
 /// Reason why a configuration makes no scene; the file is named before it.
 #[derive(Debug, thiserror::Error)]
 pub enum NoScene {
-    /// No board was asked for, and the configuration names none: nothing says where the antennas are.
+    /// No board was given, and the configuration names none: the places of the antennas are unknown.
     #[error("{}: no chip is named, and with it no antenna: --device xwr1243, xwr1443, xwr1642, xwr1843, xwr6843 or awr2243 names the board", .file.display())]
     NoBoard {
         /// The configuration.
@@ -45,7 +45,7 @@ pub enum NoScene {
     /// The scene would break rules of scenes.
     #[error("{}", .0.join("\n"))]
     Broken(
-        /// A line for each, with the configuration, the place in it and the rule.
+        /// A line for each fault, with the configuration, the place in it and the rule.
         Vec<String>,
     ),
 }
@@ -53,7 +53,7 @@ pub enum NoScene {
 /// Text of a scene file with the radar of these settings; `from` is the configuration's name.
 ///
 /// # Errors
-/// No board says where the antennas are; what of the settings no scene may have.
+/// The board is unknown; a scene cannot have some of the settings.
 pub fn scene_text(settings: &DeviceSettings, from: &Path) -> Result<String, NoScene> {
     let board = settings.board.ok_or_else(|| NoScene::NoBoard { file: from.to_owned() })?;
     let draft = draft(settings, board, from);
@@ -68,7 +68,7 @@ pub fn scene_text(settings: &DeviceSettings, from: &Path) -> Result<String, NoSc
 #[derive(Default)]
 struct Draft {
     text: String,
-    /// Command that each line comes of.
+    /// Command from which each line comes.
     commands: Vec<Option<Command>>,
 }
 
@@ -133,8 +133,8 @@ fn draft(settings: &DeviceSettings, board: Board, from: &Path) -> Draft {
     draft
 }
 
-/// Noise of the receivers: without it a scene has none, and a recording that is imported by it would be taken
-/// for noise-free.
+/// Noise of the receivers: a scene without it has none, and recordings imported with it would be assumed
+/// noise-free.
 fn noise(draft: &mut Draft, settings: &DeviceSettings, board: Board) {
     let profile = &settings.profile.value;
     let (figure_db, sheet) = board.noise_figure(profile.start_ghz.max(profile.last_sample_ghz()));
@@ -144,7 +144,7 @@ fn noise(draft: &mut Draft, settings: &DeviceSettings, board: Board) {
     draft.told_key(&format!("noise_figure_db = {}", decimal(figure_db)), &remark, None);
 }
 
-/// Name of the scene: that of the file, as far as it is one of a scene and of a folder.
+/// Name of the scene: that of the file, as far as it is valid for scenes and folders.
 fn name_of(file: &Path) -> String {
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();
     let kept = |c: char| if c.is_ascii_alphanumeric() || "-_".contains(c) { c } else { '-' };
@@ -152,13 +152,13 @@ fn name_of(file: &Path) -> String {
     if name.is_empty() { "radar".to_owned() } else { name }
 }
 
-/// Key of the time from a frame to the next, which stands in no table.
+/// Key of the frame interval, which is outside tables.
 pub(super) fn frame_interval(settings: &DeviceSettings) -> Entry {
     let frame = &settings.frame;
     entry("", "frame_interval_s", decimal(frame.value.period_ms / 1e3), String::new(), frame.into())
 }
 
-/// Keys of the radar, table by table; those of the antennas where a board is known.
+/// Keys of the radar, table by table; those of the antennas if a board is known.
 pub(super) fn entries(settings: &DeviceSettings) -> Vec<Entry> {
     let mut all = of_waveform(settings);
     if let Some(board) = settings.board {
@@ -254,7 +254,7 @@ fn entry(table: &'static str, key: &'static str, value: String, remark: String, 
     Entry { table, key, value, remark, command }
 }
 
-/// A number to 1e-9, which is finer than any device tells it, with a point in it.
+/// A number to 1e-9, finer than any device's values, with a decimal point.
 pub(super) fn decimal(number: f64) -> String {
     let digits = format!("{number:.9}");
     let short = digits.trim_end_matches('0');

@@ -93,8 +93,8 @@ fn buffer(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     Ok(vec![Told::Buffer(sampling), Told::Order(order)])
 }
 
-/// Sub-frame, header, format of what the hardware sends (0 nothing, 1 samples, 4 samples between parameters
-/// and quality of the chirp), stream of the software (the same guide, `lvdsStreamCfg`).
+/// Sub-frame, header, format of the hardware's stream (0 nothing, 1 samples, 4 samples between parameters and
+/// quality of the chirp), stream of the software (the same guide, `lvdsStreamCfg`).
 fn stream(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(4)?;
     let header = arguments.whole(1, "the switch of the header", 1)?;
@@ -129,7 +129,8 @@ fn chirps(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     })])
 }
 
-/// Chirps, loops, frames, period, trigger, its delay; later devices have the samples before the period.
+/// Chirps, loops, frames, period, trigger, its delay; later devices have the number of samples before the
+/// period.
 fn frame(arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
     arguments.at_least(5)?;
     arguments.at_most(7)?;

@@ -1,20 +1,20 @@
-//! Commands of a configuration as both kinds of files have them, and words read as their numbers.
+//! Commands of both kinds of configuration files, and conversion of their arguments to numbers.
 
 use crate::devices::{Board, IqOrder, Lanes};
 use artifact::radar::Sampling;
 
-/// Rule that a configuration breaks, and its line from 1 where it has one.
+/// Rule that a configuration breaks, with its line from 1 if it has one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Fault {
     pub(super) line: Option<usize>,
     pub(super) rule: String,
 }
 
-/// A command in its place.
+/// A command with its line.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Statement {
     pub(super) line: usize,
-    /// Name as the file writes it.
+    /// Name as written in the file.
     pub(super) name: &'static str,
     pub(super) told: Told,
 }
@@ -22,7 +22,7 @@ pub(super) struct Statement {
 /// Meaning of a command.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Told {
-    /// A start anew: earlier commands do not count.
+    /// A reset: earlier commands do not count.
     Flush,
     Board(Board),
     /// Board that a comment names, and what it calls it.
@@ -37,9 +37,9 @@ pub(super) enum Told {
         sampling: Sampling,
     },
     Order(IqOrder),
-    /// Samples that are passed on, of the converter's.
+    /// Samples of the converter that are passed on.
     Buffer(Sampling),
-    /// Words that a recording has between its samples.
+    /// Words between the samples of a recording.
     Stream(Option<&'static str>),
     Lanes(Lanes),
     Profile(Profile),
@@ -70,67 +70,67 @@ impl Platform {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Profile {
     pub(super) id: u32,
-    /// Frequency at which the ramp begins.
+    /// Start frequency of the ramp.
     pub(super) start_ghz: f64,
     pub(super) idle_us: f64,
-    /// Time from the ramp's begin to the first sample.
+    /// Time from the beginning of the ramp to the first sample.
     pub(super) adc_start_us: f64,
-    /// Time from the ramp's begin to its end.
+    /// Time from the beginning of the ramp to its end.
     pub(super) ramp_end_us: f64,
     pub(super) slope_mhz_per_us: f64,
     pub(super) samples: u32,
     pub(super) rate_ksps: f64,
-    /// Whether a transmitter sends in another phase than the others.
+    /// Whether a transmitter has another phase than the others.
     pub(super) shifts_phases: bool,
 }
 
 impl Profile {
-    /// Time from the ramp's begin to the end of the last sample.
+    /// Time from the beginning of the ramp to the end of the last sample.
     pub(super) fn sampled_until_us(&self) -> f64 {
         self.adc_start_us + 1e3 * f64::from(self.samples) / self.rate_ksps
     }
 
-    /// Frequency at that end.
+    /// Frequency at the end of the last sample.
     pub(super) fn last_sample_ghz(&self) -> f64 {
         self.start_ghz + 1e-3 * self.slope_mhz_per_us * self.sampled_until_us()
     }
 }
 
-/// Indices, from 0, of the words of a profile that do not stand in the same place everywhere.
+/// Indices, from 0, of the arguments of a profile whose positions differ between file kinds.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ProfileColumns {
-    /// First of the transmitters' phases, and the one behind the last.
+    /// Index of the first of the transmitters' phases, and of the argument after the last.
     pub(super) phases: [usize; 2],
     pub(super) slope: usize,
     pub(super) samples: usize,
     pub(super) rate: usize,
 }
 
-/// Chirps of one form and one choice of transmitters.
+/// Chirps with a common form and choice of transmitters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Chirps {
     pub(super) first: u32,
     pub(super) last: u32,
     pub(super) profile: u32,
-    /// Transmitters that send, bit by bit.
+    /// Active transmitters, as a bit mask.
     pub(super) transmitters: u32,
 }
 
-/// Chirps of a frame, over and over.
+/// Chirps of a frame, repeated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Frame {
     pub(super) first: u32,
     pub(super) last: u32,
     pub(super) loops: u32,
-    /// 0: without end.
+    /// Number of frames; 0: unlimited.
     pub(super) frames: u32,
     pub(super) period_ms: f64,
 }
 
-/// Chirps that a device holds.
+/// Largest number of chirps in a device.
 pub(super) const CHIRPS_MAX: u32 = 512;
 
-/// Words of a command behind its name.
+/// Arguments of a command.
 pub(super) struct Arguments<'a> {
     pub(super) line: usize,
     pub(super) name: &'static str,
@@ -138,7 +138,7 @@ pub(super) struct Arguments<'a> {
 }
 
 impl Arguments<'_> {
-    /// The command that these words tell.
+    /// The command with these arguments.
     pub(super) fn statement(&self, told: Told) -> Statement {
         Statement { line: self.line, name: self.name, told }
     }
@@ -148,7 +148,7 @@ impl Arguments<'_> {
         Fault { line: Some(self.line), rule: format!("{}: {rule}", self.name) }
     }
 
-    /// Refuses fewer words than the command has.
+    /// Refuses fewer arguments than the command has.
     pub(super) fn at_least(&self, count: usize) -> Result<(), Fault> {
         let found = self.words.len();
         if found >= count {
@@ -158,7 +158,7 @@ impl Arguments<'_> {
         }
     }
 
-    /// Refuses more words than the command has: those of another command of the same name.
+    /// Refuses more arguments than the command has: they belong to another command of the same name.
     pub(super) fn at_most(&self, count: usize) -> Result<(), Fault> {
         let found = self.words.len();
         if found <= count {
@@ -168,14 +168,14 @@ impl Arguments<'_> {
             .fault(format!("it has {count} numbers, {found} are here: those of other devices are not read")))
     }
 
-    /// The word at an index, from 0, as a number.
+    /// The argument at an index, from 0, as a number.
     pub(super) fn number(&self, index: usize, what: &str) -> Result<f64, Fault> {
         let word = self.words.get(index).copied().unwrap_or_default();
         let number = word.parse::<f64>().ok().filter(|number| number.is_finite());
         number.ok_or_else(|| self.fault(format!("{what} is `{word}`, not a number")))
     }
 
-    /// The word at an index as a whole number up to `most`; `0x` begins hexadecimal digits.
+    /// The argument at an index as a whole number up to `most`; `0x` begins hexadecimal digits.
     pub(super) fn whole(&self, index: usize, what: &str, most: u32) -> Result<u32, Fault> {
         let word = self.words.get(index).copied().unwrap_or_default();
         let number = match word.strip_prefix("0x") {
@@ -198,8 +198,8 @@ impl Arguments<'_> {
         }
     }
 
-    /// Meaning of the code of a converter's bits at an index, and of that of its format: real, complex, or
-    /// complex with its image band.
+    /// Meaning of the code of a converter's bits at an index, and of its format: real, complex, or complex
+    /// with its image band.
     pub(super) fn converter(&self, bits: usize, format: u32) -> Result<Told, Fault> {
         let bits = [12, 14, 16][self.whole(bits, "the converter's bits", 2)? as usize];
         let sampling = match format {
@@ -211,7 +211,7 @@ impl Arguments<'_> {
         Ok(Told::Converter { bits, sampling })
     }
 
-    /// Whether any of these words, phases of transmitters, is not 0.
+    /// Whether any of these arguments, phases of transmitters, is not 0.
     pub(super) fn shifts_phases(&self, words: std::ops::Range<usize>) -> Result<bool, Fault> {
         let mut shifts = false;
         for index in words {
@@ -220,7 +220,7 @@ impl Arguments<'_> {
         Ok(shifts)
     }
 
-    /// A profile as people write it, in GHz, µs, MHz/µs and ksps.
+    /// A profile in the usual units, GHz, µs, MHz/µs and ksps.
     pub(super) fn profile(&self, columns: ProfileColumns) -> Result<Told, Fault> {
         let number = |index, what| self.number(index, what);
         self.sound_profile(Profile {
@@ -247,7 +247,7 @@ impl Arguments<'_> {
             return Err(self.fault("times must not be negative"));
         }
         let end_us = profile.sampled_until_us();
-        // Times are told to 10 ns.
+        // Times have a resolution of 10 ns.
         if end_us > ramp_end_us + 0.01 {
             return Err(self.fault(format!(
                 "the last sample is taken {end_us:.2} µs into the ramp, which ends after {ramp_end_us} µs"

@@ -1,8 +1,8 @@
-//! What mmWave Studio leaves: its log (`… API:ProfileConfig,0,1435384036,…,`, numbers as the device gets
-//! them: codes of frequencies, 10 ns, 5 ns) and its Lua scripts (`ar1.ProfileConfig(0, 77, 100, …)`, numbers
-//! as a person gives them).
+//! Files of mmWave Studio: its log (`… API:ProfileConfig,0,1435384036,…,`, numbers as sent to the device:
+//! codes of frequencies, 10 ns, 5 ns) and its Lua scripts (`ar1.ProfileConfig(0, 77, 100, …)`, numbers in
+//! user units).
 //!
-//! A log has every attempt; what counts is what was told last before the last start of the sensor.
+//! A log contains every attempt; the last commands before the last start of the sensor count.
 
 use super::lua_calls::{self, LuaCall};
 use super::statements::{
@@ -18,8 +18,8 @@ pub(super) fn is_one(text: &str) -> bool {
     code.any(|code| code.contains("API:") || code.contains("ar1."))
 }
 
-/// Commands in their order, up to the last start of the sensor, with the lines of those that stand in
-/// branches of a script; `board` is the one that was asked for.
+/// Commands in order, up to the last start of the sensor, with the lines of those in branches of a script;
+/// `board` is the requested one.
 pub(super) fn statements(text: &str, board: Option<Board>) -> Result<(Vec<Statement>, Vec<usize>), Fault> {
     let code = lua_calls::code_of(text);
     let mut calls = calls(text, &code);
@@ -61,7 +61,7 @@ const COMMANDS: [&str; 14] = [
     "AdvancedFrameConfig",
 ];
 
-/// Parts of the names of calls that change chirps in ways that are not read, in small letters.
+/// Parts of the names, in lower case, of calls that change chirps in unsupported ways.
 const UNREAD: [(&str, &str); 6] = [
     ("advanceframe", "advanced frames of sub-frames are not read: FrameConfig alone"),
     ("advchirp", "tables of chirps' parameters are not read: ChirpConfig alone"),
@@ -83,7 +83,7 @@ struct Call<'a> {
     line: usize,
     form: Form,
     name: &'a str,
-    /// Branch of a script that it stands in, 0 outside of all.
+    /// Branch of a script, 0 outside of all.
     branch: usize,
     words: Words<'a>,
 }
@@ -111,13 +111,14 @@ fn calls<'a>(text: &'a str, code: &'a str) -> Vec<Call<'a>> {
 }
 
 impl<'a> Call<'a> {
-    /// A start that a function holds is one where the function is called, which nobody knows here.
+    /// Whether the call starts the sensor; a start within a function does not count, because it is unknown
+    /// where the function is called.
     fn starts_the_sensor(&self) -> bool {
         let is_in_function = matches!(&self.words, Words::OfScript(call) if call.is_in_function);
         STARTS.contains(&self.name) && !is_in_function
     }
 
-    /// Name of the command that it is, as it is written here.
+    /// Name of the command for the call.
     fn command(&self) -> Option<&'static str> {
         COMMANDS.into_iter().find(|known| known.eq_ignore_ascii_case(self.name))
     }
@@ -139,8 +140,8 @@ fn words_of(list: &str) -> Vec<&str> {
     words.filter(|word| !word.is_empty()).collect()
 }
 
-/// Refuses commands of a script that stand there twice with other words, one of them in another branch of
-/// `if`: which of them runs is not known.
+/// Refuses commands of a script that occur twice with other arguments, once in another branch of `if`: it is
+/// unknown which of them runs.
 fn check_branches(calls: &[Call<'_>], reader: &LogReader) -> Result<(), Fault> {
     let mut told: BTreeMap<(&str, Vec<&str>), &Call<'_>> = BTreeMap::new();
     for call in calls.iter().filter(|call| call.form == Form::Script) {
@@ -161,7 +162,7 @@ fn check_branches(calls: &[Call<'_>], reader: &LogReader) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Words that tell apart what a command configures: of several profiles and chirps each.
+/// Number of arguments that identify the configured item, such as one of several profiles or chirps.
 fn slots(name: &str) -> usize {
     match name {
         "ProfileConfig" => 1,
@@ -170,7 +171,7 @@ fn slots(name: &str) -> usize {
     }
 }
 
-/// Refuses a call that is no command read here where it changes chirps all the same.
+/// Refuses an unsupported call that changes chirps.
 fn refuse_unread(call: &Call<'_>, calls: &[Call<'_>]) -> Result<(), Fault> {
     let name = call.name.to_ascii_lowercase();
     if name.ends_with("_mult") {
@@ -190,16 +191,16 @@ fn refuse_unread(call: &Call<'_>, calls: &[Call<'_>]) -> Result<(), Fault> {
     }
 }
 
-/// Advice where a script has two of which one alone can run.
+/// Advice for a script with two commands of which only one can run.
 const FLOW: &str = "control flow is not followed, leave out the branch that does not run";
 
 /// Commands that name the chip.
 const CHIPS: [&str; 3] = ["select_chip_version", "SelectChipVersion", "deviceVariantSelection"];
 
-/// Reader of calls that knows the board whose codes they are.
+/// Reader of calls, with the board that defines their codes.
 struct LogReader {
     board: Option<Board>,
-    /// Whether the board was asked for: then no chip of the log takes its place.
+    /// Whether the board was requested: then no chip of the log replaces it.
     asked: bool,
 }
 
@@ -221,7 +222,7 @@ impl LogReader {
             "ProfileConfig" => profile(arguments)?,
             "ChirpConfig" => chirps(arguments, form)?,
             "FrameConfig" => frame(arguments, form)?,
-            // The log repeats every frame as an advanced one of one sub-frame.
+            // The log repeats every frame as an advanced one with one sub-frame.
             "AdvancedFrameConfig" if arguments.words.first() != Some(&"1") => {
                 return Err(arguments.fault("frames of several sub-frames are not read"));
             }
@@ -259,8 +260,9 @@ impl LogReader {
     }
 }
 
-/// TX0 … TX2, RX0 … RX3, bits, format, modes; the upper 16 bits of RX3, of the format and of the modes tell
-/// what else there is: pins of a cascade, the reduction of the full scale, and whether there is a cascade.
+/// TX0 … TX2, RX0 … RX3, bits, format, modes; the upper 16 bits of RX3, of the format and of the modes
+/// specify other settings: pins of a cascade, the reduction of the full scale, and whether there is a
+/// cascade.
 fn channels_and_converter(arguments: &Arguments<'_>) -> Result<[Told; 2], Fault> {
     arguments.at_least(9)?;
     let what = "the switch of a channel";
@@ -276,7 +278,7 @@ fn channels_and_converter(arguments: &Arguments<'_>) -> Result<[Told; 2], Fault>
 
 const FORMAT: &str = "the format of samples";
 
-/// Bits of which each is switched by a word, in its lower 16 bits.
+/// Bit mask from words that each switch one bit, in their lower 16 bits.
 fn mask(arguments: &Arguments<'_>, words: Range<usize>, what: &str) -> Result<u32, Fault> {
     (0..).zip(words).try_fold(0, |mask, (bit, index)| {
         Ok(mask | u32::from(arguments.whole(index, what, u32::MAX)? & 0xffff != 0) << bit)
@@ -303,8 +305,8 @@ fn order(arguments: &Arguments<'_>) -> Result<Told, Fault> {
 }
 
 /// Interface, contents of packets 0 and 1, each in the lower bits of its word (a script has sizes above
-/// them): samples alone are 1, nothing is 0, and these have parameters (CP) or quality (CQ) of the chirp: CP
-/// and samples, samples and CP, all three, CP and CQ, CQ and CP (mmWaveLink, `rlDevDataPathCfg_t`).
+/// them): samples alone are 1, nothing is 0, and the others have parameters (CP) or quality (CQ) of the
+/// chirp: CP and samples, samples and CP, all three, CP and CQ, CQ and CP (mmWaveLink, `rlDevDataPathCfg_t`).
 fn data_path(arguments: &Arguments<'_>) -> Result<Told, Fault> {
     const BETWEEN: [u32; 5] = [0b000110, 0b001001, 0b110110, 0b001110, 0b001011];
     let mut between = None;
@@ -325,13 +327,13 @@ fn lanes(arguments: &Arguments<'_>, mask: u32) -> Result<Told, Fault> {
     }
 }
 
-/// Three transmitters have their power and three their phase each before the slope.
+/// Profile with the powers and phases of three transmitters before the slope.
 fn profile(arguments: &Arguments<'_>) -> Result<Told, Fault> {
     arguments.at_least(15)?;
     arguments.profile(ProfileColumns { phases: [8, 11], slope: 11, samples: 13, rate: 14 })
 }
 
-/// Transmitters are a mask in the log, switches in a script.
+/// Chirps with transmitters as a mask in the log, as switches in a script.
 fn chirps(arguments: &Arguments<'_>, form: Form) -> Result<Told, Fault> {
     arguments.at_least(8)?;
     for index in 3..7 {
@@ -351,7 +353,7 @@ fn chirps(arguments: &Arguments<'_>, form: Form) -> Result<Told, Fault> {
     }))
 }
 
-/// The period is in steps of 5 ns in a log, in milliseconds in a script.
+/// Frame with the period in steps of 5 ns in a log, in milliseconds in a script.
 fn frame(arguments: &Arguments<'_>, form: Form) -> Result<Told, Fault> {
     arguments.at_least(5)?;
     let period = arguments.number(4, "the frame's period")?;

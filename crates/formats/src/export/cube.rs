@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use std::io::Error;
 use std::path::Path;
 
-/// Writes a cube as a NumPy array `[frame, channel, chirp, sample]`, its axes and unit beside it.
+/// Writes a cube as a NumPy array `[frame, channel, chirp, sample]`, with axes and unit in its sidecar.
 pub fn npy(reader: Reader<Cube>, out: &Path) -> Result<(), Failure> {
     sidecar::claim(out)?;
     let header = reader.header().clone();
@@ -50,7 +50,7 @@ fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
     })
 }
 
-/// Start of each chirp from the record's first sample: `[chirp]`, with tdm `[tx][chirp]`, with bpm
+/// Start of each chirp relative to the record's first sample: `[chirp]`, with tdm `[tx][chirp]`, with bpm
 /// `[slot][chirp]`.
 fn times_of(radar: &Radar) -> Value {
     let of = |turn: usize| -> Vec<f64> {
@@ -70,12 +70,12 @@ fn channels(header: &CubeHeader) -> Value {
     }
 }
 
-/// Channels of the receivers alone: they hear all transmitters, or a code that no transmitter has.
+/// Channels of the receivers alone: they receive all transmitters, or a code without a transmitter.
 fn receivers(header: &CubeHeader) -> impl Iterator<Item = Value> {
     header.radar.array.rx_m.iter().map(|rx| json!({ "tx_m": null, "rx_m": rx }))
 }
 
-/// Transmit–receive pairs, channel = tx·N_rx + rx, with bpm codes of no transmitter behind them.
+/// Transmit–receive pairs, channel = tx·N_rx + rx, with bpm followed by codes without a transmitter.
 pub(crate) fn map_channels(header: &CubeHeader) -> Value {
     let array = &header.radar.array;
     let pairs =

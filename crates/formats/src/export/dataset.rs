@@ -10,7 +10,7 @@ use pipeline::host::progress;
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// Writes the crops as a NumPy array `[sample, velocity, range]` of grey levels, their labels beside it.
+/// Writes the crops as a NumPy array `[sample, velocity, range]` of grey levels, with labels in its sidecar.
 pub fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
     let reader = Reader::<Dataset>::open(file)?;
     sidecar::claim(out)?;
@@ -41,7 +41,7 @@ pub fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
     )
 }
 
-/// The image of a sample; refused of a dataset that was made without images.
+/// The image of a sample; refused for a dataset without images.
 fn image(file: &Path, sample: Sample) -> Result<Crop, Failure> {
     let Sample { id, crop, .. } = sample;
     crop.ok_or_else(|| {
@@ -60,7 +60,7 @@ pub(crate) fn label(sample: &Sample) -> Value {
     })
 }
 
-/// One grey picture a sample, in the folder `out`.
+/// Writes one grey picture per sample in the folder `out`.
 pub fn png(file: &Path, out: &Path) -> Result<(), Failure> {
     let reader = Reader::<Dataset>::open(file)?;
     let side = reader.header().side;

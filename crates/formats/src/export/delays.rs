@@ -1,4 +1,4 @@
-//! Delay of a path, as tables tell it.
+//! Delay of a path for tables.
 
 use artifact::Radar;
 use artifact::paths::Path;

@@ -1,4 +1,4 @@
-//! Features of signatures as CSV, a row for each sample of a dataset.
+//! Features of signatures as CSV, one row per sample of a dataset.
 
 use artifact::Reader;
 use artifact::dataset::{Dataset, Sample};
@@ -8,7 +8,7 @@ use pipeline::host::safe_text::in_csv;
 use std::io::{Error, Write};
 use std::path::Path;
 
-/// The features of every sample's signature, a row each.
+/// Writes the features of every sample's signature, one row each.
 pub fn csv(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
     pipeline::host::files::write_with(out, |stream| {
         let columns = column_names().join(",");
@@ -21,8 +21,8 @@ pub fn csv(reader: Reader<Dataset>, out: &Path) -> Result<(), Failure> {
     })
 }
 
-/// Names of the features, a later one of those that are alike with its number behind it: two features of
-/// heights have one name, and of columns of one name readers take one.
+/// Names of the features; duplicates have their number appended: two features of heights share a name, and
+/// readers keep only one of equally named columns.
 pub(crate) fn column_names() -> Vec<String> {
     let names = classifier::feature_names();
     let apart = |(at, name): (usize, &&str)| match names[..at].iter().filter(|before| *before == name).count()

@@ -31,7 +31,7 @@ pub fn mcap(file: &Path, schema: &str, out: &Path) -> Result<(), Failure> {
     }
 }
 
-/// The container that a file's name asks for.
+/// The container for a file name's ending.
 fn container_of(out: &Path) -> Result<Container, Failure> {
     match out.extension().and_then(|ending| ending.to_str()) {
         Some("osi") => Ok(Container::Osi),
@@ -103,21 +103,21 @@ fn tracks_as_ros(reader: Reader<Tracks>, out: &Path) -> Result<(), Failure> {
     })
 }
 
-/// Classes of tracks as the summary of the run tells them that made the tracks.
+/// Classes of tracks, from the summary of the run that made the tracks.
 struct Classes {
     /// The summary that lies beside the tracks, if any.
     summary: Option<Summary>,
 }
 
 impl Classes {
-    /// Classes by the `summary.json` in the folder of a file of tracks.
+    /// Reads the classes from `summary.json` in the folder of a file of tracks.
     fn beside(file: &Path) -> Result<Self, Failure> {
         let summary = file.with_file_name("summary.json");
         let summary = summary.is_file().then(|| Summary::read(&summary)).transpose()?;
         Ok(Self { summary })
     }
 
-    /// Probabilities of the four classes of a frame's tracks, as far as they were told.
+    /// Probabilities of the four classes of a frame's tracks, if known.
     fn of(&self, frame: &TracksFrame) -> BTreeMap<u32, [f64; 4]> {
         let told = self.summary.as_ref().and_then(|summary| summary.frames.get(frame.index as usize));
         let told = told.filter(|told| told.time_s == frame.time_s);

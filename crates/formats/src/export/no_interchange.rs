@@ -1,4 +1,4 @@
-//! Messages of other programs, in a program that was built without them.
+//! Stand-in for messages of other programs in a program built without them.
 
 use pipeline::host::failure::Failure;
 use std::path::Path;

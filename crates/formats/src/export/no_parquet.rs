@@ -1,4 +1,4 @@
-//! Tables of Parquet, in a program that was built without them.
+//! Stand-in for tables of Parquet in a program built without them.
 
 use artifact::Reader;
 use artifact::points::Points;

@@ -1,4 +1,4 @@
-//! One table of Apache Parquet: a row a point of a run, or a row a sample of a dataset, its truth and its
+//! A table of Apache Parquet: one row per point of a run, or one row per sample of a dataset with truth and
 //! features.
 
 use artifact::Reader;
@@ -13,7 +13,7 @@ use pipeline::host::progress;
 use std::io::Error;
 use std::path::{Path, PathBuf};
 
-/// Columns of points, as their csv has them.
+/// Columns of points, as in their csv.
 const OF_POINTS: [(&str, Kind); 22] = [
     ("frame", Kind::Count),
     ("time_s", Kind::Real),
@@ -39,7 +39,7 @@ const OF_POINTS: [(&str, Kind); 22] = [
     ("height", Kind::Text),
 ];
 
-/// The points of a run, a row each.
+/// Writes the points of a run, one row each.
 pub fn points(reader: Reader<Points>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
     files::write_with(out, |stream| {
@@ -99,7 +99,7 @@ const OF_SAMPLES: [(&str, Kind); 12] = [
     ("seed", Kind::Count),
 ];
 
-/// The samples of a shard, or of all shards of a folder, a row each.
+/// Writes the samples of a shard, or of all shards of a folder, one row each.
 pub fn samples(asked: &Path, out: &Path) -> Result<(), Failure> {
     let shards = shards(asked)?;
     let names = feature_names();
@@ -116,7 +116,7 @@ pub fn samples(asked: &Path, out: &Path) -> Result<(), Failure> {
     })
 }
 
-/// The shards of a folder, at least one; a plain file stands for itself.
+/// The shards of a folder, at least one; a plain file is the only shard.
 fn shards(asked: &Path) -> Result<Vec<PathBuf>, Failure> {
     if !asked.is_dir() {
         artifact::inputs::note(asked);

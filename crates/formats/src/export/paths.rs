@@ -38,7 +38,7 @@ pub fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
     sidecar::write(out, &axes)
 }
 
-/// Rows of a path, one a polarization; `radar` is that of the frame's own sub-frame.
+/// Rows of a path, one per polarization; `radar` is that of the frame's own sub-frame.
 fn rows(
     sink: &mut dyn Write,
     (header, radar): (&PathsHeader, &Radar),
@@ -66,7 +66,7 @@ fn rows(
     Ok(())
 }
 
-/// The part of the frame and of the array that a path stands for; empty where it is all of them.
+/// The part of the frame and of the array that a path represents; empty if it is all of them.
 fn span(path: &Record) -> String {
     let of_time = |span: Span| format!("{},{},{},{}", span.first_s, span.step_s, span.moments, span.moment);
     let vector = |[x, y, z]: [f64; 3]| format!("{x} {y} {z}");

@@ -101,7 +101,7 @@ fn rows(reader: Reader<Points>) -> Result<Vec<String>, Failure> {
     Ok(rows)
 }
 
-/// The last number is 1 where z is measured, 0 where it is assumed or the radar's own.
+/// Row of a point; the last number is 1 if z is measured, 0 if it is assumed or the radar's own.
 fn row(frame: u32, p: &Point) -> String {
     let [x, y, z] = p.position_m;
     let object = p.object.map_or(-1, i64::from);

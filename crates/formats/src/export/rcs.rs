@@ -11,7 +11,7 @@ use pipeline::host::progress;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// One file a table; a single table keeps the name that was asked for.
+/// Writes one file per table; a single table keeps the requested name.
 pub fn npy(reader: Reader<Rcs>, out: &Path) -> Result<(), Failure> {
     let targets = reader.header().targets.clone();
     let mut tables: Vec<(u32, RcsTable)> = Vec::new();

@@ -17,8 +17,8 @@ use serde_json::json;
 use std::io::{Error, Read};
 use std::path::{Path, PathBuf};
 
-/// Writes the maps as a NumPy array `[frame, channel, doppler, range]`, the cells that were found as another,
-/// and axes beside it.
+/// Writes the maps as a NumPy array `[frame, channel, doppler, range]`, the detected cells as another, and a
+/// sidecar with the axes.
 pub fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     let mask = mask_beside(out);
     files::claim(&[out.to_owned(), mask.clone(), sidecar::beside(out)])?;
@@ -41,7 +41,7 @@ pub fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     sidecar::write(out, &axes(&header, &told))
 }
 
-/// `F.npy` → `F.mask.npy`; a name without that ending keeps all of it.
+/// `F.npy` → `F.mask.npy`; another ending is kept as part of the name.
 fn mask_beside(out: &Path) -> PathBuf {
     let is_npy = out.extension().is_some_and(|kind| kind == "npy");
     let mut name = if is_npy { out.with_extension("") } else { out.to_owned() }.into_os_string();
@@ -49,15 +49,15 @@ fn mask_beside(out: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Refuses to replace what is no mask of maps: an array of bytes with three axes, without a description of
-/// its own.
+/// Refuses to replace a file that is not a mask of maps, i.e. an array of bytes with three axes and without a
+/// sidecar.
 fn keep_what_is_no_mask(place: &Path, out: &Path) -> Result<(), Failure> {
     let name = out.file_name().unwrap_or_default().to_string_lossy();
     let rule = format!("is no mask of {name}, beside which it would be written");
     files::keep_unless(place, &rule, || is_mask(place) && !sidecar::beside(place).exists())
 }
 
-/// Whether the head of a file is that of a mask as it is written here.
+/// Whether the head of a file is that of a mask written here.
 fn is_mask(file: &Path) -> bool {
     let mut head = Vec::new();
     let read = std::fs::File::open(file).and_then(|file| file.take(128).read_to_end(&mut head));
@@ -82,12 +82,12 @@ fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {
     })
 }
 
-/// One file a frame; a single frame keeps the name that was asked for.
+/// Writes one file per frame; a single frame keeps the requested name.
 pub fn exr(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     each_frame(reader, out, rdm_exr)
 }
 
-/// The paper's grey picture; receding is above, as in all pictures.
+/// Writes the paper's grey picture; receding is at the top, as in all pictures.
 pub fn png(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     each_frame(reader, out, |header, frame, place| {
         let side = dsp::PAPER_CROP.side;
@@ -107,7 +107,7 @@ fn each_frame(
     out: &Path,
     write: impl Fn(&CubeHeader, &RdmFrame, &Path) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    files::claim(&[out.to_owned()])?; // pictures of several frames are numbered after it
+    files::claim(&[out.to_owned()])?; // pictures of several frames add numbers to it
     let (header, single) = (reader.header().clone(), reader.frames() == 1);
     for frame in progress::frames(reader) {
         let frame = frame?;

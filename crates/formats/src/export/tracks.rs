@@ -1,4 +1,4 @@
-//! Tracks as a table: a row for each track that is alive in a frame.
+//! Tracks as a table: one row per live track in a frame.
 
 use artifact::Reader;
 use artifact::tracks::{Track, Tracks};

@@ -11,38 +11,38 @@ pub(crate) enum MatError {
          bytes is not read"
     )]
     NotLevel5,
-    /// The file, or an element that holds others, ends before an element does.
+    /// The file, or a nested element, ends within an element.
     #[error("it ends within an element")]
     EndsInElement,
-    /// No element of the file is what is looked for.
+    /// The file has no such array.
     #[error("it has no complex array")]
     NoComplexArray,
-    /// The array that is asked for has more bytes than can be counted.
+    /// The array has more bytes than can be counted.
     #[error("its sides are too long")]
     SidesTooLong,
     /// A packed element is damaged.
     #[error("an element does not unpack: {0}")]
     Damaged(#[source] io::Error),
-    /// The parts of an array are not those of an array.
+    /// The array lacks required parts.
     #[error("an array has no sides or no name")]
     NoSidesOrName,
-    /// The array is not as long as the radar's frames on some side.
+    /// The sides of the array differ from the radar's frames.
     #[error("its array is {found:?}, the scene's radar has {asked:?}")]
     OtherSides {
         /// Sides in the file.
         found: Vec<u32>,
-        /// Sides that are asked for.
+        /// Expected sides.
         asked: [usize; 4],
     },
-    /// The array holds fewer or more numbers than its sides ask for.
+    /// The array holds fewer or more numbers than its sides require.
     #[error("{asked} numbers are asked for, it has {bytes} bytes of them")]
     OtherCount {
-        /// Numbers that are asked for.
+        /// Expected number of values.
         asked: usize,
-        /// Bytes of numbers.
+        /// Bytes of the values.
         bytes: usize,
     },
-    /// A type that numbers do not have.
+    /// A type that is not numeric.
     #[error("numbers of type {0} are not known")]
     UnknownNumbers(u32),
 }

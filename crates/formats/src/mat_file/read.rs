@@ -1,4 +1,4 @@
-//! The complex array of a file, packed or not, its lengths checked before they are believed.
+//! Reading of the complex array of a file, compressed or not, with its lengths checked first.
 
 use crate::mat_file::mat_error::MatError;
 use crate::mat_file::{COMPLEX, COMPRESSED, HEAD_BYTES, INT8, INT32, MATRIX, UINT32};
@@ -6,14 +6,13 @@ use flate2::read::ZlibDecoder;
 use num_complex::Complex32;
 use std::io::Read;
 
-/// Unpacked bytes of an array beside its values.
+/// Bytes of an uncompressed array besides its values.
 const BESIDE_VALUES: u64 = 65_536;
 
-/// Values of the file's first complex array with the sides that are asked for, column-major, whatever stands
-/// before it.
+/// Values of the file's first complex array with the expected sides, column-major, whatever precedes it.
 ///
 /// # Errors
-/// A file of another kind, elements that are cut off, no such array, or one of other sides.
+/// A file of another kind, truncated elements, no such array, or one with other sides.
 pub(crate) fn complex_values(bytes: &[u8], shape: [usize; 4]) -> Result<Vec<Complex32>, MatError> {
     if bytes.len() < HEAD_BYTES || bytes[HEAD_BYTES - 4..HEAD_BYTES] != [0, 1, b'I', b'M'] {
         return Err(MatError::NotLevel5);
@@ -40,7 +39,7 @@ fn of_element(element: &Element<'_>, shape: [usize; 4]) -> Result<Option<Vec<Com
             let most = values.and_then(|values| values.checked_mul(16)).ok_or(MatError::SidesTooLong)?;
             let unpacked = unpacked(element.content, most + BESIDE_VALUES)?;
             let (kind, length, behind) = tag(&unpacked)?;
-            // A longer array is cut off: its sides, which come first, tell that it is another one.
+            // A longer array is truncated: its sides, which come first, show that it is another one.
             let content = behind.get(..length).unwrap_or(behind);
             if kind == MATRIX { of_matrix(content, shape) } else { Ok(None) }
         }
@@ -48,14 +47,14 @@ fn of_element(element: &Element<'_>, shape: [usize; 4]) -> Result<Option<Vec<Com
     }
 }
 
-/// At most so many bytes; an element that unpacks to more is cut off there, and its length tells.
+/// Decompresses at most `most` bytes; a longer element is truncated, and its length shows that.
 fn unpacked(content: &[u8], most: u64) -> Result<Vec<u8>, MatError> {
     let mut bytes = vec![];
     ZlibDecoder::new(content).take(most).read_to_end(&mut bytes).map_err(MatError::Damaged)?;
     Ok(bytes)
 }
 
-/// Values of an array; `None` of one that is not complex numbers.
+/// Values of an array; `None` if it does not hold complex numbers.
 fn of_matrix(content: &[u8], shape: [usize; 4]) -> Result<Option<Vec<Complex32>>, MatError> {
     let (flags, rest) = Element::split(content)?;
     let is_complex = flags.kind == UINT32 && flags.content.len() == 8 && {
@@ -74,7 +73,7 @@ fn of_matrix(content: &[u8], shape: [usize; 4]) -> Result<Option<Vec<Complex32>>
     let told: Vec<u32> =
         sides.content.chunks_exact(4).map(|b| u32::from_le_bytes(std::array::from_fn(|i| b[i]))).collect();
     let mut asked: Vec<u32> = shape.iter().map(|side| *side as u32).collect();
-    // MATLAB leaves out sides of 1 at the end, down to two.
+    // MATLAB omits trailing sides of 1, down to two sides.
     while asked.len() > 2 && asked.last() == Some(&1) && told.len() < asked.len() {
         asked.pop();
     }
@@ -94,7 +93,7 @@ struct Element<'a> {
     content: &'a [u8],
 }
 
-/// Type and length of the first element, and what stands behind its tag.
+/// Type and length of the first element, and the bytes after its tag.
 fn tag(bytes: &[u8]) -> Result<(u32, usize, &[u8]), MatError> {
     let (tag, behind) = bytes.split_first_chunk::<8>().ok_or(MatError::EndsInElement)?;
     let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|byte| tag[at + byte]));
@@ -102,8 +101,8 @@ fn tag(bytes: &[u8]) -> Result<(u32, usize, &[u8]), MatError> {
 }
 
 impl<'a> Element<'a> {
-    /// The first element, and what stands behind it. Elements of up to four bytes have their length in the
-    /// upper half of the type, and stand in the tag.
+    /// The first element, and the bytes after it. Elements of up to four bytes have their length in the upper
+    /// half of the type, and their content in the tag.
     fn split(bytes: &'a [u8]) -> Result<(Self, &'a [u8]), MatError> {
         let (kind, length, behind) = tag(bytes)?;
         if kind >> 16 != 0 {
@@ -112,12 +111,12 @@ impl<'a> Element<'a> {
             return Ok((Self { kind: kind & 0xffff, content }, behind));
         }
         let content = behind.get(..length).ok_or(MatError::EndsInElement)?;
-        // Packed elements are not padded.
+        // Compressed elements are not padded.
         let padded = if kind == COMPRESSED { length } else { length.next_multiple_of(8) };
         Ok((Self { kind, content }, behind.get(padded..).unwrap_or(&[])))
     }
 
-    /// So many numbers, of whatever type they are kept in.
+    /// Reads `count` numbers of any stored type.
     fn numbers(&self, count: usize) -> Result<Vec<f32>, MatError> {
         let of = |bytes: usize, number: fn(&[u8]) -> f64| {
             if self.content.len().checked_div(bytes) != Some(count)

@@ -1,4 +1,4 @@
-//! An array as a file.
+//! Writing of an array as a file.
 
 use crate::mat_file::{COMPLEX, HEAD_BYTES, INT8, INT32, MATRIX, SINGLE, UINT32};
 use num_complex::Complex32;
@@ -9,13 +9,13 @@ const CLASS_SINGLE: u32 = 7;
 /// An array to write.
 pub(crate) struct Array<'a> {
     pub(crate) name: &'a str,
-    /// Sides, the first the fastest.
+    /// Sides, the fastest first.
     pub(crate) shape: [usize; 4],
     pub(crate) values: &'a [Complex32],
 }
 
 impl Array<'_> {
-    /// The file, unpacked.
+    /// The file, uncompressed.
     pub(crate) fn to_bytes(&self) -> Vec<u8> {
         let sides: Vec<u8> = self.shape.iter().flat_map(|side| (*side as u32).to_le_bytes()).collect();
         let parts = |part: fn(&Complex32) -> f32| -> Vec<u8> {
@@ -33,7 +33,7 @@ impl Array<'_> {
     }
 }
 
-/// Text, no offset to anything else, version 1.0, the mark of the order of bytes.
+/// Head of a file: text, no offset to other data, version 1.0, the byte-order mark.
 fn head() -> Vec<u8> {
     let mut head = b"MATLAB 5.0 MAT-file, written by wayside".to_vec();
     head.resize(HEAD_BYTES - 12, b' ');

@@ -1,6 +1,6 @@
-//! Faults of the files of clouds.
+//! Faults of files of clouds.
 
-/// A cloud's file that was refused.
+/// A refused file of a cloud.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CloudError {
     /// The head ends before its last line.
@@ -9,19 +9,19 @@ pub(crate) enum CloudError {
     /// The head is not UTF-8.
     #[error("its head is no text")]
     NoText,
-    /// A line without which the rows cannot be read.
+    /// A required line of the head is missing.
     #[error("its head has no line {0}")]
     NoLine(&'static str),
-    /// Rows are written as text, or packed.
+    /// Rows are text, or compressed.
     #[error("its DATA is not binary")]
     NotBinary,
-    /// Lines of the head that contradict each other, or fields of several values.
+    /// Contradictory lines of the head, or fields with several values.
     #[error("FIELDS, SIZE, TYPE and COUNT do not tell of the same fields of one value")]
     UnequalFields,
-    /// The head does not say how many points there are.
+    /// The head lacks the number of points.
     #[error("POINTS is no number")]
     NoPointCount,
-    /// A type that fields of clouds do not have.
+    /// A type that is not supported for fields.
     #[error("a field of type {kind} and size {size} is not known")]
     UnknownField {
         /// Type as written.
@@ -29,30 +29,30 @@ pub(crate) enum CloudError {
         /// Bytes as written.
         size: String,
     },
-    /// A field without which a row is no detection.
+    /// A required field of a detection is missing.
     #[error("it has no field {0}")]
     NoField(&'static str),
     /// The rows end before the last point of the head.
     #[error("its head tells of {points} points, behind it are {bytes} bytes")]
     TooFewRows {
-        /// Points that the head tells of.
+        /// Number of points in the head.
         points: usize,
-        /// Bytes behind the head.
+        /// Bytes after the head.
         bytes: usize,
     },
-    /// A file without a head that ends within a row.
+    /// A file without a head ends within a row.
     #[error("{0} bytes are no whole rows of seven float32")]
     PartOfRow(usize),
-    /// The cloud has more detections than objects can be formed of.
+    /// The cloud has too many detections for clustering.
     #[error("it has more than {limit} detections, the most that are read")]
     TooManyDetections {
-        /// Most detections that are read.
+        /// Largest number of detections.
         limit: usize,
     },
-    /// A point, from 0, whose numbers are no detection's.
+    /// A point, from 0, with invalid numbers.
     #[error("point {0}: no detection has these numbers")]
     UnsoundPoint(usize),
-    /// A row, from 0, whose numbers are no detection's.
+    /// A row, from 0, with invalid numbers.
     #[error("row {0}: no detection has these numbers")]
     UnsoundRow(usize),
 }

@@ -1,4 +1,4 @@
-//! A detection in the levelled axes of its sensor, and as a point.
+//! A detection in the levelled axes of its sensor, and its conversion to a point.
 
 use crate::levelled_axes::LevelledAxes;
 use artifact::cube::CubeHeader;
@@ -11,23 +11,23 @@ use radar::cross_section::{cross_section_dbsm, snr_db_of};
 pub(crate) struct Detection {
     /// Ahead, left, up of the radar, m.
     pub(crate) place_m: DVec3,
-    /// Radar cross section, dBsm; 0 where it is not known.
+    /// Radar cross section, dBsm; 0 if unknown.
     pub(crate) section_dbsm: f64,
-    /// Radial velocity, positive where the range grows, m/s.
+    /// Radial velocity, positive when the range grows, m/s.
     pub(crate) velocity_mps: f64,
 }
 
-/// Cross section of a point in dBsm; 0, as clouds have it, where the noise is not known.
+/// Cross section of a point in dBsm; 0, as in clouds, if the noise is unknown.
 fn cross_section(header: Option<&CubeHeader>, point: &Point) -> f64 {
     let shown = Point { snr_db: point.snr_db.max(FAINTEST_SNR_DB), ..*point };
     header.and_then(|header| cross_section_dbsm(header, &shown)).unwrap_or(0.0)
 }
 
-/// Power over noise below which nothing is left for an echo: such points are told as a tenth of the noise.
+/// Ratio of power to noise below which no echo remains: such points count as a tenth of the noise.
 const FAINTEST_SNR_DB: f64 = 0.414;
 
 impl Detection {
-    /// The detection that a point is.
+    /// Converts a point to a detection.
     pub(crate) fn of(header: Option<&CubeHeader>, axes: &LevelledAxes, point: &Point) -> Self {
         Self {
             place_m: axes.of_world(point.position_m.into()),
@@ -36,8 +36,8 @@ impl Detection {
         }
     }
 
-    /// The point that the detection is. Its signal over noise is that of its cross section at its place,
-    /// where the header tells the noise, else 0 dB.
+    /// Converts the detection to a point. Its signal-to-noise ratio follows from its cross section and place
+    /// if the header specifies the noise, else it is 0 dB.
     pub(crate) fn point(&self, header: &CubeHeader, axes: &LevelledAxes, height: Height) -> Point {
         let position_m = axes.to_world(self.place_m);
         let away = position_m - axes.origin_m;
@@ -58,7 +58,7 @@ impl Detection {
         Point { snr_db: snr_db_of(header, &point, self.section_dbsm).unwrap_or(0.0), ..point }
     }
 
-    /// Whether all of its numbers are some, and its place is one that a radar sees.
+    /// Whether all of its numbers are finite, and its place is within a radar's reach.
     pub(crate) fn is_sound(&self) -> bool {
         self.place_m.is_finite()
             && (1e-3..=PLACE_LIMIT_M).contains(&self.place_m.length())
@@ -67,9 +67,9 @@ impl Detection {
     }
 }
 
-/// Distance of a detection from its radar, m.
+/// Largest distance of a detection from its radar, m.
 const PLACE_LIMIT_M: f64 = 100_000.0;
-/// Radial speed of a detection, m/s.
+/// Largest radial speed of a detection, m/s.
 const SPEED_LIMIT_MPS: f64 = 3000.0;
-/// Cross section of a detection, dBsm, either sign.
+/// Largest magnitude of a detection's cross section, dBsm.
 const SECTION_LIMIT_DBSM: f64 = 300.0;

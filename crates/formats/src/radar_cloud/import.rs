@@ -1,4 +1,4 @@
-//! Clouds of other radars as points: a file, or a folder of files, a frame each in the order of their names.
+//! Clouds of other radars as points: a file, or a folder of files, each a frame in the order of their names.
 
 use crate::heights::Heights;
 use crate::levelled_axes::LevelledAxes;
@@ -15,11 +15,11 @@ use pipeline::host::progress;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// Writes clouds as the points that the scene's radar has, with the objects that they form; `told_by` are the
-/// files that tell the scene and its radar, which `scene` reads.
+/// Writes clouds as points of the scene's radar, with the objects that they form; `told_by` are the files of
+/// the scene and its radar, which `scene` reads.
 ///
 /// # Errors
-/// A file that is no such cloud, or none at all, those of `scene`, and a file that was changed meanwhile.
+/// A file that is not such a cloud, or none at all; those of `scene`; a file that changed meanwhile.
 pub fn points(
     asked: &Path,
     told_by: &[PathBuf],
@@ -46,7 +46,7 @@ pub fn points(
     Ok(writer.finish()?)
 }
 
-/// The radar as it is in one frame: its sub-frame tells how far apart velocities are that it takes for one.
+/// The radar in one frame: its sub-frame determines which velocities it considers equal.
 struct Sensor<'a> {
     cube: CubeHeader,
     axes: &'a LevelledAxes,
@@ -62,14 +62,14 @@ impl Sensor<'_> {
     }
 }
 
-/// The description of the set that a file is of, as this program writes one: three folders up from clouds of
-/// View-of-Delft and of nuScenes alike.
+/// The description of a file's dataset, as this program writes one: three folders up for View-of-Delft and
+/// nuScenes alike.
 fn description_of(file: &Path) -> Option<PathBuf> {
     let file = std::fs::canonicalize(file).ok()?;
     file.ancestors().nth(3).map(|set| set.join("set.json")).filter(|place| place.is_file())
 }
 
-/// Source of the heights of a set, where its description says one.
+/// Source of the heights of a dataset, if its description specifies one.
 fn height_told(description: &Path) -> Result<Option<Height>, Failure> {
     let text = bounded::read_text(description, LIMIT_BYTES);
     let text = text.map_err(|fault| Failure::unread(description, &fault))?;
@@ -80,7 +80,7 @@ fn height_told(description: &Path) -> Result<Option<Height>, Failure> {
     Ok(told["heights"].as_str().map(of_words))
 }
 
-/// Detections of a file, and what their height stands on where no description tells it: `.pcd` has no room
+/// Detections of a file, and the source of their heights if no description specifies it: `.pcd` has no place
 /// for it.
 fn read(file: &Path) -> Result<(Vec<Detection>, Height), Failure> {
     let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
@@ -92,8 +92,8 @@ fn read(file: &Path) -> Result<(Vec<Detection>, Height), Failure> {
     Ok((found, height))
 }
 
-/// The files of a folder that have one of these endings, all the same one, in the order of their names; a
-/// plain file stands for itself.
+/// The files of a folder with one of these endings, all the same one, in the order of their names; a plain
+/// file is the only one.
 pub fn frames_of(asked: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, Failure> {
     if !asked.is_dir() {
         return Ok(vec![asked.to_owned()]);

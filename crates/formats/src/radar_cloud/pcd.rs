@@ -4,14 +4,14 @@ use crate::radar_cloud::cloud_error::CloudError;
 use crate::radar_cloud::{DETECTION_LIMIT, Detection};
 use glam::DVec3;
 
-/// A row that is written: a detection and what its set tells of it besides.
+/// A row to write: a detection with further values of its dataset.
 pub(crate) struct Row {
     pub(crate) seen: Detection,
     /// Number in its cloud.
     pub(crate) id: i16,
-    /// 0 moves, 1 is at rest, 4 is not known.
+    /// Code of motion: 0 moves, 1 is at rest, 4 is not known.
     pub(crate) dynamics: i8,
-    /// 1 ambiguous, 3 unambiguous.
+    /// Code of ambiguity: 1 ambiguous, 3 unambiguous.
     pub(crate) ambiguity: i8,
 }
 
@@ -20,8 +20,8 @@ const FIELDS: &str = "x y z dyn_prop id rcs vx vy vx_comp vy_comp is_quality_val
 const SIZES: &str = "4 4 4 1 2 4 4 4 4 4 1 1 1 1 1 1 1 1";
 const TYPES: &str = "F F F I I F F F F F I I I I I I I I";
 
-/// A cloud's file. One without detections has a row that is no number, as the set's own have it; a line break
-/// follows the last row, which the set's reader asks for.
+/// A file of a cloud. Without detections it has one row of NaN, as in the dataset's own files; a line break
+/// follows the last row, as the dataset's reader requires.
 pub(crate) fn to_bytes(rows: &[Row]) -> Vec<u8> {
     let count = rows.len().max(1);
     let ones = ["1"; 18].join(" ");
@@ -38,10 +38,10 @@ pub(crate) fn to_bytes(rows: &[Row]) -> Vec<u8> {
     bytes
 }
 
-/// The detection of a cloud without any.
+/// The detection in an empty cloud.
 const NOTHING: Detection = Detection { place_m: DVec3::NAN, section_dbsm: f64::NAN, velocity_mps: f64::NAN };
 
-/// Code of a standard error that is not told, of the sensor that the set was recorded with.
+/// Code for an unknown standard error of the dataset's sensor.
 const ERROR_NOT_TOLD: i8 = 31;
 
 fn append(bytes: &mut Vec<u8>, row: &Row) {
@@ -58,10 +58,10 @@ fn append(bytes: &mut Vec<u8>, row: &Row) {
     codes.iter().for_each(|code: &i8| bytes.extend(code.to_le_bytes()));
 }
 
-/// Detections of a file, whatever further fields it has; rows whose place is no number are none.
+/// Detections of a file with any further fields; rows whose place is NaN are skipped.
 ///
-/// # Errors A head that is cut off, has no such fields or tells of other rows than stand behind it, and rows
-/// of numbers that no detection has.
+/// # Errors
+/// A truncated head, missing fields, a number of rows other than in the head, and rows with invalid numbers.
 pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Vec<Detection>, CloudError> {
     let (head, rows) = head_and_rows(bytes)?;
     let layout = Layout::of(&head)?;
@@ -76,10 +76,10 @@ pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Vec<Detection>, CloudError> {
     rows.filter_map(|(number, row)| layout.detection(number, row)).collect()
 }
 
-/// Bytes of a head.
+/// Largest head, bytes.
 const HEAD_BYTES: usize = 65_536;
 
-/// Lines of the head, up to the one that tells how the rows are written, and what stands behind it.
+/// Lines of the head, up to the one with the format of the rows, and the bytes after it.
 fn head_and_rows(bytes: &[u8]) -> Result<(Vec<Vec<&str>>, &[u8]), CloudError> {
     let (mut lines, mut at) = (vec![], 0);
     while let Some(length) = bytes[at..].iter().take(HEAD_BYTES).position(|byte| *byte == b'\n') {
@@ -100,7 +100,7 @@ fn head_and_rows(bytes: &[u8]) -> Result<(Vec<Vec<&str>>, &[u8]), CloudError> {
     Err(CloudError::EndsInHead)
 }
 
-/// Place and type of a field in a row.
+/// Position and type of a field in a row.
 #[derive(Clone, Copy)]
 struct Field {
     at: usize,
@@ -108,7 +108,7 @@ struct Field {
     bytes: usize,
 }
 
-/// Places of the fields that are read.
+/// Positions of the fields that are read.
 struct Layout {
     points: usize,
     row_bytes: usize,
@@ -148,7 +148,7 @@ impl Layout {
         Ok(Self { points, row_bytes, fields: [x?, y?, z?, rcs?, vx?, vy?] })
     }
 
-    /// The detection of a row; `None` of one whose place is no number.
+    /// The detection of a row; `None` if its place is NaN.
     fn detection(&self, number: usize, row: &[u8]) -> Option<Result<Detection, CloudError>> {
         let [x, y, z, section_dbsm, vx, vy] = self.fields.map(|field| field.value(row));
         if x.is_nan() || y.is_nan() {

@@ -1,5 +1,5 @@
-//! Rows of View-of-Delft's radar clouds: seven float32 a detection, x, y, z, RCS, v_r, v_r compensated for
-//! the vehicle's own motion, and the number of the scan that it is of, 0 the current one.
+//! Rows of View-of-Delft's radar clouds: seven float32 per detection: x, y, z, RCS, v_r, v_r compensated for
+//! the vehicle's own motion, and the number of its scan, 0 the current one.
 
 use crate::radar_cloud::cloud_error::CloudError;
 use crate::radar_cloud::{DETECTION_LIMIT, Detection};
@@ -8,7 +8,7 @@ use glam::DVec3;
 /// Bytes of a row.
 const ROW_BYTES: usize = 28;
 
-/// Bytes of detections; the radar stands, so that both velocities are one.
+/// Bytes of detections; the radar is at rest, so that both velocities are equal.
 pub(crate) fn to_bytes(detections: &[Detection]) -> Vec<u8> {
     let row = |seen: &Detection| {
         let DVec3 { x, y, z } = seen.place_m;
@@ -17,10 +17,10 @@ pub(crate) fn to_bytes(detections: &[Detection]) -> Vec<u8> {
     detections.iter().flat_map(row).flat_map(|value| (value as f32).to_le_bytes()).collect()
 }
 
-/// Detections of a file. Velocities are those relative to the radar, as it measures them.
+/// Detections of a file. Velocities are relative to the radar, as measured.
 ///
 /// # Errors
-/// The file ends within a row, has too many, or one of numbers that are none.
+/// The file ends within a row, has too many rows, or one with invalid numbers.
 pub(crate) fn of_bytes(bytes: &[u8]) -> Result<Vec<Detection>, CloudError> {
     if !bytes.len().is_multiple_of(ROW_BYTES) {
         return Err(CloudError::PartOfRow(bytes.len()));

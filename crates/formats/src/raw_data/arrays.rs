@@ -16,11 +16,11 @@ pub const ENDINGS: [&str; 1] = ["npy"];
 /// Axes of samples: frame, channel, chirp, sample.
 const AXES: usize = 4;
 
-/// Frames of a file, or of a folder in the order of its files' names: of four axes `[frame, channel, chirp,
-/// sample]`, of three a [tensor of RADDet](raddet), which is one frame.
+/// Reads the frames of a file, or of a folder in the order of its files' names: four axes are `[frame,
+/// channel, chirp, sample]`, three a [tensor of RADDet](raddet), which is one frame.
 ///
 /// # Errors
-/// Files that are no such arrays, have not the sizes of the header's radar, or are not all of one kind.
+/// Files that are not such arrays, do not have the sizes of the header's radar, or are of different kinds.
 pub fn read(asked: &Path, header: &CubeHeader) -> Result<Imported, Failure> {
     let files = frames_of(asked, &ENDINGS)?;
     let mut imported = Imported { frames: vec![], step: IntegerStep::Floats };

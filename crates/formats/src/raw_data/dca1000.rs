@@ -1,4 +1,4 @@
-//! The `.bin` of a DCA1000EVM, one file: read in all layouts (`lanes.rs`), written as behind two lanes.
+//! The `.bin` of a DCA1000EVM, one file: read in all layouts (`lanes.rs`), written in that of two lanes.
 
 use crate::raw_data::described_waveform::WaveformKeys;
 pub use crate::raw_data::lanes::Layout;
@@ -18,17 +18,17 @@ use serde_json::{Value, json};
 use std::io::{Error, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes a cube; samples that were steps stay what they were where they fit, of all others the strongest
-/// takes most of the converter's range. The `.json` beside it says what one step is and of which samples, by
-/// their BLAKE3: whatever else is recorded under this name later has steps of its own.
+/// Writes a cube; samples that were steps keep their values if they fit; of all others the strongest takes
+/// most of the converter's range. The `.json` beside it holds the step and the samples' BLAKE3 hash: a later
+/// recording under this name has its own steps.
 ///
 /// # Errors
-/// The cube cannot be recorded so, or is another one when it is read for the second time.
+/// The cube cannot be recorded this way, or has changed when it is read for the second time.
 pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     write_in_two(file, out, || {})
 }
 
-/// Writes as [`write`] does; `between` is done between reading the cube for its step and for its samples.
+/// Writes as [`write`] does; `between` runs between reading the cube for its step and for its samples.
 fn write_in_two(file: &Path, out: &Path, between: impl FnOnce()) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
@@ -69,8 +69,8 @@ fn write_in_two(file: &Path, out: &Path, between: impl FnOnce()) -> Result<(), F
     sidecar::write(out, &told)
 }
 
-/// Reads frames; a step is `step`, √W, else what the `.json` beside the file says of these very samples, else
-/// the unit of what is read. What that `.json` says of the waveform has to be the radar's.
+/// Reads frames; a step is `step`, √W, else that of the `.json` beside the file for these samples, else the
+/// unit of the file. The waveform in that `.json` must be the radar's.
 pub fn read(
     file: &Path,
     header: &CubeHeader,
@@ -109,10 +109,10 @@ pub fn read(
     Ok(Imported { frames, step })
 }
 
-/// Steps, of 32,767, that the strongest sample takes: some are left for a reader's noise.
+/// Steps, of 32,767, of the strongest sample: the rest is for a reader's noise.
 const FULL_SCALE: f32 = 32_000.0;
 
-/// Numbers of which samples consist, as far as a step hangs on them.
+/// Values of the samples that determine the step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Parts {
     least: f32,
@@ -136,7 +136,7 @@ impl Parts {
     }
 }
 
-/// Samples that were steps stay what they were, where they fit.
+/// Step of the samples; those that were steps keep their values if they fit.
 fn step_of(unit: SampleUnit, parts: Parts) -> f32 {
     let peak = parts.most.max(-parts.least);
     match unit {
@@ -172,29 +172,29 @@ fn told(header: &CubeHeader, recording: &Recording, frames: u64, step: f32) -> V
     })
 }
 
-/// Key of the samples' BLAKE3.
+/// Key of the samples' BLAKE3 hash.
 const HASH: &str = "blake3";
-/// Key of the sizes of what `shape` names.
+/// Key of the sizes in the order of `shape`.
 const SIZES: &str = "sizes";
 const SHAPE: [&str; 4] = ["frame", "chirp of any transmitter", "receiver", "sample"];
 
-/// Places of the description of a file: today's, and that of earlier versions.
+/// Places of the description of a file: the present one, and that of earlier versions.
 fn places(file: &Path) -> [PathBuf; 2] {
     [sidecar::beside(file), file.with_extension("json")]
 }
 
-/// Descriptions that stand beside a file, whatever samples they tell of.
+/// Descriptions beside a file, whatever samples they describe.
 pub fn descriptions(file: &Path) -> Vec<PathBuf> {
     places(file).into_iter().filter(|place| place.is_file()).collect()
 }
 
-/// The description beside the file and where; what belongs to other samples is not believed.
+/// The description beside the file and its place; one of other samples is ignored.
 fn description_of(file: &Path, samples: &[u8]) -> Option<(Value, PathBuf)> {
     let told = places(file).into_iter().filter_map(|place| Some((sidecar::read(&place)?, place)));
     told.into_iter().find(|(told, _)| is_of(told, samples))
 }
 
-/// Remarks on steps that are told beside the file, of other samples.
+/// Notes steps beside the file that belong to other samples.
 fn note_of_others(file: &Path) {
     for place in places(file) {
         if sidecar::read(&place).is_some_and(|told| told.get(STEP).is_some()) {
@@ -218,7 +218,7 @@ fn check_sizes(told: &Value, place: &Path, recording: &Recording) -> Result<Shap
     Ok(Shape::of(&sizes))
 }
 
-/// The step that a description tells, √W or in steps of the converter that it came of.
+/// The step in a description, √W or in steps of the original converter.
 fn step_told(told: &Value, place: PathBuf) -> Option<IntegerStep> {
     let number = |key: &str| {
         let number = told[key].as_f64()?;
@@ -234,7 +234,7 @@ fn step_told(told: &Value, place: PathBuf) -> Option<IntegerStep> {
     }
 }
 
-/// Whether a sidecar tells of these samples: by their hash, in earlier versions by shape and length.
+/// Whether a sidecar describes these samples: by their hash, in earlier versions by shape and length.
 fn is_of(told: &Value, samples: &[u8]) -> bool {
     match told[HASH].as_str() {
         Some(hash) => hash == blake3::hash(samples).to_hex().as_str(),
@@ -248,7 +248,7 @@ fn is_of(told: &Value, samples: &[u8]) -> bool {
 
 /// Key of the step, √W.
 const STEP: &str = "sqrt_w_per_step";
-/// Key of the step of samples that are no √W: steps of the converter that they came of.
+/// Key of the step of samples without a value in √W: steps of the original converter.
 const COUNT: &str = "adc_steps_per_step";
 /// Key of the full scale of that converter.
 const FULL_SCALE_KEY: &str = "full_scale";

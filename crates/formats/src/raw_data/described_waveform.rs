@@ -1,11 +1,11 @@
-//! Waveforms that descriptions beside recordings tell, held against the radar that the samples are read as.
+//! Waveforms in descriptions beside recordings, compared with the radar that the samples are read for.
 
 use artifact::radar::Waveform;
 use pipeline::host::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
 
-/// Keys under which a description tells numbers of the waveform, in Hz and Hz/s.
+/// Keys of a description's numbers of the waveform, in Hz and Hz/s.
 pub(crate) struct WaveformKeys {
     pub(crate) sample_rate: &'static str,
     pub(crate) start_frequency: &'static str,
@@ -13,7 +13,7 @@ pub(crate) struct WaveformKeys {
 }
 
 impl WaveformKeys {
-    /// Refuses numbers of `told`, the content of `place`, that are others than the radar's.
+    /// Refuses numbers of `told`, the content of `place`, that differ from the radar's.
     pub(crate) fn check(&self, told: &Value, place: &Path, waveform: &Waveform) -> Result<(), Failure> {
         let numbers = [
             (self.sample_rate, waveform.sample_rate_hz),
@@ -24,8 +24,8 @@ impl WaveformKeys {
     }
 }
 
-/// Refuses what stands under a key where it is no number, or another than the radar's; numbers agree within a
-/// millionth: a person rounds what a device has in steps.
+/// Refuses a value that is not a number, or differs from the radar's; numbers agree within a millionth,
+/// because people round what a device has in steps.
 pub(crate) fn same(told: &Value, place: &Path, key: &str, radars: f64) -> Result<(), Failure> {
     let refused = |found: &dyn std::fmt::Display| {
         let rule = format!("{key} is {found}, the scene's radar has {radars:?}");

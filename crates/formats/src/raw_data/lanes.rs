@@ -1,12 +1,12 @@
 //! Orders in which a DCA1000EVM writes the samples of a chirp: little-endian integers of 16 bits (Texas
 //! Instruments, Mmwave Radar Device ADC Raw Data Capture, SWRA581, data formats of the DCA1000).
 //!
-//! - Two lanes (xWR16xx, 18xx, 68xx): receiver after receiver; complex samples by twos, I₀ I₁ Q₀ Q₁, real
+//! - Two lanes (xWR16xx, 18xx, 68xx): receiver after receiver; complex samples in pairs, I₀ I₁ Q₀ Q₁, real
 //!   ones one after the other.
-//! - Four lanes (xWR12xx, 14xx, AWR2243): sample after sample; I of the four receivers, then their Q, or of
+//! - Four lanes (xWR12xx, 14xx, AWR2243): sample after sample; I of the four receivers, then their Q, or for
 //!   real samples the four receivers.
 //!
-//! All four lanes are recorded, each its receiver's. Some configurations put Q before I.
+//! All four lanes are recorded, each for its receiver. Some configurations put Q before I.
 
 use crate::devices::{IqOrder, Lanes};
 use crate::raw_data::Recording;
@@ -20,18 +20,18 @@ use std::path::Path;
 pub struct Layout {
     /// Lanes between device and capture card.
     pub lanes: Lanes,
-    /// Part of a complex sample that comes first.
+    /// First part of a complex sample.
     pub order: IqOrder,
 }
 
-/// Order as it is written here.
+/// Order used for writing.
 pub(crate) const TWO_LANES: Layout = Layout { lanes: Lanes::Two, order: IqOrder::InPhaseFirst };
 
-/// Lanes, and receivers, of the devices that have four.
+/// Number of lanes, and of receivers, of devices with four.
 const FOUR: usize = 4;
 
 impl Layout {
-    /// Refuses a radar whose samples no such file holds.
+    /// Refuses a radar whose samples cannot be in such a file.
     pub(crate) fn check(
         &self,
         file: &Path,
@@ -53,7 +53,7 @@ impl Layout {
         Err(Failure::Refused(format!("{}: {text}", file.display())))
     }
 
-    /// The least that belongs together, in words.
+    /// Name of the smallest group of values.
     pub(crate) fn unit(&self, sampling: Sampling) -> &'static str {
         match (self.lanes, sampling) {
             (Lanes::Two, Sampling::Complex) => "two complex samples of 16 bits",
@@ -63,7 +63,7 @@ impl Layout {
         }
     }
 
-    /// Bytes of that.
+    /// Bytes of the smallest group of values.
     pub(crate) fn unit_bytes(&self, sampling: Sampling) -> usize {
         match (self.lanes, sampling) {
             (Lanes::Two, Sampling::Complex) => 8,
@@ -98,7 +98,7 @@ impl Layout {
         }
     }
 
-    /// Complex samples of which `N` numbers of the one part stand before `N` of the other.
+    /// Complex samples from groups of `N` values of one part followed by `N` of the other.
     fn complex<const N: usize>(&self, numbers: &[f32]) -> Vec<Complex32> {
         let (groups, _) = numbers.as_chunks::<N>();
         let of_two = |pair: &[[f32; N]; 2]| {

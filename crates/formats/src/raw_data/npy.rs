@@ -1,5 +1,5 @@
-//! NumPy's `.npy` of complex64 (NumPy Enhancement Proposal 1), its head checked before it is believed: the
-//! values that it tells of have to be there.
+//! NumPy's `.npy` of complex64 (NumPy Enhancement Proposal 1), with its head checked first: the described
+//! values must be there.
 
 use ndarray::{ArrayD, IxDyn, ShapeBuilder, ShapeError};
 use num_complex::Complex32;
@@ -10,11 +10,10 @@ const VALUE_BYTES: u64 = 8;
 /// NumPy's name of a little-endian complex64.
 const COMPLEX64: &str = "<c8";
 
-/// The values of an array of so many axes, row- or column-major.
+/// The values of an array with the given numbers of axes, row- or column-major.
 ///
 /// # Errors
-/// A head that is cut off, tells of another type or number of axes, or of none or of other than the values
-/// that stand behind it.
+/// A truncated head, another type or number of axes, no values, or a number of values other than the head's.
 pub(super) fn of_bytes(bytes: &[u8], axes: RangeInclusive<usize>) -> Result<ArrayD<Complex32>, NpyError> {
     let (head, values) = head_and_values(bytes).ok_or(NpyError::EndsInHead)?;
     let head = std::str::from_utf8(head).map_err(|_| NpyError::NoText)?;
@@ -43,39 +42,39 @@ pub(super) fn of_bytes(bytes: &[u8], axes: RangeInclusive<usize>) -> Result<Arra
     ArrayD::from_shape_vec(IxDyn(&sides).set_f(is_column_major), values).map_err(NpyError::Shape)
 }
 
-/// An array's file that was refused.
+/// A refused file of an array.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum NpyError {
-    /// The file is none of NumPy's, or is shorter than its head.
+    /// The file is not NumPy's, or is shorter than its head.
     #[error("it ends within its head")]
     EndsInHead,
     /// The head is not UTF-8.
     #[error("its head is no text")]
     NoText,
-    /// The head is no dictionary, or one of other keys.
+    /// The head is not a dictionary, or has other keys.
     #[error("its head tells no shape, type and order alone")]
     OtherKeys,
-    /// The shape is no list of whole numbers.
+    /// The shape is not a list of whole numbers.
     #[error("its head tells no shape")]
     NoShape,
     /// A side of the array is 0.
     #[error("it holds no values")]
     Empty,
-    /// Fewer or more values stand behind the head than it tells of.
+    /// Fewer or more values follow the head than it describes.
     #[error("its head tells of {shape:?} values, behind it are {bytes} bytes")]
     OtherLength {
         /// Sides of the array.
         shape: Vec<u64>,
-        /// Bytes behind the head.
+        /// Bytes after the head.
         bytes: usize,
     },
-    /// The values are no complex64.
+    /// The values are not complex64.
     #[error("its values are of type {0}")]
     OtherType(String),
     /// The array has another number of axes.
     #[error("it has {0} axes")]
     OtherAxes(usize),
-    /// The order of the values is neither by rows nor by columns.
+    /// The order of the values is unknown.
     #[error("fortran_order is True or False, not {0}")]
     NoOrder(String),
     /// The values do not fill the shape.
@@ -83,7 +82,7 @@ pub(super) enum NpyError {
     Shape(#[source] ShapeError),
 }
 
-/// The values of `descr`, `fortran_order` and `shape`, the only keys that a head has.
+/// The values of `descr`, `fortran_order` and `shape`, the only keys of a head.
 fn told(head: &str) -> Option<[&str; 3]> {
     let mut entries = entries(head)?;
     entries.sort_unstable();
@@ -93,7 +92,7 @@ fn told(head: &str) -> Option<[&str; 3]> {
     }
 }
 
-/// Keys and values of a dictionary as Python writes it.
+/// Keys and values of a dictionary in Python's notation.
 fn entries(head: &str) -> Option<Vec<(&str, &str)>> {
     let mut rest = head.trim().strip_prefix('{')?.strip_suffix('}')?.trim();
     let mut all = Vec::new();
@@ -107,7 +106,7 @@ fn entries(head: &str) -> Option<Vec<(&str, &str)>> {
     Some(all)
 }
 
-/// A number, word, quoted text or what stands in brackets.
+/// Splits off a number, a word, a quoted text or a bracketed value.
 fn value_and_rest(text: &str) -> Option<(&str, &str)> {
     if let Some(quoted) = text.strip_prefix('\'') {
         return quoted.split_once('\'');
@@ -116,8 +115,8 @@ fn value_and_rest(text: &str) -> Option<(&str, &str)> {
     Some(text.split_at(end))
 }
 
-/// Magic, version, length of the head in two bytes or, from version 2 on, four, the head (NumPy Enhancement
-/// Proposal 1).
+/// Splits a file into magic, version, length of the head in two bytes or, from version 2 on, four, and the
+/// head (NumPy Enhancement Proposal 1).
 fn head_and_values(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
     let behind = bytes.strip_prefix(b"\x93NUMPY")?;
     let ([major, _], behind) = behind.split_first_chunk::<2>()?;

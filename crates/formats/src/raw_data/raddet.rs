@@ -1,10 +1,10 @@
-//! Range–azimuth–Doppler tensors of RADDet as samples: the transforms of the map and of the virtual row
-//! backwards.
+//! Range–azimuth–Doppler tensors of RADDet as samples: the inverse transforms of the map and of the virtual
+//! row.
 //!
 //! A tensor is complex64 `[range, azimuth, Doppler]`, the farthest range first, sines 2j/256 − 1 from left to
-//! right, velocities from approaching to receding, free of the phases of time division, as
-//! `training_sets::raddet` writes it. Its samples have the windows that the tensor was made with: with
-//! rectangular windows their map is the tensor's.
+//! right, velocities from approaching to receding, without the phases of time division, as
+//! `training_sets::raddet` writes it. Its samples contain the tensor's windows: with rectangular windows
+//! their map is the tensor's.
 
 use crate::azimuth_row::{AZIMUTHS, AzimuthRow};
 use artifact::cube::CubeHeader;
@@ -16,11 +16,11 @@ use ndarray::{ArrayD, s};
 use num_complex::{Complex32, Complex64};
 use pipeline::host::failure::Failure;
 
-/// Samples `[channel, chirp, sample]` of a tensor, of the header's radar as it is in this frame.
+/// Samples `[channel, chirp, sample]` of a tensor, for the header's radar in this frame.
 ///
 /// # Errors
 /// A tensor of other sizes than that radar's, a radar whose samples do not follow from its tensors, and one
-/// that no map is made of.
+/// without a map.
 pub(super) fn samples(tensor: &ArrayD<Complex32>, header: &CubeHeader) -> Result<Vec<Complex32>, Failure> {
     let radar = &header.radar;
     let expected = [radar.waveform.range_cells(), AZIMUTHS, radar.waveform.chirps as usize];
@@ -62,7 +62,7 @@ fn maps(tensor: &ArrayD<Complex32>, header: &CubeHeader) -> Result<Vec<Complex32
     Ok(maps)
 }
 
-/// What calibration and time division make of a value 1 of each channel, by Doppler cell.
+/// Response of calibration and time division to a value of 1 in each channel, by Doppler cell.
 fn factors(header: &CubeHeader, velocities_mps: &[f64]) -> Vec<Vec<Complex64>> {
     let array = VirtualArray::new(header);
     let [channels, rows, columns] = artifact::rdm::shape(header);

@@ -32,14 +32,15 @@ pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
                 values.iter().flat_map(|x| [x.re, x.im]).flat_map(f32::to_le_bytes).collect();
             stream.write_all(&bytes)
         })?;
-        // Of a command that ends before the description is written the new samples would be told by the old.
+        // If the command ends before the description is written, the old one must not describe the new
+        // samples.
         files::take_away(&meta_place, NOTHING_TOLD)
     })?;
     let text = serde_json::to_string_pretty(&meta(&header, &recording, &times)).map_err(Failure::refused)?;
     files::write_file(&meta_place, text.as_bytes())
 }
 
-/// `x` or either file of the pair → `x.sigmf-data` or `x.sigmf-meta`; any other ending is a part of the name.
+/// `x` or either file of the pair → `x.sigmf-data` or `x.sigmf-meta`; any other ending is part of the name.
 fn part_of(out: &Path, ending: &str) -> PathBuf {
     let is_pair = out.extension().is_some_and(|told| told == DATA || told == META);
     let mut name = if is_pair { out.with_extension("") } else { out.to_owned() }.into_os_string();
@@ -48,19 +49,19 @@ fn part_of(out: &Path, ending: &str) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Whether these bytes describe a recording of this program.
+/// Whether this text describes a recording of this program.
 fn is_own(meta: &[u8]) -> bool {
     serde_json::from_slice::<Value>(meta).is_ok_and(|told| told["global"]["core:recorder"] == RECORDER)
 }
 
-/// Both files of a recording, the one that was asked for first.
+/// Both files of a recording, the requested one first.
 pub fn pair(asked: &Path) -> [PathBuf; 2] {
     let other = if asked.extension().is_some_and(|told| told == META) { DATA } else { META };
     [asked.to_owned(), asked.with_extension(other)]
 }
 
-/// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit. What the
-/// description says of the waveform has to be the radar's.
+/// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit. The waveform
+/// in the description must be the radar's.
 pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
     let recording = Recording::of_complex(file, header)?;
     let (meta, data) = (file.with_extension(META), file.with_extension(DATA));
@@ -88,7 +89,7 @@ pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Impor
     Ok(Imported { frames: values.chunks_exact(recording.values()).map(cube).collect(), step })
 }
 
-/// Refuses samples that are not there, or not alone there.
+/// Refuses missing samples, and files with other data.
 fn check_layout(told: &Value, meta: &Path) -> Result<(), Failure> {
     let global = &told["global"];
     if global["core:metadata_only"] == true {
@@ -132,8 +133,8 @@ fn check_radar(
     same(global, meta, SAMPLES, recording.samples as f64)
 }
 
-/// Refuses captures of another carrier: beyond the radar's sweep by half of it or more. What is told may be
-/// the middle of the sweep, its begin, or that of a ramp whose first part is not sampled.
+/// Refuses captures of another carrier: beyond the radar's sweep by half of it or more. The frequency may be
+/// the middle of the sweep, its beginning, or that of a ramp whose first part is not sampled.
 fn check_carriers(told: &Value, meta: &Path, waveform: &Waveform) -> Result<(), Failure> {
     let (centre_hz, width_hz) = (waveform.centre_frequency_hz(), waveform.bandwidth_hz().abs());
     for (number, capture) in told["captures"].as_array().into_iter().flatten().enumerate() {
@@ -145,27 +146,27 @@ fn check_carriers(told: &Value, meta: &Path, waveform: &Waveform) -> Result<(), 
     Ok(())
 }
 
-/// Key of a capture's carrier, SigMF's own.
+/// Key of a capture's carrier, defined by SigMF.
 const FREQUENCY: &str = "core:frequency";
 
-/// Keys of the waveform; the rate is SigMF's own.
+/// Keys of the waveform; the rate is defined by SigMF.
 const WAVEFORM: WaveformKeys = WaveformKeys {
     sample_rate: "core:sample_rate",
     start_frequency: "wayside:start_frequency_hz",
     slope: "wayside:slope_hz_per_s",
 };
-/// Key of the chirps of all transmitters in a frame.
+/// Key of the number of chirps of all transmitters in a frame.
 const CHIRPS: &str = "wayside:chirps";
-/// Key of the samples of a chirp.
+/// Key of the number of samples of a chirp.
 const SAMPLES: &str = "wayside:samples";
 
 const DATA: &str = "sigmf-data";
 const META: &str = "sigmf-meta";
-/// The program that a description names as the one that recorded.
+/// This program's name as the recorder in a description.
 const RECORDER: &str = "wayside";
-/// Description of a recording of this program that tells nothing of its samples.
+/// Description of a recording of this program without properties of its samples.
 const NOTHING_TOLD: &[u8] = b"{\"global\": {\"core:recorder\": \"wayside\"}}";
-/// A capture for each of a hundred thousand frames.
+/// Largest description: a capture for each of a hundred thousand frames.
 const META_LIMIT_BYTES: u64 = 16 << 20;
 
 fn refused(file: &Path, text: String) -> Failure {

@@ -1,4 +1,5 @@
-//! Raw frames of the University of Washington: a `.mat` a frame, `[sample, chirp, receiver, transmitter]`.
+//! Raw frames of the University of Washington: one `.mat` per frame, `[sample, chirp, receiver,
+//! transmitter]`.
 
 use crate::mat_file::{self, MatError};
 use crate::radar_cloud::import::frames_of;
@@ -16,15 +17,15 @@ pub const ENDINGS: [&str; 1] = ["mat"];
 /// Name of the array in each file.
 pub(crate) const ARRAY: &str = "adcData";
 
-/// Samples, chirps, receivers, and transmitters or the slots of their codes: a cube's axes backwards, so that
-/// its values stand in the order of a column-major array as they are.
+/// Samples, chirps, receivers, and transmitters or the slots of their codes: a cube's axes reversed, so that
+/// its values are already in the order of a column-major array.
 pub(crate) fn shape(header: &CubeHeader) -> [usize; 4] {
     let [channels, chirps, samples] = header.shape();
     let receivers = header.radar.array.rx_m.len().max(1);
     [samples, chirps, receivers, channels / receivers]
 }
 
-/// Frames of a file, or of a folder in the order of its files' names.
+/// Reads the frames of a file, or of a folder in the order of its files' names.
 pub fn read(asked: &Path, header: &CubeHeader) -> Result<Imported, Failure> {
     let files = frames_of(asked, &ENDINGS)?;
     let counted = progress::counted("frames", &files, files.len());

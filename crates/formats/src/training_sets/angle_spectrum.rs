@@ -1,7 +1,7 @@
 //! Range–azimuth–Doppler tensors: the angle spectrum over the virtual row in every cell of a map.
 //!
-//! Values of a channel are those of the map, its window and calibration in them, free of the phases of time
-//! and code division.
+//! Values of a channel are those of the map, with its window and calibration, without the phases of time and
+//! code division.
 
 use crate::azimuth_row::{AZIMUTHS, AzimuthRow};
 use artifact::cube::CubeHeader;
@@ -11,7 +11,7 @@ use num_complex::{Complex32, Complex64};
 use pipeline::host::failure::Failure;
 use rayon::prelude::*;
 
-/// Values of a tensor: 1 GiB.
+/// Largest number of values in a tensor: 1 GiB.
 const TENSOR_LIMIT: u64 = 1 << 27;
 
 /// The angle spectrum of one radar.
@@ -32,10 +32,10 @@ pub(crate) struct Tensor {
 }
 
 impl AngleSpectrum {
-    /// The spectrum of maps that this header describes.
+    /// The spectrum of maps with this header.
     ///
     /// # Errors
-    /// A radar that no receiver is made of, places of other elements than it has, or tensors that are too
+    /// A radar without a valid receiver, places that do not match its elements, or tensors that are too
     /// large.
     pub(crate) fn of(header: &CubeHeader) -> Result<Self, Failure> {
         dsp::Receiver::new(header).map_err(Failure::refused)?;

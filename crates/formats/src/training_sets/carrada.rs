@@ -1,9 +1,9 @@
 //! CARRADA (Ouaknine et al. 2020): range–Doppler and range–angle maps with annotations by frame.
 //!
-//! Layout by the set's public code: `SEQUENCE/range_doppler_numpy/NNNNNN.npy` `[range, Doppler]`, near first;
-//! `SEQUENCE/range_angle_numpy/NNNNNN.npy` `[range, angle]`, far first; `annotations_frame_oriented.json`:
-//! sequence, frame, instance, then of each map `box` (two corners [row, column]), `sparse` and `dense`
-//! (cells) and `label`.
+//! Layout as in the dataset's public code: `SEQUENCE/range_doppler_numpy/NNNNNN.npy` `[range, Doppler]`, near
+//! first; `SEQUENCE/range_angle_numpy/NNNNNN.npy` `[range, angle]`, far first;
+//! `annotations_frame_oriented.json`: sequence, frame, instance, then for each map `box` (two corners [row,
+//! column]), `sparse` and `dense` (cells) and `label`.
 
 use crate::azimuth_row::sines;
 use crate::npy_stream::NpyStream;
@@ -22,16 +22,16 @@ use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Name of the sequence where no scene tells one.
+/// Name of the sequence if no scene names one.
 const SEQUENCE: &str = "sequence";
 
-/// Writes the maps of a run as one sequence, labelled where a scene is given.
+/// Writes the maps of a run as one sequence, labelled if a scene is given.
 pub fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
     let from = &reader.preamble().provenance;
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar), from)).transpose()?;
     let name = truth.as_ref().map_or(SEQUENCE.to_owned(), |truth| plain_name(&truth.header().name));
-    AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
+    AngleSpectrum::of(&header.in_frame(0))?; // refuses radars without tensors before the work
     let mut set = SetFolder::begin(out)?;
     let mut annotations = Map::new();
     let frames = set.each_frame(
@@ -85,7 +85,7 @@ fn write_maps(
     Ok(())
 }
 
-/// Annotations of a frame, an entry for each body that the maps can show.
+/// Annotations of a frame, one entry for each body within the maps.
 fn of_frame(radar: &Radar, bodies: &[TruthBox]) -> Value {
     let ranges = radar.waveform.range_cells() as f64;
     let seen = bodies.iter().filter_map(|body| Some((body, cell_box(radar, body)?)));
@@ -98,7 +98,7 @@ fn of_frame(radar: &Radar, bodies: &[TruthBox]) -> Value {
     Value::Object(entries.collect())
 }
 
-/// A box and its cells; the sparse points are its middle alone.
+/// A box and its cells; the only sparse point is its middle.
 fn annotation(rows: [f64; 2], columns: [f64; 2], class: Class) -> Value {
     let cells = |[low, high]: [f64; 2]| [low.floor() as u32, high.ceil() as u32];
     let (rows, columns) = (cells(rows), cells(columns));
@@ -112,7 +112,7 @@ fn annotation(rows: [f64; 2], columns: [f64; 2], class: Class) -> Value {
     })
 }
 
-/// Labels 1 and 2 are the set's pedestrians and cyclists; those behind its cars are ours.
+/// Label of a class: 1 and 2 are the dataset's pedestrians and cyclists; those after its cars are ours.
 fn label(class: Class) -> u8 {
     match class {
         Class::Car => 3,

@@ -15,11 +15,10 @@ pub(crate) struct CellBox {
     pub(crate) doppler: [f64; 2],
 }
 
-/// The extent of a box; `None` where its middle is behind the antenna or beyond what the range axis tells.
+/// The extent of a box; `None` if its middle is behind the antenna or beyond the range axis.
 ///
-/// Velocities fold into the map's span as echoes do; a body whose velocities lie on both sides of an end of
-/// it is put where its middle one folds to, and cut there. Range is shifted by the coupling of range and
-/// Doppler as the map shows it.
+/// Velocities fold into the map's span as echoes do; a body whose velocities straddle an end of the span is
+/// placed where its middle velocity folds to, and cut there. Range includes the map's range–Doppler coupling.
 pub(crate) fn cell_box(radar: &Radar, body: &TruthBox) -> Option<CellBox> {
     let [right, ahead, _] = radar::aperture::axes(radar);
     let place_m = DVec3::from(radar.position_m);
@@ -43,7 +42,7 @@ pub(crate) fn cell_box(radar: &Radar, body: &TruthBox) -> Option<CellBox> {
     })
 }
 
-/// Rows of velocities, moved together by whole spans so that their middle is on the axis.
+/// Rows of velocities, shifted together by whole spans so that their middle is on the axis.
 fn folded(radar: &Radar, velocity_mps: [f64; 2]) -> [f64; 2] {
     let rows = f64::from(radar.waveform.chirps);
     let row = velocity_mps.map(|v| v / radar.velocity_resolution_mps() + (rows / 2.0).floor());
@@ -51,7 +50,7 @@ fn folded(radar: &Radar, velocity_mps: [f64; 2]) -> [f64; 2] {
     row.map(|row| row - spans * rows)
 }
 
-/// A cell at least, and none beyond the axis.
+/// Widens an extent to at least one cell, within the axis.
 fn within([low, high]: [f64; 2], cells: f64) -> [f64; 2] {
     let more = (0.5 * (1.0 - (high - low))).max(0.0);
     [(low - more).clamp(0.0, cells - 1.0), (high + more).clamp(0.0, cells - 1.0)]

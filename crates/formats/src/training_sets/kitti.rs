@@ -1,9 +1,8 @@
-//! View-of-Delft (Palffy et al. 2022), which has KITTI's layout: clouds, labels in a camera's axes, and the
-//! camera.
+//! View-of-Delft (Palffy et al. 2022) in KITTI's layout: clouds, labels in a camera's axes, and the camera.
 //!
 //! `training/velodyne/NNNNN.bin` has rows of float32 x, y, z, RCS, v_r, v_r compensated, time in the levelled
-//! axes of the radar; `training/label_2/NNNNN.txt` the boxes, `training/calib/NNNNN.txt` a camera that is
-//! made up: a pinhole at the radar's place that looks along its x axis.
+//! axes of the radar; `training/label_2/NNNNN.txt` the boxes, `training/calib/NNNNN.txt` a fictitious camera:
+//! a pinhole at the radar's place that looks along its x axis.
 
 use crate::levelled_axes::{LevelledAxes, wrapped};
 use crate::radar_cloud::{Detection, velodyne};
@@ -23,10 +22,10 @@ use std::path::Path;
 const FOCAL_PX: f64 = 1000.0;
 /// Width and height of its picture, pixels: 88° by 57°.
 const PICTURE_PX: [f64; 2] = [1936.0, 1216.0];
-/// Nearer than this nothing is projected, m.
+/// Least distance of projection, m.
 const NEAREST_M: f64 = 0.1;
 
-/// Writes the points of a run, labelled where a scene is given.
+/// Writes the points of a run, labelled if a scene is given.
 pub fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let OpenedPoints { reader, header, heights, mut truth, axes } = OpenedPoints::open(file, scene)?;
     let mut set = SetFolder::begin(out)?;
@@ -61,8 +60,8 @@ fn cloud(header: &PointsHeader, axes: &LevelledAxes, frame: &PointsFrame) -> Vec
     velodyne::to_bytes(&seen.filter(Detection::is_sound).collect::<Vec<_>>())
 }
 
-/// The camera's matrix, and the turn from the radar's axes to the camera's: x right, y down, z ahead. Which
-/// line tells what is fixed by place, not by name.
+/// The camera's matrix, and the rotation from the radar's axes to the camera's: x right, y down, z ahead.
+/// Lines are identified by position, not by name.
 fn calibration() -> String {
     let [width, height] = PICTURE_PX.map(|side| 0.5 * side);
     let camera = format!("{FOCAL_PX} 0 {width} 0 0 {FOCAL_PX} {height} 0 0 0 1 0");
@@ -71,7 +70,7 @@ fn calibration() -> String {
     format!("{cameras}R0_rect: 1 0 0 0 1 0 0 0 1\nTr_velo_to_cam: {turn}\nTr_imu_to_velo: \n")
 }
 
-/// A line of labels; none of a body whose middle is behind the radar.
+/// A line of labels; none for a body whose middle is behind the radar.
 fn label(axes: &LevelledAxes, body: &TruthBox) -> Option<String> {
     let foot = camera_axes(axes.of_world(body.foot_m));
     if foot.z <= NEAREST_M {
@@ -94,7 +93,7 @@ fn camera_axes(place_m: DVec3) -> DVec3 {
     DVec3::new(-place_m.y, -place_m.z, place_m.x)
 }
 
-/// Left, top, right and bottom of the box in the picture, within its sides.
+/// Left, top, right and bottom of the box in the picture, clipped to its sides.
 fn picture_box(axes: &LevelledAxes, body: &TruthBox) -> [f64; 4] {
     let pixels = body.corners_m().map(|corner| {
         let place_m = camera_axes(axes.of_world(corner));
@@ -107,7 +106,7 @@ fn picture_box(axes: &LevelledAxes, body: &TruthBox) -> [f64; 4] {
     [least(0), least(1), most(0), most(1)]
 }
 
-/// Names of the set's classes; it has none for buses.
+/// Names of the dataset's classes; it has none for buses.
 fn class_name(class: Class) -> &'static str {
     match class {
         Class::Car => "Car",

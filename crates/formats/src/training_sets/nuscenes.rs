@@ -1,7 +1,7 @@
 //! Layout of nuScenes (Caesar et al. 2020): radar clouds as `.pcd`, and all tables of its database.
 //!
 //! `samples/RADAR_FRONT/NNNNNN.pcd` in the levelled axes of the radar, tables as JSON in `v1.0-wayside`. The
-//! global frame is the scene's world; the vehicle that carries the radar stands at the radar's foot.
+//! global frame is the scene's world; the ego vehicle is at the radar's foot.
 
 use crate::levelled_axes::LevelledAxes;
 use crate::radar_cloud::{Detection, pcd};
@@ -17,13 +17,13 @@ use reporting::pictures;
 use serde_json::json;
 use std::path::Path;
 
-/// Folder of the tables: the version that the set's own reader is asked for.
+/// Folder of the tables: the version to request from the dataset's own reader.
 const VERSION: &str = "v1.0-wayside";
 
-/// A point counts as one of a box within this distance of it, m: a range cell and the noise of its azimuth.
+/// Distance from a box within which a point counts as its own, m: a range cell and the noise of its azimuth.
 const NEAR_M: f64 = 0.5;
 
-/// Writes the points of a run as one scene of the set, labelled where a scene is given.
+/// Writes the points of a run as one scene of the dataset, labelled if a scene is given.
 pub fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let OpenedPoints { reader, header, heights, mut truth, axes } = OpenedPoints::open(file, scene)?;
     let name = truth.as_ref().map_or("scene".to_owned(), |truth| truth.header().name.clone());
@@ -61,8 +61,8 @@ fn rows(header: &PointsHeader, axes: &LevelledAxes, frame: &PointsFrame) -> Vec<
         seen: Detection::of(header.cube.as_ref(), axes, point),
         id: i16::try_from(number).unwrap_or(i16::MAX),
         dynamics: point.stationary.map_or(4, i8::from),
-        // What the set calls unambiguous its own reader keeps, and nothing else: velocities are told as the
-        // radar takes them, resolved or within its span.
+        // The dataset's own reader keeps only detections marked as unambiguous: velocities are the radar's,
+        // resolved or within its span.
         ambiguity: 3,
     };
     frame.points.iter().enumerate().map(row).filter(|row| row.seen.is_sound()).collect()

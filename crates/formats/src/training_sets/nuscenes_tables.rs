@@ -1,5 +1,5 @@
 //! The thirteen tables of nuScenes' database, by its public schema. Tokens are hashes of the scene's name,
-//! the table and a number: the same run gives the same ones.
+//! the table and a number, so they are the same for the same run.
 
 use crate::levelled_axes::LevelledAxes;
 use crate::training_sets::truth_boxes::TruthBox;
@@ -10,11 +10,11 @@ use std::collections::BTreeMap;
 /// A body of a frame.
 pub(crate) struct Seen {
     pub(crate) body: TruthBox,
-    /// Points on it.
+    /// Number of points on it.
     pub(crate) points: usize,
 }
 
-/// A frame with what is in it.
+/// A frame with its bodies.
 struct Frame {
     timestamp: i64,
     file: String,
@@ -26,7 +26,7 @@ pub(crate) struct Tables {
     scene: String,
     axes: LevelledAxes,
     frames: Vec<Frame>,
-    /// Frames that have each body, in order, with its class.
+    /// Frames of each body, in order, with its class.
     instances: BTreeMap<u32, (Class, Vec<usize>)>,
 }
 
@@ -73,7 +73,7 @@ impl Tables {
         blake3::hash(text.as_bytes()).to_hex()[..32].to_owned()
     }
 
-    /// Token of a row before or behind another one; empty at the ends.
+    /// Token of the row before or after another; empty at the ends.
     fn beside(&self, table: &str, at: Option<usize>) -> String {
         let there = at.filter(|at| *at < self.frames.len());
         there.map_or_else(String::new, |at| self.token(table, at))
@@ -183,7 +183,7 @@ impl Tables {
         }])
     }
 
-    /// A map of one point, which the set's reader asks for.
+    /// A map of one point, which the dataset's reader requires.
     fn maps(&self) -> Value {
         json!([{
             "token": self.token("map", 0), "log_tokens": [self.token("log", 0)],
@@ -192,16 +192,16 @@ impl Tables {
     }
 }
 
-/// A body that is slower stands, m/s.
+/// Speed below which a body is at rest, m/s.
 const AT_REST_MPS: f64 = 0.1;
 
-/// Quaternion w, x, y, z of a turn about z.
+/// Quaternion w, x, y, z of a rotation about z.
 fn about_z(angle_rad: f64) -> [f64; 4] {
     let (sine, cosine) = (0.5 * angle_rad).sin_cos();
     [cosine, 0.0, 0.0, sine]
 }
 
-/// Names of the set's categories.
+/// Names of the dataset's categories.
 fn category(class: Class) -> &'static str {
     match class {
         Class::Car => "vehicle.car",

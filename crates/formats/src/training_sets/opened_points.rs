@@ -1,4 +1,4 @@
-//! A run's points with what a set of clouds needs of them and of their scene.
+//! A run's points with the parts of their scene that cloud datasets need.
 
 use crate::heights::Heights;
 use crate::levelled_axes::LevelledAxes;
@@ -10,22 +10,22 @@ use pipeline::host::failure::Failure;
 use pipeline::host::provenance_checks;
 use std::path::Path;
 
-/// A file of points that is open, and the scene beside it where one is given.
+/// An open file of points, with its scene if one is given.
 pub(crate) struct OpenedPoints {
     pub(crate) reader: Reader<Points>,
     pub(crate) header: PointsHeader,
     pub(crate) heights: Heights,
     /// Boxes of the scene.
     pub(crate) truth: Option<TruthBoxes>,
-    /// Axes of the radar that the points are of.
+    /// Axes of the points' radar.
     pub(crate) axes: LevelledAxes,
 }
 
 impl OpenedPoints {
-    /// Opens the points, and the scene that they are of.
+    /// Opens the points and their scene.
     ///
     /// # Errors
-    /// A file is damaged, the scene is another one, or neither tells of a radar.
+    /// A file is damaged, the scene is another one, or neither describes a radar.
     pub(crate) fn open(file: &Path, scene: Option<&Path>) -> Result<Self, Failure> {
         let (reader, heights) = (Reader::<Points>::open(file)?, Heights::of(file)?);
         let header = reader.header().clone();

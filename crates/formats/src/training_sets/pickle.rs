@@ -1,5 +1,5 @@
-//! Ground truth as a pickle of Python, which the loaders of RADDet read: a dictionary of lists of words and
-//! of arrays of numbers. Protocol 2 (Python's module `pickletools` tells its opcodes). An array is a call of
+//! Ground truth as a Python pickle, which the loaders of RADDet read: a dictionary of lists of words and of
+//! arrays of numbers. Protocol 2 (Python's module `pickletools` lists its opcodes). An array is a call of
 //! `numpy.array` on lists, which every version of NumPy has under this name.
 
 /// A value of the dictionary.
@@ -27,7 +27,7 @@ pub(crate) fn dictionary(entries: &[(&str, Pickled)]) -> Vec<u8> {
 fn array(bytes: &mut Vec<u8>, rows: &[Vec<f64>]) {
     bytes.extend(b"cnumpy\narray\n");
     list(bytes, rows, |bytes, row| list(bytes, row, |bytes, value| number(bytes, *value)));
-    bytes.extend([0x85, b'R']); // a tuple of one, called with it
+    bytes.extend([0x85, b'R']); // a tuple of one, the call's argument
 }
 
 fn list<T>(bytes: &mut Vec<u8>, items: &[T], item: impl Fn(&mut Vec<u8>, &T)) {

@@ -1,4 +1,4 @@
-//! The radar that points are of, and what its noise tells of cross sections.
+//! The radar of points, and the cross sections that follow from its noise.
 
 use crate::training_sets::truth_boxes::TruthBoxes;
 use artifact::Radar;
@@ -7,7 +7,7 @@ use artifact::radar::{Multiplexing, Sampling};
 use artifact::settings::Noise;
 use pipeline::host::failure::Failure;
 
-/// The radar that points are of: their header's, else the scene's.
+/// The radar of points: that of their header, else the scene's.
 pub(crate) fn radar_of<'a>(
     points: &'a PointsHeader,
     truth: Option<&'a TruthBoxes>,
@@ -18,7 +18,7 @@ pub(crate) fn radar_of<'a>(
     })
 }
 
-/// Sentence on cross sections of a cloud.
+/// Sentence about the cross sections of a cloud.
 pub(crate) fn sections_of(points: &PointsHeader) -> &'static str {
     let is_known = points.cube.as_ref().is_some_and(|cube| {
         let is_thermal = matches!(cube.noise, Noise::Figure { .. });

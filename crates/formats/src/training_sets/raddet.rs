@@ -1,6 +1,7 @@
-//! RADDet (Zhang, Nowruzi, Laganiere 2021): a range–azimuth–Doppler tensor a frame and boxes in its cells.
+//! RADDet (Zhang, Nowruzi, Laganiere 2021): one range–azimuth–Doppler tensor per frame, and boxes in its
+//! cells.
 //!
-//! Layout by the set's public description and the axes by its loaders: `RAD/PART/NNNNNN.npy`, complex64
+//! Layout as in the dataset's public description, axes as in its loaders: `RAD/PART/NNNNNN.npy`, complex64
 //! `[range, azimuth, Doppler]`, the farthest range first; `gt/PART/NNNNNN.pickle` with `classes`, `boxes`
 //! (middle and size along the tensor's axes, cells) and `cart_boxes` (middle and size in rows and columns of
 //! a map of the ground with as many rows as range cells and twice as many columns, the radar below its
@@ -23,16 +24,16 @@ use pipeline::host::failure::Failure;
 use serde_json::json;
 use std::path::Path;
 
-/// Median power of the first frame's cells after scaling: that of noise in RADDet's own tensors, whose
+/// Median power of the first frame's cells after scaling: that of the noise in RADDet's own tensors, whose
 /// loaders take log₁₀(|x|² + 1).
 const MEDIAN_POWER: f32 = 1000.0;
 
-/// Writes the maps of a run as one part of the set, labelled where a scene is given.
+/// Writes the maps of a run as one part of the dataset, labelled if a scene is given.
 pub fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
     let from = &reader.preamble().provenance;
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar), from)).transpose()?;
-    AngleSpectrum::of(&header.in_frame(0))?; // what has no tensors is refused before the work
+    AngleSpectrum::of(&header.in_frame(0))?; // refuses radars without tensors before the work
     let mut set = SetFolder::begin(out)?;
     let mut scale = None;
     let frames = set.each_frame(
@@ -62,7 +63,7 @@ fn write_tensor(set: &SetFolder, index: u32, tensor: &Tensor) -> Result<(), Fail
     })
 }
 
-/// Factor that gives the cells of a frame the median power; 1 where that is nothing.
+/// Factor that scales the cells of a frame to the median power; 1 if that is zero.
 fn scale_of<'a>(values: impl Iterator<Item = &'a Complex32>) -> f32 {
     let mut powers: Vec<f32> = values.map(Complex32::norm_sqr).collect();
     if powers.is_empty() {

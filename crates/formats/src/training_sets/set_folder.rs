@@ -1,6 +1,6 @@
-//! The folder of a training set: there whole, under its name, or not at all.
+//! The folder of a dataset: complete under its name, or absent.
 //!
-//! The set's own description, `set.json`, is one of its files.
+//! Its own description, `set.json`, is one of its files.
 
 use artifact::whole_file::WholeFolder;
 use artifact::{Reader, Schema};
@@ -10,29 +10,29 @@ use pipeline::host::progress;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// Name of the description in the folder of a set.
+/// Name of the description in the folder.
 pub(crate) const DESCRIPTION: &str = "set.json";
 
-/// A folder that is being filled; dropped before [`Self::finish`], it leaves nothing.
+/// A folder being filled; dropped before [`Self::finish`], it leaves nothing.
 pub(crate) struct SetFolder {
     whole: WholeFolder,
-    /// Number of the frame that is written.
+    /// Number of the current frame.
     frame: Option<u32>,
 }
 
 impl SetFolder {
-    /// Begins to fill what becomes the folder `out`, which is not there yet, or empty.
+    /// Begins to fill the future folder `out`, which must be missing or empty.
     ///
     /// # Errors
-    /// It holds something, is no folder, or nothing can be written beside it.
+    /// The folder is not empty, is no folder, or nothing can be written beside it.
     pub(crate) fn begin(out: &Path) -> Result<Self, Failure> {
         Ok(Self { whole: WholeFolder::create(out)?, frame: None })
     }
 
-    /// Writes the frames of an artifact, one after the other, and gives their number.
+    /// Writes the frames of an artifact, one after the other, and returns their number.
     ///
     /// # Errors
-    /// A frame is damaged or no later one than that before it, or cannot be written.
+    /// A frame is damaged, does not come after the one before it, or cannot be written.
     pub(crate) fn each_frame<S: Schema>(
         &mut self,
         reader: Reader<S>,
@@ -49,10 +49,10 @@ impl SetFolder {
         Ok(written)
     }
 
-    /// Begins a frame, whose files bear its number.
+    /// Begins a frame, whose files have its number.
     ///
     /// # Errors
-    /// It is no later one than that before it.
+    /// The frame does not come after the one before it.
     fn begin_frame(&mut self, index: u32) -> Result<(), Failure> {
         match self.frame.replace(index) {
             Some(before) if before >= index => {
@@ -67,7 +67,7 @@ impl SetFolder {
         self.whole.filled().join(name)
     }
 
-    /// Writes a file; folders above it are made.
+    /// Writes a file; creates folders above it.
     pub(crate) fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
         files::write_file(&self.place(name), bytes)
     }

@@ -1,8 +1,8 @@
-//! Boxes of the bodies of a scene, the truth of training sets: upright, as long, wide and high as the mesh,
-//! at the frame's middle.
+//! Boxes of a scene's bodies, the ground truth of training datasets: upright, of the mesh's length, width and
+//! height, at the frame's middle.
 //!
-//! A box is made of every target with a class; clutter, points and bodies without one have none. The scene's
-//! snapshot alone is read: whether a body is hidden is not known of it.
+//! Every target with a class has a box; clutter, points and bodies without a class have none. Only the
+//! scene's snapshot is read, so it is unknown whether a body is hidden.
 
 use artifact::scene::{Pose, Role, Scene, SceneHeader, Target, TargetKind};
 use artifact::settings::Class;
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// A body's box.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TruthBox {
-    /// Number of the body in the whole scene: the same in all frames.
+    /// Number of the body in the whole scene, the same in all frames.
     pub(crate) number: u32,
     /// Name of the body.
     pub(crate) id: String,
@@ -28,7 +28,7 @@ pub(crate) struct TruthBox {
     pub(crate) foot_m: DVec3,
     /// Length, width, height.
     pub(crate) size_m: [f64; 3],
-    /// Forward from world +x towards +y.
+    /// Forward direction from world +x towards +y.
     pub(crate) yaw_rad: f64,
     pub(crate) velocity_mps: DVec3,
 }
@@ -50,7 +50,7 @@ impl TruthBox {
         self.foot_m + DVec3::Z * (0.5 * self.size_m[2])
     }
 
-    /// The place of the box that is nearest to a place, which is that place itself where it is inside.
+    /// The place of the box nearest to a given place, which is that place itself if it is inside.
     pub(crate) fn nearest_m(&self, place_m: DVec3) -> DVec3 {
         let [length, width, height] = self.size_m;
         let away = place_m - self.foot_m;
@@ -62,7 +62,7 @@ impl TruthBox {
     }
 }
 
-/// A sentence on the models of bodies that have no box for want of a class.
+/// A sentence about the models of bodies that have no box for lack of a class.
 fn without_class(header: &SceneHeader) -> Option<String> {
     let targets = header.targets.iter().filter(|target| target.role == Role::Target).map(|t| &t.kind);
     let recorded = header.traffic.iter().flat_map(|traffic| &traffic.vehicles).map(|vehicle| &vehicle.kind);
@@ -77,27 +77,27 @@ fn without_class(header: &SceneHeader) -> Option<String> {
     })
 }
 
-/// A scene that is read beside an artifact, as boxes of its frames.
+/// A scene read beside an artifact, as boxes of its frames.
 pub(crate) struct TruthBoxes {
     file: PathBuf,
     scene: Beside<Scene>,
     header: SceneHeader,
-    /// Whether the frames were made of the same scene file, so that their times have to agree.
+    /// Whether the frames were made from the same scene file, so that their times must agree.
     is_same: bool,
     /// Least and greatest corner of each mesh, in body axes.
     extents_m: Vec<[DVec3; 2]>,
 }
 
 impl TruthBoxes {
-    /// Opens the scene that an artifact of `radar` and of this origin is of.
+    /// Opens the scene of an artifact with this `radar` and provenance.
     ///
     /// # Errors
-    /// The file is no scene, its radar is another one, or it was made of other files of the same names.
+    /// The file is not a scene, its radar is another one, or it was made from other files of the same names.
     pub(crate) fn open(file: &Path, radar: Option<&Radar>, from: &Provenance) -> Result<Self, Failure> {
         let scene = Beside::<Scene>::open(file, |frame| frame.index)?;
         let is_same = provenance_checks::same_scene(file, scene.provenance(), ("frames", from))?;
         let header = scene.header().clone();
-        // Frames do not know the errors of their radar.
+        // Frames do not contain the errors of their radar.
         if radar.is_some_and(|radar| *radar != cube_header(&header).radar) {
             let rule = "its radar is not the one that the frames are of";
             return Err(Failure::Refused(format!("{}: {rule}", file.display())));
@@ -114,7 +114,7 @@ impl TruthBoxes {
         &self.header
     }
 
-    /// Boxes of a frame at its middle, in the order of the scene's bodies; frames are asked for in order.
+    /// Boxes of a frame at its middle, in the order of the scene's bodies; frames must be requested in order.
     pub(crate) fn of_frame(&mut self, index: u32, time_s: f64) -> Result<Vec<TruthBox>, Failure> {
         let frame = self.scene.frame(index)?;
         let within_s = if self.is_same { SAME_TIME_S } else { ROUNDED_TIME_S };
@@ -151,7 +151,7 @@ impl TruthBoxes {
         })
     }
 
-    /// Refuses a box whose numbers are none.
+    /// Refuses a box with invalid numbers.
     fn check(&self, index: u32, body: &TruthBox) -> Result<(), Failure> {
         let is_number = body.foot_m.is_finite()
             && body.velocity_mps.is_finite()

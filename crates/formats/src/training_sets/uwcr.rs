@@ -1,8 +1,8 @@
 //! Raw data of the University of Washington (Gao et al. 2022): a frame's samples and its labels.
 //!
-//! Layout by the set's public description: `radar_raw_frame/NNNNNN.mat` with `adcData` `[sample, chirp,
-//! receiver, transmitter]`, `text_labels/NNNNNN.csv` with rows `uid,class,px,py,wid,len`, m, x to the right
-//! and y ahead of the radar.
+//! Layout as in the dataset's public description: `radar_raw_frame/NNNNNN.mat` with `adcData` `[sample,
+//! chirp, receiver, transmitter]`, `text_labels/NNNNNN.csv` with rows `uid,class,px,py,wid,len`, m, x to the
+//! right and y ahead of the radar.
 
 use crate::levelled_axes::LevelledAxes;
 use crate::mat_file;
@@ -17,7 +17,7 @@ use pipeline::host::failure::Failure;
 use serde_json::json;
 use std::path::Path;
 
-/// Writes the cubes of a run, labelled where a scene is given.
+/// Writes the cubes of a run, labelled if a scene is given.
 pub fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> Result<(), Failure> {
     let header = reader.header().clone();
     let from = &reader.preamble().provenance;
@@ -47,7 +47,7 @@ pub fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> Result<(
     set.finish(&told)
 }
 
-/// A line of labels; none of a body behind the radar.
+/// A line of labels; none for a body behind the radar.
 fn row(axes: &LevelledAxes, body: &TruthBox) -> Option<String> {
     let middle = axes.of_world(body.middle_m());
     let corners = body.corners_m().map(|corner| axes.of_world(corner));
@@ -61,7 +61,7 @@ fn row(axes: &LevelledAxes, body: &TruthBox) -> Option<String> {
         .then(|| format!("{number},{class},{:.4},{:.4},{width:.4},{length:.4}\n", -middle.y, middle.x))
 }
 
-/// Numbers of the set's classes.
+/// Numbers of the dataset's classes.
 fn class_id(class: Class) -> u8 {
     match class {
         Class::Car => 2,

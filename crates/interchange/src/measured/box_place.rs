@@ -1,14 +1,14 @@
-//! Error of the middle of a track's box. A tracker knows the place of what reflects; how far the body reaches
-//! beyond what was seen of it nobody has measured.
+//! Error of the middle of a track's box. A tracker knows the place of the reflecting parts; the extent of the
+//! body beyond them is not measured.
 
 use artifact::tracks::Track;
 
 /// Longest vehicle of one piece (directive 96/53/EC, annex I), m.
 const LONGEST_M: f64 = 12.0;
 
-/// Covariance of the middle of a track's box along world x and y, m²: that of the place of what reflects, and
-/// along the heading half of what a vehicle of any length up to the longest has beyond the box, evenly: its
-/// mean square is a twelfth of the whole squared.
+/// Covariance of the middle of a track's box along world x and y, m²: that of the place of the reflecting
+/// parts, and along the heading half of the length by which a vehicle may exceed the box, assumed uniform up
+/// to the longest: its mean square is a twelfth of the square of the largest excess.
 pub(crate) fn middle_covariance(track: &Track) -> [[f64; 2]; 2] {
     let unseen_m = (LONGEST_M - track.footprint.length_m).max(0.0);
     let (sin, cos) = track.footprint.heading_rad.sin_cos();

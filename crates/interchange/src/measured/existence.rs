@@ -1,10 +1,11 @@
-//! Probability that a detection is no noise, as far as one frame tells.
+//! Probability that a detection is not noise, from a single frame.
 
 use artifact::Radar;
 use artifact::units::power_from_db;
 
-/// Probability e^{−E} that a map of noise alone has no cell as strong: E its cells times the probability that
-/// the mean power of M channels of noise is so many times its mean, Σ_{k<M} (Mρ)^k/k!·e^{−Mρ}.
+/// Probability e^{−E} that a map of noise alone has no cell as strong: E is the number of its cells times the
+/// probability that the mean power of M channels of noise exceeds its expectation by the factor ρ, Σ_{k<M}
+/// (Mρ)^k/k!·e^{−Mρ}.
 pub(crate) fn existence(radar: &Radar, snr_db: f64) -> f64 {
     let channels = radar.virtual_channels().max(1);
     let level = channels as f64 * power_from_db(snr_db);
@@ -12,7 +13,7 @@ pub(crate) fn existence(radar: &Radar, snr_db: f64) -> f64 {
     (-cells * exceeded(channels, level)).exp()
 }
 
-/// Probability that a sum of that many exponential variables of mean 1 is above a level.
+/// Probability that a sum of `count` exponential variables of mean 1 exceeds a level.
 fn exceeded(count: usize, level: f64) -> f64 {
     let log_level = level.max(f64::MIN_POSITIVE).ln();
     let (mut total, mut log_factorial) = (0.0, 0.0);

@@ -4,14 +4,14 @@ use artifact::Radar;
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
 
-/// Place and orientation of a sensor in the world.
+/// Position and orientation of a sensor in the world.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SensorAxes {
     pub(crate) place_m: DVec3,
-    /// Unit vectors to the right, ahead, up.
+    /// Unit vectors right, ahead and up.
     axes: [DVec3; 3],
     pub(crate) yaw_rad: f64,
-    /// Pitch, positive where the sensor looks down.
+    /// Pitch, positive when the sensor looks down.
     pub(crate) pitch_rad: f64,
 }
 
@@ -26,13 +26,14 @@ impl SensorAxes {
         }
     }
 
-    /// Axes of a sensor at the origin that looks along +y, as azimuths are counted from.
+    /// Axes of a sensor at the origin that looks along +y, from which azimuths are counted.
     pub(crate) fn of_world() -> Self {
         let axes = radar::aperture::axes_looking(0.0, 0.0);
         Self { place_m: DVec3::ZERO, axes, yaw_rad: FRAC_PI_2, pitch_rad: 0.0 }
     }
 
-    /// Azimuth and elevation of a direction that is told from world +y towards +x and above the horizon.
+    /// Azimuth and elevation in the sensor's axes of a direction given from world +y towards +x and above the
+    /// horizon.
     pub(crate) fn angles_of_world(&self, azimuth_rad: f64, elevation_rad: f64) -> [f64; 2] {
         let [_, ahead, _] = radar::aperture::axes_looking(azimuth_rad, elevation_rad);
         self.angles(ahead)
@@ -44,7 +45,7 @@ impl SensorAxes {
         [(-right).atan2(ahead), up.clamp(-1.0, 1.0).asin()]
     }
 
-    /// Direction cosines along right, ahead, up of a unit vector.
+    /// Direction cosines of a unit vector along right, ahead and up.
     pub(crate) fn cosines(&self, direction: DVec3) -> [f64; 3] {
         self.axes.map(|axis| axis.dot(direction))
     }

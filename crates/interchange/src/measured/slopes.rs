@@ -1,5 +1,5 @@
-//! Points on the slope of a stronger one: under the main lobe of a window an echo fills cells beside its own,
-//! and a point that stands there may be that echo's, as far away as the lobe's strongest point.
+//! Points on the slope of a stronger one: an echo fills the cells under its window's main lobe, so a point
+//! there may belong to the echo of the lobe's strongest point.
 
 use artifact::cube::CubeHeader;
 use artifact::points::Point;
@@ -8,15 +8,15 @@ use artifact::units::amplitude_from_db;
 use radar::doppler_ambiguity::folded_mps;
 use std::f64::consts::PI;
 
-/// Distance of a point from the strongest one under the same main lobe, m and m/s; none of a point that is
-/// the strongest.
+/// Distance of a point from the strongest one under the same main lobe, m and m/s; zero for the strongest
+/// itself.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Slope {
     pub(crate) range_m: f64,
     pub(crate) velocity_mps: f64,
 }
 
-/// Extent of a main lobe and the axis that it lies on.
+/// Extent of a main lobe on its axis.
 struct Lobe {
     range_m: f64,
     velocity_mps: f64,
@@ -33,7 +33,7 @@ impl Lobe {
         }
     }
 
-    /// Distance of one point from another; `None` where both are not under one lobe.
+    /// Distance of one point from another; `None` if they are not under one lobe.
     fn slope(&self, point: &Point, summit: &Point) -> Option<Slope> {
         let range_m = point.range_m - summit.range_m;
         let velocity_mps = folded_mps(point.radial_velocity_mps - summit.radial_velocity_mps, self.span_mps);
@@ -42,7 +42,7 @@ impl Lobe {
     }
 }
 
-/// Slopes that the points of a frame stand on, in their order.
+/// Slopes of the points of a frame, in their order.
 pub(crate) fn slopes(cube: &CubeHeader, points: &[Point]) -> Vec<Slope> {
     let lobe = Lobe::of(cube);
     let mut by_range: Vec<&Point> = points.iter().collect();
@@ -57,13 +57,14 @@ pub(crate) fn slopes(cube: &CubeHeader, points: &[Point]) -> Vec<Slope> {
     points.iter().map(slope).collect()
 }
 
-/// Half of a main lobe, from its peak to its first zero, and half a cell that peaks lie beside cells.
+/// Half width of a main lobe, from its peak to its first zero, plus half a cell for the offset of peaks from
+/// cells.
 fn half_width_cells(window: Window) -> f64 {
     let zero = match window {
         Window::Rect => 1.0,
         Window::Hann | Window::Hamming => 2.0,
         Window::Blackman => 3.0,
-        // π√(x² − ¼) = arcosh A of long windows, A the level of the sidelobes.
+        // π√(x² − ¼) = arcosh A for long windows, with A the level of the sidelobes.
         Window::Chebyshev(sidelobe_db) => (amplitude_from_db(sidelobe_db.abs()).acosh() / PI).hypot(0.5),
     };
     zero + 0.5

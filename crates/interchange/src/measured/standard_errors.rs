@@ -1,28 +1,29 @@
-//! Standard errors of a detection: the Cramér–Rao bounds that its signal-to-noise ratio leaves, and the cell
-//! that it stands for.
+//! Standard errors of a detection: the Cramér–Rao bounds for its signal-to-noise ratio, and the size of its
+//! cell.
 //!
-//! A tone's frequency has the variance 6/((2π)²ρ) in cells, a direction cosine 1/(2π²σ²ρ) over elements that
-//! spread by σ half wavelengths, ρ the power over noise of all channels (the bounds that the tracker of `dsp`
-//! takes for its objects). A point of a vehicle stands for all that echoes in its cell, evenly: a twelfth of
-//! the cell squared. On the slope of a stronger point it may stand for that one's echo: their distance adds.
+//! The frequency of a tone has the variance 6/((2π)²ρ) in cells, a direction cosine 1/(2π²σ²ρ) over elements
+//! with a spread of σ half wavelengths, where ρ is the ratio of power to noise of all channels (the bounds
+//! that the tracker of `dsp` uses for its objects). A point of a vehicle represents all echoes in its cell,
+//! uniformly: a twelfth of the cell squared. On the slope of a stronger point it may belong to that one's
+//! echo: their distance adds.
 
 use crate::measured::slopes::Slope;
 use artifact::Radar;
 use artifact::units::power_from_db;
 use std::f64::consts::{PI, TAU};
 
-/// Root mean square errors; `None` where nothing is measured.
+/// Root mean square errors; `None` if not measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct StandardErrors {
     pub(crate) range_m: f64,
     pub(crate) velocity_mps: f64,
-    /// Azimuth in the sensor's axes, at that direction.
+    /// Azimuth in the sensor's axes, in the given direction.
     pub(crate) azimuth_rad: Option<f64>,
-    /// Elevation in the sensor's axes, at that direction.
+    /// Elevation in the sensor's axes, in the given direction.
     pub(crate) elevation_rad: Option<f64>,
 }
 
-/// Errors of a detection of that strength on that slope, in that direction: azimuth and elevation in the
+/// Errors of a detection with that strength and slope, in that direction: azimuth and elevation in the
 /// sensor's axes.
 pub(crate) fn standard_errors(
     radar: &Radar,
@@ -32,7 +33,7 @@ pub(crate) fn standard_errors(
 ) -> StandardErrors {
     let strength = power_from_db(snr_db).max(1.0) * radar.virtual_channels().max(1) as f64;
     let tone = 6.0 / (TAU * TAU * strength) + 1.0 / 12.0;
-    // Along the rows the cosine is −cos(elevation)·sin(azimuth), along the columns sin(elevation).
+    // The direction cosine along the rows is −cos(elevation)·sin(azimuth), along the columns sin(elevation).
     let steepness = (elevation.cos() * azimuth.cos()).abs();
     StandardErrors {
         range_m: (radar.waveform.range_resolution_m() * tone.sqrt()).hypot(slope.range_m),
@@ -42,7 +43,8 @@ pub(crate) fn standard_errors(
     }
 }
 
-/// Error of a direction cosine along one axis of the aperture, 0 right, 1 up; `None` without extent.
+/// Error of a direction cosine along one axis of the aperture, 0 right, 1 up; `None` if the aperture has no
+/// extent there.
 fn cosine_error(radar: &Radar, axis: usize, strength: f64) -> Option<f64> {
     let spread = |elements: &[[f64; 2]]| {
         let count = elements.len().max(1) as f64;

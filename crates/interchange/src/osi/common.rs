@@ -1,4 +1,4 @@
-//! Messages that the others consist of.
+//! Common parts of the other messages.
 
 use prost::Message;
 
@@ -13,7 +13,7 @@ pub(crate) struct InterfaceVersion {
     pub(crate) version_patch: Option<u32>,
 }
 
-/// The version that is written.
+/// The version of written messages.
 pub(crate) const VERSION: [u32; 3] = [3, 8, 0];
 
 /// [`VERSION`] as a message.
@@ -32,7 +32,7 @@ pub(crate) struct Timestamp {
 }
 
 impl Timestamp {
-    /// The moment to the nearest nanosecond.
+    /// The time to the nearest nanosecond.
     pub(crate) fn at(time_s: f64) -> Self {
         let nanos = (time_s * 1e9).round() as i64;
         let second = 1_000_000_000;
@@ -52,7 +52,7 @@ pub(crate) struct Identifier {
 }
 
 impl Identifier {
-    /// The standard's word for no reference.
+    /// The standard's value for no reference.
     pub(crate) const NONE: u64 = u64::MAX;
 
     pub(crate) fn of(value: u64) -> Option<Self> {
@@ -76,7 +76,7 @@ impl Vector3d {
         Some(Self { x: Some(x), y: Some(y), z: Some(z) })
     }
 
-    /// A vector of the road's plane: its height is not known.
+    /// A vector in the plane of the road: its height is unknown.
     pub(crate) fn flat([x, y]: [f64; 2]) -> Option<Self> {
         Some(Self { x: Some(x), y: Some(y), z: None })
     }

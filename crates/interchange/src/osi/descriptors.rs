@@ -1,6 +1,6 @@
-//! Description of messages for readers of a file: a `google.protobuf.FileDescriptorSet` of the fields that
-//! are written here. A reader that knows OSI needs none of it; one that knows Protocol Buffers alone reads
-//! the messages by it. Enumerations are told as the integers that go over the wire.
+//! Descriptors of messages for readers of a file: a `google.protobuf.FileDescriptorSet` of the fields written
+//! here. A reader that knows OSI does not need it; one that knows only Protocol Buffers decodes the messages
+//! by it. Enumerations are described as integers, as on the wire.
 
 use prost::Message;
 
@@ -18,8 +18,8 @@ enum Kind {
 
 use Kind::{Double, Int32, Int64, Many, One, Uint32, Uint64};
 
-/// Message, its fields' names, numbers and kinds. A name with a point is a message within another one, which
-/// comes before it.
+/// Message with its fields' names, numbers and kinds. A name with a point is a message nested in another one,
+/// which comes before it.
 type MessageRow = (&'static str, &'static [(&'static str, i32, Kind)]);
 
 const COMMON: &[MessageRow] = &[
@@ -169,12 +169,12 @@ const SENSOR_VIEW: &[MessageRow] = &[
     ),
 ];
 
-/// Descriptor of `osi3.SensorData` and all that it consists of.
+/// Descriptor of `osi3.SensorData` and all of its parts.
 pub(crate) fn sensor_data() -> Vec<u8> {
     described("osi3/sensor_data.proto", SENSOR_DATA)
 }
 
-/// Descriptor of `osi3.SensorView` and all that it consists of.
+/// Descriptor of `osi3.SensorView` and all of its parts.
 pub(crate) fn sensor_view() -> Vec<u8> {
     described("osi3/sensor_view.proto", SENSOR_VIEW)
 }

@@ -33,7 +33,7 @@ pub(crate) mod object_type {
     pub(crate) const ANIMAL: i32 = 4;
 }
 
-/// Names of `osi3.MovingObject.VehicleClassification.Type` by their values; of two names the newer.
+/// Names of `osi3.MovingObject.VehicleClassification.Type` by value; the newer of two names.
 const VEHICLE_TYPES: [&str; 23] = [
     "TYPE_UNKNOWN",
     "TYPE_OTHER",
@@ -60,20 +60,20 @@ const VEHICLE_TYPES: [&str; 23] = [
     "TYPE_LAND_VEHICLE",
 ];
 
-/// Earlier names of the same values, each with the one that is told.
+/// Earlier names of the same values, each with the present one.
 const EARLIER_NAMES: [(&str, &str); 3] = [
     ("TYPE_CAR", "TYPE_MEDIUM_CAR"),
     ("TYPE_DELIVERY_VAN", "TYPE_VAN"),
     ("TYPE_MOTORBIKE", "TYPE_MOTORCYCLE"),
 ];
-/// Names of `osi3.MovingObject.Type` that no classification of vehicles has.
+/// Names of `osi3.MovingObject.Type` that are not in the classification of vehicles.
 const OBJECT_TYPES: [&str; 3] = [VEHICLE, PEDESTRIAN, ANIMAL];
 const VEHICLE: &str = "TYPE_VEHICLE";
 const PEDESTRIAN: &str = "TYPE_PEDESTRIAN";
 const ANIMAL: &str = "TYPE_ANIMAL";
 
 impl MovingObject {
-    /// Name of the type that tells most: of a vehicle the one that classifies it.
+    /// Most specific name of the type: for a vehicle that of its classification.
     pub(crate) fn type_name(&self) -> String {
         let classified = self.vehicle_classification.and_then(|told| told.kind).unwrap_or(0);
         match (self.kind.unwrap_or(0), classified) {
@@ -86,13 +86,13 @@ impl MovingObject {
     }
 }
 
-/// Names by which types of moving objects are told.
+/// Names of types of moving objects.
 pub fn type_names() -> impl Iterator<Item = &'static str> {
     VEHICLE_TYPES.into_iter().chain(OBJECT_TYPES)
 }
 
-/// The name by which objects of a type are told, of whatever name the standard has for it, or of
-/// `TYPE_` and its value; `None` where the standard has none such.
+/// The name used for objects of a type, from any of the standard's names for it, or from `TYPE_` and its
+/// value; `None` if the standard has no such type.
 pub fn type_told_as(name: &str) -> Option<String> {
     if let Some((_, told)) = EARLIER_NAMES.iter().find(|(earlier, _)| *earlier == name) {
         return Some((*told).to_owned());

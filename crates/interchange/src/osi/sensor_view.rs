@@ -1,4 +1,4 @@
-//! Reflections that reach a sensor before it detects anything.
+//! Reflections at a sensor, before detection.
 
 use crate::osi::common::{Identifier, InterfaceVersion, MountingPosition, Timestamp};
 use prost::Message;

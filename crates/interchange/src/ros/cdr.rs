@@ -1,18 +1,18 @@
-//! Common Data Representation as DDS has it (OMG XCDR1, little-endian): values aligned to their own size,
-//! counted from behind the four bytes that tell the encoding.
+//! Common Data Representation of DDS (OMG XCDR1, little-endian): values aligned to their own size, counted
+//! from the end of the four bytes that identify the encoding.
 
 use crate::osi::common::Timestamp;
 
 /// Plain CDR, little-endian.
 const ENCAPSULATION: [u8; 4] = [0, 1, 0, 0];
 
-/// A message under way.
+/// A message being encoded.
 pub(crate) struct Cdr {
     bytes: Vec<u8>,
 }
 
 impl Cdr {
-    /// A message that begins with a `std_msgs/Header`.
+    /// Begins a message with a `std_msgs/Header`.
     pub(crate) fn stamped(time_s: f64, frame: &str) -> Self {
         let mut message = Self { bytes: ENCAPSULATION.to_vec() };
         let stamp = Timestamp::at(time_s);
@@ -22,7 +22,7 @@ impl Cdr {
         message
     }
 
-    /// A number by its bytes, aligned to their count.
+    /// Appends the bytes of a number, aligned to their count.
     pub(crate) fn put<const N: usize>(&mut self, bytes: [u8; N]) {
         let past = (self.bytes.len() - ENCAPSULATION.len()) % N;
         if past > 0 {
@@ -31,29 +31,29 @@ impl Cdr {
         self.bytes.extend(bytes);
     }
 
-    /// The count of what follows, also of a sequence.
+    /// Appends the number of following elements, also of a sequence.
     pub(crate) fn count(&mut self, count: usize) {
         self.put((count as u32).to_le_bytes());
     }
 
-    /// A text with its length and the zero behind it.
+    /// Appends a text with its length and a terminating zero.
     pub(crate) fn text(&mut self, text: &str) {
         self.count(text.len() + 1);
         self.bytes.extend(text.as_bytes());
         self.bytes.push(0);
     }
 
-    /// Bytes without a length.
+    /// Appends bytes without a length.
     pub(crate) fn raw(&mut self, bytes: &[u8]) {
         self.bytes.extend(bytes);
     }
 
-    /// Numbers without a length.
+    /// Appends numbers without a length.
     pub(crate) fn doubles(&mut self, values: &[f64]) {
         values.iter().for_each(|value| self.put(value.to_le_bytes()));
     }
 
-    /// Numbers without a length, in single precision.
+    /// Appends numbers without a length, in single precision.
     pub(crate) fn floats(&mut self, values: &[f64]) {
         values.iter().for_each(|value| self.put((*value as f32).to_le_bytes()));
     }

@@ -1,5 +1,5 @@
-//! Definitions of the messages, as `ros2msg` has them in MCAP: names and types of fields, those of the parts
-//! behind a line of equals signs.
+//! Definitions of the messages in the form of `ros2msg` in MCAP: names and types of fields, those of nested
+//! messages after a line of equals signs.
 
 /// Name and definition of `sensor_msgs/msg/PointCloud2`.
 pub(crate) const POINT_CLOUD: [&str; 2] = [

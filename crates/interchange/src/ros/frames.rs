@@ -1,4 +1,4 @@
-//! Names of the frames that messages are in.
+//! Names of the coordinate frames of messages.
 
 /// The frame of world coordinates.
 pub(crate) const WORLD: &str = "map";

@@ -1,13 +1,13 @@
-//! Points as `sensor_msgs/PointCloud2`: x, y, z in world metres, radial velocity in m/s (positive where the
-//! range grows), signal-to-noise ratio in dB, the object's number (−1 without one), and 1 where z is
-//! measured, 0 where it is assumed or the radar's own.
+//! Points as `sensor_msgs/PointCloud2`: x, y, z in world metres, radial velocity in m/s (positive when the
+//! range grows), signal-to-noise ratio in dB, the object's number (−1 without one), and 1 if z is measured, 0
+//! if it is assumed or the radar's own.
 
 use crate::ros::cdr::Cdr;
 use crate::ros::frames::WORLD;
 use artifact::points::{Height, Point, PointsFrame};
 
-/// Names of the fields with the standard's number of their type: 7 is a 32-bit float, 5 a 32-bit integer, 6
-/// one without sign.
+/// Names of the fields with the standard's numbers of their types: 7 is a 32-bit float, 5 a 32-bit integer, 6
+/// an unsigned one.
 const FIELDS: [(&str, u8); 7] =
     [("x", 7), ("y", 7), ("z", 7), ("velocity", 7), ("snr", 7), ("object", 5), ("height_measured", 6)];
 const FIELD_BYTES: usize = 4;

@@ -1,17 +1,18 @@
 //! Tracks as `radar_msgs/RadarTracks` in world coordinates: the middle of the box, its length and width, and
-//! the variances of place and velocity. What is not estimated has the message's mark for it, −1.
+//! the variances of place and velocity. Values that are not estimated have the message's mark for unknown,
+//! −1.
 
 use crate::measured::box_place::middle_covariance;
 use crate::ros::cdr::Cdr;
 use crate::ros::frames::WORLD;
 use artifact::tracks::{Track, TrackState, TracksFrame};
 
-/// The message's word for a variance that is not known.
+/// The message's value for an unknown variance.
 const UNKNOWN: f64 = -1.0;
-/// The message's class of what moves or stands without a class of its own.
+/// The message's class for objects without a class of their own, moving or at rest.
 const NO_CLASSIFICATION: u16 = 0;
 
-/// The believed tracks of a frame.
+/// Encodes the confirmed and coasting tracks of a frame.
 pub(crate) fn message(frame: &TracksFrame) -> Vec<u8> {
     let believed: Vec<&Track> =
         frame.tracks.iter().filter(|track| track.state != TrackState::Tentative).collect();
@@ -43,7 +44,7 @@ fn upper_triangle([[xx, xy], [_, yy]]: [[f64; 2]; 2]) -> [f64; 6] {
     [xx, xy, UNKNOWN, yy, UNKNOWN, UNKNOWN]
 }
 
-/// A number that no other track of the recording has; the same in every run.
+/// An identifier that is unique in the recording, and the same in every run.
 fn uuid(id: u32) -> [u8; 16] {
     let mut uuid = [0; 16];
     uuid[12..].copy_from_slice(&id.to_be_bytes());

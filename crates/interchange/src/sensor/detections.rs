@@ -14,7 +14,7 @@ use artifact::cube::CubeHeader;
 use artifact::points::{Point, PointsFrame};
 use radar::cross_section::cross_section_dbsm;
 
-/// Detections of a frame by a sensor of that number, in the order of its points.
+/// Detections of a frame by the sensor with that number, in the order of its points.
 pub(crate) fn feature_data(sensor: u64, cube: Option<&CubeHeader>, frame: &PointsFrame) -> FeatureData {
     let radar = cube.map(|cube| &cube.radar);
     let measured_at_s = frame.time_s + radar.map_or(0.0, Radar::frame_middle_s);
@@ -60,8 +60,8 @@ fn detection(cube: Option<&CubeHeader>, frame: &PointsFrame, number: usize, slop
     }
 }
 
-/// 0 where the velocity is the only one left; else one number for all points of an object, whose velocity is
-/// ambiguous as one, and one for each lone point.
+/// Ambiguity identifier: 0 if the velocity is resolved; else one number for all points of an object, whose
+/// velocities are ambiguous together, and one for each single point.
 fn ambiguity(frame: &PointsFrame, number: u64, point: &Point) -> u64 {
     match point.object.and_then(|place| Some((place, frame.objects.get(place as usize)?))) {
         Some((_, object)) if object.velocity_resolved => 0,

@@ -22,14 +22,14 @@ pub(crate) fn header(radar: Option<&Radar>, frame: &TracksFrame) -> DetectedEnti
     }
 }
 
-/// Time at which each track was seen first.
+/// Time at which each track was first seen.
 #[derive(Default)]
 pub(crate) struct Births {
     of_tracks: BTreeMap<u32, f64>,
 }
 
 impl Births {
-    /// Objects of a frame by a sensor of that number, in the order of its tracks.
+    /// Objects of a frame by the sensor with that number, in the order of its tracks.
     pub(crate) fn objects(
         &mut self,
         sensor: u64,
@@ -99,7 +99,7 @@ fn candidates(probabilities: &[f64; 4]) -> Vec<CandidateMovingObject> {
     Class::ALL.into_iter().zip(probabilities).map(of).collect()
 }
 
-/// Value of `osi3.MovingObject.VehicleClassification.Type` that stands for a class.
+/// Value of `osi3.MovingObject.VehicleClassification.Type` for a class.
 fn vehicle_type(class: Class) -> i32 {
     match class {
         Class::Car => 4,

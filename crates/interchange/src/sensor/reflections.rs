@@ -1,5 +1,6 @@
-//! Paths as `osi3.RadarSensorView.Reflection`: strength over the power sent, time of flight, Doppler shift of
-//! the carrier and direction of arrival, at the frame's middle as seen from the array's centre.
+//! Paths as `osi3.RadarSensorView.Reflection`: strength relative to the transmitted power, time of flight,
+//! Doppler shift of the carrier and direction of arrival, at the frame's middle as seen from the array's
+//! centre.
 
 use crate::measured::sensor_axes::SensorAxes;
 use crate::osi::common::Identifier;
@@ -11,7 +12,7 @@ use artifact::units::{SPEED_OF_LIGHT_MPS, db_from_amplitude};
 use radar::link::link_amplitude;
 use radar::path_kinematics::{Leg, legs, mean_share};
 
-/// Reflections of a frame by a sensor of that number, in the order of its paths.
+/// Reflections of a frame by the sensor with that number, in the order of its paths.
 pub(crate) fn radar_view(
     sensor: u64,
     radar: &Radar,
@@ -35,7 +36,8 @@ fn reflection(radar: &Radar, axes: &SensorAxes, frequency_hz: f64, path: &Path) 
     let [there, back] = legs(radar, path);
     let gain = |leg: &Leg| radar.array.pattern.amplitude(axes.cosines(leg.direction));
     let (receive, transmit) = radar.array.polarization.indices();
-    // √(received over sent): the link without the power sent, the path's own amplitude, both legs.
+    // √(received over transmitted power): the link without the transmit power, the path's own amplitude, both
+    // legs.
     let amplitude = link_amplitude(radar) / radar.link.transmit_power_w.sqrt()
         * path.amplitude_m[receive][transmit].norm()
         * (mean_share(radar, path) * gain(&there) * gain(&back)).abs()

@@ -1,10 +1,10 @@
-//! Kinds of files that hold messages of OSI.
+//! Kinds of files for messages of OSI.
 
 /// Kind of a file of OSI messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Container {
     /// One channel: a length of four bytes, little-endian, before each message.
     Osi,
-    /// MCAP, with what describes the messages.
+    /// MCAP, with descriptors of the messages.
     Mcap,
 }

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-/// Fault of a trace, and its place.
+/// Fault of a trace with its place.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: message {message}: {rule}", file.display())]
 pub struct TraceError {
@@ -11,18 +11,18 @@ pub struct TraceError {
     pub file: PathBuf,
     /// Number of the message, from 1.
     pub message: u64,
-    /// Rule that is broken.
+    /// Broken rule.
     pub rule: TraceRule,
 }
 
 impl TraceError {
-    /// Whether the machine is at fault, not the content of the file.
+    /// Whether the system is at fault, not the content of the file.
     pub fn is_system(&self) -> bool {
         matches!(self.rule, TraceRule::Unreadable(_))
     }
 }
 
-/// The rules of a trace, broken.
+/// Broken rules of a trace.
 #[derive(Debug, thiserror::Error)]
 pub enum TraceRule {
     /// The file cannot be read.
@@ -31,39 +31,39 @@ pub enum TraceRule {
     /// The file ends within a message or a record.
     #[error("the file ends within it: it was cut off or is still being written")]
     CutOff,
-    /// A message or a record of a length that no sound one has.
+    /// A message or a record longer than any valid one.
     #[error(
         "{what} of {length} bytes, more than the {limit} that are read: the file is damaged, or no trace"
     )]
     TooLong {
-        /// Name of what is too long.
+        /// Name of the message or record.
         what: &'static str,
-        /// Length as told.
+        /// Declared length.
         length: u64,
-        /// Most bytes.
+        /// Largest number of bytes.
         limit: u64,
     },
-    /// A record of MCAP that is none.
+    /// An invalid record of MCAP.
     #[error("a record of MCAP is damaged: {0}")]
     Record(String),
-    /// A chunk that does not unpack to what it tells of itself.
+    /// A chunk that does not decompress to its declared length.
     #[error("a chunk packed by `{compression}` does not unpack to the {expected} bytes that it tells")]
     Chunk {
-        /// Compression as told.
+        /// Declared compression.
         compression: String,
-        /// Length as told.
+        /// Declared length.
         expected: u64,
     },
-    /// A chunk whose sum is another one.
+    /// A chunk with a wrong checksum.
     #[error("a chunk's checksum is not that of its content")]
     ChunkSum,
-    /// A chunk packed in a way that is not read.
+    /// A chunk with unsupported compression.
     #[error("a chunk is packed by `{0}`; read are chunks as they are, and by zstd and lz4")]
     Compression(String),
-    /// MCAP without a channel of the messages that are read.
+    /// MCAP without a channel of the requested messages.
     #[error("there is no channel of `{0}` in it")]
     NoChannel(&'static str),
-    /// MCAP with several channels of the messages that are read.
+    /// MCAP with several channels of the requested messages.
     #[error(
         "there are two channels of `{schema}` in it, `{first}` and `{second}`: write one of them into a file of its own"
     )]
@@ -75,13 +75,13 @@ pub enum TraceRule {
         /// Topic of the second.
         second: String,
     },
-    /// A message that is not encoded as Protocol Buffers encode.
+    /// A message that is not encoded in Protocol Buffers.
     #[error("is no message of Protocol Buffers: {0}")]
     Encoding(String),
-    /// A field that is needed.
+    /// A required field is missing.
     #[error("{owner}: `{field}` is missing")]
     Missing {
-        /// Message that lacks it, with the object's id where it is known.
+        /// Message that lacks it, with the object's id if known.
         owner: String,
         /// Name of the field.
         field: &'static str,
@@ -89,22 +89,22 @@ pub enum TraceRule {
     /// A number outside its range.
     #[error("{owner}: `{field}` is {found}; it must be {allowed}")]
     OutOfRange {
-        /// Message that has it, with the object's id where it is known.
+        /// Message that contains it, with the object's id if known.
         owner: String,
         /// Name of the field.
         field: &'static str,
-        /// Value as told.
+        /// Value in the message.
         found: f64,
-        /// Values that may stand there.
+        /// Allowed values.
         allowed: &'static str,
     },
-    /// A message of OSI that tells no ground truth.
+    /// A message of OSI without ground truth.
     #[error("it is a {0}; a recording of traffic consists of GroundTruth, or of SensorView with one in it")]
     OtherMessage(&'static str),
-    /// Fields that no message of OSI has together which a trace consists of.
+    /// Fields that do not belong to any supported message of OSI.
     #[error("its fields are neither those of a GroundTruth of OSI nor those of a SensorView")]
     NoGroundTruth,
-    /// More moving objects than a country's rush hour has.
+    /// More moving objects than in a country's rush hour.
     #[error("more than {0} moving objects")]
     TooManyObjects(usize),
 }

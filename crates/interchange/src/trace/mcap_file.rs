@@ -1,5 +1,5 @@
-//! An MCAP file that is written: chunks as they are, with indexes and without any clock, so that equal
-//! messages give equal bytes.
+//! Writing of MCAP files: uncompressed chunks, with indexes and without any clock, so that equal messages
+//! give equal bytes.
 
 use mcap::records::MessageHeader;
 use mcap::write::{Metadata, NoSeek};
@@ -7,14 +7,14 @@ use mcap::{McapError, WriteOptions, Writer};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// A file under way.
+/// A file being written.
 pub(crate) struct McapFile<W: Write> {
     writer: Writer<NoSeek<W>>,
-    /// Messages so far, by channel.
+    /// Number of messages so far, by channel.
     sequences: BTreeMap<u16, u32>,
 }
 
-/// A channel with what describes its messages.
+/// A channel with the descriptor of its messages.
 pub(crate) struct ChannelOf<'a> {
     pub(crate) topic: &'a str,
     pub(crate) schema: &'a str,
@@ -25,25 +25,25 @@ pub(crate) struct ChannelOf<'a> {
 }
 
 impl<W: Write> McapFile<W> {
-    /// Begins a file of a profile, which may be empty.
+    /// Begins a file with a profile, which may be empty.
     pub(crate) fn begin(sink: W, profile: &str) -> io::Result<Self> {
         let options = WriteOptions::new().compression(None).disable_seeking(true);
         let options = options.profile(profile).library("wayside");
         Ok(Self { writer: options.create(NoSeek::new(sink)).map_err(failed)?, sequences: BTreeMap::new() })
     }
 
-    /// A new channel; its id.
+    /// Adds a channel and returns its id.
     pub(crate) fn channel(&mut self, of: &ChannelOf<'_>) -> io::Result<u16> {
         let schema = self.writer.add_schema(of.schema, of.schema_encoding, of.definition).map_err(failed)?;
         self.writer.add_channel(schema, of.topic, of.message_encoding, &of.metadata).map_err(failed)
     }
 
-    /// A record of facts about the whole file.
+    /// Writes a record of metadata about the whole file.
     pub(crate) fn metadata(&mut self, name: &str, metadata: BTreeMap<String, String>) -> io::Result<()> {
         self.writer.write_metadata(&Metadata { name: name.to_owned(), metadata }).map_err(failed)
     }
 
-    /// A message of a channel at a moment, of which those before the origin are told as 0.
+    /// Writes a message of a channel at a time; times before the origin become 0.
     pub(crate) fn write(&mut self, channel: u16, time_s: f64, message: &[u8]) -> io::Result<()> {
         let sequence = self.sequences.entry(channel).or_insert(0);
         let time_ns = (time_s * 1e9).round().max(0.0) as u64;
@@ -57,7 +57,7 @@ impl<W: Write> McapFile<W> {
         self.writer.write_to_known_channel(&header, message).map_err(failed)
     }
 
-    /// Writes indexes and end.
+    /// Writes the indexes and the end of the file.
     pub(crate) fn finish(mut self) -> io::Result<()> {
         self.writer.finish().map_err(failed)?;
         Ok(())

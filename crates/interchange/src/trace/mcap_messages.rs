@@ -1,4 +1,4 @@
-//! Messages of one schema in an MCAP file, in the order of the file, chunks unpacked one at a time.
+//! Messages of one schema in an MCAP file, in the order of the file, chunks decompressed one at a time.
 
 use crate::trace::fault::TraceRule;
 use crate::trace::mcap_records::{self, RECORD_LIMIT_BYTES};
@@ -7,19 +7,19 @@ use mcap::records::{Channel, ChunkHeader, Record, op};
 use std::collections::BTreeSet;
 use std::io::{BufReader, Cursor, Read};
 
-/// Reader behind the magic of a file.
+/// Reader after the magic of a file.
 pub(crate) struct McapMessages<R> {
     schema: &'static str,
     file: BufReader<R>,
     chunk: Option<Cursor<Vec<u8>>>,
-    /// Ids of schemas of that name.
+    /// Ids of schemas with that name.
     schemas: BTreeSet<u16>,
     channel: Option<Channel>,
 }
 
 const KINDS: [u8; 6] = [op::SCHEMA, op::CHANNEL, op::MESSAGE, op::CHUNK, op::FOOTER, op::DATA_END];
 
-/// Consequence of a record.
+/// Result of reading a record.
 enum Found {
     Message(Vec<u8>),
     Nothing,
@@ -27,12 +27,12 @@ enum Found {
 }
 
 impl<R: Read> McapMessages<R> {
-    /// Messages of the schema in what follows the magic.
+    /// Messages of the schema in the data after the magic.
     pub(crate) fn new(file: BufReader<R>, schema: &'static str) -> Self {
         Self { schema, file, chunk: None, schemas: BTreeSet::new(), channel: None }
     }
 
-    /// The next message; `None` behind the last.
+    /// The next message; `None` after the last.
     pub(crate) fn next(&mut self) -> Result<Option<Vec<u8>>, TraceRule> {
         loop {
             let record = match &mut self.chunk {
@@ -78,7 +78,8 @@ impl<R: Read> McapMessages<R> {
         self.channel.as_ref().is_some_and(|heard| heard.id == channel)
     }
 
-    /// Channels are told again in every chunk and at the end; two of them are not one recording.
+    /// Registers a channel; channels are repeated in every chunk and at the end, but two different ones are
+    /// refused.
     fn hear(&mut self, channel: Channel) -> Result<(), TraceRule> {
         match &self.channel {
             Some(heard) if heard.id != channel.id => Err(TraceRule::SeveralChannels {
@@ -94,7 +95,7 @@ impl<R: Read> McapMessages<R> {
     }
 }
 
-/// Content of a chunk, held to the length and the sum that it tells.
+/// Content of a chunk, checked against its declared length and checksum.
 fn unpacked(header: &ChunkHeader, data: &[u8]) -> Result<Vec<u8>, TraceRule> {
     let expected = header.uncompressed_size;
     if expected > RECORD_LIMIT_BYTES {
@@ -123,7 +124,7 @@ fn unpacked(header: &ChunkHeader, data: &[u8]) -> Result<Vec<u8>, TraceRule> {
     if sum == 0 || crc32fast::hash(&content) == sum { Ok(content) } else { Err(TraceRule::ChunkSum) }
 }
 
-/// A stream to its end, as far as one byte behind the limit.
+/// Reads a stream to its end, at most one byte beyond the limit.
 fn at_most(stream: impl Read, limit: u64) -> Option<Vec<u8>> {
     let mut content = Vec::new();
     stream.take(limit + 1).read_to_end(&mut content).ok()?;

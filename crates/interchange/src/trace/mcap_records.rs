@@ -1,5 +1,5 @@
-//! Records of MCAP as they stand in a file or in an unpacked chunk: a byte that tells the kind, eight of
-//! length, the content. What is not asked for is passed over unread.
+//! Records of MCAP in a file or in a decompressed chunk: a byte for the kind, eight for the length, the
+//! content. Other records are skipped unread.
 
 use crate::trace::fault::TraceRule;
 use crate::trace::osi_file::{exactly, read_up_to};
@@ -8,13 +8,13 @@ use std::io::Read;
 /// First and last bytes of every file.
 pub(crate) const MAGIC: [u8; 8] = [0x89, b'M', b'C', b'A', b'P', 0x30, b'\r', b'\n'];
 
-/// Most bytes of a record, and of a chunk unpacked: twice what the tools of OSI write.
+/// Largest record, and largest decompressed chunk, bytes: twice what the tools of OSI write.
 pub(crate) const RECORD_LIMIT_BYTES: u64 = 64 << 20;
 
 /// Kind and content of a record.
 pub(crate) type RawRecord = (u8, Vec<u8>);
 
-/// The next record of the kinds asked for; `None` where the source ends.
+/// Reads the next record of the requested kinds; `None` at the end of the source.
 pub(crate) fn next(source: &mut impl Read, asked: &[u8]) -> Result<Option<RawRecord>, TraceRule> {
     loop {
         let mut head = [0; 9];

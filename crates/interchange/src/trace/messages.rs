@@ -1,4 +1,4 @@
-//! Messages of one kind in a file of either container, which its first bytes tell.
+//! Messages of one kind in a file of either container, which its first bytes identify.
 
 use crate::trace::fault::{TraceError, TraceRule};
 use crate::trace::mcap_messages::McapMessages;
@@ -8,7 +8,7 @@ use std::fs::File;
 use std::io::{BufReader, Chain, Cursor, Read};
 use std::path::{Path, PathBuf};
 
-/// Bytes that were looked at already, and the file behind them.
+/// Bytes that were already examined, followed by the file.
 type Whole = Chain<Cursor<Vec<u8>>, File>;
 
 enum Source {
@@ -24,7 +24,7 @@ pub(crate) struct Messages {
 }
 
 impl Messages {
-    /// Opens a plain file; of MCAP the messages of that schema are handed out.
+    /// Opens a plain file; of MCAP only the messages of that schema are returned.
     pub(crate) fn open(file: &Path, schema: &'static str) -> Result<Self, TraceError> {
         let failed = |rule: TraceRule| TraceError { file: file.to_owned(), message: 1, rule };
         let unreadable = |error| failed(TraceRule::Unreadable(error));
@@ -44,12 +44,12 @@ impl Messages {
         &self.file
     }
 
-    /// Number of the message that was handed out last, from 1.
+    /// Number of the last returned message, from 1.
     pub(crate) fn number(&self) -> u64 {
         self.number
     }
 
-    /// The next message; `None` behind the last.
+    /// The next message; `None` after the last.
     pub(crate) fn next(&mut self) -> Result<Option<Vec<u8>>, TraceError> {
         self.number += 1;
         let message = match &mut self.source {
@@ -59,7 +59,7 @@ impl Messages {
         message.map_err(|rule| self.error(rule))
     }
 
-    /// An error of the message that was handed out last.
+    /// An error of the last returned message.
     pub(crate) fn error(&self, rule: TraceRule) -> TraceError {
         TraceError { file: self.file.clone(), message: self.number, rule }
     }

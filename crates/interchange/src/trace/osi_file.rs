@@ -1,12 +1,12 @@
-//! The single-channel binary trace of OSI: four bytes of length, little-endian, and a message, over and over.
+//! The single-channel binary trace of OSI: four bytes of length, little-endian, and a message, repeated.
 
 use crate::trace::fault::TraceRule;
 use std::io::{self, Read, Write};
 
-/// Most bytes of a message: a city's map with its lanes takes a tenth.
+/// Largest message in bytes: a city's map with its lanes takes a tenth.
 pub(crate) const MESSAGE_LIMIT_BYTES: u64 = 64 << 20;
 
-/// The next message; `None` where the file ends behind the last.
+/// The next message; `None` at the end of the file.
 pub(crate) fn next(source: &mut impl Read) -> Result<Option<Vec<u8>>, TraceRule> {
     let mut length = [0; 4];
     let read = read_up_to(source, &mut length)?;
@@ -22,14 +22,14 @@ pub(crate) fn next(source: &mut impl Read) -> Result<Option<Vec<u8>>, TraceRule>
     exactly(source, length).map(Some)
 }
 
-/// So many bytes, of which no more is held than there are.
+/// Reads `length` bytes without allocating more than are present.
 pub(crate) fn exactly(source: &mut impl Read, length: u64) -> Result<Vec<u8>, TraceRule> {
     let mut bytes = Vec::new();
     source.take(length).read_to_end(&mut bytes)?;
     if bytes.len() as u64 == length { Ok(bytes) } else { Err(TraceRule::CutOff) }
 }
 
-/// Fills a buffer as far as the source goes.
+/// Fills a buffer as far as the source has data.
 pub(crate) fn read_up_to(source: &mut impl Read, buffer: &mut [u8]) -> io::Result<usize> {
     let mut filled = 0;
     while filled < buffer.len() {
@@ -43,7 +43,7 @@ pub(crate) fn read_up_to(source: &mut impl Read, buffer: &mut [u8]) -> io::Resul
     Ok(filled)
 }
 
-/// Writes a message behind its length.
+/// Writes a message after its length.
 pub(crate) fn write(sink: &mut impl Write, message: &[u8]) -> io::Result<()> {
     let length = u32::try_from(message.len()).map_err(io::Error::other)?;
     sink.write_all(&length.to_le_bytes())?;

@@ -1,4 +1,4 @@
-//! Messages of OSI written into either container.
+//! Writing of OSI messages into either container.
 
 use crate::osi::common::VERSION;
 use crate::trace::container::Container;
@@ -15,13 +15,13 @@ pub(crate) struct MessageKind {
     pub(crate) descriptor: fn() -> Vec<u8>,
 }
 
-/// A file of messages of one kind under way.
+/// A file of messages of one kind being written.
 pub(crate) enum TraceWriter<W: Write> {
     Osi(W),
     Mcap(Box<McapFile<W>>, u16),
 }
 
-/// The version of the wire's encoding that readers are told; that of proto2 has not changed since.
+/// Version of the wire encoding stated to readers; that of proto2 has not changed since.
 const PROTOBUF_VERSION: &str = "3.0.0";
 
 impl<W: Write> TraceWriter<W> {
@@ -45,7 +45,7 @@ impl<W: Write> TraceWriter<W> {
         }
     }
 
-    /// A message at its moment.
+    /// Writes a message at its time.
     pub(crate) fn write(&mut self, time_s: f64, message: &impl Message) -> io::Result<()> {
         let bytes = message.encode_to_vec();
         match self {
@@ -54,7 +54,7 @@ impl<W: Write> TraceWriter<W> {
         }
     }
 
-    /// Writes what stands behind the last message.
+    /// Writes the end of the file.
     pub(crate) fn finish(self) -> io::Result<()> {
         match self {
             Self::Osi(mut sink) => sink.flush(),
@@ -67,7 +67,7 @@ fn osi_version() -> String {
     VERSION.map(|part| part.to_string()).join(".")
 }
 
-/// Facts that OSI asks of every file.
+/// Metadata that OSI requires of every file.
 fn of_file() -> BTreeMap<String, String> {
     let told = [
         ("version", osi_version()),
@@ -80,7 +80,7 @@ fn of_file() -> BTreeMap<String, String> {
     told.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
 }
 
-/// Facts that OSI asks of every channel.
+/// Metadata that OSI requires of every channel.
 fn of_channel() -> BTreeMap<String, String> {
     let told = [
         ("net.asam.osi.trace.channel.osi_version", osi_version()),

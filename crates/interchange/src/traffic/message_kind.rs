@@ -1,13 +1,13 @@
-//! Kinds of messages of OSI, told by what stands in them: a `.osi` trace does not name its messages.
+//! Kinds of messages of OSI, recognized by their fields: a `.osi` trace does not name its messages.
 //!
-//! Messages of all kinds begin alike (version, timestamp), and the same number is another field in each. A
-//! message is of the kind whose fields have the wire types that are found, inside of fields too; of several
-//! such, of that to which fewest numbers are unknown.
+//! Messages of all kinds begin alike (version, timestamp), and field numbers have different meanings in each.
+//! The kind of a message is the one whose fields have the wire types found, including nested fields; among
+//! several such, the one with the fewest unknown field numbers.
 
 use crate::traffic::walk;
 use prost::encoding::WireType;
 
-/// Messages that a trace may consist of.
+/// Possible kinds of messages in a trace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum MessageKind {
     GroundTruth,
@@ -17,7 +17,7 @@ pub(crate) enum MessageKind {
     StreamingUpdate,
 }
 
-/// Fields of a kind; of messages that say too little to tell, the first is it.
+/// Fields of a kind; the first kind is assumed for messages with too few fields.
 const KINDS: [(MessageKind, Fields); 5] = [
     (MessageKind::GroundTruth, GROUND_TRUTH),
     (MessageKind::SensorView, SENSOR_VIEW),
@@ -27,7 +27,7 @@ const KINDS: [(MessageKind, Fields); 5] = [
 ];
 
 impl MessageKind {
-    /// The kind of a message; `None` where its fields are those of none of them.
+    /// The kind of a message; `None` if its fields match none.
     pub(crate) fn of(message: &[u8]) -> Option<Self> {
         let fitting = KINDS.iter().filter_map(|(kind, fields)| Some((*kind, unknown_in(message, fields)?)));
         fitting.min_by_key(|(_, unknown)| *unknown).map(|(kind, _)| kind)
@@ -45,14 +45,14 @@ impl MessageKind {
     }
 }
 
-/// Numbers of fields, first and last of those alike, with what stands in them.
+/// Ranges of field numbers, first and last, with the form of their content.
 type Fields = &'static [(u32, u32, Shape)];
 
 /// Form of a field.
 enum Shape {
     Varint,
     Double,
-    /// A text, or a message that is not looked into.
+    /// A text, or a message that is not examined.
     Bytes,
     Message(Fields),
 }
@@ -76,9 +76,9 @@ const TRAFFIC_LIGHT: Shape = Shape::Message(&[
     (5, 5, Shape::Message(&[(1, 3, Bytes)])),
     (6, 6, Bytes),
 ]);
-/// Signs and markings, of which the id is looked at.
+/// Signs and markings, of which only the id is examined.
 const WITH_ID: Shape = Shape::Message(&[(1, 1, ID), (2, 6, Bytes)]);
-/// Data of a vehicle that carries sensors, of which its places are looked at.
+/// Data of a host vehicle, of which only the positions are examined.
 const HOST_VEHICLE: Shape = Shape::Message(&[(1, 2, BASE), (3, 14, Bytes)]);
 const HEADER: Shape = Shape::Message(&[(1, 1, TIMESTAMP), (2, 3, Varint)]);
 
@@ -138,7 +138,7 @@ const STREAMING_UPDATE: Fields = &[
     (9, 9, ID),
 ];
 
-/// Fields whose number is unknown, inside of fields too; `None` where a known number has another form.
+/// Number of fields with unknown numbers, including nested ones; `None` if a known number has another form.
 fn unknown_in(message: &[u8], fields: Fields) -> Option<usize> {
     let mut unknown = 0;
     for field in walk::fields(message) {

@@ -1,18 +1,18 @@
-//! Fields of a message in the order in which they stand, without unpacking them.
+//! Fields of a message in their order, without unpacking.
 
 use crate::trace::TraceRule;
 use prost::DecodeError;
 use prost::bytes::Buf;
 use prost::encoding::{DecodeContext, WireType, decode_key, decode_varint, skip_field};
 
-/// A field: its number, its type on the wire and, where it is a message or a text, its bytes.
+/// A field: its number, its wire type and, for a message or a text, its bytes.
 pub(crate) struct Field<'a> {
     pub(crate) number: u32,
     pub(crate) wire: WireType,
     pub(crate) content: Option<&'a [u8]>,
 }
 
-/// Every field of a message; nothing follows an error.
+/// Iterates over the fields of a message; nothing follows an error.
 pub(crate) fn fields(message: &[u8]) -> impl Iterator<Item = Result<Field<'_>, TraceRule>> {
     let mut rest = message;
     std::iter::from_fn(move || {
@@ -43,7 +43,7 @@ fn next<'a>(rest: &mut &'a [u8]) -> Result<Field<'a>, TraceRule> {
     Ok(Field { number, wire, content: Some(content) })
 }
 
-/// The decoder's own words.
+/// Wraps a decoder's error.
 pub(crate) fn encoding(error: DecodeError) -> TraceRule {
     TraceRule::Encoding(error.to_string())
 }

@@ -1,5 +1,5 @@
-//! Cost of a dataset before it is made: files and bytes by the counts of its recipe, processor time by the
-//! work of some of its scenes (docs/engines.md).
+//! Predicted cost of a dataset: files and bytes from the counts of its recipe, processor time from the work
+//! of some of its scenes (docs/engines.md).
 
 use crate::dataset::draws::{self, Drawn, Kind};
 use crate::dataset::layout::Layout;
@@ -15,18 +15,18 @@ use pipeline::host::progress::Work;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// Scenes whose work is counted, as many of each class.
+/// Number of scenes whose work is counted, equally many of each class.
 const LOOKED_AT: u64 = 48;
-/// Shards whose kinds of scenes are counted.
+/// Number of shards whose kinds of scenes are counted.
 const SHARDS_LOOKED_AT: u64 = 8;
 
-/// Bytes of a crop beside its pixels: places and length.
+/// Bytes of a crop besides its pixels: places and length.
 const CROP_HEAD_BYTES: f64 = 24.0;
-/// Bytes of a sample without its crop, and of a shard without its samples (recipe and hashes), most of them:
-/// measured on own vehicles before `intersection.toml` (docs/engines.md).
+/// Upper limit of the bytes of a sample without its crop, and of a shard without its samples (recipe and
+/// hashes): measured on own vehicles before `intersection.toml` (docs/engines.md).
 const SIGNATURE_BYTES: f64 = 1_650.0;
 const SHARD_HEAD_BYTES: f64 = 1_500.0;
-/// Bytes of a scene's line: of itself, for each frame, and for each vehicle in a frame.
+/// Bytes of a scene's line: per scene, per frame, and per vehicle in a frame.
 const LINE_BYTES: [f64; 3] = [190.0, 360.0, 430.0];
 /// Bytes of a sample's line in the manifest.
 const MANIFEST_BYTES: f64 = 720.0;
@@ -38,7 +38,7 @@ struct Counts {
     scenes: f64,
     frames: f64,
     shards: f64,
-    /// Vehicles of a scene, the mean.
+    /// Mean number of vehicles in a scene.
     vehicles: f64,
     /// Bytes of the image of a sample.
     crop_bytes: f64,
@@ -57,7 +57,7 @@ impl Counts {
         }
     }
 
-    /// Samples if every vehicle is found in every frame.
+    /// Number of samples if every vehicle is found in every frame.
     fn samples(&self) -> f64 {
         self.scenes * self.frames * self.vehicles
     }
@@ -66,7 +66,7 @@ impl Counts {
         self.shards * SHARD_HEAD_BYTES + self.samples() * (SIGNATURE_BYTES + self.crop_bytes)
     }
 
-    /// A line a scene, beside its shard and in `scenes.jsonl`, and a line a sample.
+    /// Bytes of a line per scene, beside its shard and in `scenes.jsonl`, and of a line per sample.
     fn line_bytes(&self) -> f64 {
         let [scene, frame, vehicle] = LINE_BYTES;
         let line = scene + self.frames * (frame + self.vehicles * vehicle);
@@ -74,15 +74,15 @@ impl Counts {
     }
 }
 
-/// Processor seconds of a scene, the mean of some.
+/// Mean processor seconds of a scene.
 struct SceneSeconds {
-    /// Seconds of one whose errors are measured, and of one that takes them over.
+    /// Seconds of a scene whose errors are measured, and of one that takes them over.
     measured: f64,
     like: f64,
     looked_at: usize,
 }
 
-/// Lines about what a dataset takes: files, bytes, core-hours.
+/// Lines about the cost of a dataset: files, bytes, core-hours.
 pub(super) fn lines(recipe: &Recipe, layout: &Layout, memory: Allowance) -> Result<Vec<String>, Failure> {
     let counts = Counts::of(recipe, layout);
     let seconds = scene_seconds(recipe, layout, memory)?;
@@ -114,7 +114,7 @@ pub(super) fn lines(recipe: &Recipe, layout: &Layout, memory: Allowance) -> Resu
     ])
 }
 
-/// Kinds of scenes in a shard, each of which is measured once: the mean of the first shards.
+/// Number of kinds of scenes in a shard, each of which is measured once: the mean of the first shards.
 fn kinds_of_shard(recipe: &Recipe, layout: &Layout) -> f64 {
     let shards = layout.all().take(SHARDS_LOOKED_AT as usize);
     let kinds = shards.map(|shard| {
@@ -125,7 +125,7 @@ fn kinds_of_shard(recipe: &Recipe, layout: &Layout) -> f64 {
     kinds.iter().sum::<f64>() / kinds.len().max(1) as f64
 }
 
-/// Looks at the same number of scenes of each class, evenly apart.
+/// Looks at equally many scenes of each class, evenly spaced.
 fn scene_seconds(recipe: &Recipe, layout: &Layout, memory: Allowance) -> Result<SceneSeconds, Failure> {
     let classes = recipe.models.len() as u64;
     let rounds = layout.scenes / classes;
@@ -147,8 +147,8 @@ fn scene_seconds(recipe: &Recipe, layout: &Layout, memory: Allowance) -> Result<
     Ok(SceneSeconds { measured, like, looked_at: numbers.len() })
 }
 
-/// Processor seconds of a scene that is measured, and of one that takes its errors over: frames behind the
-/// first take them over in both, so that one more frame stands for the first of the other.
+/// Processor seconds of a scene that is measured, and of one that takes its errors over: frames after the
+/// first take them over in both, so one more frame represents the first of the other.
 fn seconds_of(header: &SceneHeader, memory: Allowance) -> Result<[f64; 2], Failure> {
     let longer = SceneHeader { frames: header.frames + 1, ..header.clone() };
     let chain = Chain::of(&longer, None, None, memory);
@@ -158,14 +158,14 @@ fn seconds_of(header: &SceneHeader, memory: Allowance) -> Result<[f64; 2], Failu
     Ok([first + like - one_like, like])
 }
 
-/// Seconds of frames without the program's start, which many scenes share.
+/// Seconds of frames without the program's start, which is shared by many scenes.
 fn frames_seconds(chain: &Chain, frames: Range<u32>) -> Result<f64, Failure> {
     let plans: Vec<_> = frames.map(|index| chain.plan(index)).collect();
     let expected = Expectation::of(chain, None, &plans)?;
     Ok(expected.seconds - expected.start_seconds)
 }
 
-/// Text of a number to three digits or whole.
+/// Text of a number to three digits, or as a whole number.
 fn told(number: f64) -> String {
     let digits = (2.0 - number.max(1e-3).log10().floor()).max(0.0) as usize;
     format!("{number:.digits$}")

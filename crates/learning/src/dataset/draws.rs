@@ -1,4 +1,4 @@
-//! Draws of each scene before any mesh is there: which vehicles, before which radar.
+//! Random draws of each scene before any mesh is made: its vehicles and its radar.
 
 use crate::dataset::recipe::Recipe;
 use artifact::settings::Class;
@@ -6,9 +6,9 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::ops::Range;
 
-/// Share of the scenes with a queue in which it stands; in the others it rolls.
+/// Share of the scenes with a queue in which it stands; in the others it moves slowly.
 const STANDING_SHARE: f64 = 0.5;
-/// Greatest speed of a queue that rolls, m/s.
+/// Greatest speed of a moving queue, m/s.
 const ROLLING_MPS: f64 = 0.5;
 
 /// A scene before it is computed.
@@ -17,23 +17,23 @@ pub(super) struct Drawn {
     /// Index of its base scene.
     pub(super) base: usize,
     pub(super) vehicles: Vec<Vehicle>,
-    /// The first vehicle's, where the scene does not queue.
+    /// Drive of the first vehicle, if the scene has no queue.
     pub(super) first: Drive,
-    /// Speed of all where they queue.
+    /// Common speed of all vehicles in a queue.
     pub(super) queue_mps: Option<f64>,
-    /// `None`: the base scene's.
+    /// Height of the radar; `None`: that of the base scene.
     pub(super) radar_height_m: Option<f64>,
     pub(super) tilt_rad: Option<f64>,
     pub(super) extra_noise_db: f64,
 }
 
-/// A body to be placed.
+/// A body to place.
 pub(super) struct Vehicle {
     pub(super) class: Class,
     /// Index among the class's models.
     pub(super) model: usize,
     pub(super) variant: u64,
-    /// Off the lane's direction, counter-clockwise.
+    /// Deviation from the lane's direction, counter-clockwise.
     pub(super) yaw_rad: f64,
     /// Offset from the lane's middle across the road, m.
     pub(super) offset_m: f64,
@@ -47,8 +47,8 @@ pub(super) struct Drive {
     pub(super) speed_mps: f64,
 }
 
-/// Kind of a scene, for scenes of one kind have like errors: its base scene and the class of a lone vehicle,
-/// `None` of several.
+/// Kind of a scene, of which all scenes have similar errors: its base scene and the class of a single
+/// vehicle, `None` for several.
 pub(super) type Kind = (usize, Option<Class>);
 
 impl Drawn {
@@ -61,12 +61,12 @@ impl Drawn {
     }
 }
 
-/// Number of scenes that a recipe draws.
+/// Number of scenes of a recipe.
 pub(super) fn count(recipe: &Recipe) -> u64 {
     u64::from(recipe.asked.scenes_per_class) * recipe.models.len() as u64
 }
 
-/// The scenes of these numbers; classes take turns, so that any beginning is balanced.
+/// Draws the scenes of these numbers; classes alternate, so that any beginning is balanced.
 pub(super) fn draw(recipe: &Recipe, scenes: Range<u64>) -> Vec<Drawn> {
     let classes: Vec<(Class, usize)> =
         recipe.models.iter().map(|(class, models)| (*class, models.len())).collect();
@@ -118,7 +118,7 @@ pub(super) fn drive(recipe: &Recipe, random: &mut ChaCha8Rng) -> Drive {
     }
 }
 
-/// Draws a class, all with the same chance, then one of its models and a variant.
+/// Draws a class, all with equal probability, then one of its models and a variant.
 fn any_model(recipe: &Recipe, random: &mut ChaCha8Rng) -> (Class, usize, u64) {
     let number = random.random_range(0..recipe.models.len());
     let variant = random.random_range(0..recipe.asked.vehicle_seeds);
@@ -145,12 +145,12 @@ fn vehicle(
     }
 }
 
-/// Randomness of one use, of a scene or of one of its vehicles.
+/// Random numbers for one purpose in a scene or for one of its vehicles.
 pub(super) fn stream(recipe: &Recipe, of: &str, index: &[u64]) -> ChaCha8Rng {
     ChaCha8Rng::from_seed(artifact::seed::key(recipe.seed, of, index))
 }
 
-/// Seed of a scene's noise, by that of its recipe: neighbouring recipes have none in common.
+/// Seed of a scene's noise, derived from that of its recipe: neighbouring recipes share none.
 pub(super) fn noise_seed(of_recipe: u64, scene: u64) -> u64 {
     artifact::seed::number(of_recipe, "dataset/noise", &[scene])
 }

@@ -1,6 +1,5 @@
-//! Places of the files of a dataset: shards of the first thousand lie in the folder itself, each further
-//! thousand in a folder of its own, so that none holds more than some thousand files however many scenes
-//! there are.
+//! Places of the files of a dataset: shards of the first thousand are in the folder itself, each further
+//! thousand in its own folder, so that none holds more than some thousand files for any number of scenes.
 
 use crate::dataset::draws;
 use crate::dataset::recipe::Recipe;
@@ -8,26 +7,26 @@ use pipeline::host::dataset_folders::lines_of;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Shards of one folder, two files each.
+/// Number of shards in one folder, two files each.
 const SHARDS_OF_FOLDER: u64 = 1000;
 
-/// Shards of a recipe in their folder.
+/// Shards of a recipe in their folders.
 pub(super) struct Layout {
     folder: PathBuf,
-    /// Scenes of the recipe.
+    /// Number of scenes of the recipe.
     pub(super) scenes: u64,
-    /// Scenes of each shard but the last, which has the rest.
+    /// Number of scenes of each shard except the last, which has the rest.
     pub(super) scenes_per_shard: u64,
 }
 
 /// A shard: its scenes and its files.
 pub(super) struct PlannedShard {
     pub(super) scenes: Range<u64>,
-    /// Signatures and crops.
+    /// File of signatures and crops.
     pub(super) samples: PathBuf,
-    /// A line a scene; written after the samples: where it is, the shard is whole.
+    /// File with a line per scene; written after the samples: its presence marks a complete shard.
     pub(super) lines: PathBuf,
-    /// Name of the samples' file as seen from the dataset's folder.
+    /// Name of the samples' file relative to the dataset's folder.
     pub(super) name: String,
 }
 
@@ -41,12 +40,12 @@ impl Layout {
         self.scenes.div_ceil(self.scenes_per_shard)
     }
 
-    /// Folders that the shards fill, that of the dataset among them.
+    /// Number of folders with shards, including that of the dataset.
     pub(super) fn folders(&self) -> u64 {
         self.count().div_ceil(SHARDS_OF_FOLDER)
     }
 
-    /// Entries of the dataset's folder, the fullest: its shards, the other folders and what is concluded.
+    /// Number of entries in the dataset's folder, the fullest: its shards, the other folders and the summary.
     pub(super) fn most_in_folder(&self) -> u64 {
         2 * self.count().min(SHARDS_OF_FOLDER) + self.folders() - 1 + 3
     }
@@ -55,7 +54,7 @@ impl Layout {
         (0..self.count()).map(|number| self.shard(number))
     }
 
-    /// Layout of part `number` of `of`, counted from 1: every `of`-th one.
+    /// Shards of part `number` of `of`, counted from 1: every `of`-th one.
     pub(super) fn part(&self, number: u32, of: u32) -> impl Iterator<Item = PlannedShard> {
         let numbers = (u64::from(number) - 1..self.count()).step_by(of as usize);
         numbers.map(|number| self.shard(number))
@@ -72,8 +71,8 @@ impl Layout {
         }
     }
 
-    /// File of a shard's samples and its name. A folder of earlier versions has all shards side by side:
-    /// what is there stays there.
+    /// File of a shard's samples and its name. A folder of earlier versions has all shards side by side;
+    /// existing ones stay there.
     fn place(&self, number: u64) -> (PathBuf, String) {
         let flat = format!("shard-{number:04}.dataset");
         let thousand = number - number % SHARDS_OF_FOLDER;

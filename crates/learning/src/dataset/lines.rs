@@ -1,4 +1,4 @@
-//! JSON lines of a dataset: a line a scene beside each shard, from which a line a sample is made.
+//! JSON lines of a dataset: one line per scene beside each shard, from which one line per sample is made.
 
 use crate::dataset::draws::Drawn;
 use crate::dataset::observed_frame::SeenFrame;
@@ -103,9 +103,9 @@ fn vehicle(told: &ToldVehicle, truth: &Truth, object: Option<&Object>, road: &La
     }
 }
 
-/// Key of a line's checksum, which is of all else that the line says.
+/// Key of a line's checksum, which covers the rest of the line.
 const CHECKSUM: &str = "checksum";
-/// Key of a scene's frames, which no line of a sample repeats.
+/// Key of a scene's frames, which lines of samples omit.
 const FRAMES: &str = "frames";
 
 /// Text of a scene's line, with its checksum.
@@ -120,18 +120,18 @@ pub(super) fn text(scene: &SceneLine) -> serde_json::Result<String> {
     Ok(serde_json::to_value(scene)?.to_string())
 }
 
-/// Beginning of the hash of what a line says, whose keys are sorted.
+/// Beginning of the hash of a line's content with sorted keys.
 fn checksum(scene: &Value) -> String {
     fingerprint(&scene.to_string()).chars().take(16).collect()
 }
 
-/// A thousand frames of sixteen vehicles for each of the usual scenes of a shard.
+/// Largest file: a thousand frames of sixteen vehicles for each of the usual scenes of a shard.
 const LIMIT_BYTES: u64 = 1 << 30;
 
-/// The lines of a shard, which another part of the same work may have written.
+/// Reads the lines of a shard, which another part of the same work may have written.
 ///
 /// # Errors
-/// They cannot be read, or one of them is damaged: file, line and rule.
+/// The file cannot be read, or a line is damaged: file, line and rule.
 pub(crate) fn read(file: &Path) -> Result<Vec<SceneLine>, Failure> {
     let bytes = files::read_own(file, LIMIT_BYTES).map_err(|error| Failure::system(file, "read", error))?;
     let text = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
@@ -144,12 +144,12 @@ fn damaged(file: &Path, at: usize) -> Failure {
     Failure::Refused(format!("{place}: is no line of a scene; `dataset` makes its shard anew"))
 }
 
-/// Bytes of what a scene's line says beside its frames, which every line of a sample repeats: ten times as
-/// many as the program writes there.
+/// Largest size of a scene's line without its frames, which every line of a sample repeats: ten times that of
+/// the program's lines.
 const SCENE_LIMIT_BYTES: usize = 4096;
 
-/// The scene of a line whose checksum, which lines of earlier versions lack, is right; `None` where it is
-/// damaged, or tells of more than a recipe may ask for.
+/// Reads a scene's line and verifies its checksum, if it has one (lines of earlier versions do not); `None`
+/// if the line is damaged, or exceeds the limits of a recipe.
 fn read_scene(line: &[u8]) -> Option<SceneLine> {
     let mut words: Value = serde_json::from_slice(line).ok()?;
     let told = words.as_object_mut()?.remove(CHECKSUM);
@@ -163,7 +163,7 @@ fn read_scene(line: &[u8]) -> Option<SceneLine> {
     (is_bounded && words.to_string().len() <= SCENE_LIMIT_BYTES).then_some(scene)
 }
 
-/// Lines of a scene's samples: vehicles that were found, each with what its scene tells of all.
+/// Lines of a scene's samples: detected vehicles, each with the common values of its scene.
 pub(super) fn samples(scene: &SceneLine) -> serde_json::Result<Vec<String>> {
     let mut of_all = words(&SceneLine { frames: vec![], ..scene.clone() })?;
     of_all.remove(FRAMES);
@@ -178,7 +178,7 @@ fn joined(of_all: &Map<String, Value>, frame: u32, vehicle: &VehicleLine) -> ser
     Ok(Value::Object(all).to_string())
 }
 
-/// Keys and values of what is an object in JSON.
+/// Keys and values of a JSON object.
 fn words(told: &impl Serialize) -> serde_json::Result<Map<String, Value>> {
     serde_json::from_value(serde_json::to_value(told)?)
 }

@@ -1,9 +1,10 @@
-//! Program that makes shards, by its sources: shards of two programs are no dataset.
+//! Version of the program that makes shards, by its sources: shards of different versions do not form a
+//! dataset.
 
 use artifact::envelope::fingerprint;
 use pipeline::chain::stages::{SOURCES_OF_EVALUATION, Stage};
 
-/// Sources of what draws scenes and keeps samples and lines of them.
+/// Sources that draw scenes and write samples and lines.
 const OWN_SOURCES: [&str; 10] = [
     include_str!("draws.rs"),
     include_str!("lines.rs"),
@@ -17,7 +18,7 @@ const OWN_SOURCES: [&str; 10] = [
     include_str!("staging.rs"),
 ];
 
-/// Version of the program, and the beginning of a hash of all sources that a shard depends on.
+/// Version of the program, and the beginning of the hash of all sources that a shard depends on.
 pub(super) fn maker() -> String {
     let stages = Stage::ALL.map(Stage::sources);
     let sources = fingerprint(&(stages, SOURCES_OF_EVALUATION, OWN_SOURCES));

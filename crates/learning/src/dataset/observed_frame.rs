@@ -1,4 +1,4 @@
-//! One frame of a drawn scene, beside its truth.
+//! One frame of a drawn scene with its truth.
 
 use crate::dataset::staging::Staged;
 use evaluation::{Pairing, Reach, Truth, truths};
@@ -8,7 +8,7 @@ use pipeline::chain::link::FrameProducts;
 pub(super) struct SeenFrame {
     pub(super) products: FrameProducts,
     pub(super) truths: Vec<Truth>,
-    /// Index of each vehicle's object; `None` where it was not found.
+    /// Index of each vehicle's object; `None` if it was not detected.
     pub(super) object_of: Vec<Option<usize>>,
 }
 

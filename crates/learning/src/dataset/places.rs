@@ -1,14 +1,14 @@
-//! Places of a scene's vehicles: one after the other, each where it keeps clear of those before it.
+//! Placement of a scene's vehicles: one after the other, each clear of those before it.
 
 use artifact::scene::{Pose, SceneHeader};
 use std::f64::consts::FRAC_PI_2;
 
 /// Least gap from bumper to bumper along a lane, m.
 const CLEAR_ALONG_M: f64 = 1.5;
-/// Beside one another, m; what is further apart across is in another lane.
+/// Least lateral gap, m; vehicles further apart are in different lanes.
 const CLEAR_ACROSS_M: f64 = 0.3;
 
-/// A body on the road, its box turned as it is.
+/// A body on the road with its rotated box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct BodyOnRoad {
     /// Position of the body's middle, across and along the road, m.
@@ -16,24 +16,25 @@ pub(super) struct BodyOnRoad {
     /// Half of the box's extent across and along the road.
     half_m: [f64; 2],
     speed_mps: f64,
-    /// Off the lane's direction, counter-clockwise.
+    /// Deviation from the lane's direction, counter-clockwise.
     yaw_rad: f64,
 }
 
 impl BodyOnRoad {
-    /// A body of that half width and length; `at_m` is across and along the road.
+    /// Makes a body of the given half width and length; `at_m` is across and along the road.
     pub(super) fn of(at_m: [f64; 2], [side_m, front_m]: [f64; 2], speed_mps: f64, yaw_rad: f64) -> Self {
         let [sin, cos] = [yaw_rad.sin().abs(), yaw_rad.cos().abs()];
         let half_m = [side_m * cos + front_m * sin, side_m * sin + front_m * cos];
         Self { at_m, half_m, speed_mps, yaw_rad }
     }
 
-    /// Half of what it takes along the road.
+    /// Half of its length along the road.
     pub(super) fn half_along_m(&self) -> f64 {
         self.half_m[1]
     }
 
-    /// Whether they keep clear of one another for so long, and neither passes the other in its lane.
+    /// Whether two bodies stay clear of one another for the given time, and neither passes the other in its
+    /// lane.
     pub(super) fn is_clear_of(&self, other: &Self, seconds: f64) -> bool {
         let apart_m = [0.0, seconds].map(|after_s| {
             let (own, its) = (self.after(after_s), other.after(after_s));
@@ -53,7 +54,7 @@ impl BodyOnRoad {
         [across_m + way_m * self.yaw_rad.sin(), along_m - way_m * self.yaw_rad.cos()]
     }
 
-    /// Pose in the world, on the way towards the radar.
+    /// Pose in the world, driving towards the radar.
     pub(super) fn pose(&self, base: &SceneHeader) -> Pose {
         let road = &base.dsp.road;
         let [x_m, y_m] = road.world_m(self.at_m);

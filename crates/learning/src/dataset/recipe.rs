@@ -22,17 +22,17 @@ use pipeline::planning;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// A recipe is a page of text.
+/// Largest recipe, a page of text.
 const LIMIT_BYTES: u64 = 4 << 20;
 
 /// A recipe, checked.
 pub(super) struct Recipe {
-    /// Content of the recipe's file, which says what is drawn.
+    /// Content of the recipe's file, which determines the draws.
     pub(super) asked: Document,
     pub(super) bases: Vec<Base>,
     pub(super) models: BTreeMap<Class, Vec<Model>>,
     pub(super) seed: u64,
-    /// The files it was read from, with hashes; itself first.
+    /// Files of the recipe with their hashes; the recipe itself first.
     pub(super) inputs: Vec<(String, String)>,
     pub(super) text: String,
 }
@@ -64,8 +64,8 @@ impl Recipe {
         Ok(Self { inputs, asked, bases, models, seed, text })
     }
 
-    /// Whether a recipe of that text, read from those inputs, draws the same scenes; how many of them is left
-    /// open, as more scenes leave the first ones as they are.
+    /// Whether a recipe of that text, read from those inputs, draws the same scenes; their number may differ,
+    /// because additional scenes leave the first ones unchanged.
     pub(super) fn draws_as(&self, text: &str, inputs: &[(String, String)]) -> bool {
         let open = |text: &str| {
             toml_text::read::<Document>(text).map(|known| Document { scenes_per_class: 0, ..known })

@@ -1,5 +1,5 @@
-//! Resumption of a dataset from what an earlier run has left: a shard is taken up if it is whole and of the
-//! same scenes, made by the same program.
+//! Resumption of a dataset from an earlier run: a shard is reused if it is complete and has the same scenes,
+//! made by the same program.
 
 use crate::dataset::layout::PlannedShard;
 use crate::dataset::lines as told;
@@ -12,8 +12,8 @@ use pipeline::host::failure::Failure;
 use pipeline::host::progress;
 use std::path::Path;
 
-/// Whether a shard need not be made; a damaged one is named and made anew. Refused where the folder is
-/// another recipe's or another program's: what two of them make is no dataset.
+/// Whether a shard is complete; a damaged one is named and must be made anew. Refused if the folder belongs
+/// to another recipe or program: shards of two do not form a dataset.
 pub(super) fn is_made(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Failure> {
     if !shard.samples.is_file() {
         return Ok(false);
@@ -27,7 +27,7 @@ pub(super) fn is_made(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Fai
         }
     };
     if !shard.lines.is_file() {
-        return Ok(false); // the last run was ended before it wrote them
+        return Ok(false); // the last run was ended before writing them
     }
     let is_whole = lines(shard).is_some_and(|lines| tells_of(&lines, &samples));
     if !is_whole {
@@ -39,8 +39,8 @@ pub(super) fn is_made(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Fai
     Ok(is_whole)
 }
 
-/// Whether a shard is there, by what opens it: its samples are of this recipe and end, and its lines are
-/// those of its scenes. What the samples hold is not read: whoever made the shard knows that it is whole.
+/// Whether a shard exists, by opening it: its samples are of this recipe and complete, and its lines belong
+/// to its scenes. The content of the samples is not read: the maker of the shard has verified it.
 pub(super) fn is_there(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Failure> {
     if !shard.lines.is_file() {
         return Ok(false);
@@ -52,23 +52,23 @@ pub(super) fn is_there(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Fa
     }
 }
 
-/// Lines of a shard, one for each of its scenes, in their order; `None` where they tell of others.
+/// Lines of a shard, one for each of its scenes, in order; `None` if they describe other scenes.
 pub(super) fn lines(shard: &PlannedShard) -> Option<Vec<SceneLine>> {
     let lines = told::read(&shard.lines).ok()?;
     let numbers = lines.iter().map(|line| line.scene);
     numbers.eq(shard.scenes.clone().map(Some)).then_some(lines)
 }
 
-/// Ways out where another program has made a shard.
+/// Remedies if another program has made a shard.
 const ANOTHER_FOLDER: &str = "--out takes a new folder, or that version goes on with this one";
 
 enum Obstacle {
-    /// It is of another recipe, or another program has made it.
+    /// The shard belongs to another recipe, or another program has made it.
     Foreign(Failure),
     Damaged(ArtifactError),
 }
 
-/// All samples of a shard, its checksums held against them.
+/// Reads all samples of a shard and verifies its checksums.
 fn samples(recipe: &Recipe, shard: &Path) -> Result<Vec<Sample>, Obstacle> {
     opened(recipe, shard)?.collect::<Result<_, _>>().map_err(Obstacle::Damaged)
 }
@@ -94,7 +94,7 @@ fn opened(recipe: &Recipe, shard: &Path) -> Result<Reader<Dataset>, Obstacle> {
     Ok(reader)
 }
 
-/// Whether there is a sample for every vehicle that was found.
+/// Whether there is a sample for every detected vehicle.
 fn tells_of(lines: &[SceneLine], samples: &[Sample]) -> bool {
     let vehicles = lines.iter().flat_map(SceneLine::vehicles).map(|(_, vehicle)| vehicle);
     let found = vehicles.filter(|vehicle| vehicle.estimate.is_some()).map(|vehicle| &vehicle.id);

@@ -1,14 +1,13 @@
 //! Lines of a dataset as they are written and read: a scene with its frames and their vehicles.
 //!
-//! Whoever reads a line names a field here, so that what no line has is an error of compilation. `None`
-//! stands where lines of earlier versions tell nothing, and for numbers without an end, which JSON does not
-//! have.
+//! Readers of lines name the fields here, so that a wrong name is a compilation error. `None` represents
+//! values that lines of earlier versions lack, and infinite numbers, which JSON does not have.
 
 use artifact::dataset::Split;
 use pipeline::outcome::verdict::AccuracyVerdict;
 use serde::{Deserialize, Serialize};
 
-/// A scene with all of its frames: a line beside its shard and of `scenes.jsonl`.
+/// A scene with all of its frames: a line beside its shard and in `scenes.jsonl`.
 #[derive(Debug, Default, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub(crate) struct SceneLine {
@@ -29,7 +28,7 @@ pub(crate) struct SceneLine {
     pub(crate) lanes_azimuth_deg: Option<f64>,
     pub(crate) extra_noise_db: Option<f64>,
     pub(crate) is_queue: bool,
-    /// Vehicles that found no room.
+    /// Number of vehicles that found no room.
     pub(crate) left_out: usize,
     /// Number of the scene in which the errors of this kind were measured.
     pub(crate) measured_in: Option<u64>,
@@ -46,17 +45,17 @@ pub(crate) struct FrameLine {
     pub(crate) objects: usize,
     /// Number of points.
     pub(crate) points: usize,
-    /// Number of paths; `None` of a table.
+    /// Number of paths; `None` for a table.
     pub(crate) paths: Option<usize>,
     pub(crate) accuracy: AccuracyVerdict,
     pub(crate) vehicles: Vec<VehicleLine>,
 }
 
-/// A vehicle in one frame, found or not: its truth beside its estimate.
+/// A vehicle in one frame, detected or not: its truth with its estimate.
 #[derive(Debug, Default, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub(crate) struct VehicleLine {
-    /// Name in one frame of one scene.
+    /// Identifier of the vehicle in one frame of one scene.
     pub(crate) id: String,
     /// Index among the targets of its scene.
     pub(crate) target: u32,
@@ -64,7 +63,7 @@ pub(crate) struct VehicleLine {
     pub(crate) class: String,
     pub(crate) model: String,
     pub(crate) variant: u64,
-    /// Lane that holds its middle.
+    /// Lane of its middle.
     pub(crate) lane: Option<u8>,
     /// Range of its middle.
     pub(crate) range_m: Option<f64>,
@@ -75,11 +74,11 @@ pub(crate) struct VehicleLine {
     pub(crate) y_m: Option<f64>,
     /// Place across the lanes.
     pub(crate) across_m: Option<f64>,
-    /// Range of its echo; `None` where it has none.
+    /// Range of its echo; `None` without an echo.
     pub(crate) echo_range_m: Option<f64>,
-    /// Radial velocity of its echo; `None` where it has none.
+    /// Radial velocity of its echo; `None` without an echo.
     pub(crate) echo_velocity_mps: Option<f64>,
-    /// Its object; `None` where it was missed.
+    /// Estimate from its object; `None` if it was missed.
     pub(crate) estimate: Option<EstimateLine>,
 }
 
@@ -92,7 +91,7 @@ pub(crate) struct EstimateLine {
     pub(crate) x_m: Option<f64>,
     /// Place across the lanes.
     pub(crate) across_m: Option<f64>,
-    /// Lane that holds the object.
+    /// Lane of the object.
     pub(crate) lane: Option<u8>,
     /// Signal-to-noise ratio of the strongest cell.
     pub(crate) snr_db: Option<f64>,
@@ -106,7 +105,8 @@ impl SceneLine {
         self.frames.iter().flat_map(|frame| frame.vehicles.iter().map(move |vehicle| (frame, vehicle)))
     }
 
-    /// Direction along the lanes, from world +y towards +x, rad; 0 where a line of earlier versions has none.
+    /// Direction along the lanes, from world +y towards +x, rad; 0 for lines of earlier versions, which lack
+    /// it.
     pub(crate) fn lanes_azimuth_rad(&self) -> f64 {
         self.lanes_azimuth_deg.unwrap_or(0.0).to_radians()
     }

@@ -1,4 +1,4 @@
-//! A shard made whole: the first scene of each kind is measured, the others take its errors over; several
+//! Making of a shard: the first scene of each kind is measured, the others take its errors over; several
 //! scenes at a time.
 
 use crate::dataset::draws::{self, Drawn, Kind};
@@ -18,14 +18,15 @@ use pipeline::host::side_by_side::side_by_side;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Scenes for each thread that are made before they are written: all of a shard would be too many to hold.
+/// Number of scenes per thread that are made before they are written: a whole shard would be too many to
+/// hold.
 const HELD: usize = 4;
 
-/// Recipe, memory and listener with which shards are made.
+/// Recipe, memory and listener for making shards.
 pub(super) struct ShardMaking<'a> {
     pub(super) recipe: &'a Recipe,
     pub(super) memory: Allowance,
-    /// Hears how many scenes of the shard are done.
+    /// Receives the number of finished scenes of the shard.
     pub(super) tell: &'a (dyn Fn(usize) + Sync),
 }
 
@@ -68,14 +69,14 @@ fn provenance(recipe: &Recipe) -> Provenance {
     }
 }
 
-/// The first scene of each kind, in their order.
+/// The first scene of each kind, in order.
 fn first_of_kinds(scenes: &[Drawn]) -> Vec<usize> {
     let mut kinds: BTreeSet<Kind> = BTreeSet::new();
     (0..scenes.len()).filter(|place| kinds.insert(scenes[*place].kind())).collect()
 }
 
-/// One a thread, as many as are expected to fit into the memory that they may take if all are as large as the
-/// largest measured.
+/// Number of scenes at once: one per thread, as many as are expected to fit into the allowed memory if all
+/// are as large as the largest measured.
 fn at_once(making: &ShardMaking, scenes: &[Drawn], first: &[usize]) -> Result<usize, Failure> {
     let threads = rayon::current_num_threads().min(scenes.len()).max(1);
     let Some(limit_mib) = making.memory.mib().filter(|_| threads > 1) else { return Ok(threads) };
@@ -88,7 +89,7 @@ fn at_once(making: &ShardMaking, scenes: &[Drawn], first: &[usize]) -> Result<us
     Ok(((limit_mib / estimate_mib) as usize).clamp(1, threads))
 }
 
-/// Work on one shard: its scenes, and how many of them are computed at once.
+/// Work on one shard: its scenes, and the number computed at once.
 struct ShardWork<'a> {
     making: &'a ShardMaking<'a>,
     scenes: &'a [Drawn],
@@ -97,7 +98,7 @@ struct ShardWork<'a> {
 }
 
 impl ShardWork<'_> {
-    /// Some scenes by their places; those of a kind whose errors are known take them over.
+    /// Makes some scenes by their indices; those of a kind with known errors take them over.
     fn shots(
         &self,
         places: &[usize],

@@ -1,4 +1,4 @@
-//! Drawn scenes sent through the whole chain: samples of what was found, and a line of truth and estimate.
+//! Drawn scenes through the whole chain: samples of detected vehicles, and a line of truth and estimates.
 
 use crate::dataset::draws::Drawn;
 use crate::dataset::lines;
@@ -14,9 +14,9 @@ use pipeline::host::in_order::AtOnce;
 use pipeline::host::memory::Allowance;
 use std::sync::Arc;
 
-/// A scene after it was computed.
+/// A computed scene.
 pub(super) struct Shot {
-    /// Samples of every vehicle that was found, frame by frame.
+    /// Samples of all detected vehicles, frame by frame.
     pub(super) samples: Vec<Sample>,
     /// Truth and estimates.
     pub(super) line: SceneLine,
@@ -24,22 +24,22 @@ pub(super) struct Shot {
     pub(super) measured: Measured,
 }
 
-/// Errors of a scene, and which one that is.
+/// Errors of a scene, with its number.
 #[derive(Clone)]
 pub(super) struct Measured {
     pub(super) scene: u64,
     known: Arc<Known>,
 }
 
-/// Surroundings in which a scene is computed.
+/// Parameters with which a scene is computed.
 pub(super) struct Surroundings<'a> {
     /// Scene whose errors are taken over; `None`: they are measured.
     pub(super) like: Option<&'a Measured>,
     /// Name of the shard's file.
     pub(super) shard: &'a str,
-    /// Scenes that share the memory.
+    /// Number of scenes that share the memory.
     pub(super) at_once: usize,
-    /// Memory that tracing may take.
+    /// Memory allowed for tracing.
     pub(super) memory: Allowance,
 }
 
@@ -105,7 +105,7 @@ fn samples_of(
     Ok(samples)
 }
 
-/// Crop of the map about an object, as a detector among its neighbours shows it.
+/// Crop of the map around an object, as a detector shows it among its neighbours.
 fn crop(chain: &Chain, seen: &SeenFrame, object: u32) -> Result<Crop, Failure> {
     let cropper = chain.receiver()?.cropper(&seen.products.rdm, &dsp::PAPER_CROP);
     cropper

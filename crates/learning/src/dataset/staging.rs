@@ -1,4 +1,4 @@
-//! A drawn scene with its meshes: vehicles placed before the radar of its base scene.
+//! A drawn scene with its meshes: vehicles placed in front of the radar of its base scene.
 
 use crate::dataset::draws::{self, Drawn, Drive, Vehicle};
 use crate::dataset::places::BodyOnRoad;
@@ -8,11 +8,11 @@ use artifact::settings::{Class, Fidelity, Noise};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-/// A vehicle that finds no room so often is left out.
+/// Number of attempts after which a vehicle without room is left out.
 const TRIES: usize = 32;
 /// Least and greatest gap from bumper to bumper in a queue, m.
 const QUEUE_GAP_M: [f64; 2] = [2.0, 4.0];
-/// All frames of a scene take over what is measured in its first.
+/// Interval of measurements: all frames of a scene take over the errors of its first.
 const MEASURED_EVERY: u32 = 1_000_000;
 
 /// A scene ready to be computed.
@@ -22,7 +22,7 @@ pub(super) struct Staged {
     pub(super) vehicles: Vec<ToldVehicle>,
 }
 
-/// Description of a vehicle in a line and a sample, beside what is seen of it.
+/// Description of a vehicle in lines and samples, without its estimates.
 pub(super) struct ToldVehicle {
     pub(super) class: Class,
     pub(super) model: String,
@@ -30,7 +30,7 @@ pub(super) struct ToldVehicle {
     pub(super) yaw_rad: f64,
 }
 
-/// The base scene with these vehicles as its only targets; those that find no room are left out.
+/// The base scene with these vehicles as its only targets; those without room are left out.
 pub(super) fn stage(recipe: &Recipe, drawn: &Drawn) -> Staged {
     let base = before_radar(recipe, drawn);
     let mesh = |vehicle: &Vehicle| model(recipe, vehicle).mesh(vehicle.variant, drawn.base, &base);
@@ -40,7 +40,7 @@ pub(super) fn stage(recipe: &Recipe, drawn: &Drawn) -> Staged {
     for ((vehicle, mesh), place) in drawn.vehicles.iter().zip(all).zip(places) {
         let Some(place) = place else { continue };
         let told = told(recipe, vehicle);
-        // What was measured of a body in one scene is that of its like in another.
+        // Errors measured for a body in one scene apply to the corresponding body in another.
         let number = 1 + vehicles.iter().filter(|before| before.class == told.class).count();
         let id = format!("{}-{number}", told.class.name());
         let kind = TargetKind::Mesh {
@@ -64,7 +64,7 @@ fn told(recipe: &Recipe, vehicle: &Vehicle) -> ToldVehicle {
     ToldVehicle { class, model: model(recipe, vehicle).name.clone(), variant, yaw_rad }
 }
 
-/// The base scene without targets, its radar mounted as drawn.
+/// The base scene without targets, with its radar mounted as drawn.
 fn before_radar(recipe: &Recipe, drawn: &Drawn) -> SceneHeader {
     let Base { header: base, .. } = &recipe.bases[drawn.base];
     let [_, _, height_m] = base.radar.position_m;
@@ -103,7 +103,7 @@ struct Road<'a> {
     base: &'a SceneHeader,
 }
 
-/// A vehicle that has its place.
+/// A placed vehicle.
 #[derive(Clone, Copy)]
 struct Placed {
     lane: u8,
@@ -111,7 +111,7 @@ struct Placed {
 }
 
 impl Road<'_> {
-    /// `None` where no room was found.
+    /// Places of the vehicles; `None` without room.
     fn places(&self, meshes: &[Mesh]) -> Vec<Option<BodyOnRoad>> {
         let mut random = draws::stream(self.recipe, "dataset/places", &[self.drawn.number]);
         let mut before: Vec<Placed> = Vec::new();
@@ -161,8 +161,8 @@ impl Road<'_> {
     }
 
     /// Position along the road, m, at which the slant range of the body's origin is `range_m`; `across_m` is
-    /// its position across the road. Where the lane is farther from the radar than that, the body stands as
-    /// near as it can.
+    /// its position across the road. If the lane is farther from the radar than that, the body is placed as
+    /// near as possible.
     fn along_m(&self, across_m: f64, range_m: f64) -> f64 {
         let radar_m = self.base.radar.position_m;
         let [radar_across_m, radar_along_m] = self.base.dsp.road.across_along_m(radar_m);
@@ -170,7 +170,7 @@ impl Road<'_> {
         radar_along_m + (range_m.powi(2) - sideways_m2).max(NEAREST_ALONG_M.powi(2)).sqrt()
     }
 
-    /// Time from the first frame's begin to the last one's end, s.
+    /// Time from the beginning of the first frame to the end of the last, s.
     fn seconds(&self) -> f64 {
         self.base.frame_time_s(self.base.frames - 1) + self.base.radar.frame_duration_s()
     }

@@ -1,5 +1,5 @@
-//! Summary of a dataset: what is made of all of its shards, by whichever process finds them all there. Shards
-//! are read one by one, so that memory does not grow with lines.
+//! Summary of a dataset, made from all of its shards by whichever process finds them complete. Shards are
+//! read one by one, so that memory does not grow with the number of lines.
 
 mod detection;
 mod accuracy;
@@ -23,9 +23,8 @@ pub(super) fn files_of(out: &Path) -> [PathBuf; 3] {
     CONCLUSION.map(|name| out.join(name))
 }
 
-/// Shards of a recipe that are not there, `most` of them at most: first by their names, which is all that a
-/// part among many does before the last one; where all have their names they are opened. Refused where one is
-/// another recipe's.
+/// Missing shards of a recipe, at most `most`: checked first by their names, which suffices for all parts but
+/// the last; if all names exist, the shards are opened. Refused if one belongs to another recipe.
 pub(super) fn lacking(recipe: &Recipe, layout: &Layout, most: usize) -> Result<Vec<PathBuf>, Failure> {
     let work = Work::begin("looking for all shards");
     let absent: Vec<PathBuf> =
@@ -43,8 +42,8 @@ pub(super) fn lacking(recipe: &Recipe, layout: &Layout, most: usize) -> Result<V
     Ok(damaged)
 }
 
-/// Writes `manifest.jsonl`: a line a sample; `scenes.jsonl`: a line a scene; `detection.md`: errors of all
-/// vehicles, found or not. `tell` hears how many there are and what accuracy their scenes reached.
+/// Writes `manifest.jsonl`: one line per sample; `scenes.jsonl`: one line per scene; `detection.md`: errors
+/// of all vehicles, detected or not. `tell` receives their numbers and the accuracy of their scenes.
 pub(super) fn conclude(layout: &Layout, out: &Path, tell: &dyn Fn(&str)) -> Result<(), Failure> {
     let _work = Work::begin("concluding");
     let [manifest, scenes, table] = files_of(out);
@@ -70,7 +69,7 @@ pub(super) fn conclude(layout: &Layout, out: &Path, tell: &dyn Fn(&str)) -> Resu
     Ok(())
 }
 
-/// Hands out the lines of all shards in the order of their scenes.
+/// Passes on the lines of all shards in the order of their scenes.
 fn each_line(
     layout: &Layout,
     mut use_line: impl FnMut(SceneLine) -> std::io::Result<()>,

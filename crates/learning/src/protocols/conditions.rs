@@ -1,5 +1,5 @@
-//! Conditions of a sighting, from the truth beside its shard: signal-to-noise ratio, range, aspect, company,
-//! line of sight, radar.
+//! Conditions of a sighting, from the truth beside its shard: signal-to-noise ratio, range, aspect, other
+//! vehicles, line of sight, radar.
 
 use crate::dataset::lines;
 use crate::dataset::scene_line::{EstimateLine, SceneLine, VehicleLine};
@@ -12,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Name and value of every condition of a track, in the order of the table.
 pub(super) type Conditions = Vec<(&'static str, Bin)>;
-/// Place among the values of a condition, and the value in words.
+/// Index among the values of a condition, and the value in words.
 pub(super) type Bin = (usize, String);
 
 /// Upper ends of the bins, dB and metres.
@@ -21,14 +21,13 @@ const NOISE_DB: [f64; 4] = [0.0, 10.0, 20.0, 30.0];
 const RANGE_M: [f64; 4] = [20.0, 30.0, 40.0, 50.0];
 const HEIGHT_M: [f64; 2] = [5.0, 6.0];
 const TILT_DEG: [f64; 2] = [-8.0, -4.0];
-/// Between the vehicle's heading and the way from it to the radar.
+/// Angles between the vehicle's heading and the direction from it to the radar.
 const ASPECT_DEG: [f64; 4] = [20.0, 70.0, 110.0, 160.0];
 
 /// Conditions of tracks.
 pub(super) type OfTracks = BTreeMap<TrackKey, Conditions>;
 
-/// Conditions of every vehicle that was found, as it was in its first frame; nothing of shards beside which
-/// no lines are.
+/// Conditions of every detected vehicle in its first frame; none for shards without lines.
 ///
 /// # Errors
 /// A line is damaged: file, line and rule.
@@ -42,7 +41,7 @@ pub(super) fn conditions(folders: &[DatasetFolder]) -> Result<OfTracks, Failure>
     Ok(all)
 }
 
-/// Condition of a vehicle of which no line tells any.
+/// Conditions of a vehicle without a line.
 pub(super) fn untold() -> Conditions {
     vec![("line beside the shard", (0, "none".into()))]
 }
@@ -61,8 +60,8 @@ fn of_scene(dataset: usize, scene: &SceneLine, all: &mut BTreeMap<TrackKey, Cond
     }
 }
 
-/// Place of a scene's radar on the ground, and the way along its lanes, which vehicles' angles are told by;
-/// the origin and +y where lines of earlier versions tell neither.
+/// Place of a scene's radar on the ground, and the direction along its lanes, to which vehicles' angles
+/// refer; the origin and +y for lines of earlier versions, which lack them.
 struct Standpoint {
     radar_m: DVec2,
     lanes_azimuth_rad: f64,
@@ -74,12 +73,13 @@ impl Standpoint {
         Self { radar_m: DVec2::new(x_m, y_m), lanes_azimuth_rad: scene.lanes_azimuth_rad() }
     }
 
-    /// Way from the radar to a vehicle's middle.
+    /// Vector from the radar to a vehicle's middle.
     fn way_m(&self, vehicle: &VehicleLine) -> DVec2 {
         DVec2::new(number(vehicle.x_m), number(vehicle.y_m)) - self.radar_m
     }
 
-    /// Another one's middle is nearer, and less than a body's width off the way from the radar to this one's.
+    /// Whether another vehicle's middle is nearer, and less than a body's width off the line from the radar
+    /// to this one's.
     fn stands_before(&self, other: &VehicleLine, vehicle: &VehicleLine) -> bool {
         const WIDTH_M: f64 = 2.0;
         let [own, its] = [vehicle, other].map(|of| self.way_m(of));
@@ -87,7 +87,7 @@ impl Standpoint {
         its.length() < own.length() && its.dot(direction) > 0.0 && its.perp_dot(direction).abs() < WIDTH_M
     }
 
-    /// 0 shows the front, 180 the rear.
+    /// Aspect angle: 0 shows the front, 180 the rear.
     fn aspect_deg(&self, vehicle: &VehicleLine) -> f64 {
         let yaw_rad = number(vehicle.yaw_deg).to_radians() - self.lanes_azimuth_rad - FRAC_PI_2;
         let way_m = self.way_m(vehicle);
@@ -122,7 +122,7 @@ fn of_vehicle(
     ]
 }
 
-/// Ends belong to the bin below, so that no noise at all is a bin of its own.
+/// Bin of a value; upper ends belong to their bins, so that zero noise has a bin of its own.
 fn bin(value: f64, ends: &[f64]) -> Bin {
     if value.is_nan() {
         return (ends.len() + 1, "–".into());

@@ -1,4 +1,4 @@
-//! Learning curves: trainings on parts of the scenes, and of the vehicles.
+//! Learning curves: trainings on parts of the scenes and of the vehicles.
 
 use crate::protocols::protocol_set::{of_test, of_training, told};
 use artifact::dataset::Split;
@@ -10,16 +10,16 @@ use pipeline::host::progress::Work;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// Parts that train beside the whole.
+/// Fractions of the training data, beside the whole.
 const SHARES: [f64; 3] = [0.125, 0.25, 0.5];
-/// Seed of the draws of what trains, and of the trainings; the whole is that of the first training.
+/// Seed of the selection of training data, and of the trainings; that of the first training on the whole.
 const SEED: u64 = 1;
 
-/// Tells whether a part of a given share keeps a sighting.
+/// Whether a fraction of the training data includes a sighting.
 type Keeps = fn(&Seen, f64) -> bool;
 
-/// One table over scenes and one over vehicles; each row but that of the `whole` trains anew. `tests` are
-/// names and what never trains.
+/// Makes one table over scenes and one over vehicles; each row except that of the `whole` is a new training.
+/// `tests` are names and test data.
 pub(super) fn page(
     learned: &Sightings,
     whole: &TrainedTrees,
@@ -55,7 +55,7 @@ fn heading(what: &str, tests: &[(String, &Sightings)]) -> String {
     )
 }
 
-/// Sightings of which a share trains; those that test stay whole.
+/// Sightings with a fraction of the training data; test data stay whole.
 fn part_of(learned: &Sightings, share: f64, keeps: Keeps) -> Sightings {
     let mut part = learned.clone();
     part.all.retain(|seen| seen.split == Split::Test || keeps(seen, share));
@@ -75,7 +75,7 @@ fn keeps_vehicle(seen: &Seen, share: f64) -> bool {
     is_drawn(&[number], share)
 }
 
-/// A larger share keeps what a smaller one does.
+/// Whether an index is in a fraction; a larger fraction includes a smaller one.
 fn is_drawn(index: &[u64], share: f64) -> bool {
     let [a, b, c, d, ..] = seed::key(SEED, "protocols/curve", index);
     f64::from(u32::from_le_bytes([a, b, c, d])) < share * f64::from(u32::MAX) + 0.5

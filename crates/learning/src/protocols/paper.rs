@@ -1,4 +1,4 @@
-//! The paper's network by the paper's protocol, and by two that keep the copies of a map on one side.
+//! The paper's network by the paper's protocol, and by two that keep all copies of a map in one split.
 
 use crate::protocols::settings::Settings;
 use crate::training::{PAPER_ITERATIONS, network};
@@ -11,23 +11,23 @@ use serde_json::Value;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// Name, word of the training program, what it parts.
+/// Name, the training program's name, and the unit of the split.
 const PROTOCOLS: [(&str, &str, &str); 3] = [
     ("P", "images", "images, after maps were augmented (the paper's)"),
     ("P′", "maps", "maps, each augmented on its side"),
     ("P″", "vehicles", "vehicles, with all of their maps"),
 ];
 
-/// The paper's own figures: its "test set" of 320 images, its "validation set" of 200, and by class in the
+/// The paper's own results: its "test set" of 320 images, its "validation set" of 200, and by class in the
 /// order of this project (section IV-C: buses and trucks "about 96 %", cars "about 93.5 %", motorcycles 98.16
 /// %).
 const PAPER: [&str; 8] =
     ["the paper", "images, after augmentation", "92.23 %", "90.81 %", "93.5 %", "96 %", "96 %", "98.16 %"];
 
-/// Points of a curve that are told.
+/// Number of points of a curve in the table.
 const POINTS: usize = 8;
 
-/// Trains each protocol with every seed and tables what came out.
+/// Trains each protocol with every seed and tabulates the results.
 pub(super) fn page(settings: &Settings, datasets: &[DatasetFolder]) -> Result<String, Failure> {
     if !settings.test.is_empty() || settings.curves {
         return Err(Failure::refused(
@@ -73,7 +73,7 @@ fn row(name: &str, parted: &str, told: &[Value]) -> [String; 8] {
     [name.to_owned(), parted.to_owned(), of("validation", None), of("test", None), a, b, c, d]
 }
 
-/// Mean, least and most, in percent.
+/// Text of mean, minimum and maximum, in percent.
 fn spread(shares: &[f64]) -> String {
     let percent = |share: f64| 100.0 * share;
     let mean = percent(shares.iter().sum::<f64>() / shares.len().max(1) as f64);
@@ -82,7 +82,7 @@ fn spread(shares: &[f64]) -> String {
     format!("{mean:.1} % ({:.0} … {:.0})", percent(low), percent(high))
 }
 
-/// Accuracy while the first seed trains, on what trains and on what is watched.
+/// Accuracy during the first seed's training, on the training and the monitored data.
 fn curves_table(curves: &[(&str, Value)]) -> String {
     let mut rows = Vec::new();
     for (name, points) in curves {

@@ -1,4 +1,4 @@
-//! Protocols that a training is asked: which sightings belong to each, and what the training tells of them.
+//! Protocols that evaluate a training: the sightings of each, and its answers to them.
 
 use artifact::dataset::Split;
 use artifact::model::Weights;
@@ -6,8 +6,7 @@ use classifier::{Logits, Part, Seen, Sightings, TrainedTrees, parts, tree_logits
 use pipeline::host::safe_text::in_markdown;
 use std::path::{Path, PathBuf};
 
-/// Protocol that every training is asked: a name, and the sightings that belong to it with the sources of
-/// their answers.
+/// Protocol that evaluates every training: a name, and its sightings with the sources of their answers.
 pub(super) struct Protocol<'a> {
     pub(super) name: String,
     pub(super) seen: Vec<(&'a Seen, AnswerSource)>,
@@ -16,16 +15,16 @@ pub(super) struct Protocol<'a> {
 /// Source of the answer to a sighting.
 #[derive(Clone, Copy)]
 pub(super) enum AnswerSource {
-    /// Answer told with the training, under this number.
+    /// Answer from the training, with this number.
     Trained(usize),
-    /// Nowhere: the finished trees answer.
+    /// Answer by the finished trees.
     Test,
 }
 
-/// Filter of the sightings that a row counts.
+/// Filter of the sightings in a row.
 pub(super) type Kept = fn(&Seen) -> bool;
 
-/// The protocol of all vehicles that were held out.
+/// Name of the protocol of all held-out vehicles.
 pub(super) const HELD_OUT: &str = "V: vehicles held out in turn";
 
 /// Name of a folder on the page.
@@ -57,8 +56,8 @@ pub(super) fn of_test(name: String, test: &Sightings) -> Protocol<'_> {
     Protocol { name, seen: test.all.iter().map(|seen| (seen, AnswerSource::Test)).collect() }
 }
 
-/// Figures of a training on a protocol's sightings that are `kept`, by frame and by track; `None` without
-/// any.
+/// Metrics of a training on those of a protocol's sightings that are `kept`, by frame and by track; `None`
+/// without any.
 pub(super) fn told(protocol: &Protocol<'_>, trained: &TrainedTrees, kept: Kept) -> Option<[Part; 2]> {
     let (seen, logits): (Vec<&Seen>, Vec<Logits>) = answers(protocol, trained, kept).into_iter().unzip();
     (!seen.is_empty()).then(|| parts(&seen, &logits, trained.metrics.frame_correlation))

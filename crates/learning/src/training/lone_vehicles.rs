@@ -1,10 +1,10 @@
-//! Classes of which a single vehicle trains.
+//! Classes with a single vehicle for training.
 
 use classifier::Sightings;
 use pipeline::host::progress;
 
-/// Notes the classes of which a single vehicle trains: held out, nothing of its class is learned from, and
-/// the model is made as unsure of it as what is told then.
+/// Notes the classes with a single vehicle for training: when it is held out, its class has no training data,
+/// and the model's confidence in it is calibrated to the resulting answers.
 pub(crate) fn note_lone_vehicles(sightings: &Sightings) {
     let lone: Vec<String> = sightings
         .lone_vehicles()

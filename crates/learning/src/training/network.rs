@@ -1,5 +1,5 @@
-//! The program that trains the paper's network, `classifier-training`: it stands on a learning library that
-//! is most of a first build; so it is built when it is asked for, and runs as a process of its own.
+//! The program that trains the paper's network, `classifier-training`: it depends on a learning library that
+//! takes most of a first build, so it is built on demand, and runs as a separate process.
 
 use crate::training::settings::{PAPER_ITERATIONS, Settings};
 use pipeline::host::failure::Failure;
@@ -13,7 +13,7 @@ use std::process::{Child, Command, Stdio};
 /// Package and program.
 pub const PROGRAM: &str = "classifier-training";
 
-/// Trains the network by the program that stands on the learning library.
+/// Trains the network by the program with the learning library.
 pub(super) fn train(settings: &Settings, shards: &[PathBuf]) -> Result<(), Failure> {
     let mut command = Command::new(built()?);
     command.arg("--out").arg(&settings.out);
@@ -22,7 +22,7 @@ pub(super) fn train(settings: &Settings, shards: &[PathBuf]) -> Result<(), Failu
     ran(command, shards, &Work::begin("training"), settings.tell).map(drop)
 }
 
-/// Runs the program on shards; gives what it said of metrics, if it was asked for that.
+/// Runs the program on shards; returns its metrics if requested.
 pub(crate) fn ran(
     mut command: Command,
     shards: &[PathBuf],
@@ -35,13 +35,13 @@ pub(crate) fn ran(
     heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?, work, tell)
 }
 
-/// Folder in which the training program is built: what it stands on has other features than what the main job
-/// stands on, and neither undoes the other's work.
+/// Build folder of the training program: its dependencies have other features than those of the main job, and
+/// separate folders avoid rebuilding either.
 pub fn target_folder(project: &Path) -> PathBuf {
     project.join("target/training")
 }
 
-/// The program, made anew where its code has changed; cargo says where it lies.
+/// Builds the program if its code has changed, and returns its place as cargo reports it.
 pub(crate) fn built() -> Result<PathBuf, Failure> {
     let project = places::project_folder().ok_or_else(|| {
         let rule = "it is built from the project's source: run this inside the project's folder, or name that in WAYSIDE_PROJECT";
@@ -80,13 +80,13 @@ pub(crate) fn built() -> Result<PathBuf, Failure> {
         .ok_or_else(|| unbuilt(format!("its build ended with {}", output.status)))
 }
 
-/// Place of the program, where a message of cargo's tells it.
+/// Place of the program in a message of cargo, if present.
 fn program_of(message: &Value) -> Option<PathBuf> {
     let is_it = message["target"]["name"] == PROGRAM;
     message["executable"].as_str().filter(|_| is_it).map(PathBuf::from)
 }
 
-/// Tells what the program says until it ends.
+/// Passes on the program's output until it ends.
 fn heard(mut child: Child, work: &Work, tell: &dyn Fn(&str)) -> Result<Value, Failure> {
     let (mut ended_badly, mut answer) = (None, Value::Null);
     for line in child

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-/// Steps of the network's optimizer, where none are asked for: the paper's number.
+/// Default number of the network's optimizer steps: the paper's number.
 pub const PAPER_ITERATIONS: u32 = 1440;
 
 /// Learners.
@@ -20,14 +20,14 @@ pub struct Settings<'a> {
     pub datasets: Vec<PathBuf>,
     /// Folder of the model.
     pub out: PathBuf,
-    /// What learns.
+    /// Learner to train.
     pub learner: Learner,
     /// Seed of every draw: examples and features of trees, initial weights, the order of samples.
     pub seed: u64,
     /// Steps of the network's optimizer; `None`: [`PAPER_ITERATIONS`].
     pub iterations: Option<u32>,
-    /// Text file with a line for each source of vehicles that the model of trees names.
+    /// Text file with a line for each source of vehicles that the model of trees must name.
     pub attributions: Option<PathBuf>,
-    /// Hears each line of results.
+    /// Receives each line of results.
     pub tell: &'a dyn Fn(&str),
 }

@@ -16,10 +16,10 @@ use pipeline::host::progress::Work;
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// A page of text.
+/// Largest file of attributions, a page of text.
 const ATTRIBUTIONS_LIMIT_BYTES: u64 = 1 << 20;
 
-/// Reads all shards, trains, writes the folder, tells how good it is.
+/// Reads all shards, trains, writes the folder and reports the metrics.
 pub(super) fn train(settings: &Settings, datasets: &[Vec<PathBuf>]) -> Result<(), Failure> {
     let attributions = attributions(settings)?;
     let (sightings, inputs) = loading::read_of(&datasets.concat(), || sightings(datasets))?;
@@ -67,7 +67,7 @@ fn provenance(
     })
 }
 
-/// The weights come last: where they are, all is.
+/// Writes the folder; the weights come last, so that they mark a complete one.
 fn save(settings: &Settings, trained: &TrainedTrees, provenance: &Provenance) -> Result<(), Failure> {
     let mut metrics = serde_json::to_vec_pretty(&trained.metrics).map_err(Failure::refused)?;
     metrics.push(b'\n');

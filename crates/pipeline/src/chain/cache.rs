@@ -1,12 +1,12 @@
-//! Whole frames of stages, found by what they depend on.
+//! Cache of whole stage frames, keyed by all their inputs.
 //!
-//! One artifact of one frame per entry, `<stage>/<first two letters>/<key>.<kind>`, written whole or not at
-//! all, so that two runs at once do not hurt each other: at worst both compute the same bytes. A hit renews
-//! an entry's time; beyond the size limit the oldest go first. `<stage>/last/<scene>-<frame>.json` remembers
-//! the key's parts, so that a plan can say which of them changed.
+//! Each entry, `<stage>/<first two letters>/<key>.<kind>`, is one artifact of one frame and is written whole
+//! or not at all, so concurrent runs are safe: at worst both compute the same bytes. A hit renews an entry's
+//! time; beyond the size limit the oldest entries are removed first. `<stage>/last/<scene>-<frame>.json`
+//! holds the parts of the last key, so that a plan can say which of them changed.
 //!
-//! A folder is used as a cache if it is marked as one (`marker`), and files are removed from it if their
-//! names are a cache's (`own_files`): whatever folder is given with `--cache`, nothing else in it is ever
+//! A folder is used as a cache only if it is marked as one (`marker`), and only files with the names of a
+//! cache's files are removed from it (`own_files`): whatever folder `--cache` names, nothing else in it is
 //! touched.
 
 mod marker;
@@ -28,10 +28,10 @@ pub(crate) use own_files::OwnFile;
 /// Folder of a cache and the size to which it may grow.
 #[derive(Debug, Clone)]
 pub struct CacheLocation {
-    /// `None`: `.cache` of the project's folder, or outside of it the user's cache folder, if there is one
-    /// (`host::places`).
+    /// Folder of the cache. `None`: `.cache` of the project's folder, or outside the project the user's cache
+    /// folder, if there is one (`host::places`).
     pub folder: Option<PathBuf>,
-    /// Size of all entries beyond which the oldest go first, MiB.
+    /// Total size of the entries above which the oldest are removed, MiB.
     pub limit_mib: u64,
 }
 
@@ -41,27 +41,27 @@ impl Default for CacheLocation {
     }
 }
 
-/// Why there is no default cache, and what to do about it.
+/// Reason why there is no default cache, with its remedy.
 pub const NO_DEFAULT: &str = "neither XDG_CACHE_HOME nor HOME names a folder; --cache DIR takes one";
 
 /// An open cache.
 pub struct Cache {
     root: PathBuf,
     limit_bytes: u64,
-    /// Whether the folder could be marked, once something was to be kept.
+    /// Whether the folder could be marked; set when the first entry is kept.
     marked: OnceLock<bool>,
 }
 
 impl Cache {
-    /// Opens the folder; one that is missing is made with the first entry. Refused where it is no cache.
-    /// `None` where no folder is asked for and there is no default one.
+    /// Opens the folder, which is created with the first entry if it is missing. Refuses a folder that is no
+    /// cache. `None` if no folder is given and there is no default.
     pub fn open(location: &CacheLocation) -> Result<Option<Self>, Failure> {
         let Some(root) = location.folder.clone().or_else(places::default_cache) else { return Ok(None) };
         marker::check(&root)?;
         Ok(Some(Self { root, limit_bytes: location.limit_mib << 20, marked: OnceLock::new() }))
     }
 
-    /// The cache of a run whose frames may be kept; where there is none, that is remarked on.
+    /// Opens the cache of a run; notes if there is none.
     ///
     /// # Errors
     /// The folder is no cache.
@@ -74,9 +74,8 @@ impl Cache {
         Ok(cache)
     }
 
-    /// Refuses to hold a folder that results are written into, or to be one: these are for good, a cache is
-    /// not, and what has the names of its own files it removes. A cache below a folder of results is no
-    /// result's name.
+    /// Refuses a cache folder that holds, or is, an output folder: results are permanent, while a cache
+    /// removes files with the names of its own. A cache below an output folder is allowed.
     pub fn apart_from<'a>(&self, outs: impl IntoIterator<Item = &'a Path>) -> Result<(), Failure> {
         let root = places::resolved(&self.root);
         match outs.into_iter().find(|out| places::resolved(out).starts_with(&root)) {
@@ -105,7 +104,7 @@ impl Cache {
         self.place(stage, key, kind).is_file()
     }
 
-    /// The entry's frame; a damaged entry is named, removed and counts as missing.
+    /// Reads the frame of an entry; a damaged entry is named, removed and treated as missing.
     pub(crate) fn get<S: Schema>(&self, stage: Stage, key: &Key) -> Option<S::Frame> {
         self.entry::<S>(stage, key, Content::OneFrame)?.1
     }
@@ -115,7 +114,7 @@ impl Cache {
         Some(self.entry::<S>(stage, key, Content::Header)?.0)
     }
 
-    /// Keeps one frame. A cache that cannot be written is said once and costs only time.
+    /// Keeps one frame. A write failure is reported once and costs only time.
     pub(crate) fn put<S: Schema>(&self, stage: Stage, key: &Key, header: &S::Header, frame: &S::Frame) {
         self.keep::<S>(stage, key, header, &[frame]);
     }
@@ -125,8 +124,7 @@ impl Cache {
         self.keep::<S>(stage, key, header, &[]);
     }
 
-    /// The key that this frame of this scene had when it was last computed; a damaged file is named and not
-    /// believed.
+    /// Key that this frame of this scene had when it was last computed; a damaged file is named and ignored.
     pub(crate) fn last_key(&self, stage: Stage, scene: &str, frame: u32) -> Option<Key> {
         sealed::read(&self.last_place(stage, scene, frame))
     }
@@ -144,14 +142,14 @@ impl Cache {
         self.root.join(stage.name()).join("last").join(format!("{scene}-{frame:04}.json"))
     }
 
-    /// All files of the cache's own, oldest first.
+    /// All files that belong to the cache, oldest first.
     pub fn files(&self) -> Vec<OwnFile> {
         let mut files = own_files::of(&self.root).files;
         files.sort_by(|a, b| (a.used, &a.path).cmp(&(b.used, &b.path)));
         files
     }
 
-    /// Removes the oldest files until the rest is within the limit, and what dead writers left behind.
+    /// Removes the oldest files until the rest is within the limit, and temporary files of ended writers.
     pub fn trim(&self) {
         own_files::sweep(&self.root);
         let files = self.files();
@@ -166,7 +164,7 @@ impl Cache {
         }
     }
 
-    /// Empties it; its mark stays, and what is not its own.
+    /// Empties the cache; its mark and foreign files stay.
     pub fn clear(&self) -> Result<(), Failure> {
         own_files::sweep(&self.root);
         for file in self.files() {
@@ -219,7 +217,7 @@ impl Cache {
         }
     }
 
-    /// Marks the folder, which is made, before the first file is put into it.
+    /// Creates and marks the folder before the first file is put into it.
     fn is_marked(&self) -> bool {
         *self.marked.get_or_init(|| marker::set(&self.root).map_err(|error| say_once(&error)).is_ok())
     }
@@ -232,7 +230,7 @@ enum Content {
     OneFrame,
 }
 
-/// Fault of an entry that is not what it should be.
+/// Fault of an invalid entry.
 #[derive(Debug, thiserror::Error)]
 enum EntryFault {
     #[error("{0}")]
@@ -243,7 +241,7 @@ enum EntryFault {
     OtherContent(PathBuf),
 }
 
-/// An entry, read to its end.
+/// Reads an entry to its end.
 fn whole<S: Schema>(
     place: &Path,
     key: &Key,
@@ -267,8 +265,8 @@ fn renew(place: &Path) {
     }
 }
 
-/// Removes a damaged entry and says so; one that could not be read, or is a link, is left: it may be readable
-/// tomorrow, and a link is not the cache's own.
+/// Removes a damaged entry and reports it; an unreadable entry or a link stays: the first may be readable
+/// later, and a link does not belong to the cache.
 fn discard(place: &Path, why: &EntryFault) {
     let is_unread = matches!(why, EntryFault::Artifact(ArtifactError { fault: Fault::System { .. }, .. }));
     if is_unread || own_files::is_link(place) {
@@ -279,7 +277,7 @@ fn discard(place: &Path, why: &EntryFault) {
     }
 }
 
-/// A disk that is full or a folder that is protected is so for every entry.
+/// Reports the first failure only: a full disk or a protected folder fails for every entry.
 fn say_once(error: &dyn std::fmt::Display) {
     static SAID: OnceLock<()> = OnceLock::new();
     SAID.get_or_init(|| progress::note(format!("note: not cached: {error}")));

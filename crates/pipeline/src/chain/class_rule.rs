@@ -1,19 +1,19 @@
-//! The class that is told from probabilities, of one frame and of a track.
+//! The decision for a class from probabilities, of one frame and of a track.
 
 use artifact::settings::Class;
 use serde::{Deserialize, Serialize};
 
-/// Rule by which a class is told from probabilities.
+/// Rule that decides for a class from probabilities.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct ClassRule {
-    /// The likeliest class is told from here on; below it the answer is "unknown".
+    /// Least probability of the likeliest class; below it the answer is "unknown".
     pub least_probability: f32,
-    /// Correlation of the frames of a track: 0 where they have nothing in common, 1 where all.
+    /// Correlation between the frames of a track, from 0 (independent) to 1 (identical).
     pub frame_correlation: f32,
 }
 
 impl ClassRule {
-    /// The class that is told, or "unknown".
+    /// Predicted class, or "unknown".
     pub fn told(&self, probabilities: &[f32; 4]) -> Predicted {
         let likeliest =
             (0..4).fold(0, |best, i| if probabilities[i] > probabilities[best] { i } else { best });
@@ -24,8 +24,8 @@ impl ClassRule {
         }
     }
 
-    /// Probabilities of a track from the sums of their logarithms over its frames. Frames of one vehicle have
-    /// much in common, so n of them count as n/(1 + (n − 1)ρ), as the mean of values of correlation ρ does.
+    /// Probabilities of a track from the sums of their logarithms over its frames. Frames of one vehicle are
+    /// correlated, so n of them count as n/(1 + (n − 1)ρ), as does the mean of values of correlation ρ.
     pub(crate) fn joined(&self, log_sums: &[f64; 4], frames: u32) -> [f32; 4] {
         let more = f64::from(frames.max(1) - 1);
         let per_frame = 1.0 / (1.0 + more * f64::from(self.frame_correlation));
@@ -36,7 +36,7 @@ impl ClassRule {
     }
 }
 
-/// Answer of a classifier about a vehicle; JSON has its name.
+/// Answer of a classifier about a vehicle; JSON holds its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Predicted {

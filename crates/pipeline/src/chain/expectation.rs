@@ -1,5 +1,5 @@
-//! Expected time and memory of a run: the work of its stages, counted before it begins, at rates that were
-//! measured on many scenes.
+//! Expected time and memory of a run: the work of its stages, counted in advance, at rates measured on many
+//! scenes.
 
 pub mod machine_speed;
 pub mod rates;
@@ -19,23 +19,24 @@ pub struct Expectation {
     pub work: WorkCounts,
     /// Processor seconds at the speed of the machine, all threads together.
     pub seconds: f64,
-    /// Part of these seconds that the program's start takes, once for however many scenes.
+    /// Part of these seconds that the program's start takes, once for any number of scenes.
     pub start_seconds: f64,
-    /// Counts of what is expected to be held ([`Load::held`](crate::chain::memory_estimate::Load::held)).
+    /// Counts of the expected contents of memory ([`Load::held`](crate::chain::memory_estimate::Load::held)).
     pub held: [f64; rates::HELD_KINDS],
-    /// Memory that is expected to be held when most is, MiB.
+    /// Expected peak memory, MiB.
     pub expected_memory_mib: f64,
-    /// Memory held at most, MiB, frames that are computed side by side together.
+    /// Upper limit of the peak memory, MiB, of all frames computed side by side.
     pub memory_mib: f64,
 }
 
 impl Expectation {
-    /// Expects the frames of these plans on this machine.
+    /// Estimates the frames of these plans on this machine.
     pub fn of(chain: &Chain, cache: Option<&Cache>, plans: &[FramePlan]) -> Result<Self, Failure> {
         Self::at_speed(chain, cache, plans, machine_speed::of_this_machine(cache)?)
     }
 
-    /// Expects the frames of these plans on a machine of the given speed; 1 is the machine of the rates.
+    /// Estimates the frames of these plans on a machine of the given speed; 1 is the reference machine of the
+    /// rates.
     pub fn at_speed(
         chain: &Chain,
         cache: Option<&Cache>,
@@ -51,7 +52,7 @@ impl Expectation {
     }
 }
 
-/// Expected time and memory of runs one after the other.
+/// Expected time and memory of consecutive runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Total {
     frames: usize,
@@ -62,13 +63,14 @@ pub struct Total {
 }
 
 impl Total {
-    /// Total of one run of so many frames.
+    /// Total of one run of the given number of frames.
     pub fn of(expected: &Expectation, frames: usize) -> Self {
         let Expectation { seconds, start_seconds, expected_memory_mib, memory_mib, .. } = *expected;
         Self { frames, seconds, start_seconds, expected_memory_mib, memory_mib }
     }
 
-    /// Total of both: the program starts once, and the memory of one run is free when the next one begins.
+    /// Total of both runs: the program starts once, and the first run frees its memory before the second
+    /// begins.
     pub fn and(self, next: Self) -> Self {
         Self {
             frames: self.frames + next.frames,
@@ -96,7 +98,7 @@ impl Total {
     }
 }
 
-/// Lines about the stages that run in each frame; neighbours that run the same have one.
+/// Lines about the stages that run in each frame; neighbouring frames with the same stages share a line.
 pub fn lines(plans: &[FramePlan]) -> Vec<String> {
     let running = |plan: &FramePlan| -> Vec<&'static str> {
         plan.steps.iter().filter(|(_, why)| why.is_some()).map(|(stage, _)| stage.name()).collect()

@@ -1,4 +1,4 @@
-//! Expected work of the tracer in the frames of a scene, from a look at a few of them.
+//! Expected work of the tracer in the frames of a scene, extrapolated from a look at a few of them.
 
 use crate::host::failure::Failure;
 use artifact::scene::{Mesh, SceneHeader, TargetKind};
@@ -7,39 +7,39 @@ use glam::DVec3;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// Looks taken so far, by frame, and how large the scene's meshes are.
+/// Looks taken so far, by frame, and the size of the scene's meshes.
 #[derive(Default)]
 pub(crate) struct Looks {
     taken: Mutex<BTreeMap<u32, ExpectedWork>>,
     reach_of_mesh_m: OnceLock<Vec<f64>>,
 }
 
-/// A frame's work as that of another one that was looked at.
+/// A frame's work, scaled from that of a frame that was looked at.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Look {
     pub(crate) work: ExpectedWork,
-    /// Facets of this frame for each of that one.
+    /// Facets of this frame per facet of the other.
     pub(crate) facets: f64,
-    /// Cells of this frame for each of that one.
+    /// Cells of this frame per cell of the other.
     pub(crate) cells: f64,
 }
 
-/// Frames that are looked at, at most.
+/// Largest number of frames that are looked at.
 const LOOKED_AT: u32 = 3;
 
-/// Frames for which one look stands.
+/// Number of frames that one look represents.
 fn span_of_a_look(frames: u32) -> u32 {
     frames.div_ceil(LOOKED_AT).max(1)
 }
 
-/// Frames of a scene that are looked at, each the first of its third.
+/// Frames of a scene that are looked at: the first of each third.
 pub(crate) fn frames_looked_at(frames: u32) -> impl Iterator<Item = u32> {
     (0..frames).step_by(span_of_a_look(frames) as usize)
 }
 
 impl Looks {
-    /// Expects a frame's work from a look at the first frame of its third of the scene; `expected` looks at
-    /// one, `triangles` counts those in view of one.
+    /// Estimates a frame's work from a look at the first frame of its third of the scene; `expected` looks at
+    /// a frame, `triangles` counts the triangles in view of one.
     pub(crate) fn of(
         &self,
         header: &SceneHeader,
@@ -62,7 +62,7 @@ impl Looks {
         Ok(Look { work, facets, cells: facets * finer })
     }
 
-    /// Largest cells of a frame, by the nearest and the fastest of its bodies.
+    /// Size of a frame's largest cells, from the nearest and the fastest of its bodies.
     fn cell_m(&self, header: &SceneHeader, index: u32) -> f64 {
         let view = scene::frame_view(header, index);
         let frame = scene::snapshot(header, index);
@@ -74,7 +74,7 @@ impl Looks {
             if let TargetKind::Mesh { mesh, .. } = target.kind {
                 let distance_m = position_m.distance(DVec3::from_array(pose.position_m));
                 let reach_m = reaches_m.get(mesh as usize).copied().unwrap_or(0.0);
-                // An antenna within a body's reach is a good deal away from its surface as a rule.
+                // An antenna within a body's bounding radius is usually well away from its surface.
                 nearest_m = nearest_m.min((distance_m - reach_m).max(0.2 * distance_m));
                 let speed_mps = DVec3::from_array(pose.velocity_mps).length();
                 fastest_mps = fastest_mps.max(speed_mps + pose.yaw_radps.abs() * reach_m);

@@ -1,4 +1,4 @@
-//! Result of one frame when its chain is done.
+//! Result of one frame after all stages.
 
 use crate::chain::class_rule::ClassRule;
 use crate::chain::stages::Stage;
@@ -8,7 +8,7 @@ use artifact::points::PointsFrame;
 use artifact::rcs::RcsFrame;
 use artifact::scene::{SceneFrame, SceneHeader};
 
-/// Scattering of one frame, which the tracer hands to the echo: paths, or tables of bodies.
+/// Scattering of one frame, as the tracer hands it to the echo: paths, or tables of bodies.
 #[expect(clippy::large_enum_variant, reason = "one is made a frame, and never one of many")]
 pub enum Scattering {
     /// Paths from the transmitter over the bodies to the receiver.
@@ -18,7 +18,7 @@ pub enum Scattering {
 }
 
 impl Scattering {
-    /// Numerical errors, and what the model leaves out.
+    /// Numerical errors, and the errors of the physical model.
     pub fn error(&self) -> (ErrorBudget, ModelError) {
         match self {
             Self::Paths(frame) => (frame.error, frame.model_error),
@@ -26,7 +26,7 @@ impl Scattering {
         }
     }
 
-    /// Paths of the frame; `None` of tables.
+    /// Paths of the frame; `None` for tables.
     pub fn paths(&self) -> Option<&PathsFrame> {
         match self {
             Self::Paths(frame) => Some(frame),
@@ -34,7 +34,7 @@ impl Scattering {
         }
     }
 
-    /// The same with bodies numbered as in the artifacts of the scene, not as in the frame's view.
+    /// The scattering with bodies numbered as in the scene's artifacts instead of the frame's view.
     pub fn numbered_as_in(self, scene: &SceneHeader) -> Self {
         let numbers = |index: u32| {
             let bodies = scene::bodies_in_view(scene, index);
@@ -64,11 +64,11 @@ pub struct FrameResult {
     pub points: PointsFrame,
     /// Probabilities of each object, in the order of [`Class::ALL`]; empty without a classifier.
     pub(crate) classes: Vec<[f32; 4]>,
-    /// Rule by which a class is told from the probabilities.
+    /// Rule that decides for a class from the probabilities.
     pub(crate) rule: ClassRule,
     /// Numerical errors.
     pub error: ErrorBudget,
-    /// Errors of what the model leaves out.
+    /// Errors of the physical model.
     pub model_error: ModelError,
     /// Time of each stage that ran, s.
     pub seconds: Vec<(Stage, f64)>,

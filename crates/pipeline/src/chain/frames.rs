@@ -1,4 +1,4 @@
-//! Frames of a scene: made side by side and handed on in their order, sub-frames of a cycle brought together.
+//! Frames of a scene: made side by side and handed on in order, with the sub-frames of a cycle joined.
 
 use crate::chain::keys::Key;
 use crate::chain::link::{Chain, FrameProducts};
@@ -9,11 +9,11 @@ use crate::host::in_order::in_order;
 use crate::host::progress::{FrameStage, Work};
 use std::collections::HashMap;
 
-/// Hands on what is made of each of these frames, in their order and on this thread, while later ones are
-/// made: as many at a time as there are threads and memory. `stages` are those that `make` goes through.
+/// Hands on the results of these frames, in order and on this thread, while later ones are made: as many at a
+/// time as threads and memory allow. `stages` are those that `make` runs.
 ///
 /// # Errors
-/// The first of `make` or `take`; called off between two frames.
+/// The first error of `make` or `take`; the work was called off between two frames.
 pub fn each_frame<T: Send>(
     chain: &Chain,
     (plans, stages): (&[FramePlan], &[FrameStage]),
@@ -35,8 +35,8 @@ pub fn each_frame<T: Send>(
     in_order(&needed_frames(chain, plans), at_once, make, take)
 }
 
-/// Frames before each frame that it waits for: where bodies stand as in another one, it finds that one's
-/// paths in the cache; and what is measured in another one it takes over.
+/// Earlier frames that each frame waits for: those with the same poses, whose paths it finds in the cache,
+/// and those whose measured errors it takes over.
 fn needed_frames<'a>(chain: &Chain, plans: &'a [FramePlan]) -> Vec<Vec<usize>> {
     let mut last_of_paths: HashMap<&'a Key, usize> = HashMap::new();
     let of_frame = |(i, plan): (usize, &'a FramePlan)| {
@@ -47,8 +47,8 @@ fn needed_frames<'a>(chain: &Chain, plans: &'a [FramePlan]) -> Vec<Vec<usize>> {
     plans.iter().enumerate().map(of_frame).collect()
 }
 
-/// The sub-frames of a cycle, which tell each other's velocities; of a lone one there is nothing to tell, and
-/// no receiver is needed where all is in the cache.
+/// Resolves the velocities of a cycle's sub-frames by each other. A single frame stays as it is, and no
+/// receiver is made if everything is in the cache.
 pub fn resolved(chain: &Chain, mut cycle: Vec<FrameProducts>) -> Result<Vec<FrameProducts>, Failure> {
     if cycle.len() < 2 {
         return Ok(cycle);

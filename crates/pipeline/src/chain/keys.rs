@@ -1,4 +1,4 @@
-//! Cache keys: what a stage's frame depends on, part by part, so that a plan can say which part changed.
+//! Cache keys: all inputs of a stage's frame, part by part, so that a plan can say which part changed.
 
 use crate::chain::stages::Stage;
 use artifact::cube::{CubeHeader, SampleUnit};
@@ -7,7 +7,7 @@ use artifact::radar::Hardware;
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
 use artifact::settings::{Detail, EchoMode, Fidelity, Noise};
 
-/// Everything that one frame of one stage depends on.
+/// All inputs of one frame of one stage.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub struct Key {
     /// Name and fingerprint of each part.
@@ -31,12 +31,12 @@ impl Key {
     }
 }
 
-/// Scene stage: `files` are the scene file and the models it reads, name and content hash.
+/// Key of the scene stage; `files` are the scene file and the models it reads, as name and content hash.
 pub(crate) fn scene(files: &[(String, String)], overrides: &impl serde::Serialize) -> Key {
     Key::of(Stage::Scene, vec![("files", fingerprint(&files)), ("options", fingerprint(overrides))])
 }
 
-/// Fingerprints of what all frames of a scene share, taken once: meshes are large.
+/// Fingerprints of the inputs that all frames of a scene share, computed once because meshes are large.
 pub(crate) struct SceneParts {
     bodies: String,
     meshes: Vec<String>,
@@ -55,19 +55,20 @@ impl SceneParts {
     }
 }
 
-/// What paths depend on: an accuracy is the same whichever result it is asked for.
+/// Settings that paths depend on: an accuracy is the same whichever result it is requested for.
 fn of_paths(fidelity: Fidelity) -> Fidelity {
     Fidelity { goal: None, ..fidelity }
 }
 
 impl SceneParts {
-    /// The parts of a scene whose errors were measured in another one, by the hash of what that depends on.
+    /// Parts of a scene whose errors were measured in another one; `other` is the hash of that measurement's
+    /// inputs.
     pub(crate) fn measured_in(self, other: &str) -> Self {
         Self { fidelity: fingerprint(&(self.fidelity, other)), ..self }
     }
 }
 
-/// The seed where points are drawn with it; nothing else of a frame's paths is random.
+/// Seed, where points are drawn with it; nothing else in a frame's paths is random.
 fn seed_of_points(header: &SceneHeader) -> Option<u64> {
     (header.fidelity.detail == Detail::Statistical).then_some(header.seed)
 }
@@ -111,8 +112,8 @@ impl FrameKeys {
     }
 }
 
-/// A frame that takes over what was measured in another one depends on that one too; where nothing moved in
-/// between it is that one.
+/// Key of a frame's scattering; that of a frame that takes over measured errors includes the measured frame,
+/// or equals its key where nothing moved in between.
 fn measured_or_like(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame) -> Key {
     let own = bart_rcs(header, parts, frame);
     let measured_in = header.measured_in(frame.index);
@@ -127,9 +128,9 @@ fn measured_or_like(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame
     Key { parts: own.parts.into_iter().chain([also]).collect() }
 }
 
-/// Key of a frame's scattering, without the frame's number and time: bodies that stand still scatter the same
-/// in every frame. Of recorded vehicles it has only those in view: a longer recording leaves the frames that
-/// it had as they are.
+/// Key of a frame's scattering, without the frame's number and time: bodies at rest scatter the same in every
+/// frame. It includes only those recorded vehicles that are in view: a longer recording leaves the keys of
+/// its earlier frames unchanged.
 fn bart_rcs(header: &SceneHeader, parts: &SceneParts, frame: &SceneFrame) -> Key {
     let poses = fingerprint(&frame.poses);
     let vehicles = scene::vehicles_in_view(header, frame.index);
@@ -153,7 +154,7 @@ fn mesh_of<'a>(parts: &'a SceneParts, kind: &TargetKind) -> Option<&'a str> {
 }
 
 fn fmcw_echo(header: &SceneHeader, parts: &SceneParts, scattering: &Key, frame: &SceneFrame) -> Key {
-    // Windows enter only where the noise is told as a ratio in the windowed map.
+    // Windows matter only where the noise is specified as a ratio in the windowed map.
     let windows = match header.noise {
         Noise::SnrDb(_) => fingerprint(&(header.dsp.range_window, header.dsp.doppler_window)),
         Noise::Absent | Noise::Figure { .. } => String::new(),
@@ -172,14 +173,14 @@ fn fmcw_echo(header: &SceneHeader, parts: &SceneParts, scattering: &Key, frame: 
     )
 }
 
-/// Header of a cube with what a detector may know of a scene: not the errors of its radar.
+/// Header of a cube with the scene properties that a detector may know: without the errors of its radar.
 pub fn cube_header(header: &SceneHeader) -> CubeHeader {
     let mut known = echo_header(header);
     known.radar.hardware = Hardware::default();
     known
 }
 
-/// Header of a cube with what its echo is made with, the errors of the radar among it.
+/// Header of a cube with all that its echo depends on, the errors of the radar included.
 pub(crate) fn echo_header(header: &SceneHeader) -> CubeHeader {
     CubeHeader {
         radar: header.radar.clone(),

@@ -1,5 +1,5 @@
 //! The stages linked: one frame from the scene snapshot to classes, each stage's frame taken from the cache
-//! where it is there. What goes into a stage is what its artifact holds, nothing else.
+//! if present. A stage depends only on the contents of its input artifacts.
 
 pub mod artifact_headers;
 mod stage_sessions;
@@ -34,17 +34,17 @@ use std::sync::{Arc, OnceLock};
 
 /// All artifacts of one frame.
 pub struct FrameProducts {
-    /// The scene as this frame has it: vehicles in view are targets.
+    /// The scene in this frame: vehicles in view are targets.
     pub view: SceneHeader,
     /// IF samples, √W.
     pub cube: CubeFrame,
-    /// Range-Doppler maps with the cells that were found.
+    /// Range-Doppler maps with the detected cells.
     pub rdm: RdmFrame,
     /// Points, classes, errors and time.
     pub result: FrameResult,
 }
 
-/// A scene with everything that its frames share.
+/// A scene with everything its frames share.
 pub struct Chain<'a> {
     /// The scene.
     pub header: &'a SceneHeader,
@@ -55,13 +55,13 @@ pub struct Chain<'a> {
     measured: MeasuredFrames,
     looks: Looks,
     memory: Allowance,
-    /// Frames that share what tracing may take; one where no plan was made of them.
+    /// Frames that share the memory for tracing; one without plans.
     at_once: OnceLock<AtOnce>,
 }
 
 impl<'a> Chain<'a> {
-    /// Makes the chain of a scene: its frames are looked for in the cache and classified by the model, and
-    /// tracing takes no more memory than it may.
+    /// Makes the chain of a scene: frames are looked up in the cache and classified by the model, and tracing
+    /// keeps to its memory limit.
     pub fn of(
         header: &'a SceneHeader,
         cache: Option<&'a Cache>,
@@ -81,29 +81,28 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// The radar and its processing, as the maps' stage takes them.
+    /// The radar and its processing, as the detection stage takes them.
     pub fn cube_header(&self) -> &CubeHeader {
         &self.sessions.cube_header
     }
 
-    /// The chain with a cache of the stages to this one: those behind it are computed anew.
+    /// Limits the cache to this stage and those before it: later ones are computed anew.
     pub fn keeping(self, kept_to: Stage) -> Self {
         Self { frames: StageFrames { kept_to, ..self.frames }, ..self }
     }
 
-    /// The chain with a tracer of the same meshes that was made before.
+    /// Uses an existing tracer of the same meshes.
     pub(crate) fn tracing_by(self, tracer: bart_rcs::Tracer) -> Self {
         Self { sessions: self.sessions.tracing_by(tracer), ..self }
     }
 
-    /// The chain of a scene whose errors are those that were measured in another one of its kind, told by the
-    /// hash of what these depend on.
+    /// Takes over the errors that were measured in another scene of its kind; `hash` covers their inputs.
     pub fn like(self, measured: measured_frames::Known, hash: &str) -> Self {
         let parts = self.parts.measured_in(hash);
         Self { measured: MeasuredFrames::of_another(measured), parts, ..self }
     }
 
-    /// Frames whose error was measured so far, for other scenes to take over.
+    /// Frames whose errors were measured so far, for other scenes to take over.
     pub fn measured(&self) -> measured_frames::Known {
         self.measured.all()
     }
@@ -121,7 +120,7 @@ impl<'a> Chain<'a> {
         (0..self.header.frames).map(|index| self.plan(index)).collect()
     }
 
-    /// Computes what the plan lacks.
+    /// Computes the parts of the plan that are missing.
     pub fn frame(&self, plan: &FramePlan) -> Result<FrameProducts, Failure> {
         let scene = scene::snapshot(self.header, plan.index);
         let mut times = StageTimes::default();
@@ -148,7 +147,7 @@ impl<'a> Chain<'a> {
         Ok(FrameProducts { view: scene::frame_view(self.header, plan.index), cube, rdm, result })
     }
 
-    /// Triangles of all bodies in view of a frame, points counting as one.
+    /// Number of triangles of all bodies in view of a frame; a point counts as one.
     pub(crate) fn triangles(&self, index: u32) -> usize {
         let vehicles = scene::vehicles_in_view(self.header, index).into_iter().map(|vehicle| &vehicle.kind);
         let triangles = |kind| self.header.mesh_of(kind).map_or(1, |mesh| mesh.triangles.len());
@@ -160,7 +159,7 @@ impl<'a> Chain<'a> {
         self.memory
     }
 
-    /// A frame's work, told by one that was looked at.
+    /// A frame's expected work, scaled from a frame that was looked at.
     pub(crate) fn look(&self, index: u32) -> Result<Look, Failure> {
         self.looks.of(self.header, index, |at| self.expected_work(at), |at| self.triangles(at))
     }
@@ -172,8 +171,8 @@ impl<'a> Chain<'a> {
         tracer.expected_work(&view, &frame).map_err(Failure::refused)
     }
 
-    /// Paths or tables of one frame; a frame whose bodies stand and move as in another one has that one's,
-    /// found in the cache.
+    /// Paths or tables of one frame; a frame whose bodies have the poses and velocities of another finds that
+    /// one's in the cache.
     pub fn scattering(&self, plan: &FramePlan) -> Result<Scattering, Failure> {
         Ok(self.scattering_step(plan, &scene::snapshot(self.header, plan.index))?.value)
     }
@@ -202,7 +201,8 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Measured, or like the frame that was. Where nothing moved in between it is that one, as in the cache.
+    /// Paths with measured errors, or with errors taken over from the measured frame; the measured frame
+    /// itself where nothing moved in between, as in the cache.
     fn paths(&self, plan: &FramePlan, scene: &SceneFrame) -> Result<PathsFrame, Failure> {
         let (view, tracer) = (scene::frame_view(self.header, scene.index), self.tracer(plan)?);
         let measured_in = self.header.measured_in(scene.index);
@@ -222,8 +222,7 @@ impl<'a> Chain<'a> {
         })
     }
 
-    /// Paths frame, without its paths, in which errors were measured; computed where no earlier frame of this
-    /// run needed it.
+    /// Measured frame, without its paths; computed unless an earlier frame of this run needed it.
     fn measured_frame(&self, index: u32) -> Result<Arc<PathsFrame>, Failure> {
         if let Some(known) = self.measured.get(index) {
             return Ok(known);
@@ -232,13 +231,13 @@ impl<'a> Chain<'a> {
         self.measured.get(index).ok_or_else(|| Failure::refused(format!("frame {index} has no paths")))
     }
 
-    /// Frames are traced and held so many at a time from now on: each has its share of the memory.
+    /// Sets how many frames are traced and held at a time; each has its share of the memory.
     pub fn share_memory(&self, at_once: AtOnce) {
         let _ = self.at_once.set(at_once);
     }
 
-    /// Tracer of the frames, held to its share of the memory; refused where the frame cannot fit into the
-    /// memory that it may take.
+    /// Tracer of the frames, limited to its share of the memory; refused where the frame cannot fit into the
+    /// allowed memory.
     fn tracer(&self, plan: &FramePlan) -> Result<&bart_rcs::Tracer, Failure> {
         self.memory.check(self.least_memory_mib(plan)?)?;
         let at_once = || *self.at_once.get_or_init(|| AtOnce { workers: 1, held: 1 });
@@ -260,7 +259,7 @@ impl<'a> Chain<'a> {
         )
     }
 
-    /// The echo of paths or tables.
+    /// Synthesizes the echo of paths or tables.
     pub fn synthesize(&self, scene: &SceneFrame, scattering: &Scattering) -> Result<CubeFrame, Failure> {
         let work = of_stage(scene.index, FrameStage::Echo, "echo, percent");
         let progress = |share: f64| work.at((100.0 * share) as usize, 100);
@@ -275,7 +274,7 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// A refusal with the body whose path it is about.
+    /// Refusal that names the body whose path is at fault.
     fn of_echo(&self, error: &EchoError, frame: &PathsFrame) -> Failure {
         let path = error.path().and_then(|path| frame.paths.get(path));
         let targets = artifact_headers::body_ids(self.header);
@@ -310,7 +309,7 @@ impl<'a> Chain<'a> {
         Ok(Step { cached: rdm.cached && points.cached, value: (rdm.value, points.value) })
     }
 
-    /// Rule by which classes are told; without a model no probability is too small to tell one.
+    /// Rule that decides for classes; without a model no probability is too small.
     pub(crate) fn class_rule(&self) -> ClassRule {
         self.model.map(LoadedModel::rule).unwrap_or_default()
     }
@@ -335,12 +334,12 @@ impl<'a> Chain<'a> {
     }
 }
 
-/// Work on one stage of a frame.
+/// Progress of one stage of a frame.
 fn of_stage(frame: u32, stage: FrameStage, name: &str) -> Work {
     Work::in_stages(format!("frame {frame}, {name}"), &[stage])
 }
 
-/// Refusal of a frame that cannot be traced, with its time: bodies of traffic are elsewhere in others.
+/// Refusal of a frame that cannot be traced, with its time: traffic has other poses in other frames.
 fn refused_in(scene: &SceneFrame, error: &bart_rcs::BartError) -> Failure {
     Failure::refused(format!("frame {}, {:.3} s: {error}", scene.index, scene.time_s))
 }

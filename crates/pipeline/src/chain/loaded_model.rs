@@ -1,5 +1,5 @@
-//! A classifier's model as a run uses it: what it looks at is taken from the map, its answers are kept with
-//! its name.
+//! A classifier's model in a run: its inputs are taken from the map, and its answers are cached under its
+//! hash.
 
 use crate::chain::class_rule::ClassRule;
 use crate::host::failure::Failure;
@@ -16,7 +16,7 @@ use std::sync::OnceLock;
 /// Crops held at once: whole passes of the network, 20 MB.
 const CROPS: usize = 100;
 
-/// A classifier and what names it in a cache key.
+/// A classifier and its hash for cache keys.
 pub struct LoadedModel {
     header: ModelHeader,
     weights: Weights,
@@ -24,19 +24,18 @@ pub struct LoadedModel {
     ready: OnceLock<Result<Ready, ClassifierError>>,
 }
 
-/// A model that answers.
+/// A model ready to classify.
 enum Ready {
     Crops(Classifier),
     Signatures(SignatureClassifier),
 }
 
 impl LoadedModel {
-    /// Reads a model file, or the one in a model folder; one that cannot answer is refused at once, with its
-    /// name.
+    /// Reads a model file, or the one in a model folder; an unusable model is refused at once, by name.
     pub fn read(place: &Path) -> Result<Self, Failure> {
         let model = classifier::load_model(place).map(Self::of).map_err(of_classifier_about(place))?;
         model.ready().map_err(|failure| failure.about(place))?;
-        // What its folder tells of it beside the weights is an input as they are.
+        // The files beside the weights are inputs like the weights.
         let folder = if place.is_dir() { Some(place) } else { place.parent() };
         let beside =
             folder.into_iter().flat_map(|folder| classifier::MODEL_FILES.map(|name| folder.join(name)));
@@ -59,12 +58,12 @@ impl LoadedModel {
         &self.hash
     }
 
-    /// Header of the `.classes` artifact: the classes that the probabilities are of.
+    /// Header of the `.classes` artifact: the classes in the order of the probabilities.
     pub(crate) fn classes_header(&self) -> ClassesHeader {
         ClassesHeader { classes: self.header.classes.clone() }
     }
 
-    /// Rule by which a class is told from probabilities.
+    /// Rule that decides for a class from probabilities.
     pub fn rule(&self) -> ClassRule {
         let ModelHeader { least_probability, frame_correlation, .. } = self.header;
         ClassRule { least_probability, frame_correlation }
@@ -157,12 +156,12 @@ fn by_crops(
     Ok(rows)
 }
 
-/// A classifier's refusal of what `place` holds.
+/// Converts a classifier's refusal of the content of `place`.
 pub fn of_classifier_about(place: &Path) -> impl Fn(classifier::ClassifierError) -> Failure + '_ {
     move |error| of_classifier(error).about(place)
 }
 
-/// A model was refused, or the system refused it.
+/// Converts a classifier's error: a refused model, or an error of the system.
 pub fn of_classifier(error: classifier::ClassifierError) -> Failure {
     match error {
         classifier::ClassifierError::Artifact(error) => error.into(),

@@ -1,4 +1,4 @@
-//! A scene from its file, through the cache.
+//! Loading of a scene from its file, through the cache.
 
 use crate::chain::cache::Cache;
 use crate::chain::keys;
@@ -13,34 +13,34 @@ use artifact::unchanged::SeenFile;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// A scene file and what replaces parts of it.
+/// A scene file with replacements for parts of it.
 #[derive(Debug, Clone, Default)]
 pub struct SceneSource {
     /// Scene file (`docs/scenes.md`).
     pub file: PathBuf,
     /// Model file in place of the model of every target.
     pub model: Option<PathBuf>,
-    /// Through which of several radars, by its id.
+    /// Id of the radar to use, where the scene has several.
     pub radar: Option<String>,
     /// Seed in place of the scene's.
     pub seed: Option<u64>,
-    /// Accuracy in place of the scene's, dB, by which its physics is chosen ([`crate::planning`]).
+    /// Accuracy in place of the scene's, dB, by which the physics is chosen ([`crate::planning`]).
     pub accuracy_db: Option<f64>,
 }
 
-/// A scene and how it was come by.
+/// A scene with its origin.
 pub struct LoadedScene {
     /// The scene as every stage reads it.
     pub header: SceneHeader,
     /// Whether it came from the cache.
     pub cached: bool,
-    /// Time that it took, s.
+    /// Loading time, s.
     pub seconds: f64,
-    /// Name and hash of the files it was read from.
+    /// Name and hash of each file that was read.
     pub files: Vec<(String, String)>,
 }
 
-/// Reads the scene, or takes it from the cache where no file that it reads has changed.
+/// Reads the scene, or takes it from the cache if none of its files has changed.
 pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene, Failure> {
     let start = Instant::now();
     let (model, radar) = (source.model.clone(), source.radar.clone());
@@ -50,7 +50,7 @@ pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene,
         seen(&scene::inputs(&source.file, &options).map_err(of_scene)?)
     })?;
     let files: Vec<(String, String)> = seen.iter().map(|file| file.named().clone()).collect();
-    // Of a path that is no text the key has what can be shown; what is in the file is among the hashes.
+    // A path that is not Unicode enters the key as displayable text; the file's content is among the hashes.
     let model = source.model.as_ref().map(|file| file.to_string_lossy());
     let key = keys::scene(&files, &(model, &source.radar));
     let reading = Work::begin(format!("reading {name} and its meshes"));
@@ -61,7 +61,7 @@ pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene,
         None => scene::read(&source.file, &options).map_err(of_scene)?,
     };
     if !cached {
-        check_unchanged(&mut seen)?; // else the cache would keep what was read under the hashes of other files
+        check_unchanged(&mut seen)?; // otherwise the cache would store it under wrong hashes
     }
     check_model(source, &header)?;
     if let (Some(cache), false) = (cache, cached) {
@@ -72,7 +72,7 @@ pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene,
     Ok(LoadedScene { header, cached, seconds: start.elapsed().as_secs_f64(), files })
 }
 
-/// Refuses a model in place of those of targets where no target has one.
+/// Refuses a replacement model if no target has a model.
 fn check_model(source: &SceneSource, header: &SceneHeader) -> Result<(), Failure> {
     let is_replaced = |target: &Target| target.role == Role::Target && target.kind.mesh().is_some();
     if source.model.is_none() || header.targets.iter().any(is_replaced) {
@@ -82,18 +82,18 @@ fn check_model(source: &SceneSource, header: &SceneHeader) -> Result<(), Failure
     Err(Failure::System(format!("{}: {rule}", source.file.display())))
 }
 
-/// Seed of the noise: the scene's, or one of its own for each of several radars.
+/// Seed of the noise: the scene's, or a derived one for each of several radars.
 fn seed(of_scene: u64, radar: Option<&str>) -> u64 {
     let Some(id) = radar else { return of_scene };
     artifact::seed::derived(of_scene, &format!("xtask/radar/{id}"), &[])
 }
 
-/// A radar and settings of a scene, its models unopened.
+/// Reads the radar and the settings of a scene without opening its models.
 pub fn radar_only(file: &Path, radar: Option<&str>) -> Result<SceneHeader, Failure> {
     radar_changed(file, radar, &[])
 }
 
-/// The same with some of the scene's values changed.
+/// Reads them with some of the scene's values changed.
 pub fn radar_changed(
     file: &Path,
     radar: Option<&str>,
@@ -104,23 +104,23 @@ pub fn radar_changed(
     scene::read_changed(file, changes, &options).map_err(of_scene)
 }
 
-/// The files that such a reading depends on, and the models that it leaves unopened.
+/// The files that this reading depends on, and the models that it leaves unopened.
 pub fn files_of_radar(file: &Path) -> Result<Vec<PathBuf>, Failure> {
     let options = scene::ReadOptions::names_only();
     scene::inputs(file, &options).map_err(of_scene)
 }
 
-/// A mesh file's rules were broken, or the system refused.
+/// Converts an error of a mesh file: a broken rule, or an error of the system.
 pub fn of_mesh(error: scene::MeshError) -> Failure {
     if error.is_system() { Failure::System(error.to_string()) } else { Failure::Refused(error.to_string()) }
 }
 
-/// Rules of a material of OpenMATERIAL 3D were broken, or the system refused.
+/// Converts an error of an OpenMATERIAL 3D material: a broken rule, or an error of the system.
 pub fn of_asset(error: scene::OpenMaterialError) -> Failure {
     if error.is_system() { Failure::System(error.to_string()) } else { Failure::Refused(error.to_string()) }
 }
 
-/// A scene's rules were broken, or the system refused.
+/// Converts an error of a scene: a broken rule, or an error of the system.
 pub fn of_scene(errors: scene::SceneErrors) -> Failure {
     if errors.is_system() {
         Failure::System(errors.to_string())
@@ -129,7 +129,7 @@ pub fn of_scene(errors: scene::SceneErrors) -> Failure {
     }
 }
 
-/// Files as they are now, each with its hash.
+/// Present state of files, each with its hash.
 pub fn seen(files: &[PathBuf]) -> Result<Vec<SeenFile>, Failure> {
     files
         .iter()
@@ -137,7 +137,7 @@ pub fn seen(files: &[PathBuf]) -> Result<Vec<SeenFile>, Failure> {
         .collect()
 }
 
-/// Refuses what was made of files that were changed since their hashes were taken.
+/// Refuses a result if one of its files has changed since its hash was taken.
 ///
 /// # Errors
 /// A file has another content now, or is gone.
@@ -155,8 +155,8 @@ pub fn changed(file: &Path) -> Failure {
     Failure::System(format!("{}: {rule}", file.display()))
 }
 
-/// Hands out what is read of files, with the names and hashes of these: refused where one was changed
-/// meanwhile, for the hash would be another file's than what was read.
+/// Returns the result of `read` with the names and hashes of its files: refused if one of them changed
+/// meanwhile, because the hash would belong to other content.
 ///
 /// # Errors
 /// Those of `read`; a file has another content now than before, is gone, or cannot be read.
@@ -165,7 +165,7 @@ pub fn read_of<T>(
     read: impl FnOnce() -> Result<T, Failure>,
 ) -> Result<(T, Vec<(String, String)>), Failure> {
     let seen = seen(files);
-    let found = read()?; // says more of a file that cannot be read
+    let found = read()?; // reports more about an unreadable file
     let mut seen = seen?;
     check_unchanged(&mut seen)?;
     Ok((found, seen.iter().map(|file| file.named().clone()).collect()))
@@ -179,8 +179,7 @@ pub fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
     files.iter().map(named).collect()
 }
 
-/// The model that was asked for, else the one that ships with the program; `None` where that has no
-/// classifier.
+/// The requested model, else the one shipped with the program; `None` if the program has no classifier.
 pub fn model(asked: Option<&Path>) -> Result<Option<LoadedModel>, Failure> {
     asked.map_or_else(shipped, |place| LoadedModel::read(place).map(Some))
 }
@@ -195,8 +194,8 @@ fn shipped() -> Result<Option<LoadedModel>, Failure> {
     Ok(None)
 }
 
-/// Provenance of an artifact: stage, version, inputs, settings and seed. Settings of what bodies scatter tell
-/// of these bodies too.
+/// Provenance of an artifact: stage, version, inputs, settings and seed. For scattering it includes the
+/// bodies.
 pub fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, String)>) -> Provenance {
     let asked = (&header.fidelity, &header.dsp);
     let settings = match stage {

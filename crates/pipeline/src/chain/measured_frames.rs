@@ -1,11 +1,11 @@
-//! Frames whose error was measured, for the frames that take it over.
+//! Frames whose errors were measured, for the frames that take them over.
 
 use artifact::paths::{ErrorOrigin, PathsFrame};
 use artifact::scene::SceneHeader;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Frames whose error was measured in this run, without their paths.
+/// Frames whose errors were measured in this run, without their paths.
 #[derive(Default)]
 pub(crate) struct MeasuredFrames {
     own: Mutex<Known>,
@@ -17,22 +17,22 @@ pub(crate) struct MeasuredFrames {
 pub type Known = BTreeMap<u32, Arc<PathsFrame>>;
 
 impl MeasuredFrames {
-    /// Makes the frames of a scene that takes over what was measured in another one.
+    /// Makes the record of a scene that takes over the errors measured in another one.
     pub(crate) fn of_another(taken_over: Known) -> Self {
         Self { taken_over, ..Self::default() }
     }
 
-    /// All frames whose error was measured in this scene.
+    /// All frames whose errors were measured in this scene.
     pub(crate) fn all(&self) -> Known {
         self.known().clone()
     }
 
-    /// Frame of another scene that was measured for this frame record.
+    /// Frame of another scene in which the errors of this frame record were measured.
     pub(crate) fn taken_over(&self, index: u32) -> Option<Arc<PathsFrame>> {
         self.taken_over.get(&index).cloned()
     }
 
-    /// Remembers frame record `index` if others take over what was measured in it.
+    /// Keeps frame record `index` if other frames take over its measured errors.
     pub(crate) fn keep(&self, header: &SceneHeader, index: u32, frame: &PathsFrame) {
         if header.fidelity.measured_every > 1 && header.measured_in(index) == index {
             let without_paths = PathsFrame {
@@ -54,7 +54,7 @@ impl MeasuredFrames {
     }
 }
 
-/// The frame record in which the errors that are told of record `index` were measured.
+/// The frame record in which the errors of record `index` were measured.
 pub(crate) fn errors_of_frame(header: &SceneHeader, index: u32, paths: &PathsFrame) -> u32 {
     match paths.trace.origin {
         ErrorOrigin::Measured => index,

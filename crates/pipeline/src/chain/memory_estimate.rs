@@ -1,4 +1,5 @@
-//! Memory of a run, expected and at most: what is known of its arrays, and what the tracer may find.
+//! Expected and largest memory of a run: its arrays, whose sizes are known, and the tracer's data, which are
+//! estimated.
 
 use crate::chain::expectation::rates::{
     BYTES_PER_BEAM, BYTES_PER_CELL, BYTES_PER_CHANGING_CELL, BYTES_PER_FACET, BYTES_PER_MOVING_CELL,
@@ -16,37 +17,36 @@ use artifact::scene::Pose;
 use artifact::settings::EchoMode;
 use bart_rcs::MemoryLimit;
 
-/// Expected load of a frame on memory, by what it goes into.
+/// Expected memory load of a frame, by its causes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Load {
     /// Cubes, maps, paths of the ground and searches of directions.
     pub signal_mib: f64,
-    /// Facets that are placed.
+    /// Placed facets.
     pub facets: f64,
     /// Lit polygons.
     pub beams: f64,
-    /// Lit polygons that waves reach through sheets: beside those of the frame there are as many of the ways
-    /// by a road that it is asked about, and each remembers what it has passed.
+    /// Lit polygons that waves reach through sheets: beside those of the frame there are as many of the paths
+    /// by a road that it is asked about, and each stores the sheets it has passed.
     pub beams_through_sheets: f64,
     /// Cells of paths.
     pub cells: f64,
-    /// Cells of paths where a body moves: then their paths may be held for several moments of the frame.
+    /// Cells of paths where a body moves, whose paths may be held for several moments of the frame.
     pub changing_cells: f64,
-    /// Tiles between bodies that slide past each other, times the wavelengths that they do.
+    /// Tiles between bodies that slide past each other, times the wavelengths by which they slide.
     pub sliding_tiles: f64,
-    /// Cells of ways between bodies that slide past each other, however far they slide.
+    /// Cells of paths between bodies that slide past each other, however far they slide.
     pub moving_cells: f64,
 }
 
 impl Load {
-    /// Memory that a frame cannot do without, MiB: signals, facets and lit polygons. How many cells an
-    /// accuracy takes, and how many of their paths it drops, is known only from the trace, which watches them
-    /// grow.
+    /// Least memory of a frame, MiB: signals, facets and lit polygons. The number of cells that an accuracy
+    /// takes, and of paths that are dropped, is known only from tracing, which watches their growth.
     pub(crate) fn least_mib(&self) -> f64 {
         self.signal_mib + mib((self.facets * BYTES_PER_FACET + self.beams * BYTES_PER_BEAM) as u64)
     }
 
-    /// Memory held at most, MiB, the program not among it.
+    /// Upper limit of the memory, MiB, without the program.
     pub(crate) fn mib(&self) -> f64 {
         let bytes = self.cells * BYTES_PER_CELL
             + self.changing_cells * BYTES_PER_CHANGING_CELL
@@ -55,9 +55,9 @@ impl Load {
         self.least_mib() + mib(bytes as u64)
     }
 
-    /// Counts of what a run is expected to hold whose frames are like this one, so many of them side by
-    /// side: the program, triangles as they are read, MiB of signals, facets, lit polygons, cells, cells of
-    /// ways between bodies that slide past each other, and lit polygons behind sheets.
+    /// Counts of the expected memory contents of a run of such frames, `at_once` of them side by side: the
+    /// program, triangles as they are read, MiB of signals, facets, lit polygons, cells, cells of paths
+    /// between bodies that slide past each other, and lit polygons behind sheets.
     pub fn held(&self, triangles: f64, at_once: f64) -> [f64; HELD_KINDS] {
         let Self { signal_mib, facets, beams, beams_through_sheets, cells, moving_cells, .. } = *self;
         let of_frames = [signal_mib, facets, beams, cells, moving_cells, beams_through_sheets];
@@ -68,18 +68,18 @@ impl Load {
 }
 
 impl Chain<'_> {
-    /// Memory held at most while a frame's plan is carried out, MiB, the program itself among it.
+    /// Upper limit of the memory while a frame's plan is carried out, MiB, with the program itself.
     pub fn memory_estimate_mib(&self, plan: &FramePlan) -> Result<f64, Failure> {
         Ok(PROGRAM_MIB + self.load(plan)?.mib())
     }
 
-    /// Memory held at least while a frame's plan is carried out, MiB, the program itself among it.
+    /// Least memory while a frame's plan is carried out, MiB, with the program itself.
     pub(crate) fn least_memory_mib(&self, plan: &FramePlan) -> Result<f64, Failure> {
         Ok(PROGRAM_MIB + self.load(plan)?.least_mib())
     }
 
-    /// Memory held at most in a run of these plans, MiB: the program, and the largest frame as often as
-    /// frames are held; and counts of what is expected to be held ([`Load::held`]).
+    /// Upper limit of the memory of a run of these plans, MiB: the program, and the largest frame for each
+    /// held frame; and counts of the expected contents ([`Load::held`]).
     pub(crate) fn memory_of_run(&self, plans: &[FramePlan]) -> Result<(f64, [f64; HELD_KINDS]), Failure> {
         let AtOnce { workers, held } = self.frames_at_once(plans)?;
         let largest = self.largest_load(plans)?;
@@ -88,9 +88,9 @@ impl Chain<'_> {
         Ok((most_mib, largest.held(triangles as f64, workers as f64)))
     }
 
-    /// Number of frames that are computed at a time, one a thread, and that are held, one more: it is written
-    /// while others are computed. As many as are expected to fit into the memory that they may take. A
-    /// frame's own work is in parallel too; what of it is not, is done beside another frame.
+    /// Number of frames computed at a time, one per thread, and held, one more, which is written meanwhile:
+    /// as many as are expected to fit into the allowed memory. The work within a frame is parallel too; its
+    /// serial parts run beside other frames.
     pub fn frames_at_once(&self, plans: &[FramePlan]) -> Result<AtOnce, Failure> {
         let threads = rayon::current_num_threads().min(plans.len()).max(1);
         let most = if threads > 1 { threads + 1 } else { 1 };
@@ -100,14 +100,14 @@ impl Chain<'_> {
         Ok(of_held(most.min(fitting).max(1)))
     }
 
-    /// Memory that the tracing of one of these frames may take: an equal part, for each that is traced, of
-    /// what the program and the cubes and maps of the other frames that are held leave.
+    /// Memory allowed for tracing one of these frames: an equal part, for each traced frame, of the memory
+    /// left by the program and by the cubes and maps of the other held frames.
     pub(crate) fn tracing_share(&self, AtOnce { workers, held }: AtOnce) -> MemoryLimit {
         let of_others_mib = mib(self.signal_bytes()) * held.saturating_sub(1) as f64;
         self.memory().beside(PROGRAM_MIB + of_others_mib).limit().share_of(workers)
     }
 
-    /// Load of the frame that is expected to hold most.
+    /// Load of the frame with the largest expected memory.
     pub fn largest_load(&self, plans: &[FramePlan]) -> Result<Load, Failure> {
         plans.iter().try_fold(Load::default(), |most, plan| {
             let load = self.load(plan)?;
@@ -139,7 +139,7 @@ impl Chain<'_> {
         })
     }
 
-    /// Whether any body of a frame does.
+    /// Whether any body of a frame moves.
     fn moves(&self, index: u32) -> bool {
         let poses = scene::snapshot(self.header, index).poses;
         let moves = |pose: &Pose| {
@@ -148,7 +148,7 @@ impl Chain<'_> {
         poses.iter().any(moves)
     }
 
-    /// Bytes of what follows the tracer: cubes, maps, paths of the ground, searches of directions.
+    /// Bytes of the data after the tracer: cubes, maps, paths of the ground, searches of directions.
     fn signal_bytes(&self) -> u64 {
         let accuracy = fmcw_echo::sum_accuracy(self.header.fidelity.accuracy);
         fmcw_echo::memory_estimate_bytes(self.cube_header(), accuracy)
@@ -157,18 +157,18 @@ impl Chain<'_> {
             + self.direction_bytes()
     }
 
-    /// A map in both precisions: all channels are transformed at once.
+    /// Bytes of a map in both precisions: all channels are transformed at once.
     fn map_bytes(&self) -> u64 {
         let cells: usize = artifact::rdm::shape(self.cube_header()).iter().product();
         (cells * (size_of::<num_complex::Complex32>() + size_of::<num_complex::Complex64>())) as u64
     }
 
-    /// Searches of the directions of echoes, one a thread.
+    /// Bytes of the searches of echoes' directions, one per thread.
     fn direction_bytes(&self) -> u64 {
         rayon::current_num_threads() as u64 * dsp::angle::search_bytes(&self.header.radar)
     }
 
-    /// Paths of the ground, once for the run and once among those of the frame.
+    /// Bytes of the ground's paths, once for the run and once among those of the frame.
     fn ground_bytes(&self) -> u64 {
         let patches = self.header.backscatter.map_or(0, |_| fmcw_echo::ground::patches(&self.header.radar));
         (2 * patches * size_of::<Path>()) as u64

@@ -1,4 +1,4 @@
-//! In place of the classifier where the program is built without it: there is no model, points keep null
+//! Stand-in for the classifier in programs built without it: there is no model, and points keep null
 //! probabilities.
 
 use crate::chain::class_rule::ClassRule;
@@ -8,7 +8,7 @@ use artifact::points::PointsFrame;
 use artifact::rdm::RdmFrame;
 use std::path::Path;
 
-/// A model, of which there is none.
+/// A model; this program has none.
 pub enum LoadedModel {}
 
 impl LoadedModel {
@@ -18,22 +18,22 @@ impl LoadedModel {
         Err(Failure::refused(format!("{place}: the program was built without its feature `classifier`")))
     }
 
-    /// Key of a cache; never asked.
+    /// Key of a cache; never called.
     pub fn hash(&self) -> &str {
         match *self {}
     }
 
-    /// Header of classes; never asked.
+    /// Header of classes; never called.
     pub(crate) fn classes_header(&self) -> ClassesHeader {
         match *self {}
     }
 
-    /// Rule of classes; never asked.
+    /// Rule of classes; never called.
     pub fn rule(&self) -> ClassRule {
         match *self {}
     }
 
-    /// Probabilities of objects; never asked.
+    /// Probabilities of objects; never called.
     pub fn classify(
         &self,
         _: &dsp::Receiver,

@@ -1,4 +1,4 @@
-//! Plan of every frame, from what is asked to what is missing: which stages run and why.
+//! Plan of every frame, from the requested result to the missing data: which stages run and why.
 
 use crate::chain::cache::Cache;
 use crate::chain::keys::FrameKeys;
@@ -21,24 +21,24 @@ pub struct FramePlan {
     pub index: u32,
     /// Keys of its stages.
     pub keys: FrameKeys,
-    /// Each stage that is part of the run, with `None` if its frame is cached, else why it runs.
+    /// Each stage of the run, with `None` if its frame is cached, otherwise the reason why it runs.
     pub(crate) steps: Vec<(Stage, Option<String>)>,
 }
 
 impl FramePlan {
-    /// Looks each stage's frame up; `cache` is `None` with `--no-cache`.
+    /// Looks up the frame of each stage; `cache` is `None` with `--no-cache`.
     pub(crate) fn of(cache: Option<&Cache>, header: &SceneHeader, index: u32, keys: FrameKeys) -> Self {
         let reason = |stage: &Stage| (*stage, why_it_runs(cache, header, index, *stage, &keys));
         let steps = PER_FRAME.iter().filter(|stage| keys.get(**stage).is_some()).map(reason).collect();
         Self { index, keys, steps }
     }
 
-    /// Whether the stage's frame has to be computed.
+    /// Whether the stage's frame must be computed.
     pub(crate) fn runs(&self, stage: Stage) -> bool {
         self.steps.iter().any(|(s, why)| *s == stage && why.is_some())
     }
 
-    /// A line per stage.
+    /// A line for each stage.
     pub fn explained(&self) -> Vec<String> {
         let line = |(stage, why): &(Stage, Option<String>)| {
             let verdict = why.as_ref().map_or("cached".into(), |why| format!("runs: {why}"));

@@ -1,12 +1,12 @@
-//! The five stages, as the plan and the cache name them.
+//! The five stages, as named in plans and in the cache.
 
 use serde::{Deserialize, Serialize};
 
-/// Hash of the sources of `evaluation` and of the leaves that it sees, made by `build.rs`: for keys of kept
-/// errors.
+/// Hash of the sources of `evaluation` and of the leaf crates that it uses, made by `build.rs`; used in keys
+/// of cached errors.
 pub const SOURCES_OF_EVALUATION: &str = env!("SOURCES_OF_EVALUATION");
 
-/// A stage of the chain; JSON has its name.
+/// A stage of the chain; JSON holds its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stage {

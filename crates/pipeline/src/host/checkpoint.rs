@@ -1,13 +1,13 @@
-//! Checkpoint of long work, beside the result it will become: the next run of the same work goes on from
-//! there, a run of other work never looks at it, and a finished run removes it.
+//! Checkpoint of long work, beside its future result: the next run of the same work resumes from it, a run of
+//! other work ignores it, and a finished run removes it.
 //!
 //! ```text
 //! magic "WAYSIDE CHECKPOINT 1\n", key in 64 hexadecimal digits, "\n"
 //! record  length u32 | checksum 16 bytes | pass u32 | aspect u32 | bytes      (any number, in the order they were done)
 //! ```
 //!
-//! Integers are little endian; checksums are the first half of BLAKE3 over what follows them. A run that is
-//! killed leaves at most one record half-written: reading ends at the first one that is not whole.
+//! Integers are little endian; checksums are the first half of BLAKE3 over the rest of the record. A killed
+//! run leaves at most one incomplete record: reading ends at the first one.
 
 use crate::host::progress;
 use bart_rcs::{Keeper, Piece};
@@ -19,7 +19,7 @@ use std::sync::{Mutex, PoisonError};
 
 const MAGIC: &[u8] = b"WAYSIDE CHECKPOINT 1\n";
 const CHECKSUM_BYTES: usize = 16;
-/// The largest table, every order of it.
+/// Largest checkpoint: the largest table with all its orders.
 const LIMIT_BYTES: u64 = 16 << 30;
 const HEAD_BYTES: usize = size_of::<u32>() + CHECKSUM_BYTES;
 
@@ -31,9 +31,9 @@ pub struct Checkpoint {
     state: Mutex<State>,
 }
 
-/// State of the file that records go to.
+/// State of the file that receives the records.
 enum State {
-    /// The file is made with the first record.
+    /// The file is created with the first record.
     NotYet,
     /// The file is open and locked, at its end.
     Open(File),
@@ -42,8 +42,8 @@ enum State {
 }
 
 impl Checkpoint {
-    /// Opens the checkpoint of the work that `key` names and whose result goes to `out`; `key` has to tell of
-    /// everything the result depends on.
+    /// Opens the checkpoint of the work that `key` identifies and whose result goes to `out`; `key` has to
+    /// cover everything the result depends on.
     pub fn open(out: &Path, key: &str) -> Self {
         let mut name = out.as_os_str().to_owned();
         name.push(".checkpoint");
@@ -53,7 +53,7 @@ impl Checkpoint {
             kept: BTreeMap::new(),
             state: Mutex::new(State::NotYet),
         };
-        // A FIFO would be waited for, a link leads to what is somebody else's.
+        // Opening a FIFO would block, and a link leads to a file of somebody else.
         let is_plain = std::fs::symlink_metadata(&checkpoint.place).is_ok_and(|about| about.is_file());
         let file =
             is_plain.then(|| File::options().read(true).write(true).open(&checkpoint.place).ok()).flatten();
@@ -70,14 +70,14 @@ impl Checkpoint {
         self.kept.keys().filter(|piece| Some(piece.pass) == last).count()
     }
 
-    /// The work is done and its result written: the file goes.
+    /// Removes the file once the work is done and its result written.
     pub fn finish(self) {
         if let State::Open(_file) = self.state.into_inner().unwrap_or_else(PoisonError::into_inner) {
             let _ = std::fs::remove_file(&self.place); // a file that is left costs only its room: it is read or replaced
         }
     }
 
-    /// Reads what is whole and stands at its end, or begins anew where it is of other work.
+    /// Reads the complete records and moves to their end, or begins anew if the file belongs to other work.
     fn take_up(&mut self, mut file: File) -> std::io::Result<State> {
         file.try_lock().map_err(|_| std::io::Error::other("another run has it"))?;
         let about = file.metadata()?;
@@ -105,7 +105,7 @@ impl Checkpoint {
         Ok(State::Open(file))
     }
 
-    /// Takes whole records; how many bytes they are.
+    /// Reads complete records and returns their size in bytes.
     fn read(&mut self, records: &[u8]) -> usize {
         let mut left = records;
         while let Some((piece, bytes, rest)) = record(left) {
@@ -156,7 +156,7 @@ fn append(file: &mut File, piece: Piece, bytes: &[u8]) -> std::io::Result<()> {
     file.write_all(&[&length.to_le_bytes(), checksum(&body).as_slice(), &body].concat())
 }
 
-/// The first record of these bytes and what is behind it; `None` where it is not whole.
+/// Splits off the first record; `None` if it is incomplete.
 fn record(bytes: &[u8]) -> Option<(Piece, &[u8], &[u8])> {
     let (head, rest) = bytes.split_at_checked(HEAD_BYTES)?;
     let (length, sum) = head.split_first_chunk()?;

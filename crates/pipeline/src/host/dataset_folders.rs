@@ -1,5 +1,5 @@
-//! Folders of datasets as inputs: their shards are all there, none stands for two, and no output takes the
-//! place of one of their files.
+//! Folders of datasets as inputs: checks that all shards exist, that no two are the same, and that no output
+//! replaces one of their files.
 
 use crate::host::failure::Failure;
 use crate::host::progress;
@@ -12,26 +12,26 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-/// Files that are made of all shards, in the order of their writing: a line a sample, a line a scene, and
-/// the errors of all vehicles.
+/// Files made from all shards, in the order of their writing: a line per sample, a line per scene, and the
+/// errors of all vehicles.
 pub const CONCLUSION: [&str; 3] = ["manifest.jsonl", SCENES, "detection.md"];
 const SCENES: &str = "scenes.jsonl";
 
-/// A folder of a dataset whose shards are all there.
+/// A folder of a dataset with all its shards.
 #[derive(Debug, Clone)]
 pub struct DatasetFolder {
-    /// Name by which it was asked for.
+    /// Folder as the caller named it.
     pub folder: PathBuf,
-    /// Its shards, at least one, in the order of their numbers.
+    /// Shards, at least one, in the order of their numbers.
     pub shards: Vec<PathBuf>,
 }
 
 impl DatasetFolder {
-    /// Looks for the shards of a folder; all of its files are inputs from here on.
+    /// Finds the shards of a folder; all of its files count as inputs from then on.
     ///
     /// # Errors
-    /// It has no shards, or not all that its `scenes.jsonl` names. Without one the dataset was not concluded,
-    /// which is noted, and what is there is taken.
+    /// The folder has no shards, or lacks some that its `scenes.jsonl` names. Without that file the dataset
+    /// is unfinished: this is noted, and the present shards are taken.
     pub fn open(folder: &Path) -> Result<Self, Failure> {
         let shards = shards(folder);
         if shards.is_empty() {
@@ -46,11 +46,11 @@ impl DatasetFolder {
         Ok(Self { folder: folder.to_owned(), shards })
     }
 
-    /// Looks for the shards of several folders, of which none may hold what another one holds.
+    /// Finds the shards of several folders, which must not share any.
     ///
     /// # Errors
-    /// As [`Self::open`], and where two shards have the same bytes: their samples would count twice, or train
-    /// what they test.
+    /// Those of [`Self::open`], and two shards with the same bytes: their samples would count twice, or be in
+    /// both training and test.
     pub fn open_all(folders: &[PathBuf]) -> Result<Vec<Self>, Failure> {
         let opened: Vec<Self> = folders.iter().map(|folder| Self::open(folder)).collect::<Result<_, _>>()?;
         none_twice(opened.iter().flat_map(|folder| &folder.shards))?;
@@ -63,13 +63,13 @@ pub fn lines_of(shard: &Path) -> PathBuf {
     shard.with_extension("jsonl")
 }
 
-/// Part of a scene's line that says which shard has its samples.
+/// Part of a scene's line that names the shard of its samples.
 #[derive(Deserialize)]
 struct OfShard {
     file: Option<String>,
 }
 
-/// Holds the shards of a folder against those that its `scenes.jsonl` names.
+/// Checks the shards of a folder against those that its `scenes.jsonl` names.
 fn all_are_there(folder: &Path, shards: &[PathBuf]) -> Result<(), Failure> {
     let scenes = folder.join(SCENES);
     let file = match bounded::open(&scenes) {
@@ -95,10 +95,10 @@ fn all_are_there(folder: &Path, shards: &[PathBuf]) -> Result<(), Failure> {
     lacks.map_or(Ok(()), |name| Err(lacking(folder, name)))
 }
 
-/// Bytes of the line of a scene at most: a thousand frames of sixteen vehicles.
+/// Largest line of a scene, bytes: a thousand frames of sixteen vehicles.
 const LINE_LIMIT_BYTES: u64 = 1 << 26;
 
-/// Names of the shards that the lines of scenes tell of.
+/// Names of the shards in the lines of scenes.
 fn shards_named(file: File, scenes: &Path) -> Result<BTreeSet<String>, Failure> {
     let mut reader = BufReader::new(file);
     let mut named = BTreeSet::new();
@@ -128,7 +128,7 @@ fn lacking(folder: &Path, shard: &str) -> Failure {
     Failure::System(format!("{}: {rule}", folder.join(shard).display()))
 }
 
-/// Refuses two shards of the same bytes; only those of one length are read for it. Those without samples, of
+/// Refuses two shards with the same bytes; only shards of equal length are read. Shards without samples, in
 /// whose scenes nothing was found, are all alike.
 fn none_twice<'a>(shards: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failure> {
     let mut of_length: BTreeMap<u64, Vec<&PathBuf>> = BTreeMap::new();
@@ -149,8 +149,8 @@ fn none_twice<'a>(shards: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failu
     Ok(())
 }
 
-/// The shards of a dataset folder and of its folders for a thousand shards each, in the order of their
-/// numbers; others before them, in the order of their names.
+/// Shards of a dataset folder and of its subfolders of a thousand shards each, in the order of their numbers;
+/// files with other names come first, by name.
 fn shards(folder: &Path) -> Vec<PathBuf> {
     let folders = entries(folder).filter(|place| name(place).starts_with("shards-") && place.is_dir());
     let all = entries(folder).chain(folders.flat_map(|folder| entries(&folder)));

@@ -1,34 +1,34 @@
-//! Failure of work: a sentence that says why, and of what kind it is.
+//! Failure of work: its kind, and a sentence with the reason.
 
 use artifact::ArtifactError;
 use artifact::bounded::ReadFault;
 use artifact::sentence::readable;
 use std::path::Path;
 
-/// The sentence was made by the error it came from; what a program makes of its kind is the program's.
+/// The sentence comes from the causing error; the program decides how to treat each kind.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
     /// An input was read and refused, or a check of `ci` failed.
     #[error("{}", readable(.0))]
     Refused(String),
-    /// The content of a file cannot be worked on; which file that was is known further out.
+    /// The content of a file cannot be used; the caller knows which file.
     #[error("{}", readable(.0))]
     Unplaced(String),
-    /// A file is missing, unreadable or unwritable, the disk is full, or the words of the command are off.
+    /// A file is missing, unreadable or unwritable, the disk is full, or the command's arguments are wrong.
     #[error("{}", readable(.0))]
     System(String),
-    /// Whoever asked for the work called it off.
+    /// The caller cancelled the work.
     #[error("called off; whole frames and aspects are kept, the next run goes on from there")]
     CalledOff,
 }
 
 impl Failure {
-    /// A refusal in the words of a stage, which knows no files.
+    /// Refusal in the words of a stage, which does not know the file.
     pub fn refused(error: impl std::fmt::Display) -> Self {
         Self::Unplaced(error.to_string())
     }
 
-    /// Names the file that was read, where none is named yet.
+    /// Adds the name of the file that was read, unless one is named already.
     pub fn about(self, file: &Path) -> Self {
         match self {
             Self::Unplaced(text) => Self::Refused(format!("{}: {text}", file.display())),
@@ -36,7 +36,7 @@ impl Failure {
         }
     }
 
-    /// Names the file that names the one which is refused.
+    /// Adds the name of the file that refers to the refused one.
     pub fn named_in(self, file: &Path) -> Self {
         let named = |text: String| format!("{}: {text}", file.display());
         match self {
@@ -46,13 +46,13 @@ impl Failure {
         }
     }
 
-    /// An input was not read whole: the system's fault, or its own.
+    /// Failure to read an input to its end, due to the system or to the input itself.
     pub fn unread(file: &Path, fault: &ReadFault) -> Self {
         let text = format!("{}: {fault}", file.display());
         if fault.is_system() { Self::System(text) } else { Self::Refused(text) }
     }
 
-    /// Failure with what the system answered about `file`.
+    /// Failure with the system's error about `file`.
     pub fn system(file: &Path, doing: &str, error: impl std::fmt::Display) -> Self {
         Self::System(format!("{}: cannot {doing}: {error}", file.display()))
     }

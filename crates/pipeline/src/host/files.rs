@@ -1,4 +1,4 @@
-//! Writing of files that are there whole or not at all, and reading of what earlier runs have left.
+//! Atomic writing of files, whole or not at all, and reading of files that earlier runs left.
 
 mod taken;
 mod writing;
@@ -13,8 +13,8 @@ use taken::{one_name, taken};
 
 pub use writing::Writing;
 
-/// Refuses what could not be written, before the work that it is the result of: no plain file, an input, a
-/// place without permission, or one place for two results.
+/// Refuses unwritable results before the work begins: no plain file, an input, a place without permission, or
+/// one place for two results.
 pub fn claim(places: &[PathBuf]) -> Result<(), Failure> {
     let mut claimed = BTreeSet::new();
     for place in places {
@@ -26,15 +26,16 @@ pub fn claim(places: &[PathBuf]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Refuses, before the work, to replace a file that nobody named and that is not what an earlier run of this
-/// program has left there: more than `limit` bytes, or not its own by what it holds.
+/// Refuses, before the work, to replace a file that the user did not name and that no earlier run of this
+/// program left: larger than `limit` bytes, or with foreign content.
 pub fn keep_foreign(place: &Path, limit: u64, is_own: impl FnOnce(&[u8]) -> bool) -> Result<(), Failure> {
     let rule = "was not written by this program, and would be replaced";
     keep_unless(place, rule, || read_own(place, limit).is_ok_and(|bytes| is_own(&bytes)))
 }
 
-/// Refuses, before the work, to replace a plain file that nobody named, unless it may be; `rule` is what the
-/// refusal says of it. What is neither missing nor a plain file is refused by its writer.
+/// Refuses, before the work, to replace a plain file that the user did not name unless `may_be` allows it;
+/// `rule` is the text of the refusal. A place that is neither missing nor a plain file is refused by its
+/// writer.
 pub fn keep_unless(place: &Path, rule: &str, may_be: impl FnOnce() -> bool) -> Result<(), Failure> {
     if !place.is_file() || may_be() {
         return Ok(());
@@ -42,15 +43,15 @@ pub fn keep_unless(place: &Path, rule: &str, may_be: impl FnOnce() -> bool) -> R
     Err(Failure::System(format!("{}: {rule}; choose another --out", place.display())))
 }
 
-/// Writes `file` whole or not at all; folders that are missing are made.
+/// Writes `file` whole or not at all; missing folders are created.
 pub fn write_file(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_with(file, |stream| stream.write_all(bytes))
 }
 
-/// Bytes of a file that an earlier run has left and this one may replace: it is no input. What is no plain
-/// file and what has more than `limit` bytes is not read.
+/// Reads a file that an earlier run left and this one may replace; it does not count as an input. Refuses
+/// files that are not plain or larger than `limit` bytes.
 pub fn read_own(file: &Path, limit: u64) -> std::io::Result<Vec<u8>> {
-    // Opening a FIFO waits for its writer.
+    // Opening a FIFO would wait for its writer.
     if !std::fs::metadata(file)?.is_file() {
         return Err(Error::new(ErrorKind::InvalidInput, "it is no plain file"));
     }
@@ -62,18 +63,18 @@ pub fn read_own(file: &Path, limit: u64) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Writes a file that grows and is written again and again, whole or not at all.
+/// Writes a file that grows and is rewritten repeatedly, whole or not at all.
 pub fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let mut whole = WholeFile::create(file)?;
     whole.write_all(bytes).map_err(|e| Failure::system(file, "write", e))?;
     Ok(whole.finish(Durability::InCache)?)
 }
 
-/// Removes what earlier commands have left in these places, before the first of them is written anew: a
-/// command that is ended then leaves fewer files, and never some of its own beside some of theirs.
+/// Removes the results of earlier commands in these places before the first is written anew: an interrupted
+/// command then leaves fewer files, and never a mixture of new and old ones.
 pub fn outdate(places: impl IntoIterator<Item = PathBuf>) -> Result<(), Failure> {
     for place in places {
-        // Of what cannot be replaced its writer tells.
+        // The writer reports a place that cannot be replaced.
         if place.is_file() {
             whole_file::check(&place)?;
             take_away(&place, &[]).map_err(|e| Failure::system(&place, "remove", e))?;
@@ -82,8 +83,8 @@ pub fn outdate(places: impl IntoIterator<Item = PathBuf>) -> Result<(), Failure>
     Ok(())
 }
 
-/// Removes a file that describes another one, before that one is replaced; a symbolic link stays, and the
-/// file that it leads to gets `nothing_told`.
+/// Removes a file that describes another one, before that one is replaced; a symbolic link stays, and its
+/// target is overwritten with `nothing_told`.
 pub fn take_away(file: &Path, nothing_told: &[u8]) -> std::io::Result<()> {
     match std::fs::symlink_metadata(file) {
         Err(e) if e.kind() == ErrorKind::NotFound => Ok(()),
@@ -93,8 +94,8 @@ pub fn take_away(file: &Path, nothing_told: &[u8]) -> std::io::Result<()> {
     }
 }
 
-/// Writes a file whose content is made as a stream, whole or not at all. An [`ArtifactError`] that the
-/// content ends with is told as it is: what was read is at fault, not what is written.
+/// Writes a file from a stream, whole or not at all. An [`ArtifactError`] of the content is returned
+/// unchanged: the input is at fault, not the output.
 pub fn write_with(
     file: &Path,
     content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
@@ -102,8 +103,8 @@ pub fn write_with(
     write(file, Durability::InCache, content)
 }
 
-/// Writes a file as [`write_with`] does and waits for the disk: what took hours, and what they were kept in
-/// until now is removed next.
+/// Writes a file as [`write_with`] does and waits for the disk: for results of hours of work whose
+/// checkpoints are removed next.
 pub fn write_lasting(
     file: &Path,
     content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,

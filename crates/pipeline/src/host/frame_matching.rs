@@ -1,4 +1,4 @@
-//! Artifacts that are read beside others, frame by frame.
+//! Artifacts that are read side by side, frame by frame.
 
 use crate::host::failure::Failure;
 use artifact::scene::{SceneFrame, SceneHeader};
@@ -13,7 +13,7 @@ pub struct Beside<S: Schema> {
 }
 
 impl<S: Schema> Beside<S> {
-    /// Opens the artifact; `index_of` tells the number of a frame.
+    /// Opens the artifact; `index_of` returns the number of a frame.
     pub fn open(file: &Path, index_of: fn(&S::Frame) -> u32) -> Result<Self, Failure> {
         let reader = Reader::open(file).map_err(|error| unopened(file, error))?;
         Ok(Self { file: file.to_owned(), reader, index_of })
@@ -29,7 +29,7 @@ impl<S: Schema> Beside<S> {
         &self.reader.preamble().provenance
     }
 
-    /// The frame of this index; frames before it are passed over.
+    /// Returns the frame of this index; earlier frames are skipped.
     pub fn frame(&mut self, index: u32) -> Result<S::Frame, Failure> {
         let index_of = self.index_of;
         let found = self.reader.find(|frame| frame.as_ref().map_or(true, |frame| index_of(frame) >= index));
@@ -43,7 +43,7 @@ impl<S: Schema> Beside<S> {
     }
 }
 
-/// Refusal of what is no artifact; a scene file is told which one is meant.
+/// Refusal of a file that is no artifact; for a scene file it names the artifact to give instead.
 fn unopened(file: &Path, error: ArtifactError) -> Failure {
     if file.is_file() && file.extension().is_some_and(|ending| ending == "toml") {
         let rule = "is a scene file; needed is the artifact `scene.scene`, which a run of it leaves";
@@ -52,15 +52,15 @@ fn unopened(file: &Path, error: ArtifactError) -> Failure {
     Failure::from(error)
 }
 
-/// Two frames that begin within this time begin together but for rounding.
+/// Largest rounding difference, s, between the times of frames that begin together.
 pub const SAME_TIME_S: f64 = 1e-9;
 
-/// Whether two frames begin at the same time but for rounding, s.
+/// Whether two frames begin at the same time up to rounding, s.
 pub fn is_same_time(one_s: f64, other_s: f64) -> bool {
     (one_s - other_s).abs() <= SAME_TIME_S
 }
 
-/// Refuses a frame of the scene that begins more than `within_s` from the frame that it is read beside.
+/// Refuses a frame of the scene that begins more than `within_s` from the frame beside it.
 pub fn check_time(file: &Path, frame: &SceneFrame, (time_s, within_s): (f64, f64)) -> Result<(), Failure> {
     let (index, of_scene_s) = (frame.index, frame.time_s);
     if (of_scene_s - time_s).abs() <= within_s {
@@ -70,10 +70,10 @@ pub fn check_time(file: &Path, frame: &SceneFrame, (time_s, within_s): (f64, f64
     Err(Failure::Refused(format!("{}: {rule}", file.display())))
 }
 
-/// Other programs tell times in whole milliseconds: what is read of them may err by half of one.
+/// Rounding error of times of other programs, which are in whole milliseconds: half of one.
 pub const ROUNDED_TIME_S: f64 = 0.5e-3 + SAME_TIME_S;
 
-/// Refuses a frame of a file that begins more than `within_s` from that of the scene beside it.
+/// Refuses a frame of a file that begins more than `within_s` from the scene's frame beside it.
 pub fn check_begin(
     file: &Path,
     (index, time_s): (u32, f64),
@@ -89,7 +89,7 @@ pub fn check_begin(
     Err(Failure::Refused(format!("{}: {rule}", file.display())))
 }
 
-/// Refuses a frame of the scene with more or fewer poses than there are bodies in view.
+/// Refuses a frame of the scene whose number of poses is not the number of bodies in view.
 pub fn check_poses(file: &Path, view: &SceneHeader, frame: &SceneFrame) -> Result<(), Failure> {
     let (poses, bodies, index) = (frame.poses.len(), view.targets.len(), frame.index);
     if poses == bodies {

@@ -1,4 +1,4 @@
-//! Pieces of work at once, whose results are handed on in their order while later pieces are at work.
+//! Parallel jobs whose results are handed on in order while later jobs run.
 
 use crate::host::failure::Failure;
 use crate::host::progress::Caller;
@@ -7,25 +7,25 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::Result as Joined;
 
-/// Limits of what is done at a time.
+/// Limits of concurrent jobs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct AtOnce {
-    /// Jobs that are at work, each on a thread of its own: threads of the pool would take up a further job
-    /// while they wait for a part of one, and hold more than was allowed.
+    /// Running jobs, each on a thread of its own: threads of the pool would take up another job while they
+    /// wait for a part of one, and hold more than was allowed.
     pub workers: usize,
-    /// Jobs that are at work, wait to be handed on, or are handed on; no fewer than one.
+    /// Jobs that run, wait to be handed on, or are being handed on; at least one.
     pub held: usize,
 }
 
-/// Hands the results of jobs to `take`, in their order and on this thread; `needed` has for each job those
+/// Hands the results of jobs to `take`, in order and on this thread; `needed` lists for each job the jobs
 /// that it needs.
 ///
-/// A job is begun once all of those before it are, and those that it needs are done; a later job never is
-/// waited for.
+/// A job begins once all earlier jobs have begun and those that it needs are done; it never waits for a later
+/// job.
 ///
 /// # Errors
-/// The first failure, in the order of the jobs, of `work` or of `take`: what came before it was taken, and no
-/// further job is begun.
+/// The first failure, in the order of the jobs, of `work` or of `take`: all earlier results were taken, and
+/// no further job begins.
 pub fn in_order<T: Send>(
     needed: &[Vec<usize>],
     at_once: AtOnce,
@@ -52,7 +52,7 @@ pub fn in_order<T: Send>(
     })
 }
 
-/// Jobs with what is known of them, shared by the threads.
+/// Jobs with their states, shared by the threads.
 struct Queue<'a, T> {
     /// Jobs that each job needs.
     needed: &'a [Vec<usize>],
@@ -62,13 +62,13 @@ struct Queue<'a, T> {
 }
 
 struct State<T> {
-    /// Number of jobs that may be begun.
+    /// Number of jobs that may begin.
     jobs: usize,
-    /// Jobs that are begun: all before this one.
+    /// Number of jobs that have begun, in order.
     begun: usize,
-    /// Jobs that are handed on: all before this one.
+    /// Number of jobs that were handed on, in order.
     taken: usize,
-    /// Jobs that are done; their results until these are handed on.
+    /// Finished jobs, with their results until these are handed on.
     done: BTreeMap<usize, Option<Joined<Result<T, Failure>>>>,
 }
 
@@ -83,7 +83,7 @@ impl<T> State<T> {
 }
 
 impl<T> Queue<'_, T> {
-    /// The next job, once it may be begun; `None` where there is none any more.
+    /// Waits for the next job that may begin; `None` if none is left.
     fn begin(&self) -> Option<usize> {
         let mut state = self.lock();
         loop {
@@ -101,7 +101,7 @@ impl<T> Queue<'_, T> {
         }
     }
 
-    /// Keeps the result of a job; after a failure no further one is begun.
+    /// Stores the result of a job; after a failure no further job begins.
     fn end(&self, job: usize, result: Joined<Result<T, Failure>>) {
         let mut state = self.lock();
         if !matches!(result, Ok(Ok(_))) {
@@ -111,7 +111,7 @@ impl<T> Queue<'_, T> {
         self.changed.notify_all();
     }
 
-    /// Result of a job, once it is done.
+    /// Waits for the result of a job.
     fn result(&self, job: usize) -> Joined<Result<T, Failure>> {
         let mut state = self.lock();
         loop {
@@ -138,7 +138,7 @@ impl<T> Queue<'_, T> {
     }
 }
 
-/// Lets no further job be begun once it goes, by a failure or a panic of who takes as well.
+/// Prevents further jobs from beginning when dropped, also after a failure or a panic of the receiver.
 struct Closing<'a, T>(&'a Queue<'a, T>);
 
 impl<T> Drop for Closing<'_, T> {

@@ -1,17 +1,17 @@
-//! Memory that this process has held, and memory that tracing may take.
+//! Memory used by this process, and memory allowed for tracing.
 
 use crate::host::failure::Failure;
 use bart_rcs::MemoryLimit;
 
 const MIB: f64 = 1024.0 * 1024.0;
 
-/// Largest resident size so far, MiB; `None` where the system does not tell (it is read from
+/// Peak resident size so far, MiB; `None` where the system does not report it (read from
 /// `/proc/self/status`).
 pub fn peak_mib() -> Option<f64> {
     peak_mib_of("self")
 }
 
-/// Largest resident size so far of the process of this number, MiB; `None` where the system does not tell.
+/// Peak resident size so far of the process of this number, MiB; `None` where the system does not report it.
 pub fn peak_mib_of(process: &str) -> Option<f64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
@@ -24,20 +24,21 @@ pub fn mib(bytes: u64) -> f64 {
     bytes as f64 / MIB
 }
 
-/// Memory that tracing may take.
+/// Memory allowed for tracing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Allowance {
     bytes: Option<u64>,
 }
 
 impl Allowance {
-    /// Allows so many MiB; `None`: nine tenths of what is free now, where the system tells, else any amount.
+    /// Allows `limit_mib`; `None`: nine tenths of the memory that is free now, where the system reports it,
+    /// otherwise unlimited.
     pub fn of(limit_mib: Option<u64>) -> Self {
         let nine_tenths = |bytes: u64| bytes / 10 * 9;
         Self { bytes: limit_mib.map(|n| n << 20).or_else(|| available_bytes().map(nine_tenths)) }
     }
 
-    /// Limit of memory as the tracer takes it.
+    /// The limit in the tracer's type.
     pub fn limit(self) -> MemoryLimit {
         self.bytes.map_or(MemoryLimit::NONE, MemoryLimit::of_bytes)
     }
@@ -47,13 +48,13 @@ impl Allowance {
         self.bytes.map(mib)
     }
 
-    /// Rest of it beside so many MiB that are held.
+    /// Remaining allowance beside `held_mib`.
     pub(crate) fn beside(self, held_mib: f64) -> Self {
         let left = |bytes: u64| bytes.saturating_sub((held_mib * MIB) as u64);
         Self { bytes: self.bytes.map(left) }
     }
 
-    /// Refuses what is expected to need more at least.
+    /// Refuses work whose least expected memory exceeds the allowance.
     pub(crate) fn check(self, least_mib: f64) -> Result<(), Failure> {
         match self.mib() {
             Some(limit_mib) if least_mib > limit_mib => Err(Failure::Refused(format!(
@@ -65,7 +66,7 @@ impl Allowance {
     }
 }
 
-/// Bytes of memory that are free: `MemAvailable` of `/proc/meminfo`.
+/// Bytes of free memory: `MemAvailable` of `/proc/meminfo`.
 fn available_bytes() -> Option<u64> {
     let text = std::fs::read_to_string("/proc/meminfo").ok()?;
     let line = text.lines().find(|l| l.starts_with("MemAvailable:"))?;

@@ -1,10 +1,10 @@
-//! Places of data that no argument names. The rule: inside the project's folder (this folder or one above it
-//! that holds `scenes/` and `crates/wayside/`) the cache is its `.cache`; elsewhere it is the user's cache
-//! folder, and there is none where the system names no home. The model that ships is part of the program.
+//! Default places of data. Inside the project's folder (this folder or one above it that holds `scenes/` and
+//! `crates/wayside/`) the cache is its `.cache`; elsewhere it is the user's cache folder, and there is none
+//! where the system names no home. The shipped model is part of the program.
 
 use std::path::{Path, PathBuf};
 
-/// The project's folder: `$WAYSIDE_PROJECT`, else as seen from the folder in which the process runs; `None`
+/// The project's folder: `$WAYSIDE_PROJECT`, otherwise found from the process's working folder; `None`
 /// outside.
 pub fn project_folder() -> Option<PathBuf> {
     if let Some(folder) = std::env::var_os("WAYSIDE_PROJECT").filter(|folder| !folder.is_empty()) {
@@ -19,8 +19,7 @@ fn project_folder_of(here: &Path) -> Option<PathBuf> {
     here.ancestors().find(is_project).map(Path::to_owned)
 }
 
-/// Folder in which frames are cached unless `--cache` says otherwise; `None` outside of the project for a
-/// user without a home.
+/// Default cache folder, which `--cache` overrides; `None` outside the project for a user without a home.
 pub(crate) fn default_cache() -> Option<PathBuf> {
     let variable = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
     let of_user = || variable("XDG_CACHE_HOME").or_else(|| variable("HOME").map(|home| home.join(".cache")));
@@ -29,7 +28,7 @@ pub(crate) fn default_cache() -> Option<PathBuf> {
         .or_else(|| of_user().map(|folder| folder.join("wayside")))
 }
 
-/// The place that a path leads to, through links; its end need not exist yet.
+/// Resolves a path through links; its end need not exist yet.
 pub(crate) fn resolved(path: &Path) -> PathBuf {
     let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let real = |above: &Path| {
@@ -39,7 +38,7 @@ pub(crate) fn resolved(path: &Path) -> PathBuf {
     whole.ancestors().find_map(real).unwrap_or_else(|| whole.clone())
 }
 
-/// The model that ships (`fixtures/classifier.model`), as it was when the program was built.
+/// The shipped model (`fixtures/classifier.model`), as it was when the program was built.
 #[cfg(feature = "classifier")]
 pub(crate) const SHIPPED_MODEL: &[u8] = include_bytes!("../../../../fixtures/classifier.model");
 

@@ -1,9 +1,9 @@
-//! Processor time of this process: what other programs do beside it does not count.
+//! Processor time of this process: other programs do not count.
 
 use std::time::Instant;
 
-/// Seconds that all threads so far have spent on processors, ended ones included; `None` where the system
-/// does not tell.
+/// Processor seconds of all threads so far, ended ones included; `None` where the system does not report
+/// them.
 ///
 /// Read from `/proc/self/stat` (`proc(5)`: utime and stime), which counts in hundredths of a second: for
 /// differences of a tenth of a second and more.
@@ -11,9 +11,8 @@ pub fn of_process() -> Option<f64> {
     ticks(&std::fs::read_to_string("/proc/self/stat").ok()?).map(|ticks| ticks as f64 / TICKS_PER_SECOND)
 }
 
-/// Seconds that the threads that are alive have spent on processors, read in nanoseconds (`proc(5)`,
-/// schedstat): for differences between two moments between which no thread ends; `None` where the system does
-/// not tell.
+/// Processor seconds of the living threads, read in nanoseconds (`proc(5)`, schedstat): for differences
+/// between two moments between which no thread ends; `None` where the system does not report them.
 pub fn of_living_threads() -> Option<f64> {
     let mut sum_ns = 0_u64;
     for task in std::fs::read_dir("/proc/self/task").ok()?.flatten() {
@@ -26,14 +25,14 @@ pub fn of_living_threads() -> Option<f64> {
 /// Clock by which seconds of work are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Counted {
-    /// Time of all threads on processors.
+    /// Processor time of all threads.
     Processor,
-    /// Time by the clock on the wall, where the system does not tell that of processors.
+    /// Wall-clock time, where the system does not report processor time.
     Clock,
 }
 
 impl Counted {
-    /// Clock that this system offers: processors where their time is told.
+    /// Clock of this system: processor time where it is reported.
     pub(crate) fn here() -> Self {
         if of_living_threads().is_some() { Self::Processor } else { Self::Clock }
     }
@@ -47,7 +46,8 @@ impl Counted {
     }
 }
 
-/// Seconds of work since `start`, while no thread ends: of processors, else of the clock.
+/// Seconds of work since `start`, while no thread ends: of processor time where it is reported, otherwise of
+/// the wall clock.
 pub struct WorkClock {
     start: Instant,
     counted: Counted,
@@ -61,7 +61,7 @@ impl WorkClock {
         Self { start, counted, at_start_s: of_living_threads().unwrap_or(0.0) }
     }
 
-    /// Time that is counted: of processors, or of the clock.
+    /// Kind of time that is counted.
     pub fn counted(&self) -> Counted {
         self.counted
     }
@@ -75,23 +75,23 @@ impl WorkClock {
     }
 }
 
-/// Seconds that the processes that this one has begun and waited for have spent on processors; `None` where
-/// the system does not tell.
+/// Processor seconds of the child processes that this one has waited for; `None` where the system does not
+/// report them.
 pub fn of_ended_children() -> Option<f64> {
     let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
     ticks_from(&stat, 13).map(|ticks| ticks as f64 / TICKS_PER_SECOND)
 }
 
-/// `USER_HZ`, which Linux shows to programs on every architecture that Rust builds for.
+/// `USER_HZ`, which Linux reports to programs on every architecture that Rust builds for.
 const TICKS_PER_SECOND: f64 = 100.0;
 
-/// Fields 14 and 15: of the process itself.
+/// Sum of fields 14 and 15, the times of the process itself.
 fn ticks(stat: &str) -> Option<u64> {
     ticks_from(stat, 11)
 }
 
-/// Two fields, the first `place` fields behind the program's name. That is the second, in parentheses, and
-/// may hold anything.
+/// Sum of two fields, of which the first is `place` fields after the program's name. The name is the second
+/// field, in parentheses, and may contain anything.
 fn ticks_from(stat: &str, place: usize) -> Option<u64> {
     let mut behind_name = stat.rsplit_once(')')?.1.split_whitespace().skip(place);
     let mut next = || behind_name.next()?.parse::<u64>().ok();

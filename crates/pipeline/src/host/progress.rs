@@ -1,6 +1,6 @@
-//! Progress of long work. Work says what it is and, where it can count, how far it is; it never prints.
-//! Whoever shows it looks at [`line()`] or [`shown`] as often as it likes, and hears remarks by [`listen`]:
-//! nothing of it depends on what is computed.
+//! Progress of long work. Work reports its name and, where it can count, its progress; it never prints.
+//! Viewers poll [`line()`] or [`shown`] as often as they like and receive remarks by [`listen`]; computed
+//! results never depend on any of this.
 
 mod under_way;
 mod caller;
@@ -17,19 +17,19 @@ pub use under_way::{FrameStage, Shown};
 static UNDER_WAY: Mutex<UnderWay> = Mutex::new(UnderWay::NOTHING);
 static LISTENER: OnceLock<fn(&str)> = OnceLock::new();
 
-/// Sends all remarks of this process to `listener`; the first one stays.
+/// Sends all remarks of this process to `listener`; only the first listener is kept.
 pub fn listen(listener: fn(&str)) {
     let _ = LISTENER.set(listener);
 }
 
-/// A remark that is no result; unheard where nobody listens.
+/// Sends a remark that is no result; it is lost without a listener.
 pub fn note(text: impl std::fmt::Display) {
     if let Some(listener) = LISTENER.get() {
         listener(&text.to_string());
     }
 }
 
-/// The line that is due for a log: of work that lasts, within 2 s of its begin and then every ten.
+/// The line that is due for a log: for lasting work, within 2 s of its beginning and then every ten.
 pub fn line(now: Instant) -> Option<String> {
     locked(&UNDER_WAY).line(now)
 }
@@ -39,7 +39,7 @@ pub fn shown(now: Instant, after: Duration) -> Option<Shown> {
     locked(&UNDER_WAY).shown(now, after, |_| true)
 }
 
-/// State of the work for one caller, as [`shown`] tells that for all.
+/// State of the work for one caller; [`shown`] returns that of all.
 pub fn shown_to(caller: Caller, now: Instant, after: Duration) -> Option<Shown> {
     locked(&UNDER_WAY).shown(now, after, |other| other == caller)
 }
@@ -48,7 +48,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A piece of work that is under way until it is dropped; within it there may be others.
+/// A piece of work that is under way until it is dropped; others may be nested in it.
 pub struct Work(Arc<Item>);
 
 impl Work {
@@ -57,30 +57,30 @@ impl Work {
         Self::resumed(name, 0)
     }
 
-    /// Begins work of which `found` steps are done already.
+    /// Begins work of which `found` steps are already done.
     pub fn resumed(name: impl Into<String>, found: usize) -> Self {
         Self(locked(&UNDER_WAY).begin(name.into(), (found, &[]), Instant::now()))
     }
 
-    /// Begins work on frames that each go through these stages, or on one stage of a frame: what is done of a
+    /// Begins work on frames that each go through these stages, or on one stage of a frame: progress within a
     /// stage counts in the share of the frames.
     pub fn in_stages(name: impl Into<String>, stages: &[FrameStage]) -> Self {
         Self(locked(&UNDER_WAY).begin(name.into(), (0, stages), Instant::now()))
     }
 
-    /// `done` of `of` steps are done; callable from any thread.
+    /// Reports that `done` of `of` steps are done; callable from any thread.
     pub fn at(&self, done: usize, of: usize) {
         self.0.at(done, of);
     }
 }
 
-/// Work that may take long, by its name.
+/// Runs work that may take long, under a name.
 pub fn during<T>(name: impl Into<String>, work: impl FnOnce() -> T) -> T {
     let _under_way = Work::begin(name);
     work()
 }
 
-/// Items of a number that is known, told of as they are taken: the work ends with the iterator.
+/// Iterates over a known number of items and reports each one taken: the work ends with the iterator.
 pub fn counted<T>(
     name: impl Into<String>,
     items: impl IntoIterator<Item = T>,
@@ -93,13 +93,13 @@ pub fn counted<T>(
     })
 }
 
-/// Frames of an artifact, or samples of a dataset, told of as they are taken.
+/// Iterates over frames of an artifact, or samples of a dataset, and reports each one taken.
 pub fn frames<S: Schema>(reader: Reader<S>) -> impl Iterator<Item = Result<S::Frame, ArtifactError>> {
     let of = reader.frames() as usize;
     counted(if S::NAME == Dataset::NAME { "samples" } else { "frames" }, reader, of)
 }
 
-/// A part of the work heard from a stage.
+/// Receives progress within a stage.
 impl bart_rcs::Progress for Work {
     fn at(&self, phase: bart_rcs::Phase, done: usize, of: usize) {
         match phase {
@@ -119,7 +119,7 @@ fn part_name(phase: bart_rcs::Phase) -> &'static str {
     }
 }
 
-/// Place of a part among those of one step.
+/// Index of a part among those of one step, and their number.
 fn part_place(phase: bart_rcs::Phase) -> [usize; 2] {
     let at = match phase {
         bart_rcs::Phase::Aspects | bart_rcs::Phase::Bodies | bart_rcs::Phase::Building => 0,

@@ -1,4 +1,4 @@
-//! Origins of artifacts that are used together, by the files that their provenance names.
+//! Checks that artifacts used together have the same origin, by the files that their provenance names.
 
 use crate::host::failure::Failure;
 use crate::host::progress;
@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// Refuses two lists of files, names with hashes, of which one name stands for two contents.
+/// Refuses two lists of files, names with hashes, in which one name has two contents.
 pub fn same_files(files: &[(String, String)], of_other: &[(String, String)]) -> Result<(), Failure> {
     let changed = files.iter().find(|(name, _)| {
         let hashes = |files: &[(String, String)]| -> Vec<String> {
@@ -25,11 +25,11 @@ pub fn same_files(files: &[(String, String)], of_other: &[(String, String)]) -> 
     })
 }
 
-/// Whether what is read beside a scene, the frames or tracks that `named` names, was made of the very scene
-/// file that it was made of; where that is not so, it is noted that bodies may be others.
+/// Whether a scene and an artifact read beside it (frames or tracks, as `named` says) were made from the same
+/// scene file; if not, notes that bodies may differ.
 ///
 /// # Errors
-/// The scene was made of another file of the same name.
+/// The scene was made from another file of the same name.
 pub fn same_scene(
     file: &Path,
     scene: &Provenance,
@@ -47,8 +47,8 @@ pub fn same_scene(
     Ok(is_same)
 }
 
-/// Refuses what was seen by a radar in another place, or that looks elsewhere, than the scene's; of what
-/// other programs made no radar may be known.
+/// Refuses an artifact of a radar with another position or orientation than the scene's; artifacts of other
+/// programs may name no radar.
 pub fn same_radar(file: &Path, scene: &Radar, seen_by: Option<&Radar>) -> Result<(), Failure> {
     let stand = |radar: &Radar| {
         (radar.position_m, [radar.boresight_az_rad, radar.boresight_el_rad].map(f64::to_degrees))
@@ -64,7 +64,7 @@ pub fn same_radar(file: &Path, scene: &Radar, seen_by: Option<&Radar>) -> Result
     Err(Failure::Refused(format!("{}: {rule}: it is of another radar or scene", file.display())))
 }
 
-/// Refuses a scene that lacks a body which the frames beside it name.
+/// Refuses a scene that lacks a body named by the frames beside it.
 pub fn has_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Result<(), Failure> {
     let own: BTreeSet<&String> = scene.bodies().map(|(id, _)| id).collect();
     named.iter().find(|id| !own.contains(id)).map_or(Ok(()), |id| {
@@ -73,7 +73,7 @@ pub fn has_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Result<
     })
 }
 
-/// Refuses paths that were traced of other bodies than a scene's, or of the same in another order.
+/// Refuses paths that were traced for other bodies than a scene's, or in another order.
 pub fn are_of_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Result<(), Failure> {
     let own: Vec<&String> = scene.bodies().map(|(id, _)| id).collect();
     let other = (0..own.len().max(named.len())).find(|i| own.get(*i).copied() != named.get(*i));
@@ -85,12 +85,12 @@ pub fn are_of_bodies(file: &Path, scene: &SceneHeader, named: &[String]) -> Resu
     })
 }
 
-/// Bytes of what provenance tells of bodies, of the 1 MiB that all of it may have; of more bodies it has the
-/// hash.
+/// Largest description of bodies in provenance, of the 1 MiB allowed for all of it, bytes; a longer one is
+/// replaced by its hash.
 const MOST_TOLD_BYTES: usize = 512 << 10;
 
-/// Bodies and road of a scene as far as paths depend on them, in words of the scene's file: for the
-/// provenance of paths.
+/// Bodies and road of a scene as far as paths depend on them, in the keys of a scene file: for the provenance
+/// of paths.
 pub fn told_bodies(scene: &SceneHeader) -> Value {
     let meshes: Vec<String> = scene.meshes.iter().map(mesh_hash).collect();
     let bodies = scene.bodies().zip(scene.first_poses()).map(|((id, kind), pose)| {
@@ -104,8 +104,8 @@ pub fn told_bodies(scene: &SceneHeader) -> Value {
     json!({ "bodies": bodies, "road": scene.road })
 }
 
-/// Hash of a mesh with its materials, whatever they are called; that waves are followed through them is no
-/// property of the body, and may be planned.
+/// Hash of a mesh with its materials, without their names; transmission is left out, because it is no
+/// property of the body and may be planned.
 fn mesh_hash(mesh: &Mesh) -> String {
     let surface = (&mesh.vertices_m, &mesh.normals, &mesh.triangles, &mesh.material_of_triangle);
     fingerprint(&(surface, &mesh.makeup.materials, &mesh.wheels)).chars().take(16).collect()
@@ -130,8 +130,8 @@ fn told_pose(pose: Pose) -> Value {
     })
 }
 
-/// Refuses paths that were traced of bodies which are otherwise in a scene than they were, by body, key and
-/// both values; paths of earlier versions tell of none.
+/// Refuses paths traced for bodies that differ from the scene's, by body, key and both values; paths of
+/// earlier versions do not describe bodies.
 pub fn are_of_same_bodies(scene: &SceneHeader, of_paths: &Provenance) -> Result<(), Failure> {
     let settings: Value = serde_json::from_str(&of_paths.settings).unwrap_or_default();
     let (theirs, own) = (&settings[2], told_bodies(scene));
@@ -139,12 +139,12 @@ pub fn are_of_same_bodies(scene: &SceneHeader, of_paths: &Provenance) -> Result<
     other.map_or(Ok(()), |other| Err(Failure::refused(format!("traced of another scene: {other}"))))
 }
 
-/// Refuses paths of other physics than what a scene's file says itself, by key and both values; hands out
-/// sentences about what is otherwise than the scene has it by default or by its plan, for paths may be those
-/// of a plan. Paths of earlier versions may tell of none.
+/// Refuses paths whose physics contradicts the scene's file, by key and both values; returns sentences about
+/// differences from the scene's defaults or plan, because paths may be those of a plan. Paths of earlier
+/// versions may lack the information.
 ///
 /// # Errors
-/// A key of `[fidelity]` that is said is another one than the paths were traced with.
+/// A `[fidelity]` key in the file differs from that of the paths.
 pub fn of_same_physics(
     scene: &SceneHeader,
     said: &BTreeSet<String>,
@@ -166,8 +166,8 @@ pub fn of_same_physics(
     Ok(others().map(told).collect())
 }
 
-/// The first difference of two scenes' bodies and roads, in words. A road that one of them lacks may have
-/// been planned.
+/// The first difference between two scenes' bodies and roads, in words. A road that only one of them has may
+/// have been planned.
 fn difference(theirs: &Value, own: &Value) -> Option<String> {
     let list = |told: &Value| told["bodies"].as_array().cloned().unwrap_or_default();
     let (road, own_road) = (&theirs["road"], &own["road"]);

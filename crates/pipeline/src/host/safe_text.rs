@@ -1,19 +1,19 @@
-//! Texts of users as people are shown them: no sign of a name moves a cursor, begins a line or ends a table's
+//! User texts made safe to display: no character of a name moves a cursor, begins a line or ends a table's
 //! cell.
 
 use std::borrow::Cow;
 
-/// A text in one line, every control and every sign that turns the order of writing as its escape.
+/// Makes a text one line; control characters and those that change the direction of writing become escapes.
 pub fn in_a_line(text: &str) -> Cow<'_, str> {
     escaped(text, is_hidden)
 }
 
-/// A text of several lines, in each of which the same is escaped but tabs.
+/// Escapes the same characters in each of several lines, except tabs.
 pub fn in_lines(text: &str) -> Cow<'_, str> {
     escaped(text, |sign| is_hidden(sign) && !matches!(sign, '\n' | '\t'))
 }
 
-/// A text in a line or a table's cell of Markdown: no mark of a table or of HTML either.
+/// Escapes a text for a line or a table's cell of Markdown: marks of tables and of HTML too.
 pub fn in_markdown(text: &str) -> Cow<'_, str> {
     let shown = in_a_line(text);
     if !shown.contains(['|', '<']) {
@@ -22,8 +22,7 @@ pub fn in_markdown(text: &str) -> Cow<'_, str> {
     shown.replace('|', "\\|").replace('<', "&lt;").into()
 }
 
-/// A table of Markdown: a line for its columns, one below them and one for each row, of cells that are shown
-/// already.
+/// A table of Markdown from its columns and rows; cells must be escaped already.
 pub fn markdown_table<H: AsRef<str>, C: AsRef<str>>(
     columns: &[H],
     rows: impl IntoIterator<Item = impl AsRef<[C]>>,
@@ -32,7 +31,7 @@ pub fn markdown_table<H: AsRef<str>, C: AsRef<str>>(
     rows.into_iter().fold(head, |table, row| table + &markdown_row(row.as_ref()))
 }
 
-/// A line of such a table; a cell of nothing is one blank wide.
+/// A row of such a table; an empty cell is one blank wide.
 pub fn markdown_row<C: AsRef<str>>(cells: &[C]) -> String {
     let cell = |cell: &C| match cell.as_ref() {
         "" => " |".to_owned(),
@@ -41,7 +40,7 @@ pub fn markdown_row<C: AsRef<str>>(cells: &[C]) -> String {
     format!("|{}\n", cells.iter().map(cell).collect::<String>())
 }
 
-/// A text as a cell of a table of commas (RFC 4180): in quotes where it holds what parts cells.
+/// Quotes a CSV cell (RFC 4180) where it contains separators.
 pub fn in_csv(text: &str) -> Cow<'_, str> {
     match text.contains([',', '"', '\n', '\r']) {
         true => format!("\"{}\"", text.replace('"', "\"\"")).into(),
@@ -49,7 +48,7 @@ pub fn in_csv(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// JSON for a page, in which the same are escapes of JSON: its texts are what they were.
+/// Escapes the same characters in JSON by JSON escapes: its texts keep their values.
 pub fn in_json(json: &str) -> Cow<'_, str> {
     match json.contains(is_hidden) {
         true => json.chars().map(of_json).collect::<String>().into(),

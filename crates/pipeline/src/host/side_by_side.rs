@@ -1,11 +1,11 @@
-//! Several pieces of work at once, each of which is in parallel too.
+//! Several jobs at once, each of which is parallel too.
 
 use crate::host::failure::Failure;
 use crate::host::progress::Caller;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Results of all jobs, in any order, each done on one of so many threads: threads of the pool would take up
-/// a further job while they wait for a part of one, and hold more than was allowed.
+/// Results of all jobs, in any order, each done on one of the given number of threads: threads of the pool
+/// would take up another job while they wait for a part of one, and hold more than was allowed.
 pub fn side_by_side<J: Sync, T: Send>(
     jobs: &[J],
     at_once: usize,

@@ -1,9 +1,9 @@
-//! Values from texts of TOML, whose depth is bounded first.
+//! Values parsed from TOML, whose nesting depth is checked first.
 
 use scene::toml_text::{self, TooDeep};
 use serde::de::DeserializeOwned;
 
-/// The value that a text says; else the rule that it breaks, for who knows the file.
+/// Parses a value from a text; the error names the broken rule, and the caller knows the file.
 pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, TomlFault> {
     toml_text::check_text(text).map_err(|fault| {
         let line = text.bytes().take(fault.byte).filter(|byte| *byte == b'\n').count() + 1;
@@ -12,10 +12,10 @@ pub fn read<T: DeserializeOwned>(text: &str) -> Result<T, TomlFault> {
     Ok(toml::from_str(text)?)
 }
 
-/// Fault of a text that is to say a value in TOML.
+/// Fault of a TOML text.
 #[derive(Debug, thiserror::Error)]
 pub enum TomlFault {
-    /// A value lies too deep.
+    /// A value is nested too deeply.
     #[error("line {line}: {fault}")]
     TooDeep {
         /// Number of the line at which the value begins, from 1.
@@ -24,7 +24,7 @@ pub enum TomlFault {
         #[source]
         fault: TooDeep,
     },
-    /// The text is no TOML, or does not say such a value.
+    /// The text is not TOML, or does not describe such a value.
     #[error(transparent)]
     Refused(#[from] toml::de::Error),
 }

@@ -1,5 +1,5 @@
-//! Lines that `run` prints at its end, from its summary alone: what was found, how well, and whether the
-//! accuracy asked for was reached.
+//! Lines that `run` prints at its end, from its summary alone: detections, their quality, and whether the
+//! requested accuracy was reached.
 
 use crate::outcome::error_figures::decibels;
 use crate::outcome::summary::{
@@ -10,12 +10,13 @@ use crate::outcome::verdict::{self, FRAMES_IN_FULL};
 use artifact::settings::StaticEchoes;
 use std::collections::BTreeMap;
 
-/// Frames that have a line: more would push the rest off the screen.
+/// Largest number of frames with a line each: more would push the rest off the screen.
 const FRAMES_TOLD: usize = 24;
-/// False objects of a frame that have a line of their own.
+/// Largest number of a frame's false objects with a line each.
 const FALSE_OBJECTS_LISTED: usize = 8;
 
-/// Lines about several radars: one for each, and one for each target of a frame that none of them found.
+/// Lines about several radars: one for each radar, and one for each target of a frame that none of them
+/// found.
 pub fn lines_of_radars(summary: &RadarsSummary) -> Vec<String> {
     let by_nobody = summary.frames.iter().enumerate().flat_map(|(number, frame)| {
         let unseen = frame.targets.iter().filter(|t| t.found_by.is_empty() && !t.missed_by.is_empty());
@@ -37,7 +38,7 @@ fn of_radar(radar: &OneOfRadars) -> String {
     format!("radar {}: {count}; numerical error {error}, {asked}: {verdict}", radar.id)
 }
 
-/// Lines about a run through one radar: each of a few frames in full, else a line a frame and all together.
+/// Lines about a run with one radar: a few frames are shown in full, many by a line each and a total.
 pub fn lines(summary: &Summary) -> Vec<String> {
     let frames = &summary.frames[..];
     if frames.len() <= FRAMES_IN_FULL {
@@ -55,24 +56,25 @@ pub fn lines(summary: &Summary) -> Vec<String> {
     lines
 }
 
-/// Sentence about directions where the array tells no azimuth.
+/// Sentence about directions where the array measures no azimuth.
 pub const WITHOUT_AZIMUTH: &str = "the array has no two elements side by side and tells no azimuth: directions \
                                    are the boresight's, objects are in no lane and are a target's by range and \
                                    velocity alone";
 
-/// Sentence about maps without noise, whose levels over it are those over a floor that stands in.
+/// Sentence about maps without noise, whose levels are relative to a substitute floor.
 pub const WITHOUT_NOISE: &str = "there is no noise: a floor 60 dB below the map's peak stands for it, and \
                                  thresholds, SNRs and objects hang on that floor. A recording always has \
                                  noise, which is taken from its map where the scene of its radar has [noise]";
 
-/// What points tell that no place on the ground has the range of; `None` where there are none.
+/// Sentence about points whose range is shorter than that of any place on the ground; `None` if there are
+/// none.
 pub fn without_height([points, of]: [usize; 2]) -> Option<String> {
     (points > 0).then(|| {
         format!("{points} of {of} points are nearer than assumed_height_m is below or above the radar: their azimuth is the boresight's and the cone's angle, their height the radar's")
     })
 }
 
-/// Lines about what echoes and directions lack: noise, azimuths, or heights.
+/// Lines about missing properties of echoes and directions: noise, azimuths, or heights.
 fn of_what_lacks(summary: &Summary) -> impl Iterator<Item = String> {
     let sum = |count: fn(&FrameSummary) -> usize| summary.frames.iter().map(count).sum();
     let heights = without_height([sum(|frame| frame.points_without_height), sum(|frame| frame.points)]);
@@ -81,7 +83,7 @@ fn of_what_lacks(summary: &Summary) -> impl Iterator<Item = String> {
     noise.into_iter().chain(azimuths).chain(heights)
 }
 
-/// Advice that would take clutter out of the false objects, where some of them are that and nobody asked for
+/// Advice for removing clutter from the false objects, where some of them are clutter and the settings keep
 /// it.
 fn of_clutter(summary: &Summary) -> Option<String> {
     let false_ones = summary.frames.iter().flat_map(|frame| &frame.false_objects);
@@ -163,7 +165,7 @@ fn together(frames: &[FrameSummary]) -> Vec<String> {
     lines
 }
 
-/// The frame with the largest error, and how many did not reach what was asked.
+/// The frame with the largest error, and the number of frames that missed the requested accuracy.
 fn worst_error(frames: &[FrameSummary]) -> Vec<String> {
     let known = frames.iter().enumerate();
     let known = known.filter_map(|(number, frame)| Some((number, frame, frame.accuracy.level_db()?)));
@@ -194,14 +196,14 @@ fn in_full(number: usize, frame: &FrameSummary) -> Vec<String> {
     lines
 }
 
-/// Objects that the radar tells to be at rest: how many of which causes.
+/// Sentence about objects at rest: their number by cause.
 fn standing(all: &[FalseObject]) -> Option<String> {
     let objects = if all.len() == 1 { "object" } else { "objects" };
     let told = || format!("  {} {objects} at rest and of no target: {}", all.len(), causes(all));
     (!all.is_empty()).then(told)
 }
 
-/// The strongest, and how many more of which causes.
+/// The strongest false objects, and the number of the others by cause.
 fn false_objects(all: &[FalseObject]) -> Vec<String> {
     let (listed, more) = all.split_at(all.len().min(FALSE_OBJECTS_LISTED));
     let mut lines: Vec<String> = listed.iter().map(false_object).collect();
@@ -220,8 +222,8 @@ fn causes<'a>(objects: impl IntoIterator<Item = &'a FalseObject>) -> String {
     causes.iter().map(|(cause, many)| format!("{many} {cause}")).collect::<Vec<_>>().join(", ")
 }
 
-/// Line about what the model leaves out, apart from numerical errors; `None` where it leaves nothing out, or
-/// nothing of it was estimated.
+/// Line about the errors of the physical model, apart from numerical errors; `None` if there are none or none
+/// was estimated.
 fn left_out(frame: &FrameSummary) -> Option<String> {
     let estimated = frame.model_error_db.sources().into_iter().filter_map(|(name, db)| Some((name, db?)));
     let of_tables = shading_left_out(frame).then_some("shading between bodies, which is not estimated");
@@ -232,17 +234,18 @@ fn left_out(frame: &FrameSummary) -> Option<String> {
     (!named.is_empty()).then(|| format!("  left out by the model: {}", named.join(", ")))
 }
 
-/// Whether the bounces left out are unknown: their estimate is the decay of orders, and one alone has none.
+/// Whether the error of omitted bounces is unknown: it is estimated from the decay of orders, which a single
+/// order does not show.
 pub fn higher_orders_unknown(frame: &FrameSummary) -> bool {
     frame.bounces == 1 && frame.model_error_db.bounces.is_none()
 }
 
-/// Whether bodies would hide each other but for far-field tables, which are of each body alone.
+/// Whether shading between bodies is missing, because far-field tables treat each body alone.
 pub fn shading_left_out(frame: &FrameSummary) -> bool {
     frame.paths.is_none() && frame.targets.len() + frame.clutter.len() > 1
 }
 
-/// A table, one row a target.
+/// A table with one row per target.
 fn targets(targets: &[TargetSummary]) -> Vec<String> {
     let Some(longest) = targets.iter().map(|target| target.id.chars().count()).max() else { return vec![] };
     let width = longest.max(6);
@@ -282,7 +285,7 @@ fn lane(got: Option<u8>, asked: Option<u8>) -> String {
     if got == asked { got } else { format!("{got}≠{asked}") }
 }
 
-/// Text of the target's class: of its track where there is one, else of this frame.
+/// Class of the target: that of its track if there is one, otherwise that of this frame.
 fn class(target: &TargetSummary) -> String {
     let by_track = target.track_class.zip(target.track_probabilities);
     let told = by_track.or(target.predicted_class.map(|predicted| (predicted, target.probabilities)));

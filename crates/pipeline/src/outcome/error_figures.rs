@@ -4,7 +4,7 @@ use artifact::accuracy::{ErrorBudget, ModelError};
 use artifact::units::{LOWEST_DB, db_from_amplitude};
 use serde::{Deserialize, Serialize};
 
-/// Estimated numerical error: dB relative to the echo, `None` where not estimated and of no error at all.
+/// Estimated numerical error, dB relative to the echo; `None` where it was not estimated or is zero.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorFigures {
     /// Total of all shares.
@@ -13,13 +13,13 @@ pub struct ErrorFigures {
     pub tessellation: Option<f64>,
     /// Physical-optics integral over lit polygons in place of the exact one.
     pub integration: Option<f64>,
-    /// Beams and slivers given up.
+    /// Dropped beams and slivers.
     pub dropped: Option<f64>,
     /// Paths frozen for a frame while the bodies move.
     pub freezing: Option<f64>,
     /// Fewer paths in place of all that were traced.
     pub detail: Option<f64>,
-    /// Echo synthesis in place of the exact sum over paths.
+    /// Echo synthesis instead of the exact sum over paths.
     pub synthesis: Option<f64>,
 }
 
@@ -50,11 +50,10 @@ impl ErrorFigures {
     }
 }
 
-/// Error by what the physical model leaves out: dB relative to the echo, `None` where not estimated and where
-/// it leaves nothing out.
+/// Error of the physical model, dB relative to the echo; `None` where it was not estimated or is zero.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ModelErrorFigures {
-    /// Higher bounces than were traced.
+    /// Bounces of higher orders than were traced.
     pub bounces: Option<f64>,
     /// Spread between the node rules of a multiple reflection.
     pub nodes: Option<f64>,
@@ -68,13 +67,13 @@ pub struct ModelErrorFigures {
     pub between_bodies: Option<f64>,
     /// Echoes from behind sheets, where waves are not followed through them.
     pub transmission: Option<f64>,
-    /// Bodies that hide others, which far-field tables leave out: nobody estimates it, so that it is `None`.
+    /// Shading between bodies, which far-field tables leave out: always `None`, because it is not estimated.
     #[serde(default)]
     pub shading: Option<f64>,
 }
 
 impl ModelErrorFigures {
-    /// Levels of what the model leaves out; `None` where that is nothing.
+    /// Levels of the physical model's errors; `None` for those that are zero.
     pub fn of(error: &ModelError) -> Self {
         Self {
             bounces: db(error.bounces),
@@ -102,13 +101,13 @@ impl ModelErrorFigures {
     }
 }
 
-/// Converts an error's amplitude relative to the echo to dB; `None` where it is not estimated, and of no
-/// error at all: its level has no end, and the lowest that is printed stands for it nowhere.
+/// Converts an error's amplitude relative to the echo to dB; `None` if it was not estimated or is zero,
+/// because its level would be infinitely low.
 pub(crate) fn db(amplitude: Option<f64>) -> Option<f64> {
     amplitude.map(db_from_amplitude).filter(|db| db.is_finite() && *db > LOWEST_DB)
 }
 
-/// Text of a level for a person, to a tenth of a dB; "not estimated" of `None`.
+/// Text of a level, to a tenth of a dB; "not estimated" for `None`.
 pub fn decibels(db: impl Into<Option<f64>>) -> String {
     db.into().map_or("not estimated".into(), |db| format!("{db:.1} dB").replace('-', "−"))
 }

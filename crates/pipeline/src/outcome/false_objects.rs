@@ -1,4 +1,4 @@
-//! Objects that belong to no body, false or at rest, and what made each of them in truth.
+//! Objects that belong to no body, false or at rest, with their true causes.
 
 use crate::chain::frame_result::FrameResult;
 use artifact::points::{Label, Object, Point};
@@ -9,7 +9,7 @@ use evaluation::{FrameTruth, GATE_M, Origin, place};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// An object that is no body's.
+/// An object that belongs to no body.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct FalseObject {
     /// Index of the object among the frame's objects, as in `.points`.
@@ -24,35 +24,38 @@ pub struct FalseObject {
     pub radial_velocity_mps: f64,
     /// Signal-to-noise ratio of the object's strongest cell, dB.
     pub snr_db: f64,
-    /// Share of its peaks' power that ran between two bodies; `None` where the array cannot tell.
+    /// Share of the power of the object's peaks that travelled between two bodies; `None` where the array
+    /// cannot measure it.
     pub ghost_share: Option<f64>,
     /// Cause of most of the power of the object's points.
     pub cause: Cause,
     /// Ids of the bodies that made the object.
     pub bodies: Vec<String>,
-    /// Bounces of the wave that made the object; `None` where it was no path.
+    /// Bounces of the wave that made the object; `None` if no path did.
     pub bounces: Option<u8>,
 }
 
-/// Cause of an object that is no body's.
+/// Cause of an object that belongs to no body.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Cause {
-    /// A way over several bodies, or one over several facets of a body that has its object elsewhere.
+    /// A path over several bodies, or one over several facets of a body whose object is elsewhere.
     Ghost,
-    /// Another object of a body that has one.
+    /// A further object of a body that already has one.
     Split,
     /// The echo of a body that has no object, seen further from it than the gate.
     Misplaced,
-    /// Echo of a clutter body, or with no body the road's own backscatter.
+    /// The echo of a clutter body, or, without a body, the road's own backscatter.
     Clutter,
-    /// No path: a false alarm.
+    /// A false alarm, without a path.
     Noise,
-    /// No path, and more than noise makes: another radar that the scene names.
+    /// Another radar of the scene: no path, and a level above that of noise.
     Interference,
-    /// No path, no other radar, and more than noise makes: a converter that clips or rounds, or phase noise.
+    /// A converter that clips or rounds, or phase noise: no path, no other radar, and a level above that of
+    /// noise.
     Receiver,
-    /// Echoes of tables have no paths to tell by; or no path, more than noise makes, and an ideal receiver.
+    /// Unknown: echoes of tables, which have no paths; or no path, a level above that of noise, and an
+    /// ideal receiver.
     #[default]
     Unknown,
 }
@@ -73,7 +76,7 @@ impl Cause {
     }
 }
 
-/// A cause with the scene's bodies and the bounces that made it so.
+/// A cause with the responsible bodies and bounces.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct Made {
     cause: Cause,
@@ -87,7 +90,7 @@ impl Made {
     }
 }
 
-/// Objects of a frame that are nobody's, and not told to be at rest.
+/// Objects of a frame that belong to no body, without those marked as at rest.
 pub(crate) fn told(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Vec<FalseObject> {
     let is_false =
         |index: &usize| truth.pairing.body_of(*index).is_none() && !truth.pairing.standing.contains(index);
@@ -95,7 +98,7 @@ pub(crate) fn told(header: &SceneHeader, result: &FrameResult, truth: &FrameTrut
     objects.map(|index| object(header, result, truth, index)).collect()
 }
 
-/// Objects of a frame that are nobody's, and told to be at rest.
+/// Objects of a frame that belong to no body and are marked as at rest.
 pub(crate) fn standing(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Vec<FalseObject> {
     truth.pairing.standing.iter().map(|index| object(header, result, truth, *index)).collect()
 }
@@ -161,9 +164,9 @@ fn of_no_path(header: &SceneHeader, point: &Point) -> Cause {
     }
 }
 
-/// Whether noise alone reaches such a level in more than one of a million maps. The power of a cell, over
-/// M channels, is a sum of M exponentials: M times its mean and more has the probability Q(M, M(1 + ρ)), ρ
-/// the level over the noise.
+/// Whether noise alone reaches such a level in more than one of a million maps. The power of a cell, summed
+/// over M channels, is a sum of M exponential variables: it exceeds M·(1 + ρ) times their mean with
+/// probability Q(M, M(1 + ρ)), where ρ is the level over the noise.
 fn noise_reaches(header: &SceneHeader, snr_db: f64) -> bool {
     let (radar, channels) = (&header.radar, header.radar.virtual_channels());
     let cells = f64::from(radar.waveform.samples) * f64::from(radar.waveform.chirps);
@@ -171,7 +174,7 @@ fn noise_reaches(header: &SceneHeader, snr_db: f64) -> bool {
     in_a_map > 1e-6
 }
 
-/// An echo of one target alone, in an object that is not the target's.
+/// Cause of an echo of one target alone in an object that does not belong to the target.
 fn of_one_body(truth: &FrameTruth, object: &Object, label: &Label) -> Made {
     let (body, bounces) = (label.target, label.order);
     let has_object = truth.pairing.object_of.get(body as usize).is_some_and(Option::is_some);

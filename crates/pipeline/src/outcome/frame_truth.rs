@@ -1,10 +1,10 @@
-//! The truth of a frame that the chain made, from its scene, its paths and its map's noise.
+//! Ground truth of a frame that the chain made, from its scene, its paths and its map's noise.
 
 use crate::chain::link::{Chain, FrameProducts};
 use crate::host::failure::Failure;
 use evaluation::{FrameTruth, Origin, origins};
 
-/// Everything that is true of a frame, its points' origins too.
+/// Ground truth of a frame, including the origins of its points.
 pub fn frame_truth(chain: &Chain, frame: &FrameProducts) -> Result<FrameTruth, Failure> {
     let result = &frame.result;
     let truth = FrameTruth::of(&frame.view, &result.scene, result.scattering.paths(), &result.points.objects);

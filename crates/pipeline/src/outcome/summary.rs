@@ -1,5 +1,5 @@
-//! `summary.json` as types, which write it and read it back: each key is a field, and a key that can be null
-//! an `Option`. What the keys mean is promised in `docs/interface.md`.
+//! `summary.json` as types that write it and read it back: each key is a field, and a nullable key an
+//! `Option`. `docs/interface.md` defines the keys.
 
 mod words;
 mod classes;

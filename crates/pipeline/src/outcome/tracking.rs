@@ -1,4 +1,4 @@
-//! Objects followed over the frames of a run, and how that agrees with the truth.
+//! Tracking of objects over the frames of a run, with its agreement with the truth.
 
 use crate::chain::frame_result::FrameResult;
 use crate::chain::link::{Chain, FrameProducts};
@@ -16,14 +16,15 @@ pub struct Tracking {
     classes: BTreeMap<u32, Evidence>,
 }
 
-/// Evidence of a track's class: the sums of the logarithms of its frames' probabilities, and how many frames.
+/// Evidence of a track's class: the sums of the logarithms of its frames' probabilities, and the number of
+/// frames.
 #[derive(Debug, Clone, Copy, Default)]
 struct Evidence {
     log_sums: [f64; 4],
     frames: u32,
 }
 
-/// The logarithm of no probability is lower: one frame that is sure and wrong is outweighed by a few others.
+/// Lower limit of probabilities in the logarithm: a few other frames outweigh one that is sure and wrong.
 const LEAST_PROBABILITY: f64 = 1e-3;
 
 impl Evidence {
@@ -36,14 +37,14 @@ impl Evidence {
 }
 
 impl Tracking {
-    /// Begins to follow a scene, before its first frame.
+    /// Begins to track a scene, before its first frame.
     pub fn of(chain: &Chain) -> Result<Self, Failure> {
         let tracker = Tracker::new(chain.cube_header(), ROAD_TRAFFIC).map_err(Failure::refused)?;
         Ok(Self { tracker, score: Score::default(), classes: BTreeMap::new() })
     }
 
-    /// The frame's tracks, from its objects alone, and what is told of those that are believed, beside the
-    /// truth.
+    /// Updates the tracks from the frame's objects alone, and returns the summaries of confirmed and coasting
+    /// ones beside the truth.
     pub fn follow(
         &mut self,
         frame: &FrameProducts,
@@ -65,7 +66,7 @@ impl Tracking {
         Ok((tracks, told))
     }
 
-    /// The strongest of a track's objects says what this frame knows of its class.
+    /// Adds the probabilities of the strongest of a track's objects in this frame to the evidence.
     fn hear(&mut self, track: &Track, result: &FrameResult) {
         let objects = track.objects.iter().map(|object| *object as usize);
         let snr_db =

@@ -1,10 +1,10 @@
-//! Accuracy beyond which a finer one buys nothing: the largest error of the method and the mesh, which no
-//! `accuracy_db` makes smaller.
+//! Accuracy below which a finer one has no use: the largest error of the method and the mesh, which no
+//! `accuracy_db` reduces.
 
 use artifact::accuracy::ModelError;
 use artifact::{Accuracy, ErrorBudget};
 
-/// The largest error that stays whatever accuracy is asked for.
+/// The largest error that is independent of the requested accuracy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct OfUse {
     /// Name of the error, in words.
@@ -14,12 +14,12 @@ pub(crate) struct OfUse {
 }
 
 impl OfUse {
-    /// Finds it among the errors of the method and the mesh; `None` where nothing of it was estimated.
+    /// Finds the largest of the errors of the method and the mesh; `None` if none of them was estimated.
     ///
-    /// What a key of the scene leaves out (edges, road, ways between bodies, transmission) is no such error:
-    /// it says of another scene what this one is not, and is larger than the echo of a motorcycle where it is
-    /// the road. Facets in place of a curved skin are cut until they are as good as asked. So their share
-    /// counts only where it is larger: then the mesh gives no more.
+    /// Errors from parts of the physics that a scene's key omits (edges, road, paths between bodies,
+    /// transmission) do not count: they describe the difference to another scene, and that of the road
+    /// exceeds the echo of a motorcycle. Facets of a curved skin are refined to the requested accuracy, so
+    /// their share counts only if it is larger: then the mesh allows no better.
     pub(crate) fn of(asked: Accuracy, error: &ErrorBudget, model: &ModelError) -> Option<Self> {
         let mesh = error.tessellation.filter(|amplitude| *amplitude > asked.amplitude());
         let all = [

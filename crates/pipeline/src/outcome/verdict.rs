@@ -1,4 +1,4 @@
-//! Whether the accuracy that was asked for was reached; where not, what limits it and what would help.
+//! Verdict on the requested accuracy: whether it was reached and, if not, the limiting error and a remedy.
 
 use crate::outcome::error_figures::{ErrorFigures, db, decibels};
 use crate::outcome::useful_accuracy::OfUse;
@@ -12,45 +12,45 @@ use artifact::units::db_from_amplitude;
 use artifact::{Accuracy, ErrorBudget};
 use serde::{Deserialize, Serialize};
 
-/// Largest number of frames that are all told in full; of more only the worst is.
+/// Largest number of frames reported in full; of more, only the worst is.
 pub(crate) const FRAMES_IN_FULL: usize = 4;
 
-/// Whether the accuracy that was asked for was reached.
+/// Whether the requested accuracy was reached.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct AccuracyVerdict {
     /// The largest error allowed, dB relative to the echo.
     pub asked_db: f64,
-    /// Part of it that a plan gives to what is computed, dB, beside what the plan leaves out; `None` without
-    /// a plan.
+    /// Part of it that a plan assigns to the computed echo, dB, beside the omitted parts; `None` without a
+    /// plan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planned_db: Option<f64>,
-    /// Result whose need that is; `None` where an accuracy was asked for itself.
+    /// Result that requires this accuracy; `None` if an accuracy was requested directly.
     #[serde(rename = "for")]
     pub goal: Option<Goal>,
-    /// The error's total, dB; `None` where it was not estimated, and with `met` of no error at all.
+    /// Total error, dB; `None` if it was not estimated, or, with `met`, if it is zero.
     pub reached_db: Option<f64>,
-    /// Whether the error is no larger than was asked, or with a plan: than the part that it gives to what is
-    /// computed, where the plan spends no more than was asked. `None` where it was not estimated.
+    /// Whether the error is within the request, or with a plan within the part assigned to the computed echo,
+    /// if the plan spends no more than was requested. `None` if it was not estimated.
     pub met: Option<bool>,
     /// The name of the largest share of the error.
     pub limited_by: Option<String>,
-    /// Accuracy of use, dB: the largest error of the model's method and of the mesh, which stays however
-    /// little is asked for; `None` where none was estimated.
+    /// Useful accuracy, dB: the largest error of the model's method and of the mesh, which no request
+    /// reduces; `None` if none was estimated.
     pub of_use_db: Option<f64>,
-    /// Sentences: what limits the accuracy and what would help, where it was not met; and which accuracy is
-    /// of use, where less was asked for. `None` where neither is so.
+    /// Advice in sentences: the limiting error and a remedy, if the accuracy was not met, and the useful
+    /// accuracy, if a finer one was requested. `None` if neither applies.
     pub advice: Option<String>,
 }
 
-/// Accuracy that was asked of a frame, a table or a scene, and the error that it came to.
+/// Requested accuracy of a frame, a table or a scene, with the resulting error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Verdict {
     asked: Accuracy,
     goal: Option<Goal>,
     error: ErrorBudget,
     model: ModelError,
-    /// Most nodes of an axis, moments of the frame or places of the array, at which ways were traced, and the
-    /// number of all paths; `None` where that is not known.
+    /// Largest number of nodes of an axis (moments of the frame or places of the array) at which paths were
+    /// traced, and the number of all paths; `None` if unknown.
     nodes: Option<(u32, u64)>,
     plan: Option<Planned>,
 }
@@ -59,11 +59,11 @@ pub struct Verdict {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Planned {
     asked_db: f64,
-    /// Reason that the plan spends more than was asked; `None` where it does not.
+    /// Reason why the plan spends more than was requested; `None` if it does not.
     beyond: Option<Beyond>,
 }
 
-/// A limit that makes an accuracy finer than it of no use.
+/// A limit below which a finer accuracy has no use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Beyond {
     spent_db: f64,
@@ -90,7 +90,7 @@ impl Planned {
     }
 }
 
-/// Place in which a person asks for an accuracy, for the words of advice.
+/// Way in which a user requests an accuracy, for the words of advice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Asking {
     /// Keys of a scene.
@@ -100,14 +100,14 @@ pub enum Asking {
 }
 
 impl AccuracyVerdict {
-    /// Level by which verdicts are compared, dB: without end where there is no error, or one beyond all
-    /// numbers; `None` where it was not estimated.
+    /// Level by which verdicts are compared, dB: infinite if the error is zero or not finite; `None` if it
+    /// was not estimated.
     pub fn level_db(&self) -> Option<f64> {
         let endless = |met| if met { f64::NEG_INFINITY } else { f64::INFINITY };
         self.reached_db.or(self.met.map(endless))
     }
 
-    /// The error that was reached, for a person.
+    /// Text of the reached error.
     pub fn reached_in_words(&self) -> String {
         match self.level_db() {
             Some(f64::NEG_INFINITY) => "none".into(),
@@ -118,12 +118,12 @@ impl AccuracyVerdict {
 }
 
 impl Verdict {
-    /// Compares a frame's numerical errors with the accuracy asked for; what the model leaves out is zero.
+    /// Compares a frame's numerical errors with the requested accuracy; errors of the model are zero.
     pub fn of(asked: Accuracy, error: &ErrorBudget) -> Self {
         Self { asked, goal: None, error: *error, model: ModelError::default(), nodes: None, plan: None }
     }
 
-    /// Makes the verdict of a frame; its paths, where they are known, tell the number of nodes.
+    /// Makes the verdict of a frame; its paths, if known, give the number of nodes.
     pub fn of_paths(asked: &Fidelity, error: &ErrorBudget, paths: Option<&PathsFrame>) -> Self {
         let nodes = |paths: &PathsFrame| {
             paths
@@ -136,36 +136,37 @@ impl Verdict {
         Self { goal: asked.goal, nodes, ..Self::of(asked.accuracy, error) }
     }
 
-    /// Makes the same verdict that knows what the model leaves out, and so which accuracy is of use.
+    /// Adds the errors of the model, and with them the useful accuracy.
     pub fn beside(self, model: &ModelError) -> Self {
         Self { model: *model, ..self }
     }
 
-    /// Makes the same verdict of a scene whose physics was planned: what its settings ask for is the part of
-    /// the accuracy that the plan gives to what is computed.
+    /// Adds the plan of the physics: the accuracy in the settings is then the part that the plan assigns to
+    /// the computed echo.
     pub fn in_plan(self, plan: Option<&PlanFigures>) -> Self {
         Self { plan: plan.map(Planned::of), ..self }
     }
 
-    /// Whether the error is no larger than was asked, with a plan: of it; `None` where it was not estimated.
+    /// Whether the error is within the settings' accuracy, and a plan, if any, spends no more than was
+    /// requested; `None` if it was not estimated.
     fn is_met(&self) -> Option<bool> {
         let is_within = self.plan.is_none_or(|plan| plan.beyond.is_none());
         self.is_kept().map(|is_kept| is_kept && is_within)
     }
 
-    /// Whether the error is no larger than the settings ask; `None` where it was not estimated.
+    /// Whether the error is within the accuracy of the settings; `None` if it was not estimated.
     fn is_kept(&self) -> Option<bool> {
-        // An accuracy that went through decibels and back may differ by rounding.
+        // An accuracy converted to decibels and back may differ by rounding.
         self.error.total().map(|total| total <= self.asked.amplitude() * (1.0 + 1e-9))
     }
 
-    /// Name of the largest share of the error; `None` where no share is above zero.
+    /// Name of the largest share of the error; `None` if no share is above zero.
     fn limited_by(&self) -> Option<&'static str> {
         let known = self.error.shares().into_iter().filter_map(|(name, error)| Some((name, error?)));
         known.filter(|(_, error)| *error > 0.0).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(name, _)| name)
     }
 
-    /// Makes the verdict as `summary.json` has it.
+    /// Makes the verdict of `summary.json`.
     pub fn told(&self, asking: Asking) -> AccuracyVerdict {
         AccuracyVerdict {
             asked_db: self.plan.map_or(self.asked.db(), |plan| plan.asked_db),
@@ -179,7 +180,7 @@ impl Verdict {
         }
     }
 
-    /// Makes the verdict as lines for a person.
+    /// Makes the verdict as lines of text.
     pub fn lines(&self, asking: Asking) -> Vec<String> {
         lines(&self.told(asking), &ErrorFigures::of(&self.error))
     }
@@ -188,14 +189,14 @@ impl Verdict {
         OfUse::of(self.asked, &self.error, &self.model)
     }
 
-    /// Advice on what limits the accuracy, and on which one is of use; `None` where there is none to give.
+    /// Advice on the limiting error and on the useful accuracy; `None` if there is none.
     fn advice(&self, asking: Asking) -> Option<String> {
         let of_use = self.plan.map_or_else(|| self.advice_on_use(asking), |plan| plan.advice());
         let sentences: Vec<String> = [self.advice_on_limit(asking), of_use].into_iter().flatten().collect();
         (!sentences.is_empty()).then(|| sentences.join(" "))
     }
 
-    /// Advice where less error is asked for than the model has itself: no integral makes that smaller.
+    /// Advice if the request is finer than the error of the model, which no integral reduces.
     fn advice_on_use(&self, asking: Asking) -> Option<String> {
         let of_use = self.of_use().filter(|error| error.amplitude > self.asked.amplitude())?;
         let level = decibels(db(Some(of_use.amplitude)));
@@ -209,8 +210,7 @@ impl Verdict {
         ))
     }
 
-    /// Advice on what limits the accuracy and what would help; `None` where it was reached or nothing is
-    /// known.
+    /// Advice on the limiting error and its remedy; `None` if the accuracy was reached or nothing is known.
     fn advice_on_limit(&self, asking: Asking) -> Option<String> {
         let limited_by = self.limited_by().filter(|_| self.is_kept() == Some(false))?;
         let (what, help) = match (limited_by, self.nodes) {
@@ -221,16 +221,14 @@ impl Verdict {
         Some(format!("Limited by {limited_by}: {what}. What would help: {help}."))
     }
 
-    /// Accuracy to ask for instead, dB: finer than what was asked by as much as the error is above it, to a
-    /// whole dB.
+    /// Accuracy to request instead, dB: finer than the request by the excess of the error, to a whole dB.
     fn finer_db(&self) -> f64 {
         let reached_db = self.error.total().map_or(self.asked.db(), db_from_amplitude);
         (2.0 * self.asked.db() - reached_db).floor()
     }
 }
 
-/// Lines that tell whether the accuracy was reached: of every frame, or of many the worst and how many there
-/// are.
+/// Lines on whether the accuracy was reached: for every frame, or for many frames the worst and their number.
 pub fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
     let frame = |(number, verdict): &(u32, Verdict)| {
         let mut lines = verdict.lines(Asking::Scene);
@@ -248,8 +246,8 @@ pub fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
     std::iter::once(head).chain(worst.into_iter().flat_map(frame)).collect()
 }
 
-/// Lines about an accuracy: asked, reached and the shares that make up most of the error; then, where it was
-/// not reached, what limits it and what would help.
+/// Lines about an accuracy: the request, the result and the shares that make up most of the error; if it was
+/// not reached, also the limiting error and a remedy.
 pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<String> {
     let asked = asked_in_words(accuracy);
     if accuracy.level_db().is_none() {
@@ -263,7 +261,7 @@ pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<
     std::iter::once(head).chain(accuracy.advice.clone()).collect()
 }
 
-/// The accuracy that was asked for, and the result that asks for it.
+/// The requested accuracy, and the result that requires it.
 pub(crate) fn asked_in_words(accuracy: &AccuracyVerdict) -> String {
     let goal = accuracy.goal.map_or(String::new(), |goal| format!(" for \"{}\"", goal.name()));
     let asked = format!("{} asked{goal}", decibels(accuracy.asked_db));
@@ -281,7 +279,7 @@ fn shares_that_matter(error_db: &ErrorFigures) -> Vec<(&'static str, f64)> {
     shares
 }
 
-/// Explains a share of the error and what makes it smaller; `{finer}` stands for a value in dB.
+/// Explains a share of the error and its remedy; `{finer}` is replaced by a value in dB.
 fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
     let is_scene = asking == Asking::Scene;
     match share {
@@ -318,8 +316,8 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
     }
 }
 
-/// Explains freezing in a frame whose ways were looked at from several nodes, moments of the frame or places
-/// of the array: it keeps the middle's where more did not help, or would have been too many paths.
+/// Explains freezing in a frame whose paths were traced at several nodes, moments of the frame or places of
+/// the array: those of the middle are kept where more did not help, or would have been too many paths.
 fn of_nodes(nodes: u32, paths: u64) -> (&'static str, &'static str) {
     if bart_rcs::paths_are_at_limit(nodes, paths) {
         (

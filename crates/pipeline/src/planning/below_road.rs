@@ -1,9 +1,9 @@
-//! Bodies that reach below the road of their scene: what is there is traced as if the road were not.
+//! Bodies that reach below the road of their scene: the parts below it are traced as if there were no road.
 
 use artifact::scene::{Mesh, Pose, SceneHeader};
 
-/// Sentences about the bodies that stand in part below the road z = 0 when they are first in view, one each;
-/// none without a road. What lies wholly below is refused where it is traced.
+/// Sentences about the bodies that are partly below the road z = 0 when they are first in view, one each;
+/// none without a road. Bodies wholly below it are refused in tracing.
 pub(crate) fn notes(header: &SceneHeader) -> Vec<String> {
     if header.road.is_none() {
         return vec![];
@@ -13,7 +13,7 @@ pub(crate) fn notes(header: &SceneHeader) -> Vec<String> {
     bodies.filter_map(|((id, kind), pose)| note(id, header.mesh_of(kind)?, pose?, least_m)).collect()
 }
 
-/// Sentence about one body, where more than `least_m` of it is below the road.
+/// Sentence about one body, if more than `least_m` of it is below the road.
 fn note(id: &str, mesh: &Mesh, pose: Pose, least_m: f64) -> Option<String> {
     let [low_m, high_m] = heights_m(mesh)?.map(|z| z + pose.position_m[2]);
     (low_m < -least_m && high_m > 0.0).then(|| {

@@ -1,10 +1,10 @@
-//! Choices of what is modelled, made from what each part of the echo is to all of it.
+//! Choices of the modelled physics, made from the share of each part of the echo.
 
 use crate::planning::echo_shares::Shares;
 use crate::planning::physics_part::Part;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Physics that the scene itself says, and of which nothing is chosen.
+/// Physics that the scene itself specifies and that is not chosen.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Fixed {
     /// Highest order of reflection.
@@ -16,16 +16,16 @@ pub(crate) struct Fixed {
 /// Relative amplitude error that a plan may spend.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Budget {
-    /// Error of all that is chosen together.
+    /// Total error of all choices.
     pub(crate) whole: f64,
-    /// Reason why that is more than was asked.
+    /// Reason why that is more than was requested.
     pub(crate) limit: Limit,
 }
 
-/// Reason that an accuracy is no finer.
+/// Reason why an accuracy is no finer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Limit {
-    /// The accuracy asked for.
+    /// The requested accuracy.
     Asked,
     /// The method: node rules disagree by more.
     Nodes,
@@ -33,60 +33,60 @@ pub(crate) enum Limit {
     Noise,
 }
 
-/// Share of the largest error of the method that everything else may take: half of it adds a tenth to it,
-/// 1 dB.
+/// Share of the largest error of the method that all other errors may take: half of it adds a tenth, 1 dB.
 const OF_METHOD: f64 = 0.5;
 
 impl Budget {
-    /// Budget of an accuracy: no finer than the method is, nor than the noise lets anybody see.
+    /// Budget of an accuracy: no finer than the method, nor than the noise.
     pub(crate) fn of(asked: f64, shares: &Shares) -> Self {
         let candidates =
             [(asked, Limit::Asked), (OF_METHOD * shares.nodes, Limit::Nodes), (shares.noise, Limit::Noise)];
         let largest = candidates.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
         let (whole, limit) = largest.unwrap_or((asked, Limit::Asked));
-        // Beyond the amplitude itself nothing would be modelled at all.
+        // At the amplitude itself, nothing at all would be modelled.
         Self { whole: whole.min(COARSEST), limit }
     }
 }
 
-/// Coarsest accuracy that a plan spends, −3 dB: cells and integrals mean little beyond it.
+/// Coarsest accuracy that a plan spends, −3 dB: coarser cells and integrals mean little.
 const COARSEST: f64 = 0.7;
 
-/// Physics that is modelled, and how finely.
+/// Modelled physics, and its accuracy.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Choice {
     /// Highest order of reflection.
     pub(crate) bounces: u8,
     /// Parts that are modelled.
     pub(crate) modelled: BTreeSet<Part>,
-    /// Relative amplitude of all that was left out by choice.
+    /// Relative amplitude of all that is omitted by choice.
     pub(crate) left_out: f64,
-    /// Relative amplitude error that integrals, cells and the echo may make.
+    /// Relative amplitude error allowed to integrals, cells and the echo.
     pub(crate) numerical: f64,
-    /// Whether node rules differ by so little that the cheapest will do.
+    /// Whether node rules differ so little that the cheapest suffices.
     pub(crate) any_node_rule: bool,
 }
 
-/// Highest order that a scene may have.
+/// Highest order of reflection in a scene.
 const MOST_BOUNCES: u8 = artifact::paths::MAX_ORDER as u8;
-/// Share of the budget's power that may be left out. Of plans that left out 0.7 to 0.85 of it two of five
-/// erred by more than they spend, of those that left out less one of twenty (`docs/validation/planner.md`).
+/// Largest share of the budget's power that may be left out. Two of five plans that left out 0.7 to 0.85 of
+/// it erred by more than they spend, but only one of twenty that left out less
+/// (`docs/validation/planner.md`).
 const LEFT_OUT_POWER: f64 = 0.7;
-/// Powers that are expected over those that are told: shares are told with the margin of the look, 1.4, and
-/// integrals and cells err by half of what they may in the middle (`docs/planning.md`).
+/// Ratio of the expected to the reported powers: shares are reported with the margin of the look, 1.4, and
+/// integrals and cells have on average half of their allowed error (`docs/planning.md`).
 const EXPECTED_LEFT_OUT: f64 = 1.0 / (1.4 * 1.4);
 const EXPECTED_NUMERICAL: f64 = 0.25;
-/// Of choices that leave integrals as much of the budget's power the dearer integrals are no matter.
+/// Share of the budget's power for integrals above which their additional cost is negligible.
 const NEARLY_ALL: f64 = 0.6;
-/// Node rules that differ by less of the budget are one.
+/// Share of the budget below which a difference between node rules is negligible.
 const ONE_NODE_RULE: f64 = 0.25;
 
 impl Choice {
-    /// The choices that keep the budget and leave out as much as they can: what is left of the budget is the
-    /// integrals'. Before them stands all of the physics where integrals would have to be a good deal finer
-    /// for what is left out. Which of them is cheapest is a matter of their costs.
+    /// Choices that keep the budget and omit as much as possible; the rest of the budget is for integrals.
+    /// The first choice is the whole physics, where the omissions would require considerably finer integrals.
+    /// The cheapest choice depends on the costs.
     ///
-    /// Leaving out is judged by power: parts of an echo have phases of their own.
+    /// Omissions are judged by power: parts of an echo have independent phases.
     pub(crate) fn all(budget: &Budget, shares: &Shares, fixed: &Fixed) -> Vec<Self> {
         let whole = Physics::whole(fixed);
         let begin = whole.left_out_power(shares);
@@ -113,22 +113,22 @@ impl Choice {
     }
 }
 
-/// Power that integrals and cells may err by where this much is left out, both over the budget's.
+/// Power of the errors allowed to integrals and cells when `left_out` is omitted, both relative to the
+/// budget's.
 ///
-/// Both are told as bounds, and seldom reach them together: their sum is held to the budget as it is where
-/// what they are expected to be adds up, and the excesses of their bounds, which know nothing of each other,
-/// add up by their squares, ℓ + n + √((L − ℓ)² + (N − n)²) = 1 with ℓ = [`EXPECTED_LEFT_OUT`]·L and
-/// n = [`EXPECTED_NUMERICAL`]·N.
+/// Both are given as bounds, which they seldom reach together: their sum is limited to the budget with the
+/// expected values added linearly and the independent excesses of the bounds added by their squares, ℓ + n +
+/// √((L − ℓ)² + (N − n)²) = 1 with ℓ = [`EXPECTED_LEFT_OUT`]·L and n = [`EXPECTED_NUMERICAL`]·N.
 fn numerical_power(left_out: f64) -> f64 {
     let room = 1.0 - EXPECTED_LEFT_OUT * left_out;
     let excess = (1.0 - EXPECTED_LEFT_OUT) * left_out;
-    // (room − νN)² = excess² + (1 − ν)²N², a quadratic of which N is the positive root.
+    // (room − νN)² = excess² + (1 − ν)²N² is a quadratic equation, with N as its positive root.
     let (half, quadratic) = (EXPECTED_NUMERICAL * room, 1.0 - 2.0 * EXPECTED_NUMERICAL);
     let constant = room.powi(2) - excess.powi(2);
     ((half.powi(2) + quadratic * constant).sqrt() - half) / quadratic
 }
 
-/// Physics on the way from all of it to what is enough.
+/// A set of modelled physics, between all of it and the least.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Physics {
     bounces: u8,
@@ -136,7 +136,7 @@ struct Physics {
 }
 
 impl Physics {
-    /// Everything but what the scene itself leaves out.
+    /// All physics except that which the scene itself omits.
     fn whole(fixed: &Fixed) -> Self {
         let is_in = |part: &Part| fixed.parts.get(part).copied().unwrap_or(true);
         Self {
@@ -145,7 +145,7 @@ impl Physics {
         }
     }
 
-    /// Leaves out one thing more, in every way that is open.
+    /// Omits one more part or order, in every possible way.
     fn one_less(&self, fixed: &Fixed) -> Vec<Self> {
         let open = |part: &Part| self.modelled.contains(part) && !fixed.parts.contains_key(part);
         let without = |part: Part| {
@@ -158,7 +158,7 @@ impl Physics {
         fewer.into_iter().chain(Part::ALL.into_iter().filter(open).map(without)).collect()
     }
 
-    /// All that leaves out more than this or nothing more, in the order of orders and parts.
+    /// This physics and all that omit more, in the order of orders and parts.
     fn every_less(&self, fixed: &Fixed) -> BTreeSet<Self> {
         let mut every = BTreeSet::from([self.clone()]);
         let mut open = vec![self.clone()];
@@ -188,8 +188,8 @@ impl Physics {
     }
 }
 
-/// Power of the orders that no look reaches: as the last falls from the one before it, so they go on, and
-/// they are no more than the last.
+/// Power of the orders beyond the look, extrapolated from the ratio of the last two, and at most that of the
+/// last.
 fn beyond(shares: &Shares) -> f64 {
     let power = |at: usize| {
         let order = at as u8 + 1;

@@ -1,4 +1,4 @@
-//! Processor seconds, on the machine of the rates: of a plan, of the scene before it, and of each part.
+//! Processor seconds, on the reference machine, of a plan, of the scene before it, and of each part.
 
 use crate::chain::expectation::Expectation;
 use crate::chain::link::Chain;
@@ -11,7 +11,7 @@ use artifact::scene::SceneHeader;
 use bart_rcs::Tracer;
 use std::collections::BTreeMap;
 
-/// Whether a plan tells what each part of the physics takes.
+/// Whether a plan includes the cost of each part of the physics.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PartCosts {
     Told,
@@ -21,18 +21,18 @@ pub(crate) enum PartCosts {
 /// Expected processor seconds.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Seconds {
-    /// Scene as it stood before the plan, with its accuracy.
+    /// Scene before the plan, with its accuracy.
     pub(crate) as_said: f64,
     /// Scene as planned.
     pub(crate) planned: f64,
-    /// Seconds of the plan with one part more, or with one less.
+    /// Seconds of the plan with one more or one fewer part.
     pub(crate) with_one_changed: BTreeMap<Part, f64>,
-    /// Seconds of the plan with one order of reflection more.
+    /// Seconds of the plan with one more order of reflection.
     pub(crate) with_one_bounce_more: Option<f64>,
 }
 
-/// Expects the seconds of a plan, where these are not known yet, and, where these are told, of its
-/// neighbours, which change what the scene does not say itself.
+/// Estimates the seconds of a plan, unless they are known, and, if part costs are requested, of its
+/// neighbours, which differ in the physics that the scene does not specify.
 pub(crate) fn seconds(
     before: &SceneHeader,
     (planned, planned_s): (&SceneHeader, Option<f64>),
@@ -55,7 +55,7 @@ pub(crate) fn seconds(
     Ok(seconds)
 }
 
-/// The scene with one part in that is out, or out that is in; `None` where that takes another mesh.
+/// The scene with one part switched on or off; `None` if that requires another mesh.
 fn changed(planned: &SceneHeader, part: Part) -> Option<SceneHeader> {
     if part == Part::Sheets {
         return None;
@@ -68,7 +68,7 @@ fn changed(planned: &SceneHeader, part: Part) -> Option<SceneHeader> {
     Some(header)
 }
 
-/// Expected processor seconds on the machine of the rates, so that a plan is the same on every machine.
+/// Expected processor seconds on the reference machine, so that a plan is the same on every machine.
 pub(crate) fn expected_s(header: &SceneHeader, tracer: &Tracer, memory: Allowance) -> Result<f64, Failure> {
     let chain = Chain::of(header, None, None, memory).tracing_by(tracer.clone());
     let plans: Vec<FramePlan> = (0..header.frames).map(|index| chain.plan(index)).collect();

@@ -1,4 +1,4 @@
-//! Shares of the echo's parts in all of it, over the frames that are looked at.
+//! Shares of the echo's parts in the whole echo, over the frames looked at.
 
 use crate::chain::expected_work::frames_looked_at;
 use crate::host::failure::Failure;
@@ -13,27 +13,27 @@ use scene::SaidPhysics;
 /// Shares of the echo as relative amplitudes, each the largest of the frames looked at.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Shares {
-    /// Ways within one body, by order from 1.
+    /// Paths within one body, by order from 1.
     pub(crate) within: Vec<f64>,
-    /// Ways that meet several bodies, by order from 1.
+    /// Paths over several bodies, by order from 1.
     pub(crate) between: Vec<f64>,
     /// Spread between the node rules of double and triple reflections.
     pub(crate) nodes: f64,
-    /// Ways by a road of dry asphalt, by order from 1; `None` where these cannot be followed.
+    /// Paths by a road of dry asphalt, by order from 1; `None` if these cannot be traced.
     pub(crate) road: Option<Vec<f64>>,
     /// The whole echo with the road.
     pub(crate) whole_with_road: f64,
     /// Diffraction by edges, by order from 1.
     pub(crate) edges: Vec<f64>,
-    /// Change by waves through sheets.
+    /// Change by waves that pass sheets.
     pub(crate) sheets: f64,
-    /// Whole echo of which all of it, in one cell of the map, would be as strong as the noise.
+    /// Whole echo that, concentrated in one cell of the map, would be as strong as the noise.
     pub(crate) noise: f64,
 }
 
-/// Looks at three frames of a scene at most; `None` where nothing scatters in them.
+/// Looks at up to three frames of a scene; `None` if nothing scatters in them.
 ///
-/// A road that the scene leaves out by its own word is no part of the whole.
+/// A road that the scene itself omits is not part of the whole.
 pub(crate) fn shares(
     header: &SceneHeader,
     said: &SaidPhysics,
@@ -54,7 +54,7 @@ pub(crate) fn shares(
     Ok(all)
 }
 
-/// Tracer of the scene's meshes, which looks and expectations share.
+/// Tracer of the scene's meshes, shared by looks and estimates.
 pub(crate) fn tracer(header: &SceneHeader, memory: Allowance) -> Result<Tracer, Failure> {
     Ok(Tracer::new(header).map_err(Failure::refused)?.within(memory.limit()))
 }
@@ -71,9 +71,9 @@ fn of_parts(parts: EchoParts) -> Shares {
     Shares { within, between, nodes, road, whole_with_road, edges, sheets: transmission, noise: 0.0 }
 }
 
-/// Relative amplitude of an echo that, all of it in one cell and all channels added in phase, is as strong
-/// as the noise of the map; 0 without noise. A body is spread over more cells, and what is left out is weaker
-/// in each of them: one is on the safe side.
+/// Relative amplitude of an echo that, concentrated in one cell and with all channels added in phase, is as
+/// strong as the noise of the map; 0 without noise. This is on the safe side: a body is spread over more
+/// cells, and omitted parts are weaker in each of them.
 fn noise(header: &SceneHeader, index: u32, amplitude_m: &[Complex64]) -> f64 {
     let (radar, waveform) = (&header.radar, &header.radar.waveform);
     let channels = radar.virtual_channels() as f64;
@@ -114,8 +114,8 @@ impl Shares {
         }
     }
 
-    /// The shares of the whole echo with the road. Node rules and sheets change what goes by the road as much
-    /// as what does not.
+    /// The shares relative to the whole echo with the road. Node rules and sheets change paths by the road as
+    /// much as direct ones.
     pub(crate) fn over_road(&self) -> Self {
         let whole = self.whole_with_road.max(f64::MIN_POSITIVE);
         let of = |share: &f64| share / whole;
@@ -131,12 +131,12 @@ impl Shares {
         }
     }
 
-    /// Ways of this order by the road; 0 where they cannot be followed.
+    /// Share of the paths of this order by the road; 0 if they cannot be traced.
     pub(crate) fn by_road(&self, order: u8) -> f64 {
         of_order(self.road.as_deref().unwrap_or_default(), order)
     }
 
-    /// Ways of this order to edges; 0 beyond the orders looked at.
+    /// Share of the paths of this order to edges; 0 beyond the orders looked at.
     pub(crate) fn by_edges(&self, order: u8) -> f64 {
         of_order(&self.edges, order)
     }

@@ -1,4 +1,4 @@
-//! Parts of the physics, each of which is modelled or left out by keys of a scene.
+//! Parts of the physics that keys of a scene switch on or off.
 
 use artifact::material::Transmission;
 use artifact::scene::SceneHeader;
@@ -7,13 +7,13 @@ use artifact::settings::{BetweenBodies, Edges};
 /// Part of the physics that is modelled or left out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Part {
-    /// Ways that meet several bodies.
+    /// Paths over several bodies.
     BetweenBodies,
-    /// Ways by the road.
+    /// Paths by the road.
     Road,
     /// Diffraction by edges.
     Edges,
-    /// Waves through sheets.
+    /// Waves that pass sheets.
     Sheets,
 }
 
@@ -31,7 +31,7 @@ impl Part {
         }
     }
 
-    /// Whether a scene models it.
+    /// Whether a scene models this part.
     pub(crate) fn is_in(self, header: &SceneHeader) -> bool {
         match self {
             Self::BetweenBodies => header.fidelity.between_bodies == BetweenBodies::Traced,
@@ -41,7 +41,7 @@ impl Part {
         }
     }
 
-    /// Models it; a road that is there stays as it is.
+    /// Models this part; an existing road stays as it is.
     pub(crate) fn model(self, header: &mut SceneHeader) {
         match self {
             Self::BetweenBodies => header.fidelity.between_bodies = BetweenBodies::Traced,
@@ -51,7 +51,7 @@ impl Part {
         }
     }
 
-    /// Leaves it out.
+    /// Leaves this part out.
     pub(crate) fn leave_out(self, header: &mut SceneHeader) {
         match self {
             Self::BetweenBodies => header.fidelity.between_bodies = BetweenBodies::LeftOut,
@@ -62,7 +62,7 @@ impl Part {
     }
 }
 
-/// Says of the scene and of its meshes whether waves pass sheets.
+/// Sets in the scene and in its meshes whether waves pass sheets.
 fn transmit(header: &mut SceneHeader, transmission: Transmission) {
     header.materials.transmission = transmission;
     header.meshes.iter_mut().for_each(|mesh| mesh.makeup.transmission = transmission);

@@ -1,4 +1,4 @@
-//! A plan in figures, for `summary.json`, and in lines, for who reads along.
+//! A plan in figures, for `summary.json`, and in lines of text.
 
 use crate::planning::choice::{Budget, Choice, Fixed, Limit};
 use crate::planning::costs::Seconds;
@@ -13,13 +13,13 @@ use serde::{Deserialize, Serialize};
 /// Plan of a scene's physics in figures.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct PlanFigures {
-    /// Accuracy asked for, dB.
+    /// Requested accuracy, dB.
     pub asked_db: f64,
-    /// Accuracy that is spent: coarser than asked where more would buy nothing, dB.
+    /// Accuracy that is spent, dB: coarser than requested where a finer one has no use.
     pub spent_db: f64,
-    /// Reason that the accuracy is no finer: "asked", "nodes" or "noise".
+    /// Reason why the accuracy is no finer: "asked", "nodes" or "noise".
     pub limited_by: String,
-    /// Share of all that is left out by choice, dB.
+    /// Total share of the omitted parts, dB.
     pub left_out_db: f64,
     /// Accuracy of integrals, cells and echo, dB.
     pub numerical_db: f64,
@@ -27,11 +27,11 @@ pub struct PlanFigures {
     pub bounces: u8,
     /// Rule for the facet on which a multiple reflection is integrated.
     pub nodes: String,
-    /// Frames between two in which errors are measured.
+    /// Number of frames from one measurement of errors to the next.
     pub measured_every: u32,
-    /// Expected processor seconds of the plan on the machine of the rates.
+    /// Expected processor seconds of the plan on the reference machine.
     pub processor_s: f64,
-    /// Expected processor seconds of the scene as its keys have it, with their defaults.
+    /// Expected processor seconds of the scene with its own keys and their defaults.
     pub as_said_processor_s: f64,
     /// Parts of the physics.
     pub parts: Vec<PartFigures>,
@@ -44,15 +44,15 @@ pub struct PartFigures {
     pub name: String,
     /// Whether it is modelled.
     pub modelled: bool,
-    /// Whether the scene says so itself.
+    /// Whether the scene itself specifies it.
     pub said: bool,
-    /// Share of the whole echo, dB: what leaving it out costs; `None` where that could not be told.
+    /// Share in the whole echo, dB: the error of leaving it out; `None` if unknown.
     pub share_db: Option<f64>,
-    /// Expected processor seconds that it takes, or would take; `None` where that was not expected.
+    /// Expected processor seconds that it takes, or would take; `None` if not estimated.
     pub processor_s: Option<f64>,
 }
 
-/// A choice, and what it was made of.
+/// A choice with its basis.
 pub(crate) struct Chosen {
     pub(crate) asked: Accuracy,
     pub(crate) budget: Budget,
@@ -63,7 +63,7 @@ pub(crate) struct Chosen {
 }
 
 impl Chosen {
-    /// Figures of the plan, whose choice is in the header.
+    /// Figures of the plan, whose choice is already in the header.
     pub(crate) fn figures(&self, planned: &SceneHeader) -> PlanFigures {
         let Self { budget, choice, seconds, .. } = self;
         PlanFigures {
@@ -81,7 +81,7 @@ impl Chosen {
         }
     }
 
-    /// The orders after the first: those beyond the last that is modelled as one.
+    /// Orders of reflection after the first; of those not modelled only the lowest has a cost.
     fn orders(&self) -> impl Iterator<Item = PartFigures> {
         let Self { shares, choice, seconds, .. } = self;
         let known = (2..).zip(shares.within.iter().zip(&shares.between).skip(1));
@@ -112,7 +112,7 @@ impl Chosen {
 }
 
 impl PlanFigures {
-    /// The same plan with the seconds of a machine so many times as fast as that of the rates.
+    /// The plan with the seconds of a machine `machine_speed` times as fast as the reference machine.
     fn at_speed(&self, machine_speed: f64) -> Self {
         let mut here = self.clone();
         here.processor_s /= machine_speed;
@@ -123,8 +123,8 @@ impl PlanFigures {
         here
     }
 
-    /// Lines of the plan: what is spent, and each part with its share and its cost, in seconds of a machine
-    /// so many times as fast as that of the rates
+    /// Lines of the plan: its accuracy, and each part with its share and its cost, in seconds of a machine
+    /// `machine_speed` times as fast as the reference machine
     /// ([`machine_speed`](crate::chain::expectation::machine_speed)).
     pub fn lines(&self, machine_speed: f64) -> Vec<String> {
         let here = self.at_speed(machine_speed);
@@ -142,7 +142,7 @@ impl PlanFigures {
         lines
     }
 
-    /// Line of the accuracy that the plan was made for, and of what limits it.
+    /// Line about the accuracy of the plan, and its limit.
     pub fn first_line(&self) -> String {
         let (asked, finer) = (level(Some(self.asked_db)), level(Some(self.spent_db)));
         match self.limited_by.as_str() {
@@ -156,7 +156,7 @@ impl PlanFigures {
 }
 
 impl PartFigures {
-    /// Words for whether the part is modelled, and by whose choice.
+    /// Text for whether the part is modelled, and by whose choice.
     pub fn verdict(&self) -> &'static str {
         match (self.modelled, self.said) {
             (true, true) => "modelled, as the scene says",
@@ -185,7 +185,7 @@ fn share(part: Part, shares: &Shares) -> Option<f64> {
     }
 }
 
-/// Word for a limit, as [`PlanFigures::limited_by`] has it.
+/// Name of a limit, as in [`PlanFigures::limited_by`].
 pub(crate) fn limit_name(limit: Limit) -> &'static str {
     match limit {
         Limit::Asked => "asked",
@@ -202,7 +202,7 @@ fn rule_name(rule: NodeRule) -> &'static str {
     }
 }
 
-/// Text of a level, dB, as lines of a plan have it.
+/// Text of a level, dB, in the lines of a plan.
 pub fn level(db: Option<f64>) -> String {
     match db {
         None => "not told".into(),

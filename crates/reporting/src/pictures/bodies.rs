@@ -1,10 +1,10 @@
-//! Bodies of a frame as pictures need them: truth, at the frame's middle as the tables have it.
+//! True bodies of a frame for pictures, at the frame's middle as in the tables.
 
 use artifact::scene::{Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::Class;
 use glam::DVec2;
 
-/// A body in its place.
+/// A body at its pose.
 #[derive(Debug, Clone)]
 pub(super) struct Body {
     pub(super) name: String,
@@ -12,13 +12,13 @@ pub(super) struct Body {
     /// Meaning of the colour, for the legend.
     pub(super) kind: &'static str,
     pub(super) place_m: [f64; 3],
-    /// Corners of the body's box on the ground, world x and y; a point has none.
+    /// Corners of the body's box on the ground, world x and y; none for a point.
     pub(super) corners_m: Vec<[f64; 2]>,
     /// Lowest and highest point of the body, world z, m.
     pub(super) heights_m: [f64; 2],
 }
 
-/// All bodies of a frame; `header` is the scene as this frame has it.
+/// All bodies of a frame; `header` is the scene in this frame.
 pub(super) fn bodies(header: &SceneHeader, frame: &SceneFrame) -> Vec<Body> {
     let middle_s = header.in_frame(frame.index).radar.frame_middle_s();
     let of =
@@ -41,7 +41,7 @@ fn body(header: &SceneHeader, target: &Target, pose: &Pose) -> Body {
     }
 }
 
-/// Colour of a body by its class; clutter is darker than a body of none.
+/// Colour of a body by its class; clutter is darker than a body without one.
 fn colour(target: &Target) -> (&'static str, &'static str) {
     match &target.kind {
         TargetKind::Mesh { .. } if target.role == Role::Clutter => ("clutter", "clutter"),
@@ -65,7 +65,7 @@ fn footprint(mesh: &Mesh, pose: &Pose) -> Vec<[f64; 2]> {
     [[x0, y0], [x1, y0], [x1, y1], [x0, y1]].map(|c| (foot + turn.rotate(DVec2::from(c))).to_array()).to_vec()
 }
 
-/// Colour of a class as `plotting` names it; of no class, grey.
+/// Colour of a class as `plotting` names it; grey without a class.
 fn class_colour(class: Option<Class>) -> &'static str {
     class.map_or("plain", Class::name)
 }

@@ -1,4 +1,4 @@
-//! The scene from above as several radars have it together: north is up, to scale.
+//! The scene from above for several radars together: north is up, to scale.
 
 use crate::pictures::bodies::{Body, bodies};
 use crate::pictures::detection_marks::{self, Owner};
@@ -12,11 +12,11 @@ use plotting::form::{Figure, Form};
 use plotting::marks::Mark;
 use plotting::svg::Svg;
 
-/// Around what is to be seen.
+/// Margin around the shown things.
 const MARGIN_M: f64 = 10.0;
 
-/// One frame of this number: what there was, and the points and objects of each radar in a colour of its own.
-/// `radars` are names and what they saw, at least one.
+/// Draws the frame of this number: the bodies, and the points and objects of each radar in its own colour.
+/// `radars` are names and views, at least one.
 pub fn common_view(number: usize, radars: &[(&str, &Seen)]) -> Figure {
     Figure::of(|form| draw(number, radars, form))
 }
@@ -54,7 +54,7 @@ fn draw(number: usize, radars: &[(&str, &Seen)], form: Form) -> Svg {
     ground.finish(["x, m", "y, m"])
 }
 
-/// Says which field of view each radar has, once where all have the same.
+/// Adds each radar's field of view to the legend, once if all are equal.
 fn fields_of_view(ground: &mut Ground, radars: &[(&str, &Seen)]) {
     let words: Vec<String> = radars.iter().map(|(_, seen)| field_of_view::words(&seen.view.radar)).collect();
     if words.windows(2).all(|pair| pair[0] == pair[1]) {
@@ -65,7 +65,7 @@ fn fields_of_view(ground: &mut Ground, radars: &[(&str, &Seen)]) {
     }
 }
 
-/// Bodies of all radars, every body once, though several radars have it in view.
+/// Bodies of all radars, each once even if several radars have it in view.
 fn all_bodies(radars: &[(&str, &Seen)]) -> Vec<Body> {
     let mut all: Vec<Body> = vec![];
     for body in radars.iter().flat_map(|(_, seen)| bodies(&seen.view, &seen.scene)) {
@@ -76,7 +76,7 @@ fn all_bodies(radars: &[(&str, &Seen)]) -> Vec<Body> {
     all
 }
 
-/// Region as large as bodies and radars need it.
+/// Region that contains bodies and radars.
 fn region(radars: &[(&str, &Seen)], bodies: &[Body]) -> Region {
     let radar = |(_, seen): &(&str, &Seen)| seen.view.radar.position_m;
     let mut places = radars.iter().map(radar).chain(bodies.iter().map(|body| body.place_m));
@@ -85,7 +85,7 @@ fn region(radars: &[(&str, &Seen)], bodies: &[Body]) -> Region {
     places.fold(start, |region, place| region.with([place[0], place[1]], MARGIN_M))
 }
 
-/// Points and objects of a radar.
+/// Draws the points and objects of a radar.
 fn found(ground: &mut Ground, colour: &str, id: &str, seen: &Seen) {
     for point in &seen.points.points {
         ground.found(Thing::Point, detection_marks::of_point(point), colour, point.position_m, "");

@@ -1,5 +1,4 @@
-//! Marks of what was found, and what they mean; echoes at rest have marks of their own where the radar tells
-//! them.
+//! Marks of detections, and their meanings; echoes at rest have their own marks if the radar marks them.
 
 use artifact::points::{Object, Point};
 use plotting::marks::Mark;
@@ -12,10 +11,10 @@ pub(super) fn of_point(point: &Point) -> Mark {
 /// Owner of an object, as far as truth is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Owner {
-    /// The object is a body's.
+    /// The object belongs to a body.
     Body,
     Nobody,
-    /// Truth is not known here.
+    /// Truth is unknown.
     Unknown,
 }
 
@@ -28,7 +27,7 @@ pub(super) fn of_object(object: &Object, owner: Owner) -> Mark {
     }
 }
 
-/// Meaning of a point's mark where it is not the usual one.
+/// Meaning of a point's mark other than the usual one.
 pub(super) const POINT_AT_REST: &str = "point at rest";
 
 /// Meaning of an object's mark.

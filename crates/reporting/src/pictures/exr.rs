@@ -11,8 +11,8 @@ use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use std::path::Path;
 
-/// Run lengths, line by line: a sixth larger than deflate makes it, for a tenth of the time, which was a
-/// fortieth of a run of many frames.
+/// Run-length encoding of lines: a sixth larger than deflate, for a tenth of the time, which was a fortieth
+/// of a run of many frames.
 const ENCODING: Encoding =
     Encoding { compression: Compression::RLE, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
 
@@ -35,7 +35,7 @@ pub fn rdm_exr(header: &CubeHeader, frame: &RdmFrame, out: &Path) -> Result<(), 
     let size = ::exr::math::Vec2(range, doppler);
     let image = Image::empty(ImageAttributes::with_size(size)).with_layer(layer);
     let mut bytes = std::io::Cursor::new(Vec::new());
-    // Threads of its own for each map would cost more than the map.
+    // Separate threads for each map would cost more than the map.
     image.write().non_parallel().to_buffered(&mut bytes).map_err(|e| Failure::system(out, "encode", e))?;
     files::write_file(out, bytes.get_ref())
 }

@@ -3,8 +3,8 @@
 use artifact::radar::Radar;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
-/// Angles left and right of the boresight, at its elevation, up to which an element's gain is no more than 3
-/// dB below that along it; a right angle at most, since an array cannot tell before from behind.
+/// Angles left and right of the boresight, at its elevation, up to which an element's gain is within 3 dB of
+/// that along the boresight; a right angle at most, because an array cannot distinguish front from back.
 pub(crate) fn half_angles_rad(radar: &Radar) -> [f64; 2] {
     const ARC_STEPS: u32 = 360;
     let gain = |angle: f64| radar.array.pattern.amplitude([angle.sin(), angle.cos(), 0.0]);
@@ -15,8 +15,8 @@ pub(crate) fn half_angles_rad(radar: &Radar) -> [f64; 2] {
     })
 }
 
-/// World x and y of its rim: from the radar along an arc on the ground at the maximum unambiguous range and
-/// back.
+/// World x and y of the outline: from the radar along an arc on the ground at the maximum unambiguous range
+/// and back.
 pub(super) fn rim_m(radar: &Radar) -> Vec<[f64; 2]> {
     let [left, right] = half_angles_rad(radar);
     let [x_m, y_m, height_m] = radar.position_m;

@@ -1,5 +1,5 @@
-//! The ground from above, to scale: bodies, radars and what was found on it; what lies beyond is marked at
-//! the edges.
+//! The ground from above, to scale, with bodies, radars and detections; things outside are marked at the
+//! edges.
 
 use crate::pictures::bodies::Body;
 use crate::pictures::field_of_view;
@@ -15,7 +15,7 @@ use plotting::labels::Labels;
 use plotting::marks::{Legend, Mark};
 use plotting::svg::Svg;
 
-/// Direction in which a road runs on the sheet.
+/// Direction of a road on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Way {
     /// The road runs to the right, and across it is downwards.
@@ -24,7 +24,7 @@ pub(super) enum Way {
     Up,
 }
 
-/// Region of the ground that is shown, in metres across and along the road.
+/// Shown region of the ground, in metres across and along the road.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Region {
     pub(super) across_m: [f64; 2],
@@ -32,12 +32,12 @@ pub(super) struct Region {
 }
 
 impl Region {
-    /// The least that holds a place.
+    /// The smallest region that contains a place.
     pub(super) fn of([across_m, along_m]: [f64; 2]) -> Self {
         Self { across_m: [across_m; 2], along_m: [along_m; 2] }
     }
 
-    /// Region grown as far as it must be to hold another place and some room about it.
+    /// The region extended to contain another place with some room about it.
     pub(super) fn with(self, [across_m, along_m]: [f64; 2], room_m: f64) -> Self {
         let wider = |[low, high]: [f64; 2], v: f64| [low.min(v - room_m), high.max(v + room_m)];
         Self { across_m: wider(self.across_m, across_m), along_m: wider(self.along_m, along_m) }
@@ -47,7 +47,7 @@ impl Region {
         [self.across_m, self.along_m].map(|[low, high]| high - low)
     }
 
-    /// Direction of the road on the sheet: to the right where the region is long, else upwards.
+    /// Direction of the road on the sheet: to the right if the region is long, else upwards.
     pub(super) fn way(&self, form: Form) -> Way {
         let [across_m, along_m] = self.sizes_m();
         if form == Form::Wide && across_m < 0.6 * along_m { Way::Right } else { Way::Up }
@@ -67,7 +67,7 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    /// Empty ground, to scale; the region grows to fill the sheet's width.
+    /// Makes an empty ground, to scale; the region is extended to fill the sheet's width.
     pub(super) fn new(title: &str, notes: &[String], form: Form, region: Region, road: &Lanes) -> Self {
         let mut sheet = Svg::new(title, form.width_px(), 0.0);
         let top = head(&mut sheet, title, notes);
@@ -78,7 +78,7 @@ impl Ground {
         Self { sheet, form, axes, way, road: road.clone(), legend, labels, beyond }
     }
 
-    /// Puts the meaning of a mark into the legend.
+    /// Adds the meaning of a mark to the legend.
     pub(super) fn say(&mut self, mark: Mark, colour: &str, words: impl Into<String>) {
         self.legend.say(mark, colour, words);
     }
@@ -104,7 +104,7 @@ impl Ground {
         clip::polygon(corners, self.frame())
     }
 
-    /// A rectangle of a class across and along the road, as far as it lies on the sheet.
+    /// Draws the part of a rectangle across and along the road that is on the sheet, in a class of styles.
     pub(super) fn strip(&mut self, class: &str, [left, right]: [f64; 2], [near, far]: [f64; 2]) {
         let corners = [[left, near], [left, far], [right, far], [right, near]].map(|p| self.pixel(p));
         let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
@@ -117,7 +117,7 @@ impl Ground {
         }
     }
 
-    /// Words on the ground, where there is room.
+    /// Writes words on the ground if there is room.
     pub(super) fn note(&mut self, [across_m, along_m]: [f64; 2], words: &str) {
         let [x, y] = self.pixel([across_m, along_m]);
         self.labels.put([x, y, x, y], words);
@@ -129,8 +129,8 @@ impl Ground {
         [axis.from, axis.to]
     }
 
-    /// The lines of a radar's lanes, from `from_m` on along its road, which need not be the sheet's; whether
-    /// any of them lies on it.
+    /// Draws the lines of a radar's lanes, from `from_m` on along its road, which may differ from the
+    /// sheet's; returns whether any of them is on it.
     pub(super) fn lane_lines(&mut self, road: &Lanes, [from_m, to_m]: [f64; 2]) -> bool {
         let mut are_there = false;
         for lane in &road.lanes {
@@ -148,7 +148,7 @@ impl Ground {
         are_there
     }
 
-    /// Draws the part of a line that lies on the sheet; whether there is any.
+    /// Draws the part of a line that is on the sheet; returns whether there is any.
     fn lane_line(&mut self, ends: [[f64; 2]; 2]) -> bool {
         let part = clip::segment(ends, self.frame());
         if let Some([from, to]) = part {
@@ -157,7 +157,7 @@ impl Ground {
         part.is_some()
     }
 
-    /// The surface of a network's lanes, and their names where there is room.
+    /// Draws the surface of a network's lanes, with their names where there is room.
     pub(super) fn courses(&mut self, road: &Lanes) {
         for course in &road.courses {
             let [left, right] = lane_sides_m(course);
@@ -174,7 +174,7 @@ impl Ground {
         }
     }
 
-    /// Half way along what is to be seen of a lane.
+    /// Middle of the visible part of a lane.
     fn middle_on_sheet(&self, course: &Course) -> Option<[f64; 2]> {
         let line: Vec<[f64; 2]> = course.line_m.iter().map(|place| self.world(*place)).collect();
         let seen: Vec<[[f64; 2]; 2]> =
@@ -184,7 +184,7 @@ impl Ground {
         Some([0, 1].map(|axis: usize| 0.5 * (longest[0][axis] + longest[1][axis])))
     }
 
-    /// A radar, its boresight and its field of view.
+    /// Draws a radar, its boresight and its field of view.
     pub(super) fn radar(&mut self, colour: &str, name: &str, radar: &Radar) {
         let [x_m, y_m, _] = radar.position_m;
         let (sin, cos) = radar.boresight_az_rad.sin_cos();
@@ -212,7 +212,7 @@ impl Ground {
         self.axes.x.holds(x) && self.axes.y.holds(y)
     }
 
-    /// The outline and the name of a body.
+    /// Draws the outline and the name of a body.
     pub(super) fn body(&mut self, body: &Body) {
         let middle = self.world([body.place_m[0], body.place_m[1]]);
         let outline: Vec<[f64; 2]> = body.corners_m.iter().map(|p| self.world(*p)).collect();
@@ -236,7 +236,7 @@ impl Ground {
         }
     }
 
-    /// Draws a point or object that was found: a mark where it lies on the sheet, with a name if it has one.
+    /// Draws a detected point or object: a mark if it is on the sheet, with a name if it has one.
     pub(super) fn found(&mut self, thing: Thing, mark: Mark, colour: &str, position_m: [f64; 3], name: &str) {
         let at = self.world([position_m[0], position_m[1]]);
         if !self.holds(at) {
@@ -267,7 +267,7 @@ fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }
 
-/// Axes to scale: as large as width and height allow, and what room is left shows more of the ground.
+/// Axes to scale: as large as width and height allow, with more ground in the remaining room.
 fn axes(form: Form, way: Way, region: Region, top: f64) -> Axes {
     let [left, right] = form.sides_px();
     let [least_px, most_px] = if form == Form::Wide { [230.0, 560.0] } else { [200.0, 470.0] };
@@ -282,7 +282,7 @@ fn axes(form: Form, way: Way, region: Region, top: f64) -> Axes {
         Way::Right => (farther(region.along_m, more_width_m), wider(region.across_m, more_height_m)),
         Way::Up => (wider(region.across_m, more_width_m), farther(region.along_m, more_height_m)),
     };
-    // Across a road that runs to the right, its right side lies below.
+    // With a road to the right, its right side is at the bottom.
     let y = if way == Way::Right { [y[1], y[0]] } else { y };
     Axes {
         x: Axis { from: x[0], to: x[1], start_px: left, end_px: right },

@@ -1,24 +1,22 @@
-//! Both sides of a lane that follows a line of its own.
+//! Both sides of a lane with a course.
 
 use artifact::settings::Course;
 
-/// A corner's side lies no further out than this many half widths: at hairpins the true one would be
-/// anywhere.
+/// Largest distance of a corner's side, in half widths: at hairpins the true one would be anywhere.
 const LONGEST_CORNER: f64 = 2.0;
 
-/// Left and right of its middle, half a width away, a place for each of the middle's.
+/// Left and right side of a lane, half a width from its middle, with a place for each of the middle's.
 pub(crate) fn lane_sides_m(course: &Course) -> [Vec<[f64; 2]>; 2] {
     [-0.5, 0.5].map(|share| beside(&course.line_m, share * course.width_m))
 }
 
-/// A line to the right of another.
+/// A line parallel to another, to its right.
 fn beside(line_m: &[[f64; 2]], by_m: f64) -> Vec<[f64; 2]> {
     let rights: Vec<[f64; 2]> = line_m.windows(2).map(|ends| right(ends[0], ends[1])).collect();
     let corner = |(i, [x, y]): (usize, &[f64; 2])| {
         let (before, after) = (rights[i.saturating_sub(1)], rights[i.min(rights.len() - 1)]);
         let sum = [before[0] + after[0], before[1] + after[1]];
-        // Of unit vectors that include an angle: their sum over half its square reaches the crossing of both
-        // sides.
+        // For unit vectors, their sum over half its square reaches the intersection of both sides.
         let half_square = 0.5 * (sum[0] * sum[0] + sum[1] * sum[1]);
         let reach = 1.0 / half_square.max(2.0 / LONGEST_CORNER.powi(2));
         [x + by_m * reach * sum[0], y + by_m * reach * sum[1]]
@@ -26,7 +24,7 @@ fn beside(line_m: &[[f64; 2]], by_m: f64) -> Vec<[f64; 2]> {
     if rights.is_empty() { vec![] } else { line_m.iter().enumerate().map(corner).collect() }
 }
 
-/// The unit vector to the right of a way; none of one without length.
+/// The unit vector to the right of a displacement; zero for one without length.
 fn right([x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> [f64; 2] {
     let (dx, dy) = (x1 - x0, y1 - y0);
     let length = dx.hypot(dy);

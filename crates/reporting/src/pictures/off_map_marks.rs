@@ -1,5 +1,5 @@
-//! Marks of what lies beyond the edges of a drawing: an arrow at the edge where it would be, with a number
-//! where there are several.
+//! Marks of things beyond the edges of a drawing: an arrow at the nearest edge, with a number if there are
+//! several.
 
 use plotting::svg::Svg;
 
@@ -19,7 +19,7 @@ pub(super) struct Beyond {
     things: Vec<(Thing, String, [f64; 2])>,
 }
 
-/// Arrows stand no closer than this along an edge; what lies closer shares one.
+/// Least distance between arrows along an edge; closer things share one.
 const STEP_PX: f64 = 32.0;
 
 impl Beyond {
@@ -27,12 +27,12 @@ impl Beyond {
         Self { frame, things: vec![] }
     }
 
-    /// Takes note of a thing at a pixel outside.
+    /// Adds a thing at a pixel outside.
     pub(super) fn mark(&mut self, thing: Thing, colour: &str, at: [f64; 2]) {
         self.things.push((thing, colour.to_owned(), at));
     }
 
-    /// Draws the arrows and says what they mean; `None` where nothing lies beyond.
+    /// Draws the arrows and returns their meaning; `None` if nothing is beyond.
     pub(super) fn draw(&self, sheet: &mut Svg) -> Option<String> {
         let mut arrows: Vec<([f64; 2], [f64; 2], &str, usize)> = vec![];
         for (_, colour, at) in &self.things {
@@ -51,7 +51,7 @@ impl Beyond {
         (!self.things.is_empty()).then(|| format!("beyond the drawing: {}", self.counted()))
     }
 
-    /// The nearest place on the box and the way out.
+    /// The nearest place on the box, and the direction outwards.
     fn edge(&self, [x, y]: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let [left, top, right, bottom] = self.frame;
         let place = [x.clamp(left, right), y.clamp(top, bottom)];

@@ -1,4 +1,4 @@
-//! The scene from above as one radar has it: the radar and its view, its lanes if it has any, true outlines,
+//! The scene from above for one radar: the radar and its field of view, its lanes if any, true outlines,
 //! objects and points.
 
 use crate::pictures::bodies::bodies;
@@ -14,7 +14,7 @@ use plotting::form::Form;
 use plotting::marks::Mark;
 use plotting::svg::Svg;
 
-/// Truth, points and estimates of one frame; `nobodys` are indices of objects that are no body's.
+/// Draws truth, points and estimates of one frame; `nobodys` are indices of objects that belong to no body.
 pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult, nobodys: &[usize], form: Form) -> Svg {
     let title = format!("Scene from above, frame {}", result.scene.index);
     let bodies = bodies(header, &result.scene);
@@ -64,14 +64,14 @@ fn say(ground: &mut Ground, radar: &Radar, result: &FrameResult, objects: &[(Mar
     say_radar(ground, radar);
 }
 
-/// Marks of a radar.
+/// Adds the marks of a radar to the legend.
 pub(super) fn say_radar(ground: &mut Ground, radar: &Radar) {
     ground.say(Mark::Triangle, "radar", "radar");
     ground.say(Mark::BrokenLine, "radar", "boresight");
     ground.say(Mark::Line, "radar", field_of_view::words(radar));
 }
 
-/// Names of the axes across and along the road; the world's x and y where those are the road's.
+/// Names of the axes across and along the road; the world's x and y if those are the road's.
 pub(super) fn axis_names(road: &Lanes) -> [&'static str; 2] {
     match (road.lanes.is_empty(), road.azimuth_rad == 0.0 && road.origin_m == [0.0; 2]) {
         (true, true) => ["x, m", "y, m"],
@@ -85,15 +85,14 @@ fn shown_to_m(radar: &Radar) -> f64 {
     radar.waveform.range_max_m().clamp(10.0, 120.0)
 }
 
-/// Straight lanes that come as near to the radar as a plan shows the ground. Others, as those of a crossing
-/// at the world's origin that a radar elsewhere has by default, would make it as large as they are far.
+/// Straight lanes within the range that a plan shows. Others, such as those of a crossing at the world's
+/// origin that a distant radar has by default, would enlarge the plan to their distance.
 fn lanes_in_reach<'a>(road: &'a Lanes, radar: &Radar) -> impl Iterator<Item = &'a Lane> {
     let ([radar_m, _], far_m) = (road.across_along_m(radar.position_m), shown_to_m(radar));
     road.lanes.iter().filter(move |lane| (lane.centre_m - radar_m).abs() - 0.5 * lane.width_m <= far_m)
 }
 
-/// Region as large as the radar, its lanes and the bodies within its range need, in steps that keep frames
-/// alike.
+/// Region of the radar, its lanes and the bodies within its range, in steps that keep frames equal.
 pub(super) fn region(road: &Lanes, radar: &Radar, bodies: impl Iterator<Item = [f64; 2]>) -> Region {
     const ROOM_M: f64 = 3.0;
     const STEP_M: f64 = 5.0;
@@ -114,7 +113,7 @@ pub(super) fn region(road: &Lanes, radar: &Radar, bodies: impl Iterator<Item = [
     Region { across_m: outer(region.across_m), along_m: outer(region.along_m) }
 }
 
-/// The lanes and the road that crosses them before they begin.
+/// Draws the lanes and the road that crosses them before they begin.
 fn lanes(ground: &mut Ground, header: &SceneHeader) {
     let (road, crossing_m) = (&header.dsp.road, header.intersection.width_m);
     let [_, far_m] = ground.along_m();

@@ -1,5 +1,4 @@
-//! The point cloud, coloured by object: from above, and where the array measures elevation from two sides
-//! too.
+//! The point cloud, coloured by object: from above, and with a measured elevation also from two sides.
 
 use crate::pictures::bodies::Body;
 use crate::pictures::detection_marks::{self, Owner};
@@ -20,7 +19,7 @@ use plotting::heat_map::head;
 use plotting::marks::{Legend, Mark};
 use plotting::svg::Svg;
 
-/// Points and objects, and the bodies that there were, none where truth is not known.
+/// Draws points and objects, and the true bodies, none if truth is unknown.
 pub(super) fn draw(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
     if measures_elevation(header) {
         views(header, frame, bodies, form)
@@ -29,7 +28,7 @@ pub(super) fn draw(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], fo
     }
 }
 
-/// Whether heights are told by the echoes, not assumed.
+/// Whether heights are measured, not assumed.
 fn measures_elevation(header: &CubeHeader) -> bool {
     VirtualArray::new(header).beams()[1].is_finite()
 }
@@ -42,7 +41,7 @@ fn colour(point: &Point) -> &'static str {
     point.object.map_or("plain", |object| line_colour(object as usize))
 }
 
-/// Point cloud from above alone, for an array without elevation rows.
+/// Point cloud from above only, for an array without elevation rows.
 fn plan(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
     let road = &header.dsp.road;
     let height_m = header.dsp.assumed_height_m;
@@ -68,7 +67,7 @@ fn plan(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -
     ground.finish(axis_names(road))
 }
 
-/// Marks of points and objects, their colours and what they mean; those at rest where there are any.
+/// Marks of points and objects, with their colours and meanings; those at rest if there are any.
 fn meanings(frame: &PointsFrame, object: &'static str) -> Vec<(Mark, &'static str, &'static str)> {
     let usual = [
         (Mark::Dot, "c0", "detected point, in its object's colour"),
@@ -91,7 +90,7 @@ fn meanings(frame: &PointsFrame, object: &'static str) -> Vec<(Mark, &'static st
     usual.into_iter().chain(shown).collect()
 }
 
-/// One view of the point cloud: two of the coordinates across, along, up.
+/// One view of the point cloud: two of the coordinates across, along and up.
 struct View {
     name: &'static str,
     coordinates: [usize; 2],
@@ -144,7 +143,7 @@ fn legend(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body]) -> Legend {
     legend
 }
 
-/// Side by side on a page, one below the other on a telephone.
+/// Arranges the views side by side on a page, one below the other on a telephone.
 fn placed(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form, top: f64) -> [View; 3] {
     let boxes = match form {
         Form::Wide => [
@@ -195,7 +194,7 @@ fn put(sheet: &mut Svg, header: &CubeHeader, view: &View, mark: Mark, colour: &s
     }
 }
 
-/// The radar from above, its boresight and its field of view.
+/// Draws the radar from above, its boresight and its field of view.
 fn draw_radar(sheet: &mut Svg, header: &CubeHeader, view: &View) {
     let radar = &header.radar;
     let frame = [view.axes.x.start_px, view.axes.y.end_px, view.axes.x.end_px, view.axes.y.start_px];
@@ -215,7 +214,7 @@ fn draw_radar(sheet: &mut Svg, header: &CubeHeader, view: &View) {
     put(sheet, header, view, Mark::Triangle, "radar", radar.position_m);
 }
 
-/// The box of a body as the view has it.
+/// Draws the box of a body in the view.
 fn draw_body(sheet: &mut Svg, header: &CubeHeader, view: &View, body: &Body) {
     if body.corners_m.is_empty() {
         return put(sheet, header, view, Mark::Cross, body.colour, body.place_m);
@@ -231,7 +230,7 @@ fn draw_body(sheet: &mut Svg, header: &CubeHeader, view: &View, body: &Body) {
     sheet.outline(body.colour, &clip::polygon(&outline, frame));
 }
 
-/// Corners of the rectangle about some pixels.
+/// Corners of the bounding rectangle of some pixels.
 fn bounds(pixels: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let [[x0, x1], [y0, y1]] = [0, 1].map(|axis: usize| {
         let values = pixels.iter().map(|p| p[axis]);
@@ -240,8 +239,8 @@ fn bounds(pixels: &[[f64; 2]]) -> Vec<[f64; 2]> {
     vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
 }
 
-/// Spans of the views across and along the road and up, m: the region that plans show, as far as the radar
-/// tells ranges, and whatever points and bodies within them lie beyond.
+/// Spans of the views across and along the road and up, m: the region of plans, up to the radar's maximum
+/// range, extended to points and bodies beyond it.
 fn spans(
     road: &Lanes,
     radar: &Radar,

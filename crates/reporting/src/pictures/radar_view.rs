@@ -1,11 +1,11 @@
-//! View of one frame by one radar.
+//! One radar's view of one frame.
 
 use artifact::points::PointsFrame;
 use artifact::scene::{SceneFrame, SceneHeader};
 
-/// Points of one frame that one radar saw, and the scene that there was.
+/// Points of one frame from one radar, with the true scene.
 pub struct Seen {
-    /// The scene as the frame has it: vehicles in view are targets.
+    /// The scene in this frame: vehicles in view are targets.
     pub view: SceneHeader,
     /// Poses of the bodies.
     pub scene: SceneFrame,

@@ -15,7 +15,7 @@ use plotting::marks::{Legend, Mark};
 use plotting::svg::Svg;
 use radar::doppler_ambiguity::shown_mps;
 
-/// Decibels shown below the brightest cell at most, and below the noise.
+/// Largest range of decibels shown below the brightest cell, and below the noise.
 const SPAN_DB: f64 = 60.0;
 const BELOW_NOISE_DB: f64 = 4.0;
 
@@ -27,11 +27,11 @@ pub(super) struct TrueEcho {
     pub(super) radial_velocity_mps: f64,
 }
 
-/// Points, objects and truth drawn over a map; nothing where they are not known.
+/// Points, objects and truth drawn over a map; nothing if they are unknown.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OnMap<'a> {
     pub(super) points: Option<&'a PointsFrame>,
-    /// Indices of objects that are no body's.
+    /// Indices of objects that belong to no body.
     pub(super) nobodys: Option<&'a [usize]>,
     pub(super) truth: &'a [TrueEcho],
 }
@@ -46,7 +46,7 @@ impl OnMap<'_> {
     }
 }
 
-/// Map with axes in metres and m/s, objects and truth; receding is above.
+/// Draws a map with axes in metres and m/s, objects and truth; receding is at the top.
 pub(super) fn draw(header: &CubeHeader, rdm: &RdmFrame, over: &OnMap, form: Form) -> Result<Svg, Failure> {
     let map = decibels(header, rdm)?;
     let levels = levels(&map);
@@ -96,13 +96,13 @@ fn marks(sheet: &mut Svg, header: &CubeHeader, axes: &Axes, over: &OnMap) -> Leg
     legend
 }
 
-/// A mark with a dark shade, to be seen on any level.
+/// Draws a mark with a dark shade that is visible on any level.
 fn shaded(sheet: &mut Svg, mark: Mark, colour: &str, at: [f64; 2]) {
     mark.draw(sheet, "shadow", [at[0] + 1.0, at[1] + 1.0]);
     mark.draw(sheet, colour, at);
 }
 
-/// Strongest cell over Doppler.
+/// Draws the strongest cell over Doppler at each range.
 pub(super) fn range_profile(header: &CubeHeader, rdm: &RdmFrame, form: Form) -> Result<Svg, Failure> {
     let map = decibels(header, rdm)?;
     let strongest =
@@ -142,14 +142,14 @@ fn axes(header: &CubeHeader, form: Form, top: f64) -> Axes {
     Axes { x, y: Axis { from, to, start_px: top + height, end_px: top } }
 }
 
-/// Outer edges of the first and last cell; a cell that is alone is as wide as the resolution.
+/// Outer edges of the first and last cell; a single cell is as wide as the resolution.
 fn ends(axis: &[f64], resolution: f64) -> (f64, f64) {
     let (first, last) = (axis.first().copied().unwrap_or(0.0), axis.last().copied().unwrap_or(1.0));
     let half = 0.5 * if axis.len() > 1 { (last - first) / (axis.len() - 1) as f64 } else { resolution };
     (first - half, last + half)
 }
 
-/// Darkest and brightest level: from a little below the median cell, which is noise, to the peak.
+/// Darkest and brightest level: from a little below the median cell, which contains noise, to the peak.
 fn levels(map: &Array2<f64>) -> [f64; 2] {
     let mut cells: Vec<f64> = map.iter().copied().collect();
     cells.sort_by(f64::total_cmp);

@@ -1,11 +1,10 @@
-//! Section on the accuracy that was asked of a frame and the one that was reached.
+//! Section on the requested and the reached accuracy of a frame.
 
 use crate::report::tables::{rounded, scrolled};
 use maud::{Markup, html};
 use pipeline::outcome::verdict::AccuracyVerdict;
 
-/// Section on an accuracy: asked, reached, what limits it and what would help; whose it is as the heading
-/// goes on.
+/// Section on an accuracy: request, result, limit and remedy; `of` completes the heading.
 pub(super) fn section(of: &str, accuracy: &AccuracyVerdict) -> Markup {
     let (words, is_missed) = match accuracy.met {
         Some(true) => ("yes", false),

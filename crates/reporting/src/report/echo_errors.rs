@@ -1,10 +1,10 @@
-//! Section on the error of each target's own echo, and on what of it reaches the estimate.
+//! Section on the error of each target's own echo, and its effect on the estimate.
 
 use crate::report::tables::{rounded, scrolled};
 use maud::{Markup, html};
 use pipeline::outcome::summary::{EchoError, TargetSummary};
 
-/// Section of a frame's targets; nothing where no error of a target was measured.
+/// Section on a frame's targets; empty if no error of a target was measured.
 pub(super) fn section(targets: &[TargetSummary]) -> Markup {
     let known: Vec<_> = targets.iter().filter_map(|target| Some((&target.id, target.error?))).collect();
     let heading = "Error of each target's echo";

@@ -1,11 +1,10 @@
-//! Tables of objects that are nobody's, and what made them.
+//! Tables of objects that belong to no body, with their causes.
 
 use crate::report::tables::{rounded, scrolled};
 use maud::{Markup, html};
 use pipeline::outcome::summary::{Cause, FalseObject};
 
-/// A row per false object, and per object that the radar tells to be at rest; whose they are as the headings
-/// go on.
+/// Tables with one row per false object, and per object marked as at rest; `of` completes the headings.
 pub(super) fn section(of: &str, objects: &[FalseObject], standing: &[FalseObject]) -> Markup {
     let headings =
         ["False objects", "Objects at rest that belong to no body"].map(|what| format!("{what}{of}"));
@@ -31,7 +30,8 @@ pub(super) fn section(of: &str, objects: &[FalseObject], standing: &[FalseObject
     }
 }
 
-/// A multipath ghost by the truth, most of whose power the radar does not mark.
+/// Whether a false object is truly a multipath ghost, but most of its power is not marked as one by the
+/// radar.
 fn is_unmarked_ghost(object: &FalseObject) -> bool {
     object.cause == Cause::Ghost && object.ghost_share.is_some_and(|share| share < 0.5)
 }

@@ -1,4 +1,4 @@
-//! The pictures of a run that its report shows, and the artifacts that it names.
+//! Pictures and names of artifacts for a run's report.
 
 use crate::pictures::FrameFigures;
 use crate::pictures::radar_view::Seen;
@@ -14,8 +14,8 @@ pub struct Figures {
     pub frames: Vec<FrameFigures>,
     /// Number and view from above of every n-th frame of a long scene.
     pub strip: Vec<(u32, Figure)>,
-    /// Points and scenes of the first frames, to be laid beside what other radars saw.
+    /// Points and scenes of the first frames, for comparison with other radars.
     pub seen: Vec<Seen>,
-    /// Numbers of the view to walk around in.
+    /// Numbers of the interactive view.
     pub viewed: Viewed,
 }

@@ -44,21 +44,21 @@ pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making) -> Str
     )
 }
 
-/// Mark by which a page of this program is known.
+/// Mark that identifies a page of this program.
 const GENERATOR: &str = "wayside";
 
-/// Whether a page was made here: by its mark, or by the title of earlier versions; an empty one holds nothing
-/// of anybody's.
+/// Whether a page was made here: by its mark, or by the title of earlier versions; an empty one counts too,
+/// because it holds no data.
 pub fn is_report(page: &[u8]) -> bool {
     let head = String::from_utf8_lossy(&page[..page.len().min(HEAD_BYTES)]);
     let mark = format!("name=\"generator\" content=\"{GENERATOR}\"");
     page.is_empty() || [mark.as_str(), "<title>Wayside: "].iter().any(|told| head.contains(told))
 }
 
-/// More than stands before the title.
+/// Largest part of the page that is searched: more than precedes the title.
 const HEAD_BYTES: usize = 1024;
 
-/// A page of this name around its content; what users called things has no controls on it.
+/// A page of this name around its content; control characters in user texts are replaced.
 pub fn sheet(name: &str, content: Markup) -> String {
     let markup = html! {
         (DOCTYPE)
@@ -79,10 +79,10 @@ pub fn sheet(name: &str, content: Markup) -> String {
     safe_text::in_lines(&markup.into_string()).into_owned()
 }
 
-/// Frames that have tables in the report: a page of more opens slowly.
+/// Number of frames with tables in the report: a page with more opens slowly.
 const FRAMES_TOLD: usize = 24;
 
-/// Section on the whole of a long scene: what was found and where, and every n-th frame from above.
+/// Section on the whole of a long scene: detections by place, and every n-th frame from above.
 fn strip(frames: &[FrameSummary], figures: &Figures) -> Markup {
     html! {
         section {
@@ -134,7 +134,7 @@ fn section(number: usize, frame: &FrameSummary, figures: Option<&FrameFigures>) 
     }
 }
 
-/// A picture in the form for which there is room, and what it shows.
+/// A picture in the form that fits the available room, with its caption.
 pub fn figure(caption: &str, picture: &Figure) -> Markup {
     html! { figure {
         div.wide { (PreEscaped(picture.wide.inline())) }

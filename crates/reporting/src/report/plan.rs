@@ -1,11 +1,11 @@
-//! Section on the plan of a scene's physics: what is modelled, what is left out, and what each part is of
-//! the echo.
+//! Section on the plan of a scene's physics: the modelled and the omitted parts, with their shares in the
+//! echo.
 
 use crate::report::tables::scrolled;
 use maud::{Markup, html};
 use pipeline::planning::plan_figures::{PartFigures, PlanFigures, level};
 
-/// Section on a plan: what was asked, what is spent, and every part of the physics.
+/// Section on a plan: the request, its use, and every part of the physics.
 pub(super) fn section(plan: &PlanFigures) -> Markup {
     let heading = "Plan of the physics";
     html! {

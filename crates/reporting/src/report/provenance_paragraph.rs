@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-/// Files that a run leaves, in the order of the chain, with what they hold.
+/// Files of a run, in the order of the chain, with their contents.
 const FILES: [(&str, &str); 9] = [
     ("scene.scene", "scene"),
     ("frames.paths", "paths"),
@@ -23,12 +23,12 @@ pub(super) const PICTURES: &str = "pictures/";
 pub struct Making {
     /// The command, as a shell reads it back.
     pub command: String,
-    /// The program that reads artifacts, as it is typed.
+    /// The program that reads artifacts, as typed.
     pub program: String,
 }
 
 impl Making {
-    /// Describes a program that was called by these words.
+    /// Describes a program that was called with these words.
     pub fn by(program: &str, words: impl Iterator<Item = String>) -> Self {
         Self { command: command(program, words), program: program.to_owned() }
     }
@@ -40,7 +40,8 @@ impl Default for Making {
     }
 }
 
-/// The command and links to the files that it wrote: an earlier one may have left others in the same folder.
+/// The command and links to the files that it wrote: an earlier command may have left others in the same
+/// folder.
 pub(super) fn made(making: &Making, written: &[&str]) -> Markup {
     let files: Vec<_> = FILES.iter().filter(|(name, _)| written.contains(name)).collect();
     html! {
@@ -56,7 +57,7 @@ pub(super) fn made(making: &Making, written: &[&str]) -> Markup {
     }
 }
 
-/// A command line that a shell reads back as these words.
+/// A command line that a shell parses into these words.
 fn command(program: &str, words: impl Iterator<Item = String>) -> String {
     let is_plain = |word: &str| {
         !word.is_empty() && word.chars().all(|c| c.is_alphanumeric() || "-_./=:,+@%".contains(c))

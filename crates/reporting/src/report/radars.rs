@@ -1,4 +1,4 @@
-//! The page of a scene with several radars: the scene as all have it, and the way to each radar's own report.
+//! The page of a scene with several radars: the common scene, and links to each radar's own report.
 
 use crate::report::accuracy;
 use crate::report::false_objects;
@@ -10,10 +10,10 @@ use maud::{Markup, html};
 use pipeline::outcome::summary::{CommonFrame, FrameSummary, OneOfRadars, RadarsSummary, Summary};
 use plotting::form::Figure;
 
-/// Frames whose targets are listed: a page of more opens slowly.
+/// Number of frames with lists of targets: a page with more opens slowly.
 const FRAMES_TOLD: usize = 24;
 
-/// The whole page of radars, each with its id and its own summary.
+/// The whole page of radars, each with its id and summary.
 pub(super) fn page(
     summary: &RadarsSummary,
     own: &[(&str, &Summary)],
@@ -90,8 +90,7 @@ fn accuracies(radars: &[OneOfRadars]) -> Markup {
     }
 }
 
-/// Objects of a common frame that are nobody's, radar by radar and sub-frame by sub-frame, and what made
-/// them.
+/// Objects of a common frame that belong to no body, by radar and sub-frame, with their causes.
 fn nobodys(number: usize, summary: &RadarsSummary, own: &[(&str, &Summary)]) -> Markup {
     let of = |id: &str, frame: &FrameSummary, frames: usize| match frames {
         1 => format!(" of {id}"),

@@ -1,5 +1,5 @@
-//! The body of an `rcs` table to walk around: facets by what they return at one aspect, the strongest facet
-//! sequences as rays, level over azimuth. One file that opens from disk, as the report does.
+//! Interactive view of the body of an `rcs` table: facets by their contributions at one aspect, the strongest
+//! facet sequences as rays, level over azimuth. One file that opens from disk, like the report.
 
 use crate::report::page::sheet;
 use crate::report::viewer::packed::Packed;
@@ -10,7 +10,7 @@ use bart_rcs::Contribution;
 use maud::{Markup, html};
 use serde::Serialize;
 
-/// A table's body, seen at one aspect.
+/// A table's body, with its scattering at one aspect.
 pub struct RcsView<'a> {
     /// The body.
     pub mesh: &'a Mesh,
@@ -20,7 +20,7 @@ pub struct RcsView<'a> {
     pub parts: &'a [Contribution],
     /// Direction from the body to the radar, a unit vector in body axes.
     pub direction: [f64; 3],
-    /// Direction from the body to the receiver: the same, where it is the radar's own.
+    /// Direction from the body to the receiver: the same if the radar is monostatic.
     pub receiver_direction: [f64; 3],
     /// The aspect and its frequency, in words.
     pub aspect: String,
@@ -32,13 +32,13 @@ pub struct RcsView<'a> {
     pub cut: Vec<[f64; 2]>,
 }
 
-/// Longest extent of the body in the units of the page: bodies of millimetres and of metres look alike.
+/// Longest extent of the body in the units of the page, equal for bodies of millimetres and of metres.
 const EXTENT: f64 = 10.0;
-/// Levels that are coloured lie this far below the strongest sequence.
+/// Range of coloured levels below the strongest sequence.
 const SPAN_DB: f64 = 40.0;
-/// Facets in the page, those that return most: more make a page of more than ten megabytes.
+/// Number of facets in the page, the strongest: more make a page of more than ten megabytes.
 const FACETS: usize = 200_000;
-/// Sequences in the page.
+/// Number of sequences in the page.
 const SEQUENCES: usize = 5_000;
 /// Length of a ray's first and last leg.
 const LEG: f64 = 4.0;
@@ -57,7 +57,7 @@ struct Page {
     azimuth_deg: f64,
     rays: Rays,
     strongest_dbsm: f64,
-    /// Powers of all sequences over that of the strongest.
+    /// Powers of all sequences relative to the strongest.
     all_power: f64,
     all_sequences: usize,
     cut: Cut,
@@ -80,7 +80,7 @@ struct Cut {
     levels_dbsm: Vec<f64>,
 }
 
-/// The page as a text; an error of serde's where a number is none.
+/// The page as text; an error of serde's if a number is not finite.
 pub fn page(view: &RcsView<'_>) -> Result<String, serde_json::Error> {
     let numbers = json(&view.numbers())?;
     Ok(sheet(&view.name, content(view, &numbers)))
@@ -140,7 +140,7 @@ impl RcsView<'_> {
         }
     }
 
-    /// Way of the ray: from the radar's side over the touched points and out to the receiver's.
+    /// Course of the ray: from the radar's side over the touched points and out to the receiver's.
     fn way(&self, place: &Placing, part: &Contribution) -> Vec<[f64; 3]> {
         let points: Vec<[f64; 3]> =
             part.points_m.iter().take(250).map(|p| place.of_m(p.to_array())).collect();
@@ -187,7 +187,7 @@ pub fn powers_of_facets(mesh: &Mesh, parts: &[Contribution]) -> Vec<f64> {
     power
 }
 
-/// Facets that the page shows, in their order: all, or those that return most.
+/// Facets in the page, in order: all, or those with the largest contributions.
 fn shown(powers: &[f64]) -> Vec<u32> {
     let mut facets: Vec<u32> = (0..powers.len() as u32).collect();
     if facets.len() > FACETS {
@@ -198,13 +198,14 @@ fn shown(powers: &[f64]) -> Vec<u32> {
     facets
 }
 
-/// 0 of a facet that returns nothing within the span, else one more than its decibels over the span's foot.
+/// Level of a facet: 0 if it returns nothing within the span, else one plus its decibels above the span's
+/// lower end.
 fn level(power: f64, strongest: f64) -> u8 {
     let db = db_from_power(power / strongest) + SPAN_DB;
     if power > 0.0 && db >= 0.0 { 1 + db.min(SPAN_DB).round() as u8 } else { 0 }
 }
 
-/// How the view is read and moved.
+/// Instructions for reading and moving the view.
 const HOW: &str = "facets from −40 to 0 dB of the strongest sequence, by the powers of all sequences that they \
                    take part in, without their phases. Lines are sequences, coloured by their bounces. Drag \
                    turns the view, with the right button or Shift moves it; the wheel comes nearer once the \

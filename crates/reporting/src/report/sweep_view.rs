@@ -1,5 +1,5 @@
-//! The designs of a study to walk around: where each stands, what it is worth by any metric, and the vehicles
-//! that it was tried on. It stands in the study's report and is hidden where no script runs.
+//! Interactive view of a study's designs: the place of each, its value by any metric, and the vehicles of its
+//! trials. It is part of the study's report and hidden where no script runs.
 
 use crate::report::viewer::body_view::BodyView;
 use crate::report::viewer::page_script::{json, scripts};
@@ -12,31 +12,31 @@ use radar::motion::pose_after;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// A study as its view shows it; designs and situations by their places in its lists.
+/// A study for its view; designs and situations are referred to by their indices in its lists.
 #[derive(Serialize)]
 pub struct SweepView {
-    /// Names of what was varied.
+    /// Names of the varied parameters.
     pub axes: Vec<String>,
     /// Metrics in the order of the study's tables.
     pub metrics: Vec<Metric>,
-    /// Metric that the study chooses by.
+    /// Metric by which the study chooses.
     pub goal: usize,
-    /// Metric that tells what a design costs.
+    /// Metric of a design's cost.
     pub cost: usize,
-    /// Designs that the view has room for.
+    /// Designs in the view.
     #[serde(skip)]
     pub designs: Vec<Design>,
-    /// Designs of the study, more than there are in the view where that has no room.
+    /// Number of designs in the study, more than in the view if that lacks room.
     #[serde(skip)]
     pub designs_all: usize,
-    /// Design of the answer; `None` where the goal was never known.
+    /// Design of the answer; `None` if the goal was never known.
     pub answer: Option<usize>,
-    /// Design of the best mean; `None` where the goal was never known.
+    /// Design of the best mean; `None` if the goal was never known.
     pub best: Option<usize>,
-    /// The first situations; one at least.
+    /// The first situations, at least one.
     #[serde(skip)]
     pub situations: Vec<Situation>,
-    /// Situations of the study.
+    /// Number of situations in the study.
     pub situations_all: usize,
 }
 
@@ -45,35 +45,35 @@ pub struct SweepView {
 pub struct Metric {
     /// Name in the study's tables.
     pub name: String,
-    /// Whether less is better.
+    /// Whether lower is better.
     pub is_lower_better: bool,
 }
 
-/// A design and what it is worth.
+/// A design with its metrics.
 #[derive(Serialize)]
 pub struct Design {
     /// Number in the study.
     pub number: usize,
-    /// Its choice of each axis.
+    /// Choice of each axis.
     pub labels: Vec<String>,
     /// Radar of the design.
     #[serde(skip)]
     pub radar: Radar,
-    /// Mean of each metric and half the width of its interval; `None` where they are not known.
+    /// Mean of each metric and half the width of its interval; `None` if unknown.
     pub means: Vec<Option<(f64, Option<f64>)>>,
-    /// The goal's metric in each situation of the view.
+    /// Metric of the goal in each situation of the view.
     pub goal_by_situation: Vec<Option<f64>>,
-    /// Situations that it has seen.
+    /// Number of its situations.
     pub situations: usize,
-    /// Whether it is not told apart from the best.
+    /// Whether it is statistically indistinguishable from the best.
     pub is_candidate: bool,
-    /// Whether no design is both better and no dearer.
+    /// Whether no other design is both better and no more expensive.
     pub is_on_front: bool,
 }
 
 /// The first frame of a situation.
 pub struct Situation {
-    /// Words for what varies in it.
+    /// Words for the varied parameters.
     pub words: String,
     /// Scene of the situation.
     pub header: SceneHeader,
@@ -130,7 +130,7 @@ const HOW: &str = ". Each dot is a design; it has no colour where the metric is 
                    metrics. Drag to turn the view; drag with the right button or Shift to move it. Click the \
                    picture, then turn the wheel to zoom.";
 
-/// The part of the report that the view stands in; nothing of a study without a situation.
+/// The part of the report with the view; empty for a study without situations.
 pub fn section(view: &SweepView) -> Markup {
     let Some(page) = view.page() else { return html! {} };
     let Ok(numbers) = json(&page) else { return html! {} };
@@ -203,7 +203,7 @@ fn metrics(name: &str, view: &SweepView, chosen: usize) -> Markup {
 }
 
 impl SweepView {
-    /// `None` of a study without a situation.
+    /// Data of the page; `None` for a study without situations.
     fn page(&self) -> Option<Page<'_>> {
         let first = self.situations.first()?;
         let (situations, meshes) = self.bodies();
@@ -238,7 +238,7 @@ impl SweepView {
     }
 }
 
-/// Bodies in the middle of the first frame, by the places of their meshes in the page.
+/// Bodies in the middle of the first frame, with their meshes' indices in the page.
 fn bodies(header: &SceneHeader, meshes: &[u32]) -> Vec<BodyView> {
     let (view, frame) = (scene::frame_view(header, 0), scene::snapshot(header, 0));
     let middle_s = header.radar.frame_middle_s();

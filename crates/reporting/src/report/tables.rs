@@ -6,12 +6,12 @@ use pipeline::outcome::console_lines;
 use pipeline::outcome::summary::{FrameSummary, MapState, Predicted, RadarSummary, Stage, TargetSummary};
 use std::fmt::Display;
 
-/// A table that is scrolled where the page is narrower, by keys too; its first column stays.
+/// A table that scrolls on a narrower page, also by keys; its first column stays.
 pub fn scrolled(name: &str, table: Markup) -> Markup {
     html! { div.scroll tabindex="0" role="region" aria-label=(name) { (table) } }
 }
 
-/// Table of the radar's parameters in the words of the field (the paper's Table 2).
+/// Table of the radar's parameters in standard terms (the paper's Table 2).
 pub(super) fn radar(radar: &RadarSummary, frames: &[FrameSummary]) -> Markup {
     let rows = [
         ("Carrier (centre of the sweep)", format!("{:.4} GHz", radar.carrier_hz * 1e-9)),
@@ -32,7 +32,7 @@ pub(super) fn radar(radar: &RadarSummary, frames: &[FrameSummary]) -> Markup {
     }
 }
 
-/// Tells in how many frames the map shows a target's velocity folded.
+/// Number of frames in whose maps a target's velocity is aliased, as text.
 fn aliased(frames: &[FrameSummary]) -> String {
     let folded = frames.iter().filter(|frame| frame.rdm_state == MapState::Abnormal).count();
     match (folded, frames.len()) {
@@ -42,7 +42,7 @@ fn aliased(frames: &[FrameSummary]) -> String {
     }
 }
 
-/// Table of the targets found over all frames, and in which lane.
+/// Table of the targets found over all frames, with their lanes.
 pub(super) fn scene(frames: &[FrameSummary]) -> Markup {
     let all = || frames.iter().flat_map(|frame| &frame.targets);
     let count = |of: &dyn Fn(&TargetSummary) -> bool| all().filter(|target| of(target)).count();
@@ -65,7 +65,7 @@ pub(super) fn scene(frames: &[FrameSummary]) -> Markup {
     )
 }
 
-/// Truth beside estimate with the error, a row per target.
+/// Table of truth, estimate and error, one row per target.
 pub(super) fn targets(targets: &[TargetSummary]) -> Markup {
     let table = html! { table {
         thead { tr {
@@ -105,7 +105,7 @@ fn compared(estimate: f64, truth: f64, digits: usize) -> Markup {
     html! { td { (rounded(estimate, digits)) } td { (rounded(truth, digits)) } td { (error) } }
 }
 
-/// Probabilities as bars, a row per vehicle.
+/// Table of probabilities as bars, one row per vehicle.
 pub(super) fn classes(targets: &[TargetSummary]) -> Markup {
     let vehicles = targets.iter().filter_map(|target| Some((target, target.class?)));
     let table = html! { table {
@@ -137,7 +137,7 @@ fn bar(probability: Option<f64>) -> Markup {
     }
 }
 
-/// Numerical error by source and what the model leaves out, dB; parts that have a level.
+/// Table of the numerical error by source and of the model's errors, dB; parts with a level only.
 pub(super) fn errors(frame: &FrameSummary) -> Markup {
     let numerical = frame.error_db.shares().into_iter().chain([("total", frame.error_db.total)]);
     let known = numerical.filter_map(|(name, db)| Some((name, db?)));
@@ -161,7 +161,7 @@ pub(super) fn errors(frame: &FrameSummary) -> Markup {
     }
 }
 
-/// Seconds by stage, memory at most.
+/// Table of the seconds by stage and the peak memory.
 pub(super) fn costs(frame: &FrameSummary) -> Markup {
     let mut stages: Vec<(Stage, f64)> = frame.stage_seconds.iter().map(|(stage, s)| (*stage, *s)).collect();
     stages.sort_by_key(|(stage, _)| stage.name());
@@ -180,7 +180,7 @@ pub(super) fn costs(frame: &FrameSummary) -> Markup {
     scrolled("What each stage cost", table)
 }
 
-/// A number with so many digits; a dash where there is none.
+/// A number with the given number of digits; a dash for `None`.
 pub(super) fn rounded(value: impl Into<Option<f64>>, digits: usize) -> String {
     value.into().map_or("–".into(), |v| format!("{v:.digits$}").replace('-', "−"))
 }

@@ -1,10 +1,10 @@
-//! The report's page on tracks: how objects and tracks agree with the truth over all frames.
+//! The report's section on tracks: agreement of objects and tracks with the truth over all frames.
 
 use crate::report::tables::{rounded, scrolled};
 use maud::{Markup, html};
 use pipeline::outcome::summary::{Agreement, Metrics};
 
-/// Name of a row, and the figure of objects or tracks in it.
+/// Name of a row, and its value for objects or tracks.
 type Row<T> = (&'static str, fn(&Agreement) -> T);
 
 /// Metrics of `summary.json` as a table: a column for the objects of single frames, one for tracks.

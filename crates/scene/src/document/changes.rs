@@ -1,4 +1,4 @@
-//! Changes of a scene's values before it is read: a study tries others than the file says.
+//! Changes to a scene's values before it is read, by which a study tries other values than the file's.
 
 use crate::document::errors::{Place, Rule};
 use crate::document::faults::{Faults, NOWHERE};
@@ -9,18 +9,18 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A value in place of the one that a scene file says under a key, or beside those that it says.
+/// A value that replaces the one of a scene file under a key, or is added to it.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Change {
-    /// Key behind those of its tables, apart by points; entries of lists by their numbers from 0:
+    /// Key after those of its tables, separated by points; entries of lists by their numbers from 0:
     /// `target.2.y_m`.
     pub key: String,
-    /// Value as TOML writes it.
+    /// Value in TOML.
     pub value: String,
 }
 
-/// Makes changes in their order; each stands where the value stood that it replaces, else where its table
-/// does, else nowhere. Noted are those for which there is no place.
+/// Makes changes in their order; each takes the position of the value that it replaces, else that of its
+/// table, else none. Notes changes for which there is no place.
 pub(crate) fn make<'d>(document: &mut DeTable<'d>, changes: &'d [Change], faults: &Faults<'_>) {
     for change in changes {
         if let Err((byte, obstacle)) = make_one(document, change) {
@@ -29,7 +29,7 @@ pub(crate) fn make<'d>(document: &mut DeTable<'d>, changes: &'d [Change], faults
     }
 }
 
-/// Byte of the file, and why the change has no place there.
+/// Byte of the file, and the reason why the change has no place there.
 type Obstacle = (usize, String);
 
 fn make_one<'d>(document: &mut DeTable<'d>, change: &'d Change) -> Result<(), Obstacle> {
@@ -79,7 +79,7 @@ fn put<'d>(place: &mut Spanned<DeValue<'d>>, keys: &[&'d str], value: DeValue<'d
     }
 }
 
-/// A value whose parts all stand at one place of the file: those of their own are in another text.
+/// A value with all of its parts at one position of the file: their own positions refer to another text.
 fn moved<'d>(value: DeValue<'d>, at: &Range<usize>) -> DeValue<'d> {
     let part = |part: Spanned<DeValue<'d>>| Spanned::new(at.clone(), moved(part.into_inner(), at));
     match value {

@@ -1,4 +1,4 @@
-//! Tables by names that the scene gives, and tables in lists.
+//! Tables under names given by the scene, and tables in lists.
 
 use crate::document::errors::Place;
 use crate::document::keys::materials::{LAYER, LAYERS, LAYERS_OF_ONE, MATERIAL};
@@ -19,7 +19,7 @@ pub(crate) struct ModelChoice<'d> {
     pub(crate) section: Section<'d>,
 }
 
-/// The tables of a table whose keys are names of materials.
+/// The tables in a table whose keys are names of materials.
 pub(crate) fn materials<'d>(root: &Section<'d>) -> Vec<(&'d str, Section<'d>)> {
     let Some(table) = named(root, OF_MATERIALS.name, "a table of materials") else { return vec![] };
     let material = |(name, value): (&'d Spanned<DeString<'d>>, &'d PlacedValue<'d>)| {
@@ -63,7 +63,7 @@ fn model_choice<'d>(
     Some(ModelChoice { kind, names, section })
 }
 
-/// The tables of a list of layers, in the same place as the material.
+/// The tables of a list of layers, with the place of the material.
 pub(crate) fn layers<'d>(material: &Section<'d>) -> Option<Vec<Section<'d>>> {
     let layer = |value: &'d PlacedValue<'d>| {
         if value.get_ref().as_table().is_none() {

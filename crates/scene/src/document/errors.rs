@@ -1,4 +1,4 @@
-//! Errors of a scene file: facts as fields, the sentence made once.
+//! Errors of a scene file: facts as fields, turned into a sentence in one place.
 
 use crate::document::toml_text::TooDeep;
 use crate::measured::calibration::CalibrationFileError;
@@ -15,13 +15,13 @@ use radar::lattice::TooManyDirections;
 use std::fmt;
 use std::path::PathBuf;
 
-/// The rules that a scene file breaks, in the order of the file, never empty: the first hundred, and how many
-/// more there are.
+/// The broken rules of a scene file, in the order of the file, never empty: the first hundred, and the number
+/// of further ones.
 #[derive(Debug)]
 pub struct SceneErrors(pub Vec<SceneError>, pub u64);
 
 impl SceneErrors {
-    /// Whether the machine failed (a file is missing or unreadable) and nothing that was read is at fault.
+    /// Whether only the system failed (a file is missing or unreadable) and no content is at fault.
     pub fn is_system(&self) -> bool {
         self.0.iter().all(|error| error.rule.is_system())
     }
@@ -42,12 +42,12 @@ impl std::error::Error for SceneErrors {}
 pub struct SceneError {
     /// The scene file.
     pub file: PathBuf,
-    /// Line and column in the file; `None` where the file could not be read at all, and of a change that
-    /// stands nowhere in it.
+    /// Line and column in the file; `None` if the file could not be read at all, and for a change without a
+    /// position in it.
     pub position: Option<Position>,
     /// The table or target concerned.
     pub place: Place,
-    /// Rule that is broken.
+    /// Broken rule.
     pub rule: Rule,
 }
 
@@ -102,9 +102,9 @@ pub enum Place {
     Table(&'static str),
     /// A target, by its id or, without one, its number from 1 (`#2`).
     Target(String),
-    /// A piece of clutter, likewise.
+    /// A piece of clutter, by its id or number.
     Clutter(String),
-    /// One of several radars, likewise.
+    /// One of several radars, by its id or number.
     Radar(String),
     /// A material, by its name.
     Material(String),
@@ -128,10 +128,10 @@ impl fmt::Display for MapAxis {
     }
 }
 
-/// The rules of a scene, broken.
+/// Broken rules of a scene.
 #[derive(Debug, thiserror::Error)]
 pub enum Rule {
-    /// The scene file cannot be read, is longer than a page of text, or is no text.
+    /// The scene file cannot be read, is longer than a page of text, or is not text.
     #[error("{0}")]
     File(#[source] ReadFault),
     /// The text is not TOML.
@@ -140,7 +140,7 @@ pub enum Rule {
         /// The parser's words.
         message: String,
     },
-    /// A value lies too deep.
+    /// A value is nested too deeply.
     #[error("{0}")]
     Depth(#[source] TooDeep),
     /// A change of a value that has no place in the file.
@@ -148,7 +148,7 @@ pub enum Rule {
     Change {
         /// Key of the change, or its beginning.
         key: String,
-        /// Why there is no such place.
+        /// Reason why there is no such place.
         obstacle: String,
     },
     /// A key that does not exist here.
@@ -156,9 +156,9 @@ pub enum Rule {
     UnknownKey {
         /// Key as written.
         found: String,
-        /// Key that is spelt alike, or that other programs call so.
+        /// Key with a similar spelling, or the key for another program's name.
         nearest: Option<&'static str>,
-        /// Heading of the table of `nearest`, where that is another one.
+        /// Heading of the table of `nearest`, if it is another table.
         home: Option<&'static str>,
     },
     /// A key that exists in another table.
@@ -169,28 +169,28 @@ pub enum Rule {
         /// Heading of the table where the key belongs, as in the file.
         table: &'static str,
     },
-    /// A key that exists, but not for this.
+    /// A key that exists, but does not apply here.
     #[error("key `{key}` has no meaning for {owner}")]
     Misplaced {
         /// Key as written.
         key: &'static str,
-        /// Kind of body, model or setting for which the key has no meaning.
+        /// Kind of body, model or setting to which the key does not apply.
         owner: &'static str,
     },
-    /// A key without which nothing can be said.
+    /// A required key.
     #[error("key `{key}` is missing")]
     Missing {
         /// Name of the missing key.
         key: &'static str,
     },
-    /// The wrong type of value.
+    /// A value of the wrong type.
     #[error("`{key}` must be {expected}, is {found}")]
     WrongType {
         /// Name of the key.
         key: &'static str,
         /// Type of value that the key takes.
         expected: &'static str,
-        /// Type of value that stands there.
+        /// Type of the value.
         found: &'static str,
     },
     /// A list of the wrong length.
@@ -200,17 +200,17 @@ pub enum Rule {
         key: &'static str,
         /// Number of values that the key takes.
         expected: Allowed,
-        /// Number of values that stand there.
+        /// Number of values given.
         found: usize,
     },
-    /// A number outside what is allowed, or not finite.
+    /// A number outside the allowed range, or not finite.
     #[error("`{key}` must be a number {allowed}, is {}", WrittenNumber(*.found))]
     OutOfRange {
         /// Name of the key.
         key: &'static str,
         /// Number as read.
         found: f64,
-        /// Numbers that the key takes.
+        /// Numbers that the key accepts.
         allowed: Allowed,
     },
     /// A whole number of more than 63 bits.
@@ -228,7 +228,7 @@ pub enum Rule {
         found: String,
         /// Words that the key takes.
         known: Vec<&'static str>,
-        /// End of the sentence: which others it takes.
+        /// End of the sentence: other words that it accepts.
         others: &'static str,
     },
     /// Two keys that exclude one another.
@@ -239,12 +239,12 @@ pub enum Rule {
         /// Key that excludes it.
         other: &'static str,
     },
-    /// A key that means nothing without another.
+    /// A key that requires another one.
     #[error("`{key}` needs `{companion}` beside it")]
     Alone {
         /// Key that is given.
         key: &'static str,
-        /// Key that is needed and not given.
+        /// Required key that is not given.
         companion: &'static str,
     },
     /// Pairs out of order.
@@ -253,7 +253,7 @@ pub enum Rule {
         /// Name of the key.
         key: &'static str,
     },
-    /// Names become file names, table cells and JSON.
+    /// Names are used as file names, table cells and JSON.
     #[error(
         "`{key}` must be 1 to 64 letters, digits, spaces or any of `-_.+()`, and not begin with a dot or space; is `{found}`"
     )]
@@ -271,18 +271,18 @@ pub enum Rule {
         /// Line of the body that had the id first.
         first_line: u32,
     },
-    /// A tone tells no range.
+    /// A tone measures no range.
     #[error("`slope_mhz_per_us` must not be 0: a tone tells no range")]
     NoSlope,
-    /// A sweep down to nothing, or beyond what any radar sends.
+    /// A sweep that ends at zero or below, or beyond any radar's frequencies.
     #[error("the sweep ends at {} GHz; with `slope_mhz_per_us` it must end {allowed} GHz", WrittenNumber(*.end_ghz))]
     SweepTooLong {
-        /// Last sample's frequency.
+        /// Frequency of the last sample.
         end_ghz: f64,
         /// Frequencies at which the sweep may end, GHz.
         allowed: Allowed,
     },
-    /// A turn from chirp to chirp is no velocity where the chirps' intervals change.
+    /// A phase rotation from chirp to chirp is not equivalent to a velocity if the chirp intervals vary.
     #[error("`stagger_us` and the multiplexing `{multiplexing}` exclude one another")]
     StaggeredDivision {
         /// Multiplexing as written.
@@ -299,10 +299,10 @@ pub enum Rule {
         chirps: u64,
         /// Number of samples of each chirp.
         samples: u64,
-        /// Most values.
+        /// Largest number of values.
         limit: u64,
     },
-    /// An array of more directions than are looked at.
+    /// An array with more directions than are searched.
     #[error("{0}")]
     Directions(#[source] TooManyDirections),
     /// Another radar's chirps that would overlap.
@@ -313,7 +313,7 @@ pub enum Rule {
         /// Time from the start of one chirp to that of the next, µs.
         interval_us: f64,
     },
-    /// Another radar in the place of this one.
+    /// Another radar at the place of this one.
     #[error("it is {away_m} m from the radar, nearer than {limit_m} m")]
     InterfererNear {
         /// Distance from the radar, m.
@@ -321,18 +321,18 @@ pub enum Rule {
         /// Least distance, m.
         limit_m: f64,
     },
-    /// Phase noise over a longer frame than it is drawn for.
+    /// Phase noise over a frame longer than is supported.
     #[error("with phase noise a frame lasts at most {limit} sample intervals, this one {samples:.0}")]
     OscillatorTooLong {
         /// Sample intervals in the frame, pauses included.
         samples: f64,
-        /// Most of them.
+        /// Largest number of them.
         limit: usize,
     },
     /// Frames that would overlap.
     #[error("`frame_interval_s` is {interval_s}, shorter than a frame of {duration_s} s")]
     FramesOverlap {
-        /// Frame interval asked for, s.
+        /// Requested frame interval, s.
         interval_s: f64,
         /// Duration of one frame, s.
         duration_s: f64,
@@ -362,7 +362,7 @@ pub enum Rule {
         /// Width of a lane, m.
         width_m: f64,
     },
-    /// A lane of a scene that has none.
+    /// A lane in a scene without lanes.
     #[error(
         "lane {0} does not exist: the scene has no lanes; beside [traffic] they are said in [intersection]"
     )]
@@ -373,12 +373,12 @@ pub enum Rule {
     /// A lane that the intersection does not have.
     #[error("lane {lane} does not exist; lanes are numbered 1 to {lanes}")]
     UnknownLane {
-        /// Lane asked for.
+        /// Requested lane.
         lane: u64,
         /// Number of lanes.
         lanes: usize,
     },
-    /// Several radars, and none was asked for.
+    /// No radar was selected although there are several.
     #[error("the scene has several radars, and is read as one of them has it: {}", quoted(.known))]
     WhichRadar {
         /// Names of the scene's radars.
@@ -387,12 +387,12 @@ pub enum Rule {
     /// A radar that the scene does not have.
     #[error("there is no radar `{found}`; {}", those_there(.known))]
     UnknownRadar {
-        /// Radar asked for.
+        /// Requested radar.
         found: String,
-        /// Names of those there; none where `[radar]` is the only one.
+        /// Names of those in the scene; none if `[radar]` is the only one.
         known: Vec<String>,
     },
-    /// A point in the antenna.
+    /// A point at the antenna.
     #[error(
         "a point target must be a wavelength of {wavelength_m} m or more from every element of the radar's array, is {distance_m} m"
     )]
@@ -402,30 +402,30 @@ pub enum Rule {
         /// Wavelength of the sweep's centre frequency.
         wavelength_m: f64,
     },
-    /// Neither a file of a known format nor one of the project's own.
+    /// Neither a file of a known format nor one of the project's own models.
     #[error("model `{found}` is neither a .glb, .gltf, .stl, .obj or .xoma file nor one of the project's {own}{}", nearest_key(.nearest))]
     UnknownModel {
         /// Model as written.
         found: String,
         /// Group of the project's own models that it could be from: vehicles or street furniture.
         own: &'static str,
-        /// One spelt alike.
+        /// Model with a similar spelling.
         nearest: Option<&'static str>,
     },
-    /// Models beyond the memory of the stages.
+    /// Models that exceed the memory of the stages.
     #[error(
         "the models up to this one have more than {limit} triangles together, the most that a scene may have"
     )]
     TooManyTriangles {
-        /// Most triangles.
+        /// Largest number of triangles.
         limit: usize,
     },
-    /// The name is no substance of the table of permittivities.
+    /// The name is not in the table of permittivities.
     #[error("there is no substance `{found}`{}; docs/materials.md has them all", nearest_key(.nearest))]
     UnknownSubstance {
         /// Substance as written.
         found: String,
-        /// One spelt alike.
+        /// Substance with a similar spelling.
         nearest: Option<&'static str>,
     },
     /// A file of materials was refused or could not be read.
@@ -440,7 +440,7 @@ pub enum Rule {
     /// A file of measured errors was refused or could not be read.
     #[error("{0}")]
     Calibration(#[source] CalibrationFileError),
-    /// A time that runs backwards.
+    /// A recording interval that ends before it begins.
     #[error("`end_s` is {end_s}, before `begin_s`, which is {begin_s}")]
     EndsBeforeItBegins {
         /// Time of the first frame, s.
@@ -448,12 +448,12 @@ pub enum Rule {
         /// Time of the last frame, s.
         end_s: f64,
     },
-    /// The name is no type of OSI's moving objects.
+    /// The name is not a type of OSI's moving objects.
     #[error("OSI has no type `{found}` of moving objects{}", nearest_key(.nearest))]
     UnknownObjectType {
         /// Type as written.
         found: String,
-        /// One spelt alike.
+        /// Type with a similar spelling.
         nearest: Option<&'static str>,
     },
     /// Two names of one type of OSI's moving objects.
@@ -461,7 +461,7 @@ pub enum Rule {
     SameObjectType {
         /// Type as written.
         found: String,
-        /// Name by which its objects are told.
+        /// Name under which its objects are recorded.
         told: String,
     },
     /// A recording of traffic was refused or could not be read.
@@ -473,7 +473,7 @@ pub enum Rule {
 }
 
 impl Rule {
-    /// Whether the machine is at fault, not the content of a file.
+    /// Whether the system is at fault, not the content of a file.
     pub fn is_system(&self) -> bool {
         match self {
             Self::File(error) => error.is_system(),

@@ -1,5 +1,4 @@
-//! Broken rules of one file, noted in any order and told in the file's: the first hundred, however many there
-//! are.
+//! Broken rules of one file, noted in any order and reported in that of the file: at most the first hundred.
 
 use crate::document::errors::{Place, Position, Rule, SceneError, SceneErrors};
 use crate::document::toml_text;
@@ -8,12 +7,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
-/// Most errors that are told, as many as a person reads; a file that breaks more is another one given by
+/// Largest number of reported errors, as many as a person reads; a file with more is another file given by
 /// mistake.
 const TOLD: usize = 100;
 
-/// Byte of what stands nowhere in the file: a value that a change puts into a table which the file leaves
-/// out.
+/// Byte of a value without a position in the file: one that a change puts into a table which the file omits.
 pub(crate) const NOWHERE: usize = usize::MAX;
 
 /// Broken rules of one file. Noting one takes the same however many there are.
@@ -26,7 +24,7 @@ pub(crate) struct Faults<'s> {
     others: RefCell<First>,
 }
 
-/// The first of the file, by their bytes and then as they were noted.
+/// The first errors of the file, by their bytes and then in the order of noting.
 #[derive(Default)]
 struct First {
     kept: BTreeMap<(usize, u64), (Place, Rule)>,
@@ -42,7 +40,7 @@ impl First {
         }
     }
 
-    /// Number of noted errors that are not kept.
+    /// Number of noted errors that were not kept.
     fn more(&self) -> u64 {
         self.noted - self.kept.len() as u64
     }

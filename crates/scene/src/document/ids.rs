@@ -6,7 +6,7 @@ use crate::document::section::Section;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-/// The `id` of each; noted are those without one and those that another has before them.
+/// Reads the `id` of each; notes missing and duplicate ones.
 pub(crate) fn read_ids<'d>(sections: &[Section<'d>]) -> Vec<Option<&'d str>> {
     let mut lines: HashMap<&str, u32> = HashMap::new();
     let mut read = |section: &Section<'d>| {

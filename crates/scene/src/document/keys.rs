@@ -1,6 +1,6 @@
-//! Every key of a scene, declared once: name with unit, type, range, default and sentence. Of it are made
-//! what the reader accepts, what an error suggests, the tables of `docs/scenes.md` ([`with_tables`]) and the
-//! schema that editors read ([`json_schema`]).
+//! Every key of a scene, declared once: name with unit, type, range, default and sentence. The reader's
+//! checks, the suggestions in errors, the tables of `docs/scenes.md` ([`with_tables`]) and the schema for
+//! editors ([`json_schema`]) are all derived from it.
 
 pub(crate) mod key;
 pub(crate) mod kinds;

@@ -3,12 +3,12 @@
 use crate::wording::allowed::Allowed;
 use artifact::seed::SEEDS as SEEDS_TAKEN;
 
-/// Seeds that are taken everywhere.
+/// Seeds accepted everywhere.
 pub(crate) const SEEDS: Allowed = Allowed::Between(0.0, *SEEDS_TAKEN.end() as f64);
 
-/// Coordinates beyond this are a slip of units; within it f64 resolves 1.5e-11 m, 4e-9 of a wavelength at 77
-/// GHz.
+/// Coordinates; larger ones are an error of units. Within the range f64 resolves 1.5e-11 m, 4e-9 of a
+/// wavelength at 77 GHz.
 pub(crate) const COORDINATES_M: Allowed = Allowed::Between(-1e5, 1e5);
 
-/// Beyond the speed of sound nothing drives.
+/// Velocities up to the speed of sound, beyond which nothing drives.
 pub(crate) const VELOCITIES_MPS: Allowed = Allowed::Between(-340.0, 340.0);

@@ -1,4 +1,4 @@
-//! A scene file as tables that know their place: notes every broken rule and goes on.
+//! A scene file as tables with positions; broken rules are noted and reading continues.
 
 use crate::document::errors::{Place, Rule};
 use crate::document::faults::Faults;
@@ -11,7 +11,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// One table of the file; an absent one reads as empty, so that every key takes its default.
+/// One table of the file; an absent one reads as empty, so that every key has its default.
 #[derive(Clone)]
 pub(crate) struct Section<'d> {
     table: Option<&'d DeTable<'d>>,
@@ -44,7 +44,7 @@ impl<'d> Section<'d> {
         Section { table, known, place: Place::Table(known.name), start, faults: self.faults }.checked()
     }
 
-    /// The tables of an array of tables, each placed by its `id` or its number.
+    /// Opens the tables of an array of tables, each named by its `id` or its number.
     pub(crate) fn sections(&self, known: &'static Table) -> Vec<Section<'d>> {
         let Some(value) = self.find(key_of(known)) else { return vec![] };
         let DeValue::Array(array) = value.get_ref() else {
@@ -56,7 +56,7 @@ impl<'d> Section<'d> {
         numbered.filter_map(|(i, element)| self.element(known, i, element)).collect()
     }
 
-    /// A table that stands below this one.
+    /// Opens a table below this one.
     pub(crate) fn below(
         &self,
         known: &'static Table,
@@ -67,7 +67,7 @@ impl<'d> Section<'d> {
         Section { table, known, place, start: value.span().start, faults: self.faults }.checked()
     }
 
-    /// The place that is told with what is wrong in it.
+    /// Place named in errors about this table.
     pub(crate) fn place(&self) -> &Place {
         &self.place
     }
@@ -133,7 +133,7 @@ impl<'d> Section<'d> {
         }
     }
 
-    /// The elements of a list of allowed length; `None` where it is none.
+    /// The elements of a list of allowed length; `None` for other values.
     pub(crate) fn list(
         &self,
         key: &'static str,
@@ -151,13 +151,13 @@ impl<'d> Section<'d> {
         Some(array)
     }
 
-    /// Note that a value has another type than `expected`.
+    /// Notes that a value has another type than `expected`.
     pub(crate) fn wrong_type(&self, key: &'static str, expected: &'static str, value: &PlacedValue<'_>) {
         let found = type_of(value.get_ref());
         self.note_at(value.span(), Rule::WrongType { key, expected, found });
     }
 
-    /// Note a broken rule there.
+    /// Notes a broken rule at a position.
     pub(crate) fn note_at(&self, span: Range<usize>, rule: Rule) {
         self.faults.note(span.start, self.place.clone(), rule);
     }
@@ -181,7 +181,7 @@ fn unknown_key(found: &str, table: &Table) -> Rule {
     if let Some(home) = keys::home_of(found, table) {
         return Rule::WrongTable { found: found_here, table: home };
     }
-    // Four letters in five alike are no chance; less may be, and a word of others is none.
+    // Four letters in five alike are no coincidence; fewer may be, and a different word has none.
     const LEAST_LIKENESS: f64 = 0.85;
     let known: Vec<&str> = table.names().collect();
     match (nearest_from(LEAST_LIKENESS, found, &known), synonyms::meant_elsewhere(found)) {

@@ -1,9 +1,8 @@
-//! Keys as other programs and data sheets call them: too unlike ours for the likeness of letters to find
-//! them.
+//! Names of keys in other programs and data sheets, too different from ours to be found by spelling.
 
 use crate::document::keys::key::Table;
 
-/// Words that people type, each with the keys meant by it, the likelier first where several tables know it.
+/// Common names, each with the keys that they mean, the likelier first if several tables have one.
 const SYNONYMS: [(&str, &[&str]); 86] = [
     ("tilt_deg", &["boresight_el_deg"]),
     ("tilt", &["boresight_el_deg"]),
@@ -93,12 +92,12 @@ const SYNONYMS: [(&str, &[&str]); 86] = [
     ("material", &["substance", "materials"]),
 ];
 
-/// The key of `table` that is meant by a word of another program.
+/// The key of `table` meant by another program's name.
 pub(crate) fn meant(found: &str, table: &Table) -> Option<&'static str> {
     candidates(found).find(|key| table.has(key))
 }
 
-/// The key that is meant by a word of another program, in whichever table it is.
+/// The key of any table meant by another program's name.
 pub(crate) fn meant_elsewhere(found: &str) -> Option<&'static str> {
     candidates(found).next()
 }

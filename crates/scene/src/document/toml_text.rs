@@ -1,18 +1,18 @@
-//! Depth of what a text of TOML says. The parser bounds the tables that one key opens and the lists and
-//! tables that stand within one another, but not their product: a text of some kilobytes makes six thousand
-//! levels, and who walks these by recursion runs out of the stack. All who read TOML ask here first.
+//! Nesting depth of TOML. The parser limits the tables that one key opens and the nesting of lists and
+//! tables, but not their product: a text of some kilobytes can have six thousand levels, and recursion over
+//! these overflows the stack. All readers of TOML check here first.
 
 use std::fmt;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Most tables and lists around a value: those of scenes, studies, recipes and manifests have six.
+/// Largest number of tables and lists around a value: scenes, studies, recipes and manifests have six.
 pub(crate) const DEPTH_LIMIT: usize = 64;
 
-/// Fault of a value that lies within more tables and lists than are read.
+/// Fault of a value in more tables and lists than are read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TooDeep {
-    /// Byte at which it begins.
+    /// Byte at which the value begins.
     pub byte: usize,
 }
 
@@ -24,28 +24,28 @@ impl fmt::Display for TooDeep {
 
 impl std::error::Error for TooDeep {}
 
-/// Refuses a text of which a value lies too deep; what is no TOML passes, for its reader to refuse.
+/// Refuses a text with a value nested too deeply; text that is not TOML passes, and its reader refuses it.
 ///
 /// # Errors
-/// The first such value that is met.
+/// The first such value found.
 pub fn check_text(text: &str) -> Result<(), TooDeep> {
     check(DeTable::parse_recoverable(text).0.get_ref())
 }
 
-/// Refuses a document of which a value lies too deep.
+/// Refuses a document with a value nested too deeply.
 ///
 /// # Errors
-/// The first such value that is met.
+/// The first such value found.
 pub fn check(document: &DeTable<'_>) -> Result<(), TooDeep> {
     check_all(document.values().map(|value| (value, 1)).collect())
 }
 
-/// Refuses a value of which a part lies too deep.
+/// Refuses a value with a part nested too deeply.
 pub(crate) fn check_value(value: &Spanned<DeValue<'_>>) -> Result<(), TooDeep> {
     check_all(vec![(value, 0)])
 }
 
-/// A stack of our own: what lies too deep must not be walked by recursion.
+/// An explicit stack: deeply nested values must not be walked by recursion.
 fn check_all(mut waiting: Vec<(&Spanned<DeValue<'_>>, usize)>) -> Result<(), TooDeep> {
     while let Some((value, around)) = waiting.pop() {
         if around > DEPTH_LIMIT {

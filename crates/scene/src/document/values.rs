@@ -1,4 +1,4 @@
-//! Values of a scene's tables, each read as its key says.
+//! Values of a scene's tables, each read according to its key.
 
 use crate::document::errors::Rule;
 use crate::document::keys::key::{Key, Kind, Or, Plain};
@@ -13,7 +13,7 @@ use toml::de::DeValue;
 pub(crate) trait Reads<'d>: Kind {
     /// Type of the value that is read.
     type Read;
-    /// The value of `key`; `None` where it is wrong, and that is noted.
+    /// Reads the value of `key`; notes a fault and returns `None` if it is wrong.
     fn from(
         &self,
         section: &Section<'d>,
@@ -56,10 +56,10 @@ impl<'d> Section<'d> {
             return None;
         };
         let exact = i128::from_str_radix(integer.as_str(), integer.radix()).ok();
-        // Beyond i128 the sign is all that matters: the range refuses it.
+        // Beyond i128 only the sign matters, because the range refuses it.
         let beyond = if integer.as_str().starts_with('-') { f64::NEG_INFINITY } else { f64::INFINITY };
         self.in_range(key, exact.map_or(beyond, |exact| exact as f64), allowed, value)?;
-        // Of f64, which the range is in, 2⁶³ is no larger than the whole number before it.
+        // As an f64, the type of the range, 2⁶³ equals the integer before it.
         if exact.is_some_and(|exact| exact > i64::MAX.into()) {
             self.note_at(value.span(), Rule::BeyondWholeNumbers { key });
             return None;
@@ -255,7 +255,7 @@ fn text_of<'d>(value: &'d PlacedValue<'d>) -> Option<&'d str> {
 
 fn number_of(value: &DeValue<'_>) -> Option<f64> {
     match value {
-        // An integer of any radix; a decimal one also where it exceeds 64 bits.
+        // An integer of any radix, including a decimal one of more than 64 bits.
         DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
             .map_or_else(|_| integer.as_str().parse().ok(), |i| Some(i as f64)),
         DeValue::Float(float) => float.as_str().parse().ok(),

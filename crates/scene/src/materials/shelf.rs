@@ -5,7 +5,7 @@ use crate::wording::allowed::Allowed;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-/// The folder where files of materials lie, and all that were opened there.
+/// The folder of files of materials, with all files opened there.
 pub(super) struct Shelf {
     folder: PathBuf,
     frequency_hz: f64,
@@ -25,7 +25,7 @@ impl Shelf {
         material
     }
 
-    /// An error of a material whose roughness is none of a road.
+    /// An error of a material whose roughness is outside a road's range.
     pub(super) fn too_rough(&self, written: &str, found: f64, allowed: Allowed) -> OpenMaterialError {
         let what = "a road's height in m, unless `rms_height_mm` says it,";
         OpenMaterialError {
@@ -35,7 +35,7 @@ impl Shelf {
         }
     }
 
-    /// All files that were opened.
+    /// All opened files.
     pub(super) fn into_files(self) -> Vec<PathBuf> {
         self.files.into_inner()
     }

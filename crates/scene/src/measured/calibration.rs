@@ -1,4 +1,4 @@
-//! `calibration` of `[dsp]`: the measured differences of a radar's channels from ideal ones.
+//! `calibration` of `[dsp]`: the measured errors of a radar's channels.
 //!
 //! ```text
 //! tx,rx,gain_db,phase_deg     the first line
@@ -11,7 +11,7 @@ use artifact::units::amplitude_from_db;
 use num_complex::Complex64;
 use std::path::{Path, PathBuf};
 
-/// Factors that undo the errors in a file, tx·N_rx + rx, of mean power 1: noise keeps its level.
+/// Factors that correct the errors in a file, tx·N_rx + rx, of mean power 1: noise keeps its level.
 ///
 /// # Errors
 /// The first rule that the file breaks, with its line.
@@ -41,35 +41,35 @@ pub(crate) fn read_calibration(
     Ok(factors.into_iter().map(|factor| factor / power.sqrt()).collect())
 }
 
-/// Reason that a calibration file is refused.
+/// Reason why a calibration file is refused.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {rule}", table_text::place(file, *line))]
 pub struct CalibrationFileError {
     /// Path as the scene names it.
     pub file: PathBuf,
-    /// Line of the file, from 1; 0 where no line is at fault.
+    /// Line of the file, from 1; 0 if no line is at fault.
     pub line: u32,
-    /// Rule that is broken.
+    /// Broken rule.
     pub rule: CalibrationRule,
 }
 
 impl CalibrationFileError {
-    /// Whether the machine failed, not the content of the file.
+    /// Whether the system failed, not the content of the file.
     pub fn is_system(&self) -> bool {
         matches!(&self.rule, CalibrationRule::File(error) if error.is_system())
     }
 }
 
-/// The rules of a calibration file, broken.
+/// Broken rules of a calibration file.
 #[derive(Debug, thiserror::Error)]
 pub enum CalibrationRule {
-    /// The file cannot be read, has more bytes than any table of an array takes, or is no text.
+    /// The file cannot be read, has more bytes than any table of an array, or is not text.
     #[error("{0}")]
     File(#[source] ReadFault),
-    /// The first line is of another table, or of none.
+    /// The first line is that of another table, or no heading.
     #[error("the first line must be `tx,rx,gain_db,phase_deg`")]
     NoHeading,
-    /// A line has not two whole numbers and two numbers in their ranges.
+    /// A line is not two whole numbers and two numbers in their ranges.
     #[error(
         "must be tx,rx,gain_db,phase_deg: two counts from 0, a gain within ±60, a phase within ±360; is `{found}`"
     )]
@@ -109,7 +109,7 @@ pub enum CalibrationRule {
     },
 }
 
-/// Most bytes of a file: 256 × 256 pairs, a line of 256 bytes each.
+/// Largest file in bytes: 256 × 256 pairs, a line of 256 bytes each.
 const LIMIT_BYTES: u64 = 16 << 20;
 const COLUMNS: [&str; 4] = ["tx", "rx", "gain_db", "phase_deg"];
 
@@ -119,7 +119,7 @@ fn pair_and_error(line: &str) -> Result<([usize; 2], Complex64), CalibrationRule
         let [tx, rx, gain_db, phase_deg] = parts[..] else { return None };
         Some(([tx.parse().ok()?, rx.parse().ok()?], [gain_db.parse().ok()?, phase_deg.parse().ok()?]))
     };
-    // What is no number lies within nothing.
+    // NaN is in no range.
     let fits = |[gain_db, phase_deg]: [f64; 2]| gain_db.abs() <= 60.0 && phase_deg.abs() <= 360.0;
     match numbers() {
         Some((pair, error)) if fits(error) => {

@@ -1,4 +1,4 @@
-//! `pattern_file` of `[radar.array]`: gain over direction as data sheets give it, a table or two cuts.
+//! `pattern_file` of `[radar.array]`: gain over direction as in data sheets, a table or two cuts.
 //!
 //! ```text
 //! az_deg, el_deg, gain_db     the first line
@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Lines for every pair of some azimuths and elevations are a table. Otherwise every line lies on one of the
-//! two cuts, el_deg = 0 or az_deg = 0, and beside them the gain is the sum of both in dB less that at the
+//! two cuts, el_deg = 0 or az_deg = 0, and the gain elsewhere is the sum of both in dB less that at the
 //! crossing.
 
 use crate::measured::table_text;
@@ -15,7 +15,7 @@ use artifact::radar::PatternTable;
 use artifact::units::amplitude_from_db;
 use std::path::{Path, PathBuf};
 
-/// The table in a file.
+/// Reads the table in a file.
 ///
 /// # Errors
 /// The first rule that the file breaks, with its line.
@@ -32,51 +32,51 @@ pub(crate) fn read_pattern_table(file: &Path) -> Result<PatternTable, PatternFil
     table(&directions).map_err(|(line, rule)| at(line, rule))
 }
 
-/// Reason that a pattern file is refused.
+/// Reason why a pattern file is refused.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {rule}", table_text::place(file, *line))]
 pub struct PatternFileError {
     /// Path as the scene names it.
     pub file: PathBuf,
-    /// Line of the file, from 1; 0 where no line is at fault.
+    /// Line of the file, from 1; 0 if no line is at fault.
     pub line: u32,
-    /// Rule that is broken.
+    /// Broken rule.
     pub rule: PatternRule,
 }
 
-/// The rules of a pattern file, broken.
+/// Broken rules of a pattern file.
 #[derive(Debug, thiserror::Error)]
 pub enum PatternRule {
-    /// The file cannot be read, or has more bytes than any table of the size allowed takes.
+    /// The file cannot be read, or has more bytes than any table of the allowed size.
     #[error("{0}")]
     File(#[source] ReadFault),
-    /// The first line is of another table, or of none.
+    /// The first line is that of another table, or no heading.
     #[error("the first line must be `az_deg,el_deg,gain_db`")]
     NoHeading,
-    /// A line has not three numbers.
+    /// A line is not three numbers.
     #[error("must be three numbers az_deg,el_deg,gain_db, is `{found}`")]
     NotNumbers {
         /// The line.
         found: String,
     },
-    /// An angle or a gain that is none.
+    /// An angle or a gain outside its range.
     #[error("{column} must lie within ±{limit}, is {found}")]
     OutOfRange {
         /// Name of the column.
         column: &'static str,
         /// Value as read.
         found: f64,
-        /// Largest size that is allowed.
+        /// Largest allowed magnitude.
         limit: f64,
     },
-    /// A direction told twice, with two gains.
+    /// A direction with two gains.
     #[error("direction {azimuth_deg}, {elevation_deg} has another gain in line {first_line}")]
     ToldTwice {
         /// Azimuth of the direction.
         azimuth_deg: f64,
         /// Elevation of the direction.
         elevation_deg: f64,
-        /// Line on which it was told first.
+        /// Line of its first gain.
         first_line: u32,
     },
     /// A cubic needs three values.
@@ -87,7 +87,7 @@ pub enum PatternRule {
         /// Number of its values.
         found: usize,
     },
-    /// The directions are neither a table nor cuts.
+    /// The directions form neither a table nor cuts.
     #[error(
         "not every pair of azimuth and elevation is there, and this direction lies on neither cut, el_deg = 0 or az_deg = 0"
     )]
@@ -95,29 +95,29 @@ pub enum PatternRule {
     /// Cuts that do not cross.
     #[error("the cuts el_deg = 0 and az_deg = 0 need a line for 0,0, where they cross")]
     NoCrossing,
-    /// A table beyond what headers of artifacts should hold.
+    /// A table too large for the headers of artifacts.
     #[error("{azimuths} azimuths × {elevations} elevations are more than {limit} values")]
     TooLarge {
         /// Number of azimuths of the table.
         azimuths: usize,
         /// Number of elevations of the table.
         elevations: usize,
-        /// Most values of a table.
+        /// Largest number of values in a table.
         limit: usize,
     },
 }
 
 impl PatternFileError {
-    /// Whether the machine failed, not the content of the file.
+    /// Whether the system failed, not the content of the file.
     pub fn is_system(&self) -> bool {
         matches!(&self.rule, PatternRule::File(error) if error.is_system())
     }
 }
 
 const COLUMNS: [&str; 3] = ["az_deg", "el_deg", "gain_db"];
-/// Largest sizes of each column. Below −200 dB nothing is left of an echo in f32.
+/// Largest magnitude in each column. Below −200 dB nothing is left of an echo in f32.
 const LIMITS: [f64; 3] = [180.0, 90.0, 200.0];
-/// A degree all around is 361 × 181 values; every artifact behind the scene carries them.
+/// Largest table: a degree all around is 361 × 181 values; every later artifact contains them.
 const VALUES_MAX: usize = 1 << 16;
 const LIMIT_BYTES: u64 = 16 << 20;
 
@@ -134,7 +134,7 @@ struct Direction {
 
 fn text_of(file: &Path) -> Result<String, PatternRule> {
     let bytes = bounded::read(file, LIMIT_BYTES).map_err(PatternRule::File)?;
-    // What is not UTF-8 is no number either, and is refused at its line.
+    // Text that is not UTF-8 is not a number either, and is refused at its line.
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
@@ -143,12 +143,12 @@ fn direction(line: u32, text: &str) -> Result<Direction, PatternRule> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse::<f64>()).collect();
     let numbers: [f64; 3] = numbers.map_err(|_| not_numbers())?.try_into().map_err(|_| not_numbers())?;
     for ((found, limit), column) in numbers.into_iter().zip(LIMITS).zip(COLUMNS) {
-        // What is no number lies within nothing.
+        // NaN is in no range.
         if !(-limit..=limit).contains(&found) {
             return Err(PatternRule::OutOfRange { column, found, limit });
         }
     }
-    // −0 is 0, and so are the bits that directions are told apart by.
+    // −0 becomes 0, so that directions can be compared by their bits.
     let [azimuth_deg, elevation_deg, gain_db] = numbers.map(|number| number + 0.0);
     Ok(Direction { line, azimuth_deg, elevation_deg, gain_db })
 }
@@ -178,8 +178,8 @@ fn table(directions: &[Direction]) -> Result<PatternTable, Fault> {
     })
 }
 
-/// Refuses an axis of no value, and one of two, with the first line of the value that fewer lines have, of
-/// as many the later one's.
+/// Refuses an axis without values, and one with two, at the first line of the value with fewer lines, or of
+/// the later value if both have equally many.
 fn check_values(
     told: &[Direction],
     column: &'static str,
@@ -198,7 +198,7 @@ fn check_values(
     Err((fewest.map_or(0, |(_, line)| line.0), rule))
 }
 
-/// Directions elevation by elevation, each once.
+/// Directions sorted by elevation, each once.
 fn distinct(directions: &[Direction]) -> Result<Vec<Direction>, Fault> {
     let mut sorted = directions.to_vec();
     sorted.sort_by(|a, b| {
@@ -221,7 +221,7 @@ fn row_by_row(sorted: &[Direction]) -> Vec<f64> {
     sorted.iter().map(|direction| direction.gain_db).collect()
 }
 
-/// Gains beside the cuts: those of both less that where they cross.
+/// Gains beside the cuts: the sum of both less that at their crossing.
 fn from_cuts(sorted: &[Direction]) -> Result<Vec<f64>, Fault> {
     if let Some(stray) = sorted.iter().find(|d| d.azimuth_deg != 0.0 && d.elevation_deg != 0.0) {
         return Err((stray.line, PatternRule::NeitherTableNorCuts));

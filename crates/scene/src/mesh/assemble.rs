@@ -1,4 +1,5 @@
-//! Parts into one mesh: triangles without area dropped, size checked, open edges counted, nothing welded.
+//! Joins parts into one mesh: triangles without area dropped, size checked, open edges counted, nothing
+//! welded.
 
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::mesh::format::MeshOptions;
@@ -11,7 +12,7 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::rc::Rc;
 
-/// Sizes of models that claim metres.
+/// Sizes of models assumed to be in metres.
 const SIZES_M: std::ops::RangeInclusive<f64> = 1e-3..=1e3;
 
 pub(crate) fn assemble(name: String, parts: Vec<Part>, options: &MeshOptions) -> Result<Mesh, Located> {
@@ -42,10 +43,10 @@ struct Joined {
     normals: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     material_of_triangle: Vec<u16>,
-    /// Whether each triangle is of a road wheel.
+    /// Whether each triangle belongs to a road wheel.
     are_of_wheels: Vec<bool>,
     materials: Vec<String>,
-    /// Places of materials in the list, by name.
+    /// Indices of materials in the list, by name.
     known: HashMap<Rc<str>, u16>,
 }
 
@@ -101,7 +102,7 @@ impl Joined {
         self.triangles.iter_mut().flatten().for_each(|i| *i = new_index[*i as usize]);
     }
 
-    /// Stored normals of length zero say nothing: there the sum of the facets' areas speaks.
+    /// Replaces stored normals of length zero by the area-weighted sum of the facets' normals.
     fn fill_empty_normals(&mut self) {
         let empty: Vec<bool> = self.normals.iter().map(|normal| normal.try_normalize().is_none()).collect();
         for corners in &self.triangles {
@@ -115,7 +116,7 @@ impl Joined {
 
     fn into_mesh(mut self, name: String) -> Mesh {
         self.fill_empty_normals();
-        // Facets that cancel exactly leave no direction; up is as good as any.
+        // Facets that cancel exactly leave no direction, so up is chosen.
         let unit = |normal: &DVec3| normal.try_normalize().unwrap_or(DVec3::Z).as_vec3().into();
         let mut mesh = Mesh {
             name,
@@ -133,7 +134,7 @@ impl Joined {
     }
 }
 
-/// Whether a triangle's area exceeds what rounding makes of none. Each coordinate carries an error of up to
+/// Whether a triangle's area exceeds the rounding error of zero. Each coordinate carries an error of up to
 /// ε/2·|x| from its transform and ε·|x| from the difference, so the doubled area of collinear corners stays
 /// below 2·√3·(3/2)·ε·|x|·edge < 8·ε·|x|·edge.
 fn has_area([a, b, c]: [DVec3; 3]) -> bool {
@@ -147,7 +148,7 @@ fn check_size(mesh: &Mesh, options: &MeshOptions) -> Result<(), MeshFault> {
     let size_m = (high - low).max_element();
     let (least_m, most_m) = match options.unit_scale {
         None => (*SIZES_M.start(), *SIZES_M.end()),
-        // Whatever a person asked for, as long as squares of it stay numbers.
+        // Any size at a requested scale, as long as its squares are finite.
         Some(_) => (1e-100, 1e100),
     };
     if (least_m..=most_m).contains(&size_m) {
@@ -157,7 +158,7 @@ fn check_size(mesh: &Mesh, options: &MeshOptions) -> Result<(), MeshFault> {
     }
 }
 
-/// Edges with one triangle only, corners being equal where their positions are.
+/// Number of edges with only one triangle; corners are equal if their positions are.
 fn open_edges(mesh: &Mesh) -> u64 {
     let place = first_at_each_position(&mesh.vertices_m);
     let edge = |a: u32, b: u32| {
@@ -170,9 +171,9 @@ fn open_edges(mesh: &Mesh) -> u64 {
     edges.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).count() as u64
 }
 
-/// First vertex, in the order of positions, that stands at the same place, for each vertex.
+/// First vertex, in the order of positions, at the same place, for each vertex.
 fn first_at_each_position(vertices_m: &[[f64; 3]]) -> Vec<u32> {
-    // Adding zero makes −0 equal to +0 in their bits.
+    // Adding zero makes the bits of −0 equal to those of +0.
     let key = |i: u32| vertices_m[i as usize].map(|x| (x + 0.0).to_bits());
     let mut order: Vec<u32> = (0..vertices_m.len() as u32).collect();
     order.sort_unstable_by_key(|&i| (key(i), i));

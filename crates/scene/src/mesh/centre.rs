@@ -1,9 +1,9 @@
-//! The origin that a scene gives to a mesh.
+//! Origin of a mesh in a scene.
 
 use artifact::scene::Mesh;
 use glam::DVec3;
 
-/// The mesh with the centre of its bounding box, on the ground, at the origin.
+/// Moves the origin to the centre of the mesh's bounding box, on the ground.
 pub fn centred(mut mesh: Mesh) -> Mesh {
     let [low, high] = mesh.bounds_m().map(DVec3::from);
     let middle = 0.5 * (low + high);

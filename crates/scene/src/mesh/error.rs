@@ -19,7 +19,7 @@ pub struct MeshError {
 }
 
 impl MeshError {
-    /// Whether the machine failed (the file or a buffer beside it is missing or unreadable), not the content.
+    /// Whether the system failed (the file or a buffer beside it is missing or unreadable), not the content.
     pub fn is_system(&self) -> bool {
         match &self.fault {
             MeshFault::Unread(error) | MeshFault::BufferUnread { error, .. } => error.is_system(),
@@ -28,11 +28,11 @@ impl MeshError {
         }
     }
 
-    /// The whole sentence, with words of the file however long they are.
+    /// The whole sentence, with quotations of the file at any length.
     fn sentence(&self) -> String {
         let (file, fault) = (self.file.display(), &self.fault);
         match self.place {
-            // It names the file itself.
+            // The fault names the file itself.
             MeshPlace::File if matches!(fault, MeshFault::Asset(_)) => fault.to_string(),
             MeshPlace::File => format!("{file}: {fault}"),
             MeshPlace::Line(line) => format!("{file}:{line}: {fault}"),
@@ -86,60 +86,60 @@ pub enum MeshPlace {
     },
 }
 
-/// The rules of a mesh file, broken.
+/// Broken rules of a mesh file.
 #[derive(Debug, thiserror::Error)]
 pub enum MeshFault {
     /// An asset of OpenMATERIAL 3D was refused or could not be read.
     #[error("{0}")]
     Asset(#[source] Box<OpenMaterialError>),
-    /// The file cannot be read, or is longer than what is read.
+    /// The file cannot be read, or exceeds the size limit.
     #[error("{0}")]
     Unread(#[source] ReadFault),
-    /// A buffer beside the file cannot be read, or is longer than what is read.
+    /// A buffer beside the file cannot be read, or exceeds the size limit.
     #[error("buffer file {} {error}", path.display())]
     BufferUnread {
-        /// Path at which it was looked for.
+        /// Expected path of the buffer.
         path: PathBuf,
-        /// Reason that it was not read.
+        /// Reason why it was not read.
         #[source]
         error: ReadFault,
     },
-    /// The buffers have more bytes than are read.
+    /// The buffers together exceed the size limit.
     #[error("has buffers of more than {limit} bytes together, the most that are read")]
     BuffersTooLong {
-        /// Most bytes that are read.
+        /// Largest number of bytes.
         limit: u64,
     },
     /// The file has more values than any model needs.
     #[error("its JSON has more than {limit} values, the most that are read")]
     TooManyValues {
-        /// Most values that are read.
+        /// Largest number of values.
         limit: usize,
     },
     /// The file has more positions and normals than triangles can use.
     #[error("has more than {limit} positions and normals, the most that are read")]
     TooManyVectors {
-        /// Most vectors that are read.
+        /// Largest number of vectors.
         limit: usize,
     },
-    /// A small file can show one mesh through many nodes.
+    /// The file shows too many primitives: a small file can show one mesh through many nodes.
     #[error("shows more than {limit} primitives, the most that are read")]
     TooManyPrimitives {
-        /// Most primitives that are read.
+        /// Largest number of primitives.
         limit: usize,
     },
-    /// Polygons whose dents cost more than the stages that follow.
+    /// Polygons so concave that cutting them costs more than the later stages.
     #[error(
         "has polygons so dented that cutting them takes more than {limit} comparisons: write it as triangles"
     )]
     TooDented {
-        /// Most comparisons that are made.
+        /// Largest number of comparisons.
         limit: u64,
     },
-    /// The format cannot be told by the file's extension.
+    /// The file's extension indicates no known format.
     #[error("is not a .glb, .gltf, .stl, .obj or .xoma file by its name")]
     UnknownFormat,
-    /// The container of binary glTF.
+    /// The container of binary glTF is damaged.
     #[error("is not binary glTF 2.0: {0}")]
     Container(#[source] gltf::Error),
     /// The file is shorter than its own header.
@@ -147,7 +147,7 @@ pub enum MeshFault {
     CutOff {
         /// Bytes in the file.
         found: u64,
-        /// Bytes needed for what its header says.
+        /// Bytes needed according to its header.
         needed: u64,
     },
     /// The text ends within a solid.
@@ -158,16 +158,16 @@ pub enum MeshFault {
         "is longer than its header says: {said} facets take {needed} bytes, it has {found}, which hold {there}"
     )]
     TooLong {
-        /// Facets by the header.
+        /// Number of facets in the header.
         said: u64,
-        /// Bytes of as many facets and the header.
+        /// Bytes of that many facets and the header.
         needed: u64,
-        /// Facets that the file has room for.
+        /// Number of facets that fit into the file.
         there: u64,
         /// Bytes in the file.
         found: u64,
     },
-    /// The JSON of glTF.
+    /// The JSON of glTF is invalid.
     #[error("is not glTF: {0}")]
     Json(#[source] serde_json::Error),
     /// The file is of another major version.
@@ -176,26 +176,26 @@ pub enum MeshFault {
         /// Version as written.
         found: String,
     },
-    /// An extension is required without which the geometry cannot be understood.
+    /// An extension is required that is needed for understanding the geometry.
     #[error("needs the extension `{0}`, which is not supported")]
     Extension(String),
     /// Compressed geometry.
     #[error("is compressed by `{0}`; write it without compression")]
     Compressed(String),
-    /// A reference into nothing.
+    /// A reference to a missing item.
     #[error("refers to {what} {index} of {count}")]
     NoSuch {
-        /// Kind of what is referred to.
+        /// Kind of the item.
         what: &'static str,
-        /// Index that is referred to, from 0.
+        /// Index of the item, from 0.
         index: usize,
-        /// Number of those that there are.
+        /// Number of such items.
         count: usize,
     },
     /// A buffer is neither in the file nor beside it.
     #[error("has no data: neither `uri` nor a binary chunk")]
     BufferMissing,
-    /// A URI that names no file and holds no data.
+    /// A URI that neither names a file nor holds data.
     #[error("`uri` is neither base64 data nor a relative path")]
     BadUri,
     /// A URI that leads out of the folder of its glTF.
@@ -204,7 +204,7 @@ pub enum MeshFault {
          no `\\`, no `:`"
     )]
     UriOutside,
-    /// A buffer, view or accessor that ends behind what holds it.
+    /// A buffer, view or accessor that ends beyond its container.
     #[error("ends at byte {end} of {bytes}")]
     Outside {
         /// End of the part, bytes.
@@ -212,7 +212,7 @@ pub enum MeshFault {
         /// Size of the whole, bytes.
         bytes: u64,
     },
-    /// Elements that overlap or leave no room.
+    /// Elements that overlap, or a stride that is too small.
     #[error("byte stride {stride} is less than the {element} bytes of an element")]
     Stride {
         /// Stride of the view, bytes.
@@ -223,7 +223,7 @@ pub enum MeshFault {
     /// An accessor of the wrong kind.
     #[error("must hold {expected}")]
     AccessorType {
-        /// Kind that its use needs.
+        /// Required kind.
         expected: &'static str,
     },
     /// An accessor without elements.
@@ -232,18 +232,18 @@ pub enum MeshFault {
     /// An accessor without a view.
     #[error("has neither a buffer view nor a moderate number of sparse values")]
     NoView,
-    /// Indices of sparse values.
+    /// Indices of sparse values that do not rise, or are too large.
     #[error("sparse indices must rise and stay below {count}; found {index}")]
     Sparse {
         /// Number of elements of the accessor.
         count: usize,
-        /// Index that does not rise, or is not below.
+        /// Index at fault.
         index: usize,
     },
     /// Vertices are missing.
     #[error("has no attribute POSITION")]
     NoPositions,
-    /// Normals that do not match.
+    /// Number of normals unequal to that of vertices.
     #[error("has {normals} normals for {vertices} vertices")]
     NormalCount {
         /// Number of normals in NORMAL.
@@ -251,21 +251,21 @@ pub enum MeshFault {
         /// Number of vertices in POSITION.
         vertices: usize,
     },
-    /// A kind of primitive that glTF does not have.
+    /// A primitive mode that glTF does not have.
     #[error("has an unknown mode")]
     Mode,
-    /// Corners are left over.
+    /// Corners are left over after the last triangle.
     #[error("{0} corners are no whole triangles")]
     Corners(usize),
-    /// A polygon beyond what is cut into triangles.
+    /// A polygon with too many corners.
     #[error("is a polygon of {corners} corners; at most {limit} are cut into triangles")]
     TooManyCorners {
-        /// Corners of the polygon.
+        /// Number of corners.
         corners: usize,
-        /// Most corners that are cut.
+        /// Largest number of corners.
         limit: usize,
     },
-    /// A corner that is no vertex.
+    /// A reference to a missing vertex.
     #[error("vertex index {index} is out of range: there are {vertices} vertices")]
     VertexIndex {
         /// Index as read; OBJ counts from 1 or, negative, from the end.
@@ -288,10 +288,10 @@ pub enum MeshFault {
     /// Shapes that depend on joints or weights.
     #[error("has {0}, which is not supported: apply it and write the mesh anew")]
     Deformed(&'static str),
-    /// Text that cannot be understood.
+    /// Text that cannot be parsed.
     #[error("expected {expected}, found `{found}`")]
     Expected {
-        /// Words that the format expects.
+        /// Words required by the format.
         expected: &'static str,
         /// Words in the file.
         found: String,
@@ -299,34 +299,34 @@ pub enum MeshFault {
     /// The file is not text.
     #[error("is not UTF-8 text")]
     NotText,
-    /// The file has nothing that could scatter.
+    /// The file contains nothing that scatters.
     #[error("has no triangle with area ({degenerate} without)")]
     NoTriangles {
-        /// Triangles that were dropped for want of area.
+        /// Number of triangles dropped for lack of area.
         degenerate: u64,
     },
-    /// The file has more triangles than the stages can carry.
+    /// The file exceeds the number of triangles that the stages support.
     #[error("has more than {limit} triangles")]
     TooManyTriangles {
-        /// Most triangles that are read.
+        /// Largest number of triangles.
         limit: usize,
     },
-    /// Materials are numbered with 16 bits.
+    /// More materials than 16-bit numbers allow.
     #[error("has more than 65535 materials")]
     TooManyMaterials,
-    /// The model's size is not one in metres.
+    /// The model's size is implausible in metres.
     #[error("is {} m large, not {} to {} m: say how many metres a unit is, by `unit_scale` (of `rcs` by --unit-scale)", WrittenNumber(*.size_m), WrittenNumber(*.least_m), WrittenNumber(*.most_m))]
     Size {
         /// Longest side of the bounding box.
         size_m: f64,
-        /// Smallest size that is taken for metres.
+        /// Smallest size accepted as metres.
         least_m: f64,
-        /// Largest size that is taken for metres.
+        /// Largest size accepted as metres.
         most_m: f64,
     },
 }
 
-/// A fault with its place; the file is known further out.
+/// A fault with its place; the caller knows the file.
 #[derive(Debug)]
 pub(crate) struct Located {
     pub place: MeshPlace,

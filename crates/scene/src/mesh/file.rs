@@ -1,4 +1,4 @@
-//! A mesh file into one mesh.
+//! Reading of a mesh file into one mesh.
 
 use crate::mesh::error::{Located, MeshError, MeshFault, MeshPlace};
 use crate::mesh::format::{Format, LIMIT_BYTES, MeshOptions};
@@ -8,12 +8,11 @@ use artifact::bounded;
 use artifact::scene::Mesh;
 use std::path::{Path, PathBuf};
 
-/// The mesh in a file, in body axes with the file's own origin: glTF's +Z is forward, +X left, +Y up; STL and
-/// OBJ are taken to be in body axes already.
+/// Reads a mesh in body axes with the file's own origin: glTF's +Z is forward, +X left, +Y up; STL and OBJ
+/// are assumed to be in body axes already.
 ///
 /// # Errors
-/// Names the file, the place in it and the broken rule; `is_system` tells a file that is missing or
-/// unreadable.
+/// Names the file, the place in it and the broken rule; `is_system` indicates a missing or unreadable file.
 pub fn read_mesh(path: &Path, options: &MeshOptions) -> Result<Mesh, MeshError> {
     let located = |fault| MeshError { file: path.to_owned(), place: MeshPlace::File, fault };
     let format = Format::of(path).ok_or_else(|| located(MeshFault::UnknownFormat))?;
@@ -21,11 +20,10 @@ pub fn read_mesh(path: &Path, options: &MeshOptions) -> Result<Mesh, MeshError> 
     mesh_from_bytes(&bytes, format, path, options)
 }
 
-/// The mesh in these bytes; `path` names it in errors, and buffers beside a `.gltf` are looked for
-/// there.
+/// Reads the mesh in these bytes; `path` names it in errors, and buffers beside a `.gltf` are searched there.
 ///
 /// # Errors
-/// As [`read_mesh`].
+/// Those of [`read_mesh`].
 pub fn mesh_from_bytes(
     bytes: &[u8],
     format: Format,
@@ -45,7 +43,7 @@ pub fn mesh_from_bytes(
         .map_err(|Located { place, fault }| MeshError { file: path.to_owned(), place, fault })
 }
 
-/// The mesh of the model that lies beside an asset: a glTF, so that this ends.
+/// The mesh of an asset's model, which is a glTF, so that there is no further recursion.
 fn mesh_of_asset(bytes: &[u8], path: &Path, options: &MeshOptions) -> Result<Mesh, MeshError> {
     let model = openmaterial::model_of(bytes, path).map_err(|error| MeshError {
         file: path.to_owned(),
@@ -55,8 +53,8 @@ fn mesh_of_asset(bytes: &[u8], path: &Path, options: &MeshOptions) -> Result<Mes
     read_mesh(&model, options)
 }
 
-/// The files that a mesh consists of: itself; for `.gltf` the buffers beside it, for `.xoma` its model and
-/// the files in which its materials are told, as far as they can be read.
+/// The files of a mesh: itself; for `.gltf` the buffers beside it, for `.xoma` its model and the files of its
+/// materials, as far as they can be read.
 pub fn files(path: &Path) -> Vec<PathBuf> {
     let beside = match Format::of(path) {
         Some(Format::Gltf) => {

@@ -1,13 +1,13 @@
-//! Formats of mesh files, and how they are read.
+//! Formats of mesh files, and reading options.
 
 use crate::wording::allowed::Allowed;
 use std::path::Path;
 
-/// Options for how a mesh file is read.
+/// Options for reading a mesh file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshOptions {
-    /// Metres in one unit of the file; `None` for a file in metres, where a model below a millimetre or
-    /// above a kilometre is refused, for then it is not.
+    /// Metres per unit of the file; `None` for a file in metres, where a model below a millimetre or above a
+    /// kilometre is refused as implausible.
     pub unit_scale: Option<f64>,
 }
 
@@ -40,8 +40,9 @@ impl Format {
     }
 }
 
-/// Scales from a nanometre to a thousand kilometres for one unit.
+/// Metres per unit, from a nanometre to a thousand kilometres.
 pub(crate) const UNIT_SCALES: Allowed = Allowed::Between(1e-9, 1e6);
 
-/// The largest vehicle of film studios has some 10⁷ triangles in 10⁹ bytes; the stages would not end on it.
+/// Largest file: the largest vehicles of film studios have some 10⁷ triangles in 10⁹ bytes, for which the
+/// stages would not end.
 pub(crate) const LIMIT_BYTES: u64 = 1 << 30;

@@ -12,8 +12,8 @@ use gltf::json::{Index, Root, buffer};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// Vertices that a sparse accessor may have without a view behind it: more would take memory that no bytes
-/// answer for.
+/// Largest number of vertices in a sparse accessor without a view: more would take memory that is not backed
+/// by bytes.
 const SPARSE_LIMIT: u64 = 1 << 20;
 
 /// The accessors of one document; vectors that several primitives share are decoded once.
@@ -21,7 +21,7 @@ pub(crate) struct Accessors<'d> {
     root: &'d Root,
     buffers: &'d Buffers,
     vectors: BTreeMap<usize, Rc<Vec<DVec3>>>,
-    /// Number of vectors that are held.
+    /// Number of cached vectors.
     held: usize,
 }
 
@@ -127,7 +127,7 @@ impl<'d> Accessors<'d> {
         }
     }
 
-    /// The elements before sparse values replace some; `None` where they are all zero.
+    /// The elements before sparse values replace some; `None` if they are all zero.
     fn base(
         &self,
         place: MeshPlace,
@@ -182,7 +182,7 @@ impl<'d> Accessors<'d> {
         if stride < size {
             return Err(place.fault(MeshFault::Stride { stride, element: size }));
         }
-        // Saturated, a damaged count ends beyond any buffer, as it should.
+        // Saturation lets a damaged count end beyond any buffer, so that it is refused.
         let end = (count - 1).saturating_mul(stride).saturating_add(size).saturating_add(offset);
         let outside = || place.fault(MeshFault::Outside { end, bytes: bytes.len() as u64 });
         let bytes = bytes.get(offset as usize..end as usize).ok_or_else(outside)?;
@@ -235,7 +235,7 @@ impl Encoding {
         DVec3::new(number(0), number(1), number(2))
     }
 
-    /// Integers become fractions where normalized (glTF 2.0, 3.6.2.2).
+    /// Reads a number; normalized integers become fractions (glTF 2.0, 3.6.2.2).
     fn number(self, bytes: &[u8]) -> f64 {
         let bits = decode_index(bytes);
         let (value, highest) = match self.component {

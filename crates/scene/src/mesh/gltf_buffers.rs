@@ -12,10 +12,10 @@ use gltf::json::{Buffer, Root, deserialize};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Bytes of each buffer, at least as many as it says.
+/// Bytes of each buffer, at least as many as declared.
 pub(crate) type Buffers = Vec<Vec<u8>>;
 
-/// JSON and binary chunk of a `.glb`.
+/// Splits a `.glb` into JSON and binary chunk.
 pub(crate) fn split_container(bytes: &[u8]) -> Result<(Vec<u8>, Option<Vec<u8>>), MeshFault> {
     let header: u64 = 12;
     let found = bytes.len() as u64;
@@ -31,7 +31,7 @@ pub(crate) fn split_container(bytes: &[u8]) -> Result<(Vec<u8>, Option<Vec<u8>>)
     Ok((parts.json.into_owned(), parts.bin.map(std::borrow::Cow::into_owned)))
 }
 
-/// Reads all buffers, each as long as it says.
+/// Reads all buffers, each of its declared length.
 pub(crate) fn read_buffers(root: &Root, binary: Option<Vec<u8>>, path: &Path) -> Result<Buffers, Located> {
     let mut binary = binary;
     let mut left = LIMIT_BYTES;
@@ -48,7 +48,7 @@ pub(crate) fn read_buffers(root: &Root, binary: Option<Vec<u8>>, path: &Path) ->
         .collect()
 }
 
-/// Buffer files that a `.gltf` names, each once however it is spelt; none where it cannot be understood.
+/// Buffer files that a `.gltf` names, each once in any spelling; none if the JSON is invalid.
 pub(crate) fn files_beside(json: &[u8], path: &Path) -> Vec<PathBuf> {
     let root = check_values(json).ok().and_then(|()| deserialize::from_slice::<Root>(json).ok());
     let buffers = root.iter().flat_map(|root| &root.buffers);
@@ -95,7 +95,7 @@ fn file_of(uri: &str, path: &Path) -> Result<PathBuf, MeshFault> {
     })
 }
 
-/// Bytes of base64 (RFC 4648, 4), padded or not; `None` where the text is none.
+/// Decodes base64 (RFC 4648, 4), padded or not; `None` if the text is invalid.
 fn base64(text: &str) -> Option<Vec<u8>> {
     const UNPADDED: GeneralPurposeConfig = NO_PAD.with_decode_allow_trailing_bits(true);
     GeneralPurpose::new(&STANDARD, UNPADDED).decode(text.trim_end_matches('=')).ok()

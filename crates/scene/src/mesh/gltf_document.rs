@@ -1,6 +1,5 @@
-//! Document of glTF 2.0. The `gltf` crate opens the container and types the JSON; whatever that JSON
-//! refers to is looked up with a check here, because the crate's own validation and readers panic on
-//! damaged files.
+//! Document of glTF 2.0. The `gltf` crate opens the container and types the JSON; every reference in the JSON
+//! is checked here, because the crate's own validation and readers panic on damaged files.
 
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::mesh::gltf_accessor::Accessors;
@@ -17,7 +16,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::rc::Rc;
 
-/// Extensions that leave the geometry as it is.
+/// Extensions that do not change the geometry.
 const HARMLESS: [&str; 6] = [
     "KHR_materials_",
     "KHR_texture_",
@@ -29,7 +28,7 @@ const HARMLESS: [&str; 6] = [
 const COMPRESSION: [&str; 3] =
     ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
-/// Extensions that a file need not require and that say where bodies are.
+/// Extensions that a file need not require although they determine the places of bodies.
 const SHAPING: [&str; 2] = ["EXT_mesh_gpu_instancing", "KHR_node_visibility"];
 
 pub(crate) fn read_glb(bytes: &[u8], path: &Path) -> Result<Vec<Part>, Located> {
@@ -68,7 +67,7 @@ struct Shown {
     materials: BTreeMap<usize, Rc<str>>,
 }
 
-/// Four times what the most detailed scenes of games show.
+/// Largest number of primitives: four times that of the most detailed game scenes.
 const PRIMITIVE_LIMIT: usize = 1 << 22;
 
 fn check_version(root: &Root) -> Result<(), MeshFault> {
@@ -169,7 +168,7 @@ fn triangles(mode: Mode, corners: &[u32]) -> Result<Vec<[u32; 3]>, MeshFault> {
 }
 
 impl Shown {
-    /// The name of a primitive's material, one for all that have it; empty without.
+    /// Name of a primitive's material, shared by all that have it; empty without one.
     fn material(&mut self, root: &Root, primitive: &Primitive) -> Result<Rc<str>, MeshFault> {
         let Some(index) = primitive.material.map(|material| material.value()) else {
             return Ok(Rc::default());
@@ -182,9 +181,8 @@ impl Shown {
     }
 }
 
-/// The part in body axes: glTF looks along +Z with +Y up, a body along +x with +z up: (x, y, z)_body =
-/// (z, x, y)_glTF. A mirroring transform turns the winding, so that outward stays outward (glTF 2.0,
-/// 3.7.4).
+/// The part in body axes: glTF has +Z forward and +Y up, a body +x forward and +z up: (x, y, z)_body = (z, x,
+/// y)_glTF. A mirroring transform reverses the winding, so that normals stay outward (glTF 2.0, 3.7.4).
 fn in_body_axes(mut part: Part, instance: &Instance) -> Part {
     let body = |v: DVec3| DVec3::new(v.z, v.x, v.y);
     let linear = DMat3::from_mat4(instance.scene_from_mesh);
@@ -202,8 +200,7 @@ fn in_body_axes(mut part: Part, instance: &Instance) -> Part {
     part
 }
 
-/// The inverse transpose but for a positive factor: the cofactors, which exist for a flattening transform
-/// too.
+/// The inverse transpose up to a positive factor: the cofactors, which also exist for a singular transform.
 fn normals_matrix(linear: DMat3) -> DMat3 {
     let [a, b, c] = [linear.x_axis, linear.y_axis, linear.z_axis];
     let cofactors = DMat3::from_cols(b.cross(c), c.cross(a), a.cross(b));

@@ -1,18 +1,17 @@
-//! Size of a glTF's JSON, told before it is read: typed values take a hundred times the bytes that say
-//! them.
+//! Size of a glTF's JSON, checked before parsing: typed values take a hundred times the bytes of their text.
 
 use crate::mesh::error::MeshFault;
 
-/// Some hundred values for each of the parts that the largest models from design programs have; a gibibyte
-/// once they are typed.
+/// Largest number of values: some hundred for each part of the largest design-program models; a gibibyte when
+/// typed.
 const VALUE_LIMIT: usize = 1 << 22;
 
-/// Refuses JSON of more values than that. How deep they lie is its reader's to bound (128 levels).
+/// Refuses JSON with more values. Its reader limits the nesting depth (128 levels).
 pub(crate) fn check_values(json: &[u8]) -> Result<(), MeshFault> {
     if values(json) <= VALUE_LIMIT { Ok(()) } else { Err(MeshFault::TooManyValues { limit: VALUE_LIMIT }) }
 }
 
-/// Number of values, or more: what opens a list or an object, and what separates values, outside texts.
+/// Upper bound of the number of values: opening brackets and separators outside texts.
 fn values(json: &[u8]) -> usize {
     let mut bytes = json.iter();
     let mut values = 1;
@@ -26,7 +25,7 @@ fn values(json: &[u8]) -> usize {
     values
 }
 
-/// Passes over a text of which the first quote is behind.
+/// Skips the rest of a text after its opening quote.
 fn end_text(bytes: &mut std::slice::Iter<'_, u8>) {
     while let Some(byte) = bytes.next() {
         match byte {

@@ -1,4 +1,4 @@
-//! The nodes of a glTF scene: which mesh stands where.
+//! The nodes of a glTF scene: meshes and their transforms.
 
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
 use bodies::names_a_wheel;
@@ -6,27 +6,28 @@ use glam::{DMat4, DQuat, DVec3, DVec4};
 use gltf::json::Root;
 use gltf::json::scene::Node;
 
-/// A mesh in its place.
+/// A mesh with its transform.
 pub(crate) struct Instance {
-    /// Index of the mesh, which exists.
+    /// Index of an existing mesh.
     pub mesh: usize,
     /// Transform from the mesh's own axes to the scene's.
     pub scene_from_mesh: DMat4,
-    /// Whether the name of its node, or of one above it but for a root of the scene, tells of a road wheel.
+    /// Whether the name of its node, or of an ancestor other than a root of the scene, is that of a road
+    /// wheel.
     pub is_of_wheel: bool,
 }
 
-/// A node that waits to be looked at.
+/// A node waiting to be visited.
 struct Waiting {
     index: usize,
     scene_from_parent: DMat4,
-    /// Whether a node above it that is no root tells of a wheel.
+    /// Whether an ancestor other than a root has the name of a wheel.
     is_of_wheel: bool,
     is_root: bool,
 }
 
 /// Every mesh of the scene that the file shows (else its first; without scenes, all nodes; without nodes,
-/// each mesh as it is), parents before children, in the order of the file.
+/// each mesh untransformed), parents before children, in the order of the file.
 pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, Located> {
     if root.nodes.is_empty() {
         return Ok((0..root.meshes.len())
@@ -35,7 +36,7 @@ pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, Located> {
     }
     let mut found = vec![];
     let mut reached = vec![false; root.nodes.len()];
-    // A stack of our own: a chain of 10⁶ nodes must not end ours. Reversed, so that the first is popped
+    // An explicit stack: a chain of 10⁶ nodes must not overflow ours. Reversed, so that the first is popped
     // first.
     let of_root = |index: usize| Waiting {
         index,
@@ -92,7 +93,7 @@ fn instance(
     if mesh >= count {
         return Err(place.fault(MeshFault::NoSuch { what: "mesh", index: mesh, count }));
     }
-    // A skinned mesh ignores its node and follows joints: read as it lies it would stand anywhere.
+    // A skinned mesh ignores its node and follows joints: without them its place is arbitrary.
     if node.skin.is_some() {
         return Err(place.fault(MeshFault::Deformed("a skin")));
     }
@@ -102,7 +103,7 @@ fn instance(
     Ok(Some(Instance { mesh, scene_from_mesh, is_of_wheel: false }))
 }
 
-/// Transform of a node; `None` where it is not finite and affine.
+/// Transform of a node; `None` if it is not finite and affine.
 fn transform(node: &Node) -> Option<DMat4> {
     let matrix = match node.matrix {
         Some(columns) => DMat4::from_cols_array(&columns.map(f64::from)),

@@ -1,5 +1,5 @@
-//! Wavefront OBJ: polygons with materials by name, in metres and body axes. Curves, points and lines are left
-//! out.
+//! Wavefront OBJ: polygons with materials by name, in metres and body axes. Curves, points and lines are
+//! ignored.
 
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::mesh::part::{Part, check_count, check_vectors};
@@ -9,13 +9,13 @@ use glam::DVec3;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
-/// Keywords that change no polygon (Wavefront's Appendix B1); what is not among them is refused, not guessed.
+/// Keywords that change no polygon (Wavefront's Appendix B1); unlisted ones are refused, not guessed.
 const IGNORED: [&str; 10] = ["vt", "vp", "g", "o", "s", "mg", "l", "p", "mtllib", "usemap"];
 
-/// Cutting ears takes the square of a polygon's corners, its cube where it is very dented.
+/// Largest polygon: ear cutting takes the square of its corners, the cube if it is very concave.
 const CORNER_LIMIT: usize = 4096;
 
-/// Half a minute; polygons of some corners take a few comparisons each.
+/// Largest number of comparisons, half a minute; a polygon of some corners takes a few.
 const COMPARISON_LIMIT: u64 = 1 << 33;
 
 /// A corner: its vertex and, where given, its normal; from 0.
@@ -25,13 +25,12 @@ type Corner = (u32, Option<u32>);
 struct Document {
     vertices: Vec<DVec3>,
     normals: Vec<DVec3>,
-    /// Groups by material and by whether the corners have normals; materials in the order of their first
-    /// use.
+    /// Groups by material and by whether the corners have normals; materials in the order of their first use.
     groups: Vec<Group>,
-    /// Places of the groups.
+    /// Indices of the groups.
     known: HashMap<(Rc<str>, Normals), usize>,
     triangles: usize,
-    /// Comparisons that cutting polygons took.
+    /// Comparisons made in cutting polygons.
     comparisons: u64,
 }
 
@@ -41,7 +40,7 @@ struct Group {
     triangles: Vec<[Corner; 3]>,
 }
 
-/// Whether all corners of a face have normals; those of some only are left out.
+/// Whether all corners of a face have normals; normals of only some are ignored.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Normals {
     Given,
@@ -59,7 +58,7 @@ pub(crate) fn read_obj(bytes: &[u8]) -> Result<Vec<Part>, Located> {
     document.into_parts()
 }
 
-/// Lines with their numbers; one that ends in a backslash goes on in the next.
+/// Lines with their numbers; a backslash at the end continues a line in the next.
 fn logical_lines(text: &str) -> impl Iterator<Item = (std::borrow::Cow<'_, str>, u64)> {
     let mut lines = text.lines().zip(1_u64..);
     std::iter::from_fn(move || {
@@ -145,7 +144,8 @@ impl Document {
     }
 }
 
-/// Corners of one vertex and one normal become one vertex of the part; nothing else is joined.
+/// Turns a group into a part: corners with the same vertex and normal become one vertex; nothing else is
+/// joined.
 fn into_part(group: Group, vertices: &[DVec3], normals: &[DVec3]) -> Result<Part, Located> {
     let given = group.normals == Normals::Given;
     let key = |(vertex, normal): Corner| (vertex, normal.filter(|_| given));
@@ -161,7 +161,7 @@ fn into_part(group: Group, vertices: &[DVec3], normals: &[DVec3]) -> Result<Part
     Part::new(MeshPlace::File, &positions, of_corners, triangles, group.material)
 }
 
-/// Index that counts from 1, or negative from the end of what stands before, as one from 0.
+/// Converts an index that counts from 1, or negative from the last item so far, to one from 0.
 fn index(field: &str, count: usize) -> Result<u32, MeshFault> {
     let written: i64 =
         field.parse().map_err(|_| MeshFault::Expected { expected: "an index", found: excerpt(field) })?;
@@ -170,7 +170,7 @@ fn index(field: &str, count: usize) -> Result<u32, MeshFault> {
     in_range.ok_or(MeshFault::VertexIndex { index: written, vertices: count })
 }
 
-/// The first three numbers; a fourth, a weight or a colour, is left alone.
+/// The first three numbers; a fourth, a weight or a colour, is ignored.
 pub(crate) fn three_numbers<'w>(words: impl Iterator<Item = &'w str>) -> Result<DVec3, MeshFault> {
     let mut numbers = [0.0; 3];
     let mut words = words;

@@ -1,26 +1,27 @@
-//! A part of a mesh: triangles of one material, checked, on vertices that they use.
+//! A part of a mesh: checked triangles of one material with the vertices that they use.
 
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
 use bodies::names_a_wheel;
 use glam::DVec3;
 use std::rc::Rc;
 
-/// 16 million triangles take 2 GiB in the stages; the most detailed vehicle at hand has 79 200.
+/// Largest number of triangles: 16 million take 2 GiB in the stages; the most detailed vehicle available has
+/// 79 200.
 const TRIANGLE_LIMIT: usize = 1 << 24;
 
-/// Positions and normals of so many triangles that share none; a small file can say many accessors over the
-/// same bytes.
+/// Largest number of positions and normals: those of as many triangles that share none; a small file can
+/// declare many accessors over the same bytes.
 const VECTOR_LIMIT: usize = 6 * TRIANGLE_LIMIT;
 
-/// Corners that a file may list before they are read.
+/// Largest number of corners that a file may list before they are read.
 pub(crate) const CORNER_LIMIT: u64 = 3 * TRIANGLE_LIMIT as u64;
 
-/// Whether so many positions and normals may be held.
+/// Checks that so many positions and normals may be held.
 pub(crate) fn check_vectors(vectors: usize) -> Result<(), MeshFault> {
     if vectors <= VECTOR_LIMIT { Ok(()) } else { Err(MeshFault::TooManyVectors { limit: VECTOR_LIMIT }) }
 }
 
-/// Whether so many triangles may be read. To be asked while parts are gathered too: a small glTF can show one
+/// Checks that so many triangles may be read. Also called while parts are gathered: a small glTF can show one
 /// mesh through many nodes.
 pub(crate) fn check_count(triangles: usize) -> Result<(), Located> {
     if triangles <= TRIANGLE_LIMIT { Ok(()) } else { Err(too_many_triangles()) }
@@ -33,18 +34,18 @@ pub(crate) fn too_many_triangles() -> Located {
 /// Triangles of one material in body axes and units of the file.
 pub(crate) struct Part {
     pub vertices: Vec<DVec3>,
-    /// Normals, as many as vertices, of any length; `None` where the file stores none.
+    /// Normals, one per vertex, of any length; `None` if the file stores none.
     pub normals: Option<Vec<DVec3>>,
     pub triangles: Vec<[u32; 3]>,
     /// Name of the material, shared by the parts that have it.
     pub material: Rc<str>,
-    /// Whether a name tells that this is of a road wheel.
+    /// Whether a name indicates a road wheel.
     pub is_of_wheel: bool,
 }
 
 impl Part {
-    /// The part with the vertices that `triangles` use, in their order; everything finite, every index in
-    /// range. The material's name alone tells of a wheel so far.
+    /// Makes a part from the vertices that `triangles` use, in their order; everything finite, every index in
+    /// range. A wheel is recognized only by the material's name at this point.
     pub(crate) fn new(
         place: MeshPlace,
         vertices: &[DVec3],
@@ -65,8 +66,8 @@ impl Part {
         })
     }
 
-    /// The same triangles with three vertices each, their normals those of the facets (glTF 2.0, 3.7.2.1:
-    /// where normals are not given, flat ones are meant); a triangle without area gets none.
+    /// The same triangles with three vertices each and the facets' normals (glTF 2.0, 3.7.2.1: flat normals
+    /// if none are given); a triangle without area gets none.
     pub(crate) fn with_flat_normals(self) -> Self {
         let corners: Vec<[DVec3; 3]> =
             self.triangles.iter().map(|corners| corners.map(|i| self.vertices[i as usize])).collect();

@@ -1,15 +1,15 @@
-//! Triangles of a polygon.
+//! Triangulation of a polygon.
 
 use glam::{DVec2, DVec3};
 
-/// The corners of a polygon's triangles, wound as it is: by cutting ears, so that a polygon with dents keeps
-/// its area. The comparisons of places that it takes are added to `comparisons`.
+/// The corners of a polygon's triangles, with its winding, by ear cutting, so that a concave polygon keeps
+/// its area. The number of comparisons of places is added to `comparisons`.
 pub(crate) fn triangulate(points: &[DVec3], comparisons: &mut u64) -> Vec<[usize; 3]> {
     let flat = projected(points);
     let mut left: Vec<usize> = (0..points.len()).collect();
     let mut triangles = Vec::with_capacity(points.len().saturating_sub(2));
     while left.len() > 3 {
-        // A polygon that crosses itself may have no ear: then any corner will do, and none is lost.
+        // A self-intersecting polygon may have no ear: then any corner is cut, and none is lost.
         let ear = (0..left.len()).find(|&i| is_ear(&flat, &left, i, comparisons)).unwrap_or(1);
         triangles.push(corners_at(&left, ear));
         left.remove(ear);
@@ -20,7 +20,7 @@ pub(crate) fn triangulate(points: &[DVec3], comparisons: &mut u64) -> Vec<[usize
     triangles
 }
 
-/// Projection onto the coordinate plane that the polygon covers most of, wound counter-clockwise there.
+/// Projection onto the coordinate plane with the polygon's largest area, wound counter-clockwise there.
 fn projected(points: &[DVec3]) -> Vec<DVec2> {
     let origin = points.first().copied().unwrap_or_default();
     let area =

@@ -1,5 +1,5 @@
-//! Stereolithography (3D Systems, 1989): binary and text, in metres and body axes. The facet normals it
-//! stores repeat the winding and are left out.
+//! Stereolithography (3D Systems, 1989): binary and text, in metres and body axes. The stored facet normals
+//! repeat the winding and are ignored.
 
 use crate::mesh::error::{Located, MeshFault, MeshPlace};
 use crate::mesh::obj::three_numbers;
@@ -13,7 +13,7 @@ const FACET_BYTES: usize = 50;
 
 pub(crate) fn read_stl(bytes: &[u8]) -> Result<Vec<Part>, Located> {
     let corners = if is_text(bytes) { read_text(bytes)? } else { read_binary(bytes)? };
-    // Facets first: a vertex that is not finite is named by its facet.
+    // Facets first: a vertex that is not finite is reported by its facet.
     if let Some(i) = corners.iter().position(|corner| !corner.is_finite()) {
         return Err(MeshPlace::Facet(i as u64 / 3 + 1).fault(MeshFault::Vertex(i % 3)));
     }
@@ -21,7 +21,7 @@ pub(crate) fn read_stl(bytes: &[u8]) -> Result<Vec<Part>, Located> {
     Ok(vec![Part::new(MeshPlace::File, &corners, None, triangles, Rc::default())?])
 }
 
-/// Binary files may begin with `solid` too; their length tells.
+/// Whether the file is text: binary files may begin with `solid` too, and differ by their length.
 fn is_text(bytes: &[u8]) -> bool {
     let begins = |word: &[u8]| word.eq_ignore_ascii_case(b"solid");
     bytes.trim_ascii_start().get(..5).is_some_and(begins) && bytes.len() as u64 != binary_bytes(bytes)

@@ -1,5 +1,5 @@
-//! Models of bodies: files and the project's own vehicles and street furniture, each read once however many
-//! targets share it.
+//! Models of bodies: files and the project's own vehicles and street furniture, each read once for all
+//! targets that share it.
 
 use crate::document::errors::Rule;
 use crate::document::keys::bodies::{DIAMETER, HEIGHT, LENGTH, MODEL, UNIT_SCALE, VEHICLE_SEED};
@@ -16,14 +16,14 @@ use bodies::{street, vehicles};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-/// Source of a target's mesh, as its `model` says.
+/// Source of a target's mesh, according to its `model`.
 #[derive(Debug, Clone, PartialEq)]
 enum Model {
     /// One of the project's own vehicles.
     Vehicle { name: &'static str, seed: u64 },
     /// A piece of the project's own street furniture.
     Street(street::Piece),
-    /// A mesh file, with the scale asked for.
+    /// A mesh file, with the requested scale.
     File { path: PathBuf, unit_scale: Option<f64> },
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct Models {
     folder: PathBuf,
     options: ReadOptions,
     beside: Vec<PathBuf>,
-    /// Recorded traffic, which is opened with the models.
+    /// Recorded traffic, a further input file.
     recording: Option<PathBuf>,
     known: Vec<Model>,
     /// Indices into `meshes`, by the debug text of the model.
@@ -54,21 +54,22 @@ pub(crate) struct Models {
     frequency_hz: f64,
 }
 
-/// Triangles of all models of a scene: as many as one file may have, for one body may be all of it.
+/// Largest number of triangles of all models of a scene: the limit of one file, since one body may be the
+/// whole scene.
 const TRIANGLE_LIMIT: usize = 1 << 24;
 
-/// A model as a target holds it.
+/// A model as chosen by a target.
 pub(crate) struct Chosen {
     /// Name of the own vehicle or piece, or of the file without folders.
     pub name: String,
     /// Index into the scene's meshes.
     pub mesh: u32,
-    /// Class, where the model is one of the project's own vehicles.
+    /// Class, if the model is one of the project's own vehicles.
     pub class: Option<Class>,
 }
 
 impl Models {
-    /// `folder` holds the scene: relative paths start there.
+    /// Makes an empty library; `folder` holds the scene: relative paths start there.
     pub(crate) fn new(folder: &Path, options: &ReadOptions) -> Self {
         let (folder, options) = (folder.to_owned(), options.clone());
         Self {
@@ -85,12 +86,12 @@ impl Models {
         }
     }
 
-    /// Sets what names of materials stand for at the radar's frequency, before the first model is chosen.
+    /// Sets the materials by name at the radar's frequency, before the first model is chosen.
     pub(crate) fn dress_in(&mut self, materials: &MaterialMap, frequency_hz: f64) {
         (self.materials, self.frequency_hz) = (materials.clone(), frequency_hz);
     }
 
-    /// The model of a mesh target; what is wrong with it is noted at its key.
+    /// Chooses the model of a mesh target; faults are noted at its key.
     pub(crate) fn choose(&mut self, target: &Section<'_>) -> Option<Chosen> {
         if self.options.model.is_none() {
             target.require(MODEL.name);
@@ -99,7 +100,7 @@ impl Models {
         self.choose_written(target, written.or(self.options.model.is_some().then_some(""))?)
     }
 
-    /// The model of that name, its scale and seed from the section; what is wrong with it is noted there.
+    /// Chooses the model of that name, with scale and seed from the section; faults are noted there.
     pub(crate) fn choose_written(&mut self, target: &Section<'_>, written: &str) -> Option<Chosen> {
         let model = self.named(target, written)?;
         Some(self.chosen(target, model))
@@ -119,7 +120,7 @@ impl Models {
         Chosen { class: vehicles::class_of(&name), name, mesh: mesh as u32 }
     }
 
-    /// A mesh file; sizes are its own.
+    /// A mesh file, in its own size.
     fn named_clutter(&self, clutter: &Section<'_>, written: &str) -> Option<Model> {
         for key in [LENGTH.name, HEIGHT.name, DIAMETER.name].into_iter().filter(|key| clutter.has(key)) {
             clutter.note(key, Rule::Misplaced { key, owner: "a mesh file" });
@@ -133,7 +134,7 @@ impl Models {
         Some(Model::File { path: self.folder.join(written), unit_scale })
     }
 
-    /// The model of a piece of clutter, which no option replaces; what is wrong with it is noted at its key.
+    /// Chooses the model of a piece of clutter, which no option replaces; faults are noted at its key.
     pub(crate) fn choose_clutter(&mut self, clutter: &Section<'_>, written: &str) -> Option<Chosen> {
         let model = if street::NAMES.contains(&written) {
             Model::Street(read_size(clutter, written)?)
@@ -143,7 +144,7 @@ impl Models {
         Some(self.chosen(clutter, model))
     }
 
-    /// The meshes so far; empty where only names were asked for.
+    /// The meshes so far; empty if only names were requested.
     pub(crate) fn meshes(&self) -> &[Mesh] {
         &self.meshes
     }
@@ -153,45 +154,45 @@ impl Models {
         self.options.meshes == Meshes::Whole
     }
 
-    /// The meshes in their materials, handed over once.
+    /// The meshes with their materials, returned once.
     pub(crate) fn take_meshes(&mut self) -> Vec<Mesh> {
         std::mem::take(&mut self.meshes)
     }
 
-    /// The folder at which relative paths of the scene start.
+    /// The folder where relative paths of the scene start.
     pub(crate) fn folder(&self) -> PathBuf {
         self.folder.clone()
     }
 
-    /// A file of which the result depends too.
+    /// Adds files that the result depends on.
     pub(crate) fn depend_on(&mut self, files: impl IntoIterator<Item = PathBuf>) {
         self.beside.extend(files);
     }
 
-    /// A file beside the scene, of which the result depends too.
+    /// Adds a file beside the scene that the result depends on.
     pub(crate) fn file_beside(&mut self, written: &str) -> PathBuf {
         let path = self.folder.join(written);
         self.beside.push(path.clone());
         path
     }
 
-    /// Recorded traffic beside the scene.
+    /// Adds recorded traffic beside the scene.
     pub(crate) fn recording_beside(&mut self, written: &str) -> PathBuf {
         let file = self.file_beside(written);
         self.recording.insert(file).clone()
     }
 
-    /// Materials that the meshes are dressed in.
+    /// Materials of the meshes.
     pub(crate) fn materials(&self) -> &MaterialMap {
         &self.materials
     }
 
-    /// Files of which the result depends beside the scene, its models and its recording.
+    /// Files that the result depends on, beside the scene, its models and its recording.
     pub(crate) fn files_beside(&self) -> impl Iterator<Item = &PathBuf> {
         self.beside.iter().filter(|file| self.recording.as_ref() != Some(*file))
     }
 
-    /// Every file that the models and their materials consist of.
+    /// Every file of the models and their materials.
     pub(crate) fn files(&self) -> Vec<PathBuf> {
         let paths = self.known.iter().filter_map(|model| match model {
             Model::File { path, .. } => Some(path),
@@ -200,7 +201,7 @@ impl Models {
         self.beside.iter().cloned().chain(paths.flat_map(|path| mesh::files(path))).collect()
     }
 
-    /// The model that the options or else the target names, its scale and seed with it.
+    /// The model named by the options or else by the target, with its scale and seed.
     fn named(&self, target: &Section<'_>, written: &str) -> Option<Model> {
         let unit_scale = target.read(&UNIT_SCALE);
         let seed = target.read(&VEHICLE_SEED);
@@ -212,7 +213,7 @@ impl Models {
 
     fn add(&mut self, target: &Section<'_>, model: Model) -> usize {
         let mesh = match self.options.meshes {
-            Meshes::Whole if self.triangles > TRIANGLE_LIMIT => Mesh::default(), // that is noted
+            Meshes::Whole if self.triangles > TRIANGLE_LIMIT => Mesh::default(), // this was noted already
             Meshes::Whole => load(target, &model),
             Meshes::NamesOnly => Mesh { name: model.name(), ..Mesh::default() },
         };
@@ -227,10 +228,10 @@ impl Models {
         self.meshes.len() - 1
     }
 
-    /// The mesh in the scene's materials and those of its asset; what is wrong with these is noted.
+    /// Adds the scene's materials and those of its asset to the mesh; faults of these are noted.
     fn dressed(&self, target: &Section<'_>, model: &Model, mesh: Mesh) -> Mesh {
         let of_asset = match model {
-            // A mesh that was not read has none.
+            // A mesh that was not read has no materials.
             Model::File { path, .. } if !mesh.materials.is_empty() => {
                 asset_materials(path, &mesh.materials, &self.materials, self.frequency_hz)
                     .map_err(|error| target.note(MODEL.name, Rule::OpenMaterial(Box::new(error))))
@@ -243,7 +244,7 @@ impl Models {
     }
 }
 
-/// The model that an option names; its path need not be text.
+/// The model named by an option; its path need not be Unicode.
 fn replacing(target: &Section<'_>, path: &Path) -> Option<Model> {
     match path.to_str() {
         None if mesh::Format::of(path).is_some() => {
@@ -283,14 +284,14 @@ fn named_model(
     }
 }
 
-/// The rule that a word breaks which is neither a file of a known format nor one of the project's vehicles.
+/// The rule broken by a word that is neither a file of a known format nor one of the project's vehicles.
 pub fn unknown_vehicle(written: &str) -> Rule {
     let nearest = nearest(written, &vehicles::names());
     Rule::UnknownModel { found: written.to_owned(), own: "vehicles", nearest }
 }
 
-/// The mesh with its origin on the ground under its middle; an empty one where it was refused, and that is
-/// noted.
+/// Loads a mesh with its origin on the ground under its middle; notes a refused one and returns an empty
+/// mesh.
 fn load(target: &Section<'_>, model: &Model) -> Mesh {
     let mesh = match model {
         Model::Vehicle { name, seed } => {

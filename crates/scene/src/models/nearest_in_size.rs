@@ -1,10 +1,10 @@
-//! The project's own vehicle that is nearest in size to one that another program names by type and size.
+//! The project's own vehicle nearest in size to another program's, given by type and size.
 
 use artifact::settings::Class;
 use bodies::vehicles;
 
-/// Vehicle of one of the classes whose middle length, width and height are nearest, by the root of the sum of
-/// squares; the first of those alike.
+/// Vehicle of one of the classes with the nearest mean length, width and height, by the root of the sum of
+/// squares; the first of equally near ones.
 pub(crate) fn nearest_in_size(classes: &[Class], size_m: [f64; 3]) -> Option<&'static str> {
     let of_classes = |name: &&str| vehicles::class_of(name).is_some_and(|class| classes.contains(&class));
     let apart = |name: &&str| {

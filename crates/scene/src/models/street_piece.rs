@@ -1,4 +1,4 @@
-//! A piece of street furniture in the size that a table gives.
+//! A piece of street furniture in the size given by a table.
 
 use crate::document::errors::Rule;
 use crate::document::keys::bodies::{DIAMETER, HEIGHT, LENGTH, POLE_HEIGHT, SIGN_HEIGHT, UNIT_SCALE};
@@ -7,8 +7,8 @@ use crate::document::keys::kinds::Number;
 use crate::document::section::Section;
 use bodies::street::Piece;
 
-/// The piece of that name in the size that the section gives; `None` for any other name, or where a size is
-/// wrong or missing.
+/// The piece of that name in the size given by the section; `None` for any other name, or if a size is wrong
+/// or missing.
 pub(crate) fn read_size(section: &Section<'_>, name: &str) -> Option<Piece> {
     let (used, owner): (&[&str], _) = match name {
         "pole" => (&[HEIGHT.name, DIAMETER.name], "a pole"),
@@ -33,7 +33,7 @@ pub(crate) fn read_size(section: &Section<'_>, name: &str) -> Option<Piece> {
     }
 }
 
-/// `None` only where what is written is wrong.
+/// Reads a size; `None` only if the value is wrong.
 fn size(section: &Section<'_>, key: &Key<Number, Or<f64>>) -> Option<f64> {
     if section.has(key.name) { section.read(key) } else { Some(key.absent.0) }
 }

@@ -1,4 +1,4 @@
-//! An asset (`.xoma`): which model it is of, and how the model's materials are looked up.
+//! An asset (`.xoma`): its model, and the lookup of the model's materials.
 
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
 use crate::openmaterial::library::parsed;
@@ -7,32 +7,32 @@ use crate::wording::excerpt::excerpt;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-/// Endings of models that the standard allows and that are not read.
+/// Endings of models allowed by the standard that are not read.
 const OTHER_FORMATS: [&str; 5] = ["fbx", "usd", "usda", "usdc", "usdz"];
 
-/// Part of an asset that tells of materials.
+/// Part of an asset that describes materials.
 pub(super) struct Asset {
     /// The mapping that it names, if any.
     pub(super) mapping: Option<PathBuf>,
-    /// Names or colours to be looked for in the mapping, by names of materials of the model.
+    /// Names or colours to look up in the mapping, by the model's material names.
     pub(super) replaced: HashMap<String, String>,
-    /// Names of materials of the model that a texture tells.
+    /// The model's material names that are specified by a texture.
     pub(super) textured: HashSet<String>,
 }
 
 impl Asset {
-    /// What is looked for in the mapping in place of a name of the model.
+    /// Key in the mapping for a name of the model.
     pub(super) fn key_of<'a>(&'a self, name: &'a str) -> &'a str {
         self.replaced.get(name).map_or(name, String::as_str)
     }
 }
 
-/// Whether a file is an asset, by the ending of its name, in either case.
+/// Whether a file is an asset, by the ending of its name in either case.
 pub(crate) fn is_asset(file: &Path) -> bool {
     file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("xoma"))
 }
 
-/// The model of an asset, which has the asset's name and lies beside it (OpenMATERIAL 3D, 7.2.3.1).
+/// The model of an asset, a file with the asset's name beside it (OpenMATERIAL 3D, 7.2.3.1).
 pub(crate) fn model_of(bytes: &[u8], file: &Path) -> Result<PathBuf, OpenMaterialError> {
     let value = parsed(file, bytes)?;
     let root = Node::root(file, &value);
@@ -40,7 +40,7 @@ pub(crate) fn model_of(bytes: &[u8], file: &Path) -> Result<PathBuf, OpenMateria
     model_beside(file).map_err(|fault| root.error(fault))
 }
 
-/// The one model beside a file, by its name.
+/// The only model beside a file, by its name.
 fn model_beside(file: &Path) -> Result<PathBuf, OpenMaterialFault> {
     let is_there = |ending: &&str| file.with_extension(ending).exists();
     let name = || file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -55,7 +55,7 @@ fn model_beside(file: &Path) -> Result<PathBuf, OpenMaterialFault> {
     }
 }
 
-/// What an asset tells of materials.
+/// Reads the part of an asset that describes materials.
 pub(super) fn read(root: &Node<'_>) -> Result<Asset, OpenMaterialError> {
     if let Some(others) = root.find("externalAssetReferences")?
         && others.list()?.len() > 0
@@ -68,7 +68,7 @@ pub(super) fn read(root: &Node<'_>) -> Result<Asset, OpenMaterialError> {
     Ok(Asset { mapping, replaced, textured })
 }
 
-/// A list of pairs of texts, the first of which are names of materials.
+/// Reads a list of pairs of texts, each beginning with a material name.
 fn pairs(root: &Node<'_>, key: &str) -> Result<HashMap<String, String>, OpenMaterialError> {
     let mut known = HashMap::new();
     for pair in root.find(key)?.map(|list| list.list()).transpose()?.into_iter().flatten() {

@@ -11,14 +11,14 @@ use std::path::PathBuf;
 pub struct OpenMaterialError {
     /// The file.
     pub file: PathBuf,
-    /// Keys and indices, from 0, that lead to the place; empty for the whole file.
+    /// Keys and indices, from 0, of the place; empty for the whole file.
     pub place: String,
     /// Fault at that place.
     pub fault: OpenMaterialFault,
 }
 
 impl OpenMaterialError {
-    /// Whether the machine failed (a file is missing or unreadable), not the content.
+    /// Whether the system failed (a file is missing or unreadable), not the content.
     pub fn is_system(&self) -> bool {
         match &self.fault {
             OpenMaterialFault::Unread(error) => error.is_system(),
@@ -41,33 +41,33 @@ impl std::error::Error for OpenMaterialError {
     }
 }
 
-/// The rules of OpenMATERIAL 3D, broken.
+/// Broken rules of OpenMATERIAL 3D.
 #[derive(Debug, thiserror::Error)]
 pub enum OpenMaterialFault {
-    /// The file cannot be read, or is longer than what is read.
+    /// The file cannot be read, or exceeds the size limit.
     #[error("{0}")]
     Unread(#[source] ReadFault),
-    /// The files of one asset are longer together than what is read.
+    /// The files of one asset together exceed the size limit.
     #[error("the files of its asset have more than {limit} bytes together, the most that are read")]
     TooLongTogether {
-        /// Most bytes that are read.
+        /// Largest number of bytes.
         limit: u64,
     },
-    /// The text is no JSON; the sentence has line and column.
+    /// The text is not JSON; the sentence has line and column.
     #[error("is no JSON: {0}")]
     Json(#[source] serde_json::Error),
-    /// A key without which nothing can be said.
+    /// A required key is missing.
     #[error("key `{0}` is missing")]
     Missing(&'static str),
-    /// A value of another kind.
+    /// A value of the wrong kind.
     #[error("must be {expected}, is {found}")]
     Expected {
-        /// Kind that the standard asks for.
+        /// Kind required by the standard.
         expected: &'static str,
-        /// Kind or beginning of what was found.
+        /// Kind or beginning of the value.
         found: String,
     },
-    /// A number out of its range.
+    /// A number outside its range.
     #[error("{what} must be {allowed}, is {}", WrittenNumber(*.found))]
     OutOfRange {
         /// Quantity and its unit.
@@ -77,13 +77,13 @@ pub enum OpenMaterialFault {
         /// Range of the quantity.
         allowed: Allowed,
     },
-    /// A version of the standard that is not known.
+    /// An unknown version of the standard.
     #[error("is of version `{0}` of OpenMATERIAL 3D; versions 1 are read")]
     Version(String),
-    /// A reference that is no relative path.
+    /// A reference that is not a relative path.
     #[error("`{0}` is no relative path to a file")]
     Malformed(String),
-    /// A reference out of the folder.
+    /// A reference to a place outside the folder.
     #[error(
         "`{0}` leads elsewhere: files in the folder of this one and below it are read alone; no absolute \
          path, no `..`, no `\\`, no `:`"
@@ -94,13 +94,13 @@ pub enum OpenMaterialFault {
     Ending {
         /// Reference as written.
         found: String,
-        /// Ending that the standard asks for.
+        /// Ending required by the standard.
         ending: &'static str,
     },
     /// No model beside the asset.
     #[error("has no model beside it: neither {0}.glb nor {0}.gltf is there")]
     NoModel(String),
-    /// A model of a format that is not read.
+    /// A model in an unsupported format.
     #[error("its model {found} is of a format that is not read: write it as glTF, beside it as {name}.glb")]
     OtherModel {
         /// Name of the file.
@@ -111,10 +111,10 @@ pub enum OpenMaterialFault {
     /// Two models beside the asset.
     #[error("has two models beside it, {0}.glb and {0}.gltf: leave one of them")]
     TwoModels(String),
-    /// An asset of several.
+    /// An asset that consists of several.
     #[error("is put together from other assets, which is not done here: join them in one model")]
     ExternalAssets,
-    /// A material that the mapping does not have.
+    /// A material that is not in the mapping.
     #[error(
         "maps no material `{key}`, which `{name}` of the model{} looks for: map it, or name it in \
          [materials]", and_others(*.others)
@@ -122,18 +122,18 @@ pub enum OpenMaterialFault {
     Unmapped {
         /// Name of the material in the model.
         name: String,
-        /// Name or colour that is looked for in the mapping.
+        /// Name or colour to look up in the mapping.
         key: String,
-        /// Number of further materials of the model that are not mapped.
+        /// Number of further unmapped materials of the model.
         others: usize,
     },
-    /// A material by the colours of a picture.
+    /// A material specified by the colours of a picture.
     #[error("material `{0}` is told by the colours of a texture, which are not read: name it in [materials]")]
     Textured(String),
-    /// A name that is said twice.
+    /// A duplicate name.
     #[error("`{0}` is there twice")]
     Twice(String),
-    /// A material without a table of what it is to radio waves.
+    /// A material without a table of its radio properties.
     #[error("names no electromagnetic properties (`electromagneticPropertiesUri`): name it in [materials]")]
     NoProperties,
     /// A table without a permittivity.
@@ -142,7 +142,7 @@ pub enum OpenMaterialFault {
     /// Rows with and without a wavelength.
     #[error("some rows have a wavelength and others have none")]
     MixedWavelengths,
-    /// A table of other frequencies.
+    /// A table for other frequencies.
     #[error(
         "knows {} to {} GHz, and {} GHz are asked for, which is {percent} % beyond or more: name it in \
          [materials]", ghz(*.low_hz), ghz(*.high_hz), ghz(*.asked_hz)
@@ -154,10 +154,10 @@ pub enum OpenMaterialFault {
         high_hz: f64,
         /// Frequency of the radar.
         asked_hz: f64,
-        /// Part of a frequency by which a table may miss it, in per cent.
+        /// Part of a frequency by which it may be outside a table, in per cent.
         percent: f64,
     },
-    /// A dielectric that is magnetic.
+    /// A magnetic dielectric.
     #[error("has a relative permeability of {} − {}j, and that of dielectrics is taken to be 1", WrittenNumber(.0[0]), WrittenNumber(.0[1]))]
     Magnetic([f64; 2]),
 }

@@ -1,4 +1,4 @@
-//! The files that were read, whole and bounded, each of them of a version that is known.
+//! The files that were read, each whole, of limited size and of a known version.
 
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
 use crate::openmaterial::node::Node;
@@ -7,30 +7,30 @@ use artifact::bounded::{self, ReadFault};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// Bytes of a file: a table of a thousand frequencies in fifty conditions.
+/// Largest file in bytes: a table of a thousand frequencies in fifty conditions.
 const FILE_LIMIT_BYTES: u64 = 4 << 20;
 
-/// Bytes of all files that the materials of one asset are read from.
+/// Largest total of the files of one asset's materials, bytes.
 const TOTAL_LIMIT_BYTES: u64 = 64 << 20;
 
-/// The files that the materials of one asset, or one material, are read from.
+/// The files read for the materials of one asset, or for one material.
 pub(crate) struct Library {
     files: Vec<PathBuf>,
     left: u64,
 }
 
 impl Library {
-    /// One that has read nothing.
+    /// Makes an empty library.
     pub(crate) fn new() -> Self {
         Self { files: vec![], left: TOTAL_LIMIT_BYTES }
     }
 
-    /// All files that were opened, in their order.
+    /// All opened files, in order.
     pub(crate) fn into_files(self) -> Vec<PathBuf> {
         self.files
     }
 
-    /// All that a file says.
+    /// Reads and parses a file.
     pub(super) fn read(&mut self, file: &Path) -> Result<Value, OpenMaterialError> {
         self.files.push(file.to_owned());
         let error = |fault| OpenMaterialError { file: file.to_owned(), place: String::new(), fault };
@@ -45,7 +45,7 @@ impl Library {
     }
 }
 
-/// All that the bytes of a file say.
+/// Parses the bytes of a file.
 pub(super) fn parsed(file: &Path, bytes: &[u8]) -> Result<Value, OpenMaterialError> {
     let root = OpenMaterialError { file: file.to_owned(), place: String::new(), fault: too_long() };
     if bytes.len() as u64 > FILE_LIMIT_BYTES {

@@ -1,4 +1,4 @@
-//! A mapping (`.xomm`): files of materials by the names and colours that models have for them.
+//! A mapping (`.xomm`) from models' names and colours of materials to files of materials.
 
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
 use crate::openmaterial::library::Library;
@@ -7,7 +7,7 @@ use crate::wording::excerpt::excerpt;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Files of materials by name.
+/// Reads the files of materials by name.
 pub(super) fn read(
     file: &Path,
     library: &mut Library,

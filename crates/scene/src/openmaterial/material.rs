@@ -1,4 +1,4 @@
-//! A material (`.xomp`) as the radar sees it.
+//! Radio properties of a material (`.xomp`).
 
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
 use crate::openmaterial::library::Library;
@@ -14,21 +14,21 @@ use std::path::{Path, PathBuf};
 pub(crate) struct KnownMaterial {
     /// Relative permittivity ε′ − jε″; `None` is a conductor.
     pub(crate) permittivity: Option<Complex64>,
-    /// Root mean square of the surface's height, where the file has it.
+    /// Root mean square of the surface's height, if specified by the file.
     pub(crate) rms_height_m: Option<f64>,
 }
 
-/// Heights from a mirror to a boulder.
+/// RMS heights, from a mirror to a boulder.
 const HEIGHTS_M: Allowed = Allowed::Between(0.0, 1e3);
 
 impl KnownMaterial {
-    /// A body that is filled with it.
+    /// A body filled with the material.
     pub(crate) fn filled(self) -> Material {
         self.permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity })
     }
 }
 
-/// The material in a file at a frequency.
+/// Reads the material in a file at a frequency.
 pub(crate) fn material_at(
     file: &Path,
     frequency_hz: f64,
@@ -41,7 +41,7 @@ pub(crate) fn material_at(
     Ok(KnownMaterial { permittivity, rms_height_m })
 }
 
-/// The table of electromagnetic properties that a material names.
+/// The table of electromagnetic properties of a material.
 pub(super) fn table_of(file: &Path, library: &mut Library) -> Result<PathBuf, OpenMaterialError> {
     let value = library.read(file)?;
     named_table(&Node::root(file, &value).need("materialProperties")?)

@@ -1,4 +1,4 @@
-//! A value of a JSON file that knows its place.
+//! A value of a JSON file with its place.
 
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
 use crate::wording::excerpt::excerpt;
@@ -6,7 +6,7 @@ use crate::wording::reference::{ReferenceFault, file_of};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// A value, and where it stands.
+/// A value with its place.
 #[derive(Clone)]
 pub(super) struct Node<'d> {
     file: &'d Path,
@@ -15,7 +15,7 @@ pub(super) struct Node<'d> {
 }
 
 impl<'d> Node<'d> {
-    /// All that a file says.
+    /// The root of a file.
     pub(super) fn root(file: &'d Path, value: &'d Value) -> Self {
         Self { file, place: String::new(), value }
     }
@@ -25,7 +25,7 @@ impl<'d> Node<'d> {
         OpenMaterialError { file: self.file.to_owned(), place: self.place.clone(), fault }
     }
 
-    /// The value under a key; `None` where it is not there, or is `null`.
+    /// The value under a key; `None` if it is missing or `null`.
     pub(super) fn find(&self, key: &str) -> Result<Option<Node<'d>>, OpenMaterialError> {
         let Some(object) = self.value.as_object() else { return Err(self.expected("an object")) };
         let place = if self.place.is_empty() { key.to_owned() } else { format!("{}.{key}", self.place) };
@@ -33,7 +33,7 @@ impl<'d> Node<'d> {
         Ok(value.map(|value| Node { file: self.file, place, value }))
     }
 
-    /// The value under a key that has to be there.
+    /// The value under a required key.
     pub(super) fn need(&self, key: &'static str) -> Result<Node<'d>, OpenMaterialError> {
         self.find(key)?.ok_or_else(|| self.error(OpenMaterialFault::Missing(key)))
     }
@@ -48,7 +48,7 @@ impl<'d> Node<'d> {
         Ok(list.iter().enumerate().map(at))
     }
 
-    /// The values of a list of that length.
+    /// The values of a list of length `N`.
     pub(super) fn tuple<const N: usize>(
         &self,
         expected: &'static str,
@@ -65,12 +65,12 @@ impl<'d> Node<'d> {
         self.value.as_f64().ok_or_else(|| self.expected("a number"))
     }
 
-    /// A number; `None` where the file says `null`.
+    /// A number; `None` for `null`.
     pub(super) fn number_or_null(&self) -> Result<Option<f64>, OpenMaterialError> {
         if self.value.is_null() { Ok(None) } else { self.number().map(Some) }
     }
 
-    /// The file that the text names, of that ending.
+    /// The file that the text names, with the given ending.
     pub(super) fn reference(&self, ending: &'static str) -> Result<PathBuf, OpenMaterialError> {
         let found = self.text()?;
         let said = || excerpt(found);
@@ -90,7 +90,7 @@ impl<'d> Node<'d> {
     }
 }
 
-/// Kind of a value, as a sentence says it.
+/// Kind of a value, for a sentence.
 fn kind(value: &Value) -> String {
     match value {
         Value::Null => "null".to_owned(),

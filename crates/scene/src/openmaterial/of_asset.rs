@@ -1,4 +1,4 @@
-//! What an asset says of the materials of its model.
+//! Materials of an asset's model.
 
 use crate::openmaterial::asset::{self, Asset};
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
@@ -11,13 +11,12 @@ use artifact::material::{Material, MaterialMap};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-/// The materials of a mesh file whose materials have these names: those of the map, and beside them, where
-/// the file is an asset, what its mapping says at that frequency of the names that the map leaves out.
-/// Meshes of other formats, parts without a material, and assets without a mapping say nothing.
+/// The materials of a mesh file with the given material names: those of the map and, if the file is an asset,
+/// those of its mapping at the given frequency for names that are not in the map. Meshes of other formats,
+/// parts without a material, and assets without a mapping add nothing.
 ///
 /// # Errors
-/// Names the file, the place in it and the broken rule; `is_system` tells a file that is missing or
-/// unreadable.
+/// Names the file, the place in it and the broken rule; `is_system` indicates a missing or unreadable file.
 pub fn asset_materials(
     mesh_file: &Path,
     names: &[String],
@@ -43,7 +42,7 @@ pub fn asset_materials(
     Ok(all)
 }
 
-/// The file of each name's material; none where the asset has no mapping.
+/// The file of each name's material; none if the asset has no mapping.
 fn mapped<'n>(
     file: &Path,
     names: &[&'n String],
@@ -67,7 +66,7 @@ fn mapped<'n>(
     }
 }
 
-/// The first name that a mapping does not have, and how many there are besides.
+/// The first name that is not in a mapping, and the number of others.
 fn unmapped(
     asset: &Asset,
     names: &[&String],
@@ -79,8 +78,8 @@ fn unmapped(
     Some(OpenMaterialFault::Unmapped { name, key, others: missing.count() })
 }
 
-/// The files in which the materials of an asset are told, as far as they can be read; of a mapping all that
-/// are there, whether the model has need of them or not.
+/// The files of an asset's materials, as far as they can be read; all files of a mapping, whether the model
+/// needs them or not.
 pub(crate) fn files_of_asset(file: &Path) -> Vec<PathBuf> {
     let mut library = Library::new();
     let mapping =

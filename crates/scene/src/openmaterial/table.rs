@@ -1,5 +1,5 @@
 //! A table of electromagnetic properties (`_emp.xompt`): permittivity and permeability over wavelength,
-//! temperature and humidity, looked up at one frequency.
+//! temperature and humidity, evaluated at one frequency.
 
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
 use crate::openmaterial::library::Library;
@@ -9,46 +9,46 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::Complex64;
 use std::path::Path;
 
-/// Of several temperatures the nearest to 20 °C is taken, as the project's own table of substances is.
+/// Preferred temperature: the nearest to 20 °C is used, as in the project's own table of substances.
 const TEMPERATURE_K: f64 = 293.15;
-/// Of several humidities the nearest to a half is taken.
+/// Preferred humidity: the nearest to a half is used.
 const HUMIDITY_PERCENT: f64 = 50.0;
 
-/// Beyond the ends of a table its last value holds so far, in parts of the frequency: a relaxation, the
-/// steepest that a dielectric can have, changes ε″ by no more than the frequency, and literature's values are
-/// known to ±10 %.
+/// Distance beyond the ends of a table, in parts of the frequency, up to which its last value holds: with a
+/// relaxation, the steepest dispersion of a dielectric, ε″ changes by no more than the frequency, and
+/// literature's values are known to ±10 %.
 const BEYOND: f64 = 0.1;
 
-/// A value that is not 1 within a hundredth is that of a magnetic substance.
+/// Difference of the permeability from 1 above which a substance counts as magnetic.
 const MAGNETIC: f64 = 0.01;
 
-/// From this conductivity on a substance is a conductor: of a wave that it meets upright it takes 0.03 dB.
+/// Conductivity from which on a substance counts as a conductor: it absorbs 0.03 dB at normal incidence.
 const METAL_S_PER_M: f64 = 1e6;
 
 const VACUUM_F_PER_M: f64 = 8.854_187_812_8e-12;
 
-/// Ranges of a row's values, as the standard has them but for the wavelength, which it ends at 17 mm.
+/// Ranges of a row's values, as in the standard except for the wavelength, which it ends at 17 mm.
 const WAVELENGTHS_M: Allowed = Between(1e-9, 1e5);
 const TEMPERATURES_K: Allowed = Between(0.0, 1e5);
 const HUMIDITIES_PERCENT: Allowed = Between(0.0, 100.0);
 const ANY: Allowed = Between(-1e30, 1e30);
 const LOSSES: Allowed = Between(0.0, 1e30);
 
-/// Ranges of a dielectric, as those of `permittivity` in a scene.
+/// Ranges of a dielectric, as for `permittivity` in a scene.
 const DIELECTRIC: Allowed = Between(1.0, 1e6);
 
 /// A row with a permittivity.
 #[derive(Clone, Copy)]
 struct Row {
-    /// Frequency; `None` where it holds for all.
+    /// Frequency; `None` if the row holds for all.
     frequency_hz: Option<f64>,
-    /// Differences from the conditions that are asked for.
+    /// Differences from the requested conditions.
     off: [f64; 2],
     permeability: Complex64,
     permittivity: Complex64,
 }
 
-/// The permittivity ε′ − jε″ of a table at a frequency; `None` is a conductor.
+/// Reads the permittivity ε′ − jε″ of a table at a frequency; `None` is a conductor.
 pub(super) fn read(
     file: &Path,
     frequency_hz: f64,
@@ -67,7 +67,7 @@ pub(super) fn read(
     at(&curve, frequency_hz).and_then(|row| radio(&row, frequency_hz)).map_err(|fault| table.error(fault))
 }
 
-/// A row; `None` where it has no permittivity.
+/// Reads a row; `None` if it has no permittivity.
 fn read_row(row: &Node<'_>) -> Result<Option<Row>, OpenMaterialError> {
     let cells =
         row.tuple::<7>("a list of seven numbers: wavelength, temperature, humidity, μ′, μ″, ε′, ε″")?;
@@ -97,8 +97,8 @@ fn within(cell: &Node<'_>, what: &'static str, allowed: Allowed) -> Result<Optio
     }
 }
 
-/// The rows nearest to the conditions that are asked for, one for each frequency, which rise; of rows alike
-/// the first. One row that has no frequency stands for all.
+/// The rows nearest to the requested conditions, one per frequency, ascending; the first of equally near
+/// rows. A single row without a frequency represents all.
 fn curve(mut rows: Vec<Row>) -> Result<Vec<Row>, OpenMaterialFault> {
     let without = rows.iter().filter(|row| row.frequency_hz.is_none()).count();
     if without != 0 && without != rows.len() {
@@ -116,8 +116,7 @@ fn curve(mut rows: Vec<Row>) -> Result<Vec<Row>, OpenMaterialFault> {
     Ok(rows)
 }
 
-/// The curve at a frequency: on the straight line over frequency between its neighbours, and a little beyond
-/// the ends as at the ends.
+/// The curve at a frequency: interpolated linearly over frequency, and constant a little beyond the ends.
 fn at(curve: &[Row], frequency_hz: f64) -> Result<Row, OpenMaterialFault> {
     let known = |row: &Row| row.frequency_hz.unwrap_or(frequency_hz);
     let above = curve.partition_point(|row| known(row) < frequency_hz);
@@ -148,7 +147,7 @@ fn between(low: &Row, high: &Row, frequency_hz: f64) -> Row {
     }
 }
 
-/// What the radar sees of it: a conductor by its conductivity σ = 2πf·ε₀·ε″, else a dielectric.
+/// Radio properties of a row: a conductor by its conductivity σ = 2πf·ε₀·ε″, else a dielectric.
 fn radio(row: &Row, frequency_hz: f64) -> Result<Option<Complex64>, OpenMaterialFault> {
     let Row { permeability, permittivity, .. } = *row;
     let loss = -permittivity.im;

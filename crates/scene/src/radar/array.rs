@@ -1,4 +1,4 @@
-//! `[radar.array]`: antenna elements, from half wavelengths along the boresight's right and up to world
+//! `[radar.array]`: antenna elements, converted from half wavelengths right and up of the boresight to world
 //! metres.
 
 use crate::document::errors::Rule;
@@ -11,8 +11,7 @@ use crate::models::library::Models;
 use artifact::radar::{Array, Pattern, PatternTable};
 use radar::aperture::Elements;
 
-/// The array of a scene, 3x4 where it says nothing, not yet mounted anywhere: its elements have no world
-/// positions.
+/// Reads the array of a scene, 3x4 by default, not yet mounted: its elements have no world positions.
 pub(crate) fn read_array(section: &Section<'_>, models: &mut Models) -> Array {
     let [tx_half_wavelengths, rx_half_wavelengths] = read_elements(section);
     Array {

@@ -1,4 +1,4 @@
-//! Imperfections of the radar and what disturbs it: errors of its elements in `[radar.array]`, converter and
+//! Imperfections and interference of the radar: errors of its elements in `[radar.array]`, converter and
 //! oscillator in `[radar.receiver]`, and other radars, `[[radar.interferer]]`.
 
 use crate::document::errors::Rule;
@@ -16,8 +16,8 @@ use artifact::radar::{
 use artifact::units::watts_from_dbm;
 use glam::DVec3;
 
-/// Errors of the elements of a mounted radar, its converter, oscillator and neighbours; ideal where the scene
-/// says nothing.
+/// Reads the errors of a mounted radar's elements, its converter, oscillator and interferers; the default is
+/// ideal.
 pub(crate) fn read_hardware(
     radar: &Section<'_>,
     receiver: &Section<'_>,
@@ -39,7 +39,7 @@ pub(crate) fn read_hardware(
     }
 }
 
-/// Reads as many errors as there are elements, or none where no key is there.
+/// Reads as many errors as there are elements, or none without any of the keys.
 fn read_elements(section: &Section<'_>, keys: [Key<PerElement>; 3], count: usize) -> Vec<ElementError> {
     let [gains_db, phases_deg, delays_ps] =
         keys.map(|key| section.of_elements(&key, count).unwrap_or(vec![0.0; count]));
@@ -85,10 +85,10 @@ fn read_phase_noise(section: &Section<'_>, radar: &Radar) -> Vec<PhaseNoise> {
     told.into_iter().map(|[offset_hz, dbc_per_hz]| PhaseNoise { offset_hz, dbc_per_hz }).collect()
 }
 
-/// Nearer than this another radar's wave is no far field.
+/// Least distance of another radar, m: nearer, its wave is not in the far field.
 const NEAREST_M: f64 = 1.0;
 
-/// Another radar; its waveform is by default like ours.
+/// Reads another radar; its waveform is by default like ours.
 fn read_interferer(section: &Section<'_>, radar_m: [f64; 3]) -> Interferer {
     for key in [POSITION.name, EIRP.name] {
         section.require(key);

@@ -1,5 +1,5 @@
-//! `[[radars]]`: several radars in one scene. Each inherits what `[radar]` says and says what is otherwise
-//! with it; a scene is read as one of them has it.
+//! `[[radars]]`: several radars in one scene. Each inherits from `[radar]` and specifies its differences; a
+//! scene is read for one of them.
 
 use crate::document::errors::{Rule, SceneErrors};
 use crate::document::faults::Faults;
@@ -13,19 +13,19 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Names of the radars of the scene in `path`, in its order; none where it has the one of `[radar]` alone.
-/// What is wrong with them [`read`](crate::read()) tells.
+/// Names of the radars of the scene in `path`, in order; none if there is only `[radar]`.
+/// [`read`](crate::read()) reports their faults.
 ///
 /// # Errors
-/// The file cannot be read, or is no text.
+/// The file cannot be read, or is not text.
 pub fn radars(path: &Path) -> Result<Vec<String>, SceneErrors> {
     let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
     let document = Faults::new(path, &text).document();
     Ok(entries(&document).filter_map(|(_, entry)| id_of(entry)).map(str::to_owned).collect())
 }
 
-/// The document as one of its radars has it: `[radar]` with what the entry of that `id` says in its place,
-/// table by table. Without such an entry it is the document as it stands.
+/// The document for one of its radars: `[radar]` overridden, table by table, by the entry with that `id`;
+/// unchanged without such an entry.
 pub(crate) fn through<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) -> Cow<'a, DeTable<'d>> {
     let Some((value, entry)) = entries(document).find(|(_, entry)| id.is_some() && id_of(entry) == id) else {
         return Cow::Borrowed(document);
@@ -41,8 +41,8 @@ pub(crate) fn through<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) -> Co
     Cow::Owned(merged)
 }
 
-/// The scene's name, followed by that of the radar that was asked for. Noted are radars without a name or
-/// with another's, one that is missing, and that none was asked for where there are several.
+/// The scene's name, followed by that of the selected radar. Notes radars without a name or with a duplicate
+/// one, a selected one that does not exist, and a missing selection among several.
 pub(crate) fn read_name(root: &Section<'_>, asked: Option<&str>) -> String {
     root.require(NAME.name);
     let name = root.read(&NAME).unwrap_or_default();
@@ -69,7 +69,7 @@ fn id_of<'a>(entry: &'a DeTable<'_>) -> Option<&'a str> {
     entry.get(ID.name)?.get_ref().as_str()
 }
 
-/// Tables are merged, everything else is replaced.
+/// Merges tables; all other values are replaced.
 fn merge<'d>(into: &mut DeTable<'d>, from: DeTable<'d>) {
     for (key, value) in from {
         let known = into.get_mut(&key).map(Spanned::get_mut);

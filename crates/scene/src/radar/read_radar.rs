@@ -1,4 +1,4 @@
-//! `[radar]`: where the radar stands, what it sends, and its link. Its antenna array is in `array.rs`.
+//! `[radar]`: position, waveform and link of the radar. Its antenna array is in `array.rs`.
 
 use crate::document::errors::Rule;
 use crate::document::keys::array::{ARRAY, TX};
@@ -19,7 +19,7 @@ use artifact::units::watts_from_dbm;
 use radar::aperture::mounted;
 use radar::lattice::check_directions;
 
-/// The radar of a scene, defaults where it says nothing.
+/// Reads the radar of a scene, with defaults for omitted keys.
 pub(crate) fn read_radar(section: &Section<'_>, models: &mut Models) -> Radar {
     let waveform_section = section.section(&WAVEFORM);
     let receiver = section.section(&RECEIVER);
@@ -65,7 +65,7 @@ fn check_cube(section: &Section<'_>, radar: &Radar) {
     }
 }
 
-/// Frames and the time from one to the next; a single frame may last longer than that.
+/// Number of frames and their interval; a single frame may last longer than the interval.
 pub(crate) fn read_frames(root: &Section<'_>, radar: &Radar) -> (u32, f64) {
     let frames = root.or_default(&FRAMES) as u32;
     let interval_s = root.or_default(&FRAME_INTERVAL);

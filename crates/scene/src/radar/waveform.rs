@@ -1,4 +1,4 @@
-//! `[radar.waveform]`: the chirps, and when they are sent.
+//! `[radar.waveform]`: the chirps and their times.
 
 use crate::document::errors::Rule;
 use crate::document::keys::waveform::{
@@ -8,10 +8,10 @@ use crate::document::section::Section;
 use crate::wording::allowed::Allowed;
 use artifact::radar::{Sampling, Schedule, Waveform};
 
-/// A sweep of any radar ends within; beyond it wavelengths are those of heat.
+/// Frequencies at which any radar's sweep ends; beyond them lies thermal radiation.
 const SWEEP_ENDS_GHZ: Allowed = Allowed::Between(0.1, 2000.0);
 
-/// The chirps of a frame, and when each begins.
+/// Reads the chirps of a frame and their start times.
 pub(crate) fn read_waveform(section: &Section<'_>, sampling: Sampling) -> (Waveform, Schedule) {
     let start_ghz = section.or_default(&START_FREQUENCY);
     let slope_mhz_per_us = section.or_default(&SLOPE);
@@ -41,7 +41,7 @@ pub(crate) fn read_waveform(section: &Section<'_>, sampling: Sampling) -> (Wavef
     (waveform, Schedule { sub_frame_intervals_s, stagger_s })
 }
 
-/// Idle time of each sub-frame, µs; empty where the frame has no parts.
+/// Idle time of each sub-frame, µs; empty for a frame without sub-frames.
 fn read_sub_frames(section: &Section<'_>) -> Vec<f64> {
     let key = SUB_FRAME_IDLE.name;
     if section.has(key) && section.has(IDLE.name) {
@@ -50,8 +50,8 @@ fn read_sub_frames(section: &Section<'_>) -> Vec<f64> {
     section.read(&SUB_FRAME_IDLE).unwrap_or_default()
 }
 
-/// Delay in s of each chirp of a turn against its start at the mean interval, and the length in µs by which
-/// that interval exceeds the one without stagger.
+/// Delay in s of each chirp of a period relative to its start at the mean interval, and the time in µs by
+/// which that interval exceeds the one without stagger.
 fn read_stagger(section: &Section<'_>) -> (Vec<f64>, f64) {
     let longer_us = section.read(&STAGGER).unwrap_or_default();
     let mean_us = longer_us.iter().sum::<f64>() / longer_us.len().max(1) as f64;

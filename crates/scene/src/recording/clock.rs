@@ -1,21 +1,21 @@
-//! Times of the frames of a scene with recorded traffic, and whether the recording reaches so far.
+//! Times of the frames of a scene with recorded traffic, checked against the recording.
 
 use crate::recording::fcd::FcdRule;
 
-/// Frames and where they lie in the recording.
+/// Requested frames and their times in the recording.
 #[derive(Clone, Copy)]
 pub(crate) struct Times {
-    /// Number of frames as the scene says it; `None` for as many as there are.
+    /// Number of frames in the scene; `None` for as many as possible.
     pub(crate) frames: Option<u32>,
     /// Interval from one frame to the next.
     pub(crate) interval_s: f64,
     /// Time of the first frame; `None` for the recording's first step.
     pub(crate) begin_s: Option<f64>,
-    /// Time of the last frame at most; `None` for the recording's last step.
+    /// Latest time of the last frame; `None` for the recording's last step.
     pub(crate) end_s: Option<f64>,
 }
 
-/// Moments of frames, one after the other.
+/// Times of frames, one after the other.
 pub(crate) struct Clock {
     times: Times,
     first_s: f64,
@@ -23,10 +23,10 @@ pub(crate) struct Clock {
     next: u32,
 }
 
-/// Most frames that a scene may say.
+/// Largest number of frames in a scene.
 pub(crate) const FRAME_LIMIT: u32 = 1_000_000;
 
-/// SUMO writes milliseconds: what misses a step by less is that step.
+/// Rounding error of times: SUMO writes milliseconds.
 const ROUNDING_S: f64 = 1e-6;
 
 impl Clock {
@@ -44,7 +44,7 @@ impl Clock {
         self.times.frames.map_or(ended, |frames| self.next >= frames)
     }
 
-    /// The next frame's moment where the recording has come so far.
+    /// The next frame's time if the recording reaches it.
     pub(crate) fn frame_until(&mut self, end_s: f64) -> Result<Option<f64>, FcdRule> {
         let time_s = self.at(self.next);
         let is_known = !self.is_done() && time_s >= self.first_s - ROUNDING_S && time_s <= end_s + ROUNDING_S;
@@ -56,7 +56,7 @@ impl Clock {
         Ok(is_known.then_some(time_s))
     }
 
-    /// Whether all frames asked for are there, where they are bounded.
+    /// Whether all requested frames are done, if their number is limited.
     pub(crate) fn is_complete(&self) -> bool {
         self.is_done() && self.next > 0 && self.is_within_end()
     }
@@ -66,8 +66,7 @@ impl Clock {
         both.is_none_or(|(frames, end_s)| self.at(frames - 1) <= end_s + ROUNDING_S)
     }
 
-    /// Refuses a recording that ended before all frames asked for were there, and frames that were to end
-    /// before it begins.
+    /// Refuses a recording that ended before all requested frames, and an `end_s` before its beginning.
     pub(crate) fn checked(&self, last_s: f64) -> Result<(), FcdRule> {
         let first_s = self.first_s;
         if let Some(end_s) = self.times.end_s.filter(|end_s| first_s > end_s + ROUNDING_S) {

@@ -1,21 +1,21 @@
-//! Ways of a whole recording by speeds and by places, which tell coordinates that are no metres.
+//! Distances driven in a whole recording, by speeds and by positions: they reveal coordinates not in metres.
 
 use crate::recording::fcd::FcdRule;
 use crate::recording::interpolation::Interval;
 
-/// Ways of all vehicles so far.
+/// Distances driven by all vehicles so far.
 #[derive(Default)]
 pub(crate) struct Driven {
-    /// Way by the speeds that are told.
+    /// Distance by the recorded speeds.
     told_m: f64,
-    /// Way by their places.
+    /// Distance by the positions.
     way_m: f64,
 }
 
-/// Ways by speeds from which on they say something of places.
+/// Least distance by speeds that allows a check of the positions.
 const TELLING_M: f64 = 20.0;
-/// Least part of it that places show, if they show any: a degree of latitude is 111 km, so that degrees show
-/// 1e-5.
+/// Least ratio of the distance by positions to it, if positions change at all: a degree of latitude is 111
+/// km, so that degrees give 1e-5.
 const LEAST_SHARE: f64 = 1e-3;
 
 impl Driven {
@@ -26,7 +26,7 @@ impl Driven {
         self.way_m += way_m;
     }
 
-    /// Refuses ways that no such speeds make.
+    /// Refuses positions that are inconsistent with the speeds.
     pub(crate) fn checked(&self) -> Result<(), FcdRule> {
         let Self { told_m, way_m } = *self;
         if told_m > TELLING_M && way_m > 0.0 && way_m < LEAST_SHARE * told_m {

@@ -1,10 +1,10 @@
-//! SUMO's floating-car data, step by step: `.xml` as it is or packed by gzip, of any length; one step is held
+//! SUMO's floating-car data, step by step: `.xml`, plain or packed by gzip, of any length; one step is held
 //! at a time.
 //!
 //! Schema: `fcd_file.xsd` of SUMO (<https://sumo.dlr.de/docs/Simulation/Output/FCDOutput.html>):
-//! `<fcd-export>` holds `<timestep time>`, which hold `<vehicle id x y angle type speed …>`. Attributes that
-//! are not read (`pos`, `lane`, `slope`, `acceleration`, signals and more) may be there or not; elements
-//! other than vehicles (`<person>`, `<container>`) are passed over, since no model of ours is meant by them.
+//! `<fcd-export>` holds `<timestep time>`, which hold `<vehicle id x y angle type speed …>`. Other attributes
+//! (`pos`, `lane`, `slope`, `acceleration`, signals and more) are ignored, as are elements other than
+//! vehicles (`<person>`, `<container>`), for which there are no models.
 
 use crate::recording::step_order::{Disorder, StepOrder};
 use crate::recording::xml::{self, Element, XmlFault, XmlText};
@@ -25,7 +25,7 @@ pub struct FcdStep {
 }
 
 impl FcdStep {
-    /// Refuses what breaks the order of steps, with the line that is at fault.
+    /// Refuses a step that breaks the order, with the line at fault.
     pub(crate) fn checked(&self, order: &mut StepOrder) -> Result<(), (u64, FcdRule)> {
         let ids = self.vehicles.iter().map(|vehicle| (vehicle.id.as_str(), vehicle.line));
         order.check(self.time_s, ids).map_err(|disorder| match disorder {
@@ -42,37 +42,37 @@ impl FcdStep {
 pub struct FcdVehicle {
     /// Id, unique among the vehicles of a step.
     pub id: String,
-    /// Type in the recording, its vType: the attribute `type`.
+    /// Type of the vehicle, its vType: the attribute `type`.
     pub kind: String,
-    /// Middle of the front bumper: the attributes `x`, `y` and, where there is one, `z` (else 0).
+    /// Middle of the front bumper: the attributes `x`, `y` and, if present, `z` (else 0).
     pub front_m: [f64; 3],
-    /// Heading clockwise from +y, as a compass: the attribute `angle`.
+    /// Heading clockwise from +y, as on a compass: the attribute `angle`.
     pub angle_deg: f64,
-    /// Velocity as far as it is told: the attribute `speed`.
+    /// Velocity as far as it is recorded: the attribute `speed`.
     pub velocity: ToldVelocity,
     /// Line of the file, from 1.
     pub line: u64,
 }
 
-/// Velocity of a vehicle as a recording tells it.
+/// Recorded velocity of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToldVelocity {
-    /// Speed along the heading, as SUMO tells it.
+    /// Speed along the heading, as in SUMO.
     Ahead {
         /// Speed.
         speed_mps: f64,
     },
-    /// All of it, as OSI tells it.
+    /// The whole vector, as in OSI.
     Whole {
-        /// Along world x, y and z.
+        /// Velocity along world x, y and z.
         velocity_mps: [f64; 3],
     },
-    /// Nothing, which OSI allows.
+    /// No velocity, which OSI allows.
     Nothing,
 }
 
 impl ToldVelocity {
-    /// Speed, 0 where nothing is told.
+    /// Speed, 0 if no velocity is recorded.
     pub fn speed_mps(self) -> f64 {
         match self {
             Self::Ahead { speed_mps } => speed_mps,
@@ -90,7 +90,7 @@ pub struct FcdError {
     pub file: PathBuf,
     /// Place in the recording.
     pub place: RecordingPlace,
-    /// Rule that is broken.
+    /// Broken rule.
     pub rule: Box<FcdRule>,
 }
 
@@ -113,65 +113,65 @@ impl std::fmt::Display for RecordingPlace {
 }
 
 impl FcdError {
-    /// Whether the machine is at fault, not the content of the file.
+    /// Whether the system is at fault, not the content of the file.
     pub fn is_system(&self) -> bool {
         matches!(*self.rule, FcdRule::Text(XmlFault::Unreadable(_)) | FcdRule::Unreadable(_))
     }
 }
 
-/// The rules of a recording, broken.
+/// Broken rules of a recording.
 #[derive(Debug, thiserror::Error)]
 pub enum FcdRule {
-    /// The file cannot be read, or not as XML.
+    /// The file cannot be read, or is not XML.
     #[error("{0}")]
     Text(#[source] XmlFault),
     /// A trace that cannot be read.
     #[error("cannot be read: {0}")]
     Unreadable(#[source] std::io::Error),
-    /// A trace of OSI that breaks a rule of its own, in the words of its reader.
+    /// A trace of OSI that breaks a rule of its own, in its reader's words.
     #[error("{0}")]
     Trace(String),
-    /// A trace of OSI, by a program that was built without its reader.
+    /// A trace of OSI in a program built without its reader.
     #[error(
         "this program was built without the reader of OSI; `cargo install --path crates/wayside --features \
          interchange` in the project's folder builds one with it, `pip install ./crates/wayside-python -C \
          build-args=\"--features interchange\"` the Python package"
     )]
     WithoutInterchange,
-    /// Ways that are no ways of such speeds.
+    /// Positions that are inconsistent with the speeds.
     #[error(
         "its vehicles drive {told_m:.0} m by their speeds and {way_m:.3} m by their places: coordinates in \
          degrees (SUMO's `--fcd-output.geo`) are not read, metres are"
     )]
     NotMetres {
-        /// Ways of all vehicles by the speeds that are told, m.
+        /// Distance driven by all vehicles according to the recorded speeds, m.
         told_m: f64,
-        /// The same by their places.
+        /// Distance driven according to the positions, m.
         way_m: f64,
     },
-    /// XML, but of something else.
+    /// XML of another kind.
     #[error("the first element is <{0}>; floating-car data begin with <fcd-export>")]
     NotFcd(String),
     /// No element at all.
     #[error("there is no XML element in it; floating-car data begin with <fcd-export>")]
     Empty,
-    /// The file has much text of which none is a step.
+    /// The file has much text without a step.
     #[error("more than {0} bytes without a <timestep>")]
     StepTooLong(u64),
-    /// A step has more vehicles than any simulation has at once.
+    /// A step has more vehicles than any simulation.
     #[error("the step has more than {0} vehicles, the most that are read")]
     TooManyVehicles(usize),
-    /// An id or a type that is none.
+    /// An id or a type that is too long for a name.
     #[error("`{attribute}` has more than {limit} bytes: `{found}`")]
     NameTooLong {
         /// Name of the attribute: `id` or `type`.
         attribute: &'static str,
         /// Beginning of the name.
         found: String,
-        /// Most bytes of a name.
+        /// Largest number of bytes.
         limit: usize,
     },
-    /// A recording that goes on for longer than any run.
+    /// A recording with more frames than any run.
     #[error(
         "from {begin_s} s on, every {interval_s} s, it holds more than {limit} frames: say `frames`, `end_s` or a longer `frame_interval_s`"
     )]
@@ -180,7 +180,7 @@ pub enum FcdRule {
         begin_s: f64,
         /// Interval from one frame to the next.
         interval_s: f64,
-        /// Most frames that are made.
+        /// Largest number of frames.
         limit: u32,
     },
     /// More poses of vehicles are in view than memory should hold.
@@ -194,12 +194,12 @@ pub enum FcdRule {
     /// A vehicle outside any step.
     #[error("<vehicle> outside a <timestep>")]
     OutsideStep,
-    /// An attribute that is needed.
+    /// A required attribute is missing.
     #[error("<{element}{}>: attribute `{attribute}` is missing", named(.id))]
     Missing {
         /// Name of the element.
         element: &'static str,
-        /// Id of the vehicle, where it is known.
+        /// Id of the vehicle, if known.
         id: Option<String>,
         /// Name of the attribute.
         attribute: &'static str,
@@ -209,16 +209,16 @@ pub enum FcdRule {
     NotANumber {
         /// Name of the element.
         element: &'static str,
-        /// Id of the vehicle, where it is known.
+        /// Id of the vehicle, if known.
         id: Option<String>,
         /// Name of the attribute.
         attribute: &'static str,
         /// Value as written.
         found: String,
-        /// Values that may stand there.
+        /// Allowed values.
         allowed: &'static str,
     },
-    /// Time that stands still or runs back.
+    /// Time that does not increase.
     #[error("the step's time {found_s} s does not come after {before_s} s")]
     TimeNotGrowing {
         /// Time of this step.
@@ -237,7 +237,7 @@ pub enum FcdRule {
         /// Types that have a model.
         known: Vec<String>,
     },
-    /// A name that no vehicle's type has, and a type with the default model that it is plainly meant for.
+    /// A name without vehicles, and a type with the default model that was probably meant.
     #[error(
         "type `{}` of vehicle `{}` has the default model, and `{name}`, which `models` of [traffic] names, no \
          vehicle has: one of the two is misspelt",
@@ -249,13 +249,13 @@ pub enum FcdRule {
         /// Name in `models`.
         name: String,
     },
-    /// An id that would break a table of results.
+    /// An id with characters that would break a table of results.
     #[error("the id `{0}` holds a comma, a quote or a control character")]
     BadId(String),
-    /// An id that is taken.
+    /// An id that a target already has.
     #[error("vehicle `{0}` has the id of a [[target]] of the scene")]
     IdOfTarget(String),
-    /// The recording does not reach the time asked for.
+    /// The recording does not reach the requested time.
     #[error(
         "the recording runs from {first_s} s to {last_s} s; frames from {begin_s} s to {end_s} s were asked for"
     )]
@@ -269,38 +269,38 @@ pub enum FcdRule {
         /// Time of the last frame.
         end_s: f64,
     },
-    /// Frames that were to end before the recording begins.
+    /// An `end_s` before the recording begins.
     #[error(
         "`end_s` is {end_s} s, before the recording begins: the recording runs from {first_s} s to {last_s} s"
     )]
     EndsBeforeRecording {
-        /// Time of the last frame at most.
+        /// Latest time of the last frame.
         end_s: f64,
         /// Time of the first step.
         first_s: f64,
         /// Time of the last step.
         last_s: f64,
     },
-    /// Frames of which the last is later than they were to end.
+    /// Frames of which the last is later than `end_s`.
     #[error(
         "{frames} frames from {begin_s} s on reach to {found_s:.6} s, beyond `end_s`, {end_s} s: the recording runs from \
          {first_s} s to {last_s} s"
     )]
     FramesBeyondEnd {
-        /// Number of frames asked for.
+        /// Number of requested frames.
         frames: u32,
         /// Time of the first frame.
         begin_s: f64,
         /// Time of the last frame.
         found_s: f64,
-        /// Time of the last frame at most.
+        /// Latest time of the last frame.
         end_s: f64,
         /// Time of the first step.
         first_s: f64,
         /// Time of the last step read.
         last_s: f64,
     },
-    /// Steps, but not one.
+    /// A recording without steps.
     #[error("there is no <timestep> in it")]
     NoSteps,
     /// A trace of OSI without a message.
@@ -312,18 +312,18 @@ fn named(id: &Option<String>) -> String {
     id.as_ref().map_or(String::new(), |id| format!(" id=\"{id}\""))
 }
 
-/// A vType without a model, and the first vehicle that has it.
+/// A vType without a model, with its first vehicle.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownType {
     /// Name of the type as written.
     pub kind: String,
     /// Id of the vehicle.
     pub id: String,
-    /// Line on which it stands.
+    /// Line of the vehicle.
     pub line: u64,
 }
 
-/// The beginning of a sentence.
+/// Beginning of the sentence about unknown types.
 fn unknown_types(found: &[UnknownType]) -> String {
     let named = |t: &UnknownType| format!("type `{}` of vehicle `{}`", t.kind, t.id);
     match found {
@@ -336,13 +336,13 @@ fn unknown_types(found: &[UnknownType]) -> String {
     }
 }
 
-/// A step of the most vehicles takes less, and so does what SUMO writes before the first.
+/// Largest step in bytes: one with the most vehicles takes less, as does SUMO's text before the first.
 const STEP_LIMIT_BYTES: u64 = 1 << 30;
-/// A country's rush hour.
+/// Largest number of vehicles: a country's rush hour.
 const VEHICLE_LIMIT: usize = 1 << 19;
 const NAME_LIMIT_BYTES: usize = 256;
 
-/// Steps of a recording, in order; [`FcdReader::next_step`] hands out one after the other.
+/// Steps of a recording, in order; [`FcdReader::next_step`] returns one after the other.
 pub struct FcdReader {
     file: PathBuf,
     text: XmlText,
@@ -359,7 +359,7 @@ enum FcdPlace {
 }
 
 impl FcdReader {
-    /// Opens a recording; whether it is packed is told by its first bytes, not by its name.
+    /// Opens a recording; its first bytes, not its name, tell whether it is packed.
     pub fn open(file: &Path) -> Result<Self, FcdError> {
         let place = RecordingPlace::Line(1);
         let error = |rule| FcdError { file: file.to_owned(), place, rule: Box::new(rule) };
@@ -372,7 +372,7 @@ impl FcdReader {
         &self.file
     }
 
-    /// The next step; `None` behind the last.
+    /// The next step; `None` after the last.
     pub fn next_step(&mut self) -> Result<Option<FcdStep>, FcdError> {
         let mut step = None;
         let end = self.text.bytes() + STEP_LIMIT_BYTES;
@@ -397,7 +397,7 @@ impl FcdReader {
         FcdError { file: self.file.clone(), place: RecordingPlace::Line(line), rule: Box::new(rule) }
     }
 
-    /// Reads one element; false where a step or the document ends.
+    /// Reads one element; false at the end of a step or of the document.
     fn advance(&mut self, step: &mut Option<FcdStep>) -> Result<bool, FcdRule> {
         let (element, line) = self.text.next_element().map_err(FcdRule::Text)?;
         match element {
@@ -419,14 +419,14 @@ impl FcdReader {
     }
 }
 
-/// Whether an element has an inside.
+/// Whether an element has content.
 #[derive(Clone, Copy, PartialEq)]
 enum Extent {
     ToItsEnd,
     Empty,
 }
 
-/// Takes an element that opens; false where a step is whole already.
+/// Handles an opening element; false if a step is complete.
 fn open_element(
     tag: &BytesStart<'_>,
     line: u64,
@@ -458,9 +458,9 @@ fn open_element(
     }
 }
 
-/// Coordinates beyond this are a slip of units (docs/scenes.md).
+/// Coordinates beyond this are an error of units (docs/scenes.md).
 const COORDINATE_LIMIT_M: f64 = 1e5;
-/// Speed of sound: beyond it nothing drives.
+/// Speed of sound, beyond which nothing drives.
 const SPEED_LIMIT_MPS: f64 = 340.0;
 
 fn vehicle(tag: &BytesStart<'_>, line: u64) -> Result<FcdVehicle, FcdRule> {
@@ -504,7 +504,7 @@ impl Attributes {
         self.find(name).filter(|text| !text.is_empty()).ok_or_else(missing)
     }
 
-    /// A text of moderate length.
+    /// Reads a name of limited length.
     fn name(&self, name: &'static str) -> Result<&str, FcdRule> {
         let text = self.text(name)?;
         if text.len() <= NAME_LIMIT_BYTES {

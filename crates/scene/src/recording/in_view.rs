@@ -1,4 +1,4 @@
-//! Recorded traffic in view of a radar: what stands within range and on the side it looks to.
+//! Recorded traffic in view of a radar: within range and on the side of its boresight.
 
 use glam::DVec2;
 
@@ -7,33 +7,34 @@ pub(crate) struct View {
     pub(crate) foot_m: DVec2,
     /// Unit vector of the boresight.
     pub(crate) boresight: DVec2,
-    /// Nearest distance in view: what reaches nearer stands below the beam.
+    /// Nearest distance in view: anything nearer is below the beam.
     pub(crate) nearest_m: f64,
     pub(crate) range_m: f64,
     pub(crate) half_angle_rad: f64,
 }
 
 impl View {
-    /// Farthest distance from the radar's foot at which anything is in view.
+    /// Largest distance in view from the radar's foot.
     pub(crate) fn range_m(&self) -> f64 {
         self.range_m
     }
 
-    /// Whether a straight part of a road comes as near as what is in view, to whichever side.
+    /// Whether a straight part of a road is within range, on any side.
     pub(crate) fn reaches(&self, from_m: DVec2, to_m: DVec2) -> bool {
         let (along, to_foot) = (to_m - from_m, self.foot_m - from_m);
         let share = (to_foot.dot(along) / along.length_squared()).clamp(0.0, 1.0);
         (to_foot - share * along).length() <= self.range_m
     }
 
-    /// Whether a disc on the ground has a part in the sector, and none nearer than what is seen.
+    /// Whether a disc on the ground intersects the sector, and no part of it is nearer than the nearest
+    /// distance.
     pub(crate) fn touches(&self, centre_m: DVec2, radius_m: f64) -> bool {
         let away = centre_m - self.foot_m;
         let nearest_m = away.length() - radius_m;
         if nearest_m > self.range_m || (self.nearest_m > 0.0 && nearest_m < self.nearest_m) {
             return false;
         }
-        // The sector's own half with the disc in it, boresight to the right.
+        // The half of the sector with the disc in it, boresight to the right.
         let at = DVec2::new(away.dot(self.boresight), away.perp_dot(self.boresight).abs());
         if at.y.atan2(at.x) <= self.half_angle_rad {
             return true;

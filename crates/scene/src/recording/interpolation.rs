@@ -1,23 +1,22 @@
-//! Recorded vehicles between the steps of a recording, so that position, velocity and yaw belong
-//! together.
+//! Interpolation of recorded vehicles between steps, with consistent position, velocity and yaw.
 //!
 //! SUMO moves a vehicle by x(t) = x(t − Δ) + Δ·v(t) (its default, Euler): between two steps the velocity is
-//! constant and is the one told with the second. So for a moment t in (t₁, t₂], u = (t − t₁)/(t₂ − t₁):
+//! constant and equals that recorded with the second. So for a time t in (t₁, t₂], u = (t − t₁)/(t₂ − t₁):
 //!
-//! - the front bumper moves by v, the way p₂ − p₁ over t₂ − t₁, and is at p₂ − (t₂ − t)·v. Positions are
-//!   rounded, by SUMO's default to 1 cm, so that the way of 0.1 s tells 0.1 m/s at best; where its length is
-//!   the told speed's to [`ROUNDING_M`], that speed is taken, along the way or, where this is too short to
-//!   have a direction, the heading; a velocity that OSI tells whole is taken where it leads as far from the
-//!   way, and the way alone counts where none is told;
-//! - the heading turns evenly, by the shorter way, and the body's origin, half a length behind the bumper,
-//!   moves as both say: its velocity is the exact derivative of its position;
-//! - a vehicle is there from its first step to its last, at its first with the speed told there;
-//! - a lane change, which SUMO's default model makes within one step, is driven in [`LANE_CHANGE_S`]: the
-//!   sideways part of the jump, told by [`SIDEWAYS_JUMP_M`] and by what a turn of the step explains, follows
-//!   3s² − 2s³ from the step before the jump on. Yaw stays as recorded: the body slides across by up to
+//! - the front bumper moves by v, the displacement p₂ − p₁ over t₂ − t₁, and is at p₂ − (t₂ − t)·v. Positions
+//!   are rounded, by SUMO's default to 1 cm, so that the displacement in 0.1 s gives 0.1 m/s at best; if its
+//!   length agrees with the recorded speed to [`ROUNDING_M`], that speed is used, along the displacement or,
+//!   if this is too short to have a direction, along the heading; a full velocity vector of OSI is used if it
+//!   agrees with the displacement as well; without a recorded velocity only the displacement counts;
+//! - the heading turns at a constant rate, by the shorter way, and the body's origin, half a length behind
+//!   the bumper, follows from both: its velocity is the exact derivative of its position;
+//! - a vehicle exists from its first step to its last, at its first with the speed recorded there;
+//! - a lane change, which SUMO's default model makes within one step, takes [`LANE_CHANGE_S`]: the lateral
+//!   part of the jump, detected by [`SIDEWAYS_JUMP_M`] and by the part that the step's turn explains, follows
+//!   3s² − 2s³ from the step before the jump on. Yaw stays as recorded: the body slides sideways at up to
 //!   1.5·3.75 m/4 s = 1.4 m/s, at 10 m/s 8° off its axis;
-//! - a vehicle that would have to be faster than [`TELEPORT_MPS`], or to jump further aside than
-//!   [`TELEPORT_ASIDE_M`], was put elsewhere by the simulation: it is not there between the two steps.
+//! - a vehicle that would have to be faster than [`TELEPORT_MPS`], or to jump further sideways than
+//!   [`TELEPORT_ASIDE_M`], was moved by the simulation: it does not exist between the two steps.
 
 use crate::recording::fcd::{FcdStep, FcdVehicle, ToldVelocity};
 use artifact::scene::Pose;
@@ -29,31 +28,32 @@ use std::f64::consts::TAU;
 /// Zohar 2007).
 pub const LANE_CHANGE_S: f64 = 4.0;
 
-/// A step that leads further than this across the mean heading of its two ends, and further than half of its
-/// turn explains, is a jump: half of what the narrowest lanes are apart (2.5 m). Along a circle the chord has
-/// the mean heading; where lanes are drawn as few straight pieces the way is that of one of its ends.
+/// Least lateral jump: a step is a jump if it leads further than this across the mean heading of its two
+/// ends, and further than half of its turn explains. This is half of the distance between the narrowest lanes
+/// (2.5 m). Along a circle the chord has the mean heading; if lanes consist of few straight pieces, the
+/// displacement has the heading of one of its ends.
 pub const SIDEWAYS_JUMP_M: f64 = 1.2;
 
-/// A jump further aside than one lane and a half is no lane change.
+/// Largest lateral jump of a lane change: one lane and a half.
 pub const TELEPORT_ASIDE_M: f64 = 6.0;
 
-/// Jumps of [`SIDEWAYS_JUMP_M`] at [`TELEPORT_MPS`] and the steps of 0.1 s that people record are at most 40
-/// in that time.
+/// Largest number of slides at once: jumps of [`SIDEWAYS_JUMP_M`] at [`TELEPORT_MPS`] with the usual steps of
+/// 0.1 s are at most 40 in that time.
 const SLIDES_AT_ONCE: usize = 64;
 
-/// Part of a way that may be rounding: four coordinates of 5 mm, and the speed's 5 mm/s over a second.
+/// Rounding error of a displacement: four coordinates of 5 mm, and the speed's 5 mm/s over a second.
 pub const ROUNDING_M: f64 = 0.025;
 
-/// Faster than any car on a road.
+/// Speed above that of any car on a road.
 pub const TELEPORT_MPS: f64 = 100.0;
 
-/// Two moments closer than this are one: SUMO writes milliseconds.
+/// Times closer than this are equal: SUMO writes milliseconds.
 const SAME_MOMENT_S: f64 = 1e-6;
 
-/// A recorded vehicle at a moment: the middle of its front bumper and how it moves.
+/// A recorded vehicle at a time: the middle of its front bumper and its motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bumper {
-    /// World metres.
+    /// Position in world metres.
     pub front_m: DVec3,
     /// Velocity of the front bumper.
     pub velocity_mps: DVec3,
@@ -64,7 +64,7 @@ pub struct Bumper {
 }
 
 impl Bumper {
-    /// Bumper of a vehicle as told with one step.
+    /// Bumper of a vehicle as recorded with one step.
     fn as_told(vehicle: &FcdVehicle) -> Self {
         let yaw_rad = yaw_rad(vehicle.angle_deg);
         let velocity_mps = match vehicle.velocity {
@@ -74,7 +74,7 @@ impl Bumper {
         Self { front_m: vehicle.front_m.into(), velocity_mps, yaw_rad, yaw_radps: 0.0 }
     }
 
-    /// Pose of a body whose origin lies `reach_m` behind its front.
+    /// Pose of a body whose origin is `reach_m` behind its front.
     pub fn pose(&self, reach_m: f64) -> Pose {
         let ahead = heading(self.yaw_rad);
         let turning = ahead.perp() * self.yaw_radps;
@@ -83,7 +83,7 @@ impl Bumper {
             yaw_rad: self.yaw_rad,
             yaw_radps: self.yaw_radps,
             velocity_mps: (self.velocity_mps - (turning * reach_m).extend(0.0)).into(),
-            // Between two steps the bumper's velocity does not turn with the body: −ω × v undoes that.
+            // Between two steps the bumper's velocity does not turn with the body: −ω × v compensates that.
             acceleration_mps2: (self.velocity_mps.truncate().perp() * -self.yaw_radps).extend(0.0).into(),
         }
     }
@@ -98,17 +98,17 @@ fn heading(yaw_rad: f64) -> DVec2 {
     DVec2::from_angle(yaw_rad)
 }
 
-/// The last two steps of a recording, and what is still to be driven of lane changes.
+/// The last two steps of a recording, and the remaining lane changes.
 #[derive(Default)]
 pub struct Interval {
     before: Option<FcdStep>,
     after: FcdStep,
-    /// Place in `before` by id.
+    /// Index in `before` by id.
     known: HashMap<String, usize>,
     slides: HashMap<String, Vec<Slide>>,
 }
 
-/// A jump that is being driven.
+/// A lane change under way.
 #[derive(Clone, Copy)]
 struct Slide {
     start_s: f64,
@@ -116,7 +116,7 @@ struct Slide {
 }
 
 impl Slide {
-    /// Part of the jump that is still to come, and its rate.
+    /// Remaining part of the jump, and its rate.
     fn rest(&self, time_s: f64) -> (DVec2, DVec2) {
         let s = ((time_s - self.start_s) / LANE_CHANGE_S).clamp(0.0, 1.0);
         let (done, rate) = (s * s * (3.0 - 2.0 * s), 6.0 * s * (1.0 - s) / LANE_CHANGE_S);
@@ -125,7 +125,7 @@ impl Slide {
 }
 
 impl Interval {
-    /// Goes on by one step.
+    /// Advances by one step.
     pub fn advance(&mut self, step: FcdStep) {
         let before = std::mem::replace(&mut self.after, step);
         self.known = before.vehicles.iter().enumerate().map(|(i, v)| (v.id.clone(), i)).collect();
@@ -139,7 +139,7 @@ impl Interval {
                 Step::LaneChange { jump_m } => own.push(Slide { start_s: before.time_s, jump_m }),
                 Step::Teleport => own.clear(),
             }
-            // Of more than there can be the first are done.
+            // When there are more than the limit, the earliest are complete.
             own.drain(..own.len().saturating_sub(SLIDES_AT_ONCE));
             if !own.is_empty() {
                 self.slides.insert(vehicle.id.clone(), own);
@@ -148,7 +148,7 @@ impl Interval {
         self.before = Some(before);
     }
 
-    /// The moment up to which vehicles are known.
+    /// The time up to which vehicles are known.
     pub fn end_s(&self) -> f64 {
         self.after.time_s
     }
@@ -158,12 +158,13 @@ impl Interval {
         self.after.line
     }
 
-    /// Vehicles told with the later step.
+    /// Vehicles of the later step.
     pub fn vehicles(&self) -> &[FcdVehicle] {
         &self.after.vehicles
     }
 
-    /// Ways of all vehicles in this interval: by the speeds told with its later step, and by their places, m.
+    /// Distances driven by all vehicles in this interval, by the speeds of its later step and by their
+    /// positions, m.
     pub(crate) fn ways_m(&self) -> [f64; 2] {
         let Some(before) = &self.before else { return [0.0; 2] };
         let step_s = self.after.time_s - before.time_s;
@@ -175,8 +176,8 @@ impl Interval {
         ways.fold([0.0; 2], |sum, way| [sum[0] + way[0], sum[1] + way[1]])
     }
 
-    /// Bumper of a vehicle of the later step at a moment after the earlier step and not after the later;
-    /// `None` where the vehicle is not there.
+    /// Bumper of a vehicle of the later step at a time after the earlier step and not after the later; `None`
+    /// if the vehicle does not exist then.
     pub fn bumper(&self, vehicle: &FcdVehicle, time_s: f64) -> Option<Bumper> {
         let earlier = self.before.as_ref().zip(self.known.get(&vehicle.id));
         let Some((before, index)) = earlier else {
@@ -211,15 +212,16 @@ impl Interval {
     }
 }
 
-/// The jump that was made in the step that begins at `start_s`.
+/// The jump in the step that begins at `start_s`.
 fn own_jump(slides: Option<&Vec<Slide>>, start_s: f64) -> DVec2 {
     let own = slides.into_iter().flatten().filter(|slide| slide.start_s == start_s);
     own.map(|slide| slide.jump_m).sum()
 }
 
-/// Velocity of a vehicle that came this way in a step, jumps left out.
+/// Velocity of a vehicle with this displacement in a step, without jumps.
 fn velocity(vehicle: &FcdVehicle, way_m: DVec3, step_s: f64) -> DVec3 {
-    // Below 30 roundings of 5 mm to a side a way's direction is known to no better than 2°.
+    // Below 30 roundings of 5 mm per coordinate the direction of a displacement is known to no better than
+    // 2°.
     const SHORT_M: f64 = 0.15;
     let length_m = way_m.length();
     match vehicle.velocity {
@@ -236,28 +238,28 @@ fn velocity(vehicle: &FcdVehicle, way_m: DVec3, step_s: f64) -> DVec3 {
     }
 }
 
-/// Turn by the shorter way, counter-clockwise.
+/// Turn in the shorter direction, counter-clockwise positive.
 fn turn_rad(a: &FcdVehicle, b: &FcdVehicle) -> f64 {
     let turn = yaw_rad(b.angle_deg) - yaw_rad(a.angle_deg);
     turn - TAU * (turn / TAU).round()
 }
 
-/// Kinds of what a vehicle does in a step.
+/// Kinds of a vehicle's step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Step {
-    /// It drives.
+    /// Ordinary driving.
     Way,
-    /// It drives, and jumps to another lane.
+    /// Driving with a jump to another lane.
     LaneChange {
-        /// Part of the way that leads across the mean heading.
+        /// Part of the displacement across the mean heading.
         jump_m: DVec2,
     },
-    /// It is put elsewhere.
+    /// A move by the simulation.
     Teleport,
 }
 
 impl Step {
-    /// Kind of a step of this duration.
+    /// Kind of a step of the given duration.
     pub fn between(a: &FcdVehicle, b: &FcdVehicle, step_s: f64) -> Self {
         let way = DVec3::from(b.front_m) - DVec3::from(a.front_m);
         let turn_rad = turn_rad(a, b);

@@ -1,10 +1,9 @@
-//! Lanes of a SUMO network (`.net.xml`, as it is or packed by gzip): their courses, widths and names.
+//! Lanes of a SUMO network (`.net.xml`, plain or packed by gzip): their courses, widths and names.
 //!
 //! Schema: `net_file.xsd` of SUMO (<https://sumo.dlr.de/docs/Networks/SUMO_Road_Networks.html>): `<net>`
-//! holds `<edge>`, which hold `<lane id shape width …>`, the shape a list of places x,y along the lane's
-//! middle. Coordinates are those of the recording, and like them the scene's. Passed over are lanes inside
-//! junctions and crossings (`function` of the edge), which lie across one another, and those that only
-//! pedestrians use.
+//! holds `<edge>`, which hold `<lane id shape width …>`; the shape is a list of places x,y along the lane's
+//! middle. Coordinates are those of the recording, and thus the scene's. Ignored are lanes within junctions
+//! and crossings (`function` of the edge), which overlap, and those for pedestrians only.
 
 use crate::recording::in_view::View;
 use crate::recording::xml::{self, Element, XmlFault, XmlText};
@@ -21,56 +20,56 @@ pub struct NetError {
     pub file: PathBuf,
     /// Line of the unpacked text, from 1.
     pub line: u64,
-    /// Rule that is broken.
+    /// Broken rule.
     pub rule: NetRule,
 }
 
 impl NetError {
-    /// Whether the machine is at fault, not the content of the file.
+    /// Whether the system is at fault, not the content of the file.
     pub fn is_system(&self) -> bool {
         matches!(self.rule, NetRule::Text(XmlFault::Unreadable(_)))
     }
 }
 
-/// The rules of a network, broken.
+/// Broken rules of a network.
 #[derive(Debug, thiserror::Error)]
 pub enum NetRule {
-    /// The file cannot be read, or not as XML.
+    /// The file cannot be read, or is not XML.
     #[error("{0}")]
     Text(#[source] XmlFault),
-    /// XML, but of something else.
+    /// XML of another kind.
     #[error("the first element is <{0}>; networks begin with <net>")]
     NotANetwork(String),
     /// No element at all, or an end too early.
     #[error("the file ends before </net>: it was cut off, or holds no network")]
     CutOff,
-    /// The file has more text than any town's network has.
+    /// The file has more text than any town's network.
     #[error("more than {0} bytes of text")]
     TooLong(u64),
-    /// A lane without what tells where it is.
+    /// A lane without a position.
     #[error("<lane{}>: attribute `{attribute}` is missing", named(.id))]
     Missing {
-        /// Id of the lane, where it is known.
+        /// Id of the lane, if known.
         id: Option<String>,
         /// Name of the attribute.
         attribute: &'static str,
     },
-    /// An attribute that is not what it should be.
+    /// An attribute with a wrong value.
     #[error("<lane{}>: `{attribute}` is `{found}`; it must be {allowed}", named(.id))]
     Wrong {
-        /// Id of the lane, where it is known.
+        /// Id of the lane, if known.
         id: Option<String>,
         /// Name of the attribute.
         attribute: &'static str,
         /// Value as written.
         found: String,
-        /// Values that may stand there.
+        /// Allowed values.
         allowed: &'static str,
     },
     /// The network has more lanes than can be counted.
     #[error("more than {0} lanes are in view: see less far by `view_range_m`")]
     TooMany(usize),
-    /// Lanes, but of another place; or no lanes.
+    /// Lanes of another place, or none.
     #[error(
         "none of its {lanes} lanes comes within {range_m:.1} m of the radar's foot: the origin of both is the same?"
     )]
@@ -86,17 +85,16 @@ fn named(id: &Option<String>) -> String {
     id.as_ref().map_or(String::new(), |id| format!(" id=\"{id}\""))
 }
 
-/// A large town's network has some hundred megabytes.
+/// Largest network in bytes: that of a large town has some hundred megabytes.
 const LIMIT_BYTES: u64 = 1 << 30;
-/// Lanes are numbered by a byte, from 1.
+/// Largest number of lanes: they are numbered by a byte, from 1.
 const LANE_LIMIT: usize = 255;
-/// Width by SUMO, where a lane says nothing.
+/// SUMO's default width of a lane.
 const DEFAULT_WIDTH_M: f64 = 3.2;
 const COORDINATE_LIMIT_M: f64 = 1e5;
 const NAME_LIMIT_BYTES: usize = 256;
 
-/// Lanes of which a part lies within the range of view, to whichever side, numbered from 1 in the order of
-/// the file.
+/// Lanes with a part within the range of view, on any side, numbered from 1 in the order of the file.
 pub(crate) fn read_net(file: &Path, view: &View) -> Result<Vec<Course>, NetError> {
     let error = |line, rule| NetError { file: file.to_owned(), line, rule };
     let mut text = XmlText::open(file).map_err(|fault| error(1, NetRule::Text(fault)))?;
@@ -135,7 +133,7 @@ enum Progress {
 struct Net<'v> {
     view: &'v View,
     place: NetPlace,
-    /// Whether the edge that is open is passed over.
+    /// Whether the open edge is ignored.
     is_passed_over: bool,
     /// Number of lanes for vehicles, in view or not.
     lanes: usize,
@@ -157,7 +155,7 @@ impl Net<'_> {
         Ok(Progress::Goes)
     }
 
-    /// Takes an element that opens; `within` is where the reader stands after one that is the first.
+    /// Handles an opening element; `within` is the reader's place after the first one.
     fn open(&mut self, tag: &BytesStart<'_>, within: NetPlace) -> Result<(), NetRule> {
         match (tag.name().as_ref(), self.place) {
             ("net", NetPlace::Before) => self.place = within,
@@ -219,8 +217,7 @@ fn width(attributes: &[(String, String)]) -> Result<f64, NetRule> {
     width_m.ok_or_else(|| wrong(attributes, "width", found, "m above 0, to 100"))
 }
 
-/// Places along a lane's middle, two at least; a third coordinate is the height, which nothing here
-/// asks for.
+/// Places along a lane's middle, at least two; a third coordinate, the height, is ignored.
 fn shape(attributes: &[(String, String)]) -> Result<Vec<[f64; 2]>, NetRule> {
     let found = text(attributes, "shape")?;
     let places: Option<Vec<[f64; 2]>> = found.split_whitespace().map(place).collect();

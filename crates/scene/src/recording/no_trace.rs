@@ -1,10 +1,10 @@
-//! Traces of OSI in a program that was built without their reader: they are refused, and how to build one
-//! with it is told.
+//! Traces of OSI in a program built without their reader: they are refused, and the error describes how to
+//! build one with it.
 
 use crate::recording::fcd::{FcdError, FcdRule, FcdStep, RecordingPlace};
 use std::path::Path;
 
-/// A reader that there is not.
+/// A reader; this program has none.
 pub(crate) enum TraceReader {}
 
 impl TraceReader {
@@ -26,12 +26,12 @@ impl TraceReader {
     }
 }
 
-/// Names of types: none is known here.
+/// Names of types: none.
 pub(crate) fn type_names() -> impl Iterator<Item = &'static str> {
     std::iter::empty()
 }
 
-/// Any name stands for itself, since no trace is read.
+/// Accepts any name unchanged, because no trace is read.
 pub(crate) fn type_told_as(name: &str) -> Option<String> {
     Some(name.to_owned())
 }

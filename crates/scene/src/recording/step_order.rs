@@ -1,7 +1,6 @@
-//! Rules that hold between the steps of a recording and within each: time grows, and no vehicle is there
-//! twice.
+//! Rules between and within the steps of a recording: time increases, and no vehicle occurs twice.
 
-/// Knowledge of the steps so far.
+/// State after the steps so far.
 #[derive(Default)]
 pub(crate) struct StepOrder {
     last_time_s: Option<f64>,
@@ -11,12 +10,12 @@ pub(crate) struct StepOrder {
 pub(crate) enum Disorder {
     /// Time does not come after that of the step before.
     TimeNotGrowing { before_s: f64 },
-    /// A vehicle is there twice, the second time at this line or in this message.
+    /// A vehicle occurs twice, the second time at this line or in this message.
     Twice { id: String, line: u64 },
 }
 
 impl StepOrder {
-    /// Takes in a step by its time and by the ids of its vehicles with their lines.
+    /// Checks and adds a step by its time and the ids of its vehicles with their lines.
     pub(crate) fn check<'a>(
         &mut self,
         time_s: f64,

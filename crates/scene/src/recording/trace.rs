@@ -1,4 +1,4 @@
-//! Ground truth of OSI as the steps of a recording: moving objects by the middles of their bounding boxes.
+//! Ground truth of OSI as the steps of a recording: moving objects by the centres of their bounding boxes.
 
 use crate::recording::fcd::{FcdError, FcdRule, FcdStep, FcdVehicle, RecordingPlace, ToldVelocity};
 use crate::recording::step_order::StepOrder;
@@ -24,8 +24,8 @@ impl TraceReader {
         Ok(Self { file: file.to_owned(), messages, order: StepOrder::default(), sizes_m: HashMap::new() })
     }
 
-    /// The next step; `None` behind the last. `front_m` of its vehicles is the middle of the box on its lower
-    /// side, `line` the number of the message.
+    /// The next step; `None` after the last. `front_m` of its vehicles is the middle of the box's lower side,
+    /// `line` the number of the message.
     pub(crate) fn next_step(&mut self) -> Result<Option<FcdStep>, FcdError> {
         let Some(told) = self.messages.next_step().map_err(broken)? else { return Ok(None) };
         let sizes = told.objects.iter().filter_map(|object| Some((object.id.clone(), object.size_m?)));

@@ -1,4 +1,4 @@
-//! XML of SUMO as a stream: as it is or packed by gzip, of any length, each element with its line, in bounded
+//! SUMO's XML as a stream: plain or packed by gzip, of any length, each element with its line, in bounded
 //! memory.
 
 use crate::wording::excerpt::beginning;
@@ -8,20 +8,20 @@ use quick_xml::events::{BytesEnd, BytesStart, Event};
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
 
-/// Elements within one another: SUMO's files have four.
+/// Largest nesting depth of elements: SUMO's files have four.
 const DEPTH_LIMIT: usize = 64;
-/// Largest element, and largest gap between elements, that is read: SUMO's are some hundred bytes.
+/// Largest element, and largest gap between elements: SUMO's are some hundred bytes.
 const ELEMENT_LIMIT_BYTES: u64 = 1 << 20;
-/// Most attributes of one element: SUMO's have up to thirty.
+/// Largest number of attributes of one element: SUMO's have up to thirty.
 const ATTRIBUTE_LIMIT: usize = 256;
 
-/// Reason that a file is not read on as XML.
+/// Reason why a file cannot be read further as XML.
 #[derive(Debug, thiserror::Error)]
 pub enum XmlFault {
-    /// The system refused, or it is no plain file.
+    /// A system error, or the file is not a plain file.
     #[error("cannot be read: {0}")]
     Unreadable(#[source] io::Error),
-    /// The checks of gzip failed, or the file ends too early for them.
+    /// A checksum of gzip is wrong, or the file ends before it.
     #[error("the gzip file is damaged or cut off: {0}")]
     DamagedGzip(#[source] io::Error),
     /// The file is not XML.
@@ -30,19 +30,19 @@ pub enum XmlFault {
     /// An element that never ends, or megabytes between elements.
     #[error("more than {0} bytes without an element")]
     ElementTooLong(u64),
-    /// Elements that are opened one within the other and not closed.
+    /// Too many nested elements.
     #[error("elements lie within one another more than {0} deep")]
     TooDeep(usize),
-    /// An element has more attributes than any has.
+    /// An element with too many attributes.
     #[error("an element has more than {0} attributes")]
     TooManyAttributes(usize),
 }
 
-/// Part of the file that stands next.
+/// Next part of the file.
 pub(crate) enum Element<'b> {
     /// An element, open until its end.
     Opens(BytesStart<'b>),
-    /// An element without an inside.
+    /// An element without content.
     Empty(BytesStart<'b>),
     /// The end of an element.
     Closes(BytesEnd<'b>),
@@ -52,7 +52,7 @@ pub(crate) enum Element<'b> {
     FileEnds,
 }
 
-/// A file of XML that is read element by element.
+/// A file of XML, read element by element.
 pub(crate) struct XmlText {
     xml: quick_xml::Reader<Lines>,
     buffer: Vec<u8>,
@@ -60,7 +60,7 @@ pub(crate) struct XmlText {
 }
 
 impl XmlText {
-    /// Opens a file; whether it is packed is told by its first bytes, not by its name.
+    /// Opens a file; its first bytes, not its name, tell whether it is packed.
     pub(crate) fn open(file: &Path) -> Result<Self, XmlFault> {
         let source = Lines::open(file).map_err(XmlFault::Unreadable)?;
         Ok(Self { xml: quick_xml::Reader::from_reader(source), buffer: vec![], depth: 0 })
@@ -76,7 +76,7 @@ impl XmlText {
         self.xml.get_ref().bytes
     }
 
-    /// Reads the part that stands next, and tells the line on which it ends.
+    /// Reads the next part, and returns it with the line on which it ends.
     pub(crate) fn next_element(&mut self) -> Result<(Element<'_>, u64), XmlFault> {
         self.buffer.clear();
         self.xml.get_mut().since_element = 0;
@@ -103,7 +103,7 @@ impl XmlText {
 /// Names and values of an element's attributes.
 pub(crate) fn attributes(tag: &BytesStart<'_>) -> Result<Vec<(String, String)>, XmlFault> {
     let mut values = Vec::with_capacity(12);
-    // They are read one by one, each compared with those before it.
+    // Attributes are read one by one, each compared with those before it.
     for attribute in tag.attributes() {
         if values.len() == ATTRIBUTE_LIMIT {
             return Err(XmlFault::TooManyAttributes(ATTRIBUTE_LIMIT));
@@ -117,7 +117,7 @@ pub(crate) fn attributes(tag: &BytesStart<'_>) -> Result<Vec<(String, String)>, 
 
 fn fault(error: quick_xml::Error, packing: Packing) -> XmlFault {
     let quick_xml::Error::Io(io) = &error else { return XmlFault::Xml(error) };
-    // Whether the system or the unpacking failed is told by the kind alone.
+    // Only the kind distinguishes a system error from an unpacking error.
     let copy = || io::Error::new(io.kind(), io.to_string());
     match io.kind() {
         io::ErrorKind::FileTooLarge => XmlFault::ElementTooLong(ELEMENT_LIMIT_BYTES),
@@ -130,14 +130,14 @@ fn fault(error: quick_xml::Error, packing: Packing) -> XmlFault {
     }
 }
 
-/// Packing of the text on disk.
+/// Compression of the text on disk.
 #[derive(Clone, Copy, PartialEq)]
 enum Packing {
     Plain,
     Gzip,
 }
 
-/// A text that counts its lines as it is read.
+/// A text whose lines are counted while it is read.
 struct Lines {
     source: BufReader<Box<dyn Read>>,
     packing: Packing,

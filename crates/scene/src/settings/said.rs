@@ -1,4 +1,4 @@
-//! Physics that a scene file says itself, for who chooses the rest.
+//! Physics that a scene file specifies, as input to the choice of the rest.
 
 use crate::document::changes::{self, Change};
 use crate::document::errors::SceneErrors;
@@ -15,22 +15,22 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
-/// Words of a scene file on the physics.
+/// Physics specified by a scene file.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SaidPhysics {
-    /// Chooser of what the file leaves open.
+    /// Party that chooses the unspecified physics.
     pub planning: Planning,
-    /// Keys of `[fidelity]` that are there.
+    /// Keys present in `[fidelity]`.
     pub keys: BTreeSet<String>,
-    /// Whether the road is said, be it there or not.
+    /// Whether the road is specified, present or not.
     pub road: bool,
 }
 
-/// Reads what the scene in `path`, with the changes made, says itself of the physics. What is wrong with it
-/// [`read_changed`](crate::read_changed) tells.
+/// Reads the physics that the scene in `path`, with the changes made, specifies.
+/// [`read_changed`](crate::read_changed) reports its faults.
 ///
 /// # Errors
-/// The file cannot be read, or is no text.
+/// The file cannot be read, or is not text.
 pub fn said_physics(path: &Path, changes: &[Change]) -> Result<SaidPhysics, SceneErrors> {
     let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
     let faults = Faults::new(path, &text);
@@ -50,8 +50,7 @@ fn of_document(document: &DeTable<'_>) -> SaidPhysics {
     }
 }
 
-/// Keys of `[fidelity]` that paths depend on, whatever their accuracy, and what each of them is, as a file
-/// says it.
+/// Keys of `[fidelity]` that paths depend on at any accuracy, with their values as in a file.
 pub fn told_physics(fidelity: &Fidelity) -> Vec<(&'static str, String)> {
     vec![
         (BOUNCES.name, fidelity.bounces.to_string()),

@@ -2,12 +2,12 @@
 
 use artifact::settings::Class;
 
-/// Stand-in for objects of a type where `models` says nothing.
+/// Stand-in for objects of a type without an entry in `models`.
 #[derive(Clone, Copy)]
 pub(crate) enum StandIn {
-    /// The vehicle of these classes that is nearest in size; where no size is told, the one of the name.
+    /// The vehicle of these classes nearest in size; the named one if the size is unknown.
     NearestOf(&'static [Class], &'static str),
-    /// Nothing: it is passed over.
+    /// No stand-in: the object is ignored.
     PassedOver,
 }
 
@@ -18,7 +18,7 @@ const BUS: StandIn = StandIn::NearestOf(&[Class::Bus], "bus-city");
 const MOTORCYCLE: StandIn = StandIn::NearestOf(&[Class::Motorcycle], "motorcycle-street");
 const ANY: StandIn = StandIn::NearestOf(&Class::ALL, "car-sedan");
 
-/// Types that have a stand-in, in the order in which errors name those that are placed.
+/// Types with a stand-in; errors name those with a vehicle in this order.
 const STAND_INS: [(&str, StandIn); 17] = [
     ("TYPE_SMALL_CAR", CAR),
     ("TYPE_COMPACT_CAR", CAR),
@@ -39,13 +39,13 @@ const STAND_INS: [(&str, StandIn); 17] = [
     ("TYPE_ANIMAL", StandIn::PassedOver),
 ];
 
-/// Stand-in of a type; `None` for one that needs a model of its own. Those who walk are passed over, as a
-/// `<person>` of SUMO is; a bicycle is a vehicle, and in recordings of both kinds refused without a model.
+/// Stand-in of a type; `None` for one that needs a model of its own. Pedestrians are ignored, like a
+/// `<person>` of SUMO; a bicycle is a vehicle, and refused without a model in recordings of both kinds.
 pub(crate) fn stand_in_of(kind: &str) -> Option<StandIn> {
     STAND_INS.into_iter().find(|(name, _)| *name == kind).map(|(_, stand_in)| stand_in)
 }
 
-/// Types that a vehicle stands in for, for an error that names them.
+/// Types with a vehicle as stand-in, for an error that names them.
 pub(crate) fn with_stand_in() -> Vec<&'static str> {
     let placed = STAND_INS.into_iter().filter(|(_, stand_in)| matches!(stand_in, StandIn::NearestOf(..)));
     placed.map(|(name, _)| name).collect()

@@ -1,4 +1,4 @@
-//! Recordings that traffic comes from, and their steps one after the other.
+//! Sources of recorded traffic, and their steps in order.
 
 use crate::recording::fcd::{FcdError, FcdReader, FcdRule, FcdStep};
 use crate::recording::trace::{TraceReader, type_told_as};
@@ -13,8 +13,7 @@ pub(crate) enum Source {
 }
 
 impl Source {
-    /// The name by which the recording tells objects of a type; `None` where it has none such. Types of SUMO
-    /// are whatever its user calls them.
+    /// The recording's name for a type; `None` if it has no such type. SUMO's types have any names.
     pub(crate) fn type_told_as(&self, name: &str) -> Option<String> {
         match self {
             Self::Fcd(_) => Some(name.to_owned()),
@@ -31,14 +30,14 @@ impl Source {
     }
 }
 
-/// Reader of a recording under way.
+/// Reader of an open recording.
 pub(crate) enum StepReader {
     Fcd(Box<FcdReader>),
     Osi(TraceReader),
 }
 
 impl StepReader {
-    /// The next step; `None` behind the last.
+    /// The next step; `None` after the last.
     pub(crate) fn next_step(&mut self) -> Result<Option<FcdStep>, FcdError> {
         match self {
             Self::Fcd(reader) => reader.next_step(),
@@ -46,7 +45,7 @@ impl StepReader {
         }
     }
 
-    /// An error of the recording at a line, or in a message.
+    /// An error of the recording at a line or message.
     pub(crate) fn error_at(&self, line: u64, rule: FcdRule) -> FcdError {
         match self {
             Self::Fcd(reader) => reader.error_at(line, rule),
@@ -54,7 +53,7 @@ impl StepReader {
         }
     }
 
-    /// The error of a recording that has no step.
+    /// The error of a recording without steps.
     pub(crate) fn without_steps(&self) -> FcdError {
         match self {
             Self::Fcd(_) => self.error_at(1, FcdRule::NoSteps),
@@ -62,7 +61,7 @@ impl StepReader {
         }
     }
 
-    /// Length, width and height of a vehicle of the last step, where the recording tells them.
+    /// Length, width and height of a vehicle of the last step, if recorded.
     pub(crate) fn size_m(&self, id: &str) -> Option<[f64; 3]> {
         match self {
             Self::Fcd(_) => None,

@@ -1,9 +1,9 @@
-//! Ranges of allowed numbers, as a sentence says them.
+//! Ranges of allowed numbers, with their text.
 
 use crate::wording::number::WrittenNumber;
 use std::fmt;
 
-/// Range of numbers that a key takes.
+/// Range of allowed numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Allowed {
     /// Both ends included.

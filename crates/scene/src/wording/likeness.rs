@@ -1,14 +1,14 @@
-//! Words that are spelt alike.
+//! Similar spellings.
 
-/// The word of `known` spelt most like `found`, if any is like it at all.
+/// The word of `known` most similar to `found`, if any is similar enough.
 pub(crate) fn nearest(found: &str, known: &[&'static str]) -> Option<&'static str> {
-    // 0.6 lets one wrong or missing letter in three pass: `slope` finds `slope_mhz_per_us`, `velocty_mps`
-    // finds `velocity_mps`, `colour` finds nothing. Jaro–Winkler favours common beginnings, where our keys
-    // carry their sense.
+    // 0.6 accepts one wrong or missing letter in three: `slope` finds `slope_mhz_per_us`, `velocty_mps` finds
+    // `velocity_mps`, `colour` finds nothing. Jaro–Winkler favours common beginnings, which carry the meaning
+    // of our keys.
     nearest_from(0.6, found, known)
 }
 
-/// The word of `known` spelt most like `found`, if any is as like to it as `least`, from 0 to 1.
+/// The word of `known` most similar to `found`, if the similarity, from 0 to 1, is at least `least`.
 pub(crate) fn nearest_from(least: f64, found: &str, known: &[&'static str]) -> Option<&'static str> {
     known
         .iter()

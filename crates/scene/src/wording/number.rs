@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// A number as a person writes it: with an exponent where the digits would only be zeros.
+/// A number as a person writes it: with an exponent if the digits would be mostly zeros.
 pub(crate) struct WrittenNumber(pub f64);
 
 impl fmt::Display for WrittenNumber {

@@ -1,19 +1,19 @@
-//! References of one file to others: they name files of the same folder and below it, whoever wrote them.
+//! References between files: any author's references may lead only to files in the same folder and below.
 
 use std::path::{Component, Path, PathBuf};
 
-/// A reference that names no file which may be opened.
+/// Fault of a reference that must not be opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ReferenceFault {
-    /// It is empty, names a scheme such as `http:`, or is no text once its percent signs are decoded.
+    /// The reference is empty, has a scheme such as `http:`, or is not text after percent-decoding.
     Malformed,
-    /// It leads out of the folder of the file that it stands in.
+    /// The reference leads outside the folder of the referring file.
     Outside,
 }
 
-/// The file of a relative reference (RFC 3986, 4.2) in the folder of `path` or below it.
+/// Resolves a relative reference (RFC 3986, 4.2) to a file in the folder of `path` or below.
 pub(crate) fn file_of(reference: &str, path: &Path) -> Result<PathBuf, ReferenceFault> {
-    // A colon ends the name of a scheme: what follows is no file.
+    // A colon ends the name of a scheme, after which there is no file name.
     let is_relative = !reference.is_empty() && !reference.contains(':');
     let name = is_relative.then(|| percent_decoded(reference)).flatten().ok_or(ReferenceFault::Malformed)?;
     match is_below(&name) {
@@ -22,14 +22,14 @@ pub(crate) fn file_of(reference: &str, path: &Path) -> Result<PathBuf, Reference
     }
 }
 
-/// Whether a name leads nowhere but down, on any system: a backslash parts folders on some, a colon stands
-/// behind a drive.
+/// Whether a name only descends, on any system: a backslash separates folders on some, a colon follows a
+/// drive.
 fn is_below(name: &str) -> bool {
     let is_down = |part: Component| matches!(part, Component::Normal(_) | Component::CurDir);
     !name.contains(['\\', ':', '\0']) && Path::new(name).components().all(is_down)
 }
 
-/// The text without percent signs (RFC 3986, 2.1).
+/// Decodes percent-encoding (RFC 3986, 2.1).
 fn percent_decoded(reference: &str) -> Option<String> {
     let mut decoded = vec![];
     let mut bytes = reference.bytes();

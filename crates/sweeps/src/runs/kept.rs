@@ -1,5 +1,5 @@
-//! Runs that are kept: a file for each under the hash of all that it depends on, so that a study goes on
-//! where it was ended, takes up what another one has made in the same folder, and is made in parts.
+//! Kept runs: one file each under the hash of all its inputs, so that a study resumes where it was ended,
+//! reuses the runs of another study in the same folder, and can be made in parts.
 
 use crate::metrics::VERSION;
 use crate::runs::ledger::Run;
@@ -18,25 +18,25 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// A run is a line of some numbers.
+/// Largest run file; a run is a line of some numbers.
 const LIMIT_BYTES: u64 = 1 << 20;
 
 /// Folder of a study's runs.
 pub(crate) struct Kept {
     folder: PathBuf,
-    /// Hash of what every run of this study depends on.
+    /// Hash of the common inputs of all runs of this study.
     common: String,
-    /// Files that keys were made of so far, as they were then.
+    /// Files that keys were made from so far, in their state at that time.
     seen: Mutex<BTreeMap<PathBuf, SeenFile>>,
 }
 
 impl Kept {
-    /// Folder of the runs in that of a study's results.
+    /// Folder of the runs within that of a study's results.
     pub(crate) fn folder_in(out: &Path) -> PathBuf {
         out.join("runs")
     }
 
-    /// Runs of a study by a classifier's model of this hash, in the folder of its results.
+    /// Runs of a study with a classifier's model of this hash, in the folder of its results.
     pub(crate) fn of(study: &Study, model: Option<&str>, out: &Path) -> Self {
         let sources: Vec<&str> = Stage::ALL.iter().map(|stage| stage.sources()).collect();
         let names: Vec<&str> = study.measures.names().collect();
@@ -44,8 +44,7 @@ impl Kept {
         Self { folder: Self::folder_in(out), common, seen: Mutex::default() }
     }
 
-    /// Hash of all that a run depends on: what it changes, and what that changes in which its errors are
-    /// measured.
+    /// Hash of all inputs of a run: its changes, and those of the run in which its errors are measured.
     pub(crate) fn key(
         &self,
         study: &Study,
@@ -72,17 +71,17 @@ impl Kept {
         Ok(hash)
     }
 
-    /// Refuses to go on where a file that keys were made of was changed since: a run may be of another scene
-    /// than its key says.
+    /// Refuses to continue if a file that keys were made from has changed since: a run may then belong to
+    /// another scene than its key indicates.
     ///
     /// # Errors
-    /// A file is another one now.
+    /// A file has changed.
     pub(crate) fn check_unchanged(&self) -> Result<(), Failure> {
         let mut seen = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
         loading::check_unchanged(seen.values_mut())
     }
 
-    /// A run that was made before; `None` where its file is not there or is not whole.
+    /// Reads an earlier run; `None` if its file is missing or incomplete.
     pub(crate) fn get(&self, study: &Study, key: &str) -> Option<Run> {
         // Earlier versions had folders of two letters.
         let read = |file: &Path| files::read_own(file, LIMIT_BYTES);
@@ -93,7 +92,7 @@ impl Kept {
             Value::Null => Some(None),
             value => value.as_f64().map(Some),
         };
-        // Earlier versions kept no accuracy, or not whose errors it tells.
+        // Earlier versions kept no accuracy, or did not record in which run the errors were measured.
         let accuracy = run.get("accuracy").and_then(|accuracy| Reached::deserialize(accuracy).ok());
         let accuracy = accuracy.unwrap_or_default();
         Some(Run { values: study.measures.names().map(value).collect::<Option<_>>()?, accuracy })
@@ -107,7 +106,7 @@ impl Kept {
         files::write_again(&self.file(key), format!("{text}\n").as_bytes())
     }
 
-    /// Three letters are 4096 folders, of 2500 runs each in the largest study.
+    /// Path of a run; three letters give 4096 folders, of 2500 runs each in the largest study.
     fn file(&self, key: &str) -> PathBuf {
         self.file_below(key, 3)
     }

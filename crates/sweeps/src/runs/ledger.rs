@@ -2,7 +2,7 @@
 
 use crate::runs::reached::Reached;
 
-/// A run: what was measured of it, and how exactly.
+/// A run: its metrics, and its accuracy.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Run {
     /// Values in the order of the study's measures.
@@ -10,16 +10,16 @@ pub(crate) struct Run {
     pub(crate) accuracy: Reached,
 }
 
-/// Runs by design; each has seen the first so many situations.
+/// Runs by design; each design has seen a number of the first situations.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Ledger {
     runs: Vec<Vec<Run>>,
-    /// Designs that are repeated further.
+    /// Designs that are still repeated.
     pub(crate) open: Vec<usize>,
 }
 
 impl Ledger {
-    /// A ledger of so many designs, in which nothing stands.
+    /// Makes an empty ledger of the given number of designs.
     pub(crate) fn of(designs: usize) -> Self {
         Self { runs: vec![vec![]; designs], open: (0..designs).collect() }
     }
@@ -44,12 +44,12 @@ impl Ledger {
         self.runs[design].iter().map(|run| run.values[metric]).collect()
     }
 
-    /// Whether a design has seen fewer situations than another one.
+    /// Whether a design has seen fewer situations than another.
     pub(crate) fn has_seen_less(&self, design: usize, other: usize) -> bool {
         self.runs[design].len() < self.runs[other].len()
     }
 
-    /// Situations that every design has seen.
+    /// Number of situations that every design has seen.
     pub(crate) fn common(&self) -> usize {
         self.runs.iter().map(Vec::len).min().unwrap_or(0)
     }

@@ -23,26 +23,26 @@ use pipeline::outcome::summary::{FrameSummary, Summary};
 use pipeline::outcome::tracking::Tracking;
 use scene::{Meshes, ReadOptions};
 
-/// Means that all runs of a study share.
+/// Resources common to all runs of a study.
 pub(crate) struct Means<'a> {
     pub(crate) cache: Option<&'a Cache>,
     pub(crate) model: Option<&'a LoadedModel>,
     pub(crate) memory: Allowance,
-    /// Runs that share the memory.
+    /// Number of runs that share the memory.
     pub(crate) at_once: usize,
 }
 
-/// All frames of a run take over what is measured in its first.
+/// Interval of measurements: all frames of a run take over the errors of its first.
 const MEASURED_EVERY: u32 = 1_000_000;
 
-/// Errors of paths that were measured in one run, for others of its kind.
+/// Path errors measured in one run, for others of its kind.
 pub(crate) struct Measured {
     known: Known,
-    /// Hash of what they depend on.
+    /// Hash of their inputs.
     hash: String,
 }
 
-/// The scene of a design in a situation, with its models as far as they are asked for.
+/// Reads the scene of a design in a situation, with its models if requested.
 pub(crate) fn read(
     study: &Study,
     design: &[Pick],
@@ -56,7 +56,7 @@ pub(crate) fn read(
     Ok(SceneHeader { seed: situation.seed, fidelity, ..header })
 }
 
-/// Errors of a run's first frame.
+/// Measures the errors of a run's first frame.
 pub(crate) fn measured(header: &SceneHeader, means: &Means) -> Result<Measured, Failure> {
     let chain = chain(header, means);
     let mut keys = vec![];
@@ -68,8 +68,8 @@ pub(crate) fn measured(header: &SceneHeader, means: &Means) -> Result<Measured, 
     Ok(Measured { known: chain.measured(), hash: fingerprint(&keys) })
 }
 
-/// Summary of all frames of a scene, with errors of another run of its kind where there are some, and whose
-/// errors it tells.
+/// Summary of all frames of a scene, with errors of another run of its kind if given, and the run in which
+/// its errors were measured.
 pub(crate) fn summary(
     header: &SceneHeader,
     like: Option<&Measured>,
@@ -100,13 +100,13 @@ pub(crate) fn summary(
     Ok((Summary::of(header, frames, tracking.metrics()), errors))
 }
 
-/// Whether a frame's errors were measured in another one; where that one has no bodies its own are.
+/// Whether a frame's errors were measured in another one; a frame uses its own if that one has no bodies.
 fn takes_over(frame: &FrameProducts) -> bool {
     frame.result.scattering.paths().is_some_and(|paths| paths.trace.origin == ErrorOrigin::TakenOver)
 }
 
-/// Of the cache only scattering is asked and told: what comes behind it is quickly made again, and fills a
-/// disk.
+/// The chain of a scene, which caches only scattering: later stages are computed quickly, and their frames
+/// fill a disk.
 fn chain<'a>(header: &'a SceneHeader, means: &Means<'a>) -> Chain<'a> {
     let chain = Chain::of(header, means.cache, means.model, means.memory).keeping(Stage::BartRcs);
     chain.share_memory(AtOnce { workers: means.at_once, held: means.at_once });

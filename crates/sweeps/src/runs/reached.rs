@@ -1,27 +1,27 @@
-//! The accuracy of a run: what was asked for, and what the worst of its frames reached.
+//! The accuracy of a run: the request, and the result of its worst frame.
 
 use pipeline::outcome::summary::Summary;
 use serde::{Deserialize, Serialize};
 
-/// Run that errors were measured in.
+/// Run in which errors were measured.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Errors {
     /// The run itself.
     #[default]
     Own,
-    /// Another one, in which they may have been smaller or larger than in this.
+    /// Another one, in which they may have been smaller or larger than in this one.
     TakenOver,
 }
 
-/// Accuracy of a run over its frames; nothing is known of one that an earlier version kept.
+/// Accuracy of a run over its frames; unknown for one kept by an earlier version.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Reached {
     /// The largest error allowed, dB relative to the echo.
     pub(crate) asked_db: Option<f64>,
-    /// Error of the worst frame, dB; `None` where it was not estimated, and with `met` of no error at all.
+    /// Error of the worst frame, dB; `None` if it was not estimated, or, with `met`, if it is zero.
     pub(crate) reached_db: Option<f64>,
-    /// Whether every frame whose error was estimated reached what was asked; `None` where none was.
+    /// Whether every frame with an estimated error met the request; `None` if there is none.
     pub(crate) met: Option<bool>,
     pub(crate) errors: Errors,
 }
@@ -39,17 +39,17 @@ impl Reached {
         }
     }
 
-    /// Whether the run did not reach what it asked for.
+    /// Whether the run missed its requested accuracy.
     pub(crate) fn is_missed(&self) -> bool {
         self.met == Some(false)
     }
 
-    /// Whether it would have reached it, were its errors those of the run that they are taken over from.
+    /// Whether the run meets its accuracy only by errors taken over from another run.
     pub(crate) fn is_not_measured(&self) -> bool {
         self.met == Some(true) && self.errors == Errors::TakenOver
     }
 
-    /// Level of the error above what was asked for, dB.
+    /// Excess of the error over the request, dB.
     pub(crate) fn excess_db(&self) -> f64 {
         self.reached_db.unwrap_or(f64::INFINITY) - self.asked_db.unwrap_or(0.0)
     }

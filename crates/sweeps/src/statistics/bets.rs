@@ -1,13 +1,13 @@
-//! Evidence that one design is better than another, of values with bounds: a gambler's capital.
+//! Evidence that one design is better than another, for bounded values: a gambler's capital.
 
-/// Parts of the capital that are bet, from all of it on.
+/// Fractions of the capital that are bet, from all of it down.
 const BETS: [f64; 7] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625];
 
-/// Capital that was 1 and is bet, value by value, on a mean above zero: the mean over fixed bets λ of
-/// Π (1 + λ v), with values v from −1 to 1. Where the mean of what may come is zero or less, whatever its
-/// distribution, the capital reaches w with a probability of 1/w at most, however often it is looked at
+/// Capital that starts at 1 and is bet, value by value, on a mean above zero: the mean over fixed bets λ of Π
+/// (1 + λ v), with values v from −1 to 1. If the conditional mean of the values is zero or less, whatever
+/// their distribution, the capital reaches w with a probability of at most 1/w, however often it is checked
 /// (Ville's inequality; Waudby-Smith and Ramdas, J. R. Stat. Soc. B 86 (2024) 1). Averages of such capitals
-/// are such a capital.
+/// have the same property.
 pub(crate) fn capital(values: impl Iterator<Item = f64> + Clone) -> f64 {
     let of_bet = |bet: &f64| values.clone().map(|v| (bet * v.clamp(-1.0, 1.0)).ln_1p()).sum::<f64>().exp();
     BETS.iter().map(of_bet).sum::<f64>() / BETS.len() as f64

@@ -1,28 +1,28 @@
-//! Designs that may still be the best: the others are repeated no further.
+//! Designs that may still be the best: the others are not repeated further.
 
 use crate::statistics::bets::capital;
 use crate::statistics::interval::{Mean, Scale};
 use crate::statistics::pairs::{best, by_mean};
 
-/// Rule by which a design is given up.
+/// Rule for dropping designs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rule {
-    /// Probability that the best design is never given up, over all looks.
+    /// Probability that the best design is never dropped, over all looks.
     pub(crate) confidence: f64,
-    /// Situations that a design has to have seen.
+    /// Least number of situations before a design is dropped.
     pub(crate) least: usize,
-    /// Number of times that the designs are looked at, at most.
+    /// Largest number of looks at the designs.
     pub(crate) looks: usize,
-    /// Values that scores may have, but for their sign.
+    /// Possible values of scores, up to their sign.
     pub(crate) scale: Scale,
 }
 
-/// Designs that stay of those that are `open`, in their order; `scores` has each design's by situation, more
-/// is better. The best by pairs ([`best`]) stays, and each that is not worse than others by paired
-/// differences. Of values with bounds a design is worse where a capital that bets against it and for each
-/// other one has grown enough ([`capital`]): whatever the distribution, at however many looks. Of others it
-/// is worse than the best by Student's interval, at a confidence that all comparisons with every other
-/// design at every look share (Bonferroni).
+/// Designs among the `open` ones that stay, in their order; `scores` has each design's by situation, more is
+/// better. The best by pairs ([`best`]) stays, as does each that is not worse than others by paired
+/// differences. For bounded values a design is worse if the capital bet against it, on each of the others,
+/// has grown enough ([`capital`]): for any distribution, at any number of looks. For other values it is worse
+/// than the best by Student's interval, at a confidence shared by all comparisons with every other design at
+/// every look (Bonferroni).
 pub(crate) fn staying(scores: &[Vec<Option<f64>>], open: &[usize], rule: &Rule) -> Vec<usize> {
     let Some(best) = best(scores, open) else { return open.to_vec() };
     let rivals = ranked(scores, open);
@@ -41,23 +41,23 @@ pub(crate) fn staying(scores: &[Vec<Option<f64>>], open: &[usize], rule: &Rule) 
     open.iter().copied().filter(|design| *design == best || !is_worse(*design)).collect()
 }
 
-/// The open designs of the greatest means, sixty-four at most. What is bet for the others is lost: it counts
-/// in the average and wins nothing, so that the more that are good are compared, the sooner a bad one goes.
+/// The open designs with the greatest means, sixty-four at most. Bets on the others are lost: they count in
+/// the average and win nothing, so restricting the comparison to good designs eliminates bad ones sooner.
 fn ranked(scores: &[Vec<Option<f64>>], open: &[usize]) -> Vec<usize> {
     const RIVALS: usize = 64;
     by_mean(scores, open).iter().take(RIVALS).map(|(design, _)| *design).collect()
 }
 
-/// Capital that bets for one design and against another, whose differences are at most `span`; none before
-/// both have seen `least` situations.
+/// Capital bet on one design against another, whose differences are at most `span`; none before both have
+/// seen `least` situations.
 fn bets_for(scores: &[Vec<Option<f64>>], [design, against]: [usize; 2], span: f64, least: usize) -> f64 {
     let pairs = scores[design].iter().zip(&scores[against]);
     let differences = pairs.filter_map(|(a, b)| Some(((*a)? - (*b)?) / span));
     if differences.clone().count() < least { 0.0 } else { capital(differences) }
 }
 
-/// Confidence of each of some statements that all hold together at a confidence (Bonferroni). A two-sided
-/// interval errs to one side half as often; that is left as a reserve.
+/// Confidence of each of several statements that hold jointly at a given confidence (Bonferroni). A two-sided
+/// interval errs to one side half as often; this margin is kept as a reserve.
 pub(crate) fn jointly(confidence: f64, statements: usize) -> f64 {
     1.0 - (1.0 - confidence) / statements.max(1) as f64
 }

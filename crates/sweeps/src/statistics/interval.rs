@@ -1,22 +1,22 @@
-//! Mean of some values with the interval in which their expectation lies.
+//! Mean of values with the confidence interval of their expectation.
 
 use crate::statistics::student::two_sided;
 
-/// Values that something measured may have.
+/// Possible values of a measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Scale {
     /// Values from the first to the second.
     Within([f64; 2]),
     /// Any number.
     Any,
-    /// The same number in every situation.
+    /// The same number in every situation, without variation.
     Fixed,
 }
 
 impl Scale {
     pub(crate) const SHARE: Self = Self::Within([0.0, 1.0]);
 
-    /// Values that the difference of two such may have.
+    /// Possible values of the difference of two such quantities.
     fn of_differences(self) -> Self {
         match self {
             Self::Within([least, greatest]) => Self::Within([least - greatest, greatest - least]),
@@ -25,26 +25,26 @@ impl Scale {
     }
 }
 
-/// Values that differ by less, relative to the largest, are alike; less is rounding.
+/// Relative difference below which values are equal: rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Mean of values and its interval.
+/// Mean of values with its interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Mean {
     pub(crate) value: f64,
-    /// Standard error of the mean; `None` of a single value, which tells of no spread.
+    /// Standard error of the mean; `None` for a single value, which has no spread.
     pub(crate) standard_error: Option<f64>,
-    /// Half the width of the interval, the greater half where they differ; `None` likewise, and of values
-    /// without bounds that are all alike.
+    /// Half the width of the interval, the greater half if they differ; `None` for a single value, and for
+    /// unbounded values that are all equal.
     pub(crate) half_width: Option<f64>,
-    /// Both ends of the interval, within the bounds of the values; `None` likewise.
+    /// Both ends of the interval, within the bounds of the values; `None` in the same cases.
     pub(crate) ends: Option<[f64; 2]>,
     /// Number of values.
     pub(crate) count: usize,
 }
 
 impl Mean {
-    /// Mean of normal values and Student's interval at a confidence; `None` of no value.
+    /// Mean of normal values and Student's interval at a confidence; `None` without values.
     pub(crate) fn of(values: &[f64], confidence: f64) -> Option<Self> {
         let count = values.len();
         let value = (count > 0).then(|| values.iter().sum::<f64>() / count as f64)?;
@@ -55,10 +55,10 @@ impl Mean {
         Some(Self { value, standard_error, half_width, ends, count })
     }
 
-    /// Mean of values on a scale. Where all are alike their spread says nothing: as many trials that came out
-    /// alike are those of a chance of ((1 − confidence)/2)^(1/count) and more (Clopper and Pearson,
-    /// Biometrika 26 (1934) 404), and what comes otherwise is at either bound at worst. Without bounds
-    /// nothing is known of it.
+    /// Mean of values on a scale. If all values are equal, their spread is uninformative: that many equal
+    /// trials are consistent with a probability of ((1 − confidence)/2)^(1/count) and more (Clopper and
+    /// Pearson, Biometrika 26 (1934) 404), and the other outcomes are at worst at either bound. For unbounded
+    /// values the interval is then unknown.
     pub(crate) fn on_scale(values: &[f64], scale: Scale, confidence: f64) -> Option<Self> {
         let mean = Self::of(values, confidence)?;
         let alike = (0.5 * (1.0 - confidence)).powf(1.0 / mean.count as f64);
@@ -77,7 +77,7 @@ impl Mean {
         })
     }
 
-    /// Mean of what is known.
+    /// Mean of the known values.
     pub(crate) fn of_known(values: &[Option<f64>], confidence: f64) -> Option<Self> {
         Self::of(&known(values), confidence)
     }
@@ -88,7 +88,7 @@ impl Mean {
         Self::on_scale(&differences, scale.of_differences(), confidence)
     }
 
-    /// Lower end; −∞ where no spread is known.
+    /// Lower end; −∞ if the spread is unknown.
     pub(crate) fn low(&self) -> f64 {
         self.ends.map_or(f64::NEG_INFINITY, |[low, _]| low)
     }
@@ -99,7 +99,7 @@ fn are_alike(values: &[f64]) -> bool {
     values.iter().all(|value| (value - values[0]).abs() <= ROUNDING * largest)
 }
 
-/// Values that are known.
+/// The known values.
 pub(crate) fn known(values: &[Option<f64>]) -> Vec<f64> {
     values.iter().copied().flatten().collect()
 }

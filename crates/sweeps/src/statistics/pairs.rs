@@ -1,11 +1,11 @@
-//! Designs compared over the situations in which both know a metric, and the best of them. Scores have each
-//! design's values by situation, more is better, with nothing where nothing was known.
+//! Designs compared over the situations in which both know a metric, and the best of them. Scores are each
+//! design's values by situation, more is better, `None` if unknown.
 
 use std::cmp::Ordering;
 
-/// Distance of a design behind another one, below zero where it is ahead: the difference of their means over
-/// the situations that both know. Of two that know none together the one that knows fewer is behind by more
-/// than any number; neither is where they know as many.
+/// Distance of a design behind another, negative if it is ahead: the difference of their means over the
+/// situations that both know. If they have none in common, the one that knows fewer is infinitely far behind;
+/// neither is if they know equally many.
 pub(crate) fn behind(design: &[Option<f64>], other: &[Option<f64>]) -> f64 {
     let shared = design.iter().zip(other).filter_map(|(own, of_other)| Some([(*own)?, (*of_other)?]));
     let add = |(sums, count): ([f64; 2], u32), [own, of_other]: [f64; 2]| {
@@ -24,15 +24,15 @@ pub(crate) fn behind(design: &[Option<f64>], other: &[Option<f64>]) -> f64 {
     }
 }
 
-/// The design that is behind no other one; where each is behind some, as pairs over different situations
-/// allow, the one whose greatest distance behind another is least (the minimax rule: Simpson, Q. J. Econ. 83
-/// (1969) 478; Kramer, J. Econ. Theory 16 (1977) 310). Of equals the one of the greatest mean, then the
-/// first; `None` where nothing is known. Where all know the same situations it is the greatest mean.
+/// The design that is behind no other; if each is behind some, as is possible with pairs over different
+/// situations, the one with the smallest greatest distance behind another (the minimax rule: Simpson, Q. J.
+/// Econ. 83 (1969) 478; Kramer, J. Econ. Theory 16 (1977) 310). Among equals the one with the greatest mean,
+/// then the first; `None` if nothing is known. If all know the same situations, it has the greatest mean.
 pub(crate) fn best(scores: &[Vec<Option<f64>>], designs: &[usize]) -> Option<usize> {
     let order: Vec<usize> = by_mean(scores, designs).into_iter().map(|(design, _)| design).collect();
     let mut best: Option<(usize, f64)> = None;
     for design in &order {
-        // The best so far comes first: most designs are behind it by more than it is behind any.
+        // The best so far comes first: most designs are further behind it than behind any other.
         let rivals = best.map(|(design, _)| design).into_iter().chain(order.iter().copied());
         let least = best.map_or(f64::INFINITY, |(_, behind)| behind);
         let found = greatest_below(least, rivals.filter(|r| r != design), |rival| {
@@ -43,11 +43,11 @@ pub(crate) fn best(scores: &[Vec<Option<f64>>], designs: &[usize]) -> Option<usi
     best.map(|(design, _)| design)
 }
 
-/// Designs of which something is known with their means, the greatest first, equal ones in their order.
+/// Designs with known values and their means, the greatest first, equal ones in their order.
 pub(crate) fn by_mean(scores: &[Vec<Option<f64>>], designs: &[usize]) -> Vec<(usize, f64)> {
     let mean = |design: &usize| {
         let known: Vec<f64> = scores[*design].iter().copied().flatten().collect();
-        // No negative zero, which would stand behind zero.
+        // Adding zero avoids a negative zero, which would sort after zero.
         (!known.is_empty()).then(|| (*design, known.iter().sum::<f64>() / known.len() as f64 + 0.0))
     };
     let mut means: Vec<(usize, f64)> = designs.iter().filter_map(mean).collect();
@@ -55,7 +55,7 @@ pub(crate) fn by_mean(scores: &[Vec<Option<f64>>], designs: &[usize]) -> Vec<(us
     means
 }
 
-/// Greatest distance behind some rivals, −∞ without one; `None` where it is not below a bound.
+/// Greatest distance behind some rivals, −∞ without rivals; `None` if it is not below a bound.
 fn greatest_below(
     bound: f64,
     mut rivals: impl Iterator<Item = usize>,
@@ -67,7 +67,7 @@ fn greatest_below(
     })
 }
 
-/// Number of situations that each design has seen in which it knows nothing and some other design does.
+/// Number of situations seen by each design in which only other designs know a value.
 pub(crate) fn lacking(scores: &[Vec<Option<f64>>]) -> Vec<usize> {
     let situations = scores.iter().map(Vec::len).max().unwrap_or(0);
     let mut is_known = vec![false; situations];
@@ -79,7 +79,7 @@ pub(crate) fn lacking(scores: &[Vec<Option<f64>>]) -> Vec<usize> {
     scores.iter().map(lacks).collect()
 }
 
-/// Situations that all designs have seen and know, but for designs that know nothing.
+/// Situations that all designs have seen and know, ignoring designs that know nothing.
 pub(crate) fn shared(scores: &[Vec<Option<f64>>]) -> Vec<usize> {
     let knowing: Vec<_> = scores.iter().filter(|own| own.iter().any(Option::is_some)).collect();
     let situations = scores.iter().map(Vec::len).min().unwrap_or(0);

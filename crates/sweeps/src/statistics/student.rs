@@ -1,16 +1,16 @@
-//! Student's distribution, of the mean of few normal values whose spread is not known. In closed form for
-//! whole degrees of freedom: Abramowitz and Stegun, 26.7.3 and 26.7.4.
+//! Student's distribution, of the mean of few normal values with unknown spread. Closed form for whole
+//! degrees of freedom: Abramowitz and Stegun, 26.7.3 and 26.7.4.
 
-/// Degrees of freedom from which the normal distribution's quantile is told apart in no digit that matters:
-/// the difference is z(z² + 1)/4ν, 2e-6 at z = 2.
+/// Degrees of freedom from which the normal distribution's quantile suffices: the difference is z(z² + 1)/4ν,
+/// 2e-6 at z = 2.
 const NORMAL: usize = 1_000_000;
 
-/// Distance t from the mean, in standard errors, within which a share `confidence` of the values lies, from 0
+/// Quantile t, in standard errors from the mean, within which a share `confidence` of the values lies, from 0
 /// to below 1, with `freedom` degrees of freedom, at least 1.
 pub(crate) fn two_sided(confidence: f64, freedom: usize) -> f64 {
     let freedom = freedom.clamp(1, NORMAL);
     let (mut low, mut high) = (0.0, std::f64::consts::FRAC_PI_2);
-    // In the angle atan(t/√ν), which has an end: 60 halvings are more digits than a double has.
+    // Bisection in the angle atan(t/√ν), which is bounded: 60 halvings give more digits than a double has.
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         match within(middle, freedom) < confidence {
@@ -31,8 +31,8 @@ fn within(angle: f64, freedom: usize) -> f64 {
     }
 }
 
-/// `first` and the terms after it, each cos²·k/(k + 1) of the one before, k = `from`, `from` + 2, … as many
-/// as there are even numbers to `last`; they end where no digit changes.
+/// Sum of `first` and the terms after it, each cos²·k/(k + 1) of the one before, k = `from`, `from` + 2, …,
+/// one for each even number up to `last`; ends when no digit changes.
 fn series(first: f64, cos: f64, from: f64, last: usize) -> f64 {
     let (mut term, mut sum) = (first, first);
     for number in 0..last / 2 {

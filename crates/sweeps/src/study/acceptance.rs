@@ -1,4 +1,4 @@
-//! Whether the scene takes what a study changes: asked of every design before the first is computed.
+//! Check that the scene accepts a study's changes, made for every design before the first is computed.
 
 use crate::study::axis::{Axis, Pick};
 use crate::study::designs::changes;
@@ -13,8 +13,8 @@ use scene::{Change, Meshes, ReadOptions, Rule, SceneErrors};
 use std::collections::BTreeMap;
 
 /// Reads the scene of every design in the first situation and of the first design in all situations of the
-/// first repeat, models unopened. A refusal names the study, the value that is refused with its place, and
-/// the scene's own sentence.
+/// first repeat, models unopened. A refusal names the study, the refused value with its place, and the
+/// scene's own error.
 pub(crate) fn check(study: &Study, designs: &[Vec<Pick>], situations: &[Situation]) -> Result<(), Failure> {
     try_scene(study, &[], Meshes::NamesOnly)
         .map_err(|errors| loading::of_scene(errors).named_in(&study.page.file))?;
@@ -25,8 +25,8 @@ pub(crate) fn check(study: &Study, designs: &[Vec<Pick>], situations: &[Situatio
     if study.sample.is_some() { Ok(()) } else { differ(study, designs, situation) }
 }
 
-/// Refuses two designs of one scene: a value that is listed twice, or a key that the radar does not take.
-/// Models are opened only of designs that nothing else tells apart.
+/// Refuses two designs with equal scenes: a value that is listed twice, or a key that the radar does not use.
+/// Models are opened only for designs that are equal otherwise.
 fn differ(study: &Study, designs: &[Vec<Pick>], situation: &Situation) -> Result<(), Failure> {
     let mut known: BTreeMap<String, usize> = BTreeMap::new();
     let mut with_models: BTreeMap<String, usize> = BTreeMap::new();
@@ -44,7 +44,7 @@ fn differ(study: &Study, designs: &[Vec<Pick>], situation: &Situation) -> Result
     Ok(())
 }
 
-/// Hash of a design's scene as every run of a study has it.
+/// Hash of a design's scene in every run of a study.
 fn scene_of(
     study: &Study,
     design: &[Pick],
@@ -77,7 +77,7 @@ fn alike(study: &Study, designs: &[Vec<Pick>], [first, second]: [usize; 2]) -> F
     ))
 }
 
-/// Reads the scene of a design in a situation; a refusal is as that of [`check`].
+/// Reads the scene of a design in a situation; a refusal is like that of [`check`].
 pub(crate) fn check_one(study: &Study, design: &[Pick], situation: &Situation) -> Result<(), Failure> {
     let all = || study.vary.iter().zip(design).chain(study.conditions.iter().zip(&situation.picks));
     let refusal = |changes: &[Change]| {
@@ -97,8 +97,9 @@ fn try_scene(study: &Study, changes: &[Change], meshes: Meshes) -> Result<SceneH
     scene::read_changed(&study.scene, changes, &options)
 }
 
-/// The scene's sentences on an unknown key before the number of an entry, which it takes for that of a list
-/// that it leaves out: asked for a list under it, it tells the key that is spelt alike.
+/// The scene's errors about an unknown key before the number of an entry, which the scene takes for that of a
+/// list that it omits: when a list under that key is requested, it reports the key with the most similar
+/// spelling.
 fn unknown_list(study: &Study, changes: &[Change]) -> Option<SceneErrors> {
     let is_number = |name: &str| !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_digit());
     let list_of = |change: &Change| {
@@ -120,7 +121,7 @@ fn refused(study: &Study, chosen: &[(&Axis, &Pick)], errors: &SceneErrors) -> Fa
     if errors.is_system() { Failure::System(text) } else { Failure::Refused(text) }
 }
 
-/// Keys with the values that they are given.
+/// Text of keys with their values.
 fn values(chosen: &[(&Axis, &Pick)]) -> String {
     let value = |(axis, pick): &(&Axis, &Pick)| {
         let pairs = axis.keys.iter().zip(&pick.values);

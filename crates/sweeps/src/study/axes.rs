@@ -7,7 +7,7 @@ use pipeline::host::failure::Failure;
 
 /// Keys of an axis in the file.
 pub(crate) const KEYS: [&str; 6] = ["key", "keys", "values", "labels", "draw", "name"];
-/// Values of one axis.
+/// Largest number of values of one axis.
 const VALUES_LIMIT: usize = 10_000;
 
 /// Reads one axis.
@@ -35,7 +35,7 @@ fn places(fields: &Fields<'_>) -> Vec<Position> {
     all.map(|value| fields.page.position(value.span().start)).collect()
 }
 
-/// One by `key`, several that change together by `keys`.
+/// Reads one key from `key`, or several that change together from `keys`.
 fn keys(fields: &Fields<'_>) -> Result<Vec<String>, Failure> {
     match (fields.text("key")?, fields.list("keys")?) {
         (Some(key), None) => Ok(vec![key.to_owned()]),
@@ -68,7 +68,7 @@ fn listed(fields: &Fields<'_>, keys: &[String], values: &[&Value<'_>]) -> Result
     Ok(Source::Listed(labels.into_iter().zip(groups).map(pick).collect()))
 }
 
-/// Values of keys that change together: a list with one for each.
+/// Values of keys that change together: a list with one for each key.
 fn group(fields: &Fields<'_>, keys: &[String], value: &Value<'_>) -> Result<Vec<String>, Failure> {
     let all = value.get_ref().as_array().filter(|all| all.len() == keys.len());
     let rule =
@@ -77,7 +77,7 @@ fn group(fields: &Fields<'_>, keys: &[String], value: &Value<'_>) -> Result<Vec<
     Ok(all.iter().map(|value| fields.written(value)).collect())
 }
 
-/// The file's `labels`, else the values as they are written.
+/// The file's `labels`, or the values as written.
 fn labels(fields: &Fields<'_>, groups: &[Vec<String>]) -> Result<Vec<String>, Failure> {
     let Some(labels) = fields.list("labels")? else {
         let text = |values: &Vec<String>| values.join(" ").replace('"', "");

@@ -1,11 +1,11 @@
-//! An axis of a study: keys of a scene that change together, and the values that they take.
+//! An axis of a study: keys of a scene that change together, with their values.
 
 use crate::study::page::Position;
 
 /// Keys of a scene that change together, with their values.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Axis {
-    /// Place in the study's file of each listed choice, or the one of what they are drawn from.
+    /// Place in the study's file of each listed choice, or of the single draw.
     pub(crate) places: Vec<Position>,
     /// Name in tables and reports.
     pub(crate) name: String,
@@ -13,17 +13,17 @@ pub(crate) struct Axis {
     pub(crate) source: Source,
 }
 
-/// Source of the values of an axis.
+/// Source of an axis's values.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Source {
     Listed(Vec<Pick>),
-    /// Any number from the first to the second.
+    /// Any number in an interval.
     Uniform([f64; 2]),
-    /// Any whole number from the first to the second, both among them.
+    /// Any whole number in an interval, both ends included.
     Whole([i64; 2]),
 }
 
-/// A choice of an axis: a value for each of its keys, as TOML writes it.
+/// A choice of an axis: a value for each of its keys, in TOML.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Pick {
     /// Name in tables and reports.
@@ -32,7 +32,7 @@ pub(crate) struct Pick {
 }
 
 impl Axis {
-    /// Listed choices; `None` of what is drawn.
+    /// Listed choices; `None` for a drawn axis.
     pub(crate) fn listed(&self) -> Option<&[Pick]> {
         match &self.source {
             Source::Listed(picks) => Some(picks),
@@ -40,13 +40,13 @@ impl Axis {
         }
     }
 
-    /// Place in the study's file that a choice comes from.
+    /// Place of a choice in the study's file.
     pub(crate) fn place_of(&self, pick: &Pick) -> Option<Position> {
         let index = self.listed().and_then(|picks| picks.iter().position(|listed| listed == pick));
         self.places.get(index.unwrap_or(0)).copied()
     }
 
-    /// Choice at a share of the axis, from 0 to below 1.
+    /// Choice at a fraction of the axis, from 0 to below 1.
     pub(crate) fn at(&self, share: f64) -> Pick {
         match &self.source {
             Source::Listed(picks) => picks[(share * picks.len() as f64) as usize].clone(),
@@ -58,14 +58,14 @@ impl Axis {
         }
     }
 
-    /// All keys have one and the same drawn value.
+    /// A drawn value, common to all keys.
     fn drawn(&self, value: String) -> Pick {
         Pick { label: value.clone(), values: vec![value; self.keys.len()] }
     }
 }
 
-/// A number to a ten-thousandth of its span at least, so that it can be read and typed; where that is beyond
-/// an end, the end itself as it is written in full.
+/// Rounds a number to at least a ten-thousandth of its span, so that it can be read and typed; beyond an end,
+/// returns the end itself in full.
 fn rounded(value: f64, [low, high]: [f64; 2]) -> String {
     let digits = (4.0 - (high - low).log10().floor()).clamp(0.0, 12.0) as usize;
     let short = format!("{value:.digits$}");

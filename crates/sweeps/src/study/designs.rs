@@ -1,4 +1,4 @@
-//! Designs of a study: every combination of what it varies, or a drawn sample of them.
+//! Designs of a study: every combination of its varied values, or a drawn sample of them.
 
 use crate::study::axis::{Axis, Pick};
 use crate::study::document::Study;
@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use scene::Change;
 
 /// All designs, each a choice for every axis of `vary`. A drawn one is a function of the seed and its number:
-/// a greater sample begins with the smaller one.
+/// a larger sample begins with the smaller one.
 pub(crate) fn designs(study: &Study) -> Vec<Vec<Pick>> {
     match study.sample {
         Some(count) => (0..u64::from(count)).map(|number| sample(study, number)).collect(),
@@ -15,8 +15,7 @@ pub(crate) fn designs(study: &Study) -> Vec<Vec<Pick>> {
     }
 }
 
-/// Every combination of the listed values, those of the last axis next to each other; drawn axes are left
-/// out.
+/// Every combination of the listed values, with the last axis varying fastest; drawn axes are left out.
 pub(crate) fn product(axes: &[Axis]) -> Vec<Vec<Pick>> {
     axes.iter().filter_map(Axis::listed).fold(vec![vec![]], |before, picks| {
         let with = |all: &Vec<Pick>, pick: &Pick| all.iter().chain([pick]).cloned().collect::<Vec<_>>();
@@ -24,7 +23,7 @@ pub(crate) fn product(axes: &[Axis]) -> Vec<Vec<Pick>> {
     })
 }
 
-/// Number of all designs, before one is made.
+/// Number of all designs, without making them.
 pub(crate) fn count(study: &Study) -> u64 {
     study.sample.map_or_else(|| combinations(&study.vary), u64::from)
 }
@@ -45,7 +44,7 @@ pub(crate) fn share(seed: u64, of: &str, index: &[u64]) -> f64 {
     ChaCha8Rng::from_seed(artifact::seed::key(seed, of, index)).random()
 }
 
-/// Changes that choices make to a scene.
+/// Changes to a scene from choices.
 pub(crate) fn changes<'a>(chosen: impl Iterator<Item = (&'a Axis, &'a Pick)>) -> Vec<Change> {
     let of_axis = |(axis, pick): (&'a Axis, &'a Pick)| {
         let change = |(key, value): (&String, &String)| Change { key: key.clone(), value: value.clone() };

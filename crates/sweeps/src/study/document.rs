@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toml::de::DeTable;
 
-/// Designs and runs of a study: at a second a run the greatest number is a third of a year.
+/// Largest number of designs, and of runs, of a study: at a second per run it takes a third of a year.
 pub(crate) const DESIGNS_LIMIT: u64 = 100_000;
 pub(crate) const RUNS_LIMIT: u64 = 10_000_000;
 const REPEATS_LIMIT: u64 = 10_000;
@@ -31,54 +31,53 @@ const KEYS: [&str; 11] = [
     "stop",
 ];
 
-/// A study, checked for itself; what its scenes say to it is asked later.
+/// A study, checked by itself; its scenes are checked later.
 pub(crate) struct Study {
     /// File that was read.
     pub(crate) page: Arc<Page>,
-    /// Scene of which all designs are changes.
+    /// Scene that all designs change.
     pub(crate) scene: PathBuf,
-    /// Through which of several radars.
+    /// Id of one of several radars.
     pub(crate) radar: Option<String>,
     pub(crate) seed: u64,
     pub(crate) repeats: u32,
-    /// Probability that an interval holds the mean.
+    /// Confidence of the intervals of means.
     pub(crate) confidence: f64,
     pub(crate) measures: Measures,
-    /// Axes to choose on.
+    /// Axes of the choice.
     pub(crate) vary: Vec<Axis>,
-    /// Axes that are not chosen but averaged over.
+    /// Axes of conditions, over which results are averaged.
     pub(crate) conditions: Vec<Axis>,
-    /// Number of designs that are drawn; `None`: all combinations of the listed values.
+    /// Number of drawn designs; `None`: all combinations of the listed values.
     pub(crate) sample: Option<u32>,
     pub(crate) goal: Goal,
-    /// Rule by which a design is not repeated further; `None`: all are repeated equally often.
+    /// Rule for dropping designs; `None`: all are repeated equally often.
     pub(crate) stop: Option<Stop>,
 }
 
 /// Metric that a study chooses by.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Goal {
-    /// Place of the metric among the measures.
+    /// Index of the metric among the measures.
     pub(crate) metric: usize,
     pub(crate) better: Better,
-    /// Place of what a design costs among the measures; less is better.
+    /// Index of a design's cost among the measures; less is better.
     pub(crate) cost: usize,
-    /// What may be given away of the metric for a cheaper design; `None`: one standard
-    /// error of the difference.
+    /// Acceptable loss of the metric for a cheaper design; `None`: one standard error of the difference.
     pub(crate) margin: Option<f64>,
 }
 
-/// Rule by which a design is repeated no further.
+/// Rule for dropping designs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stop {
-    /// Probability that no design is dropped which is the best.
+    /// Probability that the best design is not dropped.
     pub(crate) confidence: f64,
-    /// Situations that a design has to have seen before.
+    /// Least number of situations before a design is dropped.
     pub(crate) least: usize,
 }
 
 impl Study {
-    /// Reads and checks the file; a seed given takes the place of its own.
+    /// Reads and checks the file; `seed` replaces its own.
     pub(crate) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
         let page = Arc::new(Page::read(file)?);
         let table = DeTable::parse(&page.text).map_err(|error| {
@@ -142,7 +141,8 @@ fn count(sample: &Fields<'_>) -> Result<u32, Failure> {
     Ok(required(sample, "count", sample.whole("count", 1..=DESIGNS_LIMIT)?)? as u32)
 }
 
-/// A key that two axes change has the value of neither; so has one of a list or table that another replaces.
+/// Refuses keys that two axes change, which would have the value of neither; likewise a key within a list or
+/// table that another one replaces.
 fn once_each(root: &Fields<'_>, vary: &[Axis], conditions: &[Axis]) -> Result<(), Failure> {
     let all: Vec<&str> =
         vary.iter().chain(conditions).flat_map(|axis| &axis.keys).map(String::as_str).collect();
@@ -160,15 +160,15 @@ fn once_each(root: &Fields<'_>, vary: &[Axis], conditions: &[Axis]) -> Result<()
     }
 }
 
-/// Whether two keys are one, or one is that of a list or table that the other stands in. Places in lists are
-/// numbers: 0 and 00 are one.
+/// Whether two keys are equal, or one is within a list or table of the other. Indices in lists are numbers: 0
+/// and 00 are equal.
 fn overlap(key: &str, other: &str) -> bool {
     let place = |text: &str| text.parse::<u32>().ok();
     let is_same = |(a, b): (&str, &str)| a == b || place(a).is_some_and(|a| place(b) == Some(a));
     key.split('.').zip(other.split('.')).all(is_same)
 }
 
-/// Keys of a scene that no run of a study takes from it, each with the reason.
+/// Keys of a scene that have no effect in a study, each with the reason.
 const WITHOUT_EFFECT: [(&str, &str); 4] = [
     ("seed", "every situation has a seed of its own, drawn by that of the study"),
     ("name", "a scene is computed alike by any name"),
@@ -176,7 +176,7 @@ const WITHOUT_EFFECT: [(&str, &str); 4] = [
     ("fidelity.plan", "a study takes the scene's keys as they are said"),
 ];
 
-/// A key that has no effect makes equal designs.
+/// Refuses keys without effect, which make equal designs.
 fn with_effect(page: &Page, vary: &[Axis], conditions: &[Axis]) -> Result<(), Failure> {
     let reason = |key: &String| WITHOUT_EFFECT.iter().find(|(idle, _)| idle == key);
     let idle = |axis: &Axis| Some((axis.places.first().copied(), axis.keys.iter().find_map(reason)?));

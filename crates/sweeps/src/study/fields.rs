@@ -1,4 +1,4 @@
-//! A table of a study's file by the types of its keys; what it may not say is refused with its place.
+//! A table of a study's file with typed access to its keys; faults are refused with their place.
 
 use crate::study::page::Page;
 use pipeline::host::failure::Failure;
@@ -12,15 +12,15 @@ pub(crate) type Value<'d> = Spanned<DeValue<'d>>;
 /// A table of a study's file.
 pub(crate) struct Fields<'d> {
     pub(crate) page: &'d Page,
-    /// Name of the table as it is told; empty of the file's beginning.
+    /// Name of the table in errors; empty for the beginning of the file.
     pub(crate) place: String,
-    /// Byte at which it begins.
+    /// Byte at which the table begins.
     pub(crate) at: usize,
     table: &'d DeTable<'d>,
 }
 
 impl<'d> Fields<'d> {
-    /// The table, in which no other keys than these stand.
+    /// Makes the fields of a table, which must have no other than the known keys.
     pub(crate) fn of(
         page: &'d Page,
         place: &str,
@@ -36,7 +36,7 @@ impl<'d> Fields<'d> {
         }
     }
 
-    /// Refusal of what stands at a byte.
+    /// Refusal of the value at a byte.
     pub(crate) fn refused(&self, byte: usize, rule: &str) -> Failure {
         self.page.refused(byte, &self.place, rule)
     }
@@ -69,14 +69,14 @@ impl<'d> Fields<'d> {
         self.typed(key, &wanted, |value| number(value).filter(|number| allowed.contains(number)))
     }
 
-    /// Table under a key, in which no other keys than these stand.
+    /// Table under a key, with no other than the known keys.
     pub(crate) fn table(&self, key: &str, known: &[&str]) -> Result<Option<Self>, Failure> {
         let table = self.typed(key, "a table", DeValue::as_table)?;
         let at = self.value(key).map_or(self.at, |value| value.span().start);
         table.map(|table| Self::of(self.page, &format!("[{key}]"), at, table, known)).transpose()
     }
 
-    /// Tables of a list, each with no other keys than these.
+    /// Tables of a list, each with no other than the known keys.
     pub(crate) fn tables(&self, key: &str, known: &[&str]) -> Result<Vec<Self>, Failure> {
         let place = format!("[[{key}]]");
         let entry = |value: &'d Value<'d>| {
@@ -89,10 +89,10 @@ impl<'d> Fields<'d> {
         self.list(key)?.unwrap_or_default().into_iter().map(entry).collect()
     }
 
-    /// Text of a value as the file writes it; a text has the same quotes whichever it is written with.
+    /// Text of a value as written in the file; strings get the same kind of quotes.
     pub(crate) fn written(&self, value: &Value<'_>) -> String {
         match value.get_ref().as_str().map(|text| format!("\"{text}\"")) {
-            // What has to be escaped stays as it is written.
+            // Strings that need escapes stay as written.
             Some(quoted) if !quoted[1..quoted.len() - 1].contains(['"', '\\', '\n', '\r']) => quoted,
             _ => self.page.text.get(value.span()).unwrap_or_default().to_owned(),
         }
@@ -127,14 +127,14 @@ fn whole(value: &DeValue<'_>) -> Option<u64> {
     value.as_integer().filter(|whole| whole.radix() == 10)?.as_str().parse().ok()
 }
 
-/// Sentence on a key that is not known, with the one that is spelt most like it.
+/// Sentence about an unknown key, with the known key of the most similar spelling.
 fn unknown_key(found: &str, known: &[&str]) -> String {
     format!("unknown key `{found}`{}", nearest(found, known))
 }
 
-/// Words appended to a sentence on an unknown word: the known one that is spelt alike, or all.
+/// Words appended to a sentence about an unknown word: the known word of similar spelling, or all.
 pub(crate) fn nearest(found: &str, known: &[&str]) -> String {
-    const LEAST_LIKENESS: f64 = 0.6; // as of a scene's keys: one wrong or missing letter in three
+    const LEAST_LIKENESS: f64 = 0.6; // as for a scene's keys: one wrong or missing letter in three
     let alike = known.iter().map(|word| (strsim::jaro_winkler(found, word), *word));
     let best = alike.filter(|(likeness, _)| *likeness >= LEAST_LIKENESS).max_by(|a, b| a.0.total_cmp(&b.0));
     match best {

@@ -1,12 +1,12 @@
-//! Kinds of designs: those of one kind have the same bodies, waveform and fidelity, so that the errors of
-//! their paths are like and are measured once.
+//! Kinds of designs: those of one kind have the same bodies, waveform and fidelity, so that their path errors
+//! are similar and are measured once.
 
 use crate::study::axis::{Axis, Pick};
 use crate::study::document::Study;
 use std::collections::BTreeMap;
 
-/// Beginnings of keys that leave bodies, waveform and fidelity as they are. Where lanes lie is none of them:
-/// targets that are placed by their lane move with it.
+/// Beginnings of keys that do not affect bodies, waveform and fidelity. The positions of lanes are not among
+/// them: targets placed by lane move with it.
 const LIKE: [&str; 7] = [
     "radar.position_m",
     "radar.boresight_",

@@ -1,11 +1,11 @@
-//! Text of a study's file, and sentences about places in it.
+//! Text of a study's file, and errors about places in it.
 
 use artifact::bounded;
 use pipeline::host::failure::Failure;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// A study is a page of text.
+/// Largest study file, a page of text.
 const LIMIT_BYTES: u64 = 4 << 20;
 
 /// A study's file with its text.
@@ -33,7 +33,7 @@ impl Page {
         Ok(Self { file: file.to_owned(), text })
     }
 
-    /// Refusal of what stands at a byte: file, line, column, place and rule.
+    /// Refusal of the value at a byte: file, line, column, place and rule.
     pub(crate) fn refused(&self, byte: usize, place: &str, rule: &str) -> Failure {
         let place = if place.is_empty() { String::new() } else { format!(" {place}:") };
         Failure::Refused(format!("{}:{}:{place} {rule}", self.file.display(), self.position(byte)))

@@ -1,4 +1,4 @@
-//! Situations in which every design of a study is tried: the same conditions and seeds for all, so that
+//! Situations in which every design of a study is tried, with the same conditions and seeds for all, so that
 //! designs are compared in pairs.
 
 use crate::study::axis::{Axis, Pick};
@@ -12,13 +12,13 @@ pub(crate) struct Situation {
     /// Number of the combination of listed conditions.
     pub(crate) condition: usize,
     pub(crate) repeat: u32,
-    /// Seed of the scene: of its noise and all that is random.
+    /// Seed of the scene's noise and other random draws.
     pub(crate) seed: u64,
     /// A choice for every axis of `condition`.
     pub(crate) picks: Vec<Pick>,
 }
 
-/// Situations repeat by repeat: every combination of the listed conditions, with what is drawn drawn anew.
+/// Situations by repeat: every combination of the listed conditions, with new random draws.
 pub(crate) fn situations(study: &Study) -> Vec<Vec<Situation>> {
     let listed = product(&study.conditions);
     let of_repeat = |repeat: u32| {
@@ -31,12 +31,12 @@ pub(crate) fn situations(study: &Study) -> Vec<Vec<Situation>> {
     (0..study.repeats).map(of_repeat).collect()
 }
 
-/// Number of situations of all repeats, before one is made.
+/// Number of situations of all repeats, without making them.
 pub(crate) fn count(study: &Study) -> u64 {
     combinations(&study.conditions).saturating_mul(u64::from(study.repeats))
 }
 
-/// Changes that a design in a situation makes to the scene.
+/// Changes to the scene for a design in a situation.
 pub(crate) fn changes_in(study: &Study, design: &[Pick], situation: &Situation) -> Vec<Change> {
     changes(study.vary.iter().zip(design).chain(study.conditions.iter().zip(&situation.picks)))
 }

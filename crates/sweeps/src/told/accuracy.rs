@@ -1,14 +1,14 @@
-//! Sentences about runs that did not reach the accuracy that they asked for.
+//! Sentences about runs that did not reach their requested accuracy.
 
 use crate::runs::ledger::Ledger;
 use crate::runs::reached::Reached;
 use pipeline::outcome::error_figures::decibels;
 
-/// Designs that are listed by their numbers.
+/// Largest number of designs listed by number.
 const DESIGNS_LISTED: usize = 8;
 
-/// A sentence on how many runs did not reach what they asked for, the worst of them, and which candidates
-/// rest on them; with others where it is not known of all, as errors were taken over or are not known.
+/// A sentence about the number of runs that missed their accuracy, the worst of them, and the candidates that
+/// depend on them; further ones if the accuracy of some runs is unknown or their errors were taken over.
 pub(crate) fn sentences(ledger: &Ledger, candidates: &[usize]) -> Vec<String> {
     let of = |design: usize| ledger.runs(design).iter().map(move |run| (design, run.accuracy));
     let all = || (0..ledger.designs()).flat_map(of);
@@ -46,12 +46,12 @@ pub(crate) fn sentences(ledger: &Ledger, candidates: &[usize]) -> Vec<String> {
     told.into_iter().chain(not_measured).chain((unknown > 0).then_some(not_known)).collect()
 }
 
-/// Runs of a design that did not reach what they asked for.
+/// Number of runs of a design that missed their accuracy.
 pub(crate) fn missed(ledger: &Ledger, design: usize) -> usize {
     ledger.runs(design).iter().filter(|run| run.accuracy.is_missed()).count()
 }
 
-/// Runs of a design of which that is not known, as they take over their errors.
+/// Number of runs of a design whose accuracy is unknown because their errors were taken over.
 pub(crate) fn not_measured(ledger: &Ledger, design: usize) -> usize {
     ledger.runs(design).iter().filter(|run| run.accuracy.is_not_measured()).count()
 }
@@ -65,7 +65,7 @@ fn of_missed([missed, runs]: [usize; 2], design: usize, worst: &Reached) -> Stri
     )
 }
 
-/// The candidates that rest on runs of which some are counted.
+/// The candidates that depend on counted runs.
 fn of_candidates(ledger: &Ledger, candidates: &[usize], count: fn(&Ledger, usize) -> usize) -> String {
     let resting: Vec<usize> =
         candidates.iter().copied().filter(|design| count(ledger, *design) > 0).collect();

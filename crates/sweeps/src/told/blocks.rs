@@ -1,10 +1,10 @@
-//! Parts of a report, which stand on a page (HTML) and in a text (Markdown) alike.
+//! Parts of a report, common to a page (HTML) and a text (Markdown).
 
 use maud::{Markup, html};
 use pipeline::host::safe_text::{in_markdown, markdown_table};
 use reporting::report::scrolled;
 
-/// Columns of a text's lines.
+/// Columns of the text's lines.
 const COLUMNS: usize = 110;
 
 /// A part of a report.
@@ -33,7 +33,7 @@ fn block_in_text(block: &Block) -> String {
     }
 }
 
-/// Words in lines that fit.
+/// Wraps words into lines.
 fn wrapped(words: &str) -> String {
     let (mut text, mut column) = (String::new(), 0);
     for word in words.split_whitespace() {

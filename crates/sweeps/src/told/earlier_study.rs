@@ -1,4 +1,4 @@
-//! Results of an earlier study, told from the user's own files of these names.
+//! Results of an earlier study, distinguished from the user's own files of these names.
 
 use crate::runs::kept::Kept;
 use pipeline::host::failure::Failure;
@@ -6,13 +6,14 @@ use pipeline::host::files;
 use reporting::report;
 use std::path::Path;
 
-/// A table of a hundred million cells.
+/// Largest result: a table of a hundred million cells.
 const LIMIT_BYTES: u64 = 1 << 30;
 
-/// Whether a file of a name is a study's.
+/// Whether content belongs to a study.
 type IsOwn = fn(&[u8]) -> bool;
 
-/// Results that are known by what they hold; a picture is known by one of them, or by kept runs, beside it.
+/// Results that are recognized by their content; a picture is recognized by one of them, or by kept runs,
+/// beside it.
 const KNOWN: [(&str, IsOwn); 4] = [
     ("sweep.csv", |table| begins(table, "design,condition,repeat,seed,")),
     ("designs.csv", |table| begins(table, "design,")),
@@ -21,7 +22,7 @@ const KNOWN: [(&str, IsOwn); 4] = [
 ];
 const PICTURES: [&str; 2] = ["pareto.svg", "pareto.png"];
 
-/// Refuses to replace what no study has left in `out`.
+/// Refuses to replace files in `out` that no study left.
 pub(crate) fn keep_foreign(out: &Path) -> Result<(), Failure> {
     for (name, is_own) in KNOWN {
         files::keep_foreign(&out.join(name), LIMIT_BYTES, |bytes| bytes.is_empty() || is_own(bytes))?;

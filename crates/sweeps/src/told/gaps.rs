@@ -1,10 +1,10 @@
-//! Sentences about means that are not over all situations.
+//! Sentences about means that do not cover all situations.
 
 use crate::answer::Standing;
 use crate::statistics::interval::Mean;
 
-/// A sentence on how many designs know the metric in fewer situations than others, with the one that lacks
-/// most, and what that makes of the answer; none where all know it in the same.
+/// A sentence about the number of designs that know the metric in fewer situations than others, the one that
+/// lacks most, and the effect on the answer; none if all know it in the same.
 pub(crate) fn sentence(
     standings: &[Standing],
     seen: impl Fn(usize) -> usize,
@@ -12,7 +12,7 @@ pub(crate) fn sentence(
 ) -> Option<String> {
     let lacks = |design: &usize| standings[*design].lacks;
     let count = (0..standings.len()).filter(|design| lacks(design) > 0).count();
-    // The first of those that lack as many.
+    // The first of those that lack equally many.
     let worst = (0..standings.len()).rev().max_by_key(lacks).filter(|design| lacks(design) > 0)?;
     let known = standings[worst].mean.map_or(0, |mean| mean.count);
     let all = standings.len();
@@ -26,7 +26,7 @@ pub(crate) fn sentence(
     ))
 }
 
-/// Words appended to a mean that is over fewer situations than it could be.
+/// Words appended to a mean that covers fewer situations than it could.
 pub(crate) fn of_fewer(mean: Option<Mean>, seen: usize) -> String {
     match mean {
         Some(mean) if mean.count < seen => format!(" (in {} of {seen})", mean.count),

@@ -1,4 +1,4 @@
-//! Worth of each design over what it costs, with the front of what cannot be had better for less.
+//! Worth of each design over its cost, with the Pareto front.
 
 use crate::answer::{Answer, Standing};
 use crate::study::document::Study;
@@ -11,7 +11,7 @@ use plotting::svg::Svg;
 
 const HEIGHT_PX: f64 = 340.0;
 
-/// The picture: every design a disc, the front joined, the interval of each of its designs, the chosen one in
+/// Draws every design as a disc, the front joined, the interval of each of its designs, and the chosen one in
 /// a ring.
 pub(crate) fn draw(study: &Study, answer: &Answer, form: Form) -> Svg {
     let names: Vec<&str> = study.measures.names().collect();
@@ -31,7 +31,7 @@ pub(crate) fn draw(study: &Study, answer: &Answer, form: Form) -> Svg {
     sheet
 }
 
-/// The way from a cost to its place on its axis.
+/// Scale from a cost to its position on the axis.
 type Scale = fn(f64) -> f64;
 
 /// Logarithm of the cost; the cost itself where some design costs nothing.
@@ -40,7 +40,7 @@ fn scale(answer: &Answer) -> Scale {
     if costs().all(|cost| cost > 0.0) { f64::log10 } else { |cost| cost }
 }
 
-/// Cost on its scale, and the mean.
+/// Position of a design: cost on its scale, and the mean.
 fn place(standing: &Standing, scale: Scale) -> Option<[f64; 2]> {
     Some([scale(standing.cost?), standing.mean?.value])
 }
@@ -59,7 +59,7 @@ fn axes(answer: &Answer, form: Form, top: f64) -> Axes {
     }
 }
 
-/// Least and greatest with a little room.
+/// Least and greatest value with a margin.
 fn span(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
     let (low, high) =
         (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));
@@ -70,7 +70,7 @@ fn span(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
     }
 }
 
-/// The designs' own costs, as far as there is room for their numbers.
+/// Ticks at the designs' own costs, as far as there is room for their numbers.
 fn costs(answer: &Answer, axes: &Axes) -> Vec<Tick> {
     let mut values: Vec<f64> = answer.standings.iter().filter_map(|standing| standing.cost).collect();
     values.sort_by(f64::total_cmp);
@@ -110,7 +110,7 @@ fn marks(sheet: &mut Svg, answer: &Answer, axes: &Axes) -> Legend {
     legend
 }
 
-/// Intervals of the front's means.
+/// Draws the intervals of the front's means.
 fn bars(sheet: &mut Svg, answer: &Answer, axes: &Axes) {
     let scale = scale(answer);
     for design in &answer.front {

@@ -1,4 +1,4 @@
-//! The report of a study: which design, how sure that is, what the others are worth.
+//! The report of a study: the selected design, its certainty, and the worth of the others.
 
 use crate::answer::{Answer, Effect, effects};
 use crate::runs::ledger::Ledger;
@@ -10,13 +10,13 @@ use crate::told::blocks::Block;
 use crate::told::gaps;
 use plotting::axes::tick_text;
 
-/// A study with all that was measured.
+/// A study with all of its measurements.
 pub(crate) struct Done<'a> {
     pub(crate) study: &'a Study,
     pub(crate) designs: &'a [Vec<Pick>],
     pub(crate) ledger: &'a Ledger,
     pub(crate) answer: &'a Answer,
-    /// Sentences on what a study does not take from its scene.
+    /// Sentences about the parts of its scene that a study does not use.
     pub(crate) remarks: &'a [String],
 }
 
@@ -25,7 +25,7 @@ pub(crate) fn answer(done: &Done) -> Vec<Block> {
     done.sentences().into_iter().map(Block::Words).collect()
 }
 
-/// Parts of the report behind its picture.
+/// Parts of the report after its picture.
 pub(crate) fn details(done: &Done) -> Vec<Block> {
     let front =
         Block::Table("Front".into(), done.head(), done.answer.front.iter().map(|d| done.row(*d)).collect());
@@ -43,8 +43,8 @@ pub(crate) fn details(done: &Done) -> Vec<Block> {
 }
 
 impl Done<'_> {
-    /// The answer in sentences, the first of which names the design, and what it is worth by the situations
-    /// that it stands on and the accuracy of the runs.
+    /// The answer in sentences: the first names the design; others qualify it by its situations and the
+    /// accuracy of the runs.
     pub(crate) fn sentences(&self) -> Vec<String> {
         let gaps = gaps::sentence(&self.answer.standings, |design| self.seen(design), self.metric());
         let accuracy = accuracy::sentences(self.ledger, &self.answer.candidates);
@@ -76,18 +76,19 @@ impl Done<'_> {
         vec![first, worth, others]
     }
 
-    /// Situations that a design has seen.
+    /// Number of situations that a design has seen.
     fn seen(&self, design: usize) -> usize {
         self.ledger.runs(design).len()
     }
 
-    /// Mean of the goal's metric, with the situations that it is of where these are not all.
+    /// Text of the mean of the goal's metric, with its number of situations if these are not all.
     fn mean(&self, design: usize) -> String {
         let mean = self.answer.standings[design].mean;
         text(mean) + &gaps::of_fewer(mean, self.seen(design))
     }
 
-    /// Paired distance behind the best, with the situations that both know where these are not all.
+    /// Text of the paired distance behind the best, with the number of common situations if these are not
+    /// all.
     fn behind(&self, design: usize) -> String {
         let behind = self.answer.standings[design].behind;
         match self.answer.best {
@@ -98,7 +99,7 @@ impl Done<'_> {
         }
     }
 
-    /// Values that the candidates have in common.
+    /// Text of the values common to the candidates.
     fn bound(&self) -> String {
         let margin = match self.study.goal.margin {
             Some(margin) => margin.to_string(),
@@ -193,7 +194,7 @@ impl Done<'_> {
         )
     }
 
-    /// Situations that means by value are over.
+    /// Words for the situations over which means by value are taken.
     fn of_values(&self) -> String {
         match self.answer.is_by_pairs() {
             true => {
@@ -213,7 +214,7 @@ fn number(value: Option<f64>) -> String {
     value.map_or("–".to_owned(), figure)
 }
 
-/// A figure to three places behind the point; one that would be 0 there, and is not, to two digits.
+/// A number to three decimals; one that would round to 0 to two significant digits.
 fn figure(value: f64) -> String {
     match tick_text(value) {
         text if text == "0" && value != 0.0 => format!("{value:.1e}").replace('-', "−"),
@@ -221,10 +222,10 @@ fn figure(value: f64) -> String {
     }
 }
 
-/// A width beyond this part of its mean is one; less is rounding.
+/// Ratio of a width to its mean below which the width is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// A mean with half the width of its interval.
+/// Text of a mean with half the width of its interval.
 fn text(mean: Option<Mean>) -> String {
     match mean {
         None => "–".into(),

@@ -1,4 +1,4 @@
-//! `sweep.csv`, a row for each run, and `designs.csv`, a row for each design.
+//! `sweep.csv`, one row per run, and `designs.csv`, one row per design.
 
 use crate::answer::Answer;
 use crate::runs::ledger::Ledger;
@@ -10,8 +10,8 @@ use crate::study::situations::Situation;
 use crate::told::accuracy;
 use pipeline::host::safe_text::in_csv;
 
-/// All runs: design, condition, repeat and seed, the value of every key, every metric, and the accuracy asked
-/// and reached; empty where something is not known.
+/// All runs: design, condition, repeat and seed, the value of every key, every metric, and the requested and
+/// reached accuracy; empty if unknown.
 pub(crate) fn runs(
     study: &Study,
     designs: &[Vec<Pick>],
@@ -35,10 +35,10 @@ pub(crate) fn runs(
     table
 }
 
-/// All designs: the value of every key, how many situations it has seen, the mean of every metric with its
-/// interval, how far it is behind the best, whether it is on the front and a candidate, how many of its runs
-/// did not reach the accuracy that they asked for, of how many it is not known, as their errors are those of
-/// other runs, and in how many situations each mean is known.
+/// All designs: the value of every key, the number of situations seen, the mean of every metric with its
+/// interval, the distance behind the best, whether it is on the front and a candidate, the number of its runs
+/// that missed their accuracy, the number for which this is unknown because their errors are those of other
+/// runs, and the number of situations in which each mean is known.
 pub(crate) fn designs(study: &Study, designs: &[Vec<Pick>], ledger: &Ledger, answer: &Answer) -> String {
     let of_metric = |name: &str| [name.to_owned(), format!("{name}_low"), format!("{name}_high")];
     let behind = ["behind", "behind_low", "behind_high", "front", "candidate"];
@@ -80,13 +80,13 @@ fn keys(axes: &[Axis]) -> impl Iterator<Item = String> {
     axes.iter().flat_map(|axis| axis.keys.clone())
 }
 
-/// A value as it is written, a text without its quotes.
+/// A value as written, a string without its quotes.
 fn plain(value: &str) -> String {
     let inside = value.strip_prefix('"').and_then(|value| value.strip_suffix('"'));
     inside.filter(|text| !text.contains('"')).unwrap_or(value).to_owned()
 }
 
-/// Mean and both ends of its interval, which are empty where no spread is known.
+/// Mean and both ends of its interval, which are empty if the spread is unknown.
 fn interval(mean: Option<Mean>) -> [String; 3] {
     let ends = mean.and_then(|mean| mean.ends);
     let end = |at: usize| ends.map(|ends| ends[at]);

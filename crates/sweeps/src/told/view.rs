@@ -1,4 +1,4 @@
-//! Numbers of a study's view: designs where they stand, metrics, and the first situations.
+//! Data of a study's view: designs with their places, metrics, and the first situations.
 
 use crate::metrics::Better;
 use crate::runs::one_run;
@@ -9,12 +9,12 @@ use pipeline::host::failure::Failure;
 use reporting::report::sweep_view::{Design, Metric, Situation as Seen, SweepView};
 use scene::Meshes;
 
-/// Designs of a view: more make a page of several megabytes.
+/// Largest number of designs in a view: more make a page of several megabytes.
 const DESIGNS: usize = 2_000;
-/// Situations of a view.
+/// Largest number of situations in a view.
 const SITUATIONS: usize = 24;
 
-/// The view of a study that is done, with these situations in their order.
+/// The view of a finished study, with these situations in their order.
 ///
 /// # Errors
 /// Those of reading a scene, which every design has passed before its runs.
@@ -42,7 +42,7 @@ pub(crate) fn of(done: &Done, situations: &[&Situation]) -> Result<SweepView, Fa
     })
 }
 
-/// Designs of the view in their order: all, or the front, the candidates, and the best of the others.
+/// Designs of the view in order: all, or the front, the candidates, and the best of the others.
 fn shown(done: &Done) -> Vec<usize> {
     let answer = done.answer;
     let worth = |design: &usize| {
@@ -57,7 +57,7 @@ fn shown(done: &Done) -> Vec<usize> {
     all
 }
 
-/// Metrics in their order; the goal's is better as the study says.
+/// Metrics in order; the direction of the goal's is that of the study.
 fn metrics(done: &Done) -> Vec<Metric> {
     let (measures, goal) = (&done.study.measures, &done.study.goal);
     let better = |metric| if metric == goal.metric { goal.better } else { measures.better(metric) };

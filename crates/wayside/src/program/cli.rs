@@ -1,5 +1,4 @@
-//! The words a user types. What they mean is in `docs/interface.md`; the defaults here are the promise made
-//! there.
+//! Command-line arguments. `docs/interface.md` describes their meaning and guarantees their defaults.
 
 use crate::program::export_formats::help_on_formats;
 #[cfg(feature = "classifier")]
@@ -54,7 +53,7 @@ pub struct General {
 }
 
 impl Command {
-    /// Says whether the command leaves files or only lines of standard output.
+    /// Returns whether the command's results are files or only lines of standard output.
     pub fn results(&self) -> Results {
         match self {
             #[cfg(feature = "classifier")]
@@ -65,8 +64,8 @@ impl Command {
     }
 }
 
-/// The words of this process, and which command they name. Ends the program with exit code 2 on wrong words,
-/// 0 after `--help`. Option values may begin with a minus.
+/// Parses the arguments of this process; returns them and the name of the command. Ends the program with exit
+/// code 2 on wrong arguments, 0 after `--help`. Option values may begin with a minus.
 pub fn parse_or_exit<P: Parser>() -> (P, String) {
     let matches = with_negative_values(P::command()).try_get_matches();
     let matches = matches.unwrap_or_else(|told| tell_and_exit(&suggest::<P>(told)));
@@ -74,7 +73,7 @@ pub fn parse_or_exit<P: Parser>() -> (P, String) {
     (P::from_arg_matches(&matches).unwrap_or_else(|e| e.exit()), command)
 }
 
-/// Help and version are results; what is wrong with the words is not.
+/// Prints help, the version or an error and exits; help and version are results, errors are not.
 fn tell_and_exit(told: &clap::Error) -> ! {
     let printed = told.print();
     if !told.use_stderr() {
@@ -158,7 +157,7 @@ pub(crate) struct CacheArguments {
 }
 
 impl SceneArguments {
-    /// The scene as the chain takes it: file, model, radar and seed.
+    /// The scene in the chain's type: file, model, radar and seed.
     pub(crate) fn source(&self) -> SceneSource {
         let Self { scene, model, radar, seed, accuracy_db } = self.clone();
         SceneSource { file: scene, model, radar, seed, accuracy_db }
@@ -166,13 +165,13 @@ impl SceneArguments {
 }
 
 impl CacheArguments {
-    /// The cache as the chain takes it: folder and limit, MiB.
+    /// The cache in the chain's type: folder and limit, MiB.
     pub(crate) fn location(&self) -> CacheLocation {
         CacheLocation { folder: self.cache.clone(), limit_mib: self.cache_limit_mib }
     }
 }
 
-/// Words of `run`.
+/// Arguments of `run`.
 #[derive(Debug, Args)]
 pub struct RunArguments {
     #[command(flatten)]
@@ -196,7 +195,7 @@ pub struct RunArguments {
     pub(crate) cache: CacheArguments,
 }
 
-/// Words of `rcs`.
+/// Arguments of `rcs`.
 #[derive(Debug, Args)]
 pub struct RcsArguments {
     /// Mesh (.glb, .gltf, .stl, .obj, .xoma) or the name of a built-in vehicle.
@@ -286,13 +285,13 @@ impl RcsArguments {
         self.density.unwrap_or(6.0)
     }
 
-    /// Relative amplitude error allowed, dB.
+    /// Allowed relative amplitude error, dB.
     pub(crate) fn accuracy_db(&self) -> f64 {
         self.accuracy_db.unwrap_or(-40.0)
     }
 }
 
-/// Words of `paths`.
+/// Arguments of `paths`.
 #[derive(Debug, Args)]
 pub struct PathsArguments {
     #[command(flatten)]
@@ -302,7 +301,7 @@ pub struct PathsArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `echo`.
+/// Arguments of `echo`.
 #[derive(Debug, Args)]
 pub struct EchoArguments {
     #[command(flatten)]
@@ -315,7 +314,7 @@ pub struct EchoArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `dsp`.
+/// Arguments of `dsp`.
 #[derive(Debug, Args)]
 pub struct DspArguments {
     /// Radar cubes.
@@ -335,7 +334,7 @@ pub struct DspArguments {
     pub(crate) pictures: bool,
 }
 
-/// Words of `sweep`.
+/// Arguments of `sweep`.
 #[derive(Debug, Args)]
 pub struct SweepArguments {
     /// Study.
@@ -353,7 +352,7 @@ pub struct SweepArguments {
     /// Replace the study's seed.
     #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
     pub(crate) seed: Option<u64>,
-    /// Model of the classifier [default: the one that ships with the program].
+    /// Model of the classifier [default: the one shipped with the program].
     #[arg(long, value_name = "FILE.model")]
     pub(crate) classifier: Option<PathBuf>,
     /// Neither reads nor writes the cache.
@@ -363,7 +362,7 @@ pub struct SweepArguments {
     pub(crate) cache: CacheArguments,
 }
 
-/// Words of `import`.
+/// Arguments of `import`.
 #[derive(Debug, Args)]
 pub struct ImportArguments {
     /// Samples: a .npy of complex64 [frame, channel, chirp, sample] or a RADDet tensor [range, azimuth,
@@ -403,7 +402,7 @@ pub struct ImportArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `scene-from`.
+/// Arguments of `scene-from`.
 #[derive(Debug, Args)]
 pub struct SceneFromArguments {
     /// Board configuration: mmWave SDK .cfg, mmWave Studio log or script.
@@ -417,7 +416,7 @@ pub struct SceneFromArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `calibrate`.
+/// Arguments of `calibrate`.
 #[derive(Debug, Args)]
 pub struct CalibrateArguments {
     /// Radar cubes of the reflector, at rest.
@@ -431,7 +430,7 @@ pub struct CalibrateArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `export`.
+/// Arguments of `export`.
 #[derive(Debug, Args)]
 #[command(after_help = help_on_formats())]
 pub struct ExportArguments {
@@ -453,7 +452,7 @@ pub struct ExportArguments {
     pub(crate) out: PathBuf,
 }
 
-/// Words of `score`.
+/// Arguments of `score`.
 #[derive(Debug, Args)]
 pub struct ScoreArguments {
     /// Points with their objects.
@@ -470,7 +469,7 @@ pub struct ScoreArguments {
     pub(crate) tracks: Option<PathBuf>,
 }
 
-/// Words of `inspect`.
+/// Arguments of `inspect`.
 #[derive(Debug, Args)]
 pub struct InspectArguments {
     /// Artifact.
@@ -478,7 +477,7 @@ pub struct InspectArguments {
     pub(crate) file: PathBuf,
 }
 
-/// Words of `vehicles`.
+/// Arguments of `vehicles`.
 #[derive(Debug, Args)]
 pub struct VehiclesArguments {
     /// Output folder.
@@ -493,7 +492,7 @@ pub struct VehiclesArguments {
     pub(crate) count: u64,
 }
 
-/// Words of `cache`.
+/// Arguments of `cache`.
 #[derive(Debug, Args)]
 pub struct CacheCommandArguments {
     #[command(flatten)]

@@ -25,7 +25,7 @@ use pipeline::host::failure::Failure;
 #[cfg(feature = "classifier")]
 pub use ::learning::training::{PROGRAM as TRAINING_PROGRAM, target_folder as training_target_folder};
 
-/// Does what was asked.
+/// Carries out a command.
 pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
     let memory = means.memory;
     out_endings::check(&command, &means.command)?;

@@ -1,12 +1,12 @@
-//! Ends of the program where a command does not succeed.
+//! Exit of the program after a failed command.
 
 use crate::program::terminal;
 use pipeline::host::failure::Failure;
 use pipeline::host::safe_text;
 use std::process::ExitCode;
 
-/// Prints the sentence on standard error; exit code 1 of what was refused, 2 of what the system or the words
-/// of the command are to blame for, 130 of what was called off.
+/// Prints the error on standard error; exit code 1 for a refusal, 2 for errors of the system or of the
+/// arguments, 130 for a cancelled command.
 pub(crate) fn report(failure: &Failure) -> ExitCode {
     terminal::end_progress();
     terminal::say(format_args!("error: {}", printable(&failure.to_string())));
@@ -17,8 +17,7 @@ pub(crate) fn report(failure: &Failure) -> ExitCode {
     }
 }
 
-/// Text of a file as a terminal may show it: no signs that move its cursor, and of a line no more than a
-/// screen full.
+/// Makes text of a file safe for a terminal: without cursor control, each line no longer than a screen.
 fn printable(text: &str) -> String {
     const SHOWN: usize = 2000;
     let line = |line: &str| {

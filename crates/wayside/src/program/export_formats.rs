@@ -1,4 +1,4 @@
-//! Formats to which artifacts are exported, each with what writes it.
+//! Formats of exported artifacts, each with its writer.
 
 use crate::program::option_words::FormatWord::{self, *};
 use artifact::Reader;
@@ -16,17 +16,17 @@ use formats::training_sets::{carrada, kitti, nuscenes, raddet, uwcr};
 use pipeline::host::failure::Failure;
 use std::path::Path;
 
-/// Writes an artifact in a format.
+/// Writer of an artifact in a format.
 pub(crate) enum Export {
-    /// Writes a file, or a pair of them.
+    /// Writes one file, or a pair of files.
     File(fn(&Path, &Path) -> Result<(), Failure>),
-    /// Writes a folder in a set's layout, labelled where a scene is given.
+    /// Writes a folder in a dataset's layout, labelled if a scene is given.
     Set(fn(&Path, Option<&Path>, &Path) -> Result<(), Failure>),
 }
 
 use Export::{File, Set};
 
-/// Artifacts, the formats to which each is exported, and what writes them.
+/// Artifacts, the formats to which each is exported, and the writers.
 const EXPORTS: [(&str, FormatWord, Export); 35] = [
     ("scene", Json, File(as_json::<Scene>)),
     ("paths", Csv, File(|file, out| paths::csv(Reader::open(file)?, out))),
@@ -75,18 +75,18 @@ fn features(_file: &Path, _out: &Path) -> Result<(), Failure> {
     Err(Failure::refused("features of datasets need a program with the feature `classifier`"))
 }
 
-/// Finds what writes a kind of artifact in a format; `None` where nothing does.
+/// Finds the writer of a kind of artifact in a format; `None` if there is none.
 pub(crate) fn export_of(artifact: &str, format: FormatWord) -> Option<&'static Export> {
     let found = EXPORTS.iter().find(|(known, to, _)| *known == artifact && *to == format);
     found.map(|(.., export)| export)
 }
 
-/// Whether a format is a folder in a set's layout.
+/// Whether a format is a folder in a dataset's layout.
 pub(crate) fn is_set(format: FormatWord) -> bool {
     EXPORTS.iter().any(|(_, to, export)| *to == format && matches!(export, Set(_)))
 }
 
-/// Names of the formats to which a kind of artifact is exported; empty of an unknown kind.
+/// Names of the formats to which a kind of artifact is exported; empty for an unknown kind.
 pub(crate) fn formats_of(artifact: &str) -> String {
     let own = EXPORTS.iter().filter(|(known, ..)| *known == artifact);
     own.map(|(_, to, _)| name_of(*to)).collect::<Vec<_>>().join(", ")
@@ -97,7 +97,7 @@ pub(crate) fn name_of(format: FormatWord) -> String {
     format.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
-/// Help on the formats to which each artifact is exported, a line an artifact.
+/// Help on the formats of each artifact, one line per artifact.
 pub(crate) fn help_on_formats() -> String {
     let mut artifacts = EXPORTS.map(|(artifact, ..)| artifact).to_vec();
     artifacts.dedup();

@@ -1,18 +1,18 @@
-//! Ctrl-C and SIGTERM: nothing half-written stays behind, exit code 130.
+//! Ctrl-C and SIGTERM: incomplete files are removed, exit code 130.
 
 use crate::program::terminal;
 use std::sync::{Mutex, PoisonError};
 
-/// Parts of a command's work that the next one finds done, in the plural; `None` while it has no such parts.
+/// Parts of a command's work that its next run finds done, in the plural; `None` while there are none.
 static KEPT: Mutex<Option<&'static str>> = Mutex::new(None);
 
-/// Says what parts of the work are kept from now on for the next command: whole frames, say.
+/// Declares which parts of the work are kept from now on for the next run: whole frames, say.
 pub fn keeps(parts: &'static str) {
     *KEPT.lock().unwrap_or_else(PoisonError::into_inner) = Some(parts);
 }
 
-/// Handles interrupts from now on: one removes the temporary files of what is being written and ends the
-/// program.
+/// Handles interrupts from now on: an interrupt removes the temporary files of unfinished results and ends
+/// the program.
 pub(crate) fn install() {
     let handler = || {
         let _nothing_new = artifact::whole_file::abandon_all();

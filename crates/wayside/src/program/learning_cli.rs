@@ -1,4 +1,4 @@
-//! Words of the commands that make datasets, train, and tell classes.
+//! Arguments of the commands that make datasets, train and classify.
 
 use crate::program::terminal::Results;
 use crate::program::values::{Shard, shard};
@@ -22,7 +22,7 @@ pub enum LearningCommand {
 }
 
 impl LearningCommand {
-    /// Says whether the command leaves files or only lines of standard output.
+    /// Returns whether the command's results are files or only lines of standard output.
     pub(crate) fn results(&self) -> Results {
         match self {
             Self::Dataset(_) | Self::Train(_) => Results::Files,
@@ -38,7 +38,7 @@ pub(crate) enum LearnerWord {
     Paper,
 }
 
-/// Words of `dataset`.
+/// Arguments of `dataset`.
 #[derive(Debug, Clone, Args)]
 pub struct DatasetArguments {
     /// Recipe.
@@ -61,7 +61,7 @@ pub struct DatasetArguments {
     pub(crate) seed: Option<u64>,
 }
 
-/// Words of `train`.
+/// Arguments of `train`.
 #[derive(Debug, Clone, Args)]
 pub struct TrainArguments {
     /// Dataset folders.
@@ -84,7 +84,7 @@ pub struct TrainArguments {
     pub(crate) attributions: Option<PathBuf>,
 }
 
-/// Words of `evaluate`.
+/// Arguments of `evaluate`.
 #[derive(Debug, Clone, Args)]
 pub struct EvaluateArguments {
     /// Model file or folder.
@@ -98,7 +98,7 @@ pub struct EvaluateArguments {
     pub(crate) out: Option<PathBuf>,
 }
 
-/// Words of `protocols`.
+/// Arguments of `protocols`.
 #[derive(Debug, Clone, Args)]
 pub struct ProtocolsArguments {
     /// Dataset folders to train on; their vehicles are held out in turn.
@@ -125,7 +125,7 @@ pub struct ProtocolsArguments {
     pub(crate) out: Option<PathBuf>,
 }
 
-/// Words of `classify`.
+/// Arguments of `classify`.
 #[derive(Debug, Clone, Args)]
 pub struct ClassifyArguments {
     /// Model file or folder.

@@ -1,13 +1,13 @@
-//! Means with which a command is carried out.
+//! Means for carrying out a command.
 
 use pipeline::host::memory::Allowance;
 use reporting::report::Making;
 
-/// Means with which a command is carried out.
+/// Means for carrying out a command.
 pub struct Means {
-    /// Word of the command.
+    /// Name of the command.
     pub command: String,
-    /// Memory that tracing may take.
+    /// Memory allowed for tracing.
     pub memory: Allowance,
     /// The command of this process, for reports.
     pub making: Making,

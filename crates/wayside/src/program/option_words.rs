@@ -1,4 +1,4 @@
-//! Words that options take, each one of a few.
+//! Options with a fixed set of words.
 
 use artifact::material::Transmission;
 use artifact::radar::Polarization;
@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use formats::devices::{Board, IqOrder, Lanes};
 
-/// Parser of an option that takes one of a few words, each beside the setting that it stands for.
+/// Parser of an option with a fixed set of words, each given with its setting.
 pub(crate) fn one_of<W: Into<PossibleValue>, T: Copy + Send + Sync + 'static>(
     words: impl IntoIterator<Item = (W, T)>,
 ) -> impl TypedValueParser<Value = T> {
@@ -19,12 +19,12 @@ pub(crate) fn one_of<W: Into<PossibleValue>, T: Copy + Send + Sync + 'static>(
     })
 }
 
-/// Word of a setting; empty where none stands for it.
+/// Word of a setting; empty if it has none.
 pub(crate) fn word_of<T: PartialEq>(words: &[(&'static str, T)], setting: T) -> &'static str {
     words.iter().find(|(_, other)| *other == setting).map_or("", |(word, _)| word)
 }
 
-/// First letter receives, second transmits.
+/// Polarizations by their words: the first letter receives, the second transmits.
 pub(crate) const POLARIZATIONS: [(&str, Polarization); 4] =
     [("vv", Polarization::Vv), ("hh", Polarization::Hh), ("vh", Polarization::Vh), ("hv", Polarization::Hv)];
 pub(crate) const EDGES: [(&str, Edges); 2] = [("on", Edges::FirstOrder), ("off", Edges::Ignored)];
@@ -35,7 +35,7 @@ pub(crate) const SIDES: [(&str, Sides); 2] = [("two", Sides::Two), ("one", Sides
 pub(crate) const TRANSMISSION: [(&str, Transmission); 2] =
     [("on", Transmission::Followed), ("off", Transmission::Ignored)];
 
-/// Evaluation boards of families of devices, automotive and industrial alike.
+/// Evaluation boards of device families, automotive and industrial alike.
 pub(crate) fn boards() -> impl TypedValueParser<Value = Board> {
     let of = |name, also: &'static [&'static str], help| PossibleValue::new(name).aliases(also).help(help);
     let isk = "IWR6843ISK; boards with the antenna in or on the package have other antennas";
@@ -58,7 +58,7 @@ pub(crate) fn lanes() -> impl TypedValueParser<Value = Lanes> {
     ])
 }
 
-/// Parts of a complex sample, by which comes first.
+/// Orders of the parts of a complex sample, named by the first.
 pub(crate) fn iq_orders() -> impl TypedValueParser<Value = IqOrder> {
     one_of([
         (PossibleValue::new("iq").help("I before Q"), IqOrder::InPhaseFirst),
@@ -81,19 +81,19 @@ pub(crate) enum AxesWord {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FormatWord {
-    /// An array of NumPy, its axes in a .json beside it; of a dataset its crops.
+    /// A NumPy array with its axes in a .json beside it; of a dataset its crops.
     Npy,
-    /// Maps as floats, a layer a frame.
+    /// Maps as floats, one layer per frame.
     Exr,
     /// Maps or crops as pictures.
     Png,
-    /// A table, a row a path, point, track or sample.
+    /// A table with one row per path, point, track or sample.
     Csv,
     /// Points as a cloud of PCL.
     Pcd,
-    /// Points as a cloud of Stanford's format.
+    /// Points as a cloud in Stanford's format.
     Ply,
-    /// All of it as JSON.
+    /// All data as JSON.
     Json,
     /// Weights of a network.
     Safetensors,
@@ -101,19 +101,19 @@ pub(crate) enum FormatWord {
     Dca1000,
     /// .sigmf-data and .sigmf-meta.
     Sigmf,
-    /// Messages of ASAM OSI, in a file that ends in .osi or .mcap.
+    /// Messages of ASAM OSI, in a file ending in .osi or .mcap.
     Osi,
     /// Messages of ROS 2: PointCloud2 and RadarScan, RadarTracks.
     Mcap,
-    /// A folder as RADDet's: range-azimuth-Doppler tensors and boxes.
+    /// A folder in RADDet's layout: range-azimuth-Doppler tensors and boxes.
     Raddet,
-    /// A folder as CARRADA's: range-Doppler and range-angle maps and annotations.
+    /// A folder in CARRADA's layout: range-Doppler and range-angle maps and annotations.
     Carrada,
-    /// A folder as the University of Washington's raw data: samples and labels.
+    /// A folder in the layout of the University of Washington's raw data: samples and labels.
     Uwcr,
-    /// A folder as View-of-Delft's and KITTI's: clouds, boxes, a camera.
+    /// A folder in the layout of View-of-Delft and KITTI: clouds, boxes, a camera.
     Kitti,
-    /// A folder as nuScenes': clouds and the tables of its database.
+    /// A folder in nuScenes' layout: clouds and the tables of its database.
     Nuscenes,
     /// One table of Apache Parquet.
     Parquet,

@@ -1,5 +1,5 @@
-//! `--out` whose ending is that of another format than what the command writes: refused before the work, with
-//! the command that writes it.
+//! Check of the ending of `--out`: one that belongs to another format is refused before the work, and the
+//! error names the command that writes it.
 
 use crate::program::cli::{Command, ExportArguments};
 use crate::program::export_formats::{is_set, name_of};
@@ -10,8 +10,8 @@ use crate::stepwise::endings::{self, WRITERS};
 use pipeline::host::failure::Failure;
 use std::path::Path;
 
-/// Refuses a result under the ending of another format. Endings of no format of the program's are parts of
-/// names, and a folder that is there is taken.
+/// Refuses a result with the ending of another format. Unknown endings count as parts of names, and an
+/// existing folder is accepted.
 pub(crate) fn check(command: &Command, word: &str) -> Result<(), Failure> {
     let Some(Written { out, what, endings }) = written(command) else { return Ok(()) };
     let rule = endings::of_another(out, &endings);
@@ -22,13 +22,13 @@ pub(crate) fn check(command: &Command, word: &str) -> Result<(), Failure> {
 /// Result of a command.
 struct Written<'a> {
     out: &'a Path,
-    /// In the words of an error.
+    /// Name of the result in error messages.
     what: String,
-    /// Those that it may have of the endings above.
+    /// Allowed endings among those above.
     endings: Vec<&'a str>,
 }
 
-/// `None` of commands whose result is a new folder or none: datasets, models.
+/// Describes a command's result; `None` if that is a new folder or nothing: datasets, models.
 fn written(command: &Command) -> Option<Written<'_>> {
     let of = |out, what: &str, endings: &[&'static str]| {
         Some(Written { out, what: what.to_owned(), endings: endings.to_vec() })
@@ -59,8 +59,8 @@ const FOLDER: &str = "a folder";
 #[cfg(feature = "classifier")]
 const PAGE: &str = "a page of text (.md, .txt)";
 
-/// `None` of SigMF, which has its endings added to any name, of OSI, which is asked for one of two, and of
-/// folders of sets.
+/// Describes an exported file; `None` for SigMF, whose endings are added to any name, for OSI, which accepts
+/// two, and for dataset folders.
 fn exported(arguments: &ExportArguments) -> Option<Written<'_>> {
     if is_set(arguments.to) || arguments.to == FormatWord::Osi {
         return None;

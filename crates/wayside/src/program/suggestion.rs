@@ -1,9 +1,9 @@
-//! "Did you mean": the command that a misspelt one is, or that does what another program's does.
+//! "Did you mean": suggests the command for a misspelt one, or for another program's name.
 
 use clap::CommandFactory;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
-/// Words of other programs for what commands here do.
+/// Other programs' names for the commands here.
 pub(crate) const SYNONYMS: [(&str, &str); 22] = [
     ("simulate", "run"),
     ("sim", "run"),
@@ -29,8 +29,8 @@ pub(crate) const SYNONYMS: [(&str, &str); 22] = [
     ("check", "ci"),
 ];
 
-/// The same error, with a command that may be meant where clap knows none: of a short word it finds no
-/// letters exchanged.
+/// Adds a suggested command to an error where clap finds none: clap does not find exchanged letters in short
+/// words.
 pub(crate) fn suggest<C: CommandFactory>(mut error: clap::Error) -> clap::Error {
     let knows = error.get(ContextKind::SuggestedSubcommand).is_some();
     if error.kind() != ErrorKind::InvalidSubcommand || knows {
@@ -45,7 +45,7 @@ pub(crate) fn suggest<C: CommandFactory>(mut error: clap::Error) -> clap::Error 
     error
 }
 
-/// A synonym, else the name that is fewest letters away: at most one in three.
+/// A synonym, otherwise the name with the smallest edit distance: at most one letter in three.
 fn meant<'n>(typed: &str, names: &[&'n str]) -> Option<&'n str> {
     let synonym = SYNONYMS.iter().find(|(word, _)| *word == typed).map(|(_, command)| *command);
     let named = |command: &str| names.iter().copied().find(|name| *name == command);

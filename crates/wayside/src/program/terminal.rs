@@ -1,7 +1,6 @@
-//! Results on standard output; for a person on standard error a bar with the time left on a terminal and
-//! plain lines elsewhere, which `--quiet` silences. One thread looks at all work that is under way ten times
-//! a second: so a command that is silent inside one long step is heard of all the same, 2 s after its begin
-//! at the latest.
+//! Results on standard output; on standard error, for people, a bar with the remaining time on a terminal and
+//! plain lines elsewhere, which `--quiet` silences. One thread polls all running work ten times a second, so
+//! that even a command within one long step shows a line 2 s after its beginning at the latest.
 
 use artifact::whole_file;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -21,14 +20,14 @@ enum Voice {
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 static IS_OVER: AtomicBool = AtomicBool::new(false);
 
-/// Looks a second are enough for the first line to come in time.
+/// Interval of polling, short enough for the first line to come in time.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// Begins to look, and hears remarks; called once.
+/// Starts polling and listening to remarks; called once.
 pub(crate) fn show_progress() {
     let voice = if std::io::stderr().is_terminal() { Voice::Bar } else { Voice::Lines };
     progress::listen(remark);
-    // Without the thread a command works as well, and says less.
+    // Without the thread, the command still works, but shows no progress.
     let _ = std::thread::Builder::new().name("progress".into()).spawn(move || look_again_and_again(voice));
 }
 
@@ -47,7 +46,7 @@ fn remark(text: &str) {
     beside_the_bar(|| say(safe_text::in_a_line(text)));
 }
 
-/// Does what prints, without a bar in its way.
+/// Runs a printing function without the bar in its way.
 fn beside_the_bar<T>(printing: impl FnOnce() -> T) -> T {
     match &*locked(&BAR) {
         Some(bar) => bar.suspend(printing),
@@ -55,7 +54,7 @@ fn beside_the_bar<T>(printing: impl FnOnce() -> T) -> T {
     }
 }
 
-/// Removes the bar for good: what is printed from now on is the last.
+/// Removes the bar for good, before the last output.
 pub(crate) fn end_progress() {
     IS_OVER.store(true, Ordering::Relaxed);
     if let Some(bar) = locked(&BAR).take() {
@@ -63,7 +62,7 @@ pub(crate) fn end_progress() {
     }
 }
 
-/// Shows what is under way once it has been for half a second.
+/// Shows work that has been under way for half a second.
 fn draw(now: Instant) {
     const AFTER: Duration = Duration::from_millis(500);
     let mut bar = locked(&BAR);
@@ -77,7 +76,7 @@ fn draw(now: Instant) {
     }
 }
 
-/// Counts of a whole progress bar.
+/// Number of counts of a full progress bar.
 const SHARES: f64 = 1000.0;
 
 fn empty_bar() -> ProgressBar {
@@ -90,17 +89,17 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Kind of results that a command leaves.
+/// Kind of a command's results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Results {
-    /// Files: where the reader of standard output goes away (`| head`), the command goes on to its end,
-    /// unheard.
+    /// Files: if the reader of standard output goes away (`| head`), the command continues silently to its
+    /// end.
     Files,
-    /// Lines of standard output alone: there it ends quietly.
+    /// Lines of standard output only: without a reader the command ends quietly.
     Lines,
 }
 
-/// Says what this command leaves.
+/// Sets the kind of this command's results.
 pub fn expect(results: Results) {
     GOES_ON.store(results == Results::Files, Ordering::Relaxed);
 }
@@ -108,18 +107,18 @@ pub fn expect(results: Results) {
 static GOES_ON: AtomicBool = AtomicBool::new(false);
 static IS_UNHEARD: AtomicBool = AtomicBool::new(false);
 
-/// Lets nobody hear the lines of results, where commands are carried out for their files and refusals alone.
+/// Silences the lines of results, for callers that need only a command's files and refusals.
 pub fn mute() {
     IS_UNHEARD.store(true, Ordering::Relaxed);
 }
 
-/// A line of results, in which no name begins another one or moves the cursor. One that cannot be written
-/// ends the program: its results have no other place.
+/// Prints a line of results, in which no name breaks the line or moves the cursor. A write failure ends the
+/// program, because its results have no other place.
 pub fn line(text: impl std::fmt::Display) {
     print(&safe_text::in_a_line(&text.to_string()));
 }
 
-/// Results of several lines, otherwise as [`line()`].
+/// Prints results of several lines, otherwise as [`line()`].
 pub fn lines(text: &str) {
     print(&safe_text::in_lines(text));
 }
@@ -133,7 +132,7 @@ fn print(text: &str) {
     }
 }
 
-/// Writes out what standard output still holds, after what was `printed` to it.
+/// Flushes standard output after a print whose result was `printed`.
 pub(crate) fn finish(printed: std::io::Result<()>) {
     if IS_UNHEARD.load(Ordering::Relaxed) {
         return;
@@ -143,15 +142,15 @@ pub(crate) fn finish(printed: std::io::Result<()>) {
     }
 }
 
-/// Whether the last line is said; held while a line is being said.
+/// Whether the last line was printed; locked while a line is printed.
 static IS_SAID: Mutex<bool> = Mutex::new(false);
 
-/// A line for a person, on standard error; where nobody reads it, it is not missed.
+/// Prints a line for people on standard error; a failure is ignored.
 pub(crate) fn say(text: impl std::fmt::Display) {
     say_unless(&locked(&IS_SAID), text);
 }
 
-/// Says the last line of a program that ends now: threads that are still at work say nothing after it.
+/// Prints the last line before the program ends: running threads print nothing after it.
 pub(crate) fn say_last(text: impl std::fmt::Display) {
     end_progress();
     let mut is_said = locked(&IS_SAID);
@@ -165,8 +164,8 @@ fn say_unless(is_said: &bool, text: impl std::fmt::Display) {
     }
 }
 
-/// A disk that is full ends the program with exit code 2; a reader that has gone away ends it quietly where
-/// nobody else hears of its results. What is being written is removed either way.
+/// Ends the program when output fails: with exit code 2 if the disk is full, quietly if the reader has gone
+/// away and nothing else receives the results. Unfinished files are removed either way.
 fn give_up(error: &std::io::Error) {
     if error.kind() == ErrorKind::BrokenPipe && GOES_ON.load(Ordering::Relaxed) {
         IS_UNHEARD.store(true, Ordering::Relaxed);

@@ -1,18 +1,17 @@
-//! Values that a user types behind options: each has a range within which the work ends, and a sentence for
-//! what lies outside.
+//! Values of options: each has a range for which the work ends, and an error for values outside.
 
 use crate::stepwise::bounds::{
     AZIMUTHS_DEG, ELEVATIONS_DEG, FREQUENCIES_GHZ, RANGES_M, UNIT_SCALES, or_infinite, outside,
 };
 use std::ops::RangeInclusive;
 
-/// Values of an axis and the text they were given as.
+/// Values of an axis with the text that specified them.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Axis {
     pub(crate) values: Vec<f64>,
 }
 
-/// Longest axis: a table of 10⁶ values per axis is a mistake of typing.
+/// Longest axis: a table of 10⁶ values per axis is a typing error.
 const AXIS_LIMIT: usize = 1_000_000;
 
 /// Reads an axis of frequencies in GHz.
@@ -61,7 +60,7 @@ pub(crate) fn elevation_deg(text: &str) -> Result<f64, String> {
     within(text, &ELEVATIONS_DEG)
 }
 
-/// Metres, or infinitely far.
+/// Reads a distance in metres, or infinity.
 pub(crate) fn range(text: &str) -> Result<f64, String> {
     match text {
         "inf" | "infinite" => Ok(f64::INFINITY),
@@ -69,7 +68,7 @@ pub(crate) fn range(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Below 0 dB: as large an error as the result is none that is allowed; f64 ends some way behind −200 dB.
+/// Reads an accuracy below 0 dB, at which the error equals the result; f64 ends some way beyond −200 dB.
 pub(crate) fn accuracy_db(text: &str) -> Result<f64, String> {
     match within(text, &(-200.0..=0.0))? {
         0.0 => Err("an error must be below 0 dB".into()),
@@ -77,22 +76,22 @@ pub(crate) fn accuracy_db(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Samples or rays per wavelength.
+/// Reads samples or rays per wavelength.
 pub(crate) fn density(text: &str) -> Result<f64, String> {
     within(text, &(0.1..=1000.0))
 }
 
-/// Metres per unit of a mesh file.
+/// Reads metres per unit of a mesh file.
 pub(crate) fn scale(text: &str) -> Result<f64, String> {
     within(text, &UNIT_SCALES)
 }
 
-/// √W of one step of integer samples.
+/// Reads √W of one step of integer samples.
 pub(crate) fn step(text: &str) -> Result<f32, String> {
     within(text, &(1e-30..=1e30)).map(|step| step as f32)
 }
 
-/// Steps to a converter's full scale.
+/// Reads the number of steps to a converter's full scale.
 pub(crate) fn full_scale(text: &str) -> Result<f64, String> {
     within(text, &(1e-30..=1e30))
 }
@@ -102,11 +101,11 @@ fn within(text: &str, allowed: &RangeInclusive<f64>) -> Result<f64, String> {
     if allowed.contains(&value) { Ok(value) } else { Err(outside(allowed, text)) }
 }
 
-/// World metres.
+/// A place in world metres.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Place(pub(crate) [f64; 3]);
 
-/// Within what a scene's coordinates are.
+/// Reads a place within the range of a scene's coordinates.
 pub(crate) fn place(text: &str) -> Result<Place, String> {
     let parts: Result<Vec<f64>, _> = text.split(',').map(|part| within(part.trim(), &(-1e5..=1e5))).collect();
     parts?.try_into().map(Place).map_err(|_| "three numbers, X,Y,Z in metres".to_owned())
@@ -121,11 +120,11 @@ pub struct Shard {
     pub of: u32,
 }
 
-/// Shard of an option `K/N`.
+/// Reads a shard of the form `K/N`.
 ///
 /// # Errors
 ///
-/// Not of this form, or K not from 1 to N.
+/// The text is not of this form, or K is not from 1 to N.
 pub fn shard(text: &str) -> Result<Shard, String> {
     let parsed =
         text.split_once('/').and_then(|(k, n)| Some(Shard { number: k.parse().ok()?, of: n.parse().ok()? }));

@@ -1,13 +1,13 @@
-//! Patterns that tell a gain of their own beside the one that they are relative to.
+//! Antenna patterns that contain a gain of their own beside the gain they are relative to.
 
 use artifact::pattern::Pattern;
 use artifact::radar::Radar;
 
-/// Part of a gain over its own peak that measured tables may have, dB.
+/// Ripple above the peak gain that measured tables may have, dB.
 const OVER_PEAK_DB: f64 = 3.0;
 
-/// A remark on a table whose peak lies well above the gain of the elements: it tells dBi, as data sheets do,
-/// and the gain counts twice.
+/// Remark on a table whose peak is well above the elements' gain: it is in dBi, as in data sheets, and the
+/// gain counts twice.
 pub(super) fn remark(radar: &Radar) -> Option<String> {
     let Pattern::Table(table) = &radar.array.pattern else { return None };
     let peak_db = 20.0 * table.amplitude.iter().copied().fold(0.0, f64::max).log10();

@@ -5,13 +5,13 @@ use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Class;
 use std::collections::BTreeMap;
 
-/// Real cars of fewer triangles lie 13 dB below the published level at 10° elevation in the mean, those of
-/// over 20,000 2 dB (docs/validation/published-levels.md).
+/// Number of triangles below which a car is coarse: real cars with fewer are on average 13 dB below the
+/// published level at 10° elevation, those with over 20,000 2 dB (docs/validation/published-levels.md).
 const COARSE: usize = 4_000;
-/// What is shorter is no car, m.
+/// Length below which a mesh is not a car, m.
 const SHORTEST_M: f64 = 2.5;
 
-/// A remark on each coarse mesh of a car that is none of the project's own.
+/// Remark on each coarse mesh of a car that is not one of the project's own.
 pub(super) fn remarks(header: &SceneHeader) -> Vec<String> {
     let coarse: BTreeMap<&String, usize> = vehicles(header)
         .filter(|(class, model, mesh)| *class == Class::Car && is_coarse(model, mesh))

@@ -1,8 +1,8 @@
-//! Recorded traffic of which nothing is ever seen.
+//! Recorded traffic that is never in view.
 
 use artifact::scene::SceneHeader;
 
-/// A remark on a recording that brings no vehicle into view.
+/// Remark on a recording that brings no vehicle into view.
 pub(super) fn remark(header: &SceneHeader) -> Option<String> {
     let traffic = header.traffic.as_ref()?;
     let frames = traffic.frames.len();

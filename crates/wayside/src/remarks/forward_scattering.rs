@@ -1,9 +1,9 @@
-//! Receivers behind what the transmitter lights.
+//! Receivers behind the lit side of a body.
 
 use bart_rcs::{RcsRequest, Standpoint};
 
-/// A remark on a bistatic table whose receiver is more than a right angle from the transmitter: currents on
-/// lit facets that face away from the receiver radiate there too, and are left out.
+/// Remark on a bistatic table whose receiver is more than a right angle from the transmitter: currents on lit
+/// facets that face away from the receiver radiate towards it too, and are neglected.
 pub(crate) fn remark(request: &RcsRequest) -> Option<String> {
     let widest_deg = widest_bistatic_angle_deg(request)?;
     (widest_deg > 90.0 + 1e-9).then(|| {
@@ -15,7 +15,7 @@ pub(crate) fn remark(request: &RcsRequest) -> Option<String> {
     })
 }
 
-/// Greatest angle between transmitter and receiver, seen from the body's origin; `None` where the receiver is
+/// Greatest angle between transmitter and receiver, seen from the body's origin; `None` if the receiver is
 /// the transmitter.
 fn widest_bistatic_angle_deg(request: &RcsRequest) -> Option<f64> {
     let receiver = request.receiver?.direction();

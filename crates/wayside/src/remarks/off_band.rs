@@ -1,15 +1,14 @@
-//! Substances at frequencies that their permittivities are not told for.
+//! Substances at frequencies outside the range of their permittivities.
 
 use artifact::material::Material;
 use artifact::permittivity::{BAND_HZ, SUBSTANCES};
 use std::collections::BTreeSet;
 
-/// A value holds up to this part of the frequency beyond the band, as those of OpenMATERIAL tables do
+/// Part of the frequency beyond the band up to which a value holds, as for OpenMATERIAL tables
 /// (docs/materials.md).
 const BEYOND: f64 = 0.1;
 
-/// A remark on the substances of the table among materials, where frequencies lie outside of the band that it
-/// is of.
+/// Remark on the materials' substances from the table whose band does not contain the frequencies.
 pub(crate) fn of_materials<'m>(
     materials: impl Iterator<Item = &'m Material>,
     [lowest_hz, highest_hz]: [f64; 2],
@@ -34,7 +33,7 @@ pub(crate) fn of_materials<'m>(
     })
 }
 
-/// Names of the table's substances that a material is of.
+/// Names of the table's substances in a material.
 fn substances(material: &Material) -> impl Iterator<Item = &'static str> {
     let own = material.permittivities();
     let is_of = move |permittivity| own.contains(&permittivity);

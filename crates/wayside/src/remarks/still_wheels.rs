@@ -1,11 +1,11 @@
-//! Wheels that are to turn, of models that tell of none.
+//! Turning wheels of models without wheel nodes.
 
 use crate::remarks::vehicles::vehicles;
 use artifact::scene::SceneHeader;
 use artifact::settings::Wheels;
 use std::collections::BTreeSet;
 
-/// A remark on the models of vehicles without wheels where a scene lets wheels turn.
+/// Remark on vehicle models without wheels in a scene with turning wheels.
 pub(super) fn remark(header: &SceneHeader) -> Option<String> {
     let without: BTreeSet<&str> = vehicles(header)
         .filter(|(_, _, mesh)| mesh.wheels.is_empty())

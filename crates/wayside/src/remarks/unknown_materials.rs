@@ -1,15 +1,15 @@
-//! Materials of meshes that a map of materials does not have.
+//! Materials of meshes without an entry in the map of materials.
 
 use artifact::material::{Material, MaterialMap};
 use artifact::scene::Mesh;
 use std::collections::BTreeSet;
 
-/// Names that are told of a mesh, and characters of each.
+/// Largest number of names listed for a mesh, and of characters of each.
 const TOLD: usize = 8;
 const TOLD_CHARACTERS: usize = 40;
 
-/// A remark on each mesh of whose materials some have no entry in a map that has others: they conduct, which
-/// a misspelt name would be the reason of.
+/// Remark on each mesh with some materials missing from a map that has others: they conduct, perhaps because
+/// of a misspelt name.
 pub(crate) fn without_entry<'m>(
     meshes: impl Iterator<Item = &'m Mesh>,
     map: &MaterialMap,
@@ -22,7 +22,7 @@ pub(crate) fn without_entry<'m>(
 
 fn of_mesh(mesh: &Mesh, map: &MaterialMap) -> Option<String> {
     let used: BTreeSet<usize> = mesh.material_of_triangle.iter().map(|index| *index as usize).collect();
-    // An asset has a mapping of its own.
+    // An asset has its own mapping.
     let conducts = |index: &usize| mesh.makeup.materials.get(*index) == Some(&Material::Conductor);
     let names = used.into_iter().filter(conducts).filter_map(|index| mesh.materials.get(index));
     let lacking: BTreeSet<&String> = names
@@ -37,7 +37,7 @@ fn of_mesh(mesh: &Mesh, map: &MaterialMap) -> Option<String> {
     })
 }
 
-/// A name, and the entry that differs from it by capitals and separators alone.
+/// A name, with the entry that differs from it only by capitals and separators.
 fn told(name: &str, map: &MaterialMap) -> String {
     let letters = |text: &str| text.to_lowercase().replace([' ', '_', '-', '.'], "");
     let shown: String = name.chars().take(TOLD_CHARACTERS).collect();

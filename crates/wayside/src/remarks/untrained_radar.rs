@@ -1,18 +1,17 @@
-//! Radars unlike those that the classifier which ships has learned from (`docs/classification.md`, the
-//! model card).
+//! Radars unlike those in the training of the shipped classifier (`docs/classification.md`, the model card).
 
 use artifact::scene::SceneHeader;
 use artifact::settings::Noise;
 
-/// Range cells that the model was trained on are of 0.24 m, m.
+/// Range cells accepted beside those of the training, which have 0.24 m, m.
 const RANGE_CELLS_M: [f64; 2] = [0.16, 0.36];
 /// Carriers of the 77 GHz band, Hz.
 const CARRIERS_HZ: [f64; 2] = [76e9, 81e9];
-/// Heights over the road, a metre beyond those trained on, m.
+/// Heights over the road, a metre beyond those of the training, m.
 const HEIGHTS_M: [f64; 2] = [3.5, 8.0];
 
-/// A remark on classes told of a scene with vehicles through a radar unlike those that the shipped model was
-/// trained on: answers come with probabilities all the same.
+/// Remark on classes in a scene with vehicles and a radar unlike those of the shipped model's training:
+/// answers still come with probabilities.
 pub(crate) fn remark(header: &SceneHeader) -> Option<String> {
     let has_vehicles = header.targets.iter().any(|target| target.kind.class().is_some());
     let unlike = unlike(header);
@@ -25,7 +24,7 @@ pub(crate) fn remark(header: &SceneHeader) -> Option<String> {
     })
 }
 
-/// Parts of the scene that the model has not learned from.
+/// Properties of the scene that the training did not cover.
 fn unlike(header: &SceneHeader) -> Vec<String> {
     let waveform = &header.radar.waveform;
     let is_off = |value: f64, [least, most]: [f64; 2]| !(least..=most).contains(&value);

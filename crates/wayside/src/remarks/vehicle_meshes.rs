@@ -1,22 +1,22 @@
-//! Meshes of vehicles whose axes or unit are not those of a body.
+//! Meshes of vehicles with wrong axes or units.
 
 use crate::remarks::vehicles::vehicles;
 use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Class;
 use std::collections::BTreeSet;
 
-/// A remark on each mesh of a vehicle that is higher or wider than long, or as large as none of its class.
+/// Remark on each mesh of a vehicle that is higher or wider than long, or outside the sizes of its class.
 pub(super) fn remarks(header: &SceneHeader) -> Vec<String> {
     let remarks: BTreeSet<String> =
         vehicles(header).filter_map(|(class, model, mesh)| remark(mesh, model, class)).collect();
     remarks.into_iter().collect()
 }
 
-/// Shorter meshes are parts of vehicles, or drawn in another unit: files at a hundredth are common.
+/// Shorter meshes are parts of vehicles, or in another unit: files at a hundredth of the size are common.
 const SHORTEST_M: f64 = 0.2;
 
-/// No vehicle is longer, with a quarter to spare: stretched limousines, bi-articulated buses, road trains,
-/// motorcycles with a trailer. In feet, the largest of the usual units, nearly all cars are.
+/// Greatest length of a vehicle, with a quarter to spare: stretched limousines, bi-articulated buses, road
+/// trains, motorcycles with a trailer. In feet, the largest of the usual units, nearly all cars are longer.
 fn longest_m(class: Class) -> f64 {
     match class {
         Class::Car => 10.0,

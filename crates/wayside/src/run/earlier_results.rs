@@ -1,5 +1,5 @@
-//! Results of an earlier run that a run replaces: told from the user's own files before the work, and removed
-//! before the first new one is written, so that a run that is ended leaves nothing but its own.
+//! Results of an earlier run that a run replaces: distinguished from the user's own files before the work,
+//! and removed before the first new result is written, so that an interrupted run leaves only its own.
 
 use crate::run::leftovers::{frame_of, names_of_pictures};
 use crate::run::products;
@@ -10,38 +10,38 @@ use pipeline::outcome::summary;
 use reporting::report::{self, FRAMES_DRAWN};
 use std::path::{Path, PathBuf};
 
-/// A summary or a report of a hundred thousand frames.
+/// Largest summary or report: a hundred thousand frames.
 const LIMIT_BYTES: u64 = 1 << 30;
 
-/// File that lies in the folder from the first result to the last: what lies beside it is a run's own.
+/// Mark in the folder from the first result to the last: files beside it belong to a run.
 const UNFINISHED: &str = ".wayside-unfinished.txt";
 const SAID: &str =
     "A run writes into this folder, or was ended before its last result: not all of it is here.\n";
 
-/// Folder of results, and the names that a run gives there.
+/// Folder of results, and a run's file names in it.
 pub(crate) struct Results {
     out: PathBuf,
     artifacts: Vec<&'static str>,
-    /// Kinds of its pictures; `None`: all that there are.
+    /// Kind of its pictures; `None`: all kinds.
     only: Option<&'static str>,
     frames: u32,
 }
 
 impl Results {
-    /// Results through one radar.
+    /// Results of one radar.
     pub(crate) fn of_radar(header: &SceneHeader, out: &Path) -> Self {
         let artifacts = products::artifacts(header).to_vec();
         Self { out: out.to_owned(), artifacts, only: None, frames: header.frames }
     }
 
-    /// Results that radars of so many frames have in common.
+    /// Results that radars with `frames` common frames share.
     pub(crate) fn in_common(out: &Path, frames: u32) -> Self {
         let frames = frames.min(FRAMES_DRAWN as u32);
         Self { out: out.to_owned(), artifacts: vec![], only: Some("scene"), frames }
     }
 
-    /// Refuses to replace what no run has left here: a summary or a report of another origin, and pictures
-    /// beside which nothing of a run lies.
+    /// Refuses to replace files that no run left here: a summary or a report of another origin, and pictures
+    /// without other results of a run.
     pub(crate) fn keep_foreign(&self) -> Result<(), Failure> {
         let place = |name: &str| self.out.join(name);
         files::keep_foreign(&place(TOLD[0]), LIMIT_BYTES, summary::is_summary)?;
@@ -53,27 +53,27 @@ impl Results {
         self.pictures().iter().try_for_each(|picture| files::keep_foreign(picture, 0, |_| false))
     }
 
-    /// Removes what will be written anew: first what tells of all the rest.
+    /// Removes the results that will be written anew, beginning with those that describe the others.
     pub(crate) fn outdate(&self) -> Result<(), Failure> {
         files::write_again(&self.out.join(UNFINISHED), SAID.as_bytes())?;
         let names = TOLD.iter().chain(&self.artifacts).map(|name| self.out.join(name));
         files::outdate(names.chain(self.pictures()))
     }
 
-    /// Tells that all results are there.
+    /// Removes the mark when all results are complete.
     pub(crate) fn are_whole(&self) -> Result<(), Failure> {
         let mark = self.out.join(UNFINISHED);
         std::fs::remove_file(&mark).map_err(|e| Failure::system(&mark, "remove", e))
     }
 
-    /// Takes the mark of a run that has failed away, where none of its pictures is there to be known by it.
+    /// Removes the mark of a failed run that left no pictures to be identified by it.
     pub(crate) fn forget_if_none(&self) {
         if self.pictures().is_empty() {
-            let _ = std::fs::remove_file(self.out.join(UNFINISHED)); // it harms nobody
+            let _ = std::fs::remove_file(self.out.join(UNFINISHED)); // it does no harm
         }
     }
 
-    /// Pictures here that have the names of this run's.
+    /// Existing pictures with the names of this run's.
     fn pictures(&self) -> Vec<PathBuf> {
         let is_own = |name: &String| {
             frame_of(name).is_some_and(|(kind, number)| {
@@ -84,7 +84,7 @@ impl Results {
     }
 }
 
-/// Names of what tells of a run.
+/// Names of the files that describe a run.
 const TOLD: [&str; 2] = ["summary.json", "report.html"];
 
 #[cfg(test)]

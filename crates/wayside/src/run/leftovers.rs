@@ -1,12 +1,12 @@
-//! Results of earlier runs in the folder of a run: they stay, as all that is the user's does, and it says so.
+//! Results of earlier runs in the folder of a run: they stay, as all of the user's files, and are noted.
 
 use crate::run::products::scattering_name;
 use artifact::settings::EchoMode;
 use pipeline::host::progress;
 use std::path::Path;
 
-/// Remarks on the files in `out` that have the names of a run's and are of an earlier one: scattering of
-/// another kind than `artifacts` names, and pictures that are none of this run's by their kind and number.
+/// Notes files in `out` with a run's names that are left of an earlier run: scattering of another kind than
+/// in `artifacts`, and pictures whose kind and number do not belong to this run.
 pub(super) fn remark(out: &Path, artifacts: &[&str], is_own: impl Fn(&str, u32) -> bool) {
     if let Some(said) = said(out, artifacts, is_own) {
         progress::note(said);
@@ -36,7 +36,7 @@ pub(super) fn names_of_pictures(out: &Path) -> impl Iterator<Item = String> {
     pictures.filter_map(|entry| entry.file_name().into_string().ok())
 }
 
-/// Kind and frame of a picture; `None` of a name that no run gives.
+/// Kind and frame of a picture; `None` for a name that no run gives.
 pub(super) fn frame_of(name: &str) -> Option<(&str, u32)> {
     let (stem, ending) = name.split_once('.')?;
     let (kind, number) = stem.split_once('-')?;

@@ -1,4 +1,4 @@
-//! The artifacts and pictures of a run, written frame by frame and put in place when whole.
+//! Artifacts and pictures of a run, written frame by frame and put in place when complete.
 
 use artifact::cube::Cube;
 use artifact::paths::Paths;
@@ -39,8 +39,8 @@ pub(crate) fn artifacts(header: &SceneHeader) -> [&'static str; 6] {
     [SCENE, scattering_name(header.fidelity.echo), CUBE, RDM, POINTS, TRACKS]
 }
 
-/// Files of a run beside its summary and its report: every artifact, and the pictures of the first frame for
-/// those of all.
+/// Files of a run beside its summary and its report: every artifact, and the pictures of the first frame,
+/// which represent those of all frames.
 pub(crate) fn places(header: &SceneHeader, out: &Path) -> Vec<PathBuf> {
     let pictures = pictures::places_of_frame(0, &out.join("pictures"));
     artifacts(header).into_iter().map(|name| out.join(name)).chain(pictures).collect()
@@ -80,7 +80,8 @@ impl Products {
         })
     }
 
-    /// Writes one frame; its points learn here whose they are, when nothing can look at it any more.
+    /// Writes one frame; its points receive their true origins here, when no processing can use them any
+    /// more.
     pub(crate) fn write(
         &mut self,
         chain: &Chain,
@@ -99,8 +100,8 @@ impl Products {
         self.scattering.write(frame.result.scattering.numbered_as_in(chain.header))
     }
 
-    /// Puts the pictures of a frame onto disk, and keeps those that the report shows: of most frames of a
-    /// long run none, and these are drawn in one form.
+    /// Writes the pictures of a frame, and keeps those that the report shows: in a long run most frames have
+    /// none there, and are drawn in one form only.
     fn draw(&mut self, chain: &Chain, frame: &FrameProducts, truth: &FrameTruth) -> Result<(), Failure> {
         let (drawing, folder) = (FrameDrawing::of(chain, frame, truth), self.out.join("pictures"));
         let write = |drawings| pictures::write_frame(drawings, chain.cube_header(), &frame.rdm, &folder);
@@ -119,7 +120,7 @@ impl Products {
         Ok(())
     }
 
-    /// Puts every artifact in its place and hands out the figures.
+    /// Puts every artifact in its place and returns the figures.
     pub(crate) fn finish(self) -> Result<Figures, Failure> {
         self.scene.finish()?;
         self.scattering.finish()?;

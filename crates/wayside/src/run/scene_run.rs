@@ -1,4 +1,4 @@
-//! `run`: a scene to everything that can be known of it.
+//! `run`: a scene to all of its results.
 
 use crate::remarks;
 use crate::run::earlier_results::Results;
@@ -30,33 +30,33 @@ use reporting::report::{self, Making};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// Settings of a run: the scene, and how it is run.
+/// Settings of a run: the scene, and the way it is run.
 pub struct Settings<'a> {
-    /// Scene to be run.
+    /// Scene to run.
     pub scene: SceneSource,
     /// Folder of all results; `None`: `out/` and the scene's name.
     pub out: Option<PathBuf>,
-    /// The classifier's model; `None`: the one that ships.
+    /// The classifier's model; `None`: the shipped one.
     pub classifier: Option<PathBuf>,
     /// Cache of frames; `None`: no cache.
     pub cache: Option<CacheLocation>,
-    /// Memory that tracing may take.
+    /// Memory allowed for tracing.
     pub memory: Allowance,
-    /// Says what would be done, in which time and memory, and does nothing.
+    /// Reports the planned work with its time and memory, and does nothing.
     pub dry_run: bool,
-    /// Says why each stage runs or not.
+    /// Reports why each stage runs or not.
     pub explain: bool,
     /// Command that the report names.
     pub making: Making,
-    /// Hears each line of results.
+    /// Receives each line of results.
     pub tell: &'a dyn Fn(&str),
     /// Ends the run between two frames.
     pub call_off: CallOff,
 }
 
 impl Settings<'_> {
-    /// Makes settings of a scene file and the folder of its results: the model that ships, the default cache,
-    /// nine tenths of the free memory, and nothing told.
+    /// Makes settings from a scene file and the folder of its results: the shipped model, the default cache,
+    /// nine tenths of the free memory, and no output of lines.
     pub fn of(scene: impl Into<PathBuf>, out: impl Into<PathBuf>) -> Self {
         Self {
             scene: SceneSource { file: scene.into(), ..SceneSource::default() },
@@ -80,8 +80,8 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Summary of a scene through one radar, as in `summary.json`; `None` after a dry run, and where the
-    /// scene has several.
+    /// Summary of a scene with one radar, as in `summary.json`; `None` after a dry run, and if the scene has
+    /// several radars.
     pub fn summary(&self) -> Option<&Summary> {
         match &self.of_radars[..] {
             [only] => Some(&only.summary),
@@ -94,7 +94,7 @@ impl Outcome {
         self.of_radars.iter().map(|told| (told.out.as_path(), &told.summary))
     }
 
-    /// Summary of the radars of a scene side by side; `None` where it has one, or one was asked for.
+    /// Summary of the radars of a scene side by side; `None` if it has one, or one was requested.
     pub fn side_by_side(&self) -> Option<&RadarsSummary> {
         self.of_all.as_ref()
     }
@@ -103,8 +103,8 @@ impl Outcome {
 /// Runs a scene through the whole chain and writes artifacts, `summary.json`, `report.html` and pictures.
 ///
 /// # Errors
-/// A sentence that names file, place and rule where the scene, a model or the memory refuses; what is whole
-/// is kept.
+/// A sentence that names file, place and rule if the scene, a model or the memory is refused; complete
+/// results are kept.
 pub fn run(settings: &Settings) -> Result<Outcome, Failure> {
     whole(settings).map_err(|failure| failure.about(&settings.scene.file))
 }
@@ -113,11 +113,12 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     let cache = Cache::of_run(settings.cache.as_ref())?;
     let model = loading::model(settings.classifier.as_deref())?;
     let runs = runs(settings)?;
-    // What the user says of folders is refused before anything is put into them; names of scenes say theirs
-    // when these are read.
+    // Folders given by the user are checked before anything is written into them; those by scene names when
+    // the scenes are read.
     let said = runs.iter().filter_map(|run| run.out.as_deref()).chain(settings.out.as_deref());
     apart(cache.as_ref(), said)?;
-    // All before the first is computed: what is wrong with the last radar is said at once.
+    // All scenes are planned before the first is computed, so that an error of the last radar is reported at
+    // once.
     let planned_scene =
         if settings.explain || settings.dry_run { planning::explained_scene } else { planning::scene };
     let load = |run: &Run| planned_scene(&run.scene, cache.as_ref(), settings.memory);
@@ -155,22 +156,22 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     Ok(Outcome { of_radars, of_all })
 }
 
-/// Remarks on the meshes and materials of a scene.
+/// Notes about the meshes and materials of a scene.
 fn remark(source: &SceneSource, header: &SceneHeader) {
     let map = scene::material_map(&source.file, source.radar.as_deref());
     let unknown = map.map(|map| remarks::without_entry(header.meshes.iter(), &map)).unwrap_or_default();
     remarks::of_scene(header).into_iter().chain(unknown).for_each(progress::note);
 }
 
-/// Refuses a cache that is one of these folders or of those that their pictures go into.
+/// Refuses a cache that is one of these folders or one of their folders of pictures.
 fn apart<'a>(cache: Option<&Cache>, outs: impl Iterator<Item = &'a Path>) -> Result<(), Failure> {
     let Some(cache) = cache else { return Ok(()) };
     let folders: Vec<PathBuf> = outs.flat_map(|out| [out.to_owned(), out.join("pictures")]).collect();
     cache.apart_from(folders.iter().map(PathBuf::as_path))
 }
 
-/// Begins to write into the folder of each radar and into the one above them, where there is one, and claims
-/// all of their files: what could not be written of the last is said before the first is computed.
+/// Begins to write into the folder of each radar and into the common one above, if there is one, and claims
+/// all of their files: results that cannot be written are reported before the first frame is computed.
 fn begin(planned: &[PlannedScene], outs: &[PathBuf], above: Option<&Path>) -> Result<Vec<Writing>, Failure> {
     let folders = outs.iter().map(PathBuf::as_path).chain(above);
     let writing = folders.map(Writing::into_folder).collect::<Result<Vec<_>, _>>()?;
@@ -190,10 +191,10 @@ fn begin(planned: &[PlannedScene], outs: &[PathBuf], above: Option<&Path>) -> Re
     Ok(writing)
 }
 
-/// The scene through one radar, and where all of it goes.
+/// Run of the scene with one radar, with its folder.
 struct Run {
     scene: SceneSource,
-    /// Folder of the results; `None`: under the scene's name.
+    /// Folder of the results; `None`: named after the scene.
     out: Option<PathBuf>,
 }
 
@@ -205,7 +206,7 @@ impl Run {
     }
 }
 
-/// Runs to be made: one or, where the scene has several radars and none is asked for, one for each.
+/// Runs to make: one or, if the scene has several radars and none was selected, one for each.
 fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
     let radars = match settings.scene.radar {
         Some(_) => vec![],
@@ -224,13 +225,13 @@ fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
 
 /// Result of one radar.
 enum OfRadar {
-    /// Everything that is known through it.
+    /// A finished run.
     Ran(Box<Told>),
-    /// What its frames would take, where only that is asked.
+    /// Expected cost of its frames, for a dry run.
     Expected(Total),
 }
 
-/// Runs the scene through one radar, or tells what that would take.
+/// Runs the scene with one radar, or estimates the cost.
 fn one_radar(
     settings: &Settings,
     planned: &PlannedScene,
@@ -267,11 +268,11 @@ fn one_radar(
     Ok(OfRadar::Ran(Box::new(Told { summary, seen: figures.seen, out: out.to_owned() })))
 }
 
-/// Time that all frames took, to the last picture's end.
+/// Duration of all frames, to the end of the last picture.
 struct RunTook {
     /// Wall-clock time of all frames, s.
     seconds: f64,
-    /// Processor time of all threads, s; `None` where the system does not tell.
+    /// Processor time of all threads, s; `None` where the system does not report it.
     processor: Option<f64>,
 }
 
@@ -281,8 +282,8 @@ struct Computed {
     metrics: Metrics,
 }
 
-/// A few frames at a time, so that memory does not grow with their number; followed and written in their
-/// order while later ones are computed.
+/// Computes a few frames at a time, so that memory does not grow with their number; frames are tracked and
+/// written in order while later ones are computed.
 fn compute(
     chain: &Chain,
     planned: &PlannedScene,
@@ -319,7 +320,7 @@ fn compute(
     Ok((Computed { frames, metrics: tracking.metrics() }, products.finish()?))
 }
 
-/// A frame with the time that the scene took, which the first one has, and whether it was known.
+/// Adds the scene's loading time, and whether it was cached, to the first frame.
 fn with_scene(mut frame: FrameProducts, loaded: &LoadedScene) -> FrameProducts {
     let is_first = frame.result.scene.index == 0;
     frame.result.seconds.insert(0, (Stage::Scene, if is_first { loaded.seconds } else { 0.0 }));

@@ -1,5 +1,5 @@
-//! Run of a scene through several radars, side by side: `summary.json` and `report.html` above the folders of
-//! each.
+//! Run of a scene with several radars, side by side: `summary.json` and `report.html` are in the folder above
+//! those of the radars.
 
 use crate::run::earlier_results::Results;
 use crate::run::leftovers;
@@ -15,7 +15,7 @@ use reporting::pictures::radar_view::Seen;
 use reporting::report::{self, FRAMES_DRAWN, Making};
 use std::path::{Path, PathBuf};
 
-/// A finished run through one radar.
+/// A finished run with one radar.
 pub(crate) struct Told {
     /// Summary of the run, as in `summary.json`.
     pub(crate) summary: Summary,
@@ -30,22 +30,21 @@ impl Told {
         self.out.file_name().and_then(|name| name.to_str()).unwrap_or_default()
     }
 
-    /// Frame that begins at a time.
+    /// Frame that begins at the given time.
     fn seen_at(&self, time_s: f64) -> Option<&Seen> {
         self.seen.iter().find(|seen| is_same_time(seen.scene.time_s, time_s))
     }
 }
 
-/// Folder of what the radars have in common, above that of each.
+/// Folder of the radars' common results, above those of the radars.
 pub(crate) fn above(out: &Path) -> &Path {
     out.parent().unwrap_or(Path::new(""))
 }
 
-/// Folder of pictures that the radars have in common, beside those of each.
+/// Folder of the radars' common pictures, beside those of the radars.
 const PICTURES: &str = "pictures";
 
-/// Refuses a radar whose folder would be that of the pictures of all; files that all have in common are
-/// claimed ([`places`]).
+/// Refuses a radar whose folder would be that of the common pictures; common files are claimed ([`places`]).
 pub(crate) fn check_names(scene: &Path, radars: &[String]) -> Result<(), Failure> {
     if radars.iter().all(|id| id != PICTURES) {
         return Ok(());
@@ -57,18 +56,18 @@ pub(crate) fn check_names(scene: &Path, radars: &[String]) -> Result<(), Failure
     )))
 }
 
-/// Files of what radars of so many frames have in common.
+/// Common files of radars with `frames` common frames.
 pub(crate) fn places(out: &Path, frames: usize) -> Vec<PathBuf> {
     let pictures = (0..frames.min(FRAMES_DRAWN)).map(|number| picture(out, number));
     ["summary.json", "report.html"].map(|name| out.join(name)).into_iter().chain(pictures).collect()
 }
 
-/// Picture of a frame as all radars have it.
+/// Common picture of a frame.
 fn picture(out: &Path, number: usize) -> PathBuf {
     out.join(PICTURES).join(format!("scene-{number:04}.png"))
 }
 
-/// Writes what the radars have in common, one folder above theirs, and tells it.
+/// Writes the common results, one folder above those of the radars, and prints them.
 pub(crate) fn conclude(
     radars: &[Told],
     making: &Making,
@@ -90,7 +89,7 @@ pub(crate) fn conclude(
     Ok(summary)
 }
 
-/// The first common frames from above, as long as every radar has one that begins with it.
+/// Views from above of the first common frames, as long as every radar has a frame beginning then.
 fn views(radars: &[Told]) -> Vec<Figure> {
     let times_s = |radar: &Told| radar.seen.iter().map(|seen| seen.scene.time_s).collect();
     let times_s: Vec<Vec<f64>> = radars.iter().map(times_s).collect();

@@ -1,34 +1,34 @@
-//! Numbers that a table of S is asked with: each has a range within which the work ends. The command line
-//! and the Python package refuse the others in the same words.
+//! Ranges of the numbers that specify a table of S, for which the work ends. The command line and the Python
+//! package refuse others in the same words.
 
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
-/// Frequencies in GHz: from radio waves that bend around a vehicle to where heat begins.
+/// Frequencies in GHz: from radio waves that bend around a vehicle to the beginning of thermal radiation.
 pub const FREQUENCIES_GHZ: RangeInclusive<f64> = 1e-3..=1e4;
-/// Azimuths in degrees: turns as many as one likes.
+/// Azimuths in degrees, with any number of turns.
 pub const AZIMUTHS_DEG: RangeInclusive<f64> = -1e6..=1e6;
-/// Elevations in degrees, straight down to straight up: beyond lies the other side, which has an azimuth of
-/// its own.
+/// Elevations in degrees, straight down to straight up: beyond them lies the other side, which has another
+/// azimuth.
 pub const ELEVATIONS_DEG: RangeInclusive<f64> = -90.0..=90.0;
-/// Distances in m that are not infinite. Squares of them and of their inverses stay numbers.
+/// Finite distances in m. Their squares and inverse squares are finite.
 pub const RANGES_M: RangeInclusive<f64> = 1e-3..=1e9;
-/// Metres in a unit of a mesh file.
+/// Metres per unit of a mesh file.
 pub const UNIT_SCALES: RangeInclusive<f64> = 1e-9..=1e6;
 /// Highest bounce orders.
 pub const BOUNCES: RangeInclusive<i64> = 1..=5;
 
-/// Sentence that refuses a number outside a range, as it was written.
+/// Sentence that refuses a number outside a range; `written` is the number as given.
 pub fn outside(allowed: &RangeInclusive<f64>, written: impl Display) -> String {
     format!("it must be from {} to {}, is {written}", plain(*allowed.start()), plain(*allowed.end()))
 }
 
-/// Sentence that refuses a distance, from the one that refuses a number: it may be infinite.
+/// Extends the refusal of a number to that of a distance, which may be infinite.
 pub fn or_infinite(refusal: String) -> String {
     refusal + ", or inf"
 }
 
-/// Writes a number, with an exponent where the digits would only be zeros.
+/// Formats a number, with an exponent if the digits would be mostly zeros.
 fn plain(number: f64) -> String {
     let is_plain = number == 0.0 || (1e-3..1e7).contains(&number.abs());
     if is_plain { number.to_string() } else { format!("{number:e}") }

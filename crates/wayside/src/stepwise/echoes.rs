@@ -14,11 +14,11 @@ use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress::{FrameStage, Work};
 
-/// Makes the cubes of every frame, as the command `echo` does: of paths or, where the scene asks for them, of
-/// tables.
+/// Makes the cubes of every frame, as the command `echo` does: from paths or, if the scene asks for them,
+/// from tables.
 ///
 /// # Errors
-/// Those of tracing; an echo that cannot be summed; called off between two frames.
+/// Those of tracing; an echo that cannot be summed; the call was cancelled between two frames.
 pub fn echoes(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Cube>, Failure> {
     let (chain, mut frames) = (scene.chain(), Vec::new());
     let echo = |plan: &FramePlan| {
@@ -34,11 +34,11 @@ pub fn echoes(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Cube>,
     Ok(recorded(scene, &chain, frames))
 }
 
-/// Makes the cubes of paths that were traced before, as `echo --paths` does.
+/// Makes the cubes of previously traced paths, as `echo --paths` does.
 ///
 /// # Errors
-/// Paths of another sweep, radar's place, bodies or times than the scene's; an echo that cannot be summed;
-/// called off between two frames.
+/// Paths whose sweep, radar position, bodies or times differ from the scene's; an echo that cannot be summed;
+/// the call was cancelled between two frames.
 pub fn echoes_of_paths(
     scene: &OpenedScene,
     paths: &Recorded<Paths>,

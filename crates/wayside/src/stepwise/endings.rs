@@ -1,10 +1,10 @@
-//! Endings of what is written, each with the command that writes it: a result under another format's ending
-//! would be taken for that.
+//! Endings of output files, each with the command that writes it: a result with another format's ending would
+//! be mistaken for it.
 
 use pipeline::host::failure::Failure;
 use std::path::Path;
 
-/// Endings of what the program writes, each with the command that does.
+/// Endings of the program's output files, each with the command that writes it.
 pub(crate) const WRITERS: [(&str, &str); 27] = [
     ("toml", "scene-from"),
     ("glb", "vehicles"),
@@ -35,8 +35,8 @@ pub(crate) const WRITERS: [(&str, &str); 27] = [
     ("parquet", "export FILE --to parquet"),
 ];
 
-/// Writer of the format that a file's ending tells, where that is none of `own`. Endings of no format of the
-/// program's are parts of names, and a folder that is there is taken.
+/// Writer of the format of a file's ending, unless it is one of `own`. Unknown endings count as parts of
+/// names, and an existing folder is accepted.
 pub(crate) fn of_another(out: &Path, own: &[&str]) -> Option<String> {
     let told = out.extension()?.to_string_lossy().to_lowercase();
     let (ending, writer) = WRITERS.iter().find(|(ending, _)| told == *ending)?;
@@ -44,15 +44,15 @@ pub(crate) fn of_another(out: &Path, own: &[&str]) -> Option<String> {
     (!is_taken).then(|| format!(".{ending} is written by `wayside {writer}`"))
 }
 
-/// Refuses a file of an artifact of this name under the ending of another format.
+/// Refuses a file of an artifact of this name with the ending of another format.
 ///
 /// # Errors
-/// A sentence with the file and with the command that writes what its ending tells.
+/// A sentence with the file and with the command that writes its ending.
 pub fn check(out: &Path, artifact: &str) -> Result<(), Failure> {
     refused(out, &format!("`write` writes .{artifact}"), &[artifact])
 }
 
-/// Refuses a folder of results under the ending of a format.
+/// Refuses a folder of results with the ending of a format.
 ///
 /// # Errors
 /// Those of [`check`].

@@ -1,4 +1,4 @@
-//! Meshes from files or by the names of own vehicles, and from where on they are seen as from afar.
+//! Meshes from files or by the names of own vehicles, and their far-field distance.
 
 use artifact::material::{MaterialMap, Transmission};
 use artifact::scene::Mesh;
@@ -7,10 +7,10 @@ use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
 use std::path::Path;
 
-/// Reads a mesh file as it is, or makes an own vehicle by its name.
+/// Reads a mesh file unchanged, or makes an own vehicle by its name.
 ///
 /// # Errors
-/// The file is missing, or no mesh can be made of it; a scale of what has no file.
+/// The file is missing, or contains no usable mesh; a scale for a mesh without a file.
 pub fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
     let name = place.to_str().filter(|_| !place.exists());
     if let Some(mesh) = name.and_then(|name| scene::vehicles::mesh(name, 0)) {
@@ -22,29 +22,29 @@ pub fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
             }
         };
     }
-    // A word without an ending that no file has was meant for a vehicle.
+    // A word without an ending that no file has was meant as a vehicle.
     if let Some(name) = name.filter(|_| place.extension().is_none() && place.components().count() == 1) {
         return Err(Failure::Refused(scene::unknown_vehicle(name).to_string()));
     }
     scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(loading::of_mesh)
 }
 
-/// The mesh in the materials of a map and, where it was read from an asset of OpenMATERIAL 3D, in those that
-/// the asset tells for the middle of the frequencies.
+/// The mesh with the materials of a map and, if it was read from an OpenMATERIAL 3D asset, with those of the
+/// asset at the middle of the frequencies.
 ///
 /// # Errors
-/// A file of the asset is missing, or is refused.
+/// A file of the asset is missing or refused.
 pub fn dressed(mesh: Mesh, place: &Path, map: &MaterialMap, frequency_hz: &[f64]) -> Result<Mesh, Failure> {
     let map = scene::asset_materials(place, &mesh.materials, map, middle_hz(frequency_hz))
         .map_err(loading::of_asset)?;
     Ok(Mesh { makeup: map.makeup(&mesh.materials), ..mesh })
 }
 
-/// The materials of a file, those of OpenMATERIAL 3D for the middle of the frequencies, or none of it; and
-/// whether waves are followed through sheets of them.
+/// Reads a file of materials, those of OpenMATERIAL 3D at the middle of the frequencies, or none; and sets
+/// whether waves are followed through their sheets.
 ///
 /// # Errors
-/// Every rule that the file breaks, or that it is missing.
+/// Every rule that the file breaks; the file is missing.
 pub fn materials(
     file: Option<&Path>,
     transmission: Transmission,
@@ -54,13 +54,13 @@ pub fn materials(
     Ok(MaterialMap { transmission, ..read.map_err(loading::of_scene)?.unwrap_or_default() })
 }
 
-/// The middle between the lowest and the highest frequency, at which materials are taken.
+/// The middle between the lowest and the highest frequency, at which materials are evaluated.
 pub fn middle_hz(frequency_hz: &[f64]) -> f64 {
     let [lowest, highest] = [f64::min, f64::max].map(|end| frequency_hz.iter().copied().reduce(end));
     0.5 * (lowest.unwrap_or(0.0) + highest.unwrap_or(0.0))
 }
 
-/// 2D²/λ at the highest frequency in m, D the diagonal of the box about the mesh.
+/// Far-field distance 2D²/λ at the highest frequency in m, D the diagonal of the mesh's bounding box.
 pub fn far_field_from_m(mesh: &Mesh, frequency_hz: &[f64]) -> f64 {
     let side_m = |axis: usize| {
         let along = || mesh.vertices_m.iter().map(|v| v[axis]);

@@ -1,4 +1,4 @@
-//! A scene that was read and planned, from which its stages go on.
+//! A scene that was read and planned, as input of its stages.
 
 use artifact::Provenance;
 use artifact::cube::CubeHeader;
@@ -14,7 +14,7 @@ use pipeline::outcome::summary::RadarSummary;
 use pipeline::planning::{self, PlannedScene};
 use scene::SaidPhysics;
 
-/// Ids of several radars of a scene; empty where it has one.
+/// Ids of the radars of a scene; empty if it has one.
 ///
 /// # Errors
 /// The scene file cannot be read.
@@ -22,7 +22,7 @@ pub fn radars(source: &SceneSource) -> Result<Vec<String>, Failure> {
     scene::radars(&source.file).map_err(loading::of_scene)
 }
 
-/// Names and hashes of all files that a scene is read from, its own first.
+/// Names and hashes of all files of a scene, the scene file first.
 ///
 /// # Errors
 /// A file cannot be read.
@@ -40,26 +40,26 @@ pub struct OpenedScene {
     said: SaidPhysics,
 }
 
-/// Expected time and memory of all frames of a scene, as `run --dry-run` tells them.
+/// Expected time and memory of all frames of a scene, as printed by `run --dry-run`.
 pub struct Cost {
     /// Number of frames.
     pub frames: u32,
     /// Expected processor time of all threads together, s.
     pub processor_s: f64,
-    /// Bounds of the processor time that nine of ten runs keep, s.
+    /// Interval of the processor time that nine of ten runs are meant to keep, s.
     pub processor_between_s: [f64; 2],
-    /// Expected time by the clock, s.
+    /// Expected wall-clock time, s.
     pub wall_s: f64,
-    /// Number of threads that work.
+    /// Number of working threads.
     pub threads: usize,
-    /// Memory that is expected to be held when most is, MiB.
+    /// Expected peak memory, MiB.
     pub expected_memory_mib: f64,
-    /// Memory held at most, MiB.
+    /// Upper limit of the peak memory, MiB.
     pub memory_mib: f64,
 }
 
 impl OpenedScene {
-    /// Reads a scene, all that it names, and chooses its physics where it asks for that.
+    /// Reads a scene with all of its files, and chooses its physics if it requests that.
     ///
     /// # Errors
     /// Every broken rule, with file and place.
@@ -83,12 +83,12 @@ impl OpenedScene {
         self.chain().cube_header().clone()
     }
 
-    /// The radar in the words of the field.
+    /// Parameters of the radar in standard terms.
     pub fn radar(&self) -> RadarSummary {
         RadarSummary::of(&self.loaded.header)
     }
 
-    /// Expects what a run of all frames will take; nothing is run.
+    /// Estimates the cost of all frames without running them.
     ///
     /// # Errors
     /// A body that cannot be traced.
@@ -109,7 +109,7 @@ impl OpenedScene {
         })
     }
 
-    /// The scene with paths, whatever echo it asks for.
+    /// The scene with an echo from paths, whatever its setting.
     pub(crate) fn by_paths(&self) -> Self {
         let mut header = self.loaded.header.clone();
         header.fidelity.echo = EchoMode::Paths;
@@ -122,12 +122,12 @@ impl OpenedScene {
         Chain::of(&self.loaded.header, None, None, self.memory)
     }
 
-    /// Physics that its file says itself.
+    /// Physics that its file specifies.
     pub(crate) fn said(&self) -> &SaidPhysics {
         &self.said
     }
 
-    /// Names and hashes of the files that it was read from, its own first.
+    /// Names and hashes of its files, the scene file first.
     pub fn files(&self) -> &[(String, String)] {
         &self.loaded.files
     }

@@ -1,10 +1,10 @@
-//! Paths beside the scene that an echo is made for: what they were traced through has to be that scene.
+//! Check that paths were traced for the scene whose echo is made of them.
 //!
-//! Noise, gains, patterns, samples of a chirp and the elements of the array may be others, since paths hold
-//! for them. The centre frequency, the radar's place, the bodies with their files, places, motions and cross
-//! sections, the road and the times of the frames may not, nor what the scene's file says itself of the
-//! physics. Of paths whose provenance does not tell of bodies
-//! no body may stand elsewhere than where its nearest lit surface was.
+//! Noise, gains, patterns, samples of a chirp and the elements of the array may differ, because paths hold
+//! for them. The centre frequency, the radar's position, the bodies with their files, poses, motions and
+//! cross sections, the road and the times of the frames must agree, as must the physics that the scene's file
+//! specifies. For paths whose provenance does not describe bodies, every body must be where its nearest lit
+//! surface was.
 
 use artifact::Provenance;
 use artifact::paths::{PathsFrame, PathsHeader};
@@ -17,12 +17,12 @@ use pipeline::host::{progress, provenance_checks};
 use scene::SaidPhysics;
 use std::path::Path;
 
-/// Beyond its extent a point's or body's surface is taken to be elsewhere, m: what a wheel adds to its hub.
+/// Distance beyond its extent at which a point's or body's surface counts as elsewhere, m: the part of a
+/// wheel beyond its hub.
 const BEYOND_M: f64 = 0.5;
 
-/// Refuses paths that were traced for another sweep, from another place, of other bodies or of other files;
-/// of `files`, the scene's own may be another one, with other noise; and those of other physics than is
-/// `said`.
+/// Refuses paths that were traced for another sweep, position, bodies or files, or with physics that
+/// contradict `said`; of `files`, the scene file itself may differ, for example in its noise.
 pub(crate) fn check_header(
     chain: &Chain,
     (files, said): (&[(String, String)], &SaidPhysics),
@@ -61,13 +61,13 @@ pub(crate) fn check_header(
     Ok(())
 }
 
-/// Whether a file of this name holds the mesh of a body.
+/// Whether a file with this name holds the mesh of a body.
 fn is_mesh(name: &str) -> bool {
     let kind = Path::new(name).extension().and_then(|kind| kind.to_str()).unwrap_or_default();
     ["glb", "gltf", "stl", "obj", "xoma"].contains(&kind.to_lowercase().as_str())
 }
 
-/// Refuses a frame of another time, or with a body that is lit where the scene has none.
+/// Refuses a frame of another time, or with a lit body where the scene has none.
 pub(crate) fn check_frame(header: &SceneHeader, frame: &PathsFrame) -> Result<SceneFrame, Failure> {
     let index = frame.index;
     if index >= header.frames {
@@ -90,7 +90,7 @@ pub(crate) fn check_frame(header: &SceneHeader, frame: &PathsFrame) -> Result<Sc
     })
 }
 
-/// Place in the frame of a point target whose path is elsewhere than the point.
+/// Index in the frame of a point target whose path is elsewhere than the point.
 fn point_elsewhere(header: &SceneHeader, frame: &PathsFrame, snapshot: &SceneFrame) -> Option<usize> {
     let in_view = scene::bodies_in_view(header, frame.index);
     let of_points = frame.paths.iter().filter(|path| path.order == 0);
@@ -102,7 +102,7 @@ fn point_elsewhere(header: &SceneHeader, frame: &PathsFrame, snapshot: &SceneFra
     )
 }
 
-/// Whether a body's nearest lit surface may be at this range in the frame.
+/// Whether a body's nearest lit surface can be at this range in the frame.
 fn may_be_lit_at(view: &SceneHeader, frame: &SceneFrame, body: usize, range_m: f64) -> bool {
     let Some(pose) = frame.poses.get(body) else { return true };
     let reach_m = view.mesh_of(&view.targets[body].kind).map_or(0.0, Mesh::reach_m);
@@ -111,7 +111,7 @@ fn may_be_lit_at(view: &SceneHeader, frame: &SceneFrame, body: usize, range_m: f
     (range_m - origin_m).abs() <= reach_m + way_m + BEYOND_M
 }
 
-/// Some ids in words, the first ones of many.
+/// The first of some ids, as text.
 fn first_ids(ids: &[String]) -> String {
     const TOLD: usize = 4;
     let told: Vec<String> = ids.iter().take(TOLD).map(|id| format!("`{id}`")).collect();

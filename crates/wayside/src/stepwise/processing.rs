@@ -25,7 +25,7 @@ pub struct Processing {
 pub struct Answered {
     /// Probabilities of the classes, in the order of [`Processing::class_names`].
     pub probabilities: [f32; 4],
-    /// Name of the class that is told, or "unknown".
+    /// Name of the predicted class, or "unknown".
     pub told: &'static str,
 }
 
@@ -33,13 +33,13 @@ impl Processing {
     /// Makes the receiver of the cubes that a header describes.
     ///
     /// # Errors
-    /// What of the radar or its settings no map or no threshold can be made of.
+    /// The radar or its settings allow no map or no threshold.
     pub fn of(header: &CubeHeader) -> Result<Self, Failure> {
         let receiver = Receiver::new(header).map_err(Failure::refused)?;
         Ok(Self { header: header.clone(), receiver })
     }
 
-    /// Origin of what is made of a cube of this origin.
+    /// Provenance of products of a cube with this provenance.
     pub fn provenance(&self, cube: &Provenance) -> Provenance {
         Provenance {
             stage: Stage::Dsp.name().into(),
@@ -50,7 +50,7 @@ impl Processing {
         }
     }
 
-    /// Header of points, which know no truth.
+    /// Header of points, without ground truth.
     pub fn points_header(&self) -> PointsHeader {
         PointsHeader { cube: Some(self.header.clone()), targets: vec![], classes: vec![] }
     }
@@ -95,7 +95,7 @@ impl Processing {
         Ok(cycles.flat_map(|cycle| self.receiver.resolved(cycle.to_vec())).collect())
     }
 
-    /// Sentences about what points lack, as `dsp` and `run` tell them: noise, azimuths, heights.
+    /// Sentences about missing properties of points, as printed by `dsp` and `run`: noise, azimuths, heights.
     pub fn remarks(&self, points: &[PointsFrame]) -> Vec<String> {
         let noise = (!has_noise(&self.header)).then(|| WITHOUT_NOISE.to_owned());
         let azimuths = (!tells_azimuth(&self.header.radar)).then(|| WITHOUT_AZIMUTH.to_owned());

@@ -1,4 +1,4 @@
-//! Frames of an artifact in memory, with all that its file says.
+//! Frames of an artifact in memory, with its header and provenance.
 
 use crate::stepwise::endings;
 use artifact::{ErrorBudget, ModelError, Provenance, Reader, Schema, Writer};
@@ -6,18 +6,18 @@ use pipeline::host::failure::Failure;
 use pipeline::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
 use std::path::Path;
 
-/// An artifact whole in memory.
+/// A complete artifact in memory.
 pub struct Recorded<S: Schema> {
-    /// Origin of the frames.
+    /// Provenance of the frames.
     pub from: Provenance,
     /// Header, common to all frames.
     pub header: S::Header,
-    /// Frames in their order.
+    /// Frames in order.
     pub frames: Vec<S::Frame>,
 }
 
 impl<S: Schema<Header: Clone>> Recorded<S> {
-    /// Reads an artifact whole.
+    /// Reads a complete artifact.
     ///
     /// # Errors
     /// The file is missing, of another kind or damaged.
@@ -32,7 +32,7 @@ impl<S: Schema<Header: Clone>> Recorded<S> {
     /// Writes the artifact whole or not at all.
     ///
     /// # Errors
-    /// A file with the ending of another format; the system's.
+    /// The file has the ending of another format; an error of the system.
     pub fn write(&self, file: &Path) -> Result<(), Failure> {
         endings::check(file, S::NAME)?;
         let mut writer = Writer::<S>::create(file, &self.from, &self.header)?;

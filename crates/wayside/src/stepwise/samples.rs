@@ -1,4 +1,4 @@
-//! Anybody's IF samples as radar cubes.
+//! IF samples of other sources as radar cubes.
 
 use crate::stepwise::opened_scene::OpenedScene;
 use crate::stepwise::recorded::Recorded;
@@ -13,8 +13,8 @@ use pipeline::host::failure::Failure;
 /// [`unit_of_floats`] finds.
 ///
 /// # Errors
-/// Another shape than the radar's, or no frame; samples that are not [`sound`]; samples in a unit that
-/// [`unit_of_floats`] refuses, or of which [`check_parts`] does; a full scale that is not above 0.
+/// A shape other than the radar's, or no frame; samples that are not [`sound`]; samples that
+/// [`unit_of_floats`] or [`check_parts`] refuses; a full scale that is not above 0.
 pub fn cubes_of_samples(
     scene: &OpenedScene,
     shape: [usize; 4],
@@ -46,12 +46,12 @@ pub fn cubes_of_samples(
     Ok(Recorded { from: scene.provenance(Stage::FmcwEcho), header, frames })
 }
 
-/// Unit of samples that are no integers: steps of a converter whose full scale is told, steps of one that
-/// nobody tells of where all are whole numbers and some is not 0, else √W.
+/// Unit of non-integer samples: steps of a converter if its full scale is given; steps of an unknown
+/// converter if all are whole numbers and some is not 0; otherwise √W.
 ///
 /// # Errors
-/// Whole numbers of no told full scale that are never negative and too large for 16 bits with a sign: the
-/// words of a file that were taken for numbers without one.
+/// Whole numbers without a given full scale that are never negative and too large for signed 16-bit integers:
+/// words of a file misread as unsigned.
 pub fn unit_of_floats<'a>(
     samples: impl IntoIterator<Item = &'a Complex32>,
     full_scale: Option<f64>,
@@ -76,7 +76,7 @@ pub fn unit_of_floats<'a>(
     Ok(SampleUnit::Steps)
 }
 
-/// Refuses real samples of a radar that samples I and Q: each echo would show twice, once with its velocity
+/// Refuses real samples for a radar that samples I and Q: each echo would show twice, once with its velocity
 /// and once, mirrored, with another.
 ///
 /// # Errors
@@ -96,11 +96,11 @@ pub fn check_parts<'a>(
     }
 }
 
-/// Refuses a frame's samples that are not finite, those with an imaginary part where the radar's have none,
-/// and those beyond the full scale of their converter.
+/// Refuses samples of a frame that are not finite, have an imaginary part although the radar's are real, or
+/// exceed the full scale of their converter.
 ///
 /// # Errors
-/// The first one, with its place.
+/// The first such sample, with its place.
 pub fn sound(frame: usize, samples: &[Complex32], header: &CubeHeader) -> Result<(), Failure> {
     let shape = header.shape();
     let is_finite = |v: &Complex32| v.re.is_finite() && v.im.is_finite();
@@ -109,7 +109,7 @@ pub fn sound(frame: usize, samples: &[Complex32], header: &CubeHeader) -> Result
         refuse(frame, samples, shape, |v| v.im != 0.0, IMAGINARY)?;
     }
     let SampleUnit::FullScale(steps) = header.unit else { return Ok(()) };
-    // What was rounded to integers of 16 bits and made steps of another converter errs by half of one.
+    // Samples rounded to 16-bit integers and converted to steps of another converter err by half a step.
     let most = steps * (1.0 + 1.0 / 32768.0);
     let is_beyond = |v: &Complex32| f64::from(v.re.abs().max(v.im.abs())) > most;
     let rule = format!("a part is beyond the full scale of {steps}; words without sign are cast to int16");

@@ -14,7 +14,7 @@ use pipeline::host::progress::FrameStage;
 /// Traces the paths of every frame, as the command `paths` does.
 ///
 /// # Errors
-/// A body that cannot be traced, memory that does not suffice; called off between two frames.
+/// A body that cannot be traced, insufficient memory; the call was cancelled between two frames.
 pub fn paths(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Paths>, Failure> {
     let scene = &scene.by_paths();
     let (chain, mut frames) = (scene.chain(), Vec::new());

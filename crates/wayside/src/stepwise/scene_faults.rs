@@ -1,4 +1,4 @@
-//! Faults of a scene, rule by rule, for who shows them otherwise than in lines.
+//! Faults of a scene, rule by rule, for callers that do not show them as lines.
 
 use pipeline::chain::loading::SceneSource;
 use scene::{Meshes, Place, ReadOptions, SceneError};
@@ -6,22 +6,22 @@ use std::collections::BTreeSet;
 
 /// A broken rule of a scene and its place.
 pub struct SceneFault {
-    /// Line and column in the scene file, from 1; `None` where it could not be read at all.
+    /// Line and column in the scene file, from 1; `None` if the file could not be read at all.
     pub position: Option<[u32; 2]>,
-    /// Table, target or material concerned, as messages name it; `None` of the file itself.
+    /// Table, target or material concerned, as named in messages; `None` for the file itself.
     pub place: Option<String>,
-    /// Rule that is broken, in a sentence.
+    /// Broken rule, in a sentence.
     pub rule: String,
 }
 
-/// All that is wrong with a scene file and with what it names; nothing where it is sound.
+/// All faults of a scene file and of the files that it names; empty for a valid scene.
 pub fn scene_faults(source: &SceneSource) -> Vec<SceneFault> {
     let (model, radar) = (source.model.clone(), source.radar.clone());
     let options = ReadOptions { model, radar, meshes: Meshes::Whole };
     scene::read(&source.file, &options).err().into_iter().flat_map(|errors| errors.0).map(fault).collect()
 }
 
-/// Names of the keys of a scene that name files, which are sought beside the scene.
+/// Names of the keys of a scene that name files, which are searched beside the scene.
 pub fn file_keys() -> BTreeSet<&'static str> {
     scene::keys::TABLES.iter().flat_map(scene::keys::Table::files).collect()
 }

@@ -12,7 +12,7 @@ use pipeline::host::memory::Allowance;
 use pipeline::host::processor_time::WorkClock;
 use pipeline::host::progress::{self, Work};
 
-/// S in metres and what is known of it.
+/// S in metres with its errors.
 pub struct RcsTable {
     /// Number of frequencies, elevations and azimuths.
     pub shape: [usize; 3],
@@ -22,7 +22,7 @@ pub struct RcsTable {
     pub error: ErrorBudget,
     /// Errors of the physical model.
     pub model_error: ModelError,
-    /// Range from which on a table of infinite range is right, 2D²/λ.
+    /// Range from which on a table of infinite range holds, 2D²/λ.
     pub far_field_from_m: f64,
 }
 
@@ -69,10 +69,10 @@ fn of_bart(error: BartError) -> Failure {
 /// Values of a table: 16 bytes each, a gibibyte and what measuring its errors takes beside.
 const TABLE_LIMIT: usize = 1 << 26;
 
-/// Refuses a table of more values than one can have.
+/// Refuses a table with too many values.
 ///
 /// # Errors
-/// The numbers of values that were asked for.
+/// The requested numbers of values.
 pub fn check_size([frequencies, elevations, azimuths]: [usize; 3]) -> Result<(), Failure> {
     let values = frequencies.saturating_mul(elevations).saturating_mul(azimuths);
     match values > TABLE_LIMIT {

@@ -1,4 +1,4 @@
-//! The echo: the recurrence against its formulas, the sum by transforms against the direct sum and another
+//! The echo: the recurrence against the formulas, the sum by transforms against the direct sum and another
 //! program's transforms.
 
 use crate::bench::cases::timing::{FULL, Sizes, timed};
@@ -87,8 +87,8 @@ impl Made<'_> {
         })
     }
 
-    /// The rival sums one tone a path, as it is in the frame's middle; what moves over the frame is left out,
-    /// which the error shows.
+    /// The rival sums one tone per path, with its value at the frame's middle; motion over the frame is left
+    /// out, which the error shows.
     fn against_finufft(&self) -> Result<Comparison, Failure> {
         let [chirps, samples] = [self.radar.waveform.chirps, self.radar.waveform.samples];
         let job = Job { name: "tones", input: self.tones() };
@@ -106,8 +106,8 @@ impl Made<'_> {
         })
     }
 
-    /// Turns per chirp and per sample of each path on the first channel, rad in double precision; then
-    /// strengths in the frame's middle, by channel and path, in single precision.
+    /// Phase per chirp and per sample of each path on the first channel, rad in double precision; then
+    /// strengths at the frame's middle, by channel and path, in single precision.
     fn tones(&self) -> Vec<u8> {
         let [m, n] = [self.radar.waveform.chirps as usize / 2, self.radar.waveform.samples as usize / 2];
         let turn =

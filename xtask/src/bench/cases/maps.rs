@@ -1,4 +1,4 @@
-//! Maps, detectors and angles of one frame of noise beside other programs, all given the same samples.
+//! Maps, detectors and angles of one frame of noise compared with other programs, all with the same samples.
 
 use crate::bench::cases::timing::{Sizes, quickest};
 use crate::bench::comparison::Comparison;
@@ -14,14 +14,14 @@ use num_complex::{Complex32, Complex64};
 use rayon::prelude::*;
 use wayside::host::failure::Failure;
 
-/// Guard and training cells on each side, both ways: others know squares only. One alarm in a hundred cells,
-/// so that there is something to compare.
+/// Guard and training cells on each side, in both directions: others support only squares. One alarm in a
+/// hundred cells, so that there is something to compare.
 const GUARD: u32 = 2;
 const TRAINING: u32 = 6;
 const FALSE_ALARM_RATE: f64 = 1e-2;
-/// Cells that the angle is asked of.
+/// Number of cells whose angle is estimated.
 const CELLS: usize = 1000;
-/// Range for the near field's curvature, m: so far away that there is none to speak of.
+/// Range for the near field's curvature, m: so far away that the curvature is negligible.
 const RANGE_M: f64 = 1e4;
 
 const MMWCORE: Language = Language::Example("dsp", "rivals", "mmwcore");
@@ -83,8 +83,8 @@ impl Noise {
         Ok(list)
     }
 
-    /// The rival is given the factor of our middle cell; it knows neither edges nor what windows do to
-    /// training cells near them.
+    /// The rival has the threshold factor of our middle cell; it treats neither edges nor the correlation
+    /// that windows make between nearby training cells.
     fn detector(
         &self,
         sizes: Sizes,
@@ -102,7 +102,7 @@ impl Noise {
         let factor = cfar.factor([chirps / 2, samples / 2]);
         let input =
             factor.to_le_bytes().into_iter().chain(power.iter().flat_map(|p| p.to_le_bytes())).collect();
-        // Of masks, 1 where there is an alarm: the root of what differs over what there is.
+        // For masks, 1 at an alarm: the root of the differing cells over the alarms.
         let error = |answer: &Answer| {
             let alarms = |of: &dyn Fn(usize) -> bool| (0..mask.len()).filter(|cell| of(*cell)).count() as f64;
             let theirs = |cell: usize| answer.result.get(cell).is_some_and(|byte| *byte != 0);
@@ -123,7 +123,7 @@ impl Noise {
         let right = |i: usize| array.fft_direction(&snapshot(i), RANGE_M).right;
         let (ours, ours_s) = quickest(sizes, || Ok(cells.clone().map(right).collect::<Vec<f64>>()))?;
         let job = Job { name: "angles", input: single(&self.map.values) };
-        // Cells that hear nothing but noise have two beams alike now and then: told is the share of cells
+        // In cells of noise alone, two beams occasionally have equal power: the result is the share of cells
         // that differ by more than a cell of the transform.
         let error = |answer: &Answer| {
             let apart = |(a, b): (&f64, f64)| {

@@ -43,7 +43,7 @@ fn aspect() -> Aspect {
     })
 }
 
-/// A body, and how finely and at which frequency others sample it.
+/// A body, with the sampling density and the frequency for the other methods.
 struct BodyCase<'a> {
     model: &'a str,
     mesh: &'a Mesh,
@@ -97,7 +97,8 @@ impl BodyCase<'_> {
         })
     }
 
-    /// First hits: the lit silhouette across one direction, exactly by beams, by rays at even steps else.
+    /// First hits: the lit silhouette seen from one direction, exactly by beams, otherwise by evenly spaced
+    /// rays.
     fn against_embree(&self) -> Result<Comparison, Failure> {
         let BodyCase { model, mesh, density, frequency_hz } = *self;
         let towards =

@@ -1,4 +1,4 @@
-//! Sizes of the cases, and the seconds that they take.
+//! Sizes and durations of the cases.
 
 use std::time::Instant;
 use wayside::host::failure::Failure;
@@ -6,11 +6,11 @@ use wayside::host::failure::Failure;
 /// Sizes of the cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sizes {
-    /// Rays and samples along a wavelength.
+    /// Rays and samples per wavelength.
     pub(super) per_wavelength: f64,
     pub(super) frequency_hz: f64,
     pub(super) paths: usize,
-    /// Seconds that a quick piece of work is repeated for.
+    /// Total seconds for repeating short work.
     pub(super) repeated_s: f64,
 }
 
@@ -19,17 +19,17 @@ pub(crate) const FULL: Sizes =
 pub(crate) const QUICK: Sizes =
     Sizes { per_wavelength: 2.0, frequency_hz: 10e9, paths: 2_000, repeated_s: 0.1 };
 
-/// Sizes for the chart: a small body, as other methods are charted on it by themselves, and many paths.
+/// Sizes for the chart: a small body, because other methods are charted on it separately, and many paths.
 pub(crate) const CHARTED: Sizes = Sizes { paths: FULL.paths, repeated_s: FULL.repeated_s, ..QUICK };
 
-/// A piece of work and its seconds.
+/// Does work and measures its seconds.
 pub(super) fn timed<T>(work: impl FnOnce() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
     let start = Instant::now();
     let value = work()?;
     Ok((value, start.elapsed().as_secs_f64()))
 }
 
-/// The quickest run of three at least, and what it gave.
+/// The fastest of at least three runs, with its result.
 pub(super) fn quickest<T>(
     sizes: Sizes,
     mut work: impl FnMut() -> Result<T, Failure>,

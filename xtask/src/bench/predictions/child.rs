@@ -1,5 +1,4 @@
-//! One run of the program as a process of its own: its processor time and its largest size are that run's
-//! alone.
+//! One run of the program as a separate process, so that its processor time and peak size are its own.
 
 use crate::project::this_program;
 use artifact::Reader;
@@ -11,25 +10,25 @@ use wayside::chain::expectation::machine_speed;
 use wayside::host::failure::Failure;
 use wayside::outcome::summary::{Stage, Summary};
 
-/// Costs of a run, and the counts that its tracer found.
+/// Costs of a run, and the counts of its tracer.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Taken {
     pub(super) processor_s: f64,
     pub(super) peak_mib: f64,
-    /// Speed of the machine when it ran: it changes with what else runs on it.
+    /// Speed of the machine during the run, which depends on other load.
     pub(super) machine_speed: f64,
-    /// Paths, and lit polygons of the frames' middles; of all frames.
+    /// Number of paths, and of lit polygons at the frames' middles, over all frames.
     pub(super) paths: f64,
     pub(super) beams: f64,
-    /// Most that a frame was traced at.
+    /// Largest number of traced moments of a frame.
     pub(super) moments: f64,
-    /// Most that a frame's tracer says that it held.
+    /// Largest memory reported by a frame's tracer.
     pub(super) traced_mib: f64,
     /// Wall-clock seconds of bart_rcs, fmcw_echo, dsp.
     pub(super) stages_s: [f64; 3],
 }
 
-/// `run` of a scene without a cache; `None` where the system does not tell what a process took.
+/// Runs `run` on a scene without a cache; `None` if the system does not report the costs of a process.
 pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Option<Taken>, Failure> {
     let machine_speed = machine_speed::measured()?;
     let program = this_program()?;
@@ -85,8 +84,8 @@ impl Taken {
     }
 }
 
-/// The largest size that is seen until the process ends: the system keeps the maximum, so only what grows in
-/// the last hundredth of a second may be missed.
+/// Peak size seen until the process ends: the system keeps the maximum, so only growth in the last hundredth
+/// of a second may be missed.
 fn watch(child: &mut Child) -> std::io::Result<Option<f64>> {
     let mut peak_mib = None;
     while child.try_wait()?.is_none() {

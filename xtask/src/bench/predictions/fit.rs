@@ -1,9 +1,9 @@
-//! The rates that tell some runs best: of the logarithms, so that a factor of two counts alike whether a run
-//! takes a tenth of a second or a minute; small errors by their squares and large ones by their size
-//! (Charbonnier's loss), so that no single run decides; and held to the rates that are, so that work which
-//! few scenes have keeps its own.
+//! Rates that best predict some runs: fitted to logarithms, so that a factor of two counts equally for a
+//! tenth of a second and a minute; with Charbonnier's loss, quadratic for small errors and linear for large
+//! ones, so that no single run dominates; and held to the existing rates, which remain for work that few
+//! scenes have.
 
-/// Counts of a run by kind and what they came to: processor seconds on the machine of the rates, or MiB.
+/// Counts of a run by kind with the resulting cost: processor seconds on the reference machine, or MiB.
 #[derive(Debug, Clone)]
 pub(super) struct CountedRun<const N: usize> {
     pub(super) counts: [f64; N],
@@ -17,14 +17,15 @@ impl<const N: usize> CountedRun<N> {
     }
 }
 
-/// A rate that differs by e from what it was counts as this many runs that are wrong by e.
+/// Weight of the existing rates: a rate that differs from its old value by e counts like this many runs with
+/// an error of e.
 const HELD: f64 = 0.02;
-/// Errors of a logarithm beyond this count by their size: half as much again.
+/// Error of a logarithm above which the loss is linear: a factor of one and a half.
 const LARGE: f64 = 0.4;
-/// Rounds through all rates; the step of a logarithm is halved where a round gains nothing.
+/// Number of rounds through all rates; the step of a logarithm is halved when a round gains nothing.
 const ROUNDS: usize = 400;
 
-/// Fits the rates to the runs, beginning with the rates `before`, to which they are held.
+/// Fits the rates to the runs, starting from the rates `before`, to which they are held.
 pub(super) fn rates<const N: usize>(runs: &[CountedRun<N>], before: [f64; N]) -> [f64; N] {
     let (mut rates, mut step) = (before, 1.0);
     let mut best = misfit(runs, &before, &rates);

@@ -1,4 +1,4 @@
-//! Scenes drawn from a seed: what a radar at a junction may be asked, from one car at rest to a queue under
+//! Scenes drawn from a seed: typical tasks of a radar at a junction, from one car at rest to a queue below
 //! the mast.
 
 use crate::bench::predictions::timed_scene::{Text, TimedScene};
@@ -22,7 +22,7 @@ pub(super) fn scene(seed: u64, number: u64, root: &Path) -> TimedScene {
 
 fn bodies(draw: &mut Draw, root: &Path, text: &mut String) {
     let count = draw.one_of(&[1, 1, 1, 1, 1, 2, 2, 2, 3, 4, 6]);
-    // Many vehicles stand in few frames, and are asked for less.
+    // Scenes with many vehicles have few frames and coarser accuracies.
     let frames =
         if count < 3 { draw.one_of(&[1, 1, 1, 1, 1, 1, 2, 3, 5]) } else { draw.one_of(&[1, 1, 1, 2]) };
     let _ = writeln!(text, "frames = {frames}");
@@ -46,7 +46,7 @@ fn bodies(draw: &mut Draw, root: &Path, text: &mut String) {
     }
 }
 
-/// Settings beside the usual ones, and the road.
+/// Adds unusual settings, and the road.
 fn variants(draw: &mut Draw, root: &Path, text: &mut String) {
     if draw.chance(0.15) {
         let _ = writeln!(text, "materials = {:?}", root.join("scenes/vehicles.materials.toml"));
@@ -57,7 +57,7 @@ fn variants(draw: &mut Draw, root: &Path, text: &mut String) {
     if draw.chance(0.06) {
         text.push_str("surface = \"smooth\"\n");
     }
-    // A table knows neither paths nor the road nor its floor.
+    // A table supports neither paths nor the road nor its floor.
     if draw.chance(0.05) {
         text.push_str("echo = \"rcs-table\"\n");
         return;
@@ -72,13 +72,13 @@ fn variants(draw: &mut Draw, root: &Path, text: &mut String) {
     }
 }
 
-/// Adds a vehicle in a lane, mostly 12 to 80 m away; now and then right under the mast. `lanes_m` holds where
-/// each lane's first vehicle stands.
+/// Adds a vehicle in a lane, mostly 12 to 80 m away; occasionally directly below the mast. `lanes_m` holds
+/// the place of each lane's first vehicle.
 fn vehicle(draw: &mut Draw, number: usize, lanes_m: &mut [f64; 3], text: &mut String) {
     let (model, class) = draw.own_vehicle();
     let first_m = &mut lanes_m[number % 3];
     let y_m = match number {
-        // 20 m and more before or behind the first of its lane.
+        // At least 20 m before or behind the first of its lane.
         3.. if *first_m < 46.0 => draw.between(*first_m + 20.0, 80.0),
         3.. => draw.between(12.0, *first_m - 20.0),
         _ if draw.chance(0.05) => draw.between(-2.0, 8.0),

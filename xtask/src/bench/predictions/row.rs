@@ -1,4 +1,4 @@
-//! Seconds and memory expected of a scene beside those that it took.
+//! Expected and actual seconds and memory of a scene.
 
 use crate::bench::predictions::child::Taken;
 use crate::bench::predictions::timed_scene::TimedScene;
@@ -9,9 +9,9 @@ use wayside::chain::memory_estimate::Load;
 pub(super) struct PredictionRow {
     pub(super) scene: TimedScene,
     pub(super) expected: Expectation,
-    /// Processor seconds that it took to expect it.
+    /// Processor seconds of the prediction.
     pub(super) look_s: f64,
-    /// Memory of the largest frame by its parts, and the number of frames that are computed at a time.
+    /// Memory of the largest frame by its parts, and the number of concurrent frames.
     pub(super) load: Load,
     pub(super) at_once: usize,
     pub(super) taken: Taken,

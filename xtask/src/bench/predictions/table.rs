@@ -1,4 +1,4 @@
-//! The rows of a comparison as a file: one line for each scene, and what has been run is read from it again.
+//! The rows of a comparison as a file: one line per scene, from which earlier runs are read again.
 
 use crate::bench::predictions::child::Taken;
 use crate::bench::predictions::fit::CountedRun;
@@ -11,7 +11,7 @@ use wayside::chain::memory_estimate::Load;
 use wayside::host::failure::Failure;
 use wayside::host::files;
 
-/// Columns of what a scene took, which are read again.
+/// Columns of a scene's actual cost, which are read again.
 const TAKEN: [&str; 10] = [
     "taken_s",
     "taken_mib",
@@ -27,7 +27,7 @@ const TAKEN: [&str; 10] = [
 const SAID: &str = "said_s,said_mib,most_mib,look_s,at_once,signal_mib,facets,polygons,cells,changing,sliding,moving,\
                     through_sheets";
 
-/// Reads what scenes took, by their names; a file that is not there yet gives none.
+/// Reads the actual costs of scenes by name; none if the file does not exist yet.
 pub(super) fn taken(file: &Path) -> Result<BTreeMap<String, Taken>, Failure> {
     let text = match std::fs::read_to_string(file) {
         Ok(text) => text,
@@ -38,8 +38,7 @@ pub(super) fn taken(file: &Path) -> Result<BTreeMap<String, Taken>, Failure> {
         .ok_or_else(|| Failure::refused(format!("{}: it is no table of this command", file.display())))
 }
 
-/// Reads what a table's scenes were counted to do and what they took: seconds on the machine of the rates,
-/// and MiB.
+/// Reads the counted work and the actual cost of a table's scenes: seconds on the reference machine, and MiB.
 pub(super) fn runs(file: &Path) -> Result<(Vec<CountedRun<ITEMS>>, Vec<CountedRun<HELD_KINDS>>), Failure> {
     let text = std::fs::read_to_string(file).map_err(|e| Failure::system(file, "read", e))?;
     timed_runs(&text).zip(held_runs(&text)).ok_or_else(|| {
@@ -87,7 +86,7 @@ fn known(text: &str) -> Option<BTreeMap<String, Taken>> {
     text.lines().skip(1).zip(taken).map(|(line, taken)| Some((name(line)?, taken))).collect()
 }
 
-/// Numbers of some columns, row by row; `None` where one is missing or no number.
+/// Numbers of some columns, row by row; `None` if one is missing or not a number.
 fn columns<const N: usize>(text: &str, names: [impl AsRef<str>; N]) -> Option<Vec<[f64; N]>> {
     let mut lines = text.lines();
     let head: Vec<&str> = lines.next()?.split(',').collect();
@@ -114,7 +113,7 @@ fn numbers(taken: &Taken) -> [f64; TAKEN.len()] {
     [processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, bart_rcs_s, fmcw_echo_s, dsp_s]
 }
 
-/// All rows so far, in place of what was there.
+/// Writes all rows so far in place of the old ones.
 pub(super) fn write(file: &Path, rows: &[PredictionRow]) -> Result<(), Failure> {
     let counts: Vec<String> = SECONDS.iter().map(|(kind, _)| format!("{kind:?}")).collect();
     let mut text = format!("scene,threads,{},{SAID},{}\n", TAKEN.join(","), counts.join(","));

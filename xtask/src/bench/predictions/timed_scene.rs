@@ -1,10 +1,10 @@
-//! A scene that is timed: drawn, or a file of anybody's.
+//! A scene to time: drawn, or any file.
 
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
 use wayside::host::files;
 
-/// A scene and the threads that it is run on.
+/// A scene with the number of threads to run it.
 pub(super) struct TimedScene {
     pub(super) name: String,
     pub(super) text: Text,
@@ -12,23 +12,23 @@ pub(super) struct TimedScene {
     pub(super) threads: Option<u16>,
 }
 
-/// Text of a scene, or the place where it stands.
+/// Text of a scene, or its place.
 pub(super) enum Text {
     /// Drawn.
     Drawn(String),
-    /// A file, beside which stands what it names.
+    /// A file, beside the files that it names.
     File(PathBuf),
 }
 
 impl TimedScene {
-    /// A file of anybody's, on all threads.
+    /// Any scene file, on all threads.
     pub(super) fn of_file(file: &Path) -> Self {
         let name = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
         Self { name, text: Text::File(file.to_owned()), threads: None }
     }
 
-    /// The scene's file; of one that was drawn it is written into a folder, a file each: what was read is an
-    /// input, and no input is written to.
+    /// The scene's file; a drawn scene is written into a folder, one file each: files that were read are
+    /// inputs, and inputs are never written.
     pub(super) fn file(&self, folder: &Path) -> Result<PathBuf, Failure> {
         match &self.text {
             Text::Drawn(text) => {

@@ -1,5 +1,5 @@
-//! Datasets and sweeps on existing engines whose workers are killed half-way: the bytes of one machine. It
-//! stands on a Python with `venv` and on PyPI; where one of them is not there it says so and is skipped.
+//! Check that datasets and sweeps on existing engines, with workers killed half-way, give the same bytes as
+//! one machine. It needs a Python with `venv` and PyPI; without them it is skipped with a message.
 
 use crate::ci::commands::{Tally, counted};
 use crate::ci::outside::interpreter::{Interpreter, Needs};
@@ -8,7 +8,7 @@ use std::process::Command;
 use wayside::host::failure::Failure;
 use wayside::program::terminal;
 
-/// Scripts of the check, from the project's root on.
+/// Scripts of the check, relative to the project's root.
 const SCRIPTS: &str = "docs/engines";
 
 pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
@@ -21,7 +21,7 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let mut check = || {
         let _ = std::fs::remove_dir_all(&work);
         let mut command = Command::new(python.program());
-        // It carries out the commands of `wayside`.
+        // This program carries out the commands of `wayside`.
         counted(command.arg(script("check.py")).arg(&program).arg(&work), tally)
     };
     for _ in 0..TRIED_AGAIN {
@@ -33,8 +33,8 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     check()
 }
 
-/// Times that a check which failed is tried again: a worker that has made all before it is killed shows
-/// nothing, and that is chance.
+/// Number of retries after a failure: by chance, a worker may finish all of its work before it is killed,
+/// which tests nothing.
 const TRIED_AGAIN: u32 = 2;
 
 fn script(name: &str) -> String {

@@ -1,7 +1,7 @@
-//! Messages of OSI and ROS 2 beside the official packages, and traffic from SUMO, OpenDRIVE and OpenStreetMap
-//! through the program. It tests the crate `interchange`, builds the program with the feature of that name,
-//! which nothing else builds, and for the rest stands on a Python with `venv` and on PyPI; where one of them
-//! is not there it says so and is skipped.
+//! Check of messages of OSI and ROS 2 with the official packages, and of traffic from SUMO, OpenDRIVE and
+//! OpenStreetMap through the program. It tests the crate `interchange`, builds the program with the feature
+//! of that name, which nothing else builds, and otherwise needs a Python with `venv` and PyPI; without them
+//! it is skipped with a message.
 
 use crate::ci::commands::{Tally, counted, finished};
 use crate::ci::outside::interpreter::{Interpreter, Needs};
@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::Command;
 use wayside::host::failure::Failure;
 
-/// Scripts of the check, from the project's root on.
+/// Scripts of the check, relative to the project's root.
 const SCRIPTS: &str = "docs/interchange";
 /// The program with the feature.
 const PROGRAM: [&str; 5] = ["--release", "--package", "wayside", "--features", "interchange"];
@@ -25,7 +25,7 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     by_scripts(SCRIPTS, tally)
 }
 
-/// Runs `check.py` of a folder of scripts, in an environment of its own, on the program with the feature.
+/// Runs `check.py` of a folder of scripts, in a separate environment, on the program with the feature.
 pub(super) fn by_scripts(scripts: &str, tally: &mut Tally) -> Result<(), Failure> {
     let folder = project_root().join("target").join(Path::new(scripts).file_name().unwrap_or_default());
     let requirements = format!("{scripts}/requirements.txt");

@@ -1,5 +1,5 @@
-//! A Python with packages of its own, for checks that stand on one: where it or PyPI is not there, they say
-//! so and are skipped.
+//! A Python with its own packages, for checks that need one: without it or PyPI, they are skipped with a
+//! message.
 
 use crate::ci::commands::{Tally, finished, is_good, skipped};
 use crate::project::project_root;
@@ -7,21 +7,21 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use wayside::host::failure::Failure;
 
-/// A package of some kilobytes: whether PyPI is there.
+/// A package of some kilobytes, to test whether PyPI is reachable.
 const SMALL_PACKAGE: &str = "zipp==4.1.2";
 
-/// Needs of a check.
+/// Requirements of a check.
 pub(super) struct Needs<'a> {
-    /// Lines of Python that end well where the interpreter will do.
+    /// Python expression that succeeds if the interpreter is suitable.
     pub(super) expression: &'a str,
-    /// Sentence of what is not there where it will not.
+    /// Description of the requirement for the message.
     pub(super) in_words: &'a str,
-    /// File of pinned packages, from the project's root on.
+    /// File of pinned packages, relative to the project's root.
     pub(super) requirements: &'a str,
 }
 
 impl<'a> Needs<'a> {
-    /// Needs of scripts that start and kill processes.
+    /// Requirements of scripts that start and kill processes.
     pub(super) fn of_scripts(requirements: &'a str) -> Self {
         Self {
             expression: "import ensurepip, os, sys, venv; \
@@ -38,8 +38,8 @@ pub(super) struct Interpreter {
 }
 
 impl Interpreter {
-    /// Makes the environment in a folder, or finds it there with the very versions; `None`, and told as
-    /// skipped, where a Python or PyPI is not there.
+    /// Makes the environment in a folder, or reuses one with exactly these versions; counts the check as
+    /// skipped and returns `None` without a Python or PyPI.
     pub(super) fn of(needs: &Needs, folder: &Path, tally: &mut Tally) -> Result<Option<Self>, Failure> {
         let python = std::env::var_os("PYTHON").unwrap_or("python3".into());
         if !is_good(Command::new(&python).args(["-c", needs.expression])) {
@@ -67,7 +67,7 @@ impl Interpreter {
         self.venv.join("bin/python")
     }
 
-    /// A command of pip that gives up soon where PyPI is not there.
+    /// A command of pip that gives up quickly without PyPI.
     pub(super) fn pip(&self, word: &str) -> Command {
         let mut command = Command::new(self.program());
         command.args(["-m", "pip", word, "--quiet", "--disable-pip-version-check", "--timeout", "20"]);
@@ -75,7 +75,7 @@ impl Interpreter {
         command
     }
 
-    /// Whether the pinned versions were installed there before.
+    /// Whether the pinned versions are already installed.
     fn has_packages(&self, requirements: &str) -> bool {
         std::fs::read_to_string(self.installed())
             .is_ok_and(|there| pins(requirements).is_ok_and(|pins| pins == there))

@@ -1,6 +1,6 @@
-//! The Python package as its users have it: `pip install ./crates/wayside-python`, its tests, its stubs
-//! beside what is there, its notebooks from the first cell to the last. Without a Python or PyPI it is
-//! skipped.
+//! Check of the Python package as installed by users: `pip install ./crates/wayside-python`, its tests, its
+//! stubs against its content, and its notebooks from the first cell to the last. Skipped without a Python or
+//! PyPI.
 
 use crate::ci::commands::{Tally, counted, finished};
 use crate::ci::outside::interpreter::{Interpreter, Needs};
@@ -8,9 +8,9 @@ use crate::project::{project_root, this_program};
 use std::process::Command;
 use wayside::host::failure::Failure;
 
-/// The package, from the project's root on.
+/// The package, relative to the project's root.
 const PACKAGE: &str = "crates/wayside-python";
-/// Needs that pip has of a Python.
+/// Python that pip requires.
 const NEEDED: &str = "import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 11))";
 
 pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
@@ -21,7 +21,7 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     };
     let folder = project_root().join("target/python");
     let Some(python) = Interpreter::of(&needs, &folder, tally)? else { return Ok(()) };
-    // Anew, whatever its version says; what it stands on is there.
+    // Reinstalled whatever its version; its dependencies are present.
     let install = ["--force-reinstall", "--no-deps"];
     finished(python.pip("install").args(install).arg(format!("./{PACKAGE}")))?;
     let lints = ["clippy", "--release", "--package", "wayside-python", "--", "-D", "warnings"];
@@ -29,7 +29,7 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let program = this_program()?;
     let run = |words: &[&str]| {
         let mut command = Command::new(python.program());
-        // It carries out the commands of `wayside`.
+        // This program carries out the commands of `wayside`.
         command.args(words).env("WAYSIDE_PROGRAM", &program);
         command
     };

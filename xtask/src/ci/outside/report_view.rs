@@ -1,5 +1,5 @@
-//! A report as a browser shows it: pixels of its view, clicks on vehicles, sliders, a telephone, paper, no
-//! script. The check stands on Node and Chromium; where one of them is not there it says so and is skipped.
+//! Check of a report in a browser: pixels of its view, clicks on vehicles, sliders, a telephone, paper, no
+//! script. It needs Node and Chromium; without them it is skipped with a message.
 
 use crate::ci::commands::{Tally, counted, finished, is_good, skipped};
 use crate::project::{project_root, this_program};
@@ -7,12 +7,12 @@ use std::ffi::{OsStr, OsString};
 use std::process::Command;
 use wayside::host::failure::Failure;
 
-/// Script of the check, from the project's root on.
+/// Script of the check, relative to the project's root.
 const SCRIPT: &str = "xtask/browser/check.mjs";
-/// Names of the browser, in the order in which they are tried; `CHROMIUM` names another one.
+/// Names of the browser, in the order of trial; `CHROMIUM` overrides them.
 const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
-/// Scene whose report is opened: two vehicles with two bounces and a point target, two frames, as coarse as
-/// the check allows.
+/// Scene of the report: two vehicles with two bounces and a point target, two frames, as coarse as the check
+/// allows.
 const SCENE: &str = r#"name = "report"
 frames = 2
 frame_interval_s = 0.5
@@ -50,7 +50,7 @@ rcs_m2 = 10.0
 position_m = [-6.0, 36.0, 1.0]
 "#;
 
-/// Study whose view is opened: four designs, two situations, of the same scene with one frame and one bounce.
+/// Study of the view: four designs, two situations, of the same scene with one frame and one bounce.
 const STUDY: &str = r#"scene = "simple.toml"
 repeats = 1
 
@@ -74,7 +74,7 @@ values = [1, 3]
 metric = "coverage"
 "#;
 
-/// Table whose view is opened.
+/// Table of the view.
 const TABLE: [&str; 8] = [
     "rcs",
     "motorcycle-street",
@@ -119,7 +119,7 @@ pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     counted(look.arg(SCRIPT).arg(browser).args(pages), tally)
 }
 
-/// Whether a program is there.
+/// Whether a program exists and runs.
 fn answers(program: &OsStr) -> bool {
     is_good(Command::new(program).arg("--version"))
 }

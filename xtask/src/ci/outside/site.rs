@@ -1,6 +1,5 @@
-//! The site: its pages rendered with every link followed, and every command on them run beside what they show
-//! as printed. It stands on a Python with `venv` and on PyPI; where one of them is not there it says so and
-//! is skipped.
+//! Check of the site: renders its pages, follows every link, and runs every command on them, comparing the
+//! output with the page. It needs a Python with `venv` and PyPI; without them it is skipped with a message.
 
 use crate::ci::commands::{Tally, counted};
 use crate::ci::outside::interpreter::{Interpreter, Needs};
@@ -8,9 +7,9 @@ use crate::project::{project_root, this_program};
 use std::process::Command;
 use wayside::host::failure::Failure;
 
-/// Scripts of the check, from the project's root on.
+/// Scripts of the check, relative to the project's root.
 const SCRIPTS: &str = "docs/site";
-/// Needs that the scripts have of a Python: `tomllib`.
+/// Python that the scripts require, for `tomllib`.
 const NEEDED: &str = "import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 11))";
 
 pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {

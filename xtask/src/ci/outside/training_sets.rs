@@ -1,12 +1,12 @@
-//! Training sets in the layouts of others beside what the program's artifacts hold, by NumPy, SciPy and
-//! pandas, and sets of others read (docs/training-sets.md). It builds the program with the feature
-//! `interchange`; where a Python with `venv` or PyPI is not there it says so and is skipped.
+//! Check of exported training datasets against the program's artifacts, by NumPy, SciPy and pandas, and of
+//! reading such datasets (docs/training-sets.md). It builds the program with the feature `interchange`;
+//! without a Python with `venv` or PyPI it is skipped with a message.
 
 use crate::ci::commands::Tally;
 use crate::ci::outside::interchange::by_scripts;
 use wayside::host::failure::Failure;
 
-/// Scripts of the check, from the project's root on.
+/// Scripts of the check, relative to the project's root.
 const SCRIPTS: &str = "docs/training-sets";
 
 pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {

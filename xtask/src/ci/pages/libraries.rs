@@ -1,5 +1,5 @@
-//! Libraries: each that the workspace lists has a row that says why, and each that a crate lists is named in
-//! its code.
+//! Check of libraries: each in the workspace's list has a row with the reason, and each in a crate's list is
+//! named in its code.
 
 use crate::ci::findings::read;
 use crate::house::folders;
@@ -7,10 +7,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use wayside::host::failure::Failure;
 
-/// Remark behind a dependency that is there to set features of one that others use.
+/// Remark on a dependency that only sets features of another one.
 const FEATURES: &str = "for its features alone";
 
-/// A sentence for each library without a row, and for each that nobody uses.
+/// A sentence for each library without a row, and for each unused one.
 pub(super) fn findings(root: &Path) -> Result<Vec<String>, Failure> {
     let page = read(&root.join("docs/decisions/dependencies.md"))?;
     let mut all = untold(&read(&root.join("Cargo.toml"))?, &page);
@@ -29,7 +29,7 @@ pub(super) fn findings(root: &Path) -> Result<Vec<String>, Failure> {
     Ok(all)
 }
 
-/// Dependencies of a manifest that the crate's code does not name.
+/// Dependencies of a manifest that are not named in the crate's code.
 fn unused(manifest: &str, code: &str) -> Vec<String> {
     let words: BTreeSet<&str> = code.split(|c: char| !(c.is_alphanumeric() || c == '_')).collect();
     let mut is_listed = false;
@@ -47,7 +47,7 @@ fn unused(manifest: &str, code: &str) -> Vec<String> {
     unused
 }
 
-/// A sentence for each library of the workspace of which no row tells.
+/// A sentence for each library of the workspace without a row.
 fn untold(manifest: &str, page: &str) -> Vec<String> {
     let section = manifest.split("[workspace.dependencies]").nth(1).unwrap_or_default();
     let section = section.split("\n[").next().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Pages that the site has: every page of the project stands in its navigation once, and nothing else does.
+//! Check of the site's navigation: it contains every page of the project once, and nothing else.
 
 use crate::ci::findings::{none_of, pages, read};
 use crate::project::project_root;
@@ -18,13 +18,13 @@ pub(in crate::ci) fn check() -> Result<(), Failure> {
     none_of([left_out(&listed, &there), gone].concat())
 }
 
-/// Pages of the navigation, in its order.
+/// Pages of the navigation, in order.
 fn listed(settings: &str) -> Vec<String> {
     let words = settings.split('"').skip(1).step_by(2);
     words.filter(|word| word.ends_with(".md")).map(str::to_owned).collect()
 }
 
-/// A sentence for each page that the navigation lacks or has twice.
+/// A sentence for each page that is missing or duplicated in the navigation.
 fn left_out(listed: &[String], there: &BTreeSet<String>) -> Vec<String> {
     let times = |page: &String| listed.iter().filter(|other| *other == page).count();
     let wrong = there.iter().filter(|page| times(page) != 1);

@@ -1,17 +1,17 @@
-//! Pictures of the main job in the docs, held to those that it has just drawn.
+//! Comparison of the main job's pictures in the docs with those just drawn.
 
 use std::io::BufReader;
 use std::path::Path;
 use wayside::host::failure::Failure;
 
-/// Pictures in `docs/pictures` and those of the run that they show.
+/// Pictures in `docs/pictures` with the run's file names.
 const SHOWN: [(&str, &str); 2] = [("scene.png", "scene-0000.png"), ("rdm.png", "rdm-0000.png")];
 
-/// Share of the pixels that may differ: other instruction sets round otherwise, and a point of the cloud may
-/// move by a pixel.
+/// Share of the pixels that may differ: other instruction sets round differently, and a point of the cloud
+/// may move by a pixel.
 const MAY_DIFFER: f64 = 0.002;
 
-/// Sentences about pictures of `docs` that show something else than those in the folder `made`.
+/// Sentences about pictures of `docs` that differ from those in the folder `made`.
 pub(super) fn outdated(docs: &Path, made: &Path) -> Result<Vec<String>, Failure> {
     let mut outdated = Vec::new();
     for (shown, drawn) in SHOWN {
@@ -49,7 +49,7 @@ impl Pixels {
     }
 }
 
-/// Share of the pixels that differ to the eye, 0 to 1; all of them where the sizes do.
+/// Share of the pixels that differ visibly, 0 to 1; 1 if the sizes differ.
 fn differing(a: &Pixels, b: &Pixels) -> f64 {
     const TO_THE_EYE: u8 = 40;
     if (a.size, a.bytes_per_pixel) != (b.size, b.bytes_per_pixel) {

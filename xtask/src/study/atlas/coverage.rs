@@ -1,8 +1,8 @@
-//! Cases that answer each line of docs/physics.md §10, and of what else was asked of the atlas.
+//! Cases for each line of docs/physics.md §10, and for other questions to the atlas.
 
 use crate::study::atlas::CaseRow;
 
-/// A line, and the cases that try it.
+/// A line with the cases that test it.
 type Line = (&'static str, &'static [&'static str]);
 
 /// Lines of docs/physics.md §10, then others.
@@ -152,7 +152,7 @@ const LINES: &[Line] = &[
     ),
 ];
 
-/// The table of the page: each line with its cases, in all the verdicts that they got.
+/// The table of the page: each line with its cases and all of their verdicts.
 pub(super) fn table(rows: &[CaseRow]) -> String {
     let line = |(line, cases): &Line| format!("| {} | {} |\n", line.replace('|', "\\|"), told(cases, rows));
     let all: String = LINES.iter().map(line).collect();
@@ -172,7 +172,7 @@ fn told(cases: &[&str], rows: &[CaseRow]) -> String {
     cases.iter().map(of).collect::<Vec<_>>().join("; ")
 }
 
-/// Cases of the lines that no row has.
+/// Cases of the lines without a row.
 pub(super) fn missing(rows: &[CaseRow]) -> Vec<&'static str> {
     let is_tried = |case: &str| rows.iter().any(|row| row.case == case);
     LINES.iter().flat_map(|(_, cases)| cases.iter().copied()).filter(|case| !is_tried(case)).collect()

@@ -1,4 +1,4 @@
-//! Echoes: what goes wrong between paths and samples.
+//! Echoes: failures between paths and samples.
 
 mod frozen;
 mod interference;

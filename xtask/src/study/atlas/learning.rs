@@ -1,4 +1,4 @@
-//! Learning from too little, from nothing, and from what is not so.
+//! Training on too few data, on none, and on false labels.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::{Trial, Tried, tried};
@@ -27,8 +27,8 @@ const SETTINGS: TreeSettings = TreeSettings {
     least_probability: 0.4,
 };
 
-/// A sighting whose features tell its class but for noise as large as what they tell; `told` is the class
-/// that they tell of.
+/// A sighting whose features indicate its class up to noise of the same size; `told` is the class that they
+/// indicate.
 fn sighting(random: &mut ChaCha8Rng, class: usize, told: usize, vehicle: u64) -> Seen {
     let width = classifier::feature_names().len();
     let feature = |i: usize, noise: f64| if i % 4 == told { 1.5 + noise } else { noise };
@@ -54,7 +54,7 @@ fn sightings(each: u64, seed: u64, told: impl Fn(&mut ChaCha8Rng, usize) -> usiz
     all
 }
 
-/// Share of a thousand new sightings that a model tells right.
+/// Share of a thousand new sightings that a model classifies correctly.
 fn true_accuracy(trained: &TrainedTrees, of: &Sightings) -> f64 {
     let Weights::Trees(trees) = &trained.weights else { return 0.0 };
     let is_right = |seen: &&Seen| {
@@ -68,11 +68,11 @@ fn trained(sightings: &Sightings) -> Result<TrainedTrees, Failure> {
     train_trees(sightings, &SETTINGS, 1, &mut |_, _| ()).map_err(Failure::refused)
 }
 
-/// Training sets of one size that are tried.
+/// Number of training sets of one size.
 const SETS: u64 = 8;
 
-/// Compares what trainings say of themselves with a thousand new sightings: the error is the mean difference
-/// of both accuracies; the intervals of 95 % cover it where at most two of eight miss the true one (0.6 % by
+/// Compares the accuracy reported by trainings with that on a thousand new sightings: the error is the mean
+/// difference of the two; the 95 % intervals cover it if at most two of eight miss the true one (0.6 % by
 /// chance).
 fn told_against_true(
     trial: Trial,
@@ -110,7 +110,7 @@ fn tiny_sets(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     [1, 2, 5, 20, 50].into_iter().map(row).collect()
 }
 
-/// A class that nothing shows cannot be learned.
+/// A class without training data cannot be learned.
 fn classes_missing(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::TREES.trial("training sets without all classes", "set");
     let without = |kept: &dyn Fn(&Seen) -> bool| {
@@ -130,7 +130,7 @@ fn classes_missing(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     ])
 }
 
-/// Labels that the features say nothing of: a quarter is right by chance, and the training must not say more.
+/// Labels independent of the features: a quarter is right by chance, and the training must not report more.
 fn labels_of_chance(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         methods::TREES.trial("labels by chance: accuracy told against true", "vehicles of each class");

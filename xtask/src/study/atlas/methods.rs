@@ -1,4 +1,4 @@
-//! Methods of the stages that the atlas tries.
+//! Methods of the stages in the atlas.
 
 use crate::study::atlas::verdict::Trial;
 
@@ -38,7 +38,7 @@ pub(super) const OBJECTS: Method = Method { stage: "dsp", name: "objects" };
 pub(super) const TREES: Method = Method { stage: "classifier", name: "trees" };
 
 impl Method {
-    /// A case of this method, which has the value of one parameter in each of its rows.
+    /// A case of this method, with one parameter that varies over its rows.
     pub(super) const fn trial(self, case: &'static str, parameter: &'static str) -> Trial {
         Trial { stage: self.stage, method: self.name, case, parameter }
     }

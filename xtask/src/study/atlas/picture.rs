@@ -1,4 +1,4 @@
-//! The atlas' picture, drawn from its table.
+//! The atlas's picture, drawn from its table.
 
 use crate::study::atlas::Verdict;
 use crate::study::table::{RowOf, Table};
@@ -12,10 +12,10 @@ const LINE_PX: f64 = 21.0;
 const LEFT_PX: f64 = 460.0;
 const RIGHT_PX: f64 = 880.0;
 const TOP_PX: f64 = 84.0;
-/// Errors shown; smaller ones stand at the left end.
+/// Range of shown errors; smaller ones are at the left end.
 const SPAN_DB: [f64; 2] = [-120.0, 45.0];
 
-/// A line for each case, a mark for each row: its error and its verdict.
+/// A line for each case, a mark for each row by its error and its verdict.
 pub(in crate::study) fn picture(table: &Table) -> Svg {
     let rows: Vec<RowOf> = table.rows().collect();
     let is_one =
@@ -43,7 +43,7 @@ fn at(error_db: f64) -> f64 {
     LEFT_PX + share * (RIGHT_PX - LEFT_PX)
 }
 
-/// Verdicts differ in shape and colour.
+/// Mark of a verdict, distinct in shape and colour.
 fn mark(verdict: Verdict) -> Mark {
     match verdict {
         Verdict::Good => Mark::Disc,

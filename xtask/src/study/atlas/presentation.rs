@@ -8,7 +8,7 @@ pub(in crate::study) fn count(rows: &[CaseRow], verdict: Verdict) -> usize {
     rows.iter().filter(|row| row.verdict == verdict).count()
 }
 
-/// Columns of interface.md.
+/// Table with the columns of interface.md.
 pub(in crate::study) fn csv(rows: &[CaseRow]) -> String {
     let fields = |r: &CaseRow| {
         let words =
@@ -71,7 +71,7 @@ pub(in crate::study) fn page(rows: &[CaseRow], extent: Extent) -> String {
     )
 }
 
-/// A sentence of the good rows whose error is more than was told; nothing where none is.
+/// A sentence about good rows whose error exceeds the reported one; empty if there are none.
 fn exceeded(rows: &[CaseRow]) -> String {
     let is_hidden = |row: &&CaseRow| row.verdict == Verdict::Good && row.excess.is_some();
     match rows.iter().filter(is_hidden).count() {
@@ -83,7 +83,7 @@ fn exceeded(rows: &[CaseRow]) -> String {
     }
 }
 
-/// A paragraph of what is wrong, before all tables; nothing where nothing is.
+/// A paragraph about wrong rows, before all tables; empty if there are none.
 fn wrong(rows: &[CaseRow]) -> String {
     let of = |row: &CaseRow| {
         let error = table::decibels(row.error);
@@ -97,7 +97,7 @@ fn wrong(rows: &[CaseRow]) -> String {
     }
 }
 
-/// Rows of one case stand together.
+/// Groups the rows of each case.
 fn cases(rows: &[CaseRow]) -> Vec<&[CaseRow]> {
     rows.chunk_by(|a, b| (a.case, a.method) == (b.case, b.method)).collect()
 }

@@ -1,4 +1,4 @@
-//! Inputs that have no answer must be refused, with a reason.
+//! Inputs without an answer must be refused, with a reason.
 
 use crate::study::atlas::CaseRow;
 use crate::study::atlas::methods;
@@ -17,7 +17,7 @@ use wayside::host::failure::Failure;
 
 pub(super) const CASES: &[Tried] = tried![meshes, scenes, antennas, echoes];
 
-/// Files of meshes, and meshes that reach the tracer by another way.
+/// Mesh files, and meshes that reach the tracer in another way.
 pub(in crate::study::atlas) fn meshes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::MESH.trial("meshes without an answer", "file");
     let file = |name: &str, text: &str| {
@@ -54,7 +54,7 @@ pub(in crate::study::atlas) fn scenes(_: Extent) -> Result<Vec<CaseRow>, Failure
     ])
 }
 
-/// Places from where nothing can be looked at.
+/// Positions from which nothing can be seen.
 pub(in crate::study::atlas) fn antennas(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("requests without an answer", "request");
     let plate = bodies::plate(0.3);

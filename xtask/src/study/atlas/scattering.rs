@@ -1,4 +1,4 @@
-//! Scattering: what goes wrong between a mesh and its S.
+//! Scattering: failures between a mesh and its S.
 
 mod far_field;
 mod integration;

@@ -1,4 +1,4 @@
-//! Signals: what goes wrong between samples and tracks.
+//! Signals: failures between samples and tracks.
 
 mod strongest;
 mod ambiguity;

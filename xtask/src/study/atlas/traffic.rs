@@ -1,4 +1,4 @@
-//! Traffic: bodies in and near one another, and the road under them.
+//! Traffic: intersecting and nearby bodies, and the road under them.
 
 mod overlapping;
 mod road;

@@ -1,4 +1,4 @@
-//! A row of the atlas, and the rule that judges it.
+//! A row of the atlas, and the rule for its verdict.
 
 use crate::project::project_root;
 use crate::study::extent::Extent;
@@ -10,12 +10,12 @@ use wayside::host::failure::Failure;
 
 /// A function of the atlas that tries some cases.
 pub(super) struct Tried {
-    /// Name of the function, with its file's.
+    /// Name of the function, with its file.
     pub(super) name: &'static str,
     pub(super) rows: fn(Extent) -> Result<Vec<CaseRow>, Failure>,
 }
 
-/// A list of functions that try cases, with their names.
+/// Makes a list of functions that try cases, with their names.
 macro_rules! tried {
     ($($case:path),* $(,)?) => {
         &[$(crate::study::atlas::verdict::Tried { name: stringify!($case), rows: $case }),*]
@@ -24,23 +24,22 @@ macro_rules! tried {
 
 pub(super) use tried;
 
-/// Statement of the program's own answer on its error, as relative amplitudes.
+/// Statement of the program about its own error, as relative amplitudes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::study) enum Says {
-    /// Nothing.
+    /// No statement.
     Nothing,
-    /// A figure that is meant to hold the error.
+    /// An upper bound of the error.
     AtMost(f64),
-    /// A figure that estimates what a model leaves out: the spread of node rules, the next order, the far
-    /// field.
+    /// An estimate of a model's error: the spread of node rules, the next order, the far field.
     About(f64),
-    /// A flag, a null or a remark in the result, or a limit that the method's documentation states.
+    /// A flag, a null or a remark in the result, or a limit in the method's documentation.
     Words(&'static str),
-    /// A limit that this page states in these words; made by [`documented`] alone, which looks there.
+    /// A limit in these words of this page; made only by [`documented`], which checks the page.
     Page(&'static str, &'static str),
 }
 
-/// A limit that a page of the project states, if the page holds these words.
+/// A limit stated by a page of the project, if the page contains these words.
 pub(super) fn documented(page: &'static str, words: &'static str) -> Result<Says, Failure> {
     let file = project_root().join(page);
     let text = std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))?;
@@ -48,12 +47,12 @@ pub(super) fn documented(page: &'static str, words: &'static str) -> Result<Says
     Ok(if plain.contains(words) { Says::Page(page, words) } else { Says::Nothing })
 }
 
-/// Bound that a result gives for its own error.
+/// Bound of a result for its own error.
 pub(super) fn printed(error: &ErrorBudget) -> Says {
     error.total().map_or(Says::Nothing, Says::AtMost)
 }
 
-/// Estimate of a result without diffraction, or the remark that there is none.
+/// Estimate of a result's missing diffraction, or the remark that there is none.
 pub(super) fn without_edges(result: &RcsResult) -> Says {
     match result.model_error.edges {
         Some(edges) => Says::About(edges),
@@ -83,14 +82,14 @@ impl Verdict {
     }
 }
 
-/// −20 dB, the default accuracy of a scene: an error below it is good.
+/// −20 dB, the default accuracy of a scene: errors below it are good.
 const GOOD: f64 = 0.1;
-/// An estimate of a model's error covers an error up to 10 dB above it: the spread of node rules lies 5 to 8
-/// dB below the error of its model in the mean over full-wave scenes (docs/physics.md §2).
+/// Factor by which an error may exceed an estimate of a model's error, 10 dB: the spread of node rules is on
+/// average 5 to 8 dB below the error of its model over full-wave scenes (docs/physics.md §2).
 const ABOVE_ESTIMATE: f64 = 3.1623;
 
-/// Good within −20 dB; beyond it degraded where the program's own answer covers the error, wrong where it
-/// does not.
+/// Verdict: good within −20 dB; beyond it degraded if the program's own statement covers the error, wrong if
+/// it does not.
 fn verdict(error: f64, says: Says) -> Verdict {
     let covered = match says {
         Says::Nothing => false,
@@ -105,7 +104,7 @@ fn verdict(error: f64, says: Says) -> Verdict {
     }
 }
 
-/// One case at one value of its parameter.
+/// One case with one value of its parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::study) struct CaseRow {
     pub(in crate::study) stage: &'static str,
@@ -113,16 +112,16 @@ pub(in crate::study) struct CaseRow {
     pub(in crate::study) case: &'static str,
     pub(in crate::study) parameter: &'static str,
     pub(in crate::study) value: String,
-    /// Relative amplitude error; `None` of what was refused.
+    /// Relative amplitude error; `None` for a refused case.
     pub(in crate::study) error: Option<f64>,
     pub(in crate::study) verdict: Verdict,
-    /// Words of the program: a figure, a flag, or the refusal.
+    /// Statement of the program: a figure, a flag, or the refusal.
     pub(in crate::study) said: String,
-    /// Factor by which the error exceeds the figure that is meant to hold it; `None` where it does not.
+    /// Factor by which the error exceeds its bound; `None` if it does not.
     pub(in crate::study) excess: Option<f64>,
 }
 
-/// Case that is tried, before it is known what comes of it.
+/// A case before its outcome is known.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Trial {
     pub(super) stage: &'static str,

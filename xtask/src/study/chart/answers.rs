@@ -1,5 +1,5 @@
-//! The whole chain by the accuracy that is asked: what a run takes, what it finds, how far its answers are
-//! from the truth, and how probable it takes the true class to be.
+//! Results of the whole chain by requested accuracy: cost, detections, distance from the truth, and the
+//! probability of the true class.
 
 use crate::study::chart::scenes::Scene;
 use crate::study::chart::work::{Measured, measured};
@@ -10,28 +10,28 @@ use wayside::host::failure::Failure;
 use wayside::outcome::summary::TargetSummary;
 use wayside::{SceneSource, Settings, Summary};
 
-/// Answers of one scene at one accuracy.
+/// Results of one scene at one accuracy.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(in crate::study) struct Answers {
     pub(super) scene: String,
     pub(super) asked_db: f64,
-    /// Processor seconds of the frame with its pictures.
+    /// Processor seconds of the frame including its pictures.
     pub(super) processor_s: f64,
     pub(super) peak_mib: Option<f64>,
-    /// Bodies found, and those that the radar can see.
+    /// Number of detected bodies, and of those that the radar can see.
     pub(super) found: usize,
     pub(super) to_be_found: usize,
-    /// Root mean squares over what was found: range, radial velocity, place across the road.
+    /// Root mean square errors of the detections: range, radial velocity, place across the road.
     pub(super) errors: Option<[f64; 3]>,
-    /// Mean probability of the true class over the vehicles found.
+    /// Mean probability of the true class over the detected vehicles.
     pub(super) probability: Option<f64>,
 }
 
-/// Accuracies of a quick chart.
+/// Accuracies for a quick chart.
 const QUICK_DB: [f64; 1] = [-10.0];
 const ASKED_DB: [f64; 5] = [-5.0, -10.0, -15.0, -20.0, -25.0];
 
-/// Answers of a scene at every accuracy; none where a file of third parties is missing.
+/// Results of a scene at every accuracy; none if a third-party file is missing.
 pub(super) fn rows(scene: &Scene, folder: &Path, extent: Extent) -> Result<Vec<Answers>, Failure> {
     let Some(targets) = scene.targets(folder) else { return Ok(vec![]) };
     let asked = match extent {
@@ -68,7 +68,7 @@ fn answers(scene: &str, targets: &str, asked_db: f64, folder: &Path) -> Result<A
     })
 }
 
-/// Estimate less truth: range, radial velocity, place across the road.
+/// Estimate minus truth: range, radial velocity, place across the road.
 fn error(target: &TargetSummary) -> Option<[f64; 3]> {
     let (estimate, truth) = (target.estimate?, &target.truth);
     Some([

@@ -1,11 +1,11 @@
-//! Changes since an earlier table: errors to their last digit, seconds by more than noise.
+//! Changes since an earlier table: errors to their last digit, seconds beyond noise.
 
 use crate::study::table::{RowOf, Table};
 
-/// Ratios of processor seconds of two runs of the same work, beside other work, lie between these.
+/// Range of the ratios of processor seconds of two runs of the same work, under other load.
 const NOISE: [f64; 2] = [0.7, 1.4];
 
-/// A line for each setting whose error or seconds changed, or that only one of the tables has.
+/// A line for each setting whose error or seconds changed, or that is in only one of the tables.
 pub(in crate::study) fn changes(before: &Table, now: &Table) -> Vec<String> {
     let mut lines: Vec<String> = now.rows().filter_map(|row| change(before, &row)).collect();
     let is_gone = |row: &RowOf| now.rows().all(|other| key(&other) != key(row));

@@ -1,5 +1,5 @@
-//! Whole frames of every scene, echoed both ways: path by path by the accuracy asked, and by the paper's
-//! table.
+//! Whole frames of every scene with both kinds of echo: path by path with a requested accuracy, and by the
+//! paper's table.
 
 use crate::study::chart::row::SettingRow;
 use crate::study::chart::scenes::Scene;
@@ -18,16 +18,15 @@ use artifact::units::db_from_amplitude;
 use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
-/// Accuracies asked of paths, that of the table, and that of the reference.
+/// Requested accuracies of paths, that of the table, and that of the reference.
 const ASKED_DB: [f64; 4] = [-10.0, -15.0, -20.0, -25.0];
 const QUICK_DB: [f64; 1] = [-20.0];
 const TABLE_DB: f64 = -20.0;
 const FINE_DB: f64 = -30.0;
-/// Parts of the frame that the reference is traced for, each for itself; half as many show how far it has
-/// converged.
+/// Number of parts of the frame that the reference traces separately; half as many show its convergence.
 const PARTS: u32 = 4;
 
-/// Both ways of a scene whose bodies lie in a folder; none where a file of third parties is missing.
+/// Both kinds of echo of a scene whose bodies are in a folder; none if a third-party file is missing.
 pub(super) fn rows(
     scene: &Scene,
     folder: &std::path::Path,
@@ -54,7 +53,7 @@ struct Case {
     header: SceneHeader,
 }
 
-/// Cube that is taken as true, and how it was made.
+/// Cube taken as true, with its method.
 struct Reference {
     cube: CubeFrame,
     name: String,
@@ -78,7 +77,7 @@ impl Case {
         Ok(Reference { cube: fine, name })
     }
 
-    /// The cube with the bodies traced anew in the middle of each part of the frame.
+    /// The cube with the bodies traced anew at the middle of each part of the frame.
     fn in_parts(&self, count: u32) -> Result<CubeFrame, Failure> {
         let whole = self.asked(FINE_DB);
         let mut part = whole.clone();
@@ -122,7 +121,7 @@ impl Case {
         self.compared(&Made { way: "table", asked_db: TABLE_DB, size, cost, cube: &cube.value }, exact)
     }
 
-    /// Two rows: of the whole cube, and of the levels of its map, phases apart.
+    /// Two rows: for the whole cube, and for the levels of its map, without phases.
     fn compared(&self, made: &Made<'_>, exact: &Reference) -> Result<[SettingRow; 2], Failure> {
         let row = |of: &str, error| SettingRow {
             stage: "bart-rcs + fmcw-echo".into(),
@@ -147,7 +146,7 @@ impl Case {
     }
 }
 
-/// A cube, by which way and with what it was made.
+/// A cube, with the method and the settings that made it.
 struct Made<'a> {
     way: &'static str,
     asked_db: f64,

@@ -1,24 +1,24 @@
-//! Other people's programs on the same work, by the comparisons of `bench`.
+//! Third-party programs on the same work, by the comparisons of `bench`.
 
 use crate::bench::{self, Comparison};
 use crate::study::extent::Extent;
 use serde::{Deserialize, Serialize};
 use wayside::host::failure::Failure;
 
-/// Our way beside another program.
+/// Comparison of our method with another program.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(in crate::study) struct RivalRow {
     pub(super) job: String,
     pub(super) work: String,
     pub(super) ours_s: f64,
-    /// Name of the program; how to get it where it is not here.
+    /// Name of the program, or advice for installing it.
     pub(super) rival: String,
     pub(super) rival_s: Option<f64>,
-    /// Error of one way against the other, relative amplitude.
+    /// Error of one method relative to the other, relative amplitude.
     pub(super) error: Option<f64>,
 }
 
-/// Every comparison; seconds are by the clock.
+/// Every comparison, in wall-clock seconds.
 pub(super) fn rows(extent: Extent) -> Result<Vec<RivalRow>, Failure> {
     let sizes = match extent {
         Extent::Quick => bench::QUICK,

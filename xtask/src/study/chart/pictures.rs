@@ -5,21 +5,21 @@ use plotting::form::Form;
 use plotting::lines::{Line, LinePlot, Scale};
 use plotting::svg::Svg;
 
-/// Columns that are drawn.
+/// Drawn columns.
 pub(in crate::study) const COLUMNS: [&str; 6] =
     ["stage", "scene", "method", "setting", "processor_s", "error_db"];
 
-/// Columns of the table of answers that are drawn.
+/// Drawn columns of the table of results.
 pub(in crate::study) const COLUMNS_OF_ANSWERS: [&str; 5] =
     ["scene", "asked_db", "processor_s", "range_m", "across_m"];
 
-/// Errors below are rounding, and the picture's room is for the others.
+/// Smallest error drawn; smaller ones are rounding, and would take room from others.
 const LEAST_DB: f64 = -120.0;
 const BETTER: &str = "Better is lower (less time) and further left (less error).";
-/// Body of the picture with every method, where it is charted.
+/// Body of the picture with every method, in the chart.
 const CAR: &str = "car-suv, 30 m";
 
-/// Processor seconds (by powers of ten) over error in dB, which is by powers of ten too.
+/// Processor seconds (logarithmic) over error in dB, which is logarithmic too.
 pub(in crate::study) fn pictures(table: &Table) -> Vec<(&'static str, Svg)> {
     let rows = |stage: &'static str| move |row: &RowOf<'_>| row.word("stage") == stage;
     let scattering: Vec<RowOf> = table.rows().filter(rows("bart-rcs")).collect();
@@ -62,7 +62,7 @@ fn of_bodies(rows: &[RowOf]) -> Svg {
     plot("Chart: processor seconds against error of each body", [note.into(), BETTER.into()], lines)
 }
 
-/// Whole frames and their cubes: a line for each scene, through the accuracies asked of paths to the table.
+/// Whole frames and their cubes: a line for each scene, from the requested accuracies of paths to the table.
 fn of_frames(rows: &[RowOf]) -> Svg {
     let cubes = rows.iter().filter(|row| row.word("method").ends_with("cube"));
     let mut lines = lines(cubes.map(|row| (row.word("scene").to_owned(), row)));
@@ -72,7 +72,7 @@ fn of_frames(rows: &[RowOf]) -> Svg {
     plot("Chart: processor seconds against error of whole frames", [note.into(), BETTER.into()], lines)
 }
 
-/// Orders the points of a line, each with its words, by falling error.
+/// Orders the points of a line, each with its label, by decreasing error.
 fn from_the_right(line: &mut Line) {
     let mut points: Vec<([f64; 2], String)> = line.points.drain(..).zip(line.words.drain(..)).collect();
     points.sort_by(|(a, _), (b, _)| b[0].total_cmp(&a[0]));
@@ -87,8 +87,8 @@ fn of_sums(rows: &[RowOf]) -> Svg {
     plot("Chart: processor seconds against error of sums", [note.into(), BETTER.into()], lines)
 }
 
-/// Draws processor seconds over the error of place of whole runs: a line for each scene, by the accuracy
-/// asked.
+/// Draws processor seconds over the position error of whole runs: a line for each scene, by requested
+/// accuracy.
 pub(in crate::study) fn picture_of_answers(answers: &Table) -> Svg {
     let mut lines: Vec<Line> = Vec::new();
     for row in answers.rows() {
@@ -114,10 +114,10 @@ pub(in crate::study) fn picture_of_answers(answers: &Table) -> Svg {
     plot.draw(Form::Wide)
 }
 
-/// Errors of place below are less than any radar of these tells.
+/// Smallest position error drawn, below the accuracy of any of these radars.
 const LEAST_M: f64 = 1e-3;
 
-/// Names in words, with the first and the last setting.
+/// Name of a method in words, with the first and the last setting.
 fn method(name: &str, settings: &[&str]) -> String {
     let words = match name.split(", ").next().unwrap_or_default() {
         "bart" => "beams (bart)",
@@ -153,12 +153,12 @@ fn words(row: &RowOf) -> String {
     format!("{}: {} dB, {}", row.word("setting"), row.word("error_db"), time(row.number("processor_s")))
 }
 
-/// Seconds, short ones in thousandths.
+/// Text of seconds, short ones in thousandths.
 fn time(seconds: f64) -> String {
     if seconds < 0.1 { format!("{:.2} ms", 1e3 * seconds) } else { format!("{seconds:.2} s") }
 }
 
-/// A point of the line of this name, which is begun where there is none.
+/// Adds a point to the line of this name, which is created if missing.
 fn add(lines: &mut Vec<Line>, name: &str, place: [f64; 2], words: String) {
     let words = words.replace('-', "−");
     match lines.iter_mut().find(|line| line.name == name) {

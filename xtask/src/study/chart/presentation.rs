@@ -96,14 +96,14 @@ fn rival_fields(row: &RivalRow) -> Vec<String> {
     ]
 }
 
-/// A table of a page with the columns of these numbers.
+/// A table of a page with the columns of these indices.
 fn shown(head: &[&str], columns: &[usize], rows: impl Iterator<Item = Vec<String>>) -> String {
     let pick = |words: Vec<String>| columns.iter().map(|column| words[*column].clone()).collect::<Vec<_>>();
     let head: Vec<&str> = columns.iter().map(|column| head[*column]).collect();
     table::markdown(&head, rows.map(pick))
 }
 
-/// The page; its words are those of `docs/chart.md` before the first table.
+/// The page; its text is that of `docs/chart.md` before the first table.
 pub(in crate::study) fn page(chart: &Chart, extent: Extent) -> String {
     let command = match extent {
         Extent::Quick => "cargo xtask chart --quick",
@@ -142,7 +142,7 @@ fn references(chart: &Chart) -> String {
 
 const PAGE: &str = include_str!("page.md");
 
-/// Cores and instructions: what times depend on most.
+/// Cores and instruction set, on which times depend most.
 fn machine() -> String {
     let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
     format!("{cores} cores, {}", instructions())

@@ -1,5 +1,5 @@
-//! Estimates of a lone point by the two ways that the receiver has: peaks of the map, and maximum likelihood
-//! on the samples around them.
+//! Estimates of a single point by the receiver's two methods: peaks of the map, and maximum likelihood on the
+//! samples around them.
 
 use crate::study::chart::work::{Cost, measured};
 use crate::study::extent::Extent;
@@ -9,7 +9,7 @@ use artifact::settings::Refine;
 use serde::{Deserialize, Serialize};
 use wayside::host::failure::Failure;
 
-/// Errors of one way, before one array at one signal-to-noise ratio.
+/// Errors of one method, with one array at one signal-to-noise ratio.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(in crate::study) struct EstimateRow {
     pub(super) array: String,
@@ -19,13 +19,14 @@ pub(in crate::study) struct EstimateRow {
     /// Processor milliseconds of a frame: its samples, map, detection and estimate.
     pub(super) processor_ms: f64,
     pub(super) found: f64,
-    /// Root mean square over the Cramér–Rao bound: range, velocity, direction cosines to the right and up.
+    /// Root mean square error relative to the Cramér–Rao bound: range, velocity, direction cosines to the
+    /// right and up.
     pub(super) over_bound_db: [Option<f64>; 4],
 }
 
 const TRIALS: u64 = 800;
 
-/// Both arrays, both ways, three levels.
+/// Rows of both arrays, both methods and three levels.
 pub(super) fn rows(extent: Extent) -> Result<Vec<EstimateRow>, Failure> {
     let mut rows = vec![];
     for (array, elements) in [("3x4", elements_3x4()), ("6x8", elements_6x8())] {

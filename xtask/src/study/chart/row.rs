@@ -13,8 +13,8 @@ pub(in crate::study) struct SettingRow {
     pub(in crate::study) cost: Cost,
     /// Relative amplitude.
     pub(in crate::study) error: f64,
-    /// Reference that the error is against.
+    /// Reference for the error.
     pub(in crate::study) reference: String,
-    /// Number and bytes of what the method makes; empty where they are one amplitude.
+    /// Number and bytes of the method's output; empty if it is one amplitude.
     pub(in crate::study) size: String,
 }

@@ -1,4 +1,4 @@
-//! Scattering at one aspect: beams against dense sampling and against rays.
+//! Scattering at one aspect: beams against dense sampling and rays.
 
 use crate::study::chart::row::SettingRow;
 use crate::study::chart::subjects::Subject;
@@ -11,16 +11,16 @@ use num_complex::Complex64;
 use po_sbr::{Bracket, po, sbr};
 use wayside::host::failure::Failure;
 
-/// The radar's frequencies: three over 0.6 GHz, so that an error is that of a profile and not of one lucky
-/// phase.
+/// The radar's frequencies: three over 0.6 GHz, so that an error is that of a profile and not of one
+/// favourable phase.
 const FREQUENCIES_HZ: [f64; 3] = [77e9, 77.3e9, 77.6e9];
 const RANGE_M: f64 = 30.0;
-/// Asked of the beams where they are the reference.
+/// Requested accuracy of the beams as reference.
 const FINE_DB: f64 = -80.0;
-/// Halvings of a cell that a shadow's border crosses.
+/// Number of halvings of a cell that a shadow's border crosses.
 const SHADOW_LEVELS: u32 = 3;
 
-/// All methods of a body: its first order, and the next two by themselves.
+/// All methods for a body: its first order, and the next two separately.
 pub(super) fn rows(subject: &Subject) -> Result<Vec<SettingRow>, Failure> {
     let exact = traced(subject, 3, FINE_DB)?.value;
     let body = Body { subject, exact: &exact };
@@ -69,13 +69,13 @@ fn shot(subject: &Subject, per_wavelength: f64) -> Result<Measured<Orders>, Fail
     })
 }
 
-/// Amplitude that others are held to.
+/// Reference amplitude.
 struct Reference<'a> {
     amplitude_m: &'a [Complex64],
     name: String,
 }
 
-/// A body with its beams as fine as they go, order by order.
+/// A body with its beams at their finest, order by order.
 struct Body<'a> {
     subject: &'a Subject,
     exact: &'a RcsResult,
@@ -87,7 +87,7 @@ impl Body<'_> {
         Reference { amplitude_m, name: format!("bart, order {order}, exit node, {FINE_DB} dB asked") }
     }
 
-    /// First order: beams by the accuracy asked against the densest sampling; sampling by its density against
+    /// First order: beams by requested accuracy against the densest sampling; sampling by its density against
     /// beams.
     fn first_order(&self) -> Result<Vec<SettingRow>, Failure> {
         let finest = self.subject.samples.finest;
@@ -111,9 +111,9 @@ impl Body<'_> {
         Ok(rows)
     }
 
-    /// Orders by themselves, with the exit node that rays have; errors are over the field of that order.
-    /// Beams of order 1 are in [`Self::first_order`]: against rays they would show the error of the rays,
-    /// whose first order converges slowly.
+    /// Orders separately, with the exit node of rays; errors are relative to the field of that order. Beams
+    /// of order 1 are in [`Self::first_order`]: against rays they would show the error of the rays, whose
+    /// first order converges slowly.
     fn by_order(&self) -> Result<Vec<SettingRow>, Failure> {
         let finest = self.subject.rays.finest;
         let dense = finest.map(|density| shot(self.subject, density)).transpose()?;

@@ -9,7 +9,7 @@ use wayside::host::files;
 /// A body of a scene: class, model, lane, place along the road and speed.
 type Body = (&'static str, &'static str, u8, f64, f64);
 
-/// A scene of bodies that approach.
+/// A scene of approaching bodies.
 pub(super) struct Scene {
     pub(super) name: &'static str,
     pub(super) bodies: &'static [Body],
@@ -19,7 +19,7 @@ const fn scene(name: &'static str, bodies: &'static [Body]) -> Scene {
     Scene { name, bodies }
 }
 
-/// Scenes from one plate to a queue; models with a dot in their names are files.
+/// Scenes from one plate to a queue; models with a point in their names are files.
 pub(super) const SCENES: [Scene; 12] = [
     scene("a car, 30 m", &[("car", "car-hatchback", 2, 30.0, 8.0)]),
     scene("a corner of 0.5 m", &[("", "corner.obj", 2, 35.0, 5.0)]),
@@ -50,11 +50,11 @@ pub(super) const SCENES: [Scene; 12] = [
     scene("a real bus, 40 m", &[("bus", "chrono_citybus.glb", 1, 40.0, 7.0)]),
 ];
 
-/// Faces a radar 6 m up from 30 m away.
+/// A plate that faces a radar 6 m up, 30 m away.
 const PLATE: &str = "v 0 -0.5 0.5\nv 0 0.5 0.5\nv -0.2 0.5 1.48\nv -0.2 -0.5 1.48\nf 1 2 3 4\n";
 const CORNER: &str = "v 0 0 0.5\nv 0.35 0.35 0.5\nv 0.35 -0.35 0.5\nv 0 0 1\nf 1 2 4\nf 1 4 3\nf 1 3 2\n";
 
-/// A folder with the bodies that the chart brings itself.
+/// A folder with the chart's own bodies.
 pub(super) fn folder_of_bodies() -> Result<tempfile::TempDir, Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
     for (name, mesh) in [("plate.obj", PLATE), ("corner.obj", CORNER)] {
@@ -64,7 +64,7 @@ pub(super) fn folder_of_bodies() -> Result<tempfile::TempDir, Failure> {
 }
 
 impl Scene {
-    /// Bodies of its file; `None` where a file of third parties is not there.
+    /// Targets of its file; `None` if a third-party file is missing.
     pub(super) fn targets(&self, folder: &Path) -> Option<String> {
         let mut text = String::new();
         for (number, (class, model, lane, y_m, speed_mps)) in self.bodies.iter().enumerate() {
@@ -80,7 +80,7 @@ impl Scene {
     }
 }
 
-/// Model as a scene names it.
+/// Model as named in a scene.
 fn place_of(model: &str, folder: &Path) -> Option<String> {
     let file = match Path::new(model).extension().and_then(|kind| kind.to_str()) {
         None => return Some(model.to_owned()),

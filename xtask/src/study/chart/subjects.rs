@@ -1,4 +1,4 @@
-//! Bodies whose scattering all methods are asked for, from a plate to a truck.
+//! Bodies whose scattering is computed by all methods, from a plate to a truck.
 
 use crate::project::shared;
 use crate::study::bodies::{self, Face};
@@ -6,20 +6,20 @@ use crate::study::extent::Extent;
 use artifact::scene::Mesh;
 use wayside::host::failure::Failure;
 
-/// A body, how it is looked at, and how densely it is sampled.
+/// A body, with its aspect and its sampling density.
 pub(super) struct Subject {
     pub(super) name: &'static str,
     pub(super) body: Mesh,
     pub(super) azimuth_deg: f64,
     pub(super) elevation_deg: f64,
-    /// Samples of dense sampling along a wavelength, and rays of ray shooting.
+    /// Samples per wavelength for dense sampling, and rays for ray shooting.
     pub(super) samples: Densities,
     pub(super) rays: Densities,
 }
 
-/// Densities along a wavelength: those that are charted, and that of the reference of beams; where there is
-/// none such, as it would take hours, beams are held to their own finest, and the charted densities show how
-/// the other method nears it.
+/// Densities per wavelength: the charted ones, and that of the reference for beams; without one, because it
+/// would take hours, beams are compared with their own finest setting, and the charted densities show how the
+/// other method approaches it.
 #[derive(Clone, Copy)]
 pub(super) struct Densities {
     pub(super) charted: &'static [f64],
@@ -34,8 +34,7 @@ const fn coarse(charted: &'static [f64]) -> Densities {
     Densities { charted, finest: None }
 }
 
-/// Every body of the chart, or the one of a quick chart; one of a file of third parties is left out where
-/// that is not there.
+/// Every body of the chart, or the one of a quick chart, without those whose third-party files are missing.
 pub(super) fn all(extent: Extent) -> Result<Vec<Subject>, Failure> {
     match extent {
         Extent::Quick => Ok(vec![corner()]),

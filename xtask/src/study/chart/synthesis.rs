@@ -13,15 +13,15 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use wayside::host::failure::Failure;
 
-/// Accuracies asked of transforms.
+/// Requested accuracies of transforms.
 const ASKED_DB: [f64; 4] = [-20.0, -40.0, -60.0, -80.0];
-/// Paths of the formulas, which take every sample alone.
+/// Number of paths for the formulas, which evaluate every sample separately.
 const FEW_PATHS: usize = 300;
 
-/// Samples of a cube at which the direct sum is held to the formulas.
+/// Number of samples of a cube at which the direct sum is compared with the formulas.
 const CHECKED: usize = 64;
 
-/// Numbers of paths: those of one car far away, of a street, of bodies that reflect each other.
+/// Numbers of paths: those of one distant car, of a street, of bodies that reflect each other.
 pub(super) fn counts(extent: Extent) -> &'static [usize] {
     match extent {
         Extent::Quick => &[FEW_PATHS],
@@ -29,7 +29,7 @@ pub(super) fn counts(extent: Extent) -> &'static [usize] {
     }
 }
 
-/// Every way to sum so many paths over a frame of 12 channels, 128 chirps of 256 samples.
+/// Every method of summing `count` paths over a frame of 12 channels, 128 chirps of 256 samples.
 pub(super) fn rows(count: usize) -> Result<Vec<SettingRow>, Failure> {
     let radar = scene_of("")?.radar;
     let paths: Vec<Path> = (0..count).map(point).collect();
@@ -82,8 +82,8 @@ impl Sum<'_> {
         fast_sum::cube(self.radar, centre_hz, self.paths, Accuracy::from_db(asked_db))
     }
 
-    /// The sum as the formulas have it, and with the phase advanced by recurrence; 8 chirps of one channel,
-    /// one thread.
+    /// The sum by the formulas, and with the phase advanced by recurrence; 8 chirps of one channel, one
+    /// thread.
     fn by_formulas(&self) -> Result<[SettingRow; 2], Failure> {
         let mut radar = scene_of("[radar.array]\npreset = \"1x1\"\n")?.radar;
         radar.waveform.chirps = 8;
@@ -118,7 +118,7 @@ impl Sum<'_> {
     }
 }
 
-/// Points over the road, each with its own speed.
+/// Points over the road, each with its own velocity.
 fn point(number: usize) -> Path {
     let share = (number as f64 * 0.618_034).fract(); // golden ratio: evenly spread for any count
     let position_m = [-4.0 + 14.0 * share, 25.0 + 30.0 * (share * 7.0).fract(), 1.8 * (share * 13.0).fract()];

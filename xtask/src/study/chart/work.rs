@@ -1,4 +1,4 @@
-//! Seconds and memory that a piece of work takes.
+//! Seconds and memory of work.
 
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -6,19 +6,19 @@ use wayside::host::failure::Failure;
 use wayside::host::memory;
 use wayside::host::processor_time::WorkClock;
 
-/// Seconds and memory of a piece of work.
+/// Seconds and memory of work.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(in crate::study) struct Cost {
-    /// Seconds by the clock on the wall.
+    /// Wall-clock seconds.
     pub(super) seconds: f64,
-    /// Seconds of all threads on processors; where the system does not tell them, by the clock.
+    /// Processor seconds of all threads; wall-clock seconds if the system does not report them.
     pub(super) processor_s: f64,
-    /// Largest resident size of the program while this ran, MiB.
+    /// Peak resident size of the program during the work, MiB.
     pub(super) peak_mib: Option<f64>,
 }
 
 impl Cost {
-    /// Both pieces of work, one after the other.
+    /// Cost of both, one after the other.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             seconds: self.seconds + other.seconds,
@@ -28,18 +28,17 @@ impl Cost {
     }
 }
 
-/// A result with what it took.
+/// A result with its cost.
 pub(super) struct Measured<T> {
     pub(super) value: T,
     pub(super) cost: Cost,
 }
 
-/// Processor seconds that are told truly by a system that counts in hundredths of one.
+/// Processor seconds that are accurate on a system that counts in hundredths of a second.
 const TOLD_S: f64 = 0.2;
 const RUNS_MAX: f64 = 1000.0;
 
-/// Does the work, again where it is too quick to be timed by doing it once; the peak is that of the whole
-/// program while it lasts.
+/// Does the work, repeatedly if it is too fast to time once; the peak is that of the whole program meanwhile.
 pub(super) fn measured<T>(mut work: impl FnMut() -> Result<T, Failure>) -> Result<Measured<T>, Failure> {
     let is_fresh = forget_peak();
     let (start, clock) = (Instant::now(), WorkClock::start());
@@ -54,7 +53,7 @@ pub(super) fn measured<T>(mut work: impl FnMut() -> Result<T, Failure>) -> Resul
     Ok(Measured { value, cost: Cost { seconds, processor_s, peak_mib } })
 }
 
-/// Lets the system count the largest resident size anew (`proc(5)`, clear_refs, 5); false where it cannot.
+/// Resets the system's peak resident size (`proc(5)`, clear_refs, 5); false if that is not possible.
 fn forget_peak() -> bool {
     std::fs::write("/proc/self/clear_refs", "5").is_ok()
 }

@@ -61,7 +61,7 @@ pub(in crate::study) fn page(rows: &[LevelRow], extent: Extent) -> String {
     )
 }
 
-/// Sentence on how well the run knows its error: told over true.
+/// Sentence about the accuracy of the reported errors: ratio of reported to true error.
 fn told_against_true(rows: &[LevelRow]) -> String {
     let pairs = rows.iter().filter_map(|row| row.told.zip(row.error));
     let mut above_db: Vec<f64> = pairs.map(|(told, error)| db_from_amplitude(told / error)).collect();
@@ -79,11 +79,11 @@ fn told_against_true(rows: &[LevelRow]) -> String {
     }
 }
 
-/// Columns that are drawn.
+/// Drawn columns.
 pub(in crate::study) const COLUMNS: [&str; 5] =
     ["scene", "asked_db", "level", "reduce_seconds", "echo_seconds"];
 
-/// Seconds of reducing and echo over the accuracy asked, a line for each level of the first scene.
+/// Seconds of reduction and echo over the requested accuracy, a line for each level of the first scene.
 pub(in crate::study) fn picture(table: &Table) -> Svg {
     let first = table.rows().next().map_or("", |row| row.word("scene"));
     let line = |level: Detail| Line {

@@ -1,5 +1,5 @@
 //! Choice of a radar at the paper's intersection: `scenes/studies/intersection.sweep.toml`, twice, with
-//! other noise.
+//! different noise.
 
 use crate::project::project_root;
 use crate::study::extent::Extent;
@@ -12,14 +12,14 @@ use wayside::host::files;
 use wayside::sweep::{self, Outcome, Settings};
 use wayside::{Allowance, CacheLocation};
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places =
     &[CHAIN, &["crates/evaluation", "crates/sweeps/src", "scenes/studies", file!()]];
 
 const SEEDS: [u64; 2] = [1, 2];
 
-/// Answer of each seed, details of the first; the picture only of the whole study. There is no quick form:
-/// runs that are kept are not made again.
+/// Answer of each seed, details of the first; the picture only for the whole study. There is no quick form:
+/// kept runs are not repeated.
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     let mut part = Part::default();
     let mut chosen = vec![];
@@ -41,7 +41,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-/// The study with a seed, in a folder of its own that is taken up again.
+/// Runs the study with a seed, in a separate folder that is reused.
 fn carried_out(seed: u64) -> Result<Outcome, Failure> {
     let study = project_root().join("scenes/studies/intersection.sweep.toml");
     let settings = Settings {
@@ -64,7 +64,7 @@ fn folder(seed: u64) -> PathBuf {
     project_root().join(format!("out/deployment-{seed}"))
 }
 
-/// Puts the picture of the first seed beside those of the other pages.
+/// Copies the picture of the first seed to those of the other pages.
 fn picture() -> Result<(), Failure> {
     let file = folder(SEEDS[0]).join("pareto.svg");
     let drawn = std::fs::read(&file).map_err(|error| Failure::system(&file, "read", error))?;

@@ -1,4 +1,4 @@
-//! Rows that an earlier run of the same sources has made: a study that is ended goes on where it was.
+//! Rows made by an earlier run of the same sources: an interrupted study resumes.
 
 use serde::{Serialize, de::DeserializeOwned};
 use std::path::PathBuf;
@@ -11,18 +11,18 @@ pub(in crate::study) struct Kept {
 }
 
 impl Kept {
-    /// Rows of a study, of sources with this hash.
+    /// Rows of a study with this hash of sources.
     pub(in crate::study) fn of(study: &str, sources: &str) -> Self {
         let folder = crate::project::project_root().join(format!("out/study-{study}"));
         Self { folder: folder.join(sources) }
     }
 
-    /// The row of this name, where it was made.
+    /// The row with this name, if it was made.
     pub(in crate::study) fn row<R: DeserializeOwned>(&self, name: &str) -> Option<R> {
         serde_json::from_slice(&std::fs::read(self.file(name)).ok()?).ok()
     }
 
-    /// Number of the rows of these names that were not made.
+    /// Number of rows with these names that were not made.
     pub(in crate::study) fn missing<R: DeserializeOwned>(
         &self,
         names: impl Iterator<Item = String>,
@@ -30,7 +30,7 @@ impl Kept {
         names.filter(|name| self.row::<R>(name).is_none()).count()
     }
 
-    /// The row of this name, or the one that is made now, which is kept.
+    /// The row with this name, or a new one, which is kept.
     pub(in crate::study) fn or_made<R: Serialize + DeserializeOwned>(
         &self,
         name: &str,

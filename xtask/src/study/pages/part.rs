@@ -1,4 +1,4 @@
-//! Part of a page that a study makes: tables that grow row by row, heard as they do.
+//! Part of a page made by a study: tables that grow row by row and are printed as they do.
 
 use wayside::program::terminal;
 
@@ -6,7 +6,7 @@ use wayside::program::terminal;
 #[derive(Debug, Default)]
 pub(crate) struct Part {
     text: String,
-    /// Sentence on figures that are not as they have to be.
+    /// Sentence about figures that violate their requirements.
     complaint: Option<String>,
 }
 
@@ -29,12 +29,12 @@ impl Part {
         self.line(format!("| {} |", cells.join(" | ")));
     }
 
-    /// The study ends with this sentence once the page is written.
+    /// Makes the study fail with this sentence once the page is written.
     pub(super) fn complain(&mut self, sentence: String) {
         self.complaint = Some(sentence);
     }
 
-    /// All lines, and what is wrong with them.
+    /// All lines, and the complaint.
     pub(crate) fn finished(self) -> (String, Option<String>) {
         (self.text, self.complaint)
     }

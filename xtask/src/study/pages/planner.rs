@@ -1,8 +1,8 @@
-//! Plans of random scenes, beside the same scenes with everything on and finer: whether what was promised is
-//! kept, and what a plan costs beside the cheapest setting that keeps it.
+//! Plans of random scenes, compared with the same scenes with all physics and finer: whether the promise is
+//! kept, and the cost of a plan relative to the cheapest setting that keeps it.
 
 mod drawn; // scenes of a seed
-mod trial; // a plan, its truth, and other settings
+mod trial; // a plan, its truth, and alternative settings
 
 use crate::study::extent::Extent;
 use crate::study::pages::kept::Kept;
@@ -16,26 +16,26 @@ use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 use wayside::program::values::Shard;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[
     CHAIN,
     &["crates/pipeline/src/planning", "xtask/src/study/pages/planner", "xtask/src/study/pages/planner.rs"],
     &["xtask/src/random_scenes.rs"],
 ];
 
-/// Accuracies asked, dB, in turn; the finest of one vehicle alone.
+/// Requested accuracies, dB, in turn; the finest only for a single vehicle.
 const ASKED_DB: [f64; 5] = [-10.0, -15.0, -20.0, -30.0, -40.0];
 const SCENES: u64 = 200;
-/// Accuracies asked of scenes that are searched for the cheapest setting too, and their number.
+/// Requested accuracies of scenes that are also searched for the cheapest setting, and their number.
 const SEARCHED_DB: [f64; 3] = [-10.0, -15.0, -20.0];
 const SEARCHED: u64 = 10;
 
-/// All rows, which are made where they are not kept.
+/// All rows; missing ones are made.
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     part_of(&Rows::of(extent, Missing::IsMade)?)
 }
 
-/// The rows that are kept, and how many are not.
+/// The kept rows, and the number of missing ones.
 pub(crate) fn part_of_kept(extent: Extent) -> Result<Part, Failure> {
     part_of(&Rows::of(extent, Missing::IsLeftOut)?)
 }
@@ -72,7 +72,7 @@ fn part_of(rows: &Rows) -> Result<Part, Failure> {
     Ok(part)
 }
 
-/// Makes every `of`th row from `number` on, and keeps it: so much of the page is there when it is made.
+/// Makes every `of`th row from `number` on, and keeps it for the page.
 pub(crate) fn rows(extent: Extent, shard: Shard) -> Result<(), Failure> {
     let rows = Rows::of(extent, Missing::IsMade)?;
     let is_ours = |index: &u64| index % u64::from(shard.of) == u64::from(shard.number - 1);
@@ -88,14 +88,14 @@ pub(crate) fn rows(extent: Extent, shard: Shard) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Rows that are not kept.
+/// Treatment of rows that are not kept.
 #[derive(Clone, Copy, PartialEq)]
 enum Missing {
     IsMade,
     IsLeftOut,
 }
 
-/// Rows of both tables: made, or read where they are kept.
+/// Rows of both tables: made, or read if they are kept.
 struct Rows {
     kept: Kept,
     missing: Missing,
@@ -109,13 +109,13 @@ impl Rows {
         Ok(Self { kept, missing, scenes: extent.of(SCENES), searched: extent.of(SEARCHED) })
     }
 
-    /// `None` where nothing scatters, where a real vehicle is not here, or the row is not kept and none is
-    /// made.
+    /// A row of the first table; `None` if nothing scatters, a real vehicle is missing, or the row is neither
+    /// kept nor made.
     fn trial(&self, number: u64) -> Result<Option<Trial>, Failure> {
         self.row(trial_scene(number), Trial::of)
     }
 
-    /// A row of the second table, or none likewise.
+    /// A row of the second table; `None` in the same cases.
     fn search(&self, number: u64) -> Result<Option<Searched>, Failure> {
         self.row(searched_scene(number), Searched::of)
     }
@@ -132,7 +132,7 @@ impl Rows {
         self.kept.or_made(&scene.name, || make(&scene))
     }
 
-    /// Sentence on the rows that are not there; `None` where all are.
+    /// Sentence about missing rows; `None` if there are none.
     fn told_missing(&self) -> Option<String> {
         let trials = self.kept.missing::<Option<Trial>>(names(self.scenes, trial_scene));
         let searched = self.kept.missing::<Option<Searched>>(names(self.searched, searched_scene));
@@ -159,7 +159,7 @@ fn in_turn(all_db: &[f64], number: u64) -> f64 {
     all_db[number as usize % all_db.len()]
 }
 
-/// Shares of the scenes that are as good as was promised.
+/// Adds the shares of scenes that are as accurate as promised.
 fn told(part: &mut Part, trials: &[Trial]) {
     let within = |db: f64| trials.iter().filter(|trial| trial.beyond_db() <= db).count();
     let worst = trials.iter().map(Trial::beyond_db).fold(f64::NEG_INFINITY, f64::max);
@@ -181,7 +181,7 @@ fn told(part: &mut Part, trials: &[Trial]) {
     }
 }
 
-/// Plans beside the cheapest of all settings that err by no more than the plan spends.
+/// Compares plans with the cheapest of all settings whose error is no larger than the plan's budget.
 fn searched(part: &mut Part, rows: &Rows) -> Result<(), Failure> {
     part.head(&[
         "scene",

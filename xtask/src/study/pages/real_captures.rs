@@ -1,5 +1,5 @@
-//! Samples of a real radar (`fixtures/captures`): our maps and points beside NumPy's, the array's coherence,
-//! the noise; and the room simulated, of which three points are known.
+//! Samples of a real radar (`fixtures/captures`): our maps and points compared with NumPy's, the array's
+//! coherence, the noise; and a simulation of the room, in which three points are known.
 
 mod room;
 mod simulated;
@@ -13,7 +13,7 @@ use artifact::cube::{CubeFrame, CubeHeader};
 use std::path::Path;
 use wayside::host::failure::Failure;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[
     SIGNALS,
     &[
@@ -25,7 +25,7 @@ pub(crate) const SOURCES: Places = &[
     ],
 ];
 
-/// Makes the part; there is one frame, however few cases are asked for.
+/// Makes the part; there is one frame, whatever the extent.
 pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
     let folder = project_root().join("fixtures/captures");
     let ours = Ours::of(&imported(&folder)?)?;
@@ -46,7 +46,7 @@ pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-/// The recording as `import` reads it.
+/// The recording as read by `import`.
 fn imported(folder: &Path) -> Result<(CubeHeader, CubeFrame), Failure> {
     made(&["import".as_ref(), &folder.join("room.bin"), "--scene".as_ref(), &folder.join("room.toml")])
 }
@@ -62,7 +62,7 @@ fn echoes(file: &Path) -> Result<Vec<Echo>, Failure> {
     Ok(text.lines().filter_map(echo).collect())
 }
 
-/// Levels of NumPy's map, `[doppler, range]`: the numbers behind the head of a `.npy` of float32.
+/// Levels of NumPy's map, `[doppler, range]`: the numbers after the head of a `.npy` of float32.
 fn levels(file: &Path) -> Result<Vec<f64>, Failure> {
     let bytes = std::fs::read(file).map_err(|e| Failure::system(file, "read", e))?;
     let behind = bytes.iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |end| end + 1);
@@ -99,8 +99,8 @@ fn table_of_echoes(part: &mut Part, ours: &Ours, echoes: &[Echo]) -> Result<(), 
     Ok(())
 }
 
-/// Cells of our map differ by what single precision leaves of the strongest: 1e-4 dB where a cell is within
-/// 60 dB of it, and NumPy's levels are stored to 8e-6 dB.
+/// Largest difference: cells of our map differ by the single-precision rounding of the strongest, 1e-4 dB for
+/// a cell within 60 dB of it, and NumPy's levels are stored to 8e-6 dB.
 const WORST_DB: f64 = 1e-3;
 const WITHIN_DB: f64 = 60.0;
 

@@ -1,8 +1,8 @@
-//! The same work by other numbers of threads, by an unoptimised program and by an older processor: which
-//! files are the same to the byte, and how far the others differ.
+//! The same work with other numbers of threads, by an unoptimized program and on an older processor: which
+//! files are equal to the byte, and the difference of the others.
 
 mod differences; // values of two results, compared
-mod variants; // programs, and how they are begun
+mod variants; // programs and their command lines
 
 use crate::study::extent::Extent;
 use crate::study::pages::part::Part;
@@ -13,11 +13,11 @@ use variants::Variant;
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places =
     &[CHAIN, &["crates/po-sbr", "xtask/src/study/pages/same_bytes", "xtask/src/study/pages/same_bytes.rs"]];
 
-/// A car before 3 × 4 elements.
+/// A car with 3 × 4 elements.
 const CAR: &str = r#"
 name = "car"
 seed = 3
@@ -35,7 +35,7 @@ y_m = 30.0
 velocity_mps = [0.0, -8.0, 0.0]
 "#;
 
-/// A motorcycle and a van on a road, before 6 × 8 elements.
+/// A motorcycle and a van on a road, with 6 × 8 elements.
 const ROAD: &str = r#"
 name = "road"
 seed = 4
@@ -111,13 +111,13 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-/// Makes all files of a variant in a folder of their own.
+/// Makes all files of a variant in a separate folder.
 fn made(variant: &Variant, folder: &Path, number: usize) -> Result<std::path::PathBuf, Failure> {
     let out = folder.join(number.to_string());
     let system = |e: std::io::Error| Failure::System(format!("{}: {e}", out.display()));
     std::fs::create_dir(&out).map_err(system)?;
     for (name, scene) in [("car", CAR), ("road", ROAD)] {
-        // The scene's own path stands in what is made of it, so all variants read the same file.
+        // The scene's own path enters its products, so all variants read the same file.
         let file = folder.join(format!("{name}.toml"));
         std::fs::write(&file, scene).map_err(system)?;
         variant.run(&["run", &text(&file), "--no-cache", "--quiet", "--out", &text(&out.join(name))])?;

@@ -1,5 +1,4 @@
-//! Studies of scattered fields: against reference data, against the two slow references, and against finer
-//! answers.
+//! Studies of scattered fields: against reference data, the two slow references, and finer answers.
 
 mod bodies;
 mod frames;

@@ -1,5 +1,5 @@
-//! Sensitivity of what a run is for to the accuracy asked: scenes at several accuracies beside the finest
-//! that memory holds, and which accuracy each result needs.
+//! Sensitivity of a run's results to the requested accuracy: scenes at several accuracies compared with the
+//! finest that memory allows, and the accuracy that each result needs.
 
 mod scenes;
 mod answers;
@@ -17,14 +17,14 @@ use scenes::Case;
 use wayside::host::failure::Failure;
 use wayside::host::progress::note;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[
     CHAIN,
     &["crates/classifier", "crates/evaluation", "crates/pipeline/src/chain", "crates/pipeline/src/outcome"],
     &["scenes", "xtask/src/study/pages/sensitivity", file!()],
 ];
 
-/// Accuracies tried, coarsest first, dB.
+/// Tested accuracies, coarsest first, dB.
 const TRIED_DB: [f64; 4] = [-10.0, -15.0, -20.0, -30.0];
 /// Seed of another draw of the receiver's noise.
 const OTHER_NOISE: u64 = 1001;
@@ -33,9 +33,9 @@ const OTHER_NOISE: u64 = 1001;
 struct Runs {
     name: String,
     reference: Answer,
-    /// The coarsest of those tried, with other noise.
+    /// Run at the coarsest tested accuracy with other noise.
     noise: Answer,
-    /// In the order of [`TRIED_DB`], those coarser than the reference.
+    /// Runs in the order of [`TRIED_DB`], those coarser than the reference.
     tried: Vec<Answer>,
 }
 
@@ -66,7 +66,7 @@ fn runs(answers: &Answers, case: &Case) -> Result<Runs, Failure> {
     Ok(Runs { name: case.group.to_owned(), reference, noise, tried })
 }
 
-/// Something told of a scene: its objects or its tracks.
+/// Kind of results of a scene: its objects or its tracks.
 type Telling = fn(&Answer) -> &answers::Told;
 
 fn objects_of(answer: &Answer) -> &answers::Told {
@@ -83,7 +83,7 @@ fn changed(all: &[&Runs], index: usize, telling: Telling) -> Changes {
     all.iter().filter_map(of).fold(Changes::default(), Changes::and)
 }
 
-/// Changes from one draw of the receiver's noise to another, at the coarsest accuracy.
+/// Changes between two draws of the receiver's noise, at the coarsest accuracy.
 fn by_noise(all: &[&Runs], telling: Telling) -> Changes {
     let of = |run: &&Runs| Some(Changes::between(telling(run.tried.first()?), telling(&run.noise)));
     all.iter().filter_map(of).fold(Changes::default(), Changes::and)
@@ -131,7 +131,7 @@ fn tracks(part: &mut Part, all: &[Runs]) {
     row(part, "all", OF_TRUTH, &errors(&followed, |a| &a.truth_of_tracks, tracks_of));
 }
 
-/// Runs of scenes that are told together, in order.
+/// Runs of scenes that are reported together, in order.
 fn groups(all: &[Runs]) -> Vec<(&str, Vec<&Runs>)> {
     let mut groups: Vec<(&str, Vec<&Runs>)> = vec![];
     for run in all {
@@ -165,7 +165,7 @@ fn row(part: &mut Part, name: &str, accuracy: &str, changes: &Changes) {
     part.row(&[head.as_slice(), &counts, &numbers, &words].concat());
 }
 
-/// The coarsest accuracy that each result may be asked with, and whether the program asks with it.
+/// Adds the coarsest accuracy that suffices for each result, and whether the program requests it.
 fn needs(part: &mut Part, all: &[Runs]) {
     part.head(&["`for`", "`accuracy_db`", "measured"]);
     let every: Vec<&Runs> = all.iter().collect();
@@ -184,14 +184,14 @@ fn needs(part: &mut Part, all: &[Runs]) {
     }
 }
 
-/// The coarsest accuracy tried that a result needs; `None` where the finest is not enough.
+/// The coarsest tested accuracy that suffices for a result; `None` if the finest does not.
 fn needed_db(goal: Goal, all: &[&Runs]) -> Option<f64> {
     let (truth, telling): (Telling, Telling) = match goal {
         Goal::Tracks => (|a| &a.truth_of_tracks, tracks_of),
         Goal::Cube | Goal::Detection | Goal::Class => (|a| &a.truth_of_objects, objects_of),
     };
     let holds = |index: usize| {
-        // Measures are those of the scenes that were run at this accuracy.
+        // Measures of the scenes that were run at this accuracy.
         let tried: Vec<&Runs> = all.iter().copied().filter(|run| run.tried.len() > index).collect();
         let measures = Measures { errors: errors(&tried, truth, telling), noise: by_noise(&tried, telling) };
         let changes = changed(&tried, index, telling);

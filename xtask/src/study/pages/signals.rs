@@ -1,4 +1,4 @@
-//! Studies of signals alone: radars that are made up, targets by formula.
+//! Studies of signals alone: synthetic radars, targets by formula.
 
 pub(crate) mod ambiguity;
 pub(crate) mod calibration;

@@ -1,4 +1,4 @@
-//! Two methods of one thing on random cases.
+//! Two methods for one quantity on random cases.
 
 use artifact::seed;
 use artifact::units::db_from_amplitude;
@@ -12,15 +12,15 @@ pub(super) type Random = ChaCha8Rng;
 /// Outcome of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Outcome {
-    /// Both methods agree within what they say.
+    /// Both methods agree within their reported errors.
     Agreed,
-    /// The case says nothing: nothing is lit, nothing scatters.
+    /// The case is uninformative: nothing is lit, nothing scatters.
     Void,
-    /// Both methods differ, in these words.
+    /// Both methods differ, as described.
     Find(String),
 }
 
-/// A function that draws cases and lets two methods do them.
+/// A function that draws cases and evaluates them by two methods.
 pub(in crate::study) struct Contest {
     pub(super) name: &'static str,
     pub(super) trial: fn(&mut Random) -> Result<Outcome, Failure>,
@@ -33,12 +33,12 @@ impl Contest {
     }
 }
 
-/// Cases of a contest, and what was found.
+/// Number of cases of a contest, and its finds.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::study) struct Tally {
     pub(in crate::study) name: &'static str,
     pub(in crate::study) cases: u64,
-    /// Seconds of all processors.
+    /// Processor seconds.
     pub(in crate::study) seconds: f64,
     pub(in crate::study) finds: Vec<String>,
 }
@@ -49,7 +49,7 @@ impl Tally {
     }
 }
 
-/// Agreed where an error is at most what is allowed.
+/// Outcome of an error: agreed if it is within the allowed one.
 pub(super) fn judged(error: f64, allowed: f64, case: impl Fn() -> String) -> Outcome {
     if error <= allowed {
         Outcome::Agreed

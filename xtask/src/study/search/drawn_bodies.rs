@@ -9,7 +9,7 @@ use artifact::scene::Mesh;
 use bart_rcs::RcsRequest;
 use rand::RngExt;
 
-/// A number between two.
+/// A random number in an interval.
 pub(super) fn within(random: &mut Random, low: f64, high: f64) -> f64 {
     low + (high - low) * random.random::<f64>()
 }
@@ -18,7 +18,7 @@ fn vector(random: &mut Random, most: f64) -> [f64; 3] {
     [0; 3].map(|_| within(random, -most, most))
 }
 
-/// A body of a few parts that may stand apart, in or through one another.
+/// A body of a few parts that may be separate, nested or intersecting.
 pub(super) fn body(random: &mut Random) -> Mesh {
     let mut all = part(random);
     for _ in 0..random.random_range(0..3) {
@@ -48,7 +48,7 @@ fn part(random: &mut Random) -> Mesh {
     }
 }
 
-/// Parallelograms through one another.
+/// Intersecting parallelograms.
 fn soup(random: &mut Random) -> Mesh {
     let count = random.random_range(1..6);
     let list: Vec<_> =
@@ -56,7 +56,7 @@ fn soup(random: &mut Random) -> Mesh {
     bodies::parallelograms(&list)
 }
 
-/// A box of some of its faces, of unequal sides.
+/// A box with some of its faces, with unequal sides.
 pub(super) fn box_of(random: &mut Random) -> Mesh {
     let mut faces: Vec<Face> = Face::ALL.into_iter().filter(|_| random.random_range(0..3) > 0).collect();
     if faces.is_empty() {
@@ -68,7 +68,7 @@ pub(super) fn box_of(random: &mut Random) -> Mesh {
     body
 }
 
-/// An aspect from anywhere, near or infinitely far.
+/// A random aspect, near or infinitely far.
 pub(super) fn request(random: &mut Random, bounces: u8) -> RcsRequest {
     let range_m = if random.random() { f64::INFINITY } else { within(random, 0.6, 30.0) };
     RcsRequest {

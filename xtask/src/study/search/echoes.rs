@@ -1,4 +1,4 @@
-//! The fast sum over paths against the formulas, one sample after the other.
+//! The fast sum over paths against the formulas, sample by sample.
 
 use crate::study::looks;
 use crate::study::scenes::{cube_of, paths_of, scene_of, with_point};
@@ -10,7 +10,7 @@ use num_complex::Complex64;
 use rand::RngExt;
 use wayside::host::failure::Failure;
 
-/// A radar of any waveform, array and multiplexing.
+/// A radar with a random waveform, array and multiplexing.
 pub(super) fn radar(random: &mut Random) -> Result<SceneHeader, Failure> {
     let multiplexing = ["simultaneous", "tdm", "ddm", "bpm"][random.random_range(0..4)];
     let preset = ["1x1", "1x4", "3x4"][random.random_range(0..3)];
@@ -23,7 +23,7 @@ pub(super) fn radar(random: &mut Random) -> Result<SceneHeader, Failure> {
     ))
 }
 
-/// Points all about, some of them speeding up, some on wheels.
+/// Adds points all round, some accelerating, some on wheels.
 fn with_points(mut header: SceneHeader, random: &mut Random) -> SceneHeader {
     for _ in 0..random.random_range(1..60) {
         let at_m = [within(random, -30.0, 30.0), within(random, 1.0, 70.0), within(random, 0.0, 8.0)];
@@ -43,7 +43,7 @@ fn with_points(mut header: SceneHeader, random: &mut Random) -> SceneHeader {
     header
 }
 
-/// Samples drawn at random of a cube of points.
+/// Compares random samples of a cube of points.
 pub(super) fn against_formulas(random: &mut Random) -> Result<Outcome, Failure> {
     let mut header = with_points(radar(random)?, random);
     header.fidelity.accuracy = Accuracy::from_db(within(random, -90.0, -10.0));
@@ -61,7 +61,7 @@ pub(super) fn against_formulas(random: &mut Random) -> Result<Outcome, Failure> 
     }
     let asked = fmcw_echo::sum_accuracy(header.fidelity.accuracy).amplitude();
     let printed = cube.error.synthesis.unwrap_or(0.0);
-    // What is printed is measured at some samples of the cube, as here at others.
+    // The printed error is measured at some samples of the cube, this one at others.
     let allowed = asked.max(2.0 * printed);
     let case = || format!("{:?}, {} points", radar.waveform, header.targets.len());
     Ok(judged(looks::relative_error(&found, &exact), allowed, case))

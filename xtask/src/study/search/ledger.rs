@@ -4,7 +4,7 @@ use crate::study::search::contest::Tally;
 
 const HEADER: &str = "| seed | contest | cases | processor minutes | finds |\n|---|---|---|---|---|\n";
 
-/// Rows of one search, a contest each, and their sum.
+/// Rows of one search, one per contest, and their sum.
 pub(in crate::study) fn rows(seed: u64, tallies: &[Tally]) -> String {
     let row = |name: &str, cases: u64, seconds: f64, finds: &str| {
         format!("| {seed} | {name} | {cases} | {:.1} | {finds} |\n", seconds / 60.0)
@@ -20,7 +20,7 @@ pub(in crate::study) fn rows(seed: u64, tallies: &[Tally]) -> String {
     each.collect::<String>() + &row("all", all.0, all.1, &all.2.to_string())
 }
 
-/// A ledger with rows entered behind those that it has.
+/// A ledger with rows appended to its own.
 pub(in crate::study) fn entered(ledger: &str, rows: &str) -> String {
     let earlier: String = ledger
         .lines()

@@ -1,4 +1,4 @@
-//! Maps and detections against their definitions, and points against their truth.
+//! Maps and detections against their definitions, and points against the truth.
 
 use crate::study::scenes::{cube_header, scene_of, seen, with_point};
 use crate::study::search::contest::{Outcome, Random, judged};
@@ -13,7 +13,7 @@ use rand::RngExt;
 use std::f64::consts::TAU;
 use wayside::host::failure::Failure;
 
-/// Windows with a formula of their own, periodic, of unit coherent gain.
+/// Windows with closed formulas, periodic, of unit coherent gain.
 const WINDOWS: [(Window, [f64; 3]); 4] = [
     (Window::Rect, [1.0, 0.0, 0.0]),
     (Window::Hann, [0.5, 0.5, 0.0]),
@@ -26,7 +26,7 @@ fn weight([a, b, c]: [f64; 3], n: usize, length: usize) -> f64 {
     (a - b * turn.cos() + c * (2.0 * turn).cos()) / a
 }
 
-/// Cells of the map of a random cube against their sums.
+/// Compares cells of the map of a random cube with their sums.
 pub(super) fn against_sums(random: &mut Random) -> Result<Outcome, Failure> {
     let mut header = radar(random)?;
     header.radar.array.multiplexing = Multiplexing::Simultaneous;
@@ -67,7 +67,7 @@ fn summed(cube: &CubeFrame, [chirps, length]: [usize; 2], at: [usize; 3], of: [[
     sum
 }
 
-/// A mask against threshold times noise estimate, cell by cell.
+/// Compares a mask with threshold times noise estimate, cell by cell.
 pub(super) fn detector(random: &mut Random) -> Result<Outcome, Failure> {
     let mut header = radar(random)?;
     header.dsp.detector =
@@ -84,7 +84,7 @@ pub(super) fn detector(random: &mut Random) -> Result<Outcome, Failure> {
     let (mask, estimates) = (cfar.mask(&power, 0.0), cfar.estimates(&power));
     let differs = |i: &usize| {
         let threshold = cfar.factor([i / length, i % length]) * estimates[*i];
-        // Sums in another order round otherwise.
+        // Sums in another order round differently.
         let is_close = (power[*i] / threshold - 1.0).abs() < 1e-9;
         mask[*i] != 0 && !is_close && (mask[*i] > 1) != (power[*i] > threshold)
     };
@@ -92,7 +92,7 @@ pub(super) fn detector(random: &mut Random) -> Result<Outcome, Failure> {
     Ok(judged(wrong as f64, 0.0, || format!("{:?}, {chirps} × {length}", header.dsp)))
 }
 
-/// A lone point 35 dB over the noise: found, and where it is; its velocity but for folds that are not told.
+/// A single point 35 dB over the noise must be found at its place, with its velocity up to unresolved folds.
 pub(super) fn lone_points(random: &mut Random) -> Result<Outcome, Failure> {
     let multiplexing = ["simultaneous", "tdm", "ddm", "bpm"][random.random_range(0..4)];
     let header = scene_of(&format!(
@@ -113,13 +113,13 @@ pub(super) fn lone_points(random: &mut Random) -> Result<Outcome, Failure> {
     let Some(object) = objects.iter().max_by(|a, b| a.snr_db.total_cmp(&b.snr_db)) else {
         return Ok(Outcome::Find(format!("not found: {}", case())));
     };
-    // Folds of one chirp interval look alike where none is told.
+    // Folds of one chirp interval are ambiguous if none is resolved.
     let fold_mps =
         2.0 * header.radar.waveform.wavelength_m() / (4.0 * header.radar.waveform.chirp_interval_s);
     let off_mps = object.radial_velocity_mps - speed_mps;
     let folds = if object.velocity_resolved { 0.0 } else { (off_mps / fold_mps).round() };
     let velocity = (off_mps - folds * fold_mps).abs() / header.radar.velocity_resolution_mps().abs();
-    // A fold that is not told moves the range by the coupling.
+    // An unresolved fold shifts the range by the coupling.
     let coupled_m = radar::beat::coupling_m(&header.radar.waveform, folds * fold_mps);
     let range = (object.range_m - range_m + coupled_m).abs() / header.radar.waveform.range_resolution_m();
     // 12 virtual elements a half wavelength apart: a beam is 2/12 of u.
@@ -133,7 +133,7 @@ pub(super) fn lone_points(random: &mut Random) -> Result<Outcome, Failure> {
             object.velocity_resolved
         )
     };
-    // What crosses range cells within a frame is smeared along both axes.
+    // An echo that crosses range cells within a frame is smeared along both axes.
     let crossed = 2.0 * middle_s * speed_mps.abs() / header.radar.waveform.range_resolution_m();
     Ok(judged(range.max(velocity).max(beam), 0.3 + 0.5 * crossed, told))
 }

@@ -1,4 +1,4 @@
-//! The beam tracer against slow references, and against itself where the answer must not change.
+//! The beam tracer against slow references, and against itself under changes that must not affect the answer.
 
 use crate::study::looks;
 use crate::study::search::contest::{Outcome, Random, judged};
@@ -13,7 +13,7 @@ use rand::RngExt;
 use rand::seq::SliceRandom;
 use wayside::host::failure::Failure;
 
-/// Printed errors hold 95 of 100 cases; twice of it is not chance alone.
+/// Printed errors hold in 95 of 100 cases; twice the printed error is not chance alone.
 const BEYOND: f64 = 2.0;
 
 fn printed(result: &RcsResult) -> f64 {
@@ -24,13 +24,13 @@ fn sampled(body: &Mesh, request: &RcsRequest, per_wavelength: f64) -> Result<Com
     looks::sampled(body, request, per_wavelength, (4.0 * per_wavelength) as u32)
 }
 
-/// First order of any body, against sampling at two densities, which tell of their own error.
+/// First order of any body, against sampling at two densities, which indicate their own error.
 pub(super) fn against_sampling(random: &mut Random) -> Result<Outcome, Failure> {
     let (body, request) = (body(random), request(random, 1));
     let result = looks::traced(&body, &request)?;
     let (coarse, fine) = (sampled(&body, &request, 1.5)?, sampled(&body, &request, 2.5)?);
     let found = result.amplitude_m[0];
-    // Below this nothing is lit but by rounding.
+    // Below this only rounding is lit.
     if fine.norm() < 1e-9 {
         return Ok(Outcome::Void);
     }
@@ -38,7 +38,7 @@ pub(super) fn against_sampling(random: &mut Random) -> Result<Outcome, Failure> 
     Ok(judged((found - fine).norm() / fine.norm(), allowed / fine.norm() + 1e-6, || words(&body, &request)))
 }
 
-/// Boxes of some faces, where planes are exact: each order against rays at two densities.
+/// Boxes of some faces, for which planes are exact: each order against rays at two densities.
 pub(super) fn against_rays(random: &mut Random) -> Result<Outcome, Failure> {
     let body = box_of(random);
     let asked = request(random, 3);
@@ -58,7 +58,7 @@ pub(super) fn against_rays(random: &mut Random) -> Result<Outcome, Failure> {
     let apart = |order: usize| (coarse[order] - fine[order]).norm();
     let error = (0..2).map(missed).sum::<f64>() / whole;
     let own = (0..2).map(apart).sum::<f64>() / whole;
-    // Rays that have not converged say nothing: along a wall there are too few of them.
+    // Rays that have not converged are uninformative: along a wall there are too few of them.
     if own > 0.1 {
         return Ok(Outcome::Void);
     }
@@ -91,7 +91,7 @@ pub(super) fn exchanged(random: &mut Random) -> Result<Outcome, Failure> {
     Ok(judged(error, allowed, || words(&body, &forth)))
 }
 
-/// Triangles in another order, cut at their middles, body and antenna turned about z.
+/// Triangles in another order, cut at their middles, body and antenna rotated about z.
 pub(super) fn relabelled(random: &mut Random) -> Result<Outcome, Failure> {
     let (body, mut request) = (body(random), request(random, 2));
     let result = looks::traced(&body, &request)?;
@@ -135,7 +135,7 @@ pub(super) fn far_away(random: &mut Random) -> Result<Outcome, Failure> {
         return Ok(Outcome::Void);
     }
     let error = (near.amplitude_m[0] - far.amplitude_m[0]).norm() / level;
-    // What curvature does to parts that cancel is of their size, not of the sum's.
+    // The effect of curvature on cancelling parts scales with their size, not with that of the sum.
     let parts = 1e-4 * (1.0 + 1e-2 / level);
     let allowed = BEYOND * printed(&near).hypot(printed(&far)) + parts;
     Ok(judged(error, allowed, || words(&body, &request)))

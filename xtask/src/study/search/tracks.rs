@@ -1,4 +1,4 @@
-//! The tracker on bodies that drive straight on, each heard with the errors that it is told of.
+//! The tracker on bodies that drive straight on, each detected with errors of the reported size.
 
 use crate::study::scenes::{cube_header, scene_of};
 use crate::study::search::contest::{Outcome, Random};
@@ -13,7 +13,7 @@ use wayside::host::failure::Failure;
 const FRAMES: u32 = 25;
 const STEP_S: f64 = 0.1;
 
-/// Bodies in lanes of their own, 6 m apart, that stay in view.
+/// Bodies in separate lanes, 6 m apart, that stay in view.
 fn bodies(random: &mut Random) -> Vec<([f64; 2], f64)> {
     let count = random.random_range(1..4);
     let mut body = |i: u32| {
@@ -49,7 +49,7 @@ fn object(([x, y], speed_mps): ([f64; 2], f64), random: &mut Random) -> Object {
     }
 }
 
-/// Believed track nearest to a body at a frame: its id, and the distance.
+/// Confirmed track nearest to a body in a frame: its id, and the distance.
 fn nearest(frame: &TracksFrame, ([x, y], speed_mps): ([f64; 2], f64)) -> Option<(u32, f64)> {
     let y = y + speed_mps * frame.time_s;
     let believed = frame.tracks.iter().filter(|t| t.state != TrackState::Tentative);
@@ -57,7 +57,7 @@ fn nearest(frame: &TracksFrame, ([x, y], speed_mps): ([f64; 2], f64)) -> Option<
     away.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// One believed track a body, the same from the tenth frame to the last, within two metres of it.
+/// Requires one confirmed track per body, the same from the tenth frame to the last, within two metres of it.
 pub(super) fn against_truth(random: &mut Random) -> Result<Outcome, Failure> {
     let header = scene_of("[noise]\nnoise_figure_db = 12.0\n")?;
     let mut tracker = Tracker::new(&cube_header(&header), ROAD_TRAFFIC).map_err(Failure::refused)?;
@@ -66,7 +66,7 @@ pub(super) fn against_truth(random: &mut Random) -> Result<Outcome, Failure> {
     for index in 0..FRAMES {
         let time_s = STEP_S * f64::from(index);
         let moved = |([x, y], v): ([f64; 2], f64)| ([x, y + v * time_s], v);
-        // Each is missed in one frame of twenty.
+        // Each body is missed in one frame of twenty.
         let heard: Vec<_> = bodies.iter().filter(|_| random.random_range(0..20) > 0).copied().collect();
         let objects = heard.into_iter().map(|body| object(moved(body), random)).collect();
         let frame = PointsFrame { index, time_s, points: vec![], objects };

@@ -19,7 +19,7 @@ pub(crate) struct Form {
     /// Front and rear end of the body; mirrors may reach beyond.
     pub(crate) ends_x: [f64; 2],
     pub(crate) half_width_m: f64,
-    /// Middle of the roof, without what stands on it.
+    /// Middle of the roof, without equipment on it.
     pub(crate) roof_z: f64,
     pub(crate) clearance_m: f64,
     pub(crate) wheel_radius_m: f64,
@@ -55,7 +55,7 @@ pub(crate) fn size_range(model: &str) -> SizeRange {
 }
 
 impl Form {
-    /// Form drawn for the model and seed, made to the size given.
+    /// Form drawn for the model and seed, in the given size.
     pub(crate) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
         match draw.model {
             "bus-city" => Self::city(draw, size_m),
@@ -142,7 +142,7 @@ impl Form {
         self.wheel_radius_m + 0.07
     }
 
-    /// Distance from the middle plane that an arch reaches inwards to: twin tyres need twice the room.
+    /// Distance of an arch's inner side from the middle plane: twin tyres need twice the room.
     pub(crate) fn arch_inner_y(&self) -> f64 {
         self.half_width_m - 2.0 * self.tyre_width_m - 0.16
     }

@@ -71,8 +71,8 @@ pub(crate) fn shell(form: &Form) -> Shell {
     }
 }
 
-/// Sections where a pane or a door begins or ends, close together around the arches and a van's nose, wide
-/// apart along the flat flanks between.
+/// Sections at the ends of panes and doors, close together around the arches and a van's nose, far apart
+/// along the flat flanks between.
 fn layout(form: &Form) -> Layout {
     let [front, rear] = form.ends_x;
     let mut stations_x = spaced(rear, front, 0.8);
@@ -93,19 +93,19 @@ fn layout(form: &Form) -> Layout {
         .collect();
     edges_x.sort_by(f64::total_cmp);
     edges_x.dedup_by(|b, a| *b - *a < 0.02);
-    // An edge that a pane asks for goes before one that only divides the flank.
+    // An edge of a pane takes precedence over one that only divides the flank.
     stations_x.retain(|x| edges_x.iter().all(|edge| (x - edge).abs() > 0.06));
     stations_x.extend(edges_x);
     Layout { stations_x, lower: even(7), upper: upper_rows(form), half_columns: 5 }
 }
 
-/// Radius of the panes' corners; a row and a section of the skin stand that far inside every pane's edge.
-/// Behind a dark band corners are square.
+/// Radius of the panes' corners; a row and a section of the skin lie at that distance inside every pane's
+/// edge. Behind a dark band corners are square.
 fn corner_m(form: &Form) -> f64 {
     if form.kind == Kind::Mini { 0.07 } else { 0.0 }
 }
 
-/// Rows at the panes' edges, as shares of the way from waist to rail.
+/// Rows at the panes' edges, as shares of the height from waist to rail.
 fn upper_rows(form: &Form) -> Vec<f64> {
     let [low, high] = form.panes_z;
     let (waist, rail) = (low - WAIST_BELOW_PANES_M, form.roof_z - RAIL_BELOW_ROOF_M);
@@ -117,7 +117,7 @@ fn upper_rows(form: &Form) -> Vec<f64> {
 const WAIST_BELOW_PANES_M: f64 = 0.06;
 const RAIL_BELOW_ROOF_M: f64 = 0.17;
 
-/// The front leans back above the bumper and is bowed in plan; the rear a little.
+/// Leans the front back above the bumper and bows it in plan; the rear a little.
 fn leaning(form: &Form, p: DVec3) -> DVec3 {
     let [front, rear] = form.ends_x;
     let across = (p.y / form.half_width_m).powi(2);
@@ -152,7 +152,7 @@ fn pane_spans(form: &Form) -> Vec<[f64; 2]> {
     (0..count as i32).map(span).collect()
 }
 
-/// City buses and coaches hide the posts between their panes behind dark trim.
+/// Hides the posts between the panes of city buses and coaches behind dark trim.
 fn glazing_band(form: &Form, skin: Surface) -> Surface {
     let spans = pane_spans(form);
     let ends = spans.first().zip(spans.last()).map(|(first, last)| [last[0] - 0.05, first[1] + 0.05]);
@@ -182,7 +182,7 @@ fn panes(form: &Form, skin: Surface) -> Surface {
     })
 }
 
-/// Parts of a pane that the doors leave, where they are wide enough for one.
+/// Parts of a pane beside the doors, if they are wide enough for one.
 fn clipped_by_doors(form: &Form, span: [f64; 2]) -> Vec<[f64; 2]> {
     let mut rest = vec![span];
     for door in &form.doors_x {
@@ -253,7 +253,7 @@ fn front_lamps(form: &Form, skin: Surface) -> Surface {
         Kind::City => ([0.58, 0.78], panel([-0.55, 0.55], [0.46, 0.60], 0.05)),
         Kind::Coach => ([0.62, 0.84], panel([-0.60, 0.60], [0.48, 0.66], 0.05)),
     };
-    // Lamps follow the skin around its corners: lowered there they would fold.
+    // Lamps follow the skin around its corners: lowered lamps would fold there.
     let lamp = Inside::Recoloured(Material::Lamp);
     let skin = end_panel_pair(skin, reach, panel([0.62 * half, 0.95 * half], lamp_z, 0.06), lamp);
     let slots = Inside::Inset { material: Material::Plastic, rim: Material::Plastic, depth_m: 0.03 };

@@ -1,5 +1,4 @@
-//! Trim that is fixed to a bus's skin: mirrors on arms, pods on the roof, plates, the floor's
-//! machinery.
+//! Trim on a bus's skin: mirrors on arms, pods on the roof, plates, underfloor machinery.
 
 use crate::vehicles::bus::form::{Form, Kind};
 use crate::vehicles::drawing::mesh_builder::Assembly;
@@ -17,7 +16,7 @@ pub(crate) fn add(form: &Form, bus: &mut Assembly) {
     underbody(form, bus);
 }
 
-/// Arms reach forward and out from the corners above the windscreen.
+/// Mirrors on arms that reach forward and out from the corners above the windscreen.
 fn city_mirrors(form: &Form, bus: &mut Assembly) {
     let [front, _] = form.ends_x;
     let (outer, z) = (0.5 * form.size_m[1] - 0.11, form.windscreen_z[1] - 0.1);
@@ -81,7 +80,7 @@ fn plates(form: &Form, bus: &mut Assembly) {
     bus.add(plate().moved(rear - 0.004, 0.0, z + 0.2));
 }
 
-/// Engine sump, exhaust silencer and tanks hang below the floor.
+/// Engine sump, exhaust silencer and tanks below the floor.
 fn underbody(form: &Form, bus: &mut Assembly) {
     let z = form.clearance_m;
     let [_, rear] = form.ends_x;

@@ -54,11 +54,11 @@ pub(crate) fn size_range(model: &str) -> SizeRange {
     }
 }
 
-/// Distance by which a mirror stands out from the body.
+/// Distance by which a mirror projects from the body.
 const MIRROR_OVERHANG_M: f64 = 0.09;
 
 impl Form {
-    /// Form drawn for the model and seed, made to the size given.
+    /// Form drawn for the model and seed, in the given size.
     pub(crate) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
         match draw.model {
             "car-suv" => Self::sport_utility(draw, size_m),
@@ -159,7 +159,7 @@ impl Form {
         self.front_axle_x - 0.355 * self.size_m[0]
     }
 
-    /// Distance from the middle plane that an arch reaches inwards to.
+    /// Distance of an arch's inner side from the middle plane.
     pub(crate) fn arch_inner_y(&self) -> f64 {
         self.half_width_m - self.tyre_width_m - 0.10
     }
@@ -196,7 +196,7 @@ impl Form {
         Curve::through(&points)
     }
 
-    /// Share of the cabin: 1 where it stands, 0 over bonnet and boot.
+    /// Share of the cabin: 1 within it, 0 over bonnet and boot.
     pub(crate) fn cabin(&self, x: f64) -> f64 {
         let front = smooth_step(self.cowl.0 + 0.05, self.header.0, x);
         let rear = smooth_step(self.deck.0 - 0.05, self.roof_end.0, x);

@@ -65,7 +65,8 @@ pub(crate) fn shell(form: &Form) -> Shell {
     }
 }
 
-/// Sections a hand's width apart along the silhouette, so that screens get as many as their length asks for.
+/// Sections a hand's width apart along the silhouette, so that screens have sections in proportion to their
+/// length.
 fn layout(form: &Form, shell: &Shell) -> Layout {
     let [front, rear] = form.ends_x();
     let mut stations_x = vec![rear];
@@ -83,13 +84,13 @@ fn layout(form: &Form, shell: &Shell) -> Layout {
     let edges_x: Vec<f64> = pane_edges.filter(|x| *x < form.header.0).collect();
     stations_x.retain(|x| edges_x.iter().all(|edge| (x - edge).abs() > 0.04));
     stations_x.extend(edges_x);
-    // Rows where the side panes begin and end, 2.5 cm above the waist and 5 cm below the rail of a side half
-    // a metre high.
+    // Rows at the edges of the side panes, 2.5 cm above the waist and 5 cm below the rail for a side half a
+    // metre high.
     let upper = vec![0.0, 0.05, 0.17, 0.5, 0.78, 0.90, 1.0];
     Layout { stations_x, lower: even(7), upper, half_columns: 5 }
 }
 
-/// Ends bowed in plan and shaped in profile: the bumper stands out, the nose above it leans back.
+/// Bows the ends in plan and shapes them in profile: the bumper projects, the nose above it leans back.
 fn bowed(form: &Form, p: DVec3) -> DVec3 {
     let [front, rear] = form.ends_x();
     let across = (p.y / form.half_width_m).powi(2);
@@ -128,7 +129,7 @@ fn arches(form: &Form, skin: Surface) -> Surface {
     })
 }
 
-/// Ends of the side panes along x, front to rear: between them stand the pillars.
+/// Ends of the side panes along x, front to rear, with the pillars between them.
 fn pane_spans(form: &Form) -> Vec<[f64; 2]> {
     let front = form.cowl.0;
     let pillar_b = form.door_post_x();

@@ -1,5 +1,4 @@
-//! Trim that is fixed to a car's skin: mirrors, handles, plates, rails, exhaust, seats behind the
-//! glass.
+//! Trim on a car's skin: mirrors, handles, plates, rails, exhaust, seats behind the glass.
 
 use crate::vehicles::car::form::{Body, Form};
 use crate::vehicles::car::skin::shell;

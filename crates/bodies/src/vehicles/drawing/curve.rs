@@ -1,7 +1,7 @@
 //! Monotone cubic curves through the control points of a drawing.
 
 /// A once-differentiable curve y(x) through control points that never overshoots them (Fritsch and Carlson
-/// 1980), so a roof line drawn from five points has no dents that its draughtsman did not draw.
+/// 1980), so that a roof line drawn from five points has no unintended dents.
 #[derive(Debug, Clone)]
 pub(crate) struct Curve {
     points: Vec<(f64, f64)>,
@@ -42,7 +42,7 @@ impl Curve {
             - self.slopes[i + 1] * width * square * rest
     }
 
-    /// Derivative at `x`, by a central difference over 2 mm: good to the millimetre drawings are good to.
+    /// Derivative at `x`, by a central difference over 2 mm, the accuracy of drawings.
     pub(crate) fn slope(&self, x: f64) -> f64 {
         (self.at(x + 1e-3) - self.at(x - 1e-3)) / 2e-3
     }
@@ -60,7 +60,7 @@ fn slope_at(points: &[(f64, f64)], i: usize) -> f64 {
     }
 }
 
-/// Step of 0 below `from`, 1 above `to`, an S of continuous slope between (either order).
+/// Step from 0 at `from` to 1 at `to` (in either order), with continuous slope.
 pub(crate) fn smooth_step(from: f64, to: f64, x: f64) -> f64 {
     let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)

@@ -1,5 +1,5 @@
-//! Making of the mesh that is handed on, from parts: scaled to its dimensions, smooth normals split at
-//! creases, single precision.
+//! Assembly of the final mesh from parts: scaled to its dimensions, with smooth normals split at creases, in
+//! single precision.
 
 use crate::road_wheels::road_wheels;
 use crate::vehicles::drawing::surface::{Material, Surface, Triangle};
@@ -7,27 +7,28 @@ use artifact::scene::{Mesh, MeshStatistics};
 use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
 
-/// Faces that meet at more than this keep an edge. The finest roundings are drawn in steps of at most 30°.
+/// Cosine of the least angle between faces that makes an edge. The finest roundings have steps of at most
+/// 30°.
 const CREASE_COSINE: f64 = 0.766; // cos 40°
 
-/// Facets under a hundredth of a square millimetre are what rounding to single precision leaves of a point.
+/// Least area of a facet; smaller ones are points rounded to single precision.
 const SMALLEST_AREA_M2: f64 = 1e-8;
 
-/// A vehicle, and what of it its road wheels are.
+/// A vehicle, with a mark for its road wheels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Vehicle {
-    /// In body axes.
+    /// Mesh in body axes.
     pub mesh: Mesh,
-    /// Whether each triangle is of a road wheel, its tyre or what is in it; what of these can be seen to turn
-    /// `mesh.wheels` tells.
+    /// Whether each triangle belongs to a road wheel, i.e. its tyre or the parts in it; `mesh.wheels` has
+    /// those whose rotation is visible.
     pub is_of_wheel: Vec<bool>,
 }
 
-/// A vehicle as a list of parts; parts may intersect, each has its own normals.
+/// A vehicle as a list of parts; parts may intersect, and each has its own normals.
 #[derive(Debug, Default)]
 pub(crate) struct Assembly {
     parts: Vec<Surface>,
-    /// What each is part of.
+    /// Kind of each part.
     of: Vec<PartOf>,
 }
 
@@ -44,7 +45,7 @@ impl Assembly {
         self.push(part, PartOf::Body);
     }
 
-    /// Adds a part of the left side and its mirror image on the right.
+    /// Adds a part of the left side and its mirror image.
     pub(crate) fn add_pair(&mut self, part: Surface) {
         self.push(part.clone(), PartOf::Body);
         self.push(part.mirrored(), PartOf::Body);
@@ -61,7 +62,7 @@ impl Assembly {
         self.push(part.mirrored(), PartOf::Wheel);
     }
 
-    /// Adds the parts of another assembly, each changed.
+    /// Adds the parts of another assembly, each transformed by `change`.
     pub(crate) fn add_all(&mut self, other: Assembly, change: impl Fn(Surface) -> Surface) {
         self.parts.extend(other.parts.into_iter().map(change));
         self.of.extend(other.of);
@@ -72,14 +73,14 @@ impl Assembly {
         self.of.push(of);
     }
 
-    /// Parts that have been added so far.
+    /// Parts added so far.
     #[cfg(test)]
     pub(crate) fn parts(&self) -> &[Surface] {
         &self.parts
     }
 
-    /// The vehicle, the bounding box of its mesh exactly `size_m` (length, width, height), its origin in the
-    /// middle of that box on the ground.
+    /// Makes the vehicle, with a bounding box of exactly `size_m` (length, width, height) and the origin in
+    /// the middle of that box on the ground.
     pub(crate) fn finish(self, name: &str, size_m: [f64; 3]) -> Vehicle {
         let parts = fitted(self.parts, DVec3::from_array(size_m));
         let mut output = Output::default();
@@ -108,7 +109,7 @@ type Key = (Material, [u32; 3], [u32; 3]);
 
 #[derive(Default)]
 struct Output {
-    /// Triangles, and what each is part of.
+    /// Triangles, with their kinds of part.
     by_material: BTreeMap<Material, Vec<([Key; 3], PartOf)>>,
 }
 
@@ -154,7 +155,7 @@ impl Output {
     }
 }
 
-/// The part with single-precision coordinates and without what that rounding flattened.
+/// The part with single-precision coordinates and without triangles that rounding degenerated.
 fn rounded(part: &Surface) -> Surface {
     let part = part.clone().map(|p| p.as_vec3().as_dvec3()).welded();
     let has_area = |t: &Triangle| 0.5 * part.area_vector_m2(t).length() > SMALLEST_AREA_M2;
@@ -172,7 +173,8 @@ fn triangles_around(part: &Surface) -> Vec<Vec<usize>> {
     around
 }
 
-/// Mean of the faces around a point that face `f` does not meet at a crease, weighted by their angle there.
+/// Mean of the normals of the faces around a point, except those separated from face `f` by a crease,
+/// weighted by their angles there.
 fn corner_normal(part: &Surface, around: &[usize], face_normals: &[DVec3], f: usize, point: u32) -> DVec3 {
     let smooth = around.iter().filter(|g| face_normals[**g].dot(face_normals[f]) > CREASE_COSINE);
     let weighted = smooth.map(|g| face_normals[*g] * angle_at(part, &part.triangles[*g], point));
@@ -187,13 +189,13 @@ fn angle_at(part: &Surface, t: &Triangle, point: u32) -> f64 {
     a.angle_between(b)
 }
 
-/// Bits of the single-precision vector, −0 as 0, so that equal is equal.
+/// Bits of the single-precision vector, −0 as 0, so that equal vectors have equal bits.
 fn bits(v: DVec3) -> [u32; 3] {
     let v: Vec3 = v.as_vec3();
     v.to_array().map(|c| (c + 0.0).to_bits())
 }
 
-/// Edges, by position, with one triangle only.
+/// Number of edges, by position, with only one triangle.
 fn open_edges(mesh: &Mesh) -> u64 {
     let mut count: BTreeMap<[[u64; 3]; 2], u32> = BTreeMap::new();
     let at = |i: u32| mesh.vertices_m[i as usize].map(f64::to_bits);

@@ -7,21 +7,21 @@ use glam::DVec3;
 /// A pane with its rubber seal, 8 mm behind the skin.
 pub(crate) const PANE: Inside = pane(0.008);
 
-/// A pane with its rubber seal, as far behind the skin as told.
+/// A pane with its rubber seal, at a depth behind the skin.
 pub(crate) const fn pane(depth_m: f64) -> Inside {
     inset(Material::Glass, Material::Plastic, depth_m)
 }
 
-/// A panel of another material, as far behind the skin as told; less than `FLUSH_M`, or negative: in the
-/// skin.
+/// A panel of another material, at a depth behind the skin; in the skin if the depth is below `FLUSH_M` or
+/// negative.
 pub(crate) const fn inset(material: Material, rim: Material, depth_m: f64) -> Inside {
     if depth_m < FLUSH_M { Inside::Recoloured(material) } else { Inside::Inset { material, rim, depth_m } }
 }
 
-/// Depth below which a panel does not show: a walled one would have edges shorter than those of a skin.
+/// Depth below which a panel is flush: walls would have edges shorter than those of a skin.
 const FLUSH_M: f64 = 0.006;
 
-/// Side of a body that a flank is on.
+/// Side of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Flank {
     Left,
@@ -29,14 +29,14 @@ pub(crate) enum Flank {
     Both,
 }
 
-/// End of a body, and how far along x it still reaches.
+/// End of a body, with its extent along x.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum End {
     Front { beyond_x: f64 },
     Rear { beyond_x: f64 },
 }
 
-/// Place of a panel in its own two coordinates (x or y, then z), and the radius of its corners.
+/// Position of a panel in its own two coordinates (x or y, then z), and the radius of its corners.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Panel {
     pub(crate) along_m: [f64; 2],
@@ -49,7 +49,7 @@ pub(crate) fn panel(along_m: [f64; 2], height_m: [f64; 2], radius_m: f64) -> Pan
     Panel { along_m, height_m, radius_m }
 }
 
-/// A panel in a flank; `along_m` is x. Only skin farther than 0.3 m from the middle plane is touched.
+/// Cuts a panel into a flank; `along_m` is x. Only skin farther than 0.3 m from the middle plane is affected.
 pub(crate) fn flank_panel(skin: Surface, flank: Flank, panel: Panel, inside: Inside) -> Surface {
     let outline = |p: DVec3| {
         let out = match flank {
@@ -62,7 +62,7 @@ pub(crate) fn flank_panel(skin: Surface, flank: Flank, panel: Panel, inside: Ins
     cut(skin, outline, inside)
 }
 
-/// A panel in an end; `along_m` is y.
+/// Cuts a panel into an end; `along_m` is y.
 pub(crate) fn end_panel(skin: Surface, end: End, panel: Panel, inside: Inside) -> Surface {
     cut(
         skin,
@@ -71,7 +71,7 @@ pub(crate) fn end_panel(skin: Surface, end: End, panel: Panel, inside: Inside) -
     )
 }
 
-/// One panel on the left and one on the right of an end; `along_m` is |y|.
+/// Cuts one panel on the left and one on the right of an end; `along_m` is |y|.
 pub(crate) fn end_panel_pair(skin: Surface, end: End, panel: Panel, inside: Inside) -> Surface {
     let outline = |p: DVec3| rounded_rectangle(p.y.abs(), p.z, panel.along_m, panel.height_m, panel.radius_m);
     cut(skin, |p| outline(p).min(end.reach(p)), inside)
@@ -86,7 +86,7 @@ impl End {
     }
 }
 
-/// Wheel arches on both flanks, open down to `inner_y` from the middle plane.
+/// Cuts wheel arches on both flanks, open to `inner_y` from the middle plane.
 pub(crate) fn wheel_arch(skin: Surface, [axle_x, axle_z]: [f64; 2], radius_m: f64, inner_y: f64) -> Surface {
     let circle = |p: DVec3| radius_m - (p.x - axle_x).hypot(p.z - axle_z);
     cut(skin, |p| circle(p).min(p.y.abs() - inner_y), Inside::Opened { flange_m: 0.05 })

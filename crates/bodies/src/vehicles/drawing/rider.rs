@@ -1,4 +1,4 @@
-//! A motorcycle's rider: torso, helmet, arms, legs, as limbs between joints.
+//! A motorcycle's rider: torso, helmet, arms and legs, as limbs between joints.
 
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::solids::{ellipsoid, limb, rounded_box, section, smoothed};
@@ -26,7 +26,7 @@ const SHOULDER_Y: f64 = 0.19;
 const HIP_Y: f64 = 0.10;
 
 impl Rider {
-    /// Torso, head and both pairs of limbs.
+    /// Adds torso, head and both pairs of limbs.
     pub(crate) fn add(&self, to: &mut Assembly) {
         self.torso(to);
         self.helmet(to);

@@ -5,7 +5,7 @@ use crate::vehicles::drawing::surface::{Material, Surface};
 use glam::DVec3;
 use std::f64::consts::FRAC_PI_2;
 
-/// Lines of a body as a coachbuilder draws them, each over x.
+/// Lines of a body as in a coachbuilder's drawing, each over x.
 #[derive(Debug, Clone)]
 pub(crate) struct Shell {
     /// Height of the underside.
@@ -36,10 +36,10 @@ pub(crate) struct Shell {
     pub(crate) ends_x: [f64; 2],
 }
 
-/// Fineness with which a shell is laid out.
+/// Resolution of a shell.
 #[derive(Debug, Clone)]
 pub(crate) struct Layout {
-    /// Sections, any order; those of the rounded ends are added.
+    /// Sections in any order; those of the rounded ends are added.
     pub(crate) stations_x: Vec<f64>,
     /// Fractions from sill to waist, with 0 and 1.
     pub(crate) lower: Vec<f64>,
@@ -78,7 +78,7 @@ impl Shell {
         skin.welded().outward()
     }
 
-    /// Half width of the side at height `z`, where the body is not rounded off by its ends.
+    /// Half width of the side at height `z`, without the rounding of the ends.
     pub(crate) fn side_y(&self, x: f64, z: f64) -> f64 {
         let (bottom, waist, rail) = (self.bottom_z.at(x), self.waist_z.at(x), self.rail_z.at(x));
         if z < waist {
@@ -99,7 +99,7 @@ impl Shell {
             stations.extend([front - front_radius * depth, rear + rear_radius * depth]);
         }
         stations.sort_by(f64::total_cmp);
-        // Sections closer than a centimetre would only make needles.
+        // Sections closer than a centimetre would only make slivers.
         stations.dedup_by(|b, a| (*b - *a).abs() < 0.2 * front_radius.min(rear_radius).min(0.05));
         stations
     }
@@ -149,7 +149,7 @@ impl Shell {
         (self.rail_y.at(x) * cosine.powf(power), rail_z + (top_z - rail_z) * sine.powf(power))
     }
 
-    /// Distance by which the section at `x` lies inside the full one because an end is rounded.
+    /// Reduction of the section at `x` by the rounding of an end.
     fn end_shrink_m(&self, x: f64) -> f64 {
         let [front, rear] = self.ends_x;
         let quarter = |depth: f64, radius: f64| {
@@ -181,8 +181,8 @@ fn cap(ring: &[DVec3], layout: &Layout) -> Surface {
     let left = |j: usize| at(half + j);
     let roof = |i: usize| at(half + rows + (columns - i));
     let right = |j: usize| at(ring.len() - half - j);
-    // By lengths along the outline, not by counts: rows crowd at the waist, and a grid by counts would fold
-    // there.
+    // By lengths along the outline, not by counts: rows are dense at the waist, and a grid by counts would
+    // fold there.
     let across = shares(&(0..=columns).map(|i| 0.5 * (floor(i) + roof(i))).collect::<Vec<_>>());
     let up = shares(&(0..=rows).map(left).collect::<Vec<_>>());
     let point = |i: usize, j: usize| {

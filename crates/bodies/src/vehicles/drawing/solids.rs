@@ -5,7 +5,7 @@ use crate::vehicles::drawing::surface::{Material, Surface};
 use glam::{DQuat, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// A box around the origin whose edges have the radius given, in two steps of 45°.
+/// A box around the origin with edges of the given radius, in two steps of 45°.
 pub(crate) fn rounded_box(size_m: [f64; 3], radius_m: f64, material: Material) -> Surface {
     let half = DVec3::from_array(size_m) * 0.5;
     let radius = radius_m.min(0.499 * size_m[0].min(size_m[1]).min(size_m[2]));
@@ -18,7 +18,7 @@ pub(crate) fn rounded_box(size_m: [f64; 3], radius_m: f64, material: Material) -
     surface.welded().outward()
 }
 
-/// A box with edges as sharp as sheet metal's.
+/// A box with sharp edges, like those of sheet metal.
 pub(crate) fn sharp_box(size_m: [f64; 3], material: Material) -> Surface {
     rounded_box(size_m, 0.0, material)
 }
@@ -44,8 +44,8 @@ fn round_corner(p: DVec3, half: DVec3, radius: f64) -> DVec3 {
     nearest + radius * (p - nearest).try_normalize().unwrap_or(DVec3::ZERO)
 }
 
-/// A solid of revolution about the y axis. `profile` holds (radius, y) along the outline; where it does not
-/// begin and end at radius 0 it should return to its first point.
+/// A solid of revolution about the y axis. `profile` holds (radius, y) along the outline; if it does not
+/// begin and end at radius 0, it should return to its first point.
 pub(crate) fn lathe(profile: &[(f64, f64)], sectors: usize, material: Material) -> Surface {
     let row = |&(radius, y): &(f64, f64)| {
         let at = |k: usize| {
@@ -58,7 +58,7 @@ pub(crate) fn lathe(profile: &[(f64, f64)], sectors: usize, material: Material) 
     Surface::from_rows(&profile.iter().map(row).collect::<Vec<_>>(), material).outward()
 }
 
-/// A ball stretched to the half axes given.
+/// An ellipsoid with the given half axes.
 pub(crate) fn ellipsoid(half_m: [f64; 3], sectors: usize, material: Material) -> Surface {
     let rings = sectors / 2;
     let at = |k: usize| {
@@ -87,8 +87,8 @@ pub(crate) fn disc(radius_m: f64, width_m: f64, sectors: usize, material: Materi
     )
 }
 
-/// One elliptical cross section of a limb: its centre, its half width (across, horizontal where it can be)
-/// and its half height.
+/// One elliptical cross section of a limb: its centre, its half width (across, horizontal if possible) and
+/// its half height.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Section {
     pub(crate) centre_m: DVec3,
@@ -101,7 +101,7 @@ pub(crate) fn section(centre_m: [f64; 3], half_width_m: f64, half_height_m: f64)
     Section { centre_m: DVec3::from_array(centre_m), half_width_m, half_height_m }
 }
 
-/// The sections with `between` more in every gap, on smooth curves through the given ones.
+/// The sections with `between` additional ones in every gap, on smooth curves through the given ones.
 pub(crate) fn smoothed(sections: &[Section], between: usize) -> Vec<Section> {
     let mut along = vec![0.0];
     for pair in sections.windows(2) {
@@ -185,8 +185,8 @@ fn level_across(tangent: DVec3) -> DVec3 {
     if across.y < 0.0 { -across } else { across }
 }
 
-/// Direction across a limb that is horizontal again on the same side as before; where the limb turns
-/// away too far for that, carried along without twist.
+/// Horizontal direction across a limb on the same side as before; if the limb turns too far for that, the
+/// previous direction without twist.
 fn continued_across(tangent: DVec3, before: DVec3) -> DVec3 {
     let level = level_across(tangent);
     let level = if level.dot(before) < 0.0 { -level } else { level };
@@ -220,7 +220,7 @@ fn dome(s: &Section, frame: &Frame, sign: f64, sectors: usize) -> Vec<Vec<DVec3>
     (1..=2).map(|k| ring(&smaller(k), frame, sectors)).collect()
 }
 
-/// The surface turned about the y axis through the origin; a positive angle lowers the front.
+/// The surface rotated about the y axis through the origin; a positive angle lowers the front.
 pub(crate) fn pitched(surface: Surface, angle_rad: f64) -> Surface {
     let turn = DQuat::from_rotation_y(angle_rad);
     surface.map(|p| turn * p)

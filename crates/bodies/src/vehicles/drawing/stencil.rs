@@ -1,15 +1,15 @@
 //! Openings, panes and trim cut out of a skin along exact outlines.
 //!
-//! An outline is an implicit function of position, positive inside. The skin's triangles are split where it
-//! is zero; neighbours share the new points, so no T-junction arises. Points that lie close to the outline
-//! are first slid onto it along an edge, so no sliver arises either (after Labelle and Shewchuk 2007,
-//! "Isosurface stuffing").
+//! An outline is an implicit function of position, positive inside. The skin's triangles are split at its
+//! zero line; neighbours share the new points, so no T-junction arises. Points close to the outline are first
+//! moved onto it along an edge, so no sliver arises either (after Labelle and Shewchuk 2007, "Isosurface
+//! stuffing").
 
 use crate::vehicles::drawing::surface::{Material, Surface, Triangle};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Change of the skin inside an outline.
+/// Change of the skin within an outline.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Inside {
     /// The skin becomes another material in place.
@@ -19,13 +19,13 @@ pub(crate) enum Inside {
     Inset { material: Material, rim: Material, depth_m: f64 },
     /// The skin becomes another material, lowered by `depth_m` straight down with a wall of `rim` around.
     Sunk { material: Material, rim: Material, depth_m: f64 },
-    /// The skin is taken away; along the opening of an upright skin a flange stands inwards (−y on the
-    /// left, +y on the right).
+    /// The skin is removed; along the opening of an upright skin a flange points inwards (−y on the left, +y
+    /// on the right).
     Opened { flange_m: f64 },
 }
 
-/// Shortest edge that is left: where two outlines meet they leave shorter ones that nobody drew; all
-/// that is drawn is larger.
+/// Length of the shortest remaining edge: intersecting outlines leave shorter, unintended ones; all intended
+/// ones are longer.
 const SHORTEST_EDGE_M: f64 = 0.0025;
 
 /// Cuts `skin` along the zero line of `outline`.
@@ -43,7 +43,7 @@ pub(crate) fn cut(skin: Surface, outline: impl Fn(DVec3) -> f64, inside: Inside)
     result.without_short_edges(SHORTEST_EDGE_M)
 }
 
-/// Triangles on either side of the outline over common points.
+/// Triangles on either side of the outline, with common points.
 struct Split {
     points_m: Vec<DVec3>,
     inner: Vec<Triangle>,
@@ -69,7 +69,7 @@ impl Split {
         split
     }
 
-    /// Walks around a triangle that the outline crosses and gives each side its polygon.
+    /// Walks around a triangle that the outline crosses and returns the polygon on each side.
     fn divide(
         &mut self,
         t: &Triangle,
@@ -119,8 +119,8 @@ impl Split {
     }
 
     fn opened(self, flange_m: f64) -> Surface {
-        // Where the skin lies (a floor), a flange along y would lie in it: the wall has no width there and is
-        // welded away.
+        // On a horizontal skin (a floor), a flange along y would lie in it: the wall has no width there and
+        // is welded away.
         let normals = self.whole().point_normals();
         let upright = |i: usize| if normals[i].y.abs() > 0.4 { 1.0 } else { 0.0 };
         let inwards = |(i, p): (usize, &DVec3)| *p - DVec3::Y * flange_m * upright(i) * p.y.signum();
@@ -128,8 +128,8 @@ impl Split {
         self.walled(Material::Paint, &moved).welded()
     }
 
-    /// The outer side with a wall from the outline to the same points in `moved`, which follow the present
-    /// points.
+    /// The outer side with a wall from the outline to the corresponding points in `moved`, which follow the
+    /// present points.
     fn walled(&self, rim: Material, moved: &[DVec3]) -> Surface {
         let first = self.points_m.len() as u32;
         let mut surface = Surface { points_m: self.points_m.clone(), triangles: self.outer.clone() };
@@ -159,8 +159,8 @@ fn edges([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
     [(a, b), (b, c), (c, a)]
 }
 
-/// Points nearer to the outline than a quarter of their shortest edge slide onto it along the edge that
-/// crosses soonest.
+/// Moves points nearer to the outline than a quarter of their shortest edge onto it, along the edge with the
+/// nearest crossing.
 fn slide_onto_outline(skin: &mut Surface, values: &mut [f64], outline: &impl Fn(DVec3) -> f64) {
     let mut reach = vec![f64::INFINITY; values.len()];
     for (a, b) in skin.triangles.iter().flat_map(|t| edges(t.corners)) {
@@ -200,7 +200,7 @@ fn zero_between(a: DVec3, b: DVec3, outline: &impl Fn(DVec3) -> f64) -> DVec3 {
     a.lerp(b, 0.5 * (low + high))
 }
 
-/// A triangle, or a quadrilateral along its shorter diagonal.
+/// Triangulates a triangle, or a quadrilateral along its shorter diagonal.
 fn fan(points_m: &[DVec3], polygon: &[u32], material: Material, into: &mut Vec<Triangle>) {
     let at = |k: usize| points_m[polygon[k] as usize];
     let pieces: &[[usize; 3]] = match polygon.len() {
@@ -220,7 +220,7 @@ pub(crate) fn rounded_rectangle(u: f64, v: f64, [u0, u1]: [f64; 2], [v0, v1]: [f
     radius - across.max(0.0).hypot(along.max(0.0)) - across.max(along).min(0.0)
 }
 
-/// The least of several distances, its corners rounded by about `radius` (quadratic soft minimum).
+/// Minimum of several distances, with corners rounded by about `radius` (quadratic soft minimum).
 pub(crate) fn soft_minimum(distances: &[f64], radius: f64) -> f64 {
     distances.iter().copied().reduce(|a, b| blend(a, b, radius)).unwrap_or(f64::NEG_INFINITY)
 }

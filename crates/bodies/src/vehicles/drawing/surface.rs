@@ -1,9 +1,9 @@
-//! Triangles of one part while it is drawn: shared points, a material per triangle.
+//! Triangles of one part during drawing: shared points, a material per triangle.
 
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Material of a facet; the names stand in the meshes' material lists.
+/// Material of a facet; the names are in the meshes' material lists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Material {
     Paint,
@@ -72,7 +72,7 @@ pub(crate) struct Surface {
 
 impl Surface {
     /// Rows of points joined by quadrilaterals, each split along its shorter diagonal. Rows have equal
-    /// lengths; points that coincide (a closed row's seam, a pole) are one point afterwards.
+    /// lengths; coincident points (a closed row's seam, a pole) become one point.
     pub(crate) fn from_rows(rows: &[Vec<DVec3>], material: Material) -> Self {
         let mut surface = Self::default();
         for pair in rows.windows(2) {
@@ -83,7 +83,7 @@ impl Surface {
         surface.welded()
     }
 
-    /// A quadrilateral given counter-clockwise.
+    /// Adds a quadrilateral given counter-clockwise.
     pub(crate) fn push_quad(&mut self, [a, b, c, d]: [DVec3; 4], material: Material) {
         let first = self.points_m.len() as u32;
         self.points_m.extend([a, b, c, d]);
@@ -97,7 +97,7 @@ impl Surface {
         }
     }
 
-    /// Everything of `other` beside what is here.
+    /// Adds everything of `other`.
     pub(crate) fn append(&mut self, other: Self) {
         let first = self.points_m.len() as u32;
         self.points_m.extend(other.points_m);
@@ -105,7 +105,7 @@ impl Surface {
         self.triangles.extend(other.triangles.into_iter().map(shifted));
     }
 
-    /// Points of equal position (to 1 µm) made one, and triangles without area dropped.
+    /// Merges points of equal position (to 1 µm), and drops triangles without area.
     pub(crate) fn welded(self) -> Self {
         let mut points_m: Vec<DVec3> = Vec::new();
         let mut seen = BTreeMap::new();
@@ -128,7 +128,7 @@ impl Surface {
         Self { points_m, triangles }
     }
 
-    /// Edges under `shortest_m` drawn together into one of their ends, each point at most once.
+    /// Collapses edges shorter than `shortest_m` to one of their ends, each point at most once.
     pub(crate) fn without_short_edges(self, shortest_m: f64) -> Self {
         let mut end_of: Vec<u32> = (0..self.points_m.len() as u32).collect();
         let mut touched = vec![false; end_of.len()];
@@ -149,7 +149,7 @@ impl Surface {
         Self { points_m, triangles: self.triangles }.welded()
     }
 
-    /// Every point moved by `to`, which must keep the handedness.
+    /// Moves every point by `to`, which must preserve the handedness.
     pub(crate) fn map(mut self, to: impl Fn(DVec3) -> DVec3) -> Self {
         for p in &mut self.points_m {
             *p = to(*p);
@@ -157,17 +157,17 @@ impl Surface {
         self
     }
 
-    /// The part shifted.
+    /// Shifts the part.
     pub(crate) fn moved(self, x: f64, y: f64, z: f64) -> Self {
         self.map(|p| p + DVec3::new(x, y, z))
     }
 
-    /// The part on the other side: y → −y.
+    /// Mirrors the part to the other side: y → −y.
     pub(crate) fn mirrored(self) -> Self {
         self.map(|p| DVec3::new(p.x, -p.y, p.z)).flipped()
     }
 
-    /// The part with the other side out.
+    /// Turns the part inside out.
     pub(crate) fn flipped(mut self) -> Self {
         for t in &mut self.triangles {
             t.corners.swap(1, 2);
@@ -175,7 +175,7 @@ impl Surface {
         self
     }
 
-    /// The part wound outwards, where it is closed: its signed volume tells.
+    /// Winds a closed part outwards, by its signed volume.
     pub(crate) fn outward(self) -> Self {
         let six_volumes: f64 = self.triangles.iter().map(|t| self.corner_triple(t)).sum();
         if six_volumes < 0.0 { self.flipped() } else { self }
@@ -183,7 +183,7 @@ impl Surface {
 
     fn corner_triple(&self, t: &Triangle) -> f64 {
         let [a, b, c] = self.corners_m(t);
-        // About a corner of the part, not the origin, so that the sum keeps its digits far from the origin.
+        // Relative to a corner of the part, so that the sum keeps its precision far from the origin.
         let o = self.points_m[0];
         (a - o).dot((b - o).cross(c - o))
     }

@@ -12,13 +12,13 @@ use std::f64::consts::TAU;
 pub(crate) enum Rim {
     /// Cast spokes with deep gaps between.
     Spoked { spokes: u32 },
-    /// Steel disc of a heavy vehicle, bulging outwards, with hand holes.
+    /// Steel disc of a heavy vehicle, convex outwards, with hand holes.
     SteelConvex,
-    /// Steel disc turned round: the outer wheel of a twin pair.
+    /// The same disc reversed: the outer wheel of a twin pair.
     SteelConcave,
 }
 
-/// Size and make of a wheel.
+/// Size and kind of a wheel.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wheel {
     pub(crate) radius_m: f64,
@@ -29,7 +29,7 @@ pub(crate) struct Wheel {
 }
 
 impl Wheel {
-    /// Places a wheel on the left, standing on the ground, outer face at `outer_y`, and its mirror image.
+    /// Adds a wheel on the left, on the ground, with its outer face at `outer_y`, and its mirror image.
     pub(crate) fn add_pair(&self, to: &mut Assembly, axle_x: f64, outer_y: f64) {
         let at = [axle_x, outer_y - 0.5 * self.width_m, self.radius_m];
         for part in [self.tyre(), self.rim()] {
@@ -37,7 +37,7 @@ impl Wheel {
         }
     }
 
-    /// Places the inner wheels of twins: of these only the tyres can be seen.
+    /// Adds the inner wheels of twins, of which only the tyres are visible.
     pub(crate) fn add_inner_pair(&self, to: &mut Assembly, axle_x: f64, outer_y: f64) {
         let half = 0.5 * self.width_m;
         let outer =
@@ -105,7 +105,7 @@ impl Wheel {
         cut(rim, gaps, Inside::Inset { material: Material::Steel, rim: Material::Aluminium, depth_m })
     }
 
-    /// Steel disc of a wheel; `bulge` is where its middle stands, as a share of the half width.
+    /// Steel disc of a wheel; `bulge` is the position of its middle, as a share of the half width.
     fn steel_rim(&self, bulge: f64) -> Surface {
         let (r, half) = (self.rim_radius_m, 0.5 * self.width_m);
         let (hub, foot) = (bulge * half, bulge.min(0.45) * half);
@@ -138,14 +138,14 @@ fn mirrored_profile(outer: &[(f64, f64)]) -> Vec<(f64, f64)> {
     outer.iter().copied().chain(inner).chain([outer[0]]).collect()
 }
 
-/// Place of an arch's lining.
+/// Geometry of an arch's lining.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lining {
     pub(crate) axle: [f64; 2],
     pub(crate) radius_m: f64,
     /// Height of its lower ends, level with the underside.
     pub(crate) low_z: f64,
-    /// Place of its wall towards the middle, and of its open side.
+    /// Positions of its inner wall and of its open side.
     pub(crate) inner_y: f64,
     pub(crate) outer_y: f64,
 }

@@ -1,23 +1,23 @@
-//! Crosses of two families: what the first is made of, in proportions half way to the second.
+//! Crosses of two families: built like the first, in proportions half way to the second.
 //!
-//! Sixty families are few shapes to learn from; each two of a class tell of a third that stands in no table.
+//! Sixty families are few shapes for training; each two of a class yield a third that is in no table.
 
 use toml::{Table, Value};
 
-/// Sign between the names of a cross, the class written once: `car-kei+pickup`.
+/// Separator in the names of a cross, after the class: `car-kei+pickup`.
 pub(crate) const SIGN: char = '+';
 
-/// Solids of a family, in the metres of its own drawing: they are not crossed.
+/// Key of a family's solids, in the metres of its own drawing: they are not crossed.
 const SOLIDS: &str = "part";
-/// Depths of what a family may have by chance (`flaps`): they come with the chance, from whichever has them.
+/// Depths of optional parts (`flaps`): they come with the probability, from whichever family has it.
 const OF_CHANCES: [&str; 1] = ["flap_depth_m"];
-/// A family with solids is crossed with others whose length, width and height are by at most this share other
-/// ones, so that its solids stay where they belong.
+/// Largest relative difference in length, width and height between a family with solids and those that it is
+/// crossed with, so that its solids stay in place.
 const NEAR: f64 = 0.25;
 
-/// Values of the first family, each number that both have half way to the second's. Words, and lists that are
-/// not equally long, are the first's. `None` of families that are built in different ways, or whose solids
-/// would stand beside the body.
+/// Values of the first family, with each common number half way to the second's. Words, and lists of
+/// different lengths, are the first's. `None` for families of different builds, or if the solids would be
+/// outside the body.
 pub(crate) fn half_way(first: &Table, second: &Table) -> Option<Table> {
     (build(first) == build(second) && keeps_solids(first, second)).then(|| crossed(first, second))
 }
@@ -35,8 +35,8 @@ fn middle(span: &Value) -> f64 {
     }
 }
 
-/// Keys that tell how a body is built: a front or rear that stands up to the roof, one body or cab and load,
-/// a semitrailer, what it carries; a two-wheeler with a frame and an engine in it, or a scooter.
+/// Keys that define the build: a front or rear up to the roof, one body or cab and load, a semitrailer, its
+/// load; a two-wheeler with a frame and an engine in it, or a scooter.
 const BUILD: [&str; 7] =
     ["front_upright", "rear_upright", "unibody", "semitrailer", "carries", "frame", "engine"];
 
@@ -59,7 +59,7 @@ fn between(first: &Value, second: &Value) -> Value {
         (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
             Value::Array(a.iter().zip(b).map(|(a, b)| between(a, b)).collect())
         }
-        // A number stands for a span of its own.
+        // A number is a span of zero width.
         (Value::Array(span), number) if span.len() == 2 && number_of(number).is_some() => {
             Value::Array(span.iter().map(|bound| between(bound, number)).collect())
         }

@@ -6,12 +6,12 @@ use crate::vehicles::family::Drawn;
 use crate::vehicles::loft::form::Form;
 use crate::vehicles::parts::material;
 
-/// Heights on a face as shares of the way from the underside to the top of the panel.
+/// Heights on a face, given as shares of the height from the underside to the top of the panel.
 fn heights(form: &Form, top_z: f64, shares: [f64; 2]) -> [f64; 2] {
     shares.map(|share| form.clearance_m + share * (top_z - form.clearance_m))
 }
 
-/// A panel about the middle: `[half width as a share, low, high]`.
+/// A panel in the middle: `[half width as a share, low, high]`.
 fn middle_panel(drawn: &Drawn<'_>, form: &Form, top_z: f64, key: &str) -> Panel {
     let [half, low, high] = drawn.numbers(key);
     let half = half * form.half_width_m;
@@ -24,7 +24,7 @@ fn side_panel(drawn: &Drawn<'_>, form: &Form, top_z: f64, key: &str) -> Panel {
     panel([inner, outer].map(|share| share * form.half_width_m), heights(form, top_z, [low, high]), 0.04)
 }
 
-/// Height at which the front panel ends upwards.
+/// Height of the front panel's upper end.
 pub(crate) fn front_top_z(drawn: &Drawn<'_>, form: &Form) -> f64 {
     if form.front.upright {
         drawn.numbers::<3>("windscreen")[1] * form.room.roof_z - 0.05
@@ -33,7 +33,7 @@ pub(crate) fn front_top_z(drawn: &Drawn<'_>, form: &Form) -> f64 {
     }
 }
 
-/// Height at which the rear panel ends upwards.
+/// Height of the rear panel's upper end.
 pub(crate) fn rear_top_z(form: &Form) -> f64 {
     if form.rear.upright { 0.5 * form.room.roof_z } else { form.tail_z.min(form.deck.1) }
 }

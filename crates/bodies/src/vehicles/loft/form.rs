@@ -4,7 +4,7 @@ use crate::vehicles::drawing::curve::{Curve, smooth_step};
 use crate::vehicles::drawing::shell::{Shell, spaced};
 use crate::vehicles::family::Drawn;
 
-/// The room a body fills, in a drawing with x = 0 half way along the vehicle and z = 0 on the ground.
+/// The space of a body, in a drawing with x = 0 half way along the vehicle and z = 0 on the ground.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Room {
     /// Front and rear end.
@@ -13,12 +13,12 @@ pub(crate) struct Room {
     pub(crate) roof_z: f64,
     /// Half width without mirrors.
     pub(crate) half_width_m: f64,
-    /// Half the width over the mirrors.
+    /// Half the width including mirrors.
     pub(crate) outer_y: f64,
 }
 
 impl Room {
-    /// Room of the whole size but for what stands on the roof, behind the tail and beside the doors.
+    /// Space of the whole size except parts on the roof, behind the tail and beside the doors.
     pub(crate) fn whole(drawn: &Drawn<'_>, size_m: [f64; 3]) -> Self {
         let [ahead, behind] = ["ahead_m", "behind_m"].map(|key| drawn.number_or(key, 0.0));
         Self {
@@ -38,11 +38,11 @@ pub(crate) struct Face {
     pub(crate) curve_per_m: f64,
     /// Lean inwards below the bumper, metres per metre down.
     pub(crate) chin: f64,
-    /// Distance by which the middle stands before the corners.
+    /// Distance of the middle in front of the corners.
     pub(crate) bow_m: f64,
-    /// Distance by which the bumper stands before the panel above it.
+    /// Distance of the bumper in front of the panel above it.
     pub(crate) bumper_m: f64,
-    /// Loss of half width towards the end.
+    /// Reduction of the half width towards the end.
     pub(crate) taper_m: f64,
     /// Rounding of the edges around the face.
     pub(crate) radius_m: f64,
@@ -90,7 +90,7 @@ fn face(drawn: &Drawn<'_>, end: &str) -> Face {
 }
 
 impl Form {
-    /// Form drawn into the room given.
+    /// Form drawn into the given space.
     pub(crate) fn of(drawn: &Drawn<'_>, room: &Room) -> Self {
         let [front_x, rear_x] = room.ends_x;
         let (length, roof) = (front_x - rear_x, room.roof_z);
@@ -132,7 +132,7 @@ impl Form {
         1.08 * self.wheel_radius_m + 0.03
     }
 
-    /// Distance from the middle plane that an arch reaches inwards to; twin tyres need twice the room.
+    /// Distance of an arch's inner side from the middle plane; twin tyres need twice the room.
     pub(crate) fn arch_inner_y(&self) -> f64 {
         let tyres = if self.twin { 2.0 * self.tyre_width_m + 0.06 } else { self.tyre_width_m };
         self.half_width_m - tyres - 0.10
@@ -196,7 +196,7 @@ impl Form {
         points
     }
 
-    /// Share of the cabin: 1 where it stands, 0 over bonnet and boot.
+    /// Share of the cabin: 1 within it, 0 over bonnet and boot.
     fn cabin(&self, x: f64) -> f64 {
         let front = if self.front.upright { 1.0 } else { smooth_step(self.cowl.0 + 0.05, self.header.0, x) };
         let rear = if self.rear.upright { 1.0 } else { smooth_step(self.deck.0 - 0.05, self.roof_end.0, x) };

@@ -25,7 +25,7 @@ pub(crate) fn cut_skin(drawn: &Drawn<'_>, form: &Form) -> Surface {
     face::cut_rear(drawn, form, face::cut_front(drawn, form, bed(drawn, form, skin)))
 }
 
-/// Ends bowed in plan and shaped in profile: the bumper stands out, the panel above it leans back.
+/// Bows the ends in plan and shapes them in profile: the bumper projects, the panel above it leans back.
 fn bent(form: &Form, p: DVec3) -> DVec3 {
     let [front, rear] = form.room.ends_x;
     let across = (p.y / form.half_width_m).powi(2);
@@ -43,7 +43,7 @@ fn bent(form: &Form, p: DVec3) -> DVec3 {
     DVec3::new(p.x - ahead + behind, p.y, p.z)
 }
 
-/// Sections close together where the silhouette bends, around the arches and at both ends, wide apart
+/// Sections, close together where the silhouette bends, around the arches and at both ends, far apart
 /// between; one at every pane's edge.
 fn layout(drawn: &Drawn<'_>, form: &Form, shell: &Shell) -> Layout {
     let [front, rear] = form.room.ends_x;
@@ -79,8 +79,7 @@ fn layout(drawn: &Drawn<'_>, form: &Form, shell: &Shell) -> Layout {
     }
 }
 
-/// A section and a row of the skin stand that far inside every pane's edge, so that no cell cuts its corner
-/// off.
+/// Distance of a section and a row of the skin inside every pane's edge, so that no cell cuts off its corner.
 const CORNER_M: f64 = 0.06;
 
 /// Rows 12 cm apart, at least five.
@@ -100,7 +99,7 @@ fn upper_rows(drawn: &Drawn<'_>, form: &Form) -> Vec<f64> {
     [0.0, low].into_iter().chain(inner).chain([high, 1.0]).collect()
 }
 
-/// Ends of the side panes along x: those written as shares of the length, or as many as fit.
+/// Ends of the side panes along x: those given as shares of the length, or as many as fit.
 pub(crate) fn pane_spans(drawn: &Drawn<'_>, form: &Form) -> Vec<[f64; 2]> {
     let [front, rear] = form.room.ends_x;
     let at = |share: f64| front - share * (front - rear);
@@ -131,7 +130,7 @@ fn side_panes(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> S
     })
 }
 
-/// Hatches below the panes, wherever neither an arch nor a door is.
+/// Cuts hatches below the panes, where there is neither an arch nor a door.
 fn flaps(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     if !drawn.has("flaps") {
         return skin;
@@ -171,7 +170,7 @@ fn doors(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     })
 }
 
-/// Windscreen and rear window: on the roof's side of the rail where the end is raked, in the face where it is
+/// Windscreen and rear window: on the roof's side of the rail if the end is raked, in the face if it is
 /// upright.
 fn screens(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surface {
     let [front, rear] = form.room.ends_x;
@@ -203,7 +202,7 @@ fn screens(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surf
     )
 }
 
-/// Cuts what lies open from above: the bed of a pick-up, the seats of a roadster.
+/// Cuts openings at the top: the bed of a pick-up, the seats of a roadster.
 fn bed(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
     if !drawn.knows("bed") {
         return skin;

@@ -1,5 +1,4 @@
-//! Trim that is fixed to a skin: mirrors, plates, slats, round lamps, bumper bars, handles, the
-//! machinery below.
+//! Trim on a skin: mirrors, plates, slats, round lamps, bumper bars, handles, underfloor machinery.
 
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::solids::{
@@ -29,7 +28,7 @@ pub(crate) fn add(drawn: &Drawn<'_>, form: &Form, skin: &Surface, to: &mut Assem
     underbody(drawn, form, to);
 }
 
-/// Outermost point of the skin towards the front (+1) or the rear (−1) at a place of the face.
+/// Outermost point of the skin towards the front (+1) or the rear (−1) at a position of the face.
 fn on_face(skin: &Surface, sign: f64, y: f64, z: f64) -> Option<f64> {
     let hits = skin.triangles.iter().filter_map(|t| {
         let [a, b, c] = skin.corners_m(t);
@@ -42,7 +41,8 @@ fn on_face(skin: &Surface, sign: f64, y: f64, z: f64) -> Option<f64> {
     hits.reduce(|p, q| if p * sign > q * sign { p } else { q })
 }
 
-/// A part on the face, pitched as the skin between 6 cm below and above is and by `tilt_rad` more.
+/// Places a part on the face, pitched like the skin from 6 cm below to 6 cm above, and by a further
+/// `tilt_rad`.
 fn on_skin(part: Surface, skin: &Surface, sign: f64, [y, z, tilt_rad]: [f64; 3]) -> Surface {
     let at = |z: f64| on_face(skin, sign, y, z);
     let middle = at(z).unwrap_or(0.0);
@@ -71,7 +71,7 @@ fn mirrors(drawn: &Drawn<'_>, form: &Form, to: &mut Assembly) {
     to.add_pair(tube(&bent(&arm, 0.4), 0.02, 6, Material::Plastic));
 }
 
-/// European plates, flat whatever the skin behind them does.
+/// European plates, flat on any skin.
 fn plates(drawn: &Drawn<'_>, form: &Form, skin: &Surface, to: &mut Assembly) {
     for (end, sign, top_z) in [("front", 1.0, front_top_z(drawn, form)), ("rear", -1.0, rear_top_z(form))] {
         let key = format!("{end}_plate");
@@ -114,7 +114,7 @@ fn round_lamps(drawn: &Drawn<'_>, form: &Form, skin: &Surface, to: &mut Assembly
     to.add_pair(on_skin(lamp.outward(), skin, 1.0, [y_share * form.half_width_m, z, 0.0]));
 }
 
-/// A bar of metal or plastic before the face, bowed as it is.
+/// A bar of metal or plastic in front of the face, bowed like it.
 fn bumper_bar(drawn: &Drawn<'_>, form: &Form, skin: &Surface, sign: f64, to: &mut Assembly) {
     let z = form.clearance_m + drawn.number("bar_above_m");
     let out = drawn.number("bar_out_m");
@@ -142,7 +142,7 @@ fn handles(drawn: &Drawn<'_>, form: &Form, to: &mut Assembly) {
     }
 }
 
-/// Sump, silencer, tank and pipe hang below the floor.
+/// Sump, silencer, tank and pipe below the floor.
 fn underbody(drawn: &Drawn<'_>, form: &Form, to: &mut Assembly) {
     let [front, rear] = form.room.ends_x;
     if !drawn.knows("sump") {

@@ -1,4 +1,4 @@
-//! A motorcycle before it is made to its size.
+//! A motorcycle before scaling to its size.
 
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::motorcycle::parts::CycleWheel;

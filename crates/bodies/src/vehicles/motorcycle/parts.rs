@@ -1,4 +1,4 @@
-//! Parts that every motorcycle has: wheels, forks, handlebar, mudguards, plate.
+//! Parts common to all motorcycles: wheels, forks, handlebar, mudguards, plate.
 
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::solids::{bent, disc, ellipsoid, lathe, limb, section, sharp_box, tube};

@@ -29,7 +29,7 @@ pub(crate) fn machine(draw: &Draw) -> Machine {
     Machine { parts, front: wheel(HALF_WHEELBASE_M, 0.11, 0.11), rear: wheel(-HALF_WHEELBASE_M, 0.13, 0.09) }
 }
 
-/// Rider who sits upright, feet together on the floor.
+/// Rider in an upright position, feet together on the floor.
 fn rider(draw: &Draw) -> Rider {
     let lean = draw.value("rider lean", 0.0, -0.03..=0.05);
     Rider {
@@ -114,7 +114,7 @@ fn rear_body(parts: &mut Assembly) {
     parts.add(tube(&grab, 0.012, 8, Material::Aluminium));
 }
 
-/// Engine and gearbox swing with the rear wheel.
+/// Engine and gearbox, which swing with the rear wheel.
 fn engine(radius_m: f64, parts: &mut Assembly) {
     parts.add(rounded_box([0.62, 0.10, 0.17], 0.045, Material::Aluminium).moved(
         -0.46,

@@ -32,7 +32,7 @@ pub(crate) fn machine(draw: &Draw) -> Machine {
     Machine { parts, front: wheel(half_wheelbase, 0.12, 0.15), rear: wheel(-half_wheelbase, 0.17, 0.11) }
 }
 
-/// Rider who leans forward a little, the more sporting the more.
+/// Rider who leans forward slightly, more on sportier machines.
 fn rider(draw: &Draw) -> Rider {
     let lean = draw.value("rider lean", 0.0, -0.05..=0.08);
     Rider {

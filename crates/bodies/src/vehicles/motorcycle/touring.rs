@@ -34,7 +34,7 @@ pub(crate) fn machine(draw: &Draw) -> Machine {
     Machine { parts, front: wheel(HALF_WHEELBASE_M, 0.13, 0.155), rear: wheel(-HALF_WHEELBASE_M, 0.18, 0.14) }
 }
 
-/// Rider who sits upright, arms wide and relaxed.
+/// Rider in an upright position, arms wide and relaxed.
 fn rider(draw: &Draw) -> Rider {
     let lean = draw.value("rider lean", 0.0, -0.04..=0.05);
     Rider {

@@ -64,7 +64,7 @@ fn skin(form: &Form) -> Surface {
 fn shell(form: &Form) -> Shell {
     let [front, rear] = [form.ends_x[0], form.cab_rear_x()];
     let (half, roof) = (form.half_width_m, form.cab_roof_z);
-    let lift = 0.25; // the rear of the cab ends higher, above the frame's fittings
+    let lift = 0.25; // the rear of the cab ends higher, above the fittings of the frame
     let roof_slope = if form.kind == Kind::Semi { 0.30 } else { 0.12 };
     Shell {
         bottom_z: Curve::through(&[
@@ -102,7 +102,7 @@ fn layout(form: &Form) -> Layout {
     Layout { stations_x: spaced(rear, front, 0.13), lower: lower_rows(form), upper: even(6), half_columns: 5 }
 }
 
-/// Rows at the edges of bumper and lamps, as shares of the way from the underside to the waist.
+/// Rows at the edges of bumper and lamps, as shares of the height from the underside to the waist.
 fn lower_rows(form: &Form) -> Vec<f64> {
     let waist = panes_z(form)[0] - WAIST_BELOW_PANES_M;
     let rows = [BOTTOM_Z, 0.50, 0.62, 0.68, 0.86, 1.02].into_iter().chain(spaced(1.16, waist, 0.2));
@@ -111,7 +111,7 @@ fn lower_rows(form: &Form) -> Vec<f64> {
 
 const WAIST_BELOW_PANES_M: f64 = 0.10;
 
-/// Flat-nosed, but bowed in plan and leaning back above the grille.
+/// Shapes the flat nose, bowed in plan and leaning back above the grille.
 fn leaning(form: &Form, p: DVec3) -> DVec3 {
     let front = form.ends_x[0];
     let across = (p.y / form.half_width_m).powi(2);
@@ -160,7 +160,7 @@ fn visor_and_plate(form: &Form, truck: &mut Assembly) {
     truck.add(sharp_box([0.014, 0.52, 0.11], Material::Plate).moved(front + 0.004, 0.0, 0.50));
 }
 
-/// Wind deflector that leads up to the load.
+/// Wind deflector up to the load.
 fn deflector(form: &Form, truck: &mut Assembly) {
     let (rear, roof) = (form.cab_rear_x(), form.cab_roof_z);
     let rise = form.load_top_z - 0.06 - roof;

@@ -23,7 +23,7 @@ pub(crate) fn add(form: &Form, truck: &mut Assembly) {
     side_guards(form, truck);
 }
 
-/// Two rails and their cross members, open between.
+/// Two rails with their cross members, open between.
 fn ladder([front, rear]: [f64; 2], top_z: f64, truck: &mut Assembly) {
     let (length, middle, height) = (front - rear, 0.5 * (front + rear), 0.24);
     let z = top_z - 0.5 * height;
@@ -58,12 +58,12 @@ fn wheels(form: &Form, truck: &mut Assembly) {
     }
 }
 
-/// A tank lies along x: a drum between its end plates.
+/// A tank along x: a drum between its end plates.
 fn drum(radius_m: f64, length_m: f64, material: Material) -> Surface {
     disc(radius_m, length_m, 16, material).map(|p| DVec3::new(p.y, -p.x, p.z)).outward()
 }
 
-/// Fuel, air and battery on either rail behind the cab.
+/// Tanks for fuel and air, and battery, on either rail behind the cab.
 fn tanks(form: &Form, truck: &mut Assembly) {
     let x = form.front_axle_x - form.wheel_radius_m - 0.85;
     let z = form.frame_z - 0.30;
@@ -98,8 +98,8 @@ fn mudguard(form: &Form, axle_x: f64, truck: &mut Assembly) {
     truck.add_pair(guard.welded().outward());
 }
 
-/// Bar below the rear end that keeps cars from running under (UN Regulation 58: at most 0.55 m above the
-/// ground), lamps and plate on it.
+/// Underrun guard below the rear end (UN Regulation 58: at most 0.55 m above the ground), with lamps and
+/// plate.
 fn rear_guard(form: &Form, truck: &mut Assembly) {
     let rear = form.ends_x[1];
     let z = 0.50;
@@ -117,7 +117,7 @@ fn rear_guard(form: &Form, truck: &mut Assembly) {
     truck.add(sharp_box([0.014, 0.52, 0.11], Material::Plate).moved(rear + 0.10, 0.0, lamp_z));
 }
 
-/// Rails between the axles that keep cyclists out (UN Regulation 73).
+/// Rails between the axles that protect cyclists (UN Regulation 73).
 fn side_guards(form: &Form, truck: &mut Assembly) {
     let [front, rear] = match form.kind {
         Kind::Semi => [form.load_x[0] - 3.4, form.single_axles_x[0] + 0.7],
@@ -137,7 +137,7 @@ fn side_guards(form: &Form, truck: &mut Assembly) {
     }
 }
 
-/// Props the trailer stands on when it is parked.
+/// Supports of a parked trailer.
 fn landing_legs(form: &Form, truck: &mut Assembly) {
     let x = form.load_x[0] - 2.9;
     let (foot, top) = (0.38, form.load_floor_z - 0.05);

@@ -15,14 +15,14 @@ pub(crate) enum Kind {
 pub(crate) struct Form {
     pub(crate) kind: Kind,
     pub(crate) size_m: [f64; 3],
-    /// Front and rear end of the whole.
+    /// Front and rear end of the whole vehicle.
     pub(crate) ends_x: [f64; 2],
     /// Half width of cab and load.
     pub(crate) half_width_m: f64,
     pub(crate) cab_length_m: f64,
     pub(crate) cab_roof_z: f64,
     pub(crate) wheel_radius_m: f64,
-    /// Sectors of the polygon that stands for a tyre's circle.
+    /// Number of sectors of the polygon for a tyre's circle.
     pub(crate) wheel_sectors: usize,
     pub(crate) front_axle_x: f64,
     /// Driven axles with twin wheels.
@@ -57,7 +57,7 @@ pub(crate) fn size_range(model: &str) -> SizeRange {
 }
 
 impl Form {
-    /// Form drawn for the model and seed, made to the size given.
+    /// Form drawn for the model and seed, in the given size.
     pub(crate) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
         match draw.model {
             "truck-box" => Self::box_truck(draw, size_m),

@@ -17,7 +17,7 @@ pub(crate) fn add(form: &Form, truck: &mut Assembly) {
     }
 }
 
-/// A box with corner posts, floor edge and rear doors with their locking bars.
+/// A box with corner posts, floor edge and rear doors with locking bars.
 fn van_body(form: &Form, truck: &mut Assembly) {
     let [front, rear] = form.load_x;
     let (low, high) = (form.load_floor_z, form.load_top_z);
@@ -85,7 +85,7 @@ fn cooler(form: &Form, truck: &mut Assembly) {
     }
 }
 
-/// An elliptical tank with domed ends on saddles, its manholes, walkway, rail and ladder.
+/// An elliptical tank with domed ends on saddles, with manholes, walkway, rail and ladder.
 pub(crate) fn tank(form: &Form, truck: &mut Assembly) {
     let [front, rear] = form.load_x;
     let half_height = 0.5 * (form.load_top_z - form.load_floor_z) - 0.03;
@@ -102,7 +102,7 @@ fn vessel([front, rear]: [f64; 2], z: f64, half_width: f64, half_height: f64) ->
     let (first, last) = (rear + dome, front - dome);
     let rings = ((last - first) / 0.9).ceil() as u32;
     let at = |x: f64, share: f64| section([x, 0.0, z], half_width * share, half_height * share);
-    // Half ellipsoids at the ends: how far a section of that share of the full one stands out.
+    // Half ellipsoids at the ends: projection of a section that is the given share of the full one.
     let ends = [0.06_f64, 0.36, 0.62, 0.82, 0.95].map(|share| (share, dome * (1.0 - share * share).sqrt()));
     let mut sections: Vec<_> = ends.iter().map(|(share, out)| at(first - out, *share)).collect();
     sections.extend((0..=rings).map(|k| at(first + (last - first) * f64::from(k) / f64::from(rings), 1.0)));

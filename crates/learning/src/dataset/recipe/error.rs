@@ -1,4 +1,4 @@
-//! Rules of a recipe, broken.
+//! Broken rules of a recipe.
 
 use artifact::seed::SEEDS;
 use artifact::settings::Class;

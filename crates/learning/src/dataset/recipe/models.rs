@@ -46,7 +46,7 @@ enum Source {
 
 struct OfFile {
     mesh: Mesh,
-    /// Each base scene's materials, and the file's own beside them.
+    /// Each base scene's materials, with the file's own.
     materials: Vec<MaterialMap>,
 }
 
@@ -56,7 +56,7 @@ impl Model {
         matches!(self.source, Source::Own)
     }
 
-    /// Mesh of a variant in a scene's axes, in the materials of a base scene, by its number, and its own.
+    /// Mesh of a variant in a scene's axes, with the materials of base scene number `base`, and its own.
     pub(in crate::dataset) fn mesh(&self, variant: u64, base: usize, header: &SceneHeader) -> Mesh {
         let (mesh, map) = match &self.source {
             Source::Own => (vehicles::mesh(&self.name, variant).unwrap_or_default(), &header.materials),

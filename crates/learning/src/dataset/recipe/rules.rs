@@ -99,8 +99,8 @@ fn check_base(asked: &Document, Base { name, header }: &Base) -> Result<(), Reci
     }
 }
 
-/// Least slant range at which a vehicle of the recipe's lanes can stand: that across the road and up to the
-/// radar at its lowest, and [`NEAREST_ALONG_M`].
+/// Least slant range of a vehicle in the recipe's lanes: from the distance across the road, the lowest height
+/// of the radar, and [`NEAREST_ALONG_M`].
 fn least_range_m(asked: &Document, header: &SceneHeader) -> f64 {
     let (road, [x_m, y_m, z_m]) = (&header.dsp.road, header.radar.position_m);
     let [radar_across_m, _] = road.across_along_m([x_m, y_m, z_m]);

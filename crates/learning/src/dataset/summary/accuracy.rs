@@ -1,24 +1,24 @@
-//! Whether the accuracy asked for was reached over all scenes of a dataset.
+//! Whether the requested accuracy was reached over all scenes of a dataset.
 
 use crate::dataset::scene_line::SceneLine;
 use pipeline::outcome::error_figures::decibels;
 use pipeline::outcome::verdict::AccuracyVerdict;
 use std::collections::BTreeMap;
 
-/// Accuracy of the scenes in which it was measured, one after the other.
+/// Accuracy of the scenes in which it was measured.
 #[derive(Default)]
 pub(super) struct ReachedAccuracy {
     scenes: usize,
     measured: usize,
     met: usize,
-    /// Verdict on the scene of the greatest error.
+    /// Verdict on the scene with the largest error.
     worst: Option<AccuracyVerdict>,
-    /// Number of scenes that missed it by each cause, and what would help.
+    /// Number of scenes that missed it by each cause, with a remedy.
     causes: BTreeMap<String, (usize, String)>,
 }
 
 impl ReachedAccuracy {
-    /// Takes a scene's line in.
+    /// Adds a scene's line.
     pub(super) fn add(&mut self, scene: &SceneLine) {
         self.scenes += 1;
         let told = scene.frames.first().map(|frame| &frame.accuracy);
@@ -36,11 +36,11 @@ impl ReachedAccuracy {
         }
     }
 
-    /// Lines on the accuracy asked for: how many scenes reached it, the worst error, and for those that
-    /// missed it how many there are of each cause, with what would help.
+    /// Lines on the requested accuracy: the number of scenes that reached it, the largest error, and for
+    /// those that missed it the number by cause, with a remedy.
     pub(super) fn lines(&self) -> Vec<String> {
         let Some(worst) = &self.worst else { return vec!["numerical errors were not estimated".into()] };
-        // What was measured and has no level is no error at all.
+        // A measured error without a level is zero.
         let reached = worst.reached_db.map_or("none".into(), decibels);
         let asked = decibels(worst.asked_db);
         let Self { scenes, measured, met, .. } = self;

@@ -1,33 +1,33 @@
-//! Estimate against truth over all vehicles of a dataset, as a table.
+//! Estimates against truth over all vehicles of a dataset, as a table.
 
 use crate::dataset::scene_line::VehicleLine;
 use artifact::settings::Class;
 use std::collections::BTreeMap;
 
-/// Median and 90 % point say more than a mean here: an object that took a ghost along is far off.
+/// Median and 90 % point are more informative than a mean here: an object that includes a ghost is far off.
 const HEAD: &str = "| vehicles | number | detected | range error, m: bias, median, 90 % \
 | velocity error, m/s: median, 90 % | lateral error, m: median, 90 % | lane right |\n|---|---|---|---|---|---|---|\n";
 
-/// Bounds of the rows by range, m; what is nearer than the first or beyond the last has a row too.
+/// Bounds of the rows by range, m; vehicles nearer than the first or beyond the last have a row too.
 const BOUNDS_M: [f64; 5] = [25.0, 35.0, 45.0, 60.0, 100.0];
 
-/// A row for each class, lane and range of which there is a vehicle, and one for all; vehicles are taken in
-/// one after the other.
+/// A row for each class, lane and range with a vehicle, and one for all; vehicles are added one after the
+/// other.
 #[derive(Default)]
 pub(super) struct DetectionTable(BTreeMap<Counted, VehicleRow>);
 
-/// Vehicles that a row counts, in the order of the rows.
+/// Group of vehicles in a row, in the order of the rows.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Counted {
     /// The class of this index in [`Class::ALL`].
     OfClass(usize),
     InLane(u8),
-    /// This many of [`BOUNDS_M`] and farther.
+    /// Vehicles beyond the given number of [`BOUNDS_M`].
     Beyond(usize),
     All,
 }
 
-/// Vehicles of a row, and the errors of those that were found.
+/// Vehicles of a row, and the errors of the detected ones.
 #[derive(Default)]
 struct VehicleRow {
     vehicles: usize,
@@ -39,12 +39,12 @@ struct VehicleRow {
 }
 
 impl DetectionTable {
-    /// Takes a vehicle in.
+    /// Adds a vehicle.
     pub(super) fn add(&mut self, vehicle: &VehicleLine) {
         Counted::those_with(vehicle).for_each(|counted| self.0.entry(counted).or_default().add(vehicle));
     }
 
-    /// Number of vehicles that were found, and of all.
+    /// Number of detected vehicles, and of all.
     pub(super) fn found_of_all(&self) -> (usize, usize) {
         self.0.get(&Counted::All).map_or((0, 0), |all| (all.found, all.vehicles))
     }
@@ -88,7 +88,7 @@ impl VehicleRow {
         self.lane_right += usize::from(estimate.lane == vehicle.lane);
         self.range_m.extend(error(estimate.range_m, vehicle.echo_range_m));
         self.velocity_mps.extend(error(estimate.velocity_mps, vehicle.echo_velocity_mps));
-        // Lines of earlier versions tell no places across the lanes.
+        // Lines of earlier versions have no places across the lanes.
         let across_m = error(estimate.across_m, vehicle.across_m);
         self.lateral_m.extend(across_m.or(error(estimate.x_m, vehicle.x_m)));
     }
@@ -107,12 +107,12 @@ impl VehicleRow {
     }
 }
 
-/// A share in per cent; of nothing there is none.
+/// Text of a share in per cent; a dash without any.
 fn share(part: usize, of: usize) -> String {
     if of == 0 { "–".to_owned() } else { format!("{:.1} %", 100.0 * part as f64 / of as f64) }
 }
 
-/// Mean of errors; of none there is no mean.
+/// Text of the mean error; a dash without any.
 fn bias(errors: &[f64]) -> String {
     match errors.len() {
         0 => "–".to_owned(),
@@ -124,7 +124,7 @@ fn error(estimate: Option<f64>, truth: Option<f64>) -> Option<f64> {
     Some(estimate? - truth?)
 }
 
-/// Median and 90 % point of the absolute values.
+/// Text of the median and 90 % point of the absolute values.
 fn spread(errors: &[f64]) -> String {
     let mut sizes: Vec<f64> = errors.iter().map(|e| e.abs()).collect();
     sizes.sort_by(f64::total_cmp);

@@ -1,9 +1,8 @@
-//! Mark that tells a cache from other folders: `CACHEDIR.TAG`, which backup programs know too.
+//! Mark that distinguishes a cache from other folders: `CACHEDIR.TAG`, which backup programs know too.
 //!
-//! A folder without it is a cache only if it is missing, empty, or holds nothing but files that a cache
-//! names: those that earlier versions made have no mark, and hold no file that somebody else could have put
-//! there under such names. It gets its mark with the next file. Every other folder is refused, so that no
-//! slip of `--cache` mixes entries into a user's files.
+//! A folder without the mark is a cache only if it is missing, empty, or holds nothing but files with names
+//! of a cache: caches of earlier versions have no mark and hold nothing else. It gets its mark with the next
+//! file. Every other folder is refused, so that a mistyped `--cache` never mixes entries into a user's files.
 
 use crate::chain::cache::own_files::{self, MARK};
 use crate::host::failure::Failure;
@@ -12,7 +11,7 @@ use artifact::whole_file::{self, Durability};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
-/// Beginning of the mark by the standard (<https://bford.info/cachedir/>).
+/// Beginning of the mark as the standard requires (<https://bford.info/cachedir/>).
 const SIGNATURE: &str = "Signature: 8a477f597d28d172789f06886806bc55";
 
 const REST: &str = "\n# Frames that Wayside keeps; all of them can be made again.\n# For information about cache directory tags, see https://bford.info/cachedir/\n";
@@ -45,7 +44,7 @@ fn refused(root: &Path, why: &str) -> Failure {
     ))
 }
 
-/// Whether the mark is there: a plain file that begins as the standard says.
+/// Whether the mark exists: a plain file that begins with the signature.
 fn is_set(root: &Path) -> bool {
     let place = root.join(MARK);
     let is_plain = std::fs::symlink_metadata(&place).is_ok_and(|about| about.is_file());
@@ -54,7 +53,7 @@ fn is_set(root: &Path) -> bool {
     is_plain && read(&mut begin).is_ok() && begin == SIGNATURE.as_bytes()
 }
 
-/// Marks the folder, which is made where it is missing.
+/// Creates the folder where it is missing, and marks it.
 pub(super) fn set(root: &Path) -> Result<(), ArtifactError> {
     if is_set(root) {
         return Ok(());

@@ -1,5 +1,4 @@
-//! The files that a cache makes, known by their names; links are none of them, and nothing is looked for
-//! behind one.
+//! Files that belong to a cache, recognized by their names; links never do and are not followed.
 
 use crate::chain::stages::Stage;
 use artifact::whole_file;
@@ -10,12 +9,12 @@ use std::time::SystemTime;
 /// File name of the mark.
 pub(super) const MARK: &str = "CACHEDIR.TAG";
 
-/// Whether the place is a symbolic link, which is never the cache's own.
+/// Whether the place is a symbolic link, which never belongs to the cache.
 pub(super) fn is_link(place: &Path) -> bool {
     std::fs::symlink_metadata(place).is_ok_and(|about| about.is_symlink())
 }
 
-/// A file of the cache's own.
+/// A file that belongs to the cache.
 pub struct OwnFile {
     pub path: PathBuf,
     pub bytes: u64,
@@ -25,20 +24,20 @@ pub struct OwnFile {
 /// Files found in the folder of a cache.
 #[derive(Default)]
 pub(super) struct Found {
-    /// Entries and what else the cache has written, without its mark and without temporary files.
+    /// Entries and other files of the cache, without its mark and without temporary files.
     pub(super) files: Vec<OwnFile>,
-    /// Something that no cache makes.
+    /// A file or folder that no cache makes.
     pub(super) foreign: Option<PathBuf>,
 }
 
-/// Looks through the folders that a cache has, and no others.
+/// Lists the files in the folders of a cache, and in no others.
 pub(super) fn of(root: &Path) -> Found {
     let mut found = Found::default();
     look_through(Folder::Root, root, &mut found);
     found
 }
 
-/// Removes temporary files whose writers are dead.
+/// Removes temporary files of ended writers.
 pub(super) fn sweep(root: &Path) {
     for (_, folder) in folders(root) {
         whole_file::sweep(&folder);
@@ -48,10 +47,10 @@ pub(super) fn sweep(root: &Path) {
     }
 }
 
-/// Removes the folders of stages as far as they are empty.
+/// Removes the stages' folders that are empty.
 pub(super) fn remove_empty_folders(root: &Path) {
     let own = folders(root).into_iter().filter(|(kind, _)| *kind != Folder::Root);
-    // The inner ones first; one that holds something stays.
+    // Inner folders first; `remove_dir` leaves those that are not empty.
     own.rev().for_each(|(_, folder)| drop(std::fs::remove_dir(folder)));
 }
 
@@ -77,7 +76,7 @@ impl Folder {
         }
     }
 
-    /// Whether a cache names a file so in this folder.
+    /// Whether a cache gives a file in this folder such a name.
     fn holds(self, name: &str) -> bool {
         match self {
             Self::Root => name == "seconds.json", // of earlier versions
@@ -135,7 +134,7 @@ fn is_beside(kind: Folder, name: &str, path: &Path) -> bool {
     (kind == Folder::Root && name == MARK) || whole_file::is_temporary(path) || is_of_earlier_version(path)
 }
 
-/// The cache's own folders, each before those within it.
+/// The cache's own folders, outer ones first.
 fn folders(root: &Path) -> Vec<(Folder, PathBuf)> {
     let mut folders = vec![(Folder::Root, root.to_owned())];
     let mut next = 0;
@@ -154,7 +153,7 @@ fn files_in(folder: &Path) -> impl Iterator<Item = (PathBuf, Metadata)> {
     entries(folder).filter(|(_, about)| about.is_file())
 }
 
-/// Entries of a folder with their metadata; a link's are its own, not those of what it leads to.
+/// Entries of a folder with their metadata; links are not followed.
 fn entries(folder: &Path) -> impl Iterator<Item = (PathBuf, Metadata)> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     entries.filter_map(|entry| Some((entry.path(), entry.metadata().ok()?)))

@@ -1,5 +1,5 @@
-//! Small remarks that a cache keeps as JSON, each with the checksum of its text: a damaged one is named and
-//! not believed.
+//! Small records that a cache keeps as JSON, each with the checksum of its text: a damaged one is named and
+//! ignored.
 
 use crate::chain::cache::own_files;
 use crate::host::{files, progress};
@@ -17,10 +17,10 @@ struct Sealed {
     text: String,
 }
 
-/// The longest remark: a key is a handful of hashes.
+/// Largest record: a key is a handful of hashes.
 const LIMIT_BYTES: u64 = 1 << 20;
 
-/// Reads a remark; `None` where there is none, or its text is not the one that was written.
+/// Reads a record; `None` if it is missing or its checksum is wrong.
 pub(super) fn read<T: DeserializeOwned>(place: &Path) -> Option<T> {
     let bytes = match files::read_own(place, LIMIT_BYTES) {
         Err(error) if error.kind() == ErrorKind::FileTooLarge => vec![],
@@ -33,7 +33,7 @@ pub(super) fn read<T: DeserializeOwned>(place: &Path) -> Option<T> {
     value
 }
 
-/// Writes it; one that cannot be written is not missed.
+/// Writes a record; a failure to write is ignored.
 pub(super) fn write<T: Serialize>(place: &Path, value: &T) {
     let Ok(text) = serde_json::to_string(value) else { return };
     let Ok(bytes) = serde_json::to_vec(&Sealed { blake3: checksum(&text), text }) else { return };
@@ -51,7 +51,8 @@ fn checksum(text: &str) -> String {
     blake3::hash(text.as_bytes()).to_hex().to_string()
 }
 
-/// A bare key without a checksum: passed over in silence, as no damage has made it.
+/// Whether the record is a bare key without a checksum, as earlier versions wrote it: such a record is
+/// ignored without a remark.
 fn is_of_earlier_version(bytes: &[u8]) -> bool {
     serde_json::from_slice::<crate::chain::keys::Key>(bytes).is_ok()
 }

@@ -1,4 +1,4 @@
-//! Speed of this machine beside the one that the rates were measured on: a small table of a motorcycle,
+//! Speed of this machine relative to the reference machine of the rates: a small table of a motorcycle,
 //! traced until half a processor second is spent; once for each machine and build, kept in the cache.
 
 use crate::chain::cache::Cache;
@@ -21,19 +21,19 @@ impl Schema for MachineSpeed {
     type Frame = f64;
 }
 
-/// Processor seconds of the work below on the machine of the rates.
+/// Processor seconds of that work on the reference machine.
 const REFERENCE_S: f64 = 0.64;
-/// Processor seconds that are measured at least.
+/// Least processor seconds of a measurement.
 const MEASURED_S: f64 = 0.5;
 
-/// 1 for the machine of the rates, 2 for one twice as fast; 1 where the system does not tell what a process
-/// took.
+/// Speed of this machine: 1 for the reference machine, 2 for one twice as fast; 1 where the system does not
+/// report processor time.
 pub fn of_this_machine(cache: Option<&Cache>) -> Result<f64, Failure> {
     let key = key();
     if let Some(known) = cache.and_then(|c| c.get::<MachineSpeed>(Stage::BartRcs, &key)).filter(is_sound) {
         return Ok(known);
     }
-    // Once in a process, however many runs it tells of.
+    // Once in a process, for any number of runs.
     static MEASURED: OnceLock<f64> = OnceLock::new();
     let speed = match MEASURED.get() {
         Some(speed) => *speed,
@@ -52,14 +52,14 @@ fn is_sound(speed: &f64) -> bool {
     (1e-3..=1e3).contains(speed)
 }
 
-/// The processor's name stands for the machine.
+/// Key of the machine: the processor's name.
 fn key() -> Key {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let processor = text.lines().find(|line| line.starts_with("model name")).unwrap_or_default();
     Key::of(Stage::BartRcs, vec![("machine", artifact::envelope::fingerprint(&processor))])
 }
 
-/// Measures the speed of this machine as it is now; 1 where the system does not tell what a process took.
+/// Measures the present speed of this machine; 1 where the system does not report processor time.
 pub fn measured() -> Result<f64, Failure> {
     let Some(begin) = processor_time::of_process() else { return Ok(1.0) };
     let mesh = scene::vehicles::mesh("motorcycle-scooter", 0);

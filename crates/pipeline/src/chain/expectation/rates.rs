@@ -1,4 +1,4 @@
-//! Processor seconds of each kind of work on the machine that they were measured on, and bytes.
+//! Processor seconds of each kind of work on the reference machine, and bytes of memory.
 
 use crate::chain::expectation::work::{ITEMS, WorkCounts, WorkKind};
 
@@ -6,26 +6,26 @@ use crate::chain::expectation::work::{ITEMS, WorkCounts, WorkKind};
 /// measured when the learning library was part of it).
 pub(crate) const PROGRAM_MIB: f64 = 48.0;
 
-/// Bytes of a facet, at rest and placed, and of a beam with what is joined on it.
+/// Bytes of a facet, at rest and placed, and of a beam with its joints.
 pub(crate) const BYTES_PER_FACET: f64 = 2000.0;
 pub(crate) const BYTES_PER_BEAM: f64 = 1500.0;
-/// Bytes of a cell with its path: most were 5.2 KB (192 channels, which hardly anything could be left out
-/// for); a quarter more.
+/// Bytes of a cell with its path: at most 5.2 KB were measured (192 channels, where hardly any path could be
+/// left out), and a quarter is added.
 pub(crate) const BYTES_PER_CELL: f64 = 6500.0;
-/// Further bytes of a cell where a body moves, whose paths may be held for up to 33 moments: most were 8.6 KB
-/// in all (under the mast); 14 KB in all.
+/// Further bytes of a cell where a body moves, whose paths may be held for up to 33 moments: at most 8.6 KB
+/// in all were measured (under the mast); 14 KB in all are assumed.
 pub(crate) const BYTES_PER_CHANGING_CELL: f64 = 7500.0;
-/// Bytes of a tile between bodies that slide past each other, for each wavelength; below it those of a cell
-/// of such ways.
+/// Bytes of a tile between bodies that slide past each other, per wavelength; the constant after it holds the
+/// bytes of a cell of such paths.
 pub(crate) const BYTES_PER_SLIDING_TILE: f64 = 2500.0;
 pub(crate) const BYTES_PER_MOVING_CELL: f64 = 0.0;
 
-/// Kinds of what a run is expected to hold.
+/// Number of kinds of expected memory contents.
 pub const HELD_KINDS: usize = 8;
-/// Memory that is expected of each of them, MiB: the program, a triangle as it is read, and in each frame
-/// that is computed side by side with others a MiB of signals, a facet, a lit polygon, a cell, a cell of
-/// ways between bodies that slide past each other, and a lit polygon behind sheets. Fitted to the same scenes
-/// as the seconds below are; the last to a car and a bus of glass, one bounce and two.
+/// Expected memory of each of them, MiB: the program, a triangle as it is read, and in each concurrent frame
+/// a MiB of signals, a facet, a lit polygon, a cell, a cell of paths between bodies that slide past each
+/// other, and a lit polygon behind sheets. Fitted to the same scenes as the seconds below; the last to a car
+/// and a bus of glass, one bounce and two.
 pub const HELD_MIB: [(&str, f64); HELD_KINDS] = [
     ("program", 37.0),
     ("triangles", 3.3e-4),
@@ -37,8 +37,8 @@ pub const HELD_MIB: [(&str, f64); HELD_KINDS] = [
     ("lit polygons behind sheets", 4.0e-3),
 ];
 
-/// Nine of ten runs are meant to take between the expected time over this and times this
-/// (docs/validation/predictions.md).
+/// Factor of the expected time: nine of ten runs are meant to take between 1/`SPREAD` and `SPREAD` times the
+/// expected time (docs/validation/predictions.md).
 pub const SPREAD: f64 = 2.0;
 
 /// Processor seconds of each kind of work on the machine that they were measured on, in the order of the
@@ -87,18 +87,18 @@ const _: () = {
     }
 };
 
-/// Memory that is expected to be held, MiB, of counts in the order of [`HELD_MIB`].
+/// Expected memory, MiB, of counts in the order of [`HELD_MIB`].
 pub(super) fn expected_mib(held: &[f64; HELD_KINDS]) -> f64 {
     HELD_MIB.iter().zip(held).map(|((_, mib), count)| mib * count).sum()
 }
 
-/// Processor seconds of the work on the machine of the rates.
+/// Processor seconds of the work on the reference machine.
 pub(super) fn reference_seconds(work: &WorkCounts) -> f64 {
     SECONDS.iter().map(|(item, rate)| rate * work.0[*item as usize]).sum()
 }
 
-/// Wall-clock seconds on free processors, from processor seconds: what one thread does alone, and the rest
-/// shared.
+/// Wall-clock seconds on free processors, from processor seconds: the serial part, and the parallel part
+/// shared by the threads.
 pub fn wall_seconds(seconds: f64, threads: usize) -> f64 {
     const ALONE: f64 = 0.15;
     seconds * (ALONE + (1.0 - ALONE) / threads as f64)

@@ -1,4 +1,4 @@
-//! The tracer's work in every frame, from a look at a few of them.
+//! The tracer's work in every frame, extrapolated from a look at a few of them.
 
 use crate::chain::cache::Cache;
 use crate::chain::expectation::work::{WorkCounts, WorkKind};
@@ -11,7 +11,7 @@ use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::{EchoMode, Edges, Surface};
 use glam::DVec3;
 
-/// Adds what the tracer does; gives about how many paths each frame has.
+/// Adds the tracer's work; returns the approximate number of paths of each frame.
 pub(super) fn add(
     chain: &Chain,
     cache: Option<&Cache>,
@@ -26,7 +26,7 @@ pub(super) fn add(
         }
         let look = chain.look(plan.index)?;
         paths.push(look.cells * look.work.largest_cells);
-        // Frames whose bodies stand as in an earlier one find its paths in the cache.
+        // Frames whose bodies have the poses of an earlier one find its paths in the cache.
         let is_known =
             cache.is_some() && plans[..number].iter().any(|p| p.keys.bart_rcs == plan.keys.bart_rcs);
         if plan.runs(Stage::BartRcs) && !is_known {
@@ -52,12 +52,12 @@ fn add_frame(header: &SceneHeader, index: u32, look: &Look, work: &mut WorkCount
     }
 }
 
-/// Sums over all edges that a table takes beside those of the moments that it is traced at: nine aspects of a
-/// body that moves, and three that its errors are told from.
+/// Sums over all edges that a table takes beside those of its traced moments: nine aspects of a moving body,
+/// and three for its error estimate.
 const TABLE_SUMS: f64 = 12.0;
 
-/// Adds the tracing of a frame whose errors are measured: two moments, and integrals that are compared with
-/// finer ones.
+/// Adds the tracing of a frame whose errors are measured: two moments, and integrals compared with finer
+/// ones.
 fn add_measured(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     add_beams(header, look, 2.0, work);
     add_tiles(header, look, work);
@@ -72,8 +72,8 @@ fn add_measured(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     add_sliding(look, work);
 }
 
-/// Adds what a frame before a wide array is traced at beside its middle and one check: a transmitter's and a
-/// receiver's beams at each place, of which those of the row's nodes follow the ways that change alone.
+/// Adds the places at which a frame before a wide array is traced beside its middle and one check: beams of a
+/// transmitter and a receiver at each place; at the row's nodes only the paths that change are traced.
 fn add_places(header: &SceneHeader, index: u32, look: &Look, work: &mut WorkCounts) {
     let away_m = bart_rcs::element_offset_m(header);
     if away_m < WIDE_M {
@@ -85,12 +85,13 @@ fn add_places(header: &SceneHeader, index: u32, look: &Look, work: &mut WorkCoun
     }
     let ways = LOOKED_AT + CHANGING * NODES;
     add_beams(header, look, 2.0 * ways, work);
-    // Smaller cells do not follow outlines that slide from element to element: they are tried in vain.
+    // Smaller cells do not follow outlines that slide from element to element, so trying them is in vain.
     work.add(WorkKind::Cells, look.cells * look.work.largest_cells * ways);
 }
 
-/// Whether the outlines of some body slide by a wavelength and more between the array's middle and an
-/// element so far away: by as much less than the element as the body is smaller than its distance.
+/// Whether the outlines of some body slide by a wavelength or more between the array's middle and an element
+/// `away_m` from it: they slide by less than the element's offset, in the ratio of the body's size to its
+/// distance.
 fn outlines_slide(header: &SceneHeader, index: u32, away_m: f64) -> bool {
     let (view, frame) = (scene::frame_view(header, index), scene::snapshot(header, index));
     let position_m = DVec3::from_array(header.radar.position_m);
@@ -102,17 +103,18 @@ fn outlines_slide(header: &SceneHeader, index: u32, away_m: f64) -> bool {
     })
 }
 
-/// Arrays whose elements are all nearer to the radar's position are traced from there alone, nearly always.
+/// Largest distance, m, of elements from the radar's position within which arrays are nearly always traced
+/// from that position alone.
 const WIDE_M: f64 = 0.1;
-/// Accuracy up to which the array's middle is enough, nearly always, dB.
+/// Accuracy up to which the array's middle nearly always suffices, dB.
 const MET_WITHOUT_DB: f64 = -12.0;
-/// Ends of both checks of a wide array, less the one place that every frame is checked from.
+/// Ends of both checks of a wide array, without the one place from which every frame is checked.
 const CHECK_ENDS: f64 = 3.0;
-/// Places of the row that are looked at, all ways, and those of five nodes that neither the middle nor a
-/// look has: as a rule no more than five are needed.
+/// Places of the row at which all paths are traced, and the places of five nodes that are neither the middle
+/// nor such a look: five nodes are usually enough.
 const LOOKED_AT: f64 = 2.0;
 const NODES: f64 = 3.0;
-/// Share of the ways that change along the row.
+/// Share of the paths that change along the row.
 const CHANGING: f64 = 0.5;
 
 /// Adds the tracing of a frame that takes errors over: one moment and its paths.
@@ -123,8 +125,8 @@ fn add_like(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     add_sliding(look, work);
 }
 
-/// Adds the moments at which ways between bodies that move against each other are traced: as many in a frame
-/// that takes them over.
+/// Adds the moments at which paths between bodies in relative motion are traced: as many in a frame that
+/// takes errors over.
 fn add_sliding(look: &Look, work: &mut WorkCounts) {
     work.add(WorkKind::SlidingBeams, look.facets * look.work.sliding_beams);
     work.add(WorkKind::SlidingTiles, look.facets * look.work.sliding_tiles);
@@ -140,7 +142,7 @@ fn add_tiles(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     add_skins(header, tiles[0] + tiles[1], work);
 }
 
-/// Adds what tiles take more where bodies are no conductors, and where their skins are bent.
+/// Adds the additional cost of tiles on bodies that are not conductors, and on curved skins.
 fn add_skins(header: &SceneHeader, tiles: f64, work: &mut WorkCounts) {
     if header.meshes.iter().any(|mesh| !mesh.makeup.conducts_all_over()) {
         work.add(WorkKind::LossyTiles, tiles);

@@ -1,19 +1,19 @@
-//! Kinds of work that the time of a run goes into, and their counts.
+//! Kinds of work that take time in a run, and their counts.
 
 /// Kinds of work, each with a rate of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WorkKind {
     /// The program's start and its classifier.
     Run,
-    /// Triangles that are read, and of which bodies are built.
+    /// Triangles that are read and made into bodies.
     Triangles,
-    /// Facets of the tracer that are placed and looked at, by moment.
+    /// Facets of the tracer that are placed and tested, by moment.
     Facets,
-    /// Facets that may be seen straight from the radar.
+    /// Facets that may be in direct sight of the radar.
     InSight,
     /// Lit polygons.
     Beams,
-    /// Mirrors that are looked into.
+    /// Mirrors through which beams are followed.
     Mirrors,
     /// Tiles of the paths' integrals.
     Tiles,
@@ -27,29 +27,28 @@ pub enum WorkKind {
     LongTiles,
     /// Cells that paths are made of, where errors are measured (several sizes are tried).
     MeasuredCells,
-    /// Cells of frames that take errors over, and of the places that a wide array is traced from.
+    /// Cells of frames that take errors over, and of the other places of a wide array.
     Cells,
-    /// Measured cells times the metres that the array reaches from its middle: outlines of what is lit differ
-    /// from element to element, and finer cells are tried in vain against that.
+    /// Measured cells times the distance in metres from the array's middle to its end: outlines of the lit
+    /// parts differ from element to element, and finer cells are tried in vain against that.
     WideCells,
-    /// Lit polygons of ways between bodies that move against each other, times the wavelengths that they
-    /// slide.
+    /// Lit polygons of paths between bodies in relative motion, times the wavelengths by which they slide.
     SlidingBeams,
-    /// Tiles of ways between bodies that move against each other, times the wavelengths that they slide.
+    /// Tiles of paths between bodies in relative motion, times the wavelengths by which they slide.
     SlidingTiles,
-    /// Lit polygons of ways between bodies that move against each other, however far they slide.
+    /// Lit polygons of paths between bodies in relative motion, however far they slide.
     MovingBeams,
-    /// Tiles of ways between bodies that move against each other, however far they slide.
+    /// Tiles of paths between bodies in relative motion, however far they slide.
     MovingTiles,
-    /// Cells of ways between bodies that move against each other, however far they slide.
+    /// Cells of paths between bodies in relative motion, however far they slide.
     MovingCells,
-    /// Lit polygons over a road that mirrors.
+    /// Lit polygons over a reflecting road.
     RoadBeams,
     /// Lit polygons whose edges diffract.
     EdgeBeams,
-    /// Tiles of all integrals, finer ones too, on bodies that are no conductors.
+    /// Tiles of all integrals, finer ones too, on bodies that are not conductors.
     LossyTiles,
-    /// Tiles of all integrals, finer ones too, on skins that are taken as smooth (bent facets).
+    /// Tiles of all integrals, finer ones too, on smooth skins (bent facets).
     BentTiles,
     /// Tiles of far-field tables, each of many aspects and frequencies.
     TableTiles,
@@ -63,7 +62,7 @@ pub enum WorkKind {
     MapCells,
     /// Bodies whose points are located and classified.
     Bodies,
-    /// Bodies whose points are located and classified where several echoes of a cell are looked for.
+    /// Bodies whose points are located and classified, with a search for several echoes in a cell.
     SeparatedBodies,
     /// Frames that are drawn.
     Frames,

@@ -1,5 +1,5 @@
-//! Headers of a scene's artifacts, and its bodies as these number them: the scene's targets, then every
-//! vehicle of its traffic that is in view in some frame.
+//! Headers of a scene's artifacts, and its bodies in their numbering: the scene's targets, then every vehicle
+//! of its traffic that is in view in some frame.
 
 use artifact::cube::CubeHeader;
 use artifact::paths::PathsHeader;
@@ -26,7 +26,7 @@ pub(crate) fn points_header(cube: &CubeHeader) -> PointsHeader {
     PointsHeader { cube: Some(cube.clone()), targets: vec![], classes: vec![] }
 }
 
-/// Header of the `.points` artifact of a run, whose points know whose they are.
+/// Header of the `.points` artifact of a run, with the true origins of points.
 pub fn points_header_with_truth(scene: &SceneHeader, cube: &CubeHeader) -> PointsHeader {
     let classes = scene.bodies().map(|(_, kind)| kind.class()).collect();
     PointsHeader { targets: body_ids(scene), classes, ..points_header(cube) }

@@ -1,5 +1,5 @@
-//! The sessions of a scene's stages: tracer, synthesizer and receiver, each made when the first frame asks
-//! for it, and then taking every frame.
+//! The sessions of a scene's stages: tracer, synthesizer and receiver, each made when the first frame needs
+//! it, and used for every frame.
 
 use crate::chain::keys::{cube_header, echo_header};
 use crate::host::failure::Failure;
@@ -17,7 +17,7 @@ type Session<T, E> = OnceLock<Result<T, E>>;
 /// Sessions of the stages of one scene.
 pub(super) struct StageSessions<'a> {
     header: &'a SceneHeader,
-    /// The radar and its processing, as the maps' stage takes them.
+    /// The radar and its processing, as the detection stage takes them.
     pub(super) cube_header: CubeHeader,
     echo_header: CubeHeader,
     tracer: Session<bart_rcs::Tracer, bart_rcs::BartError>,
@@ -27,7 +27,7 @@ pub(super) struct StageSessions<'a> {
 }
 
 impl<'a> StageSessions<'a> {
-    /// Makes the sessions of a scene, none of them begun.
+    /// Makes the sessions of a scene, none of them started.
     pub(super) fn of(header: &'a SceneHeader) -> Self {
         Self {
             header,
@@ -40,13 +40,13 @@ impl<'a> StageSessions<'a> {
         }
     }
 
-    /// The sessions with a tracer of the same meshes that was made before.
+    /// Uses an existing tracer of the same meshes.
     pub(super) fn tracing_by(self, tracer: bart_rcs::Tracer) -> Self {
         Self { tracer: OnceLock::from(Ok(tracer)), ..self }
     }
 
-    /// Tracer without a limit of memory, for looks; refused where the bodies at rest do not fit into the
-    /// memory that tracing may take.
+    /// Tracer without a memory limit, for looks; refused where the bodies at rest do not fit into the allowed
+    /// memory.
     pub(super) fn unlimited_tracer(&self, memory: Allowance) -> Result<&bart_rcs::Tracer, Failure> {
         let triangles = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
         memory.check(memory::mib(bart_rcs::memory_estimate_bytes(triangles, 0, 0)))?;
@@ -57,7 +57,7 @@ impl<'a> StageSessions<'a> {
         self.tracer.get_or_init(build).as_ref().map_err(Failure::refused)
     }
 
-    /// Tracer of the frames, held to a frame's share of the memory.
+    /// Tracer of the frames, limited to a frame's share of the memory.
     pub(super) fn tracer(
         &self,
         memory: Allowance,
@@ -67,8 +67,8 @@ impl<'a> StageSessions<'a> {
         Ok(self.limited.get_or_init(|| tracer.clone().within(share_of_a_frame())))
     }
 
-    /// Synthesizer that makes cubes of the scene's paths: with the road's own backscatter, which no `.paths`
-    /// holds and no table hears.
+    /// Synthesizer that makes cubes of the scene's paths, with the road's own backscatter, which neither
+    /// `.paths` nor tables contain.
     pub(super) fn synthesizer(&self) -> Result<&fmcw_echo::Synthesizer, Failure> {
         let SceneHeader { radar, backscatter, seed, fidelity, .. } = self.header;
         let build = || {

@@ -1,4 +1,4 @@
-//! A stage's part of one frame: taken from the cache or computed and put there, with the time that it took.
+//! One stage's step of a frame: taken from the cache, or computed and stored there, with its time.
 
 use crate::chain::cache::Cache;
 use crate::chain::keys::Key;
@@ -23,14 +23,14 @@ impl<T> Step<T> {
 /// Frames of the stages of one scene in the cache, if there is one.
 pub(super) struct StageFrames<'a> {
     pub(super) cache: Option<&'a Cache>,
-    /// Last stage whose frames are looked for in the cache and put there.
+    /// Last stage whose frames are read from and written to the cache.
     pub(super) kept_to: Stage,
     /// Name of the scene.
     pub(super) scene: &'a str,
 }
 
 impl StageFrames<'_> {
-    /// Takes a stage's frame from the cache, or computes it and puts it there.
+    /// Takes a stage's frame from the cache, or computes and stores it.
     pub(super) fn step<S: Schema>(
         &self,
         stage: Stage,
@@ -38,8 +38,8 @@ impl StageFrames<'_> {
         header: &S::Header,
         compute: impl FnOnce() -> Result<S::Frame, Failure>,
     ) -> Result<Step<S::Frame>, Failure> {
-        // Looked for even where the plan found nothing: an equal frame of this run may have put it there
-        // since.
+        // The lookup is repeated even if the plan found nothing: an equal frame of this run may have stored
+        // it since.
         let cache = self.cache.filter(|_| stage <= self.kept_to);
         if let Some(value) = cache.and_then(|cache| cache.get::<S>(stage, key)) {
             return Ok(Step { value, cached: true });
@@ -61,7 +61,7 @@ pub(super) struct StageTimes {
 }
 
 impl StageTimes {
-    /// Carries out a stage's step and keeps its time by the clock.
+    /// Runs a stage's step and records its wall-clock time.
     pub(super) fn time<T>(
         &mut self,
         stage: Stage,

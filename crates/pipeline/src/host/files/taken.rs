@@ -1,14 +1,14 @@
-//! Names that what is under way in this process has taken.
+//! Names taken by the commands under way in this process.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Names that are taken.
+/// Taken names.
 pub(super) struct Taken {
     /// Files that were written.
     pub(super) files: BTreeSet<PathBuf>,
-    /// Folders into which runs write.
+    /// Folders that runs write into.
     pub(super) folders: BTreeSet<PathBuf>,
 }
 
@@ -18,7 +18,7 @@ pub(super) fn taken() -> MutexGuard<'static, Taken> {
     TAKEN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Name that all ways to a file share, where its folder exists.
+/// Canonical name of a file, if its folder exists.
 pub(super) fn one_name(place: &Path) -> PathBuf {
     let folder = place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     match (std::fs::canonicalize(place), std::fs::canonicalize(folder), place.file_name()) {

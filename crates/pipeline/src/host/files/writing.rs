@@ -1,26 +1,26 @@
-//! A folder of results that one command fills at a time.
+//! A folder of results that only one command fills at a time.
 
 use super::taken::{one_name, taken};
 use crate::host::failure::Failure;
 use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
 
-/// A command that writes into a folder: it writes no file twice, and no other one writes there meanwhile.
-/// When it ends, a later one may write the same files again.
+/// A command that writes into a folder: it writes no file twice, and no other command writes there meanwhile.
+/// After its end, a later one may write the same files again.
 ///
-/// The folder itself is locked: the lock ends with its process, whatever ends that, and leaves nothing
-/// behind. Some systems open no folder and some file systems lock none: there the commands of this process
-/// alone know of each other.
+/// The folder itself is locked: the lock ends with its process, however that ends, and leaves nothing behind.
+/// Where the system cannot open folders or the file system has no locks, only the commands of this process
+/// exclude each other.
 pub struct Writing {
     folder: PathBuf,
     lock: Option<File>,
 }
 
 impl Writing {
-    /// Begins to write into a folder, which is made where it is missing.
+    /// Begins to write into a folder, which is created if missing.
     ///
     /// # Errors
-    /// Another command is writing there, of this process or another one.
+    /// Another command, of this process or another one, is writing there.
     pub fn into_folder(folder: &Path) -> Result<Self, Failure> {
         let writing = Self::of_process(folder)?;
         match writing.lock.as_ref().map(File::try_lock) {
@@ -30,16 +30,16 @@ impl Writing {
     }
 
     /// Begins to write into a folder as [`Writing::into_folder`] does, but waits for other processes that
-    /// write there: parts of one study, of which each may be the last.
+    /// write there: parts of one study, each of which may be the last.
     pub fn in_turn_into(folder: &Path) -> Result<Self, Failure> {
         let writing = Self::of_process(folder)?;
         if let Some(lock) = &writing.lock {
-            let _ = lock.lock(); // where none is known, none is waited for
+            let _ = lock.lock(); // without locks there is nothing to wait for
         }
         Ok(writing)
     }
 
-    /// The folder, which no other command of this process has, open to be locked where the system opens it.
+    /// Reserves the folder within this process, and opens it for locking where the system can.
     fn of_process(folder: &Path) -> Result<Self, Failure> {
         let folder = std::path::absolute(folder).map_err(|e| Failure::system(folder, "write", e))?;
         std::fs::create_dir_all(&folder).map_err(|e| Failure::system(&folder, "make the folder", e))?;
@@ -59,7 +59,7 @@ fn refused(folder: &Path) -> Failure {
 impl Drop for Writing {
     fn drop(&mut self) {
         let mut taken = taken();
-        // What was not there at the beginning has its whole name now.
+        // A folder that did not exist at the beginning can be resolved now.
         for name in [one_name(&self.folder), self.folder.clone()] {
             taken.folders.remove(&name);
             taken.files.retain(|file| !file.starts_with(&name));

@@ -1,10 +1,10 @@
-//! Callers of a process that each ask for work of their own at the same time.
+//! Callers of a process, each of which requests work of its own at the same time.
 
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Whoever work is done for. A thread works for one caller; threads that it begins work for the same one
-/// where they are begun by [`Caller::during`].
+/// The party that work is done for. A thread works for one caller; threads that it begins work for the same
+/// one if they are begun by [`Caller::during`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Caller(u64);
 
@@ -14,7 +14,7 @@ thread_local! {
 }
 
 impl Caller {
-    /// A caller whose work is told apart from that of all others.
+    /// A new caller, whose work is separate from that of all others.
     pub fn another() -> Self {
         Self(CALLERS.fetch_add(1, Ordering::Relaxed))
     }

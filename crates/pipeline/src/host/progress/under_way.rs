@@ -1,4 +1,4 @@
-//! Work that is under way, outermost first, and when a line about it is due.
+//! Work under way, outermost first, and the times at which a line about it is due.
 
 use super::caller::Caller;
 use std::collections::BTreeSet;
@@ -7,20 +7,19 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Work and when it was last told of.
+/// Work, and the time of its last line.
 pub(super) struct UnderWay {
     items: Vec<Arc<Item>>,
     last_line: Option<Instant>,
-    /// Names, without figures, that had a line of their own.
+    /// Names, without figures, that already had a line of their own.
     told: BTreeSet<String>,
 }
 
-/// Work, or a part of it, that is silent for so long has a line: with a look and what the system takes,
-/// within 2 s.
+/// Silence after which work, or a part of it, has a line: with a look and the system's overhead, within 2 s.
 const FIRST_LINE: Duration = Duration::from_millis(1500);
-/// Lines of other work are at least so far apart.
+/// Least interval between lines of different work.
 const BETWEEN_FIRST_LINES: Duration = Duration::from_millis(400);
-/// Enough to see that it lives, few enough for a log.
+/// Interval of further lines: short enough to show life, long enough for a log.
 const BETWEEN_LINES: Duration = Duration::from_secs(10);
 
 /// A piece of work.
@@ -34,13 +33,13 @@ pub(super) struct Item {
     /// 0 where steps cannot be counted.
     of: AtomicUsize,
     part: Mutex<Option<Part>>,
-    /// Stages that each of the frames goes through; the one that it is, of work on one of these.
+    /// Stages that each of the frames goes through; for work on one stage, that stage.
     stages: Vec<FrameStage>,
-    /// The largest share that was shown, as its bits, which are in the order of the numbers.
+    /// Largest share shown, as its bits, which sort like the numbers.
     shown: AtomicU64,
 }
 
-/// Stage of a frame, as far as progress knows them.
+/// Stage of a frame, as progress distinguishes them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FrameStage {
     /// Paths, or tables of bodies.
@@ -52,7 +51,7 @@ pub enum FrameStage {
 }
 
 impl FrameStage {
-    /// Parts of a frame's time that stages usually take, in the same unit.
+    /// Usual part of a frame's time, in a unit common to the stages.
     fn weight(self) -> f64 {
         match self {
             Self::Scattering => 6.0,
@@ -69,13 +68,13 @@ impl FrameStage {
     }
 }
 
-/// Part of a piece of work that is being done.
+/// Part of a piece of work that is under way.
 #[derive(Clone, Copy)]
 struct Part {
     name: &'static str,
     /// Index of this part, and how many parts one step has.
     place: [usize; 2],
-    /// Times that the parts began anew, coarse and finer: nobody knows how many there will be.
+    /// Number of times that the parts began anew, from coarse to finer; their total is unknown.
     round: i32,
     began: Instant,
     done: usize,
@@ -84,9 +83,9 @@ struct Part {
 
 /// State of the work for a progress bar.
 pub struct Shown {
-    /// Names of the work, and how far it is.
+    /// Names of the work, and its progress.
     pub text: String,
-    /// Share of the whole that is done, 0 to 1.
+    /// Completed share of the whole, 0 to 1.
     pub share: f64,
 }
 
@@ -120,7 +119,7 @@ impl UnderWay {
         let is_first = now.saturating_duration_since(began) >= FIRST_LINE
             && since.is_none_or(|since| since >= BETWEEN_FIRST_LINES)
             && !self.told.contains(&kind);
-        // Many short pieces one after the other are silent together.
+        // Many consecutive short pieces are silent together.
         let quiet_since = self.last_line.or(self.items.first().map(|item| item.began))?;
         let quiet_for = now.saturating_duration_since(quiet_since);
         let is_again = quiet_for >= if self.last_line.is_some() { BETWEEN_LINES } else { FIRST_LINE };
@@ -146,7 +145,7 @@ impl UnderWay {
     }
 }
 
-/// Share of the outermost work that counts, with what is done of its steps under way; it never falls.
+/// Completed share of the outermost counted work, with its steps under way; it never decreases.
 fn share(items: &[Arc<Item>]) -> f64 {
     let Some(at) = items.iter().position(|item| item.counts().is_some()) else { return 0.0 };
     let (outer, within) = (&items[at], &items[at + 1..]);
@@ -156,7 +155,7 @@ fn share(items: &[Arc<Item>]) -> f64 {
     share.max(f64::from_bits(before))
 }
 
-/// The outermost work, the one that counts, the one that counts a step of it, and the last begun.
+/// Names of the outermost work, the counted one, the one that counts a step of it, and the latest.
 fn text(items: &[Arc<Item>], now: Instant) -> String {
     let last = items.len().saturating_sub(1);
     let counts = |from: usize| (from..items.len()).find(|&index| items[index].counts().is_some());
@@ -175,7 +174,8 @@ impl Item {
         self.done.store(done, Ordering::Relaxed);
     }
 
-    /// Tells how far a part of the step under way is, by its name and its place among the step's parts.
+    /// Records the progress of a part of the step under way, by its name and its place among the step's
+    /// parts.
     pub(super) fn part_at(
         &self,
         (name, place): (&'static str, [usize; 2]),
@@ -198,8 +198,8 @@ impl Item {
         (of > 0).then(|| (self.done.load(Ordering::Relaxed).min(of), of))
     }
 
-    /// Steps under way that are done, given the work begun since: of frames by what is done of each one's
-    /// stages; of other steps by the parts of one, or by the work within it that counts.
+    /// Completed steps' worth of the steps under way, given the work begun since: for frames from their
+    /// stages; for other steps from the parts of one, or from the counted work within it.
     fn under_way(&self, within: &[Arc<Item>]) -> f64 {
         if self.stages.is_empty() {
             return self.part_share().max(share(within));
@@ -207,8 +207,8 @@ impl Item {
         within.iter().map(|item| item.share_of_frame(&self.stages)).sum()
     }
 
-    /// Share of the step under way that its parts have done; 0 where no step has parts. Each round of them is
-    /// taken for half of what is left.
+    /// Completed share of the step under way by its parts; 0 if no step has parts. Each round is taken for
+    /// half of the remainder.
     fn part_share(&self) -> f64 {
         let Some(Part { place: [at, parts], round, done, of, .. }) = self.part() else { return 0.0 };
         let of_part = if of > 0 { done.min(of) as f64 / of as f64 } else { 0.0 };
@@ -217,7 +217,7 @@ impl Item {
         1.0 - left + 0.5 * left * of_round
     }
 
-    /// Share of a frame of these stages that is done when this work is so far; 0 of work on no stage of one.
+    /// Completed share of a frame of these stages at this work's progress; 0 for work on no stage of a frame.
     fn share_of_frame(&self, stages: &[FrameStage]) -> f64 {
         let [stage] = self.stages[..] else { return 0.0 };
         let [from, to] = stage.between(stages);
@@ -236,7 +236,8 @@ impl Item {
         if let Some(part) = self.part() {
             _ = write!(text, ", {}", part.name);
             if part.of > 0 {
-                // Parts begin anew, and others follow: how long this one will take says nothing of the work.
+                // Parts begin anew, and others follow: the time of this one does not predict that of the
+                // work.
                 _ = write!(text, ": {} of {}", part.done.min(part.of), part.of);
             }
         }
@@ -244,8 +245,8 @@ impl Item {
     }
 }
 
-/// Adds how far the work is, and how long it will take if it goes on as it went so far, once a few steps tell
-/// that: the first frame measures errors that those after it take over.
+/// Adds the progress and the remaining time at the present rate, once a few steps allow a prediction: the
+/// first frame measures errors that later ones take over.
 fn add_counts(text: &mut String, [done, of, found]: [usize; 3], ran: Duration) {
     _ = write!(text, ": {done} of {of}");
     let here = done.saturating_sub(found);
@@ -255,7 +256,7 @@ fn add_counts(text: &mut String, [done, of, found]: [usize; 3], ran: Duration) {
     }
 }
 
-/// Steps that tell how long others take; of fewer than fifteen a fifth does.
+/// Number of steps needed for a prediction; with fewer than fifteen steps, a fifth suffices.
 const FEW_STEPS: usize = 3;
 
 #[cfg(test)]

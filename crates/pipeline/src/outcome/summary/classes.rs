@@ -3,7 +3,7 @@
 use artifact::settings::Class;
 use serde::{Deserialize, Serialize};
 
-/// Probability of each class, from 0 to 1; `None` where the classifier was not asked.
+/// Probability of each class, from 0 to 1; `None` if nothing was classified.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Probabilities {
     /// Probability of a car.
@@ -17,13 +17,13 @@ pub struct Probabilities {
 }
 
 impl Probabilities {
-    /// Makes probabilities of a classifier's values in the order of [`Class::ALL`].
+    /// Makes probabilities from a classifier's values in the order of [`Class::ALL`].
     pub fn of(values: Option<&[f32; 4]>) -> Self {
         let [car, bus, truck, motorcycle] = [0, 1, 2, 3].map(|i| values.map(|values| f64::from(values[i])));
         Self { car, bus, truck, motorcycle }
     }
 
-    /// Probability of one class; `None` where the classifier was not asked.
+    /// Probability of one class; `None` if nothing was classified.
     pub fn of_class(&self, class: Class) -> Option<f64> {
         match class {
             Class::Car => self.car,
@@ -33,7 +33,7 @@ impl Probabilities {
         }
     }
 
-    /// The likeliest class; of equally likely ones the last by name.
+    /// The likeliest class; among equally likely ones the last by name.
     pub fn likeliest(&self) -> Option<(Class, f64)> {
         let known = Class::ALL.into_iter().filter_map(|class| Some((class, self.of_class(class)?)));
         known.max_by(|a, b| a.1.total_cmp(&b.1).then(a.0.name().cmp(b.0.name())))

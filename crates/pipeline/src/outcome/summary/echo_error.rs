@@ -1,4 +1,4 @@
-//! Error of a target's own echo, and what of it reaches the estimate.
+//! Error of a target's own echo, and its effect on the estimate.
 
 use crate::chain::frame_result::FrameResult;
 use crate::outcome::error_figures::db;
@@ -7,23 +7,23 @@ use artifact::points::Point;
 use artifact::scene::SceneHeader;
 use serde::{Deserialize, Serialize};
 
-/// Numerical error of a target's own echo, and the standard errors that it brings the estimate: to first
-/// order, as if the echoes of the object's points erred by as much each and one by one.
+/// Numerical error of a target's own echo, and the resulting standard errors of the estimate: to first order,
+/// as if the echoes of the object's points had equal and independent relative errors.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct EchoError {
-    /// Error of the echo, dB relative to it: as the frame's total, for the target alone.
+    /// Error of the echo, dB relative to it: the frame's total restricted to the target.
     pub echo_db: Option<f64>,
     /// Standard error of the range, m; `None` without an object.
     pub range_m: Option<f64>,
     /// Standard error of the radial velocity, m/s; `None` without an object.
     pub radial_velocity_mps: Option<f64>,
-    /// Standard error of the place across the line of sight, m; `None` without an object, and of an array
-    /// that tells no azimuth.
+    /// Standard error of the place across the line of sight, m; `None` without an object, and for an array
+    /// that measures no azimuth.
     pub across_m: Option<f64>,
 }
 
 impl EchoError {
-    /// Error of a target, by its index in the header, whose object is `object`; `None` where none was
+    /// Error of a target, by its index in the header, whose object is `object`; `None` if it was not
     /// measured.
     pub(super) fn of(
         header: &SceneHeader,
@@ -39,8 +39,8 @@ impl EchoError {
     }
 }
 
-/// Standard errors of the power-weighted means of points' ranges, velocities and places across, where the
-/// echo of each errs by a relative amplitude ε: its power errs by 2·Re ε and moves the mean, and its peak by
+/// Standard errors of the power-weighted means of the points' ranges, velocities and places across, where
+/// each echo has a relative amplitude error ε: its power error 2·Re ε moves the mean, and its peak errs by
 /// the Cramér–Rao bound at a signal-to-noise ratio of 1/ε² over all values.
 fn standard_errors(radar: &Radar, points: &[&Point], amplitude: f64) -> [Option<f64>; 3] {
     let snr_per_cell = amplitude.powi(-2) / radar.virtual_channels() as f64;
@@ -56,8 +56,8 @@ fn standard_errors(radar: &Radar, points: &[&Point], amplitude: f64) -> [Option<
     ]
 }
 
-/// Standard error of the mean of a value, each told with the standard error of its own; `None` where that has
-/// no end, or of no points.
+/// Standard error of the mean of a value, given with its own standard error for each point; `None` if it is
+/// not finite or there are no points.
 fn of_mean(points: &[&Point], amplitude: f64, value: impl Fn(&Point) -> (f64, f64)) -> Option<f64> {
     let middle = mean(points, |point| value(point).0);
     let power: f64 = points.iter().map(|point| weight(point)).sum();
@@ -74,7 +74,7 @@ fn mean(points: &[&Point], value: impl Fn(&Point) -> f64) -> f64 {
     points.iter().map(|point| weight(point) * value(point)).sum::<f64>() / power
 }
 
-/// Power of a point over the noise, which all share.
+/// Power of a point relative to the noise, which is common to all points.
 fn weight(point: &Point) -> f64 {
     10.0_f64.powf(0.1 * point.snr_db)
 }

@@ -24,38 +24,38 @@ use std::collections::BTreeMap;
 pub struct FrameSummary {
     /// Time of the frame's first sample, s.
     pub time_s: f64,
-    /// Wall-clock time of each stage, from its begin to its end, s.
+    /// Wall-clock time of each stage, from its beginning to its end, s.
     pub stage_seconds: BTreeMap<Stage, f64>,
     /// Stages whose artifact was in the cache.
     pub cached: Vec<Stage>,
-    /// Number of paths that the echo is made of; `None` of echoes from tables.
+    /// Number of paths in the echo; `None` for echoes from tables.
     pub paths: Option<usize>,
-    /// Level of detail of each target's paths; `None` of echoes from tables.
+    /// Level of detail of each target's paths; `None` for echoes from tables.
     pub detail: Option<Vec<TargetDetail>>,
     /// Number of detected points.
     pub points: usize,
-    /// Number of points among them of which the cone around the row alone is told: their range is less than
-    /// the assumed height is away.
+    /// Number of points among them that give only the cone around the row: their range is less than the
+    /// distance to the assumed height.
     #[serde(default)]
     pub points_without_height: usize,
-    /// Whether the map shows velocities as they are.
+    /// Whether the map shows velocities without aliasing.
     pub rdm_state: MapState,
-    /// Whether there are objects, and of each one multiple of the velocity span is left.
+    /// Whether there are objects, and the Doppler ambiguity of each is resolved.
     pub velocity_resolved: bool,
-    /// Whether the numerical error is as small as was asked.
+    /// Whether the numerical error is within the requested accuracy.
     pub accuracy: AccuracyVerdict,
     /// Estimated numerical error of the frame.
     pub error_db: ErrorFigures,
-    /// The frame in which the paths' errors were measured; `None` of echoes from tables.
+    /// The frame in which the paths' errors were measured; `None` for echoes from tables.
     pub error_measured_in: Option<u32>,
-    /// Error by what the physical model leaves out.
+    /// Errors of the physical model.
     pub model_error_db: ModelErrorFigures,
-    /// Bounces that ways over bodies have at most; 0 of a scene without meshes, in which nothing bounces.
+    /// Largest number of bounces of paths over bodies; 0 for a scene without meshes.
     #[serde(default)]
     pub bounces: u8,
-    /// Memory that the frame was expected to hold at most, MiB.
+    /// Expected upper limit of the frame's memory, MiB.
     pub memory_estimate_mib: f64,
-    /// Largest memory of the process until the frame's end, MiB; `None` where the system does not tell.
+    /// Peak memory of the process until the frame's end, MiB; `None` where the system does not report it.
     pub peak_memory_mib: Option<f64>,
     /// Targets in view.
     pub targets: Vec<TargetSummary>,
@@ -63,41 +63,41 @@ pub struct FrameSummary {
     pub clutter: Vec<ClutterSummary>,
     /// Objects of no target.
     pub false_objects: Vec<FalseObject>,
-    /// Number of points at rest among `points`; `None` where the settings do not ask.
+    /// Number of points at rest among `points`; `None` if the settings keep static echoes unmarked.
     pub stationary_points: Option<usize>,
-    /// Objects at rest that are no body's.
+    /// Objects at rest that belong to no body.
     pub stationary_objects: Vec<FalseObject>,
-    /// Tracks that are believed: confirmed or coasting ones.
+    /// Confirmed and coasting tracks.
     pub tracks: Vec<TrackSummary>,
 }
 
-/// State of a range-Doppler map as the paper's Table 2 has it.
+/// State of a range-Doppler map, as in Table 2 of the paper.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum MapState {
-    /// Every target shows at its velocity.
+    /// Every target appears at its true velocity.
     #[default]
     Normal,
     /// The velocity of some target is aliased.
     Abnormal,
 }
 
-/// Level of detail of a target: how much of its paths the echo is made of.
+/// Level of detail of a target: the part of its paths that makes the echo.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TargetDetail {
-    /// Level of detail that was taken; never `Auto`.
+    /// Level of detail in use; never `Auto`.
     #[serde(with = "DetailWord")]
     pub level: Detail,
-    /// Number of paths that were traced.
+    /// Number of traced paths.
     pub paths_traced: u64,
-    /// Number of paths that the echo is made of.
+    /// Number of paths in the echo.
     pub paths: u64,
-    /// Error of the target's echo against that of all its paths, dB; `None` where these were kept.
+    /// Error of the target's echo relative to that of all its paths, dB; `None` if all were kept.
     pub error_db: Option<f64>,
 }
 
 impl FrameSummary {
-    /// Tells a frame's result beside its truth.
+    /// Summarizes a frame's result beside its ground truth.
     pub fn of(
         header: &SceneHeader,
         result: &FrameResult,
@@ -107,7 +107,7 @@ impl FrameSummary {
         Self::of_planned(header, None, (result, truth), tracks)
     }
 
-    /// The same of a scene whose physics was planned, or may have been.
+    /// Summarizes a frame of a scene whose physics may have been planned.
     pub fn of_planned(
         header: &SceneHeader,
         plan: Option<&PlanFigures>,

@@ -1,4 +1,4 @@
-//! A scene through one radar: the whole file, its way to text and back.
+//! Summary of a scene with one radar, with its reading and writing.
 
 use crate::host::failure::Failure;
 use crate::host::files;
@@ -14,19 +14,19 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// A hundred thousand frames of ten targets.
+/// Largest file: a hundred thousand frames of ten targets.
 const LIMIT_BYTES: u64 = 1 << 30;
 
-/// Summary of a scene through one radar.
+/// Summary of a scene with one radar.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// The scene's name; with several radars `<scene>/<radar>`.
     pub scene: String,
-    /// Seed of the noise and of all that is random.
+    /// Seed of the noise and of all other random draws.
     pub seed: u64,
-    /// Wall-clock time from the first frame's begin to the last picture's end, s.
+    /// Wall-clock time from the beginning of the first frame to the end of the last picture, s.
     pub frames_seconds: f64,
-    /// Processor time of all threads within `frames_seconds`, s; `None` where the system does not tell.
+    /// Processor time of all threads within `frames_seconds`, s; `None` where the system does not report it.
     pub frames_processor_seconds: Option<f64>,
     /// Names of lanes by their numbers; empty where the scene has no lanes.
     pub lanes: Vec<LaneSummary>,
@@ -35,12 +35,12 @@ pub struct Summary {
     pub static_echoes: StaticEchoes,
     /// Waveform, array size and limits of the radar.
     pub radar: RadarSummary,
-    /// Plan by which the physics was chosen; `None`, and not in the file, where the scene says all itself.
+    /// Plan by which the physics was chosen; `None`, and not in the file, if the scene specifies all of it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plan: Option<PlanFigures>,
     /// Summaries of the frames, in order.
     pub frames: Vec<FrameSummary>,
-    /// Objects and tracks beside the truth, over all frames.
+    /// Metrics of objects and tracks against the ground truth, over all frames.
     pub metrics: Metrics,
 }
 
@@ -61,10 +61,10 @@ impl Summary {
         }
     }
 
-    /// Reads a `summary.json` of one radar; keys that are not known are passed over.
+    /// Reads a `summary.json` of one radar; unknown keys are ignored.
     ///
     /// # Errors
-    /// The file is unreadable, or is no such summary.
+    /// The file is unreadable, or is not such a summary.
     pub fn read(file: &Path) -> Result<Self, Failure> {
         let text = files::read_own(file, LIMIT_BYTES).map_err(|e| Failure::system(file, "read", e))?;
         serde_json::from_slice(&text).map_err(Failure::refused).map_err(|failure| failure.about(file))
@@ -73,22 +73,22 @@ impl Summary {
     /// The text of `summary.json`.
     ///
     /// # Errors
-    /// None that a summary of a run can make.
+    /// None for a summary of a run.
     pub fn json(&self) -> Result<String, Failure> {
         text(self)
     }
 }
 
-/// Whether a text is a `summary.json`, of one radar or several, by its outermost keys; an empty one holds
-/// nothing of anybody's.
+/// Whether a text is a `summary.json`, of one radar or several, by its outermost keys; an empty one counts
+/// too, because it holds no data.
 pub fn is_summary(text: &[u8]) -> bool {
     let keys: BTreeMap<String, IgnoredAny> = serde_json::from_slice(text).unwrap_or_default();
     let has = |key: &str| keys.contains_key(key);
     text.is_empty() || has("scene") && has("frames") && (has("radar") || has("radars"))
 }
 
-/// Text of a summary by way of a `Value`, which has its keys in alphabetical order, as the file has them:
-/// fields stand in the order in which they are read.
+/// Text of a summary by way of a `Value`, which sorts its keys alphabetically as the file does; the struct's
+/// fields are in reading order.
 pub(super) fn text(summary: &impl Serialize) -> Result<String, Failure> {
     let value = serde_json::to_value(summary).map_err(Failure::refused)?;
     serde_json::to_string_pretty(&value).map_err(Failure::refused)

@@ -7,7 +7,7 @@ use artifact::settings::Noise;
 use radar::lattice::tells_azimuth;
 use serde::{Deserialize, Serialize};
 
-/// The radar in the words of the field.
+/// Parameters of the radar in standard terms.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RadarSummary {
     /// Centre frequency of the sampled sweep, Hz.
@@ -18,20 +18,20 @@ pub struct RadarSummary {
     pub chirp_interval_s: f64,
     /// Number of samples of a chirp in one receiver.
     pub samples_per_chirp: u32,
-    /// Whether the mixer's product is sampled as complex or as real values.
+    /// Whether the mixer's output is sampled as complex or as real values.
     #[serde(with = "SamplingWord")]
     pub sampling: Sampling,
     /// Number of chirps of each transmitter in a frame.
     pub chirps: u32,
     /// Number of virtual channels: transmitters times receivers.
     pub channels: usize,
-    /// Whether the array tells azimuths: it has elements in more than one place along the row.
+    /// Whether the array measures azimuths: it has elements at more than one place along the row.
     #[serde(default = "by_older_summaries")]
     pub tells_azimuth: bool,
-    /// Whether echoes have noise: where they have none, a floor below the map's peak stands in.
+    /// Whether echoes have noise; without noise a floor below the map's peak replaces it.
     #[serde(default = "by_older_summaries")]
     pub has_noise: bool,
-    /// Errors of the array's elements; `None` of an ideal array.
+    /// Errors of the array's elements; `None` for an ideal array.
     pub element_errors: Option<ElementErrors>,
     /// Range resolution of the sampled sweep, m.
     pub range_resolution_m: f64,
@@ -45,7 +45,7 @@ pub struct RadarSummary {
     pub sample_rate_hz: f64,
 }
 
-/// Errors of the array's elements: those that the scene lists and those that its seed draws, together.
+/// Errors of the array's elements: the listed and the drawn errors together.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ElementErrors {
     /// Errors of each transmitter.
@@ -59,16 +59,16 @@ pub struct ElementErrors {
 pub struct ElementErrorSummary {
     /// Error of the element's amplitude, dB.
     pub gain_db: f64,
-    /// Error of the phase of its echoes' IF values, degrees.
+    /// Error of the phase of the element's IF values, degrees.
     pub phase_deg: f64,
-    /// Error of the delay of its line, ps.
+    /// Error of the delay of the element's line, ps.
     pub delay_ps: f64,
 }
 
 /// Lane with its number, its name and its width.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LaneSummary {
-    /// Number of the lane, as estimates and truths name it.
+    /// Number of the lane, as used in estimates and truths.
     pub number: u8,
     /// Name of the lane in a network; `None` without a network.
     pub id: Option<String>,
@@ -76,13 +76,13 @@ pub struct LaneSummary {
     pub width_m: f64,
 }
 
-/// Arrays of summaries that did not tell had azimuths and noise, or were taken to have them.
+/// Default for older summaries without these keys: arrays measure azimuths and echoes have noise.
 fn by_older_summaries() -> bool {
     true
 }
 
 impl RadarSummary {
-    /// Tells the radar of a scene.
+    /// Summarizes the radar of a scene.
     pub fn of(header: &SceneHeader) -> Self {
         let (radar, waveform) = (&header.radar, &header.radar.waveform);
         Self {

@@ -9,14 +9,15 @@ use crate::outcome::verdict::AccuracyVerdict;
 use artifact::settings::Class;
 use serde::{Deserialize, Serialize};
 
-/// The `summary.json` above those of several radars.
+/// The `summary.json` in the folder above those of several radars.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct RadarsSummary {
     /// Name of the scene.
     pub scene: String,
     /// Totals of each radar, in the scene's order.
     pub radars: Vec<OneOfRadars>,
-    /// Common frames in order, one for each time at which frames of all radars begin ([`common_times_s`]).
+    /// Common frames in order, one for each time at which frames of all radars begin together
+    /// ([`common_times_s`]).
     pub frames: Vec<CommonFrame>,
 }
 
@@ -33,29 +34,29 @@ pub struct OneOfRadars {
     pub frames: usize,
     /// Number of targets in view, frame by frame.
     pub targets: usize,
-    /// Targets that have an object, frame by frame.
+    /// Number of targets with an object, frame by frame.
     pub found: usize,
-    /// Targets that have none, frame by frame.
+    /// Number of targets without one, frame by frame.
     pub missed: usize,
-    /// Objects of no target, frame by frame.
+    /// Number of objects of no target, frame by frame.
     #[serde(rename = "false")]
     pub false_ones: usize,
-    /// Objects at rest that are no body's, frame by frame.
+    /// Number of objects at rest that belong to no body, frame by frame.
     pub stationary: usize,
-    /// Targets whose echoes were removed as echoes at rest, frame by frame.
+    /// Number of targets whose echoes were removed as echoes at rest, frame by frame.
     pub removed: usize,
     /// Number of points detected in all frames.
     pub points: usize,
-    /// The largest total of a frame, dB; `None` where none was estimated, and of no error at all.
+    /// The largest total error of a frame, dB; `None` if none was estimated, or the error is zero.
     pub largest_error_db: Option<f64>,
-    /// Accuracy of the frame with the largest error; `None` where none was estimated.
+    /// Accuracy of the frame with the largest error; `None` if none was estimated.
     pub accuracy: Option<AccuracyVerdict>,
     /// Wall-clock time of the radar's frames, s.
     pub frames_seconds: f64,
 }
 
-/// Frames that all radars have in common: those that begin together, and of each radar those that begin
-/// before the next that do, the later sub-frames of a cycle.
+/// Frames that all radars have in common: those that begin together, and each radar's later sub-frames of the
+/// cycle until the next such time.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CommonFrame {
     /// Time of the first sample, s.
@@ -64,12 +65,12 @@ pub struct CommonFrame {
     pub targets: Vec<CommonTarget>,
 }
 
-/// A target that some radar has in view, and which radars found it of those that it sends something back to.
+/// A target in view of some radar, with the radars that found it among those that receive an echo of it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CommonTarget {
     /// Id of the target in the scene.
     pub id: String,
-    /// True class; `None` of a point target, or where the scene does not tell.
+    /// True class; `None` for a point target, or where the scene does not specify it.
     pub class: Option<Class>,
     /// Ids of the radars that found the target in some of their frames.
     pub found_by: Vec<String>,
@@ -99,7 +100,7 @@ impl RadarsSummary {
     /// The text of `summary.json`.
     ///
     /// # Errors
-    /// None that a summary of a run can make.
+    /// None for a summary of a run.
     pub fn json(&self) -> Result<String, Failure> {
         one_radar::text(self)
     }
@@ -133,9 +134,9 @@ impl OneOfRadars {
     }
 }
 
-/// Times at which frames of all radars begin together, in order; each radar's own are ascending.
+/// Times at which frames of all radars begin together, in order; each radar's list must be ascending.
 ///
-/// Cycles of all radars begin together, so that a later sub-frame alone falls between two of these times.
+/// Cycles of all radars begin together, so only later sub-frames fall between two of these times.
 pub fn common_times_s(radars: &[Vec<f64>]) -> Vec<f64> {
     let [first, others @ ..] = radars else { return vec![] };
     let has = |own: &[f64], time_s: f64| {
@@ -154,7 +155,7 @@ fn common_frames(radars: &[(&str, &[FrameSummary])]) -> Vec<CommonFrame> {
     begins_s.iter().copied().zip(ends_s).map(frame).collect()
 }
 
-/// Frames that begin from one time on and before another one.
+/// Frames that begin within a half-open time span.
 fn within(frames: &[FrameSummary], span_s: [f64; 2]) -> &[FrameSummary] {
     let [first, end] =
         span_s.map(|time_s| frames.partition_point(|frame| frame.time_s < time_s - SAME_TIME_S));
@@ -162,7 +163,7 @@ fn within(frames: &[FrameSummary], span_s: [f64; 2]) -> &[FrameSummary] {
 }
 
 impl CommonFrame {
-    /// Joins what each radar's frames within a span say of targets.
+    /// Joins the targets of each radar's frames within a span.
     fn of(radars: &[(&str, &[FrameSummary])], span_s: [f64; 2]) -> Self {
         let mut joined = Self { time_s: span_s[0], targets: vec![] };
         for (radar, frames) in radars {
@@ -173,7 +174,7 @@ impl CommonFrame {
         joined
     }
 
-    /// The target as it is held, made where it is not known yet.
+    /// The record of a target, created on first use.
     fn target(&mut self, target: &TargetSummary) -> &mut CommonTarget {
         let known = self.targets.iter().position(|known| known.id == target.id);
         let place = known.unwrap_or_else(|| {
@@ -186,7 +187,7 @@ impl CommonFrame {
 }
 
 impl CommonTarget {
-    /// Takes in whether a frame of a radar found the target.
+    /// Records whether a frame of a radar found the target.
     fn take(&mut self, radar: &str, found: Option<bool>) {
         let among = |radars: &[String]| radars.iter().any(|known| known == radar);
         let is_found = among(&self.found_by);

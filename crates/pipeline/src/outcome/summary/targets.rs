@@ -1,4 +1,4 @@
-//! Targets of a frame, truth beside estimate, and what stands about.
+//! Targets of a frame, truth beside estimate, and clutter.
 
 use crate::chain::class_rule::Predicted;
 use crate::chain::frame_result::FrameResult;
@@ -17,20 +17,20 @@ use serde::{Deserialize, Serialize};
 pub struct TargetSummary {
     /// Id of the target in the scene.
     pub id: String,
-    /// True class; `None` of a point target, or where the scene does not tell.
+    /// True class; `None` for a point target, or where the scene does not specify it.
     pub class: Option<Class>,
-    /// Name of the target's mesh; `None` of a point target.
+    /// Name of the target's mesh; `None` for a point target.
     pub model: Option<String>,
     /// True place and motion at the frame's middle.
     pub truth: TruthSummary,
-    /// Estimate of the object that is the target's; `None` without one.
+    /// Estimate from the target's object; `None` without one.
     pub estimate: Option<Estimate>,
-    /// Error of the target's own echo, and what of it reaches the estimate; `None` where it was not measured:
-    /// of point targets, which are exact, of tables, and where wheels turn.
+    /// Error of the target's own echo, and its effect on the estimate; `None` if it was not measured: for
+    /// point targets, which are exact, for tables, and where wheels turn.
     #[serde(default)]
     pub error: Option<EchoError>,
-    /// Whether the target has an object; `None` where it is not to be found: hidden, without an echo of its
-    /// own, or out of range.
+    /// Whether the target has an object; `None` if it cannot be found: hidden, without an echo of its own, or
+    /// out of range.
     pub found: Option<bool>,
     /// Whether the target's echoes were removed as echoes at rest.
     pub removed: bool,
@@ -38,7 +38,7 @@ pub struct TargetSummary {
     pub object: Option<usize>,
     /// Whether the map shows another velocity than the true one.
     pub velocity_aliased: bool,
-    /// Class that is told from this frame's object; `None` without one, and of a point target.
+    /// Predicted class from this frame's object; `None` without one, and for a point target.
     pub predicted_class: Option<Predicted>,
     /// Probabilities of the classes from this frame's object.
     pub probabilities: Probabilities,
@@ -63,18 +63,17 @@ pub struct TruthSummary {
     pub z_m: f64,
     /// Number of the lane that holds the body; `None` outside of all.
     pub lane: Option<u8>,
-    /// Range of the body's nearest lit surface, m; `None` where none is lit, or the echo was made from
-    /// tables.
+    /// Range of the body's nearest lit surface, m; `None` if none is lit, or the echo was made from tables.
     pub nearest_range_m: Option<f64>,
-    /// Range of the echo, the power-weighted mean over the body's paths, m; `None` where it has none of its
-    /// own.
+    /// Range of the echo, the power-weighted mean over the body's paths, m; `None` if the body has no echo of
+    /// its own.
     pub echo_range_m: Option<f64>,
     /// Radial velocity of the echo, the power-weighted mean over the body's paths, positive when the range
-    /// grows, m/s; `None` where it has none of its own.
+    /// grows, m/s; `None` if the body has no echo of its own.
     pub echo_radial_velocity_mps: Option<f64>,
 }
 
-/// Estimate of a target by the radar: its object's place, motion and level.
+/// The radar's estimate of a target: place, motion and level of its object.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// Range, the power-weighted mean of the object's points, m.
@@ -85,7 +84,7 @@ pub struct Estimate {
     pub x_m: f64,
     /// Place along world y, m.
     pub y_m: f64,
-    /// Height along world z, m; without elevation rows the height that is assumed.
+    /// Height along world z, m; without elevation rows the assumed height.
     pub z_m: f64,
     /// Number of the lane that holds the object; `None` outside of all.
     pub lane: Option<u8>,
@@ -93,10 +92,10 @@ pub struct Estimate {
     pub snr_db: f64,
     /// Number of points that form the object.
     pub points: u32,
-    /// Share of the power of the object's peaks that ran between two bodies; `None` where the array cannot
-    /// tell.
+    /// Share of the power of the object's peaks that travelled between two bodies; `None` where the array
+    /// cannot measure it.
     pub ghost_share: Option<f64>,
-    /// Whether the object is at rest; `None` where the settings do not ask.
+    /// Whether the object is at rest; `None` if the settings keep static echoes unmarked.
     pub stationary: Option<bool>,
 }
 
@@ -111,10 +110,10 @@ pub struct ClutterSummary {
     pub x_m: f64,
     /// Place of the body's origin along world y, m.
     pub y_m: f64,
-    /// Range of the body's nearest lit surface, m; `None` where none is lit.
+    /// Range of the body's nearest lit surface, m; `None` if none is lit.
     pub nearest_range_m: Option<f64>,
-    /// Range of the echo, the power-weighted mean over the body's paths, m; `None` where it has none of its
-    /// own.
+    /// Range of the echo, the power-weighted mean over the body's paths, m; `None` if the body has no echo of
+    /// its own.
     pub echo_range_m: Option<f64>,
 }
 
@@ -151,8 +150,8 @@ impl TargetSummary {
     }
 }
 
-/// The map's velocity minus the truth's, rounded to multiples of the unambiguous span, is not zero. Without
-/// an estimate the truth itself decides: a velocity beyond the span cannot show right.
+/// Whether the map's velocity minus the true one, rounded to multiples of the unambiguous span, is not zero.
+/// Without an estimate the true velocity decides: one beyond the span must be aliased.
 fn is_aliased(header: &SceneHeader, truth: &Truth, object: Option<&Object>) -> bool {
     let span = 2.0 * header.radar.velocity_max_mps();
     let shown = object.map(|o| shown_mps(&header.radar, o.radial_velocity_mps));
@@ -176,12 +175,12 @@ impl TruthSummary {
         }
     }
 
-    /// True range that an estimate is compared with, m: that of the echo, without one that of the body.
+    /// True range to compare an estimate with, m: that of the echo, or without one that of the body.
     pub fn compared_range_m(&self) -> f64 {
         self.echo_range_m.unwrap_or(self.range_m)
     }
 
-    /// True radial velocity that an estimate is compared with, m/s: that of the echo, without one that of the
+    /// True radial velocity to compare an estimate with, m/s: that of the echo, or without one that of the
     /// body.
     pub fn compared_radial_velocity_mps(&self) -> f64 {
         self.echo_radial_velocity_mps.unwrap_or(self.radial_velocity_mps)
@@ -207,7 +206,7 @@ impl Estimate {
 }
 
 impl ClutterSummary {
-    /// `None` of a point, which is no clutter.
+    /// Summarizes a clutter body; `None` for a point, which is no clutter.
     pub(super) fn of(header: &SceneHeader, index: usize, truth: &Truth) -> Option<Self> {
         let described = &header.targets[index];
         Some(Self {

@@ -1,4 +1,4 @@
-//! Tracks that are believed.
+//! Confirmed and coasting tracks.
 
 use crate::chain::class_rule::{ClassRule, Predicted};
 use crate::outcome::summary::classes::Probabilities;
@@ -6,34 +6,34 @@ use crate::outcome::summary::words::TrackWord;
 use artifact::tracks::{Track, TrackState};
 use serde::{Deserialize, Serialize};
 
-/// A vehicle that is followed, at the frame's middle.
+/// A tracked vehicle at the frame's middle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TrackSummary {
-    /// Number of the track, counted from 0 over the scene; never given twice.
+    /// Number of the track, counted from 0 over the scene; never reused.
     pub id: u32,
     /// State of the track, confirmed or coasting.
     #[serde(with = "TrackWord")]
     pub state: TrackState,
     /// Frames since its birth, this one included.
     pub age_frames: u32,
-    /// Mean place of what reflects along world x, m.
+    /// Mean place of the reflecting parts along world x, m.
     pub x_m: f64,
-    /// Mean place of what reflects along world y, m.
+    /// Mean place of the reflecting parts along world y, m.
     pub y_m: f64,
     /// Velocity along world x, m/s.
     pub vx_mps: f64,
     /// Velocity along world y, m/s.
     pub vy_mps: f64,
-    /// Whether one multiple of the velocity span is left; else the velocity is the likeliest.
+    /// Whether the Doppler ambiguity is resolved; otherwise the velocity is the likeliest.
     pub velocity_resolved: bool,
     /// Number of the lane that holds the box's middle; `None` outside of all.
     pub lane: Option<u8>,
     /// Box of the body on the road.
     #[serde(rename = "box")]
     pub footprint: TrackBox,
-    /// Id of the target that the track follows in truth; `None` where it follows none.
+    /// Id of the target that the track truly follows; `None` if it follows none.
     pub target: Option<String>,
-    /// Class that is told from all frames of the track so far; `None` where no object of it was classified.
+    /// Predicted class from all frames of the track so far; `None` if no object of it was classified.
     pub predicted_class: Option<Predicted>,
     /// Probabilities of the classes from all frames of the track so far.
     pub probabilities: Probabilities,

@@ -1,5 +1,5 @@
-//! Settings of `artifact` as `summary.json` calls them: there their serde names are those of the binary
-//! records.
+//! Serialization of settings of `artifact` under the names in `summary.json`: their serde names are those of
+//! the binary records.
 
 use artifact::radar::Sampling;
 use artifact::settings::{Detail, StaticEchoes};

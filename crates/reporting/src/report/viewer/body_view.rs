@@ -1,16 +1,16 @@
-//! A body of a view: what it is called, its mesh, and where it stands.
+//! A body of a view: its name, mesh and pose.
 
 use artifact::scene::{Pose, Role, Target};
 use artifact::settings::Class;
 use serde::Serialize;
 
-/// A body where it stands.
+/// A body at its pose.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(in crate::report) struct BodyView {
     id: String,
     class: Option<&'static str>,
     is_clutter: bool,
-    /// Index of the mesh; `None` of a point.
+    /// Index of the mesh; `None` for a point.
     mesh: Option<u32>,
     place_m: [f64; 3],
     yaw_rad: f64,
@@ -29,7 +29,7 @@ impl BodyView {
         }
     }
 
-    /// The body with its mesh at another place among the page's.
+    /// The body with its mesh at another index in the page.
     pub(in crate::report) fn with_mesh(self, place: impl Fn(u32) -> u32) -> Self {
         Self { mesh: self.mesh.map(place), ..self }
     }

@@ -1,5 +1,5 @@
-//! Range-Doppler map of a frame for the view: levels over the noise, the detector's mask and whose echo fills
-//! each cell.
+//! Range-Doppler map of a frame for the view: levels relative to the noise, the detector's mask and the
+//! origin of the strongest echo in each cell.
 
 use crate::report::viewer::packed::Packed;
 use artifact::cube::CubeHeader;
@@ -15,24 +15,24 @@ use serde::Serialize;
 pub(super) struct MapCells {
     rows: usize,
     columns: usize,
-    /// Range of the first column, and from one to the next, m.
+    /// Range of the first column, and column spacing, m.
     range_m: [f64; 2],
-    /// Velocity of the first row, and from one to the next, m/s.
+    /// Velocity of the first row, and row spacing, m/s.
     velocity_mps: [f64; 2],
     /// Level of the noise of one cell, all channels together, dBW.
     noise_dbw: f64,
-    /// Whether a floor stands for noise, since there is none.
+    /// Whether a floor replaces the missing noise.
     floor_is_assumed: bool,
-    /// Levels over the noise, dB.
+    /// Levels relative to the noise, dB.
     levels_db: Packed,
     /// Verdict of the detector: 0 untested, 1 tested, 2 detected.
     mask: Packed,
     /// Kind of the strongest echo in each cell, counted from 1; 0: none above the noise.
     strongest: Packed,
-    /// Share of that kind in the power of all kinds in the cell, percent.
+    /// Power of that kind relative to the sum over all kinds in the cell, percent.
     percent: Packed,
     kinds: Vec<Kind>,
-    /// Cells of the map along both axes that one cell here stands for, the strongest of them shown.
+    /// Cells of the map along both axes per cell here, which shows the strongest of them.
     pooled: usize,
 }
 
@@ -50,7 +50,7 @@ const STEP_DB: f64 = 0.01;
 const LOWEST_DB: f64 = -60.0;
 
 impl MapCells {
-    /// The map of a frame in at most so many cells; `paths` with those of the ground.
+    /// The map of a frame in a limited number of cells; `paths` includes those of the ground.
     pub(super) fn of(
         header: &CubeHeader,
         frame: &FrameProducts,
@@ -90,19 +90,19 @@ impl MapCells {
     }
 }
 
-/// Labels of a map whose echoes are not known.
+/// Labels of a map whose echoes are unknown.
 fn nobodys(cells: usize) -> CellOrigins {
     CellOrigins { groups: vec![], strongest: vec![0; cells], percent: vec![0; cells] }
 }
 
-/// Squares of cells, each shown as its strongest one.
+/// Squares of cells, each represented by its strongest cell.
 struct Pool {
     size: (usize, usize),
     side: usize,
 }
 
 impl Pool {
-    /// Squares no larger than they must be for at most so many.
+    /// Smallest squares with which the map has at most `most`.
     fn of(size: (usize, usize), most: usize) -> Self {
         let pools = (1..).map(|side| Self { size, side });
         let fits = |pool: &Self| pool.rows() * pool.columns() <= most.max(1);
@@ -133,8 +133,8 @@ impl Pool {
         span(row, self.size.0).flat_map(move |r| across.clone().map(move |c| r * columns + c))
     }
 
-    /// Place of the first square's middle on an axis, and from one to the next; a cell that is alone is as
-    /// wide as the resolution.
+    /// Place of the first square's middle on an axis, and the spacing; a single cell is as wide as the
+    /// resolution.
     fn axis(&self, cells: &[f64], resolution: f64) -> [f64; 2] {
         let step = if cells.len() > 1 { cells[1] - cells[0] } else { resolution };
         let side = self.side as f64;

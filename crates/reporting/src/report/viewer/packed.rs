@@ -1,4 +1,4 @@
-//! Numbers of a page in few bytes: whole steps as little-endian integers, as base64.
+//! Numbers of a page in few bytes: multiples of a step as little-endian integers, in base64.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -7,19 +7,19 @@ use serde::Serialize;
 /// An array of numbers.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(in crate::report) struct Packed {
-    /// Type of the integers, as scripts call it.
+    /// Type of the integers, as named in scripts.
     kind: &'static str,
     /// Value of one step.
     step: f64,
-    /// Place from which places are told; `None` of numbers.
+    /// Origin of places; `None` for numbers.
     #[serde(skip_serializing_if = "Option::is_none")]
     from: Option<[f64; 3]>,
     base64: String,
 }
 
 impl Packed {
-    /// Numbers in steps of `step`, or of as much more as the largest needs to fit into 16 bits: none is
-    /// wrong by more than half a step.
+    /// Numbers in steps of `step`, or of a larger step if the largest number needs it to fit into 16 bits: no
+    /// error exceeds half a step.
     pub(in crate::report) fn steps(values: &[f64], step: f64) -> Self {
         let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
         let step = step.max(largest / f64::from(i16::MAX));
@@ -27,8 +27,8 @@ impl Packed {
         Self::of("Int16", step, &bytes.collect::<Vec<_>>())
     }
 
-    /// Places in steps as [`Self::steps`] has them, told from another one: from the radar they are as near as
-    /// its range, wherever in the world it stands.
+    /// Places in steps as in [`Self::steps`], relative to an origin: relative to the radar they are limited
+    /// by its range, wherever in the world it is.
     pub(in crate::report) fn places(places_m: &[[f64; 3]], from_m: [f64; 3], step: f64) -> Self {
         let away = |place_m: &[f64; 3]| [0, 1, 2].map(|axis: usize| place_m[axis] - from_m[axis]);
         let away_m: Vec<f64> = places_m.iter().flat_map(away).collect();

@@ -1,31 +1,31 @@
-//! Share of a run that its page holds, so that it opens at once and can be sent by mail.
+//! Limits on the part of a run in its page, so that it opens at once and can be sent by mail.
 
 use artifact::scene::SceneHeader;
 
-/// Frames, at most.
+/// Largest number of frames.
 const FRAMES: usize = 24;
-/// Cells of all maps together.
+/// Largest number of cells of all maps together.
 const CELLS: usize = 400_000;
-/// Paths of all frames together.
+/// Largest number of paths of all frames together.
 pub(super) const PATHS: usize = 50_000;
-/// Bodies of all frames together.
+/// Largest number of bodies of all frames together.
 const BODIES: usize = 2_000;
-/// Triangles of all meshes together.
+/// Largest number of triangles of all meshes together.
 pub(super) const TRIANGLES: usize = 100_000;
 
-/// Share of a run that is viewed.
+/// Part of a run in the view.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Budget {
-    /// Every how many frames one is viewed.
+    /// Interval between viewed frames.
     pub(super) every: u32,
-    /// Paths of a frame.
+    /// Number of paths per frame.
     pub(super) paths: usize,
-    /// Cells of a frame's map.
+    /// Number of cells of a frame's map.
     pub(super) cells: usize,
 }
 
 impl Budget {
-    /// The budget of a scene whose maps have so many cells.
+    /// The budget of a scene for maps with `cells` cells.
     pub(super) fn of(header: &SceneHeader, cells: usize) -> Self {
         let placed = header.traffic.iter().flat_map(|traffic| &traffic.frames).map(Vec::len).max();
         Self::shared(header.frames, cells, header.targets.len() + placed.unwrap_or(0))

@@ -1,16 +1,16 @@
-//! Numbers and scripts of a view, as they stand in its page.
+//! Numbers and scripts of a view, as embedded in its page.
 
 use maud::{Markup, PreEscaped, html};
 use pipeline::host::safe_text;
 use serde::Serialize;
 
-/// Numbers as a page can hold them: `</script` and `<!--` would end or open something.
+/// Numbers as JSON that is safe in a page: `</script` and `<!--` would end or open something.
 pub(in crate::report) fn json(numbers: &impl Serialize) -> Result<String, serde_json::Error> {
     let json = serde_json::to_string(numbers)?.replace('<', "\\u003c");
     Ok(safe_text::in_json(&json).into_owned())
 }
 
-/// Scripts that every view begins with, in the order in which they use each other.
+/// Scripts at the beginning of every view, each after those that it uses.
 const FIRST: [&str; 7] = [
     include_str!("script/page/numbers.js"),
     include_str!("script/page/matrices.js"),
@@ -21,7 +21,7 @@ const FIRST: [&str; 7] = [
     include_str!("script/page/picture.js"),
 ];
 
-/// Numbers and scripts: those of every view, then its own, in the order in which they use each other.
+/// Numbers and scripts: those of every view, then its own, each after those that it uses.
 pub(in crate::report) fn scripts(json: &str, own: &[&str]) -> Markup {
     html! {
         script type="application/json" id="viewer-data" { (PreEscaped(json)) }
@@ -29,7 +29,7 @@ pub(in crate::report) fn scripts(json: &str, own: &[&str]) -> Markup {
     }
 }
 
-/// Ends a test where a script's lines, functions or length are not those of the rest of the source.
+/// Fails a test if a script's lines, functions or length violate the rules for the rest of the source.
 #[cfg(test)]
 pub(in crate::report) fn reads_as_the_source_does(parts: &[&str]) {
     for part in parts {

@@ -1,11 +1,11 @@
-//! Places that a path passes on its way from the transmitter to the receiver.
+//! Places on a path from the transmitter to the receiver.
 //!
-//! A path holds where its node appears from both ends, unfolded through the mirrors
+//! A path record holds the apparent places of its node from both ends, unfolded through the mirrors
 //! (`docs/decisions/path-record.md`). Here it is folded back: from each end the straight ray to the apparent
-//! place meets the first mirror, is mirrored by its plane, and goes on to the next. Which of the facets is
-//! the node's the record does not tell; it is the one at which both ends arrive at the same place. On curved
-//! skin the planes are those of the facets, and both ends may miss each other; then the way leads through the
-//! middles of the facets, which is told.
+//! place meets the first mirror, is reflected by its plane, and continues to the next. The record does not
+//! say which facet is the node's; it is the one at which both ends arrive at the same place. On curved skins
+//! the planes are those of the facets, and both ends may miss each other; then the course leads through the
+//! centres of the facets, and this is reported.
 
 use artifact::paths::{Facet, Path};
 use artifact::radar::Radar;
@@ -13,17 +13,18 @@ use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader, Target};
 use glam::{DQuat, DVec3};
 use radar::motion::pose_after;
 
-/// Way of a path.
+/// Course of a path.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Way {
     /// Places between transmitter and receiver, world metres.
     pub(super) places_m: Vec<DVec3>,
-    /// Distance by which both ends miss each other at the node; `None` where the way leads through the
-    /// middles of the facets instead.
+    /// Distance by which both ends miss each other at the node; `None` if the course leads through the
+    /// centres of the facets instead.
     pub(super) missed_by_m: Option<f64>,
 }
 
-/// A way whose ends miss each other by more leads through the middles of the facets.
+/// Largest distance by which the ends may miss each other; otherwise the course leads through the centres of
+/// the facets.
 const MISSED_M: f64 = 0.25;
 
 /// Bodies of a frame at its middle, where paths are folded.
@@ -31,11 +32,11 @@ pub(super) struct Folding<'a> {
     radar_m: DVec3,
     middle_s: f64,
     bodies: Vec<(Option<&'a Mesh>, Pose)>,
-    /// Turns that the road may take in a leg; where it does not reflect, none.
+    /// Possible reflections of a leg by the road; none if it does not reflect.
     road_turns: &'static [RoadTurn],
 }
 
-/// Turn of a leg at the road.
+/// Reflection of a leg by the road.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum RoadTurn {
     Never,
@@ -47,7 +48,7 @@ const WITHOUT_ROAD: &[RoadTurn] = &[RoadTurn::Never];
 const WITH_ROAD: &[RoadTurn] = &[RoadTurn::Never, RoadTurn::First, RoadTurn::Last];
 
 impl<'a> Folding<'a> {
-    /// Bodies of the frame that `view` is the scene of.
+    /// Bodies of a frame; `view` is its scene.
     pub(super) fn of(view: &'a SceneHeader, frame: &SceneFrame, radar: &Radar) -> Self {
         let middle_s = radar.frame_middle_s();
         let body =
@@ -57,7 +58,7 @@ impl<'a> Folding<'a> {
         Self { radar_m: DVec3::from(radar.position_m), middle_s, bodies, road_turns }
     }
 
-    /// The way of a path; of a wheel's that of its hub.
+    /// The course of a path; for a wheel that of its hub.
     pub(super) fn way(&self, path: &Path) -> Way {
         let facets = path.sequence();
         let nodes = 0..facets.len().max(1);
@@ -69,7 +70,8 @@ impl<'a> Folding<'a> {
         }
     }
 
-    /// The way with the node on one of the facets, and by how much both ends miss each other there.
+    /// The course with the node on one of the facets, and the distance by which both ends miss each other
+    /// there.
     fn through(&self, path: &Path, facets: &[Facet], node: usize) -> Option<(Vec<DVec3>, f64)> {
         let curve = &path.curve;
         let seen_tx = self.at_middle(path.apparent_tx_m, path.apparent_tx_mps, curve.apparent_tx_mps2);
@@ -85,7 +87,7 @@ impl<'a> Folding<'a> {
         Some((there.iter().chain(back.iter().rev().skip(1)).copied().collect(), missed_m))
     }
 
-    /// Legs to a node that appears at a place behind some facets, for each turn that the road may take.
+    /// Legs to a node with an apparent place behind some facets, for each possible reflection by the road.
     fn legs(&self, seen: DVec3, facets: &[Facet]) -> Vec<Vec<DVec3>> {
         self.road_turns.iter().filter_map(|turn| self.folded(seen, facets, *turn)).collect()
     }
@@ -95,8 +97,7 @@ impl<'a> Folding<'a> {
         DVec3::from(place_m) + DVec3::from(mps) * t + 0.5 * DVec3::from(mps2) * t * t
     }
 
-    /// Places from the first mirror on to the node; `None` where the ray does not meet a mirror before the
-    /// place that it leads to.
+    /// Places from the first mirror to the node; `None` if the ray does not meet a mirror before its end.
     fn folded(&self, seen: DVec3, facets: &[Facet], turn: RoadTurn) -> Option<Vec<DVec3>> {
         let (mut from, mut to, mut places) = (self.radar_m, seen, vec![]);
         let mut mirrored = |to: &mut DVec3, (place, normal): (DVec3, DVec3)| {
@@ -138,7 +139,7 @@ impl<'a> Folding<'a> {
         Some([place + corner(triangle[0])?, place + corner(triangle[1])?, place + corner(triangle[2])?])
     }
 
-    /// Middles of the facets; the apparent place where there are none.
+    /// Centres of the facets; the apparent place if there are none.
     fn middles(&self, path: &Path, facets: &[Facet]) -> Vec<DVec3> {
         let middle = |facet| self.corners(facet).map(|[a, b, c]| (a + b + c) / 3.0);
         let middles: Vec<DVec3> = facets.iter().filter_map(middle).collect();

@@ -1,4 +1,4 @@
-//! The part of the page that the view stands in. Its script fills it; without one it stays hidden.
+//! The part of the page with the view. Its script fills it; without one it stays hidden.
 
 use crate::report::viewer::page_script::scripts;
 use crate::report::viewer::viewed_frame::Viewed;
@@ -8,7 +8,7 @@ use pipeline::outcome::summary::Summary;
 /// Style of the view.
 pub(crate) const STYLE: &str = include_str!("viewer.css");
 
-/// The view's own scripts, in the order in which they use each other.
+/// The view's own scripts, each after those that it uses.
 const SCRIPT: [&str; 11] = [
     include_str!("script/surroundings.js"),
     include_str!("script/ways.js"),
@@ -23,7 +23,7 @@ const SCRIPT: [&str; 11] = [
     include_str!("script/viewer.js"),
 ];
 
-/// Kinds of things that can be shown or not: the name by which the script knows it, and in words.
+/// Kinds of things that can be shown or hidden: the script's name, and the text.
 const LAYERS: [(&str, &str); 8] = [
     ("bodies", "vehicles"),
     ("boxes", "true boxes"),
@@ -39,7 +39,7 @@ const LAYERS: [(&str, &str); 8] = [
 const PLACES: [(&str, &str); 3] =
     [("around", "from the side"), ("radar", "from the radar"), ("above", "from above")];
 
-/// The view with its numbers and its script; nothing where no frame is viewed.
+/// The view with its numbers and its script; empty if no frame is viewed.
 pub(crate) fn section(viewed: &Viewed, summary: &Summary) -> Markup {
     let Some(json) = viewed.json(summary) else { return html! {} };
     html! {

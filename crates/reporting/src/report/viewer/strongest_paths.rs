@@ -1,4 +1,4 @@
-//! Paths of a frame that the view shows: the strongest, with where they pass and what they carry.
+//! Paths of a frame in the view: the strongest, with their places and powers.
 
 use crate::report::viewer::packed::Packed;
 use crate::report::viewer::path_geometry::{Folding, Way};
@@ -14,22 +14,22 @@ use serde::Serialize;
 pub(super) struct StrongestPaths {
     /// Number of all paths of the frame.
     all: usize,
-    /// Power of all paths, each by itself, W.
+    /// Sum of the powers of all paths, W.
     all_power_w: f64,
-    /// Power of the paths that are not shown, each by itself, W.
+    /// Sum of the powers of the paths that are not shown, W.
     left_out_power_w: f64,
-    /// Power of all paths by body, each by itself, W.
+    /// Sum of the powers of all paths by body, W.
     power_of_bodies_w: Vec<f64>,
-    /// Number of ways that lead through the middles of their facets, of the shown.
+    /// Number of shown paths whose course leads through the centres of their facets.
     through_middles: usize,
-    /// Number of places of each path's way.
+    /// Number of places of each path.
     corners: Packed,
-    /// Places of all ways one behind the other: x, y, z from the radar, m.
+    /// Places of all paths, concatenated: x, y, z relative to the radar, m.
     places_m: Packed,
     orders: Packed,
     /// Index of each path's body.
     targets: Packed,
-    /// Received power of each path by itself, dBW.
+    /// Received power of each single path, dBW.
     levels_dbw: Packed,
     ranges_m: Packed,
     velocities_mps: Packed,
@@ -43,7 +43,7 @@ const STEP_DB: f64 = 0.05;
 const NO_POWER_DBW: f64 = -400.0;
 
 impl StrongestPaths {
-    /// The strongest `most` paths that a radar receives of `bodies` bodies.
+    /// Selects the strongest `most` paths that a radar receives from `bodies` bodies.
     pub(super) fn of(
         radar: &Radar,
         frame: &PathsFrame,

@@ -1,4 +1,4 @@
-//! Things that all frames of the view share: the radar with its field of view, the road, the meshes.
+//! Things common to all frames of the view: the radar with its field of view, the road, the meshes.
 
 use crate::pictures::field_of_view;
 use crate::pictures::lane_sides::lane_sides_m;
@@ -30,7 +30,7 @@ pub(in crate::report) struct RadarView {
     /// Half angles of the field of view left and right of the boresight, −3 dB of an element.
     half_angles_rad: [f64; 2],
     range_max_m: f64,
-    /// Whether echoes from beyond the range axis show at its beginning.
+    /// Whether echoes from beyond the range axis fold to its beginning.
     ranges_repeat: bool,
     /// Field of view in words.
     words: String,
@@ -42,13 +42,13 @@ struct LaneName {
     at_m: [f64; 2],
 }
 
-/// A mesh, or its box alone where there is no room for more.
+/// A mesh, or only its box if there is no room for more.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct MeshView {
     /// Corners of the bounding box, body axes, m.
     box_m: [[f64; 3]; 2],
     triangles_all: usize,
-    /// Corners, x, y, z, m; `None`: the box stands for it.
+    /// Vertices, x, y, z, m; `None` if the box replaces them.
     corners_m: Option<Packed>,
     triangles: Option<Packed>,
 }
@@ -57,7 +57,7 @@ struct MeshView {
 const STEP_M: f64 = 0.001;
 
 impl Surroundings {
-    /// All of a scene.
+    /// Surroundings of a scene.
     pub(in crate::report) fn of(header: &SceneHeader) -> Self {
         let mut shelf = MeshShelf::default();
         header.meshes.iter().for_each(|mesh| {
@@ -127,7 +127,7 @@ pub(in crate::report) struct MeshShelf {
 }
 
 impl MeshShelf {
-    /// Puts a mesh behind the others, and tells its place among them.
+    /// Appends a mesh, and returns its index.
     pub(in crate::report) fn put(&mut self, mesh: &Mesh) -> u32 {
         let fits = self.triangles + mesh.triangles.len() <= TRIANGLES;
         self.triangles += if fits { mesh.triangles.len() } else { 0 };

@@ -1,4 +1,4 @@
-//! One frame of the view, taken while the frame's products are there, and all of them for the page.
+//! One frame of the view, taken while the frame's products exist, and all of them for the page.
 
 use crate::report::viewer::body_view::BodyView;
 use crate::report::viewer::map_cells::MapCells;
@@ -18,7 +18,7 @@ use pipeline::outcome::summary::{ErrorFigures, FrameSummary, ModelErrorFigures, 
 use radar::motion::pose_after;
 use serde::Serialize;
 
-/// Numbers that the view shows of a run, as far as it is computed.
+/// Numbers of a run for the view, as far as it is computed.
 #[derive(Debug, Default)]
 pub struct Viewed {
     surroundings: Option<Surroundings>,
@@ -31,10 +31,10 @@ struct ViewedFrame {
     index: u32,
     time_s: f64,
     bodies: Vec<BodyView>,
-    /// `None` of echoes from tables.
+    /// Strongest paths; `None` for echoes from tables.
     paths: Option<StrongestPaths>,
     map: MapCells,
-    /// Height that points and objects are assumed to have, m; `None` where nothing here stands on it.
+    /// Assumed height of points and objects, m; `None` if none depends on it.
     assumed_height_m: Option<f64>,
     points: PointsView,
     objects: Vec<ObjectView>,
@@ -47,11 +47,11 @@ struct PointsView {
     ranges_m: Packed,
     velocities_mps: Packed,
     snrs_db: Packed,
-    /// Source of each point's height, as [`HEIGHTS`] counts it.
+    /// Source of each point's height, as an index into [`HEIGHTS`].
     heights: Packed,
-    /// Index of each point's object, counted from 1; 0: of none.
+    /// Index of each point's object, counted from 1; 0: none.
     objects: Packed,
-    /// Body whose echo the point is, counted from 1; 0: of none.
+    /// Body of each point's echo, counted from 1; 0: none.
     targets: Packed,
     /// Bounces of that echo.
     orders: Packed,
@@ -63,10 +63,10 @@ struct ObjectView {
     range_m: f64,
     velocity_mps: f64,
     snr_db: f64,
-    /// Source of its height, as [`HEIGHTS`] counts it.
+    /// Source of its height, as an index into [`HEIGHTS`].
     height: u8,
     points: u32,
-    /// Index of the body that the object is; `None`: nobody's.
+    /// Index of the object's body; `None`: nobody's.
     target: Option<usize>,
 }
 
@@ -100,7 +100,7 @@ struct PageFrame<'a> {
 }
 
 impl Viewed {
-    /// Takes what is shown of a frame, where it is one of those that are viewed; `frame` knows no truth yet.
+    /// Takes the shown parts of a frame if it is viewed; `frame` does not contain truth yet.
     pub fn take(
         &mut self,
         chain: &Chain,
@@ -119,7 +119,7 @@ impl Viewed {
         Ok(())
     }
 
-    /// Numbers of the page's script as JSON that can stand in a page; `None` where nothing was taken.
+    /// Numbers for the page's script as embeddable JSON; `None` if nothing was taken.
     pub(super) fn json<'a>(&'a self, summary: &'a Summary) -> Option<String> {
         let surroundings = self.surroundings.as_ref()?;
         let told =
@@ -176,7 +176,7 @@ impl ViewedFrame {
 /// Precision of points: m, m/s and dB.
 const STEP: f64 = 0.01;
 
-/// Sources of heights, in the order in which the page counts them (`HEIGHTS` of telling.js).
+/// Sources of heights, in the page's numbering (`HEIGHTS` of telling.js).
 const HEIGHTS: [Height; 3] = [Height::Measured, Height::Assumed, Height::None];
 
 fn counted(height: Height) -> u8 {

@@ -14,14 +14,15 @@ pub(crate) enum PatternForm {
     Table,
 }
 
-/// Half wavelengths: at 77 GHz 20 m, beyond which no array is one.
+/// Offsets in half wavelengths: at 77 GHz up to 20 m, more than any array.
 const OFFSETS: Allowed = Between(-1e4, 1e4);
 
-/// A row of more elements than any radar on a chip or a few of them has.
+/// Elements in a row: more than any radar on one or a few chips has.
 const ELEMENTS: Pairs =
     Pairs { length: Between(1.0, 256.0), pair: Pair { any: OFFSETS, each: [OFFSETS, OFFSETS] } };
 
-/// Beyond this an element is dead or wrongly built: a decade of amplitude, a nanosecond (30 cm) of line.
+/// Gain errors up to a decade of amplitude, beyond which an element is dead or wrongly built; delays up to a
+/// nanosecond (30 cm) of line.
 const GAINS_DB: Allowed = Between(-20.0, 20.0);
 const PHASES_DEG: Allowed = Between(-360.0, 360.0);
 const DELAYS_PS: Allowed = Between(0.0, 1000.0);

@@ -14,11 +14,11 @@ pub(crate) enum Body {
     Point,
 }
 
-/// A lamp's column; from a cane to a gantry's leg.
+/// Height of a lamp's column; the range covers a cane to a gantry's leg.
 pub(crate) const POLE_HEIGHT: Key<Number, Or<f64>> =
     Key::new("height_m", Number(Between(0.1, 100.0)), "of a pole").or(6.0);
 
-/// The plate's lower edge 2.25 m over a footway.
+/// Height of a sign; by default the plate's lower edge is 2.25 m over a footway.
 pub(crate) const SIGN_HEIGHT: Key<Number, Or<f64>> =
     Key::new("height_m", Number(Between(0.7, 20.0)), "of a sign").or(2.85);
 
@@ -85,7 +85,7 @@ pub(crate) const VELOCITY: Key<Vector<3>, Or<[f64; 3]>> = Key::new(
 )
 .or([0.0; 3]);
 
-/// Ten times what brakes and falls.
+/// Acceleration up to ten times that of braking and falling.
 pub(crate) const ACCELERATION: Key<Vector<3>, Or<[f64; 3]>> = Key::new(
     "acceleration_mps2",
     Vector(Between(-100.0, 100.0)),
@@ -116,7 +116,8 @@ pub(crate) const YAW: Key<Number> = Key::new(
      out: along the velocity, and -90 (down the lane, towards the radar) at rest",
 );
 
-/// A vehicle at walking pace within its turning circle turns by 20°/s; one that is thrown, by a few turns.
+/// Yaw rate: a vehicle at walking pace within its turning circle turns by 20°/s, a thrown one at a few turns
+/// per second.
 pub(crate) const YAW_RATE: Key<Number, Or<f64>> = Key::new(
     "yaw_rate_dps",
     Number(Between(-720.0, 720.0)),
@@ -155,7 +156,7 @@ pub(crate) const UNIT_SCALE: Key<Number> = Key::new(
      above a kilometre is refused",
 );
 
-/// Sixty dB beyond the largest ship; zero scatters nothing and is allowed.
+/// RCS up to 60 dB beyond the largest ship; zero scatters nothing and is allowed.
 pub(crate) const RCS: Key<Number> =
     Key::new("rcs_m2", Number(Between(0.0, 1e12)), "m²: the scattering amplitude is +√σ")
         .absent("required for a point");

@@ -46,13 +46,13 @@ pub(crate) const FOR: Key<Words<Goal>> = Key::new(
      result was measured to need ([validation/sensitivity.md](validation/sensitivity.md))",
 );
 
-/// Chooser of what is modelled of the echo.
+/// Party that chooses the modelled parts of the echo.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Planning {
-    /// The scene, key by key, with the defaults of those it leaves out.
+    /// The scene, key by key, with the defaults of omitted keys.
     #[default]
     AsSaid,
-    /// The program, by the accuracy; the scene's own keys stay.
+    /// The program, by the accuracy; the scene's own keys take precedence.
     ByAccuracy,
 }
 

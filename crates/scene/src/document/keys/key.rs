@@ -1,5 +1,4 @@
-//! A key of a scene file: its name, what it takes, what stands for it where a scene leaves it out, and its
-//! sentence.
+//! A key of a scene file: its name, its values, its default, and its sentence.
 
 use serde_json::Value;
 
@@ -9,7 +8,7 @@ pub(crate) trait Kind: Copy + 'static {
     const NUMBERS: bool = false;
     /// Allowed values in the words of the page.
     fn allowed(&self) -> String;
-    /// Allowed values in the terms of JSON Schema.
+    /// Allowed values in JSON Schema.
     fn schema(&self) -> Value;
 }
 
@@ -17,15 +16,15 @@ pub(crate) trait Kind: Copy + 'static {
 pub(crate) trait Plain: Kind {
     /// Type of a value as it is read.
     type Value: Copy + 'static;
-    /// Value as JSON, which is TOML too.
+    /// Value as JSON, which is also TOML.
     fn json(&self, value: Self::Value) -> Value;
-    /// Allowed values in the words of the page; of several words the default comes first.
+    /// Allowed values in the words of the page; among several words the default comes first.
     fn allowed_beside(&self, _default: Self::Value) -> String {
         self.allowed()
     }
 }
 
-/// A key. `A` is [`Absent`], or [`Or`] of a value that every reader takes where the key is left out.
+/// A key. `A` is [`Absent`], or [`Or`] with a default value common to all readers.
 #[derive(Clone, Copy)]
 pub(crate) struct Key<K, A = Absent> {
     /// Name as written, with its unit.
@@ -39,18 +38,18 @@ pub(crate) struct Key<K, A = Absent> {
     meaning: &'static str,
 }
 
-/// Meaning of a key that is left out.
+/// Meaning of an omitted key.
 #[derive(Clone, Copy)]
 pub(crate) enum Absent {
     /// An error.
     Required,
     /// Nothing; the page has a dash.
     Nothing,
-    /// A text of the page: it depends on other keys.
+    /// A text of the page, because the meaning depends on other keys.
     Said(&'static str),
 }
 
-/// The value of a key that is left out.
+/// The value of an omitted key.
 #[derive(Clone, Copy)]
 pub(crate) struct Or<V>(pub(crate) V);
 
@@ -65,7 +64,7 @@ impl<K: Copy> Key<K> {
         Self { absent: Absent::Required, ..self }
     }
 
-    /// One whose value, where it is left out, depends on others.
+    /// Describes the meaning of the omitted key, which depends on others.
     pub(crate) const fn absent(self, said: &'static str) -> Self {
         Self { absent: Absent::Said(said), ..self }
     }
@@ -78,7 +77,7 @@ impl<K: Copy> Key<K> {
 }
 
 impl<K: Copy, A: Copy> Key<K, A> {
-    /// Sets a text that says more of what is allowed than the kind, whose words stand for `{}`.
+    /// Sets a text that describes the allowed values in more detail than the kind, whose words replace `{}`.
     pub(crate) const fn allowed(self, allowed: &'static str) -> Self {
         Self { allowed, ..self }
     }
@@ -88,15 +87,15 @@ impl<K: Copy, A: Copy> Key<K, A> {
 pub(crate) trait Entry {
     /// Name of the key as written.
     fn name(&self) -> &'static str;
-    /// Whether a table without it is refused.
+    /// Whether a table without the key is refused.
     fn is_required(&self) -> bool;
-    /// Whether it takes a number or a list of them.
+    /// Whether it accepts a number or a list of numbers.
     fn holds_numbers(&self) -> bool;
-    /// Default, allowed and meaning, as in the page's row.
+    /// Default, allowed values and meaning, as in the page's row.
     fn cells(&self) -> [String; 3];
     /// The schema of its values, without sentence and default.
     fn values(&self) -> Value;
-    /// Value of the key where it is left out, if that is always the same.
+    /// Value of the omitted key, if it is always the same.
     fn default(&self) -> Option<Value>;
 }
 
@@ -159,7 +158,7 @@ impl<K: Plain> Entry for Key<K, Or<K::Value>> {
     }
 }
 
-/// A value as a person writes it in TOML.
+/// A value in TOML as a person writes it.
 fn written(value: &Value) -> String {
     match (value.as_array(), value.as_f64().filter(|_| value.is_f64())) {
         (Some(list), _) => format!("[{}]", list.iter().map(written).collect::<Vec<_>>().join(", ")),
@@ -187,12 +186,12 @@ impl Table {
         self.keys.iter().map(|key| key.name())
     }
 
-    /// Names of those that take a number or a list of them.
+    /// Names of the keys that accept a number or a list of numbers.
     pub fn numbers(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.keys.iter().filter(|key| key.holds_numbers()).map(|key| key.name())
     }
 
-    /// Names of those that take the name of a file.
+    /// Names of the keys that accept the name of a file.
     pub fn files(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.keys
             .iter()
@@ -200,7 +199,7 @@ impl Table {
             .map(|key| key.name())
     }
 
-    /// Whether it has a key of that name.
+    /// Whether it has a key with that name.
     pub(crate) fn has(&self, name: &str) -> bool {
         self.names().any(|known| known == name)
     }

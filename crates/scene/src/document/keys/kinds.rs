@@ -1,4 +1,4 @@
-//! Kinds of values that keys take: numbers in their range, words of a list, texts, lists and tables.
+//! Kinds of values of keys: numbers in a range, words of a list, texts, lists and tables.
 
 use crate::document::keys::key::{Kind, Plain, Table};
 use crate::wording::allowed::Allowed;
@@ -13,7 +13,7 @@ pub(crate) struct Number(pub(crate) Allowed);
 #[derive(Clone, Copy)]
 pub(crate) struct Whole(pub(crate) Allowed);
 
-/// A number in one of two ranges, by what another key says.
+/// A number in one of two ranges, depending on another key.
 #[derive(Clone, Copy)]
 pub(crate) struct Either(pub(crate) [Number; 2]);
 
@@ -21,32 +21,32 @@ pub(crate) struct Either(pub(crate) [Number; 2]);
 #[derive(Clone, Copy)]
 pub(crate) struct Truth;
 
-/// A text, and what it names.
+/// A text, and the kind of thing that it names.
 #[derive(Clone, Copy)]
 pub(crate) struct Text(pub(crate) &'static str);
 
-/// A text or a list of texts, not empty, and what they name.
+/// A text or a list of texts, not empty, and the kind of thing that they name.
 #[derive(Clone, Copy)]
 pub(crate) struct Texts(pub(crate) &'static str);
 
-/// A name that can become a file's, a table's cell and a JSON key.
+/// A name that is usable as a file name, a table's cell and a JSON key.
 #[derive(Clone, Copy)]
 pub(crate) struct Name;
 
-/// Words, and what each stands for.
+/// Words, and the value of each.
 #[derive(Clone, Copy)]
 pub(crate) struct Words<T: 'static>(pub(crate) fn() -> Vec<(&'static str, T)>);
 
-/// Words, and others that are built like a pattern.
+/// Words, and others that follow a pattern.
 #[derive(Clone, Copy)]
 pub(crate) struct Like<T: 'static> {
-    /// The words that are told.
+    /// The words listed in errors and on the page.
     pub(crate) words: Words<T>,
-    /// Value that any other word stands for.
+    /// Value of any other word.
     pub(crate) built: fn(&str) -> Option<T>,
-    /// End of a sentence that tells the words: which others there are.
+    /// End of a sentence that lists the words: description of the others.
     pub(crate) others: &'static str,
-    /// A regular expression that all others match.
+    /// A regular expression that all other words match.
     pub(crate) pattern: &'static str,
 }
 
@@ -58,12 +58,12 @@ pub(crate) struct Vector<const N: usize>(pub(crate) Allowed);
 #[derive(Clone, Copy)]
 pub(crate) struct Counts<const N: usize>(pub(crate) Allowed);
 
-/// Two numbers, each in a range of its own.
+/// Two numbers, each in its own range.
 #[derive(Clone, Copy)]
 pub(crate) struct Pair {
-    /// Range of either number, told at the place of the number.
+    /// Range of either number, checked at the position of the number.
     pub(crate) any: Allowed,
-    /// Ranges of the first and of the second number, told at the place of the list.
+    /// Ranges of the first and of the second number, checked at the position of the list.
     pub(crate) each: [Allowed; 2],
 }
 
@@ -89,7 +89,7 @@ pub(crate) struct Pairs {
 #[derive(Clone, Copy)]
 pub(crate) struct PerElement(pub(crate) Allowed);
 
-/// Tables that are read as `table` says.
+/// Nested tables with the keys of `table`.
 #[derive(Clone, Copy)]
 pub(crate) struct Below {
     /// Form in which they are written.
@@ -105,11 +105,11 @@ pub(crate) enum TableForm {
     One,
     /// An array of tables.
     Several,
-    /// A list of so many tables.
+    /// A list of tables of allowed length.
     List(Allowed),
-    /// Tables under names that the scene gives.
+    /// Tables under names given by the scene.
     Named,
-    /// Tables under names that the scene gives, or texts in their place.
+    /// Tables under names given by the scene, or texts in their place.
     NamedOrTexts,
 }
 
@@ -406,7 +406,7 @@ fn quoted<T>(words: &[(&'static str, T)]) -> String {
     words.iter().map(|(word, _)| format!("\"{word}\"")).collect::<Vec<_>>().join(", ")
 }
 
-/// A range as the page says it.
+/// A range in the words of the page.
 fn range(allowed: Allowed) -> String {
     match allowed {
         Allowed::Between(low, high) if low == -high => format!("±{}", figure(high)),
@@ -417,7 +417,7 @@ fn range(allowed: Allowed) -> String {
     }
 }
 
-/// Writes the allowed length of a list as the page says it.
+/// The allowed length of a list in the words of the page.
 fn many(length: Allowed) -> String {
     match length {
         Allowed::Between(0.0, most) => format!("up to {}", figure(most)),
@@ -425,7 +425,7 @@ fn many(length: Allowed) -> String {
     }
 }
 
-/// Writes a number, from 10⁴ on as a power if it is one.
+/// Writes a number; from 10⁴ on as a power if it is one.
 fn figure(value: f64) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     if value == i64::MAX as f64 {
@@ -454,7 +454,7 @@ fn bounds(kind: &str, allowed: Allowed) -> Value {
     json!({ "type": kind, least: shortest(low), most: shortest(high) })
 }
 
-/// Whole where it is; 2⁶³, which no whole number of TOML reaches, one less.
+/// Integer if it is whole; 2⁶³, which no integer of TOML reaches, is reduced by one.
 fn shortest(value: f64) -> Value {
     if value.fract() == 0.0 && value.abs() <= i64::MAX as f64 { (value as i64).into() } else { value.into() }
 }
@@ -468,7 +468,7 @@ fn list(items: &Value, length: Allowed) -> Value {
     list
 }
 
-/// A text, and a list of them.
+/// Schema of a text, and of a list of texts.
 fn texts() -> [Value; 2] {
     let text = json!({ "type": "string" });
     [text.clone(), json!({ "type": "array", "items": text, "minItems": 1 })]

@@ -45,7 +45,7 @@ pub(crate) const CROSSING_WIDTH: Key<Number, Or<f64>> = Key::new(
 )
 .or(22.5);
 
-/// The lanes that one radar tells by.
+/// The lanes that one radar uses.
 pub(crate) const RADAR_INTERSECTION: Table = Table {
     name: "radar.intersection",
     heading: "[radar.intersection]",

@@ -5,7 +5,7 @@ use crate::document::keys::kinds::{Below, Number, Pair, TableForm, Text, Truth, 
 use crate::wording::allowed::Allowed::{self, Above, Between};
 use artifact::material::Backing;
 
-/// Whether the road mirrors.
+/// Whether the road reflects.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Mirror {
     On,
@@ -19,10 +19,10 @@ pub(crate) enum Ground {
     Floor,
 }
 
-/// A windscreen has three, a painted bumper four.
+/// Number of layers: a windscreen has three, a painted bumper four.
 pub(crate) const LAYERS_OF_ONE: Allowed = Between(1.0, 32.0);
 
-/// Ranges of ε′ and ε″. Below 1 there is plasma, which no vehicle wears.
+/// Ranges of ε′ and ε″. Values below 1 are those of plasma, which no vehicle has.
 const COMPLEX: Pair = Pair { any: Between(0.0, 1e6), each: [Between(1.0, 1e6), Between(0.0, 1e6)] };
 
 /// Each entry of `[materials]`.
@@ -124,7 +124,7 @@ pub(crate) const ROAD_OPENMATERIAL: Key<Text> = Key::new(
      `rms_height_mm`",
 );
 
-/// 0.5 mm costs 0.1 to 0.9 dB at the grazing angles of 60 to 25 m (docs/physics.md §5).
+/// RMS height: 0.5 mm costs 0.1 to 0.9 dB at the grazing angles of 60 to 25 m (docs/physics.md §5).
 pub(crate) const RMS_HEIGHT: Key<Number, Or<f64>> = Key::new(
     "rms_height_mm",
     Number(Between(0.0, 100.0)),
@@ -139,6 +139,6 @@ pub(crate) const BACKSCATTER: Key<Words<Ground>, Or<Ground>> = Key::new(
 )
 .or(Ground::Off);
 
-/// Backscatter γ, by default what is usual for flat ground (docs/scenes.md).
+/// Backscatter γ; the default is usual for flat ground (docs/scenes.md).
 pub(crate) const GAMMA: Key<Number, Or<f64>> =
     Key::new("backscatter_gamma_db", Number(Between(-100.0, 30.0)), "dB: γ, with \"floor\"").or(-20.0);

@@ -5,7 +5,7 @@ use crate::document::keys::key::Table;
 
 const END: &str = "<!-- end of keys -->";
 
-/// The keys of a table as Markdown: a row for each, or for neighbours of which the same is said.
+/// The keys of a table as Markdown: a row for each, or one for neighbours with the same description.
 pub fn markdown(table: &Table) -> String {
     let mut rows: Vec<(Vec<String>, [String; 3])> = Vec::new();
     for key in table.keys {
@@ -22,8 +22,8 @@ pub fn markdown(table: &Table) -> String {
     format!("| key | default | allowed | meaning |\n|---|---|---|---|\n{rows}")
 }
 
-/// The page with its tables made anew: each stands between the mark of its heading and the next end. Where a
-/// mark is missing, so is the table.
+/// The page with its tables renewed, each between the mark of its heading and the next end. Tables without a
+/// mark are left out.
 pub fn with_tables(page: &str) -> String {
     let renewed = |page: String, table: &Table| {
         let mark = mark(table);
@@ -36,7 +36,7 @@ pub fn with_tables(page: &str) -> String {
     TABLES.iter().fold(page.to_owned(), renewed)
 }
 
-/// The line that stands before a table of the page.
+/// The mark before a table of the page.
 pub fn mark(table: &Table) -> String {
     format!("<!-- keys of {} -->", table.heading)
 }

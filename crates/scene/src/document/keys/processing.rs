@@ -22,7 +22,7 @@ const WINDOWS: Like<Window> = Like {
     pattern: "^chebyshev-",
 };
 
-/// `chebyshev-80`: sidelobes from 20 dB down, where the taper is hardly one, to 200 dB, where f64 ends.
+/// Parses `chebyshev-80`: sidelobes from 20 dB down, hardly a taper, to 200 dB, the limit of f64.
 fn chebyshev(name: &str) -> Option<Window> {
     let level_db: f64 = name.strip_prefix("chebyshev-")?.parse().ok()?;
     (20.0..=200.0).contains(&level_db).then_some(Window::Chebyshev(level_db))
@@ -106,7 +106,8 @@ pub(crate) const GUARD_CELLS: Key<Counts<2>, Or<[u64; 2]>> =
     Key::new("guard_cells", CELLS, "[Doppler, range] cells on each side that stay out of the noise estimate")
         .or([2, 2]);
 
-/// 13 × 21 cells less 5 × 5 of guard: 248, a CFAR loss of about 0.1 dB at 1e-5 (Richards 2014).
+/// Training cells: 13 × 21 cells less 5 × 5 of guard: 248, a CFAR loss of about 0.1 dB at 1e-5 (Richards
+/// 2014).
 pub(crate) const TRAINING_CELLS: Key<Counts<2>, Or<[u64; 2]>> =
     Key::new("training_cells", CELLS, "[Doppler, range] cells on each side, beyond the guard, that make it")
         .or([4, 8]);
@@ -163,7 +164,8 @@ pub(crate) const ASSUMED_HEIGHT: Key<Number, Or<f64>> = Key::new(
 )
 .or(0.75);
 
-/// Gaps between the glints of one long vehicle, against the gap that drivers keep.
+/// Clustering distance in range: a compromise between the gaps between glints of one long vehicle and those
+/// that drivers keep.
 pub(crate) const CLUSTER_RANGE: Key<Number, Or<f64>> = Key::new(
     "cluster_range_m",
     Number(Above(0.0, 1e3)),

@@ -6,7 +6,7 @@ use crate::document::ranges::{COORDINATES_M, VELOCITIES_MPS};
 use crate::wording::allowed::Allowed::{Above, Between};
 use artifact::radar::Sampling;
 
-/// Offsets from the carrier up to a terahertz, levels below the carrier's own.
+/// Phase-noise levels: offsets from the carrier up to a terahertz, levels below the carrier's.
 const LEVELS: Pair = Pair { any: Between(-300.0, 1e12), each: [Above(0.0, 1e12), Between(-300.0, 0.0)] };
 
 pub(crate) const RECEIVER: Table = Table {
@@ -77,7 +77,7 @@ pub(crate) const START_FREQUENCY: Key<Number, Or<f64>> =
 pub(crate) const SLOPE: Key<Number, Or<f64>> =
     Key::new("slope_mhz_per_us", Number(Between(-1e4, 1e4)), "MHz/µs; 0 is a tone").or(12.5);
 
-/// A tenth of a microsecond: more of its chirps in one of ours no radar sends.
+/// Sweep duration of at least a tenth of a microsecond: no radar sends more chirps within one of ours.
 pub(crate) const SWEEP: Key<Number, Or<f64>> =
     Key::new("sweep_us", Number(Between(0.1, 1e6)), "µs: length of its chirps").or(50.0);
 

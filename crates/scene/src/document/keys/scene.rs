@@ -1,4 +1,4 @@
-//! The beginning of a scene file, and of a file of materials.
+//! Top-level keys of a scene file and of a file of materials.
 
 use crate::document::keys::bodies::{CLUTTER, TARGET};
 use crate::document::keys::fidelity::FIDELITY;

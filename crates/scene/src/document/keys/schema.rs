@@ -1,12 +1,12 @@
-//! The JSON Schema of scene files (draft 7), which editors complete, explain and check them by.
+//! The JSON Schema of scene files (draft 7), by which editors complete, explain and check them.
 
 use crate::document::keys::TABLES;
 use crate::document::keys::key::{Entry, Table};
 use crate::document::keys::scene::SCENE;
 use serde_json::{Map, Value, json};
 
-/// The schema of scene files. A scene that it refuses the reader refuses too; the reader knows rules between
-/// keys that it does not.
+/// The schema of scene files. The reader refuses every scene that the schema refuses, and also checks rules
+/// between keys, which the schema lacks.
 pub fn json_schema() -> Value {
     let below = TABLES.iter().filter(|table| !table.name.is_empty());
     let definitions: Map<String, Value> = below.map(|table| (table.name.to_owned(), object(table))).collect();
@@ -32,7 +32,7 @@ fn object(table: &Table) -> Value {
     })
 }
 
-/// A reference stands alone, as draft 7 wants it: its table tells what it is.
+/// Schema of a key. A reference has no siblings, as draft 7 requires: its table describes it.
 fn property(key: &dyn Entry) -> Value {
     let mut schema = key.values();
     if schema.get("$ref").is_some() {
@@ -47,7 +47,7 @@ fn property(key: &dyn Entry) -> Value {
     schema
 }
 
-/// The row of the page, without the targets of its links.
+/// Text of the page's row, without the targets of its links.
 fn description(key: &dyn Entry) -> String {
     let [default, allowed, meaning] = key.cells();
     let said = |label: &str, text: &str| match text {
@@ -57,7 +57,7 @@ fn description(key: &dyn Entry) -> String {
     unlinked(&meaning).trim().to_owned() + &said("Allowed", &allowed) + &said("Default", &default)
 }
 
-/// `[label](target)` becomes `label`.
+/// Turns `[label](target)` into `label`.
 fn unlinked(text: &str) -> String {
     let mut parts = text.split("](");
     let first = parts.next().unwrap_or_default().to_owned();

@@ -29,7 +29,8 @@ pub(crate) const SAMPLE_RATE: Key<Number, Or<f64>> = Key::new(
 )
 .or(5.12);
 
-/// Fewer than 8 leave no range cells for guard and training; 2^16 are beyond any radar's chirp.
+/// Samples per chirp: fewer than 8 leave no range cells for guard and training; 2^16 is beyond any radar's
+/// chirp.
 pub(crate) const SAMPLES: Key<Whole, Or<u64>> =
     Key::new("samples", Whole(Between(8.0, 65536.0)), "of a chirp").or(256);
 
@@ -47,7 +48,7 @@ pub(crate) const CHIRPS: Key<Whole, Or<u64>> = Key::new(
 )
 .or(128);
 
-/// Two tell a velocity; more than eight no radar sends.
+/// Sub-frames: two resolve a velocity; no radar sends more than eight.
 pub(crate) const SUB_FRAME_IDLE: Key<Numbers> = Key::new(
     "sub_frame_idle_us",
     Numbers { length: Between(2.0, 8.0), each: Between(0.0, 1e6) },

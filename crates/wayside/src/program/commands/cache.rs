@@ -1,4 +1,4 @@
-//! `cache`: what is kept, by stage, and how to be rid of it.
+//! `cache`: lists the cached frames by stage, or removes them.
 
 use crate::program::cli::CacheCommandArguments;
 use crate::program::terminal;

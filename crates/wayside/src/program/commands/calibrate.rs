@@ -1,4 +1,4 @@
-//! `calibrate`: what the channels of a radar differ by from ideal ones, from a reflector at a known place.
+//! `calibrate`: errors of a radar's channels, measured with a reflector at a known place.
 
 use crate::program::cli::CalibrateArguments;
 use crate::program::terminal;
@@ -50,11 +50,12 @@ pub(crate) fn run(arguments: &CalibrateArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Direction cosine, from that of the reflector's place to the right along the row, at which its echo has all
-/// channels in phase, where they are far from it at that place; `None` of errors that are no such turn.
+/// Direction cosine, relative to the reflector's direction and positive to the right along the row, at which
+/// the echo has all channels in phase although they are far from it at the reflector; `None` if no direction
+/// brings them in phase.
 fn aside(errors: &[Complex64], radar: &Radar) -> Option<f64> {
-    /// Sums over those of amplitudes alone: of wholly random phases one in forty of four channels passes,
-    /// none of eight.
+    /// Least ratio of the magnitude of the sum to the sum of the magnitudes: with wholly random phases one in
+    /// forty arrays of four channels passes, none of eight.
     const IN_PHASE: f64 = 0.99;
     const APART: f64 = 0.7;
     const COSINE_STEPS: i32 = 2000;
@@ -76,7 +77,7 @@ fn places_along_row(radar: &Radar) -> Vec<f64> {
     array.tx_half_wavelengths.iter().flat_map(|tx| receivers().map(|rx| tx[0] + rx[0])).collect()
 }
 
-/// A line for every transmit–receive pair.
+/// A table with one line for each transmit–receive pair.
 fn table(errors: &[Complex64], receivers: usize) -> String {
     let line = |(channel, error): (usize, &Complex64)| {
         let (gain_db, phase_deg) = (db_from_amplitude(error.norm()), error.arg().to_degrees());

@@ -69,7 +69,7 @@ struct DspProducts<'a> {
     header: &'a CubeHeader,
     receiver: &'a Receiver,
     pictures: Option<PathBuf>,
-    /// Places of what the first cycle replaces.
+    /// Places of the files that the first cycle replaces.
     earlier: Vec<PathBuf>,
     maps: Writer<Rdm>,
     clouds: Writer<Points>,
@@ -78,7 +78,7 @@ struct DspProducts<'a> {
 }
 
 impl DspProducts<'_> {
-    /// Writes the records of a cycle, whose points tell each other's velocities.
+    /// Writes the records of a cycle, whose points resolve each other's velocities.
     fn write(&mut self, cycle: Vec<(RdmFrame, PointsFrame)>) -> Result<(), Failure> {
         files::outdate(std::mem::take(&mut self.earlier))?;
         let (rdms, points): (Vec<_>, Vec<_>) = cycle.into_iter().unzip();
@@ -120,11 +120,11 @@ fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {
     Failure::Refused(format!("{}: {error}", file.display()))
 }
 
-/// Words of a scene about a cube that was made of another one.
+/// Settings of a scene for a cube that was made from another one.
 struct OfScene {
     settings: DspSettings,
     noise: Noise,
-    /// Names and hashes of the files that tell them.
+    /// Names and hashes of the files of these settings.
     hashed: Vec<(String, String)>,
 }
 
@@ -134,7 +134,7 @@ fn settings_of(file: &Path, radar: Option<&str>) -> Result<OfScene, Failure> {
     Ok(OfScene { settings: scene.dsp, noise: scene.noise, hashed })
 }
 
-/// A cube has its noise from the scene that it was made of.
+/// Notes if the noise of the scene differs from that of the cube, which counts.
 fn remark_on_noise(arguments: &DspArguments, said: Noise, of_cube: Noise) {
     if let (Some(file), true) = (&arguments.scene, said != Noise::Absent && said != of_cube) {
         progress::note(format!(

@@ -1,4 +1,4 @@
-//! `echo`: radar cubes of a scene, from its own paths or from paths that are given.
+//! `echo`: radar cubes of a scene, from its own paths or from given ones.
 
 use crate::program::cli::EchoArguments;
 use crate::program::terminal;
@@ -65,7 +65,7 @@ fn from_scene(chain: &Chain, writer: &mut Writer<Cube>) -> Result<Verdicts, Fail
     Ok(told)
 }
 
-/// Echo of a frame; its error joins that of what scatters.
+/// Echo of a frame; its error is added to that of the scattering.
 struct Echo {
     cube: CubeFrame,
     verdict: Verdict,

@@ -1,4 +1,5 @@
-//! `export`: any artifact in a format that others read; axes and units go into a `.json` beside it.
+//! `export`: converts any artifact to a format that other programs read; axes and units go into a `.json`
+//! beside it.
 
 use crate::program::cli::ExportArguments;
 use crate::program::export_formats::{Export, export_of, formats_of, is_set, name_of};
@@ -15,7 +16,7 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
     if file.is_dir() && to == FormatWord::Parquet {
         return parquet::samples(file, out);
     }
-    let schema = read_preamble(file)?.schema; // from here on the file is known as an input
+    let schema = read_preamble(file)?.schema; // this registers the file as an input
     let has_axes = arguments.axes == AxesWord::On;
     if has_axes && (schema.as_str(), to) != ("rdm", FormatWord::Png) {
         return Err(Failure::System("--axes on is for range-Doppler maps (.rdm) exported to png".into()));

@@ -1,4 +1,4 @@
-//! `import`: IF samples from anywhere as a radar cube.
+//! `import`: IF samples of other sources as a radar cube.
 
 mod options;
 
@@ -54,7 +54,7 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     Ok(writer.finish()?)
 }
 
-/// Samples with the radar that they are taken as.
+/// Samples with the radar that they are attributed to.
 struct Samples {
     scene: SceneHeader,
     header: CubeHeader,
@@ -90,7 +90,7 @@ fn samples(arguments: &ImportArguments, kind: Kind) -> Result<Samples, Failure> 
     Ok(Samples { scene, header, frames, step })
 }
 
-/// Settings of the board's configuration, where one is given.
+/// Settings of the board's configuration, if one is given.
 fn settings_of(arguments: &ImportArguments) -> Result<Option<DeviceSettings>, Failure> {
     arguments.config.as_deref().map(|file| device_config::read(file, arguments.device)).transpose()
 }
@@ -103,15 +103,15 @@ fn files_of_samples(arguments: &ImportArguments, kind: Kind) -> Result<Vec<PathB
     }
 }
 
-/// Properties of a converter, by command and configuration.
+/// Properties of a converter, from the command and the configuration.
 struct Told {
     full_scale: Option<f64>,
     bits: Option<u32>,
 }
 
-/// Unit of samples: √W where a step is told, and of floats; of a converter's integers its steps. Floats that
-/// are whole numbers are such steps too, of a converter that nobody tells of. A full scale is what the
-/// command says, else what the file of the step does, else what the configuration's bits make it.
+/// Unit of samples: √W if a step is given, and for floats; otherwise the converter's step. Floats that are
+/// all whole numbers count as steps of an unknown converter too. The full scale is that of the command, else
+/// that of the step's file, else that of the configuration's bits.
 fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> Result<SampleUnit, Failure> {
     let of_bits = |bits: u32| f64::from(1 << (bits - 1));
     Ok(match (step, told.full_scale) {
@@ -126,7 +126,7 @@ fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> Result<
     })
 }
 
-/// The scene, with what the board's configuration alone says of its radar.
+/// The scene, with the radar settings that only the board's configuration specifies.
 fn scene_of(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> Result<SceneHeader, Failure> {
     let (file, radar) = (arguments.scene.as_path(), arguments.radar.as_deref());
     match (settings, arguments.config.as_deref()) {
@@ -135,7 +135,7 @@ fn scene_of(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> R
     }
 }
 
-/// What the command says of a capture card's file, else what the configuration does.
+/// Layout of a capture card's file by the command, else by the configuration.
 fn layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> dca1000::Layout {
     let (lanes, order) = (settings.and_then(DeviceSettings::lanes), settings.and_then(|s| s.iq_order));
     dca1000::Layout {
@@ -174,7 +174,7 @@ fn radar_files(arguments: &ImportArguments) -> Vec<PathBuf> {
     files.unwrap_or_else(|_| std::iter::once(scene.to_owned()).chain(arguments.config.clone()).collect())
 }
 
-/// The step of integer samples stands among the settings.
+/// Provenance of the cube, with the step of integer samples among the settings.
 fn provenance_of(
     arguments: &ImportArguments,
     scene: &SceneHeader,

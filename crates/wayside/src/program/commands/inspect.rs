@@ -21,7 +21,7 @@ use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_h
 use radar::lattice::tells_azimuth;
 use std::path::Path;
 
-/// Words for content that is not as it should be, and for content that is.
+/// Words for invalid and for valid content.
 const SANITY: [&str; 2] = ["NOT complete and finite", "complete and finite"];
 
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
@@ -43,7 +43,7 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     }
 }
 
-/// Line of a frame: its number and time, what is in it, and whether that is as it should be.
+/// Prints the line of a frame: its number and time, its content, and whether that is valid.
 fn of_frame((index, time_s): (u32, f64), content: std::fmt::Arguments, sanity: &str) {
     line(format_args!("frame {index:<6} {time_s:.6} s, {content}, {sanity}"));
 }
@@ -210,7 +210,7 @@ fn rdm(reader: Reader<Rdm>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Mean power of samples, or of the cells of a map, and whether all of them are there.
+/// Prints the mean power of samples, or of the cells of a map, and whether they are complete.
 fn samples((index, time_s): (u32, f64), values: &[Complex32], shape: [usize; 3], level: (f64, &str)) {
     let complete = values.len() == shape.iter().product::<usize>() && level.0.is_finite();
     of_frame(

@@ -1,4 +1,4 @@
-//! Datasets, training, classes and how right they are: what is asked is handed to the crate `learning`.
+//! Datasets, training, classification and evaluation: requests are handed to the crate `learning`.
 
 pub(crate) mod classify;
 
@@ -14,7 +14,7 @@ use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use std::path::PathBuf;
 
-/// Does what was asked.
+/// Carries out a command.
 pub(crate) fn dispatch(command: LearningCommand, memory: Allowance) -> Result<(), Failure> {
     match command {
         LearningCommand::Dataset(arguments) => {
@@ -34,12 +34,12 @@ pub(crate) fn dispatch(command: LearningCommand, memory: Allowance) -> Result<()
     }
 }
 
-/// Names the first of the folders, where what they hold together is refused.
+/// Adds the name of the first folder to a refusal of their joint content.
 fn about_first(folders: &[PathBuf]) -> impl FnOnce(Failure) -> Failure {
     move |failure| folders.iter().take(1).fold(failure, |failure, folder| failure.about(folder))
 }
 
-/// A page as lines of results.
+/// Prints a page as lines of results.
 fn tell_page(page: String) {
     terminal::lines(page.trim_end());
 }

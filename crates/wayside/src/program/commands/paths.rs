@@ -20,7 +20,7 @@ use pipeline::planning::{self, PlannedScene};
 
 pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), Failure> {
     let PlannedScene { mut loaded, plan, .. } = planning::scene(&arguments.scene.source(), None, memory)?;
-    loaded.header.fidelity.echo = EchoMode::Paths; // that is what was asked for
+    loaded.header.fidelity.echo = EchoMode::Paths; // the command asks for paths
     let chain = Chain::of(&loaded.header, None, None, memory);
     let from = provenance(Stage::BartRcs, &loaded.header, loaded.files.clone());
     let mut writer =

@@ -89,7 +89,7 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     Ok(())
 }
 
-/// Refuses options that mean nothing to the method; an accuracy that is asked of a reference is remarked on.
+/// Refuses options that do not apply to the method; notes an accuracy that is requested from a reference.
 fn check(arguments: &RcsArguments) -> Result<(), Failure> {
     let refused = |rule: &str| Err(Failure::System(format!("{}: {rule}", arguments.mesh.display())));
     match arguments.method {
@@ -110,13 +110,13 @@ fn check(arguments: &RcsArguments) -> Result<(), Failure> {
     }
 }
 
-/// Refuses, before the work, what could not be written, or what is an input of it.
+/// Refuses, before the work, results that cannot be written or that would replace an input.
 fn claim(arguments: &RcsArguments) -> Result<(), Failure> {
     sidecar::claim_table(&arguments.out)?;
     if arguments.pictures { files::claim(&pictures::places(&arguments.out)) } else { Ok(()) }
 }
 
-/// Checkpoint of this very table, by these very sources.
+/// Checkpoint of this table, made by these sources.
 fn checkpoint(arguments: &RcsArguments, mesh: &Mesh, request: &RcsRequest) -> Checkpoint {
     let sources = Stage::BartRcs.sources();
     let method = format!("{:?} {:?} {request:?}", arguments.method, arguments.density());
@@ -144,8 +144,7 @@ fn traced(
     bart_rcs::rcs_within(mesh, request, &surroundings).map(Answer::of_bart).map_err(Failure::refused)
 }
 
-/// Remarks on materials whose permittivities are those of other frequencies, and on a receiver behind the
-/// body.
+/// Notes materials whose permittivities belong to other frequencies, and a receiver behind the body.
 fn remark(mesh: &Mesh, request: &RcsRequest) {
     remarks::forward_scattering::remark(request).into_iter().for_each(progress::note);
     let ends = [f64::min, f64::max].map(|end| request.frequency_hz.iter().copied().reduce(end));
@@ -156,7 +155,7 @@ fn remark(mesh: &Mesh, request: &RcsRequest) {
     }
 }
 
-/// The mesh in the materials asked for and those of its asset.
+/// The mesh with the requested materials and those of its asset.
 fn dressed(mesh: Mesh, arguments: &RcsArguments, request: &RcsRequest) -> Result<Mesh, Failure> {
     let (table, transmission) = (arguments.materials.as_deref(), arguments.transmission);
     let map = stepwise::materials(table, transmission, &request.frequency_hz)?;

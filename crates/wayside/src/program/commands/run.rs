@@ -1,4 +1,4 @@
-//! `run`: a scene to everything that can be known of it.
+//! `run`: a scene to all of its results.
 
 use crate::program::cli::RunArguments;
 use crate::program::interrupt;
@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: &RunArguments, means: &Means) -> Result<(), Failure
     run::run(&settings).map(drop)
 }
 
-/// Whether there is a folder where frames are kept.
+/// Whether there is a cache folder.
 fn is_cached(location: Option<&CacheLocation>) -> bool {
     location.is_some_and(|location| Cache::open(location).is_ok_and(|cache| cache.is_some()))
 }

@@ -10,10 +10,10 @@ use std::path::Path;
 pub(crate) fn run(arguments: &SceneFromArguments) -> Result<(), Failure> {
     files::claim(std::slice::from_ref(&arguments.out))?;
     let settings = device_config::read(&arguments.config, arguments.device)?;
-    // The sentence names the configuration, and its line where there is one.
+    // The error names the configuration, and its line if there is one.
     let refused = |error: device_config::NoScene| Failure::Refused(error.to_string());
     let text = device_config::scene_text(&settings, &arguments.config).map_err(refused)?;
-    files::claim(std::slice::from_ref(&arguments.out))?; // the configuration is known as an input now
+    files::claim(std::slice::from_ref(&arguments.out))?; // this registers the configuration as an input
     files::keep_unless(&arguments.out, EDITED, || is_text(&arguments.out, text.as_bytes()))?;
     files::write_file(&arguments.out, text.as_bytes())?;
     if let Some(layout) = settings.unusual_layout() {
@@ -25,7 +25,8 @@ pub(crate) fn run(arguments: &SceneFromArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A scene is written to be edited: its own remarks ask for what no configuration tells.
+/// Refusal to replace a scene that was edited, as its own remarks ask for the values that no configuration
+/// contains.
 const EDITED: &str = "is not what scene-from would write, and would be replaced";
 
 fn is_text(place: &Path, text: &[u8]) -> bool {

@@ -1,4 +1,4 @@
-//! `score`: how well anybody's points and tracks agree with a scene, as the metrics of `summary.json`.
+//! `score`: agreement of any program's points and tracks with a scene, by the metrics of `summary.json`.
 
 use crate::program::cli::ScoreArguments;
 use crate::program::terminal;
@@ -48,7 +48,7 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Paths of a scene, refused where they are of another one's bodies.
+/// Paths of a scene, refused if they belong to another scene's bodies.
 struct OfScene {
     file: PathBuf,
     paths: Beside<Paths>,
@@ -72,15 +72,15 @@ impl OfScene {
     }
 }
 
-/// Source of tracks: a file, or a tracker that runs here.
+/// Source of tracks: a file, or a tracker run here.
 enum Followed {
     Given(PathBuf, Box<Beside<Tracks>>),
     Here(Box<Tracker>),
 }
 
 impl Followed {
-    /// The tracks of a file, which are refused where they are of another scene or radar, or those that the
-    /// points' own radar and settings give.
+    /// Tracks of a file, refused if they belong to another scene or radar, or those made with the points' own
+    /// radar and settings.
     fn of(
         arguments: &ScoreArguments,
         points: &Reader<Points>,
@@ -105,7 +105,7 @@ impl Followed {
         Ok(Self::Here(Box::new(Tracker::new(cube, ROAD_TRAFFIC).map_err(Failure::refused)?)))
     }
 
-    /// Tracks of the frame that these points are of, of which the scene has the time.
+    /// Tracks of the frame of these points; the scene gives its time.
     fn frame(&mut self, points: &PointsFrame, of_scene: &SceneFrame) -> Result<TracksFrame, Failure> {
         match self {
             Self::Given(file, tracks) => {
@@ -118,8 +118,8 @@ impl Followed {
     }
 }
 
-/// Paths with bodies counted as in the frame's view, where their file counts them through the whole scene;
-/// `bodies` are the scene's numbers of those in view.
+/// Renumbers the bodies of paths to those in the frame's view if their file numbers them over the whole
+/// scene; `bodies` are the scene's numbers of those in view.
 fn counted_in_view(bodies: &[u32], paths: PathsFrame) -> PathsFrame {
     let place = |body: u32| bodies.iter().position(|number| *number == body);
     paths.renumbered(|body| place(body).map_or(GROUND, |place| place as u32))

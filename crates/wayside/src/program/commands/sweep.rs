@@ -1,4 +1,4 @@
-//! `sweep`: a study of many designs to the one to take.
+//! `sweep`: a study of many designs that selects one.
 
 use crate::program::cli::SweepArguments;
 use crate::program::interrupt;
@@ -27,7 +27,7 @@ pub(crate) fn run(arguments: &SweepArguments, means: &Means) -> Result<(), Failu
     sweeps::run(&settings).map(drop)
 }
 
-/// The command that makes the whole study alone: the report is the same whichever part writes it.
+/// Command for the whole study: the report is the same whichever part writes it.
 fn command_of_the_whole(arguments: &SweepArguments, program: &str) -> String {
     let place = |place: &Path| place.display().to_string();
     let mut words = vec!["sweep".to_owned(), place(&arguments.study), "--out".into(), place(&arguments.out)];

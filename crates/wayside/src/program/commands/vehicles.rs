@@ -8,13 +8,13 @@ use pipeline::host::files::{self, Writing};
 use pipeline::host::progress::Work;
 use serde_json::{Value, json};
 
-/// A manifest of some hundred thousand vehicles.
+/// Largest manifest: some hundred thousand vehicles.
 const LIMIT_BYTES: u64 = 256 << 20;
 
-/// More than any vehicle of this program has.
+/// Largest file of a vehicle: more than any of this program has.
 const MODEL_LIMIT_BYTES: u64 = 64 << 20;
 
-/// Keys of a manifest's entry by which one of this program is known.
+/// Keys of an entry by which a manifest of this program is recognized.
 const KEYS: [&str; 4] = ["name", "file", "seed", "triangles"];
 
 /// A vehicle to be written.
@@ -47,7 +47,7 @@ pub(crate) fn run(arguments: &VehiclesArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Every model of every seed; where there is one seed, files are named by the model alone.
+/// Every model with every seed; with a single seed, files are named by the model alone.
 fn planned(arguments: &VehiclesArguments) -> Vec<Planned> {
     let names = scene::vehicles::names();
     let vehicle = |number: u64, name: &'static str| {
@@ -57,8 +57,8 @@ fn planned(arguments: &VehiclesArguments) -> Vec<Planned> {
     (0..arguments.count).flat_map(|number| names.iter().map(move |name| vehicle(number, name))).collect()
 }
 
-/// Seed of one of several vehicles of a model, by that which was asked for: the first has that one itself,
-/// and the others none that those of a neighbouring seed have.
+/// Seed of one of several vehicles of a model: the first has the requested seed, and the seeds of the others
+/// differ from those of neighbouring requests.
 fn seed_of(asked: u64, number: u64) -> u64 {
     match number {
         0 => asked,
@@ -72,7 +72,7 @@ fn is_manifest(text: &[u8]) -> bool {
     !entries.is_empty() && entries.iter().all(|entry| KEYS.iter().all(|key| entry.get(key).is_some()))
 }
 
-/// Whether a `.glb` is one of this program, by the generator that its first chunk tells.
+/// Whether a `.glb` was made by this program, according to the generator in its first chunk.
 fn is_own_model(bytes: &[u8]) -> bool {
     let length = bytes.get(12..16).and_then(|length| length.try_into().ok()).map(u32::from_le_bytes);
     let chunk = length.and_then(|length| bytes.get(20..)?.get(..length as usize)).unwrap_or_default();

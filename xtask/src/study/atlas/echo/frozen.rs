@@ -1,4 +1,4 @@
-//! Paths that stand for a body through a whole frame, and the precision of samples.
+//! Paths that represent a body through a whole frame, and the precision of samples.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::printed;
@@ -46,7 +46,7 @@ fn error_through_the_frame(header: &SceneHeader, frozen: &[Path]) -> Result<f64,
     Ok(looks::relative_error(&found, &expected))
 }
 
-/// The same scene as one chirp whose middle is at this moment, asked for at −45 dB.
+/// The scene as one chirp with its middle at this time, at −45 dB.
 fn instant(header: &SceneHeader, seconds: f64) -> (SceneHeader, SceneFrame) {
     let mut instant = header.clone();
     instant.fidelity.accuracy = Accuracy::from_db(-45.0);
@@ -57,7 +57,7 @@ fn instant(header: &SceneHeader, seconds: f64) -> (SceneHeader, SceneFrame) {
     (instant, frame)
 }
 
-/// S at the ends and the middle of the sweep, from the place of the first body at that moment.
+/// S at the ends and the middle of the sweep, relative to the place of the first body at that time.
 fn over_the_band(header: &SceneHeader, paths: &[Path], seconds: f64, frame: &SceneFrame) -> Vec<Complex64> {
     let waveform = &header.radar.waveform;
     let antenna_m = DVec3::from(header.radar.position_m);
@@ -72,7 +72,7 @@ fn over_the_band(header: &SceneHeader, paths: &[Path], seconds: f64, frame: &Sce
     [0.1, 0.5, 0.9].map(|share| scattering_of_paths(paths, &view, at(share))[0][0]).to_vec()
 }
 
-/// Lengths and phases are f64, samples are kept as f32.
+/// Lengths and phases are f64, samples are stored as f32.
 pub(in crate::study::atlas) fn single_precision(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::RECURRENCE.trial("samples of a point against the formulas", "range_m");
     let row = |range_m: f64| {

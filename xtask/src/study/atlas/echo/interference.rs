@@ -9,12 +9,12 @@ use artifact::scene::SceneHeader;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use wayside::host::failure::Failure;
 
-/// A radar of one transmitter in noise beside these interferers.
+/// A radar with one transmitter in noise, with these interferers.
 fn beside(interferers: &str) -> Result<SceneHeader, Failure> {
     scene_of(&format!("[radar.array]\npreset = \"1x1\"\n[noise]\nnoise_figure_db = 12.0\n{interferers}"))
 }
 
-/// Slope, MHz/µs, offset, µs, and distance, m, of radars whose chirps cross the own ones.
+/// Slope, MHz/µs, offset, µs, and distance, m, of radars whose chirps cross our own.
 const CROSSING: [(f64, f64, f64); 3] = [(13.7, 3.0, 20.0), (11.1, -3.0, 25.0), (10.0, -2.0, 30.0)];
 
 fn crossing(count: usize, eirp_dbm: f64) -> String {
@@ -28,7 +28,7 @@ fn interferer(slope_mhz_per_us: f64, offset_us: f64, eirp_dbm: f64, y_m: f64) ->
     )
 }
 
-/// Another radar of the same slope is a ghost at ½c(R/c + lateness): a place where nothing is.
+/// Another radar with the same slope is a ghost at ½c(R/c + lateness), where there is no body.
 pub(in crate::study::atlas) fn same_slope(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         methods::INTERFERER.trial("interferer of the same slope, its ghost against its formula", "late_ns");
@@ -45,7 +45,7 @@ pub(in crate::study::atlas) fn same_slope(_: Extent) -> Result<Vec<CaseRow>, Fai
     [0.0, 60.0, 450.0].into_iter().map(row).collect()
 }
 
-/// An interferer of the same slope is an object where nothing is: a flaw of all such radars.
+/// An interferer with the same slope is an object without a body: a flaw of all such radars.
 pub(in crate::study::atlas) fn ghosts_of_no_body(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CA_CFAR.trial("objects of an empty road beside an interferer", "its slope, MHz/µs");
     let says = documented(
@@ -59,8 +59,8 @@ pub(in crate::study::atlas) fn ghosts_of_no_body(_: Extent) -> Result<Vec<CaseRo
     [12.5, 11.0, -12.5].into_iter().map(row).collect()
 }
 
-/// Several crossing radars raise the noise: power of what they add over the noise's, against the closed form
-/// of crossings that last f_s/|Δμ|.
+/// Several crossing radars raise the noise: their power relative to the noise's, against the closed form for
+/// crossings of duration f_s/|Δμ|.
 pub(in crate::study::atlas) fn crossings(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::INTERFERER.trial("power of several crossing radars against closed forms", "radars");
     let row = |count: usize| {
@@ -72,7 +72,7 @@ pub(in crate::study::atlas) fn crossings(_: Extent) -> Result<Vec<CaseRow>, Fail
         let exact: f64 =
             CROSSING[..count].iter().map(|(slope, _, y)| crossing_power(waveform, *slope, *y)).sum();
         let exact = exact * f64::from(waveform.chirps);
-        // Beats of crossings with each other are no part of the sum of their powers.
+        // Beats of crossings with each other are not part of the sum of their powers.
         Ok(trial.answered(count, ((power / exact).sqrt() - 1.0).abs(), Says::Nothing))
     };
     [1, 2, 3].into_iter().map(row).collect()
@@ -86,7 +86,7 @@ fn crossing_power(waveform: &artifact::radar::Waveform, slope_mhz_per_us: f64, r
     eirp_w * gain * lambda_over_way * lambda_over_way * waveform.sample_rate_hz.powi(2) / apart
 }
 
-/// A weak point among crossing radars: error 1 where it is lost.
+/// A weak point among crossing radars: error 1 if it is lost.
 pub(in crate::study::atlas) fn weak_among_radars(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CA_CFAR.trial("a weak point beside crossing radars", "eirp_dbm of three");
     let says =

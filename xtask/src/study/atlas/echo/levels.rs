@@ -1,4 +1,4 @@
-//! Levels at the ends of single precision, and converters that are too small.
+//! Levels at the limits of single precision, and converters with too small a range.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::documented;
@@ -9,7 +9,7 @@ use artifact::radar::Adc;
 use artifact::scene::SceneHeader;
 use wayside::host::failure::Failure;
 
-/// Range of a lone point from as strong and as weak echoes as the keys allow.
+/// Range of a single point with the strongest and the weakest echo that the keys allow.
 pub(in crate::study::atlas) fn extremes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::MAP
         .trial("levels at the limits of the keys: range of a lone point", "power_dbm, gain_dbi, rcs_m2");
@@ -51,7 +51,7 @@ fn peak(header: &SceneHeader) -> Result<f64, Failure> {
     Ok(map.values.iter().map(|z| f64::from(z.norm())).fold(0.0, f64::max))
 }
 
-/// Level of a lone echo in a converter's range, and beyond it.
+/// Level of a single echo within a converter's range, and beyond it.
 pub(in crate::study::atlas) fn saturated(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::ADC.trial("level of an echo beyond the converter's full scale", "bits, dB beyond");
     let says = documented("docs/scenes.md", "beyond it samples are clipped")?;

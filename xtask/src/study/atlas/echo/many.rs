@@ -1,4 +1,4 @@
-//! Many points, fast ones, rolling ones, and a scene that has run for long: samples against the formulas.
+//! Many points, fast and rotating points, and a scene after a long time: samples against the formulas.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::{CaseRow, Says};
@@ -15,10 +15,10 @@ use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use wayside::host::failure::Failure;
 
-/// Cells of a cube that are compared with the formulas.
+/// Number of cells of a cube that are compared with the formulas.
 const COMPARED: usize = 600;
 
-/// Error of a cube at some of its samples, and what it says of it.
+/// Error of a cube at some of its samples, with the program's estimate.
 pub(in crate::study::atlas) fn against_formulas(
     header: &SceneHeader,
     paths: &PathsFrame,
@@ -41,7 +41,7 @@ pub(in crate::study::atlas) fn against_formulas(
     (looks::relative_error(&found, &exact), says)
 }
 
-/// Points on the rims of two wheels: 0 to 20 m/s in one place.
+/// Points on the rims of two wheels: 0 to 20 m/s at one place.
 pub(in crate::study::atlas) fn wheels(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::FAST_SUM
         .trial("points on rolling wheels against the formulas", "speed_mps, accuracy_db asked");
@@ -63,7 +63,7 @@ pub(in crate::study::atlas) fn wheels(_: Extent) -> Result<Vec<CaseRow>, Failure
     [(10.0, -20.0), (10.0, -80.0), (40.0, -20.0)].into_iter().map(row).collect()
 }
 
-/// Points all over the field of view, at all speeds.
+/// Points all over the field of view, at all velocities.
 pub(in crate::study::atlas) fn targets(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::FAST_SUM.trial("very many targets against the formulas", "targets");
     let row = |count: u32| {
@@ -106,7 +106,7 @@ pub(in crate::study::atlas) fn motion(_: Extent) -> Result<Vec<CaseRow>, Failure
     .collect()
 }
 
-/// A point that was on its way for hours is where it would be at once.
+/// A point that has moved for hours is at the same place as one that starts there.
 pub(in crate::study::atlas) fn long_runs(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::MOTION.trial("a point that has driven for long, against one that begins there", "s");
     let row = |(frame, interval_s): (u32, f64)| {

@@ -1,4 +1,4 @@
-//! Aspects a hair apart, antennas apart, bodies rolled, and many frequencies.
+//! Nearly equal aspects, bistatic antennas, rolled bodies, and many frequencies.
 
 use crate::study::atlas::CaseRow;
 use crate::study::atlas::methods;
@@ -14,8 +14,8 @@ use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 use wayside::host::failure::Failure;
 
-/// Steps of a millionth of a degree: S is smooth there, so that second differences over S are (2kDΔ)², below
-/// 1e-9 of these bodies; what is more is a jump.
+/// Steps of a millionth of a degree: S is smooth there, so that second differences relative to S are (2kDΔ)²,
+/// below 1e-9 for these bodies; larger ones are jumps.
 pub(in crate::study::atlas) fn hair_steps(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("aspects a millionth of a degree apart, largest jump", "body");
     let row = |(name, body, azimuth_deg): (&str, Mesh, f64)| {
@@ -77,7 +77,7 @@ pub(in crate::study::atlas) fn exchanged(_: Extent) -> Result<Vec<CaseRow>, Fail
     .collect()
 }
 
-/// The body turned about +x.
+/// The body rotated about +x.
 fn rolled(mut body: Mesh, by_deg: f64) -> Mesh {
     let (sin, cos) = by_deg.to_radians().sin_cos();
     body.vertices_m.iter_mut().for_each(|v| *v = [v[0], cos * v[1] - sin * v[2], sin * v[1] + cos * v[2]]);
@@ -109,7 +109,7 @@ pub(in crate::study::atlas) fn rolled_dihedral(_: Extent) -> Result<Vec<CaseRow>
     .collect()
 }
 
-/// Two plates far apart turn against each other by thousands of radians over the band.
+/// Two plates far apart, whose relative phase changes by thousands of radians over the band.
 pub(in crate::study::atlas) fn wide_band(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("two plates apart, 401 frequencies over 5 GHz", "apart_m");
     let azimuth_rad = 2_f64.to_radians();

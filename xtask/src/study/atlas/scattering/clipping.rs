@@ -1,4 +1,4 @@
-//! Meshes as people have them: what covers, touches, doubles or hides what.
+//! Practical meshes: facets that cover, touch, duplicate or hide each other.
 
 use crate::study::atlas::CaseRow;
 use crate::study::atlas::methods;
@@ -12,7 +12,7 @@ use bart_rcs::RcsRequest;
 use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
-/// A row where two meshes must answer alike, the second turned in phase by `turn`.
+/// A row in which two meshes must give equal answers, the second with its phase rotated by `turn`.
 fn alike(
     trial: Trial,
     value: &str,
@@ -30,7 +30,7 @@ fn alike(
     ))
 }
 
-/// Coincident facets, of which one is lit.
+/// Coincident facets, only one of which is lit.
 pub(in crate::study::atlas) fn doubled(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("every triangle there twice", "body");
     let hat = bodies::top_hat(0.05, 0.02, 60, 0.3);
@@ -44,7 +44,7 @@ pub(in crate::study::atlas) fn doubled(_: Extent) -> Result<Vec<CaseRow>, Failur
     )?])
 }
 
-/// Lengths are kept relative to the body.
+/// Lengths are stored relative to the body.
 pub(in crate::study::atlas) fn far_from_the_origin(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("mesh a kilometre from its origin", "body");
     let hat = bodies::top_hat(0.05, 0.02, 60, 0.3);
@@ -91,7 +91,7 @@ fn with_t_junctions() -> Mesh {
     bodies::joined(left, &bodies::parallelograms(&(0..6).map(strip).collect::<Vec<_>>()))
 }
 
-/// The bottom of a cube lies in the floor: it must neither be lit nor hide the floor's rest.
+/// A cube with its bottom in the floor: it must neither be lit nor hide the rest of the floor.
 pub(in crate::study::atlas) fn touching(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("cube on a floor, its bottom in the floor's plane", "azimuth_deg");
     let floor = bodies::floor(0.3);
@@ -104,7 +104,7 @@ pub(in crate::study::atlas) fn touching(_: Extent) -> Result<Vec<CaseRow>, Failu
     [0.0, 20.0].into_iter().map(row).collect()
 }
 
-/// Every tenth facet wound the other way round; facets scatter from either side.
+/// Every tenth facet with reversed winding; facets scatter from either side.
 pub(in crate::study::atlas) fn flipped(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("a tenth of the facets wound wrongly, open rim", "sides");
     let tube = bodies::joined(

@@ -1,4 +1,4 @@
-//! Meshes of too few polygons: their flat facets look elsewhere, and the level is many decibels too low.
+//! Meshes of too few polygons: their flat facets point elsewhere, and the level is many decibels too low.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::documented;
@@ -13,9 +13,9 @@ use bart_rcs::RcsRequest;
 use std::f64::consts::PI;
 use wayside::host::failure::Failure;
 
-/// Tries a skin that is made of few corners.
+/// Documented limit of a skin defined by few vertices.
 const SKIN: &str = "Normals from a mesh of irregular triangles are as good as the mesh.";
-/// Half axes of a smooth body of a small car's proportions.
+/// Half axes of a smooth body with a small car's proportions.
 const HALF_M: [f64; 3] = [0.4, 0.18, 0.14];
 
 fn ellipsoid(cells: u32) -> Mesh {
@@ -32,7 +32,7 @@ fn smooth_level(azimuth_rad: f64, elevation_rad: f64) -> f64 {
     PI.sqrt() * HALF_M.iter().product::<f64>() / square
 }
 
-/// Levels over 24 aspects: the mean of |20·log₁₀| as an amplitude.
+/// Mean error of the levels over 24 aspects: the mean of |20·log₁₀| as an amplitude.
 pub(in crate::study::atlas) fn few_polygons(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         methods::BART.trial("smooth body of few polygons, mean |dB| of 24 aspects", "surface, triangles");
@@ -51,7 +51,8 @@ pub(in crate::study::atlas) fn few_polygons(_: Extent) -> Result<Vec<CaseRow>, F
         let mean_db = result.amplitude_m.iter().zip(exact).map(miss_db).sum::<f64>() / 24.0;
         let says = match result.error.tessellation {
             None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
-            // The bound is of the skin that the corners tell of, which so few do not tell rightly.
+            // The bound is that of the skin defined by the vertices, which are too few to define it
+            // accurately.
             Some(_) => skin,
         };
         let error = 10_f64.powf(mean_db / 20.0) - 1.0;

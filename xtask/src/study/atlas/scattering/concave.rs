@@ -1,4 +1,4 @@
-//! Concave skins: caustics of one reflection, and what bounces inside.
+//! Concave skins: caustics of one reflection, and interior bounces.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::printed;
@@ -15,10 +15,10 @@ use std::f64::consts::PI;
 use wayside::host::failure::Failure;
 
 const RADIUS_M: f64 = 0.3;
-/// Tangent of half the angle that the mirror takes seen from its centre.
+/// Tangent of half the angle of the mirror seen from its centre.
 const HALF: f64 = 0.1;
 
-/// A mirror of a sphere's shape, its pole in the origin and its centre on +x.
+/// A spherical mirror with its pole at the origin and its centre on +x.
 fn mirror(cells: u32) -> Mesh {
     let mut all = bodies::mesh(vec![], vec![]);
     let at = |i: u32| HALF * (2.0 * f64::from(i) / f64::from(cells) - 1.0);
@@ -35,7 +35,7 @@ fn mirror(cells: u32) -> Mesh {
     all
 }
 
-/// All of a mirror is in phase from its centre: S = j√(4π)·A/λ, where geometrical optics is infinite.
+/// The whole mirror is in phase from its centre: S = j√(4π)·A/λ, where geometrical optics is infinite.
 pub(in crate::study::atlas) fn mirror_from_its_centre(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("hollow mirror seen from its centre (a caustic)", "q of the facets");
     let area_m2 = 4.0 * (HALF * HALF / (1.0 + 2.0 * HALF * HALF).sqrt()).atan() * RADIUS_M * RADIUS_M;
@@ -54,7 +54,7 @@ pub(in crate::study::atlas) fn mirror_from_its_centre(_: Extent) -> Result<Vec<C
     [0.1, 0.25, 0.5].into_iter().map(row).collect()
 }
 
-/// The same facets by dense sampling, at the places where rays cross.
+/// The same facets against dense sampling, at the places where rays cross.
 pub(in crate::study::atlas) fn mirror_from_its_focus(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("hollow mirror about its focus, dense sampling", "range over radius");
     let body = mirror(18);
@@ -84,8 +84,8 @@ fn trough(radius_m: f64, height_m: f64, sides: u32) -> Mesh {
     bodies::parallelograms(&(0..sides).map(wall).collect::<Vec<_>>())
 }
 
-/// Waves that run along a concave wall bounce on and on; each order over all of S, rays 30 along a wavelength
-/// with the same node.
+/// Waves along a concave wall bounce many times; each order relative to the whole of S, rays 30 per
+/// wavelength with the same node.
 pub(in crate::study::atlas) fn trough_of_orders(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("half tube from inside, rays of the same order", "azimuth_deg, order");
     let body = trough(0.05, 0.05, 90);

@@ -1,4 +1,4 @@
-//! Cavities, ducts and walls that face each other: the field comes back after many bounces.
+//! Cavities, ducts and facing walls: the field returns after many bounces.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::printed;
@@ -14,15 +14,15 @@ use po_sbr::{Bracket, sbr};
 use std::f64::consts::PI;
 use wayside::host::failure::Failure;
 
-/// Highest order of the path record; the reference goes on to eight.
+/// Orders of the path record; the reference goes on to eight.
 const ORDERS: [u8; 5] = [1, 2, 3, 4, 5];
 
-/// Against rays that bounce eight times, 30 along a wavelength.
+/// Comparison with rays that bounce eight times, 30 per wavelength.
 pub(in crate::study::atlas) fn open_box(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     of_orders("box without a front", &bodies::cube(0.06, &Face::ALL[1..]), [25.0, 15.0], 8)
 }
 
-/// A square tube ten times as long as wide, 20° off its axis: against rays that bounce 24 times.
+/// A square tube ten times as long as wide, 20° off its axis: comparison with rays that bounce 24 times.
 pub(in crate::study::atlas) fn duct(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let (side_m, length_m) = (0.03, 0.3);
     let half_m = 0.5 * side_m;
@@ -37,7 +37,7 @@ pub(in crate::study::atlas) fn duct(_: Extent) -> Result<Vec<CaseRow>, Failure> 
     of_orders("duct ten times as long as wide, shut at its end", &body, [20.0, 0.0], 24)
 }
 
-/// Two upright tubes side by side: waves go to and fro between their round walls.
+/// Two upright tubes side by side, with waves between their round walls.
 pub(in crate::study::atlas) fn round_walls(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let (radius_m, height_m, gap_m) = (0.03, 0.03, 0.02);
     let beside = |y_m: f64| bodies::shifted(bodies::tube(radius_m, height_m, 120, 0.0), [0.0, y_m, 0.0]);
@@ -46,7 +46,7 @@ pub(in crate::study::atlas) fn round_walls(_: Extent) -> Result<Vec<CaseRow>, Fa
     of_orders("two round walls that face each other", &body, [0.0, 0.0], 8)
 }
 
-/// Two hollow walls about one axis, gaps of 60° between them, seen from above.
+/// Two hollow walls about one axis, with gaps of 60° between them, seen from above.
 pub(in crate::study::atlas) fn hollow_walls(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let (radius_m, height_m) = (0.03, 0.03);
     let mut tube = bodies::tube(radius_m, height_m, 120, 0.0);
@@ -60,7 +60,7 @@ pub(in crate::study::atlas) fn hollow_walls(_: Extent) -> Result<Vec<CaseRow>, F
     of_orders("two hollow walls that face each other", &tube, [20.0, 40.0], 10)
 }
 
-/// Orders traced, against rays that bounce as often as there is anything left.
+/// Traced orders against rays that bounce as long as anything is left.
 fn of_orders(
     case: &'static str,
     body: &Mesh,
@@ -88,13 +88,13 @@ fn by_rays(body: &Mesh, [azimuth_deg, elevation_deg]: [f64; 2], bounces: u8) -> 
     Ok(looks::shot(body, &request, &shooting)?.iter().sum())
 }
 
-/// A closed box from outside: whatever the orders traced inside of it, it is its front (P1).
+/// A closed box seen from outside: whatever orders are traced inside it, its S is that of its front (P1).
 pub(in crate::study::atlas) fn closed_box(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("closed box from outside: nothing gets in", "bounces");
     let (side_m, azimuth_rad) = (0.06, 1_f64.to_radians());
     let body = bodies::shifted(bodies::cube(side_m, &Face::ALL), [-0.5 * side_m, 0.0, -0.5 * side_m]);
     let front = closed_forms::plate_far(side_m, azimuth_rad);
-    // The one other side that is lit has its middle half a side behind and beside the front's.
+    // The middle of the only other lit side is half a side behind and beside the front's.
     let middle_m = 0.5 * side_m * (azimuth_rad.sin() - azimuth_rad.cos());
     let beside = closed_forms::plate_far(side_m, 0.5 * PI - azimuth_rad);
     let exact = front + beside * Complex64::cis(2.0 * looks::K * middle_m);

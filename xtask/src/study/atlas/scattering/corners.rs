@@ -1,4 +1,4 @@
-//! Joins of beams in corners: each sequence once, and what the choice of a node is worth.
+//! Joints of beams in corners: each sequence once, and the effect of the choice of a node.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::Trial;
@@ -57,7 +57,7 @@ fn order_alone(
     ))
 }
 
-/// Off 90° the node decides; neither is exact, and the spread is printed.
+/// Angles other than 90°: the result depends on the node; neither is exact, and the spread is printed.
 pub(in crate::study::atlas) fn other_angles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("middle against exit node off 90°", "angle_deg, azimuth_deg");
     let row = |(angle_deg, azimuth_deg): (f64, f64)| {

@@ -1,4 +1,4 @@
-//! Facets in place of a curved skin, and physical optics on bodies that are small.
+//! Facets instead of a curved skin, and physical optics on small bodies.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::{documented, printed};
@@ -13,7 +13,7 @@ use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 use wayside::host::failure::Failure;
 
-/// `error_db` holds no figure for the shape where a mesh is taken as the body itself.
+/// Statement that `error_db` has no figure for the shape if a mesh is taken as the body itself.
 fn as_given(result: &RcsResult) -> Says {
     match result.error.tessellation {
         None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
@@ -22,7 +22,7 @@ fn as_given(result: &RcsResult) -> Says {
 }
 
 /// Flat strips of q = chord/√(ρλ): with 0.25 the complex error is −23 dB, beyond 0.7 the facets' own grating
-/// lobes decide.
+/// lobes dominate.
 pub(in crate::study::atlas) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("cylinder as flat strips, worst of five turns", "q");
     let (radius_m, height_m) = (0.5, 0.05);
@@ -36,7 +36,7 @@ pub(in crate::study::atlas) fn facets_of_a_cylinder(_: Extent) -> Result<Vec<Cas
     [0.1, 0.25, 0.35, 0.5, 0.71, 1.0, 2.0].into_iter().map(row).collect()
 }
 
-/// The tube stands on z = 0; its middle is the origin of the closed form.
+/// Worst error over rotations. The tube stands on z = 0; its middle is the origin of the closed form.
 fn worst_turn(sides: u32, radius_m: f64, height_m: f64, exact: Complex64) -> Result<(f64, Says), Failure> {
     let mut worst = (0.0_f64, Says::Nothing);
     for turn in [0.0, 0.2, 0.4, 0.6, 0.8] {
@@ -48,7 +48,7 @@ fn worst_turn(sides: u32, radius_m: f64, height_m: f64, exact: Complex64) -> Res
     Ok(worst)
 }
 
-/// Small spheres against Mie's series: physical optics leaves out penumbra and creeping waves.
+/// Small spheres against Mie's series: physical optics lacks penumbra and creeping waves.
 pub(in crate::study::atlas) fn spheres_against_mie(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("level of spheres against Mie's series", "ka");
     let says = documented(

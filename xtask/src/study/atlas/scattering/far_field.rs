@@ -15,7 +15,8 @@ use wayside::host::failure::Failure;
 const SIDE_M: f64 = 1.5;
 const RANGES_M: [f64; 4] = [10.0, 25.0, 40.0, 100.0];
 
-/// A plate square to the radar and as high as it; the sweep is centred on the frequency of the closed forms.
+/// A plate at the radar's height, perpendicular to the line of sight; the sweep is centred on the frequency
+/// of the closed forms.
 fn scene_at(range_m: f64) -> Result<SceneHeader, Failure> {
     let header = scene_of(
         "[radar.waveform]\nstart_frequency_ghz = 76.6875\nchirps = 32\n[radar.array]\npreset = \"1x1\"\n",
@@ -23,7 +24,7 @@ fn scene_at(range_m: f64) -> Result<SceneHeader, Failure> {
     Ok(with_body(header, &bodies::plate(SIDE_M), [0.0, range_m, 6.0], [0.0; 3]))
 }
 
-/// The paper's σ_f: its phase and level belong to infinity.
+/// The paper's σ_f, whose phase and level hold at infinity.
 pub(in crate::study::atlas) fn table_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::RCS_TABLE.trial("far-field table of a 1.5 m plate", "range_m");
     let far = closed_forms::plate_far(SIDE_M, 0.0);
@@ -32,13 +33,14 @@ pub(in crate::study::atlas) fn table_over_range(_: Extent) -> Result<Vec<CaseRow
         let table = tables_at(&header, &frame_of(&header))?;
         let says = table.model_error.far_field.map_or(Says::Nothing, Says::About);
         let near = closed_forms::plate_near(SIDE_M, range_m, 0.0);
-        // The table's own S at its middle aspect is far away's closed form; its comparison is over the band.
+        // The table's own S at its middle aspect is the far-field closed form; its comparison is over the
+        // band.
         Ok(trial.answered(range_m, looks::relative_error(&[far], &[near]), says))
     };
     RANGES_M.into_iter().map(row).collect()
 }
 
-/// Paths of spherical waves, which take the table's place.
+/// Paths of spherical waves instead of the table.
 pub(in crate::study::atlas) fn paths_over_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::PATHS.trial("paths of the same plate", "range_m");
     let row = |range_m: f64| {

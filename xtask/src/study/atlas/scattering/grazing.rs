@@ -1,4 +1,4 @@
-//! Surfaces seen nearly along themselves.
+//! Surfaces near grazing incidence.
 
 use crate::study::atlas::methods::{self, Method};
 use crate::study::atlas::verdict::{documented, printed, without_edges};
@@ -31,7 +31,8 @@ pub(in crate::study::atlas) fn plate(_: Extent) -> Result<Vec<CaseRow>, Failure>
     [10.0, 1.0, 0.1, 1e-3, 1e-6].into_iter().map(row).collect()
 }
 
-/// A wall of the corner is seen at 5° and less, so that beams run along it: 16π(ab)²sin²(45° − φ)/λ² (D1).
+/// A wall of a corner at 5° and less to the line of sight, so that beams run along it: 16π(ab)²sin²(45° −
+/// φ)/λ² (D1).
 pub(in crate::study::atlas) fn wall_of_a_corner(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("beams almost along a wall of a corner", "degrees from the wall");
     let body = bodies::dihedral(90.0);
@@ -39,7 +40,7 @@ pub(in crate::study::atlas) fn wall_of_a_corner(_: Extent) -> Result<Vec<CaseRow
         let result = looks::traced(&body, &looks::bounced(45.0 - grazing_deg, 0.0, 2))?;
         let level =
             (16.0 * PI).sqrt() * 0.15_f64.powi(2) / looks::WAVELENGTH_M * grazing_deg.to_radians().sin();
-        // Over the whole of S, which the printed error is of.
+        // Relative to the whole of S, like the printed error.
         let error = (result.by_order_m[1][0].norm() - level).abs() / result.amplitude_m[0].norm();
         Ok(trial.answered(grazing_deg, error, printed(&result.error)))
     };
@@ -58,7 +59,7 @@ const STRIP_DB: [(f64, f64, f64); 8] = [
     (20.0, 0.21, 1.82),
     (10.0, 0.07, 1.09),
 ];
-/// Length of the strip, so that its ends are −45 dB beside its edges.
+/// Length of the strip, for which its ends are −45 dB relative to its edges.
 const LENGTH_M: f64 = 1.0;
 
 fn strip() -> Mesh {
@@ -80,7 +81,7 @@ pub(in crate::study::atlas) fn strip_with_edges(_: Extent) -> Result<Vec<CaseRow
     strip_rows(methods::EDGES, Edges::FirstOrder)
 }
 
-/// A strip of length L has S = L·D/√π, the 2-D field E = D·e^{−j(kr + π/4)}/√(2πkr).
+/// A strip of length L has S = L·D/√π, with the 2-D field E = D·e^{−j(kr + π/4)}/√(2πkr).
 fn strip_rows(method: Method, edges: Edges) -> Result<Vec<CaseRow>, Failure> {
     let trial = method
         .trial("strip of ten wavelengths, exact series", "field along the edges, degrees from the plane");

@@ -1,4 +1,4 @@
-//! The closed-form integral where its formulas turn into 0/0, and where facets cancel.
+//! The closed-form integral where its formulas become 0/0, and where facets cancel.
 
 use crate::study::atlas::CaseRow;
 use crate::study::atlas::methods;
@@ -10,7 +10,7 @@ use crate::study::looks;
 use bart_rcs::RcsRequest;
 use wayside::host::failure::Failure;
 
-/// Gordon's formula divides by the phase gradient, which vanishes square to the plate.
+/// Gordon's formula divides by the phase gradient, which vanishes at normal incidence.
 pub(in crate::study::atlas) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("plate almost square to the wave (Gordon 0/0)", "azimuth_deg");
     let plate = bodies::plate(0.3);
@@ -26,7 +26,7 @@ pub(in crate::study::atlas) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, F
     [0.0, 1e-9, 1e-6, 1e-4, 1e-2, 1.0].into_iter().map(row).collect()
 }
 
-/// A plate of 1.2 m from 25 m is cut until its phases are straight; off the specular the pieces all but
+/// A plate of 1.2 m at 25 m is cut until its phases are linear; off the specular direction the pieces nearly
 /// cancel.
 pub(in crate::study::atlas) fn off_specular(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("near plate off its specular (pieces cancel)", "azimuth_deg");

@@ -1,4 +1,4 @@
-//! Sheets and half-spaces: thicknesses that nobody knows, Brewster's angle, what is behind a pane.
+//! Sheets and half-spaces: unknown thicknesses, Brewster's angle, bodies behind a pane.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::{documented, printed};
@@ -17,7 +17,7 @@ use wayside::host::failure::Failure;
 /// Glass at 77 GHz (docs/physics.md §5).
 const GLASS: Complex64 = Complex64::new(6.5, -0.15);
 
-/// The body all of one material.
+/// The body with a single material.
 fn made_of(mut body: Mesh, material: Material, transmission: Transmission) -> Mesh {
     body.materials = vec!["glass".into()];
     body.material_of_triangle = vec![0; body.triangles.len()];
@@ -33,7 +33,7 @@ fn pane(thickness_m: f64, thickness: Thickness) -> Material {
     }
 }
 
-/// Reflection r on E and the passage t·e^{jkd} of a slab, square to it (docs/physics.md §5).
+/// Reflection r of E and transmission t·e^{jkd} of a slab at normal incidence (docs/physics.md §5).
 fn slab(thickness_m: f64) -> [Complex64; 2] {
     let s = GLASS.sqrt();
     let r = (1.0 - s) / (1.0 + s);
@@ -43,7 +43,7 @@ fn slab(thickness_m: f64) -> [Complex64; 2] {
     [r * (1.0 - twice) / all, (1.0 - r * r) * once / all * Complex64::cis(looks::K * thickness_m)]
 }
 
-/// Panes of 4 to 6 mm, seen square on: each fraction of a millimetre is another level.
+/// Panes of 4 to 6 mm at normal incidence: each fraction of a millimetre changes the level.
 pub(in crate::study::atlas) fn panes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("panes of glass, Fresnel's slab", "thickness_mm, told");
     let averaged =
@@ -67,8 +67,8 @@ pub(in crate::study::atlas) fn panes(_: Extent) -> Result<Vec<CaseRow>, Failure>
     exactly.chain(thicknesses_m.iter().map(|d| (*d, Thickness::Averaged))).map(row).collect()
 }
 
-/// A wall of glass filled all the way; its Brewster angle is 68.6°: Kirchhoff's currents have r_TM (on H) in
-/// E across the plate's edge, −r_TE along it, times the conductor's.
+/// A solid wall of glass; its Brewster angle is 68.6°: Kirchhoff's currents have r_TM (of H) for E across the
+/// plate's edge, −r_TE along it, times the conductor's.
 pub(in crate::study::atlas) fn half_space(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART
         .trial("half-space of glass about its Brewster angle, 68.6°", "polarization, degrees off normal");
@@ -92,7 +92,7 @@ pub(in crate::study::atlas) fn half_space(_: Extent) -> Result<Vec<CaseRow>, Fai
     hh.chain(angles.iter().map(|a| ("vv", Polarization::Vv, *a))).map(row).collect()
 }
 
-/// Metal 0.2 m behind a pane: the pane's own echo and the metal's, twice through it.
+/// Metal 0.2 m behind a pane: the pane's own echo, and the metal's through the pane twice.
 pub(in crate::study::atlas) fn behind_a_pane(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("metal behind a pane of 5 mm", "waves through sheets");
     let (thickness_m, before_m) = (5e-3, 0.2);

@@ -17,7 +17,7 @@ fn from_near(body: &Mesh, range_m: f64, bounces: u8) -> Result<RcsResult, Failur
     looks::traced(body, &RcsRequest { range_m, ..looks::bounced(0.0, 0.0, bounces) })
 }
 
-/// Nearer than a wavelength, in a closed body, on a corner.
+/// Antennas nearer than a wavelength, in a closed body, on a corner.
 pub(in crate::study::atlas) fn antennas_in_bodies(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("antenna in a body or within a wavelength of it", "place");
     let plate = bodies::plate(0.1);
@@ -71,7 +71,7 @@ const WALL_M: f64 = 0.2;
 const TO_WALL_M: f64 = 1.0;
 const RANGE_M: f64 = 5.0;
 
-/// Two walls that face each other with the antenna midway: order after order comes back, for ever.
+/// Two facing walls with the antenna midway: all orders return, without end.
 pub(in crate::study::atlas) fn between_walls(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("antenna between two walls, orders without end", "bounces");
     let wall = |x_m: f64| bodies::shifted(bodies::plate(WALL_M), [x_m, 0.0, 0.0]);
@@ -88,7 +88,8 @@ pub(in crate::study::atlas) fn between_walls(_: Extent) -> Result<Vec<CaseRow>, 
     (1..=5).map(row).collect()
 }
 
-/// Each order by its images: K mirrors away the antenna stands K walls' distances off, and both walls begin.
+/// Each order by its images: after K mirrors the antenna is K wall distances away, and the sequence may begin
+/// at either wall.
 fn order_between_walls(order: u32) -> Complex64 {
     let away = |images: u32| TO_WALL_M * f64::from(images);
     let (first, last) = if order.is_multiple_of(2) { (order + 1, order - 1) } else { (order, order) };

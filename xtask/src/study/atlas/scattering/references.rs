@@ -1,4 +1,4 @@
-//! The slow references where they are too coarse.
+//! The slow references when they are too coarse.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::{CaseRow, Says};
@@ -11,10 +11,11 @@ use po_sbr::{Bracket, sbr};
 use std::f64::consts::PI;
 use wayside::host::failure::Failure;
 
-/// `rcs --method po` and `sbr` print no figure: they are told by their density, and compared as it grows.
+/// Statement for `rcs --method po` and `sbr`, which print no figure: they are characterized by their density,
+/// and compared as it increases.
 const BY_DENSITY: Says = Says::Words("error_db is null: a reference is known by its density alone");
 
-/// Rays along a wavelength over a square trihedral on its axis.
+/// Rays per wavelength over a square trihedral on its axis.
 pub(in crate::study::atlas) fn few_rays(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::SBR.trial("square trihedral, order 3 alone", "rays per wavelength");
     let body = bodies::square_trihedral(0.1);
@@ -29,7 +30,7 @@ pub(in crate::study::atlas) fn few_rays(_: Extent) -> Result<Vec<CaseRow>, Failu
     [0.2, 0.5, 1.0, 2.0, 8.0].into_iter().map(row).collect()
 }
 
-/// Samples along a wavelength over a plate far off its normal.
+/// Samples per wavelength over a plate far off its normal.
 pub(in crate::study::atlas) fn few_samples(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::PO.trial("plate 20° off its normal", "samples per wavelength");
     let (body, request) = (bodies::plate(0.3), looks::first_order(20.0, 0.0));
@@ -41,8 +42,8 @@ pub(in crate::study::atlas) fn few_samples(_: Extent) -> Result<Vec<CaseRow>, Fa
     [0.2, 0.5, 1.0, 2.0, 4.0].into_iter().map(row).collect()
 }
 
-/// A cylinder of flat strips of which each facet has seven samples alone, almost the point scatterers of fast
-/// tools, and dense ones.
+/// A cylinder of flat strips with only seven samples per facet, almost like the point scatterers of fast
+/// tools, against dense ones.
 pub(in crate::study::atlas) fn few_samples_a_facet(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::PO.trial("cylinder of few samples a facet", "samples per wavelength, q");
     let (radius_m, height_m) = (0.5, 0.05);

@@ -13,7 +13,7 @@ use bart_rcs::RcsRequest;
 use std::f64::consts::{PI, TAU};
 use wayside::host::failure::Failure;
 
-/// A disc that faces +x, as a fan of triangles.
+/// A disc facing +x, as a fan of triangles.
 fn disc(radius_m: f64, sides: u32) -> Mesh {
     let rim = (0..sides).map(|i| {
         let angle = TAU * f64::from(i) / f64::from(sides);
@@ -23,7 +23,7 @@ fn disc(radius_m: f64, sides: u32) -> Mesh {
     bodies::mesh(vertices_m, (0..sides).map(|i| [0, 1 + i, 1 + (i + 1) % sides]).collect())
 }
 
-/// Square on a disc with ka ≪ 1: σ = 64k⁴a⁶/9π (Rayleigh).
+/// Normal incidence on a disc with ka ≪ 1: σ = 64k⁴a⁶/9π (Rayleigh).
 pub(in crate::study::atlas) fn discs(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("level of small discs against Rayleigh's", "edges, ka");
     let page = documented(
@@ -52,7 +52,7 @@ pub(in crate::study::atlas) fn discs(_: Extent) -> Result<Vec<CaseRow>, Failure>
     .collect()
 }
 
-/// The closed form of a plate at one degree, whatever its size.
+/// The closed form of a plate at one degree, for any size.
 pub(in crate::study::atlas) fn sizes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("plates of any size", "side_m");
     let row = |side_m: f64| {

@@ -23,7 +23,7 @@ fn truth(header: &SceneHeader) -> (f64, f64) {
     (away.length(), glam::DVec3::from(pose.velocity_mps).dot(away) / away.length())
 }
 
-/// Relative error of the speed of a point that comes nearer, and what its object says of it.
+/// Relative error of the speed of an approaching point, with its object's statement.
 fn speed_off(words: &str, place_m: [f64; 3], speed_mps: f64) -> Result<(f64, Says), Failure> {
     let header = scene_of(&format!("{NOISE}{words}"))?;
     let header = with_point(header, 1.0, place_m, [0.0, -speed_mps, 0.0]);
@@ -63,7 +63,7 @@ pub(in crate::study::atlas) fn range(_: Extent) -> Result<Vec<CaseRow>, Failure>
     [50.0, 60.0, 70.0].into_iter().map(row).collect()
 }
 
-/// Three transmitters share the velocity span with `tdm`, and keep it with `ddm`; a wrong fold is a wrong
+/// Three transmitters share the velocity span with `tdm`, and keep it with `ddm`; a wrong fold gives a wrong
 /// angle.
 pub(in crate::study::atlas) fn transmitters_in_turn(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::ANGLE.trial("place of a point at −10 m/s, 3 transmitters", "multiplexing");
@@ -73,16 +73,16 @@ pub(in crate::study::atlas) fn transmitters_in_turn(_: Extent) -> Result<Vec<Cas
         let (true_m, _) = truth(&header);
         let object = detected(&header)?;
         let across_m = object.position_m[0] - PLACE_M[0];
-        // Half a lane at this range is −27 dB; the verdict asks for the lane, not for −20 dB.
+        // Half a lane at this range is −27 dB; the verdict depends on the lane, not on −20 dB.
         let error = across_m.abs() / true_m * if object.lane == Some(2) { 1.0 } else { 10.0 };
         Ok(trial.answered(multiplexing, error, unless_resolved(&object)))
     };
     ["simultaneous", "tdm", "ddm"].into_iter().map(row).collect()
 }
 
-/// Doppler division keeps the span of one transmitter, ±16.2 m/s; beyond it the fold is none that the empty
-/// band could tell, and the velocity is said not to be resolved. Found by the random search (seed 2, lone
-/// points, case 0).
+/// Doppler division keeps the span of one transmitter, ±16.2 m/s; beyond it the empty band does not determine
+/// the fold, and the velocity is reported as not resolved. Found by the random search (seed 2, lone points,
+/// case 0).
 pub(in crate::study::atlas) fn beyond_the_bands(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::DDM.trial("speed beyond the span of Doppler division, ±16.2 m/s", "speed_mps");
     let row = |speed_mps: f64| {
@@ -92,8 +92,8 @@ pub(in crate::study::atlas) fn beyond_the_bands(_: Extent) -> Result<Vec<CaseRow
     [10.0, 15.0, 20.0, 29.0].into_iter().map(row).collect()
 }
 
-/// A frame with codes takes four times as long: a fast point crosses several range cells in it. Found by the
-/// random search (seed 2, lone points, case 9: 0.4 of a Doppler cell off).
+/// A frame with codes takes four times as long: a fast point crosses several range cells during it. Found by
+/// the random search (seed 2, lone points, case 9: 0.4 of a Doppler cell off).
 pub(in crate::study::atlas) fn crossing_cells(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BPM.trial("speed of a point that crosses range cells within a frame", "speed_mps");
     let row = |speed_mps: f64| {

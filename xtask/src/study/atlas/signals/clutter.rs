@@ -14,11 +14,11 @@ use wayside::host::failure::Failure;
 const ASKED: f64 = 1e-3;
 /// The first range cell of the clutter.
 const STEP: usize = 128;
-/// Cells on either side whose training cells reach over the step.
+/// Cells on either side whose training cells extend over the step.
 const NEAR: usize = 10;
 
-/// Exponential noise whose power rises by 30 dB at a range: false alarms in the cells next to the step over
-/// those asked for, on its upper side.
+/// Exponential noise whose power rises by 30 dB at a range: ratio of actual to requested false alarms in the
+/// cells next to the step, on its upper side.
 pub(in crate::study::atlas) fn steps(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CFAR.trial("false alarms on a step of the clutter by 30 dB", "detector");
     let says = documented(
@@ -31,7 +31,7 @@ pub(in crate::study::atlas) fn steps(extent: Extent) -> Result<Vec<CaseRow>, Fai
         (header.dsp.false_alarm_rate, header.dsp.detector) = (ASKED, detector);
         let cfar = Cfar::new(&cube_header(&header)).map_err(Failure::refused)?;
         let rate = on_the_step(&cfar, extent.of(150));
-        // An excess counts as it is; a shortfall is what is lost.
+        // An excess counts as it is; a shortfall as the missing share.
         Ok(trial.answered(name, (rate / ASKED - 1.0).abs(), says))
     };
     [
@@ -64,7 +64,7 @@ fn on_the_step(cfar: &Cfar, frames: u64) -> f64 {
     hits as f64 / cells as f64
 }
 
-/// Nothing in view: neither points nor objects, whatever the noise.
+/// Nothing in view: neither points nor objects, only noise.
 pub(in crate::study::atlas) fn without_target(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CA_CFAR.trial("a frame without a target: objects", "noise");
     let row = |(name, words): (&str, &str)| {
@@ -88,7 +88,7 @@ pub(in crate::study::atlas) fn without_target(_: Extent) -> Result<Vec<CaseRow>,
     .collect()
 }
 
-/// Noise alone for a hundred frames: tracks that are believed.
+/// Noise alone for a hundred frames: confirmed tracks.
 pub(in crate::study::atlas) fn noise_alone(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::TRACKS.trial("noise alone: tracks that are believed", "false alarms asked, frames");
     let frames = extent.of(100) as u32;

@@ -17,10 +17,10 @@ pub(in crate::study::atlas) fn all(extent: Extent) -> Result<Vec<CaseRow>, Failu
 }
 
 const ASKED: f64 = 1e-2;
-/// Cells at either end of the range axis whose training cells are cut off.
+/// Number of cells at either end of the range axis with truncated training cells.
 const RIM: usize = 10;
 
-/// Noise alone, by zone. Counting alone leaves 2 % in the interior and 5 % at an edge of 2·10⁵ cells.
+/// Noise alone, by zone. Counting statistics are 2 % in the interior and 5 % at an edge of 2·10⁵ cells.
 fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CA_CFAR.trial("false alarms by zone, asked 1e-2", "window, zone");
     let says = match window {
@@ -40,7 +40,7 @@ fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<CaseRo
     Ok(vec![row("edge", edge), row("interior", interior)])
 }
 
-/// Detections over cells tested, at the edges of the range axis and inside.
+/// Ratio of detections to tested cells, at the edges of the range axis and inside.
 fn counted(header: &SceneHeader, frames: u64) -> Result<[f64; 2], Failure> {
     let (mut hits, mut cells) = ([0_u64; 2], [0_u64; 2]);
     let samples = header.radar.waveform.range_cells();
@@ -62,9 +62,9 @@ fn noise_map(header: &SceneHeader, receiver: &dsp::Receiver, seed: u64) -> Resul
     Ok(receiver.range_doppler(&cube).map_err(Failure::refused)?.mask)
 }
 
-/// Two equal points three range cells apart: both must be points of the cloud. An error is the further one's
-/// distance to the nearest point, over the three cells. The stronger one stands in the noise estimate of the
-/// weaker.
+/// Two equal points three range cells apart: both must be points of the cloud. The error is the farther one's
+/// distance to the nearest point, relative to the three cells. The stronger one raises the noise estimate of
+/// the weaker.
 fn neighbours() -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CA_CFAR.trial("two points three cells apart", "second below first, dB");
     let says = Says::Words("docs/physics.md §10: ca-cfar masks a weaker neighbour");
@@ -81,8 +81,8 @@ fn neighbours() -> Result<Vec<CaseRow>, Failure> {
     [0.0, 15.0].into_iter().map(row).collect()
 }
 
-/// A map without noise, whose floor is 60 dB below the peak: what is weaker is not seen, and the map says
-/// which floor it took.
+/// A map without noise, whose floor is 60 dB below the peak: weaker echoes are not detected, and the map
+/// reports its floor.
 fn without_noise() -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CA_CFAR.trial("noise-free map, a second point at 30 m", "second below first, dB");
     let row = |below_db: f64| {

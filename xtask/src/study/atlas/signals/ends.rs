@@ -1,5 +1,5 @@
-//! Ends of the map: ranges near zero and near the largest, speeds at the ambiguity, sampling of other kinds,
-//! directions far off the boresight.
+//! Limits of the map: ranges near zero and near the largest, velocities at the ambiguity, other kinds of
+//! sampling, directions far off the boresight.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::signals::strongest::{strongest, unless_resolved};
@@ -10,14 +10,14 @@ use crate::study::scenes::{scene_of, seen, with_point};
 use artifact::scene::SceneHeader;
 use wayside::host::failure::Failure;
 
-/// Range of a lone point in cells of its error: one is 0.24 m.
+/// Error of a single point's range in cells: one is 0.24 m.
 fn cells_off(header: &SceneHeader, range_m: f64) -> Result<f64, Failure> {
     let cell_m = header.radar.waveform.range_resolution_m();
     Ok(strongest(header)?.map_or(f64::INFINITY, |o| (o.range_m - range_m).abs() / cell_m))
 }
 
-/// Tries ranges from almost nothing to the last cell before the fold, and one behind it; an error of one is a
-/// range cell.
+/// Ranges from almost zero to the last cell before the fold, and one beyond it; an error of one is a range
+/// cell.
 pub(in crate::study::atlas) fn ranges(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::MAP.trial("range of a point at the ends of the range axis, in cells", "range_m");
     let folded = documented("docs/scenes.md", "What is beyond `range_max_m` shows as much behind 0")?;
@@ -34,7 +34,7 @@ pub(in crate::study::atlas) fn ranges(_: Extent) -> Result<Vec<CaseRow>, Failure
     [0.05, 0.24, 1.0, 60.9, 61.2, 61.36, 61.6].into_iter().map(row).collect()
 }
 
-/// Scenes whose one point is where it cannot be heard.
+/// Scenes with a single point that cannot be received.
 pub(in crate::study::atlas) fn at_the_radar(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::READ.trial("a target at the radar", "target");
     let point = |place: &str| {
@@ -48,7 +48,7 @@ pub(in crate::study::atlas) fn at_the_radar(_: Extent) -> Result<Vec<CaseRow>, F
     ])
 }
 
-/// Experiment 3, ±8.7774 m/s: at the ambiguity itself, and a hair to both sides.
+/// Experiment 3, ±8.7774 m/s: at the ambiguity itself, and slightly to either side.
 pub(in crate::study::atlas) fn speeds(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::MAP.trial("speed at the ambiguity, ±8.7774 m/s", "radial speed, m/s");
     let row = |speed_mps: f64| {
@@ -65,7 +65,7 @@ pub(in crate::study::atlas) fn speeds(_: Extent) -> Result<Vec<CaseRow>, Failure
     [8.7, 8.7774, -8.7774, 8.85].into_iter().map(row).collect()
 }
 
-/// Chirps that fall, samples without Q, intervals that change: range and speed of a lone point.
+/// Falling chirps, samples without Q, varying intervals: range and speed of a single point.
 pub(in crate::study::atlas) fn waveforms(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::MAP.trial("waveforms of other kinds: range and speed of a point", "waveform");
     let row = |(name, words): (&str, &str)| {
@@ -97,7 +97,7 @@ pub(in crate::study::atlas) fn waveforms(_: Extent) -> Result<Vec<CaseRow>, Fail
     .collect()
 }
 
-/// Error of the azimuth of a point 30 m away, rad; 1 where it is lost. `array` says which antennas.
+/// Error of the azimuth of a point 30 m away, rad; 1 if it is lost. `array` specifies the antennas.
 fn azimuth_off(array: &str, azimuth_deg: f64) -> Result<f64, Failure> {
     let (sin, cos) = azimuth_deg.to_radians().sin_cos();
     let header = scene_of(&format!("[noise]\nsnr_db = 40.0\n[dsp]\nassumed_height_m = 6.0\n{array}"))?;
@@ -105,7 +105,7 @@ fn azimuth_off(array: &str, azimuth_deg: f64) -> Result<f64, Failure> {
     Ok(strongest(&header)?.map_or(1.0, |o| (o.azimuth_rad - azimuth_deg.to_radians()).abs()))
 }
 
-/// Points far off the boresight: place across over range.
+/// Points far off the boresight: cross-range error relative to the range.
 pub(in crate::study::atlas) fn directions(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::ANGLE.trial("points far off the boresight", "azimuth_deg");
     let says = documented("docs/scenes.md", "the two along the row itself, +90° and −90°, look alike")?;
@@ -116,7 +116,7 @@ pub(in crate::study::atlas) fn directions(_: Extent) -> Result<Vec<CaseRow>, Fai
     [0.0, 30.0, 60.0, 80.0, 89.0].into_iter().map(row).collect()
 }
 
-/// Receivers two wavelengths apart: directions whose cosines differ by a half look alike.
+/// Receivers two wavelengths apart: directions whose cosines differ by a half are ambiguous.
 pub(in crate::study::atlas) fn grating_lobes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::ANGLE.trial("grating lobes of a sparse array, two wavelengths apart", "azimuth_deg");
     let says = documented("docs/scenes.md", "directions look alike whose direction cosines differ by")?;

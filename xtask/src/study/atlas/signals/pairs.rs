@@ -14,8 +14,8 @@ fn level(words: &str) -> Result<SceneHeader, Failure> {
     scene_of(&format!("{words}[dsp]\nassumed_height_m = 6.0\n"))
 }
 
-/// Two equal points at one range and speed, half a beam apart: the further one's distance from the nearest
-/// point, over theirs.
+/// Two equal points at one range and speed, half a beam apart: the farther one's distance from the nearest
+/// point, relative to theirs.
 pub(in crate::study::atlas) fn one_cell(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::ANGLE.trial("two targets in one cell, 0.7 of a beam apart", "angle");
     let says = documented("docs/scenes.md", "one direction a cell, the strongest beam")?;
@@ -25,7 +25,7 @@ pub(in crate::study::atlas) fn one_cell(_: Extent) -> Result<Vec<CaseRow>, Failu
         let half_m: f64 = 0.35 * 40.0 / 6.0;
         let places = [-half_m, half_m];
         for (i, x) in places.into_iter().enumerate() {
-            // A quarter of a wavelength more range there and back: neither in phase nor against.
+            // A quarter of a wavelength more two-way range: neither in phase nor in opposition.
             let y = (1600.0 - x * x).sqrt() + 0.0005 * i as f64;
             header = with_point(header, 1.0, [x, y, 6.0], [0.0; 3]);
         }
@@ -37,7 +37,7 @@ pub(in crate::study::atlas) fn one_cell(_: Extent) -> Result<Vec<CaseRow>, Failu
     [("fft", Angle::Fft), ("max-likelihood", Angle::MaximumLikelihood)].into_iter().map(row).collect()
 }
 
-/// A second point far below the first and five metres away, noise 30 dB below it: lost is 1.
+/// A second point far below the first and five metres away, noise 30 dB below it: error 1 if it is lost.
 pub(in crate::study::atlas) fn dynamic_range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::MAP.trial("a point far below another, 5 m away", "dB below, range window");
     let says = documented("docs/scenes.md", "taper over the samples of a chirp")?;
@@ -69,7 +69,7 @@ pub(in crate::study::atlas) fn dynamic_range(_: Extent) -> Result<Vec<CaseRow>, 
     .collect()
 }
 
-/// Doppler division: two points of one range whose bands meet. Error: lanes that no object has.
+/// Doppler division: two points at one range whose bands meet. Error: share of lanes without an object.
 pub(in crate::study::atlas) fn doppler_bands(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         methods::DDM.trial("two points of one range whose Doppler bands meet", "apart in bands of 8.1 m/s");
@@ -98,7 +98,7 @@ pub(in crate::study::atlas) fn doppler_bands(_: Extent) -> Result<Vec<CaseRow>, 
     [0.3, 1.0, 2.0].into_iter().map(row).collect()
 }
 
-/// Two vehicles side by side, nearer than the cluster's distances: one object.
+/// Two vehicles side by side, nearer than the clustering distances: one object.
 pub(in crate::study::atlas) fn side_by_side(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::OBJECTS.trial("two points behind one another as objects", "apart_m");
     let says = documented("docs/scenes.md", "m in range: detections closer than this can join one object")?;

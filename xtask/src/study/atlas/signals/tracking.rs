@@ -1,4 +1,4 @@
-//! The tracker on objects whose truth is known: crossing, hidden, late, too fast to be told.
+//! The tracker on objects with known truth: crossing, hidden, late, beyond the velocity span.
 
 use crate::study::atlas::methods;
 use crate::study::atlas::{CaseRow, Says};
@@ -14,7 +14,7 @@ const STEP_S: f64 = 0.1;
 /// Place and velocity on the ground.
 type Body = ([f64; 2], [f64; 2]);
 
-/// An object as a radar at the origin, 6 m up, would see it, exactly.
+/// An object exactly as seen by a radar at the origin, 6 m up.
 fn object(([x, y], [vx, vy]): Body) -> Object {
     let range_m = (x * x + y * y + 5.25 * 5.25_f64).sqrt();
     let radial_velocity_mps = (x * vx + y * vy) / range_m;
@@ -44,7 +44,7 @@ fn moved(([x, y], [vx, vy]): Body, seconds: f64) -> Body {
     ([x + vx * seconds, y + vy * seconds], [vx, vy])
 }
 
-/// Frames of bodies, each heard where `is_heard` says so.
+/// Tracks of frames of bodies, each detected when `is_heard` is true.
 fn followed(
     bodies: &[Body],
     frames: u32,
@@ -66,7 +66,7 @@ fn nearest(frame: &TracksFrame, ([x, y], _): Body) -> Option<&Track> {
     frame.tracks.iter().min_by(|a, b| away(a).total_cmp(&away(b)))
 }
 
-/// Two bodies pass each other in neighbouring lanes: error 1 for each whose track is another's afterwards.
+/// Two bodies pass each other in neighbouring lanes: error 1 for each that has the other's track afterwards.
 pub(in crate::study::atlas) fn passing(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::TRACKS.trial("two bodies pass each other: identities lost", "apart_m, speeds m/s");
     let row = |(apart_m, speeds): (f64, [f64; 2])| {
@@ -82,7 +82,7 @@ pub(in crate::study::atlas) fn passing(_: Extent) -> Result<Vec<CaseRow>, Failur
     [(3.75, [10.0, 10.0]), (3.75, [10.0, -5.0]), (1.0, [10.0, 10.0])].into_iter().map(row).collect()
 }
 
-/// A body hidden for a while: its track coasts, and its place is known by the way.
+/// A body hidden for a while: its track coasts, and its place is predicted.
 pub(in crate::study::atlas) fn hidden(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         methods::TRACKS.trial("a body that is hidden for a while: its place then, of its way", "hidden_s");
@@ -107,7 +107,7 @@ pub(in crate::study::atlas) fn hidden(_: Extent) -> Result<Vec<CaseRow>, Failure
     [2, 4, 15].into_iter().map(row).collect()
 }
 
-/// Frames that no tracker can take.
+/// Frames that no tracker can process.
 pub(in crate::study::atlas) fn impossible_frames(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::TRACKS.trial("frames that cannot be followed", "frame");
     let after = |time_s: f64, change: &dyn Fn(&mut Object)| {

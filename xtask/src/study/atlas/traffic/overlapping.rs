@@ -1,4 +1,4 @@
-//! Bodies that stand in one another.
+//! Intersecting bodies.
 
 use crate::study::atlas::CaseRow;
 use crate::study::atlas::methods;
@@ -15,7 +15,7 @@ use glam::DVec3;
 use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
-/// Place of the first body; the scattering is told about it.
+/// Place of the first body, to which the scattering refers.
 const PLACE_M: [f64; 3] = [2.0, 12.0, 0.0];
 
 pub(super) fn empty(words: &str, bounces: u8) -> Result<SceneHeader, Failure> {
@@ -28,15 +28,15 @@ pub(super) fn empty(words: &str, bounces: u8) -> Result<SceneHeader, Failure> {
     Ok(header)
 }
 
-/// S of a frame's paths about the first body, at 77 GHz.
+/// S of a frame's paths relative to the first body, at 77 GHz.
 fn summed(header: &SceneHeader, frame: &PathsFrame) -> [[Complex64; 2]; 2] {
     looks::about_first_body(header, &frame.paths, looks::FREQUENCY_HZ)
 }
 
-/// Sampling of all bodies as one mesh, in the axes of the first.
+/// Dense sampling of all bodies as one mesh, in the axes of the first.
 fn sampled(header: &SceneHeader, body: &Mesh) -> Result<Complex64, Failure> {
     let from_m = DVec3::from(header.radar.position_m) - DVec3::from(header.targets[0].start.position_m);
-    // Its front looks to −y: body x is −y of the world, body y is x.
+    // Its front faces −y: body x is −y of the world, body y is x.
     let seen_m = DVec3::new(-from_m.y, from_m.x, from_m.z);
     let request = RcsRequest {
         azimuth_rad: vec![seen_m.y.atan2(seen_m.x)],
@@ -47,13 +47,14 @@ fn sampled(header: &SceneHeader, body: &Mesh) -> Result<Complex64, Failure> {
     looks::sampled(body, &request, 2.0, 6)
 }
 
-/// Two boxes of 20 cm, the second shifted: one in place of the other, half in it, a wavelength before it.
+/// Two boxes of 20 cm, the second shifted: at the place of the other, half in it, a wavelength in front of
+/// it.
 pub(in crate::study::atlas) fn boxes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::PATHS
         .trial("bodies that stand in one another, dense sampling of both", "the second's place, m");
     let body = bodies::cube(0.2, &Face::ALL);
     let row = |shift_m: [f64; 3]| {
-        // Of the body's axes: its x is −y of the world.
+        // In the body's axes: its x is −y of the world.
         let second_m = [PLACE_M[0] + shift_m[1], PLACE_M[1] - shift_m[0], PLACE_M[2] + shift_m[2]];
         let header = with_body(empty("", 1)?, &body, PLACE_M, [0.0; 3]);
         let header = with_body(header, &body, second_m, [0.0; 3]);
@@ -66,7 +67,7 @@ pub(in crate::study::atlas) fn boxes(_: Extent) -> Result<Vec<CaseRow>, Failure>
     [[0.1, 0.07, 0.0], [0.0, 0.1, 0.05], [0.004, 0.0, 0.0], [-0.3, 0.05, 0.0]].into_iter().map(row).collect()
 }
 
-/// A body that is there twice is one body.
+/// Two identical bodies at one place are one body.
 pub(in crate::study::atlas) fn twice(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::PATHS.trial("a body that is there twice, against once", "body");
     let row = |(name, body): (&str, Mesh)| {
@@ -83,7 +84,7 @@ pub(in crate::study::atlas) fn twice(_: Extent) -> Result<Vec<CaseRow>, Failure>
         .collect()
 }
 
-/// A long wall nearer to the radar than it is long: parts of it are seen along, others square on.
+/// A long wall nearer to the radar than its length: parts of it are at grazing, others at normal incidence.
 pub(in crate::study::atlas) fn nearer_than_long(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::PATHS.trial("body longer than its distance, dense sampling", "length_m, distance_m");
     let row = |(length_m, distance_m): (f64, f64)| {

@@ -1,4 +1,4 @@
-//! The road as a mirror, at Brewster's angle and beside it.
+//! The road as a reflector, at and near Brewster's angle.
 
 use crate::study::atlas::CaseRow;
 use crate::study::atlas::methods;
@@ -22,11 +22,12 @@ use wayside::host::failure::Failure;
 const ASPHALT: Complex64 = Complex64::new(9.5, -0.3);
 const DISTANCE_M: f64 = 3.0;
 const HEIGHT_M: f64 = 0.3;
-/// Over the sweep, whose printed error is over it too: a way by the road fades single frequencies.
+/// Frequencies over the sweep, like the printed error: a path by the road fades single frequencies.
 const BAND_HZ: [f64; 5] = [76.7e9, 76.85e9, 77.0e9, 77.15e9, 77.3e9];
 
-/// A sphere above a smooth road, seen at a grazing angle: the four ways by the antenna's image, each by dense
-/// sampling of the sphere, times r of each passage by the road. E across the road has r_TE, H across it r_TM.
+/// A sphere above a smooth road at a grazing angle: the four paths by the antenna's image, each by dense
+/// sampling of the sphere, times r for each reflection by the road. E across the road has r_TE, H across it
+/// r_TM.
 pub(in crate::study::atlas) fn brewster(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::ROAD
         .trial("sphere above a smooth road, Brewster's angle is 18.0°", "polarization, grazing_deg");
@@ -34,7 +35,7 @@ pub(in crate::study::atlas) fn brewster(_: Extent) -> Result<Vec<CaseRow>, Failu
     let mut rows = Vec::new();
     for grazing_deg in [6.0_f64, 17.98, 40.0] {
         let tangent = grazing_deg.to_radians().tan();
-        // The way by the road reaches the sphere's middle at this angle.
+        // The path by the road reaches the sphere's middle at this angle.
         let radar_m = DISTANCE_M * tangent - HEIGHT_M;
         let road =
             format!("[road]\npermittivity = [{:?}, {:?}]\nrms_height_mm = 0.0\n", ASPHALT.re, -ASPHALT.im);
@@ -57,7 +58,7 @@ pub(in crate::study::atlas) fn brewster(_: Extent) -> Result<Vec<CaseRow>, Failu
     Ok(rows)
 }
 
-/// The radar at this height, its elements with it.
+/// The radar with its elements at this height.
 fn moved(mut header: artifact::scene::SceneHeader, height_m: f64) -> artifact::scene::SceneHeader {
     let up_m = height_m - header.radar.position_m[2];
     header.radar.position_m[2] = height_m;

@@ -1,4 +1,4 @@
-//! BART beside dense sampling and rays, as the tests `bart_against_references` of `wayside` ask them.
+//! BART compared with dense sampling and rays, as in the tests `bart_against_references` of `wayside`.
 
 #[path = "../../../../../crates/wayside/tests/bart_against_references/continuity.rs"]
 pub(crate) mod continuity;

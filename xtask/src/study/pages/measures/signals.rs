@@ -1,4 +1,4 @@
-//! Signals, as tests of `dsp` and of scenes draw and judge them.
+//! Signals as drawn and judged by tests of `dsp` and of scenes.
 
 #[path = "../../../../../crates/dsp/tests/common/mod.rs"]
 pub(crate) mod common;

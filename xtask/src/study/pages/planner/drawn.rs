@@ -1,11 +1,11 @@
-//! Scenes of a seed: one to three vehicles, the project's own and real ones, in three lanes, on three arrays,
-//! some with clutter; and frames of recorded traffic.
+//! Scenes of a seed: one to three vehicles, the project's own and real ones, in three lanes, with three
+//! arrays, some with clutter; and frames of recorded traffic.
 
 use crate::project::{project_root, shared};
 use crate::random_scenes::{Draw, Model, clutter, radar, traffic};
 use std::fmt::Write as _;
 
-/// Real vehicles of `../shared/vehicles`, of all classes and of 300 to 80,000 triangles.
+/// Real vehicles of `../shared/vehicles`, of all classes and with 300 to 80,000 triangles.
 const REAL_VEHICLES: [Model<'static>; 12] = [
     ("gazebo_prius", "car"),
     ("modern_hatchback", "car"),
@@ -21,18 +21,18 @@ const REAL_VEHICLES: [Model<'static>; 12] = [
     ("harley_72", "motorcycle"),
 ];
 
-/// Share of scenes that are frames of traffic, and of those with clutter.
+/// Share of scenes that are frames of traffic, and of scenes with clutter.
 const OF_TRAFFIC: f64 = 0.1;
 const WITH_CLUTTER: f64 = 0.2;
 
-/// A scene and what is asked of it.
+/// A scene with its requested accuracy.
 pub(super) struct Drawn {
     pub(super) name: String,
     pub(super) text: String,
     pub(super) asked_db: f64,
 }
 
-/// Scene `number` of a seed, of which this is asked; `None` where its vehicle is a real one that is not here.
+/// Scene `number` of a seed with this accuracy; `None` if its vehicle is a missing real one.
 pub(super) fn scene(seed: u64, number: u64, asked_db: f64) -> Option<Drawn> {
     let mut draw = Draw::of(seed, "validation/planner", number);
     let name = format!("planned-{seed}-{number:03}");
@@ -42,7 +42,7 @@ pub(super) fn scene(seed: u64, number: u64, asked_db: f64) -> Option<Drawn> {
         return Some(Drawn { name, text, asked_db: asked_db.max(-15.0) });
     }
     radar(&mut draw, &mut text);
-    // The finest accuracies are asked of one vehicle alone: their truth of three takes hours.
+    // The finest accuracies are requested only for a single vehicle: the truth of three takes hours.
     let count = if asked_db < -25.0 { 1 } else { draw.one_of(&[1, 1, 2, 2, 3]) };
     for lane in 1..=count {
         vehicle(&mut draw, lane, &mut text)?;
@@ -53,7 +53,7 @@ pub(super) fn scene(seed: u64, number: u64, asked_db: f64) -> Option<Drawn> {
     Some(Drawn { name, text, asked_db })
 }
 
-/// Adds a vehicle that approaches within 15° of its lane, a quarter of them at rest.
+/// Adds a vehicle that approaches within 15° of its lane; a quarter of them are at rest.
 fn vehicle(draw: &mut Draw, lane: u32, text: &mut String) -> Option<()> {
     let (own, (real, of_real)) = (draw.own_vehicle(), draw.one_of(&REAL_VEHICLES));
     let file = shared().join(format!("vehicles/{real}.glb"));

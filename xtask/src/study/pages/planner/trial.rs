@@ -1,4 +1,4 @@
-//! A plan of one scene, its truth, and the same scene at other settings.
+//! A plan of one scene, its truth, and the same scene with other settings.
 
 use super::drawn::Drawn;
 use crate::study::{looks, scenes};
@@ -19,7 +19,7 @@ use wayside::host::processor_time;
 use wayside::planning::plan_figures::PlanFigures;
 use wayside::{Allowance, SceneSource};
 
-/// A planned scene beside its truth.
+/// A planned scene with its truth.
 #[derive(Serialize, Deserialize)]
 pub(super) struct Trial {
     name: String,
@@ -27,17 +27,17 @@ pub(super) struct Trial {
     true_db: f64,
     /// Processor seconds of the plan, its paths and their echo.
     pub(super) planned_s: f64,
-    /// Processor seconds of paths and echo with default keys at the accuracy asked.
+    /// Processor seconds of paths and echo with default keys at the requested accuracy.
     pub(super) as_said_s: f64,
 }
 
-/// Decibels by which the truth is finer than what a plan spends.
+/// Decibels by which the truth is finer than a plan's budget.
 const FINER_DB: f64 = -10.0;
-/// Order of the truth at least: what is beyond is told by no look either.
+/// Least order of the truth: higher orders are not measured by a look either.
 const BOUNCES: u8 = 4;
 
 impl Trial {
-    /// `None` where nothing scatters.
+    /// Makes the trial; `None` if nothing scatters.
     pub(super) fn of(scene: &Drawn) -> Result<Option<Self>, Failure> {
         let Some(Planned { source, header, plan, look_s }) = Planned::of(scene)? else { return Ok(None) };
         let (paths, planned_s) = timed(|| echo(&header))?;
@@ -48,7 +48,7 @@ impl Trial {
         Ok(Some(Self { name: header.name, plan, true_db, planned_s: look_s + planned_s, as_said_s }))
     }
 
-    /// Decibels by which the true error is beyond what the plan spends.
+    /// Decibels by which the true error exceeds the plan's budget.
     pub(super) fn beyond_db(&self) -> f64 {
         self.true_db - self.plan.spent_db
     }
@@ -73,7 +73,7 @@ impl Trial {
     }
 }
 
-/// The cheapest setting that keeps what a plan spends.
+/// The cheapest setting that keeps a plan's budget.
 #[derive(Serialize, Deserialize)]
 pub(super) struct Searched {
     name: String,
@@ -85,7 +85,7 @@ pub(super) struct Searched {
 }
 
 impl Searched {
-    /// `None` where nothing scatters.
+    /// Finds the setting; `None` if nothing scatters.
     pub(super) fn of(scene: &Drawn) -> Result<Option<Self>, Failure> {
         let Some(Planned { source, header, plan, look_s }) = Planned::of(scene)? else { return Ok(None) };
         let (_, planned_s) = timed(|| echo(&header))?;
@@ -120,7 +120,7 @@ impl Searched {
     }
 }
 
-/// Orders, road, edges and accuracies of the integrals, all of them together.
+/// All combinations of orders, road, edges and accuracies of the integrals.
 fn settings(header: &SceneHeader, spent_db: f64) -> Vec<(String, SceneHeader)> {
     let mut all = vec![];
     for bounces in 1..=BOUNCES {
@@ -141,9 +141,9 @@ fn settings(header: &SceneHeader, spent_db: f64) -> Vec<(String, SceneHeader)> {
     all
 }
 
-/// The scene in a file of its own, with an accuracy that plans it.
+/// Writes the scene to a separate file, with an accuracy that plans it.
 fn written(scene: &Drawn) -> Result<SceneSource, Failure> {
-    // A file of its own for each: what was read is never written.
+    // A separate file for each: files that were read are never written.
     let file = crate::project::project_root().join(format!("out/study-planner/{}.toml", scene.name));
     files::write_file(&file, scene.text.as_bytes())?;
     Ok(SceneSource { file, accuracy_db: Some(scene.asked_db), ..SceneSource::default() })
@@ -154,12 +154,12 @@ struct Planned {
     source: SceneSource,
     header: SceneHeader,
     plan: PlanFigures,
-    /// Processor seconds of planning, without those of reading the scene, which every run takes.
+    /// Processor seconds of planning, without reading the scene, which every run includes.
     look_s: f64,
 }
 
 impl Planned {
-    /// `None` where nothing scatters.
+    /// Plans a scene; `None` if nothing scatters.
     fn of(scene: &Drawn) -> Result<Option<Self>, Failure> {
         let source = written(scene)?;
         let (_, read_s) = timed(|| loading::scene(&source, None))?;
@@ -183,14 +183,14 @@ fn paths(header: &SceneHeader) -> Result<PathsFrame, Failure> {
     tracer.all_paths(&view, &frame, &FrameSurroundings::ALONE).map_err(Failure::refused)
 }
 
-/// Paths of the first frame, from which its echo is made too.
+/// Paths of the first frame; also makes its echo.
 fn echo(header: &SceneHeader) -> Result<PathsFrame, Failure> {
     let paths = paths(header)?;
     scenes::cube_of(&scene::frame_view(header, 0), &paths)?;
     Ok(paths)
 }
 
-/// Echo with everything on, by the node rule of the plan.
+/// Echo with all physics, with the node rule of the plan.
 fn truth(as_said: &SceneHeader, planned: &SceneHeader, spent_db: f64) -> Result<Vec<Complex64>, Failure> {
     let mut whole = as_said.clone();
     whole.fidelity.accuracy = Accuracy::from_db(spent_db + FINER_DB);
@@ -202,7 +202,7 @@ fn truth(as_said: &SceneHeader, planned: &SceneHeader, spent_db: f64) -> Result<
     Ok(Looks::of(&whole, &paths(&whole)?))
 }
 
-/// S of a frame's paths at frequencies over the band, at three moments, between three pairs of elements.
+/// S of a frame's paths at frequencies over the band, at three times, between three pairs of elements.
 struct Looks;
 
 impl Looks {

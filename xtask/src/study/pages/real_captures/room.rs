@@ -1,4 +1,4 @@
-//! A frame of the room: where its echoes are, and what this project makes of it.
+//! A frame of the room: the places of its echoes, and this project's results for it.
 
 use crate::project::this_program;
 use artifact::Reader;
@@ -11,7 +11,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use wayside::host::failure::Failure;
 
-/// The first frame of the cube that a command of this program makes.
+/// The first frame of the cube made by a command of this program.
 pub(super) fn made(words: &[&Path]) -> Result<(CubeHeader, CubeFrame), Failure> {
     let place = tempfile::tempdir().map_err(|e| Failure::System(format!("a folder for the cube: {e}")))?;
     let cube = place.path().join("room.cube");
@@ -28,7 +28,7 @@ pub(super) fn made(words: &[&Path]) -> Result<(CubeHeader, CubeFrame), Failure> 
     Ok((header, frame))
 }
 
-/// An echo as NumPy's strongest cell tells it.
+/// An echo at NumPy's strongest cell.
 pub(super) struct Echo {
     pub(super) name: String,
     pub(super) range_m: f64,
@@ -38,7 +38,7 @@ pub(super) struct Echo {
     pub(super) coherence: f64,
 }
 
-/// What this project makes of the frame.
+/// This project's results for the frame.
 pub(super) struct Ours {
     pub(super) header: CubeHeader,
     pub(super) map: RdmFrame,
@@ -70,7 +70,7 @@ impl Ours {
         Ok(self.header.map_level_db(power, self.header.radar.map_channels()))
     }
 
-    /// Level of an echo's cell, dBFS, where the samples are a converter's.
+    /// Text of the level of an echo's cell, dBFS, if the samples are a converter's.
     pub(super) fn level_told(&self, echo: &Echo) -> Result<String, Failure> {
         match self.header.unit {
             SampleUnit::FullScale(_) => Ok(format!("{:.2}", self.level_dbfs(self.cell(echo))?)),
@@ -78,7 +78,7 @@ impl Ours {
         }
     }
 
-    /// Power of the strongest beam over what all channels would have in phase.
+    /// Power of the strongest beam relative to that of all channels in phase.
     pub(super) fn coherence(&self, echo: &Echo) -> f64 {
         let snapshot = self.array.snapshot(&self.map, self.cell(echo), echo.velocity_mps);
         let direction = self.array.direction(std::slice::from_ref(&snapshot), echo.range_m);

@@ -1,7 +1,7 @@
-//! The same room simulated: a point at the place of each echo, as strong over the noise as it was measured.
+//! Simulation of the same room: a point at the place of each echo, with the measured signal-to-noise ratio.
 //!
-//! Places, velocities and levels over noise are put in; that they come out again, with all channels in phase,
-//! is what the rows say, and by how much the room differs from a few points what the line below says.
+//! Places, velocities and levels over noise are inputs; the rows verify that they are recovered, with all
+//! channels in phase, and the line below shows the difference between the room and a few points.
 
 use crate::study::pages::part::Part;
 use crate::study::pages::real_captures::room::{Echo, Ours, made};
@@ -10,7 +10,7 @@ use std::fmt::Write;
 use std::path::Path;
 use wayside::host::failure::Failure;
 
-/// Adds a row for each echo and a line on what it took.
+/// Adds a row for each echo and a line with the required settings.
 pub(super) fn rows(part: &mut Part, folder: &Path, measured: &Ours, echoes: &[Echo]) -> Result<(), Failure> {
     let seen: Vec<&Point> = echoes.iter().filter_map(|echo| measured.point(echo)).collect();
     let of_a_square_metre = levels(&simulated(folder, &seen, &vec![0.0; seen.len()])?, echoes)?;
@@ -37,7 +37,7 @@ fn levels(room: &Ours, echoes: &[Echo]) -> Result<Vec<f64>, Failure> {
     all.ok_or_else(|| Failure::Refused("an echo of the simulated room has no point".into()))
 }
 
-/// A frame of points where the measured ones are, with these cross sections.
+/// A frame of points at the measured places, with these cross sections.
 fn simulated(folder: &Path, points: &[&Point], sections_dbsm: &[f64]) -> Result<Ours, Failure> {
     let scene = folder.join("room.toml");
     let radar = std::fs::read_to_string(&scene).map_err(|e| Failure::system(&scene, "read", e))?;

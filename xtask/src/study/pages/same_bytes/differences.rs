@@ -15,11 +15,11 @@ const SCENES: [&str; 2] = ["car", "road"];
 /// Largest differences of two results.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Differences {
-    /// Amplitudes of the paths, root of the sum of squares over that of all.
+    /// Amplitudes of the paths: root sum of squared differences relative to that of all.
     paths: f64,
     cube: f64,
     table: f64,
-    /// Range, velocity and azimuth of the points; `None` where these are not as many.
+    /// Range, velocity and azimuth of the points; `None` if their numbers differ.
     points: Option<[f64; 3]>,
 }
 
@@ -37,7 +37,7 @@ impl Differences {
         Ok(all)
     }
 
-    /// Cells of a row, "none" where nothing differs.
+    /// Cells of a row; "none" if nothing differs.
     pub(super) fn cells(&self) -> Vec<String> {
         let [range, velocity, azimuth] = match self.points {
             None => ["other points".into(), "–".into(), "–".into()],
@@ -48,7 +48,7 @@ impl Differences {
         vec![level(self.paths), level(self.cube), range, velocity, azimuth, level(self.table)]
     }
 
-    /// The largest difference of fields, dB; 0 where points are other ones.
+    /// The largest difference of fields, dB; 0 if the points differ in number.
     pub(super) fn worst_db(&self) -> f64 {
         let of_fields = db_from_amplitude(self.paths.max(self.cube).max(self.table));
         if self.points.is_some() { of_fields } else { of_fields.max(0.0) }
@@ -64,7 +64,7 @@ fn level(relative: f64) -> String {
     if relative == 0.0 { "none".into() } else { format!("−{:.0}", -db_from_amplitude(relative)) }
 }
 
-/// Root of the sum of squared differences over that of the first; 1 where they are not as many.
+/// Root sum of squared differences relative to that of the first; 1 if the numbers differ.
 fn relative(one: &[Complex64], other: &[Complex64]) -> f64 {
     if one.len() != other.len() {
         return 1.0;
@@ -90,7 +90,7 @@ fn cube(folder: &Path) -> Result<Vec<Complex64>, Failure> {
     Ok(all)
 }
 
-/// Values of a NumPy file of complex numbers: behind ten bytes and as many as the last two of them tell.
+/// Values of a NumPy file of complex numbers: after ten bytes and the length given by the last two of them.
 fn table(folder: &Path) -> Result<Vec<Complex64>, Failure> {
     let file = folder.join("table.npy");
     let bytes = std::fs::read(&file).map_err(|e| Failure::system(&file, "read", e))?;

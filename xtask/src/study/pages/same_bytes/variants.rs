@@ -1,4 +1,4 @@
-//! Programs of the same source, and how they are begun.
+//! Programs of the same source, and their command lines.
 
 use crate::project::{project_root, this_program};
 use crate::study::extent::Extent;
@@ -7,31 +7,31 @@ use std::ffi::OsString;
 use std::process::{Command, Stdio};
 use wayside::host::failure::Failure;
 
-/// A program, and what is promised of its results beside those of the first.
+/// A program, and the promise for its results relative to those of the first.
 pub(super) struct Variant {
     pub(super) name: &'static str,
     pub(super) promise: Promise,
-    /// Program and the words before those of the command.
+    /// Program and the words before the command's.
     begin: Vec<OsString>,
-    /// Words after those of the command.
+    /// Words after the command's.
     end: Vec<String>,
 }
 
-/// How alike results are.
+/// Similarity of results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Promise {
     /// The same bytes.
     Bytes,
-    /// Values within the bound of another instruction set.
+    /// Values within the bound for another instruction set.
     Values,
 }
 
-/// Values of another instruction set differ by less than this, relative to all of them, dB: samples of a cube
+/// Largest difference of values with another instruction set, relative to all of them, dB: samples of a cube
 /// have 24 bits.
 const OTHER_INSTRUCTIONS_DB: f64 = -120.0;
 
 impl Promise {
-    /// A sentence about what is not as promised, `others` the number of files with other bytes.
+    /// A sentence about a broken promise; `others` is the number of differing files.
     pub(super) fn broken(self, others: usize, differences: &Differences) -> Option<String> {
         match self {
             Self::Bytes => (others > 0).then(|| format!("{others} files have other bytes")),
@@ -54,8 +54,8 @@ impl Variant {
     }
 }
 
-/// This program on 1, 2, 3 and 8 threads; one without optimisation, and this one on a processor without AVX
-/// and FMA, which only the whole study takes the time for.
+/// This program on 1, 2, 3 and 8 threads; and for the whole study one without optimization, and this one on a
+/// processor without AVX and FMA.
 pub(super) fn all(extent: Extent) -> Result<Vec<Variant>, Failure> {
     let this = this_program()?;
     let by_threads = [("1 thread", "1"), ("2 threads", "2"), ("3 threads", "3"), ("8 threads", "8")];

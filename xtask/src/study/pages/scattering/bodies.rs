@@ -1,4 +1,4 @@
-//! Vehicles that studies look at: the project's own, and real ones where they are there.
+//! Vehicles of studies: the project's own, and real ones if present.
 
 use crate::project::{project_root, shared};
 use artifact::scene::{Mesh, SceneHeader};
@@ -19,7 +19,7 @@ pub(super) fn all_own() -> Result<Vec<Named>, Failure> {
     scene::vehicles::NAMES.iter().map(|name| Ok(((*name).to_owned(), own(name)?))).collect()
 }
 
-/// Own vehicles, then the real ones in the order of their names; a remark where these are not there.
+/// Own vehicles, then the real ones in the order of their names; a remark if these are missing.
 pub(super) fn all() -> Result<Vec<Named>, Failure> {
     let mut meshes = all_own()?;
     let folder = shared().join("vehicles");
@@ -45,7 +45,7 @@ fn read(file: &Path) -> Result<Mesh, Failure> {
     scene::read_mesh(file, &scene::MeshOptions { unit_scale: None }).map_err(Failure::refused)
 }
 
-/// The header that random frames fill with one vehicle.
+/// The header to which random frames add one vehicle.
 pub(super) fn experiment_1() -> Result<SceneHeader, Failure> {
     let options = scene::ReadOptions::names_only();
     scene::read(&project_root().join("scenes/experiment-1.toml"), &options).map_err(Failure::refused)

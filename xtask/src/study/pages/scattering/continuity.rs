@@ -1,4 +1,4 @@
-//! Does the field of a sliding car run on from chirp to chirp?
+//! Continuity of the field of a moving car from chirp to chirp.
 
 use super::bodies::own;
 use crate::study::extent::Extent;
@@ -8,7 +8,7 @@ use crate::study::pages::part::Part;
 use crate::study::sources::{Places, SCATTERING};
 use wayside::host::failure::Failure;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[
     SCATTERING,
     &[

@@ -1,4 +1,4 @@
-//! The printed error beside the true one, in random cases.
+//! Printed and true errors in random cases.
 
 use super::bodies::{Named, all, all_own, experiment_1};
 use super::frames::try_frame;
@@ -11,7 +11,7 @@ use crate::study::sources::{Places, SCATTERING};
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[
     SCATTERING,
     &[
@@ -44,7 +44,7 @@ pub(crate) fn of_aspects(extent: Extent) -> Result<Part, Failure> {
     Ok(judged(table))
 }
 
-/// Printed and true errors of tables of several aspects, at every choice that `rcs` has.
+/// Printed and true errors of tables of several aspects, with every choice of `rcs`.
 pub(crate) fn of_tables(extent: Extent) -> Result<Part, Failure> {
     let meshes = all()?;
     let columns = [
@@ -79,8 +79,8 @@ pub(crate) fn of_frames(extent: Extent) -> Result<Part, Failure> {
     Ok(judged(table))
 }
 
-/// Printed and true errors of leaving the road out: the figure is of dry asphalt, and the roads are not; how
-/// many it covers is found, not promised.
+/// Printed and true errors of leaving the road out: the figure is for dry asphalt, and the roads are not; the
+/// number of covered cases is measured, not promised.
 pub(crate) fn of_roads(extent: Extent) -> Result<Part, Failure> {
     let (meshes, header): (Vec<Named>, _) = (all_own()?, experiment_1()?);
     let columns =
@@ -92,7 +92,7 @@ pub(crate) fn of_roads(extent: Extent) -> Result<Part, Failure> {
     Ok(table.part)
 }
 
-/// A table, and how its cases came out.
+/// A table with the outcomes of its cases.
 struct Tried {
     part: Part,
     inside: usize,
@@ -100,7 +100,7 @@ struct Tried {
     median_db: f64,
 }
 
-/// A row for each case; at last how many true errors are below the printed ones.
+/// A row for each case; finally the number of true errors below the printed ones.
 fn tried(
     columns: &[&str],
     cases: u64,
@@ -125,7 +125,7 @@ fn tried(
     Ok(Tried { part, inside, of, median_db })
 }
 
-/// 95 of 100 are asked, and not far outside.
+/// Judges the outcomes: 95 of 100 are required, and the others not far outside.
 fn judged(tried: Tried) -> Part {
     let Tried { mut part, inside, of, median_db } = tried;
     if 100 * inside < 95 * of || median_db > 10.0 {

@@ -1,4 +1,4 @@
-//! Random frames of one moving vehicle: the error of the map that is printed beside the true one.
+//! Random frames of one moving vehicle: the printed and the true error of the map.
 
 use super::bodies::Named;
 use crate::study::pages::measures::references::methods::{decibels, error, request};
@@ -23,11 +23,11 @@ pub(crate) struct FoundFrame {
     pub(crate) true_db: f64,
 }
 
-/// Frame number `case`: its paths against the body traced and integrated anew, 15 dB finer, where it is at
-/// three random moments of the frame.
+/// Frame number `case`: its paths against the body traced and integrated anew, 15 dB finer, at its pose at
+/// three random times of the frame.
 ///
 /// A map is a unitary transform of the frame's samples (Parseval), so its relative error is that of the
-/// samples; each is S at its moment and frequency.
+/// samples; each is S at its time and frequency.
 pub(crate) fn try_frame(case: u64, meshes: &[Named], empty: &SceneHeader) -> Result<FoundFrame, Failure> {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(11, "validation/random-frames", &[case]));
     let (name, mesh) = &meshes[rng.random_range(0..meshes.len())];
@@ -79,7 +79,7 @@ fn origin_m(pose: &Pose, seconds: f64) -> DVec3 {
     DVec3::from_array(pose.position_m) + seconds * DVec3::from_array(pose.velocity_mps)
 }
 
-/// S of the paths between two elements, as the radar sees it.
+/// S of the paths between two elements, as the radar receives it.
 pub(crate) fn at(
     header: &SceneHeader,
     paths: &[artifact::paths::Path],
@@ -99,7 +99,7 @@ pub(crate) fn at(
     scattering_of_paths(paths, &view, f_hz)[p][q]
 }
 
-/// Between two elements, from trees of their own.
+/// S between two elements, traced separately.
 fn traced_anew(
     header: &SceneHeader,
     pose: &Pose,

@@ -1,4 +1,4 @@
-//! Figures beside the gates of reference data that no code of the project made.
+//! Figures compared with the gates of reference data that no code of the project made.
 
 use crate::project::shared;
 use crate::study::extent::Extent;
@@ -7,7 +7,7 @@ use crate::study::pages::part::Part;
 use crate::study::sources::{Places, SCATTERING};
 use wayside::host::failure::Failure;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[SCATTERING, &["crates/wayside/tests/reference_gates/gates", file!()]];
 
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {

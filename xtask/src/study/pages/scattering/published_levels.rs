@@ -1,5 +1,5 @@
-//! Levels of vehicles beside the published ones of 3GPP TR 38.901 (Release 19), section 7.9.2.1: sector by
-//! sector, and what a road under a car adds.
+//! Levels of vehicles compared with the published ones of 3GPP TR 38.901 (Release 19), section 7.9.2.1:
+//! sector by sector, and the effect of a road under a car.
 
 mod published;
 mod levels;
@@ -16,7 +16,7 @@ use published::SECTORS;
 use wayside::host::failure::Failure;
 use wayside::host::progress::note;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places =
     &[SCATTERING, &["xtask/src/study/pages/scattering/published_levels", file!()]];
 
@@ -33,11 +33,11 @@ const REAL_CARS: [&str; 9] = [
     "jeep_cherokee_suv",
 ];
 
-/// Triangles from which on a mesh counts as detailed, and below which as coarse.
+/// Number of triangles from which on a mesh counts as detailed, and below which as coarse.
 const DETAILED: usize = 20_000;
 const COARSE: usize = 4_000;
 
-/// Table of all vehicles, differences by detail of the mesh, what a road adds, pictures.
+/// Table of all vehicles, differences by detail of the mesh, the effect of a road, pictures.
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     let mut part = Part::default();
     part.line("Means of dBsm over a sector, at 0° / 10° elevation; less TR 38.901 with σ, dB:\n");
@@ -83,15 +83,15 @@ fn row(levels: &Levels) -> Vec<String> {
     cells
 }
 
-/// A difference with its standard deviation, dB.
+/// Text of a difference with its standard deviation, dB.
 fn apart([middle, deviation]: [f64; 2]) -> String {
     format!("{middle:+.1} (σ {deviation:.1})").replace('-', "−")
 }
 
-/// Cars that a row counts.
+/// Filter of the cars in a row.
 type Kept = fn(&Levels) -> bool;
 
-/// Means over own cars and over real ones by the detail of their meshes.
+/// Means over own cars, and over real ones by the detail of their meshes.
 fn by_detail(part: &mut Part, all: &[Levels]) {
     part.head(&["cars", "number", "less TR 38.901, dB, at 0°", "at 10°"]);
     let kinds: [(&str, Kept); 4] = [

@@ -1,4 +1,4 @@
-//! BART against dense sampling and rays as these grow denser, order by order, at 77 GHz.
+//! BART against dense sampling and rays of increasing density, order by order, at 77 GHz.
 
 use super::bodies::{own, real};
 use crate::study::extent::Extent;
@@ -10,7 +10,7 @@ use bart_rcs::Standpoint;
 use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places =
     &[SCATTERING, &["crates/wayside/tests/bart_against_references/methods.rs", file!()]];
 
@@ -38,20 +38,20 @@ pub(crate) fn own_car(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-/// `gazebo_prius`, large flat facets.
+/// The car `gazebo_prius`, with large flat facets.
 pub(crate) fn real_car(extent: Extent) -> Result<Part, Failure> {
     at_four_aspects(&real("gazebo_prius")?, extent)
 }
 
-/// `modern_hatchback`, five times as many.
+/// The car `modern_hatchback`, with five times as many facets.
 pub(crate) fn second_real_car(extent: Extent) -> Result<Part, Failure> {
     at_four_aspects(&real("modern_hatchback")?, extent)
 }
 
-/// Densities of the references: cells along a wavelength with how often borders are halved, and rays.
+/// Densities of the references: cells per wavelength with the number of halvings of borders, and rays.
 type Densities = (&'static [(f64, u32)], &'static [f64]);
 
-/// Both references as they grow denser, against BART and rays against rays.
+/// Both references with increasing density, against BART, and rays against rays.
 fn at_four_aspects(mesh: &Mesh, extent: Extent) -> Result<Part, Failure> {
     let mut part = Part::default();
     let columns = ["azimuth", "method", "processor seconds", "order 1", "order 2", "order 3"];
@@ -97,7 +97,7 @@ fn size(s: &[Complex64]) -> f64 {
     s.iter().map(|s| s.norm_sqr()).sum::<f64>().sqrt()
 }
 
-/// Writes a ratio in dB; one that is not positive and finite as "nothing".
+/// Text of a ratio in dB; "nothing" if it is not positive and finite.
 fn told(ratio: f64) -> String {
     if ratio > 0.0 && ratio.is_finite() {
         format!("{:.1} dB", decibels(ratio)).replace('-', "−")
@@ -110,7 +110,7 @@ fn order_error(run: &Run, reference: &Run, order: usize) -> String {
     run.orders.get(order).map_or("–".to_owned(), |s| told(error(s, &reference.orders[order])))
 }
 
-/// Errors of orders 1, 2, 3 for themselves, and of orders 2 and 3 together.
+/// Errors of orders 1, 2 and 3 separately, and of orders 2 and 3 together.
 fn all_errors(run: &Run, reference: &Run) -> [String; 4] {
     let both = |run: &Run| run.orders[1].iter().zip(&run.orders[2]).map(|(a, b)| a + b).collect::<Vec<_>>();
     let together =

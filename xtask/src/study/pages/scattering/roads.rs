@@ -1,4 +1,4 @@
-//! Random frames of one vehicle over a road: what leaving it out is said to cost, beside what it does.
+//! Random frames of one vehicle over a road: printed and true error of leaving the road out.
 
 use super::bodies::Named;
 use super::frames::at;
@@ -26,7 +26,7 @@ pub(crate) struct FoundRoad {
     pub(crate) true_db: f64,
 }
 
-/// Materials that a road may be made of: asphalt by recipe and moisture, and concrete (docs/materials.md).
+/// Possible materials of a road: asphalt by recipe and moisture, and concrete (docs/materials.md).
 const ROADS: [(&str, [f64; 2]); 4] = [
     ("asphalt", [9.5, 0.3]),
     ("dry asphalt", [8.6, 0.3]),
@@ -34,8 +34,8 @@ const ROADS: [(&str, [f64; 2]); 4] = [
     ("concrete", [5.24, 0.32]),
 ];
 
-/// Case number `case`: paths with a road less those without, at the moment of the frame's check and all over
-/// the band.
+/// Case number `case`: paths with a road minus those without, at the time of the frame's check and over the
+/// whole band.
 pub(crate) fn try_road(case: u64, meshes: &[Named], empty: &SceneHeader) -> Result<FoundRoad, Failure> {
     let mut rng = ChaCha12Rng::from_seed(artifact::seed::key(13, "validation/random-roads", &[case]));
     let (name, mesh) = &meshes[rng.random_range(0..meshes.len())];

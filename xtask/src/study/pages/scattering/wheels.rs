@@ -1,4 +1,4 @@
-//! Wheels that turn beside wheels of the rigid body: what they add to maps, and what that costs.
+//! Turning wheels compared with wheels of the rigid body: their contribution to maps, and its cost.
 
 use crate::project::{project_root, shared};
 use crate::study::extent::Extent;
@@ -18,10 +18,10 @@ use wayside::host::{files, processor_time};
 use wayside::stepwise::{OpenedScene, Processing, echoes_of_paths, paths};
 use wayside::{Allowance, SceneSource};
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[CHAIN, &[file!()]];
 
-/// Views of a vehicle: place of the radar above the road, of the vehicle, and its velocity.
+/// Views of a vehicle: height of the radar above the road, place of the vehicle, and its velocity.
 const VIEWS: [(&str, f64, [f64; 2], [f64; 2]); 4] = [
     ("side", 1.0, [0.0, 15.0], [10.0, 0.0]),
     ("27° off the side", 1.0, [0.0, 20.0], [10.0, 5.0]),
@@ -33,7 +33,8 @@ const VIEWS: [(&str, f64, [f64; 2], [f64; 2]); 4] = [
 const OWN: [&str; 4] = ["car-sedan", "motorcycle-street", "bus-city", "truck-box"];
 const REAL: [&str; 2] = ["gazebo_prius", "generic_sedan"];
 
-/// Velocity beyond those of the rigid body that counts as the wheels' own, m/s: two cells.
+/// Difference from the rigid body's velocities above which a velocity counts as the wheels' own, m/s: two
+/// cells.
 const BESIDE_MPS: f64 = 0.5;
 
 /// Table of vehicles and views, and a picture of one.
@@ -67,7 +68,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-/// Names and how scenes name them.
+/// Names of vehicles with their models in scenes.
 fn models(extent: Extent) -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = OWN.iter().map(|name| ((*name).into(), (*name).into())).collect();
     if extent == Extent::Quick {
@@ -84,7 +85,7 @@ fn models(extent: Extent) -> Vec<(String, String)> {
     all
 }
 
-/// What a scene of one vehicle shows.
+/// Results of a scene with one vehicle.
 struct Seen {
     header: SceneHeader,
     paths: PathsFrame,
@@ -123,7 +124,7 @@ impl Seen {
         Ok(Self { header, paths: paths.frames[0].clone(), ranges_m, velocities_mps, power, processor_s })
     }
 
-    /// Least and greatest radial velocity of the rigid body's corners, with two cells to either side.
+    /// Least and greatest radial velocity of the rigid body's corners, extended by two cells to either side.
     fn of_body_mps(&self) -> [f64; 2] {
         let (target, mesh) = (&self.header.targets[0], &self.header.meshes[0]);
         let pose = &target.start;
@@ -143,7 +144,7 @@ impl Seen {
         [low - BESIDE_MPS, high + BESIDE_MPS]
     }
 
-    /// Power of cells beyond the rigid body's velocities over all power, dB.
+    /// Power of cells beyond the rigid body's velocities relative to all power, dB.
     fn beside_db(&self) -> f64 {
         let [low, high] = self.of_body_mps();
         let row_power = |row: usize| self.power.row(row).sum();
@@ -169,7 +170,7 @@ impl Seen {
     }
 }
 
-/// Number of files of a folder: a name that none has yet.
+/// Number of files in a folder, used as a new name.
 fn files_in(folder: &Path) -> usize {
     std::fs::read_dir(folder).map_or(0, Iterator::count)
 }
@@ -206,7 +207,7 @@ fn row(name: &str, view: &str, still: &Seen, turning: &Seen) -> Vec<String> {
     ]
 }
 
-/// Writes the part of a map about the vehicle.
+/// Draws the part of a map around the vehicle.
 fn draw(file: &str, title: &str, seen: &Seen) -> Result<(), Failure> {
     const SPAN_M: [f64; 2] = [16.0, 24.0];
     const SPAN_DB: f64 = 50.0;

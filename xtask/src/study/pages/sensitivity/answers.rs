@@ -1,5 +1,5 @@
-//! Answers of runs: objects and tracks of every body, frame by frame, beside the truth. Summaries of
-//! runs are kept, so that a study of an hour goes on where it was ended.
+//! Results of runs: objects and tracks of every body, frame by frame, with the truth. Summaries of runs are
+//! kept, so that an interrupted study of an hour resumes.
 
 use crate::study::pages::kept::Kept;
 use crate::study::pages::sensitivity::scenes::Case;
@@ -12,7 +12,7 @@ use wayside::host::files;
 use wayside::outcome::summary::{FrameSummary, Predicted, TargetSummary, TrackSummary};
 use wayside::{CacheLocation, SceneSource, Settings, Summary};
 
-/// What is told of one body in one frame, by an object, by a track or by the truth.
+/// Values for one body in one frame, by an object, by a track or by the truth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Said {
     pub(super) range_m: f64,
@@ -24,30 +24,30 @@ pub(super) struct Said {
     pub(super) probability: Option<f64>,
 }
 
-/// What is told, by radar, frame and body.
+/// Values by radar, frame and body.
 pub(super) type Told = BTreeMap<(usize, usize, String), Said>;
 
-/// Answer of a run.
+/// Results of a run.
 #[derive(Default)]
 pub(super) struct Answer {
     pub(super) objects: Told,
     pub(super) tracks: Told,
-    /// Truth of every body that an object can be compared with.
+    /// Truth of every body that can be compared with an object.
     pub(super) truth_of_objects: Told,
-    /// The same on the ground, as tracks have it.
+    /// The same truth on the ground, comparable with tracks.
     pub(super) truth_of_tracks: Told,
-    /// Processor seconds of the frames with their pictures.
+    /// Processor seconds of the frames including their pictures.
     pub(super) seconds: f64,
 }
 
-/// A summary through each radar, with the radar's place.
+/// A summary for each radar, with the radar's position.
 type Summaries = Vec<([f64; 3], Summary)>;
 
-/// Answers of runs: those that are kept, and those of runs that are made now.
+/// Results of runs: kept ones, and those of new runs.
 pub(super) struct Answers {
     kept: Kept,
-    /// Scenes, results, and frames of this study alone, of which other noise takes the paths: what an earlier
-    /// one left would cost no seconds.
+    /// Scenes, results, and this study's own cache, from which runs with other noise take their paths: frames
+    /// left by an earlier study would cost no seconds.
     folder: tempfile::TempDir,
 }
 
@@ -57,7 +57,7 @@ impl Answers {
         Ok(Self { kept: Kept::of("sensitivity", &sources::hash(sources)?), folder })
     }
 
-    /// Answer of a scene at an accuracy.
+    /// Results of a scene at an accuracy.
     pub(super) fn of(&self, case: &Case, accuracy_db: f64, seed: Option<u64>) -> Result<Answer, Failure> {
         let noise = seed.map_or(String::new(), |seed| format!("-{seed}"));
         let name = format!("{}{accuracy_db:.0}{noise}", case.name);
@@ -67,7 +67,7 @@ impl Answers {
 
     fn run(&self, name: &str, text: &str, seed: Option<u64>) -> Result<Summaries, Failure> {
         let place = |name: &str| self.folder.path().join(name);
-        // A file of its own for each run: what was read is never written.
+        // A separate file for each run: files that were read are never written.
         let (file, out) = (place(&format!("{name}.toml")), place(name));
         files::write_file(&file, text.as_bytes())?;
         let scene = SceneSource { file: file.clone(), seed, ..SceneSource::default() };
@@ -130,13 +130,13 @@ fn position_m(file: &Path, radar: Option<String>) -> Result<[f64; 3], Failure> {
     Ok(scene::read(file, &options).map_err(Failure::refused)?.radar.position_m)
 }
 
-/// Place of the radar from which all is seen.
+/// Position of the radar.
 struct Seen {
     position_m: [f64; 3],
 }
 
 impl Seen {
-    /// Range on the ground and azimuth of a place; the azimuth from world +y towards +x.
+    /// Ground range and azimuth of a place; the azimuth from world +y towards +x.
     fn ground(&self, x_m: f64, y_m: f64) -> (f64, f64) {
         let (x_m, y_m) = (x_m - self.position_m[0], y_m - self.position_m[1]);
         (x_m.hypot(y_m), x_m.atan2(y_m).to_degrees())
@@ -169,7 +169,8 @@ impl Seen {
     fn truth_on_ground(&self, target: &TargetSummary) -> Said {
         let (truth, (range_m, azimuth_deg)) =
             (&target.truth, self.ground(target.truth.x_m, target.truth.y_m));
-        // The radial velocity of what moves on the ground is smaller by the cosine of the depression.
+        // The radial velocity of a body moving on the ground is smaller by the cosine of the depression
+        // angle.
         let velocity_mps = truth.radial_velocity_mps * truth.range_m / range_m;
         Said { range_m, velocity_mps, azimuth_deg, ..self.truth(target) }
     }

@@ -1,24 +1,24 @@
-//! Changes from one answer to another: bodies lost and gained, and what else is told of those in both.
+//! Changes between two results: bodies lost and gained, and differences of the values of those in both.
 
 use crate::study::pages::sensitivity::answers::{Said, Told};
 
-/// Changes from one answer to another.
+/// Changes between two results.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Changes {
-    /// Bodies that the first answer has, frame by frame.
+    /// Number of bodies in the first result, frame by frame.
     pub(super) there: usize,
-    /// Those of them that the second has not.
+    /// Number of them that the second lacks.
     pub(super) lost: usize,
-    /// Bodies that the second alone has.
+    /// Number of bodies only in the second.
     pub(super) gained: usize,
     pub(super) range_m: Vec<f64>,
     pub(super) velocity_mps: Vec<f64>,
     pub(super) azimuth_deg: Vec<f64>,
     /// Change of the probability of the true class.
     pub(super) probability: Vec<f64>,
-    /// Bodies in both that are in another lane, of how many.
+    /// Number of bodies in both with another lane, and of all in both.
     pub(super) lanes: (usize, usize),
-    /// Bodies in both that are of another class, of those whose class is told in both.
+    /// Number of bodies in both with another class, and of those with a class in both.
     pub(super) classes: (usize, usize),
 }
 
@@ -46,7 +46,7 @@ impl Changes {
         self.probability.extend(before.probability.zip(after.probability).map(|(a, b)| b - a));
     }
 
-    /// The changes of both together.
+    /// Changes of both together.
     pub(super) fn and(self, more: Self) -> Self {
         let both = |a: (usize, usize), b: (usize, usize)| (a.0 + b.0, a.1 + b.1);
         Self {
@@ -67,12 +67,12 @@ fn counted((found, of): (usize, usize), more: usize) -> (usize, usize) {
     (found + more, of + 1)
 }
 
-/// Angle from one azimuth to another, the short way round.
+/// Angle from one azimuth to another, by the shorter way.
 fn turned_deg(before: f64, after: f64) -> f64 {
     (after - before + 180.0).rem_euclid(360.0) - 180.0
 }
 
-/// Root of the mean square; `None` of no values.
+/// Root mean square; `None` without values.
 pub(super) fn rms(values: &[f64]) -> Option<f64> {
     let squares: f64 = values.iter().map(|x| x * x).sum();
     (!values.is_empty()).then(|| (squares / values.len() as f64).sqrt())

@@ -1,21 +1,22 @@
-//! Whether a result is as it is at the finest accuracy: the rule of `docs/validation/sensitivity.md`.
+//! Whether a result equals that at the finest accuracy: the rule of `docs/validation/sensitivity.md`.
 
 use crate::study::pages::sensitivity::changes::{Changes, rms};
 use artifact::goal::Goal;
 
-/// Part of the bodies that may be lost, gained, or told with another lane or class: one in fifty.
+/// Largest share of bodies that may be lost, gained, or have another lane or class: one in fifty.
 const SHARE: f64 = 0.02;
-/// Part of the error against truth that a change may have: independent of it, it adds 5 % to that error.
+/// Largest ratio of a change to the error against the truth: if independent, it adds 5 % to that error.
 const PART_OF_ERROR: f64 = 1.0 / 3.0;
 
-/// Bodies, frame by frame, of which an accuracy is judged at least: of fewer, one alone is over a twentieth.
+/// Least number of bodies, frame by frame, for judging an accuracy: among fewer, one alone is over a
+/// twentieth.
 pub(super) const ENOUGH: usize = 20;
 
-/// What a change is held against, of the same scenes.
+/// Measures for judging a change, of the same scenes.
 pub(super) struct Measures {
     /// The finest run against truth.
     pub(super) errors: Changes,
-    /// One draw of the receiver's noise against another.
+    /// Changes between two draws of the receiver's noise.
     pub(super) noise: Changes,
 }
 
@@ -36,22 +37,22 @@ pub(super) fn hold(goal: Goal, changes: &Changes, measures: &Measures) -> bool {
     }
 }
 
-/// The coarsest of these accuracies that holds with all finer ones; they are given coarsest first, and one of
-/// which too little is known, `None`, decides nothing.
+/// The coarsest of these accuracies that suffices together with all finer ones; they are given coarsest
+/// first, and one with too few data, `None`, decides nothing.
 pub(super) fn coarsest(tried_db: &[f64], holds: impl Fn(usize) -> Option<bool>) -> Option<f64> {
     let decided = (0..tried_db.len()).rev().filter_map(|index| Some((index, holds(index)?)));
     decided.take_while(|(_, holds)| *holds).last().map(|(index, _)| tried_db[index])
 }
 
-/// Whether few are changed: a small share, or one that other noise changes as well, within the error of
-/// counting, √n.
+/// Whether few are changed: a small share, or one that other noise changes as well, within the counting error
+/// √n.
 fn few((count, of): (usize, usize), (by_noise, of_noise): (usize, usize)) -> bool {
     let by_noise = by_noise as f64;
     let share_of_noise = (by_noise + by_noise.sqrt()) / of_noise.max(1) as f64;
     count as f64 <= SHARE.max(share_of_noise) * of as f64
 }
 
-/// Whether a change is small beside the error against truth, or no larger than that by other noise.
+/// Whether a change is small relative to the error against the truth, or no larger than that by other noise.
 fn small([changes, errors, noise]: [&[f64]; 3]) -> bool {
     let allowed = (PART_OF_ERROR * rms(errors).unwrap_or(0.0)).max(rms(noise).unwrap_or(0.0));
     rms(changes).unwrap_or(0.0) <= allowed

@@ -1,17 +1,17 @@
-//! Scenes of the study: those of `scenes/`, some frames of traffic, and vehicles as the recipe of
-//! `scenes/vehicles.dataset.toml` draws them.
+//! Scenes of the study: those of `scenes/`, some frames of traffic, and vehicles as drawn by the recipe
+//! `scenes/vehicles.dataset.toml`.
 
 use crate::project::project_root;
 use crate::study::extent::Extent;
 use wayside::host::failure::Failure;
 
-/// A scene whose accuracy is yet to be said.
+/// A scene whose accuracy is yet to be specified.
 pub(super) struct Case {
     /// Name of the scene's runs.
     pub(super) name: String,
-    /// Name under which its figures are told with others'.
+    /// Name under which its figures are joined with others'.
     pub(super) group: &'static str,
-    /// Accuracy that coarser ones are compared with, dB: the finest that memory and minutes allow.
+    /// Accuracy of the reference for coarser ones, dB: the finest that memory and minutes allow.
     pub(super) reference_db: f64,
     text: String,
 }
@@ -31,10 +31,10 @@ const DRAWN: [Drawn; 8] = [
     ("motorcycle", "motorcycle-scooter", 1, 57.07, 7.77),
 ];
 
-/// Frames of a scene that is followed over time; the paths' errors are measured in the first.
+/// Number of frames of a tracked scene; the paths' errors are measured in the first.
 const FRAMES: u32 = 10;
 
-/// All scenes; quickly a car and a motorcycle.
+/// All scenes; for a quick study a car and a motorcycle.
 pub(super) fn cases(extent: Extent) -> Result<Vec<Case>, Failure> {
     let drawn = DRAWN.iter().enumerate().map(|(number, drawn)| alone(number, drawn));
     if extent == Extent::Quick {
@@ -52,7 +52,7 @@ pub(super) fn cases(extent: Extent) -> Result<Vec<Case>, Failure> {
     Ok(all)
 }
 
-/// A vehicle alone before the radar of the crossing.
+/// A single vehicle before the radar of the crossing.
 fn alone(number: usize, (class, model, lane, y_m, speed_mps): &Drawn) -> Case {
     let text = format!(
         "name = \"draw{number:02}\"\nseed = {number}\n[noise]\nnoise_figure_db = 12.0\n[[target]]\nkind = \"mesh\"\n\
@@ -64,7 +64,7 @@ fn alone(number: usize, (class, model, lane, y_m, speed_mps): &Drawn) -> Case {
     Case { name: format!("draw{number:02}"), group: "draws of the dataset", reference_db, text }
 }
 
-/// A scene file with changes, its names of files those of the project.
+/// A scene file with changes, its file names relative to the project.
 fn of_file(
     name: &'static str,
     reference_db: f64,
@@ -81,7 +81,7 @@ fn of_file(
 }
 
 impl Case {
-    /// The scene file that asks for an accuracy.
+    /// The scene file with a requested accuracy.
     pub(super) fn asked(&self, accuracy_db: f64) -> String {
         let others = self.text.lines().filter(|line| !line.starts_with("accuracy_db"));
         let others = others.collect::<Vec<_>>().join("\n");
@@ -89,7 +89,7 @@ impl Case {
     }
 }
 
-/// A scene file with one more key in `[fidelity]`.
+/// A scene file with an additional key in `[fidelity]`.
 fn with_fidelity(text: &str, key: &str) -> String {
     match text.contains("[fidelity]") {
         true => text.replace("[fidelity]", &format!("[fidelity]\n{key}")),

@@ -1,4 +1,4 @@
-//! Velocities beyond the span of either chirp interval, told by two.
+//! Velocities beyond the span of either chirp interval, resolved by two intervals.
 
 use crate::study::extent::Extent;
 use crate::study::pages::measures::signals::fold_trials::{isolated_is_right, pair, vehicles_right};
@@ -7,7 +7,7 @@ use crate::study::sources::{Places, SIGNALS};
 use rayon::prelude::*;
 use wayside::host::failure::Failure;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/estimation/fold_trials.rs", file!()]];
 
 /// Name, samples, idle time of the second sub-frame, lone points.
@@ -31,13 +31,13 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-/// Sums over as many draws.
+/// Sums over the given number of draws.
 pub(super) fn all_of(trials: u64, right: &(dyn Fn(u64) -> [usize; 2] + Sync)) -> [usize; 2] {
     let all: Vec<[usize; 2]> = (1000..1000 + trials).into_par_iter().map(right).collect();
     [0, 1].map(|i: usize| all.iter().map(|trial| trial[i]).sum::<usize>())
 }
 
-/// Adds a row: the share of all that is right, and the number certain and wrong where that is counted.
+/// Adds a row: the share of right ones, and the number of certain but wrong ones if counted.
 pub(super) fn row(part: &mut Part, names: [&str; 2], right: usize, all: u64, wrong: Option<usize>) {
     let [name, what] = names.map(str::to_owned);
     let share = format!("{:.2} %", 100.0 * right as f64 / all as f64);

@@ -1,4 +1,4 @@
-//! Refined estimates against the Cramér–Rao bound, of lone points and of pairs.
+//! Refined estimates against the Cramér–Rao bound, of single points and of pairs.
 
 use crate::study::extent::Extent;
 use crate::study::pages::measures::signals::bound_trials::{over_bound_db, pairs_refined, radar};
@@ -8,7 +8,7 @@ use crate::study::sources::{Places, SIGNALS};
 use artifact::settings::Refine;
 use wayside::host::failure::Failure;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/estimation/bound_trials.rs", file!()]];
 
 /// Number of trials, for a standard error of 0.15 dB: 4.34·√(2/n).
@@ -49,7 +49,8 @@ fn levels_db(refine: Refine) -> &'static [f64] {
     }
 }
 
-/// Distances of the second point: what is varied, and its cells of range and velocity and beams.
+/// Distances of the second point: the varied parameter, and the values in cells of range and velocity and in
+/// beams.
 fn distances() -> Vec<(&'static str, Vec<[f64; 3]>)> {
     let of = |list: &[f64], place: fn(f64) -> [f64; 3]| list.iter().map(|n| place(*n)).collect();
     let near = [0.3, 0.6, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 31.0];

@@ -1,5 +1,5 @@
-//! False alarms of all detectors, by zone of the map: counted, and weighed down to 1e-6; and under Doppler
-//! division.
+//! False alarms of all detectors, by zone of the map: counted, and by importance sampling down to 1e-6; and
+//! with Doppler division.
 
 use crate::study::extent::Extent;
 use crate::study::pages::measures::signals::alarm_rates::{
@@ -12,10 +12,10 @@ use artifact::radar::Sampling;
 use artifact::settings::{Detector, Window};
 use wayside::host::failure::Failure;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/detection/alarm_rates.rs", file!()]];
 
-/// Window, channels, maps to count in at 1e-2, 1e-3 and 1e-4, and maps to weigh.
+/// Window, channels, maps for counting at 1e-2, 1e-3 and 1e-4, and maps for weighting.
 type Setting = (Window, u32, [u64; 3], u64);
 
 /// One channel down to 1e-4: 10⁴ alarms in the 240 cells of the corners.
@@ -48,12 +48,12 @@ pub(crate) fn of_real_samples(extent: Extent) -> Result<Part, Failure> {
     Ok(table_of(Sampling::Real, &REAL, extent))
 }
 
-/// Transmitters and chirps under Doppler division: bands of 16, 4, 4.6, 2.3, 4.9 and 1.2 rows.
+/// Transmitters and chirps with Doppler division: bands of 16, 4, 4.6, 2.3, 4.9 and 1.2 rows.
 const BANDS: [(u32, u32); 6] = [(3, 64), (3, 16), (6, 32), (6, 16), (12, 64), (12, 16)];
-/// Rows that alarms are counted in.
+/// Number of rows in which alarms are counted.
 const ROWS: u64 = 200_000;
 
-/// False alarms under Doppler division.
+/// False alarms with Doppler division.
 pub(crate) fn of_narrow_bands(extent: Extent) -> Result<Part, Failure> {
     let mut part = Part::default();
     part.head(&["transmitters", "chirps", "asked", "ca-cfar", "go-cfar", "so-cfar", "os-cfar"]);
@@ -89,7 +89,7 @@ fn table_of(sampling: Sampling, settings: &[Setting], extent: Extent) -> Part {
     part
 }
 
-/// Hears of a detector, a rate and how it was got the figures of every zone.
+/// Receives, for a detector, a rate and a method, the figures of every zone.
 type Add<'a> = dyn FnMut(&str, f64, &str, Vec<String>) + 'a;
 
 fn by_counting(header: &CubeHeader, maps: [u64; 3], add: &mut Add<'_>) {
@@ -106,7 +106,8 @@ fn by_counting(header: &CubeHeader, maps: [u64; 3], add: &mut Add<'_>) {
 fn by_weighing(header: &CubeHeader, maps: u64, add: &mut Add<'_>) {
     let rates = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
     for (name, detector) in DETECTORS {
-        // The smaller mean of a thin half now and then is very small, and few maps then are most of the rate.
+        // The smaller mean of a thin half is occasionally very small, and few maps then make most of the
+        // rate.
         let more = if detector == Detector::SoCfar && header.shape()[0] == 1 { 8 } else { 1 };
         for (rate, of_zones) in rates.iter().zip(weighed(header, detector, &rates, more * maps)) {
             let show = |(got, error): (f64, f64)| format!("{got:.3} ± {error:.3}");

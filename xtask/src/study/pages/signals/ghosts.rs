@@ -1,4 +1,4 @@
-//! Waves between two bodies, and several direct echoes in a cell: which are marked.
+//! Waves between two bodies, and several direct echoes in a cell: the share marked as ghosts.
 
 use crate::study::extent::Extent;
 use crate::study::pages::measures::signals::common::{elements_3x4, elements_6x8, elements_12x16};
@@ -7,7 +7,7 @@ use crate::study::pages::part::Part;
 use crate::study::sources::{Places, SIGNALS};
 use wayside::host::failure::Failure;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/direction/ghost_cells.rs", file!()]];
 
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {

@@ -8,7 +8,7 @@ use crate::study::sources::{Places, SIGNALS};
 use artifact::cube::CubeHeader;
 use wayside::host::failure::Failure;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/direction/pair_trials.rs", file!()]];
 
 const BEAMS: [f64; 8] = [0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0, 1.5];
@@ -34,7 +34,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-/// Shares told apart by maximum likelihood and FFT, and how far errors are over their bound.
+/// Shares resolved by maximum likelihood and FFT, and the errors relative to their bound.
 fn cell(header: &CubeHeader, snr_db: f64, axis: usize, beams: f64, trials: u64) -> String {
     let [ours, fft] = resolved(header, snr_db, axis, beams, trials);
     let error_db = over_bound_db(header, snr_db, axis, beams, trials);

@@ -10,14 +10,14 @@ use std::process::Command;
 use wayside::host::failure::Failure;
 use wayside::host::progress::note;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[CHAIN, &["crates/wayside/tests/scenes/ghost_streets.rs", file!()]];
 
 /// Transmitters in two rows.
 const TWO_ROWS: &str = "tx_half_wavelengths = [[0, 0], [4, 0], [8, 0], [0, 2], [4, 2], [8, 2]]\n\
                         rx_half_wavelengths = [[0, 0], [1, 0], [2, 0], [3, 0], [0, 1], [1, 1], [2, 1], [3, 1]]";
 
-/// Name, keys of the array, how far apart the pair stands at least in direction cosines, streets.
+/// Name, keys of the array, least distance of the pair in direction cosines, streets.
 const ARRAYS: [(&str, &str, f64, u64); 4] = [
     ("3 × 4", "preset = \"3x4\"", 1.0 / 6.0, 20),
     ("6 × 8", "preset = \"6x8\"", 1.0 / 6.0, 20),
@@ -40,7 +40,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-/// The table of points of a street, by this program in a folder of its own.
+/// The table of points of a street, made by this program in a separate folder.
 fn table_of(files: &[(String, String)]) -> Result<String, Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("a folder for a street: {e}")))?;
     let place = folder.path();

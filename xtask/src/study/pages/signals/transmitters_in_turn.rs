@@ -1,4 +1,4 @@
-//! Velocity folds told by the phases between transmitters of time division.
+//! Velocity folds resolved by the phases between transmitters of time division.
 
 use super::ambiguity::{all_of, row};
 use crate::study::extent::Extent;
@@ -14,7 +14,7 @@ use dsp::least_loss;
 use rayon::prelude::*;
 use wayside::host::failure::Failure;
 
-/// Sources that the figures hang on.
+/// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/estimation/fold_trials.rs", file!()]];
 
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
@@ -47,7 +47,7 @@ fn all() -> [(&'static str, Elements, u64); 7] {
     ]
 }
 
-/// Adds a row for each array: the loss of a wrong fold, and the folds found of lone points.
+/// Adds a row for each array: the loss of a wrong fold, and the folds found for single points.
 fn arrays(part: &mut Part, extent: Extent) {
     part.head(&[
         "array: transmitters by receivers, λ/2",
@@ -98,7 +98,8 @@ fn by_vehicles(part: &mut Part, extent: Extent) {
     }
 }
 
-/// Folds of vehicles side by side, by time division alone: numbers right, and certain and wrong.
+/// Folds of vehicles side by side, by time division alone: numbers of right ones, and of certain but wrong
+/// ones.
 fn folds_of_vehicles(header: &CubeHeader, count: usize, seed: u64) -> [usize; 2] {
     let vehicles = vehicles(header, count, seed);
     let targets: Vec<Target> = vehicles.iter().flat_map(|v| v.0.clone()).collect();

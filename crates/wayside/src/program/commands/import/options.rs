@@ -1,4 +1,4 @@
-//! Kinds of what is imported, and which options mean something of which; the others are refused, not ignored.
+//! Kinds of imports, and the options that apply to each; other options are refused, not ignored.
 
 use crate::program::cli::ImportArguments;
 use artifact::radar::Sampling;
@@ -7,7 +7,7 @@ use formats::raw_data::{IntegerStep, arrays, uwcr};
 use pipeline::host::failure::Failure;
 use std::path::Path;
 
-/// Kind of what is imported.
+/// Kind of an import.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// A NumPy array of complex floats, or a folder of them.
@@ -18,12 +18,12 @@ pub(super) enum Kind {
     Sigmf,
     /// A `.mat` of UWCR, or a folder of them.
     Uwcr,
-    /// Clouds of detections, which become points.
+    /// Clouds of detections, imported as points.
     Clouds,
 }
 
 impl Kind {
-    /// The kind by the names of what is read and what is written.
+    /// Determines the kind from the names of input and output.
     pub(super) fn of(arguments: &ImportArguments) -> Self {
         match ending(&arguments.array) {
             _ if ending(&arguments.out) == Some("points") => Self::Clouds,
@@ -44,7 +44,7 @@ fn holds_arrays(folder: &Path) -> bool {
     files.first().and_then(|file| ending(file)).is_some_and(|ending| arrays::ENDINGS.contains(&ending))
 }
 
-/// An option that means something of some kinds alone.
+/// An option that applies to some kinds only.
 struct KindOption {
     name: &'static str,
     is_given: fn(&ImportArguments) -> bool,
@@ -52,7 +52,7 @@ struct KindOption {
     rule: &'static str,
 }
 
-/// Options beside those that every kind takes: `--config`, `--device`, `--scene` and `--radar` tell the
+/// Options beside those that every kind takes: `--config`, `--device`, `--scene` and `--radar` describe the
 /// radar.
 const OPTIONS: [KindOption; 4] = [
     KindOption {
@@ -85,7 +85,7 @@ const INTEGERS: &str =
     "is for samples that are integers: a DCA1000EVM's .bin, or a SigMF recording of ci16_le";
 const CAPTURE_CARD: &str = "is for the .bin of a DCA1000EVM";
 
-/// Refuses an option that means nothing of this kind of input.
+/// Refuses an option that does not apply to this kind of input.
 pub(super) fn check(arguments: &ImportArguments, kind: Kind) -> Result<(), Failure> {
     let is_idle = |option: &&KindOption| (option.is_given)(arguments) && !option.kinds.contains(&kind);
     match OPTIONS.iter().find(is_idle) {
@@ -94,7 +94,7 @@ pub(super) fn check(arguments: &ImportArguments, kind: Kind) -> Result<(), Failu
     }
 }
 
-/// Refuses an option that means nothing of the samples that were found.
+/// Refuses an option that does not apply to the samples that were found.
 pub(super) fn check_samples(
     arguments: &ImportArguments,
     sampling: Sampling,

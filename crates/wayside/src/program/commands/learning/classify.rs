@@ -15,7 +15,7 @@ use pipeline::outcome::summary::Probabilities;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// Samples that are answered at once.
+/// Number of samples that are classified at once.
 const BATCH: usize = 64;
 
 pub(crate) fn run(arguments: &ClassifyArguments) -> Result<(), Failure> {
@@ -32,7 +32,7 @@ pub(crate) fn run(arguments: &ClassifyArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A folder stands for the datasets in it.
+/// Replaces a folder by the datasets in it.
 fn expanded(place: &Path) -> Result<Vec<PathBuf>, Failure> {
     match place.is_dir() {
         true => Ok(DatasetFolder::open(place)?.shards),

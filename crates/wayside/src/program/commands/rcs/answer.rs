@@ -1,4 +1,4 @@
-//! Answer of `rcs`: the table and what is known of it.
+//! Answer of `rcs`: the table with its properties and errors.
 
 use crate::program::cli::RcsArguments;
 use crate::program::option_words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, word_of};
@@ -14,19 +14,19 @@ use pipeline::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
 use pipeline::outcome::verdict::{Asking, Verdict};
 use serde_json::{Value, json};
 
-/// Time that the command took, s.
+/// Duration of the command, s.
 pub(super) struct CommandTook {
-    /// Work of reading the mesh.
+    /// Time for reading the mesh.
     pub(super) load: f64,
-    /// Elapsed time, by the clock on the wall.
+    /// Wall-clock time.
     pub(super) total: f64,
-    /// Processor time of all threads in this run; `None` where the system does not tell that.
+    /// Processor time of all threads in this run; `None` where the system does not report it.
     pub(super) processor_total: Option<f64>,
-    /// Clock that all times but the totals are told by.
+    /// Clock of all times but the totals.
     pub(super) counted: Counted,
 }
 
-/// S and the figures beside it, by whatever method; what a method does not tell is left at its default.
+/// S and the figures beside it, by any method; figures that a method lacks keep their defaults.
 #[derive(Default)]
 pub(super) struct Answer {
     pub(super) amplitude_m: Vec<Complex64>,
@@ -42,7 +42,7 @@ pub(super) struct Answer {
     pub(super) mirrors: Option<Followed>,
     pub(super) far_field: Option<FarFieldError>,
     pub(super) check_seconds: f64,
-    /// Aspects that an interrupted run had done.
+    /// Number of aspects that an interrupted run had done.
     pub(super) cached: usize,
 }
 
@@ -66,7 +66,7 @@ impl Answer {
         }
     }
 
-    /// `S.json` of interface.md.
+    /// Content of `S.json` as in interface.md.
     pub(super) fn json(&self, arguments: &RcsArguments, mesh: &Mesh, took: &CommandTook) -> Value {
         let s = mesh.statistics;
         let frequency_hz: Vec<f64> = arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect();
@@ -99,7 +99,7 @@ impl Answer {
         Verdict::of(Accuracy::from_db(arguments.accuracy_db()), &self.error).beside(&self.model_error)
     }
 
-    /// Level and errors, for a person.
+    /// Prints level and errors.
     pub(super) fn tell(&self, arguments: &RcsArguments, mesh: &Mesh) {
         let out = &arguments.out;
         let powers = || self.amplitude_m.iter().map(|s| s.norm_sqr());
@@ -134,8 +134,8 @@ impl Answer {
         }
     }
 
-    /// Warning of every run that makes a far-field table: from which range on it is right, and its error
-    /// nearer by.
+    /// Warning of every run that makes a far-field table: the range from which on it holds, and its error at
+    /// shorter ranges.
     fn warning(&self, arguments: &RcsArguments, mesh: &Mesh) -> String {
         let frequency_hz: Vec<f64> = arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect();
         let from_m = far_field_from_m(mesh, &frequency_hz);
@@ -176,14 +176,14 @@ fn far_field_error(error: &FarFieldError) -> Value {
     })
 }
 
-/// An amplitude relative to the level.
+/// Text of an amplitude ratio in dB.
 fn decibels(ratio: f64) -> String {
     if ratio > 0.0 { format!("{:.1} dB", db_from_amplitude(ratio)) } else { "none".into() }
 }
 
 fn settings(arguments: &RcsArguments) -> Value {
     let finite = |range: f64| if range.is_finite() { json!(range) } else { json!("inf") };
-    // JSON is text; a path need not be.
+    // JSON is text; a path may not be.
     let materials = arguments.materials.as_ref().map(|file| file.to_string_lossy());
     json!({
         "mesh": arguments.mesh.to_string_lossy(), "range_m": finite(arguments.range_m), "pol": word_of(&POLARIZATIONS, arguments.pol),

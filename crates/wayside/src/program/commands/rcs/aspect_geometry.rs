@@ -1,18 +1,18 @@
-//! One aspect of a table: how far beyond the origin a place lies for its antennas, and how far across.
+//! Geometry of one aspect of a table: range of a place beyond the origin, and its cross-range coordinate.
 
 use artifact::scene::Mesh;
 use bart_rcs::{RcsRequest, Standpoint};
 use glam::DVec3;
 
-/// The antennas of an azimuth at the first elevation.
+/// Antennas of an azimuth at the first elevation.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Look {
     transmitter: Standpoint,
-    /// Receiver that stands still; `None` where it goes with the transmitter.
+    /// Fixed receiver; `None` if it moves with the transmitter.
     receiver: Option<Standpoint>,
 }
 
-/// Least and greatest range beyond the origin and place across of a body, m.
+/// Least and greatest range beyond the origin and cross-range coordinate of a body, m.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Extent {
     pub(super) range_m: [f64; 2],
@@ -26,15 +26,15 @@ impl Look {
         Self { transmitter, receiver: request.receiver }
     }
 
-    /// Half the way there and back, less that of the origin.
+    /// Half the two-way distance, relative to that of the origin.
     pub(super) fn range_m(&self, place_m: DVec3) -> f64 {
         let [there_m, back_m] =
             [self.transmitter, self.receiver.unwrap_or(self.transmitter)].map(|at| beyond_m(&at, place_m));
         0.5 * (there_m + back_m)
     }
 
-    /// Rate at which the way to an antenna that moves becomes shorter as the azimuth grows: the place across
-    /// the line of sight, m per radian.
+    /// Rate at which the distance to a moving antenna decreases with azimuth: the cross-range coordinate, m
+    /// per radian.
     pub(super) fn across_m(&self, place_m: DVec3) -> f64 {
         let Standpoint { azimuth_rad, elevation_rad, range_m } = self.transmitter;
         let (sin, cos) = azimuth_rad.sin_cos();
@@ -43,7 +43,7 @@ impl Look {
             / (1.0 + if range_m.is_finite() { beyond_m(&self.transmitter, place_m) / range_m } else { 0.0 })
     }
 
-    /// Antennas that move with the azimuth: 2, or 1 where the receiver stands still.
+    /// Number of antennas that move with the azimuth: 2, or 1 with a fixed receiver.
     pub(super) fn moving(&self) -> f64 {
         if self.receiver.is_some() { 1.0 } else { 2.0 }
     }
@@ -59,8 +59,8 @@ impl Look {
     }
 }
 
-/// Distance of a place from an antenna, less that of the origin; without their difference, which cancels far
-/// away.
+/// Distance of a place from an antenna relative to that of the origin, computed without subtracting
+/// distances, which would cancel far away.
 fn beyond_m(from: &Standpoint, place_m: DVec3) -> f64 {
     let ahead_m = from.direction().dot(place_m);
     if !from.range_m.is_finite() {

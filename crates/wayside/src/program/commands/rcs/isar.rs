@@ -1,8 +1,8 @@
 //! Range profiles and inverse synthetic aperture images of a table S(frequency, azimuth).
 //!
-//! A scatterer at x has S ∝ e^{−2jkr}, r its range beyond the origin ([`Look::range_m`]; −r̂·x far away): the
-//! transform over frequency gathers it at that range, and the sum over azimuths of each profile's value there
-//! at its place.
+//! A scatterer at x has S ∝ e^{−2jkr}, where r is its range beyond the origin ([`Look::range_m`]; −r̂·x far
+//! away): the transform over frequency compresses it to that range, and summing each azimuth's profile at a
+//! place's range compresses it to its place.
 
 use crate::program::commands::rcs::aspect_geometry::{Extent, Look};
 use crate::program::commands::rcs::sampling::{Sampling, Samplings, centre};
@@ -20,10 +20,10 @@ pub(super) struct Image {
     pub(super) sum: Sum,
 }
 
-/// Sum over azimuths of an image.
+/// Way in which an image is summed over azimuths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Sum {
-    /// Sum of values with their phases: neighbours are dense enough.
+    /// Sum of complex values: azimuths are dense enough.
     Coherent,
     /// Sum of powers.
     Incoherent,
@@ -31,12 +31,12 @@ pub(super) enum Sum {
 
 /// Cells of an image along each side.
 const SIDE: usize = 240;
-/// Values per range cell, so that linear interpolation errs by less than 2 % of the peak (π²/8·4²·…, Hann's
-/// main lobe).
+/// Oversampling of range cells, for which linear interpolation errs by less than 2 % of the peak (π²/8·4²·…,
+/// Hann's main lobe).
 const FINER: usize = 8;
 
-/// (range beyond the origin in m, value) over the unambiguous range about `middle_m`; Hann, peaks keep their
-/// level.
+/// (range beyond the origin in m, value) over the unambiguous range about `middle_m`; Hann window, peaks keep
+/// their level.
 pub(super) fn range_profile(
     frequency_hz: &[f64],
     samples: &[Complex64],
@@ -49,13 +49,13 @@ pub(super) fn range_profile(
     (first..first + count).map(value).collect()
 }
 
-/// The square that an image shows, and how the table is sampled for it.
+/// The square shown in an image, with the sampling of the table.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Square<'a> {
     /// Half its side, about the origin.
     pub(super) half_width_m: f64,
-    /// Height over the origin that places are taken at: what lies above or below it is shown nearer or
-    /// farther by its share of the range.
+    /// Height of the image plane over the origin: points above or below it are shown nearer or farther by the
+    /// corresponding change of range.
     pub(super) height_m: f64,
     pub(super) samplings: &'a Samplings,
 }
@@ -66,8 +66,8 @@ impl Square<'_> {
         if is_coarse { Sum::Incoherent } else { Sum::Coherent }
     }
 
-    /// Windows about the middle of the body within which a look shows places once. Beyond them it repeats the
-    /// body; where the body itself does not fit, it lies upon itself anyhow.
+    /// Unambiguous window of a look about the middle of the body. Beyond it the body repeats; it is unbounded
+    /// if the body itself does not fit and overlaps with itself anyway.
     fn window(&self, extent: &Extent) -> Extent {
         const ALL: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
         let of = |sampling: Option<Sampling>, [low, high]: [f64; 2]| match sampling {
@@ -83,9 +83,9 @@ impl Square<'_> {
     }
 }
 
-/// Backprojection of all azimuths onto a square, each a look and the body's extent there; coherent where its
-/// width is sampled once, else power is added. A look adds nothing to places where it would show the body
-/// again.
+/// Backprojection of all azimuths onto a square, each with its look and the body's extent there; coherent if
+/// the width is sampled without ambiguity, otherwise powers are added. A look contributes nothing where it
+/// would show the body again.
 pub(super) fn image(
     frequency_hz: &[f64],
     looks: &[(Look, Extent)],
@@ -122,7 +122,7 @@ fn power(values: impl ExactSizeIterator<Item = Complex64>, sum: Sum) -> f64 {
     }
 }
 
-/// Samples over equidistant frequencies, transformed; the phase of the centre frequency is taken out.
+/// Transformed samples over equidistant frequencies, with the phase of the centre frequency removed.
 struct Profile {
     cell_m: f64,
     /// Values at ranges 0, cell, 2·cell, … and, from the end, −cell, …
@@ -135,18 +135,18 @@ impl Profile {
         let padded = FINER * count.next_power_of_two();
         let taper = |n: usize| (1.0 - (TAU * (n as f64 + 0.5) / count as f64).cos()) / count as f64;
         let mut values = vec![Complex64::ZERO; padded];
-        // The centre frequency goes to index 0, so that values turn slowly with range.
+        // The centre frequency goes to index 0, so that the phase changes slowly with range.
         for (n, s) in samples.enumerate() {
             values[(n + padded - count / 2) % padded] = s * taper(n);
         }
         let step_hz = (frequency_hz[count - 1] - frequency_hz[0]) / (count - 1) as f64;
-        // Frequencies that fall turn the other way with range.
+        // With falling frequencies the phase turns in the other direction.
         let direction = if step_hz < 0.0 { FftDirection::Forward } else { FftDirection::Inverse };
         FftPlanner::new().plan_fft(padded, direction).process(&mut values);
         Self { cell_m: SPEED_OF_LIGHT_MPS / (2.0 * step_hz.abs() * padded as f64), values }
     }
 
-    /// Linear between cells; ranges repeat.
+    /// Interpolates linearly between cells; ranges are periodic.
     fn at(&self, range_m: f64) -> Complex64 {
         let count = self.values.len();
         let place = (range_m / self.cell_m).rem_euclid(count as f64);

@@ -26,9 +26,9 @@ use reporting::report::rcs_view::{self, RcsView};
 use scene::{Painted, PaintedLine, painted_glb};
 use std::path::{Path, PathBuf};
 
-/// Beside `S.npy`: `S-polar.png` and `S-azimuth.png`, `S-frequency.png`, `S-profile.png`, `S-isar.png`, each
-/// where the axes that it needs have more than one value. Cuts are at the first elevation; on which axes they
-/// are ambiguous, they say.
+/// Writes beside `S.npy` `S-polar.png` and `S-azimuth.png`, `S-frequency.png`, `S-profile.png`, `S-isar.png`,
+/// each if its axes have more than one value. Cuts are at the first elevation; ambiguous axes are marked in
+/// the labels.
 pub(super) fn write(
     out: &Path,
     mesh: &Mesh,
@@ -51,7 +51,7 @@ pub(super) fn write(
     Ok(())
 }
 
-/// Names of the pictures for which the axes of a table have values enough.
+/// Names of the pictures for which the table's axes have enough values.
 fn drawn(request: &RcsRequest) -> Vec<&'static str> {
     let (frequencies, azimuths) = (request.frequency_hz.len() > 1, request.azimuth_rad.len() > 1);
     let all = [
@@ -64,12 +64,12 @@ fn drawn(request: &RcsRequest) -> Vec<&'static str> {
     all.into_iter().filter_map(|(name, has_values)| has_values.then_some(name)).collect()
 }
 
-/// All that is written beside a table with its pictures.
+/// Names of all files beside a table with its pictures.
 pub(super) fn written(request: &RcsRequest) -> Vec<&'static str> {
     drawn(request).into_iter().chain([FACETS, VIEW]).collect()
 }
 
-/// Remarks on pictures that an earlier run has left beside the table, where this one wrote none of that name.
+/// Notes pictures that an earlier run left beside the table and this one did not replace.
 pub(super) fn remark_on_others(out: &Path, written: &[&str]) {
     let others = PICTURES.iter().chain([&FACETS, &VIEW]).filter(|name| !written.contains(name));
     let names = others.map(|name| beside(out, name)).filter(|place| place.is_file());
@@ -80,9 +80,9 @@ pub(super) fn remark_on_others(out: &Path, written: &[&str]) {
     }
 }
 
-/// Writes what makes the level at the middle aspect and the first frequency: `S-facets.glb`, triangles
-/// coloured by the power of the sequences they take part in and the rays of the strongest sequences as lines,
-/// and `S-view.html`, the same to walk around in.
+/// Writes the contributions to the level at the middle aspect and the first frequency: `S-facets.glb`,
+/// triangles coloured by the power of their sequences and the rays of the strongest sequences as lines, and
+/// `S-view.html`, the same as an interactive view.
 pub(super) fn write_facets(
     out: &Path,
     mesh: &Mesh,
@@ -132,7 +132,7 @@ fn middle_aspect(request: &RcsRequest) -> usize {
     elevations / 2 * azimuths + azimuths / 2
 }
 
-/// Where the transmitter stands for an aspect, elevation by elevation, azimuth by azimuth.
+/// Transmitter of an aspect; aspects are numbered elevation by elevation, azimuth by azimuth.
 fn standpoint(request: &RcsRequest, aspect: usize) -> Standpoint {
     let azimuths = request.azimuth_rad.len();
     let (elevation_rad, azimuth_rad) =
@@ -146,7 +146,7 @@ fn aspect_name(request: &RcsRequest, radar: &Standpoint) -> String {
     format!("{}, {seen}", ghz(request.frequency_hz[0]))
 }
 
-/// A square about the origin that holds the body, seen from above.
+/// Half the side of a square about the origin that holds the body, seen from above.
 fn half_width_m(mesh: &Mesh) -> f64 {
     1.1 * mesh.vertices_m.iter().map(|v| v[0].hypot(v[1])).fold(0.1, f64::max)
 }
@@ -157,7 +157,7 @@ fn middle_height_m(mesh: &Mesh) -> f64 {
     0.5 * (heights_m().fold(f64::INFINITY, f64::min) + heights_m().fold(f64::NEG_INFINITY, f64::max))
 }
 
-/// Every azimuth, with the body's extent there.
+/// Looks of all azimuths, with the body's extent in each.
 fn looks(mesh: &Mesh, request: &RcsRequest) -> Vec<(Look, Extent)> {
     let of = |azimuth_rad: &f64| {
         let look = Look::of(request, *azimuth_rad);
@@ -166,9 +166,9 @@ fn looks(mesh: &Mesh, request: &RcsRequest) -> Vec<(Look, Extent)> {
     request.azimuth_rad.par_iter().map(of).collect()
 }
 
-/// Rays drawn: more would hide the body.
+/// Number of drawn rays: more would hide the body.
 const LINES: usize = 200;
-/// Levels shown below the strongest sequence.
+/// Range of shown levels below the strongest sequence.
 const SPAN_DB: f64 = 40.0;
 
 /// Every file that can be written beside a table.
@@ -198,7 +198,7 @@ fn ghz(frequency_hz: f64) -> String {
     format!("{:.3} GHz", 1e-9 * frequency_hz)
 }
 
-/// The first, middle and last frequency.
+/// Indices of the first, middle and last frequency.
 fn few(count: usize) -> Vec<usize> {
     let mut few = vec![0, count / 2, count.saturating_sub(1)];
     few.dedup();
@@ -280,15 +280,15 @@ fn profile(
     LinePlot { notes: range.warnings().into_iter().map(capital).collect(), ..plot }
 }
 
-/// Addition to an axis's label where the body lies upon itself.
+/// Addition to an axis's label if the body overlaps with itself.
 fn ambiguous(warnings: &[String]) -> &'static str {
     if warnings.is_empty() { "" } else { AMBIGUOUS }
 }
 
 const AMBIGUOUS: &str = " (ambiguous)";
 
-/// Additions to the labels of the body's axes, ahead and to the left: the range lies along the looks, the
-/// cross-range square to them.
+/// Additions to the labels of the body's axes, ahead and to the left: range is along the looks, cross-range
+/// perpendicular to them.
 fn axis_marks(request: &RcsRequest, samplings: &Samplings) -> [&'static str; 2] {
     let is_ambiguous = |of: &Option<Sampling>| of.as_ref().is_some_and(Sampling::is_ambiguous);
     let [range, cross] = [&samplings.range, &samplings.cross_range].map(is_ambiguous);
@@ -298,7 +298,7 @@ fn axis_marks(request: &RcsRequest, samplings: &Samplings) -> [&'static str; 2] 
     [mark(range && cos || cross && sin), mark(range && sin || cross && cos)]
 }
 
-/// Sine of the angle to an axis of the body up to which what lies across it does not spread along it.
+/// Sine of the angle between two directions up to which ambiguity across one does not show along the other.
 const OBLIQUE_SINE: f64 = 0.3;
 
 fn capital(sentence: String) -> String {
@@ -345,15 +345,14 @@ fn image(
     map.draw_square().map_err(Failure::refused)
 }
 
-/// Each triangle by the power of the sequences it takes part in over its own area, so that large and small
-/// ones compare.
+/// Colour of each triangle by the power of its sequences per area, so that large and small triangles compare.
 fn triangle_colours(mesh: &Mesh, parts: &[Contribution], strongest: f64) -> Vec<[u8; 3]> {
     let power = rcs_view::powers_of_facets(mesh, parts);
     power.iter().map(|p| if *p > 0.0 { colour(*p, strongest) } else { [40, 44, 52] }).collect()
 }
 
-/// Line from the transmitter's side, [`RAY_M`] away, over the touched points and as far out to the receiver's
-/// side.
+/// Line from the transmitter's side, [`RAY_M`] long, over the touched points and equally far out to the
+/// receiver's side.
 fn ray(request: &RcsRequest, aspect: usize, part: &Contribution, strongest: f64) -> PaintedLine {
     let transmitter = standpoint(request, aspect);
     let [direction, back] =
@@ -366,7 +365,7 @@ fn ray(request: &RcsRequest, aspect: usize, part: &Contribution, strongest: f64)
     PaintedLine { points_m, colour: colour(part.amplitude_m.norm_sqr(), strongest) }
 }
 
-/// Length of a ray's first and last leg as drawn.
+/// Drawn length of a ray's first and last leg.
 const RAY_M: f64 = 1.5;
 
 fn colour(power: f64, strongest: f64) -> [u8; 3] {

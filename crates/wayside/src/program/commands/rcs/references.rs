@@ -14,7 +14,7 @@ use pipeline::host::processor_time::WorkClock;
 use pipeline::host::progress::Work;
 use po_sbr::{Aspect, Bracket, ReferenceError, po, sbr};
 
-/// Halvings of a cell that a shadow's border crosses (`po_sbr::po`).
+/// Number of halvings of a cell that a shadow's border crosses (`po_sbr::po`).
 const SHADOW_LEVELS: u32 = 3;
 
 pub(super) fn answer(
@@ -56,7 +56,7 @@ fn to_bytes(values: &[Complex64]) -> Vec<u8> {
     values.iter().flat_map(|s| [s.re, s.im]).flat_map(f64::to_le_bytes).collect()
 }
 
-/// Values of so many frequencies; `None` unless these are exactly the bytes of them.
+/// Reads values of the given number of frequencies; `None` unless the bytes have exactly that length.
 fn from_bytes(bytes: &[u8], frequencies: usize) -> Option<Vec<Complex64>> {
     let (parts, rest) = bytes.as_chunks();
     let numbers: Vec<f64> = parts.iter().map(|part| f64::from_le_bytes(*part)).collect();
@@ -65,7 +65,7 @@ fn from_bytes(bytes: &[u8], frequencies: usize) -> Option<Vec<Complex64>> {
     is_whole.then(|| values.iter().map(|[re, im]| Complex64::new(*re, *im)).collect())
 }
 
-/// The references know flat facets and no edges; what they cannot do is refused, not ignored.
+/// Refuses requests beyond the references, which support only flat facets and no edges.
 fn check(request: &RcsRequest) -> Result<(), Failure> {
     let refused = |option: &str| Err(Failure::Refused(format!("{option} is for --method bart alone")));
     match (request.edges, request.surface) {

@@ -1,7 +1,8 @@
-//! Numbers of frequencies and azimuths that a range profile and an image need, so that they show a body once.
+//! Numbers of frequencies and azimuths that a range profile and an image need to show a body without
+//! ambiguity.
 //!
-//! Frequencies Δf apart repeat every c/2Δf in range, azimuths Δφ apart every λ/2Δφ across it (λ/Δφ where the
-//! receiver stands still): a body that is longer or wider lies upon itself.
+//! Frequencies Δf apart repeat every c/2Δf in range, azimuths Δφ apart every λ/2Δφ across it (λ/Δφ with a
+//! fixed receiver): a longer or wider body overlaps with itself.
 
 use crate::program::commands::rcs::aspect_geometry::Look;
 use artifact::scene::Mesh;
@@ -9,19 +10,19 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::RcsRequest;
 use serde_json::{Value, json};
 
-/// One axis of a table against the body.
+/// Sampling of one axis of a table, compared with the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Sampling {
     /// Extent that a picture shows before it repeats.
     pub(super) unambiguous_m: f64,
-    /// Extent of the body along the picture's axis, at most over the aspects.
+    /// Largest extent of the body along the picture's axis over the aspects.
     pub(super) body_m: f64,
     pub(super) values: usize,
-    /// Values over the same span from which on the body shows once.
+    /// Number of values over the same span from which on the body is unambiguous.
     pub(super) needed: usize,
 }
 
-/// Both axes of the cut at the first elevation, as far as they have more than one value.
+/// Both axes of the cut at the first elevation, if they have more than one value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Samplings {
     pub(super) range: Option<Sampling>,
@@ -38,7 +39,7 @@ impl Samplings {
                 unambiguous_m: unit * (values - 1) as f64,
                 body_m,
                 values,
-                // A part in 10⁹ is rounding.
+                // The factor absorbs rounding, a part in 10⁹.
                 needed: (body_m / unit * (1.0 - 1e-9)).ceil() as usize + 1,
             })
         };
@@ -52,7 +53,7 @@ impl Samplings {
         }
     }
 
-    /// `pictures` of `S.json`.
+    /// Value of `pictures` in `S.json`.
     pub(super) fn json(&self) -> Value {
         let told = |axis: Option<Sampling>, name: &str| {
             axis.map(|s| {
@@ -63,7 +64,7 @@ impl Samplings {
         json!({ "range": told(self.range, "frequencies"), "cross_range": told(self.cross_range, "azimuths") })
     }
 
-    /// A sentence for each axis on which the body lies upon itself.
+    /// A sentence for each axis on which the body overlaps with itself.
     pub(super) fn warnings(&self) -> Vec<String> {
         let range = self.range.filter(Sampling::is_ambiguous).map(|s| s.warning("range", "frequencies"));
         let cross =
@@ -86,10 +87,11 @@ impl Sampling {
     }
 }
 
-/// Azimuths at which the body's extent is looked for: between them it changes by 2 parts in 10⁴ at most.
+/// Number of azimuths at which the body's extent is computed: between them it changes by 2 parts in 10⁴ at
+/// most.
 const LOOKS: usize = 181;
 
-/// Extent in range and across it, at most over azimuths.
+/// Largest extents in range and cross-range over azimuths.
 fn extents(mesh: &Mesh, request: &RcsRequest) -> [f64; 2] {
     let every = request.azimuth_rad.len().div_ceil(LOOKS).max(1);
     let looks = request.azimuth_rad.iter().step_by(every).chain(request.azimuth_rad.last());
@@ -104,7 +106,7 @@ fn span(axis: &[f64]) -> f64 {
     axis.first().zip(axis.last()).map_or(0.0, |(first, last)| (last - first).abs())
 }
 
-/// The frequency whose wavelength stands for all.
+/// The frequency whose wavelength represents all.
 pub(super) fn centre(frequency_hz: &[f64]) -> f64 {
     frequency_hz[frequency_hz.len() / 2]
 }

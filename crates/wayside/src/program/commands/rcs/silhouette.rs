@@ -1,4 +1,4 @@
-//! The outline of a mesh from above, as a picture to be laid over an image of it.
+//! Outline of a mesh from above, as a picture to overlay on an image of it.
 
 use artifact::scene::Mesh;
 use pipeline::host::failure::Failure;
@@ -7,8 +7,8 @@ use plotting::raster::{self, Pixels};
 /// Pixels along each side.
 const SIDE: usize = 480;
 
-/// The rim of what the mesh covers of a square of ±`half_width_m` about the origin, front up and left on the
-/// left: white, the rest transparent.
+/// Outline of the mesh in a square of ±`half_width_m` about the origin, front up and left on the left: white,
+/// the rest transparent.
 pub(super) fn png(mesh: &Mesh, half_width_m: f64) -> Result<Vec<u8>, Failure> {
     let covered = covered(mesh, half_width_m);
     let is_covered = |x: i64, y: i64| {
@@ -27,7 +27,7 @@ pub(super) fn png(mesh: &Mesh, half_width_m: f64) -> Result<Vec<u8>, Failure> {
     raster::encode(Pixels::Rgba, [SIDE, SIDE], &pixels).map_err(Failure::refused)
 }
 
-/// Pixels whose middle lies in a triangle, or through which an edge of one runs.
+/// Pixels whose centre is in a triangle, or that an edge of one crosses.
 fn covered(mesh: &Mesh, half_width_m: f64) -> Vec<bool> {
     let mut covered = vec![false; SIDE * SIDE];
     let pixel = |v: u32| {
@@ -63,7 +63,7 @@ fn fill(covered: &mut [bool], corners: [[f64; 2]; 3]) {
     }
 }
 
-/// Thin parts lie between the middles of pixels.
+/// Covers the pixels along an edge: thin parts lie between the centres of pixels.
 fn edge(covered: &mut [bool], [ax, ay]: [f64; 2], [bx, by]: [f64; 2]) {
     let steps = ((bx - ax).abs().max((by - ay).abs()).ceil() as usize).clamp(1, 2 * SIDE);
     for step in 0..=steps {

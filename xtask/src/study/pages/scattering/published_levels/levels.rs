@@ -1,4 +1,4 @@
-//! Levels all round a vehicle, far away, and how they stand beside the published ones.
+//! Levels all round a vehicle in the far field, compared with the published ones.
 
 use super::super::bodies::Named;
 use super::published::{Sector, published_dbsm};
@@ -8,13 +8,13 @@ use artifact::units::db_from_power;
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use wayside::host::failure::Failure;
 
-/// Elevations of the radar, degrees: level with the car, and where the lobes of the sides and the rear are.
+/// Elevations of the radar, degrees: level with the car, and at the lobes of the sides and the rear.
 pub(super) const ELEVATIONS_DEG: [f64; 2] = [0.0, 10.0];
 
 const STEP_DEG: f64 = 3.0;
-/// Aspects to either side over which a level is averaged: with the aspect itself 15°, half of a lobe.
+/// Number of aspects to either side in the average of a level: with the aspect itself 15°, half of a lobe.
 const BESIDE: i64 = 2;
-/// Frequencies of the gigahertz from 76 GHz.
+/// Number of frequencies in the gigahertz from 76 GHz.
 const FREQUENCIES: u32 = 16;
 
 /// A vehicle with its levels.
@@ -22,7 +22,8 @@ pub(super) struct Levels {
     pub(super) name: String,
     pub(super) class: Class,
     pub(super) triangles: usize,
-    /// For each elevation azimuth, degrees, and level over the frequencies and the aspects beside it, dBsm.
+    /// Azimuth in degrees, for each elevation, and level averaged over the frequencies and the neighbouring
+    /// aspects, dBsm.
     pub(super) level_dbsm: [Vec<[f64; 2]>; 2],
 }
 
@@ -68,7 +69,7 @@ impl Levels {
         mean(&inside.map(|[_, dbsm]| *dbsm).collect::<Vec<_>>())
     }
 
-    /// Mean and standard deviation in dB of a car's levels less the published ones at the same aspects.
+    /// Mean and standard deviation in dB of a car's levels minus the published ones at the same aspects.
     pub(super) fn beside_published(&self, elevation: usize) -> [f64; 2] {
         let less = |[az, dbsm]: &[f64; 2]| dbsm - published_dbsm(*az, ELEVATIONS_DEG[elevation]);
         let apart: Vec<f64> = self.level_dbsm[elevation].iter().map(less).collect();
@@ -77,7 +78,7 @@ impl Levels {
     }
 }
 
-/// Mean power of an aspect and of those beside it, all round.
+/// Mean power of an aspect and its neighbours, all round.
 fn around(power_m2: &[f64], aspect: usize) -> f64 {
     let of = power_m2.len() as i64;
     let beside = (-BESIDE..=BESIDE).map(|by| (aspect as i64 + by).rem_euclid(of) as usize);

@@ -1,4 +1,4 @@
-//! Pictures of levels all round: cars beside the published level, and one vehicle of each class.
+//! Pictures of levels all round: cars with the published level, and one vehicle of each class.
 
 use super::levels::{ELEVATIONS_DEG, Levels};
 use super::published::published_dbsm;

@@ -1,7 +1,7 @@
-//! Published levels of a car: 3GPP TR 38.901 (Release 19), Table 7.9.2.1-4, monostatic, as NIST's public
-//! channel model has it (`getSigmaRCS.m`, 2025).
+//! Published levels of a car: 3GPP TR 38.901 (Release 19), Table 7.9.2.1-4, monostatic, as in NIST's public
+//! channel model (`getSigmaRCS.m`, 2025).
 
-/// Faces of a car that an aspect is counted to.
+/// Faces of a car to which an aspect is assigned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Sector {
     Front,
@@ -12,7 +12,7 @@ pub(super) enum Sector {
 pub(super) const SECTORS: [Sector; 3] = [Sector::Front, Sector::Sides, Sector::Rear];
 
 impl Sector {
-    /// Sector of an azimuth from the front: each reaches 45° to either side of its face.
+    /// Sector of an azimuth from the front: each extends 45° to either side of its face.
     pub(super) fn of(azimuth_deg: f64) -> Self {
         match from_front_deg(azimuth_deg) {
             ..45.0 => Self::Front,
@@ -23,7 +23,7 @@ impl Sector {
 }
 
 /// Lobe of a face: its middle and width at 3 dB in azimuth and zenith angle, degrees, its level in dBsm and
-/// the most that it falls, dB.
+/// its largest decrease, dB.
 struct Lobe {
     azimuth_deg: [f64; 2],
     zenith_deg: [f64; 2],
@@ -41,7 +41,8 @@ fn lobe(sector: Sector) -> Lobe {
     }
 }
 
-/// Level of a car at an aspect, dBsm: that of its face less how far the aspect is off the face's middle.
+/// Level of a car at an aspect, dBsm: that of its face, reduced by the angle between the aspect and the
+/// face's middle.
 pub(super) fn published_dbsm(azimuth_deg: f64, elevation_deg: f64) -> f64 {
     let lobe = lobe(Sector::of(azimuth_deg));
     let fall = |at_deg: f64, [middle_deg, width_deg]: [f64; 2]| {

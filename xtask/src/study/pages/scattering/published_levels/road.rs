@@ -1,4 +1,4 @@
-//! Levels of cars with a road of asphalt under them and without, seen from 7 m up at 40 m.
+//! Levels of cars with and without a road of asphalt under them, seen from 7 m up at 40 m.
 
 use super::super::bodies::{experiment_1, own, real};
 use super::super::frames::at;
@@ -15,12 +15,12 @@ use glam::DVec3;
 use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
-/// Cars, own and real, whose road is looked at.
+/// Cars, own and real, with a road.
 const CARS: [&str; 5] = ["car-suv", "car-sedan", "gazebo_prius", "modern_hatchback", "nissan_patrol_suv"];
-/// Aspects all round.
+/// Number of aspects all round.
 const ASPECTS: u32 = 24;
 
-/// Adds the table of what a road adds to a car's levels.
+/// Adds the table of the road's effect on a car's levels.
 pub(super) fn added(part: &mut Part, extent: Extent) -> Result<(), Failure> {
     part.head(&["car", "mean of dBsm alone", "on a road of asphalt", "the road adds, dB"]);
     let (cars, aspects) = match extent {
