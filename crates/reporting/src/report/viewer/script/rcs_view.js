@@ -11,7 +11,7 @@ function startRcsView() {
   const state = { page, camera, chosen: null, belowDb: -30, colours: readColours(), layers: {} };
   Object.assign(state, { isHeld: true });
   const space = makeBody(part("space"), page, state);
-  if (!space) part("space-place").replaceChildren("This browser has no WebGL 2; the pictures below show the body.");
+  if (!space) part("space-place").replaceChildren("This browser has no WebGL 2; the pictures show the body.");
   const view = { page, state, space, isWaiting: false };
   hearRcsControls(view);
   if (space) hearSpace(view);
