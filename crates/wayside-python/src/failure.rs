@@ -1,8 +1,10 @@
 //! Failures as exceptions of Python, `wayside.WaysideError`, with file, place and rule.
 
-use crate::sentences::{self, Sentence};
+mod sentences; // of failures, taken apart
+
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
+use sentences::Sentence;
 use std::path::Path;
 use wayside::Failure;
 use wayside::stepwise::SceneFault;

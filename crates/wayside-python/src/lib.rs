@@ -4,7 +4,6 @@
 //! the ways from and to Python: [`failure`] makes exceptions, [`work`] lets the interpreter go while the
 //! library works, [`arrays`] hands vectors over without a copy, [`given`] takes what names a scene.
 
-mod sentences; // of failures, taken apart
 mod failure; // exceptions with file, place and rule
 mod given; // numbers and scenes, as Python gives them
 mod work; // beside the interpreter, with progress and Ctrl-C

@@ -1,9 +1,9 @@
 //! Objects from points located by another program or radar, grouped like this radar's own.
 //!
-//! The cells and channels of such points are unknown. A cloud may hold one point for each detected cell or one
-//! for each body, so points within a main lobe of a stronger one follow it, and only the others, the summits,
-//! are clustered, as peaks of a map are. Each group is an object, even a lone point, at the mean of its points
-//! weighted by power.
+//! The cells and channels of such points are unknown. A cloud may hold one point for each detected cell or
+//! one for each body, so points within a main lobe of a stronger one follow it, and only the others, the
+//! summits, are clustered, as peaks of a map are. Each group, even of a single point, is an object at the
+//! power-weighted mean of its points.
 
 use crate::objects::cluster_member::Member;
 use crate::objects::clusters::clusters;

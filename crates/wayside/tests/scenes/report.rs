@@ -112,7 +112,7 @@ fn the_view_tells_which_heights_are_assumed_and_which_measured() {
         let objects = shown["objects"].as_array().unwrap();
         assert!(!objects.is_empty() && objects.iter().all(|object| object["height"] == code), "{objects:?}");
         assert!(shown["points"]["heights"]["base64"].is_string(), "{array}");
-        assert!(page.contains("Heights of points and objects are not measured: they are drawn"));
+        assert!(page.contains("The array does not measure heights: points and objects are drawn"));
     }
 }
 

@@ -148,7 +148,10 @@ fn that_tables_leave_shading_out_is_said_where_there_are_two_bodies() {
         let model = place.summary("out/summary.json")["frames"][0]["model_error_db"].clone();
         assert_eq!(model.get("shading"), Some(&Value::Null), "it is not estimated: {model}");
         let page = String::from_utf8(place.bytes("out/report.html")).unwrap();
-        [told.contains("shading between bodies, which is not estimated"), page.contains("of each body alone")]
+        [
+            told.contains("shading between bodies, which is not estimated"),
+            page.contains("describe each body alone"),
+        ]
     };
     assert_eq!(told_of(SMALL_SCENE, "rcs-table"), [true; 2]);
     assert_eq!(told_of(SMALL_SCENE, "paths"), [false; 2]);
