@@ -159,8 +159,8 @@ fn check_platform(platform: &InLine<Platform>, board: Board) -> Result<(), Fault
     }
     let (name, board) = (&platform.value.name, board.name());
     Err(platform.fault(format!(
-        "antennas of {name} are not those of the {board}: leave --device out of import, and write \
-         tx_half_wavelengths and rx_half_wavelengths of [radar.array] into its scene"
+        "antennas of {name} are not those of the {board}: write a scene with its tx_half_wavelengths and \
+         rx_half_wavelengths in [radar.array], and import by --config without --device"
     )))
 }
 
