@@ -127,7 +127,7 @@ pub(crate) const STUDIES: [Study; 31] = [
         real_captures::part,
     ),
     part("deployment", "docs/validation/deployment.md", "15 minutes", deployment::SOURCES, deployment::part),
-    part("force", "docs/validation/force.md", "15 minutes", force::SOURCES, force::part),
+    part("force", "docs/validation/force.md", "5 minutes", force::SOURCES, force::part),
     whole("chart", "docs/chart.md", "half an hour", CHART, whole_chart),
     whole("atlas", "docs/atlas.md", "10 minutes", ATLAS, whole_atlas),
     Study { name: "search", page: SEARCH, takes: "as asked", sources: search::SOURCES, make: Make::Ledger },

@@ -47,7 +47,7 @@ const fn of_program(
 const KILLS: Option<(&str, u64)> = Some(("WAYSIDE_KILLS", 15));
 const OF_ALL: Option<&str> = Some("WAYSIDE_SEED");
 
-const TRIALS: [Trial; 9] = [
+const TRIALS: [Trial; 8] = [
     // So many of each number of a scene, of which there are about a hundred.
     of_program(
         ["mutated_numbers", "a_scene_with_any"],
@@ -65,8 +65,6 @@ const TRIALS: [Trial; 9] = [
     of_program(["kills", ""], KILLS, OF_ALL),
     of_program(["sweeps", "that_is_killed"], KILLS, OF_ALL),
     Trial { package: "xtask", test: ["commands", "that_is_killed"], amount: KILLS, seed: OF_ALL },
-    // Far-field tables that find the disk full, and go on.
-    of_program(["files", "resumed_tables::"], None, None),
 ];
 
 pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
