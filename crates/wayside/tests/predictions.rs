@@ -88,8 +88,9 @@ fn memory_is_not_told_too_low_of_a_box_near_the_radar() {
     let place = Workplace::new();
     std::fs::write(place.path("box.obj"), BOX).unwrap();
     let scene = "name = \"near\"\n[radar.array]\npreset = \"1x4\"\n[noise]\nnoise_figure_db = 12.0\n\
-                 [fidelity]\naccuracy_db = -20\n[[target]]\nkind = \"mesh\"\nid = \"b\"\nmodel = \"box.obj\"\n\
-                 position_m = [-5.93, 6.27, 0.0]\nyaw_deg = -29.7\nvelocity_mps = [0.0, -3.59, 0.0]\n";
+                 [fidelity]\naccuracy_db = -20\n[[target]]\nkind = \"mesh\"\nid = \"b\"\n\
+                 model = \"box.obj\"\nposition_m = [-5.93, 6.27, 0.0]\nyaw_deg = -29.7\n\
+                 velocity_mps = [0.0, -3.59, 0.0]\n";
     std::fs::write(place.path("near.toml"), scene).unwrap();
     let line = told(&place, "near.toml");
     let most_mib: f64 = line.split(' ').rev().nth(1).unwrap().parse().unwrap();
@@ -99,8 +100,9 @@ fn memory_is_not_told_too_low_of_a_box_near_the_radar() {
 }
 
 /// Nine metres long, in twelve triangles.
-const BOX: &str = "v -4.5 -1.25 0\nv -4.5 -1.25 3\nv -4.5 1.25 0\nv -4.5 1.25 3\nv 4.5 -1.25 0\nv 4.5 -1.25 3\n\
-v 4.5 1.25 0\nv 4.5 1.25 3\nf 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
+const BOX: &str = "v -4.5 -1.25 0\nv -4.5 -1.25 3\nv -4.5 1.25 0\nv -4.5 1.25 3\nv 4.5 -1.25 0\n\
+v 4.5 -1.25 3\nv 4.5 1.25 0\nv 4.5 1.25 3\nf 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\n\
+f 2 6 8 4\n";
 
 /// End of a command, and the most that it held, MiB; 0 where the system does not tell.
 fn peak_of(mut command: Command) -> (Output, f64) {

@@ -126,8 +126,8 @@ impl<'d> Section<'d> {
         self.faults.note(byte, self.place.clone(), rule);
     }
 
-    /// Note a broken rule at an element of the list that `key` holds, by its number from 0; at a value that is
-    /// no list as [`Section::note`] does.
+    /// Note a broken rule at an element of the list that `key` holds, by its number from 0; at a value that
+    /// is no list as [`Section::note`] does.
     pub fn note_element(&self, key: &'static str, number: usize, rule: Rule) {
         let list = self.find(key).and_then(|value| value.get_ref().as_array());
         match list.and_then(|list| list.get(number)) {
