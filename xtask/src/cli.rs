@@ -118,6 +118,10 @@ pub(crate) struct ChartArguments {
     /// Prints the changes since this earlier chart.csv: errors to their last digit, seconds beyond noise.
     #[arg(long, value_name = "F.csv")]
     pub(crate) against: Option<PathBuf>,
+    /// Only the parts with this word in their names: scattering of a body, synthesis of so many paths, frames
+    /// of a scene and answers of it, estimates, outside; a page in docs/ then claims no sources.
+    #[arg(long, value_name = "WORD", conflicts_with = "table")]
+    pub(crate) only: Option<String>,
 }
 
 /// Arguments of `atlas`.

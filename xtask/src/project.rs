@@ -3,8 +3,12 @@
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
 
-/// The root of the workspace that this program was built from, if it still exists, else this folder.
+/// The project's folder: `$WAYSIDE_PROJECT`, else the root of the workspace that this program was built from,
+/// as long as it is still there, else this folder.
 pub(crate) fn project_root() -> PathBuf {
+    if let Some(folder) = std::env::var_os("WAYSIDE_PROJECT").filter(|folder| !folder.is_empty()) {
+        return PathBuf::from(folder);
+    }
     let built_in = Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_owned);
     built_in.filter(|p| p.join("Cargo.toml").is_file()).unwrap_or_else(|| PathBuf::from("."))
 }

@@ -10,8 +10,8 @@
 #[path = "../../crates/wayside/tests/common/mod.rs"]
 mod common;
 
-use common::killing::{begin_anew, files, is_temporary, killed_after};
-use common::{Workplace, asked};
+use common::killing::{begin_anew, files, is_killed_after, is_temporary};
+use common::{Workplace, asked, tell_cases};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::time::Instant;
@@ -68,36 +68,75 @@ fn a_benchmark_is_not_written_where_no_plain_file_can_be() {
     assert!(output.status.code() == Some(2) && said.contains("folder"), "{said}");
 }
 
-#[test]
-#[ignore = "takes minutes: cargo test --release -p xtask --test commands -- --include-ignored"]
-fn a_study_that_is_killed_leaves_nothing_half_written() {
-    let words = "chart --quick --out out --quiet";
-    // Its seconds differ from run to run: a table that is there ends with a line's end, a picture as pictures
-    // do.
-    let ends: [(&str, &[u8]); 3] =
-        [("chart.csv", b"\n"), ("chart.svg", b"</svg>"), ("chart.png", b"IEND\xaeB`\x82")];
+/// A project of its own around the sources of this one: what a study makes goes there.
+fn project_of_its_own() -> Workplace {
     let place = Workplace::new();
-    let start = Instant::now();
-    place.run(words);
-    let duration = start.elapsed();
-    let mut random = ChaCha8Rng::seed_from_u64(5);
-    let mut kills = 0;
-    for _ in 0..asked("WAYSIDE_KILLS", 3) {
-        // Most of the time nothing is written; half of the kills fall into the end.
-        let share = if random.random::<bool>() {
-            random.random::<f64>()
-        } else {
-            1.0 - 0.05 * random.random::<f64>()
-        };
-        begin_anew(&place);
-        kills += u64::from(killed_after(&place, words, duration.mul_f64(share)));
-        for (name, end) in ends {
-            let file = place.path("out").join(name);
-            let bytes = std::fs::read(&file).unwrap_or_else(|_| end.to_vec());
-            assert!(bytes.trim_ascii_end().ends_with(end.trim_ascii_end()), "{name} is half-written");
-        }
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    for name in ["crates", "xtask"] {
+        std::os::unix::fs::symlink(root.join(name), place.path(name)).unwrap();
     }
-    place.run(words);
-    assert!(files(&place.path("out")).iter().all(|file| !is_temporary(file)));
-    println!("{words}: {kills} kills within {duration:.1?}");
+    std::fs::create_dir_all(place.path("docs/pictures")).unwrap();
+    std::fs::write(place.path("docs/chart.md"), EARLIER).unwrap();
+    place
+}
+
+const EARLIER: &str = "# An earlier page\n";
+
+/// What each file of the chart ends with; its seconds differ from run to run.
+const ENDS: [(&str, &[u8]); 6] = [
+    ("docs/chart.md", b"<!-- made by cargo xtask study chart from sources unknown -->\n"),
+    ("docs/pictures/chart.csv", b"\n"),
+    ("docs/pictures/chart-echo.svg", b"</svg>"),
+    ("out/drawn/chart.csv", b"\n"),
+    ("out/drawn/chart-echo.svg", b"</svg>"),
+    ("out/drawn/chart-echo.png", b"IEND\xaeB`\x82"),
+];
+
+fn assert_whole_or_as_before(place: &Workplace) {
+    for (name, end) in ENDS {
+        let Ok(bytes) = std::fs::read(place.path(name)) else { continue };
+        let is_whole = bytes.trim_ascii_end().ends_with(end.trim_ascii_end());
+        assert!(is_whole || bytes == EARLIER.as_bytes(), "{name} is half-written");
+    }
+}
+
+#[test]
+fn a_chart_that_is_killed_leaves_pages_whole_and_the_next_one_sweeps_what_is_left() {
+    let place = project_of_its_own();
+    let words = "chart --quick --only synthesis --docs --out out/drawn --quiet";
+    let command = || {
+        let mut command = place.command(words);
+        command.env("WAYSIDE_PROJECT", place.root()).stdout(std::process::Stdio::null());
+        command
+    };
+    let start = Instant::now();
+    assert!(command().status().unwrap().success());
+    let duration = start.elapsed();
+    let mut random = ChaCha8Rng::seed_from_u64(asked("WAYSIDE_SEED", 5));
+    let (mut kills, mut left, asked_for) = (0, 0, asked("WAYSIDE_KILLS", 3));
+    while kills < asked_for {
+        // Most of the time nothing is written: half of the kills fall into the end.
+        let begin = if random.random::<bool>() { 0.0 } else { 0.9 };
+        begin_anew(&place);
+        std::fs::write(place.path("docs/chart.md"), EARLIER).unwrap();
+        let after = duration.mul_f64(begin + (1.0 - begin) * random.random::<f64>());
+        kills += u64::from(is_killed_after(&mut command(), after));
+        left += files(place.root()).iter().filter(|file| is_temporary(file)).count();
+        assert_whole_or_as_before(&place);
+    }
+    assert!(command().status().unwrap().success());
+    assert_whole_or_as_before(&place);
+    assert_ne!(place.bytes("docs/chart.md"), EARLIER.as_bytes());
+    assert!(files(place.root()).iter().all(|file| !is_temporary(file)));
+    let came = format!("{left} temporary files met and swept, pages whole");
+    tell_cases(&format!("kills of chart within {duration:.1?}"), kills, &came);
+}
+
+#[test]
+fn a_part_of_the_chart_that_is_not_there_is_refused() {
+    let place = project_of_its_own();
+    let words = "chart --quick --only nothing --out out/drawn --quiet";
+    let output = place.command(words).env("WAYSIDE_PROJECT", place.root()).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(1) && said.contains("no part of the chart has `nothing`"), "{said}");
 }

@@ -51,7 +51,7 @@ mod measured; // patterns and calibrations from files
 mod openmaterial; // assets of OpenMATERIAL 3D
 pub mod mesh; // meshes from files
 mod recording; // what SUMO writes
-mod document; // a scene file as tables that know their place
+pub mod document; // a scene file, or a page like it, as tables that know their place
 mod models; // what the scene names of bodies
 mod materials; // names of materials, and the road
 mod radar; // position, waveform and antennas

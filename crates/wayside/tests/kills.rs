@@ -1,6 +1,6 @@
 //! Programs that are killed at any time: nothing half-written, nothing left once the next one has run, and
 //! that one goes on to the same bytes. A few kills by default; as many of each command as `WAYSIDE_KILLS`
-//! says when asked for.
+//! says when asked for, at other times by `WAYSIDE_SEED`.
 
 #![cfg(unix)]
 #![allow(
@@ -12,7 +12,7 @@
 mod common;
 
 use common::killing::{begin_anew, files, is_temporary, killed_after};
-use common::{CORNER, SMALL_SCENE, Workplace, asked, crops};
+use common::{CORNER, SMALL_SCENE, Workplace, asked, crops, tell_cases};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::time::{Duration, Instant};
@@ -31,7 +31,7 @@ impl Work<'_> {
         let start = Instant::now();
         whole.run(self.words);
         let duration = start.elapsed();
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut random = ChaCha8Rng::seed_from_u64(seed + asked("WAYSIDE_SEED", 0));
         let (mut kills, mut left) = (0, 0);
         let asked_for = asked("WAYSIDE_KILLS", 3);
         while kills < asked_for {
@@ -49,7 +49,9 @@ impl Work<'_> {
         for file in self.same {
             assert!(place.bytes(file) == whole.bytes(file), "{}: {file} differs", self.words);
         }
-        println!("{}: {kills} kills within {duration:.1?}, {left} temporary files met and swept", self.words);
+        let command = self.words.split(' ').next().unwrap_or_default();
+        let came = format!("{left} temporary files met and swept, the same bytes in the end");
+        tell_cases(&format!("kills of {command} within {duration:.1?}"), kills, &came);
     }
 }
 

@@ -12,7 +12,7 @@ use crate::study::pages::signals::{
     ambiguity, calibration, estimates, false_alarms, ghosts, super_resolution, traced_ghosts,
     transmitters_in_turn,
 };
-use crate::study::pages::{Part, deployment, planner, real_captures, same_bytes, sensitivity};
+use crate::study::pages::{Part, deployment, force, planner, real_captures, same_bytes, sensitivity};
 use crate::study::search;
 use crate::study::sources::{self, Places};
 use wayside::host::failure::Failure;
@@ -45,7 +45,7 @@ enum Make {
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those with pictures.
-pub(crate) const STUDIES: [Study; 30] = [
+pub(crate) const STUDIES: [Study; 31] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
     part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
@@ -127,6 +127,7 @@ pub(crate) const STUDIES: [Study; 30] = [
         real_captures::part,
     ),
     part("deployment", "docs/validation/deployment.md", "15 minutes", deployment::SOURCES, deployment::part),
+    part("force", "docs/validation/force.md", "5 minutes", force::SOURCES, force::part),
     whole("chart", "docs/chart.md", "half an hour", CHART, whole_chart),
     whole("atlas", "docs/atlas.md", "10 minutes", ATLAS, whole_atlas),
     Study { name: "search", page: SEARCH, takes: "as asked", sources: search::SOURCES, make: Make::Ledger },
@@ -166,7 +167,7 @@ const fn whole(
 
 /// The atlas with all its cases.
 fn whole_chart(of_all: &StudyArguments) -> Result<(), Failure> {
-    drawn::chart(&ChartArguments { of_all: of_all.clone(), against: None })
+    drawn::chart(&ChartArguments { of_all: of_all.clone(), against: None, only: None })
 }
 
 fn whole_atlas(of_all: &StudyArguments) -> Result<(), Failure> {

@@ -26,6 +26,7 @@ use outside::RivalRow;
 use receiver::EstimateRow;
 use row::SettingRow;
 use scenes::SCENES;
+use serde::{Serialize, de::DeserializeOwned};
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 
@@ -37,21 +38,61 @@ pub(super) struct Chart {
     answers: Vec<Answers>,
 }
 
-/// Measures all rows, or those that an earlier run with this hash of sources lacks.
-pub(super) fn measured(extent: Extent, sources: &str) -> Result<Chart, Failure> {
-    let name = if extent == Extent::Quick { "chart-quick" } else { "chart" };
+/// Parts of the chart that are measured.
+pub(super) struct Asked<'a> {
+    /// Number of bodies, paths and scenes.
+    pub(super) extent: Extent,
+    /// A word of the names of parts; `None`: all parts.
+    pub(super) only: Option<&'a str>,
+}
+
+impl Asked<'_> {
+    fn has(&self, part: &str) -> bool {
+        self.only.is_none_or(|word| part.contains(word))
+    }
+}
+
+/// Measures what is asked for, or what of it an earlier run of sources with this hash has not.
+pub(super) fn measured(asked: &Asked<'_>, sources: &str) -> Result<Chart, Failure> {
+    let name = if asked.extent == Extent::Quick { "chart-quick" } else { "chart" };
     let kept = Kept::of(name, sources);
-    Ok(Chart {
-        rows: rows(extent, &kept)?,
-        estimates: kept.or_made("estimates", || receiver::rows(extent))?,
-        rivals: kept.or_made("outside", || outside::rows(extent))?,
-        answers: all_answers(extent, &kept)?,
-    })
+    let chart = Chart {
+        rows: rows(asked, &kept)?,
+        estimates: part(asked, &kept, "estimates", receiver::rows)?,
+        rivals: part(asked, &kept, "outside", outside::rows)?,
+        answers: all_answers(asked, &kept)?,
+    };
+    match asked.only {
+        Some(word) if chart.is_empty() => {
+            Err(Failure::Refused(format!("--only: no part of the chart has `{word}` in its name")))
+        }
+        _ => Ok(chart),
+    }
+}
+
+impl Chart {
+    fn is_empty(&self) -> bool {
+        self.rows.is_empty() && self.estimates.is_empty() && self.rivals.is_empty() && self.answers.is_empty()
+    }
+}
+
+/// The rows of one name, none where they are not asked for.
+fn part<R: Serialize + DeserializeOwned>(
+    asked: &Asked<'_>,
+    kept: &Kept,
+    name: &str,
+    make: fn(Extent) -> Result<Vec<R>, Failure>,
+) -> Result<Vec<R>, Failure> {
+    if asked.has(name) { kept.or_made(name, || make(asked.extent)) } else { Ok(vec![]) }
 }
 
 /// Every row, body by body, then scene by scene.
-fn rows(extent: Extent, kept: &Kept) -> Result<Vec<SettingRow>, Failure> {
-    let (subjects, counts, scenes) = (subjects::all(extent)?, synthesis::counts(extent), scenes_of(extent));
+fn rows(asked: &Asked<'_>, kept: &Kept) -> Result<Vec<SettingRow>, Failure> {
+    let extent = asked.extent;
+    let (mut subjects, mut counts) = (subjects::all(extent)?, synthesis::counts(extent).to_vec());
+    subjects.retain(|subject| asked.has(&scattering_of(subject)));
+    counts.retain(|count| asked.has(&synthesis_of(*count)));
+    let scenes = scenes_of(asked, "frames");
     let work = Work::begin("chart");
     let (mut all, mut done) = (vec![], 0);
     let parts = subjects.len() + counts.len() + scenes.len();
@@ -62,10 +103,10 @@ fn rows(extent: Extent, kept: &Kept) -> Result<Vec<SettingRow>, Failure> {
         Ok::<(), Failure>(())
     };
     for subject in &subjects {
-        add(format!("scattering of {}", subject.name), &|| scattering::rows(subject))?;
+        add(scattering_of(subject), &|| scattering::rows(subject))?;
     }
     for count in counts {
-        add(format!("synthesis of {count}"), &|| synthesis::rows(*count))?;
+        add(synthesis_of(count), &|| synthesis::rows(count))?;
     }
     let folder = scenes::folder_of_bodies()?;
     for scene in scenes {
@@ -74,31 +115,40 @@ fn rows(extent: Extent, kept: &Kept) -> Result<Vec<SettingRow>, Failure> {
     Ok(all)
 }
 
+fn scattering_of(subject: &subjects::Subject) -> String {
+    format!("scattering of {}", subject.name)
+}
+
+fn synthesis_of(count: usize) -> String {
+    format!("synthesis of {count}")
+}
+
 /// Rows with a finite error: orders without any field have none.
 fn finite(mut rows: Vec<SettingRow>) -> Vec<SettingRow> {
     rows.retain(|row| row.error.is_finite());
     rows
 }
 
-fn all_answers(extent: Extent, kept: &Kept) -> Result<Vec<Answers>, Failure> {
+fn all_answers(asked: &Asked<'_>, kept: &Kept) -> Result<Vec<Answers>, Failure> {
     let work = Work::begin("whole chain");
     let folder = scenes::folder_of_bodies()?;
-    let scenes = scenes_of(extent);
+    let scenes = scenes_of(asked, "answers");
     let mut all = vec![];
     for (number, scene) in scenes.iter().enumerate() {
         work.at(number, scenes.len());
         let name = file_name(&format!("answers of {}", scene.name));
-        all.extend(kept.or_made(&name, || answers::rows(scene, folder.path(), extent))?);
+        all.extend(kept.or_made(&name, || answers::rows(scene, folder.path(), asked.extent))?);
     }
     Ok(all)
 }
 
-/// All scenes, or two of them.
-fn scenes_of(extent: Extent) -> &'static [scenes::Scene] {
-    match extent {
+/// All scenes or two of them, those whose part of this kind is asked for.
+fn scenes_of(asked: &Asked<'_>, kind: &str) -> Vec<&'static scenes::Scene> {
+    let all: &[scenes::Scene] = match asked.extent {
         Extent::Quick => &SCENES[..2],
         Extent::Full => &SCENES,
-    }
+    };
+    all.iter().filter(|scene| asked.has(&format!("{kind} of {}", scene.name))).collect()
 }
 
 /// Name of a file of rows.

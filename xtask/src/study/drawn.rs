@@ -46,7 +46,9 @@ const SHARED: &[&str] = &[
 ];
 
 /// Makes the chart: seconds against error, method by method.
-pub(crate) fn chart(ChartArguments { of_all: arguments, against }: &ChartArguments) -> Result<(), Failure> {
+pub(crate) fn chart(
+    ChartArguments { of_all: arguments, against, only }: &ChartArguments,
+) -> Result<(), Failure> {
     let drawing = Drawing { name: "chart", sources: CHART, columns: &chart::COLUMNS, draw: &chart::pictures };
     let before = against.as_deref().map(|file| drawing.table(file)).transpose()?;
     let now = if let Some(file) = &arguments.table {
@@ -55,12 +57,14 @@ pub(crate) fn chart(ChartArguments { of_all: arguments, against }: &ChartArgumen
     } else {
         let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
         interrupt::keeps("rows");
-        let measured = chart::measured(extent, &sources::hash(CHART_ROWS)?)?;
+        let asked = chart::Asked { extent, only: only.as_deref() };
+        let measured = chart::measured(&asked, &sources::hash(CHART_ROWS)?)?;
         let mut study = drawing.study("", chart::tables(&measured), chart::page(&measured, extent))?;
         let text = study.tables.iter().find(|(name, _)| *name == ANSWERS.name).map_or("", |(_, text)| text);
         let answers = Table::read(text, ANSWERS.columns).map_err(Failure::refused)?;
         study.pictures.extend((ANSWERS.draw)(&answers));
-        study.write("chart", arguments)?;
+        let is_whole = extent == Extent::Full && only.is_none();
+        study.write("chart", arguments, if is_whole { Page::OfSources } else { Page::OfFewer })?;
         study.table
     };
     before.iter().flat_map(|before| chart::changes(before, &now)).for_each(terminal::line);
@@ -94,9 +98,11 @@ pub(crate) fn atlas(AtlasArguments { of_all: arguments, only }: &AtlasArguments)
     }
     let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
     let rows = atlas::rows(extent, only.as_deref())?;
-    drawing
-        .study("", vec![("atlas", atlas::csv(&rows))], atlas::page(&rows, extent))?
-        .write("atlas", arguments)?;
+    drawing.study("", vec![("atlas", atlas::csv(&rows))], atlas::page(&rows, extent))?.write(
+        "atlas",
+        arguments,
+        Page::of(extent),
+    )?;
     match atlas::count(&rows, atlas::Verdict::Wrong) {
         0 => Ok(()),
         wrong => Err(Failure::Refused(format!("{wrong} cases are wrong and the program does not say so"))),
@@ -114,7 +120,11 @@ pub(crate) fn levels(arguments: &StudyArguments) -> Result<(), Failure> {
     let extent = if arguments.quick { Extent::Quick } else { Extent::Full };
     let rows = levels::rows(extent)?;
     let tables = vec![("levels-of-detail", levels::csv(&rows))];
-    drawing.study("validation", tables, levels::page(&rows, extent))?.write("levels", arguments)
+    drawing.study("validation", tables, levels::page(&rows, extent))?.write(
+        "levels",
+        arguments,
+        Page::of(extent),
+    )
 }
 
 /// Drawing of a study's pictures from its table.
@@ -174,8 +184,23 @@ struct DrawnStudy {
     pictures: Vec<(&'static str, Svg)>,
 }
 
+/// What a page says of the sources that its figures hang on.
+#[derive(Clone, Copy)]
+enum Page {
+    /// All cases are of them.
+    OfSources,
+    /// It has fewer cases, and claims no sources.
+    OfFewer,
+}
+
+impl Page {
+    fn of(extent: Extent) -> Self {
+        if extent == Extent::Quick { Self::OfFewer } else { Self::OfSources }
+    }
+}
+
 impl DrawnStudy {
-    fn write(&self, word: &str, arguments: &StudyArguments) -> Result<(), Failure> {
+    fn write(&self, word: &str, arguments: &StudyArguments, page: Page) -> Result<(), Failure> {
         let folder = folder(arguments, self.name);
         self.write_tables(&folder)?;
         write_pictures(&self.pictures, &folder)?;
@@ -183,7 +208,10 @@ impl DrawnStudy {
         if !arguments.docs {
             return Ok(());
         }
-        let hash = if arguments.quick { FEWER.to_owned() } else { sources::hash(self.sources)? };
+        let hash = match page {
+            Page::OfFewer => FEWER.to_owned(),
+            Page::OfSources => sources::hash(self.sources)?,
+        };
         self.write_docs(&made_by(word, &hash), &project_root().join("docs"))
     }
 

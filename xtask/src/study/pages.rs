@@ -2,6 +2,7 @@
 //! assert for few.
 
 pub(super) mod deployment;
+pub(super) mod force;
 pub(super) mod kept;
 pub(super) mod measures;
 mod part;

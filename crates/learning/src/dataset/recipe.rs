@@ -1,24 +1,28 @@
 //! A dataset's recipe, `SPEC.toml`; its keys are in `docs/datasets.md`.
 
+mod keys;
 mod error;
 mod models;
 mod document;
 mod rules;
 
 pub(super) use document::Base;
+pub(super) use keys::{FRAMES_LIMIT, VEHICLES_LIMIT};
 pub(super) use models::Model;
-pub(super) use rules::{FRAMES_LIMIT, NEAREST_ALONG_M, VEHICLES_LIMIT};
+pub(super) use rules::NEAREST_ALONG_M;
 
 use artifact::bounded;
 use artifact::scene::SceneHeader;
 use artifact::settings::Class;
 use document::Document;
 use error::RecipeError;
+use models::Named;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use pipeline::host::toml_text;
 use pipeline::planning;
+use scene::document::faults::Faults;
+use scene::document::section::Section;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -38,28 +42,13 @@ pub(super) struct Recipe {
 }
 
 impl Recipe {
+    /// The recipe in `file`; every rule that it breaks is told, not only the first.
     pub(super) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
         let read = || bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault));
         let (text, mut inputs) = loading::read_of(&[file.to_owned()], read)?;
-        let refused = |error: RecipeError| Failure::refused(error).about(file);
-        let asked: Document = toml_text::read(&text).map_err(|fault| refused(fault.into()))?;
-        let named = |failure: Failure| failure.named_in(file);
-        let folder = file.parent().unwrap_or(Path::new("."));
-        let mut bases = Vec::new();
-        for written in asked.base_scenes().map_err(refused)? {
-            let scene = folder.join(written);
-            let radars = scene::radars(&scene).map_err(loading::of_scene).map_err(named)?;
-            if !radars.is_empty() {
-                return Err(refused(asked.of_several_radars(written, radars)));
-            }
-            let files = loading::files_of_radar(&scene).map_err(named)?;
-            let (base, hashed) = loading::read_of(&files, || base(&scene)).map_err(named)?;
-            bases.push(base);
-            inputs.extend(hashed);
-        }
-        rules::check(&asked, &bases).map_err(refused)?;
+        let (asked, bases, named) = said(file, &text, &mut inputs)?;
         let headers: Vec<&SceneHeader> = bases.iter().map(|base| &base.header).collect();
-        let models = models::read(&asked.models, file, &headers, &mut inputs)?;
+        let models = models::read(named, &headers, &mut inputs).map_err(|failure| failure.named_in(file))?;
         let seed = seed.unwrap_or(asked.seed);
         Ok(Self { inputs, asked, bases, models, seed, text })
     }
@@ -67,13 +56,64 @@ impl Recipe {
     /// Whether a recipe of that text, read from those inputs, draws the same scenes; their number may differ,
     /// because additional scenes leave the first ones unchanged.
     pub(super) fn draws_as(&self, text: &str, inputs: &[(String, String)]) -> bool {
-        let open = |text: &str| {
-            toml_text::read::<Document>(text).map(|known| Document { scenes_per_class: 0, ..known })
-        };
-        let is_same = matches!((open(text), open(&self.text)), (Ok(its), Ok(own)) if its == own);
+        let open = |known: Document| Document { scenes_per_class: 0, ..known };
+        let its = Document::of_text(text).map(open);
+        let is_same = its.is_some_and(|its| its == open(self.asked.clone()));
         // All but the recipe's own, which is open above. A model is called as its file is.
         is_same && inputs.get(1..) == self.inputs.get(1..)
     }
+}
+
+/// What the recipe says, its base scenes, and its models by their names.
+fn said(
+    file: &Path,
+    text: &str,
+    inputs: &mut Vec<(String, String)>,
+) -> Result<(Document, Vec<Base>, Named), Failure> {
+    let faults = Faults::of_tables(file, text, keys::TABLES);
+    let document = faults.document();
+    let root = Section::root(&document, &keys::RECIPE, &faults);
+    let of_models = root.section(&keys::MODELS);
+    let asked = Document::of(&root, &of_models);
+    rules::check_alone(&root, &asked);
+    let bases = bases(file, &asked, &root, inputs);
+    for base in bases.iter().flatten() {
+        rules::check_before(&root, &asked, base);
+    }
+    let folder = file.parent().unwrap_or(Path::new("."));
+    let listed = models::listed(&asked.models, file, inputs);
+    let named = listed.map(|listed| models::named(&asked.models, listed, folder, &of_models));
+    // What the recipe says wrongly is told before what stands in the files that it names.
+    faults.into_errors().map_err(loading::of_scene)?;
+    Ok((asked, bases?, named?))
+}
+
+/// The base scenes, without those of several radars, which are noted; `inputs` gets the files that they were
+/// read from, with hashes.
+fn bases(
+    file: &Path,
+    asked: &Document,
+    root: &Section<'_>,
+    inputs: &mut Vec<(String, String)>,
+) -> Result<Vec<Base>, Failure> {
+    let named = |failure: Failure| failure.named_in(file);
+    let folder = file.parent().unwrap_or(Path::new("."));
+    let key = if root.has(keys::SCENE.name) { keys::SCENE.name } else { keys::SCENES.name };
+    let mut bases = Vec::new();
+    for (number, written) in asked.scenes.iter().enumerate() {
+        let scene = folder.join(written);
+        let radars = scene::radars(&scene).map_err(loading::of_scene).map_err(named)?;
+        if !radars.is_empty() {
+            let scene = written.display().to_string();
+            root.note_element(key, number, RecipeError::SeveralRadars { key, scene, radars }.into());
+            continue;
+        }
+        let files = loading::files_of_radar(&scene).map_err(named)?;
+        let (base, hashed) = loading::read_of(&files, || base(&scene)).map_err(named)?;
+        bases.push(base);
+        inputs.extend(hashed);
+    }
+    Ok(bases)
 }
 
 fn base(scene: &Path) -> Result<Base, Failure> {

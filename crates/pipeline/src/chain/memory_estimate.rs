@@ -37,6 +37,9 @@ pub struct Load {
     pub sliding_tiles: f64,
     /// Cells of paths between bodies that slide past each other, however far they slide.
     pub moving_cells: f64,
+    /// Tiles of long polygons. As a rule terms of corners and sides are enough for these; near the radar they
+    /// are not always, and cells as small as tiles take their place.
+    pub long_tiles: f64,
 }
 
 impl Load {
@@ -51,7 +54,8 @@ impl Load {
         let bytes = self.cells * BYTES_PER_CELL
             + self.changing_cells * BYTES_PER_CHANGING_CELL
             + self.sliding_tiles * BYTES_PER_SLIDING_TILE
-            + self.moving_cells * BYTES_PER_MOVING_CELL;
+            + self.moving_cells * BYTES_PER_MOVING_CELL
+            + self.long_tiles * BYTES_PER_CELL;
         self.least_mib() + mib(bytes as u64)
     }
 
@@ -134,6 +138,7 @@ impl Chain<'_> {
                 changing_cells: if self.moves(plan.index) { cells * work.smaller_cells } else { 0.0 },
                 sliding_tiles: facets * work.sliding_tiles,
                 moving_cells: cells * work.moving_cells,
+                long_tiles: facets * work.long_tiles,
                 ..bodies
             },
         })

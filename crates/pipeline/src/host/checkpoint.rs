@@ -35,10 +35,19 @@ pub struct Checkpoint {
 enum State {
     /// The file is created with the first record.
     NotYet,
-    /// The file is open and locked, at its end.
-    Open(File),
+    /// Records go behind those that are there.
+    Open(Records),
+    /// The disk is full: those that are there are kept, and no more.
+    Full(Records),
     /// Another run has the file, it is not ours, or it cannot be written: this run keeps nothing.
     GivenUp,
+}
+
+/// The open and locked file.
+struct Records {
+    file: File,
+    /// Bytes up to the end of the last whole record.
+    whole: u64,
 }
 
 impl Checkpoint {
@@ -72,8 +81,9 @@ impl Checkpoint {
 
     /// Removes the file once the work is done and its result written.
     pub fn finish(self) {
-        if let State::Open(_file) = self.state.into_inner().unwrap_or_else(PoisonError::into_inner) {
-            let _ = std::fs::remove_file(&self.place); // a file that is left costs only its room: it is read or replaced
+        let state = self.state.into_inner().unwrap_or_else(PoisonError::into_inner);
+        if let State::Open(_locked) | State::Full(_locked) = state {
+            remove(&self.place);
         }
     }
 
@@ -100,9 +110,9 @@ impl Checkpoint {
         file.seek(SeekFrom::End(0))?;
         if whole == 0 {
             progress::note(format!("note: {}: of other work, begun anew", self.place.display()));
-            file.write_all(&self.head)?;
+            return self.begin(file).map(State::Open);
         }
-        Ok(State::Open(file))
+        Ok(State::Open(Records { file, whole: whole as u64 }))
     }
 
     /// Reads complete records and returns their size in bytes.
@@ -120,15 +130,40 @@ impl Checkpoint {
         State::GivenUp
     }
 
-    fn create(&self) -> std::io::Result<File> {
+    /// The disk is full: what was kept before stays, to its last whole record, and nothing half-written
+    /// behind it. Where no record is whole, nothing stays.
+    fn fill(&self, records: Records, why: &std::io::Error) -> State {
+        if records.whole <= self.head.len() as u64 {
+            remove(&self.place);
+            return self.give_up(why);
+        }
+        let _ = records.file.set_len(records.whole); // else the next run ends its reading there
+        let place = self.place.display();
+        progress::note(format!(
+            "note: {place}: {why}; no more is kept, the next run goes on from what it has"
+        ));
+        State::Full(records)
+    }
+
+    fn create(&self) -> std::io::Result<Records> {
         if let Some(folder) = self.place.parent().filter(|p| !p.as_os_str().is_empty()) {
             std::fs::create_dir_all(folder)?;
         }
-        let mut file = File::options().write(true).create_new(true).open(&self.place)?;
+        let file = File::options().write(true).create_new(true).open(&self.place)?;
         file.try_lock().map_err(|_| std::io::Error::other("another run has it"))?;
-        file.write_all(&self.head)?;
-        Ok(file)
+        self.begin(file)
     }
+
+    /// Writes the head into the empty file, which goes where that fails.
+    fn begin(&self, mut file: File) -> std::io::Result<Records> {
+        file.write_all(&self.head).inspect_err(|_| remove(&self.place))?;
+        Ok(Records { file, whole: self.head.len() as u64 })
+    }
+}
+
+/// A file that is left costs only its room: it is read or replaced.
+fn remove(place: &Path) {
+    let _ = std::fs::remove_file(place);
 }
 
 impl Keeper for Checkpoint {
@@ -141,19 +176,26 @@ impl Keeper for Checkpoint {
         if matches!(*state, State::NotYet) {
             *state = self.create().map_or_else(|why| self.give_up(&why), State::Open);
         }
-        let State::Open(file) = &mut *state else { return };
-        if let Err(why) = append(file, piece, bytes) {
-            *state = self.give_up(&why);
+        let State::Open(records) = &mut *state else { return };
+        if let Err(why) = records.append(piece, bytes)
+            && let State::Open(records) = std::mem::replace(&mut *state, State::GivenUp)
+        {
+            *state = self.fill(records, &why);
         }
     }
 }
 
-/// One call to the system for a record: a run that is killed has written it or a part of it, and nothing
-/// behind it.
-fn append(file: &mut File, piece: Piece, bytes: &[u8]) -> std::io::Result<()> {
-    let body = [&piece.pass.to_le_bytes(), &piece.aspect.to_le_bytes(), bytes].concat();
-    let length = u32::try_from(body.len()).map_err(std::io::Error::other)?;
-    file.write_all(&[&length.to_le_bytes(), checksum(&body).as_slice(), &body].concat())
+impl Records {
+    /// One call to the system for a record: a run that is killed has written it or a part of it, and nothing
+    /// behind it.
+    fn append(&mut self, piece: Piece, bytes: &[u8]) -> std::io::Result<()> {
+        let body = [&piece.pass.to_le_bytes(), &piece.aspect.to_le_bytes(), bytes].concat();
+        let length = u32::try_from(body.len()).map_err(std::io::Error::other)?;
+        let record = [&length.to_le_bytes(), checksum(&body).as_slice(), &body].concat();
+        self.file.write_all(&record)?;
+        self.whole += record.len() as u64;
+        Ok(())
+    }
 }
 
 /// Splits off the first record; `None` if it is incomplete.

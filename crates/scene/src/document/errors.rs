@@ -79,6 +79,7 @@ impl std::error::Error for SceneError {
             Rule::Pattern(error) => Some(error),
             Rule::Calibration(error) => Some(error),
             Rule::Directions(error) => Some(error),
+            Rule::Other(error) => Some(error.as_ref()),
             _ => None,
         }
     }
@@ -470,6 +471,9 @@ pub enum Rule {
     /// A mesh file was refused or could not be read.
     #[error("{0}")]
     Mesh(#[source] MeshError),
+    /// A rule of a file that is no scene.
+    #[error("{0}")]
+    Other(#[source] Box<dyn std::error::Error + Send + Sync>),
 }
 
 impl Rule {

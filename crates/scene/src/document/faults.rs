@@ -1,6 +1,7 @@
 //! Broken rules of one file, noted in any order and reported in that of the file: at most the first hundred.
 
 use crate::document::errors::{Place, Position, Rule, SceneError, SceneErrors};
+use crate::document::keys::{self, Table};
 use crate::document::toml_text;
 use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,9 +16,11 @@ const TOLD: usize = 100;
 pub(crate) const NOWHERE: usize = usize::MAX;
 
 /// Broken rules of one file. Noting one takes the same however many there are.
-pub(crate) struct Faults<'s> {
+pub struct Faults<'s> {
     file: &'s Path,
     text: &'s str,
+    /// All tables that such a file may hold.
+    tables: &'static [Table],
     /// Bytes at which lines begin, found when first needed.
     lines: OnceCell<Vec<usize>>,
     syntax: RefCell<First>,
@@ -47,13 +50,24 @@ impl First {
 }
 
 impl<'s> Faults<'s> {
+    /// Nothing is wrong yet with the text of a scene or of its materials.
     pub(crate) fn new(file: &'s Path, text: &'s str) -> Self {
-        Self { file, text, lines: OnceCell::new(), syntax: RefCell::default(), others: RefCell::default() }
+        Self::of_tables(file, text, keys::TABLES)
+    }
+
+    /// Nothing is wrong yet with a text that may hold these tables.
+    pub fn of_tables(file: &'s Path, text: &'s str, tables: &'static [Table]) -> Self {
+        let (syntax, others) = (RefCell::default(), RefCell::default());
+        Self { file, text, tables, lines: OnceCell::new(), syntax, others }
+    }
+
+    pub(crate) fn tables(&self) -> &'static [Table] {
+        self.tables
     }
 
     /// The document that the text says, as far as it is TOML; none where it is too deep to be walked. Noted
     /// is what is wrong with it.
-    pub(crate) fn document(&self) -> DeTable<'s> {
+    pub fn document(&self) -> DeTable<'s> {
         let (document, syntax) = DeTable::parse_recoverable(self.text);
         for error in &syntax {
             let byte = error.span().map_or(self.text.len(), |span| span.start);
@@ -94,7 +108,10 @@ impl<'s> Faults<'s> {
 
     /// Returns the noted errors in the order of the file. Where the text is not TOML, what else is said of
     /// the same line, or said to be missing, only follows from the first that is.
-    pub(crate) fn into_errors(self) -> Result<(), SceneErrors> {
+    ///
+    /// # Errors
+    /// The noted ones, where there are any.
+    pub fn into_errors(self) -> Result<(), SceneErrors> {
         let (syntax, others) = (self.syntax.take(), self.others.take());
         let mut more = syntax.more() + others.more();
         let damaged: BTreeSet<u32> = syntax.kept.keys().map(|(byte, _)| self.line(*byte)).collect();

@@ -2,8 +2,8 @@
 //! checks, the suggestions in errors, the tables of `docs/scenes.md` ([`with_tables`]) and the schema for
 //! editors ([`json_schema`]) are all derived from it.
 
-pub(crate) mod key;
-pub(crate) mod kinds;
+pub mod key;
+pub mod kinds;
 pub(crate) mod waveform;
 pub(crate) mod array;
 pub(crate) mod receiver;
@@ -46,7 +46,7 @@ pub const TABLES: &[Table] = &[
     traffic::MODEL_OF_TYPE,
 ];
 
-/// The heading of a table, other than `here`, that knows `key`.
-pub(crate) fn home_of(key: &str, here: &Table) -> Option<&'static str> {
-    TABLES.iter().find(|table| table.name != here.name && table.has(key)).map(|table| table.heading)
+/// The heading of one of these tables, other than `here`, that knows `key`.
+pub(crate) fn home_of(tables: &'static [Table], key: &str, here: &Table) -> Option<&'static str> {
+    tables.iter().find(|table| table.name != here.name && table.has(key)).map(|table| table.heading)
 }

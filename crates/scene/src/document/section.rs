@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 
 /// One table of the file; an absent one reads as empty, so that every key has its default.
 #[derive(Clone)]
-pub(crate) struct Section<'d> {
+pub struct Section<'d> {
     table: Option<&'d DeTable<'d>>,
     known: &'static Table,
     place: Place,
@@ -22,16 +22,16 @@ pub(crate) struct Section<'d> {
 }
 
 /// A value of the file, and where it stands.
-pub(crate) type PlacedValue<'d> = Spanned<DeValue<'d>>;
+pub type PlacedValue<'d> = Spanned<DeValue<'d>>;
 
 impl<'d> Section<'d> {
     /// The file itself. Unknown keys are noted at once, here and in every section opened from it.
-    pub(crate) fn root(table: &'d DeTable<'d>, known: &'static Table, faults: &'d Faults<'d>) -> Self {
+    pub fn root(table: &'d DeTable<'d>, known: &'static Table, faults: &'d Faults<'d>) -> Self {
         Self { table: Some(table), known, place: Place::Scene, start: 0, faults }.checked()
     }
 
     /// The table of that name below this one.
-    pub(crate) fn section(&self, known: &'static Table) -> Section<'d> {
+    pub fn section(&self, known: &'static Table) -> Section<'d> {
         let found = self.find(key_of(known));
         let table = found.and_then(|value| match value.get_ref() {
             DeValue::Table(table) => Some(table),
@@ -99,19 +99,19 @@ impl<'d> Section<'d> {
         for (key, _) in self.table.into_iter().flat_map(|table| table.iter()) {
             let found = key.get_ref().as_ref();
             if !self.known.has(found) {
-                self.note_at(key.span(), unknown_key(found, self.known));
+                self.note_at(key.span(), unknown_key(found, self.known, self.faults.tables()));
             }
         }
         self
     }
 
     /// Whether the key is there at all.
-    pub(crate) fn has(&self, key: &'static str) -> bool {
+    pub fn has(&self, key: &'static str) -> bool {
         self.find(key).is_some()
     }
 
     /// Whether the table itself is there.
-    pub(crate) fn exists(&self) -> bool {
+    pub fn exists(&self) -> bool {
         self.table.is_some()
     }
 
@@ -121,13 +121,23 @@ impl<'d> Section<'d> {
     }
 
     /// Note a broken rule at the value of `key`, or at the table's heading where the key is absent.
-    pub(crate) fn note(&self, key: &'static str, rule: Rule) {
+    pub fn note(&self, key: &'static str, rule: Rule) {
         let byte = self.find(key).map_or(self.start, |value| value.span().start);
         self.faults.note(byte, self.place.clone(), rule);
     }
 
+    /// Note a broken rule at an element of the list that `key` holds, by its number from 0; at a value that
+    /// is no list as [`Section::note`] does.
+    pub fn note_element(&self, key: &'static str, number: usize, rule: Rule) {
+        let list = self.find(key).and_then(|value| value.get_ref().as_array());
+        match list.and_then(|list| list.get(number)) {
+            Some(element) => self.note_at(element.span(), rule),
+            None => self.note(key, rule),
+        }
+    }
+
     /// Note it if `key` is missing.
-    pub(crate) fn require(&self, key: &'static str) {
+    pub fn require(&self, key: &'static str) {
         if !self.has(key) {
             self.note(key, Rule::Missing { key });
         }
@@ -172,21 +182,23 @@ fn key_of(table: &'static Table) -> &'static str {
     table.name.rsplit('.').next().unwrap_or(table.name)
 }
 
-fn unknown_key(found: &str, table: &Table) -> Rule {
+fn unknown_key(found: &str, table: &Table, tables: &'static [Table]) -> Rule {
     let found_here = found.to_owned();
     let here = |nearest| Rule::UnknownKey { found: found_here.clone(), nearest, home: None };
     if let Some(meant) = synonyms::meant(found, table) {
         return here(Some(meant));
     }
-    if let Some(home) = keys::home_of(found, table) {
+    if let Some(home) = keys::home_of(tables, found, table) {
         return Rule::WrongTable { found: found_here, table: home };
     }
     // Four letters in five alike are no coincidence; fewer may be, and a different word has none.
     const LEAST_LIKENESS: f64 = 0.85;
     let known: Vec<&str> = table.names().collect();
-    match (nearest_from(LEAST_LIKENESS, found, &known), synonyms::meant_elsewhere(found)) {
-        (None, Some(meant)) => {
-            Rule::UnknownKey { found: found_here, nearest: Some(meant), home: keys::home_of(meant, table) }
+    let elsewhere = |key| Some((key, keys::home_of(tables, key, table)?));
+    match (nearest_from(LEAST_LIKENESS, found, &known), synonyms::meant_elsewhere(found).and_then(elsewhere))
+    {
+        (None, Some((meant, home))) => {
+            Rule::UnknownKey { found: found_here, nearest: Some(meant), home: Some(home) }
         }
         _ => here(nearest(found, &known)),
     }

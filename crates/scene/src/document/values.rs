@@ -3,14 +3,15 @@
 use crate::document::errors::Rule;
 use crate::document::keys::key::{Key, Kind, Or, Plain};
 use crate::document::keys::kinds::{
-    Counts, Like, Name, Number, Numbers, Pair, Pairs, PerElement, Text, Texts, Truth, Vector, Whole, Words,
+    Counts, Like, Name, Number, Numbers, Pair, Pairs, PerElement, Text, Texts, Truth, Vector, Whole, Wholes,
+    Words,
 };
 use crate::document::section::{PlacedValue, Section};
 use crate::wording::allowed::Allowed;
 use toml::de::DeValue;
 
 /// A kind of which values are read.
-pub(crate) trait Reads<'d>: Kind {
+pub trait Reads<'d>: Kind {
     /// Type of the value that is read.
     type Read;
     /// Reads the value of `key`; notes a fault and returns `None` if it is wrong.
@@ -24,12 +25,12 @@ pub(crate) trait Reads<'d>: Kind {
 
 impl<'d> Section<'d> {
     /// Reads the value of a key; `None` where absent or wrong.
-    pub(crate) fn read<K: Reads<'d>, A>(&self, key: &Key<K, A>) -> Option<K::Read> {
+    pub fn read<K: Reads<'d>, A>(&self, key: &Key<K, A>) -> Option<K::Read> {
         key.takes.from(self, key.name, self.find(key.name)?)
     }
 
     /// Reads the value of a key, which is its default where absent or wrong.
-    pub(crate) fn or_default<K>(&self, key: &Key<K, Or<<K as Plain>::Value>>) -> <K as Plain>::Value
+    pub fn or_default<K>(&self, key: &Key<K, Or<<K as Plain>::Value>>) -> <K as Plain>::Value
     where
         K: Plain + Reads<'d, Read = <K as Plain>::Value>,
     {
@@ -123,15 +124,25 @@ impl<'d> Reads<'d> for Texts {
         key: &'static str,
         value: &'d PlacedValue<'d>,
     ) -> Option<Vec<&'d str>> {
-        let texts: Option<Vec<&str>> = match value.get_ref() {
+        match value.get_ref() {
             DeValue::String(text) => Some(vec![text.as_ref()]),
-            DeValue::Array(texts) if !texts.is_empty() => texts.iter().map(text_of).collect(),
-            _ => None,
-        };
-        if texts.is_none() {
-            section.wrong_type(key, "a text or a list of texts in quotes", value);
+            DeValue::Array(texts) if !texts.is_empty() => {
+                let other = texts.iter().find(|text| text_of(text).is_none());
+                other
+                    .into_iter()
+                    .for_each(|other| section.wrong_type(key, "a list of texts in quotes", other));
+                texts.iter().map(text_of).collect()
+            }
+            DeValue::Array(_) => {
+                let expected = "a text or a list of texts in quotes";
+                section.note_at(value.span(), Rule::WrongType { key, expected, found: "an empty list" });
+                None
+            }
+            _ => {
+                section.wrong_type(key, "a text or a list of texts in quotes", value);
+                None
+            }
         }
-        texts
     }
 }
 
@@ -214,6 +225,15 @@ impl<'d> Reads<'d> for Numbers {
     fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<Vec<f64>> {
         let numbers = section.list(key, value, self.length)?;
         numbers.iter().map(|value| section.number_in(key, value, self.each)).collect()
+    }
+}
+
+impl<'d> Reads<'d> for Wholes {
+    type Read = Vec<u64>;
+
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<Vec<u64>> {
+        let numbers = section.list(key, value, self.length)?;
+        numbers.iter().map(|value| section.integer_in(key, value, self.each)).collect()
     }
 }
 

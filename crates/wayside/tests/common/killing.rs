@@ -2,6 +2,7 @@
 
 use super::Workplace;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 /// All files below a folder.
@@ -24,11 +25,16 @@ pub(crate) fn is_temporary(file: &Path) -> bool {
 
 /// Whether it was killed before it ended.
 pub(crate) fn killed_after(place: &Workplace, words: &str, after: Duration) -> bool {
-    let mut child = place.command(words).spawn().unwrap();
+    is_killed_after(&mut place.command(words), after)
+}
+
+/// Whether the command was killed before it ended.
+pub(crate) fn is_killed_after(command: &mut Command, after: Duration) -> bool {
+    let mut child = command.spawn().unwrap();
     let start = Instant::now();
     while start.elapsed() < after {
         if let Some(status) = child.try_wait().unwrap() {
-            assert!(status.success(), "{words}: {status}");
+            assert!(status.success(), "{command:?}: {status}");
             return false;
         }
         std::thread::sleep(Duration::from_millis(1));

@@ -125,6 +125,12 @@ impl Workplace {
     }
 }
 
+/// Tells how many cases a test has tried and what came of them, in the line that `cargo xtask study force`
+/// reads.
+pub(crate) fn tell_cases(kind: &str, cases: u64, came: &str) {
+    println!("force: {kind}: {cases} cases: {came}");
+}
+
 /// Amount of a test that is asked for: the value of an environment variable, else `otherwise`.
 pub(crate) fn asked(variable: &str, otherwise: u64) -> u64 {
     std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())

@@ -10,7 +10,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
 use crate::common::bounded::{self, Ended};
-use crate::common::{SMALL_SCENE, Workplace};
+use crate::common::{SMALL_SCENE, Workplace, tell_cases};
 use artifact::cube::{Cube, CubeHeader};
 use artifact::rdm::Rdm;
 use artifact::{Reader, Schema, Writer};
@@ -148,7 +148,8 @@ fn sound_artifacts(place: &Workplace) -> Vec<(&'static str, Vec<u8>)> {
     COMMANDS.map(|(kind, _)| (kind, file(kind))).to_vec()
 }
 
-fn try_command(place: &Workplace, words: &str, about: &str) {
+/// Whether the command took the file; ends the test where it neither did nor refused it.
+fn try_command(place: &Workplace, words: &str, about: &str) -> bool {
     let ended = bounded::run(place.root(), words.split_whitespace().chain(["--quiet"]));
     if !(ended.status.success() || ended.is_refused()) {
         let kept = std::env::temp_dir().join("wayside-crafted");
@@ -156,6 +157,7 @@ fn try_command(place: &Workplace, words: &str, about: &str) {
         let (kept, Ended { status, said, after, .. }) = (kept.display(), ended);
         panic!("{words}: {about}, kept as {kept}: {status} after {after:?}: {said}");
     }
+    ended.status.success()
 }
 
 #[test]
@@ -167,17 +169,17 @@ fn artifacts_of_right_checksums_and_wrong_content_do_not_make_a_command_panic() 
     let (cases, minutes) =
         (asked("WAYSIDE_CRAFTED").unwrap_or(60_u64), asked::<f64>("WAYSIDE_CRAFTED_MINUTES"));
     let start = Instant::now();
-    let mut done = 0_u64;
+    let (mut done, mut taken) = (0_u64, 0_u64);
     while minutes.map_or(done < cases, |minutes| start.elapsed().as_secs_f64() < 60.0 * minutes) {
         let (kind, commands) = COMMANDS[done as usize % COMMANDS.len()];
         let mut noise = Noise(seed.wrapping_mul(0xd1b5_4a32_d192_ed03) ^ done);
         let (_, bytes) = sound.iter().find(|(known, _)| *known == kind).unwrap();
         std::fs::write(place.path("F"), crafted(&mut noise, bytes)).unwrap();
         let words = commands[noise.below(commands.len())].replace("MODEL", model);
-        try_command(&place, &words, &format!("{kind}, seed {seed}, case {done}"));
+        taken += u64::from(try_command(&place, &words, &format!("{kind}, seed {seed}, case {done}")));
         done += 1;
     }
-    println!("{done} crafted artifacts in {:.1} minutes", start.elapsed().as_secs_f64() / 60.0);
+    tell_cases("crafted artifacts", done, &format!("{taken} read, {} refused", done - taken));
 }
 
 /// The artifact once more, its header with chirps of 2²⁰ samples before the frames as they were.

@@ -8,7 +8,7 @@
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
-use crate::common::{SMALL_SCENE, Workplace, asked};
+use crate::common::{SMALL_SCENE, Workplace, asked, tell_cases};
 use artifact::{Reader, Schema};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -95,7 +95,7 @@ fn no_damaged_artifact_is_read_as_another_content() {
     let kinds = artifacts(&place);
     let mut random = ChaCha8Rng::seed_from_u64(asked("WAYSIDE_SEED", 1));
     let each = asked("WAYSIDE_DAMAGES", 400).div_ceil(kinds.len() as u64);
-    let (mut refused, mut unharmed, mut by_program) = (0, 0, 0);
+    let (mut refused, mut unharmed, mut by_program) = (0_u64, 0_u64, 0_u64);
     for (file, accepted, command) in kinds {
         let whole = place.bytes(file);
         let right = accepted(&place.path(file)).unwrap_or_else(|| panic!("{file} is whole"));
@@ -121,7 +121,8 @@ fn no_damaged_artifact_is_read_as_another_content() {
             }
         }
     }
-    println!("{refused} refused, {unharmed} read as they were, {by_program} of them given to a command");
+    let came = format!("{refused} refused, {unharmed} read, {by_program} of them given to a command");
+    tell_cases("artifacts", refused + unharmed, &came);
     assert_eq!(unharmed, 0, "every byte of an artifact is under a checksum or is looked at");
 }
 
@@ -149,7 +150,7 @@ fn no_damaged_cache_entry_changes_a_result() {
     let classes = |out: &str| place.summary(&format!("{out}/summary.json"))["frames"][0]["targets"].clone();
     place.run("run small.toml --out right --quiet");
     let mut random = ChaCha8Rng::seed_from_u64(asked("WAYSIDE_SEED", 2));
-    let (mut damages, mut named) = (0, 0);
+    let (mut damages, mut named) = (0_u64, 0_u64);
     while damages < asked("WAYSIDE_DAMAGES", 120) {
         let mut done = vec![];
         for entry in entries(&place).into_iter().filter(|entry| !entry.ends_with("CACHEDIR.TAG")) {
@@ -169,7 +170,8 @@ fn no_damaged_cache_entry_changes_a_result() {
         });
         assert_eq!(classes("again"), classes("right"));
         damages += done.len() as u64;
-        named += done.iter().filter(|name| said.contains(name.as_str())).count();
+        named += done.iter().filter(|name| said.contains(name.as_str())).count() as u64;
     }
-    println!("{damages} damaged entries, {named} named");
+    let came = format!("{named} told by name, the same results with all");
+    tell_cases("cache entries", damages, &came);
 }

@@ -6,9 +6,9 @@
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
-use crate::common::Workplace;
+use crate::common::{PROGRAM, Workplace};
 use serde_json::Value;
-use std::process::Child;
+use std::process::{Child, Command};
 use std::time::Duration;
 
 /// Three plates that meet at right angles, each in 2 × 6 × 6 triangles: a table of a few hundredths of a
@@ -85,13 +85,7 @@ fn a_table_that_is_killed_or_interrupted_goes_on_to_the_same_bytes() {
     resumed(&place, &words, "whole");
     std::fs::remove_file(place.path("s.npy")).unwrap();
     let mut child = begun(&place, &words, "s.npy.checkpoint");
-    assert!(
-        std::process::Command::new("kill")
-            .args(["-INT", &child.id().to_string()])
-            .status()
-            .unwrap()
-            .success()
-    );
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
     assert_eq!(child.wait().unwrap().code(), Some(130));
     assert!(!place.path("s.npy").exists());
     resumed(&place, &words, "whole");
@@ -131,3 +125,47 @@ fn a_slow_reference_goes_on_too() {
     child.wait().unwrap();
     resumed(&place, &format!("{words} s.npy"), "whole");
 }
+
+/// Exit code and words of a command that finds the disk full where a file is to grow beyond so many KiB.
+fn on_full_disk(place: &Workplace, words: &str, most_kib: u32) -> (Option<i32>, String) {
+    let script = format!("trap '' XFSZ; ulimit -f {most_kib}; exec \"$@\"");
+    let output = Command::new("bash")
+        .args(["-c", &script, "bash", PROGRAM])
+        .args(words.split_whitespace().filter(|word| *word != "--quiet"))
+        .current_dir(place.root())
+        .output()
+        .unwrap();
+    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+#[test]
+fn a_table_on_a_full_disk_goes_on_from_what_was_kept_and_says_so() {
+    let place = workplace();
+    place.run(&format!("{WORDS} whole.npy"));
+    let words = format!("{WORDS} s.npy");
+    let (code, said) = on_full_disk(&place, &words, 8);
+    assert_eq!(code, Some(2), "{said}");
+    assert!(said.contains("s.npy.checkpoint: File too large"), "{said}");
+    assert!(said.contains("no more is kept, the next run goes on from what it has"), "{said}");
+    assert!(!said.contains("cannot be resumed") && !place.path("s.npy").exists(), "{said}");
+    resumed(&place, &words, "whole");
+}
+
+#[test]
+fn a_table_without_room_for_its_first_aspect_says_that_it_cannot_be_resumed_and_leaves_nothing() {
+    let place = workplace();
+    let (code, said) = on_full_disk(&place, &format!("{WORDS} s.npy"), 0);
+    assert!(code == Some(2) && said.contains("this run cannot be resumed"), "{said}");
+    assert!(!place.path("s.npy").exists() && !place.path("s.npy.checkpoint").exists(), "{said}");
+}
+
+#[test]
+fn a_table_that_ends_leaves_no_checkpoint_though_the_disk_was_too_full_for_it() {
+    let place = workplace();
+    let (code, said) = on_full_disk(&place, &format!("{WORDS} s.npy"), ROOM_KIB);
+    assert!(code == Some(0) && said.contains("no more is kept"), "{said}");
+    assert!(place.path("s.npy").exists() && !place.path("s.npy.checkpoint").exists(), "{said}");
+}
+
+/// Room for the table and its description, not for all aspects of both passes.
+const ROOM_KIB: u32 = 16;

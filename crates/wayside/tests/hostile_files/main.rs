@@ -96,12 +96,15 @@ fn assert_refused(place: &Workplace, words: &str, names: &[&str], what: &str) {
 fn files_that_hold_something_else_are_refused_by_every_reader() {
     let place = Workplace::new();
     prepare(&place);
+    let mut cases = 0;
     for (what, bytes) in contents::of_any() {
         for (file, words) in READERS {
             std::fs::write(place.path(file), &bytes).unwrap();
             assert_refused(&place, words, &[file, "beside.gltf"], what);
+            cases += 1;
         }
     }
+    tell_refused("files of something else", cases);
 }
 
 #[test]
@@ -122,14 +125,21 @@ fn files_that_cost_more_than_they_say_are_refused_by_their_reader() {
         ("h.glb", "rcs h.glb --freq-ghz 77 --az-deg 0 --out a.npy", gltf::chunks()),
     ];
     std::fs::write(place.path("large.bin"), vec![0; 64 << 20]).unwrap();
+    let mut cases = 0;
     for (file, words, contents) in sets {
         for (number, bytes) in contents.iter().enumerate() {
             std::fs::write(place.path(file), bytes).unwrap();
             // A description may fit its own rules and name data that are not there.
             let names = [file, if file == "h.sigmf-meta" { "h.sigmf-data" } else { file }];
             assert_refused(&place, words, &names, &format!("number {number}"));
+            cases += 1;
         }
     }
+    tell_refused("files that cost more than they say", cases);
+}
+
+fn tell_refused(kind: &str, cases: u64) {
+    common::tell_cases(kind, cases, &format!("{cases} refused"));
 }
 
 #[cfg(unix)]
@@ -137,14 +147,17 @@ fn files_that_cost_more_than_they_say_are_refused_by_their_reader() {
 fn what_is_no_plain_file_is_refused_before_it_is_opened() {
     let place = Workplace::new();
     prepare(&place);
+    let mut cases = 0;
     for (kind, make) in SPECIAL {
         for (file, words) in READERS {
             make(&place.path(file));
             assert_refused(&place, words, &[file, "h.model"], kind);
+            cases += 1;
             let at = place.path(file);
             if at.is_dir() { std::fs::remove_dir(at).unwrap() } else { std::fs::remove_file(at).unwrap() }
         }
     }
+    tell_refused("files that are no plain ones", cases);
 }
 
 type Make = fn(&Path);

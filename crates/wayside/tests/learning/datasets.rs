@@ -327,8 +327,66 @@ fn a_changed_digit_of_a_shards_lines_counts_as_not_made() {
     assert!(!String::from_utf8(scenes).unwrap().contains("checksum"), "it is of the lines beside a shard");
 }
 
+/// Keys that a recipe has beside the needed ones, and how it is refused.
+const REFUSED_KEYS: [(&str, &str); 17] = [
+    ("scenes = [\"base.toml\"]", "spec.toml:7:10: `scene` and `scenes` exclude one another"),
+    ("yaw_deg = [5.0, -5.0]", "spec.toml:7:11: `yaw_deg` must be [least, greatest], is [5, -5]"),
+    ("offset_m = [0.0, nan]", "7:18: `offset_m` must be a number from -100 to 100, is NaN"),
+    ("radar_height_m = [0.0, 5.0]", "7:19: `radar_height_m` must be a number above 0, up to 1000"),
+    ("offset_m = [50.0, 60.0]", "4:11: `range_m` must reach beyond 52.35 m, the nearest that"),
+    ("tilt_deg = [-4.0, -2.0, 0.0]", "7:12: `tilt_deg` must have 2 values, has 3"),
+    ("vehicles_per_scene = [1, 2, 3]", "7:22: `vehicles_per_scene` must have 2 values, has 3"),
+    ("yaw_deg = [1.0]", "`yaw_deg` must have 2 values, has 1"),
+    ("vehicle_seeds = 18446744073709551615", "7:17: `vehicle_seeds` must be a number from 1 to"),
+    ("frames = 0", "7:10: `frames` must be a number from 1 to 1000, is 0"),
+    ("frame_interval_s = 1e-6", "7:20: `frame_interval_s` must be 0."),
+    ("frame_interval_s = -1.0", "`frame_interval_s` must be a number above 0, up to 10000, is -1"),
+    ("vehicles_per_scene = [2, 1]", "`vehicles_per_scene` must be [least, greatest], is [2, 1]"),
+    ("queue_share = 1.5", "7:15: `queue_share` must be a number from 0 to 1, is 1.5"),
+    ("scenes_per_shard = 0", "7:20: `scenes_per_shard` must be a number from 1 to"),
+    ("crop = true", "7:1: unknown key `crop`; the nearest is `crops`"),
+    ("car = [\"car-suv\"]", "7:1: unknown key `car` here; it belongs into [models]"),
+];
+
+/// Parts of the needed keys, what stands in their place, and how the recipe is refused.
+const REFUSED_CHANGES: [(&str, &str, &str); 7] = [
+    ("scene = \"base.toml\"", "", "spec.toml:1:1: `scene` or `scenes` is missing: name"),
+    ("seed = 1", "", "spec.toml:1:1: key `seed` is missing"),
+    ("[models]", "", "key `models` is missing"),
+    (
+        "seed = 1",
+        "seed = 9223372036854775808",
+        "2:8: `seed` must be a whole number up to 9223372036854775807",
+    ),
+    ("lanes = [1, 2]", "lanes = [1, 9]", "6:13: `lanes`: base.toml has no lane 9; it has 1, 2, 3"),
+    (
+        "scene = \"base.toml\"",
+        "extra_noise_db = [0.0, 3.0]\nscene = \"silent.toml\"",
+        "1:18: `extra_noise_db`: silent.toml has no noise",
+    ),
+    (
+        "base",
+        "pair",
+        "spec.toml:1:9: `scene`: pair.toml has several radars ([[radars]]: left, right), and a recipe takes \
+         scenes of one; name a copy of it without [[radars]]",
+    ),
+];
+
+/// Models of a recipe, and how it is refused.
+const REFUSED_MODELS: [(&str, &str); 9] = [
+    ("", "[models]: name at least one of a class"),
+    ("car = []", "8:7: [models]: `car` must be a text or a list of texts in quotes, is an empty list"),
+    ("car = [\"car-suv\", 3]", "8:19: [models]: `car` must be a list of texts in quotes, is a whole number"),
+    ("van = [\"car-van\"]", "8:1: [models]: unknown key `van`"),
+    ("car = [\"bus-mini\"]", "8:8: [models]: `car`: `bus-mini` is a bus"),
+    ("car = [\"bmw\"]", "[models]: `car`: `bmw` is no mesh file"),
+    ("car = [\"empty\"]", "[models]: `car`: `empty`: the folder holds no .glb"),
+    ("vehicles = \"up\"", "manifest.toml: vehicle: name `../x` is no name of a file"),
+    ("car = [\"car-hatchback\", \"car-hatchback.obj\"]", "[models]: `car`: two different models"),
+];
+
 #[test]
-fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
+fn a_recipe_that_breaks_a_rule_is_refused_with_file_place_key_and_rule() {
     let place = prepared();
     std::fs::write(place.path("silent.toml"), BASE.replace("[noise]\nnoise_figure_db = 12.0\n", "")).unwrap();
     let pair = format!("{BASE}[[radars]]\nid = \"left\"\n[[radars]]\nid = \"right\"\n");
@@ -338,55 +396,45 @@ fn a_recipe_that_breaks_a_rule_is_refused_with_file_key_and_rule() {
     std::fs::write(place.path("up/manifest.toml"), "[[vehicle]]\nname = \"../x\"\nclass = \"car\"\n")
         .unwrap();
     std::fs::write(place.path("car-hatchback.obj"), crate::common::CORNER).unwrap();
-    let recipe = |keys: &str| format!("{NEEDED}{keys}{OWN}");
-    let with_models = |models: &str| format!("{NEEDED}[models]\n{models}");
-    for (text, said) in [
-        (recipe("scenes = [\"base.toml\"]\n"), "spec.toml: scene and scenes: give one"),
-        (recipe("").replace("scene = \"base.toml\"", ""), "spec.toml: scene or scenes: name"),
-        (recipe("yaw_deg = [5.0, -5.0]\n"), "spec.toml: yaw_deg must be [least, greatest]"),
-        (recipe("offset_m = [0.0, nan]\n"), "offset_m must be"),
-        (recipe("radar_height_m = [0.0, 5.0]\n"), "radar_height_m must be [least, greatest], positive"),
-        (recipe("offset_m = [50.0, 60.0]\n"), "range_m must reach beyond 52.35 m, the nearest that"),
-        (recipe("tilt_deg = [-4.0, -2.0, 0.0]\n"), "invalid length 3, expected [least, greatest]"),
-        (recipe("vehicles_per_scene = [1, 2, 3]\n"), "invalid length 3, expected [least, greatest]"),
-        (recipe("yaw_deg = [1.0]\n"), "invalid length 1, expected [least, greatest]"),
-        (
-            recipe("").replace("seed = 1", "seed = 9223372036854775808"),
-            "seed must be from 0 to 9223372036854775807, is 9223372036854775808",
-        ),
-        (recipe("vehicle_seeds = 18446744073709551615\n"), "vehicle_seeds must be from 0 to"),
-        (recipe("frames = 0\n"), "frames must be from 1 to 1000, is 0"),
-        (recipe("frame_interval_s = 1e-6\n"), "frame_interval_s must be from"),
-        (recipe("vehicles_per_scene = [2, 1]\n"), "vehicles_per_scene must be"),
-        (recipe("queue_share = 1.5\n"), "queue_share must be from 0 to 1"),
-        (recipe("scenes_per_shard = 0\n"), "scenes_per_shard must be at least 1"),
-        (
-            recipe("extra_noise_db = [0.0, 3.0]\n").replace("base", "silent"),
-            "extra_noise_db: silent.toml has no noise",
-        ),
-        (recipe("crop = true\n"), "unknown field `crop`"),
-        (
-            recipe("").replace("base", "pair"),
-            "spec.toml: scene: pair.toml has several radars ([[radars]]: left, right), and a recipe takes \
-             scenes of one; name a copy of it without [[radars]]",
-        ),
-        (with_models(""), "models: name at least one"),
-        (with_models("car = []\n"), "models.car: name at least one"),
-        (with_models("car = [\"bus-mini\"]\n"), "models.car: `bus-mini` is a bus"),
-        (with_models("car = [\"bmw\"]\n"), "models.car: `bmw` is no mesh file"),
-        (with_models("car = [\"empty\"]\n"), "models.car: `empty`: the folder holds no .glb"),
-        (with_models("vehicles = \"up\"\n"), "manifest.toml: vehicle: name `../x` is no name of a file"),
-        (
-            with_models("car = [\"car-hatchback\", \"car-hatchback.obj\"]\n"),
-            "models.car: two different models",
-        ),
-    ] {
+    let keys = REFUSED_KEYS.map(|(keys, said)| (format!("{NEEDED}{keys}\n{OWN}"), said));
+    let changes = REFUSED_CHANGES.map(|(from, to, said)| (format!("{NEEDED}{OWN}").replace(from, to), said));
+    let models = REFUSED_MODELS.map(|(models, said)| (format!("{NEEDED}[models]\n{models}\n"), said));
+    for (text, said) in keys.into_iter().chain(changes).chain(models) {
         std::fs::write(place.path("spec.toml"), &text).unwrap();
         let output = place.try_run("dataset spec.toml --out d --quiet");
         let told = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.code() == Some(1) && told.contains(said), "{text}\n{told}\nnot: {said}");
         assert!(!place.path("d").exists());
     }
+}
+
+#[test]
+fn all_rules_that_a_recipe_breaks_are_told_at_once_each_with_line_and_column() {
+    let place = prepared();
+    let text = "scene = \"base.toml\"\nseed = -1\nscenes_per_clas = 3\nrange_m = [25.0, 4.0]\n\
+                speed_mps = [1.0]\nlanes = [1, 7]\nqueue_share = \"half\"\nextra_noise_db = [0, 900]\n\
+                [models]\ncar = [\"car-suv\", \"bus-mini\"]\nlorry = [\"truck-box\"]\n";
+    std::fs::write(place.path("spec.toml"), text).unwrap();
+    let output = place.try_run("dataset spec.toml --out d --quiet");
+    let told = String::from_utf8_lossy(&output.stderr);
+    let broken = [
+        "spec.toml:1:1: key `scenes_per_class` is missing",
+        "spec.toml:2:8: `seed` must be a number from 0 to",
+        "spec.toml:3:1: unknown key `scenes_per_clas`; the nearest is `scenes_per_class`",
+        "spec.toml:4:11: `range_m` must be [least, greatest], is [25, 4]",
+        "spec.toml:5:13: `speed_mps` must have 2 values, has 1",
+        "spec.toml:6:13: `lanes`: base.toml has no lane 7; it has 1, 2, 3",
+        "spec.toml:7:15: `queue_share` must be a number, is a text",
+        "spec.toml:8:22: `extra_noise_db` must be a number from -100 to 100, is 900",
+        "spec.toml:10:19: [models]: `car`: `bus-mini` is a bus",
+        "spec.toml:11:1: [models]: unknown key `lorry`",
+    ];
+    let lines: Vec<&str> = told.lines().filter(|line| line.contains("spec.toml:")).collect();
+    assert_eq!(lines.len(), broken.len(), "{told}");
+    for (line, said) in lines.iter().zip(broken) {
+        assert!(line.contains(said), "{line}\nnot: {said}");
+    }
+    assert!(output.status.code() == Some(1) && !place.path("d").exists(), "{told}");
 }
 
 #[test]

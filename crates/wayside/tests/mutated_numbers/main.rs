@@ -74,7 +74,8 @@ fn a_scene_with_any_number_is_read_and_run_or_refused_with_file_place_and_rule()
             }
         }
     }
-    println!("{scenes} scenes: {} refused, {read} read, {run} of these run", scenes - read);
+    let came = format!("{read} read, {run} of these run, {} refused", scenes - read);
+    common::tell_cases("numbers of scenes", scenes, &came);
     assert!(read > scenes / 10 && scenes - read > scenes / 10, "{read} of {scenes} are read");
 }
 

@@ -1,77 +1,35 @@
 //! Content of a recipe's file; its keys are in `docs/datasets.md`.
 
-use crate::dataset::recipe::error::RecipeError;
+use crate::dataset::recipe::keys;
 use crate::dataset::recipe::models::Choice;
 use artifact::scene::SceneHeader;
-use serde::de::Error;
-use serde::{Deserialize, Deserializer};
+use scene::document::faults::Faults;
+use scene::document::section::Section;
 use std::path::{Path, PathBuf};
 
-/// Content of a recipe's file.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// Content of a recipe's file. Of one that is refused it has what stands for values that are not there.
+#[derive(Debug, Clone, PartialEq)]
 pub(in crate::dataset) struct Document {
-    pub(in crate::dataset) scene: Option<PathBuf>,
-    #[serde(default)]
+    /// Base scenes, one by `scene` or several by `scenes`.
     pub(in crate::dataset) scenes: Vec<PathBuf>,
     pub(in crate::dataset) seed: u64,
     pub(in crate::dataset) scenes_per_class: u32,
-    #[serde(default = "some")]
     pub(in crate::dataset) scenes_per_shard: u32,
-    #[serde(deserialize_with = "pair")]
     pub(in crate::dataset) range_m: [f64; 2],
-    #[serde(deserialize_with = "pair")]
     pub(in crate::dataset) speed_mps: [f64; 2],
     pub(in crate::dataset) lanes: Vec<u8>,
-    #[serde(default = "one")]
     pub(in crate::dataset) vehicle_seeds: u64,
-    #[serde(default, deserialize_with = "pair")]
     pub(in crate::dataset) yaw_deg: [f64; 2],
-    #[serde(default, deserialize_with = "pair")]
     pub(in crate::dataset) offset_m: [f64; 2],
-    #[serde(default, deserialize_with = "known_pair")]
     pub(in crate::dataset) radar_height_m: Option<[f64; 2]>,
-    #[serde(default, deserialize_with = "known_pair")]
     pub(in crate::dataset) tilt_deg: Option<[f64; 2]>,
-    #[serde(default, deserialize_with = "pair")]
     pub(in crate::dataset) extra_noise_db: [f64; 2],
-    #[serde(default = "one")]
     pub(in crate::dataset) frames: u32,
     pub(in crate::dataset) frame_interval_s: Option<f64>,
-    #[serde(default = "alone", deserialize_with = "pair")]
     pub(in crate::dataset) vehicles_per_scene: [u32; 2],
-    #[serde(default)]
     pub(in crate::dataset) queue_share: f64,
-    #[serde(default = "kept")]
     pub(in crate::dataset) crops: bool,
     pub(super) models: Choice,
-}
-
-/// Two values and no more: a third one of a list would be passed over.
-fn pair<'de, D: Deserializer<'de>, T: Deserialize<'de>>(from: D) -> Result<[T; 2], D::Error> {
-    let values = Vec::<T>::deserialize(from)?;
-    let found = values.len();
-    values.try_into().map_err(|_| Error::invalid_length(found, &"[least, greatest]"))
-}
-
-fn known_pair<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 2]>, D::Error> {
-    pair(from).map(Some)
-}
-
-fn one<T: From<u8>>() -> T {
-    T::from(1)
-}
-
-fn some() -> u32 {
-    64
-}
-
-fn alone() -> [u32; 2] {
-    [1, 1]
-}
-
-fn kept() -> bool {
-    true
 }
 
 /// A scene of which radar, noise, processing and fidelity are taken; its own targets are not used.
@@ -82,19 +40,54 @@ pub(in crate::dataset) struct Base {
 }
 
 impl Document {
-    /// One by `scene`, several by `scenes`.
-    pub(super) fn base_scenes(&self) -> Result<Vec<&Path>, RecipeError> {
-        match (&self.scene, self.scenes.as_slice()) {
-            (Some(scene), []) => Ok(vec![scene]),
-            (None, []) => Err(RecipeError::NoBaseScene),
-            (None, several) => Ok(several.iter().map(PathBuf::as_path).collect()),
-            (Some(_), _) => Err(RecipeError::BaseScenesTwice),
+    /// What the recipe says; noted are keys that lack or are unknown, wrong types and numbers out of range.
+    pub(super) fn of(root: &Section<'_>, models: &Section<'_>) -> Self {
+        let needed = keys::RECIPE.keys.iter().filter(|key| key.is_required());
+        needed.for_each(|key| root.require(key.name()));
+        // The range of each key is within the type.
+        let counts = |count: u64| u32::try_from(count).unwrap_or(u32::MAX);
+        Self {
+            scenes: scenes(root),
+            seed: root.read(&keys::SEED).unwrap_or(0),
+            scenes_per_class: root.read(&keys::SCENES_PER_CLASS).map_or(1, counts),
+            scenes_per_shard: counts(root.or_default(&keys::SCENES_PER_SHARD)),
+            // Beyond all that it is compared with.
+            range_m: root.read(&keys::RANGE).unwrap_or([f64::INFINITY; 2]),
+            speed_mps: root.read(&keys::SPEED).unwrap_or([0.0; 2]),
+            lanes: root.read(&keys::LANES).unwrap_or_default().into_iter().filter_map(lane).collect(),
+            vehicle_seeds: root.or_default(&keys::VEHICLE_SEEDS),
+            yaw_deg: root.or_default(&keys::YAW),
+            offset_m: root.or_default(&keys::OFFSET),
+            radar_height_m: root.read(&keys::RADAR_HEIGHT),
+            tilt_deg: root.read(&keys::TILT),
+            extra_noise_db: root.or_default(&keys::EXTRA_NOISE),
+            frames: counts(root.or_default(&keys::FRAMES)),
+            frame_interval_s: root.read(&keys::FRAME_INTERVAL),
+            vehicles_per_scene: root.or_default(&keys::VEHICLES_PER_SCENE).map(counts),
+            queue_share: root.or_default(&keys::QUEUE_SHARE),
+            crops: root.or_default(&keys::CROPS),
+            models: Choice::of(models),
         }
     }
 
-    /// Refusal of a base scene that has several radars.
-    pub(super) fn of_several_radars(&self, scene: &Path, radars: Vec<String>) -> RecipeError {
-        let key = if self.scene.is_some() { "scene" } else { "scenes" };
-        RecipeError::SeveralRadars { key, scene: scene.display().to_string(), radars }
+    /// What another recipe's text says; `None` where it breaks a rule.
+    pub(super) fn of_text(text: &str) -> Option<Self> {
+        let faults = Faults::of_tables(Path::new(""), text, keys::TABLES);
+        let document = faults.document();
+        let root = Section::root(&document, &keys::RECIPE, &faults);
+        let said = Self::of(&root, &root.section(&keys::MODELS));
+        drop(root);
+        faults.into_errors().ok().map(|()| said)
     }
+}
+
+fn scenes(root: &Section<'_>) -> Vec<PathBuf> {
+    let one = root.read(&keys::SCENE).map(PathBuf::from);
+    let several = root.read(&keys::SCENES).unwrap_or_default();
+    one.into_iter().chain(several.into_iter().map(PathBuf::from)).collect()
+}
+
+/// Number of a lane; the range of the key is a byte's.
+fn lane(number: u64) -> Option<u8> {
+    u8::try_from(number).ok()
 }

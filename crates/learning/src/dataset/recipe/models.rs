@@ -2,6 +2,7 @@
 //! manifest tells classes.
 
 use crate::dataset::recipe::error::RecipeError;
+use crate::dataset::recipe::keys;
 use artifact::bounded;
 use artifact::material::MaterialMap;
 use artifact::scene::{Mesh, SceneHeader};
@@ -9,6 +10,7 @@ use artifact::settings::Class;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
 use pipeline::host::toml_text;
+use scene::document::section::Section;
 use scene::mesh::{self, Format, MeshOptions};
 use scene::{asset_materials, centred, read_mesh, vehicles};
 use serde::Deserialize;
@@ -20,15 +22,31 @@ use std::slice;
 const LIMIT_BYTES: u64 = 16 << 20;
 
 /// Content of the recipe's table `[models]`.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Choice {
     /// A folder with a manifest.
     vehicles: Option<PathBuf>,
-    car: Option<Vec<String>>,
-    bus: Option<Vec<String>>,
-    truck: Option<Vec<String>>,
-    motorcycle: Option<Vec<String>>,
+    /// Words for each class that is named.
+    by_class: BTreeMap<Class, Vec<String>>,
+}
+
+impl Choice {
+    /// What the table says; noted are unknown keys and wrong types.
+    pub(super) fn of(models: &Section<'_>) -> Self {
+        let words = |class: Class| {
+            let key = match class {
+                Class::Car => &keys::CAR,
+                Class::Bus => &keys::BUS,
+                Class::Truck => &keys::TRUCK,
+                Class::Motorcycle => &keys::MOTORCYCLE,
+            };
+            Some((class, models.read(key)?.into_iter().map(str::to_owned).collect()))
+        };
+        Self {
+            vehicles: models.read(&keys::VEHICLES).map(PathBuf::from),
+            by_class: Class::ALL.into_iter().filter_map(words).collect(),
+        }
+    }
 }
 
 /// A body that a recipe may draw.
@@ -66,57 +84,63 @@ impl Model {
     }
 }
 
-/// Name and file of a model; an own vehicle has no file.
-type Named = (String, Option<PathBuf>);
+/// Names and files of models; an own vehicle has no file.
+pub(super) type Named = BTreeMap<Class, Vec<(String, Option<PathBuf>)>>;
 
-/// All models of each class, in the order of the recipe; `inputs` gets the files that they were read from,
-/// with hashes.
-pub(super) fn read(
+/// What the manifest of the folder of vehicles lists; `inputs` gets its file, with the hash.
+pub(super) fn listed(
     choice: &Choice,
     recipe: &Path,
+    inputs: &mut Vec<(String, String)>,
+) -> Result<Named, Failure> {
+    let mut all = Named::new();
+    let Some(vehicles) = &choice.vehicles else { return Ok(all) };
+    let folder = recipe.parent().unwrap_or(Path::new("."));
+    let manifest = folder.join(vehicles).join("manifest.toml");
+    let read = || manifest_of(&manifest);
+    let (listed, hashed) =
+        loading::read_of(slice::from_ref(&manifest), read).map_err(|failure| failure.named_in(recipe))?;
+    inputs.extend(hashed);
+    for Entry { name, class } in listed.vehicle {
+        let file = manifest.with_file_name(format!("{name}.glb"));
+        all.entry(class).or_default().push((name, Some(file)));
+    }
+    Ok(all)
+}
+
+/// All models of each class, those that a manifest lists and then those of the recipe in its order; noted is
+/// what names none, and what a split could not part.
+pub(super) fn named(choice: &Choice, listed: Named, folder: &Path, models: &Section<'_>) -> Named {
+    let mut all = listed;
+    for (class, written) in &choice.by_class {
+        let of_class = all.entry(*class).or_default();
+        for (number, word) in written.iter().enumerate() {
+            match of_word(*class, word, folder) {
+                Ok(named) => of_class.extend(named),
+                Err(broken) => models.note_element(class.name(), number, broken.into()),
+            }
+        }
+    }
+    if all.is_empty() && models.exists() && !Class::ALL.iter().any(|class| models.has(class.name())) {
+        models.note(keys::VEHICLES.name, RecipeError::NoModels.into());
+    }
+    check_names(&all, models);
+    all
+}
+
+/// The models, opened; `inputs` gets the files that they were read from, with hashes.
+pub(super) fn read(
+    named: Named,
     bases: &[&SceneHeader],
     inputs: &mut Vec<(String, String)>,
 ) -> Result<BTreeMap<Class, Vec<Model>>, Failure> {
-    let folder = recipe.parent().unwrap_or(Path::new("."));
-    let refused = |error: RecipeError| Failure::refused(error).about(recipe);
-    let named_in = |failure: Failure| failure.named_in(recipe);
-    let mut all: BTreeMap<Class, Vec<Named>> = BTreeMap::new();
-    if let Some(vehicles) = &choice.vehicles {
-        let manifest = folder.join(vehicles).join("manifest.toml");
-        let (listed, hashed) =
-            loading::read_of(slice::from_ref(&manifest), || manifest_of(&manifest)).map_err(named_in)?;
-        inputs.extend(hashed);
-        for Entry { name, class } in listed.vehicle {
-            let file = manifest.with_file_name(format!("{name}.glb"));
-            all.entry(class).or_default().push((name, Some(file)));
-        }
-    }
-    for (class, written) in choice.by_class() {
-        let of_class = all.entry(class).or_default();
-        for name in written {
-            of_class.extend(named(class, name, folder).map_err(refused)?);
-        }
-    }
-    check(&all, choice).map_err(refused)?;
     let mut models: BTreeMap<Class, Vec<Model>> = BTreeMap::new();
     for (class, (name, file)) in
-        all.into_iter().flat_map(|(class, of)| of.into_iter().map(move |named| (class, named)))
+        named.into_iter().flat_map(|(class, of)| of.into_iter().map(move |named| (class, named)))
     {
-        models.entry(class).or_default().push(model(name, file, bases, inputs).map_err(named_in)?);
+        models.entry(class).or_default().push(model(name, file, bases, inputs)?);
     }
     Ok(models)
-}
-
-impl Choice {
-    fn by_class(&self) -> impl Iterator<Item = (Class, &Vec<String>)> {
-        let written = |class: Class| match class {
-            Class::Car => &self.car,
-            Class::Bus => &self.bus,
-            Class::Truck => &self.truck,
-            Class::Motorcycle => &self.motorcycle,
-        };
-        Class::ALL.into_iter().filter_map(move |class| Some((class, written(class).as_ref()?)))
-    }
 }
 
 /// Part of a folder's `manifest.toml` that is read; the file may say more.
@@ -147,7 +171,11 @@ const ALL_CROSSES: &str = "crosses";
 
 /// The models that a word of the recipe names: an own vehicle, all crosses, a file, or all `.glb` of a
 /// folder.
-fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, RecipeError> {
+fn of_word(
+    class: Class,
+    written: &str,
+    folder: &Path,
+) -> Result<Vec<(String, Option<PathBuf>)>, RecipeError> {
     let (path, name) = (folder.join(written), || written.to_owned());
     if written == ALL_CROSSES {
         return Ok(vehicles::crosses_of(class).into_iter().map(|name| (name, None)).collect());
@@ -170,7 +198,7 @@ fn named(class: Class, written: &str, folder: &Path) -> Result<Vec<Named>, Recip
     }
 }
 
-fn glb_files(folder: &Path) -> std::io::Result<Vec<Named>> {
+fn glb_files(folder: &Path) -> std::io::Result<Vec<(String, Option<PathBuf>)>> {
     let entries = std::fs::read_dir(folder)?;
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     files.retain(|file| Format::of(file) == Some(Format::Glb));
@@ -182,22 +210,16 @@ fn stem(file: &Path) -> String {
     file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// A class that is named has models, and a name is one model's, for splits may go by it.
-fn check(all: &BTreeMap<Class, Vec<Named>>, choice: &Choice) -> Result<(), RecipeError> {
-    if let Some((class, _)) = choice.by_class().find(|(_, written)| written.is_empty()) {
-        return Err(RecipeError::EmptyClass(class));
-    }
-    if all.is_empty() {
-        return Err(RecipeError::NoModels);
-    }
+/// Notes names of two models, for splits may go by names.
+fn check_names(all: &Named, models: &Section<'_>) {
     let mut known: BTreeMap<&String, (Class, &Option<PathBuf>)> = BTreeMap::new();
     for (class, (name, file)) in all.iter().flat_map(|(class, of)| of.iter().map(|named| (*class, named))) {
         let first = *known.entry(name).or_insert((class, file));
         if first != (class, file) {
-            return Err(RecipeError::NameOfTwoModels { class, name: name.clone() });
+            let broken = RecipeError::NameOfTwoModels { class, name: name.clone() };
+            models.note(class.name(), broken.into());
         }
     }
-    Ok(())
 }
 
 fn model(

@@ -7,6 +7,7 @@ use crate::chain::link::Chain;
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
+use artifact::scene::{SceneHeader, Target, TargetKind};
 use artifact::settings::Angle;
 
 /// The work of all frames.
@@ -39,14 +40,35 @@ fn add_signal(chain: &Chain, plan: &FramePlan, paths: f64, work: &mut WorkCounts
     }
     if plan.runs(Stage::Dsp) {
         work.add(WorkKind::MapCells, samples);
-        let bodies = bodies(chain, plan.index);
+        let [bodies, points] = bodies_and_points(chain.header, plan.index);
         work.add(WorkKind::Bodies, bodies);
+        work.add(WorkKind::PointTargets, points);
         if chain.header.dsp.angle != Angle::Fft {
-            work.add(WorkKind::SeparatedBodies, bodies);
+            work.add(WorkKind::SeparatedBodies, bodies + points);
         }
     }
 }
 
-fn bodies(chain: &Chain, index: u32) -> f64 {
-    (chain.header.targets.len() + scene::vehicles_in_view(chain.header, index).len()) as f64
+/// Bodies with a mesh, each of many echoes, and points, each of one.
+fn bodies_and_points(header: &SceneHeader, index: u32) -> [f64; 2] {
+    let is_point = |target: &&Target| matches!(target.kind, TargetKind::Point { .. });
+    let points = header.targets.iter().filter(is_point).count();
+    let bodies = header.targets.len() - points + scene::vehicles_in_view(header, index).len();
+    [bodies as f64, points as f64]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_is_counted_as_one_echo_and_not_as_a_body_of_many() {
+        let options = scene::ReadOptions::names_only();
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
+        let mut header = scene::read(&file, &options).unwrap();
+        let [bodies, points] = bodies_and_points(&header, 0);
+        assert!(bodies > 1.0);
+        header.targets[0].kind = TargetKind::Point { rcs_m2: 1.0, wheel: None };
+        assert_eq!(bodies_and_points(&header, 0), [bodies - 1.0, points + 1.0]);
+    }
 }

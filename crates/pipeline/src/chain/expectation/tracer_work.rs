@@ -62,10 +62,12 @@ fn add_measured(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
     add_beams(header, look, 2.0, work);
     add_tiles(header, look, work);
     let fine = look.work.fine_tiles.map(|tiles| look.facets * tiles);
-    work.add(WorkKind::FineTiles, fine[0]);
-    work.add(WorkKind::LaterFineTiles, fine[1]);
+    let long = (look.facets * look.work.long_tiles).min(fine[0] + fine[1]);
+    let short_share = 1.0 - long / (fine[0] + fine[1]).max(f64::MIN_POSITIVE);
+    work.add(WorkKind::FineTiles, short_share * fine[0]);
+    work.add(WorkKind::LaterFineTiles, short_share * fine[1]);
     add_skins(header, fine[0] + fine[1], work);
-    work.add(WorkKind::LongTiles, look.facets * look.work.long_tiles);
+    work.add(WorkKind::LongTiles, long);
     work.add(WorkKind::MeasuredCells, look.cells * look.work.smaller_cells);
     work.add(WorkKind::Cells, look.cells * look.work.largest_cells);
     work.add(WorkKind::WideCells, look.cells * look.work.smaller_cells * bart_rcs::element_offset_m(header));
@@ -227,6 +229,19 @@ mod tests {
         // 3.5 places' beams of both ends beside them.
         assert_eq!(counted(&near, WorkKind::Facets), 2.0 + 3.0 + 7.0);
         assert_eq!(counted(&near, WorkKind::Cells), 1.0 + 3.5);
+    }
+
+    #[test]
+    fn a_tile_of_a_long_polygon_is_counted_once() {
+        let header = wall_before_192_channels(15.0);
+        let work = ExpectedWork { fine_tiles: [30.0, 10.0], long_tiles: 20.0, ..look().work };
+        let mut counts = WorkCounts::NONE;
+        add_measured(&header, &Look { work, facets: 1.0, cells: 1.0 }, &mut counts);
+        let of = |kind: WorkKind| counts.0[kind as usize];
+        assert_eq!(of(WorkKind::LongTiles), 20.0);
+        assert_eq!([of(WorkKind::FineTiles), of(WorkKind::LaterFineTiles)], [15.0, 5.0]);
+        assert_eq!(counted(&header, WorkKind::LongTiles), 0.0, "no tiles at all");
+        assert_eq!(counted(&header, WorkKind::FineTiles), 0.0);
     }
 
     #[test]

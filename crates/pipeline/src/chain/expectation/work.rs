@@ -19,11 +19,13 @@ pub enum WorkKind {
     Tiles,
     /// Tiles of the paths' integrals at later moments.
     LaterTiles,
-    /// Tiles of the finer integral that the paths' integrals are compared with.
+    /// Tiles of the finer integral that the paths' integrals are compared with, and is taken again where that
+    /// errs.
     FineTiles,
     /// Tiles of the finer integral at later moments.
     LaterFineTiles,
-    /// Finer tiles of long polygons, whose integrals may be taken again and finer still.
+    /// Finer tiles of long polygons, of which the other kinds count none: most of such a polygon is terms of
+    /// its corners and sides, so that its integral is taken once, and its tiles share what a polygon takes.
     LongTiles,
     /// Cells that paths are made of, where errors are measured (several sizes are tried).
     MeasuredCells,
@@ -64,6 +66,8 @@ pub enum WorkKind {
     Bodies,
     /// Bodies whose points are located and classified, with a search for several echoes in a cell.
     SeparatedBodies,
+    /// Point targets, each of one echo that is located and classified.
+    PointTargets,
     /// Frames that are drawn.
     Frames,
 }

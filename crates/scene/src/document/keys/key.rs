@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 /// Values that a key takes, as the page and the schema tell it.
-pub(crate) trait Kind: Copy + 'static {
+pub trait Kind: Copy + 'static {
     /// Whether it is a number or a list of them.
     const NUMBERS: bool = false;
     /// Allowed values in the words of the page.
@@ -13,7 +13,7 @@ pub(crate) trait Kind: Copy + 'static {
 }
 
 /// A kind of which a value can stand for one that is left out.
-pub(crate) trait Plain: Kind {
+pub trait Plain: Kind {
     /// Type of a value as it is read.
     type Value: Copy + 'static;
     /// Value as JSON, which is also TOML.
@@ -26,13 +26,13 @@ pub(crate) trait Plain: Kind {
 
 /// A key. `A` is [`Absent`], or [`Or`] with a default value common to all readers.
 #[derive(Clone, Copy)]
-pub(crate) struct Key<K, A = Absent> {
+pub struct Key<K, A = Absent> {
     /// Name as written, with its unit.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// Type and range.
-    pub(crate) takes: K,
+    pub takes: K,
     /// Value or meaning of the key where it is left out.
-    pub(crate) absent: A,
+    pub absent: A,
     /// Text of the page in place of the kind's own words, which stand for `{}` in it.
     allowed: &'static str,
     meaning: &'static str,
@@ -40,7 +40,7 @@ pub(crate) struct Key<K, A = Absent> {
 
 /// Meaning of an omitted key.
 #[derive(Clone, Copy)]
-pub(crate) enum Absent {
+pub enum Absent {
     /// An error.
     Required,
     /// Nothing; the page has a dash.
@@ -51,16 +51,16 @@ pub(crate) enum Absent {
 
 /// The value of an omitted key.
 #[derive(Clone, Copy)]
-pub(crate) struct Or<V>(pub(crate) V);
+pub struct Or<V>(pub V);
 
 impl<K: Copy> Key<K> {
     /// A key that may be left out; a sentence as in the page's last column.
-    pub(crate) const fn new(name: &'static str, takes: K, meaning: &'static str) -> Self {
+    pub const fn new(name: &'static str, takes: K, meaning: &'static str) -> Self {
         Self { name, takes, absent: Absent::Nothing, allowed: "{}", meaning }
     }
 
     /// One without which nothing can be said.
-    pub(crate) const fn required(self) -> Self {
+    pub const fn required(self) -> Self {
         Self { absent: Absent::Required, ..self }
     }
 
@@ -70,7 +70,7 @@ impl<K: Copy> Key<K> {
     }
 
     /// One with a value where it is left out.
-    pub(crate) const fn or<V: Copy>(self, value: V) -> Key<K, Or<V>> {
+    pub const fn or<V: Copy>(self, value: V) -> Key<K, Or<V>> {
         let Self { name, takes, allowed, meaning, .. } = self;
         Key { name, takes, absent: Or(value), allowed, meaning }
     }
@@ -84,7 +84,7 @@ impl<K: Copy, A: Copy> Key<K, A> {
 }
 
 /// A key of any kind, as a table lists it.
-pub(crate) trait Entry {
+pub trait Entry {
     /// Name of the key as written.
     fn name(&self) -> &'static str;
     /// Whether a table without the key is refused.
@@ -175,9 +175,9 @@ pub struct Table {
     /// Heading as written in the file.
     pub heading: &'static str,
     /// Description of the table, in a sentence.
-    pub(crate) about: &'static str,
+    pub about: &'static str,
     /// Keys, tables below it included, in the order of the page.
-    pub(crate) keys: &'static [&'static dyn Entry],
+    pub keys: &'static [&'static dyn Entry],
 }
 
 impl Table {

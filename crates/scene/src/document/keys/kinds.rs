@@ -7,11 +7,11 @@ use serde_json::{Value, json};
 
 /// A number.
 #[derive(Clone, Copy)]
-pub(crate) struct Number(pub(crate) Allowed);
+pub struct Number(pub Allowed);
 
 /// A whole number.
 #[derive(Clone, Copy)]
-pub(crate) struct Whole(pub(crate) Allowed);
+pub struct Whole(pub Allowed);
 
 /// A number in one of two ranges, depending on another key.
 #[derive(Clone, Copy)]
@@ -19,15 +19,15 @@ pub(crate) struct Either(pub(crate) [Number; 2]);
 
 /// `true` or `false`.
 #[derive(Clone, Copy)]
-pub(crate) struct Truth;
+pub struct Truth;
 
 /// A text, and the kind of thing that it names.
 #[derive(Clone, Copy)]
-pub(crate) struct Text(pub(crate) &'static str);
+pub struct Text(pub &'static str);
 
 /// A text or a list of texts, not empty, and the kind of thing that they name.
 #[derive(Clone, Copy)]
-pub(crate) struct Texts(pub(crate) &'static str);
+pub struct Texts(pub &'static str);
 
 /// A name that is usable as a file name, a table's cell and a JSON key.
 #[derive(Clone, Copy)]
@@ -52,11 +52,11 @@ pub(crate) struct Like<T: 'static> {
 
 /// `N` numbers, each in the range.
 #[derive(Clone, Copy)]
-pub(crate) struct Vector<const N: usize>(pub(crate) Allowed);
+pub struct Vector<const N: usize>(pub Allowed);
 
 /// `N` whole numbers, each in the range.
 #[derive(Clone, Copy)]
-pub(crate) struct Counts<const N: usize>(pub(crate) Allowed);
+pub struct Counts<const N: usize>(pub Allowed);
 
 /// Two numbers, each in its own range.
 #[derive(Clone, Copy)]
@@ -76,6 +76,15 @@ pub(crate) struct Numbers {
     pub(crate) each: Allowed,
 }
 
+/// A list of whole numbers.
+#[derive(Clone, Copy)]
+pub struct Wholes {
+    /// Allowed length of the list.
+    pub length: Allowed,
+    /// Range of each number.
+    pub each: Allowed,
+}
+
 /// A list of pairs of numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Pairs {
@@ -91,16 +100,16 @@ pub(crate) struct PerElement(pub(crate) Allowed);
 
 /// Nested tables with the keys of `table`.
 #[derive(Clone, Copy)]
-pub(crate) struct Below {
+pub struct Below {
     /// Form in which they are written.
-    pub(crate) form: TableForm,
+    pub form: TableForm,
     /// The keys of each.
-    pub(crate) table: &'static Table,
+    pub table: &'static Table,
 }
 
 /// Form in which tables are written.
 #[derive(Clone, Copy)]
-pub(crate) enum TableForm {
+pub enum TableForm {
     /// One table.
     One,
     /// An array of tables.
@@ -115,7 +124,7 @@ pub(crate) enum TableForm {
 
 impl Below {
     /// One table.
-    pub(crate) const fn one(table: &'static Table) -> Self {
+    pub const fn one(table: &'static Table) -> Self {
         Self { form: TableForm::One, table }
     }
 
@@ -267,6 +276,18 @@ impl Kind for Numbers {
 
     fn schema(&self) -> Value {
         list(&bounds("number", self.each), self.length)
+    }
+}
+
+impl Kind for Wholes {
+    const NUMBERS: bool = true;
+
+    fn allowed(&self) -> String {
+        format!("{} values, {}", many(self.length), range(self.each))
+    }
+
+    fn schema(&self) -> Value {
+        list(&bounds("integer", self.each), self.length)
     }
 }
 

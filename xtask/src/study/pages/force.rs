@@ -1,0 +1,158 @@
+//! The program tried by force: tests that stand beside it, with many more cases than they have by default and
+//! of another seed; how many, and what came of them.
+
+use crate::project::project_root;
+use crate::study::extent::Extent;
+use crate::study::pages::part::Part;
+use crate::study::sources::Places;
+use std::process::Command;
+use wayside::host::failure::Failure;
+use wayside::host::progress::Work;
+
+/// Sources that the figures hang on: what is tried, and how.
+pub(crate) const SOURCES: Places = &[&[
+    "crates/wayside/tests/mutated_numbers",
+    "crates/wayside/tests/hostile_files",
+    "crates/wayside/tests/files/damage.rs",
+    "crates/wayside/tests/files/crafted_artifacts.rs",
+    "crates/wayside/tests/files/full_disk.rs",
+    "crates/wayside/tests/kills.rs",
+    "xtask/tests/commands.rs",
+    "xtask/src/study/pages/force.rs",
+]];
+
+/// Seed of all that is drawn; no plain test has it.
+const SEED: u64 = 77;
+
+/// Tests of one kind of force.
+struct Trial {
+    package: &'static str,
+    /// Name of the test program, and words that all of its tests to be run have in their names.
+    test: [&'static str; 2],
+    /// Variable that says how much is tried, and how much; `None`: all that there is.
+    amount: Option<(&'static str, u64)>,
+    /// Variable of the seed; `None`: nothing is drawn.
+    seed: Option<&'static str>,
+}
+
+const fn of_program(
+    test: [&'static str; 2],
+    amount: Option<(&'static str, u64)>,
+    seed: Option<&'static str>,
+) -> Trial {
+    Trial { package: "wayside", test, amount, seed }
+}
+
+/// Kills of each command.
+const KILLS: Option<(&str, u64)> = Some(("WAYSIDE_KILLS", 15));
+const OF_ALL: Option<&str> = Some("WAYSIDE_SEED");
+
+const TRIALS: [Trial; 8] = [
+    // So many of each number of a scene, of which there are about a hundred.
+    of_program(
+        ["mutated_numbers", "a_scene_with_any"],
+        Some(("WAYSIDE_NUMBERS", 24)),
+        Some("WAYSIDE_NUMBERS_SEED"),
+    ),
+    of_program(["files", "damage::"], Some(("WAYSIDE_DAMAGES", 2_000)), OF_ALL),
+    of_program(
+        ["files", "crafted_artifacts::artifacts_of"],
+        Some(("WAYSIDE_CRAFTED", 500)),
+        Some("WAYSIDE_CRAFTED_SEED"),
+    ),
+    of_program(["hostile_files", ""], None, None),
+    of_program(["files", "full_disk::every"], None, None),
+    of_program(["kills", ""], KILLS, OF_ALL),
+    of_program(["sweeps", "that_is_killed"], KILLS, OF_ALL),
+    Trial { package: "xtask", test: ["commands", "that_is_killed"], amount: KILLS, seed: OF_ALL },
+];
+
+pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+    let mut part = Part::default();
+    part.head(&["what is done to it", "cases", "what came of them", "seed", "found"]);
+    let work = Work::begin("kinds of force");
+    for (number, trial) in TRIALS.iter().enumerate() {
+        work.at(number, TRIALS.len());
+        let told = trial.told(extent)?;
+        let seed = trial.seed.map_or("–".to_owned(), |_| SEED.to_string());
+        for Counted { kind, cases, came } in &told.counted {
+            part.row(&[kind, cases, came, &seed, "nothing"].map(str::to_owned));
+        }
+        if let Some(found) = told.found {
+            let name = trial.test.join(" ");
+            part.row(&[&name, "–", "–", &seed, &found].map(String::from));
+            part.complain(format!("{name}: {found}"));
+        }
+    }
+    Ok(part)
+}
+
+/// What tests have told.
+struct Told {
+    counted: Vec<Counted>,
+    /// Where a test has failed, its words.
+    found: Option<String>,
+}
+
+/// A line of a test: cases of a kind, and what came of them.
+#[derive(Debug, PartialEq)]
+struct Counted {
+    kind: String,
+    cases: String,
+    came: String,
+}
+
+impl Counted {
+    fn of(line: &str) -> Option<Self> {
+        let (_, told) = line.split_once("force: ")?;
+        let (kind, told) = told.split_once(": ")?;
+        let (cases, came) = told.split_once(" cases: ")?;
+        Some(Self { kind: kind.into(), cases: cases.into(), came: came.into() })
+    }
+}
+
+impl Trial {
+    fn told(&self, extent: Extent) -> Result<Told, Failure> {
+        let [test, words] = self.test;
+        let mut command = Command::new("cargo");
+        command.args(["test", "--release", "--package", self.package, "--test", test]);
+        command.args(["--", "--nocapture", words]).current_dir(project_root());
+        if let Some((variable, amount)) = self.amount {
+            command.env(variable, extent.of(amount).to_string());
+        }
+        if let Some(variable) = self.seed {
+            command.env(variable, SEED.to_string());
+        }
+        let output = command.output().map_err(|e| Failure::System(format!("cargo: {e}")))?;
+        let [out, err] = [output.stdout, output.stderr].map(|b| String::from_utf8_lossy(&b).into_owned());
+        let mut counted: Vec<Counted> = out.lines().filter_map(Counted::of).collect();
+        counted.sort_by(|a, b| a.kind.cmp(&b.kind)); // tests end in any order
+        let found = (!output.status.success()).then(|| first_fault(&out, &err));
+        Ok(Told { counted, found })
+    }
+}
+
+/// The first sentence of a test that has failed, as a cell of a table holds it.
+fn first_fault(out: &str, err: &str) -> String {
+    let lines = || out.lines().chain(err.lines());
+    let fault = lines().skip_while(|line| !line.contains("panicked at")).nth(1);
+    let fault = fault.or_else(|| lines().find(|line| line.starts_with("error"))).unwrap_or("a test failed");
+    fault.chars().take(300).collect::<String>().replace('|', "\\|")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_of_a_test_is_a_row_and_a_failed_one_is_told() {
+        let line = "test a ... force: kills of run within 1.0s: 15 cases: 3 temporary files met and swept";
+        let counted = Counted::of(line).unwrap();
+        assert_eq!([&*counted.kind, &*counted.cases], ["kills of run within 1.0s", "15"]);
+        assert_eq!(counted.came, "3 temporary files met and swept");
+        assert_eq!(Counted::of("running 3 tests"), None);
+        let said = "thread 'x' panicked at a.rs:1:2:\nf.cube: damage 3 | is taken for right\n";
+        assert_eq!(first_fault("", said), "f.cube: damage 3 \\| is taken for right");
+        assert_eq!(first_fault("", "error: no test target named `x`"), "error: no test target named `x`");
+    }
+}
