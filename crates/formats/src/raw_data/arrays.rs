@@ -17,7 +17,7 @@ pub const ENDINGS: [&str; 1] = ["npy"];
 const AXES: usize = 4;
 
 /// Reads the frames of a file, or of a folder in the order of its files' names: four axes are `[frame,
-/// channel, chirp, sample]`, three a [tensor of RADDet](raddet), which is one frame.
+/// channel, chirp, sample]`, three a tensor of RADDet, which is one frame.
 ///
 /// # Errors
 /// Files that are not such arrays, do not have the sizes of the header's radar, or are of different kinds.
