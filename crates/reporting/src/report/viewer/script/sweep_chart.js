@@ -90,7 +90,7 @@ function verdictOn(page, index) {
     [design.is_on_front, "on the Pareto front: no design is better at the same or lower cost"],
   ];
   const said = words.filter(([holds]) => holds).map(([, text]) => text);
-  return said.length ? `${said.join("; ")}.` : "Dominated by another design, at least as good at no higher cost.";
+  return said.length ? `${said.join("; ")}.` : "Another design is at least as good at no higher cost.";
 }
 
 /** A mean with half the width of its interval. */
