@@ -122,7 +122,8 @@ def test_broken_rules_of_materials_name_their_file_and_their_places(plate: Path)
     error = refused.value
     places = [(fault["file"], fault["line"], fault["column"], fault["place"]) for fault in error.faults]
     assert places == [(str(file), 2, 23, "material `paint`"), (str(file), 3, 22, "material `back`")]
-    assert (error.kind, error.rule) == ("refused", "there is no substance `glas`; the nearest is `glass`")
+    assert error.kind == "refused"
+    assert error.rule.startswith("there is no substance `glas`; the nearest is `glass`;")
     assert str(error).splitlines()[0] == f"{file}:2:23: material `paint`: {error.rule}"
 
 
