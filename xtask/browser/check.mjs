@@ -122,7 +122,7 @@ async function vehicleIsChosen(page) {
     await pause(100);
     const id = await page.value(`waysideViewer.view.state.frame.bodies[${index}].id`);
     const text = await page.value(TEXT("panel"));
-    const parts = [id, "Class", "probability", "Paths shown", "Error budget", "total"];
+    const parts = [id, "Class", "probability", "Shown paths", "Error budget", "total"];
     holds(
       `tells of ${id} when it is clicked`,
       parts.every((part) => text.includes(part)),
