@@ -38,15 +38,22 @@ pub(super) fn against_sampling(random: &mut Random) -> Result<Outcome, Failure> 
     Ok(judged((found - fine).norm() / fine.norm(), allowed / fine.norm() + 1e-6, || words(&body, &request)))
 }
 
+/// Orders that are compared with rays.
+const ORDERS: u8 = 3;
+
 /// Boxes of some faces, for which planes are exact: each order against rays at two densities.
 pub(super) fn against_rays(random: &mut Random) -> Result<Outcome, Failure> {
     let body = box_of(random);
-    let asked = request(random, 3);
+    let asked = request(random, ORDERS);
     let request = RcsRequest { nodes: NodeRule::Exit, range_m: f64::INFINITY, ..asked };
     let result = looks::traced(&body, &request)?;
     let rays = |per_wavelength: f64| {
-        let shooting =
-            sbr::Shooting { per_wavelength, bounces: 3, sides: Sides::Two, bracket: Bracket::Symmetrised };
+        let shooting = sbr::Shooting {
+            per_wavelength,
+            bounces: ORDERS,
+            sides: Sides::Two,
+            bracket: Bracket::Symmetrised,
+        };
         looks::shot(&body, &request, &shooting)
     };
     let (coarse, fine) = (rays(8.0)?, rays(20.0)?);
@@ -56,8 +63,8 @@ pub(super) fn against_rays(random: &mut Random) -> Result<Outcome, Failure> {
     }
     let missed = |order: usize| (result.by_order_m[order][0] - fine[order]).norm();
     let apart = |order: usize| (coarse[order] - fine[order]).norm();
-    let error = (0..2).map(missed).sum::<f64>() / whole;
-    let own = (0..2).map(apart).sum::<f64>() / whole;
+    let error = (0..ORDERS as usize).map(missed).sum::<f64>() / whole;
+    let own = (0..ORDERS as usize).map(apart).sum::<f64>() / whole;
     // Rays that have not converged are uninformative: along a wall there are too few of them.
     if own > 0.1 {
         return Ok(Outcome::Void);
