@@ -82,7 +82,7 @@ fn project_of_its_own() -> Workplace {
 
 const EARLIER: &str = "# An earlier page\n";
 
-/// What each file of the chart ends with; its seconds differ from run to run.
+/// End of each file of the chart, whose seconds differ from run to run.
 const ENDS: [(&str, &[u8]); 6] = [
     ("docs/chart.md", b"<!-- made by cargo xtask study chart from sources unknown -->\n"),
     ("docs/pictures/chart.csv", b"\n"),

@@ -184,7 +184,7 @@ struct DrawnStudy {
     pictures: Vec<(&'static str, Svg)>,
 }
 
-/// What a page says of the sources that its figures hang on.
+/// A page's statement on the sources of its figures.
 #[derive(Clone, Copy)]
 enum Page {
     /// All cases are of them.

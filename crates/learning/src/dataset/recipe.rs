@@ -64,7 +64,7 @@ impl Recipe {
     }
 }
 
-/// What the recipe says, its base scenes, and its models by their names.
+/// The recipe's content, its base scenes, and its models by their names.
 fn said(
     file: &Path,
     text: &str,

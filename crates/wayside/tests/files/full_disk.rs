@@ -182,7 +182,7 @@ fn a_training_ends_with_2_and_leaves_nothing_half_written() {
 /// Room that is left on the disk.
 const ROOM_KIB: [u64; 6] = [0, 4, 16, 64, 256, 1024];
 
-/// How often it ended so; with more room it ends well.
+/// Number of runs that ended so; with more room the command ends well.
 fn ends_with_2_on_a_full_disk(place: &Workplace, words: &str) -> u64 {
     let mut failed = 0;
     for free_kib in ROOM_KIB {

@@ -87,10 +87,10 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-/// What tests have told.
+/// Results that tests have printed.
 struct Told {
     counted: Vec<Counted>,
-    /// Where a test has failed, its words.
+    /// Words of a test that has failed.
     found: Option<String>,
 }
 

@@ -40,7 +40,7 @@ pub(in crate::dataset) struct Base {
 }
 
 impl Document {
-    /// What the recipe says; noted are keys that lack or are unknown, wrong types and numbers out of range.
+    /// The recipe's content; missing and unknown keys, wrong types and numbers out of range are noted.
     pub(super) fn of(root: &Section<'_>, models: &Section<'_>) -> Self {
         let needed = keys::RECIPE.keys.iter().filter(|key| key.is_required());
         needed.for_each(|key| root.require(key.name()));
@@ -70,7 +70,7 @@ impl Document {
         }
     }
 
-    /// What another recipe's text says; `None` where it breaks a rule.
+    /// The content of another recipe's text; `None` if it breaks a rule.
     pub(super) fn of_text(text: &str) -> Option<Self> {
         let faults = Faults::of_tables(Path::new(""), text, keys::TABLES);
         let document = faults.document();

@@ -62,11 +62,11 @@ pub(super) const SCENES_PER_SHARD: Key<Whole, Or<u64>> =
     Key::new("scenes_per_shard", Whole(Between(1.0, u32::MAX as f64)), "what an interruption costs at most")
         .or(64);
 
-/// As far as a scene's targets.
+/// Distances up to those of a scene's targets.
 pub(super) const RANGE: Key<Vector<2>> =
     Key::new("range_m", Vector(Above(0.0, 1e5)), "m: least and greatest slant range").required();
 
-/// As fast as a scene's targets.
+/// Speeds up to those of a scene's targets.
 pub(super) const SPEED: Key<Vector<2>> =
     Key::new("speed_mps", Vector(Between(0.0, 340.0)), "m/s: least and greatest speed").required();
 

@@ -31,7 +31,7 @@ pub(super) struct Choice {
 }
 
 impl Choice {
-    /// What the table says; noted are unknown keys and wrong types.
+    /// The table's content; unknown keys and wrong types are noted.
     pub(super) fn of(models: &Section<'_>) -> Self {
         let words = |class: Class| {
             let key = match class {
@@ -87,7 +87,7 @@ impl Model {
 /// Names and files of models; an own vehicle has no file.
 pub(super) type Named = BTreeMap<Class, Vec<(String, Option<PathBuf>)>>;
 
-/// What the manifest of the folder of vehicles lists; `inputs` gets its file, with the hash.
+/// Vehicles listed by the folder's manifest; its file and hash are added to `inputs`.
 pub(super) fn listed(
     choice: &Choice,
     recipe: &Path,
