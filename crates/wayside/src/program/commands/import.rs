@@ -137,19 +137,24 @@ fn scene_of(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> R
 
 /// Layout of a capture card's file by the command, else by the configuration.
 fn layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> dca1000::Layout {
-    let (lanes, order) = (settings.and_then(DeviceSettings::lanes), settings.and_then(|s| s.iq_order));
-    dca1000::Layout {
-        lanes: arguments.layout.or(lanes).unwrap_or(Lanes::Two),
-        order: arguments.iq_order.or(order).unwrap_or(IqOrder::InPhaseFirst),
-    }
+    let (lanes, order) = layout_told(arguments, settings);
+    dca1000::Layout { lanes: lanes.unwrap_or(Lanes::Two), order: order.unwrap_or(IqOrder::InPhaseFirst) }
+}
+
+/// Lanes and order of I and Q that the command gives, else the configuration.
+fn layout_told(
+    arguments: &ImportArguments,
+    settings: Option<&DeviceSettings>,
+) -> (Option<Lanes>, Option<IqOrder>) {
+    let lanes = arguments.layout.or(settings.and_then(DeviceSettings::lanes));
+    (lanes, arguments.iq_order.or(settings.and_then(|s| s.iq_order)))
 }
 
 /// Notes the layout that is assumed of a recording where neither the command nor a configuration gives it:
 /// another one reads as other ranges and velocities, not as noise.
 fn note_layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>, sampling: Sampling) {
-    let has_lanes = arguments.layout.or(settings.and_then(DeviceSettings::lanes)).is_some();
-    let has_order = arguments.iq_order.or(settings.and_then(|s| s.iq_order)).is_some();
-    let assumed = match (has_lanes, has_order || sampling == Sampling::Real) {
+    let (lanes, order) = layout_told(arguments, settings);
+    let assumed = match (lanes.is_some(), order.is_some() || sampling == Sampling::Real) {
         (true, true) => return,
         (true, false) => "I before Q is",
         (false, true) => "two lanes are",
